@@ -1,0 +1,86 @@
+// The integer lattice that all geometry lives on, and how a marker's decimals map to it.
+//
+// A coordinate is a whole number of lattice units; a marker's Resolution says how long one unit is (a power of ten of
+// the marker's own unit, so that decimal input is exact).  Extents stay below 2^40 units, hence Minkowski sums below
+// 2^41 and every cross product below 2^86: exact in 128 bits.
+#pragma once
+
+#include <algorithm>
+#include <compare>
+#include <cstdint>
+#include <span>
+
+namespace selvage {
+
+using Coord = std::int64_t;            // lattice units
+__extension__ using Wide = __int128;   // products of two coordinates
+
+inline constexpr Coord kLatticeLimit = Coord{1} << 40;  // extents of a marker stay below this
+
+// A point or a vector, in lattice units.
+struct Vec {
+  Coord x{}, y{};
+  friend constexpr auto operator<=>(const Vec&, const Vec&) = default;
+  friend constexpr Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y}; }
+  friend constexpr Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y}; }
+  friend constexpr Vec operator-(Vec a) { return {-a.x, -a.y}; }
+};
+
+// Twice the signed area of the triangle (0, a, b): positive when b lies to the left of a.
+[[nodiscard]] constexpr Wide cross(Vec a, Vec b) {
+  return static_cast<Wide>(a.x) * b.y - static_cast<Wide>(a.y) * b.x;
+}
+[[nodiscard]] constexpr Wide dot(Vec a, Vec b) {
+  return static_cast<Wide>(a.x) * b.x + static_cast<Wide>(a.y) * b.y;
+}
+// +1 when c lies to the left of the line from a to b, -1 to the right, 0 on it.  Exact.
+[[nodiscard]] constexpr int side_of(Vec a, Vec b, Vec c) {
+  const Wide w = cross(b - a, c - a);
+  return (w > 0) - (w < 0);
+}
+
+// A closed axis-parallel box.
+struct Box {
+  Vec low, high;
+  friend constexpr bool operator==(const Box&, const Box&) = default;
+  [[nodiscard]] constexpr Coord width() const { return high.x - low.x; }
+  [[nodiscard]] constexpr Coord height() const { return high.y - low.y; }
+  [[nodiscard]] constexpr Box moved(Vec by) const { return {low + by, high + by}; }
+  [[nodiscard]] constexpr Box grown(Coord by) const {
+    return {{low.x - by, low.y - by}, {high.x + by, high.y + by}};
+  }
+  // True when the interiors meet; boxes that only touch do not.
+  [[nodiscard]] constexpr bool overlaps(const Box& other) const {
+    return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y && other.low.y < high.y;
+  }
+  [[nodiscard]] constexpr bool touches(const Box& other) const {
+    return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y;
+  }
+};
+// REQUIRES: at least one point.
+[[nodiscard]] Box box_of(std::span<const Vec> points);
+
+// The length of one lattice unit: 10^exponent of the marker's unit.
+struct Resolution {
+  int exponent{};
+  friend constexpr auto operator<=>(const Resolution&, const Resolution&) = default;
+};
+inline constexpr int kFinestExponent = -22;   // 10^22 is the largest power of ten a double holds exactly
+inline constexpr int kCoarsestExponent = 6;
+
+// The number of decimals in the shortest text of `value`: 12.5 has 1, 100 has 0, 1e-7 has 7.
+[[nodiscard]] int decimals_of(double value);
+
+// The default resolution.  `decimals`: the most decimals of any input number; `extent`: the largest absolute coordinate,
+// in the marker's unit; `width`: the strip's.  Decimals are exact and the strip at least 2^28 units wide, unless that
+// would take the extent beyond the lattice: then as fine as the lattice allows.
+[[nodiscard]] Resolution choose_resolution(int decimals, double extent, double width);
+
+// The nearest lattice coordinate.  Exact when `value` has no more decimals than the resolution.
+// REQUIRES: fits_lattice(value, resolution).
+[[nodiscard]] Coord to_lattice(double value, Resolution resolution);
+[[nodiscard]] bool fits_lattice(double value, Resolution resolution);
+// The double whose shortest text is exactly the coordinate as a decimal.
+[[nodiscard]] double to_decimal(Coord coord, Resolution resolution);
+
+}  // namespace selvage

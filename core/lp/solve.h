@@ -1,0 +1,21 @@
+// The solvers behind one call [design: solve].  Simplex (COIN-OR Clp) for small models and where a vertex matters; the
+// interior point method for large ones; simplex again when the interior point method fails.
+#pragma once
+
+#include <stop_token>
+
+#include "core/lp/linear_program.h"
+
+namespace selvage {
+
+enum class SolverChoice { kAutomatic, kSimplex, kInteriorPoint };
+
+struct LpLimits {
+  int iterations{100'000};  // simplex pivots; the interior point method has its own far smaller limit
+};
+
+// Deterministic.  Stops soon after `stop` is requested, with kStopped.
+[[nodiscard]] LpSolution solve(const LinearProgram& program, SolverChoice choice, const LpLimits& limits = {},
+                               std::stop_token stop = {});
+
+}  // namespace selvage

@@ -1,0 +1,70 @@
+// Leftward compaction: all pieces move at once so that the marker becomes as short as it can without one leaping over
+// another [Li94 4.1.4, 4.2.1].
+//
+// Laws.  (1) The answer is valid, proved in integers.  (2) It is never longer than the input.  (3) Locked pieces stay to
+// the lattice unit.  (4) Same input and settings, same answer, whatever the cache holds.
+#pragma once
+
+#include <functional>
+#include <stop_token>
+
+#include "core/base/result.h"
+#include "core/lp/solve.h"
+#include "core/marker/marker.h"
+#include "core/minkowski/cache.h"
+
+namespace selvage {
+
+enum class Accuracy { kDraft, kStandard, kFine };
+enum class RegionRule { kGreedy, kWalk };
+
+struct CompactionSettings {
+  int rounds{};            // at most this many
+  double least_gain{};     // stop when a round shortens the marker by less than this part of its width
+  double trust{};          // neighbours are pairs within this part of the width; two of them move apart or together by
+                           // at most twice that in one round
+  double gravity{};        // weight of the mean leftward motion beside the length
+  RegionRule region{};
+  SolverChoice solver{};
+  friend bool operator==(const CompactionSettings&, const CompactionSettings&) = default;
+};
+[[nodiscard]] CompactionSettings compaction_settings(Accuracy accuracy);
+
+enum class StopReason { kConverged, kWorkLimit, kCancelled };
+
+// What the core is doing, for whoever holds a clock.
+enum class Stage { kSums, kRows, kSolve, kVerify, kOther };
+
+struct Round {
+  int number{};    // 1, 2, ...
+  Coord length{};  // after it
+};
+struct Observer {
+  std::function<void(Stage)> on_stage = [](Stage) {};
+  std::function<void(const Round&)> on_round = [](const Round&) {};
+};
+
+// Small overlaps in the input (other programs' rounding), parted by least motion before anything else.
+struct Healing {
+  std::size_t pairs{};     // overlapping pairs found
+  std::size_t protruding{};  // pieces that left the strip
+  double deepest{};        // lattice units
+  Coord farthest_move{};   // the largest |dx| or |dy| of a piece
+};
+inline constexpr double kHealingLimit = 1e-4;  // of the strip's width; deeper overlaps are refused
+
+struct Compaction {
+  Marker marker;
+  StopReason reason{};
+  int rounds{};
+  int programs{};  // linear programs solved
+  Coord length_before{}, length_after{};
+  double utilisation_before{}, utilisation_after{};
+  Healing healing;
+};
+
+// Errors: kMarkerOverlaps, kOutsideStrip (deeper than the healing limit), kHealingFailed.
+[[nodiscard]] Result<Compaction> compact(const Marker& start, const CompactionSettings& settings, SumCache& sums,
+                                         std::stop_token stop = {}, const Observer& observer = {});
+
+}  // namespace selvage
