@@ -1,0 +1,32 @@
+#include "core/geometry/outline.h"
+
+namespace selvage {
+namespace {
+
+// FNV-1a over the coordinates' bytes, low byte first.
+std::uint64_t hash_of(const Polygon& polygon) {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  const auto mix = [&hash](Coord c) {
+    auto bits = static_cast<std::uint64_t>(c);
+    for (int k = 0; k < 8; ++k, bits >>= 8) hash = (hash ^ (bits & 0xffU)) * 0x100000001b3U;
+  };
+  for (const Vec v : polygon) {
+    mix(v.x);
+    mix(v.y);
+  }
+  return hash;
+}
+
+}  // namespace
+
+std::shared_ptr<const Outline> make_outline(Polygon polygon) {
+  auto outline = std::make_shared<Outline>();
+  outline->box = box_of(polygon);
+  outline->convex = is_convex(polygon);
+  outline->parts = star_parts(polygon);
+  outline->hash = hash_of(polygon);
+  outline->polygon = std::move(polygon);
+  return outline;
+}
+
+}  // namespace selvage
