@@ -12,6 +12,7 @@ std::string_view wire_name(ErrorCode code) {
     case ErrorCode::kOutOfRange: return "input.out_of_range";
     case ErrorCode::kUnknownFormat: return "input.unknown_format";
     case ErrorCode::kFile: return "input.file";
+    case ErrorCode::kDuplicateField: return "input.duplicate_field";
     case ErrorCode::kTooFewVertices: return "shape.too_few_vertices";
     case ErrorCode::kZeroArea: return "shape.zero_area";
     case ErrorCode::kSelfIntersecting: return "shape.self_intersecting";

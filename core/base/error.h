@@ -16,6 +16,7 @@ enum class ErrorCode : int {
   kOutOfRange = 1006,     // a number outside what is allowed, or not finite
   kUnknownFormat = 1007,  // neither of the formats the project reads
   kFile = 1008,           // a file cannot be read or written
+  kDuplicateField = 1009, // a key twice in one object
 
   kTooFewVertices = 1101,    // fewer than three vertices once duplicates are gone
   kZeroArea = 1102,          // all vertices on one line
