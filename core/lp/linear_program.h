@@ -48,8 +48,8 @@ enum class LpStatus { kOptimal, kInfeasible, kUnbounded, kWorkLimit, kStopped, k
 
 struct LpSolution {
   LpStatus status{LpStatus::kFailed};
-  std::vector<double> x;     // one per column; meaningful when optimal
-  std::vector<double> dual;  // one per row, >= 0: what the objective gains when the row's bound falls by one
+  std::vector<double> x{};     // one per column; meaningful when optimal
+  std::vector<double> dual{};  // one per row, >= 0: what the objective gains when the row's bound falls by one
   double objective{};
   int iterations{};
 };

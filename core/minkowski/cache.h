@@ -6,6 +6,9 @@
 #include <cstdint>
 #include <memory>
 
+#include "core/geometry/outline.h"
+#include "core/minkowski/sum.h"
+
 namespace selvage {
 
 struct CacheCounts {
@@ -13,12 +16,35 @@ struct CacheCounts {
   std::size_t entries{}, bytes{}, limit{};
 };
 
+// The obstacle that piece P is to piece Q, in some frame of its own: a position r = q - p of Q relative to P in the
+// marker's frame is to_frame(r) there.
+class Obstacle {
+ public:
+  Obstacle(std::shared_ptr<const MinkowskiSum> sum, Symmetry frame, bool mirrored)
+      : sum_{std::move(sum)}, frame_{frame}, into_{frame.inverse()}, mirrored_{mirrored} {}
+
+  [[nodiscard]] const MinkowskiSum& sum() const { return *sum_; }
+  [[nodiscard]] Vec to_frame(Vec r) const { return into_.apply(mirrored_ ? -r : r); }
+  [[nodiscard]] Vec from_frame(Vec v) const { return mirrored_ ? -frame_.apply(v) : frame_.apply(v); }
+  // True when the frame turns left into right.
+  [[nodiscard]] bool flips() const { return frame_.flips(); }
+
+ private:
+  std::shared_ptr<const MinkowskiSum> sum_;
+  Symmetry frame_, into_;
+  bool mirrored_;  // the sum is that of P relative to Q: -(P (+) -Q)
+};
+
 class SumCache {
  public:
-  explicit SumCache(std::size_t limit_bytes = std::size_t{256} << 20);
+  static constexpr std::size_t kDefaultLimit = std::size_t{256} << 20;
+  explicit SumCache(std::size_t limit_bytes = kDefaultLimit);
   ~SumCache();
   SumCache(const SumCache&) = delete;
   SumCache& operator=(const SumCache&) = delete;
+
+  // Finds or makes the sum.  The least recently used entries go when the limit is passed; whoever holds one keeps it.
+  [[nodiscard]] Obstacle obstacle(const OrientedOutline& p, const OrientedOutline& q);
 
   [[nodiscard]] CacheCounts counts() const;
 

@@ -1,0 +1,17 @@
+// A cheap monotone stand-in for the angle of a vector: 0..4 for a full turn counter-clockwise from the x axis.
+#pragma once
+
+#include <cmath>
+
+namespace selvage {
+
+inline constexpr double kFullTurn = 4;
+
+// REQUIRES: (x, y) is not (0, 0).
+[[nodiscard]] inline double pseudo_angle(double x, double y) {
+  const double part = y / (std::abs(x) + std::abs(y));
+  if (x < 0) return 2 - part;
+  return y < 0 ? kFullTurn + part : part;
+}
+
+}  // namespace selvage

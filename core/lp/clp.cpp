@@ -1,0 +1,87 @@
+#include "core/lp/clp.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <ClpEventHandler.hpp>
+#include <ClpSimplex.hpp>
+#include <ClpSolve.hpp>
+#include <CoinPackedMatrix.hpp>
+
+namespace selvage {
+namespace {
+
+constexpr double kTolerance = 1e-9;
+// Below this many rows the presolve costs more than the pivots it saves (bench/lp_benchmark).
+constexpr int kPresolveFromRows = 60;
+
+// Clp asks at every pivot; 0 ends the solve with status 5.  Clp clones and deletes its handlers, hence the bare new.
+class StopOnRequest final : public ClpEventHandler {
+ public:
+  explicit StopOnRequest(std::stop_token stop) : stop_{std::move(stop)} {}
+  int event(Event) override { return stop_.stop_requested() ? 0 : -1; }
+  ClpEventHandler* clone() const override { return new StopOnRequest{*this}; }
+
+ private:
+  std::stop_token stop_;
+};
+
+CoinPackedMatrix packed_rows(const LinearProgram& program) {
+  std::vector<int> column(program.entries.size());
+  std::vector<double> value(program.entries.size());
+  for (std::size_t k = 0; k < program.entries.size(); ++k) {
+    column[k] = program.entries[k].column;
+    value[k] = program.entries[k].value;
+  }
+  const std::vector<CoinBigIndex> start(program.row_start.begin(), program.row_start.end());
+  return {false,        program.columns(), program.rows(), static_cast<CoinBigIndex>(column.size()), value.data(),
+          column.data(), start.data(),      nullptr};
+}
+
+void load(ClpSimplex& clp, const LinearProgram& program) {
+  clp.setLogLevel(0);
+  clp.loadProblem(packed_rows(program), program.lower.data(), program.upper.data(), program.cost.data(),
+                  program.bound.data(), nullptr);
+  clp.setPrimalTolerance(kTolerance);
+  clp.setDualTolerance(kTolerance);
+  clp.setDblParam(ClpPresolveTolerance, kTolerance);
+}
+
+LpStatus translate(int clp_status) {
+  switch (clp_status) {
+    case 0: return LpStatus::kOptimal;
+    case 1: return LpStatus::kInfeasible;
+    case 2: return LpStatus::kUnbounded;
+    case 3: return LpStatus::kWorkLimit;
+    case 5: return LpStatus::kStopped;
+    default: return LpStatus::kFailed;
+  }
+}
+
+}  // namespace
+
+LpSolution solve_by_simplex(const LinearProgram& program, int pivot_limit, std::stop_token stop) {
+  if (stop.stop_requested()) return {.status = LpStatus::kStopped};
+  ClpSimplex clp;
+  load(clp, program);
+  clp.setMaximumIterations(pivot_limit);
+  StopOnRequest handler{stop};
+  clp.passInEventHandler(&handler);
+
+  ClpSolve options;
+  options.setSolveType(ClpSolve::useDual);
+  options.setPresolveType(program.rows() < kPresolveFromRows ? ClpSolve::presolveOff : ClpSolve::presolveOn);
+  clp.initialSolve(options);
+
+  LpSolution solution{.status = translate(clp.status()), .iterations = clp.numberIterations()};
+  if (solution.status != LpStatus::kOptimal) return solution;
+  const double* x = clp.primalColumnSolution();
+  const double* dual = clp.dualRowSolution();
+  solution.x.assign(x, x + program.columns());
+  solution.dual.assign(dual, dual + program.rows());
+  for (double& price : solution.dual) price = std::max(price, 0.0);  // rounding makes some -1e-17
+  solution.objective = clp.objectiveValue();
+  return solution;
+}
+
+}  // namespace selvage

@@ -1,0 +1,14 @@
+// The simplex method: COIN-OR Clp, of which nothing shows here.
+#pragma once
+
+#include <stop_token>
+
+#include "core/lp/linear_program.h"
+
+namespace selvage {
+
+// A vertex solution, feasible to 1e-9.  Stops at the next pivot once `stop` is requested.
+// REQUIRES: lower <= upper, no NaN, at least one column.
+[[nodiscard]] LpSolution solve_by_simplex(const LinearProgram& program, int pivot_limit, std::stop_token stop = {});
+
+}  // namespace selvage

@@ -1,0 +1,57 @@
+#include "core/lp/solve.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/lp/clp.h"
+#include "core/lp/interior_point.h"
+
+namespace selvage {
+namespace {
+
+// From here on the interior point method is the faster of the two (bench/lp_benchmark).
+constexpr int kInteriorPointFromRows = 150;
+// What an answer of the interior point method may break a row by before it is not believed.
+constexpr double kLargestInfeasibility = 1e-9;
+
+// What neither solver should see.  kFailed: not a linear program.
+LpStatus precheck(const LinearProgram& program) {
+  const auto is_nan = [](double value) { return std::isnan(value); };
+  const auto broken = [&](const std::vector<double>& values) { return std::any_of(values.begin(), values.end(), is_nan); };
+  if (broken(program.cost) || broken(program.lower) || broken(program.upper) || broken(program.bound)) {
+    return LpStatus::kFailed;
+  }
+  for (std::size_t j = 0; j < program.cost.size(); ++j) {
+    if (program.lower[j] > program.upper[j]) return LpStatus::kInfeasible;
+  }
+  return LpStatus::kOptimal;
+}
+
+LpSolution solve_without_columns(const LinearProgram& program) {
+  const bool feasible = infeasibility(program, {}) <= kLargestInfeasibility;
+  if (!feasible) return {.status = LpStatus::kInfeasible};
+  return {.status = LpStatus::kOptimal, .dual = std::vector<double>(program.bound.size())};
+}
+
+bool prefers_interior_point(const LinearProgram& program, SolverChoice choice) {
+  if (choice == SolverChoice::kAutomatic) return program.rows() >= kInteriorPointFromRows;
+  return choice == SolverChoice::kInteriorPoint;
+}
+
+}  // namespace
+
+LpSolution solve(const LinearProgram& program, SolverChoice choice, const LpLimits& limits, std::stop_token stop) {
+  if (stop.stop_requested()) return {.status = LpStatus::kStopped};
+  if (const LpStatus status = precheck(program); status != LpStatus::kOptimal) return {.status = status};
+  if (program.columns() == 0) return solve_without_columns(program);
+  if (prefers_interior_point(program, choice)) {
+    LpSolution solution = solve_by_interior_point(program, {}, stop);
+    if (solution.status == LpStatus::kStopped) return solution;
+    if (solution.status == LpStatus::kOptimal && infeasibility(program, solution.x) <= kLargestInfeasibility) {
+      return solution;
+    }
+  }
+  return solve_by_simplex(program, limits.iterations, stop);
+}
+
+}  // namespace selvage

@@ -1,0 +1,105 @@
+#include "core/minkowski/cache.h"
+
+#include <list>
+#include <mutex>
+#include <unordered_map>
+
+namespace selvage {
+namespace {
+
+// Relative orientation and the outlines themselves: equal keys have equal sums.
+struct Key {
+  std::shared_ptr<const Outline> p, q;
+  Symmetry relative;
+
+  friend bool operator==(const Key& a, const Key& b) {
+    const auto same = [](const auto& x, const auto& y) {
+      return x == y || (x->hash == y->hash && x->polygon == y->polygon);
+    };
+    return a.relative == b.relative && same(a.p, b.p) && same(a.q, b.q);
+  }
+};
+struct KeyHash {
+  std::size_t operator()(const Key& key) const {
+    return key.p->hash * 0x9e3779b97f4a7c15U ^ (key.q->hash + static_cast<std::size_t>(key.relative.index()));
+  }
+};
+
+// True when the pair (p, q) is kept as (q, p): so that both orders share one entry.
+bool kept_swapped(const OrientedOutline& p, const OrientedOutline& q) {
+  const Outline& a = *p.outline;
+  const Outline& b = *q.outline;
+  if (a.hash != b.hash) return a.hash > b.hash;
+  if (a.polygon != b.polygon) return a.polygon > b.polygon;
+  const Symmetry forth = p.symmetry.inverse().after(q.symmetry);
+  return forth.inverse().index() < forth.index();
+}
+
+}  // namespace
+
+struct SumCache::Store {
+  struct Entry {
+    Key key;
+    std::shared_ptr<const MinkowskiSum> sum;
+    std::size_t bytes{};
+  };
+  using Entries = std::list<Entry>;  // most recently used first
+
+  std::size_t limit{};
+  mutable std::mutex mutex;
+  Entries entries;
+  std::unordered_map<Key, Entries::iterator, KeyHash> index;
+  CacheCounts counts;
+
+  std::shared_ptr<const MinkowskiSum> find(const Key& key) {
+    const std::lock_guard lock{mutex};
+    const auto at = index.find(key);
+    if (at == index.end()) {
+      ++counts.misses;
+      return nullptr;
+    }
+    ++counts.hits;
+    entries.splice(entries.begin(), entries, at->second);
+    return at->second->sum;
+  }
+
+  // Keeps the sum, unless another thread was faster.
+  void keep(const Key& key, const std::shared_ptr<const MinkowskiSum>& sum) {
+    const std::lock_guard lock{mutex};
+    if (index.contains(key)) return;
+    entries.push_front({key, sum, sum->bytes()});
+    index.emplace(key, entries.begin());
+    counts.bytes += entries.front().bytes;
+    while (counts.bytes > limit && !entries.empty()) {
+      counts.bytes -= entries.back().bytes;
+      index.erase(entries.back().key);
+      entries.pop_back();
+    }
+  }
+};
+
+SumCache::SumCache(std::size_t limit_bytes) : store_{std::make_unique<Store>()} { store_->limit = limit_bytes; }
+SumCache::~SumCache() = default;
+
+Obstacle SumCache::obstacle(const OrientedOutline& p, const OrientedOutline& q) {
+  const bool swapped = kept_swapped(p, q);
+  const OrientedOutline& first = swapped ? q : p;
+  const OrientedOutline& second = swapped ? p : q;
+  const Key key{first.outline, second.outline, first.symmetry.inverse().after(second.symmetry)};
+  auto sum = store_->find(key);
+  if (!sum) {
+    sum = std::make_shared<const MinkowskiSum>(obstacle_sum(*key.p, *key.q, key.relative));
+    store_->keep(key, sum);
+  }
+  return {std::move(sum), first.symmetry, swapped};
+}
+
+CacheCounts SumCache::counts() const {
+  const std::lock_guard lock{store_->mutex};
+  CacheCounts counts = store_->counts;
+  counts.entries = store_->entries.size();
+  counts.limit = store_->limit;
+  return counts;
+}
+
+}  // namespace selvage

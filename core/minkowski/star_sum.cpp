@@ -1,0 +1,51 @@
+#include "core/minkowski/star_sum.h"
+
+#include <cmath>
+
+#include "core/minkowski/polar_envelope.h"
+#include "core/minkowski/reduced_convolution.h"
+
+namespace selvage {
+
+StarSum star_sum(const StarPart& first, const StarPart& second) {
+  StarSum sum{{first.kernel.x + second.kernel.x, first.kernel.y + second.kernel.y}, {}};
+  const std::vector<Candidate> candidates = reduced_convolution(first, second);
+  const std::vector<Stretch> envelope = polar_envelope(candidates);
+  const auto lattice_point = [&](double x, double y) {
+    return Vec{std::llround(sum.centre.x + x), std::llround(sum.centre.y + y)};
+  };
+  sum.edges.reserve(envelope.size());
+  for (const Stretch& s : envelope) {
+    const Candidate& c = candidates[s.candidate];
+    // The start of each stretch is the end of the one before, but for jumps along rays (kernels without depth).
+    const Vec from = lattice_point(s.x0, s.y0);
+    const Vec to = lattice_point(s.x1, s.y1);
+    if (!sum.edges.empty() && sum.edges.back().to != from) {
+      const Vec last = sum.edges.back().to;
+      sum.edges.push_back({last, from, last, from, sum.edges.back().source});
+    }
+    if (from == to) continue;
+    const EdgeSource source = c.edge_of_first
+                                  ? EdgeSource{second.origin[c.second_vertex], first.origin[c.first_vertex], false}
+                                  : EdgeSource{first.origin[c.first_vertex], second.origin[c.second_vertex], true};
+    if (!sum.edges.empty() && sum.edges.back().line_from == c.from && sum.edges.back().line_to == c.to) {
+      sum.edges.back().to = to;
+      continue;
+    }
+    sum.edges.push_back({from, to, c.from, c.to, source});
+  }
+  if (!sum.edges.empty() && sum.edges.back().to != sum.edges.front().from) {
+    const Vec last = sum.edges.back().to;
+    const Vec first_from = sum.edges.front().from;
+    sum.edges.push_back({last, first_from, last, first_from, sum.edges.back().source});
+  }
+  // The envelope begins on the x axis, as a rule in the middle of an edge: make that edge whole.
+  SumEdge& front = sum.edges.front();
+  if (sum.edges.size() > 1 && sum.edges.back().line_from == front.line_from && sum.edges.back().line_to == front.line_to) {
+    front.from = sum.edges.back().from;
+    sum.edges.pop_back();
+  }
+  return sum;
+}
+
+}  // namespace selvage

@@ -1,0 +1,166 @@
+#include "core/minkowski/sum.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/minkowski/convex_sum.h"
+#include "core/minkowski/ring.h"
+
+namespace selvage {
+namespace {
+
+// Edges within this many units of another ring's boundary are kept: rounded ends cannot say which side they are on.
+constexpr double kHidden = 1.0;
+
+Box box_of_edges(std::span<const SumEdge> edges) {
+  Box box{edges.front().from, edges.front().from};
+  for (const SumEdge& e : edges) {
+    box.low = {std::min(box.low.x, e.from.x), std::min(box.low.y, e.from.y)};
+    box.high = {std::max(box.high.x, e.from.x), std::max(box.high.y, e.from.y)};
+  }
+  return box;
+}
+
+Box united(const Box& a, const Box& b) {
+  return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
+          {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
+}
+
+Real2 real(Vec v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
+
+// Takes the stretches inside other rings out of each edge.
+class Visibility {
+ public:
+  Visibility(std::span<const StarSum> rings, std::span<const Box> boxes) : sums_{rings}, boxes_{boxes} {
+    rings_.reserve(rings.size());
+    for (const StarSum& s : rings) rings_.emplace_back(s);
+    // Large rings hide most: ask them first.
+    order_.resize(rings.size());
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    const auto size = [&](std::size_t r) {
+      return static_cast<double>(boxes[r].width()) * static_cast<double>(boxes[r].height());
+    };
+    std::stable_sort(order_.begin(), order_.end(), [&](auto a, auto b) { return size(a) > size(b); });
+  }
+
+  std::vector<SumEdge> visible_edges() {
+    std::vector<SumEdge> visible;
+    for (std::size_t r = 0; r < sums_.size(); ++r) {
+      for (const SumEdge& e : sums_[r].edges) append_visible(r, e, visible);
+    }
+    return visible;
+  }
+
+ private:
+  void append_visible(std::size_t own, const SumEdge& edge, std::vector<SumEdge>& visible) {
+    const Real2 a = real(edge.from);
+    const Real2 b = real(edge.to);
+    const Box box{{std::min(edge.from.x, edge.to.x), std::min(edge.from.y, edge.to.y)},
+                  {std::max(edge.from.x, edge.to.x), std::max(edge.from.y, edge.to.y)}};
+    hidden_.clear();
+    for (const std::size_t r : order_) {
+      if (r == own || !boxes_[r].touches(box)) continue;
+      const std::size_t before = hidden_.size();
+      rings_[r].append_inside(a, b, kHidden, hidden_);
+      for (std::size_t k = before; k < hidden_.size(); ++k) {
+        if (hidden_[k].first <= 0 && hidden_[k].second >= 1) return;
+      }
+    }
+    std::sort(hidden_.begin(), hidden_.end());
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    const auto at = [&](double t) {
+      return Vec{std::llround(a.x + t * (b.x - a.x)), std::llround(a.y + t * (b.y - a.y))};
+    };
+    double shown_from = 0;
+    const auto show = [&](double to) {
+      if ((to - shown_from) * length < 2 * kHidden) return;
+      SumEdge part = edge;
+      if (shown_from > 0) part.from = at(shown_from);
+      if (to < 1) part.to = at(to);
+      visible.push_back(part);
+    };
+    for (const auto& [from, to] : hidden_) {
+      if (from > shown_from) show(from);
+      shown_from = std::max(shown_from, to);
+    }
+    if (shown_from < 1) show(1);
+  }
+
+  std::span<const StarSum> sums_;
+  std::span<const Box> boxes_;
+  std::vector<Ring> rings_;
+  std::vector<std::size_t> order_;
+  std::vector<std::pair<double, double>> hidden_;
+};
+
+std::vector<std::vector<Box>> tree_over(std::span<const SumEdge> edges) {
+  std::vector<std::vector<Box>> levels;
+  std::vector<Box> level;
+  for (const SumEdge& e : edges) {
+    level.push_back({{std::min(e.from.x, e.to.x), std::min(e.from.y, e.to.y)},
+                     {std::max(e.from.x, e.to.x), std::max(e.from.y, e.to.y)}});
+  }
+  do {
+    std::vector<Box> above;
+    for (std::size_t k = 0; k < level.size(); k += MinkowskiSum::kFan) {
+      Box box = level[k];
+      for (std::size_t m = k + 1; m < std::min(level.size(), k + MinkowskiSum::kFan); ++m) box = united(box, level[m]);
+      above.push_back(box);
+    }
+    levels.push_back(above);
+    level = std::move(above);
+  } while (level.size() > 1);
+  return levels;
+}
+
+}  // namespace
+
+MinkowskiSum::MinkowskiSum(std::vector<StarSum> rings) : rings_{std::move(rings)} {
+  for (const StarSum& s : rings_) ring_boxes_.push_back(box_of_edges(s.edges));
+  if (rings_.size() > 1) visible_ = Visibility{rings_, ring_boxes_}.visible_edges();
+  box_ = ring_boxes_.front();
+  for (const Box& b : ring_boxes_) box_ = united(box_, b);
+  tree_ = tree_over(edges());
+}
+
+bool MinkowskiSum::contains(Real2 point) const {
+  for (std::size_t r = 0; r < rings_.size(); ++r) {
+    const Box& b = ring_boxes_[r];
+    if (point.x <= static_cast<double>(b.low.x) || point.x >= static_cast<double>(b.high.x) ||
+        point.y <= static_cast<double>(b.low.y) || point.y >= static_cast<double>(b.high.y)) {
+      continue;
+    }
+    if (Ring{rings_[r]}.holds(point, kHidden)) return true;
+  }
+  return false;
+}
+
+std::size_t MinkowskiSum::bytes() const {
+  std::size_t total = sizeof *this + visible_.capacity() * sizeof(SumEdge) + ring_boxes_.capacity() * sizeof(Box);
+  for (const StarSum& s : rings_) total += sizeof s + s.edges.capacity() * sizeof(SumEdge);
+  for (const auto& level : tree_) total += sizeof level + level.capacity() * sizeof(Box);
+  return total;
+}
+
+MinkowskiSum minkowski_sum(std::span<const StarPart> first, std::span<const StarPart> second) {
+  std::vector<StarSum> rings;
+  rings.reserve(first.size() * second.size());
+  for (const StarPart& a : first) {
+    const bool a_convex = is_convex(a.vertices);
+    for (const StarPart& b : second) {
+      rings.push_back(a_convex && is_convex(b.vertices) ? convex_sum(a, b) : star_sum(a, b));
+    }
+  }
+  return MinkowskiSum{std::move(rings)};
+}
+
+MinkowskiSum obstacle_sum(const Outline& p, const Outline& q, Symmetry relative) {
+  const Symmetry mirrored = Symmetry{false, 2}.after(relative);
+  std::vector<StarPart> moved;
+  moved.reserve(q.parts.size());
+  for (const StarPart& part : q.parts) moved.push_back(transformed(part, mirrored));
+  return minkowski_sum(p.parts, moved);
+}
+
+}  // namespace selvage

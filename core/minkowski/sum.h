@@ -1,0 +1,47 @@
+// The Minkowski sum of any two outlines: the union of the star sums of their parts [Li94 3.4.3, Remark 4.2].
+//
+// For pieces P at p and Q at q, Q in the frame of P: they overlap exactly when q - p lies in the interior of P (+) -Q
+// [Li94 Theorem 3.1].  The boundary is kept as edges with the sum's interior on their left, each on an exact lattice line;
+// ends that are crossings of two lines are rounded to the lattice.  A sum may have holes.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/geometry/outline.h"
+#include "core/minkowski/star_sum.h"
+
+namespace selvage {
+
+class MinkowskiSum {
+ public:
+  explicit MinkowskiSum(std::vector<StarSum> rings);
+
+  // The edges of the union's boundary; those of one ring follow each other.  Edges inside another ring are left out.
+  [[nodiscard]] std::span<const SumEdge> edges() const { return rings_.size() == 1 ? rings_[0].edges : visible_; }
+  // The star sums whose union this is.
+  [[nodiscard]] std::span<const StarSum> rings() const { return rings_; }
+  [[nodiscard]] const Box& box() const { return box_; }
+  // True when the point lies inside by more than rounding.
+  [[nodiscard]] bool contains(Real2 point) const;
+  [[nodiscard]] std::size_t bytes() const;
+
+  // Boxes over runs of kFan edges, then over runs of kFan boxes, and so on up to a single run: the levels of a tree.
+  static constexpr std::size_t kFan = 4;
+  [[nodiscard]] std::span<const std::vector<Box>> tree() const { return tree_; }
+
+ private:
+  std::vector<StarSum> rings_;
+  std::vector<Box> ring_boxes_;
+  std::vector<SumEdge> visible_;  // only when there are several rings
+  std::vector<std::vector<Box>> tree_;
+  Box box_;
+};
+
+// P (+) Q.
+[[nodiscard]] MinkowskiSum minkowski_sum(std::span<const StarPart> first, std::span<const StarPart> second);
+// P (+) -(Q under `relative`): what the relative position of Q to P must stay out of.
+[[nodiscard]] MinkowskiSum obstacle_sum(const Outline& p, const Outline& q, Symmetry relative);
+
+}  // namespace selvage
