@@ -1,7 +1,7 @@
 // Messages to JSON and back: the names on the wire (camelCase) and their checks.
 //
-// A decoder is given a call's params and refuses unknown fields, wrong types and values out of range, `field` pointing
-// into the params ("/rounds", "/marker/shapes/0/outline").
+// A decoder is given a call's params and refuses unknown fields, wrong types and values out of range, `field`
+// pointing into the params ("/rounds", "/marker/shapes/0/outline").
 #pragma once
 
 #include "core/base/result.h"
@@ -25,11 +25,12 @@ struct NoParams {};
 [[nodiscard]] Json encode(const MarkerClosed& closed);
 [[nodiscard]] Json encode(const MotionCompacted& compacted);
 
-// {"valid", "overlaps": [{"first", "second", "witness": [x, y], "depth"}], "protrusions": [{"piece", "by"}]}, pieces by
-// their ids, distances in the marker's unit.
+// {"valid", "overlaps": [{"first", "second", "witness": [x, y], "depth"}], "protrusions": [{"piece", "by"}]},
+// pieces by their ids, distances in the marker's unit.
 [[nodiscard]] Json validity_json(const Marker& marker, const Validity& validity);
 
-// [{"id", "at", "rotation", "flip", "tilt"}] of the pieces whose placement differs.  REQUIRES: the same pieces.
+// [{"id", "at", "rotation", "flip", "tilt"}] of the pieces whose placement differs.  REQUIRES: the same
+// pieces.
 [[nodiscard]] Json changed_placements(const Marker& before, const Marker& after);
 
 [[nodiscard]] Json encode(const CacheCounts& cache);

@@ -1,8 +1,9 @@
 // Reading a JSON object field by field, with every mistake named.
 //
-// A Fields wraps one object and knows its JSON pointer.  Each getter checks the type and the range and marks the field
-// as read; finish() reports the first field that nobody asked for.  The first mistake found is kept in the shared
-// Mistake and is the one reported: after it, getters return harmless values, so reading code needs one check at its end.
+// A Fields wraps one object and knows its JSON pointer.  Each getter checks the type and the range and marks
+// the field as read; finish() reports the first field that nobody asked for.  The first mistake found is kept
+// in the shared Mistake and is the one reported: after it, getters return harmless values, so reading code
+// needs one check at its end.
 #pragma once
 
 #include <cstdint>
@@ -61,7 +62,8 @@ class Fields {
   // Optional fields: the fallback when absent.
   [[nodiscard]] double number_or(std::string_view key, double fallback, Range allowed = {});
   [[nodiscard]] std::optional<double> maybe_number(std::string_view key, Range allowed = {});
-  [[nodiscard]] std::optional<std::int64_t> maybe_integer(std::string_view key, std::int64_t least, std::int64_t most);
+  [[nodiscard]] std::optional<std::int64_t> maybe_integer(std::string_view key, std::int64_t least,
+                                                          std::int64_t most);
   [[nodiscard]] std::string text_or(std::string_view key, std::string fallback);
   [[nodiscard]] bool flag_or(std::string_view key, bool fallback);
   // The position of the field's value among `words`.
@@ -88,9 +90,12 @@ class Fields {
 };
 
 // One number outside an object, such as an element of an array.  `at` is called only for a mistake.
-[[nodiscard]] double checked_number(const Json& value, Range allowed, Mistake& mistake, const std::string& at);
+[[nodiscard]] double checked_number(const Json& value, Range allowed, Mistake& mistake,
+                                    const std::string& at);
 
 // The error with its field moved below `prefix`: "/shapes/0" becomes "/marker/shapes/0".
 [[nodiscard]] Error within(std::string_view prefix, Error error);
+// An error as one line: "/strip/width: -5 is out of range; 1e-06 to 1000000000 is allowed".
+[[nodiscard]] std::string describe(const Error& error);
 
 }  // namespace selvage

@@ -1,7 +1,7 @@
 // JSON-RPC 2.0: the envelope of every call and answer.
 //
-// Parameters go by name only.  A batch holds at most kMaxBatch calls.  A call without an id is a notification and is
-// never answered.  Codes never change their meaning.
+// Parameters go by name only.  A batch holds at most kMaxBatch calls.  A call without an id is a notification
+// and is never answered.  Codes never change their meaning.
 #pragma once
 
 #include <optional>
@@ -46,7 +46,7 @@ struct RpcError {
 struct Request {
   std::optional<Json> id;  // string, number or null; absent: a notification
   std::string method;
-  Json params = Json::object();
+  Json params = Json::object();  // an object; or an array, which every decoder refuses
 };
 
 // A call that is no request: answered with this, under the id when one could be read, else null.
@@ -62,8 +62,8 @@ struct Incoming {
   std::vector<Call> calls;
 };
 
-// Never fails: text that is not JSON or not a call comes back as a BadRequest.  A batch that is empty or too long is one
-// BadRequest and no batch.
+// Never fails: text that is not JSON or not a call comes back as a BadRequest.  A batch that is empty or too
+// long is one BadRequest and no batch.
 [[nodiscard]] Incoming parse_incoming(std::string_view text, std::size_t max_bytes);
 
 [[nodiscard]] Json response(const Json& id, Json result);

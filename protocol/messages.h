@@ -1,4 +1,5 @@
-// The typed parameters and results of every method.  Their JSON is in codec.h; every field is explained in README.md.
+// The typed parameters and results of every method.  Their JSON is in codec.h; every field is explained in
+// README.md.
 #pragma once
 
 #include <cstdint>
@@ -74,11 +75,12 @@ struct MotionCompact {
   std::string marker_id;
   std::optional<Revision> base_revision;  // refuse when the marker is at another
   Accuracy accuracy{Accuracy::kStandard};
-  std::optional<int> rounds;              // instead of the accuracy's own limit
-  bool commit{true};                      // false: answer, but leave the marker as it is
+  std::optional<int> rounds;  // instead of the accuracy's own limit
+  bool commit{true};          // false: answer, but leave the marker as it is
 };
-// The figures of one compaction; what `selvage compact --json` prints and motion.compact answers.  Lengths are in the
-// marker's unit, exact; `times` and `cache` vary from run to run, all else is the same for the same input.
+// The figures of one compaction; what `selvage compact --json` prints and motion.compact answers.  Lengths
+// are in the marker's unit, exact; `times` and `cache` vary from run to run, all else is the same for the
+// same input.
 struct CompactionFigures {
   std::string name;
   std::size_t pieces{};
@@ -96,7 +98,7 @@ struct MotionCompacted {
   std::string marker_id;
   Revision revision{};  // the marker's, after it
   CompactionFigures figures;
-  Json placements;      // of the pieces that moved: changed_placements
+  Json placements;  // of the pieces that moved: changed_placements
 };
 
 // The figures of a finished compaction; proves the result with is_valid.
@@ -105,8 +107,8 @@ struct MotionCompacted {
 [[nodiscard]] CompactionSettings settings_of(Accuracy accuracy, std::optional<int> rounds);
 
 inline constexpr int kMaxRounds = 100'000;
-inline constexpr std::string_view kAccuracyNames[] = {"draft", "standard", "fine"};             // by Accuracy
-inline constexpr std::string_view kStopNames[] = {"converged", "work_limit", "cancelled"};      // by StopReason
+inline constexpr std::string_view kAccuracyNames[] = {"draft", "standard", "fine"};         // by Accuracy
+inline constexpr std::string_view kStopNames[] = {"converged", "work_limit", "cancelled"};  // by StopReason
 [[nodiscard]] std::string_view name_of(StopReason reason);
 
 }  // namespace selvage

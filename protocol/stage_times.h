@@ -1,5 +1,5 @@
-// How long each stage of a motion took.  The clock is the caller's: the core reports stages, whoever runs it holds a
-// clock and tells this when each began.
+// How long each stage of a motion took.  The clock is the caller's: the core reports stages, whoever runs it
+// holds a clock and tells this when each began.
 #pragma once
 
 #include "core/motion/compact.h"

@@ -1,8 +1,8 @@
 // Marker files: which forms there are, and one way to read and write any of them.
 //
-// Read and written: Selvage's own form (native.h) and the jagua-rs / sparrow solution (sparrow.h).  Written only: placed
-// outlines (outlines.h) and a drawing (svg.h).  All coordinates pass through the lattice exactly when the input's
-// decimals fit it; what reading had to mend or round is said in the notes.
+// Read and written: Selvage's own form (native.h) and the jagua-rs / sparrow solution (sparrow.h).  Written
+// only: placed outlines (outlines.h) and a drawing (svg.h).  All coordinates pass through the lattice exactly
+// when the input's decimals fit it; what reading had to mend or round is said in the notes.
 #pragma once
 
 #include <optional>
@@ -40,14 +40,14 @@ struct MarkerFile {
   Attributes attributes;
 };
 
-// Errors: those of parse; kUnknownFormat; every 10xx, 11xx and 12xx a reader or make_marker finds, `field` pointing into
-// the document.  The marker read is well formed but need not be valid (pieces may overlap).
+// Errors: those of parse; kUnknownFormat; every 10xx, 11xx and 12xx a reader or make_marker finds, `field`
+// pointing into the document.  The marker read is well formed but need not be valid (pieces may overlap).
 [[nodiscard]] Result<MarkerFile> read_marker(std::string_view text, std::size_t max_bytes = kMaxFileBytes);
 // The same, of a document that is already parsed (such as a call's parameter).
 [[nodiscard]] Result<MarkerFile> read_marker(const Json& document);
 
 // The document of any form: an object, for kSvg a string.
-// Errors: kUnknownFormat when the form cannot say what the marker says (a flipped piece in the sparrow form).
+// Errors: kOrientationNotAllowed for a flipped piece in the sparrow form, which has no word for it.
 [[nodiscard]] Result<Json> marker_document(const MarkerFile& file, Format format);
 // The text of any form, ending in a newline.
 [[nodiscard]] Result<std::string> write_marker(const MarkerFile& file, Format format);

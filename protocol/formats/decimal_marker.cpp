@@ -1,0 +1,241 @@
+#include "protocol/formats/decimal_marker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <unordered_map>
+
+namespace selvage {
+namespace {
+
+std::string indexed(std::string_view list, std::size_t index, std::string_view field = "") {
+  return std::string{list} + std::to_string(index) + std::string{field};
+}
+
+// What decides the resolution: the most decimals and the largest coordinate, and where the latter stands.
+struct Survey {
+  int decimals{};
+  double extent{};
+  std::string farthest;
+
+  void add(double value, const std::string& at) {
+    decimals = std::max(decimals, decimals_of(value));
+    reach(std::abs(value), at);
+  }
+  void reach(double distance, const std::string& at) {
+    if (distance <= extent) return;
+    extent = distance;
+    farthest = at;
+  }
+};
+
+double largest(const Decimal& p) {
+  return std::max(std::abs(p.x), std::abs(p.y));
+}
+
+// The largest coordinate of an outline in its orientation and place.  (Floating point: this only chooses a
+// resolution.)
+double placed_extent(const std::vector<Decimal>& outline, const Orientation& orientation, const Decimal& at) {
+  const double angle = (orientation.rotation.degrees + orientation.tilt.degrees) * std::numbers::pi / 180;
+  const double c = std::cos(angle), s = std::sin(angle);
+  double extent = 0;
+  for (const Decimal& p : outline) {
+    const double y = orientation.flip ? -p.y : p.y;
+    extent = std::max({extent, std::abs(c * p.x - s * y + at.x), std::abs(s * p.x + c * y + at.y)});
+  }
+  return extent;
+}
+
+using ShapeIndex = std::unordered_map<std::string, std::size_t>;
+
+Result<ShapeIndex> index_shapes(const DecimalMarker& written) {
+  ShapeIndex index;
+  for (std::size_t i = 0; i < written.shapes.size(); ++i) {
+    const std::string& id = written.shapes[i].shape.id;
+    if (!index.emplace(id, i).second) {
+      return Error{ErrorCode::kDuplicateId, shortened(Json(id)) + " is the id of two shapes; ids must differ",
+                   indexed("/shapes/", i, "/id")};
+    }
+  }
+  for (std::size_t i = 0; i < written.pieces.size(); ++i) {
+    if (index.contains(written.pieces[i].shape)) continue;
+    return Error{ErrorCode::kUnknownShape,
+                 shortened(Json(written.pieces[i].shape)) + " is the id of no shape",
+                 indexed("/pieces/", i, "/shape")};
+  }
+  return index;
+}
+
+Survey survey(const DecimalMarker& written, const ShapeIndex& shapes) {
+  Survey all;
+  all.add(written.width, "/strip/width");
+  all.add(written.spacing, "/spacing");
+  if (written.longest) all.add(*written.longest, "/strip/longest");
+  for (std::size_t i = 0; i < written.shapes.size(); ++i) {
+    const std::string at = indexed("/shapes/", i, "/outline");
+    for (const Decimal& p : written.shapes[i].outline) {
+      all.decimals = std::max({all.decimals, decimals_of(p.x), decimals_of(p.y)});
+      all.reach(largest(p), at);
+    }
+  }
+  for (std::size_t i = 0; i < written.pieces.size(); ++i) {
+    const DecimalPiece& piece = written.pieces[i];
+    const std::string at = indexed("/pieces/", i, "/at");
+    all.add(piece.at.x, at);
+    all.add(piece.at.y, at);
+    all.reach(
+        placed_extent(written.shapes[shapes.at(piece.shape)].outline, piece.piece.orientation, piece.at), at);
+  }
+  return all;
+}
+
+// The resolution asked for, or the one that suits; an error when it cannot hold the farthest coordinate.
+Result<Resolution> settle_resolution(const DecimalMarker& written, const Survey& all) {
+  const double far = kFarthest * written.width;
+  if (!(all.extent <= far)) {
+    return Error{ErrorCode::kBeyondLattice,
+                 "reaches " + number_text(all.extent) + "; coordinates up to " + number_text(far) +
+                     " (100,000 strip widths) are allowed",
+                 all.farthest};
+  }
+  if (!written.resolution) return choose_resolution(all.decimals, all.extent, written.width);
+  if (!fits_lattice(all.extent, *written.resolution)) {
+    return Error{ErrorCode::kBeyondLattice,
+                 "reaches " + number_text(all.extent) + "; with this resolution coordinates below " +
+                     number_text(to_decimal(kLatticeLimit, *written.resolution)) + " are allowed",
+                 all.farthest};
+  }
+  return *written.resolution;
+}
+
+Vec rounded(const Decimal& p, Resolution resolution) {
+  return {to_lattice(p.x, resolution), to_lattice(p.y, resolution)};
+}
+
+std::string count_of(std::size_t number, const std::string& one, const std::string& many) {
+  return std::to_string(number) + " " + (number == 1 ? one : many);
+}
+
+void note_repairs(std::vector<Note>& notes, const std::string& at, const Repairs& repairs) {
+  if (repairs.duplicate_vertices) {
+    notes.push_back(
+        {at, count_of(repairs.duplicate_vertices, "repeated vertex", "repeated vertices") + " left out"});
+  }
+  if (repairs.collinear_vertices) {
+    notes.push_back(
+        {at, count_of(repairs.collinear_vertices, "vertex", "vertices") + " on a straight edge left out"});
+  }
+  if (repairs.reversed) notes.push_back({at, "clockwise; turned round"});
+}
+
+Result<Shape> shape_on_lattice(const DecimalShape& written, std::size_t index, Resolution resolution,
+                               std::vector<Note>& notes) {
+  const std::string at = indexed("/shapes/", index, "/outline");
+  std::vector<Vec> vertices;
+  vertices.reserve(written.outline.size());
+  for (const Decimal& p : written.outline) vertices.push_back(rounded(p, resolution));
+  auto clean = clean_polygon(vertices);
+  if (!clean) return within(at, clean.error());
+  note_repairs(notes, at, clean->repairs);
+  if (written.holes) {
+    notes.push_back({indexed("/shapes/", index, "/holes"),
+                     count_of(written.holes, "hole is", "holes are") + " treated as filled"});
+  }
+  Shape shape = written.shape;
+  shape.outline = std::move(clean->polygon);
+  return shape;
+}
+
+void note_rounding(std::vector<Note>& notes, const Survey& all, const Marker& marker) {
+  if (all.decimals <= -marker.resolution.exponent) return;
+  notes.push_back({"", "coordinates are rounded to multiples of " +
+                           number_text(to_decimal(1, marker.resolution)) + " " + marker.unit});
+}
+
+}  // namespace
+
+Result<MarkerFile> on_lattice(const DecimalMarker& written, Attributes attributes, Format format) {
+  const auto shapes = index_shapes(written);
+  if (!shapes) return shapes.error();
+  const Survey all = survey(written, *shapes);
+  const auto resolution = settle_resolution(written, all);
+  if (!resolution) return resolution.error();
+
+  MarkerFile file{.marker = {}, .format = format, .notes = {}, .attributes = std::move(attributes)};
+  Marker& marker = file.marker;
+  marker.name = written.name;
+  marker.unit = written.unit;
+  marker.resolution = *resolution;
+  marker.strip.width = to_lattice(written.width, *resolution);
+  if (written.longest) marker.strip.longest = to_lattice(*written.longest, *resolution);
+  marker.spacing = spacing_on_lattice(written.spacing, *resolution);
+  note_rounding(file.notes, all, marker);
+  for (std::size_t i = 0; i < written.shapes.size(); ++i) {
+    auto shape = shape_on_lattice(written.shapes[i], i, *resolution, file.notes);
+    if (!shape) return shape.error();
+    marker.shapes.push_back(*std::move(shape));
+  }
+  for (const DecimalPiece& piece : written.pieces) {
+    Piece placed = piece.piece;
+    placed.shape = ShapeId{static_cast<std::uint32_t>(shapes->at(piece.shape))};
+    placed.at = rounded(piece.at, *resolution);
+    marker.pieces.push_back(std::move(placed));
+  }
+  auto made = make_marker(std::move(marker));
+  if (!made) return made.error();
+  file.marker = *std::move(made);
+  return file;
+}
+
+Decimal read_point(const Json& value, const std::string& at, Mistake& mistake) {
+  if (!value.is_array() || value.size() != 2) {
+    mistake.add(ErrorCode::kWrongType, shortened(value) + " where a point [x, y] is required", at);
+    return {};
+  }
+  if (!value[0].is_number() || !value[1].is_number()) {
+    const std::size_t bad = value[0].is_number() ? 1 : 0;
+    mistake.add(ErrorCode::kWrongType, shortened(value[bad]) + " where a number is required",
+                at + "/" + std::to_string(bad));
+    return {};
+  }
+  return {value[0].get<double>(), value[1].get<double>()};
+}
+
+std::vector<Decimal> read_points(const Json& array, const std::string& at, Mistake& mistake) {
+  std::vector<Decimal> points;
+  if (!array.is_array()) {
+    mistake.add(ErrorCode::kWrongType, shortened(array) + " where an array of points [x, y] is required", at);
+    return points;
+  }
+  points.reserve(array.size());
+  for (const Json& element : array) {
+    const bool fine =
+        element.is_array() && element.size() == 2 && element[0].is_number() && element[1].is_number();
+    points.push_back(read_point(element, fine ? std::string{} : indexed(at + "/", points.size()), mistake));
+  }
+  return points;
+}
+
+Coord spacing_on_lattice(double spacing, Resolution resolution) {
+  const Coord nearest = to_lattice(spacing, resolution);
+  return to_decimal(nearest, resolution) < spacing ? nearest + 1 : nearest;
+}
+
+Json point_json(Vec point, Resolution resolution) {
+  return Json::array({to_decimal(point.x, resolution), to_decimal(point.y, resolution)});
+}
+
+Json outline_json(const Polygon& outline, Resolution resolution) {
+  Json points = Json::array();
+  for (const Vec vertex : outline) points.push_back(point_json(vertex, resolution));
+  return points;
+}
+
+std::optional<Angle> matching_rotation(double degrees, const std::vector<Angle>& allowed, double slack) {
+  for (const Angle angle : allowed) {
+    if (std::abs(std::remainder(degrees - angle.degrees, 360.0)) <= slack) return angle;
+  }
+  return std::nullopt;
+}
+
+}  // namespace selvage

@@ -1,0 +1,67 @@
+// A marker in decimals, as files write it, and its way onto the lattice.
+//
+// The readers of the file forms fill this in; on_lattice chooses the resolution, rounds, mends outlines, says
+// what it mended and checks the whole.  Errors and notes point into the native form ("/shapes/2/outline"); a
+// reader of another form renames them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/marker/marker.h"
+#include "protocol/fields.h"
+#include "protocol/formats/format.h"
+
+namespace selvage {
+
+struct Decimal {
+  double x{}, y{};
+};
+
+struct DecimalShape {
+  Shape shape;  // all but the outline
+  std::vector<Decimal> outline;
+  std::size_t holes{};  // left out: a piece is treated as filled
+};
+
+struct DecimalPiece {
+  Piece piece;  // all but shape and position
+  std::string shape;
+  Decimal at;
+};
+
+struct DecimalMarker {
+  std::string name, unit{"mm"};
+  std::optional<Resolution> resolution;  // absent: chosen
+  double width{}, spacing{};
+  std::optional<double> longest;
+  std::vector<DecimalShape> shapes;
+  std::vector<DecimalPiece> pieces;
+};
+
+inline constexpr Range kStripWidths{1e-6, 1e9};
+// A coordinate may lie this many strip widths from the origin: far beyond any cloth, and the lattice is still
+// fine.
+inline constexpr double kFarthest = 1e5;
+
+// Errors: kBeyondLattice, kDuplicateId, kUnknownShape, those of clean_polygon and make_marker.
+[[nodiscard]] Result<MarkerFile> on_lattice(const DecimalMarker& written, Attributes attributes,
+                                            Format format);
+
+// The elements of an array of [x, y].  A mistake for anything else.
+[[nodiscard]] std::vector<Decimal> read_points(const Json& array, const std::string& at, Mistake& mistake);
+[[nodiscard]] Decimal read_point(const Json& value, const std::string& at, Mistake& mistake);
+
+// The least distance that is at least `spacing` on the lattice: rounded up, so that it holds.
+[[nodiscard]] Coord spacing_on_lattice(double spacing, Resolution resolution);
+
+[[nodiscard]] Json point_json(Vec point, Resolution resolution);
+[[nodiscard]] Json outline_json(const Polygon& outline, Resolution resolution);
+
+// The angle out of `allowed` that equals `degrees` up to whole turns and `slack`; none when there is none.
+[[nodiscard]] std::optional<Angle> matching_rotation(double degrees, const std::vector<Angle>& allowed,
+                                                     double slack);
+
+}  // namespace selvage

@@ -1,0 +1,17 @@
+// Where a label fits best inside an outline.
+#pragma once
+
+#include "core/geometry/polygon.h"
+
+namespace selvage {
+
+struct LabelSpot {
+  double x{}, y{};       // the label's middle
+  double half_height{};  // of the largest label that fits there; in the outline's units
+  bool upright{};        // the text runs along y, since the outline is narrow
+};
+
+// `aspect`: the label's width over its height.  REQUIRES: a Polygon.
+[[nodiscard]] LabelSpot find_label_spot(const Polygon& outline, double aspect);
+
+}  // namespace selvage

@@ -1,0 +1,192 @@
+#include "protocol/formats/native.h"
+
+#include <unordered_map>
+
+#include "protocol/fields.h"
+#include "protocol/formats/decimal_marker.h"
+
+namespace selvage {
+namespace {
+
+constexpr Range kDegrees{-360, 360};
+constexpr Range kTiltLimits{0, 45};
+
+Json read_attributes(Fields& fields) {
+  const Json* attributes = fields.maybe_object("attributes");
+  return attributes ? *attributes : Json::object();
+}
+
+std::vector<Angle> read_rotations(Fields& fields, Mistake& mistake) {
+  const Json* value = fields.maybe_any("rotations");
+  if (!value) return {Angle{}};
+  if (value->is_string() && value->get_ref<const std::string&>() == "any") return {};
+  if (!value->is_array() || value->empty()) {
+    mistake.add(ErrorCode::kWrongType, shortened(*value) + R"( where a list of degrees or "any" is required)",
+                fields.pointer("rotations"));
+    return {};
+  }
+  std::vector<Angle> rotations;
+  for (const Json& degrees : *value) {
+    const std::string at = fields.pointer("rotations") + "/" + std::to_string(rotations.size());
+    rotations.push_back(Angle::of_degrees(checked_number(degrees, kDegrees, mistake, at)));
+  }
+  return rotations;
+}
+
+DecimalShape read_shape(const Json& value, const std::string& at, Mistake& mistake, Json& attributes) {
+  Fields fields{value, at, mistake};
+  DecimalShape shape;
+  shape.shape.id = fields.id("id");
+  shape.outline = read_points(fields.array("outline"), fields.pointer("outline"), mistake);
+  if (const Json* holes = fields.maybe_array("holes")) {
+    for (const Json& hole : *holes) {
+      // Read only so that a mistake in a hole is not passed over: a piece is treated as filled.
+      (void)read_points(hole, fields.pointer("holes") + "/" + std::to_string(shape.holes), mistake);
+      ++shape.holes;
+    }
+  }
+  shape.shape.rotations = read_rotations(fields, mistake);
+  shape.shape.may_flip = fields.flag_or("flip", false);
+  shape.shape.tilt_limit = Angle::of_degrees(fields.number_or("tilt_limit", 0, kTiltLimits));
+  attributes = read_attributes(fields);
+  fields.finish();
+  return shape;
+}
+
+DecimalPiece read_piece(const Json& value, const std::string& at, Mistake& mistake, Json& attributes) {
+  Fields fields{value, at, mistake};
+  DecimalPiece piece;
+  piece.piece.id = fields.id("id");
+  piece.shape = fields.id("shape");
+  piece.at = read_point(fields.array("at"), fields.pointer("at"), mistake);
+  piece.piece.orientation.rotation = Angle::of_degrees(fields.number_or("rotation", 0, kDegrees));
+  piece.piece.orientation.flip = fields.flag_or("flip", false);
+  piece.piece.orientation.tilt = Angle::of_degrees(fields.number_or("tilt", 0, {-45, 45}));
+  piece.piece.locked = fields.flag_or("locked", false);
+  attributes = read_attributes(fields);
+  fields.finish();
+  return piece;
+}
+
+// A resolution is a power of ten that a lattice can have.
+std::optional<Resolution> read_resolution(Fields& fields, Mistake& mistake) {
+  const auto value = fields.maybe_number("resolution");
+  if (!value) return std::nullopt;
+  for (int exponent = kFinestExponent; exponent <= kCoarsestExponent; ++exponent) {
+    if (to_decimal(1, Resolution{exponent}) == *value) return Resolution{exponent};
+  }
+  mistake.add(ErrorCode::kOutOfRange, number_text(*value) + " is no power of ten between 1e-22 and 1e6",
+              fields.pointer("resolution"));
+  return std::nullopt;
+}
+
+void read_heading(Fields& fields, Mistake& mistake) {
+  constexpr std::string_view kNames[] = {kNativeName};
+  if (!fields.has("format")) (void)fields.text("format");
+  (void)fields.word_or("format", 0, kNames);
+  if (!fields.maybe_integer("version", kNativeVersion, kNativeVersion)) {
+    mistake.add(ErrorCode::kMissingField, "the field is missing; 1 is required", fields.pointer("version"));
+  }
+}
+
+void read_strip(Fields& fields, Mistake& mistake, DecimalMarker& marker) {
+  Fields strip{fields.object("strip"), fields.pointer("strip"), mistake};
+  marker.width = strip.number("width", kStripWidths);
+  marker.longest = strip.maybe_number("longest", {0, std::numeric_limits<double>::max()});
+  strip.finish();
+}
+
+// A rotation written as 540 or -90 is the allowed one that equals it.
+void settle_rotations(DecimalMarker& marker) {
+  std::unordered_map<std::string, const std::vector<Angle>*> allowed;
+  for (const DecimalShape& shape : marker.shapes) allowed.emplace(shape.shape.id, &shape.shape.rotations);
+  for (DecimalPiece& piece : marker.pieces) {
+    const auto found = allowed.find(piece.shape);
+    if (found == allowed.end()) continue;
+    Angle& rotation = piece.piece.orientation.rotation;
+    rotation = matching_rotation(rotation.degrees, *found->second, 0).value_or(rotation);
+  }
+}
+
+}  // namespace
+
+Result<MarkerFile> read_native(const Json& document) {
+  Mistake mistake;
+  DecimalMarker marker;
+  Attributes attributes;
+  Fields fields{document, "", mistake};
+  read_heading(fields, mistake);
+  marker.name = fields.text_or("name", "");
+  marker.unit = fields.text_or("unit", "mm");
+  marker.resolution = read_resolution(fields, mistake);
+  read_strip(fields, mistake, marker);
+  marker.spacing = fields.number_or("spacing", 0, {0, kStripWidths.most});
+  for (const Json& shape : fields.array("shapes")) {
+    const std::string at = "/shapes/" + std::to_string(marker.shapes.size());
+    marker.shapes.push_back(read_shape(shape, at, mistake, attributes.shapes.emplace_back()));
+  }
+  for (const Json& piece : fields.array("pieces")) {
+    const std::string at = "/pieces/" + std::to_string(marker.pieces.size());
+    marker.pieces.push_back(read_piece(piece, at, mistake, attributes.pieces.emplace_back()));
+  }
+  attributes.whole = read_attributes(fields);
+  fields.finish();
+  if (mistake) return mistake.error();
+  settle_rotations(marker);
+  return on_lattice(marker, std::move(attributes), Format::kNative);
+}
+
+namespace {
+
+Json shape_json(const Shape& shape, const Json& attributes, Resolution resolution) {
+  Json json{{"id", shape.id}, {"outline", outline_json(shape.outline, resolution)}};
+  if (shape.rotations.empty()) {
+    json["rotations"] = "any";
+  } else {
+    Json& rotations = json["rotations"] = Json::array();
+    for (const Angle angle : shape.rotations) rotations.push_back(angle.degrees);
+  }
+  json["flip"] = shape.may_flip;
+  json["tilt_limit"] = shape.tilt_limit.degrees;
+  if (!attributes.empty()) json["attributes"] = attributes;
+  return json;
+}
+
+Json piece_json(const Marker& marker, const Piece& piece, const Json& attributes) {
+  Json json{{"id", piece.id},
+            {"shape", marker.shapes[piece.shape.value].id},
+            {"at", point_json(piece.at, marker.resolution)},
+            {"rotation", piece.orientation.rotation.degrees}};
+  if (piece.orientation.flip) json["flip"] = true;
+  if (piece.orientation.tilt.degrees != 0) json["tilt"] = piece.orientation.tilt.degrees;
+  if (piece.locked) json["locked"] = true;
+  if (!attributes.empty()) json["attributes"] = attributes;
+  return json;
+}
+
+}  // namespace
+
+Json native_document(const MarkerFile& file) {
+  const Marker& marker = file.marker;
+  Json strip{{"width", to_decimal(marker.strip.width, marker.resolution)}};
+  if (marker.strip.longest) strip["longest"] = to_decimal(*marker.strip.longest, marker.resolution);
+  Json document{{"format", kNativeName},
+                {"version", kNativeVersion},
+                {"name", marker.name},
+                {"unit", marker.unit},
+                {"resolution", to_decimal(1, marker.resolution)},
+                {"strip", std::move(strip)},
+                {"spacing", to_decimal(marker.spacing, marker.resolution)}};
+  if (!file.attributes.whole.empty()) document["attributes"] = file.attributes.whole;
+  Json& shapes = document["shapes"] = Json::array();
+  for (std::size_t i = 0; i < marker.shapes.size(); ++i) {
+    shapes.push_back(shape_json(marker.shapes[i], file.attributes.shapes[i], marker.resolution));
+  }
+  Json& pieces = document["pieces"] = Json::array();
+  for (std::size_t i = 0; i < marker.pieces.size(); ++i) {
+    pieces.push_back(piece_json(marker, marker.pieces[i], file.attributes.pieces[i]));
+  }
+  return document;
+}
+
+}  // namespace selvage

@@ -1,0 +1,15 @@
+// Every piece's outline where it lies: what a cutter, a plotter or an independent check wants.  Written only.
+//
+// {"strip_height": H, "strip_length": L, "pieces": [{"id", "outline": [[x, y], ...]}]}; strip_height is the
+// strip's width across, strip_length the marker's length, outlines counter-clockwise, every number the exact
+// decimal of its lattice coordinate.
+#pragma once
+
+#include "core/marker/marker.h"
+#include "protocol/json_text.h"
+
+namespace selvage {
+
+[[nodiscard]] Json outlines_document(const Marker& marker);
+
+}  // namespace selvage

@@ -1,0 +1,296 @@
+#include "protocol/formats/sparrow.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <unordered_map>
+#include <utility>
+
+#include "protocol/fields.h"
+#include "protocol/formats/decimal_marker.h"
+
+namespace selvage {
+namespace {
+
+constexpr Range kTurns{-1e6, 1e6};
+constexpr double kAngleSlack = 1e-3;  // degrees; what single precision makes of a quarter turn is far closer
+
+// A pointer into the native form as one into this form.  `filled`: the shapes written as {outer, inner}.
+std::string renamed(std::string pointer, const std::vector<bool>& filled) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kEnds{{
+      {"/outline", "/shape/data"},
+      {"/holes", "/shape/data/inner"},
+      {"/rotations", "/allowed_orientations"},
+      {"/at", "/transformation/translation"},
+      {"/rotation", "/transformation/rotation"},
+      {"/shape", "/item_id"},
+  }};
+  if (pointer == "/strip/width") return "/strip_height";
+  const bool of_shape = pointer.starts_with("/shapes/");
+  if (!of_shape && !pointer.starts_with("/pieces/")) return pointer;
+  constexpr std::size_t kPrefix = std::string_view{"/shapes/"}.size();
+  const auto index = static_cast<std::size_t>(std::stoul("0" + pointer.substr(kPrefix)));
+  for (const auto& [native, ours] : kEnds) {
+    if (!pointer.ends_with(native)) continue;
+    pointer.replace(pointer.size() - native.size(), native.size(), ours);
+    if (native == "/outline" && index < filled.size() && filled[index]) pointer += "/outer";
+    break;
+  }
+  return pointer.replace(0, kPrefix, of_shape ? "/items/" : "/solution/layout/placed_items/");
+}
+
+struct Reading {
+  DecimalMarker marker;
+  Attributes attributes;
+  std::vector<bool> filled;  // per item: its shape is written as {outer, inner}
+  std::vector<Note> notes;
+  Mistake mistake;
+};
+
+void read_outline(const Json& value, const std::string& at, DecimalShape& shape, Reading& reading) {
+  Fields fields{value, at, reading.mistake};
+  const std::string type = fields.text("type");
+  reading.filled.push_back(type == "polygon");
+  if (type == "simple_polygon") {
+    shape.outline = read_points(fields.array("data"), fields.pointer("data"), reading.mistake);
+  } else if (type == "polygon") {
+    Fields polygon{fields.object("data"), fields.pointer("data"), reading.mistake};
+    shape.outline = read_points(polygon.array("outer"), polygon.pointer("outer"), reading.mistake);
+    if (const Json* inner = polygon.maybe_array("inner")) shape.holes = inner->size();
+  } else {
+    reading.mistake.add(ErrorCode::kOutOfRange,
+                        shortened(Json(type)) + " is not read; one of simple_polygon, polygon is allowed",
+                        fields.pointer("type"));
+  }
+}
+
+std::vector<Angle> read_orientations(Fields& fields, Mistake& mistake) {
+  const Json* list = fields.maybe_array("allowed_orientations");
+  if (!list) return {};  // any
+  std::vector<Angle> rotations;
+  for (const Json& degrees : *list) {
+    const std::string at = fields.pointer("allowed_orientations") + "/" + std::to_string(rotations.size());
+    rotations.push_back(Angle::of_degrees(checked_number(degrees, kTurns, mistake, at)));
+  }
+  if (rotations.empty()) rotations.push_back(Angle{});  // jagua-rs: an empty list means no rotation
+  return rotations;
+}
+
+void read_item(const Json& value, const std::string& at, Reading& reading) {
+  Fields fields{value, at, reading.mistake};
+  DecimalShape shape;
+  shape.shape.id = fields.id("id");
+  if (fields.has("orientation")) {
+    // Taking such an item for one that may turn freely would be wrong and silent.
+    reading.mistake.add(ErrorCode::kUnknownField,
+                        "permissions of jagua-rs 0.9 are not read; allowed_orientations is",
+                        fields.pointer("orientation"));
+  }
+  shape.shape.rotations = read_orientations(fields, reading.mistake);
+  shape.shape.tilt_limit = Angle::of_degrees(fields.number_or("tilt_limit_deg", 0, {0, 45}));
+  read_outline(fields.object("shape"), fields.pointer("shape"), shape, reading);
+  reading.attributes.shapes.push_back(fields.rest());
+  reading.marker.shapes.push_back(std::move(shape));
+}
+
+void read_placed(const Json& value, const std::string& at, Reading& reading) {
+  Fields fields{value, at, reading.mistake};
+  DecimalPiece piece;
+  piece.shape = fields.id("item_id");
+  piece.piece.id = fields.has("id") ? fields.id("id") : std::to_string(reading.marker.pieces.size());
+  piece.piece.locked = fields.flag_or("locked", false);
+  Fields transformation{fields.object("transformation"), fields.pointer("transformation"), reading.mistake};
+  piece.piece.orientation.rotation = Angle::of_degrees(transformation.number("rotation", kTurns));
+  piece.at =
+      read_point(transformation.array("translation"), transformation.pointer("translation"), reading.mistake);
+  reading.attributes.pieces.push_back(fields.rest());
+  reading.marker.pieces.push_back(std::move(piece));
+}
+
+void read_solution(Fields& fields, Reading& reading) {
+  if (!fields.has("solution")) {
+    reading.mistake.add(ErrorCode::kMissingField, "nothing is placed: the instance comes without a solution",
+                        fields.pointer("solution"));
+    return;
+  }
+  Fields solution{fields.object("solution"), fields.pointer("solution"), reading.mistake};
+  Fields layout{solution.object("layout"), solution.pointer("layout"), reading.mistake};
+  for (const Json& placed : layout.array("placed_items")) {
+    read_placed(placed, layout.pointer("placed_items") + "/" + std::to_string(reading.marker.pieces.size()),
+                reading);
+  }
+}
+
+double in_degrees(double radians) {
+  return radians * 180 / std::numbers::pi;
+}
+
+// The allowed rotation nearest to the piece's, and what is left as a tilt, when the shape may tilt that far.
+void settle_rotation(Orientation& orientation, const Shape& shape) {
+  const double degrees = orientation.rotation.degrees;
+  if (const auto exact = matching_rotation(degrees, shape.rotations, kAngleSlack)) {
+    orientation.rotation = *exact;
+  } else if (const auto near = matching_rotation(degrees, shape.rotations, shape.tilt_limit.degrees)) {
+    orientation.rotation = *near;
+    orientation.tilt = Angle::of_degrees(std::remainder(degrees - near->degrees, 360.0));
+  }
+}
+
+// Do all pieces that may not turn freely lie in an allowed orientation, their rotations taken through `unit`?
+template <class Unit>
+bool all_allowed(const DecimalMarker& marker, const std::vector<const Shape*>& shapes, Unit unit) {
+  for (std::size_t i = 0; i < marker.pieces.size(); ++i) {
+    if (!shapes[i] || shapes[i]->rotations.empty()) continue;
+    const double degrees = unit(marker.pieces[i].piece.orientation.rotation.degrees);
+    if (!matching_rotation(degrees, shapes[i]->rotations, kAngleSlack)) return false;
+  }
+  return true;
+}
+
+void settle_rotations(Reading& reading) {
+  DecimalMarker& marker = reading.marker;
+  std::unordered_map<std::string, const Shape*> by_id;
+  for (const DecimalShape& shape : marker.shapes) by_id.emplace(shape.shape.id, &shape.shape);
+  std::vector<const Shape*> shapes;  // of each piece; null when there is none of that id
+  for (const DecimalPiece& piece : marker.pieces) {
+    const auto found = by_id.find(piece.shape);
+    shapes.push_back(found == by_id.end() ? nullptr : found->second);
+  }
+  const bool radians = !all_allowed(marker, shapes, [](double angle) { return angle; }) &&
+                       all_allowed(marker, shapes, in_degrees);
+  if (radians) {
+    reading.notes.push_back({"/solution/layout/placed_items", "rotations are read as radians"});
+    for (DecimalPiece& piece : marker.pieces) {
+      Angle& rotation = piece.piece.orientation.rotation;
+      rotation = Angle::of_degrees(in_degrees(rotation.degrees));
+    }
+  }
+  for (std::size_t i = 0; i < marker.pieces.size(); ++i) {
+    if (shapes[i]) settle_rotation(marker.pieces[i].piece.orientation, *shapes[i]);
+  }
+}
+
+}  // namespace
+
+Result<MarkerFile> read_sparrow(const Json& document) {
+  Reading reading;
+  DecimalMarker& marker = reading.marker;
+  Fields fields{document, "", reading.mistake};
+  marker.name = fields.text_or("name", "");
+  marker.unit = fields.text_or("units", "mm");
+  for (const Json& value : fields.array("items")) {
+    read_item(value, "/items/" + std::to_string(marker.shapes.size()), reading);
+  }
+  marker.width = fields.number("strip_height", kStripWidths);
+  marker.spacing = fields.number_or("spacing", 0, {0, kStripWidths.most});
+  read_solution(fields, reading);
+  reading.attributes.whole = fields.rest();
+  if (reading.mistake) return reading.mistake.error();
+  settle_rotations(reading);
+
+  auto file = on_lattice(marker, std::move(reading.attributes), Format::kSparrow);
+  if (!file) {
+    Error error = file.error();
+    error.field = renamed(std::move(error.field), reading.filled);
+    return error;
+  }
+  for (Note& note : file->notes) note.field = renamed(std::move(note.field), reading.filled);
+  file->notes.insert(file->notes.begin(), reading.notes.begin(), reading.notes.end());
+  return file;
+}
+
+namespace {
+
+bool is_item_id(const std::string& id) {
+  constexpr std::size_t kMostDigits = 18;
+  if (id.empty() || id.size() > kMostDigits || (id.size() > 1 && id.front() == '0')) return false;
+  return std::all_of(id.begin(), id.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+// The number of each shape as an item: its id when all ids are numbers, else its position.
+std::vector<std::uint64_t> item_ids(const Marker& marker) {
+  const bool numbered = std::all_of(marker.shapes.begin(), marker.shapes.end(),
+                                    [](const Shape& s) { return is_item_id(s.id); });
+  std::vector<std::uint64_t> ids;
+  for (const Shape& shape : marker.shapes) ids.push_back(numbered ? std::stoull(shape.id) : ids.size());
+  return ids;
+}
+
+void add_attributes(Json& object, const Json& attributes) {
+  for (const auto& [key, value] : attributes.items()) {
+    if (!object.contains(key)) object[key] = value;
+  }
+}
+
+Json item_json(const Marker& marker, const Shape& shape, std::uint64_t id, std::size_t copies,
+               const Json& attributes, bool tilting) {
+  Json item{{"id", id}};
+  if (std::to_string(id) != shape.id && !attributes.contains("name")) item["name"] = shape.id;
+  add_attributes(item, attributes);
+  if (!item.contains("demand")) item["demand"] = copies;
+  if (tilting) item["tilt_limit_deg"] = shape.tilt_limit.degrees;
+  if (!shape.rotations.empty()) {
+    Json& allowed = item["allowed_orientations"] = Json::array();
+    for (const Angle angle : shape.rotations) allowed.push_back(angle.degrees);
+  }
+  item["shape"] = {{"type", "simple_polygon"}, {"data", outline_json(shape.outline, marker.resolution)}};
+  return item;
+}
+
+Json placed_json(const Marker& marker, std::size_t position, std::uint64_t item, const Json& attributes) {
+  const Piece& piece = marker.pieces[position];
+  Json placed{{"item_id", item}};
+  if (piece.id != std::to_string(position)) placed["id"] = piece.id;
+  if (piece.locked) placed["locked"] = true;
+  add_attributes(placed, attributes);
+  const double degrees = piece.orientation.rotation.degrees + piece.orientation.tilt.degrees;
+  placed["transformation"] = {{"rotation", degrees},
+                              {"translation", point_json(piece.at, marker.resolution)}};
+  return placed;
+}
+
+Json solution_json(const MarkerFile& file, const std::vector<std::uint64_t>& ids) {
+  const Marker& marker = file.marker;
+  Json placed = Json::array();
+  for (std::size_t i = 0; i < marker.pieces.size(); ++i) {
+    placed.push_back(placed_json(marker, i, ids[marker.pieces[i].shape.value], file.attributes.pieces[i]));
+  }
+  const double density = utilisation_of(marker);
+  return {{"strip_width", to_decimal(length_of(marker), marker.resolution)},
+          {"layout", {{"container_id", 0}, {"placed_items", std::move(placed)}, {"density", density}}},
+          {"density", density},
+          {"run_time_sec", 0}};
+}
+
+}  // namespace
+
+Result<Json> sparrow_document(const MarkerFile& file) {
+  const Marker& marker = file.marker;
+  std::vector<std::size_t> copies(marker.shapes.size());
+  for (std::size_t i = 0; i < marker.pieces.size(); ++i) {
+    if (marker.pieces[i].orientation.flip) {
+      return Error{ErrorCode::kOrientationNotAllowed, "the sparrow form has no word for a flipped piece",
+                   "/pieces/" + std::to_string(i) + "/flip"};
+    }
+    ++copies[marker.pieces[i].shape.value];
+  }
+  const auto ids = item_ids(marker);
+  const bool tilting = std::any_of(marker.shapes.begin(), marker.shapes.end(),
+                                   [](const Shape& shape) { return shape.tilt_limit.degrees > 0; });
+  Json items = Json::array();
+  for (std::size_t i = 0; i < marker.shapes.size(); ++i) {
+    items.push_back(
+        item_json(marker, marker.shapes[i], ids[i], copies[i], file.attributes.shapes[i], tilting));
+  }
+  Json document{{"name", marker.name}};
+  add_attributes(document, file.attributes.whole);
+  document["units"] = marker.unit;
+  document["items"] = std::move(items);
+  document["strip_height"] = to_decimal(marker.strip.width, marker.resolution);
+  if (marker.spacing > 0) document["spacing"] = to_decimal(marker.spacing, marker.resolution);
+  document["solution"] = solution_json(file, ids);
+  return document;
+}
+
+}  // namespace selvage
