@@ -1,7 +1,6 @@
 #include "core/geometry/outline.h"
 
 namespace selvage {
-namespace {
 
 // FNV-1a over the coordinates' bytes, low byte first.
 std::uint64_t hash_of(const Polygon& polygon) {
@@ -16,8 +15,6 @@ std::uint64_t hash_of(const Polygon& polygon) {
   }
   return hash;
 }
-
-}  // namespace
 
 std::shared_ptr<const Outline> make_outline(Polygon polygon) {
   auto outline = std::make_shared<Outline>();

@@ -17,8 +17,10 @@ struct Outline {
   Box box;
   bool convex{};
   std::vector<StarPart> parts;
-  std::uint64_t hash{};  // of the polygon; equal polygons have equal hashes on every machine
+  std::uint64_t hash{};  // hash_of(polygon)
 };
+// Equal on every machine.
+[[nodiscard]] std::uint64_t hash_of(const Polygon& polygon);
 [[nodiscard]] std::shared_ptr<const Outline> make_outline(Polygon polygon);
 
 // An outline under a symmetry: what a piece is, but for its position.

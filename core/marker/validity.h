@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/geometry/outline.h"
 #include "core/marker/marker.h"
 
 namespace selvage {
@@ -28,6 +29,9 @@ struct Validity {
   std::vector<Protrusion> protrusions;  // by piece
   [[nodiscard]] bool valid() const { return overlaps.empty() && protrusions.empty(); }
 };
+
+// A piece as the cache of sums knows it.
+[[nodiscard]] OrientedOutline oriented_outline(const Marker& marker, PieceId piece, SumCache& sums);
 
 // The whole answer, with depths (which need Minkowski sums, taken from the cache).
 [[nodiscard]] Validity check(const Marker& marker, SumCache& sums);

@@ -46,7 +46,10 @@ struct SumCache::Store {
   using Entries = std::list<Entry>;  // most recently used first
 
   std::size_t limit{};
+  static constexpr std::size_t kOutlines = 100'000;  // all are forgotten when there are more
+
   mutable std::mutex mutex;
+  std::unordered_multimap<std::uint64_t, std::shared_ptr<const Outline>> outlines;  // by hash
   Entries entries;
   std::unordered_map<Key, Entries::iterator, KeyHash> index;
   CacheCounts counts;
@@ -77,6 +80,27 @@ struct SumCache::Store {
     }
   }
 };
+
+std::shared_ptr<const Outline> SumCache::outline(const Polygon& polygon) {
+  const std::uint64_t hash = hash_of(polygon);
+  const auto known = [&]() -> std::shared_ptr<const Outline> {
+    const auto [first, last] = store_->outlines.equal_range(hash);
+    for (auto at = first; at != last; ++at) {
+      if (at->second->polygon == polygon) return at->second;
+    }
+    return nullptr;
+  };
+  {
+    const std::lock_guard lock{store_->mutex};
+    if (auto outline = known()) return outline;
+  }
+  auto made = make_outline(polygon);
+  const std::lock_guard lock{store_->mutex};
+  if (auto outline = known()) return outline;
+  if (store_->outlines.size() >= Store::kOutlines) store_->outlines.clear();
+  store_->outlines.emplace(hash, made);
+  return made;
+}
 
 SumCache::SumCache(std::size_t limit_bytes) : store_{std::make_unique<Store>()} { store_->limit = limit_bytes; }
 SumCache::~SumCache() = default;

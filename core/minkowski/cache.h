@@ -1,5 +1,5 @@
-// The cache of Minkowski sums: one entry per pair of outlines and relative orientation, shared by every marker and every
-// thread, bounded in bytes, counted.  What it returns does not depend on what it holds.
+// The cache of Minkowski sums: one entry per pair of outlines and relative orientation, and the outlines themselves; shared
+// by every marker and every thread, bounded in bytes, counted.  What it returns does not depend on what it holds.
 #pragma once
 
 #include <cstddef>
@@ -42,6 +42,9 @@ class SumCache {
   ~SumCache();
   SumCache(const SumCache&) = delete;
   SumCache& operator=(const SumCache&) = delete;
+
+  // Finds or makes the outline of a polygon.
+  [[nodiscard]] std::shared_ptr<const Outline> outline(const Polygon& polygon);
 
   // Finds or makes the sum.  The least recently used entries go when the limit is passed; whoever holds one keeps it.
   [[nodiscard]] Obstacle obstacle(const OrientedOutline& p, const OrientedOutline& q);

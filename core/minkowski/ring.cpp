@@ -39,55 +39,63 @@ bool Ring::holds(Real2 point, double margin) const {
   return depth(corners_[corner_before(angle_of(x, y))], x, y) > margin;
 }
 
-void Ring::append_inside(Real2 a, Real2 b, double margin, std::vector<std::pair<double, double>>& stretches) const {
-  const double ax = a.x - centre_.x;
-  const double ay = a.y - centre_.y;
-  const double bx = b.x - centre_.x;
-  const double by = b.y - centre_.y;
-  const double turn = ax * by - ay * bx;
-  const double length = std::hypot(bx - ax, by - ay);
+void Ring::append_inside(Real2 a, Real2 b, double margin, bool own_edges, Stretches& stretches) const {
+  Question question{a.x - centre_.x, a.y - centre_.y, b.x - centre_.x, b.y - centre_.y, margin, own_edges, false};
+  const double turn = question.ax * question.by - question.ay * question.bx;
+  const double length = std::hypot(b.x - a.x, b.y - a.y);
   if (std::abs(turn) <= margin * length) {
-    append_radial(ax, ay, bx, by, margin, stretches);
-  } else if (turn > 0) {
-    append_turning(ax, ay, bx, by, false, margin, stretches);
-  } else {
-    append_turning(bx, by, ax, ay, true, margin, stretches);
+    append_radial(question, stretches);
+    return;
   }
+  if (turn < 0) {
+    std::swap(question.ax, question.bx);
+    std::swap(question.ay, question.by);
+    question.reversed = true;
+  }
+  append_turning(question, stretches);
+}
+
+double Ring::margin_at(const Corner& corner, const Question& question) const {
+  if (!question.own_edges || question.reversed) return question.margin;
+  const double dx = question.bx - question.ax;
+  const double dy = question.by - question.ay;
+  const bool parallel = std::abs(corner.dx * dy - corner.dy * dx) <= question.margin && corner.dx * dx + corner.dy * dy > 0;
+  return parallel ? -question.margin : question.margin;
 }
 
 // The segment turns counter-clockwise about the centre: walk the edges that face it one after another.
-void Ring::append_turning(double ax, double ay, double bx, double by, bool reversed, double margin,
-                          std::vector<std::pair<double, double>>& stretches) const {
+void Ring::append_turning(const Question& question, Stretches& stretches) const {
   const std::size_t n = corners_.size();
-  const double dx = bx - ax;
-  const double dy = by - ay;
+  const auto [ax, ay] = std::pair{question.ax, question.ay};
+  const double dx = question.bx - ax;
+  const double dy = question.by - ay;
   const auto add = [&](double t0, double t1) {
     if (t1 <= t0) return;
-    stretches.emplace_back(reversed ? 1 - t1 : t0, reversed ? 1 - t0 : t1);
+    stretches.emplace_back(question.reversed ? 1 - t1 : t0, question.reversed ? 1 - t0 : t1);
   };
-  const double end = angle_of(bx, by);
-  std::size_t k = corner_before(angle_of(ax, ay));
-  double t = 0;
+  const double end = angle_of(question.bx, question.by);
   double left = angle_of(ax, ay);
+  std::size_t k = corner_before(left);
+  double t = 0;
   for (std::size_t step = 0; step <= n && t < 1; ++step, k = k + 1 == n ? 0 : k + 1) {
     const Corner& next = corners_[k + 1 == n ? 0 : k + 1];
     // How far along the segment the next corner's ray is, if the segment gets there.
     const double to_end = end >= left ? end - left : end - left + kFullTurn;
-    const double to_next = next.angle > left || n == 1 ? next.angle - left : next.angle - left + kFullTurn;
+    const double to_next = next.angle > left ? next.angle - left : next.angle - left + kFullTurn;
     double t_next = 1;
     if (to_next < to_end) {
       const double across = next.x * dy - next.y * dx;
       const double at = across == 0 ? t : (next.y * ax - next.x * ay) / across;
       t_next = std::clamp(at, t, 1.0);
     }
+    const double margin = margin_at(corners_[k], question);
     const double here = depth(corners_[k], ax + t * dx, ay + t * dy) - margin;
     const double there = depth(corners_[k], ax + t_next * dx, ay + t_next * dy) - margin;
     if (here > 0 && there > 0) {
       add(t, t_next);
     } else if (here > 0 || there > 0) {
       const double cut = t + (t_next - t) * here / (here - there);
-      if (here > 0) add(t, cut);
-      else add(cut, t_next);
+      add(here > 0 ? t : cut, here > 0 ? cut : t_next);
     }
     if (to_next >= to_end) return;
     t = t_next;
@@ -95,31 +103,24 @@ void Ring::append_turning(double ax, double ay, double bx, double by, bool rever
   }
 }
 
-// The segment lies on a line through the centre: inside as far as the edge on either side of the centre allows.
-void Ring::append_radial(double ax, double ay, double bx, double by, double margin,
-                         std::vector<std::pair<double, double>>& stretches) const {
-  const double a_depth = depth(corners_[corner_before(angle_of(ax, ay))], ax, ay) - margin;
-  const double b_depth = depth(corners_[corner_before(angle_of(bx, by))], bx, by) - margin;
-  if (a_depth > 0 && b_depth > 0) {
-    stretches.emplace_back(0.0, 1.0);
-    return;
+// The segment lies on a line through the centre: on either side of it one edge says how far the inside goes.
+void Ring::append_radial(const Question& question, Stretches& stretches) const {
+  const auto [ax, ay] = std::pair{question.ax, question.ay};
+  const double dx = question.bx - ax;
+  const double dy = question.by - ay;
+  const double middle = std::clamp(-(ax * dx + ay * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+  const auto depth_at = [&](const Corner& corner, double t) {
+    return depth(corner, ax + t * dx, ay + t * dy) - question.margin;
+  };
+  const Corner& towards_a = corners_[corner_before(angle_of(ax, ay))];
+  const Corner& towards_b = corners_[corner_before(angle_of(question.bx, question.by))];
+  if (const double inner = depth_at(towards_a, middle); inner > 0 && middle > 0) {
+    const double outer = depth_at(towards_a, 0);
+    stretches.emplace_back(outer > 0 ? 0.0 : middle * outer / (outer - inner), middle);
   }
-  const double dx = bx - ax;
-  const double dy = by - ay;
-  const double nearest = std::clamp(-(ax * dx + ay * dy) / (dx * dx + dy * dy), 0.0, 1.0);
-  const double mx = ax + nearest * dx;
-  const double my = ay + nearest * dy;
-  const Corner& a_corner = corners_[corner_before(angle_of(ax, ay))];
-  const Corner& b_corner = corners_[corner_before(angle_of(bx, by))];
-  const double middle_a = depth(a_corner, mx, my) - margin;
-  const double middle_b = depth(b_corner, mx, my) - margin;
-  if (middle_a > 0) {
-    const double from = a_depth > 0 ? 0.0 : nearest * a_depth / (a_depth - middle_a);
-    if (nearest > from) stretches.emplace_back(from, nearest);
-  }
-  if (middle_b > 0) {
-    const double to = b_depth > 0 ? 1.0 : nearest + (1 - nearest) * middle_b / (middle_b - b_depth);
-    if (to > nearest) stretches.emplace_back(nearest, to);
+  if (const double inner = depth_at(towards_b, middle); inner > 0 && middle < 1) {
+    const double outer = depth_at(towards_b, 1);
+    stretches.emplace_back(middle, outer > 0 ? 1.0 : middle + (1 - middle) * inner / (inner - outer));
   }
 }
 

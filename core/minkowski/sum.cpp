@@ -62,7 +62,7 @@ class Visibility {
     for (const std::size_t r : order_) {
       if (r == own || !boxes_[r].touches(box)) continue;
       const std::size_t before = hidden_.size();
-      rings_[r].append_inside(a, b, kHidden, hidden_);
+      rings_[r].append_inside(a, b, kHidden, r < own, hidden_);  // of several along one line, the first shows
       for (std::size_t k = before; k < hidden_.size(); ++k) {
         if (hidden_[k].first <= 0 && hidden_[k].second >= 1) return;
       }
@@ -91,7 +91,7 @@ class Visibility {
   std::span<const Box> boxes_;
   std::vector<Ring> rings_;
   std::vector<std::size_t> order_;
-  std::vector<std::pair<double, double>> hidden_;
+  Stretches hidden_;
 };
 
 std::vector<std::vector<Box>> tree_over(std::span<const SumEdge> edges) {

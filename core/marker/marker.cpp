@@ -1,0 +1,128 @@
+#include "core/marker/marker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <unordered_set>
+
+#include "core/geometry/orientation.h"
+
+namespace selvage {
+namespace {
+
+std::string at_index(const char* list, std::size_t index) { return std::string{"/"} + list + "/" + std::to_string(index); }
+
+std::string decimal(Coord coord, Resolution resolution) {
+  std::string text = std::to_string(to_decimal(coord, resolution));
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
+template <class Things>
+std::optional<Error> repeated_id(const Things& things, const char* list) {
+  std::unordered_set<std::string_view> seen;
+  for (std::size_t k = 0; k < things.size(); ++k) {
+    if (!seen.insert(things[k].id).second) {
+      return Error{ErrorCode::kDuplicateId, "id \"" + things[k].id + "\" is used twice; ids must differ",
+                   at_index(list, k) + "/id"};
+    }
+  }
+  return std::nullopt;
+}
+
+bool allows(const Shape& shape, const Orientation& orientation) {
+  if (orientation.flip && !shape.may_flip) return false;
+  if (std::abs(orientation.tilt.degrees) > shape.tilt_limit.degrees) return false;
+  if (shape.rotations.empty()) return true;
+  return std::any_of(shape.rotations.begin(), shape.rotations.end(), [&](Angle allowed) {
+    return std::remainder(orientation.rotation.degrees - allowed.degrees, 360.0) == 0.0;
+  });
+}
+
+std::optional<Error> strip_defect(const Marker& marker) {
+  if (marker.strip.width <= 0) {
+    return Error{ErrorCode::kOutOfRange, "the strip's width is " + decimal(marker.strip.width, marker.resolution) +
+                                             "; it must be greater than 0", "/strip/width"};
+  }
+  if (marker.spacing < 0 || marker.spacing > marker.strip.width) {
+    return Error{ErrorCode::kOutOfRange, "the spacing is " + decimal(marker.spacing, marker.resolution) +
+                                             "; it must be from 0 to the strip's width", "/spacing"};
+  }
+  return std::nullopt;
+}
+
+// A turned outline is rounded to the lattice once; from then on the rounded outline is the piece, so it must be a polygon.
+std::optional<Error> orientation_defect(const Shape& shape, const Orientation& orientation, Coord width, Resolution resolution) {
+  const Polygon outline = oriented(shape.outline, orientation);
+  if (split(orientation).turn.degrees != 0.0) {
+    const auto clean = clean_polygon(outline);
+    if (!clean) return Error{clean.error().code, "turned and rounded to the lattice, " + clean.error().message, {}};
+  }
+  if (const Coord across = box_of(outline).height(); across > width) {
+    return Error{ErrorCode::kPieceTooWide, "shape \"" + shape.id + "\" is " + decimal(across, resolution) +
+                                               " across in this orientation; the strip is " +
+                                               decimal(width, resolution) + " wide", {}};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<Marker> make_marker(Marker marker) {
+  if (const auto defect = strip_defect(marker)) return *defect;
+  if (marker.pieces.empty()) {
+    return Error{ErrorCode::kEmptyMarker, "the marker has no piece; at least 1 is needed", "/pieces"};
+  }
+  if (marker.pieces.size() > kMaxPieces) {
+    return Error{ErrorCode::kTooManyPieces, std::to_string(marker.pieces.size()) + " pieces; at most " +
+                                                std::to_string(kMaxPieces) + " are allowed", "/pieces"};
+  }
+  if (const auto defect = repeated_id(marker.shapes, "shapes")) return *defect;
+  if (const auto defect = repeated_id(marker.pieces, "pieces")) return *defect;
+  std::map<std::pair<ShapeId, Orientation>, std::optional<Error>> seen;
+  for (std::size_t k = 0; k < marker.pieces.size(); ++k) {
+    const Piece& piece = marker.pieces[k];
+    if (piece.shape.value >= marker.shapes.size()) {
+      return Error{ErrorCode::kUnknownShape, "shape number " + std::to_string(piece.shape.value) + " of " +
+                                                 std::to_string(marker.shapes.size()), at_index("pieces", k) + "/shape"};
+    }
+    const Shape& shape = marker.shapes[piece.shape.value];
+    if (!allows(shape, piece.orientation)) {
+      return Error{ErrorCode::kOrientationNotAllowed,
+                   "rotation " + std::to_string(piece.orientation.rotation.degrees) + ", tilt " +
+                       std::to_string(piece.orientation.tilt.degrees) + (piece.orientation.flip ? ", flipped" : "") +
+                       " is not among the orientations that shape \"" + shape.id + "\" allows",
+                   at_index("pieces", k) + "/rotation"};
+    }
+    const auto [at, fresh] = seen.try_emplace({piece.shape, piece.orientation});
+    if (fresh) at->second = orientation_defect(shape, piece.orientation, marker.strip.width, marker.resolution);
+    if (at->second) return Error{at->second->code, at->second->message, at_index("pieces", k)};
+  }
+  return marker;
+}
+
+Polygon placed_outline(const Marker& marker, PieceId id) {
+  const Piece& piece = marker.pieces[id.value];
+  Polygon outline = oriented(marker.shapes[piece.shape.value].outline, piece.orientation);
+  for (Vec& v : outline) v = v + piece.at;
+  return outline;
+}
+
+Coord length_of(const Marker& marker) {
+  Coord length = 0;
+  for (std::uint32_t i = 0; i < marker.pieces.size(); ++i) {
+    length = std::max(length, box_of(placed_outline(marker, PieceId{i})).high.x);
+  }
+  return length;
+}
+
+double utilisation_of(const Marker& marker) {
+  Wide doubled = 0;
+  for (const Piece& piece : marker.pieces) doubled += doubled_area(marker.shapes[piece.shape.value].outline);
+  const double cloth = static_cast<double>(marker.strip.width) * static_cast<double>(length_of(marker));
+  return cloth > 0 ? static_cast<double>(doubled) / 2 / cloth : 0;
+}
+
+}  // namespace selvage

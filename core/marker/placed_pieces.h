@@ -1,0 +1,50 @@
+// A marker made ready for geometry: every piece's polygon in its orientation, and where it lies.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "core/geometry/overlap.h"
+#include "core/marker/marker.h"
+
+namespace selvage {
+
+// A polygon that several pieces share, with its box.
+struct SharedPolygon {
+  Polygon vertices;
+  Box box;
+};
+
+class PlacedPieces {
+ public:
+  explicit PlacedPieces(const Marker& marker);
+
+  [[nodiscard]] std::size_t size() const { return at_.size(); }
+  [[nodiscard]] PlacedPolygon operator[](std::size_t piece) const {
+    const SharedPolygon& polygon = *polygons_[piece];
+    return {polygon.vertices, polygon.box, at_[piece]};
+  }
+  [[nodiscard]] Box box(std::size_t piece) const { return polygons_[piece]->box.moved(at_[piece]); }
+  [[nodiscard]] Vec at(std::size_t piece) const { return at_[piece]; }
+  [[nodiscard]] const std::vector<Vec>& positions() const { return at_; }
+  void place(std::vector<Vec> positions) { at_ = std::move(positions); }
+  // Where the rightmost piece ends.
+  [[nodiscard]] Coord length() const;
+
+ private:
+  std::vector<std::shared_ptr<const SharedPolygon>> polygons_;
+  std::vector<Vec> at_;
+};
+
+// Two pieces, first < second.
+using PiecePair = std::pair<std::uint32_t, std::uint32_t>;
+
+// All pairs whose boxes come closer than `distance` on both axes (0: whose boxes overlap), sorted.
+[[nodiscard]] std::vector<PiecePair> pairs_within(const PlacedPieces& pieces, Coord distance);
+
+// All pairs that overlap or are closer than the spacing, sorted.  Exact.
+[[nodiscard]] std::vector<PiecePair> conflicts(const PlacedPieces& pieces, Coord spacing);
+
+}  // namespace selvage

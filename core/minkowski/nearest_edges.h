@@ -1,0 +1,71 @@
+// A sum's edges in the order of their distance from a point: best first over the sum's tree of boxes.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "core/minkowski/sum.h"
+
+namespace selvage {
+
+class NearestEdges {
+ public:
+  struct Near {
+    const SumEdge* edge{};
+    double squared_distance{};  // from the point to the edge; lattice units squared
+  };
+
+  // Edges farther than `reach` from `from` are left out.
+  NearestEdges(const MinkowskiSum& sum, Vec from, double reach);
+
+  // The next edge; nothing when all have been seen.  `skip(box)` says that nothing inside the box is of interest.
+  template <class Skip>
+  std::optional<Near> next(Skip skip);
+
+ private:
+  struct Node {
+    double squared_distance{};
+    std::uint32_t level{};  // 0: an edge; k: a box of tree()[k - 1]
+    std::uint32_t index{};
+  };
+  static bool farther(const Node& a, const Node& b) {
+    if (a.squared_distance != b.squared_distance) return a.squared_distance > b.squared_distance;
+    return a.level != b.level ? a.level < b.level : a.index > b.index;
+  }
+  void push(std::uint32_t level, std::size_t index);
+  [[nodiscard]] double squared_distance(const Box& box) const;
+  [[nodiscard]] double squared_distance(const SumEdge& edge) const;
+
+  const MinkowskiSum& sum_;
+  Vec from_;
+  double squared_reach_;
+  std::vector<Node> heap_;
+};
+
+// The nearest point of the sum's boundary, and its distance.
+struct BoundaryPoint {
+  Real2 at;
+  double distance{};
+  const SumEdge* edge{};
+};
+[[nodiscard]] BoundaryPoint nearest_boundary_point(const MinkowskiSum& sum, Vec from);
+
+template <class Skip>
+std::optional<NearestEdges::Near> NearestEdges::next(Skip skip) {
+  while (!heap_.empty()) {
+    std::pop_heap(heap_.begin(), heap_.end(), farther);
+    const Node node = heap_.back();
+    heap_.pop_back();
+    if (node.level == 0) return Near{&sum_.edges()[node.index], node.squared_distance};
+    const auto tree = sum_.tree();
+    if (skip(tree[node.level - 1][node.index])) continue;
+    const std::size_t below = node.level == 1 ? sum_.edges().size() : tree[node.level - 2].size();
+    const std::size_t first = node.index * MinkowskiSum::kFan;
+    for (std::size_t k = first; k < std::min(below, first + MinkowskiSum::kFan); ++k) push(node.level - 1, k);
+  }
+  return std::nullopt;
+}
+
+}  // namespace selvage
