@@ -37,7 +37,7 @@ Result<MarkerOpen> decode_marker_open(const Json& params) {
   fields.finish();
   if (mistake) return mistake.error();
 
-  auto file = read_marker(document);
+  auto file = read_document(document);
   if (!file) return within("/marker", file.error());
   for (Note& note : file->notes) note.field.insert(0, "/marker");
   if (!spacing) return MarkerOpen{*std::move(file)};

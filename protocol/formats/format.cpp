@@ -16,10 +16,10 @@ std::string_view name_of(Format format) {
 Result<MarkerFile> read_marker(std::string_view text, std::size_t max_bytes) {
   const auto document = parse(text, max_bytes);
   if (!document) return document.error();
-  return read_marker(*document);
+  return read_document(*document);
 }
 
-Result<MarkerFile> read_marker(const Json& document) {
+Result<MarkerFile> read_document(const Json& document) {
   if (!document.is_object()) {
     return Error{ErrorCode::kWrongType, shortened(document) + " where an object is required", ""};
   }

@@ -44,7 +44,7 @@ struct MarkerFile {
 // pointing into the document.  The marker read is well formed but need not be valid (pieces may overlap).
 [[nodiscard]] Result<MarkerFile> read_marker(std::string_view text, std::size_t max_bytes = kMaxFileBytes);
 // The same, of a document that is already parsed (such as a call's parameter).
-[[nodiscard]] Result<MarkerFile> read_marker(const Json& document);
+[[nodiscard]] Result<MarkerFile> read_document(const Json& document);
 
 // The document of any form: an object, for kSvg a string.
 // Errors: kOrientationNotAllowed for a flipped piece in the sparrow form, which has no word for it.

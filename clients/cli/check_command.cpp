@@ -1,0 +1,49 @@
+#include <iostream>
+#include <memory>
+
+#include "clients/cli/commands.h"
+#include "clients/cli/files.h"
+#include "clients/cli/summary.h"
+#include "protocol/codec.h"
+
+namespace selvage {
+namespace {
+
+struct CheckOptions {
+  std::string in;
+  std::optional<double> spacing;
+  bool json{};
+};
+
+ExitCode run(const CheckOptions& options) {
+  auto file = load_marker(options.in);
+  if (file && options.spacing) file = with_spacing(*std::move(file), *options.spacing);
+  if (!file) {
+    report(file.error());
+    return exit_code_of(file.error());
+  }
+  SumCache sums;
+  const Validity validity = check(file->marker, sums);
+  if (options.json) {
+    std::cout << to_text(validity_json(file->marker, validity)) << "\n";
+  } else {
+    tell_notes(file->notes);
+    std::cout << plain_figures(file->marker) << ": " << (validity.valid() ? "valid" : "NOT valid") << "\n"
+              << plain_faults(file->marker, validity);
+  }
+  return validity.valid() ? ExitCode::kOk : ExitCode::kNotValid;
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& app, ExitCode& code) {
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App* command = app.add_subcommand("check", "Is a marker valid?  Decided exactly; lists what is wrong");
+  command->add_option("IN", options->in, "The marker, native or sparrow; - for standard input")->required();
+  command->add_option("--spacing", options->spacing, "Least distance between pieces, in the marker's unit");
+  command->add_flag("--json", options->json, "Print the answer as one line of JSON");
+  command->footer(kExitCodesHelp);
+  command->callback([options, &code] { code = run(*options); });
+}
+
+}  // namespace selvage

@@ -1,0 +1,16 @@
+// The subcommands of `selvage`.  Each adds itself to the command line; when it is the one chosen, it runs and
+// leaves its exit code.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "clients/cli/exit_code.h"
+
+namespace selvage {
+
+void add_compact_command(CLI::App& app, ExitCode& code);
+void add_check_command(CLI::App& app, ExitCode& code);
+void add_show_command(CLI::App& app, ExitCode& code);
+void add_convert_command(CLI::App& app, ExitCode& code);
+
+}  // namespace selvage

@@ -1,0 +1,25 @@
+// selvage: compacts, checks, shows and converts markers from the command line.
+#include <exception>
+#include <iostream>
+
+#include "clients/cli/commands.h"
+
+int main(int argc, char** argv) {
+  CLI::App app{"Selvage shortens garment markers: exactly, fast, and never with an overlap."};
+  app.name("selvage");
+  app.set_version_flag("--version", std::string{"selvage "} + SELVAGE_VERSION);
+  app.require_subcommand(1);
+  app.footer(selvage::kExitCodesHelp);
+  selvage::ExitCode code = selvage::ExitCode::kOk;
+  selvage::add_compact_command(app, code);
+  selvage::add_check_command(app, code);
+  selvage::add_show_command(app, code);
+  selvage::add_convert_command(app, code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const bool asked_for_help = app.exit(error) == 0;
+    code = asked_for_help ? selvage::ExitCode::kOk : selvage::ExitCode::kBadUsage;
+  }
+  return static_cast<int>(code);
+}

@@ -1,0 +1,48 @@
+#include "clients/cli/progress.h"
+
+#include <chrono>
+#include <iostream>
+
+#include "protocol/json_text.h"
+
+namespace selvage {
+namespace {
+
+constexpr double kFirstAfter = 1000, kThenEvery = 100;  // milliseconds
+
+double now_ms() {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+}  // namespace
+
+Progress::Progress(const Marker& marker, bool show)
+    : resolution_{marker.resolution},
+      unit_{marker.unit},
+      show_{show},
+      start_{now_ms()},
+      last_told_{start_},
+      timer_{start_} {}
+
+Observer Progress::observer() {
+  return {.on_stage = [this](Stage stage) { timer_.enter(stage, now_ms()); },
+          .on_round = [this](const Round& round) { tell(round); }};
+}
+
+void Progress::tell(const Round& round) {
+  const double now = now_ms();
+  if (!show_ || now - start_ < kFirstAfter || now - last_told_ < kThenEvery) return;
+  last_told_ = now;
+  told_ = true;
+  std::cerr << "\r\033[Kround " << round.number << ": " << number_text(to_decimal(round.length, resolution_))
+            << " " << unit_ << std::flush;
+}
+
+StageTimes Progress::finish() {
+  const StageTimes times = timer_.times(now_ms());
+  if (told_) std::cerr << "\r\033[K" << std::flush;
+  return times;
+}
+
+}  // namespace selvage

@@ -1,0 +1,32 @@
+// The clock of one compaction: how long each stage takes, and a line of progress for a person who waits.
+#pragma once
+
+#include <string>
+
+#include "core/motion/compact.h"
+#include "protocol/stage_times.h"
+
+namespace selvage {
+
+class Progress {
+ public:
+  // `show`: keep a line on stderr up to date once the work has taken a second.
+  Progress(const Marker& marker, bool show);
+
+  // REQUIRES: *this outlives the observer.
+  [[nodiscard]] Observer observer();
+  // Stops the clock and wipes the line.
+  [[nodiscard]] StageTimes finish();
+
+ private:
+  void tell(const Round& round);
+
+  Resolution resolution_;
+  std::string unit_;
+  bool show_;
+  bool told_{};
+  double start_, last_told_;
+  StageTimer timer_;
+};
+
+}  // namespace selvage
