@@ -1,0 +1,70 @@
+// The worker pool: jobs in, at most `capacity` waiting, each told when to stop.
+//
+// A job may name a lane; the jobs of one lane run one at a time, in the order they came.  A marker's id is
+// the lane of what changes it.  The queue owns every worker and every stop_source: a job is asked to stop
+// when its caller is gone or when the queue drains, and a job that starts after either finds its token
+// already stopped. With no workers a job runs inside submit(), for tests that want no threads.
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <future>
+#include <list>
+#include <map>
+#include <mutex>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace selvage {
+
+// Move-only, unlike std::function, so that a job can own its ReplyOnce.
+using Work = std::packaged_task<void(std::stop_token)>;
+
+struct Job {
+  std::string lane;        // empty: none
+  std::stop_token caller;  // stops when whoever asked is gone
+  Work work;               // what it throws is logged and ends this job only
+};
+
+enum class Admission { kAccepted, kFull, kDraining };
+
+class JobQueue {
+ public:
+  JobQueue(std::size_t workers, std::size_t capacity);
+  ~JobQueue();  // drains
+  JobQueue(const JobQueue&) = delete;
+  JobQueue& operator=(const JobQueue&) = delete;
+
+  // A job that is not accepted is left as it was.
+  [[nodiscard]] Admission submit(Job& job);
+
+  // Refuses what comes from now on, asks every job to stop, returns when the last has ended.
+  void drain();
+
+  [[nodiscard]] std::size_t workers() const { return workers_; }
+  [[nodiscard]] std::size_t capacity() const { return capacity_; }
+  [[nodiscard]] std::size_t waiting() const;
+  [[nodiscard]] std::size_t running() const;
+
+ private:
+  void serve();
+  void run(Job job, std::list<std::stop_source>::iterator stop);
+  void end(const std::string& lane, std::list<std::stop_source>::iterator stop);
+
+  const std::size_t workers_;
+  const std::size_t capacity_;
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<Job> ready_;
+  std::map<std::string, std::deque<Job>>
+      lanes_;                          // the lanes with a job ready or running, and what waits behind it
+  std::size_t behind_{};               // jobs waiting in lanes_
+  std::list<std::stop_source> stops_;  // one per running job
+  bool draining_{};
+  std::vector<std::jthread> threads_;
+};
+
+}  // namespace selvage

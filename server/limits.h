@@ -1,0 +1,17 @@
+// What the server takes at most.  engine.info tells them.
+#pragma once
+
+#include <cstddef>
+
+#include "server/transport/service.h"
+
+namespace selvage {
+
+struct Limits {
+  std::size_t open_markers{1000};
+  std::size_t waiting_motions{64};  // beyond those that run
+  std::size_t waiting_reads{256};
+  TransportLimits transport;
+};
+
+}  // namespace selvage

@@ -1,0 +1,80 @@
+// A transport with a service that tests hold in their hand: messages that contain "hold" wait until the test
+// answers them, those that contain "silent" get no answer, those that contain "throw" make the service throw;
+// all others come back as they are.
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "server/transport/transport.h"
+#include "tests/server/wire.h"
+
+namespace selvage::test {
+
+struct HeldCall {
+  std::string message;
+  std::stop_token caller;
+  Reply reply;
+};
+
+// Blocks until the token stops; false when it does not in time.
+inline bool stops(const std::stop_token& token) {
+  std::mutex mutex;
+  std::condition_variable_any changed;
+  std::unique_lock lock{mutex};
+  changed.wait_for(lock, token, kPatience, [] { return false; });
+  return token.stop_requested();
+}
+
+class StagedServer {
+ public:
+  explicit StagedServer(const TransportLimits& limits = {})
+      : transport_{"127.0.0.1", 0, limits,
+                   Service{.call =
+                               [this](std::string message, std::stop_token caller, Reply reply) {
+                                 take({std::move(message), std::move(caller), std::move(reply)});
+                               },
+                           .health = [] { return std::string{"well"}; },
+                           .line_too_long = "too long"}} {}
+
+  [[nodiscard]] std::uint16_t port() const { return transport_.port(); }
+  [[nodiscard]] Transport& transport() { return transport_; }
+
+  // The next held call, once it is there.
+  [[nodiscard]] HeldCall next_held() {
+    std::unique_lock lock{mutex_};
+    if (!changed_.wait_for(lock, kPatience, [this] { return !held_.empty(); })) {
+      throw std::runtime_error{"no call in time"};
+    }
+    HeldCall call = std::move(held_.front());
+    held_.pop_front();
+    return call;
+  }
+  [[nodiscard]] std::size_t held() {
+    const std::lock_guard lock{mutex_};
+    return held_.size();
+  }
+
+ private:
+  void take(HeldCall call) {
+    const auto says = [&](const char* word) { return call.message.find(word) != std::string::npos; };
+    if (says("throw")) throw std::runtime_error{"on purpose"};
+    if (says("silent")) return call.reply({});
+    if (!says("hold")) return call.reply(call.message);
+    const std::lock_guard lock{mutex_};
+    held_.push_back(std::move(call));
+    changed_.notify_all();
+  }
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<HeldCall> held_;
+  Transport transport_;
+};
+
+}  // namespace selvage::test

@@ -1,0 +1,56 @@
+// A client for tests: one blocking socket to a server on this machine, byte by byte under the test's hand.
+// Every wait ends after kPatience, so that a test fails instead of hanging.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace selvage::test {
+
+inline constexpr std::chrono::seconds kPatience{60};
+
+struct HttpAnswer {
+  int status{};
+  std::string header;  // as it came, status line and all
+  std::string body;
+  [[nodiscard]] bool says(std::string_view text) const { return header.find(text) != std::string::npos; }
+};
+
+class Wire {
+ public:
+  explicit Wire(std::uint16_t port);
+  ~Wire();
+  Wire(const Wire&) = delete;
+  Wire& operator=(const Wire&) = delete;
+
+  void send(std::string_view bytes) const;
+  // False when the other side no longer takes bytes.
+  [[nodiscard]] bool try_send(std::string_view bytes) const;
+  void half_close() const;  // nothing more will be sent
+  void close();
+  void reset();  // breaks the connection
+
+  // The next line without its end, or nothing when the connection has ended.
+  [[nodiscard]] std::optional<std::string> line();
+  // The next HTTP answer, or nothing when the connection has ended.
+  [[nodiscard]] std::optional<HttpAnswer> answer();
+  // Everything until the connection ends.
+  [[nodiscard]] std::string rest();
+
+  // Sends a POST /rpc and returns its answer.
+  [[nodiscard]] std::optional<HttpAnswer> post(std::string_view body);
+
+ private:
+  bool receive();  // appends to received_; false at the end
+
+  int socket_{-1};
+  std::string received_;
+};
+
+// A well-formed POST /rpc.
+[[nodiscard]] std::string post_request(std::string_view body, std::string_view more_fields = "");
+
+}  // namespace selvage::test
