@@ -33,7 +33,9 @@ Polygon turned(const Polygon& polygon, Angle turn) {
     const auto y = static_cast<double>(v.y);
     return Vec{std::llround(c * x - s * y), std::llround(s * x + c * y)};
   });
-  return image;
+  // Rounding may leave vertices that no longer turn; without them it is a Polygon again.
+  auto clean = clean_polygon(image);
+  return clean ? std::move(clean->polygon) : image;
 }
 
 Polygon oriented(const Polygon& polygon, const Orientation& orientation) {

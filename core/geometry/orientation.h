@@ -72,6 +72,7 @@ struct SplitOrientation {
 [[nodiscard]] SplitOrientation split(const Orientation& orientation);
 
 // The polygon turned about its own origin, each vertex rounded to the nearest lattice point; the same polygon for 0.
+// Rounding can in principle make a needle touch itself: then what comes back is not a Polygon (make_marker refuses it).
 [[nodiscard]] Polygon turned(const Polygon& polygon, Angle turn);
 
 // The whole: flip, rotation, tilt.

@@ -5,18 +5,18 @@
 // the lattice unit.  (4) Same input and settings, same answer, whatever the cache holds.
 #pragma once
 
-#include <functional>
 #include <stop_token>
 
 #include "core/base/result.h"
 #include "core/lp/solve.h"
 #include "core/marker/marker.h"
 #include "core/minkowski/cache.h"
+#include "core/model/free_region.h"
+#include "core/motion/observer.h"
 
 namespace selvage {
 
 enum class Accuracy { kDraft, kStandard, kFine };
-enum class RegionRule { kGreedy, kWalk };
 
 struct CompactionSettings {
   int rounds{};            // at most this many
@@ -31,18 +31,6 @@ struct CompactionSettings {
 [[nodiscard]] CompactionSettings compaction_settings(Accuracy accuracy);
 
 enum class StopReason { kConverged, kWorkLimit, kCancelled };
-
-// What the core is doing, for whoever holds a clock.
-enum class Stage { kSums, kRows, kSolve, kVerify, kOther };
-
-struct Round {
-  int number{};    // 1, 2, ...
-  Coord length{};  // after it
-};
-struct Observer {
-  std::function<void(Stage)> on_stage = [](Stage) {};
-  std::function<void(const Round&)> on_round = [](const Round&) {};
-};
 
 // Small overlaps in the input (other programs' rounding), parted by least motion before anything else.
 struct Healing {

@@ -1,0 +1,218 @@
+#include "core/model/free_region.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/pseudo_angle.h"
+#include "core/minkowski/nearest_edges.h"
+
+namespace selvage {
+namespace {
+
+// Rounded ends of edges may lie this far on the wrong side of a neighbour's line; lattice units.
+constexpr double kRounding = 1.5;
+// Positions may lie this deep behind an edge's line and still be taken to face it.
+constexpr double kFacing = 3.0;
+
+HalfPlane side_along(const SumEdge& edge) { return {edge.line_from, edge.line_to - edge.line_from}; }
+
+// The half-plane that cuts an edge off: its own line, or, when that passes too near for the spacing, the line through its
+// nearest point to r, square to the way there.
+HalfPlane cut_before(const SumEdge& edge, Vec r, Coord spacing) {
+  const HalfPlane along = side_along(edge);
+  if (spacing == 0 || slack_of(along, r) >= static_cast<double>(spacing)) return along;
+  const Wide past_from = dot(r - edge.from, edge.to - edge.from);
+  const Wide past_to = dot(r - edge.to, edge.to - edge.from);
+  if (past_from > 0 && past_to < 0) return along;
+  const Vec nearest = past_from <= 0 ? edge.from : edge.to;
+  const Vec out = r - nearest;
+  return {nearest, {-out.y, out.x}};
+}
+
+// A half-plane about the present position as origin: inside where x * nx + y * ny + slack >= 0.
+struct Side {
+  double nx{}, ny{}, slack{};
+  [[nodiscard]] double inside_by(double x, double y) const { return x * nx + y * ny + slack; }
+};
+Side side_of_plane(const HalfPlane& plane, Vec r) {
+  const auto dx = static_cast<double>(plane.direction.x);
+  const auto dy = static_cast<double>(plane.direction.y);
+  const double length = std::sqrt(dx * dx + dy * dy);
+  return {dy / length, -dx / length, slack_of(plane, r)};
+}
+
+// The cell so far.
+class Cell {
+ public:
+  explicit Cell(Vec r) : r_{r} {}
+
+  void cut(const HalfPlane& plane) {
+    planes_.push_back(plane);
+    sides_.push_back(side_of_plane(plane, r_));
+  }
+  // True when no part of the edge lies inside by more than rounding.
+  [[nodiscard]] bool excludes(const SumEdge& edge) const {
+    const auto ax = static_cast<double>(edge.from.x - r_.x);
+    const auto ay = static_cast<double>(edge.from.y - r_.y);
+    const auto bx = static_cast<double>(edge.to.x - r_.x);
+    const auto by = static_cast<double>(edge.to.y - r_.y);
+    double low = 0;
+    double high = 1;
+    for (const Side& side : sides_) {
+      const double a = side.inside_by(ax, ay) - kRounding;
+      const double b = side.inside_by(bx, by) - kRounding;
+      if (a <= 0 && b <= 0) return true;
+      if (a < 0) low = std::max(low, a / (a - b));
+      if (b < 0) high = std::min(high, a / (a - b));
+      if (low >= high) return true;
+    }
+    return false;
+  }
+  [[nodiscard]] bool excludes(const Box& box) const {
+    const auto x0 = static_cast<double>(box.low.x - r_.x);
+    const auto y0 = static_cast<double>(box.low.y - r_.y);
+    const auto x1 = static_cast<double>(box.high.x - r_.x);
+    const auto y1 = static_cast<double>(box.high.y - r_.y);
+    return std::any_of(sides_.begin(), sides_.end(), [&](const Side& side) {
+      return side.inside_by(side.nx > 0 ? x1 : x0, side.ny > 0 ? y1 : y0) <= kRounding;
+    });
+  }
+  [[nodiscard]] std::vector<HalfPlane> planes() && { return std::move(planes_); }
+
+ private:
+  Vec r_;
+  std::vector<HalfPlane> planes_;
+  std::vector<Side> sides_;
+};
+
+// Nearest facing edge first.  Of edges equally near (they share a vertex), the one whose line is farther: it takes less
+// away on the other side.
+std::vector<HalfPlane> greedy_region(const MinkowskiSum& sum, Vec r, const RegionSettings& settings) {
+  Cell cell{r};
+  NearestEdges edges{sum, r, settings.reach};
+  const auto skip = [&](const Box& box) { return cell.excludes(box); };
+  auto next = edges.next(skip);
+  while (next) {
+    const double bound = next->squared_distance * (1 + 1e-9) + 1;
+    const SumEdge* best = nullptr;
+    double best_slack = 0;
+    std::vector<const SumEdge*> tied;
+    for (; next && next->squared_distance <= bound; next = edges.next(skip)) {
+      if (slack_of(side_along(*next->edge), r) >= -kFacing) tied.push_back(next->edge);
+    }
+    while (!tied.empty()) {
+      std::erase_if(tied, [&](const SumEdge* e) { return e == best || cell.excludes(*e); });
+      best = nullptr;
+      for (const SumEdge* e : tied) {
+        const double slack = slack_of(side_along(*e), r);
+        if (best && slack <= best_slack) continue;
+        best = e;
+        best_slack = slack;
+      }
+      if (best) cell.cut(cut_before(*best, r, settings.spacing));
+    }
+  }
+  return std::move(cell).planes();
+}
+
+// The thesis' walk about one star sum.
+class Walk {
+ public:
+  Walk(const StarSum& ring, Vec r) : ring_{ring}, r_{r} {}
+
+  std::vector<HalfPlane> run() {
+    const std::size_t start = facing_edge();
+    take(start);
+    go(start, true);
+    go(start, false);
+    return std::move(planes_);
+  }
+
+ private:
+  [[nodiscard]] std::size_t size() const { return ring_.edges.size(); }
+
+  // The edge that the ray from the centre to r passes.
+  [[nodiscard]] std::size_t facing_edge() const {
+    const double x = static_cast<double>(r_.x) - ring_.centre.x;
+    const double y = static_cast<double>(r_.y) - ring_.centre.y;
+    if (x == 0 && y == 0) return 0;
+    const double angle = pseudo_angle(x, y);
+    std::size_t best = 0;
+    double least = kFullTurn;
+    for (std::size_t k = 0; k < size(); ++k) {
+      const Vec from = ring_.edges[k].from;
+      const double fx = static_cast<double>(from.x) - ring_.centre.x;
+      const double fy = static_cast<double>(from.y) - ring_.centre.y;
+      const double behind = std::fmod(angle - pseudo_angle(fx, fy) + kFullTurn, kFullTurn);
+      if (behind < least) {
+        least = behind;
+        best = k;
+      }
+    }
+    return best;
+  }
+  bool take(std::size_t k) {
+    const HalfPlane plane = side_along(ring_.edges[k]);
+    if (slack_of(plane, r_) < -kFacing) return false;
+    planes_.push_back(plane);
+    return true;
+  }
+  // From edge `k` on: follow the current line until the boundary comes out over it, then that edge's line.
+  void go(std::size_t k, bool counter_clockwise) {
+    HalfPlane current = side_along(ring_.edges[k]);
+    const Vec start = current.direction;
+    for (std::size_t step = 1; step < size(); ++step) {
+      k = counter_clockwise ? (k + 1) % size() : (k + size() - 1) % size();
+      const SumEdge& edge = ring_.edges[k];
+      if (slack_of(current, counter_clockwise ? edge.to : edge.from) <= kRounding) continue;
+      if (!ahead(current, edge, counter_clockwise) || !take(k)) continue;
+      current = side_along(edge);
+      if (turned_back(start, current.direction, counter_clockwise)) return;
+    }
+  }
+  // The edge comes over the line on the side that the walk goes to.
+  [[nodiscard]] bool ahead(const HalfPlane& line, const SumEdge& edge, bool counter_clockwise) const {
+    const Vec to = (counter_clockwise ? edge.to : edge.from) - r_;
+    const Wide along = dot(to, line.direction);
+    return counter_clockwise ? along > 0 : along < 0;
+  }
+  static bool turned_back(Vec start, Vec now, bool counter_clockwise) {
+    const Wide turn = cross(start, now);
+    return counter_clockwise ? turn > 0 : turn < 0;  // outward turns are the other way
+  }
+
+  const StarSum& ring_;
+  Vec r_;
+  std::vector<HalfPlane> planes_;
+};
+
+std::vector<HalfPlane> walk_region(const MinkowskiSum& sum, Vec r) {
+  std::vector<HalfPlane> planes;
+  for (const StarSum& ring : sum.rings()) {
+    const auto about_ring = Walk{ring, r}.run();
+    planes.insert(planes.end(), about_ring.begin(), about_ring.end());
+  }
+  return planes;
+}
+
+}  // namespace
+
+double slack_of(const HalfPlane& side, Vec r) {
+  const auto dx = static_cast<double>(side.direction.x);
+  const auto dy = static_cast<double>(side.direction.y);
+  return -static_cast<double>(cross(side.direction, r - side.anchor)) / std::sqrt(dx * dx + dy * dy);
+}
+
+std::vector<HalfPlane> free_region(const Obstacle& obstacle, Vec r, const RegionSettings& settings) {
+  const Vec at = obstacle.to_frame(r);
+  const bool walk = settings.rule == RegionRule::kWalk && settings.spacing == 0;
+  auto planes = walk ? walk_region(obstacle.sum(), at) : greedy_region(obstacle.sum(), at, settings);
+  for (HalfPlane& plane : planes) {
+    plane.anchor = obstacle.from_frame(plane.anchor);
+    plane.direction = obstacle.from_frame(plane.direction);
+    if (obstacle.flips()) plane.direction = -plane.direction;
+  }
+  return planes;
+}
+
+}  // namespace selvage

@@ -1,0 +1,73 @@
+// The position model: all pieces' displacements as one linear program [Li94 4.1.3, 4.1.4].
+//
+// Columns are displacements from the present position, in units of a thousandth of the strip's width, so that the program
+// is well scaled whatever the lattice.  Pieces of one group share their columns; fixed pieces have none.  Rows are
+// n . (d_q - d_p) >= bound with unit n.  Length is a column of its own: the change of the marker's length.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/lp/linear_program.h"
+#include "core/marker/placed_pieces.h"
+#include "core/model/free_region.h"
+
+namespace selvage {
+
+// normal . (displacement of pair.second - displacement of pair.first) >= bound, lattice units.
+struct PairRow {
+  PiecePair pair;
+  double nx{}, ny{};
+  double bound{};
+};
+
+// The row that keeps q - p inside a half-plane moved outwards by the spacing.  A slanted row asks for a margin that
+// covers the rounding of displacements to the lattice and of the solver; where the pieces have less room than that now,
+// the row asks them to keep what they have, so that pieces that touch do not make the program infeasible.  Where they
+// have none at all (r lies outside the half-plane), it asks them to get it, margin and all.
+[[nodiscard]] PairRow row_of(PiecePair pair, const HalfPlane& side, Vec r, Coord spacing, double unit);
+
+struct Displacement {
+  double x{}, y{};  // lattice units
+};
+
+class PositionModel {
+ public:
+  static constexpr std::uint32_t kFixed = UINT32_MAX;
+
+  // `group[i]`: the group piece i moves with (any number below the number of pieces), or kFixed.  The strip's edges become
+  // bounds of the columns [Li94 4.1.3]; pieces that leave the strip now are asked to come back.
+  PositionModel(const PlacedPieces& pieces, const Strip& strip, std::span<const std::uint32_t> group);
+
+  // Lattice units in one unit of a column.
+  [[nodiscard]] double unit() const { return unit_; }
+
+  void add(const PairRow& row);
+  // The length column, at `cost` per unit, from -`shorten` to `lengthen` lattice units.
+  void add_length(double cost, double shorten, double lengthen);
+  // Keeps piece i left of the strip's present length plus the length column.  REQUIRES: add_length.
+  void add_right_wall(std::size_t piece);
+  [[nodiscard]] bool has_right_wall(std::size_t piece) const { return walls_[piece] != 0; }
+  // Costs per unit of a piece's displacement.
+  void add_cost(std::size_t piece, double x, double y);
+
+  [[nodiscard]] const LinearProgram& program() const { return program_; }
+  [[nodiscard]] LinearProgram& program() { return program_; }
+  // The x column of a piece (its y column is the next), or nothing when it is fixed.
+  [[nodiscard]] std::optional<int> column(std::size_t piece) const;
+  [[nodiscard]] std::vector<Displacement> displacements(std::span<const double> x) const;
+  [[nodiscard]] double length_change(std::span<const double> x) const;  // lattice units
+
+ private:
+  const PlacedPieces& pieces_;
+  double unit_;
+  Coord length_;
+  std::vector<int> column_;  // of each piece; -1 when fixed
+  std::vector<char> walls_;
+  int length_column_{-1};
+  LinearProgram program_;
+};
+
+}  // namespace selvage

@@ -1,0 +1,49 @@
+#include "core/motion/compact.h"
+
+#include "core/marker/validity.h"
+#include "core/motion/leftward_step.h"
+#include "core/motion/scene.h"
+
+namespace selvage {
+
+CompactionSettings compaction_settings(Accuracy accuracy) {
+  CompactionSettings settings;
+  settings.rounds = 60;
+  settings.least_gain = 1e-6;
+  settings.trust = 0.1;
+  settings.gravity = 0.01;
+  (void)accuracy;
+  return settings;
+}
+
+Result<Compaction> compact(const Marker& start, const CompactionSettings& settings, SumCache& sums, std::stop_token stop,
+                           const Observer& observer) {
+  observer.on_stage(Stage::kOther);
+  Scene scene{start, sums};
+  Compaction best;
+  best.length_before = scene.pieces.length();
+  best.utilisation_before = utilisation_of(start);
+  best.reason = StopReason::kWorkLimit;
+  while (best.rounds < settings.rounds) {
+    const LeftwardStep step = leftward_step(scene, settings, stop, observer);
+    best.programs += step.programs;
+    observer.on_stage(Stage::kOther);
+    if (stop.stop_requested()) {
+      best.reason = StopReason::kCancelled;
+      break;
+    }
+    if (!step.positions) {
+      best.reason = StopReason::kConverged;
+      break;
+    }
+    scene.pieces.place(*step.positions);
+    ++best.rounds;
+    observer.on_round({best.rounds, scene.pieces.length()});
+  }
+  best.marker = scene.result();
+  best.length_after = scene.pieces.length();
+  best.utilisation_after = utilisation_of(best.marker);
+  return best;
+}
+
+}  // namespace selvage

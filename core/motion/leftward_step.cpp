@@ -1,0 +1,187 @@
+#include "core/motion/leftward_step.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "core/model/position_model.h"
+#include "core/model/snap.h"
+
+namespace selvage {
+namespace {
+
+constexpr int kAttempts = 24;  // programs in one round, as rows enter when they are broken
+
+// The growing model of one round.
+class Attempt {
+ public:
+  Attempt(const Scene& scene, const CompactionSettings& settings, const Observer& observer)
+      : scene_{scene},
+        settings_{settings},
+        observer_{observer},
+        trust_{settings.trust * static_cast<double>(scene.marker.strip.width)},
+        group_{scene.group} {
+    observer_.on_stage(Stage::kSums);
+    for (const PiecePair& pair : pairs_within(scene.pieces, std::llround(trust_))) {
+      if (scene.fixed(pair.first) && scene.fixed(pair.second)) continue;
+      near_.push_back(pair);
+      obstacles_.push_back(scene.obstacle(pair));
+    }
+    observer_.on_stage(Stage::kRows);
+    for (std::size_t k = 0; k < near_.size(); ++k) append_rows(near_[k], obstacles_[k], 2 * trust_);
+    modelled_.insert(near_.begin(), near_.end());
+    build();
+  }
+
+  LeftwardStep run(std::stop_token stop) {
+    LeftwardStep step;
+    while (step.programs < kAttempts) {
+      observer_.on_stage(Stage::kSolve);
+      const LpSolution solution = solve(model_->program(), settings_.solver, {}, stop);
+      ++step.programs;
+      if (solution.status != LpStatus::kOptimal) return step;
+      observer_.on_stage(Stage::kVerify);
+      const auto moves = model_->displacements(solution.x);
+      if (-solution.objective < kUnitsAcross * settings_.least_gain) return step;
+      if (add_broken_limits(moves, model_->length_change(solution.x))) continue;
+      const auto conflict = try_moves(moves, step);
+      if (step.positions) return step;
+      if (!add_colliding(conflict)) tie(conflict);
+    }
+    return step;
+  }
+
+ private:
+  static constexpr double kUnitsAcross = 1000;
+
+  void append_rows(PiecePair pair, const Obstacle& obstacle, double reach) {
+    const Vec r = scene_.relative_position(pair);
+    const Coord spacing = scene_.marker.spacing;
+    const RegionSettings region{settings_.region, 1.5 * reach + static_cast<double>(spacing), spacing};
+    for (const HalfPlane& side : free_region(obstacle, r, region)) {
+      const PairRow row = row_of(pair, side, r, spacing, unit());
+      // Within the trust |d_q - d_p| <= reach on each axis: rows farther away cannot be broken.
+      if (-row.bound <= reach * (std::abs(row.nx) + std::abs(row.ny))) rows_.push_back(row);
+    }
+  }
+  [[nodiscard]] double unit() const { return static_cast<double>(scene_.marker.strip.width) / kUnitsAcross; }
+
+  void build() {
+    model_.emplace(scene_.pieces, scene_.marker.strip, group_);
+    const auto count = static_cast<double>(scene_.pieces.size());
+    for (std::size_t i = 0; i < scene_.pieces.size(); ++i) model_->add_cost(i, settings_.gravity / count, 0);
+    const Coord length = scene_.pieces.length();
+    model_->add_length(1, static_cast<double>(length), 0);
+    for (std::size_t i = 0; i < scene_.pieces.size(); ++i) {
+      if (static_cast<double>(length - scene_.pieces.box(i).high.x) <= 2 * trust_) model_->add_right_wall(i);
+    }
+    for (const PairRow& row : rows_) model_->add(row);
+  }
+
+  void add(const PairRow& row) {
+    rows_.push_back(row);
+    model_->add(row);
+  }
+
+  // Adds the rows that were left out and are broken: near pairs that moved beyond the trust, pieces beyond the new end.
+  bool add_broken_limits(const std::vector<Displacement>& moves, double length_change) {
+    bool any = false;
+    const double limit = 2 * trust_;
+    for (const PiecePair& pair : near_) {
+      const double x = moves[pair.second].x - moves[pair.first].x;
+      const double y = moves[pair.second].y - moves[pair.first].y;
+      const auto limit_axis = [&](double by, double nx, double ny) {
+        if (std::abs(by) <= limit * (1 + 1e-6)) return;
+        add({pair, by > 0 ? -nx : nx, by > 0 ? -ny : ny, -limit});
+        any = true;
+      };
+      limit_axis(x, 1, 0);
+      limit_axis(y, 0, 1);
+    }
+    const double end = static_cast<double>(scene_.pieces.length()) + length_change;
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+      if (model_->has_right_wall(i) || static_cast<double>(scene_.pieces.box(i).high.x) + moves[i].x <= end) continue;
+      model_->add_right_wall(i);
+      any = true;
+    }
+    return any;
+  }
+
+  // Rounds and proves the moves; shortens them a little when rounding breaks something.  Returns what still collides.
+  std::vector<PiecePair> try_moves(const std::vector<Displacement>& moves, LeftwardStep& step) const {
+    std::vector<PiecePair> first_conflict;
+    for (const double part : {1.0, 1 - 1e-6, 1 - 1e-3, 0.5}) {
+      std::vector<Displacement> scaled = moves;
+      for (Displacement& d : scaled) d = {d.x * part, d.y * part};
+      PlacedPieces moved = scene_.pieces;
+      std::vector<Vec> positions = snapped(scaled);
+      for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + scene_.pieces.at(i);
+      moved.place(std::move(positions));
+      auto conflict = conflicts(moved, scene_.marker.spacing);
+      if (conflict.empty() && moved.length() <= scene_.pieces.length() && inside(moved)) {
+        step.positions = moved.positions();
+        return {};
+      }
+      if (part == 1.0) first_conflict = std::move(conflict);
+      const bool rounding_only = std::all_of(first_conflict.begin(), first_conflict.end(),
+                                             [&](const PiecePair& pair) { return modelled_.contains(pair); });
+      if (!rounding_only) break;
+    }
+    return first_conflict;
+  }
+  [[nodiscard]] bool inside(const PlacedPieces& moved) const {
+    const Strip& strip = scene_.marker.strip;
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+      const Box box = moved.box(i);
+      if (box.low.x < 0 || box.low.y < 0 || box.high.y > strip.width) return false;
+      if (strip.longest && box.high.x > *strip.longest) return false;
+    }
+    return true;
+  }
+
+  // Models pairs that were not near and collide.
+  bool add_colliding(const std::vector<PiecePair>& conflict) {
+    bool any = false;
+    for (const PiecePair& pair : conflict) {
+      if (!modelled_.insert(pair).second) continue;
+      any = true;
+      const std::size_t before = rows_.size();
+      append_rows(pair, scene_.obstacle(pair), static_cast<double>(kLatticeLimit));
+      for (std::size_t k = before; k < rows_.size(); ++k) model_->add(rows_[k]);
+    }
+    return any;
+  }
+
+  // Pieces that rounding keeps breaking apart move as one: what fits now still fits then.
+  void tie(const std::vector<PiecePair>& conflict) {
+    for (const auto& [p, q] : conflict) {
+      const std::uint32_t from = std::max(group_[p], group_[q]);  // kFixed is the largest
+      const std::uint32_t to = std::min(group_[p], group_[q]);
+      const std::uint32_t kept = from == PositionModel::kFixed ? from : to;
+      const std::uint32_t gone = from == PositionModel::kFixed ? to : from;
+      std::replace(group_.begin(), group_.end(), gone, kept);
+    }
+    build();
+  }
+
+  const Scene& scene_;
+  const CompactionSettings& settings_;
+  const Observer& observer_;
+  double trust_;
+  std::vector<std::uint32_t> group_;
+  std::vector<PiecePair> near_;
+  std::vector<Obstacle> obstacles_;
+  std::vector<PairRow> rows_;
+  std::set<PiecePair> modelled_;
+  std::optional<PositionModel> model_;
+};
+
+}  // namespace
+
+LeftwardStep leftward_step(const Scene& scene, const CompactionSettings& settings, std::stop_token stop,
+                           const Observer& observer) {
+  return Attempt{scene, settings, observer}.run(std::move(stop));
+}
+
+}  // namespace selvage

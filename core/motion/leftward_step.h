@@ -1,0 +1,23 @@
+// One round of leftward compaction: model, solve, snap, prove [Li94 4.1.4].
+#pragma once
+
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "core/motion/compact.h"
+#include "core/motion/scene.h"
+
+namespace selvage {
+
+struct LeftwardStep {
+  std::optional<std::vector<Vec>> positions;  // proved valid and no longer than before; nothing: no step was found
+  int programs{};                             // linear programs solved
+};
+
+// The best step within the trust of the settings.  Pairs farther apart than that are only modelled when a solution makes
+// them collide.
+[[nodiscard]] LeftwardStep leftward_step(const Scene& scene, const CompactionSettings& settings, std::stop_token stop,
+                                         const Observer& observer);
+
+}  // namespace selvage
