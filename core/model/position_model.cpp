@@ -14,7 +14,7 @@ constexpr double kSolverResidual = 1e-9;  // column units by which a solver may 
 
 }  // namespace
 
-PairRow row_of(PiecePair pair, const HalfPlane& side, Vec r, Coord spacing, double unit) {
+PairRow row_of(PiecePair pair, const HalfPlane& side, Vec r, Coord spacing, double unit, TightRows tight) {
   const auto dx = static_cast<double>(side.direction.x);
   const auto dy = static_cast<double>(side.direction.y);
   const double length = std::sqrt(dx * dx + dy * dy);
@@ -22,7 +22,8 @@ PairRow row_of(PiecePair pair, const HalfPlane& side, Vec r, Coord spacing, doub
   const double slack = slack_of(side, r) - static_cast<double>(spacing);
   const bool slanted = side.direction.x != 0 && side.direction.y != 0;
   const double margin = slanted ? std::abs(row.nx) + std::abs(row.ny) + 2 * kSolverResidual * unit : 0;
-  row.bound = slack >= margin ? margin - slack : (slack >= 0 ? 0 : margin - slack);
+  row.bound = margin - slack;
+  if (tight == TightRows::kKeep && slack >= 0 && slack < margin) row.bound = 0;
   return row;
 }
 

@@ -23,11 +23,15 @@ struct PairRow {
   double bound{};
 };
 
+// What a row asks of pieces that have less room than its margin.
+enum class TightRows {
+  kRestore,  // to get the margin back: a unit or two, which the length or a gap elsewhere can spare
+  kKeep,     // to keep the room they have: for layouts without any slack, where kRestore is infeasible
+};
+
 // The row that keeps q - p inside a half-plane moved outwards by the spacing.  A slanted row asks for a margin that
-// covers the rounding of displacements to the lattice and of the solver; where the pieces have less room than that now,
-// the row asks them to keep what they have, so that pieces that touch do not make the program infeasible.  Where they
-// have none at all (r lies outside the half-plane), it asks them to get it, margin and all.
-[[nodiscard]] PairRow row_of(PiecePair pair, const HalfPlane& side, Vec r, Coord spacing, double unit);
+// covers the rounding of displacements to the lattice and of the solver; rows along the axes need none.
+[[nodiscard]] PairRow row_of(PiecePair pair, const HalfPlane& side, Vec r, Coord spacing, double unit, TightRows tight);
 
 struct Displacement {
   double x{}, y{};  // lattice units

@@ -28,10 +28,7 @@ class Attempt {
       near_.push_back(pair);
       obstacles_.push_back(scene.obstacle(pair));
     }
-    observer_.on_stage(Stage::kRows);
-    for (std::size_t k = 0; k < near_.size(); ++k) append_rows(near_[k], obstacles_[k], 2 * trust_);
-    modelled_.insert(near_.begin(), near_.end());
-    build();
+    model_near();
   }
 
   LeftwardStep run(std::stop_token stop) {
@@ -40,7 +37,13 @@ class Attempt {
       observer_.on_stage(Stage::kSolve);
       const LpSolution solution = solve(model_->program(), settings_.solver, {}, stop);
       ++step.programs;
-      if (solution.status != LpStatus::kOptimal) return step;
+      if (solution.status != LpStatus::kOptimal) {
+        // No room for the margins anywhere: a layout without slack.
+        if (solution.status != LpStatus::kInfeasible || tight_ == TightRows::kKeep) return step;
+        tight_ = TightRows::kKeep;
+        model_near();
+        continue;
+      }
       observer_.on_stage(Stage::kVerify);
       const auto moves = model_->displacements(solution.x);
       if (-solution.objective < kUnitsAcross * settings_.least_gain) return step;
@@ -54,13 +57,21 @@ class Attempt {
 
  private:
   static constexpr double kUnitsAcross = 1000;
+  static constexpr double kSpare = 1e-2;  // the length may grow by this many units in a program, for rows' margins
 
+  void model_near() {
+    observer_.on_stage(Stage::kRows);
+    rows_.clear();
+    for (std::size_t k = 0; k < near_.size(); ++k) append_rows(near_[k], obstacles_[k], 2 * trust_);
+    modelled_ = {near_.begin(), near_.end()};
+    build();
+  }
   void append_rows(PiecePair pair, const Obstacle& obstacle, double reach) {
     const Vec r = scene_.relative_position(pair);
     const Coord spacing = scene_.marker.spacing;
     const RegionSettings region{settings_.region, 1.5 * reach + static_cast<double>(spacing), spacing};
     for (const HalfPlane& side : free_region(obstacle, r, region)) {
-      const PairRow row = row_of(pair, side, r, spacing, unit());
+      const PairRow row = row_of(pair, side, r, spacing, unit(), tight_);
       // Within the trust |d_q - d_p| <= reach on each axis: rows farther away cannot be broken.
       if (-row.bound <= reach * (std::abs(row.nx) + std::abs(row.ny))) rows_.push_back(row);
     }
@@ -72,7 +83,7 @@ class Attempt {
     const auto count = static_cast<double>(scene_.pieces.size());
     for (std::size_t i = 0; i < scene_.pieces.size(); ++i) model_->add_cost(i, settings_.gravity / count, 0);
     const Coord length = scene_.pieces.length();
-    model_->add_length(1, static_cast<double>(length), 0);
+    model_->add_length(1, static_cast<double>(length), kSpare * unit());
     for (std::size_t i = 0; i < scene_.pieces.size(); ++i) {
       if (static_cast<double>(length - scene_.pieces.box(i).high.x) <= 2 * trust_) model_->add_right_wall(i);
     }
@@ -172,6 +183,7 @@ class Attempt {
   std::vector<std::uint32_t> group_;
   std::vector<PiecePair> near_;
   std::vector<Obstacle> obstacles_;
+  TightRows tight_{TightRows::kRestore};
   std::vector<PairRow> rows_;
   std::set<PiecePair> modelled_;
   std::optional<PositionModel> model_;
