@@ -1,0 +1,153 @@
+// A whole daemon over real sockets, with an engine that waits at a gate: what happens while a motion runs.
+#include "server/daemon.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/end_to_end/calls.h"
+
+namespace selvage::test {
+namespace {
+
+TEST(Daemon, ReadsAndInfoAreAnsweredWhileEveryMotionWorkerIsBusy) {
+  Gate gate;
+  Daemon daemon{on_free_port(1), gate.engine()};
+  Wire wire{daemon.port()};
+  const std::string id = open_marker(wire, kSmallMarker);
+  Wire busy{daemon.port()};
+  busy.send(post_request(call(1, "motion.compact", id_params(id))));
+  gate.await_arrivals(1);
+  EXPECT_EQ(result_of(post_call(wire, "marker.get", id_params(id)))["revision"], 1);
+  EXPECT_EQ(result_of(post_call(wire, "marker.check", id_params(id)))["valid"], true);
+  EXPECT_EQ(result_of(post_call(wire, "engine.info"))["markers"], 1);
+  wire.send("GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  EXPECT_EQ(wire.answer().value_or(HttpAnswer{}).body, "{\"status\":\"ok\"}");
+  gate.open();
+  EXPECT_EQ(result_of(busy.answer().value_or(HttpAnswer{}).body)["revision"], 2);
+}
+
+TEST(Daemon, AClosedConnectionStopsItsMotion) {
+  Gate gate;
+  Daemon daemon{on_free_port(1), gate.engine()};
+  Wire wire{daemon.port()};
+  const std::string id = open_marker(wire, kSmallMarker);
+  Wire http{daemon.port()};
+  http.send(post_request(call(1, "motion.compact", id_params(id))));
+  gate.await_arrivals(1);
+  http.close();
+  gate.await_stopped(1);
+  Wire lines{daemon.port()};
+  lines.send(call(1, "motion.compact", id_params(id)) + "\n");
+  gate.await_arrivals(2);
+  lines.reset();
+  gate.await_stopped(2);
+  gate.open();
+  // Its turn comes after both: neither was committed.
+  EXPECT_EQ(result_of(post_call(wire, "motion.compact", id_params(id)))["revision"], 2);
+}
+
+TEST(Daemon, AFullQueueIsBusyAndRecovers) {
+  Gate gate;
+  Options options = on_free_port(1);
+  options.limits.waiting_motions = 1;
+  Daemon daemon{options, gate.engine()};
+  Wire wire{daemon.port()};
+  const std::string id = open_marker(wire, kSmallMarker);
+  Wire lines{daemon.port()};
+  lines.send(call(1, "motion.compact", id_params(id)) + "\n");
+  gate.await_arrivals(1);
+  lines.send(call(2, "motion.compact", id_params(id)) + "\n" + call(3, "motion.compact", id_params(id)) +
+             "\n");
+  const Json refused = Json::parse(lines.line().value_or("{}"));
+  EXPECT_EQ(refused["id"], 3);
+  EXPECT_EQ(refused["error"]["code"], -32010);
+  EXPECT_TRUE(refused["error"]["data"].contains("retryAfterMs"));
+  gate.open();
+  EXPECT_EQ(result_of(lines.line().value_or(""))["revision"], 2);
+  EXPECT_EQ(result_of(lines.line().value_or(""))["revision"], 3);
+  EXPECT_EQ(result_of(post_call(wire, "motion.compact", id_params(id)))["revision"], 4);
+}
+
+TEST(Daemon, DrainsWithEveryAnswerSent) {
+  Gate gate;
+  Daemon daemon{on_free_port(2), gate.engine()};
+  Wire wire{daemon.port()};
+  Wire lines{daemon.port()};
+  for (int i = 0; i < 3; ++i) {
+    lines.send(call(i, "motion.compact", id_params(open_marker(wire, kSmallMarker))) + "\n");
+  }
+  gate.await_arrivals(2);  // the third waits
+  daemon.drain();
+  std::set<int> answered;
+  for (int i = 0; i < 3; ++i) {
+    const Json answer = Json::parse(lines.line().value_or("{}"));
+    // The third may have been read just after the queue shut.
+    EXPECT_TRUE(answer.contains("result") ? answer["result"]["stop"] == "cancelled"
+                                          : answer["error"]["code"] == -32014)
+        << answer.dump();
+    answered.insert(answer["id"].get<int>());
+  }
+  EXPECT_EQ(answered, (std::set<int>{0, 1, 2}));
+  EXPECT_EQ(lines.line(), std::nullopt);
+}
+
+TEST(Daemon, AnswersEveryCallOfManyClientsExactlyOnce) {
+  Gate gate;
+  gate.open();
+  Daemon daemon{on_free_port(2), gate.engine()};
+  constexpr int kClients = 8;
+  constexpr int kCalls = 200;
+  std::vector<std::jthread> clients;
+  for (int c = 0; c < kClients; ++c) {
+    clients.emplace_back([&daemon] {
+      Wire wire{daemon.port()};
+      const std::string id = open_marker(wire, kSmallMarker);
+      Wire lines{daemon.port()};
+      std::string all;
+      for (int i = 0; i < kCalls; ++i) {
+        all += call(i,
+                    i % 3 == 0   ? "motion.compact"
+                    : i % 3 == 1 ? "marker.get"
+                                 : "nothing.here",
+                    id_params(id));
+        all += '\n';
+      }
+      lines.send(all);
+      lines.half_close();
+      std::multiset<int> answered;
+      while (const auto line = lines.line()) answered.insert(Json::parse(*line)["id"].get<int>());
+      for (int i = 0; i < kCalls; ++i) EXPECT_EQ(answered.count(i), 1U) << i;
+      EXPECT_EQ(answered.size(), static_cast<std::size_t>(kCalls));
+    });
+  }
+}
+
+TEST(Daemon, WithoutWorkersServesInline) {
+  Gate gate;
+  gate.open();
+  Daemon daemon{on_free_port(0), gate.engine()};
+  Wire wire{daemon.port()};
+  const std::string id = open_marker(wire, kSmallMarker);
+  EXPECT_EQ(result_of(post_call(wire, "motion.compact", id_params(id)))["revision"], 2);
+}
+
+TEST(Daemon, ABodyBeyondTheLimitIsRefusedOnBothRoads) {
+  Options options = on_free_port(1);
+  options.limits.transport.body_bytes = 1000;
+  Daemon daemon{options};
+  const std::string large = call(1, "engine.info", R"({"x":")" + std::string(1000, 'x') + "\"}");
+  Wire http{daemon.port()};
+  http.send(post_request(large));
+  EXPECT_EQ(http.answer().value_or(HttpAnswer{}).status, 413);
+  Wire lines{daemon.port()};
+  lines.send(large + "\n" + call(2, "engine.info") + "\n");
+  EXPECT_EQ(code_of(lines.line().value_or("")), -32011);
+  EXPECT_EQ(result_of(lines.line().value_or(""))["limits"]["requestBytes"], 1000);
+}
+
+}  // namespace
+}  // namespace selvage::test

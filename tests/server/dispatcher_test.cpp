@@ -1,0 +1,319 @@
+// Messages in, answers out, without sockets; inline where nothing has to wait.
+#include "server/dispatcher.h"
+
+#include <gtest/gtest.h>
+
+#include <future>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tests/server/stub_engine.h"
+
+namespace selvage::test {
+namespace {
+
+Engine pushing_engine() {
+  Engine engine;
+  engine.compact = [](const Marker& start, const CompactionSettings&, SumCache&, const std::stop_token&,
+                      const Observer& observer) -> Result<Compaction> {
+    observer.on_stage(Stage::kSolve);
+    return push_left(start);
+  };
+  return engine;
+}
+
+// Everything behind the transport.
+struct Desk {
+  explicit Desk(std::size_t workers = 0, Engine engine = pushing_engine(), Limits with = {})
+      : limits{with},
+        methods{store, sums, limits, workers, std::move(engine)},
+        reads{workers == 0 ? 0U : 1U, limits.waiting_reads},
+        motions{workers, limits.waiting_motions} {}
+
+  std::future<std::string> send(std::string message, std::stop_token caller = {}) {
+    const auto promise = std::make_shared<std::promise<std::string>>();
+    // A second answer would throw: promise already satisfied.
+    dispatcher.receive(std::move(message), std::move(caller),
+                       [promise](std::string text) { promise->set_value(std::move(text)); });
+    return promise->get_future();
+  }
+  std::string ask(std::string message, std::stop_token caller = {}) {
+    auto answer = send(std::move(message), std::move(caller));
+    if (answer.wait_for(kPatience) != std::future_status::ready) return "(no answer)";
+    return answer.get();
+  }
+  Json ask_json(std::string message) { return Json::parse(ask(std::move(message))); }
+  std::string open_small() {
+    return ask_json(call(0, "marker.open", R"({"marker":)" + kSmallMarker + "}"))["result"]["markerId"];
+  }
+
+  Limits limits;
+  SumCache sums{std::size_t{1} << 20};
+  MarkerStore store{limits.open_markers};
+  Methods methods;
+  JobQueue reads, motions;
+  Dispatcher dispatcher{methods, reads, motions, limits.transport.body_bytes};
+};
+
+int code_of(const Json& answer) {
+  return answer.at("error").at("code");
+}
+
+TEST(Dispatcher, AMarkersLife) {
+  Desk desk;
+  const Json opened = desk.ask_json(call(1, "marker.open", R"({"marker":)" + kSmallMarker + "}"));
+  EXPECT_EQ(opened["id"], 1);
+  EXPECT_EQ(opened["result"]["markerId"], "m1");
+  EXPECT_EQ(opened["result"]["revision"], 1);
+  EXPECT_EQ(opened["result"]["length"], 5);
+  EXPECT_EQ(opened["result"]["valid"], true);
+  const Json compacted = desk.ask_json(call(2, "motion.compact", R"({"markerId":"m1","baseRev":1})"));
+  EXPECT_EQ(compacted["result"]["revision"], 2);
+  EXPECT_EQ(compacted["result"]["lengthAfter"], 4);
+  EXPECT_EQ(compacted["result"]["placements"].size(), 2U);
+  const Json checked = desk.ask_json(call(3, "marker.check", R"({"markerId":"m1"})"));
+  EXPECT_EQ(checked["result"]["valid"], true);
+  EXPECT_EQ(checked["result"]["revision"], 2);
+  const Json got = desk.ask_json(call(4, "marker.get", R"({"markerId":"m1"})"));
+  EXPECT_EQ(got["result"]["marker"]["pieces"][0]["at"], Json::parse("[2,0]"));
+  EXPECT_EQ(desk.ask_json(call(5, "marker.close", R"({"markerId":"m1"})"))["result"]["closed"], true);
+  EXPECT_EQ(code_of(desk.ask_json(call(6, "marker.get", R"({"markerId":"m1"})"))), -32012);
+}
+
+TEST(Dispatcher, TellsItsLimits) {
+  Desk desk;
+  (void)desk.open_small();
+  const Json info = desk.ask_json(call(1, "engine.info"))["result"];
+  EXPECT_EQ(info["markers"], 1);
+  EXPECT_EQ(info["version"], SELVAGE_VERSION);
+  EXPECT_EQ(info["limits"]["openMarkers"], 1000);
+  EXPECT_EQ(info["limits"]["batch"], 100);
+  EXPECT_EQ(info["cache"]["limit"], 1 << 20);
+}
+
+TEST(Dispatcher, AnotherRevisionThanTheBaseIsRefusedAndChangesNothing) {
+  Desk desk;
+  const std::string compact =
+      call(1, "motion.compact", R"({"markerId":")" + desk.open_small() + R"(","baseRev":1})");
+  EXPECT_EQ(desk.ask_json(compact)["result"]["revision"], 2);
+  const Json again = desk.ask_json(compact);
+  EXPECT_EQ(code_of(again), -32801);
+  EXPECT_EQ(again["error"]["data"]["revision"], 2);
+  EXPECT_EQ(desk.store.current("m1")->revision, 2U);
+}
+
+TEST(Dispatcher, ADryRunAnswersAndLeavesTheMarker) {
+  Desk desk;
+  const std::string id = desk.open_small();
+  const Json dry = desk.ask_json(call(1, "motion.compact", R"({"markerId":")" + id + R"(","commit":false})"));
+  EXPECT_EQ(dry["result"]["lengthAfter"], 4);
+  EXPECT_EQ(dry["result"]["revision"], 1);
+  EXPECT_EQ(desk.store.current(id)->revision, 1U);
+}
+
+TEST(Dispatcher, AMotionThatMovesNothingMakesNoRevision) {
+  Desk desk;
+  const std::string compact = call(1, "motion.compact", R"({"markerId":")" + desk.open_small() + R"("})");
+  for (int i = 0; i < 3; ++i) (void)desk.ask(compact);
+  EXPECT_EQ(desk.store.current("m1")->revision, 4U);
+  const Json last = desk.ask_json(compact);
+  EXPECT_EQ(last["result"]["revision"], 4);
+  EXPECT_TRUE(last["result"]["placements"].empty());
+}
+
+TEST(Dispatcher, TimesAreToldOnlyWhenAsked) {
+  Desk desk;
+  const std::string id = desk.open_small();
+  const std::string start = R"({"markerId":")" + id + R"(","commit":false)";
+  const std::string plain = desk.ask(call(1, "motion.compact", start + "}"));
+  EXPECT_EQ(plain, desk.ask(call(1, "motion.compact", start + R"(,"timing":false})")));
+  EXPECT_FALSE(Json::parse(plain)["result"].contains("ms"));
+  EXPECT_FALSE(Json::parse(plain)["result"].contains("cache"));
+  const Json timed = desk.ask_json(call(1, "motion.compact", start + R"(,"timing":true})"));
+  EXPECT_GE(timed["result"]["ms"]["total"].get<double>(), 0);
+  const Json wrong = desk.ask_json(call(1, "motion.compact", start + R"(,"timing":1})"));
+  EXPECT_EQ(code_of(wrong), -32602);
+  EXPECT_EQ(wrong["error"]["data"]["field"], "/timing");
+}
+
+TEST(Dispatcher, BatchesGoInOrderAndAFailureStopsNothing) {
+  Desk desk;
+  const std::string batch = "[" + call(1, "marker.open", R"({"marker":)" + kSmallMarker + "}") + "," +
+                            call(2, "nothing.here") + "," +
+                            call(3, "motion.compact", R"({"markerId":"m1"})") + ",7," +
+                            R"({"jsonrpc":"2.0","method":"motion.compact","params":{"markerId":"m1"}},)" +
+                            call(4, "motion.compact", R"({"markerId":"m1"})") + "]";
+  const Json answers = desk.ask_json(batch);
+  ASSERT_EQ(answers.size(), 5U);  // the notification has none, but was carried out
+  EXPECT_EQ(answers[0]["result"]["markerId"], "m1");
+  EXPECT_EQ(code_of(answers[1]), -32601);
+  EXPECT_EQ(answers[2]["result"]["revision"], 2);
+  EXPECT_EQ(code_of(answers[3]), -32600);
+  EXPECT_EQ(answers[4]["result"]["revision"], 4);
+}
+
+TEST(Dispatcher, BatchesKeepTheirOrderOnWorkersToo) {
+  Desk desk{2};
+  std::string batch = "[" + call(0, "marker.open", R"({"marker":)" + kSmallMarker + "}");
+  for (int i = 1; i < 100; ++i) {
+    batch += "," + call(i, i % 2 == 0 ? "marker.get" : "motion.compact", R"({"markerId":"m1"})");
+  }
+  const Json answers = desk.ask_json(batch + "]");
+  ASSERT_EQ(answers.size(), 100U);
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(answers[static_cast<std::size_t>(i)]["id"], i);
+  EXPECT_EQ(answers[6]["result"]["revision"], 4);
+}
+
+TEST(Dispatcher, MessagesThatAreNoCalls) {
+  Desk desk;
+  EXPECT_EQ(code_of(desk.ask_json("")), -32700);
+  EXPECT_EQ(code_of(desk.ask_json("{")), -32700);
+  EXPECT_EQ(code_of(desk.ask_json(std::string(100'000, '['))), -32700);
+  EXPECT_EQ(code_of(desk.ask_json("[]")), -32600);
+  EXPECT_EQ(code_of(desk.ask_json(R"({"jsonrpc":"1.0","id":1,"method":"engine.info"})")), -32600);
+  std::string batch = "[" + call(0, "engine.info");
+  for (int i = 0; i < 100; ++i) batch += "," + call(i, "engine.info");
+  EXPECT_EQ(code_of(desk.ask_json(batch + "]")), -32600);
+  EXPECT_EQ(code_of(desk.ask_json(call(1, "engine.info", R"({"x":1})"))), -32602);
+  EXPECT_EQ(desk.ask(R"({"jsonrpc":"2.0","method":"engine.info"})"), "");
+  EXPECT_EQ(desk.ask(R"([{"jsonrpc":"2.0","method":"nothing.here"}])"), "");
+}
+
+TEST(Dispatcher, AnEngineThatThrowsFailsItsCallOnly) {
+  for (const std::size_t workers : {0U, 1U}) {
+    Engine engine;
+    engine.compact = [](auto&&...) -> Result<Compaction> { throw std::runtime_error{"on purpose"}; };
+    Desk desk{workers, engine};
+    const std::string id = desk.open_small();
+    const Json answer = desk.ask_json(call(1, "motion.compact", R"({"markerId":")" + id + R"("})"));
+    EXPECT_EQ(code_of(answer), -32603);
+    EXPECT_EQ(answer["id"], 1);
+    EXPECT_EQ(desk.ask_json(call(2, "marker.check", R"({"markerId":"m1"})"))["result"]["valid"], true);
+  }
+}
+
+TEST(Dispatcher, AnEngineThatRefusesSaysWhy) {
+  Engine engine;
+  engine.compact = [](auto&&...) -> Result<Compaction> {
+    return Error{ErrorCode::kMarkerOverlaps, "pieces low and high overlap", "/pieces/0"};
+  };
+  Desk desk{0, engine};
+  const std::string id = desk.open_small();
+  const Json answer = desk.ask_json(call(1, "motion.compact", R"({"markerId":")" + id + R"("})"));
+  EXPECT_EQ(code_of(answer), -32000);
+  EXPECT_EQ(answer["error"]["data"]["name"], "marker.overlaps");
+}
+
+TEST(Dispatcher, TooManyOpenMarkers) {
+  Limits limits;
+  limits.open_markers = 1;
+  Desk desk{0, pushing_engine(), limits};
+  (void)desk.open_small();
+  const Json answer = desk.ask_json(call(1, "marker.open", R"({"marker":)" + kSmallMarker + "}"));
+  EXPECT_EQ(code_of(answer), -32013);
+  EXPECT_EQ(answer["error"]["data"]["limit"], 1);
+}
+
+TEST(Dispatcher, OneMarkersMotionsTakeTurnsAndReadsDoNotWait) {
+  Gate gate;
+  Desk desk{2, gate.engine()};
+  const std::string id = desk.open_small();
+  const std::string params = R"({"markerId":")" + id + R"("})";
+  auto first = desk.send(call(1, "motion.compact", params));
+  auto second = desk.send(call(2, "motion.compact", params));
+  gate.await_arrivals(1);
+  EXPECT_EQ(desk.ask_json(call(3, "marker.get", params))["result"]["revision"], 1);
+  EXPECT_EQ(desk.ask_json(call(4, "marker.check", params))["result"]["revision"], 1);
+  gate.open();
+  EXPECT_EQ(Json::parse(first.get())["result"]["revision"], 2);
+  EXPECT_EQ(Json::parse(second.get())["result"]["revision"], 3);
+  EXPECT_EQ(gate.most_at_once(), 1);
+}
+
+TEST(Dispatcher, TheSecondOfTwoMotionsOnOneBaseFindsItGone) {
+  Gate gate;
+  Desk desk{2, gate.engine()};
+  const std::string params = R"({"markerId":")" + desk.open_small() + R"(","baseRev":1})";
+  auto first = desk.send(call(1, "motion.compact", params));
+  auto second = desk.send(call(2, "motion.compact", params));
+  gate.await_arrivals(1);
+  gate.open();
+  EXPECT_EQ(Json::parse(first.get())["result"]["revision"], 2);
+  EXPECT_EQ(code_of(Json::parse(second.get())), -32801);
+}
+
+TEST(Dispatcher, DifferentMarkersMoveAtTheSameTime) {
+  Gate gate;
+  Desk desk{2, gate.engine()};
+  auto first = desk.send(call(1, "motion.compact", R"({"markerId":")" + desk.open_small() + R"("})"));
+  auto second = desk.send(call(2, "motion.compact", R"({"markerId":")" + desk.open_small() + R"("})"));
+  gate.await_arrivals(2);  // both are in, though the gate is shut
+  gate.open();
+  EXPECT_EQ(Json::parse(first.get())["result"]["revision"], 2);
+  EXPECT_EQ(Json::parse(second.get())["result"]["revision"], 2);
+}
+
+TEST(Dispatcher, AFullQueueSaysWhenToComeAgain) {
+  Gate gate;
+  Limits limits;
+  limits.waiting_motions = 2;
+  Desk desk{1, gate.engine(), limits};
+  const std::string params = R"({"markerId":")" + desk.open_small() + R"("})";
+  std::vector<std::future<std::string>> accepted;
+  accepted.push_back(desk.send(call(0, "motion.compact", params)));
+  gate.await_arrivals(1);
+  accepted.push_back(desk.send(call(1, "motion.compact", params)));
+  accepted.push_back(desk.send(call(2, "motion.compact", params)));
+  const Json refused = desk.ask_json(call(3, "motion.compact", params));
+  EXPECT_EQ(code_of(refused), -32010);
+  EXPECT_GT(refused["error"]["data"]["retryAfterMs"], 0);
+  EXPECT_EQ(refused["id"], 3);
+  EXPECT_EQ(desk.ask_json(call(4, "marker.get", params))["result"]["revision"], 1);
+  gate.open();
+  for (auto& answer : accepted) EXPECT_TRUE(Json::parse(answer.get()).contains("result"));
+}
+
+TEST(Dispatcher, ACallerWhoLeavesStopsItsMotionAndNothingIsCommitted) {
+  Gate gate;
+  Desk desk{1, gate.engine()};
+  const std::string params = R"({"markerId":")" + desk.open_small() + R"("})";
+  std::stop_source leaving;
+  auto running = desk.send(call(1, "motion.compact", params), leaving.get_token());
+  auto waiting = desk.send(call(2, "motion.compact", params), leaving.get_token());
+  gate.await_arrivals(1);
+  leaving.request_stop();
+  EXPECT_EQ(code_of(Json::parse(running.get())), -32800);
+  EXPECT_EQ(code_of(Json::parse(waiting.get())), -32800);
+  EXPECT_EQ(gate.arrived(), 1);  // the second never began
+  EXPECT_EQ(desk.store.current("m1")->revision, 1U);
+}
+
+TEST(Dispatcher, AMarkerClosedUnderAMotionIsGone) {
+  Gate gate;
+  Desk desk{1, gate.engine()};
+  const std::string params = R"({"markerId":")" + desk.open_small() + R"("})";
+  auto running = desk.send(call(1, "motion.compact", params));
+  gate.await_arrivals(1);
+  EXPECT_EQ(desk.ask_json(call(2, "marker.close", params))["result"]["closed"], true);
+  gate.open();
+  EXPECT_EQ(code_of(Json::parse(running.get())), -32012);
+}
+
+TEST(Dispatcher, DrainingHandsBackTheBestAndRefusesWhatIsNew) {
+  Gate gate;
+  Desk desk{1, gate.engine()};
+  const std::string params = R"({"markerId":")" + desk.open_small() + R"("})";
+  auto running = desk.send(call(1, "motion.compact", params));
+  auto waiting = desk.send(call(2, "motion.compact", params));
+  gate.await_arrivals(1);
+  desk.motions.drain();
+  const Json best = Json::parse(running.get());
+  EXPECT_EQ(best["result"]["stop"], "cancelled");
+  EXPECT_EQ(best["result"]["revision"], 2);  // its caller is there and told, so it counts
+  EXPECT_EQ(Json::parse(waiting.get())["result"]["stop"], "cancelled");
+  EXPECT_EQ(code_of(desk.ask_json(call(3, "motion.compact", params))), -32014);
+}
+
+}  // namespace
+}  // namespace selvage::test
