@@ -23,6 +23,9 @@ Result<Compaction> compact(const Marker& start, const CompactionSettings& settin
   Compaction best;
   best.length_before = scene.pieces.length();
   best.utilisation_before = utilisation_of(start);
+  const auto healing = heal(scene, stop, observer);
+  if (!healing) return healing.error();
+  best.healing = *healing;
   best.reason = StopReason::kWorkLimit;
   while (best.rounds < settings.rounds) {
     const LeftwardStep step = leftward_step(scene, settings, stop, observer);

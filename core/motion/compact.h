@@ -1,7 +1,8 @@
 // Leftward compaction: all pieces move at once so that the marker becomes as short as it can without one leaping over
 // another [Li94 4.1.4, 4.2.1].
 //
-// Laws.  (1) The answer is valid, proved in integers.  (2) It is never longer than the input.  (3) Locked pieces stay to
+// Laws.  (1) The answer is valid, proved in integers.  (2) It is never longer than the input, but for what healing says it
+// had to grow by.  (3) Locked pieces stay to
 // the lattice unit.  (4) Same input and settings, same answer, whatever the cache holds.
 #pragma once
 
@@ -12,6 +13,7 @@
 #include "core/marker/marker.h"
 #include "core/minkowski/cache.h"
 #include "core/model/free_region.h"
+#include "core/motion/heal.h"
 #include "core/motion/observer.h"
 
 namespace selvage {
@@ -32,15 +34,6 @@ struct CompactionSettings {
 
 enum class StopReason { kConverged, kWorkLimit, kCancelled };
 
-// Small overlaps in the input (other programs' rounding), parted by least motion before anything else.
-struct Healing {
-  std::size_t pairs{};     // overlapping pairs found
-  std::size_t protruding{};  // pieces that left the strip
-  double deepest{};        // lattice units
-  Coord farthest_move{};   // the largest |dx| or |dy| of a piece
-};
-inline constexpr double kHealingLimit = 1e-4;  // of the strip's width; deeper overlaps are refused
-
 struct Compaction {
   Marker marker;
   StopReason reason{};
@@ -51,7 +44,8 @@ struct Compaction {
   Healing healing;
 };
 
-// Errors: kMarkerOverlaps, kOutsideStrip (deeper than the healing limit), kHealingFailed.
+// Small overlaps in the input are healed first (core/motion/heal.h).
+// Errors: those of heal.
 [[nodiscard]] Result<Compaction> compact(const Marker& start, const CompactionSettings& settings, SumCache& sums,
                                          std::stop_token stop = {}, const Observer& observer = {});
 

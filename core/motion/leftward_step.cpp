@@ -49,7 +49,7 @@ class Attempt {
       if (-solution.objective < kUnitsAcross * settings_.least_gain) return step;
       if (add_broken_limits(moves, model_->length_change(solution.x))) continue;
       const auto conflict = try_moves(moves, step);
-      if (step.positions) return step;
+      if (conflict.empty()) return step;
       if (!add_colliding(conflict)) tie(conflict);
     }
     return step;
@@ -119,7 +119,8 @@ class Attempt {
     return any;
   }
 
-  // Rounds and proves the moves; shortens them a little when rounding breaks something.  Returns what still collides.
+  // Rounds and proves the moves; shortens them a little when rounding breaks something.  Returns what collides all the same;
+  // moves that collide nowhere become the step's when they make the marker shorter.
   std::vector<PiecePair> try_moves(const std::vector<Displacement>& moves, LeftwardStep& step) const {
     std::vector<PiecePair> first_conflict;
     for (const double part : {1.0, 1 - 1e-6, 1 - 1e-3, 0.5}) {
@@ -130,8 +131,8 @@ class Attempt {
       for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + scene_.pieces.at(i);
       moved.place(std::move(positions));
       auto conflict = conflicts(moved, scene_.marker.spacing);
-      if (conflict.empty() && moved.length() <= scene_.pieces.length() && inside(moved)) {
-        step.positions = moved.positions();
+      if (conflict.empty()) {
+        if (moved.length() < scene_.pieces.length() && inside(moved)) step.positions = moved.positions();
         return {};
       }
       if (part == 1.0) first_conflict = std::move(conflict);

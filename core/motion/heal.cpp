@@ -1,0 +1,203 @@
+#include "core/motion/heal.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+#include "core/lp/solve.h"
+#include "core/minkowski/nearest_edges.h"
+#include "core/model/position_model.h"
+#include "core/model/snap.h"
+
+namespace selvage {
+namespace {
+
+constexpr int kRounds = 12;
+constexpr int kNamed = 5;           // of the offending pairs, so many are named in a message
+constexpr double kOutside = 2;      // lattice units beyond the boundary at which an overlapping pair's region is chosen
+constexpr double kReach = 20;       // rows within so many healing limits of a pair's position are modelled
+constexpr double kLengthCost = 1e3;  // of the marker growing, beside a piece moving by as much
+
+struct Conflict {
+  PiecePair pair;
+  double depth{};  // how far they must part; lattice units
+};
+
+// The depth of a conflict [Li94 7.1] and a relative position just outside, about which a free region can be chosen.
+struct Target {
+  double depth{};
+  Vec outside;
+};
+Target target_of(const Obstacle& obstacle, Vec r, Coord spacing, bool overlapping) {
+  const BoundaryPoint nearest = nearest_boundary_point(obstacle.sum(), obstacle.to_frame(r));
+  if (!overlapping) return {static_cast<double>(spacing) - nearest.distance, r};
+  const Vec along = nearest.edge->line_to - nearest.edge->line_from;
+  const auto dx = static_cast<double>(along.x);
+  const auto dy = static_cast<double>(along.y);
+  const double length = std::sqrt(dx * dx + dy * dy);
+  const Vec outside{std::llround(nearest.at.x + kOutside * dy / length), std::llround(nearest.at.y - kOutside * dx / length)};
+  return {static_cast<double>(spacing) + nearest.distance, obstacle.from_frame(outside)};
+}
+
+class Healer {
+ public:
+  Healer(Scene& scene, const Observer& observer)
+      : scene_{scene},
+        observer_{observer},
+        limit_{kHealingLimit * static_cast<double>(scene.marker.strip.width)},
+        unit_{static_cast<double>(scene.marker.strip.width) / 1000} {}
+
+  Result<Healing> run(std::stop_token stop) {
+    const std::vector<Vec> start = scene_.pieces.positions();
+    const Coord length = scene_.pieces.length();
+    Healing healing;
+    auto found = find_conflicts();
+    if (const auto refusal = refuse_deep(found, healing)) return *refusal;
+    for (int round = 0; round < kRounds && !(found.empty() && protrusions() == 0); ++round) {
+      if (!part(found, stop)) break;
+      found = find_conflicts();
+    }
+    if (!found.empty() || protrusions() > 0) {
+      scene_.pieces.place(start);
+      return Error{ErrorCode::kHealingFailed,
+                   "small overlaps could not be parted: " + named(found) +
+                       "; there is no room for them where they are, or the pieces are locked", "/pieces"};
+    }
+    for (std::size_t i = 0; i < start.size(); ++i) {
+      const Vec move = scene_.pieces.at(i) - start[i];
+      healing.farthest_move = std::max({healing.farthest_move, std::abs(move.x), std::abs(move.y)});
+    }
+    healing.lengthened = std::max(Coord{0}, scene_.pieces.length() - length);
+    return healing;
+  }
+
+ private:
+  std::vector<Conflict> find_conflicts() {
+    observer_.on_stage(Stage::kVerify);
+    std::vector<Conflict> found;
+    for (const PiecePair& pair : conflicts(scene_.pieces, scene_.marker.spacing)) found.push_back({pair, target(pair).depth});
+    return found;
+  }
+  [[nodiscard]] Target target(PiecePair pair) const {
+    const bool overlapping = overlap(scene_.pieces[pair.first], scene_.pieces[pair.second]);
+    return target_of(scene_.obstacle(pair), scene_.relative_position(pair), scene_.marker.spacing, overlapping);
+  }
+  [[nodiscard]] Coord protrusion(std::size_t piece) const {
+    const Box box = scene_.pieces.box(piece);
+    const Strip& strip = scene_.marker.strip;
+    const Coord past_end = strip.longest ? box.high.x - *strip.longest : 0;
+    return std::max({-box.low.x, -box.low.y, box.high.y - strip.width, past_end, Coord{0}});
+  }
+  [[nodiscard]] std::size_t protrusions() const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < scene_.pieces.size(); ++i) count += protrusion(i) > 0;
+    return count;
+  }
+
+  std::optional<Error> refuse_deep(const std::vector<Conflict>& found, Healing& healing) {
+    for (std::size_t i = 0; i < scene_.pieces.size(); ++i) {
+      const Coord by = protrusion(i);
+      healing.deepest = std::max(healing.deepest, static_cast<double>(by));
+      healing.protruding += by > 0;
+      if (static_cast<double>(by) <= limit_) continue;
+      return Error{ErrorCode::kOutsideStrip,
+                   "piece \"" + scene_.marker.pieces[i].id + "\" leaves the strip by " + decimal(static_cast<double>(by)) +
+                       "; at most " + decimal(limit_) + " is mended", "/pieces/" + std::to_string(i) + "/at"};
+    }
+    healing.pairs = found.size();
+    std::vector<Conflict> deep;
+    for (const Conflict& c : found) {
+      healing.deepest = std::max(healing.deepest, c.depth);
+      if (c.depth > limit_) deep.push_back(c);
+    }
+    if (deep.empty()) return std::nullopt;
+    return Error{ErrorCode::kMarkerOverlaps,
+                 std::to_string(deep.size()) + (deep.size() == 1 ? " pair of pieces overlaps" : " pairs of pieces overlap") +
+                     " (or is closer than the spacing) by more than " + decimal(limit_) + ", which is what is mended: " +
+                     named(deep), "/pieces"};
+  }
+  [[nodiscard]] std::string decimal(double lattice_units) const {
+    std::ostringstream text;
+    text.precision(6);
+    text << lattice_units * to_decimal(1, scene_.marker.resolution) << ' ' << scene_.marker.unit;
+    return text.str();
+  }
+  [[nodiscard]] std::string named(const std::vector<Conflict>& list) const {
+    std::string text;
+    for (std::size_t k = 0; k < list.size() && k < kNamed; ++k) {
+      const auto& [pair, depth] = list[k];
+      text += (k > 0 ? ", \"" : "\"") + scene_.marker.pieces[pair.first].id + "\" and \"" +
+              scene_.marker.pieces[pair.second].id + "\" by " + decimal(depth);
+    }
+    return list.size() > kNamed ? text + " and " + std::to_string(list.size() - kNamed) + " more" : text;
+  }
+
+  // One program: every near pair keeps apart, every conflict is parted, all with the least motion.  First within the
+  // marker's length, then beyond it.
+  bool part(const std::vector<Conflict>& found, const std::stop_token& stop) {
+    observer_.on_stage(Stage::kRows);
+    const std::vector<PairRow> rows = rows_for(found);
+    for (const double lengthen : {1e-2 * unit_, kReach * limit_}) {
+      observer_.on_stage(Stage::kRows);
+      PositionModel model = model_with(rows, lengthen);
+      observer_.on_stage(Stage::kSolve);
+      const LpSolution solution = solve(model.program(), SolverChoice::kAutomatic, {}, stop);
+      if (solution.status != LpStatus::kOptimal) continue;
+      std::vector<Vec> positions = snapped(model.displacements(solution.x));
+      for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + scene_.pieces.at(i);
+      scene_.pieces.place(std::move(positions));
+      return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] std::vector<PairRow> rows_for(const std::vector<Conflict>& found) const {
+    const Coord spacing = scene_.marker.spacing;
+    const RegionSettings region{RegionRule::kGreedy, kReach * limit_ + static_cast<double>(spacing), spacing};
+    std::vector<PairRow> rows;
+    auto conflict = found.begin();  // both lists are sorted by pair
+    for (const PiecePair& pair : pairs_within(scene_.pieces, std::llround(kReach * limit_) + spacing)) {
+      const bool apart = conflict == found.end() || conflict->pair != pair;
+      if (!apart) ++conflict;
+      const Vec r = scene_.relative_position(pair);
+      const Vec about = apart ? r : target(pair).outside;
+      for (const HalfPlane& side : free_region(scene_.obstacle(pair), about, region)) {
+        rows.push_back(row_of(pair, side, r, spacing, unit_, TightRows::kRestore));
+      }
+    }
+    return rows;
+  }
+
+  [[nodiscard]] PositionModel model_with(const std::vector<PairRow>& rows, double lengthen) const {
+    PositionModel model{scene_.pieces, scene_.marker.strip, scene_.group};
+    model.add_length(kLengthCost, 0, lengthen);
+    for (std::size_t i = 0; i < scene_.pieces.size(); ++i) model.add_right_wall(i);
+    for (const PairRow& row : rows) model.add(row);
+    // |d| of every column: the least t with t >= d and t >= -d.
+    LinearProgram& program = model.program();
+    for (std::size_t i = 0; i < scene_.pieces.size(); ++i) {
+      const auto x = model.column(i);
+      if (!x) continue;
+      for (const int column : {*x, *x + 1}) {
+        const int magnitude = program.add_column(1, 0, kInfinity);
+        program.add_row(std::array<LinearProgram::Entry, 2>{{{magnitude, 1}, {column, -1}}}, 0);
+        program.add_row(std::array<LinearProgram::Entry, 2>{{{magnitude, 1}, {column, 1}}}, 0);
+      }
+    }
+    return model;
+  }
+
+  Scene& scene_;
+  const Observer& observer_;
+  double limit_;
+  double unit_;
+};
+
+}  // namespace
+
+Result<Healing> heal(Scene& scene, std::stop_token stop, const Observer& observer) {
+  return Healer{scene, observer}.run(std::move(stop));
+}
+
+}  // namespace selvage
