@@ -83,6 +83,7 @@ Result<MotionCompact> decode_motion_compact(const Json& params) {
   if (const auto rounds = fields.maybe_integer("rounds", 0, kMaxRounds))
     compact.rounds = static_cast<int>(*rounds);
   compact.commit = fields.flag_or("commit", compact.commit);
+  compact.timing = fields.flag_or("timing", compact.timing);
   fields.finish();
   if (mistake) return mistake.error();
   return compact;
@@ -154,36 +155,39 @@ Json encode(const MarkerClosed& closed) {
 
 Json encode(const MotionCompacted& compacted) {
   const CompactionFigures& figures = compacted.figures;
-  return {{"markerId", compacted.marker_id},
-          {"revision", compacted.revision},
-          {"name", figures.name},
-          {"pieces", figures.pieces},
-          {"lengthBefore", figures.length_before},
-          {"lengthAfter", figures.length_after},
-          {"utilisationBefore", figures.utilisation_before},
-          {"utilisationAfter", figures.utilisation_after},
-          {"rounds", figures.rounds},
-          {"stop", name_of(figures.stop)},
-          {"valid", figures.valid},
-          {"healed",
-           {{"pairs", figures.healed_pairs},
-            {"protruding", figures.healed_protruding},
-            {"deepest", figures.healed_deepest},
-            {"farthestMove", figures.healed_farthest_move}}},
-          {"placements", compacted.placements},
-          {"ms", encode(figures.times)},
-          {"cache", encode(figures.cache)}};
+  Json json{{"markerId", compacted.marker_id},
+            {"revision", compacted.revision},
+            {"name", figures.name},
+            {"pieces", figures.pieces},
+            {"lengthBefore", figures.length_before},
+            {"lengthAfter", figures.length_after},
+            {"utilisationBefore", figures.utilisation_before},
+            {"utilisationAfter", figures.utilisation_after},
+            {"rounds", figures.rounds},
+            {"stop", name_of(figures.stop)},
+            {"valid", figures.valid},
+            {"healed",
+             {{"pairs", figures.healed_pairs},
+              {"protruding", figures.healed_protruding},
+              {"deepest", figures.healed_deepest},
+              {"farthestMove", figures.healed_farthest_move}}},
+            {"placements", compacted.placements}};
+  if (compacted.timing) {
+    json["ms"] = encode(figures.times);
+    json["cache"] = encode(figures.cache);
+  }
+  return json;
 }
 
 Json validity_json(const Marker& marker, const Validity& validity) {
-  const double unit = to_decimal(1, marker.resolution);  // witnesses and depths are not always whole units
+  const auto length = [&](double lattice) { return in_unit(lattice, marker.resolution); };
   const auto id_of = [&](PieceId piece) { return marker.pieces[piece.value].id; };
   Json overlaps = Json::array();
   for (const Overlap& overlap : validity.overlaps) {
     overlaps.push_back({{"first", id_of(overlap.first)},
                         {"second", id_of(overlap.second)},
-                        {"witness", Json::array({overlap.witness_x * unit, overlap.witness_y * unit})},
-                        {"depth", overlap.depth * unit}});
+                        {"witness", Json::array({length(overlap.witness_x), length(overlap.witness_y)})},
+                        {"depth", length(overlap.depth)}});
   }
   Json protrusions = Json::array();
   for (const Protrusion& protrusion : validity.protrusions) {

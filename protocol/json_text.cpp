@@ -282,7 +282,7 @@ std::string to_text(const Json& value, Layout layout) {
 }
 
 std::string number_text(double value) {
-  constexpr double kTiny = 1e-9, kHuge = 1e15;
+  constexpr double kTiny = 1e-6, kHuge = 1e15;
   std::array<char, 40> buffer{};
   const double size = std::abs(value);
   const bool plain = size == 0 || (size >= kTiny && size < kHuge);

@@ -31,7 +31,7 @@ enum class Layout { kCompact, kIndented };
 // object stay on one line.  Neither ends with a newline.  REQUIRES: every number is finite.
 [[nodiscard]] std::string to_text(const Json& value, Layout layout = Layout::kCompact);
 
-// The shortest decimal that reads back as `value`; plain digits between 1e-9 and 1e15, an exponent beyond.
+// The shortest decimal that reads back as `value`; plain digits between 1e-6 and 1e15, an exponent beyond.
 [[nodiscard]] std::string number_text(double value);
 
 // `value` for an error message: its compact text, at most `most` characters of it.

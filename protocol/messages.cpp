@@ -1,5 +1,7 @@
 #include "protocol/messages.h"
 
+#include "protocol/formats/decimal_marker.h"
+
 namespace selvage {
 
 std::string_view name_of(StopReason reason) {
@@ -15,8 +17,6 @@ CompactionSettings settings_of(Accuracy accuracy, std::optional<int> rounds) {
 CompactionFigures figures_of(const Compaction& compaction, const StageTimes& times,
                              const CacheCounts& cache) {
   const Marker& marker = compaction.marker;
-  // Healing is told in lattice units, its depth not always a whole number of them.
-  const double unit = to_decimal(1, marker.resolution);
   return {.name = marker.name,
           .pieces = marker.pieces.size(),
           .length_before = to_decimal(compaction.length_before, marker.resolution),
@@ -28,7 +28,7 @@ CompactionFigures figures_of(const Compaction& compaction, const StageTimes& tim
           .valid = is_valid(marker),
           .healed_pairs = compaction.healing.pairs,
           .healed_protruding = compaction.healing.protruding,
-          .healed_deepest = compaction.healing.deepest * unit,
+          .healed_deepest = in_unit(compaction.healing.deepest, marker.resolution),
           .healed_farthest_move = to_decimal(compaction.healing.farthest_move, marker.resolution),
           .times = times,
           .cache = cache};

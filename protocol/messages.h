@@ -70,13 +70,14 @@ struct MarkerClosed {
   std::string marker_id;
 };
 
-// motion.compact {"markerId", "baseRev"?, "accuracy"?, "rounds"?, "commit"?}
+// motion.compact {"markerId", "baseRev"?, "accuracy"?, "rounds"?, "commit"?, "timing"?}
 struct MotionCompact {
   std::string marker_id;
   std::optional<Revision> base_revision;  // refuse when the marker is at another
   Accuracy accuracy{Accuracy::kStandard};
   std::optional<int> rounds;  // instead of the accuracy's own limit
   bool commit{true};          // false: answer, but leave the marker as it is
+  bool timing{};              // answer with the times and the cache's counts, which vary from run to run
 };
 // The figures of one compaction; what `selvage compact --json` prints and motion.compact answers.  Lengths
 // are in the marker's unit, exact; `times` and `cache` vary from run to run, all else is the same for the
@@ -98,7 +99,8 @@ struct MotionCompacted {
   std::string marker_id;
   Revision revision{};  // the marker's, after it
   CompactionFigures figures;
-  Json placements;  // of the pieces that moved: changed_placements
+  Json placements;    // of the pieces that moved: changed_placements
+  bool timing{true};  // tell figures.times and figures.cache
 };
 
 // The figures of a finished compaction; proves the result with is_valid.

@@ -1,4 +1,5 @@
-#include <iostream>
+#include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include "clients/cli/commands.h"

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "protocol/formats/decimal_marker.h"
 #include "protocol/json_text.h"
 
 namespace selvage {
@@ -86,18 +87,18 @@ std::string plain_figures(const Marker& marker) {
 }
 
 std::string plain_faults(const Marker& marker, const Validity& validity) {
-  const double unit = to_decimal(1, marker.resolution);
+  const auto length = [&](double lattice) { return significant(in_unit(lattice, marker.resolution)); };
   const auto id_of = [&](PieceId piece) { return marker.pieces[piece.value].id; };
   std::string out;
   for (const Overlap& overlap : validity.overlaps) {
     out += "  pieces " + id_of(overlap.first) + " and " + id_of(overlap.second) +
-           (marker.spacing > 0 ? " are too close or overlap" : " overlap") + " by " +
-           significant(overlap.depth * unit) + " " + marker.unit + " near (" +
-           significant(overlap.witness_x * unit) + ", " + significant(overlap.witness_y * unit) + ")\n";
+           (marker.spacing > 0 ? " are too close or overlap" : " overlap") + " by " + length(overlap.depth) +
+           " " + marker.unit + " near (" + length(overlap.witness_x) + ", " + length(overlap.witness_y) +
+           ")\n";
   }
   for (const Protrusion& protrusion : validity.protrusions) {
     out += "  piece " + id_of(protrusion.piece) + " leaves the strip by " +
-           significant(to_decimal(protrusion.by, marker.resolution)) + " " + marker.unit + "\n";
+           length(static_cast<double>(protrusion.by)) + " " + marker.unit + "\n";
   }
   return out;
 }

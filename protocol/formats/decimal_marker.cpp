@@ -221,6 +221,12 @@ Coord spacing_on_lattice(double spacing, Resolution resolution) {
   return to_decimal(nearest, resolution) < spacing ? nearest + 1 : nearest;
 }
 
+double in_unit(double lattice, Resolution resolution) {
+  // Divided by a power of ten that a double holds, rather than multiplied by one that it does not.
+  return resolution.exponent <= 0 ? lattice / to_decimal(1, Resolution{-resolution.exponent})
+                                  : lattice * to_decimal(1, resolution);
+}
+
 Json point_json(Vec point, Resolution resolution) {
   return Json::array({to_decimal(point.x, resolution), to_decimal(point.y, resolution)});
 }

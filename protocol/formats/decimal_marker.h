@@ -57,6 +57,9 @@ inline constexpr double kFarthest = 1e5;
 // The least distance that is at least `spacing` on the lattice: rounded up, so that it holds.
 [[nodiscard]] Coord spacing_on_lattice(double spacing, Resolution resolution);
 
+// A length in lattice units that need not be whole, in the marker's unit.
+[[nodiscard]] double in_unit(double lattice, Resolution resolution);
+
 [[nodiscard]] Json point_json(Vec point, Resolution resolution);
 [[nodiscard]] Json outline_json(const Polygon& outline, Resolution resolution);
 

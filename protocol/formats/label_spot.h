@@ -11,7 +11,8 @@ struct LabelSpot {
   bool upright{};        // the text runs along y, since the outline is narrow
 };
 
-// `aspect`: the label's width over its height.  REQUIRES: a Polygon.
-[[nodiscard]] LabelSpot find_label_spot(const Polygon& outline, double aspect);
+// `aspect`: the label's width over its height.  `enough`: half the height of the largest label wanted; among
+// the spots with that much room, one near the middle of the outline is taken.  REQUIRES: a Polygon.
+[[nodiscard]] LabelSpot find_label_spot(const Polygon& outline, double aspect, double enough);
 
 }  // namespace selvage

@@ -13,7 +13,7 @@ namespace selvage {
 namespace {
 
 constexpr double kLeft = 46, kRight = 70, kTop = 52, kBottom = 40;  // margins round the strip, in pixels
-constexpr double kLargestLabel = 13, kSmallestLabel = 4.5;          // font sizes
+constexpr double kLargestLabel = 13, kReadableLabel = 7.5, kSmallestLabel = 4.5;  // font sizes
 
 std::string fixed(double value, int decimals) {
   std::array<char, 64> buffer{};
@@ -129,17 +129,33 @@ std::string outline_path(const Polygon& outline, const View& view) {
   return path + "Z";
 }
 
-std::string label(const Polygon& outline, const std::string& text, const View& view) {
+struct Label {
+  std::string text;
+  LabelSpot spot;
+  double size{};  // of the font, in pixels
+};
+
+Label fit_label(const Polygon& outline, const std::string& text, const View& view) {
   constexpr double kCharacterWidth = 0.56;  // of the font size, about
   const double aspect = std::max(1.0, kCharacterWidth * static_cast<double>(characters(text)));
-  const LabelSpot spot = find_label_spot(outline, aspect);
-  const double size = std::min(kLargestLabel, 2 * spot.half_height * view.scale());
-  if (size < kSmallestLabel) return "";
-  const std::string at_x = pixels(view.x(spot.x)), at_y = pixels(view.y(spot.y));
+  const LabelSpot spot = find_label_spot(outline, aspect, kLargestLabel / 2 / view.scale());
+  return {text, spot, std::min(kLargestLabel, 2 * spot.half_height * view.scale())};
+}
+
+// The label where it fits; the id alone where the label would be too small to read; nothing where even that
+// is.
+std::string label(const Polygon& outline, const std::string& text, const std::string& id, const View& view) {
+  const Box box = box_of(outline);
+  const auto room = static_cast<double>(std::min(box.width(), box.height())) * view.scale();
+  if (room < kSmallestLabel) return "";
+  Label best = fit_label(outline, text, view);
+  if (best.size < kReadableLabel && text != id) best = fit_label(outline, id, view);
+  if (best.size < kSmallestLabel) return "";
+  const std::string at_x = pixels(view.x(best.spot.x)), at_y = pixels(view.y(best.spot.y));
   std::string out =
-      "<text class=\"id\" font-size=\"" + pixels(size) + "\" x=\"" + at_x + "\" y=\"" + at_y + "\"";
-  if (spot.upright) out += " transform=\"rotate(-90 " + at_x + " " + at_y + ")\"";
-  return out + ">" + escaped(text) + "</text>\n";
+      "<text class=\"id\" font-size=\"" + pixels(best.size) + "\" x=\"" + at_x + "\" y=\"" + at_y + "\"";
+  if (best.spot.upright) out += " transform=\"rotate(-90 " + at_x + " " + at_y + ")\"";
+  return out + ">" + escaped(best.text) + "</text>\n";
 }
 
 std::string pieces(const Marker& marker, const SvgOptions& options, const View& view) {
@@ -153,7 +169,7 @@ std::string pieces(const Marker& marker, const SvgOptions& options, const View& 
     out += std::string{"<path class=\"piece"} + (piece.locked ? " locked" : "") + "\" fill=\"" +
            colours[piece.shape.value] + "\" d=\"" + outline_path(placed[i], view) + "\"><title>" +
            escaped(piece.id) + "</title></path>\n";
-    labels += label(placed[i], i < options.labels.size() ? options.labels[i] : piece.id, view);
+    labels += label(placed[i], i < options.labels.size() ? options.labels[i] : piece.id, piece.id, view);
   }
   return out + labels + "</g>\n";
 }
