@@ -6,14 +6,19 @@
 
 namespace selvage {
 
+// Figures behind these choices: docs/measurements.md.
 CompactionSettings compaction_settings(Accuracy accuracy) {
-  CompactionSettings settings;
-  settings.rounds = 60;
-  settings.least_gain = 1e-6;
-  settings.trust = 0.1;
-  settings.gravity = 0.01;
-  (void)accuracy;
-  return settings;
+  switch (accuracy) {
+    case Accuracy::kDraft:
+      return {.rounds = 4, .least_gain = 1e-4, .trust = 0.05, .gravity = 0.003, .region = RegionRule::kGreedy,
+              .solver = SolverChoice::kAutomatic};
+    case Accuracy::kStandard:
+      return {.rounds = 60, .least_gain = 1e-6, .trust = 0.1, .gravity = 0.003, .region = RegionRule::kGreedy,
+              .solver = SolverChoice::kAutomatic};
+    case Accuracy::kFine: break;
+  }
+  return {.rounds = 400, .least_gain = 1e-8, .trust = 0.3, .gravity = 0.003, .region = RegionRule::kGreedy,
+          .solver = SolverChoice::kAutomatic};
 }
 
 Result<Compaction> compact(const Marker& start, const CompactionSettings& settings, SumCache& sums, std::stop_token stop,
