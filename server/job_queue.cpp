@@ -46,7 +46,7 @@ void JobQueue::drain() {
   const std::vector<std::stop_source> running{stops_.begin(), stops_.end()};
   lock.unlock();
   changed_.notify_all();
-  for (std::stop_source stop : running) stop.request_stop();
+  for (const std::stop_source& stop : running) stop.request_stop();
   lock.lock();
   changed_.wait(lock, [this] { return ready_.empty() && behind_ == 0 && stops_.empty(); });
 }

@@ -83,16 +83,16 @@ class LineConnection : public std::enable_shared_from_this<LineConnection> {
     ++unanswered_;
     const auto executor = connection_->socket.get_executor();
     Reply reply = [executor, self = shared_from_this()](std::string answer) {
-      asio::post(executor, [self, held = std::move(answer)]() mutable {
+      asio::post(executor, [self, held = std::move(answer)] {
         --self->unanswered_;
-        self->send(std::move(held));
+        self->send(held);
         self->changed_.notify();
       });
     };
     service_.call(std::move(message), connection_->gone.get_token(), std::move(reply));
   }
 
-  void send(std::string answer) {
+  void send(const std::string& answer) {
     if (answer.empty() || !connection_->socket.is_open()) return;
     outbox_ += answer;
     outbox_ += '\n';
