@@ -1,0 +1,263 @@
+#!/usr/bin/env python3
+"""Runs the selvage command: what it prints, what it writes, what it exits with.  usage: cli_test.py SELVAGE"""
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from decimal import Decimal
+
+SELVAGE = sys.argv.pop(1)
+MARKERS = pathlib.Path(__file__).parents[2] / "examples" / "markers"
+OK, NOT_VALID, BAD_USAGE, BAD_INPUT, FILE, REFUSED, CANCELLED = 0, 1, 2, 3, 4, 5, 130
+
+SQUARE = {"id": "square", "outline": [[0, 0], [40, 0], [40, 40], [0, 40]]}
+
+
+def squares(*places):
+    pieces = [{"id": f"p{i}", "shape": "square", "at": list(at)} for i, at in enumerate(places)]
+    return {"format": "selvage-marker", "version": 1, "name": "squares", "strip": {"width": 100},
+            "shapes": [dict(SQUARE)], "pieces": pieces}
+
+
+def run(*arguments, text=None):
+    return subprocess.run([SELVAGE, *map(str, arguments)], input=text, capture_output=True, text=True, timeout=300)
+
+
+class CliTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, name):
+        return pathlib.Path(self.folder.name) / name
+
+    def write(self, document, name="in.json"):
+        self.path(name).write_text(document if isinstance(document, str) else json.dumps(document))
+        return self.path(name)
+
+
+class Compact(CliTest):
+    def test_shortens_a_marker_and_says_so_in_one_line(self):
+        ran = run("compact", MARKERS / "jeans_02g.json", "-o", self.path("out.json"), "--json")
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        self.assertEqual(ran.stdout.count("\n"), 1)
+        line = json.loads(ran.stdout)
+        self.assertEqual(set(line), {"name", "pieces", "length_before", "length_after", "utilisation_before",
+                                     "utilisation_after", "rounds", "stop", "valid", "healed", "ms", "cache"})
+        self.assertEqual(set(line["ms"]), {"sums", "rows", "solve", "verify", "total"})
+        self.assertEqual(set(line["cache"]), {"hits", "misses", "entries", "bytes"})
+        self.assertEqual((line["name"], line["pieces"], line["stop"]), ("jeans_02g", 40, "converged"))
+        self.assertEqual(line["length_before"], 2460.35)
+        self.assertLess(line["length_after"], line["length_before"])
+        self.assertGreater(line["utilisation_after"], line["utilisation_before"])
+        self.assertIs(line["valid"], True)
+        self.assertEqual(run("check", self.path("out.json")).returncode, OK)
+
+    def test_keeps_the_form_of_the_input_unless_told(self):
+        run("compact", MARKERS / "jeans_02g.json", "-o", self.path("same.json"))
+        same = json.loads(self.path("same.json").read_text())
+        self.assertEqual(same["items"][0]["name"], "charlie.front_38_L")
+        run("compact", MARKERS / "jeans_02g.json", "-o", self.path("native.json"), "--format", "native")
+        self.assertEqual(json.loads(self.path("native.json").read_text())["format"], "selvage-marker")
+        back = run("convert", self.path("native.json"), "-o", "-", "--format", "sparrow")
+        self.assertEqual(json.loads(back.stdout), same)
+
+    def test_writes_outlines_and_a_drawing(self):
+        ran = run("compact", MARKERS / "jeans_02g.json", "--json", "--outlines", self.path("o.json"),
+                  "--svg", self.path("o.svg"))
+        line = json.loads(ran.stdout, parse_float=Decimal)
+        outlines = json.loads(self.path("o.json").read_text(), parse_float=Decimal, parse_int=Decimal)
+        self.assertEqual(len(outlines["pieces"]), 40)
+        self.assertEqual(outlines["strip_height"], 1500)
+        self.assertEqual(outlines["strip_length"], line["length_after"])
+        self.assertEqual(max(x for p in outlines["pieces"] for x, _ in p["outline"]), line["length_after"])
+        svg = self.path("o.svg").read_text()
+        self.assertIn('class="before"', svg)
+        self.assertEqual(svg.count("<path"), 40)
+
+    def test_reads_standard_input_and_writes_standard_output(self):
+        ran = run("compact", "-", "-o", "-", text=json.dumps(squares((0, 0), (50, 0))))
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        out = json.loads(ran.stdout)
+        self.assertEqual([p["at"][0] for p in out["pieces"]], [0, 40])
+        self.assertIn("length", ran.stderr)
+
+    def test_holds_the_spacing(self):
+        ran = run("compact", "-", "-o", "-", "--spacing", "2.5", text=json.dumps(squares((0, 0), (50, 0))))
+        out = json.loads(ran.stdout)
+        self.assertEqual(out["spacing"], 2.5)
+        self.assertEqual(out["pieces"][1]["at"][0], 42.5)
+
+    def test_leaves_locked_pieces(self):
+        document = squares((10, 0), (60, 0))
+        document["pieces"][0]["locked"] = True
+        out = json.loads(run("compact", "-", "-o", "-", text=json.dumps(document)).stdout)
+        self.assertEqual([p["at"][0] for p in out["pieces"]], [10, 50])
+
+    def test_rounds_limit_the_work(self):
+        ran = run("compact", MARKERS / "jeans_06g.json", "--json", "--rounds", "1")
+        line = json.loads(ran.stdout)
+        self.assertEqual((line["rounds"], line["stop"]), (1, "work_limit"))
+
+    def test_the_same_request_gives_the_same_bytes(self):
+        results = set()
+        for _ in range(3):
+            results.add(run("compact", MARKERS / "jeans_02g.json", "-o", "-").stdout)
+        self.assertEqual(len(results), 1)
+
+    def test_refuses_deep_overlaps_and_writes_nothing(self):
+        ran = run("compact", self.write(squares((0, 0), (20, 0))), "-o", self.path("out.json"))
+        self.assertEqual(ran.returncode, REFUSED)
+        self.assertIn("marker.overlaps", ran.stderr)
+        self.assertFalse(self.path("out.json").exists())
+
+    def test_interrupted_it_writes_the_best_marker_so_far(self):
+        started = subprocess.Popen([SELVAGE, "compact", str(self.long_marker()), "-o", str(self.path("out.json"))],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.wait_until_it_takes_interrupts(started.pid)
+        started.send_signal(signal.SIGINT)
+        started.communicate(timeout=300)
+        self.assertEqual(started.returncode, CANCELLED)
+        self.assertEqual(run("check", self.path("out.json")).returncode, OK)
+
+    def long_marker(self, copies=8):
+        """The large example several times in a row: seconds of work."""
+        document = json.loads((MARKERS / "jeans_22g.json").read_text())
+        placed = document["solution"]["layout"]["placed_items"]
+        document["solution"]["layout"]["placed_items"] = [
+            {"item_id": p["item_id"], "transformation": {
+                "rotation": p["transformation"]["rotation"],
+                "translation": [p["transformation"]["translation"][0] + 26663 * k,
+                                p["transformation"]["translation"][1]]}}
+            for k in range(copies) for p in placed]
+        return self.write(document)
+
+    def wait_until_it_takes_interrupts(self, pid):
+        bit = 1 << (signal.SIGINT - 1)
+        while True:
+            status = pathlib.Path(f"/proc/{pid}/status").read_text()
+            blocked = int(next(s for s in status.splitlines() if s.startswith("SigBlk")).split()[1], 16)
+            if blocked & bit:
+                return
+            time.sleep(0.001)
+
+
+class Check(CliTest):
+    def test_a_valid_marker(self):
+        ran = run("check", MARKERS / "jeans_06g.json")
+        self.assertEqual(ran.returncode, OK)
+        self.assertIn("120 pieces, length 7238 mm", ran.stdout)
+
+    def test_lists_overlaps_and_protrusions(self):
+        ran = run("check", self.write(squares((0, 0), (30, 0), (0, 70))))
+        self.assertEqual(ran.returncode, NOT_VALID)
+        self.assertIn("pieces p0 and p1 overlap by 10 mm", ran.stdout)
+        self.assertIn("piece p2 leaves the strip by 10 mm", ran.stdout)
+
+    def test_tells_programs_the_same(self):
+        ran = run("check", "--json", self.write(squares((0, 0), (30, 0))))
+        self.assertEqual(ran.returncode, NOT_VALID)
+        answer = json.loads(ran.stdout)
+        self.assertFalse(answer["valid"])
+        self.assertEqual([(o["first"], o["second"], o["depth"]) for o in answer["overlaps"]], [("p0", "p1", 10)])
+        x, y = answer["overlaps"][0]["witness"]
+        self.assertTrue(30 < x < 40 and 0 < y < 40, (x, y))
+
+    def test_judges_the_spacing(self):
+        touching = self.write(squares((0, 0), (40, 0)))
+        self.assertEqual(run("check", touching).returncode, OK)
+        self.assertEqual(run("check", touching, "--spacing", "0.001").returncode, NOT_VALID)
+
+
+class ShowAndConvert(CliTest):
+    def test_draws(self):
+        ran = run("show", MARKERS / "jeans_02g.json", "--svg", "-")
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        self.assertTrue(ran.stdout.startswith("<svg ") and ran.stdout.endswith("</svg>\n"))
+
+    def test_converts_there_and_back(self):
+        native, sparrow, again = self.path("n.json"), self.path("s.json"), self.path("n2.json")
+        self.assertEqual(run("convert", MARKERS / "simon_06g.json", "-o", native, "--format", "native").returncode, OK)
+        self.assertEqual(run("convert", native, "-o", sparrow, "--format", "sparrow").returncode, OK)
+        self.assertEqual(run("convert", sparrow, "-o", again, "--format", "native").returncode, OK)
+        self.assertEqual(native.read_text(), again.read_text())
+
+
+class BadUsage(CliTest):
+    def test_is_told_apart_from_bad_input(self):
+        marker = str(MARKERS / "jeans_02g.json")
+        for arguments in ([], ["fold"], ["compact"], ["compact", marker, "--accuracy", "perfect"],
+                          ["compact", marker, "--rounds", "-1"], ["compact", marker, "--rounds", "many"],
+                          ["compact", marker, "--format", "svg"], ["show", marker], ["check", marker, "--fast"],
+                          ["compact", marker, "-o", "-", "--svg", "-"]):
+            with self.subTest(arguments):
+                ran = run(*arguments)
+                self.assertEqual(ran.returncode, BAD_USAGE)
+                self.assertNotEqual(ran.stderr, "")
+
+    def test_help_lists_the_exit_codes(self):
+        ran = run("compact", "--help")
+        self.assertEqual(ran.returncode, OK)
+        self.assertIn("Exit codes", ran.stdout)
+
+
+class BadInput(CliTest):
+    def refused(self, document, code, *said):
+        for command in (["check"], ["compact", "-o", self.path("out.json")]):
+            ran = run(command[0], self.write(document), *command[1:])
+            self.assertEqual(ran.returncode, code, ran.stderr)
+            self.assertEqual(ran.stdout, "")
+            for words in said:
+                self.assertIn(words, ran.stderr)
+            self.assertFalse(self.path("out.json").exists())
+
+    def test_no_json(self):
+        self.refused('{"format": NaN}', BAD_INPUT, "line 1, column", "input.syntax")
+        self.refused("", BAD_INPUT, "input.syntax")
+        self.refused("[" * 100000, BAD_INPUT, "input.depth")
+        self.refused("[1e999]", BAD_INPUT, "input.out_of_range")
+
+    def test_a_field_wrong(self):
+        document = squares((0, 0))
+        document["strip"]["width"] = "wide"
+        self.refused(document, BAD_INPUT, '/strip/width: "wide" where a number is required')
+        document["strip"]["width"] = 1e308
+        self.refused(document, BAD_INPUT, "/strip/width: 1e+308 is out of range")
+
+    def test_a_shape_that_is_none(self):
+        document = squares((0, 0))
+        document["shapes"][0]["outline"] = [[i % 1000, i % 7] for i in range(100_000)]
+        self.refused(document, BAD_INPUT, "/shapes/0/outline", "100000 vertices", "2000", "shape.too_many_vertices")
+        document["shapes"][0]["outline"] = [[0, 0], [9, 9], [9, 0], [0, 9]]
+        self.refused(document, BAD_INPUT, "/shapes/0/outline", "shape.self_intersecting")
+
+    def test_an_instance_with_nothing_placed(self):
+        document = json.loads((MARKERS / "jeans_02g.json").read_text())
+        del document["solution"]
+        self.refused(document, BAD_INPUT, "/solution: nothing is placed")
+
+    def test_a_spacing_that_is_no_number(self):
+        for spacing in ("nan", "inf", "-1", "1e308"):
+            ran = run("compact", MARKERS / "jeans_02g.json", "--spacing=" + spacing)
+            self.assertIn(ran.returncode, (BAD_USAGE, BAD_INPUT), spacing)
+
+    def test_files_that_are_not_there(self):
+        self.assertEqual(run("check", self.path("nowhere.json")).returncode, FILE)
+        self.assertEqual(run("check", self.folder.name).returncode, FILE)
+        ran = run("convert", MARKERS / "jeans_02g.json", "-o", self.path("no/such/folder.json"), "--format", "native")
+        self.assertEqual(ran.returncode, FILE)
+        self.assertIn("No such file or directory", ran.stderr)
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "no /dev/full here")
+    def test_a_full_disk(self):
+        ran = run("convert", MARKERS / "jeans_02g.json", "-o", "/dev/full", "--format", "native")
+        self.assertEqual(ran.returncode, FILE)
+
+
+if __name__ == "__main__":
+    unittest.main()
