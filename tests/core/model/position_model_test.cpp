@@ -1,0 +1,54 @@
+#include "core/model/position_model.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/motion/markers.h"
+
+namespace selvage {
+namespace {
+
+using test::Layout;
+
+TEST(RowOf, AxisRowsAskForTheirSlackExactly) {
+  const HalfPlane right_of{{100, 0}, {0, 50}};  // to the right of x = 100
+  const PairRow row = row_of({0, 1}, right_of, {130, 7}, 0, 1, TightRows::kRestore);
+  EXPECT_EQ(row.nx, 1);
+  EXPECT_EQ(row.ny, 0);
+  EXPECT_EQ(row.bound, -30);
+  EXPECT_EQ(row_of({0, 1}, right_of, {130, 7}, 12, 1, TightRows::kRestore).bound, -18);
+}
+
+TEST(RowOf, SlantedRowsKeepAMarginForRounding) {
+  const HalfPlane slanted{{0, 0}, {-30, 40}};  // right of the line: n = (0.8, 0.6)
+  const PairRow roomy = row_of({0, 1}, slanted, {80, 60}, 0, 1, TightRows::kRestore);
+  EXPECT_NEAR(roomy.bound, -(100 - 1.4), 1e-6);
+  EXPECT_NEAR(row_of({0, 1}, slanted, {0, 0}, 0, 1, TightRows::kRestore).bound, 1.4, 1e-6);
+  EXPECT_EQ(row_of({0, 1}, slanted, {0, 0}, 0, 1, TightRows::kKeep).bound, 0);
+  EXPECT_NEAR(row_of({0, 1}, slanted, {-8, -6}, 0, 1, TightRows::kKeep).bound, 11.4, 1e-6);
+}
+
+TEST(PositionModel, BuildsOnlyWhatTheSceneNeeds) {
+  Layout layout{1000};
+  const auto square = layout.shape_of(test::rectangle(100, 100));
+  layout.put(square, {0, 0}).put(square, {200, 0}).put(square, {400, 0}, 0, true);
+  const PlacedPieces pieces{layout.marker()};
+  const std::vector<std::uint32_t> group{0, 0, PositionModel::kFixed};
+  PositionModel model{pieces, layout.marker().strip, group};
+  EXPECT_EQ(model.program().columns(), 2);  // two pieces of one group, one fixed
+  EXPECT_EQ(model.column(0), model.column(1));
+  EXPECT_FALSE(model.column(2));
+  EXPECT_EQ(model.program().lower[0], 0);   // the group's first piece is at the left edge
+  EXPECT_EQ(model.program().upper[1], 900);  // units are thousandths of the width
+  model.add({{0, 1}, 1, 0, -50});
+  EXPECT_EQ(model.program().rows(), 0);  // within a group nothing can change
+  model.add({{1, 2}, 1, 0, -50});
+  EXPECT_EQ(model.program().rows(), 1);
+  model.add_length(1, 500, 0);
+  model.add_right_wall(0);
+  model.add_right_wall(2);
+  EXPECT_EQ(model.program().rows(), 2);           // a fixed piece bounds the length itself
+  EXPECT_EQ(model.program().lower.back(), 0);  // the fixed piece is the last
+}
+
+}  // namespace
+}  // namespace selvage

@@ -1,0 +1,119 @@
+#include "core/motion/heal.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/marker/validity.h"
+#include "core/motion/compact.h"
+#include "tests/core/motion/markers.h"
+
+namespace selvage {
+namespace {
+
+using test::Layout;
+
+// Two wedges and two squares on a strip of 10^6 units: the healing limit is 100 units.
+Marker pair_overlapping_by(Coord depth) {
+  Layout layout{1'000'000};
+  const auto square = layout.shape_of(test::rectangle(200'000, 200'000));
+  layout.put(square, {0, 0}).put(square, {200'000 - depth, 30'000});
+  return layout.marker();
+}
+
+Result<Healing> healed(const Marker& marker, Marker& out) {
+  SumCache sums;
+  Scene scene{marker, sums};
+  auto healing = heal(scene, {}, {});
+  out = scene.result();
+  return healing;
+}
+
+TEST(Heal, DoesNothingToAValidMarker) {
+  Marker out;
+  const Marker start = pair_overlapping_by(0);
+  const auto healing = healed(start, out);
+  ASSERT_TRUE(healing);
+  EXPECT_EQ(healing->pairs, 0U);
+  EXPECT_EQ(out, start);
+}
+
+TEST(Heal, PartsASmallOverlapByAsMuchAsItIsDeep) {
+  for (const Coord depth : {Coord{1}, Coord{7}, Coord{100}}) {
+    Marker out;
+    const auto healing = healed(pair_overlapping_by(depth), out);
+    ASSERT_TRUE(healing) << healing.error().message;
+    EXPECT_TRUE(is_valid(out));
+    EXPECT_EQ(healing->pairs, 1U);
+    EXPECT_NEAR(healing->deepest, static_cast<double>(depth), 1e-6);
+    EXPECT_LE(healing->farthest_move, depth);
+    EXPECT_EQ(healing->lengthened, depth);  // the left edge holds one square: only the right one can give
+  }
+}
+
+TEST(Heal, RefusesDeepOverlapsAndNamesThem) {
+  Marker out;
+  const Marker start = pair_overlapping_by(101);
+  const auto healing = healed(start, out);
+  ASSERT_FALSE(healing);
+  EXPECT_EQ(healing.error().code, ErrorCode::kMarkerOverlaps);
+  EXPECT_NE(healing.error().message.find("\"p0\" and \"p1\" by 0.101 mm"), std::string::npos) << healing.error().message;
+  EXPECT_EQ(out, start);
+}
+
+TEST(Heal, BringsBackPiecesThatLeaveTheStripByALittle) {
+  Marker start = pair_overlapping_by(0);
+  start.pieces[0].at = {-5, -50};
+  Marker out;
+  const auto healing = healed(start, out);
+  ASSERT_TRUE(healing) << healing.error().message;
+  EXPECT_TRUE(is_valid(out));
+  EXPECT_EQ(healing->protruding, 1U);
+  start.pieces[0].at = {-101, 0};
+  const auto refused = healed(start, out);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kOutsideStrip);
+  EXPECT_EQ(refused.error().field, "/pieces/0/at");
+}
+
+TEST(Heal, SaysWhenThereIsNoRoom) {
+  Marker start = pair_overlapping_by(50);
+  for (Piece& piece : start.pieces) piece.locked = true;
+  Marker out;
+  const auto healing = healed(start, out);
+  ASSERT_FALSE(healing);
+  EXPECT_EQ(healing.error().code, ErrorCode::kHealingFailed);
+  EXPECT_EQ(out, start);
+}
+
+TEST(Heal, PartsPiecesCloserThanTheSpacing) {
+  Marker start = pair_overlapping_by(-950);
+  start.spacing = 1000;
+  Marker out;
+  const auto healing = healed(start, out);
+  ASSERT_TRUE(healing) << healing.error().message;
+  EXPECT_TRUE(is_valid(out));
+  EXPECT_NEAR(healing->deepest, 50, 1e-6);
+}
+
+TEST(Heal, ShakenCompactedMarkersHealAndStayAsShort) {
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+    SumCache sums;
+    const auto tight = compact(test::loose_marker(seed), compaction_settings(Accuracy::kStandard), sums);
+    ASSERT_TRUE(tight);
+    Marker shaken = tight->marker;
+    std::mt19937 random{seed};
+    for (Piece& piece : shaken.pieces) {
+      piece.at.x += static_cast<Coord>(random() % 21) - 10;
+      piece.at.y += static_cast<Coord>(random() % 21) - 10;
+    }
+    const auto again = compact(shaken, compaction_settings(Accuracy::kStandard), sums);
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_TRUE(is_valid(again->marker));
+    EXPECT_GT(again->healing.pairs + again->healing.protruding, 0U);
+    EXPECT_LE(static_cast<double>(again->length_after), 1.001 * static_cast<double>(tight->length_after));
+  }
+}
+
+}  // namespace
+}  // namespace selvage
