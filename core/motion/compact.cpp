@@ -1,10 +1,18 @@
 #include "core/motion/compact.h"
 
+#include <algorithm>
+
 #include "core/marker/validity.h"
 #include "core/motion/leftward_step.h"
 #include "core/motion/scene.h"
 
 namespace selvage {
+namespace {
+
+constexpr double kTrustAhead = 2;     // next round's trust, as a multiple of the last one's farthest move
+constexpr double kLeastTrust = 0.05;  // as a part of the first round's trust
+
+}  // namespace
 
 // Figures behind these choices: docs/measurements.md.
 CompactionSettings compaction_settings(Accuracy accuracy) {
@@ -32,8 +40,9 @@ Result<Compaction> compact(const Marker& start, const CompactionSettings& settin
   if (!healing) return healing.error();
   best.healing = *healing;
   best.reason = StopReason::kWorkLimit;
+  double trust = settings.trust;
   while (best.rounds < settings.rounds) {
-    const LeftwardStep step = leftward_step(scene, settings, stop, observer);
+    const LeftwardStep step = leftward_step(scene, settings, trust, stop, observer);
     best.programs += step.programs;
     observer.on_stage(Stage::kOther);
     if (stop.stop_requested()) {
@@ -45,6 +54,8 @@ Result<Compaction> compact(const Marker& start, const CompactionSettings& settin
       break;
     }
     scene.pieces.place(*step.positions);
+    // Rounds move pieces less and less: look only as far as the next may go.
+    trust = std::clamp(kTrustAhead * step.farthest, kLeastTrust * settings.trust, settings.trust);
     ++best.rounds;
     observer.on_round({best.rounds, scene.pieces.length()});
   }

@@ -24,7 +24,7 @@ struct CompactionSettings {
   int rounds{};            // at most this many
   double least_gain{};     // stop when a round shortens the marker by less than this part of its width
   double trust{};          // neighbours are pairs within this part of the width; two of them move apart or together by
-                           // at most twice that in one round
+                           // at most twice that in the first round, in later rounds by less
   double gravity{};        // weight of the mean leftward motion beside the length
   RegionRule region{};
   SolverChoice solver{};

@@ -16,11 +16,11 @@ constexpr int kAttempts = 24;  // programs in one round, as rows enter when they
 // The growing model of one round.
 class Attempt {
  public:
-  Attempt(const Scene& scene, const CompactionSettings& settings, const Observer& observer)
+  Attempt(const Scene& scene, const CompactionSettings& settings, double trust, const Observer& observer)
       : scene_{scene},
         settings_{settings},
         observer_{observer},
-        trust_{settings.trust * static_cast<double>(scene.marker.strip.width)},
+        trust_{trust * static_cast<double>(scene.marker.strip.width)},
         group_{scene.group} {
     observer_.on_stage(Stage::kSums);
     for (const PiecePair& pair : pairs_within(scene.pieces, std::llround(trust_))) {
@@ -132,7 +132,10 @@ class Attempt {
       moved.place(std::move(positions));
       auto conflict = conflicts(moved, scene_.marker.spacing);
       if (conflict.empty()) {
-        if (moved.length() < scene_.pieces.length() && inside(moved)) step.positions = moved.positions();
+        if (moved.length() < scene_.pieces.length() && inside(moved)) {
+          step.positions = moved.positions();
+          step.farthest = farthest(scaled);
+        }
         return {};
       }
       if (part == 1.0) first_conflict = std::move(conflict);
@@ -141,6 +144,13 @@ class Attempt {
       if (!rounding_only) break;
     }
     return first_conflict;
+  }
+  [[nodiscard]] double farthest(const std::vector<Displacement>& moves) const {
+    double most = 0;
+    for (const auto& [p, q] : near_) {
+      most = std::max({most, std::abs(moves[q].x - moves[p].x), std::abs(moves[q].y - moves[p].y)});
+    }
+    return most / static_cast<double>(scene_.marker.strip.width);
   }
   [[nodiscard]] bool inside(const PlacedPieces& moved) const {
     const Strip& strip = scene_.marker.strip;
@@ -192,9 +202,9 @@ class Attempt {
 
 }  // namespace
 
-LeftwardStep leftward_step(const Scene& scene, const CompactionSettings& settings, std::stop_token stop,
+LeftwardStep leftward_step(const Scene& scene, const CompactionSettings& settings, double trust, std::stop_token stop,
                            const Observer& observer) {
-  return Attempt{scene, settings, observer}.run(std::move(stop));
+  return Attempt{scene, settings, trust, observer}.run(std::move(stop));
 }
 
 }  // namespace selvage

@@ -13,11 +13,13 @@ namespace selvage {
 struct LeftwardStep {
   std::optional<std::vector<Vec>> positions;  // proved valid and no longer than before; nothing: no step was found
   int programs{};                             // linear programs solved
+  double farthest{};                          // the most that two near pieces moved against each other on an axis, as a
+                                              // part of the strip's width
 };
 
-// The best step within the trust of the settings.  Pairs farther apart than that are only modelled when a solution makes
+// The best step within `trust` (see CompactionSettings).  Pairs farther apart than that are only modelled when a solution makes
 // them collide.
-[[nodiscard]] LeftwardStep leftward_step(const Scene& scene, const CompactionSettings& settings, std::stop_token stop,
-                                         const Observer& observer);
+[[nodiscard]] LeftwardStep leftward_step(const Scene& scene, const CompactionSettings& settings, double trust,
+                                         std::stop_token stop, const Observer& observer);
 
 }  // namespace selvage
