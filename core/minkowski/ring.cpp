@@ -42,7 +42,7 @@ bool Ring::holds(Real2 point, double margin) const {
 void Ring::append_inside(Real2 a, Real2 b, double margin, bool own_edges, Stretches& stretches) const {
   Question question{a.x - centre_.x, a.y - centre_.y, b.x - centre_.x, b.y - centre_.y, margin, own_edges, false};
   const double turn = question.ax * question.by - question.ay * question.bx;
-  const double length = std::hypot(b.x - a.x, b.y - a.y);
+  const double length = std::abs(b.x - a.x) + std::abs(b.y - a.y);
   if (std::abs(turn) <= margin * length) {
     append_radial(question, stretches);
     return;

@@ -58,40 +58,49 @@ class Visibility {
     const Real2 b = real(edge.to);
     const Box box{{std::min(edge.from.x, edge.to.x), std::min(edge.from.y, edge.to.y)},
                   {std::max(edge.from.x, edge.to.x), std::max(edge.from.y, edge.to.y)}};
-    hidden_.clear();
+    const double least = 2 * kHidden / std::hypot(b.x - a.x, b.y - a.y);  // shorter stretches are rounding
+    shown_ = {{0.0, 1.0}};
+    // What hid the last edge hides this one, its neighbour, as a rule.
+    if (last_hider_ != own) hide_behind(last_hider_, own, a, b, box, least);
     for (const std::size_t r : order_) {
+      if (shown_.empty()) return;
       if (r == own || !boxes_[r].touches(box)) continue;
-      const std::size_t before = hidden_.size();
-      rings_[r].append_inside(a, b, kHidden, r < own, hidden_);  // of several along one line, the first shows
-      for (std::size_t k = before; k < hidden_.size(); ++k) {
-        if (hidden_[k].first <= 0 && hidden_[k].second >= 1) return;
-      }
+      hide_behind(r, own, a, b, box, least);
+      if (shown_.empty()) last_hider_ = r;
     }
-    std::sort(hidden_.begin(), hidden_.end());
-    const double length = std::hypot(b.x - a.x, b.y - a.y);
-    const auto at = [&](double t) {
-      return Vec{std::llround(a.x + t * (b.x - a.x)), std::llround(a.y + t * (b.y - a.y))};
-    };
-    double shown_from = 0;
-    const auto show = [&](double to) {
-      if ((to - shown_from) * length < 2 * kHidden) return;
+    for (const auto& [from, to] : shown_) {
+      const auto at = [&](double t) {
+        return Vec{std::llround(a.x + t * (b.x - a.x)), std::llround(a.y + t * (b.y - a.y))};
+      };
       SumEdge part = edge;
-      if (shown_from > 0) part.from = at(shown_from);
+      if (from > 0) part.from = at(from);
       if (to < 1) part.to = at(to);
       visible.push_back(part);
-    };
-    for (const auto& [from, to] : hidden_) {
-      if (from > shown_from) show(from);
-      shown_from = std::max(shown_from, to);
     }
-    if (shown_from < 1) show(1);
+  }
+
+  // Takes what ring r hides of the segment from a to b out of shown_.  Of several edges along one line, the first ring's
+  // shows.
+  void hide_behind(std::size_t r, std::size_t own, Real2 a, Real2 b, const Box& box, double least) {
+    if (!boxes_[r].touches(box)) return;
+    hidden_.clear();
+    rings_[r].append_inside(a, b, kHidden, r < own, hidden_);
+    for (const auto& [from, to] : hidden_) {
+      rest_.clear();
+      for (const auto& [low, high] : shown_) {
+        if (std::min(high, from) - low >= least) rest_.emplace_back(low, std::min(high, from));
+        if (high - std::max(low, to) >= least) rest_.emplace_back(std::max(low, to), high);
+      }
+      shown_.swap(rest_);
+    }
   }
 
   std::span<const StarSum> sums_;
   std::span<const Box> boxes_;
   std::vector<Ring> rings_;
+  std::size_t last_hider_{};
   std::vector<std::size_t> order_;
-  Stretches hidden_;
+  Stretches shown_, hidden_, rest_;
 };
 
 std::vector<std::vector<Box>> tree_over(std::span<const SumEdge> edges) {
