@@ -69,7 +69,8 @@ std::pair<std::size_t, std::size_t> meeting_edges(const Polygon& polygon) {
   for (std::size_t k = 0; k < n; ++k) {
     const std::size_t i = by_x[k];
     const Coord high_x = std::max(polygon[i].x, end_of(i).x);
-    const auto [low_y, high_y] = std::minmax(polygon[i].y, end_of(i).y);
+    const Coord low_y = std::min(polygon[i].y, end_of(i).y);
+    const Coord high_y = std::max(polygon[i].y, end_of(i).y);
     for (std::size_t m = k + 1; m < n && low_x(by_x[m]) <= high_x; ++m) {
       const std::size_t j = by_x[m];
       if (std::max(polygon[j].y, end_of(j).y) < low_y || std::min(polygon[j].y, end_of(j).y) > high_y) continue;
