@@ -1,0 +1,114 @@
+#include "core/geometry/overlap.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/exact.h"
+#include "tests/support/placed.h"
+#include "tests/support/polygons.h"
+
+namespace selvage::test {
+namespace {
+
+const Polygon kSquare{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+
+bool overlapping(const Polygon& p, const Polygon& q, Vec by = {}) { return overlap(placed(p), placed(q, by)); }
+
+TEST(Overlap, TouchingIsNot) {
+  EXPECT_FALSE(overlapping(kSquare, kSquare, {4, 0}));   // edge to edge
+  EXPECT_FALSE(overlapping(kSquare, kSquare, {4, 3}));   // part of an edge
+  EXPECT_FALSE(overlapping(kSquare, kSquare, {4, 4}));   // corner to corner
+  EXPECT_FALSE(overlapping(kSquare, {{4, 2}, {6, 1}, {6, 3}}));  // a tip on an edge
+  EXPECT_FALSE(overlapping({{0, 0}, {9, 0}, {9, 9}, {6, 9}, {6, 3}, {3, 3}, {3, 9}, {0, 9}},
+                           {{3, 3}, {6, 3}, {6, 8}, {3, 8}}));  // fills a slot from wall to wall
+}
+
+TEST(Overlap, ByOneUnitIs) {
+  EXPECT_TRUE(overlapping(kSquare, kSquare, {3, 3}));
+  EXPECT_TRUE(overlapping(kSquare, {{3, 2}, {6, 1}, {6, 3}}));
+}
+
+TEST(Overlap, WithoutAnyCrossing) {
+  EXPECT_TRUE(overlapping(kSquare, kSquare));                          // the same
+  EXPECT_TRUE(overlapping(kSquare, {{1, 1}, {3, 1}, {2, 3}}));         // within, apart from the boundary
+  EXPECT_TRUE(overlapping(kSquare, {{0, 0}, {4, 0}, {2, 3}}));         // within, along an edge
+  EXPECT_TRUE(overlapping(kSquare, {{2, 0}, {4, 2}, {2, 4}, {0, 2}})); // within, all corners on edges
+  EXPECT_TRUE(overlapping(kSquare, {{0, 0}, {4, 4}, {0, 4}}));         // within, corner to corner
+  // A cross of two bars whose ends lie on each other's edges' lines: they cross at vertices only.
+  EXPECT_TRUE(overlapping({{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 3}, {0, 4}}, {{2, 2}, {4, 3}, {2, 4}}));
+}
+
+struct Tally {
+  std::size_t overlapping{}, apart{};
+};
+
+void judge(const Polygon& p, const Polygon& q, Tally& tally) {
+  const bool expected = interiors_meet(p, q);
+  const std::string pair = text_of(p) + " and " + text_of(q);
+  ASSERT_EQ(overlap(placed(p), placed(q)), expected) << pair;
+  ASSERT_EQ(overlap(placed(q), placed(p)), expected) << pair;
+  ++(expected ? tally.overlapping : tally.apart);
+  const Vec here{-7, 3};
+  const Polygon p_back = moved(p, -here);
+  const Polygon q_forth = moved(q, here);
+  ASSERT_EQ(overlap(placed(p_back, here), placed(q_forth, -here)), expected) << pair;
+  const auto point = common_point(placed(p), placed(q));
+  ASSERT_EQ(point.has_value(), expected) << pair;
+  if (!point) return;
+  ASSERT_EQ(locate_exactly({point->x, point->y}, p), Location::kInside) << pair << " at " << point->x << ", " << point->y;
+  ASSERT_EQ(locate_exactly({point->x, point->y}, q), Location::kInside) << pair << " at " << point->x << ", " << point->y;
+}
+
+// So small a lattice that vertices, edges and whole polygons fall onto each other all the time.
+TEST(Overlap, AgreesWithExactIntersectionOnSmallLattices) {
+  Random random{41};
+  std::vector<Polygon> pool;
+  for (int k = 0; k < 400; ++k) {
+    pool.push_back(random_simple(random, static_cast<std::size_t>(random.between(3, 8)), random.between(2, 8)));
+  }
+  Tally tally;
+  for (int trial = 0; trial < 30'000; ++trial) {
+    const Polygon p = pool[random.below(pool.size())];
+    const Polygon q = trial % 50 == 0 ? p : transformed(pool[random.below(pool.size())], random.symmetry());
+    // Where the boxes touch at least.
+    const Box a = box_of(p);
+    const Box b = box_of(q);
+    const Vec by{random.between(a.low.x - b.high.x, a.high.x - b.low.x), random.between(a.low.y - b.high.y, a.high.y - b.low.y)};
+    judge(p, trial % 100 == 0 ? q : moved(q, by), tally);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(tally.overlapping, 5000U);
+  EXPECT_GT(tally.apart, 5000U);
+}
+
+TEST(Overlap, AgreesWithExactIntersectionOfOddShapes) {
+  Random random{42};
+  Tally tally;
+  for (int trial = 0; trial < 1500; ++trial) {
+    const Polygon p = random_polygon(random, 16);
+    const Polygon q = transformed(random_polygon(random, 8), random.symmetry());
+    judge(p, moved(q, random.point(-8, 24)), tally);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(tally.overlapping, 300U);
+  EXPECT_GT(tally.apart, 300U);
+}
+
+// The same coincidences, or one unit off them, where a unit is 2^-37 of the polygon.
+TEST(Overlap, IsExactOnLargeLattices) {
+  Random random{43};
+  Tally tally;
+  for (int trial = 0; trial < 3000; ++trial) {
+    const Coord factor = Coord{1} << random.between(30, 36);
+    const Polygon p = scaled(random_simple(random, 6, 7), factor);
+    Polygon q = scaled(moved(random_simple(random, 6, 7), random.point(-5, 5)), factor);
+    q = moved(q, random.point(-1, 1));
+    const bool expected = interiors_meet(p, q);
+    ASSERT_EQ(overlap(placed(p), placed(q)), expected) << text_of(p) << " and " << text_of(q);
+    ++(expected ? tally.overlapping : tally.apart);
+  }
+  EXPECT_GT(tally.overlapping, 500U);
+  EXPECT_GT(tally.apart, 500U);
+}
+
+}  // namespace
+}  // namespace selvage::test

@@ -1,0 +1,134 @@
+#include "tests/support/exact.h"
+
+#include <CGAL/Boolean_set_operations_2.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Polygon_2.h>
+#include <CGAL/Polygon_set_2.h>
+#include <CGAL/Polygon_with_holes_2.h>
+#include <CGAL/minkowski_sum_2.h>
+
+#include <cmath>
+
+namespace selvage::test {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Point = Kernel::Point_2;
+using Outer = CGAL::Polygon_2<Kernel>;
+using WithHoles = CGAL::Polygon_with_holes_2<Kernel>;
+using Set = CGAL::Polygon_set_2<Kernel>;
+
+// A coordinate below 2^53 is a double.
+Point point(Vec v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
+Point point(Real2 v) { return {v.x, v.y}; }
+Real2 rounded(const Point& p) { return {CGAL::to_double(p.x()), CGAL::to_double(p.y())}; }
+
+Outer polygon_of(std::span<const Vec> vertices) {
+  Outer polygon;
+  for (const Vec v : vertices) polygon.push_back(point(v));
+  return polygon;
+}
+
+Location location(CGAL::Bounded_side side) {
+  if (side == CGAL::ON_BOUNDARY) return Location::kBoundary;
+  return side == CGAL::ON_BOUNDED_SIDE ? Location::kInside : Location::kOutside;
+}
+
+double area_of(const WithHoles& region) {
+  double area = CGAL::to_double(region.outer_boundary().area());
+  for (const Outer& hole : region.holes()) area -= std::abs(CGAL::to_double(hole.area()));
+  return area;
+}
+
+// The region that a ring of a star sum encloses.  Rounding may cross a ring's edges over by a unit: then it is the union of
+// the triangles that its edges make with its centre.
+void append_region(const StarSum& ring, std::vector<Outer>& regions) {
+  Outer whole;
+  for (const SumEdge& e : ring.edges) whole.push_back(point(e.from));
+  if (whole.is_simple() && whole.orientation() == CGAL::COUNTERCLOCKWISE) {
+    regions.push_back(whole);
+    return;
+  }
+  for (const SumEdge& e : ring.edges) {
+    Outer triangle;
+    for (const Point& corner : {point(ring.centre), point(e.from), point(e.to)}) triangle.push_back(corner);
+    if (triangle.is_simple() && triangle.orientation() == CGAL::COUNTERCLOCKWISE) regions.push_back(triangle);
+  }
+}
+
+}  // namespace
+
+bool is_simple_exactly(std::span<const Vec> vertices) { return polygon_of(vertices).is_simple(); }
+
+Location locate_exactly(Real2 at, const Polygon& polygon) {
+  return location(polygon_of(polygon).bounded_side(point(at)));
+}
+
+bool interiors_meet(const Polygon& p, const Polygon& q) {
+  return CGAL::do_intersect(polygon_of(p), polygon_of(q), CGAL::Tag_false{});
+}
+
+int compare_distance(const Polygon& p, const Polygon& q, Coord distance) {
+  const Outer a = polygon_of(p);
+  const Outer b = polygon_of(q);
+  const Kernel::FT reach{static_cast<double>(distance)};
+  CGAL::Comparison_result least = CGAL::LARGER;
+  for (auto e = a.edges_begin(); e != a.edges_end(); ++e) {
+    for (auto f = b.edges_begin(); f != b.edges_end(); ++f) {
+      least = std::min(least, CGAL::compare(CGAL::squared_distance(*e, *f), reach * reach));
+    }
+  }
+  return static_cast<int>(least);
+}
+
+struct ExactSum::Region {
+  WithHoles sum;
+};
+
+ExactSum::ExactSum(const Polygon& p, const Polygon& q)
+    : region_{std::make_unique<const Region>(Region{CGAL::minkowski_sum_2(polygon_of(p), polygon_of(q))})} {
+  const auto append = [&](const Outer& ring) {
+    for (auto e = ring.edges_begin(); e != ring.edges_end(); ++e) {
+      boundary_.emplace_back(rounded(e->source()), rounded(e->target()));
+    }
+  };
+  append(region_->sum.outer_boundary());
+  for (const Outer& hole : region_->sum.holes()) append(hole);
+}
+
+ExactSum::~ExactSum() = default;
+
+double ExactSum::perimeter() const {
+  double length = 0;
+  for (const auto& [a, b] : boundary_) length += std::hypot(b.x - a.x, b.y - a.y);
+  return length;
+}
+
+std::size_t ExactSum::holes() const { return region_->sum.number_of_holes(); }
+
+Location ExactSum::locate(Real2 at) const {
+  const Point p = point(at);
+  const Location outer = location(region_->sum.outer_boundary().bounded_side(p));
+  if (outer != Location::kInside) return outer;
+  for (const Outer& hole : region_->sum.holes()) {
+    const Location in_hole = location(hole.bounded_side(p));
+    if (in_hole == Location::kBoundary) return Location::kBoundary;
+    if (in_hole == Location::kInside) return Location::kOutside;
+  }
+  return Location::kInside;
+}
+
+double ExactSum::area_of_difference(const MinkowskiSum& other) const {
+  std::vector<Outer> regions;
+  for (const StarSum& ring : other.rings()) append_region(ring, regions);
+  Set united;
+  united.join(regions.begin(), regions.end());
+  united.symmetric_difference(Set{region_->sum});
+  std::vector<WithHoles> rest;
+  united.polygons_with_holes(std::back_inserter(rest));
+  double area = 0;
+  for (const WithHoles& part : rest) area += area_of(part);
+  return area;
+}
+
+}  // namespace selvage::test

@@ -1,0 +1,49 @@
+// Exact answers from CGAL, an independent witness: what ours are judged by.  Only tests see CGAL's set operations.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/geometry/polygon.h"
+#include "core/geometry/star.h"
+#include "core/minkowski/sum.h"
+
+namespace selvage::test {
+
+// Of any closed vertex list.
+[[nodiscard]] bool is_simple_exactly(std::span<const Vec> vertices);
+// Where a point between lattice points lies; the double is taken as the number it is.
+[[nodiscard]] Location locate_exactly(Real2 point, const Polygon& polygon);
+// True when the intersection of the two has an area.
+[[nodiscard]] bool interiors_meet(const Polygon& p, const Polygon& q);
+// The sign of (distance of the closed polygons) - distance: -1 nearer, 0 exactly as far, 1 farther.
+// REQUIRES: their interiors do not meet.
+[[nodiscard]] int compare_distance(const Polygon& p, const Polygon& q, Coord distance);
+
+using Segment = std::pair<Real2, Real2>;
+
+// The Minkowski sum of two polygons.
+class ExactSum {
+ public:
+  ExactSum(const Polygon& p, const Polygon& q);
+  ~ExactSum();
+  ExactSum(const ExactSum&) = delete;
+  ExactSum& operator=(const ExactSum&) = delete;
+
+  // The edges of the outer boundary and of the holes, rounded to doubles.
+  [[nodiscard]] const std::vector<Segment>& boundary() const { return boundary_; }
+  [[nodiscard]] double perimeter() const;
+  [[nodiscard]] std::size_t holes() const;
+  [[nodiscard]] Location locate(Real2 point) const;
+  // The area where this and the union of the other's rings differ.
+  [[nodiscard]] double area_of_difference(const MinkowskiSum& other) const;
+
+ private:
+  struct Region;
+  std::unique_ptr<const Region> region_;
+  std::vector<Segment> boundary_;
+};
+
+}  // namespace selvage::test
