@@ -2,7 +2,7 @@
 //
 // The sum is star-shaped about the sum of two kernel points.  Its boundary is the outer envelope, seen from there, of the
 // candidate edges: a convex vertex of one polygon plus an edge of the other whose direction lies in the vertex's turn
-// (the reduced convolution).  Candidates follow each other in chains that turn about the centre, so the envelope is a
+// (the reduced convolution [BL11]).  Candidates follow each other in chains that turn about the centre, so the envelope is a
 // merge of chains; two convex polygons give a single chain, which is the merge of their edges [Li94 3.4.1].
 #pragma once
 

@@ -114,8 +114,8 @@ class Healer {
     if (deep.empty()) return std::nullopt;
     return Error{ErrorCode::kMarkerOverlaps,
                  std::to_string(deep.size()) + (deep.size() == 1 ? " pair of pieces overlaps" : " pairs of pieces overlap") +
-                     " (or is closer than the spacing) by more than " + decimal(limit_) + ", which is what is mended: " +
-                     named(deep), "/pieces"};
+                     (scene_.marker.spacing > 0 ? ", or come closer than the spacing," : "") + " by more than the " +
+                     decimal(limit_) + " that is mended: " + named(deep), "/pieces"};
   }
   [[nodiscard]] std::string decimal(double lattice_units) const {
     std::ostringstream text;
