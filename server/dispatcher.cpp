@@ -112,7 +112,7 @@ void Dispatcher::next(const std::shared_ptr<Exchange>& exchange) {
     }
     const auto& bad = std::get<BadRequest>(call);
     exchange->answers.push_back(to_text(error_response(bad.id, bad.error)));
-    log_request({.method = "(bad request)",
+    log_request({.method = "bad-request",
                  .code = static_cast<int>(bad.error.code),
                  .bytes_in = exchange->bytes,
                  .bytes_out = exchange->answers.back().size()});

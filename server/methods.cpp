@@ -35,19 +35,6 @@ double now_ms() {
   return std::chrono::duration<double, std::milli>{since}.count();
 }
 
-// `timing` is the server's own: times and cache counts vary from run to run, so an answer holds them only
-// when asked; the same request gives the same bytes.
-Result<bool> take_timing(Json& params) {
-  const auto found = params.find("timing");
-  if (found == params.end()) return false;
-  if (!found->is_boolean()) {
-    return Error{ErrorCode::kWrongType, "timing must be true or false, not " + shortened(*found), "/timing"};
-  }
-  const bool timing = found->get<bool>();
-  params.erase("timing");
-  return timing;
-}
-
 }  // namespace
 
 Outcome Methods::engine_info(const Json& params, const Stops&) {
@@ -112,10 +99,7 @@ Outcome Methods::marker_close(const Json& params, const Stops&) {
 }
 
 Outcome Methods::motion_compact(const Json& params, const Stops& stops) {
-  Json known = params;
-  const auto timing = take_timing(known);
-  if (!timing) return rpc_error(timing.error());
-  const auto wanted = decode_motion_compact(known);
+  const auto wanted = decode_motion_compact(params);
   if (!wanted) return rpc_error(wanted.error());
   const std::string& id = wanted->marker_id;
   const auto current = store_.current(id);
@@ -138,6 +122,7 @@ Outcome Methods::motion_compact(const Json& params, const Stops& stops) {
   MotionCompacted answer;
   answer.marker_id = id;
   answer.revision = base;
+  answer.timing = wanted->timing;
   answer.figures = figures_of(*compaction, timer.times(now_ms()), sums_.counts());
   answer.placements = changed_placements(before, compaction->marker);
   if (wanted->commit && !answer.placements.empty()) {
@@ -148,12 +133,7 @@ Outcome Methods::motion_compact(const Json& params, const Stops& stops) {
     if (commit.outcome == Commit::Outcome::kMismatch) return revision_mismatch(id, base, commit.revision);
     answer.revision = commit.revision;
   }
-  Json result = encode(answer);
-  if (!*timing) {
-    result.erase("ms");
-    result.erase("cache");
-  }
-  return result;
+  return encode(answer);
 }
 
 std::optional<Method> find_method(std::string_view name) {
