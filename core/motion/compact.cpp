@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/marker/validity.h"
-#include "core/motion/leftward_step.h"
+#include "core/motion/position_step.h"
 #include "core/motion/scene.h"
 
 namespace selvage {
@@ -11,6 +11,10 @@ namespace {
 
 constexpr double kTrustAhead = 2;     // next round's trust, as a multiple of the last one's farthest move
 constexpr double kLeastTrust = 0.05;  // as a part of the first round's trust
+
+StopReason reason_of(StepEnd end) {
+  return end == StepEnd::kSolverFailed ? StopReason::kSolverFailed : StopReason::kConverged;
+}
 
 }  // namespace
 
@@ -40,22 +44,19 @@ Result<Compaction> compact(const Marker& start, const CompactionSettings& settin
   if (!healing) return healing.error();
   best.healing = *healing;
   best.reason = StopReason::kWorkLimit;
-  double trust = settings.trust;
+  const Goal goal = leftward_goal(scene, settings.gravity);
+  StepSettings step_settings{settings.least_gain, settings.trust, settings.region, settings.solver};
   while (best.rounds < settings.rounds) {
-    const LeftwardStep step = leftward_step(scene, settings, trust, stop, observer);
+    const PositionStep step = position_step(scene, goal, step_settings, stop, observer);
     best.programs += step.programs;
     observer.on_stage(Stage::kOther);
-    if (stop.stop_requested()) {
-      best.reason = StopReason::kCancelled;
+    if (step.end != StepEnd::kMoved || stop.stop_requested()) {
+      best.reason = stop.stop_requested() ? StopReason::kCancelled : reason_of(step.end);
       break;
     }
-    if (!step.positions) {
-      best.reason = StopReason::kConverged;
-      break;
-    }
-    scene.pieces.place(*step.positions);
+    scene.pieces.place(step.positions);
     // Rounds move pieces less and less: look only as far as the next may go.
-    trust = std::clamp(kTrustAhead * step.farthest, kLeastTrust * settings.trust, settings.trust);
+    step_settings.trust = std::clamp(kTrustAhead * step.farthest, kLeastTrust * settings.trust, settings.trust);
     ++best.rounds;
     observer.on_round({best.rounds, scene.pieces.length()});
   }

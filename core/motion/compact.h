@@ -32,7 +32,12 @@ struct CompactionSettings {
 };
 [[nodiscard]] CompactionSettings compaction_settings(Accuracy accuracy);
 
-enum class StopReason { kConverged, kWorkLimit, kCancelled };
+enum class StopReason {
+  kConverged,     // another round would gain less than the least gain
+  kWorkLimit,     // the rounds are used up
+  kCancelled,     // asked to stop
+  kSolverFailed,  // no solver could solve a round's program; the best marker so far
+};
 
 struct Compaction {
   Marker marker;

@@ -1,26 +1,28 @@
-#include "core/motion/leftward_step.h"
+#include "core/motion/position_step.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
 
-#include "core/model/position_model.h"
 #include "core/model/snap.h"
 
 namespace selvage {
 namespace {
 
-constexpr int kAttempts = 24;  // programs in one round, as rows enter when they are broken
+constexpr int kAttempts = 24;           // programs in one round, as rows enter when they are broken
+constexpr double kUnitsAcross = 1000;   // column units in a strip's width
+constexpr double kSpare = 1e-2;         // column units the length may grow by in a program, for rows' margins
 
 // The growing model of one round.
 class Attempt {
  public:
-  Attempt(const Scene& scene, const CompactionSettings& settings, double trust, const Observer& observer)
+  Attempt(const Scene& scene, const Goal& goal, const StepSettings& settings, const Observer& observer)
       : scene_{scene},
+        goal_{goal},
         settings_{settings},
         observer_{observer},
-        trust_{trust * static_cast<double>(scene.marker.strip.width)},
+        trust_{settings.trust * static_cast<double>(scene.marker.strip.width)},
         group_{scene.group} {
     observer_.on_stage(Stage::kSums);
     for (const PiecePair& pair : pairs_within(scene.pieces, std::llround(trust_))) {
@@ -31,21 +33,24 @@ class Attempt {
     model_near();
   }
 
-  LeftwardStep run(std::stop_token stop) {
-    LeftwardStep step;
+  PositionStep run(const std::stop_token& stop) {
+    PositionStep step;
     while (step.programs < kAttempts) {
       observer_.on_stage(Stage::kSolve);
       const LpSolution solution = solve(model_->program(), settings_.solver, {}, stop);
       ++step.programs;
-      if (solution.status != LpStatus::kOptimal) {
-        // No room for the margins anywhere: a layout without slack.
-        if (solution.status != LpStatus::kInfeasible || tight_ == TightRows::kKeep) return step;
-        tight_ = TightRows::kKeep;
+      if (solution.status == LpStatus::kInfeasible && tight_ == TightRows::kRestore) {
+        tight_ = TightRows::kKeep;  // no room for the margins anywhere: a layout without slack
         model_near();
         continue;
       }
+      if (solution.status != LpStatus::kOptimal) {
+        step.end = solution.status == LpStatus::kStopped ? StepEnd::kStopped : StepEnd::kSolverFailed;
+        return step;
+      }
       observer_.on_stage(Stage::kVerify);
       const auto moves = model_->displacements(solution.x);
+      step.end = StepEnd::kNoGain;
       if (-solution.objective < kUnitsAcross * settings_.least_gain) return step;
       if (add_broken_limits(moves, model_->length_change(solution.x))) continue;
       const auto conflict = try_moves(moves, step);
@@ -56,9 +61,6 @@ class Attempt {
   }
 
  private:
-  static constexpr double kUnitsAcross = 1000;
-  static constexpr double kSpare = 1e-2;  // the length may grow by this many units in a program, for rows' margins
-
   void model_near() {
     observer_.on_stage(Stage::kRows);
     rows_.clear();
@@ -80,10 +82,10 @@ class Attempt {
 
   void build() {
     model_.emplace(scene_.pieces, scene_.marker.strip, group_);
-    const auto count = static_cast<double>(scene_.pieces.size());
-    for (std::size_t i = 0; i < scene_.pieces.size(); ++i) model_->add_cost(i, settings_.gravity / count, 0);
+    for (std::size_t i = 0; i < scene_.pieces.size(); ++i) model_->add_cost(i, -goal_.force[i].x, -goal_.force[i].y);
     const Coord length = scene_.pieces.length();
-    model_->add_length(1, static_cast<double>(length), kSpare * unit());
+    const bool held = goal_.shorten == 0;
+    model_->add_length(goal_.shorten, held ? 0 : static_cast<double>(length), held ? 0 : kSpare * unit());
     for (std::size_t i = 0; i < scene_.pieces.size(); ++i) {
       if (static_cast<double>(length - scene_.pieces.box(i).high.x) <= 2 * trust_) model_->add_right_wall(i);
     }
@@ -120,8 +122,8 @@ class Attempt {
   }
 
   // Rounds and proves the moves; shortens them a little when rounding breaks something.  Returns what collides all the same;
-  // moves that collide nowhere become the step's when they make the marker shorter.
-  std::vector<PiecePair> try_moves(const std::vector<Displacement>& moves, LeftwardStep& step) const {
+  // moves that collide nowhere become the step's when they serve the goal.
+  std::vector<PiecePair> try_moves(const std::vector<Displacement>& moves, PositionStep& step) const {
     std::vector<PiecePair> first_conflict;
     for (const double part : {1.0, 1 - 1e-6, 1 - 1e-3, 0.5}) {
       std::vector<Displacement> scaled = moves;
@@ -132,7 +134,8 @@ class Attempt {
       moved.place(std::move(positions));
       auto conflict = conflicts(moved, scene_.marker.spacing);
       if (conflict.empty()) {
-        if (moved.length() < scene_.pieces.length() && inside(moved)) {
+        if (moved.length() <= scene_.pieces.length() && inside(moved) && gain(moved) > 0) {
+          step.end = StepEnd::kMoved;
           step.positions = moved.positions();
           step.farthest = farthest(scaled);
         }
@@ -144,6 +147,15 @@ class Attempt {
       if (!rounding_only) break;
     }
     return first_conflict;
+  }
+  // What the goal gains, after rounding; lattice units.
+  [[nodiscard]] double gain(const PlacedPieces& moved) const {
+    double sum = goal_.shorten * static_cast<double>(scene_.pieces.length() - moved.length());
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+      const Vec by = moved.at(i) - scene_.pieces.at(i);
+      sum += goal_.force[i].x * static_cast<double>(by.x) + goal_.force[i].y * static_cast<double>(by.y);
+    }
+    return sum;
   }
   [[nodiscard]] double farthest(const std::vector<Displacement>& moves) const {
     double most = 0;
@@ -188,7 +200,8 @@ class Attempt {
   }
 
   const Scene& scene_;
-  const CompactionSettings& settings_;
+  const Goal& goal_;
+  const StepSettings& settings_;
   const Observer& observer_;
   double trust_;
   std::vector<std::uint32_t> group_;
@@ -202,9 +215,14 @@ class Attempt {
 
 }  // namespace
 
-LeftwardStep leftward_step(const Scene& scene, const CompactionSettings& settings, double trust, std::stop_token stop,
+Goal leftward_goal(const Scene& scene, double gravity) {
+  const auto count = static_cast<double>(scene.pieces.size());
+  return {std::vector<Displacement>(scene.pieces.size(), {-gravity / count, 0}), 1};
+}
+
+PositionStep position_step(const Scene& scene, const Goal& goal, const StepSettings& settings, const std::stop_token& stop,
                            const Observer& observer) {
-  return Attempt{scene, settings, trust, observer}.run(std::move(stop));
+  return Attempt{scene, goal, settings, observer}.run(stop);
 }
 
 }  // namespace selvage

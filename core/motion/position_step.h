@@ -1,0 +1,52 @@
+// One round of any motion of many pieces at once: model, solve, snap, prove [Li94 4.1.4].
+#pragma once
+
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "core/lp/solve.h"
+#include "core/model/free_region.h"
+#include "core/model/position_model.h"
+#include "core/motion/observer.h"
+#include "core/motion/scene.h"
+
+namespace selvage {
+
+// What a motion wants: as much as possible of the sum of force . displacement over all pieces, plus `shorten` times what the
+// marker gets shorter.  With shorten 0 its length is held [Li94 4.2.2].
+struct Goal {
+  std::vector<Displacement> force;  // one per piece
+  double shorten{};
+};
+// The goal of leftward compaction [Li94 4.2.1], with a little gravity so that no piece is left free.
+[[nodiscard]] Goal leftward_goal(const Scene& scene, double gravity);
+
+struct StepSettings {
+  double least_gain{};  // of the goal, as a part of the strip's width: less is no step
+  double trust{};       // neighbours are pairs within this part of the width; two of them move apart or together by at most
+                        // twice that
+  RegionRule region{};
+  SolverChoice solver{};
+};
+
+enum class StepEnd {
+  kMoved,         // `positions` holds the step
+  kNoGain,        // nothing more to gain
+  kStopped,       // asked to stop
+  kSolverFailed,  // no solver could solve the program
+};
+
+struct PositionStep {
+  StepEnd end{};
+  std::vector<Vec> positions;  // one per piece: proved valid, the goal better served, the marker no longer
+  int programs{};              // linear programs solved
+  double farthest{};           // the most that two near pieces moved against each other on an axis, as a part of the width
+};
+
+// The best step towards the goal.  Pairs farther apart than the trust are only modelled when a solution makes them collide.
+// REQUIRES: the scene's pieces are valid.
+[[nodiscard]] PositionStep position_step(const Scene& scene, const Goal& goal, const StepSettings& settings,
+                                         const std::stop_token& stop, const Observer& observer);
+
+}  // namespace selvage
