@@ -170,7 +170,8 @@ Json encode(const MotionCompacted& compacted) {
              {{"pairs", figures.healed_pairs},
               {"protruding", figures.healed_protruding},
               {"deepest", figures.healed_deepest},
-              {"farthestMove", figures.healed_farthest_move}}},
+              {"farthestMove", figures.healed_farthest_move},
+              {"lengthened", figures.healed_lengthened}}},
             {"placements", compacted.placements}};
   if (compacted.timing) {
     json["ms"] = encode(figures.times);

@@ -30,6 +30,7 @@ CompactionFigures figures_of(const Compaction& compaction, const StageTimes& tim
           .healed_protruding = compaction.healing.protruding,
           .healed_deepest = in_unit(compaction.healing.deepest, marker.resolution),
           .healed_farthest_move = to_decimal(compaction.healing.farthest_move, marker.resolution),
+          .healed_lengthened = to_decimal(compaction.healing.lengthened, marker.resolution),
           .times = times,
           .cache = cache};
 }

@@ -91,7 +91,7 @@ struct CompactionFigures {
   StopReason stop{};
   bool valid{};  // what is_valid said of the result
   std::size_t healed_pairs{}, healed_protruding{};
-  double healed_deepest{}, healed_farthest_move{};
+  double healed_deepest{}, healed_farthest_move{}, healed_lengthened{};
   StageTimes times;
   CacheCounts cache;
 };
@@ -110,7 +110,8 @@ struct MotionCompacted {
 
 inline constexpr int kMaxRounds = 100'000;
 inline constexpr std::string_view kAccuracyNames[] = {"draft", "standard", "fine"};         // by Accuracy
-inline constexpr std::string_view kStopNames[] = {"converged", "work_limit", "cancelled"};  // by StopReason
+inline constexpr std::string_view kStopNames[] = {"converged", "work_limit", "cancelled",
+                                                  "solver_failed"};  // by StopReason
 [[nodiscard]] std::string_view name_of(StopReason reason);
 
 }  // namespace selvage

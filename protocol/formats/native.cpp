@@ -96,7 +96,7 @@ void read_strip(Fields& fields, Mistake& mistake, DecimalMarker& marker) {
   strip.finish();
 }
 
-// A rotation written as 540 or -90 is the allowed one that equals it.
+// A rotation written as -90 is the allowed one that equals it, 270.
 void settle_rotations(DecimalMarker& marker) {
   std::unordered_map<std::string, const std::vector<Angle>*> allowed;
   for (const DecimalShape& shape : marker.shapes) allowed.emplace(shape.shape.id, &shape.shape.rotations);

@@ -13,7 +13,8 @@
 namespace selvage {
 namespace {
 
-constexpr Range kTurns{-1e6, 1e6};
+constexpr Range kPermissions{-360, 360};  // degrees
+constexpr Range kTurns{-1e6, 1e6};        // degrees or radians, any number of turns
 constexpr double kAngleSlack = 1e-3;  // degrees; what single precision makes of a quarter turn is far closer
 
 // A pointer into the native form as one into this form.  `filled`: the shapes written as {outer, inner}.
@@ -71,7 +72,7 @@ std::vector<Angle> read_orientations(Fields& fields, Mistake& mistake) {
   std::vector<Angle> rotations;
   for (const Json& degrees : *list) {
     const std::string at = fields.pointer("allowed_orientations") + "/" + std::to_string(rotations.size());
-    rotations.push_back(Angle::of_degrees(checked_number(degrees, kTurns, mistake, at)));
+    rotations.push_back(Angle::of_degrees(checked_number(degrees, kPermissions, mistake, at)));
   }
   if (rotations.empty()) rotations.push_back(Angle{});  // jagua-rs: an empty list means no rotation
   return rotations;
@@ -134,6 +135,8 @@ void settle_rotation(Orientation& orientation, const Shape& shape) {
   } else if (const auto near = matching_rotation(degrees, shape.rotations, shape.tilt_limit.degrees)) {
     orientation.rotation = *near;
     orientation.tilt = Angle::of_degrees(std::remainder(degrees - near->degrees, 360.0));
+  } else {
+    orientation.rotation = Angle::of_degrees(std::fmod(degrees, 360.0));
   }
 }
 

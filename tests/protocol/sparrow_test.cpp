@@ -88,6 +88,13 @@ TEST(Sparrow, ReadsOrientationPermissionsAsJaguaDoes) {
   EXPECT_EQ(test::read(document).marker.shapes[0].rotations, std::vector{Angle{}});
 }
 
+TEST(Sparrow, CountsNoWholeTurns) {
+  Json document = sparrow_squares();
+  document["items"][0].erase("allowed_orientations");
+  placed(document)[1]["transformation"] = json(R"({"rotation": 810, "translation": [90, 10]})");
+  EXPECT_EQ(test::read(document).marker.pieces[1].orientation.rotation, Angle::of_degrees(90));
+}
+
 TEST(Sparrow, ReadsPolygonsWithHolesAsFilled) {
   Json document = sparrow_squares();
   document["items"][0]["shape"] = json(R"({"type": "polygon", "data": {
