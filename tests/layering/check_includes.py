@@ -27,7 +27,7 @@ ALLOWED = {
 ONLY_IN = {
     "Clp": "core/lp/clp.cpp",
     "boost/asio": "server/",
-    "boost/beast": "server/",
+    "boost/beast": "server/transport/http_connection.cpp",
     "nlohmann/": "protocol/",
     "spdlog/": "server/",
     "CLI/": ("server/", "clients/cli/"),
