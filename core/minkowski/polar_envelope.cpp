@@ -177,7 +177,8 @@ class Merge {
       double t = turn == 0 ? 0.5 : ((inner.x0 - outer.x0) * vy - (inner.y0 - outer.y0) * vx) / turn;
       t = std::min(1.0, std::max(0.0, t));
       const Point x{outer.x0 + t * ux, outer.y0 + t * uy};
-      const double middle = std::min(angle, std::max(a.angle0, x.y == 0 && angle > 2 ? kFullTurn : pseudo_angle(x.x, x.y)));
+      const bool full_turn = x.y == 0 && x.x > 0 && angle > 2;
+      const double middle = std::min(angle, std::max(a.angle0, full_turn ? kFullTurn : pseudo_angle(x.x, x.y)));
       emit({a.angle0, middle, outer.x0, outer.y0, x.x, x.y, outer.candidate});
       emit({middle, angle, x.x, x.y, inner_end.x, inner_end.y, inner.candidate});
     }

@@ -1,11 +1,18 @@
 #include "core/minkowski/star_sum.h"
 
 #include <cmath>
+#include <cstdlib>
 
 #include "core/minkowski/polar_envelope.h"
 #include "core/minkowski/reduced_convolution.h"
 
 namespace selvage {
+namespace {
+
+// True for one point rounded in two ways.
+bool same_but_for_rounding(Vec a, Vec b) { return std::abs(a.x - b.x) <= 1 && std::abs(a.y - b.y) <= 1; }
+
+}  // namespace
 
 StarSum star_sum(const StarPart& first, const StarPart& second) {
   StarSum sum{{first.kernel.x + second.kernel.x, first.kernel.y + second.kernel.y}, {}};
@@ -18,11 +25,15 @@ StarSum star_sum(const StarPart& first, const StarPart& second) {
   for (const Stretch& s : envelope) {
     const Candidate& c = candidates[s.candidate];
     // The start of each stretch is the end of the one before, but for jumps along rays (kernels without depth).
-    const Vec from = lattice_point(s.x0, s.y0);
+    Vec from = lattice_point(s.x0, s.y0);
     const Vec to = lattice_point(s.x1, s.y1);
     if (!sum.edges.empty() && sum.edges.back().to != from) {
       const Vec last = sum.edges.back().to;
-      sum.edges.push_back({last, from, last, from, sum.edges.back().source});
+      if (same_but_for_rounding(last, from)) {
+        from = last;
+      } else {
+        sum.edges.push_back({last, from, last, from, sum.edges.back().source});
+      }
     }
     if (from == to) continue;
     const EdgeSource source = c.edge_of_first
@@ -37,7 +48,11 @@ StarSum star_sum(const StarPart& first, const StarPart& second) {
   if (!sum.edges.empty() && sum.edges.back().to != sum.edges.front().from) {
     const Vec last = sum.edges.back().to;
     const Vec first_from = sum.edges.front().from;
-    sum.edges.push_back({last, first_from, last, first_from, sum.edges.back().source});
+    if (same_but_for_rounding(last, first_from)) {
+      sum.edges.back().to = first_from;
+    } else {
+      sum.edges.push_back({last, first_from, last, first_from, sum.edges.back().source});
+    }
   }
   // The envelope begins on the x axis, as a rule in the middle of an edge: make that edge whole.
   SumEdge& front = sum.edges.front();

@@ -22,10 +22,10 @@ StopReason reason_of(StepEnd end) {
 CompactionSettings compaction_settings(Accuracy accuracy) {
   switch (accuracy) {
     case Accuracy::kDraft:
-      return {.rounds = 4, .least_gain = 1e-4, .trust = 0.05, .gravity = 0.003, .region = RegionRule::kGreedy,
+      return {.rounds = 4, .least_gain = 1e-3, .trust = 0.05, .gravity = 0.003, .region = RegionRule::kGreedy,
               .solver = SolverChoice::kAutomatic};
     case Accuracy::kStandard:
-      return {.rounds = 60, .least_gain = 1e-6, .trust = 0.1, .gravity = 0.003, .region = RegionRule::kGreedy,
+      return {.rounds = 60, .least_gain = 2e-5, .trust = 0.1, .gravity = 0.003, .region = RegionRule::kGreedy,
               .solver = SolverChoice::kAutomatic};
     case Accuracy::kFine: break;
   }
@@ -45,7 +45,7 @@ Result<Compaction> compact(const Marker& start, const CompactionSettings& settin
   best.healing = *healing;
   best.reason = StopReason::kWorkLimit;
   const Goal goal = leftward_goal(scene, settings.gravity);
-  StepSettings step_settings{settings.least_gain, settings.trust, settings.region, settings.solver};
+  StepSettings step_settings{settings.trust, settings.region, settings.solver};
   while (best.rounds < settings.rounds) {
     const PositionStep step = position_step(scene, goal, step_settings, stop, observer);
     best.programs += step.programs;
@@ -59,6 +59,10 @@ Result<Compaction> compact(const Marker& start, const CompactionSettings& settin
     step_settings.trust = std::clamp(kTrustAhead * step.farthest, kLeastTrust * settings.trust, settings.trust);
     ++best.rounds;
     observer.on_round({best.rounds, scene.pieces.length()});
+    if (step.gain < settings.least_gain) {
+      best.reason = StopReason::kConverged;
+      break;
+    }
   }
   best.marker = scene.result();
   best.length_after = scene.pieces.length();

@@ -22,7 +22,7 @@ enum class Accuracy { kDraft, kStandard, kFine };
 
 struct CompactionSettings {
   int rounds{};            // at most this many
-  double least_gain{};     // stop when a round shortens the marker by less than this part of its width
+  double least_gain{};     // the last round is the one that gains less than this part of the width
   double trust{};          // neighbours are pairs within this part of the width; two of them move apart or together by
                            // at most twice that in the first round, in later rounds by less
   double gravity{};        // weight of the mean leftward motion beside the length
@@ -33,7 +33,7 @@ struct CompactionSettings {
 [[nodiscard]] CompactionSettings compaction_settings(Accuracy accuracy);
 
 enum class StopReason {
-  kConverged,     // another round would gain less than the least gain
+  kConverged,     // the last round gained less than the least gain, or nothing was left to gain
   kWorkLimit,     // the rounds are used up
   kCancelled,     // asked to stop
   kSolverFailed,  // no solver could solve a round's program; the best marker so far

@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kAttempts = 24;           // programs in one round, as rows enter when they are broken
 constexpr double kUnitsAcross = 1000;   // column units in a strip's width
+constexpr double kLeastGain = 1e-5;     // of the goal, in column units: less is not worth proving
 constexpr double kSpare = 1e-2;         // column units the length may grow by in a program, for rows' margins
 
 // The growing model of one round.
@@ -51,7 +52,7 @@ class Attempt {
       observer_.on_stage(Stage::kVerify);
       const auto moves = model_->displacements(solution.x);
       step.end = StepEnd::kNoGain;
-      if (-solution.objective < kUnitsAcross * settings_.least_gain) return step;
+      if (-solution.objective < kLeastGain) return step;
       if (add_broken_limits(moves, model_->length_change(solution.x))) continue;
       const auto conflict = try_moves(moves, step);
       if (conflict.empty()) return step;
@@ -138,6 +139,7 @@ class Attempt {
           step.end = StepEnd::kMoved;
           step.positions = moved.positions();
           step.farthest = farthest(scaled);
+          step.gain = gain(moved) / static_cast<double>(scene_.marker.strip.width);
         }
         return {};
       }

@@ -23,7 +23,6 @@ struct Goal {
 [[nodiscard]] Goal leftward_goal(const Scene& scene, double gravity);
 
 struct StepSettings {
-  double least_gain{};  // of the goal, as a part of the strip's width: less is no step
   double trust{};       // neighbours are pairs within this part of the width; two of them move apart or together by at most
                         // twice that
   RegionRule region{};
@@ -32,7 +31,7 @@ struct StepSettings {
 
 enum class StepEnd {
   kMoved,         // `positions` holds the step
-  kNoGain,        // nothing more to gain
+  kNoGain,        // nothing more to gain than rounding
   kStopped,       // asked to stop
   kSolverFailed,  // no solver could solve the program
 };
@@ -40,6 +39,7 @@ enum class StepEnd {
 struct PositionStep {
   StepEnd end{};
   std::vector<Vec> positions;  // one per piece: proved valid, the goal better served, the marker no longer
+  double gain{};               // of the goal, as a part of the strip's width
   int programs{};              // linear programs solved
   double farthest{};           // the most that two near pieces moved against each other on an axis, as a part of the width
 };
