@@ -16,7 +16,7 @@ sigset_t only_sigint() {
 
 // A signal handler may do next to nothing, so a thread waits for the signal instead, looking up now and then
 // for the end.
-void wait_for_sigint(const std::stop_token& end, std::stop_source requested) {
+void wait_for_sigint(const std::stop_token& end, std::stop_source& requested) {
   const sigset_t set = only_sigint();
   const timespec pause{0, 50'000'000};
   while (!end.stop_requested()) {
@@ -34,8 +34,8 @@ void wait_for_sigint(const std::stop_token& end, std::stop_source requested) {
 Interrupt::Interrupt() {
   const sigset_t set = only_sigint();
   pthread_sigmask(SIG_BLOCK, &set, nullptr);
-  waiter_ =
-      std::jthread{[requested = requested_](const std::stop_token& end) { wait_for_sigint(end, requested); }};
+  waiter_ = std::jthread{
+      [requested = requested_](const std::stop_token& end) mutable { wait_for_sigint(end, requested); }};
 }
 
 Interrupt::~Interrupt() {

@@ -1,6 +1,5 @@
 // selvage: compacts, checks, shows and converts markers from the command line.
-#include <exception>
-#include <iostream>
+#include <string>
 
 #include "clients/cli/commands.h"
 

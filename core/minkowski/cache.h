@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 #include "core/geometry/outline.h"
 #include "core/minkowski/sum.h"
@@ -26,6 +27,13 @@ class Obstacle {
   [[nodiscard]] const MinkowskiSum& sum() const { return *sum_; }
   [[nodiscard]] Vec to_frame(Vec r) const { return into_.apply(mirrored_ ? -r : r); }
   [[nodiscard]] Vec from_frame(Vec v) const { return mirrored_ ? -frame_.apply(v) : frame_.apply(v); }
+  // The same as to_frame, for a direction that need not be on the lattice.
+  [[nodiscard]] std::pair<double, double> direction_to_frame(double x, double y) const {
+    const Vec unit_x = to_frame({1, 0});
+    const Vec unit_y = to_frame({0, 1});
+    return {x * static_cast<double>(unit_x.x) + y * static_cast<double>(unit_y.x),
+            x * static_cast<double>(unit_x.y) + y * static_cast<double>(unit_y.y)};
+  }
   // True when the frame turns left into right.
   [[nodiscard]] bool flips() const { return frame_.flips(); }
 

@@ -10,6 +10,13 @@ namespace {
 
 double angle_of(double x, double y) { return x == 0 && y == 0 ? 0 : pseudo_angle(x, y); }
 
+// Both on one exact line, in one direction.
+bool run_along(const SumEdge& e, const SumEdge& f) {
+  const Vec along = e.line_to - e.line_from;
+  const Vec other = f.line_to - f.line_from;
+  return cross(along, other) == 0 && cross(along, f.line_from - e.line_from) == 0 && dot(along, other) > 0;
+}
+
 }  // namespace
 
 Ring::Ring(const StarSum& sum) : centre_{sum.centre} {
@@ -17,10 +24,10 @@ Ring::Ring(const StarSum& sum) : centre_{sum.centre} {
   for (const SumEdge& e : sum.edges) {
     const double x = static_cast<double>(e.from.x) - centre_.x;
     const double y = static_cast<double>(e.from.y) - centre_.y;
-    const auto dx = static_cast<double>(e.to.x - e.from.x);
-    const auto dy = static_cast<double>(e.to.y - e.from.y);
+    const auto dx = static_cast<double>(e.line_to.x - e.line_from.x);
+    const auto dy = static_cast<double>(e.line_to.y - e.line_from.y);
     const double length = std::hypot(dx, dy);
-    corners_.push_back({angle_of(x, y), x, y, dx / length, dy / length});
+    corners_.push_back({angle_of(x, y), x, y, dx / length, dy / length, &e});
   }
   const auto first = std::min_element(corners_.begin(), corners_.end(),
                                       [](const Corner& a, const Corner& b) { return a.angle < b.angle; });
@@ -39,10 +46,13 @@ bool Ring::holds(Real2 point, double margin) const {
   return depth(corners_[corner_before(angle_of(x, y))], x, y) > margin;
 }
 
-void Ring::append_inside(Real2 a, Real2 b, double margin, bool own_edges, Stretches& stretches) const {
-  Question question{a.x - centre_.x, a.y - centre_.y, b.x - centre_.x, b.y - centre_.y, margin, own_edges, false};
+void Ring::append_inside(const SumEdge& edge, double margin, bool own_edges, Stretches& stretches) const {
+  Question question{static_cast<double>(edge.from.x) - centre_.x, static_cast<double>(edge.from.y) - centre_.y,
+                    static_cast<double>(edge.to.x) - centre_.x,   static_cast<double>(edge.to.y) - centre_.y,
+                    &edge,                                        margin,
+                    own_edges,                                    false};
   const double turn = question.ax * question.by - question.ay * question.bx;
-  const double length = std::abs(b.x - a.x) + std::abs(b.y - a.y);
+  const double length = std::abs(question.bx - question.ax) + std::abs(question.by - question.ay);
   if (std::abs(turn) <= margin * length) {
     append_radial(question, stretches);
     return;
@@ -56,11 +66,12 @@ void Ring::append_inside(Real2 a, Real2 b, double margin, bool own_edges, Stretc
 }
 
 double Ring::margin_at(const Corner& corner, const Question& question) const {
+  constexpr double kRoundedEnds = 2;  // two ends on one line, each rounded, are nearer than this to each other's
   if (!question.own_edges || question.reversed) return question.margin;
   const double dx = question.bx - question.ax;
   const double dy = question.by - question.ay;
-  const bool parallel = std::abs(corner.dx * dy - corner.dy * dx) <= question.margin && corner.dx * dx + corner.dy * dy > 0;
-  return parallel ? -question.margin : question.margin;
+  const bool nearly_parallel = std::abs(corner.dx * dy - corner.dy * dx) <= kRoundedEnds;
+  return nearly_parallel && run_along(*corner.edge, *question.edge) ? -kRoundedEnds : question.margin;
 }
 
 // The segment turns counter-clockwise about the centre: walk the edges that face it one after another.

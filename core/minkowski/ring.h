@@ -13,20 +13,22 @@ using Stretches = std::vector<std::pair<double, double>>;
 // A star sum prepared for such questions: its vertices relative to the centre, sorted by angle.
 class Ring {
  public:
+  // `sum` must outlive it.
   explicit Ring(const StarSum& sum);
 
   // Inside by more than `margin` lattice units, measured from the edge that faces the point.
   [[nodiscard]] bool holds(Real2 point, double margin) const;
 
-  // The stretches [t0, t1] of the segment from a to b (t = 0 at a, 1 at b) that lie inside by more than `margin`;
-  // appended, not sorted.  With `own_edges`, stretches that run along one of the ring's own edges, in its direction and
-  // within `margin` of it, count as inside.
-  void append_inside(Real2 a, Real2 b, double margin, bool own_edges, Stretches& stretches) const;
+  // The stretches [t0, t1] of another ring's edge (t = 0 where it begins, 1 where it ends) that lie inside by more than
+  // `margin`; appended, not sorted.  With `own_edges`, stretches that run along one of the ring's own edges, on the same
+  // exact line and in its direction, count as inside.
+  void append_inside(const SumEdge& edge, double margin, bool own_edges, Stretches& stretches) const;
 
  private:
   struct Corner {
     double angle{}, x{}, y{};  // where an edge begins, relative to the centre
-    double dx{}, dy{};         // the edge's unit direction
+    double dx{}, dy{};         // the edge's unit direction, that of its exact line
+    const SumEdge* edge{};
   };
   [[nodiscard]] std::size_t corner_before(double angle) const;
   [[nodiscard]] double depth(const Corner& corner, double x, double y) const {
@@ -35,6 +37,7 @@ class Ring {
   // A segment in the ring's frame, with what append_inside was asked.
   struct Question {
     double ax{}, ay{}, bx{}, by{};
+    const SumEdge* edge{};
     double margin{};
     bool own_edges{};
     bool reversed{};  // a and b were exchanged

@@ -61,11 +61,11 @@ class Visibility {
     const double least = 2 * kHidden / std::hypot(b.x - a.x, b.y - a.y);  // shorter stretches are rounding
     shown_ = {{0.0, 1.0}};
     // What hid the last edge hides this one, its neighbour, as a rule.
-    if (last_hider_ != own) hide_behind(last_hider_, own, a, b, box, least);
+    if (last_hider_ != own) hide_behind(last_hider_, own, edge, box, least);
     for (const std::size_t r : order_) {
       if (shown_.empty()) return;
       if (r == own || !boxes_[r].touches(box)) continue;
-      hide_behind(r, own, a, b, box, least);
+      hide_behind(r, own, edge, box, least);
       if (shown_.empty()) last_hider_ = r;
     }
     for (const auto& [from, to] : shown_) {
@@ -79,12 +79,12 @@ class Visibility {
     }
   }
 
-  // Takes what ring r hides of the segment from a to b out of shown_.  Of several edges along one line, the first ring's
+  // Takes what ring r hides of the edge out of shown_.  Of several edges along one line, the first ring's
   // shows.
-  void hide_behind(std::size_t r, std::size_t own, Real2 a, Real2 b, const Box& box, double least) {
+  void hide_behind(std::size_t r, std::size_t own, const SumEdge& edge, const Box& box, double least) {
     if (!boxes_[r].touches(box)) return;
     hidden_.clear();
-    rings_[r].append_inside(a, b, kHidden, r < own, hidden_);
+    rings_[r].append_inside(edge, kHidden, r < own, hidden_);
     for (const auto& [from, to] : hidden_) {
       rest_.clear();
       for (const auto& [low, high] : shown_) {

@@ -85,35 +85,52 @@ class Cell {
   std::vector<Side> sides_;
 };
 
-// Nearest facing edge first.  Of edges equally near (they share a vertex), the one whose line is farther: it takes less
-// away on the other side.
-std::vector<HalfPlane> greedy_region(const MinkowskiSum& sum, Vec r, const RegionSettings& settings) {
-  Cell cell{r};
-  NearestEdges edges{sum, r, settings.reach};
-  const auto skip = [&](const Box& box) { return cell.excludes(box); };
-  auto next = edges.next(skip);
-  while (next) {
-    const double bound = next->squared_distance * (1 + 1e-9) + 1;
-    const SumEdge* best = nullptr;
-    double best_slack = 0;
-    std::vector<const SumEdge*> tied;
-    for (; next && next->squared_distance <= bound; next = edges.next(skip)) {
-      if (slack_of(side_along(*next->edge), r) >= -kFacing) tied.push_back(next->edge);
-    }
-    while (!tied.empty()) {
-      std::erase_if(tied, [&](const SumEdge* e) { return e == best || cell.excludes(*e); });
-      best = nullptr;
-      for (const SumEdge* e : tied) {
-        const double slack = slack_of(side_along(*e), r);
-        if (best && slack <= best_slack) continue;
-        best = e;
-        best_slack = slack;
+// Nearest facing edge first.  Edges equally near share a corner: either line would do [Li94 4.1.2].  The one whose line is
+// farther takes less away on the other side; for a piece on its way somewhere, the one that is less in its way is better.
+class GreedyRegion {
+ public:
+  GreedyRegion(const MinkowskiSum& sum, Vec r, const RegionSettings& settings)
+      : r_{r}, settings_{settings}, cell_{r}, edges_{sum, r, settings.reach} {}
+
+  std::vector<HalfPlane> run() {
+    const auto skip = [&](const Box& box) { return cell_.excludes(box); };
+    auto next = edges_.next(skip);
+    while (next) {
+      const double equally_near = std::sqrt(next->squared_distance) + kRounding;
+      tied_.clear();
+      for (; next && next->squared_distance <= equally_near * equally_near; next = edges_.next(skip)) {
+        if (slack_of(side_along(*next->edge), r_) >= -kFacing) tied_.push_back(next->edge);
       }
-      if (best) cell.cut(cut_before(*best, r, settings.spacing));
+      cut_tied();
+    }
+    return std::move(cell_).planes();
+  }
+
+ private:
+  void cut_tied() {
+    for (;;) {
+      std::erase_if(tied_, [&](const SumEdge* e) { return cell_.excludes(*e); });
+      if (tied_.empty()) return;
+      const auto best = std::max_element(tied_.begin(), tied_.end(), [&](const SumEdge* a, const SumEdge* b) {
+        return merit(*a) < merit(*b);
+      });
+      cell_.cut(cut_before(**best, r_, settings_.spacing));
+      tied_.erase(best);
     }
   }
-  return std::move(cell).planes();
-}
+  [[nodiscard]] double merit(const SumEdge& edge) const {
+    const HalfPlane line = side_along(edge);
+    if (settings_.towards_x == 0 && settings_.towards_y == 0) return slack_of(line, r_);
+    const Side side = side_of_plane(line, r_);
+    return side.nx * settings_.towards_x + side.ny * settings_.towards_y;
+  }
+
+  Vec r_;
+  const RegionSettings& settings_;
+  Cell cell_;
+  NearestEdges edges_;
+  std::vector<const SumEdge*> tied_;
+};
 
 // The thesis' walk about one star sum.
 class Walk {
@@ -205,8 +222,16 @@ double slack_of(const HalfPlane& side, Vec r) {
 
 std::vector<HalfPlane> free_region(const Obstacle& obstacle, Vec r, const RegionSettings& settings) {
   const Vec at = obstacle.to_frame(r);
-  const bool walk = settings.rule == RegionRule::kWalk && settings.spacing == 0;
-  auto planes = walk ? walk_region(obstacle.sum(), at) : greedy_region(obstacle.sum(), at, settings);
+  std::vector<HalfPlane> planes;
+  if (settings.rule == RegionRule::kWalk && settings.spacing == 0) {
+    planes = walk_region(obstacle.sum(), at);
+  } else {
+    RegionSettings in_frame = settings;
+    const auto [x, y] = obstacle.direction_to_frame(settings.towards_x, settings.towards_y);
+    in_frame.towards_x = x;
+    in_frame.towards_y = y;
+    planes = GreedyRegion{obstacle.sum(), at, in_frame}.run();
+  }
   for (HalfPlane& plane : planes) {
     plane.anchor = obstacle.from_frame(plane.anchor);
     plane.direction = obstacle.from_frame(plane.direction);

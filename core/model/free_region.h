@@ -26,6 +26,8 @@ struct RegionSettings {
   RegionRule rule{};
   double reach{};   // lattice units; edges farther than this from the position are not looked at
   Coord spacing{};  // the half-planes will be moved outwards by this: choose them so that the position still fits
+  double towards_x{}, towards_y{};  // of edges equally near (a corner), prefer the one that this direction runs into least;
+                                    // (0, 0): the one whose line is farthest
 };
 
 // A free region about the relative position `r` = q - p, as the half-planes that bound it within reach.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <numeric>
@@ -30,7 +31,7 @@ constexpr std::array<Colour, 12> kPalette{{{142, 172, 201},
 
 std::string text_of(Colour c, double shade) {
   const auto part = [&](int value) {
-    return static_cast<unsigned>(static_cast<double>(value) * shade + 0.5) & 0xffU;
+    return static_cast<unsigned>(std::lround(static_cast<double>(value) * shade)) & 0xffU;
   };
   std::array<char, 8> text{};
   std::snprintf(text.data(), text.size(), "#%02x%02x%02x", part(c.red), part(c.green), part(c.blue));
@@ -65,12 +66,13 @@ Families families_of(const Marker& marker) {
   return families;
 }
 
-using Weights = std::vector<std::vector<int>>;  // [family][family]: pairs of pieces side by side
+using Weights = std::vector<std::map<std::size_t, int>>;  // per family, others: pairs of pieces side by side
 
 Weights neighbourhood(const Marker& marker, const std::vector<Polygon>& placed, const Families& families) {
-  Weights weights(families.count, std::vector<int>(families.count));
+  Weights weights(families.count);
   const Coord reach = marker.strip.width / 100;
   std::vector<Box> boxes;
+  boxes.reserve(placed.size());
   for (const Polygon& outline : placed) boxes.push_back(box_of(outline).grown(reach));
   std::vector<std::size_t> order(boxes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -95,7 +97,9 @@ std::vector<std::size_t> choose_colours(const Weights& weights) {
   std::array<int, kPalette.size()> used{};
   for (std::size_t family = 0; family < weights.size(); ++family) {
     std::array<int, kPalette.size()> clash{};
-    for (std::size_t other = 0; other < family; ++other) clash[chosen[other]] += weights[family][other];
+    for (const auto& [other, pairs] : weights[family]) {
+      if (other < family) clash[chosen[other]] += pairs;
+    }
     std::size_t best = 0;
     for (std::size_t colour = 1; colour < kPalette.size(); ++colour) {
       if (std::pair{clash[colour], used[colour]} < std::pair{clash[best], used[best]}) best = colour;

@@ -184,6 +184,15 @@ double round_step(double unit_per_pixel, double pixels_apart) {
   return 10 * power;
 }
 
+// A multiple of a round step, without the noise of the multiplication.
+std::string tick_text(double value) {
+  std::array<char, 32> buffer{};
+  constexpr int kDigits = 9;
+  const auto result =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, kDigits);
+  return {buffer.data(), result.ptr};
+}
+
 std::string ruler(const Marker& marker, const View& view) {
   constexpr double kApart = 75;
   constexpr int kParts = 5;
@@ -196,7 +205,7 @@ std::string ruler(const Marker& marker, const View& view) {
     const double at = step * i / kParts;
     const bool major = i % kParts == 0;
     out += line(view.x(at / unit), y, view.x(at / unit), y + (major ? 8 : 4), major ? "tick" : "minor");
-    if (major) out += text_at(view.x(at / unit), y + 21, "number", number_text(step * (i / kParts)));
+    if (major) out += text_at(view.x(at / unit), y + 21, "number", tick_text(at));
   }
   return out + text_at(view.x(view.end()) + 26, y + 21, "number", marker.unit);
 }
