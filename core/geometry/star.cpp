@@ -183,7 +183,11 @@ class Growth {
     for (const std::size_t t : members) part.origin.insert(part.origin.end(), triangles_[t].begin(), triangles_[t].end());
     std::sort(part.origin.begin(), part.origin.end());
     part.origin.erase(std::unique(part.origin.begin(), part.origin.end()), part.origin.end());
-    for (const std::uint32_t i : part.origin) part.vertices.push_back(polygon_[i]);
+    const std::size_t n = polygon_.size();
+    for (const std::uint32_t i : part.origin) {
+      part.vertices.push_back(polygon_[i]);
+      part.turns.push_back({polygon_[i] - polygon_[i == 0 ? n - 1 : i - 1], polygon_[i + 1 == n ? 0 : i + 1] - polygon_[i]});
+    }
     return part;
   }
 
@@ -206,8 +210,13 @@ std::optional<Real2> kernel_point(const Polygon& polygon) {
 }
 
 StarPart transformed(const StarPart& part, Symmetry symmetry) {
-  StarPart image{transformed(part.vertices, symmetry), {}, part.origin};
-  if (symmetry.flips()) std::reverse(image.origin.begin() + 1, image.origin.end());
+  StarPart image{transformed(part.vertices, symmetry), {}, part.origin, part.turns};
+  for (Turn& turn : image.turns) turn = {symmetry.apply(turn.in), symmetry.apply(turn.out)};
+  if (symmetry.flips()) {
+    std::reverse(image.origin.begin() + 1, image.origin.end());
+    for (Turn& turn : image.turns) turn = {-turn.out, -turn.in};
+    if (!image.turns.empty()) std::reverse(image.turns.begin() + 1, image.turns.end());
+  }
   double x = part.kernel.x;
   double y = symmetry.flips() ? -part.kernel.y : part.kernel.y;
   for (int k = 0; k < symmetry.quarter_turns(); ++k) {

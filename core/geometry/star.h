@@ -20,13 +20,18 @@ struct Real2 {
 inline constexpr double kKernelDepth = 1.0 / 64;  // lattice units
 [[nodiscard]] std::optional<Real2> kernel_point(const Polygon& polygon);
 
+// A polygon's edges into and out of one of its vertices.
+struct Turn {
+  Vec in, out;
+};
 // One star-shaped part of a polygon.
 struct StarPart {
   Polygon vertices;
   Real2 kernel;
   std::vector<std::uint32_t> origin;  // each vertex's index in the whole polygon
+  std::vector<Turn> turns{};          // the whole polygon's at each vertex; empty when the part is the whole
 };
-// The image under a symmetry; `origin` goes with its vertices.
+// The image under a symmetry; `origin` and `turns` go with its vertices.
 [[nodiscard]] StarPart transformed(const StarPart& part, Symmetry symmetry);
 
 // Parts whose union is the polygon and whose interiors are disjoint: one for a star-shaped polygon, else triangles of a

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/minkowski/reduced_convolution.h"
+
 namespace selvage {
 namespace {
 
@@ -37,11 +39,13 @@ StarSum convex_sum(const StarPart& first, const StarPart& second) {
     const Vec along_q = q[after(j, q)] - q[j];
     const Vec from = p[i] + q[j];
     if (left_q == 0 || (left_p > 0 && no_later(along_p, along_q))) {
-      sum.edges.push_back({from, from + along_p, from, from + along_p, {second.origin[j], first.origin[i], false}});
+      sum.edges.push_back({from, from + along_p, from, from + along_p, {second.origin[j], first.origin[i], false},
+                           inside_whole(second, j, first, i, along_p)});
       i = after(i, p);
       --left_p;
     } else {
-      sum.edges.push_back({from, from + along_q, from, from + along_q, {first.origin[i], second.origin[j], true}});
+      sum.edges.push_back({from, from + along_q, from, from + along_q, {first.origin[i], second.origin[j], true},
+                           inside_whole(first, i, second, j, along_q)});
       j = after(j, q);
       --left_q;
     }

@@ -94,6 +94,13 @@ void link(std::vector<Candidate>& candidates, std::size_t first_size, std::size_
 
 }  // namespace
 
+bool inside_whole(const StarPart& of_vertex, std::size_t vertex, const StarPart& of_edge, std::size_t edge, Vec along) {
+  if (!of_edge.turns.empty() && of_edge.turns[edge].out != along) return true;
+  if (of_vertex.turns.empty()) return false;
+  const auto& [in, out] = of_vertex.turns[vertex];
+  return cross(in, out) <= 0 || cross(in, along) < 0 || cross(along, out) < 0;
+}
+
 std::vector<Candidate> reduced_convolution(const StarPart& first, const StarPart& second) {
   const Polygon& p = first.vertices;
   const Polygon& q = second.vertices;

@@ -23,4 +23,9 @@ struct Candidate {
 // All candidates that turn counter-clockwise about first.kernel + second.kernel.
 [[nodiscard]] std::vector<Candidate> reduced_convolution(const StarPart& first, const StarPart& second);
 
+// True when a vertex of one part plus an edge of the other, which leaves its vertex `edge` along `along`, lies inside the
+// sum of the whole polygons: the edge is a cut, or its direction is not in the whole polygon's turn at the vertex.
+[[nodiscard]] bool inside_whole(const StarPart& of_vertex, std::size_t vertex, const StarPart& of_edge, std::size_t edge,
+                                Vec along);
+
 }  // namespace selvage

@@ -32,7 +32,7 @@ StarSum star_sum(const StarPart& first, const StarPart& second) {
       if (same_but_for_rounding(last, from)) {
         from = last;
       } else {
-        sum.edges.push_back({last, from, last, from, sum.edges.back().source});
+        sum.edges.push_back({last, from, last, from, sum.edges.back().source, false});
       }
     }
     if (from == to) continue;
@@ -43,7 +43,9 @@ StarSum star_sum(const StarPart& first, const StarPart& second) {
       sum.edges.back().to = to;
       continue;
     }
-    sum.edges.push_back({from, to, c.from, c.to, source});
+    const bool inner = c.edge_of_first ? inside_whole(second, c.second_vertex, first, c.first_vertex, c.to - c.from)
+                                       : inside_whole(first, c.first_vertex, second, c.second_vertex, c.to - c.from);
+    sum.edges.push_back({from, to, c.from, c.to, source, inner});
   }
   if (!sum.edges.empty() && sum.edges.back().to != sum.edges.front().from) {
     const Vec last = sum.edges.back().to;
@@ -51,7 +53,7 @@ StarSum star_sum(const StarPart& first, const StarPart& second) {
     if (same_but_for_rounding(last, first_from)) {
       sum.edges.back().to = first_from;
     } else {
-      sum.edges.push_back({last, first_from, last, first_from, sum.edges.back().source});
+      sum.edges.push_back({last, first_from, last, first_from, sum.edges.back().source, false});
     }
   }
   // The envelope begins on the x axis, as a rule in the middle of an edge: make that edge whole.

@@ -26,6 +26,7 @@ struct SumEdge {
   Vec from, to;              // its ends, rounded to the lattice
   Vec line_from, line_to;    // two lattice points of its exact line: the whole candidate edge
   EdgeSource source;
+  bool inner{};              // known to lie inside the sum of the whole polygons: made by a cut or by no turn of theirs
 };
 
 // The sum of two star-shaped parts: edges in counter-clockwise order about the centre, each beginning where the one before

@@ -47,7 +47,9 @@ class Visibility {
   std::vector<SumEdge> visible_edges() {
     std::vector<SumEdge> visible;
     for (std::size_t r = 0; r < sums_.size(); ++r) {
-      for (const SumEdge& e : sums_[r].edges) append_visible(r, e, visible);
+      for (const SumEdge& e : sums_[r].edges) {
+        if (!e.inner) append_visible(r, e, visible);
+      }
     }
     return visible;
   }

@@ -26,7 +26,7 @@ Marker random_marker() {
     shape.outline = clean->polygon;
   }
   for (Piece& piece : marker.pieces) piece.at = {scaled(piece.at.x + 40), scaled(piece.at.y + 40)};
-  marker.strip.width = scaled(marker.strip.width + 20'100);
+  marker.strip.width = scaled(marker.strip.width + 100);
   RC_PRE(is_valid(marker));
   return marker;
 }

@@ -70,13 +70,14 @@ inline Polygon spiky(std::mt19937& random, int spikes, Coord radius) {
 // Pieces in rows and columns with room between them: valid, and loose.
 inline Marker loose_marker(std::uint32_t seed, int columns = 6, int rows = 3, Coord radius = 100'000) {
   std::mt19937 random{seed};
-  Layout layout{2 * radius * rows + radius / 2};
+  const Coord pitch = 2 * radius + 20'000;  // rows never meet, whatever the jitter
+  Layout layout{pitch * rows};
   std::vector<std::uint32_t> shapes;
   for (int k = 0; k < 4; ++k) shapes.push_back(layout.shape_of(spiky(random, 5 + static_cast<int>(random() % 20), radius)));
   for (int c = 0; c < columns; ++c) {
     for (int r = 0; r < rows; ++r) {
       const Coord jitter = static_cast<Coord>(random() % 20'000);
-      layout.put(shapes[random() % shapes.size()], {radius + c * (2 * radius + 30'000) + jitter, radius + 2 * radius * r + jitter},
+      layout.put(shapes[random() % shapes.size()], {radius + c * (2 * radius + 30'000) + jitter, radius + pitch * r + jitter},
                  90.0 * static_cast<double>(random() % 4));
     }
   }

@@ -1,0 +1,197 @@
+#include "core/motion/bump.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "core/minkowski/inner_fit.h"
+#include "core/model/free_region.h"
+#include "core/motion/slide.h"
+
+namespace selvage {
+namespace {
+
+constexpr int kSteps = 400;          // cells that one bump may pass through
+constexpr double kFirstReach = 0.02;  // of the strip's width: how far the first cell looks
+constexpr std::size_t kWays = 40;     // ways round corners that are tried before a bump ends
+constexpr double kContact = 4;        // lattice units: sides nearer than this are touched
+constexpr double kLeastGain = 2;     // lattice units; less is rounding
+
+// Directions slanting off the wanted one, as (cosine, sine) of 25, 50, 75 and 89 degrees to either side.
+constexpr std::array<std::pair<double, double>, 8> kSlants{{{0.906, 0.423}, {0.906, -0.423}, {0.643, 0.766}, {0.643, -0.766},
+                                                             {0.259, 0.966}, {0.259, -0.966}, {0.017, 1.0}, {0.017, -1.0}}};
+
+// One side of the cell, and whose it is.
+struct Bound {
+  HalfPlane side;               // of the relative position; unused for the strip's edges
+  std::uint32_t piece{};        // kEdge for the strip's edges and the cell's reach
+};
+constexpr std::uint32_t kEdge = UINT32_MAX;
+
+class Bumper {
+ public:
+  Bumper(const Scene& scene, std::uint32_t piece, double ux, double uy)
+      : scene_{scene},
+        piece_{piece},
+        ux_{ux},
+        uy_{uy},
+        spacing_{scene.marker.spacing},
+        fit_{inner_fit(scene.pieces[piece].box, end_of(scene), scene.marker.strip.width)},
+        at_{scene.pieces.at(piece)},
+        reach_{kFirstReach * static_cast<double>(scene.marker.strip.width)} {}
+
+  Bump run() {
+    for (int step = 0; step < kSteps; ++step) {
+      if (advance(ux_, uy_) || advance_round_corners()) continue;
+      break;
+    }
+    return {at_, gain(at_ - scene_.pieces.at(piece_)), touching()};
+  }
+
+ private:
+  static Coord end_of(const Scene& scene) {
+    return scene.marker.strip.longest ? *scene.marker.strip.longest : scene.pieces.length();
+  }
+  [[nodiscard]] double gain(Vec by) const { return ux_ * static_cast<double>(by.x) + uy_ * static_cast<double>(by.y); }
+
+  // At a corner either side of a neighbour may be taken; the cell took the ones least in the direct way.  A way out, if there
+  // is one, borders on a way along some contact: try the cells that leave those ways open, and some slanting ways to see
+  // the contacts behind corners.
+  bool advance_round_corners() {
+    std::vector<std::pair<double, double>> ways;
+    for (const auto& [c, s] : kSlants) ways.emplace_back(c * ux_ - s * uy_, s * ux_ + c * uy_);
+    for (std::size_t k = 0; k < ways.size() && k < kWays; ++k) {
+      if (advance(ways[k].first, ways[k].second)) return true;
+      for (const CellSide& side : cell_) {
+        if (side.slack > kContact) continue;
+        const double ahead = -side.ny * ux_ + side.nx * uy_;
+        const std::pair along{ahead > 0 ? -side.ny : side.ny, ahead > 0 ? side.nx : -side.nx};
+        const bool known = std::any_of(ways.begin(), ways.end(), [&](const auto& way) {
+          return std::abs(way.first * along.second - way.second * along.first) < 1e-9;
+        });
+        if (!known && ahead != 0) ways.push_back(along);
+      }
+    }
+    return false;
+  }
+
+  // Builds the cell about the present position, slides in it and takes what is proved.  False when that gains nothing.
+  bool advance(double towards_x, double towards_y) {
+    build_cell(towards_x, towards_y);
+    last_ = slide(cell_, ux_, uy_);
+    if (ux_ * last_.to.x + uy_ * last_.to.y < kLeastGain) return false;
+    for (double part = 1; part > 1e-3; part /= 4) {
+      const auto target = lattice_point(last_.to.x * part, last_.to.y * part);
+      if (!target || gain(*target - at_) < kLeastGain || !valid(*target)) continue;
+      const bool reached_limit = std::any_of(last_.blocking.begin(), last_.blocking.end(),
+                                             [&](std::size_t k) { return k >= cell_.size() - 4; });
+      if (reached_limit) reach_ *= 4;  // nothing else was in the way: look farther next time
+      at_ = *target;
+      return true;
+    }
+    return false;
+  }
+
+  void build_cell(double towards_x, double towards_y) {
+    cell_.clear();
+    bounds_.clear();
+    const Box own = scene_.pieces[piece_].box.moved(at_).grown(std::llround(reach_) + spacing_);
+    for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
+      if (other == piece_ || !own.overlaps(scene_.pieces.box(other))) continue;
+      const Vec r = at_ - scene_.pieces.at(other);
+      const Obstacle obstacle = scene_.sums.obstacle(scene_.outlines[other], scene_.outlines[piece_]);
+      const RegionSettings region{RegionRule::kGreedy, 1.5 * reach_ + static_cast<double>(spacing_), spacing_, towards_x,
+                                  towards_y};
+      for (const HalfPlane& side : free_region(obstacle, r, region)) {
+        const PairRow row = row_of({0, 1}, side, r, spacing_, 0, TightRows::kKeep);
+        const double slack = std::max(0.0, slack_of(side, r) - static_cast<double>(spacing_));
+        cell_.push_back({row.nx, row.ny, slack});
+        bounds_.push_back({side, other});
+      }
+    }
+    const auto room = [](Coord from, Coord to) { return static_cast<double>(std::max(Coord{0}, to - from)); };
+    add_edge(1, 0, room(fit_.low.x, at_.x));
+    add_edge(-1, 0, room(at_.x, fit_.high.x));
+    add_edge(0, 1, room(fit_.low.y, at_.y));
+    add_edge(0, -1, room(at_.y, fit_.high.y));
+    for (const auto& [nx, ny] : {std::pair{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}) add_edge(nx, ny, reach_);
+  }
+  void add_edge(double nx, double ny, double slack) {
+    cell_.push_back({nx, ny, slack});
+    bounds_.push_back({{}, kEdge});
+  }
+
+  // The best lattice position near the cell's point that every half-plane admits exactly.
+  [[nodiscard]] std::optional<Vec> lattice_point(double x, double y) const {
+    const Vec base{at_.x + static_cast<Coord>(std::floor(x)), at_.y + static_cast<Coord>(std::floor(y))};
+    // Away from what blocks, farther and farther: a narrow corner may hold no lattice point.
+    double back_x = -ux_;
+    double back_y = -uy_;
+    for (const std::size_t k : last_.blocking) {
+      back_x += cell_[k].nx;
+      back_y += cell_[k].ny;
+    }
+    for (const double back : {0.0, 1.0, 2.0, 4.0, 8.0, 16.0, 64.0, 256.0}) {
+      std::optional<Vec> best;
+      for (const auto& [i, j] : {std::pair<Coord, Coord>{0, 0}, {1, 0}, {0, 1}, {1, 1}}) {
+        const Vec candidate{base.x + i + std::llround(back * back_x), base.y + j + std::llround(back * back_y)};
+        if (admitted(candidate) && (!best || gain(candidate - *best) > 0)) best = candidate;
+      }
+      if (best) return best;
+    }
+    return std::nullopt;
+  }
+  [[nodiscard]] bool admitted(Vec candidate) const {
+    if (candidate.x < fit_.low.x || candidate.x > fit_.high.x || candidate.y < fit_.low.y || candidate.y > fit_.high.y) {
+      return false;
+    }
+    return std::all_of(bounds_.begin(), bounds_.end(), [&](const Bound& bound) {
+      if (bound.piece == kEdge || spacing_ > 0) return true;  // with a spacing the proof decides
+      return cross(bound.side.direction, candidate - scene_.pieces.at(bound.piece) - bound.side.anchor) <= 0;
+    });
+  }
+  // The proof: against every piece, in integers.
+  [[nodiscard]] bool valid(Vec candidate) const {
+    PlacedPolygon moved = scene_.pieces[piece_];
+    moved.at = candidate;
+    const Box box = moved.placed_box().grown(spacing_);
+    for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
+      if (other == piece_ || !box.overlaps(scene_.pieces.box(other))) continue;
+      const PlacedPolygon still = scene_.pieces[other];
+      if (spacing_ > 0 ? closer_than(moved, still, spacing_) : overlap(moved, still)) return false;
+    }
+    return true;
+  }
+
+  [[nodiscard]] std::vector<std::uint32_t> touching() const {
+    std::vector<std::uint32_t> pieces;
+    for (const std::size_t k : last_.blocking) {
+      if (bounds_[k].piece != kEdge) pieces.push_back(bounds_[k].piece);
+    }
+    std::sort(pieces.begin(), pieces.end());
+    pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
+    return pieces;
+  }
+
+  const Scene& scene_;
+  std::uint32_t piece_;
+  double ux_, uy_;
+  Coord spacing_;
+  Box fit_;  // positions within the strip
+  Vec at_;
+  double reach_;
+  std::vector<CellSide> cell_;
+  std::vector<Bound> bounds_;
+  Slide last_;
+};
+
+}  // namespace
+
+Bump bump(const Scene& scene, std::uint32_t piece, double dx, double dy) {
+  const double length = std::hypot(dx, dy);
+  if (scene.fixed(piece) || !(length > 0)) return {scene.pieces.at(piece), 0, {}};
+  return Bumper{scene, piece, dx / length, dy / length}.run();
+}
+
+}  // namespace selvage

@@ -1,0 +1,114 @@
+#include "core/motion/bump.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/marker/validity.h"
+#include "tests/core/motion/markers.h"
+
+namespace selvage {
+namespace {
+
+using test::Layout;
+
+Bump bumped(const Marker& marker, std::uint32_t piece, double dx, double dy) {
+  SumCache sums;
+  Scene scene{marker, sums};
+  const Bump result = bump(scene, piece, dx, dy);
+  Marker moved = marker;
+  moved.pieces[piece].at = result.at;
+  EXPECT_TRUE(is_valid(moved));
+  EXPECT_GE(result.gain, 0);
+  return result;
+}
+
+TEST(Bump, GoesStraightToTheEdge) {
+  Layout layout{1000};
+  layout.put(layout.shape_of(test::rectangle(300, 200)), {5000, 400});
+  EXPECT_EQ(bumped(layout.marker(), 0, -1, 0).at, (Vec{0, 400}));
+  EXPECT_EQ(bumped(layout.marker(), 0, 0, 5).at, (Vec{5000, 800}));
+  EXPECT_EQ(bumped(layout.marker(), 0, 1, 0).at, (Vec{5000, 400}));  // it is the marker's end
+  EXPECT_EQ(bumped(layout.marker(), 0, 0, 0).at, (Vec{5000, 400}));
+  EXPECT_EQ(bumped(layout.marker(), 0, -1, -1).at, (Vec{0, 0}));
+}
+
+TEST(Bump, SlidesAlongWhatItMeets) {  // down a ramp and on along the floor
+  Layout layout{1000};
+  const auto ramp = layout.shape_of({{0, 0}, {600, 0}, {0, 600}});
+  const auto square = layout.shape_of(test::rectangle(100, 100));
+  layout.put(ramp, {0, 0}).put(square, {300, 800}).put(square, {1900, 0});
+  const Bump down = bumped(layout.marker(), 1, 0, -1);
+  EXPECT_EQ(down.at, (Vec{600, 0}));
+  EXPECT_TRUE(down.touching.empty());  // the floor holds it, not the ramp
+  EXPECT_EQ(bumped(layout.marker(), 1, -1, 0).touching, (std::vector<std::uint32_t>{}));
+  EXPECT_EQ(bumped(layout.marker(), 2, -1, 0).touching, (std::vector<std::uint32_t>{0}));
+}
+
+TEST(Bump, GoesRoundACornerThatOnlyTouches) {  // the corner blocks neither way: it must not stop there
+  Layout layout{1000};
+  const auto square = layout.shape_of(test::rectangle(100, 100));
+  layout.put(square, {500, 500}).put(square, {600, 600});  // corner to corner
+  EXPECT_EQ(bumped(layout.marker(), 1, -1, 0).at, (Vec{0, 600}));
+  EXPECT_EQ(bumped(layout.marker(), 1, 0, -1).at, (Vec{600, 0}));
+}
+
+TEST(Bump, LeavesLockedPieces) {
+  Layout layout{1000};
+  layout.put(layout.shape_of(test::rectangle(300, 200)), {5000, 400}, 0, true);
+  EXPECT_EQ(bumped(layout.marker(), 0, -1, 0).at, (Vec{5000, 400}));
+}
+
+TEST(Bump, KeepsTheSpacing) {
+  Layout layout{1000};
+  const auto square = layout.shape_of(test::rectangle(100, 100));
+  layout.put(square, {0, 0}).put(square, {700, 50}).spaced(7);
+  EXPECT_EQ(bumped(layout.marker(), 1, -1, 0).at.x, 107);
+}
+
+// The best point that small steps from `at` can reach, by trying them all: what a local optimum must not fall short of.
+double best_small_gain(const Marker& marker, std::uint32_t piece, double ux, double uy, Coord step) {
+  double best = 0;
+  for (int k = 0; k < 64; ++k) {
+    const double angle = 2 * std::numbers::pi * k / 64;
+    const Vec by{std::llround(static_cast<double>(step) * std::cos(angle)), std::llround(static_cast<double>(step) * std::sin(angle))};
+    Marker moved = marker;
+    moved.pieces[piece].at = marker.pieces[piece].at + by;
+    const Box box = box_of(placed_outline(moved, PieceId{piece}));
+    if (box.high.x > length_of(marker)) continue;
+    if (is_valid(moved)) best = std::max(best, ux * static_cast<double>(by.x) + uy * static_cast<double>(by.y));
+  }
+  return best;
+}
+
+RC_GTEST_PROP(BumpLaws, EndsAtALocalOptimum, ()) {
+  Marker marker = test::loose_marker(*rc::gen::arbitrary<std::uint32_t>(), 4, 3);
+  const auto piece = *rc::gen::inRange<std::uint32_t>(0, 12);
+  const double angle = *rc::gen::element(0.0, 0.5, 1.0, 0.3, 1.7, 1.25) * std::numbers::pi;
+  const Bump result = bumped(marker, piece, std::cos(angle), std::sin(angle));
+  marker.pieces[piece].at = result.at;
+  // A way on would gain a good part of each step; a few units are rounding.
+  RC_ASSERT(best_small_gain(marker, piece, std::cos(angle), std::sin(angle), 16) <= 8.0);
+}
+
+RC_GTEST_PROP(BumpLaws, AMirroredBumpIsTheMirroredAnswer, ()) {
+  const Marker marker = test::loose_marker(*rc::gen::arbitrary<std::uint32_t>(), 4, 3);
+  const auto piece = *rc::gen::inRange<std::uint32_t>(0, 12);
+  const double angle = *rc::gen::element(0.0, 0.5, 1.0, 0.3, 1.7, 1.25) * std::numbers::pi;
+  Marker mirrored = marker;
+  for (Shape& shape : mirrored.shapes) shape.may_flip = true;
+  for (Piece& each : mirrored.pieces) {  // across the strip's middle line
+    each.orientation.flip = true;
+    each.orientation.rotation.degrees = -each.orientation.rotation.degrees;
+    each.at.y = marker.strip.width - each.at.y;
+  }
+  RC_PRE(is_valid(mirrored));
+  const Bump straight = bumped(marker, piece, std::cos(angle), std::sin(angle));
+  const Bump reflected = bumped(mirrored, piece, std::cos(angle), -std::sin(angle));
+  RC_ASSERT(std::abs(straight.gain - reflected.gain) <= 30.0);
+}
+
+}  // namespace
+}  // namespace selvage
