@@ -67,11 +67,12 @@ void Ring::append_inside(const SumEdge& edge, double margin, bool own_edges, Str
 
 double Ring::margin_at(const Corner& corner, const Question& question) const {
   constexpr double kRoundedEnds = 2;  // two ends on one line, each rounded, are nearer than this to each other's
-  if (!question.own_edges || question.reversed) return question.margin;
+  if (question.reversed) return question.margin;
   const double dx = question.bx - question.ax;
   const double dy = question.by - question.ay;
   const bool nearly_parallel = std::abs(corner.dx * dy - corner.dy * dx) <= kRoundedEnds;
-  return nearly_parallel && run_along(*corner.edge, *question.edge) ? -kRoundedEnds : question.margin;
+  if (!nearly_parallel || !run_along(*corner.edge, *question.edge)) return question.margin;
+  return question.own_edges ? -kRoundedEnds : kRoundedEnds;
 }
 
 // The segment turns counter-clockwise about the centre: walk the edges that face it one after another.

@@ -101,6 +101,21 @@ void PositionModel::add_cost(std::size_t piece, double x, double y) {
   program_.cost[c + 1] += y;
 }
 
+void PositionModel::add_stillness(double cost) {
+  std::vector<int> moving = column_;  // each group's x column once
+  std::sort(moving.begin(), moving.end());
+  moving.erase(std::unique(moving.begin(), moving.end()), moving.end());
+  for (const int x : moving) {
+    if (x < 0) continue;
+    for (const int column : {x, x + 1}) {
+      // |d| is the least t with t >= d and t >= -d.
+      const int magnitude = program_.add_column(cost, 0, kInfinity);
+      program_.add_row(std::array<LinearProgram::Entry, 2>{{{magnitude, 1}, {column, -1}}}, 0);
+      program_.add_row(std::array<LinearProgram::Entry, 2>{{{magnitude, 1}, {column, 1}}}, 0);
+    }
+  }
+}
+
 std::optional<int> PositionModel::column(std::size_t piece) const {
   return column_[piece] < 0 ? std::nullopt : std::optional{column_[piece]};
 }

@@ -56,6 +56,8 @@ class PositionModel {
   [[nodiscard]] bool has_right_wall(std::size_t piece) const { return walls_[piece] != 0; }
   // Costs per unit of a piece's displacement.
   void add_cost(std::size_t piece, double x, double y);
+  // Costs per unit of |x| and |y| of every displacement: one column and two rows for each.
+  void add_stillness(double cost);
 
   [[nodiscard]] const LinearProgram& program() const { return program_; }
   [[nodiscard]] LinearProgram& program() { return program_; }

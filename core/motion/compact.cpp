@@ -33,6 +33,33 @@ CompactionSettings compaction_settings(Accuracy accuracy) {
           .solver = SolverChoice::kAutomatic};
 }
 
+Progress improve(Scene& scene, const Goal& goal, const CompactionSettings& settings, const std::stop_token& stop,
+                 const Observer& observer) {
+  Progress progress;
+  progress.reason = StopReason::kWorkLimit;
+  StepSettings step_settings{settings.trust, settings.region, settings.solver};
+  while (progress.rounds < settings.rounds) {
+    const PositionStep step = position_step(scene, goal, step_settings, stop, observer);
+    progress.programs += step.programs;
+    observer.on_stage(Stage::kOther);
+    if (step.end != StepEnd::kMoved || stop.stop_requested()) {
+      progress.reason = stop.stop_requested() ? StopReason::kCancelled : reason_of(step.end);
+      break;
+    }
+    scene.pieces.place(step.positions);
+    // Rounds move pieces less and less: look only as far as the next may go.
+    step_settings.trust = std::clamp(kTrustAhead * step.farthest, kLeastTrust * settings.trust, settings.trust);
+    progress.gain += step.gain * static_cast<double>(scene.marker.strip.width);
+    ++progress.rounds;
+    observer.on_round({progress.rounds, scene.pieces.length()});
+    if (step.gain < settings.least_gain) {
+      progress.reason = StopReason::kConverged;
+      break;
+    }
+  }
+  return progress;
+}
+
 Result<Compaction> compact(const Marker& start, const CompactionSettings& settings, SumCache& sums, std::stop_token stop,
                            const Observer& observer) {
   observer.on_stage(Stage::kOther);
@@ -43,27 +70,10 @@ Result<Compaction> compact(const Marker& start, const CompactionSettings& settin
   const auto healing = heal(scene, stop, observer);
   if (!healing) return healing.error();
   best.healing = *healing;
-  best.reason = StopReason::kWorkLimit;
-  const Goal goal = leftward_goal(scene, settings.gravity);
-  StepSettings step_settings{settings.trust, settings.region, settings.solver};
-  while (best.rounds < settings.rounds) {
-    const PositionStep step = position_step(scene, goal, step_settings, stop, observer);
-    best.programs += step.programs;
-    observer.on_stage(Stage::kOther);
-    if (step.end != StepEnd::kMoved || stop.stop_requested()) {
-      best.reason = stop.stop_requested() ? StopReason::kCancelled : reason_of(step.end);
-      break;
-    }
-    scene.pieces.place(step.positions);
-    // Rounds move pieces less and less: look only as far as the next may go.
-    step_settings.trust = std::clamp(kTrustAhead * step.farthest, kLeastTrust * settings.trust, settings.trust);
-    ++best.rounds;
-    observer.on_round({best.rounds, scene.pieces.length()});
-    if (step.gain < settings.least_gain) {
-      best.reason = StopReason::kConverged;
-      break;
-    }
-  }
+  const Progress progress = improve(scene, leftward_goal(scene, settings.gravity), settings, stop, observer);
+  best.reason = progress.reason;
+  best.rounds = progress.rounds;
+  best.programs = progress.programs;
   best.marker = scene.result();
   best.length_after = scene.pieces.length();
   best.utilisation_after = utilisation_of(best.marker);

@@ -15,6 +15,7 @@
 #include "core/model/free_region.h"
 #include "core/motion/heal.h"
 #include "core/motion/observer.h"
+#include "core/motion/position_step.h"
 
 namespace selvage {
 
@@ -38,6 +39,18 @@ enum class StopReason {
   kCancelled,     // asked to stop
   kSolverFailed,  // no solver could solve a round's program; the best marker so far
 };
+
+// What rounds towards a goal came to.
+struct Progress {
+  StopReason reason{};
+  int rounds{};
+  int programs{};  // linear programs solved
+  double gain{};   // of the goal, lattice units
+};
+// Rounds of position_step until the goal stops improving; every motion of many pieces at once ends up here.
+// REQUIRES: the scene's pieces are valid.
+[[nodiscard]] Progress improve(Scene& scene, const Goal& goal, const CompactionSettings& settings,
+                               const std::stop_token& stop, const Observer& observer);
 
 struct Compaction {
   Marker marker;

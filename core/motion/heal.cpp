@@ -1,7 +1,6 @@
 #include "core/motion/heal.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -174,17 +173,7 @@ class Healer {
     model.add_length(kLengthCost, 0, lengthen);
     for (std::size_t i = 0; i < scene_.pieces.size(); ++i) model.add_right_wall(i);
     for (const PairRow& row : rows) model.add(row);
-    // |d| of every column: the least t with t >= d and t >= -d.
-    LinearProgram& program = model.program();
-    for (std::size_t i = 0; i < scene_.pieces.size(); ++i) {
-      const auto x = model.column(i);
-      if (!x) continue;
-      for (const int column : {*x, *x + 1}) {
-        const int magnitude = program.add_column(1, 0, kInfinity);
-        program.add_row(std::array<LinearProgram::Entry, 2>{{{magnitude, 1}, {column, -1}}}, 0);
-        program.add_row(std::array<LinearProgram::Entry, 2>{{{magnitude, 1}, {column, 1}}}, 0);
-      }
-    }
+    model.add_stillness(1);
     return model;
   }
 

@@ -72,24 +72,32 @@ class Attempt {
   void append_rows(PiecePair pair, const Obstacle& obstacle, double reach) {
     const Vec r = scene_.relative_position(pair);
     const Coord spacing = scene_.marker.spacing;
-    const RegionSettings region{settings_.region, 1.5 * reach + static_cast<double>(spacing), spacing};
+    const Displacement& p_force = goal_.force[pair.first];
+    const Displacement& q_force = goal_.force[pair.second];
+    const RegionSettings region{settings_.region, 1.5 * reach + static_cast<double>(spacing), spacing,
+                                q_force.x - p_force.x, q_force.y - p_force.y};
     for (const HalfPlane& side : free_region(obstacle, r, region)) {
       const PairRow row = row_of(pair, side, r, spacing, unit(), tight_);
       // Within the trust |d_q - d_p| <= reach on each axis: rows farther away cannot be broken.
       if (-row.bound <= reach * (std::abs(row.nx) + std::abs(row.ny))) rows_.push_back(row);
     }
   }
+  [[nodiscard]] bool held() const { return goal_.shorten == 0; }
   [[nodiscard]] double unit() const { return static_cast<double>(scene_.marker.strip.width) / kUnitsAcross; }
 
   void build() {
-    model_.emplace(scene_.pieces, scene_.marker.strip, group_);
-    for (std::size_t i = 0; i < scene_.pieces.size(); ++i) model_->add_cost(i, -goal_.force[i].x, -goal_.force[i].y);
     const Coord length = scene_.pieces.length();
-    const bool held = goal_.shorten == 0;
-    model_->add_length(goal_.shorten, held ? 0 : static_cast<double>(length), held ? 0 : kSpare * unit());
-    for (std::size_t i = 0; i < scene_.pieces.size(); ++i) {
-      if (static_cast<double>(length - scene_.pieces.box(i).high.x) <= 2 * trust_) model_->add_right_wall(i);
+    Strip strip = scene_.marker.strip;
+    if (held()) strip.longest = length;  // a bound on every piece: no column for the length, no rows
+    model_.emplace(scene_.pieces, strip, group_);
+    for (std::size_t i = 0; i < scene_.pieces.size(); ++i) model_->add_cost(i, -goal_.force[i].x, -goal_.force[i].y);
+    if (!held()) {
+      model_->add_length(goal_.shorten, static_cast<double>(length), kSpare * unit());
+      for (std::size_t i = 0; i < scene_.pieces.size(); ++i) {
+        if (static_cast<double>(length - scene_.pieces.box(i).high.x) <= 2 * trust_) model_->add_right_wall(i);
+      }
     }
+    if (goal_.stillness > 0) model_->add_stillness(goal_.stillness);
     for (const PairRow& row : rows_) model_->add(row);
   }
 
@@ -113,6 +121,7 @@ class Attempt {
       limit_axis(x, 1, 0);
       limit_axis(y, 0, 1);
     }
+    if (held()) return any;
     const double end = static_cast<double>(scene_.pieces.length()) + length_change;
     for (std::size_t i = 0; i < moves.size(); ++i) {
       if (model_->has_right_wall(i) || static_cast<double>(scene_.pieces.box(i).high.x) + moves[i].x <= end) continue;
@@ -219,7 +228,7 @@ class Attempt {
 
 Goal leftward_goal(const Scene& scene, double gravity) {
   const auto count = static_cast<double>(scene.pieces.size());
-  return {std::vector<Displacement>(scene.pieces.size(), {-gravity / count, 0}), 1};
+  return {std::vector<Displacement>(scene.pieces.size(), {-gravity / count, 0}), 1, 0};
 }
 
 PositionStep position_step(const Scene& scene, const Goal& goal, const StepSettings& settings, const std::stop_token& stop,

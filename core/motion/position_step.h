@@ -18,6 +18,7 @@ namespace selvage {
 struct Goal {
   std::vector<Displacement> force;  // one per piece
   double shorten{};
+  double stillness{};  // what a unit of any piece's motion costs: small, so that only what is in the way moves
 };
 // The goal of leftward compaction [Li94 4.2.1], with a little gravity so that no piece is left free.
 [[nodiscard]] Goal leftward_goal(const Scene& scene, double gravity);

@@ -2,9 +2,11 @@
 
 #include <CGAL/Boolean_set_operations_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polygon_set_2.h>
 #include <CGAL/Polygon_with_holes_2.h>
+#include <CGAL/Small_side_angle_bisector_decomposition_2.h>
 #include <CGAL/minkowski_sum_2.h>
 
 #include <cmath>
@@ -38,6 +40,11 @@ double area_of(const WithHoles& region) {
   double area = CGAL::to_double(region.outer_boundary().area());
   for (const Outer& hole : region.holes()) area -= std::abs(CGAL::to_double(hole.area()));
   return area;
+}
+
+WithHoles sum_of(const Outer& p, const Outer& q, ExactSum::Method method) {
+  if (method == ExactSum::Method::kConvolution) return CGAL::minkowski_sum_2(p, q);
+  return CGAL::minkowski_sum_2(p, q, CGAL::Small_side_angle_bisector_decomposition_2<Kernel>{});
 }
 
 // The region that a ring of a star sum encloses.  Rounding may cross a ring's edges over by a unit: then it is the union of
@@ -85,8 +92,8 @@ struct ExactSum::Region {
   WithHoles sum;
 };
 
-ExactSum::ExactSum(const Polygon& p, const Polygon& q)
-    : region_{std::make_unique<const Region>(Region{CGAL::minkowski_sum_2(polygon_of(p), polygon_of(q))})} {
+ExactSum::ExactSum(const Polygon& p, const Polygon& q, Method method)
+    : region_{std::make_unique<const Region>(Region{sum_of(polygon_of(p), polygon_of(q), method)})} {
   const auto append = [&](const Outer& ring) {
     for (auto e = ring.edges_begin(); e != ring.edges_end(); ++e) {
       boundary_.emplace_back(rounded(e->source()), rounded(e->target()));

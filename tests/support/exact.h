@@ -27,7 +27,10 @@ using Segment = std::pair<Real2, Real2>;
 // The Minkowski sum of two polygons.
 class ExactSum {
  public:
-  ExactSum(const Polygon& p, const Polygon& q);
+  // The convolution is much the faster one, but CGAL 5.5 now and then fills in a hole that it should not; the union of the
+  // sums of convex parts does not.
+  enum class Method { kConvolution, kDecomposition };
+  ExactSum(const Polygon& p, const Polygon& q, Method method);
   ~ExactSum();
   ExactSum(const ExactSum&) = delete;
   ExactSum& operator=(const ExactSum&) = delete;

@@ -1,0 +1,67 @@
+#include "core/motion/push.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/motion/position_step.h"
+#include "core/motion/scene.h"
+
+namespace selvage {
+namespace {
+
+constexpr double kStillness = 1e-4;  // of the largest force
+
+Result<Goal> goal_of(std::span<const Force> forces, std::size_t pieces) {
+  Goal goal{std::vector<Displacement>(pieces), 0, kStillness};
+  double largest = 0;
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    const Force& force = forces[k];
+    const std::string field = "/forces/" + std::to_string(k);
+    if (force.piece.value >= pieces) {
+      return Error{ErrorCode::kOutOfRange, "force on piece number " + std::to_string(force.piece.value) + " of " +
+                                               std::to_string(pieces), field};
+    }
+    if (!std::isfinite(force.x) || !std::isfinite(force.y)) {
+      return Error{ErrorCode::kOutOfRange, "a force must be finite", field};
+    }
+    Displacement& sum = goal.force[force.piece.value];
+    sum = {sum.x + force.x, sum.y + force.y};
+    largest = std::max({largest, std::abs(sum.x), std::abs(sum.y)});
+  }
+  if (largest > 0) {
+    for (Displacement& force : goal.force) force = {force.x / largest, force.y / largest};
+  }
+  return goal;
+}
+
+}  // namespace
+
+Result<Push> push(const Marker& start, std::span<const Force> forces, const CompactionSettings& settings, SumCache& sums,
+                  std::stop_token stop, const Observer& observer) {
+  observer.on_stage(Stage::kOther);
+  const auto goal = goal_of(forces, start.pieces.size());
+  if (!goal) return goal.error();
+  Scene scene{start, sums};
+  Push best;
+  best.length_before = scene.pieces.length();
+  const auto healing = heal(scene, stop, observer);
+  if (!healing) return healing.error();
+  best.healing = *healing;
+  const auto progress = improve(scene, *goal, settings, stop, observer);
+  best.reason = progress.reason;
+  best.rounds = progress.rounds;
+  best.programs = progress.programs;
+  best.gain = progress.gain;
+  best.marker = scene.result();
+  best.length_after = scene.pieces.length();
+  return best;
+}
+
+std::vector<Force> gravity(const Marker& marker, double x, double y) {
+  std::vector<Force> forces;
+  for (std::uint32_t i = 0; i < marker.pieces.size(); ++i) forces.push_back({PieceId{i}, x, y});
+  return forces;
+}
+
+}  // namespace selvage
