@@ -68,7 +68,7 @@ ExitCode run(const CompactOptions& options) {
   const Interrupt interrupt;
   const auto accuracy = static_cast<Accuracy>(position(options.accuracy, kAccuracyNames));
   SumCache sums;
-  Progress progress{file->marker, !options.json && isatty(STDERR_FILENO) != 0};
+  ProgressLine progress{file->marker, !options.json && isatty(STDERR_FILENO) != 0};
   auto compaction = compact(file->marker, settings_of(accuracy, options.rounds), sums, interrupt.token(),
                             progress.observer());
   const StageTimes times = progress.finish();
