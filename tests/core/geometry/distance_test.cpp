@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <limits>
 
@@ -72,6 +73,28 @@ TEST(CloserThan, IsExactOnLargeLattices) {
   EXPECT_GT(tally.nearer, 300U);
   EXPECT_GT(tally.equal, 10U);
   EXPECT_GT(tally.farther, 300U);
+}
+
+// A corner beside the middle of a slanted edge, nearer to it or farther than the distance by about 2^-67 of it: no double
+// can tell.
+TEST(CloserThan, IsExactBeyondDoubles) {
+  Random random{54};
+  for (int trial = 0; trial < 200; ++trial) {
+    const Coord m = random.between(Coord{1} << 30, Coord{1} << 34);
+    const Coord distance = random.between(m / 4, m / 2);
+    const Polygon edge{{0, 0}, {m / 2, -m}, {m, 1}};  // its long edge runs from (m, 1) to the origin
+    // The corner makes a triangle with the edge whose doubled area is the largest below distance * length.
+    using Integer = boost::multiprecision::int512_t;
+    const Integer below = boost::multiprecision::sqrt(Integer{Integer{distance} * distance * (Integer{m} * m + 1)});
+    for (const int more : {0, 1}) {
+      const Integer area = below + more;
+      const auto y = static_cast<Coord>(Integer{(area + m - 1) / m});
+      const Vec corner{static_cast<Coord>(Integer{Integer{m} * y - area}), y};
+      const Polygon beside{corner, corner + Vec{5, 9}, corner + Vec{-5, 9}};
+      ASSERT_EQ(closer_than(placed(edge), placed(beside), distance), more == 0);
+      ASSERT_EQ(compare_distance(edge, beside, distance), more == 0 ? -1 : 1);
+    }
+  }
 }
 
 double distance_to(const Polygon& polygon, Witness point) {
