@@ -27,6 +27,7 @@ std::string_view wire_name(ErrorCode code) {
     case ErrorCode::kTooManyPieces: return "marker.too_many_pieces";
     case ErrorCode::kOrientationNotAllowed: return "marker.orientation_not_allowed";
     case ErrorCode::kHealingFailed: return "motion.healing_failed";
+    case ErrorCode::kStoppedEarly: return "motion.stopped_early";
   }
   return "unknown";
 }

@@ -34,6 +34,7 @@ enum class ErrorCode : int {
   kOrientationNotAllowed = 1208,  // a piece in an orientation its shape does not allow
 
   kHealingFailed = 1301,  // small overlaps could not be parted
+  kStoppedEarly = 1302,   // asked to stop before there was any valid marker to hand back
 };
 
 // The name that goes over the wire, such as "marker.overlaps".

@@ -59,6 +59,9 @@ class Healer {
     }
     if (!found.empty() || protrusions() > 0) {
       scene_.pieces.place(start);
+      if (stop.stop_requested()) {
+        return Error{ErrorCode::kStoppedEarly, "stopped before the overlaps of the input were parted", "/pieces"};
+      }
       return Error{ErrorCode::kHealingFailed,
                    "small overlaps could not be parted: " + named(found) +
                        "; there is no room for them where they are, or the pieces are locked", "/pieces"};

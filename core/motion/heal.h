@@ -23,7 +23,8 @@ struct Healing {
 
 // Leaves the scene's pieces valid, proved in integers; does nothing when they already are.  On an error the pieces are
 // where they were.
-// Errors: kMarkerOverlaps, kOutsideStrip (deeper than the limit: names the pieces and the depth), kHealingFailed.
+// Errors: kMarkerOverlaps, kOutsideStrip (deeper than the limit: names the pieces and the depth), kHealingFailed,
+// kStoppedEarly.
 [[nodiscard]] Result<Healing> heal(Scene& scene, std::stop_token stop, const Observer& observer);
 
 }  // namespace selvage

@@ -20,9 +20,15 @@ using WithHoles = CGAL::Polygon_with_holes_2<Kernel>;
 using Set = CGAL::Polygon_set_2<Kernel>;
 
 // A coordinate below 2^53 is a double.
-Point point(Vec v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
-Point point(Real2 v) { return {v.x, v.y}; }
-Real2 rounded(const Point& p) { return {CGAL::to_double(p.x()), CGAL::to_double(p.y())}; }
+Point point(Vec v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y)};
+}
+Point point(Real2 v) {
+  return {v.x, v.y};
+}
+Real2 rounded(const Point& p) {
+  return {CGAL::to_double(p.x()), CGAL::to_double(p.y())};
+}
 
 Outer polygon_of(std::span<const Vec> vertices) {
   Outer polygon;
@@ -46,8 +52,8 @@ WithHoles sum_of(const Outer& p, const Outer& q, ExactSum::Method method) {
   return CGAL::minkowski_sum_2(p, q, CGAL::Small_side_angle_bisector_decomposition_2<Kernel>{});
 }
 
-// The region that a ring of a star sum encloses.  Rounding may cross a ring's edges over by a unit: then it is the union of
-// the triangles that its edges make with its centre.
+// The region that a ring of a star sum encloses.  Rounding may cross a ring's edges over by a unit: then it
+// is the union of the triangles that its edges make with its centre.
 void append_region(const StarSum& ring, std::vector<Outer>& regions) {
   Outer whole;
   for (const SumEdge& e : ring.edges) whole.push_back(point(e.from));
@@ -64,7 +70,9 @@ void append_region(const StarSum& ring, std::vector<Outer>& regions) {
 
 }  // namespace
 
-bool is_simple_exactly(std::span<const Vec> vertices) { return polygon_of(vertices).is_simple(); }
+bool is_simple_exactly(std::span<const Vec> vertices) {
+  return polygon_of(vertices).is_simple();
+}
 
 Location locate_exactly(Real2 at, const Polygon& polygon) {
   return location(polygon_of(polygon).bounded_side(point(at)));
@@ -110,7 +118,9 @@ double ExactSum::perimeter() const {
   return length;
 }
 
-std::size_t ExactSum::holes() const { return region_->sum.number_of_holes(); }
+std::size_t ExactSum::holes() const {
+  return region_->sum.number_of_holes();
+}
 
 Location ExactSum::locate(Real2 at) const {
   const Point p = point(at);

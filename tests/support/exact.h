@@ -1,4 +1,5 @@
-// Exact answers from CGAL, an independent witness: what ours are judged by.  Only tests see CGAL's set operations.
+// Exact answers from CGAL, an independent witness: what ours are judged by.  Only tests see CGAL's set
+// operations.
 #pragma once
 
 #include <memory>
@@ -27,8 +28,8 @@ using Segment = std::pair<Real2, Real2>;
 // The Minkowski sum of two polygons.
 class ExactSum {
  public:
-  // The convolution is much the faster one, but CGAL 5.5 now and then fills in a hole that it should not; the union of the
-  // sums of convex parts does not.
+  // The convolution is much the faster one, but CGAL 5.5 now and then fills in a hole that it should not; the
+  // union of the sums of convex parts does not.
   enum class Method { kConvolution, kDecomposition };
   ExactSum(const Polygon& p, const Polygon& q, Method method);
   ~ExactSum();

@@ -7,7 +7,9 @@
 namespace selvage::test {
 
 // `polygon` must outlive what is returned.
-[[nodiscard]] inline PlacedPolygon placed(const Polygon& polygon, Vec at = {}) { return {polygon, box_of(polygon), at}; }
+[[nodiscard]] inline PlacedPolygon placed(const Polygon& polygon, Vec at = {}) {
+  return {polygon, box_of(polygon), at};
+}
 PlacedPolygon placed(Polygon&& polygon, Vec at = {}) = delete;
 
 }  // namespace selvage::test

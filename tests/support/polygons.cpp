@@ -31,7 +31,8 @@ Vec on_circle(double angle, double radius, Coord middle) {
 Polygon random_simple(Random& random, std::size_t vertices, Coord extent) {
   Polygon polygon;
   while (polygon.size() < 3) {
-    polygon = as_polygon({random.point(0, extent), random.point(0, extent), random.point(0, extent)}).value_or(Polygon{});
+    polygon = as_polygon({random.point(0, extent), random.point(0, extent), random.point(0, extent)})
+                  .value_or(Polygon{});
   }
   for (std::size_t tries = 0; tries < 12 * vertices && polygon.size() < vertices; ++tries) {
     std::vector<Vec> wider = polygon;
@@ -87,7 +88,8 @@ Polygon random_comb(Random& random, std::size_t teeth, Coord extent, bool slant)
 }
 
 Polygon spiral(std::size_t windings, Coord extent) {
-  // The middle line of the band, from the inside out: quarter turns to the left, each second one longer by a pitch.
+  // The middle line of the band, from the inside out: quarter turns to the left, each second one longer by a
+  // pitch.
   const Coord half = std::max<Coord>(1, extent / (2 * static_cast<Coord>(windings) + 4));
   const Coord pitch = 4 * half;
   const Vec along[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
@@ -117,35 +119,59 @@ Polygon random_u(Random& random, Coord extent) {
   const Coord floor = random.between(1, std::max<Coord>(1, extent / 2));
   const Coord tall = floor + random.between(1, extent);
   const Coord taller = floor + random.between(1, extent);
-  return demanded({{0, 0}, {extent, 0}, {extent, tall}, {extent - arm, tall}, {extent - arm, floor}, {other, floor},
-                   {other, taller}, {0, taller}});
+  return demanded({{0, 0},
+                   {extent, 0},
+                   {extent, tall},
+                   {extent - arm, tall},
+                   {extent - arm, floor},
+                   {other, floor},
+                   {other, taller},
+                   {0, taller}});
 }
 
 Polygon broken_ring(Coord extent, Coord thickness, Coord gap) {
   const Coord low = (extent - gap) / 2;
-  return demanded({{0, 0}, {extent, 0}, {extent, low}, {extent - thickness, low}, {extent - thickness, thickness},
-                   {thickness, thickness}, {thickness, extent - thickness}, {extent - thickness, extent - thickness},
-                   {extent - thickness, low + gap}, {extent, low + gap}, {extent, extent}, {0, extent}});
+  return demanded({{0, 0},
+                   {extent, 0},
+                   {extent, low},
+                   {extent - thickness, low},
+                   {extent - thickness, thickness},
+                   {thickness, thickness},
+                   {thickness, extent - thickness},
+                   {extent - thickness, extent - thickness},
+                   {extent - thickness, low + gap},
+                   {extent, low + gap},
+                   {extent, extent},
+                   {0, extent}});
 }
 
 Polygon random_needle(Random& random, Coord extent) {
   for (;;) {
     const Vec tip = random.point(extent / 2, extent);
-    if (auto polygon = as_polygon({random.point(0, 3), random.point(0, 3), tip, tip + random.point(0, 3)})) return *polygon;
+    if (auto polygon = as_polygon({random.point(0, 3), random.point(0, 3), tip, tip + random.point(0, 3)}))
+      return *polygon;
   }
 }
 
 Polygon random_polygon(Random& random, Coord extent) {
   const auto vertices = static_cast<std::size_t>(random.between(3, 40));
   switch (random.between(0, 9)) {
-    case 0: return random_convex(random, std::min<std::size_t>(vertices, 3 + static_cast<std::size_t>(extent)), extent);
+    case 0:
+      return random_convex(random, std::min<std::size_t>(vertices, 3 + static_cast<std::size_t>(extent)),
+                           extent);
     case 1:
-    case 2: return random_star(random, vertices, extent);
-    case 3: return random_comb(random, static_cast<std::size_t>(random.between(2, 6)), extent, false);
-    case 4: return random_comb(random, static_cast<std::size_t>(random.between(2, 8)), extent, true);
-    case 5: return spiral(static_cast<std::size_t>(random.between(2, 8)), extent);
-    case 6: return random_u(random, extent);
-    default: return random_simple(random, vertices, extent);
+    case 2:
+      return random_star(random, vertices, extent);
+    case 3:
+      return random_comb(random, static_cast<std::size_t>(random.between(2, 6)), extent, false);
+    case 4:
+      return random_comb(random, static_cast<std::size_t>(random.between(2, 8)), extent, true);
+    case 5:
+      return spiral(static_cast<std::size_t>(random.between(2, 8)), extent);
+    case 6:
+      return random_u(random, extent);
+    default:
+      return random_simple(random, vertices, extent);
   }
 }
 

@@ -1,5 +1,5 @@
-// Polygons to test with: random ones of every kind that pieces come in, and the nasty ones that pieces may come in.
-// All are Polygons (clean, counter-clockwise); coordinates lie in about [0, extent].
+// Polygons to test with: random ones of every kind that pieces come in, and the nasty ones that pieces may
+// come in. All are Polygons (clean, counter-clockwise); coordinates lie in about [0, extent].
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace selvage::test {
 
-// Any simple polygon: a triangle whose edges are replaced by two, again and again, while it stays simple.  On a small
-// extent it has few vertices and many parallel edges.
+// Any simple polygon: a triangle whose edges are replaced by two, again and again, while it stays simple.  On
+// a small extent it has few vertices and many parallel edges.
 [[nodiscard]] Polygon random_simple(Random& random, std::size_t vertices, Coord extent);
 // Vertices at random distances from the middle, in the order of their angles.
 [[nodiscard]] Polygon random_star(Random& random, std::size_t vertices, Coord extent);

@@ -19,7 +19,7 @@ TEST(CloserThan, TheDistanceItselfIsAllowed) {
   EXPECT_TRUE(closer_than(placed(square), placed(square, {9, 0}), 6));
   EXPECT_FALSE(closer_than(placed(square), placed(square, {7, 8}), 5));  // corner to corner: 3, 4, 5
   EXPECT_TRUE(closer_than(placed(square), placed(square, {7, 7}), 5));
-  EXPECT_TRUE(closer_than(placed(square), placed(square, {4, 0}), 1));   // touching
+  EXPECT_TRUE(closer_than(placed(square), placed(square, {4, 0}), 1));  // touching
   EXPECT_TRUE(closer_than(placed(square), placed(square, {1, 1}), 1));
   // A corner facing the middle of a slanted edge: (0,0) is 5 from the line 3x + 4y = 25.
   const Polygon slanted{{-1, 7}, {7, 1}, {7, 7}};
@@ -67,7 +67,8 @@ TEST(CloserThan, IsExactOnLargeLattices) {
     const Polygon p = scaled(random_simple(random, 5, 8), factor);
     const Polygon q = scaled(moved(random_simple(random, 5, 8), random.point(-12, 12)), factor);
     const Coord off = random.between(0, 1);  // the very coincidence, or about a unit beside it
-    judge(p, moved(q, random.point(-off, off)), random.between(1, 8) * factor + random.between(-off, off), tally);
+    judge(p, moved(q, random.point(-off, off)), random.between(1, 8) * factor + random.between(-off, off),
+          tally);
     if (HasFatalFailure()) return;
   }
   EXPECT_GT(tally.nearer, 300U);
@@ -75,8 +76,8 @@ TEST(CloserThan, IsExactOnLargeLattices) {
   EXPECT_GT(tally.farther, 300U);
 }
 
-// A corner beside the middle of a slanted edge, nearer to it or farther than the distance by about 2^-67 of it: no double
-// can tell.
+// A corner beside the middle of a slanted edge, nearer to it or farther than the distance by about 2^-67 of
+// it: no double can tell.
 TEST(CloserThan, IsExactBeyondDoubles) {
   Random random{54};
   for (int trial = 0; trial < 200; ++trial) {
@@ -85,7 +86,8 @@ TEST(CloserThan, IsExactBeyondDoubles) {
     const Polygon edge{{0, 0}, {m / 2, -m}, {m, 1}};  // its long edge runs from (m, 1) to the origin
     // The corner makes a triangle with the edge whose doubled area is the largest below distance * length.
     using Integer = boost::multiprecision::int512_t;
-    const Integer below = boost::multiprecision::sqrt(Integer{Integer{distance} * distance * (Integer{m} * m + 1)});
+    const Integer below =
+        boost::multiprecision::sqrt(Integer{Integer{distance} * distance * (Integer{m} * m + 1)});
     for (const int more : {0, 1}) {
       const Integer area = below + more;
       const auto y = static_cast<Coord>(Integer{(area + m - 1) / m});

@@ -10,9 +10,12 @@
 namespace selvage::test {
 namespace {
 
-rc::Gen<Coord> coords() { return rc::gen::inRange<Coord>(-kLatticeLimit + 1, kLatticeLimit); }
+rc::Gen<Coord> coords() {
+  return rc::gen::inRange<Coord>(-kLatticeLimit + 1, kLatticeLimit);
+}
 rc::Gen<Resolution> resolutions() {
-  return rc::gen::map(rc::gen::inRange(kFinestExponent, kCoarsestExponent + 1), [](int e) { return Resolution{e}; });
+  return rc::gen::map(rc::gen::inRange(kFinestExponent, kCoarsestExponent + 1),
+                      [](int e) { return Resolution{e}; });
 }
 
 // The decimal text of coord * 10^exponent, made of its digits alone.
@@ -88,7 +91,8 @@ TEST(Lattice, EndsBelowItsLimit) {
 
 RC_GTEST_PROP(ChosenResolution, KeepsDecimalsWhereTheLatticeAllows, ()) {
   const int decimals = *rc::gen::inRange(0, 25);
-  const double extent = *rc::gen::map(rc::gen::inRange(0, 12'000), [](int k) { return std::pow(10.0, k / 1000.0); });
+  const double extent =
+      *rc::gen::map(rc::gen::inRange(0, 12'000), [](int k) { return std::pow(10.0, k / 1000.0); });
   const double width = extent / *rc::gen::inRange(1, 1000);
   const Resolution chosen = choose_resolution(decimals, extent, width);
   RC_ASSERT(fits_lattice(extent, chosen));
@@ -102,10 +106,10 @@ RC_GTEST_PROP(ChosenResolution, KeepsDecimalsWhereTheLatticeAllows, ()) {
 }
 
 TEST(ChosenResolution, OfUsualMarkers) {
-  EXPECT_EQ(choose_resolution(3, 9000, 1500), (Resolution{-6}));   // 1.5e9 units wide
-  EXPECT_EQ(choose_resolution(14, 100, 60), (Resolution{-10}));    // as fine as the lattice allows
+  EXPECT_EQ(choose_resolution(3, 9000, 1500), (Resolution{-6}));  // 1.5e9 units wide
+  EXPECT_EQ(choose_resolution(14, 100, 60), (Resolution{-10}));   // as fine as the lattice allows
   EXPECT_EQ(choose_resolution(0, 1e15, 1e15), (Resolution{3}));
-  EXPECT_EQ(choose_resolution(8, 10, 0), (Resolution{-8}));        // no strip: the decimals alone
+  EXPECT_EQ(choose_resolution(8, 10, 0), (Resolution{-8}));  // no strip: the decimals alone
 }
 
 TEST(Boxes, OverlapOnlyWithTheirInsides) {

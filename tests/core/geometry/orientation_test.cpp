@@ -30,9 +30,9 @@ TEST(Symmetries, AreEight) {
 }
 
 TEST(Symmetries, MeanWhatTheySay) {
-  EXPECT_EQ(Symmetry(false, 1).apply({1, 0}), (Vec{0, 1}));   // counter-clockwise
-  EXPECT_EQ(Symmetry(true, 0).apply(kAskew), (Vec{5, -2}));   // the grain line stays
-  EXPECT_EQ(Symmetry(true, 1).apply({0, 1}), (Vec{1, 0}));    // flip first: (0,-1), then a quarter turn
+  EXPECT_EQ(Symmetry(false, 1).apply({1, 0}), (Vec{0, 1}));  // counter-clockwise
+  EXPECT_EQ(Symmetry(true, 0).apply(kAskew), (Vec{5, -2}));  // the grain line stays
+  EXPECT_EQ(Symmetry(true, 1).apply({0, 1}), (Vec{1, 0}));   // flip first: (0,-1), then a quarter turn
   EXPECT_EQ(Symmetry(false, -1), Symmetry(false, 3));
   EXPECT_EQ(Symmetry(false, 7), Symmetry(false, 3));
 }
@@ -90,7 +90,8 @@ RC_GTEST_PROP(Split, PutsItselfTogetherAgain, ()) {
   const SplitOrientation parts = split_of(flip, rotation, tilt);
   RC_ASSERT(std::abs(parts.turn.degrees) <= 45.0 + 1e-9);
   RC_ASSERT(parts.symmetry.flips() == flip);
-  const double turned_by = (flip ? -parts.turn.degrees : parts.turn.degrees) + 90.0 * parts.symmetry.quarter_turns();
+  const double turned_by =
+      (flip ? -parts.turn.degrees : parts.turn.degrees) + 90.0 * parts.symmetry.quarter_turns();
   RC_ASSERT(std::abs(std::remainder(turned_by - rotation - tilt, 360.0)) < 1e-9);
 }
 
@@ -126,7 +127,8 @@ TEST(Oriented, IsExactWithoutATilt) {
 }
 
 TEST(Turned, IsStillAPolygonWhenRoundingStraightensIt) {
-  // The flat vertex in the middle stands one unit off; turned by 45 degrees and rounded it may fall into line.
+  // The flat vertex in the middle stands one unit off; turned by 45 degrees and rounded it may fall into
+  // line.
   const Polygon flat{{0, 0}, {1000, 1}, {2000, 0}, {2000, 900}, {0, 900}};
   Random random{23};
   for (int trial = 0; trial < 500; ++trial) {

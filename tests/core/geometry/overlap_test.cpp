@@ -11,12 +11,14 @@ namespace {
 
 const Polygon kSquare{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
 
-bool overlapping(const Polygon& p, const Polygon& q, Vec by = {}) { return overlap(placed(p), placed(q, by)); }
+bool overlapping(const Polygon& p, const Polygon& q, Vec by = {}) {
+  return overlap(placed(p), placed(q, by));
+}
 
 TEST(Overlap, TouchingIsNot) {
-  EXPECT_FALSE(overlapping(kSquare, kSquare, {4, 0}));   // edge to edge
-  EXPECT_FALSE(overlapping(kSquare, kSquare, {4, 3}));   // part of an edge
-  EXPECT_FALSE(overlapping(kSquare, kSquare, {4, 4}));   // corner to corner
+  EXPECT_FALSE(overlapping(kSquare, kSquare, {4, 0}));           // edge to edge
+  EXPECT_FALSE(overlapping(kSquare, kSquare, {4, 3}));           // part of an edge
+  EXPECT_FALSE(overlapping(kSquare, kSquare, {4, 4}));           // corner to corner
   EXPECT_FALSE(overlapping(kSquare, {{4, 2}, {6, 1}, {6, 3}}));  // a tip on an edge
   EXPECT_FALSE(overlapping({{0, 0}, {9, 0}, {9, 9}, {6, 9}, {6, 3}, {3, 3}, {3, 9}, {0, 9}},
                            {{3, 3}, {6, 3}, {6, 8}, {3, 8}}));  // fills a slot from wall to wall
@@ -28,11 +30,11 @@ TEST(Overlap, ByOneUnitIs) {
 }
 
 TEST(Overlap, WithoutAnyCrossing) {
-  EXPECT_TRUE(overlapping(kSquare, kSquare));                          // the same
-  EXPECT_TRUE(overlapping(kSquare, {{1, 1}, {3, 1}, {2, 3}}));         // within, apart from the boundary
-  EXPECT_TRUE(overlapping(kSquare, {{0, 0}, {4, 0}, {2, 3}}));         // within, along an edge
-  EXPECT_TRUE(overlapping(kSquare, {{2, 0}, {4, 2}, {2, 4}, {0, 2}})); // within, all corners on edges
-  EXPECT_TRUE(overlapping(kSquare, {{0, 0}, {4, 4}, {0, 4}}));         // within, corner to corner
+  EXPECT_TRUE(overlapping(kSquare, kSquare));                           // the same
+  EXPECT_TRUE(overlapping(kSquare, {{1, 1}, {3, 1}, {2, 3}}));          // within, apart from the boundary
+  EXPECT_TRUE(overlapping(kSquare, {{0, 0}, {4, 0}, {2, 3}}));          // within, along an edge
+  EXPECT_TRUE(overlapping(kSquare, {{2, 0}, {4, 2}, {2, 4}, {0, 2}}));  // within, all corners on edges
+  EXPECT_TRUE(overlapping(kSquare, {{0, 0}, {4, 4}, {0, 4}}));          // within, corner to corner
   // A cross of two bars whose ends lie on each other's edges' lines: they cross at vertices only.
   EXPECT_TRUE(overlapping({{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 3}, {0, 4}}, {{2, 2}, {4, 3}, {2, 4}}));
 }
@@ -54,8 +56,10 @@ void judge(const Polygon& p, const Polygon& q, Tally& tally) {
   const auto point = common_point(placed(p), placed(q));
   ASSERT_EQ(point.has_value(), expected) << pair;
   if (!point) return;
-  ASSERT_EQ(locate_exactly({point->x, point->y}, p), Location::kInside) << pair << " at " << point->x << ", " << point->y;
-  ASSERT_EQ(locate_exactly({point->x, point->y}, q), Location::kInside) << pair << " at " << point->x << ", " << point->y;
+  ASSERT_EQ(locate_exactly({point->x, point->y}, p), Location::kInside)
+      << pair << " at " << point->x << ", " << point->y;
+  ASSERT_EQ(locate_exactly({point->x, point->y}, q), Location::kInside)
+      << pair << " at " << point->x << ", " << point->y;
 }
 
 // So small a lattice that vertices, edges and whole polygons fall onto each other all the time.
@@ -63,7 +67,8 @@ TEST(Overlap, AgreesWithExactIntersectionOnSmallLattices) {
   Random random{41};
   std::vector<Polygon> pool;
   for (int k = 0; k < 400; ++k) {
-    pool.push_back(random_simple(random, static_cast<std::size_t>(random.between(3, 8)), random.between(2, 8)));
+    pool.push_back(
+        random_simple(random, static_cast<std::size_t>(random.between(3, 8)), random.between(2, 8)));
   }
   Tally tally;
   for (int trial = 0; trial < 30'000; ++trial) {
@@ -72,7 +77,8 @@ TEST(Overlap, AgreesWithExactIntersectionOnSmallLattices) {
     // Where the boxes touch at least.
     const Box a = box_of(p);
     const Box b = box_of(q);
-    const Vec by{random.between(a.low.x - b.high.x, a.high.x - b.low.x), random.between(a.low.y - b.high.y, a.high.y - b.low.y)};
+    const Vec by{random.between(a.low.x - b.high.x, a.high.x - b.low.x),
+                 random.between(a.low.y - b.high.y, a.high.y - b.low.y)};
     judge(p, trial % 100 == 0 ? q : moved(q, by), tally);
     if (HasFatalFailure()) return;
   }

@@ -40,29 +40,32 @@ TEST(CleanPolygon, TurnsClockwiseOnes) {
 }
 
 TEST(CleanPolygon, DropsDuplicates) {
-  const auto clean = clean_polygon(std::vector<Vec>{{0, 0}, {0, 0}, {4, 0}, {4, 4}, {4, 4}, {4, 4}, {0, 4}, {0, 0}, {0, 0}});
+  const auto clean =
+      clean_polygon(std::vector<Vec>{{0, 0}, {0, 0}, {4, 0}, {4, 4}, {4, 4}, {4, 4}, {0, 4}, {0, 0}, {0, 0}});
   ASSERT_TRUE(clean);
   EXPECT_EQ(clean->polygon, kSquare);
   EXPECT_EQ(clean->repairs, (Repairs{.duplicate_vertices = 4}));
 }
 
 TEST(CleanPolygon, StraightensRuns) {
-  const auto clean = clean_polygon(std::vector<Vec>{{2, 0}, {3, 0}, {4, 0}, {4, 1}, {4, 4}, {0, 4}, {0, 2}, {0, 0}, {1, 0}});
+  const auto clean =
+      clean_polygon(std::vector<Vec>{{2, 0}, {3, 0}, {4, 0}, {4, 1}, {4, 4}, {0, 4}, {0, 2}, {0, 0}, {1, 0}});
   ASSERT_TRUE(clean);
   EXPECT_EQ(clean->polygon, (Polygon{{4, 0}, {4, 4}, {0, 4}, {0, 0}}));
   EXPECT_EQ(clean->repairs, (Repairs{.collinear_vertices = 5}));
 }
 
 TEST(CleanPolygon, CutsSpikes) {
-  const auto clean = clean_polygon(std::vector<Vec>{{0, 0}, {4, 0}, {9, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 7}, {0, 3}});
+  const auto clean =
+      clean_polygon(std::vector<Vec>{{0, 0}, {4, 0}, {9, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 7}, {0, 3}});
   ASSERT_TRUE(clean);
   EXPECT_EQ(clean->polygon, kSquare);
   EXPECT_FALSE(clean->repairs.reversed);
 }
 
 TEST(CleanPolygon, CutsSpikesWithinSpikes) {
-  const auto clean = clean_polygon(
-      std::vector<Vec>{{0, 0}, {4, 0}, {4, 4}, {8, 4}, {8, 9}, {8, 4}, {4, 4}, {0, 4}});
+  const auto clean =
+      clean_polygon(std::vector<Vec>{{0, 0}, {4, 0}, {4, 4}, {8, 4}, {8, 9}, {8, 4}, {4, 4}, {0, 4}});
   ASSERT_TRUE(clean);
   EXPECT_EQ(clean->polygon, kSquare);
 }
@@ -86,13 +89,16 @@ TEST(CleanPolygon, RefusesWhatHasNoArea) {
 }
 
 TEST(CleanPolygon, RefusesCrossingsAndTouches) {
-  EXPECT_EQ(error_of({{0, 0}, {4, 4}, {4, 0}, {0, 4}}), ErrorCode::kSelfIntersecting);               // bow tie
-  EXPECT_EQ(error_of({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}), ErrorCode::kSelfIntersecting);       // vertex on an edge
-  EXPECT_EQ(error_of({{0, 0}, {4, 0}, {2, 2}, {4, 4}, {0, 4}, {2, 2}}), ErrorCode::kSelfIntersecting);  // vertex twice
+  EXPECT_EQ(error_of({{0, 0}, {4, 4}, {4, 0}, {0, 4}}), ErrorCode::kSelfIntersecting);  // bow tie
+  EXPECT_EQ(error_of({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}),
+            ErrorCode::kSelfIntersecting);  // vertex on an edge
+  EXPECT_EQ(error_of({{0, 0}, {4, 0}, {2, 2}, {4, 4}, {0, 4}, {2, 2}}),
+            ErrorCode::kSelfIntersecting);  // vertex twice
   // Two edges that run along each other: a slot closed to width 0.
   EXPECT_EQ(error_of({{0, 0}, {4, 0}, {4, 4}, {2, 4}, {2, 1}, {1, 1}, {1, 2}, {2, 2}, {2, 3}, {0, 3}}),
             ErrorCode::kSelfIntersecting);
-  EXPECT_EQ(error_of({{4, 0}, {6, 2}, {5, 0}, {8, 5}, {4, 3}, {8, 8}}), ErrorCode::kSelfIntersecting);  // two crossings
+  EXPECT_EQ(error_of({{4, 0}, {6, 2}, {5, 0}, {8, 5}, {4, 3}, {8, 8}}),
+            ErrorCode::kSelfIntersecting);  // two crossings
   const auto clean = clean_polygon(std::vector<Vec>{{0, 0}, {40, 40}, {40, 0}, {0, 39}});
   ASSERT_FALSE(clean);
   for (const char* corner : {"(0, 0)", "(40, 40)", "(40, 0)", "(0, 39)"}) {
@@ -138,8 +144,10 @@ TEST(CleanPolygon, AgreesWithExactSimplicity) {
       for (std::size_t i = 0; i < p.size(); ++i) {
         ASSERT_NE(side_of(p[i], p[(i + 1) % p.size()], p[(i + 2) % p.size()]), 0) << text_of(vertices);
       }
-      ASSERT_EQ(vertices.size(), p.size() + clean->repairs.duplicate_vertices + clean->repairs.collinear_vertices +
-                                     (vertices.front() == vertices.back() ? 1U : 0U)) << text_of(vertices);
+      ASSERT_EQ(vertices.size(), p.size() + clean->repairs.duplicate_vertices +
+                                     clean->repairs.collinear_vertices +
+                                     (vertices.front() == vertices.back() ? 1U : 0U))
+          << text_of(vertices);
     } else if (clean.error().code == ErrorCode::kSelfIntersecting) {
       ++refused;
       ASSERT_FALSE(is_simple_exactly(vertices)) << text_of(vertices);

@@ -14,8 +14,10 @@ namespace {
 // Kernel points are doubles, so multiples of 2^-40 once they are rounded there: integers then.
 using Integer = boost::multiprecision::int256_t;
 constexpr int kBits = 40;
-Integer in_parts(double value) { return Integer{static_cast<std::int64_t>(std::floor(value))} * (Integer{1} << kBits) +
-                                        Integer{static_cast<std::int64_t>((value - std::floor(value)) * 0x1p40)}; }
+Integer in_parts(double value) {
+  return Integer{static_cast<std::int64_t>(std::floor(value))} * (Integer{1} << kBits) +
+         Integer{static_cast<std::int64_t>((value - std::floor(value)) * 0x1p40)};
+}
 
 // True when every edge's line passes the point strictly on the left.  Exact.
 bool sees_every_edge(Real2 point, const Polygon& polygon) {
@@ -86,7 +88,8 @@ void judge(const Polygon& polygon) {
     }
     // Slivers without a deep kernel may stay, as single triangles.
     if (n > 3 || kernel_point(part.vertices)) {
-      ASSERT_TRUE(sees_every_edge(part.kernel, part.vertices)) << text_of(part.vertices) << " of " << text_of(polygon);
+      ASSERT_TRUE(sees_every_edge(part.kernel, part.vertices))
+          << text_of(part.vertices) << " of " << text_of(polygon);
     }
   }
   // A partition: the areas add up, and what is no edge of the polygon is a cut with a part on either side.
@@ -94,7 +97,8 @@ void judge(const Polygon& polygon) {
   const auto n = static_cast<std::uint32_t>(polygon.size());
   for (const auto& [side, count] : directed) {
     ASSERT_EQ(count, 1) << text_of(polygon);
-    ASSERT_EQ(directed.contains({side.second, side.first}), (side.first + 1) % n != side.second) << text_of(polygon);
+    ASSERT_EQ(directed.contains({side.second, side.first}), (side.first + 1) % n != side.second)
+        << text_of(polygon);
   }
 }
 

@@ -20,8 +20,8 @@ void judge(const Polygon& polygon) {
     total += doubled_area(corners);
     for (std::size_t k = 0; k < 3; ++k) ++directed[{t[k], t[(k + 1) % 3]}];
   }
-  // The areas add up, and every side is an edge of the polygon or a cut with a triangle on either side: so they are a
-  // partition of it.
+  // The areas add up, and every side is an edge of the polygon or a cut with a triangle on either side: so
+  // they are a partition of it.
   ASSERT_EQ(total, doubled_area(polygon)) << text_of(polygon);
   const auto n = static_cast<std::uint32_t>(polygon.size());
   for (const auto& [side, count] : directed) {

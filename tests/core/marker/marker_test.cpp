@@ -31,8 +31,10 @@ TEST(MakeMarker, LeavesAGoodOneAlone) {
 }
 
 TEST(MakeMarker, RefusesStripsAndSpacings) {
-  EXPECT_EQ(error_of(with([](Marker& m) { m.strip.width = 0; })), Found(ErrorCode::kOutOfRange, "/strip/width"));
-  EXPECT_EQ(error_of(with([](Marker& m) { m.strip.width = -5; })), Found(ErrorCode::kOutOfRange, "/strip/width"));
+  EXPECT_EQ(error_of(with([](Marker& m) { m.strip.width = 0; })),
+            Found(ErrorCode::kOutOfRange, "/strip/width"));
+  EXPECT_EQ(error_of(with([](Marker& m) { m.strip.width = -5; })),
+            Found(ErrorCode::kOutOfRange, "/strip/width"));
   EXPECT_EQ(error_of(with([](Marker& m) { m.spacing = -1; })), Found(ErrorCode::kOutOfRange, "/spacing"));
   EXPECT_EQ(error_of(with([](Marker& m) { m.spacing = 101; })), Found(ErrorCode::kOutOfRange, "/spacing"));
   EXPECT_EQ(error_of(with([](Marker& m) { m.spacing = 100; })), Found());
@@ -45,7 +47,8 @@ TEST(MakeMarker, RefusesNoneAndTooManyPieces) {
 }
 
 TEST(MakeMarker, RefusesIdsThatAreNoIds) {
-  EXPECT_EQ(error_of(with([](Marker& m) { m.pieces[1].id = "0"; })), Found(ErrorCode::kDuplicateId, "/pieces/1/id"));
+  EXPECT_EQ(error_of(with([](Marker& m) { m.pieces[1].id = "0"; })),
+            Found(ErrorCode::kDuplicateId, "/pieces/1/id"));
   EXPECT_EQ(error_of(with([](Marker& m) { m.shapes.push_back(m.shapes[0]); })),
             Found(ErrorCode::kDuplicateId, "/shapes/1/id"));
   EXPECT_EQ(error_of(with([](Marker& m) { m.pieces[1].shape.value = 1; })),
@@ -53,7 +56,8 @@ TEST(MakeMarker, RefusesIdsThatAreNoIds) {
 }
 
 TEST(MakeMarker, RefusesPiecesWiderThanTheStrip) {
-  EXPECT_EQ(error_of(with([](Marker& m) { m.strip.width = 9; })), Found(ErrorCode::kPieceTooWide, "/pieces/0"));
+  EXPECT_EQ(error_of(with([](Marker& m) { m.strip.width = 9; })),
+            Found(ErrorCode::kPieceTooWide, "/pieces/0"));
   EXPECT_EQ(error_of(with([](Marker& m) { m.strip.width = 10; })), Found());
   // Only the orientation it has counts.
   const auto bar = [](double rotation) {
@@ -122,7 +126,8 @@ TEST(Utilisation, IsTheAreaOnTheCloth) {
   EXPECT_DOUBLE_EQ(utilisation_of(squares({{0, 0}, {0, 10}, {10, 0}})), 0.15);
   Marker full = squares({});
   for (Coord k = 0; k < 100; ++k) {
-    full.pieces.push_back({.id = std::to_string(k), .shape = {0}, .orientation = {}, .at = {10 * (k / 10), 10 * (k % 10)}});
+    full.pieces.push_back(
+        {.id = std::to_string(k), .shape = {0}, .orientation = {}, .at = {10 * (k / 10), 10 * (k % 10)}});
   }
   EXPECT_DOUBLE_EQ(utilisation_of(full), 1);
 }

@@ -13,7 +13,8 @@ Marker random_marker(Random& random, std::size_t pieces, Coord extent) {
   marker.strip.width = 1000;
   marker.shapes.clear();
   for (int k = 0; k < 5; ++k) {
-    marker.shapes.push_back({.id = std::to_string(k), .outline = random_polygon(random, 60), .rotations = {}, .tilt_limit = {}});
+    marker.shapes.push_back(
+        {.id = std::to_string(k), .outline = random_polygon(random, 60), .rotations = {}, .tilt_limit = {}});
   }
   for (std::size_t k = 0; k < pieces; ++k) {
     const Angle rotation = Angle::of_degrees(90.0 * static_cast<double>(random.between(0, 3)));
@@ -79,7 +80,8 @@ TEST(Conflicts, AreThoseOfBruteForce) {
     std::vector<PiecePair> expected;
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
       for (std::uint32_t j = i + 1; j < pieces.size(); ++j) {
-        const bool conflict = spacing == 0 ? overlap(pieces[i], pieces[j]) : closer_than(pieces[i], pieces[j], spacing);
+        const bool conflict =
+            spacing == 0 ? overlap(pieces[i], pieces[j]) : closer_than(pieces[i], pieces[j], spacing);
         if (conflict) expected.emplace_back(i, j);
       }
     }

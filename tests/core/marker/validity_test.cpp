@@ -53,7 +53,8 @@ TEST(Validity, OverlapsComeInOrder) {
   const Validity validity = checked(squares({{0, 0}, {5, 5}, {9, 9}, {60, 0}, {0, 1}}));
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (const Overlap& o : validity.overlaps) pairs.emplace_back(o.first.value, o.second.value);
-  EXPECT_EQ(pairs, (std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0, 1}, {0, 2}, {0, 4}, {1, 2}, {1, 4}, {2, 4}}));
+  EXPECT_EQ(pairs, (std::vector<std::pair<std::uint32_t, std::uint32_t>>{
+                       {0, 1}, {0, 2}, {0, 4}, {1, 2}, {1, 4}, {2, 4}}));
 }
 
 TEST(Validity, OfPiecesOnTopOfEachOther) {
@@ -132,7 +133,8 @@ TEST(Validity, DepthPartsAndNoLessDoes) {
     if (!overlap(placed(p), placed(q, r))) continue;
     ++pairs;
     Marker marker = squares({{0, 0}, r});
-    marker.shapes = {{.id = "p", .outline = p, .tilt_limit = {}}, {.id = "q", .outline = q, .tilt_limit = {}}};
+    marker.shapes = {{.id = "p", .outline = p, .tilt_limit = {}},
+                     {.id = "q", .outline = q, .tilt_limit = {}}};
     marker.pieces[1].shape.value = 1;
     SumCache sums;
     const Validity validity = check(marker, sums);
@@ -142,9 +144,11 @@ TEST(Validity, DepthPartsAndNoLessDoes) {
       const double angle = degrees * std::acos(-1.0) / 180;
       const double by = depth - 3;
       const Vec there = r + Vec{std::llround(by * std::cos(angle)), std::llround(by * std::sin(angle))};
-      ASSERT_TRUE(overlap(placed(p), placed(q, there))) << text_of(p) << "; " << text_of(q) << " at " << text_of({r});
+      ASSERT_TRUE(overlap(placed(p), placed(q, there)))
+          << text_of(p) << "; " << text_of(q) << " at " << text_of({r});
     }
-    const Obstacle obstacle = sums.obstacle(oriented_outline(marker, {0}, sums), oriented_outline(marker, {1}, sums));
+    const Obstacle obstacle =
+        sums.obstacle(oriented_outline(marker, {0}, sums), oriented_outline(marker, {1}, sums));
     const BoundaryPoint nearest = nearest_boundary_point(obstacle.sum(), obstacle.to_frame(r));
     ASSERT_NEAR(nearest.distance, depth, 1e-6);
     const Vec there = obstacle.from_frame({std::llround(nearest.at.x), std::llround(nearest.at.y)});
@@ -164,7 +168,8 @@ TEST(OrientedOutlines, AreThePieces) {
       for (const bool flip : {false, true}) {
         marker.pieces[0].orientation = {flip, {rotation}, {tilt}};
         const OrientedOutline piece = oriented_outline(marker, {0}, sums);
-        EXPECT_EQ(moved(transformed(piece.outline->polygon, piece.symmetry), {3, 4}), placed_outline(marker, {0}));
+        EXPECT_EQ(moved(transformed(piece.outline->polygon, piece.symmetry), {3, 4}),
+                  placed_outline(marker, {0}));
       }
     }
   }

@@ -22,11 +22,14 @@ std::vector<Symmetry> all_symmetries() {
 // The obstacle's edges where the marker sees them.
 std::vector<std::pair<Vec, Vec>> edges_of(const Obstacle& obstacle) {
   std::vector<std::pair<Vec, Vec>> edges;
-  for (const SumEdge& e : obstacle.sum().edges()) edges.emplace_back(obstacle.from_frame(e.from), obstacle.from_frame(e.to));
+  for (const SumEdge& e : obstacle.sum().edges())
+    edges.emplace_back(obstacle.from_frame(e.from), obstacle.from_frame(e.to));
   return edges;
 }
 
-Real2 real(Vec v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
+Real2 real(Vec v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y)};
+}
 
 TEST(Cache, CountsHitsAndMisses) {
   SumCache sums;
@@ -75,7 +78,9 @@ TEST(Cache, ForgetsTheLeastRecentlyUsed) {
   Random random{141};
   std::vector<std::shared_ptr<const Outline>> outlines;
   for (int k = 0; k < 4; ++k) outlines.push_back(make_outline(random_convex(random, 20, 1'000'000)));
-  const auto sum_with = [&](SumCache& sums, std::size_t k) { return sums.obstacle({outlines[0], {}}, {outlines[k], {}}); };
+  const auto sum_with = [&](SumCache& sums, std::size_t k) {
+    return sums.obstacle({outlines[0], {}}, {outlines[k], {}});
+  };
   std::size_t bytes = 0;
   {
     SumCache roomy;
@@ -122,7 +127,9 @@ TEST(Cache, AnswersDoNotDependOnWhatItHolds) {
     const Symmetry a = random.symmetry();
     const Symmetry b = random.symmetry();
     SumCache fresh;
-    const auto answer = [&](SumCache& sums) { return edges_of(sums.obstacle({sums.outline(p), a}, {sums.outline(q), b})); };
+    const auto answer = [&](SumCache& sums) {
+      return edges_of(sums.obstacle({sums.outline(p), a}, {sums.outline(q), b}));
+    };
     const auto expected = answer(fresh);
     ASSERT_EQ(answer(full), expected);
     ASSERT_EQ(answer(small), expected);
@@ -171,8 +178,8 @@ bool barely_overlap(const Polygon& p, const Polygon& q, Vec r) {
   return false;
 }
 
-// At the ends of a whole edge of the sum the two touch.  Where star sums meet, one may show that another hides by no more
-// than rounding: nowhere else do they overlap.
+// At the ends of a whole edge of the sum the two touch.  Where star sums meet, one may show that another
+// hides by no more than rounding: nowhere else do they overlap.
 TEST(Obstacle, IsExactWhereItsVerticesAre) {
   Random random{144};
   SumCache sums;
@@ -191,7 +198,8 @@ TEST(Obstacle, IsExactWhereItsVerticesAre) {
       for (const Vec end : {e.from, e.to}) {
         const Vec r = obstacle.from_frame(end);
         const bool overlapping = overlap(placed(p_image), placed(q_image, r));
-        ASSERT_FALSE(overlapping && obstacle.sum().rings().size() == 1) << text_of(p_image) << "; " << text_of(q_image);
+        ASSERT_FALSE(overlapping && obstacle.sum().rings().size() == 1)
+            << text_of(p_image) << "; " << text_of(q_image);
         ASSERT_TRUE(barely_overlap(p_image, q_image, r)) << text_of(p_image) << "; " << text_of(q_image);
         ASSERT_TRUE(closer_than(placed(p_image), placed(q_image, r), 1));
       }

@@ -1,4 +1,5 @@
-// Sums of the shapes of the garment markers in examples/: in the orientations that their pieces may have to each other.
+// Sums of the shapes of the garment markers in examples/: in the orientations that their pieces may have to
+// each other.
 #include <gtest/gtest.h>
 
 #include <fstream>

@@ -27,7 +27,8 @@ MinkowskiSum random_sum(Random& random) {
 }
 
 Vec near(const Box& box, Random& random) {
-  return {random.between(box.low.x - 5000, box.high.x + 5000), random.between(box.low.y - 5000, box.high.y + 5000)};
+  return {random.between(box.low.x - 5000, box.high.x + 5000),
+          random.between(box.low.y - 5000, box.high.y + 5000)};
 }
 
 constexpr auto kNothing = [](const Box&) { return false; };
@@ -63,7 +64,8 @@ TEST(NearestEdges, LeaveOutSkippedBoxesOnly) {
     const Coord line = near(sum.box(), random).x;
     NearestEdges edges{sum, from, std::numeric_limits<double>::infinity()};
     std::set<const SumEdge*> seen;
-    while (const auto next = edges.next([&](const Box& box) { return box.high.x < line; })) seen.insert(next->edge);
+    while (const auto next = edges.next([&](const Box& box) { return box.high.x < line; }))
+      seen.insert(next->edge);
     for (const SumEdge& e : sum.edges()) {
       ASSERT_TRUE(std::max(e.from.x, e.to.x) < line || seen.contains(&e));
     }
@@ -79,7 +81,9 @@ TEST(NearestBoundaryPoint, IsNoFartherThanAnyEdge) {
     double least = std::numeric_limits<double>::infinity();
     for (const SumEdge& e : sum.edges()) least = std::min(least, distance_to(e, from));
     ASSERT_NEAR(nearest.distance, least, 1e-6);
-    ASSERT_NEAR(std::hypot(nearest.at.x - static_cast<double>(from.x), nearest.at.y - static_cast<double>(from.y)), least, 1e-6);
+    ASSERT_NEAR(
+        std::hypot(nearest.at.x - static_cast<double>(from.x), nearest.at.y - static_cast<double>(from.y)),
+        least, 1e-6);
     ASSERT_NEAR(distance_to(*nearest.edge, from), least, 1e-6);
   }
 }
@@ -89,7 +93,8 @@ TEST(NearestBoundaryPoint, OfTheSmallestSums) {
   Random random{134};
   for (int trial = 0; trial < 4000; ++trial) {
     const Polygon p = random_simple(random, 12, random.between(1, 6));
-    const MinkowskiSum sum = minkowski_sum(star_parts(p), star_parts(random_simple(random, 12, random.between(1, 6))));
+    const MinkowskiSum sum =
+        minkowski_sum(star_parts(p), star_parts(random_simple(random, 12, random.between(1, 6))));
     ASSERT_FALSE(sum.edges().empty()) << text_of(p);
     EXPECT_LT(nearest_boundary_point(sum, {0, 0}).distance, 20);
   }
@@ -108,7 +113,8 @@ TEST(Contains, AgreesWithTheExactSumAwayFromTheBoundary) {
       const Vec v = near(sum.box(), random);
       if (nearest_boundary_point(sum, v).distance < 3) continue;
       const Real2 at{static_cast<double>(v.x), static_cast<double>(v.y)};
-      ASSERT_EQ(sum.contains(at), exact.locate(at) == Location::kInside) << text_of(p) << "; " << text_of(q) << " at " << text_of({v});
+      ASSERT_EQ(sum.contains(at), exact.locate(at) == Location::kInside)
+          << text_of(p) << "; " << text_of(q) << " at " << text_of({v});
       ++(sum.contains(at) ? inside : outside);
     }
   }

@@ -12,8 +12,8 @@ void judge(const Polygon& p, const Polygon& q) {
   EXPECT_EQ(broken_law({p, q, {}}, sum), "");
 }
 
-// Few directions and lengths: parallel edges, slots that are filled without any room, holes that close to a point.  Spread
-// out by a factor, so that rounding stays apart from coincidence.
+// Few directions and lengths: parallel edges, slots that are filled without any room, holes that close to a
+// point.  Spread out by a factor, so that rounding stays apart from coincidence.
 TEST(Oracle, OnSmallLattices) {
   Random random{101};
   for (int trial = 0; trial < 3000 && !HasFailure(); ++trial) {

@@ -19,7 +19,9 @@ StarPart part_of(const Polygon& polygon) {
   return parts.front();
 }
 
-MinkowskiSum sum_of(const Polygon& p, const Polygon& q) { return minkowski_sum(star_parts(p), star_parts(q)); }
+MinkowskiSum sum_of(const Polygon& p, const Polygon& q) {
+  return minkowski_sum(star_parts(p), star_parts(q));
+}
 
 // The edges' lines, in an order of their own.
 std::vector<std::pair<Vec, Vec>> lines_of(std::span<const SumEdge> edges) {
@@ -36,25 +38,31 @@ Polygon corners_of(const StarSum& sum) {
 }
 
 TEST(StarSum, OfASquareAndATriangle) {
-  const StarSum sum = star_sum(part_of({{0, 0}, {40, 0}, {40, 40}, {0, 40}}), part_of({{0, 0}, {30, 0}, {0, 30}}));
+  const StarSum sum =
+      star_sum(part_of({{0, 0}, {40, 0}, {40, 40}, {0, 40}}), part_of({{0, 0}, {30, 0}, {0, 30}}));
   Polygon corners = corners_of(sum);
   std::rotate(corners.begin(), std::find(corners.begin(), corners.end(), Vec{0, 0}), corners.end());
   EXPECT_EQ(corners, (Polygon{{0, 0}, {70, 0}, {70, 40}, {40, 70}, {0, 70}}));
 }
 
 TEST(StarSum, NamesWhatMadeAnEdge) {
-  // A square with a small triangle below it and to its left: the upper edge of the sum is the square's, carried by the
-  // triangle's highest vertex.
-  const StarSum sum = star_sum(part_of({{0, 0}, {40, 0}, {40, 40}, {0, 40}}), part_of({{-8, -9}, {-2, -8}, {-5, -3}}));
-  const auto top = std::find_if(sum.edges.begin(), sum.edges.end(), [](const SumEdge& e) { return e.line_from == Vec{35, 37}; });
+  // A square with a small triangle below it and to its left: the upper edge of the sum is the square's,
+  // carried by the triangle's highest vertex.
+  const StarSum sum =
+      star_sum(part_of({{0, 0}, {40, 0}, {40, 40}, {0, 40}}), part_of({{-8, -9}, {-2, -8}, {-5, -3}}));
+  const auto top = std::find_if(sum.edges.begin(), sum.edges.end(), [](const SumEdge& e) {
+    return e.line_from == Vec{35, 37};
+  });
   ASSERT_NE(top, sum.edges.end());
   EXPECT_EQ(top->line_to, (Vec{-5, 37}));
   EXPECT_EQ(top->source, (EdgeSource{.vertex = 2, .edge = 2, .vertex_of_first = false}));
 }
 
-// Two candidates that cross exactly on the ray where angles pass half a turn: one was taken to last for the whole turn.
+// Two candidates that cross exactly on the ray where angles pass half a turn: one was taken to last for the
+// whole turn.
 TEST(StarSum, KeepsAnEdgeThatBeginsOnTheAxis) {
-  const Polygon p{{13, 13}, {8, 16}, {3, 13}, {12, 10}, {8, 8}, {8, 6}, {9, 5}, {8, 3}, {14, 10}, {15, 10}, {13, 12}};
+  const Polygon p{{13, 13}, {8, 16}, {3, 13},  {12, 10}, {8, 8},  {8, 6},
+                  {9, 5},   {8, 3},  {14, 10}, {15, 10}, {13, 12}};
   const Summands summands{scaled(p, 123'457), scaled({{1, 2}, {2, 0}, {5, 0}, {2, 2}}, 123'457), {}};
   EXPECT_EQ(broken_source(summands, sum_of(summands.first, summands.second)), "");
 }

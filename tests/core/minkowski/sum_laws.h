@@ -11,14 +11,15 @@ namespace selvage::test {
 // The two polygons that were added up; the second may be the image of the polygon that edge sources name.
 struct Summands {
   Polygon first;
-  Polygon second;       // as sources name it
-  Symmetry of_second;   // what was done to it before it was added
+  Polygon second;      // as sources name it
+  Symmetry of_second;  // what was done to it before it was added
   [[nodiscard]] Polygon second_image() const { return transformed(second, of_second); }
 };
 
 // Nothing when all laws hold, else what is broken, with the summands.
 //  (1) The rings' union differs from the exact sum by no more than a unit along its boundary.
-//  (2) No edge lies inside another ring by more than rounding, but for stubs at sharp corners.  (Slots without any width and
+//  (2) No edge lies inside another ring by more than rounding, but for stubs at sharp corners.  (Slots
+//  without any width and
 //      holes that close to a point do show.)
 //  (3) The edges cover the exact boundary; their length is its length, but for what another edge runs beside.
 //  (4) No stretch of an exact line is there twice.

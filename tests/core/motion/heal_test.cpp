@@ -86,6 +86,18 @@ TEST(Heal, SaysWhenThereIsNoRoom) {
   EXPECT_EQ(out, start);
 }
 
+TEST(Heal, SaysWhenItWasStoppedBeforeTheEnd) {
+  std::stop_source source;
+  source.request_stop();
+  SumCache sums;
+  const Marker start = pair_overlapping_by(50);
+  Scene scene{start, sums};
+  const auto healing = heal(scene, source.get_token(), {});
+  ASSERT_FALSE(healing);
+  EXPECT_EQ(healing.error().code, ErrorCode::kStoppedEarly);
+  EXPECT_EQ(scene.result(), start);
+}
+
 TEST(Heal, PartsPiecesCloserThanTheSpacing) {
   Marker start = pair_overlapping_by(-950);
   start.spacing = 1000;
