@@ -147,5 +147,9 @@ int main(int argc, char** argv) {
     seeds = static_cast<std::uint32_t>(std::stoul(files[1]));
     files.erase(files.begin(), files.begin() + 2);
   }
+  if (files.empty()) {
+    std::fprintf(stderr, "usage: separation_table [--seeds N] FILE...\n");
+    return 2;
+  }
   return selvage::table(files, seeds);
 }
