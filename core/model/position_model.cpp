@@ -58,8 +58,8 @@ PositionModel::PositionModel(const PlacedPieces& pieces, const Strip& strip, std
   }
 }
 
-void PositionModel::add(const PairRow& row) {
-  std::array<LinearProgram::Entry, 4> entries{};
+void PositionModel::add(const PairRow& row, std::optional<int> give) {
+  std::array<LinearProgram::Entry, 5> entries{};
   std::size_t count = 0;
   const int p = column_[row.pair.first];
   const int q = column_[row.pair.second];
@@ -75,6 +75,7 @@ void PositionModel::add(const PairRow& row) {
     put(p, -row.nx);
     put(p + 1, -row.ny);
   }
+  if (give) put(*give, 1);
   program_.add_row(std::span{entries}.first(count), row.bound / unit_);
 }
 
@@ -105,17 +106,18 @@ void PositionModel::add_cost(std::size_t piece, double x, double y) {
   program_.cost[c + 1] += y;
 }
 
-void PositionModel::add_stillness(double cost) {
-  std::vector<int> moving = column_;  // each group's x column once
-  std::sort(moving.begin(), moving.end());
-  moving.erase(std::unique(moving.begin(), moving.end()), moving.end());
-  for (const int x : moving) {
-    if (x < 0) continue;
-    for (const int column : {x, x + 1}) {
-      // |d| is the least t with t >= d and t >= -d.
+void PositionModel::add_stillness(double cost, std::span<const Vec> home) {
+  std::vector<char> counted(program_.cost.size());  // each group once
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    if (column_[i] < 0 || counted[static_cast<std::size_t>(column_[i])] != 0) continue;
+    counted[static_cast<std::size_t>(column_[i])] = 1;
+    const Vec away = home.empty() ? Vec{} : pieces_.at(i) - home[i];
+    for (const auto& [column, offset] : {std::pair{column_[i], away.x}, std::pair{column_[i] + 1, away.y}}) {
+      // |away + d| is the least t with t >= away + d and t >= -(away + d).
+      const double bound = static_cast<double>(offset) / unit_;
       const int magnitude = program_.add_column(cost, 0, kInfinity);
-      program_.add_row(std::array<LinearProgram::Entry, 2>{{{magnitude, 1}, {column, -1}}}, 0);
-      program_.add_row(std::array<LinearProgram::Entry, 2>{{{magnitude, 1}, {column, 1}}}, 0);
+      program_.add_row(std::array<LinearProgram::Entry, 2>{{{magnitude, 1}, {column, -1}}}, bound);
+      program_.add_row(std::array<LinearProgram::Entry, 2>{{{magnitude, 1}, {column, 1}}}, -bound);
     }
   }
 }

@@ -48,7 +48,8 @@ class PositionModel {
   // Lattice units in one unit of a column.
   [[nodiscard]] double unit() const { return unit_; }
 
-  void add(const PairRow& row);
+  // With a column `give`, the row may be broken by that column's value.
+  void add(const PairRow& row, std::optional<int> give = {});
   // The length column, at `cost` per unit, from -`shorten` to `lengthen` lattice units.
   void add_length(double cost, double shorten, double lengthen);
   // Keeps piece i left of the strip's present length plus the length column.  REQUIRES: add_length.
@@ -58,8 +59,9 @@ class PositionModel {
   [[nodiscard]] std::optional<int> right_wall_row(std::size_t piece) const;
   // Costs per unit of a piece's displacement.
   void add_cost(std::size_t piece, double x, double y);
-  // Costs per unit of |x| and |y| of every displacement: one column and two rows for each.
-  void add_stillness(double cost);
+  // Costs per unit of |x| and |y| of every displacement: one column and two rows for each.  With `home`, one position per
+  // piece, what costs is the distance of each piece from its home; of a group, that of its first piece.
+  void add_stillness(double cost, std::span<const Vec> home = {});
 
   [[nodiscard]] const LinearProgram& program() const { return program_; }
   [[nodiscard]] LinearProgram& program() { return program_; }

@@ -5,16 +5,15 @@
 #include <sstream>
 
 #include "core/lp/solve.h"
-#include "core/minkowski/nearest_edges.h"
 #include "core/model/position_model.h"
 #include "core/model/snap.h"
+#include "core/motion/separation_target.h"
 
 namespace selvage {
 namespace {
 
 constexpr int kRounds = 12;
 constexpr int kNamed = 5;           // of the offending pairs, so many are named in a message
-constexpr double kOutside = 2;      // lattice units beyond the boundary at which an overlapping pair's region is chosen
 constexpr double kReach = 20;       // rows within so many healing limits of a pair's position are modelled
 constexpr double kLengthCost = 1e3;  // of the marker growing, beside a piece moving by as much
 
@@ -22,22 +21,6 @@ struct Conflict {
   PiecePair pair;
   double depth{};  // how far they must part; lattice units
 };
-
-// The depth of a conflict [Li94 7.1] and a relative position just outside, about which a free region can be chosen.
-struct Target {
-  double depth{};
-  Vec outside;
-};
-Target target_of(const Obstacle& obstacle, Vec r, Coord spacing, bool overlapping) {
-  const BoundaryPoint nearest = nearest_boundary_point(obstacle.sum(), obstacle.to_frame(r));
-  if (!overlapping) return {static_cast<double>(spacing) - nearest.distance, r};
-  const Vec along = nearest.edge->line_to - nearest.edge->line_from;
-  const auto dx = static_cast<double>(along.x);
-  const auto dy = static_cast<double>(along.y);
-  const double length = std::sqrt(dx * dx + dy * dy);
-  const Vec outside{std::llround(nearest.at.x + kOutside * dy / length), std::llround(nearest.at.y - kOutside * dx / length)};
-  return {static_cast<double>(spacing) + nearest.distance, obstacle.from_frame(outside)};
-}
 
 class Healer {
  public:
@@ -81,9 +64,8 @@ class Healer {
     for (const PiecePair& pair : conflicts(scene_.pieces, scene_.marker.spacing)) found.push_back({pair, target(pair).depth});
     return found;
   }
-  [[nodiscard]] Target target(PiecePair pair) const {
-    const bool overlapping = overlap(scene_.pieces[pair.first], scene_.pieces[pair.second]);
-    return target_of(scene_.obstacle(pair), scene_.relative_position(pair), scene_.marker.spacing, overlapping);
+  [[nodiscard]] SeparationTarget target(PiecePair pair) const {
+    return separation_target(scene_, pair, TargetRule::kNearest);
   }
   [[nodiscard]] Coord protrusion(std::size_t piece) const {
     const Box box = scene_.pieces.box(piece);
@@ -163,7 +145,7 @@ class Healer {
       const bool apart = conflict == found.end() || conflict->pair != pair;
       if (!apart) ++conflict;
       const Vec r = scene_.relative_position(pair);
-      const Vec about = apart ? r : target(pair).outside;
+      const Vec about = apart ? r : target(pair).about;
       for (const HalfPlane& side : free_region(scene_.obstacle(pair), about, region)) {
         rows.push_back(row_of(pair, side, r, spacing, unit_, TightRows::kRestore));
       }

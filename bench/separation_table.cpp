@@ -1,0 +1,155 @@
+// How well and how fast overlapping markers are separated: the pieces of valid markers are shaken by noise, separated, and
+// compacted.  Prints Markdown.
+//
+// usage: separation_table [--seeds N] FILE...
+//
+// Noise of p moves every piece by up to p times its diameter, evenly along each axis, but not out of the strip's width.
+// The length may grow by 2 % of the marker's own, not of the shaken one's.  Times are those of separate() alone, the sums
+// in the cache.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <random>
+#include <span>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "core/minkowski/inner_fit.h"
+#include "core/motion/separate.h"
+#include "protocol/formats/format.h"
+
+namespace selvage {
+namespace {
+
+constexpr double kGrow = 0.02;
+
+double diameter_of(const Polygon& polygon) {
+  double most = 0;
+  for (const Vec& a : polygon) {
+    for (const Vec& b : polygon) {
+      most = std::max(most, std::hypot(static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y)));
+    }
+  }
+  return most;
+}
+
+Marker shaken(Marker marker, double noise, std::uint32_t seed) {
+  std::mt19937 random{seed};
+  const auto even = [&] { return 2 * static_cast<double>(random()) / 4294967296.0 - 1; };
+  const Coord length = length_of(marker);
+  marker.strip.longest = length + static_cast<Coord>(kGrow * static_cast<double>(length));
+  for (Piece& piece : marker.pieces) {
+    const Polygon outline = oriented(marker.shapes[piece.shape.value].outline, piece.orientation);
+    const double most = noise * diameter_of(outline);
+    piece.at.x += std::llround(most * even());
+    piece.at.y += std::llround(most * even());
+    const Box fit = inner_fit(box_of(outline), *marker.strip.longest, marker.strip.width);
+    piece.at = {std::clamp(piece.at.x, fit.low.x, fit.high.x), std::clamp(piece.at.y, fit.low.y, fit.high.y)};
+  }
+  return marker;
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return std::nan("");
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+// What the runs at one noise came to.
+struct Runs {
+  int all{}, valid{};
+  std::vector<double> milliseconds, rounds, ratio;  // ratio: length after compaction over the unshaken marker's
+  void append(const Runs& more) {
+    all += more.all;
+    valid += more.valid;
+    milliseconds.insert(milliseconds.end(), more.milliseconds.begin(), more.milliseconds.end());
+    rounds.insert(rounds.end(), more.rounds.begin(), more.rounds.end());
+    ratio.insert(ratio.end(), more.ratio.begin(), more.ratio.end());
+  }
+};
+
+Runs run(const Marker& marker, double noise, TargetRule rule, std::uint32_t seeds, SumCache& sums) {
+  Runs runs;
+  const SeparationSettings settings{.grow = kGrow, .target = rule};
+  for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
+    const Marker start = shaken(marker, noise, seed);
+    (void)separate(start, settings, sums);  // fills the cache
+    const auto begin = std::chrono::steady_clock::now();
+    const auto result = separate(start, settings, sums);
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+    ++runs.all;
+    runs.milliseconds.push_back(took.count());
+    if (!result || !result->apart || !is_valid(result->marker)) continue;
+    ++runs.valid;
+    runs.rounds.push_back(result->rounds);
+    const auto shorter = compact(result->marker, compaction_settings(Accuracy::kStandard), sums);
+    if (shorter) runs.ratio.push_back(static_cast<double>(shorter->length_after) / static_cast<double>(length_of(marker)));
+  }
+  return runs;
+}
+
+void print_row(const std::string& name, std::size_t pieces, double noise, const Runs& runs) {
+  std::printf("| %s | %s | %.3g %% | %d/%d | %.1f %% | %.0f | %.5f | %.2f |\n", name.c_str(),
+              pieces > 0 ? std::to_string(pieces).c_str() : "", 100 * noise, runs.valid, runs.all,
+              100.0 * runs.valid / runs.all, median(runs.rounds), median(runs.ratio), median(runs.milliseconds));
+  std::fflush(stdout);
+}
+
+int table(std::span<const std::string> files, std::uint32_t seeds) {
+  struct Named {
+    std::string name;
+    Marker marker;
+  };
+  std::vector<Named> markers;
+  for (const std::string& path : files) {
+    std::ifstream in{path};
+    std::stringstream text;
+    text << in.rdbuf();
+    SumCache sums;
+    auto file = read_marker(text.str());
+    if (!file) return std::fprintf(stderr, "%s: %s\n", path.c_str(), file.error().message.c_str()), 1;
+    Scene scene{file->marker, sums};
+    if (const auto healing = heal(scene, {}, {}); !healing) {
+      return std::fprintf(stderr, "%s: %s\n", path.c_str(), healing.error().message.c_str()), 1;
+    }
+    const std::string name = path.substr(path.find_last_of('/') + 1);
+    markers.push_back({name.substr(0, name.find_last_of('.')), scene.result()});
+  }
+  for (const auto& [rule, title] : {std::pair{TargetRule::kNearest, "Nearest boundary point"},
+                                    std::pair{TargetRule::kKernelRay, "Kernel ray"}}) {
+    std::printf("\n%s:\n\n| marker | pieces | noise | apart | | rounds | compacted / unshaken | ms |\n", title);
+    std::printf("|---|---|---|---|---|---|---|---|\n");
+    for (const double noise : {0.01, 0.02, 0.05}) {
+      Runs all;
+      for (const auto& [name, marker] : markers) {
+        SumCache sums;
+        const Runs runs = run(marker, noise, rule, seeds, sums);
+        print_row(name, marker.pieces.size(), noise, runs);
+        all.append(runs);
+      }
+      print_row("**all**", 0, noise, all);
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace selvage
+
+int main(int argc, char** argv) {
+  std::vector<std::string> files{argv + 1, argv + argc};
+  std::uint32_t seeds = 20;
+  if (files.size() >= 2 && files[0] == "--seeds") {
+    seeds = static_cast<std::uint32_t>(std::stoul(files[1]));
+    files.erase(files.begin(), files.begin() + 2);
+  }
+  if (files.empty()) {
+    std::fprintf(stderr, "usage: separation_table [--seeds N] FILE...\n");
+    return 2;
+  }
+  return selvage::table(files, seeds);
+}

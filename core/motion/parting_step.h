@@ -1,0 +1,49 @@
+// One round of separation: the linear program that parts overlapping pieces with the least motion [Li94 5.2], with rows
+// that may be broken at a price [Li94 7.9], so that it always has an answer.
+#pragma once
+
+#include <stop_token>
+#include <vector>
+
+#include "core/lp/solve.h"
+#include "core/motion/observer.h"
+#include "core/motion/scene.h"
+#include "core/motion/separation_target.h"
+
+namespace selvage {
+
+// A pair that overlaps or is too close, and where it is to part.
+struct PartingPair {
+  PiecePair pair;
+  SeparationTarget target;
+  double price{};  // of a unit of overlap that stays, beside a piece moving by a unit
+};
+
+// What the length may become, and at what price beside a piece moving by as much.
+struct LengthAllowance {
+  Coord free{};      // up to here nothing is paid
+  Coord allowed{};   // up to here `price`, beyond `excess_price`
+  double price{};
+  double excess_price{};
+};
+
+struct PartingSettings {
+  double reach{};  // pairs and rows within so many lattice units are modelled
+  double price{};  // for rows of pairs that do not overlap and have no room for their margins
+  LengthAllowance length;
+  SolverChoice solver{};
+};
+
+struct PartingStep {
+  LpStatus status{};
+  std::vector<Vec> positions;    // one per piece, rounded; inside the strip's width; not proved
+  std::vector<double> pressure;  // of each piece: the sum of the dual values of its rows
+};
+
+// `parting` sorted by pair.  `home[i]`: where piece i is wanted; the motion counted is the distance from there.
+// REQUIRES: the pieces lie within the strip's width and right of its start.
+[[nodiscard]] PartingStep parting_step(const Scene& scene, const std::vector<PartingPair>& parting,
+                                       const std::vector<Vec>& home, const PartingSettings& settings,
+                                       const std::stop_token& stop, const Observer& observer);
+
+}  // namespace selvage

@@ -1,0 +1,272 @@
+#include "core/motion/separate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "core/minkowski/inner_fit.h"
+#include "core/motion/leap.h"
+#include "core/motion/parting_step.h"
+
+namespace selvage {
+namespace {
+
+// Prices are per lattice unit, beside a piece moving by one.
+constexpr double kOverlapPrice = 100;   // of overlap that stays
+constexpr double kPriceGrowth = 1.4;    // of a pair's overlap, every round that it stays
+constexpr double kHighestPrice = 1e5;
+constexpr double kLengthPrice = 10;     // of the marker growing
+constexpr double kExcessPrice = 50;     // of it growing beyond what is allowed, for the time being
+constexpr double kReach = 2;            // pairs within so many times the deepest overlap are modelled,
+constexpr double kLeastReach = 1e-3;    // but at least so far,
+constexpr double kMostReach = 0.25;     // and at most; parts of the width
+constexpr int kLeapAfter = 2;           // rounds without progress
+constexpr double kLeapReach = 1.5;      // first leaps go so many times the depth, second ones twice as far, ...
+constexpr int kPatience = 30;           // rounds without progress
+constexpr double kProgress = 0.95;      // progress leaves at most this part of what was left
+
+struct Ending {
+  StopReason reason{};
+  bool apart{};
+};
+
+// Puts pieces that lie outside a strip as long as `length` back to its edge: the least that any separation must move them.
+void put_back(Scene& scene, Coord length) {
+  std::vector<Vec> positions = scene.pieces.positions();
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    if (scene.fixed(i)) continue;
+    const Box fit = inner_fit(scene.pieces[i].box, length, scene.marker.strip.width);
+    const auto within = [](Coord value, Coord low, Coord high) { return std::max(low, std::min(value, high)); };
+    positions[i] = {within(positions[i].x, fit.low.x, fit.high.x), within(positions[i].y, fit.low.y, fit.high.y)};
+  }
+  scene.pieces.place(std::move(positions));
+}
+
+// The rounds on one set of pieces.
+class Rounds {
+ public:
+  Rounds(Scene& scene, const std::vector<Vec>& home, Coord free, Coord allowed, const SeparationSettings& settings,
+         const Observer& observer)
+      : scene_{scene}, home_{home}, free_{free}, allowed_{allowed}, settings_{settings}, observer_{observer} {}
+
+  // Leaves the pieces parted, or where they overlap least; counts in `total`.
+  Ending run(Separation& total, const std::stop_token& stop) {
+    put_back(scene_, allowed_);
+    look();
+    const Best start{scene_.pieces.positions(), left()};
+    best_ = start;
+    const StopReason reason = go(total, stop);
+    if (apart()) return {StopReason::kConverged, true};
+    settle(start);
+    return {reason, apart()};
+  }
+
+  // The piece that holds up the rest: of those that overlap, the one whose rows weigh most [Li94 10].  Locked pieces only
+  // when there is no other.  REQUIRES: not apart.
+  std::uint32_t holding_up(Separation& total, const std::stop_token& stop) const {
+    const PartingStep step = parting_step(scene_, parting_, home_, program_settings(), stop, observer_);
+    ++total.programs;
+    std::vector<std::uint32_t> candidates;
+    for (const PartingPair& parting : parting_) candidates.insert(candidates.end(), {parting.pair.first, parting.pair.second});
+    if (candidates.empty()) candidates.push_back(rightmost());
+    const auto weight = [&](std::uint32_t piece) {
+      return std::pair{!scene_.fixed(piece), step.pressure.empty() ? 0.0 : step.pressure[piece]};
+    };
+    return *std::max_element(candidates.begin(), candidates.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return weight(a) != weight(b) ? weight(a) < weight(b) : a > b;
+    });
+  }
+
+ private:
+  struct Best {
+    std::vector<Vec> positions;
+    double left{};
+  };
+
+  StopReason go(Separation& total, const std::stop_token& stop) {
+    const int last = total.rounds + settings_.rounds;
+    for (int idle = 0; !apart(); ++idle) {
+      if (stop.stop_requested()) return StopReason::kCancelled;
+      if (total.rounds == last) return StopReason::kWorkLimit;
+      if (idle == kPatience) return StopReason::kConverged;
+      if (idle > 0 && idle % kLeapAfter == 0) leap(idle / kLeapAfter);
+      const PartingStep step = parting_step(scene_, parting_, home_, program_settings(), stop, observer_);
+      ++total.programs;
+      if (step.status != LpStatus::kOptimal) {
+        return step.status == LpStatus::kStopped ? StopReason::kCancelled : StopReason::kSolverFailed;
+      }
+      scene_.pieces.place(step.positions);
+      put_back(scene_, kLatticeLimit);
+      look();
+      observer_.on_round({++total.rounds, scene_.pieces.length()});
+      if (left() < kProgress * best_.left) idle = 0;
+      if (left() < best_.left) best_ = {scene_.pieces.positions(), left()};
+    }
+    return StopReason::kConverged;
+  }
+
+  // The best of what was seen, without the length that was overdrawn; no worse than the start.
+  void settle(const Best& start) {
+    scene_.pieces.place(best_.positions);
+    put_back(scene_, allowed_);
+    look();
+    if (left() <= start.left) return;
+    scene_.pieces.place(start.positions);
+    look();
+  }
+
+  [[nodiscard]] Coord excess() const { return std::max(Coord{0}, scene_.pieces.length() - allowed_); }
+  [[nodiscard]] bool apart() const { return parting_.empty() && excess() == 0; }
+  // What is left to do; lattice units.
+  [[nodiscard]] double left() const { return depth_ + static_cast<double>(excess()); }
+
+  // Finds what overlaps, exactly.
+  void look() {
+    observer_.on_stage(Stage::kVerify);
+    parting_.clear();
+    depth_ = deepest_ = 0;
+    for (const PiecePair& pair : conflicts(scene_.pieces, scene_.marker.spacing)) {
+      const SeparationTarget target = separation_target(scene_, pair, settings_.target);
+      const auto [price, first_time] = prices_.raised.try_emplace(pair, kOverlapPrice);
+      if (!first_time) price->second = std::min(kHighestPrice, kPriceGrowth * price->second);
+      parting_.push_back({pair, target, price->second});
+      depth_ += target.depth;
+      deepest_ = std::max(deepest_, target.depth);
+    }
+  }
+
+  // Of every pair that overlaps still, the piece that has the cheaper place to go to leaps there.
+  void leap(int times) {
+    observer_.on_stage(Stage::kOther);
+    for (const auto& [pair, target, price] : parting_) {
+      std::optional<Leap> best;
+      std::uint32_t leaping{};
+      for (const std::uint32_t piece : {pair.first, pair.second}) {
+        if (scene_.fixed(piece)) continue;
+        const Leap found = cheapest_leap(scene_, piece, kLeapReach * target.depth * times, allowed_, prices_);
+        if (best && best->cost <= found.cost) continue;
+        best = found;
+        leaping = piece;
+      }
+      if (!best) continue;
+      std::vector<Vec> positions = scene_.pieces.positions();
+      positions[leaping] = best->to;
+      scene_.pieces.place(std::move(positions));
+    }
+    look();
+  }
+
+  [[nodiscard]] PartingSettings program_settings() const {
+    const auto width = static_cast<double>(scene_.marker.strip.width);
+    const double farthest = std::max(deepest_, static_cast<double>(excess()));
+    const double reach = std::clamp(kReach * farthest, kLeastReach * width, kMostReach * width);
+    return {reach, kOverlapPrice, {free_, allowed_, kLengthPrice, kExcessPrice}, settings_.solver};
+  }
+  [[nodiscard]] std::uint32_t rightmost() const {
+    std::uint32_t most = 0;
+    for (std::uint32_t i = 1; i < scene_.pieces.size(); ++i) {
+      if (scene_.pieces.box(i).high.x > scene_.pieces.box(most).high.x) most = i;
+    }
+    return most;
+  }
+
+  Scene& scene_;
+  const std::vector<Vec>& home_;
+  Coord free_, allowed_;
+  const SeparationSettings& settings_;
+  const Observer& observer_;
+  std::vector<PartingPair> parting_;
+  OverlapPrices prices_{kOverlapPrice, {}};
+  double depth_{}, deepest_{};
+  Best best_;
+};
+
+std::optional<Error> refuse(const Marker& start, const SeparationSettings& settings) {
+  if (!(settings.grow >= 0 && std::isfinite(settings.grow))) {
+    return Error{ErrorCode::kOutOfRange, "grow is " + std::to_string(settings.grow) + "; it must be 0 or more", "/grow"};
+  }
+  const PlacedPieces pieces{start};
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const Box box = pieces.box(i);
+    const bool outside = box.low.x < 0 || box.low.y < 0 || box.high.y > start.strip.width ||
+                         (start.strip.longest && box.high.x > *start.strip.longest);
+    if (!start.pieces[i].locked || !outside) continue;
+    return Error{ErrorCode::kOutsideStrip, "piece \"" + start.pieces[i].id + "\" is locked outside the strip",
+                 "/pieces/" + std::to_string(i) + "/at"};
+  }
+  return std::nullopt;
+}
+
+Coord allowed_length(const Marker& start, Coord length, double grow) {
+  const double more = std::min(grow * static_cast<double>(length), static_cast<double>(kLatticeLimit - length));
+  const Coord allowed = length + static_cast<Coord>(more);
+  return start.strip.longest ? std::min(allowed, *start.strip.longest) : allowed;
+}
+
+Coord length_put_back(const Marker& start, SumCache& sums) {
+  Scene scene{start, sums};
+  put_back(scene, start.strip.longest.value_or(kLatticeLimit));
+  return scene.pieces.length();
+}
+
+// The pieces still in the marker, as they were in the input.
+struct Original {
+  std::vector<PieceId> ids;
+  std::vector<Vec> home;
+};
+Original original(const Marker& start) {
+  Original pieces;
+  for (std::uint32_t i = 0; i < start.pieces.size(); ++i) {
+    pieces.ids.push_back(PieceId{i});
+    pieces.home.push_back(start.pieces[i].at);
+  }
+  return pieces;
+}
+
+template <class T>
+void erase_at(std::vector<T>& list, std::uint32_t index) {
+  list.erase(list.begin() + static_cast<std::ptrdiff_t>(index));
+}
+
+void sum_up(Separation& result, const std::vector<Vec>& home, SumCache& sums) {
+  result.length_after = length_of(result.marker);
+  if (!result.apart) result.remaining = check(result.marker, sums).overlaps;
+  for (std::size_t i = 0; i < home.size(); ++i) {
+    const Vec move = result.marker.pieces[i].at - home[i];
+    result.moved += static_cast<double>(std::abs(move.x)) + static_cast<double>(std::abs(move.y));
+    result.farthest_move = std::max({result.farthest_move, std::abs(move.x), std::abs(move.y)});
+  }
+}
+
+}  // namespace
+
+Result<Separation> separate(const Marker& start, const SeparationSettings& settings, SumCache& sums, std::stop_token stop,
+                            const Observer& observer) {
+  observer.on_stage(Stage::kOther);
+  if (const auto refusal = refuse(start, settings)) return *refusal;
+  Separation result;
+  result.marker = start;
+  result.length_before = length_put_back(start, sums);
+  const Coord allowed = allowed_length(start, result.length_before, settings.grow);
+  Original pieces = original(start);
+  for (;;) {
+    const Marker present = result.marker;
+    Scene scene{present, sums};
+    Rounds rounds{scene, pieces.home, std::min(allowed, result.length_before), allowed, settings, observer};
+    const Ending ending = rounds.run(result, stop);
+    result.marker = scene.result();
+    result.reason = ending.reason;
+    result.apart = ending.apart;
+    if (ending.apart || !settings.pop_out || ending.reason == StopReason::kCancelled) break;
+    const std::uint32_t gone = rounds.holding_up(result, stop);
+    result.popped.push_back(pieces.ids[gone]);
+    erase_at(result.marker.pieces, gone);
+    erase_at(pieces.ids, gone);
+    erase_at(pieces.home, gone);
+  }
+  sum_up(result, pieces.home, sums);
+  return result;
+}
+
+}  // namespace selvage

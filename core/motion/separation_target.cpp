@@ -1,0 +1,69 @@
+#include "core/motion/separation_target.h"
+
+#include <cmath>
+#include <optional>
+
+#include "core/minkowski/nearest_edges.h"
+#include "core/minkowski/ring.h"
+
+namespace selvage {
+namespace {
+
+constexpr double kOutside = 2;  // lattice units beyond the boundary at which a region is chosen
+
+Vec just_outside(Real2 at, const SumEdge& edge) {
+  const Vec along = edge.line_to - edge.line_from;
+  const auto dx = static_cast<double>(along.x);
+  const auto dy = static_cast<double>(along.y);
+  const double length = std::sqrt(dx * dx + dy * dy);
+  return {std::llround(at.x + kOutside * dy / length), std::llround(at.y - kOutside * dx / length)};
+}
+
+// The centre of the first star sum that holds r: a point of its kernel.
+Real2 kernel_about(const MinkowskiSum& sum, Vec r) {
+  for (const StarSum& ring : sum.rings()) {
+    if (Ring{ring}.holds({static_cast<double>(r.x), static_cast<double>(r.y)}, 0)) return ring.centre;
+  }
+  return sum.rings()[0].centre;
+}
+
+// The first point beyond r of the ray from the kernel at which it leaves the sum.
+std::optional<Vec> exit_of_ray(const MinkowskiSum& sum, Vec r) {
+  const Real2 kernel = kernel_about(sum, r);
+  const double x = static_cast<double>(r.x) - kernel.x;
+  const double y = static_cast<double>(r.y) - kernel.y;
+  const SumEdge* left_by = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const SumEdge& edge : sum.edges()) {
+    const double ax = static_cast<double>(edge.from.x - r.x);
+    const double ay = static_cast<double>(edge.from.y - r.y);
+    const double bx = static_cast<double>(edge.to.x - r.x);
+    const double by = static_cast<double>(edge.to.y - r.y);
+    const double from = x * ay - y * ax;  // the ray leaves over the edge when it begins to the right and ends to the left
+    const double to = x * by - y * bx;
+    if (from > 0 || to <= 0) continue;
+    const double part = from / (from - to);
+    const double beyond = ((ax + part * (bx - ax)) * x + (ay + part * (by - ay)) * y) / (x * x + y * y);
+    if (beyond < 0 || beyond >= least) continue;
+    least = beyond;
+    left_by = &edge;
+  }
+  if (left_by == nullptr) return std::nullopt;
+  return just_outside({static_cast<double>(r.x) + least * x, static_cast<double>(r.y) + least * y}, *left_by);
+}
+
+}  // namespace
+
+SeparationTarget separation_target(const Scene& scene, PiecePair pair, TargetRule rule) {
+  const auto spacing = static_cast<double>(scene.marker.spacing);
+  const Obstacle obstacle = scene.obstacle(pair);
+  const Vec r = scene.relative_position(pair);
+  const Vec at = obstacle.to_frame(r);
+  const BoundaryPoint nearest = nearest_boundary_point(obstacle.sum(), at);
+  if (!overlap(scene.pieces[pair.first], scene.pieces[pair.second])) return {spacing - nearest.distance, r};
+  std::optional<Vec> about;
+  if (rule == TargetRule::kKernelRay) about = exit_of_ray(obstacle.sum(), at);
+  return {spacing + nearest.distance, obstacle.from_frame(about ? *about : just_outside(nearest.at, *nearest.edge))};
+}
+
+}  // namespace selvage

@@ -1,0 +1,22 @@
+// Where two overlapping pieces are to part: the depth of their overlap, and a relative position just outside their
+// Minkowski sum about which a free region can be chosen [Li94 5.2, 7.1].  Shared by healing and separation.
+#pragma once
+
+#include "core/motion/scene.h"
+
+namespace selvage {
+
+// How the position is chosen.
+enum class TargetRule {
+  kNearest,    // the nearest point of the sum's boundary
+  kKernelRay,  // where the ray from the sum's kernel through the present position leaves the sum [Li94 5.2]
+};
+
+struct SeparationTarget {
+  double depth{};  // how far the pieces must part, spacing included; the same for either rule; lattice units
+  Vec about;       // a relative position: the present one when the pieces are only too close
+};
+// REQUIRES: the pair overlaps, or is closer than the marker's spacing.
+[[nodiscard]] SeparationTarget separation_target(const Scene& scene, PiecePair pair, TargetRule rule);
+
+}  // namespace selvage
