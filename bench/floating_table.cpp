@@ -1,5 +1,6 @@
 // What floating does to compacted markers, as the Markdown table of docs/measurements.md: each of the garment markers compacted
-// at standard accuracy, then floated in each mode.  Argument: the distance, in the marker's unit (default 5).
+// at standard accuracy, then floated in each mode.  Arguments: the distance, in the marker's unit (default 5), and the one
+// marker to look at (default: all).
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -66,7 +67,7 @@ bool print_row(const std::string& name, const char* mode, const Marker& start, c
   return good;
 }
 
-bool print_table(double distance) {
+bool print_table(double distance, const std::string& only) {
   std::printf("Distance %g; lengths in the marker's unit, the change of the marker's length in lattice units. \"Touching\": narrower "
               "than a hundredth of the distance.\n\n", distance);
   std::printf("| marker | mode | gaps | least before | least after | touching before | touching after | mean before "
@@ -74,6 +75,7 @@ bool print_table(double distance) {
   std::printf("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   bool good = true;
   for (const char* name : {"jeans_02g", "charlie_04g", "simon_06g", "jeans_06g", "jeans_22g"}) {
+    if (!only.empty() && only != name) continue;
     SumCache sums;
     const auto compacted = compact(marker_named(name), compaction_settings(Accuracy::kStandard), sums);
     if (!compacted) return false;
@@ -91,4 +93,6 @@ bool print_table(double distance) {
 }  // namespace
 }  // namespace selvage
 
-int main(int argc, char** argv) { return selvage::print_table(argc > 1 ? std::atof(argv[1]) : 5) ? 0 : 1; }
+int main(int argc, char** argv) {
+  return selvage::print_table(argc > 1 ? std::atof(argv[1]) : 5, argc > 2 ? argv[2] : "") ? 0 : 1;
+}

@@ -113,16 +113,23 @@ class Floater {
       if (!gap.held) least = std::min(least, gap.now);
     }
     if (least >= aim_.most) return false;
-    const bool asks_for_minimum = settings_.mode == FloatMode::kLargestMinimum || settings_.mode == FloatMode::kTwoStep;
-    CriticalSet set{least, {}};
-    for (std::size_t k = 0; k < gaps_.size(); ++k) {
-      const bool loaded = asks_for_minimum && k < loads_.size() && loads_[k] > kLoaded;
-      if (gaps_[k].held || !(loaded || gaps_[k].now <= least + 1)) continue;
-      set.gaps.push_back(gaps_[k].gap);
-      critical_.emplace(gaps_[k].gap, static_cast<Coord>(least));
-    }
+    CriticalSet set{least, holding(least)};
+    for (const Gap& gap : set.gaps) critical_.emplace(gap, static_cast<Coord>(least));
     best.critical.push_back(std::move(set));
     return true;
+  }
+
+  // The gaps that carry load in the last program, if it asked for the minimum; else, or when none does, those that have it.
+  [[nodiscard]] std::vector<Gap> holding(double least) const {
+    std::vector<Gap> loaded;
+    std::vector<Gap> narrowest;
+    for (std::size_t k = 0; k < gaps_.size(); ++k) {
+      if (gaps_[k].held) continue;
+      if (k < loads_.size() && loads_[k] > kLoaded) loaded.push_back(gaps_[k].gap);
+      if (gaps_[k].now <= least + 1) narrowest.push_back(gaps_[k].gap);
+    }
+    const bool asked = settings_.mode == FloatMode::kLargestMinimum || settings_.mode == FloatMode::kTwoStep;
+    return asked && !loaded.empty() ? loaded : narrowest;
   }
 
   Scene& scene_;

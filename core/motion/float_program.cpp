@@ -9,6 +9,9 @@ namespace selvage {
 namespace {
 
 constexpr double kShortfallCost = 10;  // of a unit of missing distance, beside all pieces moving by a unit each
+constexpr double kCertain = 0.01;      // lattice units: a solver's rounding is less
+constexpr std::size_t kMeanOf = 8;     // columns in one row of a mean
+constexpr double kMeanSlack = 1e-3;    // column units by which a mean may be off: equations have no interior
 
 bool has_shared_width(FloatMode mode) { return mode == FloatMode::kLargestMinimum || mode == FloatMode::kTwoStep; }
 double shortfall_cost(std::size_t pieces) { return kShortfallCost * static_cast<double>(pieces); }
@@ -139,8 +142,7 @@ void FloatProgram::add_shared_width(std::span<const double> room) {
 
 // A column for every other gap [Li94 7.6]; that of a held one stays where it is.
 void FloatProgram::add_own_widths(std::span<const double> room) {
-  double cost = aim_.mode == FloatMode::kUniform ? 0 : -1;
-  if (aim_.mode == FloatMode::kGivenDistance) cost = -shortfall_cost(scene_.pieces.size());
+  const double cost = aim_.mode == FloatMode::kUniform ? 0 : -1;
   for (std::size_t k = 0; k < gaps_.size(); ++k) {
     if (width_[k] >= 0) continue;
     const FloatGap& gap = gaps_[k];
@@ -176,6 +178,34 @@ void FloatProgram::add_rows() {
   }
 }
 
+// A column that is the mean of others.  Their sum is taken a few at a time: one row with all of them would make the solver's
+// matrix dense.
+int FloatProgram::add_mean(std::span<const int> columns) {
+  LinearProgram& program = model_.program();
+  std::vector<LinearProgram::Entry> terms;
+  for (const int column : columns) terms.push_back({column, 1});
+  std::vector<double> counts(terms.size(), 1);  // how many columns each term is the mean of
+  while (terms.size() > 1) {
+    std::vector<LinearProgram::Entry> means;
+    std::vector<double> mean_counts;
+    for (std::size_t k = 0; k < terms.size(); k += kMeanOf) {
+      const std::size_t end = std::min(terms.size(), k + kMeanOf);
+      const double count = std::accumulate(&counts[k], &counts[k] + (end - k), 0.0);
+      const int mean = program.add_column(0, -kInfinity, kInfinity);
+      for (const double sign : {1.0, -1.0}) {
+        std::vector<LinearProgram::Entry> entries{{mean, sign}};
+        for (std::size_t m = k; m < end; ++m) entries.push_back({terms[m].column, -sign * counts[m] / count});
+        program.add_row(entries, -kMeanSlack);
+      }
+      means.push_back({mean, 1});
+      mean_counts.push_back(count);
+    }
+    terms = std::move(means);
+    counts = std::move(mean_counts);
+  }
+  return terms.front().column;
+}
+
 // [Li94 7.2]: -J m + sum |d_j - m| with J m = sum d_j is sum l_j with l_j = |d_j - m| - d_j = max(-m, m - 2 d_j).
 void FloatProgram::add_uniformity() {
   LinearProgram& program = model_.program();
@@ -184,12 +214,7 @@ void FloatProgram::add_uniformity() {
     if (!gaps_[k].held) widths.push_back(width_[k]);
   }
   if (widths.empty()) return;
-  const int mean = program.add_column(0, -kInfinity, kInfinity);
-  for (const double sign : {1.0, -1.0}) {
-    std::vector<LinearProgram::Entry> entries{{mean, sign}};
-    for (const int width : widths) entries.push_back({width, -sign / static_cast<double>(widths.size())});
-    program.add_row(entries, 0);
-  }
+  const int mean = add_mean(widths);
   for (const int width : widths) {
     const int excess = program.add_column(1, -kInfinity, kInfinity);
     program.add_row(std::array<LinearProgram::Entry, 2>{{{excess, 1}, {mean, 1}}}, 0);
@@ -206,11 +231,25 @@ void FloatProgram::add_motion() {
     const Vec so_far = scene_.pieces.at(i) - aim_.start[i];
     for (const auto& [moving, by] : {std::pair{*column, so_far.x}, std::pair{*column + 1, so_far.y}}) {
       const double offset = static_cast<double>(by) / model_.unit();
-      const int magnitude = program.add_column(1, 0, kInfinity);
+      const int magnitude = program.add_column(1 / shortfall_cost(scene_.pieces.size()), 0, kInfinity);
       program.add_row(std::array<LinearProgram::Entry, 2>{{{magnitude, 1}, {moving, -1}}}, offset);
       program.add_row(std::array<LinearProgram::Entry, 2>{{{magnitude, 1}, {moving, 1}}}, -offset);
     }
   }
+}
+
+double FloatProgram::promised(const LpSolution& solution) const {
+  const bool scaled = aim_.mode == FloatMode::kGivenDistance;  // the program's costs are at most 1, for the solver
+  return -solution.objective * model_.unit() * (scaled ? shortfall_cost(scene_.pieces.size()) : 1);
+}
+
+std::vector<std::size_t> FloatProgram::uncertain(const LpSolution& solution) const {
+  std::vector<std::size_t> gaps;
+  for (std::size_t k = 0; k < gaps_.size(); ++k) {
+    const double width = solution.x[static_cast<std::size_t>(width_[k])] * model_.unit();
+    if (!tied(gaps_[k].gap) && width < static_cast<double>(gaps_[k].least) - kCertain) gaps.push_back(k);
+  }
+  return gaps;
 }
 
 std::vector<double> FloatProgram::loads(const LpSolution& solution) const {

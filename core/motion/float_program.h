@@ -61,7 +61,9 @@ class FloatProgram {
   [[nodiscard]] const LinearProgram& program() const { return model_.program(); }
   [[nodiscard]] std::vector<Displacement> displacements(const LpSolution& s) const { return model_.displacements(s.x); }
   // The worth that a solution promises, before rounding; lattice units.
-  [[nodiscard]] double promised(const LpSolution& solution) const { return -solution.objective * model_.unit(); }
+  [[nodiscard]] double promised(const LpSolution& solution) const;
+  // The gaps that a solution leaves no certain room: rounding may make them narrower than their `least`.
+  [[nodiscard]] std::vector<std::size_t> uncertain(const LpSolution& solution) const;
   // For each gap, what the worth would gain by a unit of room in it.
   [[nodiscard]] std::vector<double> loads(const LpSolution& solution) const;
 
@@ -72,6 +74,7 @@ class FloatProgram {
   void add_own_widths(std::span<const double> room);
   void add_rows();
   void add_uniformity();
+  [[nodiscard]] int add_mean(std::span<const int> columns);
   void add_motion();
   [[nodiscard]] bool tied(const Gap& gap) const;
 

@@ -38,8 +38,13 @@ class Attempt {
       if (step.programs == 1) step.loads = program.loads(solution);
       if (program.promised(solution) <= worth_) return step;
       observer_.on_stage(Stage::kVerify);
-      const auto broken = try_moves(program.displacements(solution), step);
+      auto broken = try_moves(program.displacements(solution), step);
       if (broken.empty()) return step;
+      if (step.programs > 1) {  // rounding will break others next time: tie all that it may
+        for (const std::size_t k : program.uncertain(solution)) {
+          if (other_piece(gaps_[k].gap)) broken.push_back(pair_of(gaps_[k].gap));
+        }
+      }
       tie(broken);
     }
     return step;
