@@ -68,8 +68,8 @@ bool print_row(const std::string& name, const char* mode, const Marker& start, c
 }
 
 bool print_table(double distance, const std::string& only) {
-  std::printf("Distance %g; lengths in the marker's unit, the change of the marker's length in lattice units. \"Touching\": narrower "
-              "than a hundredth of the distance.\n\n", distance);
+  std::printf("Distance %g; lengths in the marker's unit, the change of the marker's length in lattice units. \"Touching\": "
+              "narrower than a hundredth of the distance.\n\n", distance);
   std::printf("| marker | mode | gaps | least before | least after | touching before | touching after | mean before "
               "| mean after | length change | rounds | programs | ms | valid |\n");
   std::printf("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");

@@ -71,7 +71,7 @@ class Floater {
     for (int round = 0; round < settings_.rounds; ++round) {
       observer_.on_stage(Stage::kSums);
       gaps_ = gaps_near(trust);
-      FloatStep step = float_step(scene_, aim_, gaps_, trust, settings_.solver, stop, observer_);
+      FloatStep step = float_step(scene_, aim_, gaps_, trust, solver(), stop, observer_);
       observer_.on_stage(Stage::kOther);
       best.programs += step.programs;
       loads_ = std::move(step.loads);
@@ -85,6 +85,15 @@ class Floater {
       if (step.gain < settings_.least_gain * width) return StopReason::kConverged;
     }
     return StopReason::kWorkLimit;
+  }
+
+  [[nodiscard]] bool asks_for_minimum() const {
+    return settings_.mode == FloatMode::kLargestMinimum || settings_.mode == FloatMode::kTwoStep;
+  }
+  // A critical set is what carries load: all of it does in the middle of the optimal face, at a vertex perhaps a part.
+  [[nodiscard]] SolverChoice solver() const {
+    const bool any = settings_.solver == SolverChoice::kAutomatic;
+    return any && asks_for_minimum() ? SolverChoice::kInteriorPoint : settings_.solver;
   }
 
   // Every gap that a round can make narrower than what counts.
@@ -128,8 +137,7 @@ class Floater {
       if (k < loads_.size() && loads_[k] > kLoaded) loaded.push_back(gaps_[k].gap);
       if (gaps_[k].now <= least + 1) narrowest.push_back(gaps_[k].gap);
     }
-    const bool asked = settings_.mode == FloatMode::kLargestMinimum || settings_.mode == FloatMode::kTwoStep;
-    return asked && !loaded.empty() ? loaded : narrowest;
+    return asks_for_minimum() && !loaded.empty() ? loaded : narrowest;
   }
 
   Scene& scene_;
@@ -148,7 +156,7 @@ class Floater {
 
 // Figures behind these choices: docs/measurements.md.
 FloatSettings float_settings(FloatMode mode, Coord distance) {
-  return {.mode = mode, .distance = distance, .edges = false, .rounds = 30, .stages = 6, .least_gain = 1e-5, .trust = 0.05,
+  return {.mode = mode, .distance = distance, .edges = false, .rounds = 30, .stages = 6, .least_gain = 1e-5, .trust = 0.03,
           .solver = SolverChoice::kAutomatic};
 }
 
@@ -157,8 +165,8 @@ Result<Floating> float_apart(const Marker& start, const FloatSettings& settings,
   observer.on_stage(Stage::kOther);
   if (settings.distance <= 0 || settings.distance >= kLatticeLimit) {
     return Error{ErrorCode::kOutOfRange,
-                 "the distance is " + std::to_string(settings.distance) + " lattice units; it must be positive and less than 2^40",
-                 "/distance"};
+                 "the distance is " + std::to_string(settings.distance) +
+                     " lattice units; it must be positive and less than 2^40", "/distance"};
   }
   Scene scene{start, sums};
   Floating best;

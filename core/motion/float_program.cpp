@@ -9,6 +9,7 @@ namespace selvage {
 namespace {
 
 constexpr double kShortfallCost = 10;  // of a unit of missing distance, beside all pieces moving by a unit each
+constexpr double kCost = 0.01;         // of a unit of width, when each gap has its own: keeps duals, which add up, about 1
 constexpr double kCertain = 0.01;      // lattice units: a solver's rounding is less
 constexpr std::size_t kMeanOf = 8;     // columns in one row of a mean
 constexpr double kMeanSlack = 1e-3;    // column units by which a mean may be off: equations have no interior
@@ -27,6 +28,11 @@ WidthRow edge_row(std::size_t index, StripEdge edge, double width) {
     case StripEdge::kTop: break;
   }
   return {index, 0, -1, width, 0};
+}
+
+Real2 between_centres(const Box& from, const Box& to) {
+  return {static_cast<double>(to.low.x + to.high.x - from.low.x - from.high.x),
+          static_cast<double>(to.low.y + to.high.y - from.low.y - from.high.y)};
 }
 
 double motion_of(const PlacedPieces& pieces, std::span<const Vec> start) {
@@ -72,7 +78,8 @@ std::vector<WidthRow> width_rows(const Scene& scene, const FloatAim& aim, std::s
     }
     const PiecePair pair = pair_of(gap.gap);
     const Vec r = scene.relative_position(pair);
-    const RegionSettings region{RegionRule::kGreedy, 3 * trust + aim.most, static_cast<Coord>(gap.now)};
+    const Real2 apart = between_centres(scene.pieces.box(pair.first), scene.pieces.box(pair.second));
+    const RegionSettings region{RegionRule::kGreedy, 3 * trust + aim.most, static_cast<Coord>(gap.now), apart.x, apart.y};
     for (const HalfPlane& side : free_region(scene.obstacle(pair), r, region)) {
       WidthRow row{k, 0, 0, slack_of(side, r), 0};
       const PairRow moved = row_of(pair, side, r, 0, unit, TightRows::kRestore);
@@ -142,7 +149,7 @@ void FloatProgram::add_shared_width(std::span<const double> room) {
 
 // A column for every other gap [Li94 7.6]; that of a held one stays where it is.
 void FloatProgram::add_own_widths(std::span<const double> room) {
-  const double cost = aim_.mode == FloatMode::kUniform ? 0 : -1;
+  const double cost = aim_.mode == FloatMode::kUniform ? 0 : -kCost;
   for (std::size_t k = 0; k < gaps_.size(); ++k) {
     if (width_[k] >= 0) continue;
     const FloatGap& gap = gaps_[k];
@@ -216,7 +223,7 @@ void FloatProgram::add_uniformity() {
   if (widths.empty()) return;
   const int mean = add_mean(widths);
   for (const int width : widths) {
-    const int excess = program.add_column(1, -kInfinity, kInfinity);
+    const int excess = program.add_column(kCost, -kInfinity, kInfinity);
     program.add_row(std::array<LinearProgram::Entry, 2>{{{excess, 1}, {mean, 1}}}, 0);
     program.add_row(std::array<LinearProgram::Entry, 3>{{{excess, 1}, {mean, -1}, {width, 2}}}, 0);
   }
@@ -231,7 +238,7 @@ void FloatProgram::add_motion() {
     const Vec so_far = scene_.pieces.at(i) - aim_.start[i];
     for (const auto& [moving, by] : {std::pair{*column, so_far.x}, std::pair{*column + 1, so_far.y}}) {
       const double offset = static_cast<double>(by) / model_.unit();
-      const int magnitude = program.add_column(1 / shortfall_cost(scene_.pieces.size()), 0, kInfinity);
+      const int magnitude = program.add_column(kCost / shortfall_cost(scene_.pieces.size()), 0, kInfinity);
       program.add_row(std::array<LinearProgram::Entry, 2>{{{magnitude, 1}, {moving, -1}}}, offset);
       program.add_row(std::array<LinearProgram::Entry, 2>{{{magnitude, 1}, {moving, 1}}}, -offset);
     }
@@ -239,8 +246,9 @@ void FloatProgram::add_motion() {
 }
 
 double FloatProgram::promised(const LpSolution& solution) const {
-  const bool scaled = aim_.mode == FloatMode::kGivenDistance;  // the program's costs are at most 1, for the solver
-  return -solution.objective * model_.unit() * (scaled ? shortfall_cost(scene_.pieces.size()) : 1);
+  double scale = has_shared_width(aim_.mode) ? 1 : kCost;
+  if (aim_.mode == FloatMode::kGivenDistance) scale /= shortfall_cost(scene_.pieces.size());
+  return -solution.objective * model_.unit() / scale;
 }
 
 std::vector<std::size_t> FloatProgram::uncertain(const LpSolution& solution) const {

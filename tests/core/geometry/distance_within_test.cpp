@@ -40,8 +40,12 @@ TEST(DistanceWithin, AgreesWithExactDistances) {
       continue;
     }
     ++apart;
-    if (whole > 0) ASSERT_GE(compare_distance(p, q, whole), 0);
-    if (whole < reach) ASSERT_LT(compare_distance(p, q, whole + 1), 0);
+    if (whole > 0) {
+      ASSERT_GE(compare_distance(p, q, whole), 0);
+    }
+    if (whole < reach) {
+      ASSERT_LT(compare_distance(p, q, whole + 1), 0);
+    }
   }
   EXPECT_GT(apart, 1000U);
 }
