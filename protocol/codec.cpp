@@ -1,5 +1,8 @@
 #include "protocol/codec.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "protocol/fields.h"
 #include "protocol/formats/decimal_marker.h"
 #include "protocol/json_rpc.h"
@@ -17,6 +20,65 @@ Result<std::string> decode_marker_id(const Json& params) {
   fields.finish();
   if (mistake) return mistake.error();
   return id;
+}
+
+MotionCall read_call(Fields& fields) {
+  MotionCall call;
+  call.marker_id = fields.text("markerId");
+  if (const auto revision = fields.maybe_integer("baseRev", 1, kLargestRevision)) {
+    call.base_revision = static_cast<Revision>(*revision);
+  }
+  call.commit = fields.flag_or("commit", call.commit);
+  call.timing = fields.flag_or("timing", call.timing);
+  return call;
+}
+
+Effort read_effort(Fields& fields) {
+  Effort effort;
+  effort.accuracy = static_cast<Accuracy>(
+      fields.word_or("accuracy", static_cast<std::size_t>(effort.accuracy), kAccuracyNames));
+  if (const auto rounds = fields.maybe_integer("rounds", 0, kMaxRounds))
+    effort.rounds = static_cast<int>(*rounds);
+  return effort;
+}
+
+Direction read_direction(Fields& fields, std::string_view key, Mistake& mistake) {
+  const std::string at = fields.pointer(key);
+  const Json& value = fields.array(key);
+  if (mistake) return {};
+  if (value.size() != 2) {
+    mistake.add(ErrorCode::kWrongType, shortened(value) + " where [x, y] is required", at);
+    return {};
+  }
+  constexpr Range kAllowed{-kLargestForce, kLargestForce};
+  const Direction read{checked_number(value[0], kAllowed, mistake, at + "/0"),
+                       checked_number(value[1], kAllowed, mistake, at + "/1")};
+  if (std::max(std::abs(read.x), std::abs(read.y)) < kLeastForce) {
+    mistake.add(ErrorCode::kOutOfRange,
+                shortened(value) + " leads nowhere; [x, y] with x or y of at least " +
+                    number_text(kLeastForce) + " either way is allowed",
+                at);
+  }
+  return read;
+}
+
+std::vector<std::pair<std::string, Direction>> read_forces(Fields& fields, Mistake& mistake) {
+  const Json& list = fields.array("forces");
+  if (mistake) return {};
+  if (list.empty() || list.size() > kMaxForces) {
+    mistake.add(ErrorCode::kOutOfRange,
+                std::to_string(list.size()) + " forces; 1 to " + std::to_string(kMaxForces) + " are allowed",
+                fields.pointer("forces"));
+  }
+  std::vector<std::pair<std::string, Direction>> forces;
+  for (std::size_t k = 0; k < list.size() && !mistake; ++k) {
+    Fields force{list[k], fields.pointer("forces") + "/" + std::to_string(k), mistake};
+    std::string piece = force.id("piece");
+    const Direction direction = read_direction(force, "force", mistake);
+    force.finish();
+    forces.emplace_back(std::move(piece), direction);
+  }
+  return forces;
 }
 
 }  // namespace
@@ -74,19 +136,47 @@ Result<MotionCompact> decode_motion_compact(const Json& params) {
   Mistake mistake;
   Fields fields{params, "", mistake};
   MotionCompact compact;
-  compact.marker_id = fields.text("markerId");
-  if (const auto revision = fields.maybe_integer("baseRev", 1, kLargestRevision)) {
-    compact.base_revision = static_cast<Revision>(*revision);
-  }
-  compact.accuracy = static_cast<Accuracy>(
-      fields.word_or("accuracy", static_cast<std::size_t>(compact.accuracy), kAccuracyNames));
-  if (const auto rounds = fields.maybe_integer("rounds", 0, kMaxRounds))
-    compact.rounds = static_cast<int>(*rounds);
-  compact.commit = fields.flag_or("commit", compact.commit);
-  compact.timing = fields.flag_or("timing", compact.timing);
+  compact.call = read_call(fields);
+  compact.effort = read_effort(fields);
   fields.finish();
   if (mistake) return mistake.error();
   return compact;
+}
+
+Result<MotionPush> decode_motion_push(const Json& params) {
+  Mistake mistake;
+  Fields fields{params, "", mistake};
+  MotionPush push;
+  push.call = read_call(fields);
+  push.forces = read_forces(fields, mistake);
+  push.effort = read_effort(fields);
+  fields.finish();
+  if (mistake) return mistake.error();
+  return push;
+}
+
+Result<MotionGravity> decode_motion_gravity(const Json& params) {
+  Mistake mistake;
+  Fields fields{params, "", mistake};
+  MotionGravity gravity;
+  gravity.call = read_call(fields);
+  gravity.force = read_direction(fields, "force", mistake);
+  gravity.effort = read_effort(fields);
+  fields.finish();
+  if (mistake) return mistake.error();
+  return gravity;
+}
+
+Result<MotionBump> decode_motion_bump(const Json& params) {
+  Mistake mistake;
+  Fields fields{params, "", mistake};
+  MotionBump bump;
+  bump.call = read_call(fields);
+  bump.piece = fields.id("piece");
+  bump.direction = read_direction(fields, "direction", mistake);
+  fields.finish();
+  if (mistake) return mistake.error();
+  return bump;
 }
 
 Json encode(const CacheCounts& cache) {
@@ -114,8 +204,7 @@ Json encode(const std::vector<Note>& notes) {
 Json encode(const EngineInfo& info) {
   return {{"name", "selvage"},
           {"version", info.version},
-          {"methods",
-           {"engine.info", "marker.open", "marker.get", "marker.check", "marker.close", "motion.compact"}},
+          {"methods", info.methods},
           {"reads", {"native", "sparrow"}},
           {"writes", kFormatNames},
           {"accuracies", kAccuracyNames},
@@ -136,48 +225,16 @@ Json encode(const MarkerOpened& opened) {
           {"notes", encode(opened.notes)}};
 }
 
-Json encode(const MarkerGot& got) {
-  return {{"markerId", got.marker_id},
-          {"revision", got.revision},
-          {"format", name_of(got.format)},
-          {"marker", got.document}};
-}
-
-Json encode(const MarkerChecked& checked) {
-  Json json{{"markerId", checked.marker_id}, {"revision", checked.revision}};
-  json.update(checked.validity);
-  return json;
-}
-
 Json encode(const MarkerClosed& closed) {
   return {{"markerId", closed.marker_id}, {"closed", true}};
 }
 
-Json encode(const MotionCompacted& compacted) {
-  const CompactionFigures& figures = compacted.figures;
-  Json json{{"markerId", compacted.marker_id},
-            {"revision", compacted.revision},
-            {"name", figures.name},
-            {"pieces", figures.pieces},
-            {"lengthBefore", figures.length_before},
-            {"lengthAfter", figures.length_after},
-            {"utilisationBefore", figures.utilisation_before},
-            {"utilisationAfter", figures.utilisation_after},
-            {"rounds", figures.rounds},
-            {"stop", name_of(figures.stop)},
-            {"valid", figures.valid},
-            {"healed",
-             {{"pairs", figures.healed_pairs},
-              {"protruding", figures.healed_protruding},
-              {"deepest", figures.healed_deepest},
-              {"farthestMove", figures.healed_farthest_move},
-              {"lengthened", figures.healed_lengthened}}},
-            {"placements", compacted.placements}};
-  if (compacted.timing) {
-    json["ms"] = encode(figures.times);
-    json["cache"] = encode(figures.cache);
-  }
-  return json;
+Json healing_json(const Healing& healing, Resolution resolution) {
+  return {{"pairs", healing.pairs},
+          {"protruding", healing.protruding},
+          {"deepest", in_unit(healing.deepest, resolution)},
+          {"farthestMove", to_decimal(healing.farthest_move, resolution)},
+          {"lengthened", to_decimal(healing.lengthened, resolution)}};
 }
 
 Json validity_json(const Marker& marker, const Validity& validity) {

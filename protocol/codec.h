@@ -17,13 +17,13 @@ struct NoParams {};
 [[nodiscard]] Result<MarkerCheck> decode_marker_check(const Json& params);
 [[nodiscard]] Result<MarkerClose> decode_marker_close(const Json& params);
 [[nodiscard]] Result<MotionCompact> decode_motion_compact(const Json& params);
+[[nodiscard]] Result<MotionPush> decode_motion_push(const Json& params);
+[[nodiscard]] Result<MotionGravity> decode_motion_gravity(const Json& params);
+[[nodiscard]] Result<MotionBump> decode_motion_bump(const Json& params);
 
 [[nodiscard]] Json encode(const EngineInfo& info);
 [[nodiscard]] Json encode(const MarkerOpened& opened);
-[[nodiscard]] Json encode(const MarkerGot& got);
-[[nodiscard]] Json encode(const MarkerChecked& checked);
 [[nodiscard]] Json encode(const MarkerClosed& closed);
-[[nodiscard]] Json encode(const MotionCompacted& compacted);
 
 // {"valid", "overlaps": [{"first", "second", "witness": [x, y], "depth"}], "protrusions": [{"piece", "by"}]},
 // pieces by their ids, distances in the marker's unit.
@@ -32,6 +32,9 @@ struct NoParams {};
 // [{"id", "at", "rotation", "flip", "tilt"}] of the pieces whose placement differs.  REQUIRES: the same
 // pieces.
 [[nodiscard]] Json changed_placements(const Marker& before, const Marker& after);
+
+// {"pairs", "protruding", "deepest", "farthestMove", "lengthened"}, lengths in the marker's unit.
+[[nodiscard]] Json healing_json(const Healing& healing, Resolution resolution);
 
 [[nodiscard]] Json encode(const CacheCounts& cache);
 [[nodiscard]] Json encode(const StageTimes& times);

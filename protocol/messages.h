@@ -1,10 +1,12 @@
-// The typed parameters and results of every method.  Their JSON is in codec.h; every field is explained in
-// README.md.
+// The typed parameters of every method, and the results of those that are not in marker_methods.h.  Their
+// JSON is in codec.h; every field is explained in README.md.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/marker/validity.h"
@@ -23,6 +25,7 @@ struct EngineInfo {
   int workers{};
   std::size_t markers{};  // open
   std::size_t max_request_bytes{};
+  std::vector<std::string_view> methods;
   CacheCounts cache;
 };
 
@@ -45,21 +48,10 @@ struct MarkerGet {
   std::string marker_id;
   Format format{Format::kNative};
 };
-struct MarkerGot {
-  std::string marker_id;
-  Revision revision{};
-  Format format{};
-  Json document;  // an object; for svg a string
-};
 
 // marker.check {"markerId"}
 struct MarkerCheck {
   std::string marker_id;
-};
-struct MarkerChecked {
-  std::string marker_id;
-  Revision revision{};
-  Json validity;  // what validity_json says
 };
 
 // marker.close {"markerId"}
@@ -70,46 +62,53 @@ struct MarkerClosed {
   std::string marker_id;
 };
 
-// motion.compact {"markerId", "baseRev"?, "accuracy"?, "rounds"?, "commit"?, "timing"?}
-struct MotionCompact {
+// What every motion takes: {"markerId", "baseRev"?, "commit"?, "timing"?}
+struct MotionCall {
   std::string marker_id;
   std::optional<Revision> base_revision;  // refuse when the marker is at another
+  bool commit{true};                      // false: answer, but leave the marker as it is
+  bool timing{};  // answer with the times and the cache's counts, which vary from run to run
+};
+// What every motion in rounds takes: {"accuracy"?, "rounds"?}
+struct Effort {
   Accuracy accuracy{Accuracy::kStandard};
   std::optional<int> rounds;  // instead of the accuracy's own limit
-  bool commit{true};          // false: answer, but leave the marker as it is
-  bool timing{};              // answer with the times and the cache's counts, which vary from run to run
 };
-// The figures of one compaction; what `selvage compact --json` prints and motion.compact answers.  Lengths
-// are in the marker's unit, exact; `times` and `cache` vary from run to run, all else is the same for the
-// same input.
-struct CompactionFigures {
-  std::string name;
-  std::size_t pieces{};
-  double length_before{}, length_after{};
-  double utilisation_before{}, utilisation_after{};
-  int rounds{};
-  StopReason stop{};
-  bool valid{};  // what is_valid said of the result
-  std::size_t healed_pairs{}, healed_protruding{};
-  double healed_deepest{}, healed_farthest_move{}, healed_lengthened{};
-  StageTimes times;
-  CacheCounts cache;
-};
-struct MotionCompacted {
-  std::string marker_id;
-  Revision revision{};  // the marker's, after it
-  CompactionFigures figures;
-  Json placements;    // of the pieces that moved: changed_placements
-  bool timing{true};  // tell figures.times and figures.cache
+// [x, y]: where to, never (0, 0).
+struct Direction {
+  double x{}, y{};
 };
 
-// The figures of a finished compaction; proves the result with is_valid.
-[[nodiscard]] CompactionFigures figures_of(const Compaction& compaction, const StageTimes& times,
-                                           const CacheCounts& cache);
-[[nodiscard]] CompactionSettings settings_of(Accuracy accuracy, std::optional<int> rounds);
+// motion.compact
+struct MotionCompact {
+  MotionCall call;
+  Effort effort;
+};
+// motion.push {"forces": [{"piece", "force"}]}
+struct MotionPush {
+  MotionCall call;
+  Effort effort;
+  std::vector<std::pair<std::string, Direction>> forces;  // a piece's id, and the force on it
+};
+// motion.gravity {"force"}
+struct MotionGravity {
+  MotionCall call;
+  Effort effort;
+  Direction force;
+};
+// motion.bump {"piece", "direction"}
+struct MotionBump {
+  MotionCall call;
+  std::string piece;
+  Direction direction;
+};
 
+[[nodiscard]] CompactionSettings settings_of(const Effort& effort);
+
+inline constexpr std::size_t kMaxForces = 100'000;
+inline constexpr double kLargestForce = 1e9, kLeastForce = 1e-9;  // of either coordinate; of the larger one
 inline constexpr int kMaxRounds = 100'000;
-inline constexpr std::string_view kAccuracyNames[] = {"draft", "standard", "fine"};         // by Accuracy
+inline constexpr std::string_view kAccuracyNames[] = {"draft", "standard", "fine"};  // by Accuracy
 inline constexpr std::string_view kStopNames[] = {"converged", "work_limit", "cancelled",
                                                   "solver_failed"};  // by StopReason
 [[nodiscard]] std::string_view name_of(StopReason reason);

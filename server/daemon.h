@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
+#include "protocol/engine.h"
 #include "server/dispatcher.h"
-#include "server/engine.h"
 #include "server/job_queue.h"
 #include "server/marker_store.h"
 #include "server/methods.h"

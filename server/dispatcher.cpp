@@ -122,21 +122,23 @@ void Dispatcher::next(const std::shared_ptr<Exchange>& exchange) {
 
 void Dispatcher::start(const std::shared_ptr<Exchange>& exchange, const Request& request,
                        ReplyOnce<Outcome> reply) {
-  const auto method = find_method(request.method);
-  if (!method) {
+  const auto place = place_of(request.method);
+  if (!place) {
     return std::move(reply)(
         RpcError{RpcCode::kMethodNotFound, "there is no method '" + request.method + "'", {}});
   }
-  if (method->place == Place::kAtOnce) {
-    return std::move(reply)((methods_.*method->run)(request.params, {exchange->caller, exchange->caller}));
+  if (*place == Place::kAtOnce) {
+    return std::move(reply)(
+        methods_.call(request.method, request.params, {exchange->caller, exchange->caller}));
   }
-  const bool motion = method->place == Place::kMotion;
+  const bool motion = *place == Place::kMotion;
   const auto held = std::make_shared<ReplyOnce<Outcome>>(std::move(reply));
-  Job job{.lane = motion ? marker_of(request.params) : std::string{},
-          .caller = exchange->caller,
-          .work = Work{[this, exchange, &request, held, run = method->run](std::stop_token stop) {
-            std::move (*held)((methods_.*run)(request.params, {std::move(stop), exchange->caller}));
-          }}};
+  Job job{
+      .lane = motion ? marker_of(request.params) : std::string{},
+      .caller = exchange->caller,
+      .work = Work{[this, exchange, &request, held](std::stop_token stop) {
+        std::move (*held)(methods_.call(request.method, request.params, {std::move(stop), exchange->caller}));
+      }}};
   const Admission admission = (motion ? motions_ : reads_).submit(job);
   if (admission != Admission::kAccepted) std::move (*held)(refused(admission));
 }

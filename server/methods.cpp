@@ -27,7 +27,7 @@ RpcError limit_reached(const std::string& what, std::size_t limit) {
 }
 
 RpcError caller_gone() {
-  return {RpcCode::kCancelled, "the connection closed before the motion ended", {}};
+  return {RpcCode::kCancelled, "the connection closed before the call ended", {}};
 }
 
 double now_ms() {
@@ -35,9 +35,25 @@ double now_ms() {
   return std::chrono::duration<double, std::milli>{since}.count();
 }
 
+struct OwnMethod {
+  std::string_view name;
+  Place place{};
+  Outcome (Methods::*run)(const Json& params);
+};
+constexpr std::array kOwnMethods{
+    OwnMethod{"engine.info", Place::kAtOnce, &Methods::engine_info},
+    OwnMethod{"marker.open", Place::kRead, &Methods::marker_open},
+    OwnMethod{"marker.close", Place::kRead, &Methods::marker_close},
+};
+const OwnMethod* find_own_method(std::string_view name) {
+  const auto* const found = std::find_if(kOwnMethods.begin(), kOwnMethods.end(),
+                                         [name](const OwnMethod& method) { return method.name == name; });
+  return found == kOwnMethods.end() ? nullptr : found;
+}
+
 }  // namespace
 
-Outcome Methods::engine_info(const Json& params, const Stops&) {
+Outcome Methods::engine_info(const Json& params) {
   if (const auto none = decode_no_params(params); !none) return rpc_error(none.error());
   EngineInfo info;
   info.version = kVersion;
@@ -45,6 +61,8 @@ Outcome Methods::engine_info(const Json& params, const Stops&) {
   info.markers = store_.count();
   info.max_request_bytes = limits_.transport.body_bytes;
   info.cache = sums_.counts();
+  for (const OwnMethod& method : kOwnMethods) info.methods.push_back(method.name);
+  for (const MarkerMethod& method : marker_methods()) info.methods.push_back(method.name);
   Json result = encode(info);
   result["limits"].update(Json{{"openMarkers", limits_.open_markers},
                                {"waitingMotions", limits_.waiting_motions},
@@ -54,7 +72,7 @@ Outcome Methods::engine_info(const Json& params, const Stops&) {
   return result;
 }
 
-Outcome Methods::marker_open(const Json& params, const Stops&) {
+Outcome Methods::marker_open(const Json& params) {
   auto wanted = decode_marker_open(params);
   if (!wanted) return rpc_error(wanted.error());
   const auto opened = store_.open(std::move(wanted->file));
@@ -71,84 +89,52 @@ Outcome Methods::marker_open(const Json& params, const Stops&) {
   return encode(answer);
 }
 
-Outcome Methods::marker_get(const Json& params, const Stops&) {
-  const auto wanted = decode_marker_get(params);
-  if (!wanted) return rpc_error(wanted.error());
-  const auto current = store_.current(wanted->marker_id);
-  if (!current) return unknown_marker(wanted->marker_id);
-  auto document = marker_document(*current->file, wanted->format);
-  if (!document) return rpc_error(document.error());
-  return encode(MarkerGot{wanted->marker_id, current->revision, wanted->format, *std::move(document)});
-}
-
-Outcome Methods::marker_check(const Json& params, const Stops&) {
-  const auto wanted = decode_marker_check(params);
-  if (!wanted) return rpc_error(wanted.error());
-  const auto current = store_.current(wanted->marker_id);
-  if (!current) return unknown_marker(wanted->marker_id);
-  const Marker& marker = current->file->marker;
-  Json validity = validity_json(marker, engine_.check(marker, sums_));
-  return encode(MarkerChecked{wanted->marker_id, current->revision, std::move(validity)});
-}
-
-Outcome Methods::marker_close(const Json& params, const Stops&) {
+Outcome Methods::marker_close(const Json& params) {
   const auto wanted = decode_marker_close(params);
   if (!wanted) return rpc_error(wanted.error());
   if (!store_.close(wanted->marker_id)) return unknown_marker(wanted->marker_id);
   return encode(MarkerClosed{wanted->marker_id});
 }
 
-Outcome Methods::motion_compact(const Json& params, const Stops& stops) {
-  const auto wanted = decode_motion_compact(params);
-  if (!wanted) return rpc_error(wanted.error());
-  const std::string& id = wanted->marker_id;
+Outcome Methods::call_on_marker(const MarkerMethod& method, const Json& params, const Stops& stops) {
+  const auto call = method.read(params);
+  if (!call) return rpc_error(call.error());
+  const std::string& id = call->about.marker_id;
   const auto current = store_.current(id);
   if (!current) return unknown_marker(id);
   const Revision base = current->revision;
-  if (wanted->base_revision && *wanted->base_revision != base) {
-    return revision_mismatch(id, *wanted->base_revision, base);
+  if (const auto& wanted = call->about.base_revision; wanted && *wanted != base) {
+    return revision_mismatch(id, *wanted, base);
   }
   if (stops.caller.stop_requested()) return caller_gone();
 
   StageTimer timer{now_ms()};
   Observer observer;
   observer.on_stage = [&timer](Stage stage) { timer.enter(stage, now_ms()); };
-  const Marker& before = current->file->marker;
-  auto compaction =
-      engine_.compact(before, settings_of(wanted->accuracy, wanted->rounds), sums_, stops.any, observer);
-  if (!compaction) return rpc_error(compaction.error(), RpcCode::kMotionRefused);
+  auto answer = call->run(*current->file, Means{engine_, sums_, stops.any, observer});
+  if (!answer) return rpc_error(answer.error(), code_of_run(method, answer.error()));
   if (stops.caller.stop_requested()) return caller_gone();
 
-  MotionCompacted answer;
-  answer.marker_id = id;
-  answer.revision = base;
-  answer.timing = wanted->timing;
-  answer.figures = figures_of(*compaction, timer.times(now_ms()), sums_.counts());
-  answer.placements = changed_placements(before, compaction->marker);
-  if (wanted->commit && !answer.placements.empty()) {
-    MarkerFile next = *current->file;
-    next.marker = std::move(compaction->marker);
-    const Commit commit = store_.commit(id, base, std::move(next));
-    if (commit.outcome == Commit::Outcome::kClosed) return unknown_marker(id);
-    if (commit.outcome == Commit::Outcome::kMismatch) return revision_mismatch(id, base, commit.revision);
-    answer.revision = commit.revision;
-  }
-  return encode(answer);
+  if (call->about.timing) tell_times(answer->fields, timer.times(now_ms()), sums_.counts());
+  if (!answer->next) return result_json(id, base, answer->fields);
+  MarkerFile next = *current->file;
+  next.marker = *std::move(answer->next);
+  const Commit commit = store_.commit(id, base, std::move(next));
+  if (commit.outcome == Commit::Outcome::kClosed) return unknown_marker(id);
+  if (commit.outcome == Commit::Outcome::kMismatch) return revision_mismatch(id, base, commit.revision);
+  return result_json(id, commit.revision, answer->fields);
 }
 
-std::optional<Method> find_method(std::string_view name) {
-  static constexpr std::array<Method, 6> kMethods{{
-      {"engine.info", Place::kAtOnce, &Methods::engine_info},
-      {"marker.open", Place::kRead, &Methods::marker_open},
-      {"marker.get", Place::kRead, &Methods::marker_get},
-      {"marker.check", Place::kRead, &Methods::marker_check},
-      {"marker.close", Place::kRead, &Methods::marker_close},
-      {"motion.compact", Place::kMotion, &Methods::motion_compact},
-  }};
-  const auto found = std::find_if(kMethods.begin(), kMethods.end(),
-                                  [name](const Method& method) { return method.name == name; });
-  if (found == kMethods.end()) return std::nullopt;
-  return *found;
+Outcome Methods::call(std::string_view method, const Json& params, const Stops& stops) {
+  if (const OwnMethod* own = find_own_method(method)) return (this->*own->run)(params);
+  return call_on_marker(*find_marker_method(method), params, stops);
+}
+
+std::optional<Place> place_of(std::string_view method) {
+  if (const OwnMethod* own = find_own_method(method)) return own->place;
+  const MarkerMethod* on_marker = find_marker_method(method);
+  if (!on_marker) return std::nullopt;
+  return on_marker->motion ? Place::kMotion : Place::kRead;
 }
 
 }  // namespace selvage

@@ -7,20 +7,20 @@ namespace selvage {
 
 enum class ExitCode : int {
   kOk = 0,
-  kNotValid = 1,    // check: the marker is not valid
-  kBadUsage = 2,    // the command line makes no sense
-  kBadInput = 3,    // the marker cannot be read: not JSON, a field wrong, a shape that is none
-  kFile = 4,        // a file cannot be read or written
-  kRefused = 5,     // the motion cannot start: pieces overlap too deeply
+  kNotValid = 1,  // the marker is not valid
+  kBadUsage = 2,  // the command line makes no sense
+  kBadInput = 3,  // the marker cannot be read: not JSON, a field wrong, a shape that is none; or a parameter
+  kFile = 4,      // a file cannot be read or written
+  kRefused = 5,   // the motion cannot start: pieces overlap too deeply
   kCancelled = 130  // interrupted; the best marker so far was written
 };
 
 inline constexpr char kExitCodesHelp[] =
     "Exit codes:\n"
     "  0    done\n"
-    "  1    check: the marker is not valid\n"
+    "  1    the marker is not valid\n"
     "  2    bad usage\n"
-    "  3    bad input: not a marker, or one with a mistake in it\n"
+    "  3    bad input: not a marker, or one with a mistake in it; parameters with a mistake\n"
     "  4    a file cannot be read or written\n"
     "  5    refused: pieces overlap or leave the strip too far to be healed\n"
     "  130  interrupted (Ctrl-C): the best marker so far was written";

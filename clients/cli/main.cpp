@@ -1,4 +1,4 @@
-// selvage: compacts, checks, shows and converts markers from the command line.
+// selvage: compacts, bumps, checks, shows and converts markers from the command line.
 #include <string>
 
 #include "clients/cli/commands.h"
@@ -11,9 +11,11 @@ int main(int argc, char** argv) {
   app.footer(selvage::kExitCodesHelp);
   selvage::ExitCode code = selvage::ExitCode::kOk;
   selvage::add_compact_command(app, code);
+  selvage::add_bump_command(app, code);
   selvage::add_check_command(app, code);
   selvage::add_show_command(app, code);
   selvage::add_convert_command(app, code);
+  selvage::add_call_command(app, code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

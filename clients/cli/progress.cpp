@@ -17,7 +17,7 @@ double now_ms() {
 
 }  // namespace
 
-Progress::Progress(const Marker& marker, bool show)
+ProgressLine::ProgressLine(const Marker& marker, bool show)
     : resolution_{marker.resolution},
       unit_{marker.unit},
       show_{show},
@@ -25,12 +25,12 @@ Progress::Progress(const Marker& marker, bool show)
       last_told_{start_},
       timer_{start_} {}
 
-Observer Progress::observer() {
+Observer ProgressLine::observer() {
   return {.on_stage = [this](Stage stage) { timer_.enter(stage, now_ms()); },
           .on_round = [this](const Round& round) { tell(round); }};
 }
 
-void Progress::tell(const Round& round) {
+void ProgressLine::tell(const Round& round) {
   const double now = now_ms();
   if (!show_ || now - start_ < kFirstAfter || now - last_told_ < kThenEvery) return;
   last_told_ = now;
@@ -39,7 +39,7 @@ void Progress::tell(const Round& round) {
             << " " << unit_ << std::flush;
 }
 
-StageTimes Progress::finish() {
+StageTimes ProgressLine::finish() {
   const StageTimes times = timer_.times(now_ms());
   if (told_) std::cerr << "\r\033[K" << std::flush;
   return times;

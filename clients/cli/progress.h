@@ -1,4 +1,4 @@
-// The clock of one compaction: how long each stage takes, and a line of progress for a person who waits.
+// The clock of one motion: how long each stage takes, and a line of progress for a person who waits.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace selvage {
 
-class Progress {
+class ProgressLine {
  public:
   // `show`: keep a line on stderr up to date once the work has taken a second.
-  Progress(const Marker& marker, bool show);
+  ProgressLine(const Marker& marker, bool show);
 
   // REQUIRES: *this outlives the observer.
   [[nodiscard]] Observer observer();

@@ -32,52 +32,76 @@ std::string counted(std::size_t number, const std::string& one) {
   return std::to_string(number) + " " + one + (number == 1 ? "" : "s");
 }
 
+// "lengthBefore" is "length_before".
+std::string snake_case(std::string_view name) {
+  std::string out;
+  for (const char c : name) {
+    if (c >= 'A' && c <= 'Z') {
+      out += '_';
+      out += static_cast<char>(c - 'A' + 'a');
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+Json in_snake_case(const Json& value) {
+  if (!value.is_object()) return value;
+  Json named = Json::object();
+  for (const auto& [key, field] : value.items()) named[snake_case(key)] = in_snake_case(field);
+  return named;
+}
+
+std::string healed_line(const Json& healed, const std::string& unit) {
+  const std::size_t pairs = healed["pairs"];
+  const std::size_t protruding = healed["protruding"];
+  if (pairs == 0 && protruding == 0) return {};
+  return "  healed       " + counted(pairs, "overlap") + ", " + counted(protruding, "protrusion") +
+         ", deepest " + significant(healed["deepest"]) + unit + ", moves up to " +
+         significant(healed["farthestMove"]) + unit + "\n";
+}
+
+// Where a bumped piece ended up, and what holds it there.
+std::string place_line(const Json& fields, const std::string& unit) {
+  const Json& at = fields["at"];
+  std::string out = "  lies at      " + number_text(at[0]) + ", " + number_text(at[1]) + unit;
+  std::string by;
+  for (const Json& id : fields["touching"]) by += (by.empty() ? ", held by " : ", ") + id.get<std::string>();
+  return out + by + "\n";
+}
+
 }  // namespace
 
-std::string json_line(const CompactionFigures& f) {
-  const Json line{{"name", f.name},
-                  {"pieces", f.pieces},
-                  {"length_before", f.length_before},
-                  {"length_after", f.length_after},
-                  {"utilisation_before", f.utilisation_before},
-                  {"utilisation_after", f.utilisation_after},
-                  {"rounds", f.rounds},
-                  {"stop", name_of(f.stop)},
-                  {"valid", f.valid},
-                  {"healed",
-                   {{"pairs", f.healed_pairs},
-                    {"protruding", f.healed_protruding},
-                    {"deepest", f.healed_deepest},
-                    {"farthest_move", f.healed_farthest_move},
-                    {"lengthened", f.healed_lengthened}}},
-                  {"ms",
-                   {{"sums", to_microsecond(f.times.sums)},
-                    {"rows", to_microsecond(f.times.rows)},
-                    {"solve", to_microsecond(f.times.solve)},
-                    {"verify", to_microsecond(f.times.verify)},
-                    {"total", to_microsecond(f.times.total)}}},
-                  {"cache",
-                   {{"hits", f.cache.hits},
-                    {"misses", f.cache.misses},
-                    {"entries", f.cache.entries},
-                    {"bytes", f.cache.bytes}}}};
+std::string json_line(const Json& fields, const StageTimes& times, const CacheCounts& cache) {
+  Json line = in_snake_case(fields);
+  line.erase("placements");
+  line["ms"] = {{"sums", to_microsecond(times.sums)},
+                {"rows", to_microsecond(times.rows)},
+                {"solve", to_microsecond(times.solve)},
+                {"verify", to_microsecond(times.verify)},
+                {"total", to_microsecond(times.total)}};
+  line["cache"] = {
+      {"hits", cache.hits}, {"misses", cache.misses}, {"entries", cache.entries}, {"bytes", cache.bytes}};
   return to_text(line) + "\n";
 }
 
-std::string plain_summary(const CompactionFigures& f, const Marker& marker) {
+std::string plain_summary(const Json& f, const StageTimes& times, const Marker& marker) {
   const std::string unit = " " + marker.unit;
-  std::string out = (f.name.empty() ? "marker" : f.name) + ": " + counted(f.pieces, "piece") + "\n";
-  if (f.healed_pairs > 0 || f.healed_protruding > 0) {
-    out += "  healed       " + counted(f.healed_pairs, "overlap") + ", " +
-           counted(f.healed_protruding, "protrusion") + ", deepest " + significant(f.healed_deepest) + unit +
-           ", moves up to " + significant(f.healed_farthest_move) + unit + "\n";
+  const double before = f["lengthBefore"];
+  const double after = f["lengthAfter"];
+  std::string out =
+      (marker.name.empty() ? "marker" : marker.name) + ": " + counted(f["pieces"], "piece") + "\n";
+  out += healed_line(f["healed"], unit);
+  if (f.contains("at")) out += place_line(f, unit);
+  if (f.contains("gain")) out += "  gain         " + significant(f["gain"]) + unit + "\n";
+  out += "  length       " + number_text(before) + " -> " + number_text(after) + unit + "  (" +
+         rounded(100 * (after / before - 1), 3) + " %)\n";
+  out += "  utilisation  " + per_cent(f["utilisationBefore"]) + " -> " + per_cent(f["utilisationAfter"]) +
+         "\n  ";
+  if (f.contains("rounds")) {
+    out += f["stop"].get<std::string>() + " after " + counted(f["rounds"], "round") + ", ";
   }
-  out += "  length       " + number_text(f.length_before) + " -> " + number_text(f.length_after) + unit +
-         "  (" + rounded(100 * (f.length_after / f.length_before - 1), 3) + " %)\n";
-  out += "  utilisation  " + per_cent(f.utilisation_before) + " -> " + per_cent(f.utilisation_after) + "\n";
-  out += "  " + std::string{name_of(f.stop)} + " after " +
-         counted(static_cast<std::size_t>(f.rounds), "round") + ", " + rounded(f.times.total, 1) + " ms; " +
-         (f.valid ? "valid" : "NOT VALID") + "\n";
+  out += rounded(times.total, 1) + " ms; " + (f["valid"] == true ? "valid" : "NOT VALID") + "\n";
   return out;
 }
 

@@ -1,16 +1,19 @@
-// What a compaction came to, as one line of JSON for programs and a few lines for people.
+// What a motion came to, as one line of JSON for programs and a few lines for people.
 #pragma once
 
 #include <string>
 
 #include "core/marker/validity.h"
-#include "protocol/messages.h"
+#include "protocol/json_text.h"
+#include "protocol/stage_times.h"
 
 namespace selvage {
 
-// One line, ending in a newline: the fields of `selvage compact --json`.
-[[nodiscard]] std::string json_line(const CompactionFigures& figures);
-[[nodiscard]] std::string plain_summary(const CompactionFigures& figures, const Marker& marker);
+// One line, ending in a newline: the fields of a motion's answer but for the placements, named in snake_case,
+// with the times and the cache's counts.
+[[nodiscard]] std::string json_line(const Json& fields, const StageTimes& times, const CacheCounts& cache);
+// The same for people.  REQUIRES: the fields of a motion's answer; `marker`: of it.
+[[nodiscard]] std::string plain_summary(const Json& fields, const StageTimes& times, const Marker& marker);
 
 // A marker's own figures: "jeans: 120 pieces, length 7238 mm, utilisation 80.79 %".
 [[nodiscard]] std::string plain_figures(const Marker& marker);

@@ -1,9 +1,8 @@
 #include "core/lp/interior_point.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <span>
 #include <vector>
 
@@ -14,6 +13,13 @@ namespace selvage {
 namespace {
 
 using Vector = std::vector<double>;
+
+// Proximal weights of the columns, tried in turn: near the end rounding can leave a matrix that needs more.  They hold
+// the step back, they do not move the answer: its residuals are measured without them.
+constexpr std::array<double, 4> kRho{1e-9, 1e-6, 1e-4, 1e-2};
+constexpr double kDelta = 1e-11;  // proximal weight of the rows' multipliers
+constexpr double kLeastStartingSlack = 1;
+constexpr double kLeastCost = 1e-3;  // a program without costs has a centre all the same
 
 double dot(std::span<const double> a, std::span<const double> b) {
   double sum = 0;
@@ -45,8 +51,9 @@ class Iteration {
  public:
   Iteration(const InequalityForm& form, const InteriorPointSettings& settings)
       : form_{form}, settings_{settings}, normal_{form} {
-    const auto n = static_cast<std::size_t>(form.columns()), m = static_cast<std::size_t>(form.rows());
-    for (Vector* v : {&x_, &dx_, &rd_, &scratch_x_}) v->assign(n, 0.0);
+    const auto n = static_cast<std::size_t>(form.columns());
+    const auto m = static_cast<std::size_t>(form.rows());
+    for (Vector* v : {&x_, &dx_, &rd_}) v->assign(n, 0.0);
     for (Vector* v : {&s_, &z_, &ds_, &dz_, &rp_, &weight_, &target_, &scratch_}) v->assign(m, 0.0);
   }
 
@@ -56,7 +63,6 @@ class Iteration {
 
   std::span<const double> x() const { return x_; }
   std::span<const double> z() const { return z_; }
-  void trace(int k) const { std::printf("%3d  p %.1e d %.1e gap %.1e obj %.12g\n", k, largest(rp_), largest(rd_), gap_, dot(form_.cost,x_)); }
 
  private:
   void direction();
@@ -66,24 +72,20 @@ class Iteration {
   NormalEquations normal_;
   Vector x_, s_, z_, dx_, ds_, dz_;
   Vector rp_, rd_;      // what is missing from A x - s = b and from A^T z = c
-  Vector weight_;       // 1 / (s/z + delta)
+  Vector weight_;       // 1 / (s / z + delta)
   Vector target_;       // what s dz + z ds is to be
-  Vector scratch_, scratch_x_;
+  Vector scratch_;
   double gap_{};        // s . z
-  double rho_{}, delta_{};
+  double last_dual_{kInfinity};
 };
 
 void Iteration::start(std::span<const double> x) {
   std::copy(x.begin(), x.end(), x_.begin());
   multiply(form_, x_, s_);
-  const double c0 = std::max(largest(form_.cost), 1e-3);
-  const char* e = std::getenv("S0");
-  const double s0 = e ? atof(e) : 1.0;
-  const char* f = std::getenv("M0");
-  const double m0 = f ? atof(f) : 1.0;
+  const double cost = std::max(largest(form_.cost), kLeastCost);
   for (std::size_t r = 0; r < s_.size(); ++r) {
-    s_[r] = std::max(s_[r] - form_.bound[r], s0);
-    z_[r] = m0 * c0 / s_[r];
+    s_[r] = std::max(s_[r] - form_.bound[r], kLeastStartingSlack);
+    z_[r] = cost / s_[r];  // every product s z the same: the central path
   }
 }
 
@@ -93,8 +95,11 @@ bool Iteration::converged() {
   multiply_transposed(form_, z_, rd_);
   for (std::size_t j = 0; j < rd_.size(); ++j) rd_[j] = form_.cost[j] - rd_[j];
   gap_ = dot(s_, z_);
+  const double dual = largest(rd_) / (1 + largest(form_.cost));
+  const bool at_rest = dual > last_dual_ / 2;
+  last_dual_ = dual;
   return gap_ <= settings_.gap * (1 + std::abs(dot(form_.cost, x_))) && largest(rp_) <= settings_.primal &&
-         largest(rd_) <= settings_.dual * (1 + largest(form_.cost));
+         (dual <= settings_.dual || (at_rest && dual <= settings_.dual_at_rest));
 }
 
 // (dx, ds, dz) with A dx - ds + delta dz = rp, A^T dz - rho dx = rd, s dz + z ds = target.
@@ -107,30 +112,28 @@ void Iteration::direction() {
   multiply(form_, dx_, ds_);
   for (std::size_t r = 0; r < rp_.size(); ++r) {
     dz_[r] = weight_[r] * (scratch_[r] - ds_[r]);
-    ds_[r] += delta_ * dz_[r] - rp_[r];
+    ds_[r] += kDelta * dz_[r] - rp_[r];
   }
 }
 
 bool Iteration::step() {
   const auto m = static_cast<double>(s_.size());
-  rho_ = 1e-9;
-  delta_ = 1e-11;
-  for (std::size_t r = 0; r < s_.size(); ++r) weight_[r] = 1 / (s_[r] / z_[r] + delta_);
-  if (!normal_.factorise(weight_, rho_)) return false;
+  for (std::size_t r = 0; r < s_.size(); ++r) weight_[r] = 1 / (s_[r] / z_[r] + kDelta);
+  if (std::none_of(kRho.begin(), kRho.end(), [&](double rho) { return normal_.factorise(weight_, rho); })) return false;
   const double mu = gap_ / m;
   for (std::size_t r = 0; r < s_.size(); ++r) target_[r] = -s_[r] * z_[r];
   direction();
-  double primal = longest_step(s_, ds_), dual = longest_step(z_, dz_);
+  double primal = longest_step(s_, ds_);
+  double dual = longest_step(z_, dz_);
   double affine = 0;
   for (std::size_t r = 0; r < s_.size(); ++r) affine += (s_[r] + primal * ds_[r]) * (z_[r] + dual * dz_[r]);
   const double sigma = std::pow(affine / gap_, 3);
   for (std::size_t r = 0; r < s_.size(); ++r) target_[r] = sigma * mu - s_[r] * z_[r] - ds_[r] * dz_[r];
   direction();
-  const double towards = std::max(0.9, 1 - mu) ;
-  const double keep = std::min(0.9995, std::max(towards, 0.99));
-  primal = std::min(1.0, keep * longest_step(s_, ds_) );
-  dual = std::min(1.0, keep * longest_step(z_, dz_));
-  if (std::getenv("TRACE")) std::printf("   sigma %.2e ap %.6f ad %.6f\n", sigma, primal, dual);
+  // Nearer to the boundary as the gap closes, never onto it.
+  const double keep = std::clamp(1 - mu, 0.99, 0.9995);
+  primal = keep * longest_step(s_, ds_);
+  dual = keep * longest_step(z_, dz_);
   advance(x_, dx_, primal);
   advance(s_, ds_, primal);
   advance(z_, dz_, dual);
@@ -152,14 +155,12 @@ LpSolution solve_by_interior_point(const LinearProgram& program, const InteriorP
   Iteration iteration{*form, settings};
   iteration.start(x0);
   while (!iteration.converged()) {
-    if (std::getenv("TRACE")) iteration.trace(solution.iterations);
     if (stop.stop_requested()) return {.status = LpStatus::kStopped, .iterations = solution.iterations};
     if (solution.iterations == settings.iterations || !iteration.step()) {
       return {.status = LpStatus::kFailed, .iterations = solution.iterations};
     }
     ++solution.iterations;
   }
-  if (std::getenv("TRACE")) iteration.trace(solution.iterations);
   solution.status = LpStatus::kOptimal;
   solution.x = program.lower;
   for (std::size_t k = 0; k < form->cost.size(); ++k) {

@@ -18,6 +18,7 @@ struct InteriorPointSettings {
   double gap{1e-10};      // complementarity over 1 + |objective|
   double primal{1e-11};   // the most a row of the answer may be broken by
   double dual{1e-10};     // the same for the dual, over 1 + the largest cost
+  double dual_at_rest{1e-8};  // good enough once rounding keeps it from falling further
 };
 
 // The answer lies inside the feasible region, in the middle of the optimal face.  kFailed when it does not get there:

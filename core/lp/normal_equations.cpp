@@ -12,9 +12,9 @@ using Matrix = Eigen::SparseMatrix<double>;
 struct NormalEquations::Parts {
   explicit Parts(const InequalityForm& f) : form{f} {}
   const InequalityForm& form;
-  Matrix matrix;
-  std::vector<int> position;
-  std::vector<int> diagonal;
+  Matrix matrix;              // its lower triangle
+  std::vector<int> position;  // of each row's products in the matrix's values, row after row
+  std::vector<int> diagonal;  // of each column's diagonal
   Eigen::SimplicialLLT<Matrix, Eigen::Lower> factor;
 };
 
@@ -24,7 +24,8 @@ NormalEquations::NormalEquations(const InequalityForm& form) : parts_{std::make_
   for (std::size_t r = 0; r < form.bound.size(); ++r) {
     for (int a = form.row_start[r]; a < form.row_start[r + 1]; ++a) {
       for (int b = a; b < form.row_start[r + 1]; ++b) {
-        const int i = form.column[static_cast<std::size_t>(a)], j = form.column[static_cast<std::size_t>(b)];
+        const int i = form.column[static_cast<std::size_t>(a)];
+        const int j = form.column[static_cast<std::size_t>(b)];
         triplets.emplace_back(std::max(i, j), std::min(i, j), 1.0);
       }
     }

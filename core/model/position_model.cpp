@@ -32,7 +32,7 @@ PositionModel::PositionModel(const PlacedPieces& pieces, const Strip& strip, std
       unit_{static_cast<double>(strip.width) / kUnitsAcross},
       length_{pieces.length()},
       column_(pieces.size(), -1),
-      walls_(pieces.size()) {
+      wall_row_(pieces.size(), kNoWall) {
   std::vector<int> column_of_group(pieces.size(), -1);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (group[i] == kFixed) continue;
@@ -83,15 +83,19 @@ void PositionModel::add_length(double cost, double shorten, double lengthen) {
 }
 
 void PositionModel::add_right_wall(std::size_t piece) {
-  walls_[piece] = 1;
   const double room = static_cast<double>(length_ - pieces_.box(piece).high.x) / unit_;
   if (column_[piece] >= 0) {
     const std::array<LinearProgram::Entry, 2> entries{{{length_column_, 1}, {column_[piece], -1}}};
-    program_.add_row(entries, -room);
+    wall_row_[piece] = program_.add_row(entries, -room);
   } else {
+    wall_row_[piece] = kWallIsBound;
     const auto c = static_cast<std::size_t>(length_column_);
     program_.lower[c] = std::max(program_.lower[c], -room);
   }
+}
+
+std::optional<int> PositionModel::right_wall_row(std::size_t piece) const {
+  return wall_row_[piece] >= 0 ? std::optional{wall_row_[piece]} : std::nullopt;
 }
 
 void PositionModel::add_cost(std::size_t piece, double x, double y) {

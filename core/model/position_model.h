@@ -53,7 +53,9 @@ class PositionModel {
   void add_length(double cost, double shorten, double lengthen);
   // Keeps piece i left of the strip's present length plus the length column.  REQUIRES: add_length.
   void add_right_wall(std::size_t piece);
-  [[nodiscard]] bool has_right_wall(std::size_t piece) const { return walls_[piece] != 0; }
+  [[nodiscard]] bool has_right_wall(std::size_t piece) const { return wall_row_[piece] != kNoWall; }
+  // The row of a piece's right wall, when it has one of its own (a fixed piece bounds the length column instead).
+  [[nodiscard]] std::optional<int> right_wall_row(std::size_t piece) const;
   // Costs per unit of a piece's displacement.
   void add_cost(std::size_t piece, double x, double y);
   // Costs per unit of |x| and |y| of every displacement: one column and two rows for each.
@@ -71,7 +73,9 @@ class PositionModel {
   double unit_;
   Coord length_;
   std::vector<int> column_;  // of each piece; -1 when fixed
-  std::vector<char> walls_;
+  static constexpr int kNoWall = -2;
+  static constexpr int kWallIsBound = -1;
+  std::vector<int> wall_row_;  // of each piece, or one of the two above
   int length_column_{-1};
   LinearProgram program_;
 };

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "core/minkowski/inner_fit.h"
 #include "core/model/free_region.h"
@@ -192,6 +193,19 @@ Bump bump(const Scene& scene, std::uint32_t piece, double dx, double dy) {
   const double length = std::hypot(dx, dy);
   if (scene.fixed(piece) || !(length > 0)) return {scene.pieces.at(piece), 0, {}};
   return Bumper{scene, piece, dx / length, dy / length}.run();
+}
+
+Result<BumpedMarker> heal_and_bump(const Marker& start, PieceId piece, double dx, double dy, SumCache& sums,
+                                   std::stop_token stop, const Observer& observer) {
+  observer.on_stage(Stage::kOther);
+  Scene scene{start, sums};
+  const auto healing = heal(scene, std::move(stop), observer);
+  if (!healing) return healing.error();
+  observer.on_stage(Stage::kSolve);
+  BumpedMarker bumped{scene.result(), bump(scene, piece.value, dx, dy), *healing};
+  observer.on_stage(Stage::kOther);
+  bumped.marker.pieces[piece.value].at = bumped.bump.at;
+  return bumped;
 }
 
 }  // namespace selvage

@@ -2,6 +2,10 @@
 // [Li94 4.2.3].  Two variables: no linear program, only half-planes.
 #pragma once
 
+#include <stop_token>
+
+#include "core/base/result.h"
+#include "core/motion/heal.h"
 #include "core/motion/scene.h"
 
 namespace selvage {
@@ -17,5 +21,15 @@ struct Bump {
 // cloth's when it has one.
 // REQUIRES: the scene's pieces are valid.
 [[nodiscard]] Bump bump(const Scene& scene, std::uint32_t piece, double dx, double dy);
+
+struct BumpedMarker {
+  Marker marker;
+  Bump bump;
+  Healing healing;
+};
+// The same for a marker as it comes: small overlaps are healed first (core/motion/heal.h).
+// REQUIRES: the piece is one of the marker's, dx and dy are finite.  Errors: those of heal.
+[[nodiscard]] Result<BumpedMarker> heal_and_bump(const Marker& start, PieceId piece, double dx, double dy, SumCache& sums,
+                                                 std::stop_token stop = {}, const Observer& observer = {});
 
 }  // namespace selvage

@@ -147,6 +147,126 @@ class Compact(CliTest):
             time.sleep(0.001)
 
 
+class Bump(CliTest):
+    def test_moves_one_piece_and_says_so(self):
+        ran = run("bump", self.write(squares((0, 0), (50, 10), (60, 60))), "--piece", "p1", "--direction", "-1,0",
+                  "-o", self.path("out.json"))
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        self.assertIn("lies at      40, 10 mm, held by p0", ran.stdout)
+        out = json.loads(self.path("out.json").read_text())
+        self.assertEqual([p["at"] for p in out["pieces"]], [[0, 0], [40, 10], [60, 60]])
+
+    def test_tells_programs_the_same_in_one_line(self):
+        marker = self.write(squares((0, 0), (50, 10)))
+        ran = run("bump", marker, "--piece", "p1", "--direction", "-2,0", "--json",
+                  "--svg", self.path("o.svg"), "--outlines", self.path("o.json"))
+        self.assertEqual(ran.stdout.count("\n"), 1)
+        line = json.loads(ran.stdout)
+        self.assertEqual(set(line), {"name", "pieces", "length_before", "length_after", "utilisation_before",
+                                     "utilisation_after", "at", "gain", "touching", "moved", "valid", "healed", "ms",
+                                     "cache"})
+        self.assertEqual((line["at"], line["gain"], line["touching"], line["moved"]), ([40, 10], 10, ["p0"], True))
+        self.assertIn('class="before"', self.path("o.svg").read_text())
+        self.assertEqual(json.loads(self.path("o.json").read_text())["strip_length"], 80)
+
+    def test_bad_input_is_named_and_writes_nothing(self):
+        marker = self.write(squares((0, 0), (50, 10)))
+        for piece, direction, said in (("p9", "1,0", '/piece: "p9" is no piece of this marker'),
+                                       ("p1", "0,0", "/direction: [0,0] leads nowhere"),
+                                       ("p1", "nan,1", "/direction/0: nan is out of range"),
+                                       ("p1", "1,-inf", "/direction/1: -inf is out of range")):
+            with self.subTest(direction):
+                ran = run("bump", marker, "--piece", piece, "--direction", direction, "-o", self.path("out.json"))
+                self.assertEqual((ran.returncode, ran.stdout), (BAD_INPUT, ""))
+                self.assertIn(said, ran.stderr)
+                self.assertFalse(self.path("out.json").exists())
+
+    def test_refuses_deep_overlaps_by_name(self):
+        ran = run("bump", self.write(squares((0, 0), (20, 0))), "--piece", "p0", "--direction", "1,0")
+        self.assertEqual(ran.returncode, REFUSED)
+        self.assertIn('"p0" and "p1"', ran.stderr)
+
+
+class Call(CliTest):
+    def call(self, method, params, *more, marker=None):
+        return run("call", method, "--marker", marker or self.marker, "--params", "-", *more,
+                   text=params if isinstance(params, str) else json.dumps(params))
+
+    def setUp(self):
+        super().setUp()
+        self.marker = self.write(squares((0, 0), (50, 10)))
+
+    def test_answers_as_the_daemon_does(self):
+        """The golden exchanges that change nothing, on the marker that the first of them opens."""
+        exchanges = json.loads((MARKERS.parents[1] / "tests/golden/rpc/motions.json").read_text())
+        marker = self.write(exchanges[0]["request"]["params"]["marker"], "golden.json")
+        played = 0
+        for exchange in exchanges:
+            params, answer = exchange["request"]["params"], exchange["response"]
+            if params.get("commit") is not False:
+                continue
+            played += 1
+            with self.subTest(exchange["request"]):
+                ran = self.call(exchange["request"]["method"], params, marker=marker)
+                if "error" in answer:
+                    self.assertEqual((ran.returncode, ran.stdout), (BAD_INPUT, ""))
+                    self.assertIn(answer["error"]["message"], ran.stderr)
+                    continue
+                self.assertEqual(ran.returncode, OK, ran.stderr)
+                result = json.loads(ran.stdout)
+                expected = {k: result.get(k) if v == "$any" else v for k, v in answer["result"].items()}
+                self.assertEqual(result, expected)
+        self.assertGreaterEqual(played, 7)
+
+    def test_writes_what_it_moved(self):
+        ran = self.call("motion.gravity", {"force": [0, 1]}, "-o", self.path("out.json"))
+        result = json.loads(ran.stdout)
+        self.assertEqual((result["markerId"], result["revision"], result["gain"]), ("m1", 2, 110))
+        out = json.loads(self.path("out.json").read_text())
+        self.assertEqual([p["at"] for p in out["pieces"]], [p["at"] for p in result["placements"]])
+        self.assertEqual([p["at"][1] for p in out["pieces"]], [60, 60])
+
+    def test_a_dry_run_writes_the_marker_as_it_was(self):
+        ran = self.call("motion.compact", {"commit": False, "rounds": 3}, "-o", self.path("out.json"))
+        self.assertEqual(json.loads(ran.stdout)["lengthAfter"], 80)
+        self.assertEqual(json.loads(self.path("out.json").read_text())["pieces"][1]["at"], [50, 10])
+
+    def test_needs_no_parameters_when_the_method_needs_none(self):
+        ran = run("call", "marker.check", "--marker", self.marker)
+        self.assertEqual(json.loads(ran.stdout), {"markerId": "m1", "revision": 1, "valid": True, "overlaps": [],
+                                                  "protrusions": []})
+        compacted = json.loads(run("call", "motion.compact", "--marker", self.marker).stdout)
+        self.assertEqual(compacted["lengthAfter"], 80)
+
+    def test_reads_as_well(self):
+        got = json.loads(self.call("marker.get", {"format": "outlines"}).stdout)
+        self.assertEqual(got["marker"]["strip_length"], 90)
+        overlapping = self.write(squares((0, 0), (20, 0)), "overlapping.json")
+        ran = run("call", "marker.check", "--marker", overlapping)
+        self.assertEqual(ran.returncode, NOT_VALID)
+        self.assertEqual(len(json.loads(ran.stdout)["overlaps"]), 1)
+
+    def test_times_are_told_only_when_asked(self):
+        timed = json.loads(self.call("motion.compact", {"timing": True}).stdout)
+        self.assertEqual(set(timed["ms"]), {"sums", "rows", "solve", "verify", "total"})
+        runs = {self.call("motion.push", {"forces": [{"piece": "p0", "force": [1, 1]}]}).stdout for _ in range(3)}
+        self.assertEqual(len(runs), 1)
+        self.assertNotIn("ms", json.loads(runs.pop()))
+
+    def test_mistakes(self):
+        for method, params, said in (("motion.compact", "{", "input.syntax"),
+                                     ("motion.compact", [], "[] where an object is required"),
+                                     ("motion.compact", {"speed": 1}, "/speed: the field is not known"),
+                                     ("motion.compact", {"baseRev": 2}, "/baseRev: 2 is not the marker's revision"),
+                                     ("motion.bump", {"piece": "p0"}, "/direction: the field is missing")):
+            with self.subTest(params):
+                ran = self.call(method, params)
+                self.assertEqual((ran.returncode, ran.stdout), (BAD_INPUT, ""))
+                self.assertIn(said, ran.stderr)
+        self.assertEqual(run("call", "motion.compact", "--marker", self.marker, "--params", "nowhere").returncode, FILE)
+        self.assertEqual(self.call("motion.compact", {}, marker=self.write(squares((0, 0), (9, 0)))).returncode, REFUSED)
+
+
 class Check(CliTest):
     def test_a_valid_marker(self):
         ran = run("check", MARKERS / "jeans_06g.json")
@@ -194,7 +314,11 @@ class BadUsage(CliTest):
         for arguments in ([], ["fold"], ["compact"], ["compact", marker, "--accuracy", "perfect"],
                           ["compact", marker, "--rounds", "-1"], ["compact", marker, "--rounds", "many"],
                           ["compact", marker, "--format", "svg"], ["show", marker], ["check", marker, "--fast"],
-                          ["compact", marker, "-o", "-", "--svg", "-"]):
+                          ["compact", marker, "-o", "-", "--svg", "-"], ["bump", marker, "--piece", "0"],
+                          ["bump", marker, "--piece", "0", "--direction", "1"],
+                          ["bump", marker, "--piece", "0", "--direction", "1,2,3"],
+                          ["call", "motion.fly", "--marker", marker], ["call", "marker.open", "--marker", marker],
+                          ["call", "motion.compact"], ["call", "marker.check", "--marker", "-", "--params", "-"]):
             with self.subTest(arguments):
                 ran = run(*arguments)
                 self.assertEqual(ran.returncode, BAD_USAGE)

@@ -49,12 +49,15 @@ INSTANTIATE_TEST_SUITE_P(All, Garments,
                          ::testing::Values("jeans_02g", "charlie_04g", "simon_06g", "jeans_06g", "jeans_22g"),
                          [](const auto& tested) { return std::string{tested.param}; });
 
-// What one client sees: a dry run, the motion itself, the outlines.
-std::array<std::string, 3> seen(std::uint16_t port, const std::string& document) {
+// What one client sees: a dry run, the motion itself, others after it, the outlines.
+using Seen = std::array<std::string, 5>;
+Seen seen(std::uint16_t port, const std::string& document) {
   Wire wire{port};
   const std::string id = open_marker(wire, document);
   return {post_call(wire, "motion.compact", id_params(id, R"(,"commit":false)")),
           post_call(wire, "motion.compact", id_params(id)),
+          post_call(wire, "motion.gravity", id_params(id, R"(,"force":[0.1,-1])")),
+          post_call(wire, "motion.bump", id_params(id, R"(,"piece":"7","direction":[1,1])")),
           post_call(wire, "marker.get", id_params(id, R"(,"format":"outlines")"))};
 }
 
@@ -65,21 +68,46 @@ std::string without_id(std::string answer) {
   return answer.erase(at, answer.find(',', at) - at);
 }
 
+// A garment marker pulled apart by hand, gathered again: every motion leaves it valid and never longer.
+TEST(Motions, OnAGarmentMarkerThroughTheDaemon) {
+  Daemon daemon{on_free_port(1)};
+  Wire wire{daemon.port()};
+  const std::string id = open_marker(wire, garment("jeans_06g"));
+  const Json compacted = result_of(post_call(wire, "motion.compact", id_params(id)));
+  const Json fallen = result_of(post_call(wire, "motion.gravity", id_params(id, R"(,"force":[0,-1])")));
+  EXPECT_EQ(fallen["valid"], true);
+  EXPECT_GT(fallen["gain"], 0);
+  EXPECT_LE(fallen["lengthAfter"], compacted["lengthAfter"]);
+  EXPECT_EQ(fallen["revision"], 3);
+  const Json pushed = result_of(post_call(
+      wire, "motion.push", id_params(id, R"(,"forces":[{"piece":"17","force":[0,1]}],"rounds":2)")));
+  EXPECT_EQ(pushed["valid"], true);
+  EXPECT_LE(pushed["rounds"], 2);
+  for (const char* piece : {"0", "17", "119"}) {
+    const Json bumped = result_of(
+        post_call(wire, "motion.bump",
+                  id_params(id, R"(,"direction":[-1,-0.5],"piece":")" + std::string{piece} + "\"")));
+    EXPECT_EQ(bumped["valid"], true);
+    EXPECT_LE(bumped["lengthAfter"], bumped["lengthBefore"]);
+  }
+  EXPECT_EQ(result_of(post_call(wire, "marker.check", id_params(id)))["valid"], true);
+}
+
 TEST(SameBytes, OnAnyNumberOfWorkersAndEveryRun) {
   const std::string document = garment("jeans_02g");
-  std::set<std::array<std::string, 3>> different;
+  std::set<Seen> different;
   for (int run = 0; run < 10; ++run) {
     for (const std::size_t workers : {1U, 2U}) {
       Daemon daemon{on_free_port(workers)};
-      std::array<std::string, 3> first;
-      std::array<std::string, 3> second;
+      Seen first;
+      Seen second;
       {
         const std::jthread beside{[&] { second = seen(daemon.port(), document); }};
         first = seen(daemon.port(), document);
       }
       for (auto* answers : {&first, &second}) {
         for (std::string& answer : *answers) answer = without_id(answer);
-        EXPECT_NE((*answers)[1].find("\"result\""), std::string::npos);
+        for (const std::string& answer : *answers) EXPECT_NE(answer.find("\"result\""), std::string::npos);
         different.insert(*answers);
       }
     }

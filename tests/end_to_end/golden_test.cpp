@@ -46,7 +46,7 @@ TEST_P(GoldenExchanges, AreWhatTheDaemonAnswers) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, GoldenExchanges,
-                         ::testing::Combine(::testing::Values("life_of_a_marker", "mistakes"),
+                         ::testing::Combine(::testing::Values("life_of_a_marker", "mistakes", "motions"),
                                             ::testing::Values("http", "lines")),
                          [](const auto& tested) {
                            return std::string{std::get<0>(tested.param)} + "_" + std::get<1>(tested.param);

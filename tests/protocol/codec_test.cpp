@@ -33,18 +33,18 @@ TEST(Codec, NamesFieldsFromTheParameters) {
 TEST(Codec, DecodesACompaction) {
   const auto plain = decode_motion_compact({{"markerId", "m1"}});
   ASSERT_TRUE(plain);
-  EXPECT_EQ(plain->accuracy, Accuracy::kStandard);
-  EXPECT_TRUE(plain->commit);
-  EXPECT_FALSE(plain->timing);
-  EXPECT_FALSE(plain->base_revision);
+  EXPECT_EQ(plain->effort.accuracy, Accuracy::kStandard);
+  EXPECT_TRUE(plain->call.commit);
+  EXPECT_FALSE(plain->call.timing);
+  EXPECT_FALSE(plain->call.base_revision);
   const auto full = decode_motion_compact(
       json(R"({"markerId":"m1","baseRev":3,"accuracy":"fine","rounds":7,"commit":false,"timing":true})"));
   ASSERT_TRUE(full);
-  EXPECT_EQ(full->base_revision, 3u);
-  EXPECT_EQ(full->accuracy, Accuracy::kFine);
-  EXPECT_EQ(full->rounds, 7);
-  EXPECT_FALSE(full->commit);
-  EXPECT_TRUE(full->timing);
+  EXPECT_EQ(full->call.base_revision, 3u);
+  EXPECT_EQ(full->effort.accuracy, Accuracy::kFine);
+  EXPECT_EQ(full->effort.rounds, 7);
+  EXPECT_FALSE(full->call.commit);
+  EXPECT_TRUE(full->call.timing);
 }
 
 TEST(Codec, RefusesUnknownParametersOfEveryMethod) {
@@ -53,6 +53,15 @@ TEST(Codec, RefusesUnknownParametersOfEveryMethod) {
   EXPECT_EQ(decode_marker_check(params).error().field, "/extra");
   EXPECT_EQ(decode_marker_close(params).error().field, "/extra");
   EXPECT_EQ(decode_motion_compact(params).error().field, "/extra");
+  Json bump = params;
+  bump.update(Json{{"piece", "a"}, {"direction", {1, 0}}});
+  EXPECT_EQ(decode_motion_bump(bump).error().field, "/extra");
+  Json gravity = params;
+  gravity["force"] = {1, 0};
+  EXPECT_EQ(decode_motion_gravity(gravity).error().field, "/extra");
+  Json push = params;
+  push["forces"] = json(R"([{"piece":"a","force":[1,0]}])");
+  EXPECT_EQ(decode_motion_push(push).error().field, "/extra");
   EXPECT_EQ(decode_no_params({{"extra", 1}}).error().field, "/extra");
   EXPECT_EQ(decode_marker_open({{"marker", test::native_squares()}, {"extra", 1}}).error().field, "/extra");
 }
@@ -84,23 +93,85 @@ TEST(Codec, TellsOnlyThePlacementsThatChanged) {
   EXPECT_TRUE(changed_placements(before, before).empty());
 }
 
-TEST(Codec, TellsTimesOnlyWhenAsked) {
-  MotionCompacted compacted;
-  compacted.placements = Json::array();
-  EXPECT_TRUE(encode(compacted).contains("ms"));
-  compacted.timing = false;
-  EXPECT_FALSE(encode(compacted).contains("ms"));
-  EXPECT_FALSE(encode(compacted).contains("cache"));
+TEST(Codec, DecodesForces) {
+  const auto push = decode_motion_push(json(
+      R"({"markerId":"m1","rounds":3,"forces":[{"piece":"a","force":[1,-2]},{"piece":7,"force":[0,0.5]}]})"));
+  ASSERT_TRUE(push);
+  ASSERT_EQ(push->forces.size(), 2u);
+  EXPECT_EQ(push->forces[0].first, "a");
+  EXPECT_EQ(push->forces[0].second.y, -2);
+  EXPECT_EQ(push->forces[1].first, "7");  // ids are strings; whole numbers are read as their digits
+  EXPECT_EQ(push->effort.rounds, 3);
+  const auto gravity = decode_motion_gravity(json(R"({"markerId":"m1","force":[0,-1],"accuracy":"draft"})"));
+  ASSERT_TRUE(gravity);
+  EXPECT_EQ(gravity->force.y, -1);
+  EXPECT_EQ(gravity->effort.accuracy, Accuracy::kDraft);
 }
 
-TEST(Figures, AreProvedNotAssumed) {
-  Compaction compaction;
-  compaction.marker = test::read(test::native_squares()).marker;
-  compaction.length_after = length_of(compaction.marker);
-  EXPECT_TRUE(figures_of(compaction, {}, {}).valid);
-  EXPECT_EQ(figures_of(compaction, {}, {}).length_after, 90);
-  compaction.marker.pieces[1].at = {};
-  EXPECT_FALSE(figures_of(compaction, {}, {}).valid);
+TEST(Codec, DecodesABump) {
+  const auto bump = decode_motion_bump(
+      json(R"({"markerId":"m1","baseRev":2,"commit":false,"piece":"a","direction":[-1,1e-9]})"));
+  ASSERT_TRUE(bump);
+  EXPECT_EQ(bump->piece, "a");
+  EXPECT_EQ(bump->direction.x, -1);
+  EXPECT_EQ(bump->call.base_revision, 2u);
+  EXPECT_FALSE(bump->call.commit);
+}
+
+struct BadDirection {
+  const char* value;
+  ErrorCode code;
+  const char* field;
+  const char* says;
+};
+void PrintTo(const BadDirection& bad, std::ostream* out) {
+  *out << bad.value;
+}
+
+class BadDirections : public testing::TestWithParam<BadDirection> {};
+
+TEST_P(BadDirections, AreNamedWhereverTheyStand) {
+  const BadDirection& bad = GetParam();
+  const auto expect = [&bad](const Error& error, const std::string& at) {
+    EXPECT_EQ(error.code, bad.code) << error.message;
+    EXPECT_EQ(error.field, at + bad.field);
+    EXPECT_NE(error.message.find(bad.says), std::string::npos) << error.message;
+  };
+  const Json direction = json(bad.value);
+  const Json id{{"markerId", "m1"}};
+  Json bump = id;
+  bump.update(Json{{"piece", "a"}, {"direction", direction}});
+  expect(decode_motion_bump(bump).error(), "/direction");
+  Json gravity = id;
+  gravity["force"] = direction;
+  expect(decode_motion_gravity(gravity).error(), "/force");
+  Json push = id;
+  push["forces"] = Json::array({{{"piece", "a"}, {"force", {1, 0}}}, {{"piece", "b"}, {"force", direction}}});
+  expect(decode_motion_push(push).error(), "/forces/1/force");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, BadDirections,
+    testing::Values(BadDirection{"[0, 0]", ErrorCode::kOutOfRange, "", "at least 1e-09"},
+                    BadDirection{"[-0.0, 5e-324]", ErrorCode::kOutOfRange, "", "is allowed"},
+                    BadDirection{"[1e300, 0]", ErrorCode::kOutOfRange, "/0",
+                                 "-1000000000 to 1000000000 is allowed"},
+                    BadDirection{"[0, null]", ErrorCode::kWrongType, "/1", "a number is required"},
+                    BadDirection{"[1]", ErrorCode::kWrongType, "", "[x, y] is required"},
+                    BadDirection{"[1, 2, 3]", ErrorCode::kWrongType, "", "[x, y] is required"},
+                    BadDirection{R"("left")", ErrorCode::kWrongType, "", "an array is required"}));
+
+TEST(Codec, RefusesForcesThatAreNone) {
+  const auto error_of = [](const char* forces) {
+    return decode_motion_push({{"markerId", "m1"}, {"forces", json(forces)}}).error();
+  };
+  EXPECT_EQ(error_of("[]").field, "/forces");
+  EXPECT_NE(error_of("[]").message.find("1 to 100000"), std::string::npos);
+  EXPECT_EQ(error_of("{}").field, "/forces");
+  EXPECT_EQ(error_of("[3]").field, "/forces/0");
+  EXPECT_EQ(error_of(R"([{"force":[1,0]}])").field, "/forces/0/piece");
+  EXPECT_EQ(error_of(R"([{"piece":"a","force":[1,0],"at":0}])").field, "/forces/0/at");
+  EXPECT_EQ(decode_motion_push({{"markerId", "m1"}}).error().code, ErrorCode::kMissingField);
 }
 
 }  // namespace

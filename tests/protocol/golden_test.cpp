@@ -9,6 +9,7 @@
 
 #include "protocol/codec.h"
 #include "protocol/json_rpc.h"
+#include "protocol/marker_methods.h"
 #include "tests/protocol/samples.h"
 
 namespace selvage {
@@ -28,24 +29,34 @@ std::optional<Error> error_of(const Result<T>& result) {
 
 struct Method {
   std::function<std::optional<Error>(const Json&)> decode;
-  Json result;  // an encoded one, for its fields
+  std::function<Json(const Json&)> result;  // of parameters that decode: one with all its fields
 };
 
+// A method on a marker, run on the two squares that the golden exchanges are about.
+Method on_squares(const MarkerMethod& method) {
+  return {[&method](const Json& params) { return error_of(method.read(params)); },
+          [&method](const Json& params) {
+            const MarkerFile file = test::read(test::native_squares());
+            const Engine engine;
+            SumCache sums;
+            const auto call = method.read(params);
+            const auto answer = call->run(file, Means{engine, sums, {}, {}});
+            return answer ? result_json("m1", 1, answer->fields) : Json::object();
+          }};
+}
+
 std::map<std::string, Method> methods() {
-  MotionCompacted compacted;
-  compacted.timing = false;
-  MarkerChecked checked;
-  checked.validity = validity_json({}, {});
-  return {
-      {"engine.info", {[](const Json& p) { return error_of(decode_no_params(p)); }, encode(EngineInfo{})}},
-      {"marker.open",
-       {[](const Json& p) { return error_of(decode_marker_open(p)); }, encode(MarkerOpened{})}},
-      {"marker.get", {[](const Json& p) { return error_of(decode_marker_get(p)); }, encode(MarkerGot{})}},
-      {"marker.check", {[](const Json& p) { return error_of(decode_marker_check(p)); }, encode(checked)}},
-      {"marker.close",
-       {[](const Json& p) { return error_of(decode_marker_close(p)); }, encode(MarkerClosed{})}},
-      {"motion.compact",
-       {[](const Json& p) { return error_of(decode_motion_compact(p)); }, encode(compacted)}}};
+  std::map<std::string, Method> all{{"engine.info",
+                                     {[](const Json& p) { return error_of(decode_no_params(p)); },
+                                      [](auto&&) { return encode(EngineInfo{}); }}},
+                                    {"marker.open",
+                                     {[](const Json& p) { return error_of(decode_marker_open(p)); },
+                                      [](auto&&) { return encode(MarkerOpened{}); }}},
+                                    {"marker.close",
+                                     {[](const Json& p) { return error_of(decode_marker_close(p)); },
+                                      [](auto&&) { return encode(MarkerClosed{}); }}}};
+  for (const MarkerMethod& method : marker_methods()) all.emplace(method.name, on_squares(method));
+  return all;
 }
 
 void expect_alike(const Json& expected, const Json& actual) {
@@ -58,6 +69,12 @@ void expect_alike(const Json& expected, const Json& actual) {
   for (const auto& [key, value] : expected.items()) {
     if (actual.contains(key)) expect_alike(value, actual[key]);
   }
+}
+
+// Only the marker shows that a piece is not one of its own.
+bool names_a_stranger(const Json& response) {
+  return response["error"]["message"].get<std::string>().find("is no piece of this marker") !=
+         std::string::npos;
 }
 
 void replay(const Json& exchange) {
@@ -79,8 +96,8 @@ void replay(const Json& exchange) {
   if (error) {
     expect_alike(expected, error_response(*request.id, rpc_error(*error)));
   } else if (expected.contains("result")) {
-    EXPECT_EQ(fields_of(expected["result"]), fields_of(method->second.result));
-  } else {
+    EXPECT_EQ(fields_of(expected["result"]), fields_of(method->second.result(request.params)));
+  } else if (!names_a_stranger(expected)) {
     EXPECT_NE(expected["error"]["code"], static_cast<int>(RpcCode::kInvalidParams))
         << "decoded: " << to_text(expected);
   }
@@ -97,7 +114,7 @@ TEST_P(Golden, AgreesWithTheCodec) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Golden, testing::Values("life_of_a_marker", "mistakes"),
+INSTANTIATE_TEST_SUITE_P(All, Golden, testing::Values("life_of_a_marker", "mistakes", "motions"),
                          [](const auto& test) { return test.param; });
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <future>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -241,6 +242,81 @@ TEST(Dispatcher, TheSecondOfTwoMotionsOnOneBaseFindsItGone) {
   gate.open();
   EXPECT_EQ(Json::parse(first.get())["result"]["revision"], 2);
   EXPECT_EQ(code_of(Json::parse(second.get())), -32801);
+}
+
+// The motions on one marker, whichever they are, obey the same rules.
+constexpr const char* kBumpRight = R"(,"piece":"low","direction":[0,1])";
+constexpr const char* kFall = R"(,"force":[0,-1])";
+
+TEST(Dispatcher, ABumpIsAnsweredCommittedAndCounted) {
+  Desk desk;
+  const std::string start = R"({"markerId":")" + desk.open_small() + "\"" + kBumpRight;
+  const Json dry = desk.ask_json(call(1, "motion.bump", start + R"(,"commit":false})"))["result"];
+  EXPECT_EQ(dry["at"], Json::parse("[3,2]"));  // up to the high square
+  EXPECT_EQ(dry["touching"], Json::parse(R"(["high"])"));
+  EXPECT_EQ(dry["revision"], 1);
+  const Json done = desk.ask_json(call(2, "motion.bump", start + R"(,"baseRev":1})"))["result"];
+  EXPECT_EQ(done["revision"], 2);
+  EXPECT_EQ(done["gain"], 2);
+  EXPECT_EQ(code_of(desk.ask_json(call(3, "motion.bump", start + R"(,"baseRev":1})"))), -32801);
+  const Json again = desk.ask_json(call(4, "motion.bump", start + R"(,"baseRev":2})"))["result"];
+  EXPECT_EQ(again["moved"], false);
+  EXPECT_EQ(again["revision"], 2);
+  const Json got = desk.ask_json(call(5, "marker.get", R"({"markerId":"m1"})"))["result"];
+  EXPECT_EQ(got["marker"]["pieces"][0]["at"], Json::parse("[3,2]"));
+}
+
+TEST(Dispatcher, AMistakeAboutAPieceIsAWrongParameter) {
+  Desk desk;
+  const std::string start = R"({"markerId":")" + desk.open_small() + "\"";
+  const Json bump = desk.ask_json(call(1, "motion.bump", start + R"(,"piece":"no","direction":[1,0]})"));
+  EXPECT_EQ(code_of(bump), -32602);
+  EXPECT_EQ(bump["error"]["data"]["field"], "/piece");
+  const Json push =
+      desk.ask_json(call(2, "motion.push", start + R"(,"forces":[{"piece":"no","force":[1,0]}]})"));
+  EXPECT_EQ(push["error"]["data"]["field"], "/forces/0/piece");
+  EXPECT_EQ(desk.store.current("m1")->revision, 1U);
+  EXPECT_EQ(
+      code_of(desk.ask_json(call(3, "motion.bump", R"({"markerId":"m9","piece":"low","direction":[1,0]})"))),
+      -32012);
+}
+
+TEST(Dispatcher, MotionsOfDifferentKindsTakeTurns) {
+  Gate gate;
+  Desk desk{2, gate.engine()};
+  const std::string start = R"({"markerId":")" + desk.open_small() + "\"";
+  auto falling = desk.send(call(1, "motion.gravity", start + kFall + "}"));
+  gate.await_arrivals(1);
+  auto compacting = desk.send(call(2, "motion.compact", start + "}"));
+  auto bumping = desk.send(call(3, "motion.bump", start + kBumpRight + "}"));
+  gate.open();
+  EXPECT_EQ(Json::parse(falling.get())["result"]["revision"], 2);
+  EXPECT_EQ(Json::parse(compacting.get())["result"]["revision"], 3);
+  EXPECT_EQ(Json::parse(bumping.get())["result"]["revision"], 4);
+  EXPECT_EQ(gate.most_at_once(), 1);
+}
+
+TEST(Dispatcher, ACallerWhoLeavesStopsItsPush) {
+  Gate gate;
+  Desk desk{1, gate.engine()};
+  const std::string start = R"({"markerId":")" + desk.open_small() + "\"";
+  std::stop_source leaving;
+  auto running = desk.send(call(1, "motion.gravity", start + kFall + "}"), leaving.get_token());
+  gate.await_arrivals(1);
+  leaving.request_stop();
+  EXPECT_EQ(code_of(Json::parse(running.get())), -32800);
+  EXPECT_EQ(desk.store.current("m1")->revision, 1U);
+}
+
+TEST(Dispatcher, ListsEveryMethodThatItHas) {
+  Desk desk;
+  std::set<std::string> told;
+  const Json info = desk.ask_json(call(1, "engine.info"))["result"];
+  for (const Json& name : info["methods"]) told.insert(name.get<std::string>());
+  EXPECT_EQ(told,
+            (std::set<std::string>{"engine.info", "marker.open", "marker.get", "marker.check", "marker.close",
+                                   "motion.compact", "motion.push", "motion.gravity", "motion.bump"}));
+  for (const std::string& name : told) EXPECT_TRUE(place_of(name)) << name;
 }
 
 TEST(Dispatcher, DifferentMarkersMoveAtTheSameTime) {

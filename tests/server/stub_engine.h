@@ -1,4 +1,4 @@
-// An engine whose compaction is a single step that tests can hold, break and count; and a marker for it.
+// An engine whose motions are a single step that tests can hold, break and count; and a marker for it.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "server/engine.h"
+#include "protocol/engine.h"
 #include "tests/server/wire.h"
 
 namespace selvage::test {
@@ -31,15 +31,22 @@ inline Compaction push_left(const Marker& start) {
   return done;
 }
 
-// A gate that compactions wait at until the test opens it or their token stops.
+// A gate that motions wait at until the test opens it or their token stops.
 class Gate {
  public:
-  // The compaction of an engine that waits here; cancelled ones say so and have still moved.
+  // An engine whose compactions and pushes wait here; cancelled ones say so and have still moved.
   [[nodiscard]] Engine engine() {
     Engine engine;
     engine.compact = [this](const Marker& start, const CompactionSettings&, SumCache&,
                             const std::stop_token& stop, const Observer&) -> Result<Compaction> {
       Compaction done = push_left(start);
+      if (!pass(stop)) done.reason = StopReason::kCancelled;
+      return done;
+    };
+    engine.push = [this](const Marker& start, std::span<const Force>, const CompactionSettings&, SumCache&,
+                         const std::stop_token& stop, const Observer&) -> Result<Push> {
+      Push done;
+      done.marker = push_left(start).marker;
       if (!pass(stop)) done.reason = StopReason::kCancelled;
       return done;
     };

@@ -31,7 +31,8 @@ struct Point {
 std::vector<Point> jittered_grid(const CompactionModel& model, double cell, Draw& draw) {
   std::vector<Point> points;
   for (int k = 0; k < model.points; ++k) {
-    const double x = (k / model.across + 0.5) * cell, y = (k % model.across + 0.5) * cell;
+    const double x = (k / model.across + 0.5) * cell;
+    const double y = (k % model.across + 0.5) * cell;
     points.push_back({x + draw(-0.3, 0.3) * cell, y + draw(-0.3, 0.3) * cell});
   }
   return points;
@@ -39,11 +40,14 @@ std::vector<Point> jittered_grid(const CompactionModel& model, double cell, Draw
 
 void add_pair(LinearProgram& program, const CompactionModel& model, const std::vector<Point>& at, int p, int q,
               Draw& draw) {
-  const Point a = at[static_cast<std::size_t>(p)], b = at[static_cast<std::size_t>(q)];
-  const double towards = std::atan2(b.y - a.y, b.x - a.x), apart = std::hypot(b.x - a.x, b.y - a.y);
+  const Point a = at[static_cast<std::size_t>(p)];
+  const Point b = at[static_cast<std::size_t>(q)];
+  const double towards = std::atan2(b.y - a.y, b.x - a.x);
+  const double apart = std::hypot(b.x - a.x, b.y - a.y);
   for (int k = 0; k < model.normals; ++k) {
     const double angle = towards + draw(-1, 1);
-    const double nx = std::cos(angle), ny = std::sin(angle);
+    const double nx = std::cos(angle);
+    const double ny = std::sin(angle);
     const double slack = draw(0, 1) < model.tight ? 0 : draw(0, 0.3) * apart;
     const std::array<LinearProgram::Entry, 4> row{
         {{2 * p, -nx}, {2 * p + 1, -ny}, {2 * q, nx}, {2 * q + 1, ny}}};

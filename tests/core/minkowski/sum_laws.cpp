@@ -35,6 +35,8 @@ double nearest_of(Real2 p, const std::vector<Segment>& segments) {
 
 std::string text_of(Real2 p) { return "(" + std::to_string(p.x) + ", " + std::to_string(p.y) + ")"; }
 
+constexpr double kStub = 100;         // what may be left of an edge at a sharp corner, inside by a few units at its end
+constexpr double kLongEnough = 1000;  // to tell the sides by a sample in the middle
 constexpr double kSamples[] = {0.05, 0.35, 0.5, 0.8, 0.95};
 
 // Laws (2), (3), (4) and (7) for one sum.
@@ -73,15 +75,15 @@ class Boundary {
 
   [[nodiscard]] std::string broken_by(std::size_t e) const {
     const Segment& edge = ours_[e];
+    const double length = length_of(edge);
     for (const double t : kSamples) {
-      if (hidden(along(edge, t))) return "an edge inside a ring at " + text_of(along(edge, t));
+      if (length > kStub && hidden(along(edge, t))) return "an edge inside a ring at " + text_of(along(edge, t));
     }
     for (std::size_t k = 0; k < e; ++k) {
       if (twice(sum_.edges()[e], sum_.edges()[k])) return "a stretch twice at " + text_of(along(edge, 0.5));
     }
-    const double length = length_of(edge);
     const Real2 middle = along(edge, 0.5);
-    if (length < 1000 || neighbour_within(10, middle, e)) return {};  // too near to tell sides by a sample
+    if (length < kLongEnough || neighbour_within(10, middle, e)) return {};  // too near to tell sides by a sample
     const double reach = 3 / length;
     const Real2 left{-(edge.second.y - edge.first.y) * reach, (edge.second.x - edge.first.x) * reach};
     if (exact_.locate({middle.x + left.x, middle.y + left.y}) != Location::kInside) {

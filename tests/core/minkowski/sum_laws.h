@@ -18,8 +18,8 @@ struct Summands {
 
 // Nothing when all laws hold, else what is broken, with the summands.
 //  (1) The rings' union differs from the exact sum by no more than a unit along its boundary.
-//  (2) No edge lies inside another ring by more than rounding.  (Slots without any width, holes that close to a point and
-//      stubs at sharp corners do show.)
+//  (2) No edge lies inside another ring by more than rounding, but for stubs at sharp corners.  (Slots without any width and
+//      holes that close to a point do show.)
 //  (3) The edges cover the exact boundary; their length is its length, but for what another edge runs beside.
 //  (4) No stretch of an exact line is there twice.
 //  (5) Every edge's ends lie within a unit and a half of its exact line, in its direction.

@@ -69,6 +69,21 @@ TEST(Bump, KeepsTheSpacing) {
   EXPECT_EQ(left.touching, (std::vector<std::uint32_t>{0}));
 }
 
+TEST(Bump, OfAMarkerAsItComesHealsFirst) {
+  Layout layout{1'000'000};
+  const auto square = layout.shape_of(test::rectangle(100'000, 100'000));
+  layout.put(square, {0, 0}).put(square, {99'990, 50'000});  // they overlap by less than the healing limit
+  SumCache sums;
+  const auto bumped = heal_and_bump(layout.marker(), PieceId{1}, 0, 1, sums);
+  ASSERT_TRUE(bumped);
+  EXPECT_EQ(bumped->healing.pairs, 1U);
+  EXPECT_TRUE(is_valid(bumped->marker));
+  EXPECT_EQ(bumped->marker.pieces[1].at, bumped->bump.at);
+  EXPECT_EQ(bumped->bump.at.y, 900'000);
+  layout.put(square, {50'000, 0});
+  EXPECT_EQ(heal_and_bump(layout.marker(), PieceId{1}, 0, 1, sums).error().code, ErrorCode::kMarkerOverlaps);
+}
+
 // The best point that small steps from `at` can reach, by trying them all: what a local optimum must not fall short of.
 double best_small_gain(const Marker& marker, std::uint32_t piece, double ux, double uy, Coord step) {
   double best = 0;

@@ -1,0 +1,43 @@
+#include <memory>
+#include <vector>
+
+#include "clients/cli/commands.h"
+#include "clients/cli/marker_run.h"
+
+namespace selvage {
+namespace {
+
+struct BumpOptions {
+  MarkerFiles files;
+  std::string piece;
+  std::vector<double> direction;
+  bool json{};
+};
+
+ExitCode run(const BumpOptions& options) {
+  return run_on_marker("motion.bump", {{"piece", options.piece}, {"direction", options.direction}},
+                       options.files, options.json ? Telling::kLine : Telling::kSummary);
+}
+
+}  // namespace
+
+void add_bump_command(CLI::App& app, ExitCode& code) {
+  auto options = std::make_shared<BumpOptions>();
+  CLI::App* command = app.add_subcommand("bump", "Move one piece as far as it can slide, all others still");
+  add_marker_in(*command, options->files);
+  command->add_option("--piece", options->piece, "The piece's id")->required();
+  command->add_option("--direction", options->direction, "Where to, such as -1,0")
+      ->required()
+      ->delimiter(',')
+      ->expected(2)
+      ->type_name("X,Y");
+  add_marker_files(*command, options->files);
+  command->add_flag("--json", options->json, "Print one line of JSON instead of the summary");
+  command->footer(kExitCodesHelp);
+  command->callback([options, &code] {
+    refuse_mixed_streams(options->files);
+    code = run(*options);
+  });
+}
+
+}  // namespace selvage

@@ -1,0 +1,39 @@
+// What the commands that run a method on a marker have in common: where the marker comes from and goes to,
+// and the run itself, in this process, from the daemon's own table of methods.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "clients/cli/exit_code.h"
+#include "protocol/json_text.h"
+
+namespace selvage {
+
+struct MarkerFiles {
+  std::string in, out, svg, outlines;
+  std::optional<std::string> format;
+  std::optional<double> spacing;
+};
+// IN as the first argument.
+void add_marker_in(CLI::App& command, MarkerFiles& files);
+// -o, --svg, --outlines, --format, --spacing.
+void add_marker_files(CLI::App& command, MarkerFiles& files);
+// Throws CLI::ValidationError when more than one is written to standard output.
+void refuse_mixed_streams(const MarkerFiles& files);
+
+// How the answer is told.
+enum class Telling {
+  kSummary,  // a few lines for people
+  kLine,     // one line of JSON, its names in snake_case, with the times
+  kResult    // the result as the daemon gives it
+};
+
+// Runs the method as a daemon would that has just opened the marker: as "m1", at revision 1.  What is not
+// proved valid is not written.  REQUIRES: marker_methods.h has the method.
+[[nodiscard]] ExitCode run_on_marker(std::string_view method, Json params, const MarkerFiles& files,
+                                     Telling telling);
+
+}  // namespace selvage

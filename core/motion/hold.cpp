@@ -1,0 +1,160 @@
+#include "core/motion/hold.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "core/lp/solve.h"
+#include "core/marker/validity.h"
+#include "core/model/position_model.h"
+#include "core/motion/scene.h"
+
+namespace selvage {
+namespace {
+
+constexpr double kReach = 0.005;      // of the width: contacts are looked for this near
+constexpr double kLeastWorth = 1e-6;  // loads below this are the solver's noise
+constexpr double kSpare = 1e-2;       // column units the length may grow by, for rows' margins
+
+// The loads that one solution puts on rows and bounds.
+class Loads {
+ public:
+  Loads(const Marker& marker, SumCache& sums) : scene_{marker, sums} {}
+
+  Result<Hold> run(const std::stop_token& stop) {
+    const LpSolution solution = solve_model(stop);
+    Hold hold;
+    if (solution.status != LpStatus::kOptimal) return hold;  // stopped: nothing is known
+    for (std::size_t k = 0; k < rows_.size(); ++k) add_pair(rows_[k], solution.dual[k], hold);
+    add_edges(solution, hold);
+    merge(hold);
+    for (const auto& [piece, per_degree] : tilts_) hold.tilts.push_back({PieceId{piece}, per_degree});
+    std::stable_sort(hold.tilts.begin(), hold.tilts.end(), [](const TiltWorth& a, const TiltWorth& b) {
+      return std::abs(a.per_degree) > std::abs(b.per_degree);
+    });
+    return hold;
+  }
+
+ private:
+  LpSolution solve_model(const std::stop_token& stop) {
+    const Strip& strip = scene_.marker.strip;
+    const Coord spacing = scene_.marker.spacing;
+    const double reach = kReach * static_cast<double>(strip.width);
+    model_.emplace(scene_.pieces, strip, scene_.group);
+    const RegionSettings region{RegionRule::kGreedy, reach + static_cast<double>(spacing), spacing, 0, 0};
+    for (const PiecePair& pair : pairs_within(scene_.pieces, std::llround(reach) + spacing)) {
+      const Vec r = scene_.relative_position(pair);
+      if (scene_.fixed(pair.first) && scene_.fixed(pair.second)) continue;
+      for (const HalfPlane& side : free_region(scene_.obstacle(pair), r, region)) {
+        rows_.push_back(row_of(pair, side, r, spacing, model_->unit(), TightRows::kRestore));
+        model_->add(rows_.back());
+      }
+    }
+    const auto length = static_cast<double>(scene_.pieces.length());
+    model_->add_length(1, length, kSpare * model_->unit());
+    for (std::size_t i = 0; i < scene_.pieces.size(); ++i) model_->add_right_wall(i);
+    return solve(model_->program(), SolverChoice::kSimplex, {}, stop);
+  }
+
+  void add_pair(const PairRow& row, double worth, Hold& hold) {
+    if (worth < kLeastWorth) return;
+    const auto [p, q] = row.pair;
+    const Witness at = nearest_point(scene_.pieces[p], scene_.pieces[q]);
+    hold.contacts.push_back({PieceId{p}, PieceId{q}, {}, worth, at});
+    hold.per_spacing += worth;
+    turn(q, worth, row.nx, row.ny, at);
+    turn(p, worth, -row.nx, -row.ny, at);
+  }
+
+  // Turning a piece about its position by a small angle moves its touching point square to its lever; what that opens along
+  // the normal of the contact, which points at the piece, is room.
+  void turn(std::uint32_t piece, double worth, double nx, double ny, Witness at) {
+    if (scene_.fixed(piece)) return;
+    const Vec pivot = scene_.pieces.at(piece);
+    const double lever_x = at.x - static_cast<double>(pivot.x);
+    const double lever_y = at.y - static_cast<double>(pivot.y);
+    tilts_[piece] += worth * (ny * lever_x - nx * lever_y) * std::numbers::pi / 180;
+  }
+
+  // The strip's edges are rows (right) or bounds of columns (the others): a bound's load is its column's reduced cost.
+  void add_edges(const LpSolution& solution, Hold& hold) {
+    const LinearProgram& program = model_->program();
+    std::vector<double> reduced = program.cost;
+    for (int r = 0; r < program.rows(); ++r) {
+      for (const auto& [column, value] : program.row(r)) {
+        reduced[static_cast<std::size_t>(column)] -= value * solution.dual[static_cast<std::size_t>(r)];
+      }
+    }
+    for (std::uint32_t i = 0; i < scene_.pieces.size(); ++i) {
+      if (const auto column = model_->column(i)) {
+        const auto c = static_cast<std::size_t>(*column);
+        add_edge(i, Edge::kLeft, reduced[c], 1, 0, hold);
+        add_edge(i, Edge::kBottom, reduced[c + 1], 0, 1, hold);
+        add_edge(i, Edge::kTop, -reduced[c + 1], 0, -1, hold);
+      }
+      if (const auto wall = model_->right_wall_row(i)) {
+        add_edge(i, Edge::kRight, solution.dual[static_cast<std::size_t>(*wall)], -1, 0, hold);
+      }
+    }
+  }
+  // `(nx, ny)`: from the edge into the strip.
+  void add_edge(std::uint32_t piece, Edge edge, double worth, int nx, int ny, Hold& hold) {
+    if (worth < kLeastWorth) return;
+    const Witness at = touching_point(piece, nx, ny);
+    hold.contacts.push_back({PieceId{piece}, std::nullopt, edge, worth, at});
+    turn(piece, worth, nx, ny, at);
+  }
+  // The middle of the vertices that lie farthest against the direction.
+  [[nodiscard]] Witness touching_point(std::uint32_t piece, int nx, int ny) const {
+    const PlacedPolygon polygon = scene_.pieces[piece];
+    const auto along = [&](Vec v) { return nx * v.x + ny * v.y; };
+    Coord least = along(polygon.vertices.front());
+    for (const Vec v : polygon.vertices) least = std::min(least, along(v));
+    Witness sum;
+    double count = 0;
+    for (const Vec v : polygon.vertices) {
+      if (along(v) != least) continue;
+      sum.x += static_cast<double>(v.x + polygon.at.x);
+      sum.y += static_cast<double>(v.y + polygon.at.y);
+      count += 1;
+    }
+    return {sum.x / count, sum.y / count};
+  }
+
+  // A pair that touches along several lines is one contact; contacts in reading order.
+  static void merge(Hold& hold) {
+    auto& contacts = hold.contacts;
+    std::stable_sort(contacts.begin(), contacts.end(), [](const LoadedContact& a, const LoadedContact& b) {
+      return std::tuple{a.at.x, a.at.y, a.first} < std::tuple{b.at.x, b.at.y, b.first};
+    });
+    std::vector<LoadedContact> merged;
+    for (const LoadedContact& c : contacts) {
+      const auto same = std::find_if(merged.begin(), merged.end(), [&](const LoadedContact& m) {
+        return c.second && m.first == c.first && m.second == c.second;
+      });
+      if (same == merged.end()) {
+        merged.push_back(c);
+      } else {
+        same->worth += c.worth;
+      }
+    }
+    contacts = std::move(merged);
+  }
+
+  Scene scene_;
+  std::vector<PairRow> rows_;
+  std::optional<PositionModel> model_;
+  std::map<std::uint32_t, double> tilts_;
+};
+
+}  // namespace
+
+Result<Hold> what_holds(const Marker& marker, SumCache& sums, std::stop_token stop) {
+  if (!is_valid(marker)) {
+    return Error{ErrorCode::kMarkerOverlaps, "the marker is not valid: compact or part it first", "/pieces"};
+  }
+  return Loads{marker, sums}.run(stop);
+}
+
+}  // namespace selvage

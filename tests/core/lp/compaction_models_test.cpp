@@ -1,0 +1,95 @@
+// Both solvers on programs shaped like a compaction's: the same optimum, feasible, and certified by their duals.
+#include "tests/core/lp/compaction_models.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <thread>
+
+#include "core/lp/clp.h"
+#include "core/lp/interior_point.h"
+#include "core/lp/solve.h"
+
+namespace selvage {
+namespace {
+
+// What duality proves the objective to be at least: the rows' prices, and each column at its cheaper bound.
+double dual_objective(const LinearProgram& program, const LpSolution& solution) {
+  std::vector<double> reduced = program.cost;
+  double sum = 0;
+  for (int r = 0; r < program.rows(); ++r) {
+    const double price = solution.dual[static_cast<std::size_t>(r)];
+    sum += price * program.bound[static_cast<std::size_t>(r)];
+    for (const auto& [column, value] : program.row(r)) reduced[static_cast<std::size_t>(column)] -= price * value;
+  }
+  for (std::size_t j = 0; j < reduced.size(); ++j) {
+    const double bound = reduced[j] > 0 ? program.lower[j] : program.upper[j];
+    if (std::isfinite(bound)) {
+      sum += reduced[j] * bound;
+    } else {
+      EXPECT_NEAR(reduced[j], 0, 1e-7);  // a column without that bound must have no price left
+    }
+  }
+  return sum;
+}
+
+void expect_optimal(const LinearProgram& program, const LpSolution& solution) {
+  ASSERT_EQ(solution.status, LpStatus::kOptimal);
+  EXPECT_LE(infeasibility(program, solution.x), 1e-8);
+  const double scale = 1 + std::abs(solution.objective);
+  // Hundreds of columns are bounded in the hundreds: a dual residual of 1e-8 counts for so many times 1e-6.
+  EXPECT_NEAR(dual_objective(program, solution), solution.objective, 1e-5 * scale);
+  for (int r = 0; r < program.rows(); ++r) {
+    double activity = 0;
+    for (const auto& [column, value] : program.row(r)) activity += value * solution.x[static_cast<std::size_t>(column)];
+    const auto k = static_cast<std::size_t>(r);
+    EXPECT_LE(solution.dual[k] * (activity - program.bound[k]), 1e-6 * scale) << "row " << r;
+  }
+}
+
+class CompactionModels : public testing::TestWithParam<int> {};
+
+TEST_P(CompactionModels, BothSolversFindTheSameOptimum) {
+  const bool large = GetParam() > 500;
+  for (std::uint64_t seed = 1; seed <= (large ? 1U : 6U); ++seed) {
+    for (const double tight : large ? std::vector{0.2} : std::vector{0.0, 0.2, 0.6}) {
+      const LinearProgram program = compaction_program({.points = GetParam(), .tight = tight, .seed = seed});
+      const LpSolution simplex = solve_by_simplex(program, 1'000'000);
+      const LpSolution interior = solve_by_interior_point(program);
+      SCOPED_TRACE(testing::Message() << "seed " << seed << ", tight " << tight << ", iterations " << interior.iterations);
+      ASSERT_EQ(interior.status, LpStatus::kOptimal);
+      expect_optimal(program, simplex);
+      expect_optimal(program, interior);
+      EXPECT_NEAR(simplex.objective, interior.objective, 1e-7 * (1 + std::abs(simplex.objective)));
+      EXPECT_LE(infeasibility(program, interior.x), 1e-9);  // what compaction relies on
+    }
+  }
+}
+
+TEST_P(CompactionModels, TheSameProgramGivesTheSameBytes) {
+  const LinearProgram program = compaction_program({.points = GetParam()});
+  EXPECT_EQ(solve_by_interior_point(program).x, solve_by_interior_point(program).x);
+  EXPECT_EQ(solve_by_simplex(program, 1'000'000).x, solve_by_simplex(program, 1'000'000).x);
+}
+
+TEST_P(CompactionModels, WithoutGravityTheInteriorPointMethodStillEnds) {  // free columns without cost
+  const LinearProgram program = compaction_program({.points = GetParam(), .gravity = 0});
+  const LpSolution solution = solve(program, SolverChoice::kInteriorPoint);
+  expect_optimal(program, solution);
+}
+
+INSTANTIATE_TEST_SUITE_P(Points, CompactionModels, testing::Values(3, 50, 200, 700));
+
+TEST(CompactionModel, StopsWhileItIsAtWork) {
+  // Big enough to take many pivots and factorisations; a second thread asks it to stop.
+  const LinearProgram program = compaction_program({.points = 3000, .tight = 0.6});
+  for (const SolverChoice choice : {SolverChoice::kSimplex, SolverChoice::kInteriorPoint}) {
+    std::stop_source source;
+    std::jthread asking{[&] { source.request_stop(); }};
+    const LpStatus status = solve(program, choice, {}, source.get_token()).status;
+    EXPECT_TRUE(status == LpStatus::kStopped || status == LpStatus::kOptimal);
+  }
+}
+
+}  // namespace
+}  // namespace selvage

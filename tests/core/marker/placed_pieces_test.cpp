@@ -1,0 +1,91 @@
+#include "core/marker/placed_pieces.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/marker/squares.h"
+#include "tests/support/polygons.h"
+
+namespace selvage::test {
+namespace {
+
+Marker random_marker(Random& random, std::size_t pieces, Coord extent) {
+  Marker marker = squares({});
+  marker.strip.width = 1000;
+  marker.shapes.clear();
+  for (int k = 0; k < 5; ++k) {
+    marker.shapes.push_back({.id = std::to_string(k), .outline = random_polygon(random, 60), .rotations = {}, .tilt_limit = {}});
+  }
+  for (std::size_t k = 0; k < pieces; ++k) {
+    const Angle rotation = Angle::of_degrees(90.0 * static_cast<double>(random.between(0, 3)));
+    marker.pieces.push_back({.id = std::to_string(k),
+                             .shape = {static_cast<std::uint32_t>(random.below(5))},
+                             .orientation = {false, rotation, {}},
+                             .at = random.point(0, extent)});
+  }
+  return marker;
+}
+
+TEST(PlacedPieces, AreTheMarkersOutlines) {
+  Random random{201};
+  const Marker marker = random_marker(random, 50, 1000);
+  const PlacedPieces pieces{marker};
+  ASSERT_EQ(pieces.size(), 50U);
+  EXPECT_EQ(pieces.length(), length_of(marker));
+  for (std::uint32_t i = 0; i < 50; ++i) {
+    const Polygon outline = placed_outline(marker, {i});
+    const PlacedPolygon piece = pieces[i];
+    ASSERT_EQ(moved({piece.vertices.begin(), piece.vertices.end()}, piece.at), outline);
+    ASSERT_EQ(pieces.box(i), box_of(outline));
+    ASSERT_EQ(piece.placed_box(), box_of(outline));
+  }
+}
+
+TEST(PlacedPieces, MayBePlacedAnew) {
+  PlacedPieces pieces{squares({{0, 0}, {20, 0}})};
+  pieces.place({{5, 5}, {1, 80}});
+  EXPECT_EQ(pieces.at(1), (Vec{1, 80}));
+  EXPECT_EQ(pieces.length(), 15);
+}
+
+TEST(PairsWithin, AreThoseOfBruteForce) {
+  Random random{202};
+  for (int trial = 0; trial < 200; ++trial) {
+    const Marker marker = random_marker(random, 40, random.between(10, 800));
+    const PlacedPieces pieces{marker};
+    const Coord distance = random.chance(30) ? 0 : random.between(1, 100);
+    std::vector<PiecePair> expected;
+    for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+      for (std::uint32_t j = i + 1; j < pieces.size(); ++j) {
+        if (pieces.box(i).grown(distance).overlaps(pieces.box(j))) expected.emplace_back(i, j);
+      }
+    }
+    ASSERT_EQ(pairs_within(pieces, distance), expected);
+  }
+}
+
+TEST(PairsWithin, AreOpenAtTheDistance) {
+  const PlacedPieces pieces{squares({{0, 0}, {15, 0}, {10, 10}})};
+  EXPECT_EQ(pairs_within(pieces, 0), (std::vector<PiecePair>{}));
+  EXPECT_EQ(pairs_within(pieces, 5), (std::vector<PiecePair>{{0, 2}, {1, 2}}));
+  EXPECT_EQ(pairs_within(pieces, 6), (std::vector<PiecePair>{{0, 1}, {0, 2}, {1, 2}}));
+}
+
+TEST(Conflicts, AreThoseOfBruteForce) {
+  Random random{203};
+  for (int trial = 0; trial < 200; ++trial) {
+    const Marker marker = random_marker(random, 20, random.between(50, 500));
+    const PlacedPieces pieces{marker};
+    const Coord spacing = random.chance(50) ? 0 : random.between(1, 40);
+    std::vector<PiecePair> expected;
+    for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+      for (std::uint32_t j = i + 1; j < pieces.size(); ++j) {
+        const bool conflict = spacing == 0 ? overlap(pieces[i], pieces[j]) : closer_than(pieces[i], pieces[j], spacing);
+        if (conflict) expected.emplace_back(i, j);
+      }
+    }
+    ASSERT_EQ(conflicts(pieces, spacing), expected);
+  }
+}
+
+}  // namespace
+}  // namespace selvage::test

@@ -1,0 +1,174 @@
+#include "core/marker/validity.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/marker/placed_pieces.h"
+#include "core/minkowski/cache.h"
+#include "core/minkowski/nearest_edges.h"
+#include "tests/core/marker/squares.h"
+#include "tests/support/placed.h"
+#include "tests/support/polygons.h"
+
+namespace selvage::test {
+namespace {
+
+Validity checked(const Marker& marker) {
+  SumCache sums;
+  Validity validity = check(marker, sums);
+  EXPECT_EQ(validity.valid(), is_valid(marker));
+  return validity;
+}
+
+TEST(Validity, TouchingIsValid) {
+  EXPECT_TRUE(checked(squares({{0, 0}, {10, 0}, {10, 10}, {0, 90}})).valid());
+}
+
+TEST(Validity, SaysWhichOverlapWhereAndHowDeep) {
+  const Validity validity = checked(squares({{0, 0}, {50, 50}, {7, 2}}));
+  ASSERT_EQ(validity.overlaps.size(), 1U);
+  const Overlap& overlap = validity.overlaps[0];
+  EXPECT_EQ(overlap.first, PieceId{0});
+  EXPECT_EQ(overlap.second, PieceId{2});
+  EXPECT_NEAR(overlap.depth, 3, 1e-9);  // to the right, by what they share
+  EXPECT_GT(overlap.witness_x, 7);
+  EXPECT_LT(overlap.witness_x, 10);
+  EXPECT_GT(overlap.witness_y, 2);
+  EXPECT_LT(overlap.witness_y, 10);
+  EXPECT_TRUE(validity.protrusions.empty());
+}
+
+TEST(Validity, DepthIsTheShortestMoveInAnyDirection) {
+  // The corner of a square under the hypotenuse of a triangle, x + y = 20, at (7, 7): 6 / sqrt(2) deep.
+  Marker marker = squares({{0, 0}, {7, 7}});
+  marker.shapes.push_back({.id = "triangle", .outline = kTriangle, .tilt_limit = {}});
+  marker.pieces[0].shape.value = 1;
+  const Validity validity = checked(marker);
+  ASSERT_EQ(validity.overlaps.size(), 1U);
+  EXPECT_NEAR(validity.overlaps[0].depth, 6 / std::sqrt(2.0), 1e-9);
+}
+
+TEST(Validity, OverlapsComeInOrder) {
+  const Validity validity = checked(squares({{0, 0}, {5, 5}, {9, 9}, {60, 0}, {0, 1}}));
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (const Overlap& o : validity.overlaps) pairs.emplace_back(o.first.value, o.second.value);
+  EXPECT_EQ(pairs, (std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0, 1}, {0, 2}, {0, 4}, {1, 2}, {1, 4}, {2, 4}}));
+}
+
+TEST(Validity, OfPiecesOnTopOfEachOther) {
+  const Validity validity = checked(squares({{30, 30}, {30, 30}}));
+  ASSERT_EQ(validity.overlaps.size(), 1U);
+  EXPECT_NEAR(validity.overlaps[0].depth, 10, 1e-9);
+}
+
+TEST(Validity, SpacingIsKeptAtTheDistanceItself) {
+  Marker marker = squares({{0, 0}, {15, 0}});
+  marker.spacing = 5;
+  EXPECT_TRUE(checked(marker).valid());
+  marker.spacing = 6;
+  const Validity validity = checked(marker);
+  ASSERT_EQ(validity.overlaps.size(), 1U);
+  EXPECT_NEAR(validity.overlaps[0].depth, 1, 1e-9);
+  EXPECT_NEAR(validity.overlaps[0].witness_x, 12.5, 1e-9);  // between the two
+  // Corner to corner, 3 and 4 apart.
+  marker = squares({{0, 0}, {13, 14}});
+  marker.spacing = 5;
+  EXPECT_TRUE(checked(marker).valid());
+  marker.pieces[1].at = {13, 13};
+  EXPECT_FALSE(checked(marker).valid());
+  EXPECT_NEAR(checked(marker).overlaps[0].depth, 5 - std::sqrt(18.0), 1e-9);
+  // Overlapping all the same: out, and then apart.
+  marker.pieces[1].at = {8, 0};
+  EXPECT_NEAR(checked(marker).overlaps[0].depth, 2 + 5, 1e-9);
+}
+
+TEST(Validity, SpacingDoesNotHoldForTheStripsEdges) {
+  Marker marker = squares({{0, 0}});
+  marker.spacing = 5;
+  EXPECT_TRUE(checked(marker).valid());
+}
+
+TEST(Validity, SaysByHowMuchAPieceLeavesTheStrip) {
+  const auto by = [](Vec at, std::optional<Coord> longest = {}) {
+    Marker marker = squares({{40, 40}, at});
+    marker.strip.longest = longest;
+    const Validity validity = checked(marker);
+    EXPECT_TRUE(validity.overlaps.empty());
+    if (validity.protrusions.empty()) return Coord{0};
+    EXPECT_EQ(validity.protrusions.size(), 1U);
+    EXPECT_EQ(validity.protrusions[0].piece, PieceId{1});
+    return validity.protrusions[0].by;
+  };
+  EXPECT_EQ(by({0, 0}), 0);
+  EXPECT_EQ(by({0, 90}), 0);
+  EXPECT_EQ(by({0, 91}), 1);
+  EXPECT_EQ(by({-3, 0}), 3);
+  EXPECT_EQ(by({0, -4}), 4);
+  EXPECT_EQ(by({-3, -4}), 4);  // the larger of the two
+  EXPECT_EQ(by({1'000'000, 0}), 0);
+  EXPECT_EQ(by({90, 0}, 100), 0);
+  EXPECT_EQ(by({95, 0}, 100), 5);
+}
+
+// True when q overlaps p at r and at everything within a few units of it.
+bool deep_inside(const Polygon& p, const Polygon& q, Vec r) {
+  for (Coord x = -3; x <= 3; ++x) {
+    for (Coord y = -3; y <= 3; ++y) {
+      if (!overlap(placed(p), placed(q, r + Vec{x, y}))) return false;
+    }
+  }
+  return true;
+}
+
+// No move that is shorter than the depth parts the two, in whatever direction; one of that length does.
+TEST(Validity, DepthPartsAndNoLessDoes) {
+  Random random{211};
+  std::size_t pairs = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const Polygon p = random_star(random, 12, 100'000);
+    const Polygon q = random_star(random, 12, 100'000);
+    const Vec r = random.point(-90'000, 90'000);
+    if (!overlap(placed(p), placed(q, r))) continue;
+    ++pairs;
+    Marker marker = squares({{0, 0}, r});
+    marker.shapes = {{.id = "p", .outline = p, .tilt_limit = {}}, {.id = "q", .outline = q, .tilt_limit = {}}};
+    marker.pieces[1].shape.value = 1;
+    SumCache sums;
+    const Validity validity = check(marker, sums);
+    ASSERT_EQ(validity.overlaps.size(), 1U);
+    const double depth = validity.overlaps[0].depth;
+    for (int degrees = 0; degrees < 360; ++degrees) {
+      const double angle = degrees * std::acos(-1.0) / 180;
+      const double by = depth - 3;
+      const Vec there = r + Vec{std::llround(by * std::cos(angle)), std::llround(by * std::sin(angle))};
+      ASSERT_TRUE(overlap(placed(p), placed(q, there))) << text_of(p) << "; " << text_of(q) << " at " << text_of({r});
+    }
+    const Obstacle obstacle = sums.obstacle(oriented_outline(marker, {0}, sums), oriented_outline(marker, {1}, sums));
+    const BoundaryPoint nearest = nearest_boundary_point(obstacle.sum(), obstacle.to_frame(r));
+    ASSERT_NEAR(nearest.distance, depth, 1e-6);
+    const Vec there = obstacle.from_frame({std::llround(nearest.at.x), std::llround(nearest.at.y)});
+    ASSERT_FALSE(deep_inside(p, q, there)) << text_of(p) << "; " << text_of(q) << " at " << text_of({r});
+  }
+  EXPECT_GT(pairs, 50U);
+}
+
+TEST(OrientedOutlines, AreThePieces) {
+  Marker marker = squares({{3, 4}});
+  marker.shapes[0].outline = kTriangle;
+  marker.shapes[0].may_flip = true;
+  marker.shapes[0].tilt_limit = {5};
+  SumCache sums;
+  for (const double tilt : {0.0, 2.0}) {
+    for (const double rotation : {0.0, 90.0, 180.0, 270.0}) {
+      for (const bool flip : {false, true}) {
+        marker.pieces[0].orientation = {flip, {rotation}, {tilt}};
+        const OrientedOutline piece = oriented_outline(marker, {0}, sums);
+        EXPECT_EQ(moved(transformed(piece.outline->polygon, piece.symmetry), {3, 4}), placed_outline(marker, {0}));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace selvage::test

@@ -1,0 +1,229 @@
+#include "core/minkowski/cache.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "core/minkowski/nearest_edges.h"
+#include "tests/support/placed.h"
+#include "tests/support/polygons.h"
+
+namespace selvage::test {
+namespace {
+
+std::vector<Symmetry> all_symmetries() {
+  std::vector<Symmetry> all;
+  for (const bool flip : {false, true}) {
+    for (int q = 0; q < 4; ++q) all.emplace_back(flip, q);
+  }
+  return all;
+}
+
+// The obstacle's edges where the marker sees them.
+std::vector<std::pair<Vec, Vec>> edges_of(const Obstacle& obstacle) {
+  std::vector<std::pair<Vec, Vec>> edges;
+  for (const SumEdge& e : obstacle.sum().edges()) edges.emplace_back(obstacle.from_frame(e.from), obstacle.from_frame(e.to));
+  return edges;
+}
+
+Real2 real(Vec v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
+
+TEST(Cache, CountsHitsAndMisses) {
+  SumCache sums;
+  const auto p = sums.outline({{0, 0}, {40, 0}, {0, 30}});
+  const auto q = sums.outline({{0, 0}, {20, 0}, {20, 20}, {0, 20}});
+  EXPECT_EQ(sums.counts().entries, 0U);
+  EXPECT_EQ(sums.counts().limit, SumCache::kDefaultLimit);
+  const Obstacle first = sums.obstacle({p, {}}, {q, {}});
+  EXPECT_EQ(sums.counts().misses, 1U);
+  EXPECT_EQ(sums.counts().bytes, first.sum().bytes());
+  const Obstacle again = sums.obstacle({p, {}}, {q, {}});
+  EXPECT_EQ(&again.sum(), &first.sum());
+  EXPECT_EQ(sums.counts().hits, 1U);
+  EXPECT_EQ(sums.counts().misses, 1U);
+  EXPECT_EQ(sums.counts().entries, 1U);
+}
+
+TEST(Cache, SharesWhatAFrameCanTell) {
+  SumCache sums;
+  const auto p = sums.outline({{0, 0}, {40, 0}, {0, 30}});
+  const auto q = sums.outline({{0, 0}, {20, 0}, {20, 20}, {0, 20}});
+  for (const Symmetry common : all_symmetries()) {
+    const Symmetry turned = common.after(Symmetry{false, 1});
+    (void)sums.obstacle({p, common}, {q, turned});  // one relative orientation
+    (void)sums.obstacle({q, turned}, {p, common});  // and the other order
+  }
+  EXPECT_EQ(sums.counts().entries, 1U);
+  EXPECT_EQ(sums.counts().misses, 1U);
+  EXPECT_EQ(sums.counts().hits, 15U);
+}
+
+TEST(Cache, KnowsOutlinesByTheirPolygon) {
+  SumCache sums;
+  const Polygon polygon{{0, 0}, {40, 0}, {0, 30}};
+  EXPECT_EQ(sums.outline(polygon), sums.outline(polygon));
+  EXPECT_NE(sums.outline(polygon), sums.outline(moved(polygon, {1, 0})));
+  // Outlines that were made elsewhere are the same by value.
+  const auto mine = sums.outline(polygon);
+  (void)sums.obstacle({mine, {}}, {mine, {}});
+  (void)sums.obstacle({make_outline(polygon), {}}, {make_outline(polygon), {}});
+  EXPECT_EQ(sums.counts().entries, 1U);
+  EXPECT_EQ(sums.counts().hits, 1U);
+}
+
+TEST(Cache, ForgetsTheLeastRecentlyUsed) {
+  Random random{141};
+  std::vector<std::shared_ptr<const Outline>> outlines;
+  for (int k = 0; k < 4; ++k) outlines.push_back(make_outline(random_convex(random, 20, 1'000'000)));
+  const auto sum_with = [&](SumCache& sums, std::size_t k) { return sums.obstacle({outlines[0], {}}, {outlines[k], {}}); };
+  std::size_t bytes = 0;
+  {
+    SumCache roomy;
+    for (std::size_t k = 1; k < 4; ++k) (void)sum_with(roomy, k);
+    bytes = roomy.counts().bytes;
+    EXPECT_EQ(roomy.counts().entries, 3U);
+  }
+  SumCache sums{bytes - 1};  // room for any two of the three
+  const Obstacle kept = sum_with(sums, 1);
+  (void)sum_with(sums, 2);
+  (void)sum_with(sums, 1);
+  (void)sum_with(sums, 3);  // 2 goes: 1 was used since
+  EXPECT_EQ(sums.counts().entries, 2U);
+  EXPECT_LE(sums.counts().bytes, sums.counts().limit);
+  const auto misses = sums.counts().misses;
+  (void)sum_with(sums, 1);
+  EXPECT_EQ(sums.counts().misses, misses);
+  (void)sum_with(sums, 2);
+  EXPECT_EQ(sums.counts().misses, misses + 1);
+  EXPECT_FALSE(kept.sum().edges().empty());
+}
+
+TEST(Cache, OfNoRoomKeepsNothingAndStillAnswers) {
+  SumCache sums{0};
+  const auto p = sums.outline({{0, 0}, {40, 0}, {0, 30}});
+  const Obstacle first = sums.obstacle({p, {}}, {p, {}});
+  const Obstacle second = sums.obstacle({p, {}}, {p, {}});
+  EXPECT_EQ(sums.counts().entries, 0U);
+  EXPECT_EQ(sums.counts().bytes, 0U);
+  EXPECT_EQ(sums.counts().misses, 2U);
+  EXPECT_EQ(edges_of(first), edges_of(second));
+}
+
+// A cache that was asked other things before, in another order, or that forgets, answers the same.
+TEST(Cache, AnswersDoNotDependOnWhatItHolds) {
+  Random random{142};
+  std::vector<Polygon> polygons;
+  for (int k = 0; k < 6; ++k) polygons.push_back(random_polygon(random, 100'000));
+  SumCache full;
+  SumCache small{100'000};
+  for (int trial = 0; trial < 2000; ++trial) {
+    const Polygon& p = polygons[random.below(polygons.size())];
+    const Polygon& q = polygons[random.below(polygons.size())];
+    const Symmetry a = random.symmetry();
+    const Symmetry b = random.symmetry();
+    SumCache fresh;
+    const auto answer = [&](SumCache& sums) { return edges_of(sums.obstacle({sums.outline(p), a}, {sums.outline(q), b})); };
+    const auto expected = answer(fresh);
+    ASSERT_EQ(answer(full), expected);
+    ASSERT_EQ(answer(small), expected);
+  }
+  EXPECT_GT(full.counts().hits, 1000U);
+  EXPECT_LE(small.counts().bytes, 100'000U);
+}
+
+// q at r overlaps p at 0 exactly when r lies inside the obstacle: in every pair of orientations.
+TEST(Obstacle, TellsOverlapInEveryOrientation) {
+  Random random{143};
+  SumCache sums;
+  std::size_t inside = 0;
+  std::size_t outside = 0;
+  for (int pair = 0; pair < 12; ++pair) {
+    const Polygon p = random_polygon(random, 10'000);
+    const Polygon q = random_polygon(random, 10'000);
+    for (const Symmetry a : all_symmetries()) {
+      for (const Symmetry b : all_symmetries()) {
+        const Obstacle obstacle = sums.obstacle({sums.outline(p), a}, {sums.outline(q), b});
+        const Polygon p_image = transformed(p, a);
+        const Polygon q_image = transformed(q, b);
+        for (int k = 0; k < 20; ++k) {
+          const Vec r = random.point(-20'000, 20'000);
+          ASSERT_EQ(obstacle.from_frame(obstacle.to_frame(r)), r);
+          if (nearest_boundary_point(obstacle.sum(), obstacle.to_frame(r)).distance <= 2) continue;
+          const bool overlapping = overlap(placed(p_image), placed(q_image, r));
+          ASSERT_EQ(obstacle.sum().contains(real(obstacle.to_frame(r))), overlapping)
+              << text_of(p_image) << "; " << text_of(q_image) << " at " << text_of({r});
+          ++(overlapping ? inside : outside);
+        }
+      }
+    }
+  }
+  EXPECT_GT(inside, 2000U);
+  EXPECT_GT(outside, 2000U);
+}
+
+// True when q can be moved out of p by a step of two units.
+bool barely_overlap(const Polygon& p, const Polygon& q, Vec r) {
+  for (Coord x = -2; x <= 2; ++x) {
+    for (Coord y = -2; y <= 2; ++y) {
+      if (!overlap(placed(p), placed(q, r + Vec{x, y}))) return true;
+    }
+  }
+  return false;
+}
+
+// At the ends of a whole edge of the sum the two touch.  Where star sums meet, one may show that another hides by no more
+// than rounding: nowhere else do they overlap.
+TEST(Obstacle, IsExactWhereItsVerticesAre) {
+  Random random{144};
+  SumCache sums;
+  std::size_t corners = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    const Polygon p = random_polygon(random, 100'000);
+    const Polygon q = random_polygon(random, 100'000);
+    const Symmetry a = random.symmetry();
+    const Symmetry b = random.symmetry();
+    const Obstacle obstacle = sums.obstacle({sums.outline(p), a}, {sums.outline(q), b});
+    const Polygon p_image = transformed(p, a);
+    const Polygon q_image = transformed(q, b);
+    for (const SumEdge& e : obstacle.sum().edges()) {
+      if (e.from != e.line_from || e.to != e.line_to) continue;
+      ++corners;
+      for (const Vec end : {e.from, e.to}) {
+        const Vec r = obstacle.from_frame(end);
+        const bool overlapping = overlap(placed(p_image), placed(q_image, r));
+        ASSERT_FALSE(overlapping && obstacle.sum().rings().size() == 1) << text_of(p_image) << "; " << text_of(q_image);
+        ASSERT_TRUE(barely_overlap(p_image, q_image, r)) << text_of(p_image) << "; " << text_of(q_image);
+        ASSERT_TRUE(closer_than(placed(p_image), placed(q_image, r), 1));
+      }
+    }
+  }
+  EXPECT_GT(corners, 5000U);
+}
+
+TEST(Cache, IsSharedByThreads) {
+  Random random{145};
+  std::vector<Polygon> polygons;
+  for (int k = 0; k < 8; ++k) polygons.push_back(random_polygon(random, 10'000));
+  SumCache sums{200'000};  // so small that entries go while others are read
+  const auto hammer = [&](std::uint64_t seed) {
+    Random mine{seed};
+    for (int k = 0; k < 1500; ++k) {
+      const auto p = sums.outline(polygons[mine.below(polygons.size())]);
+      const auto q = sums.outline(polygons[mine.below(polygons.size())]);
+      const Symmetry a = mine.symmetry();
+      const Obstacle obstacle = sums.obstacle({p, a}, {q, mine.symmetry()});
+      ASSERT_FALSE(obstacle.sum().edges().empty());
+    }
+  };
+  std::thread first{hammer, 1};
+  std::thread second{hammer, 2};
+  first.join();
+  second.join();
+  const CacheCounts counts = sums.counts();
+  EXPECT_EQ(counts.hits + counts.misses, 3000U);
+  EXPECT_LE(counts.bytes, counts.limit);
+  EXPECT_GT(counts.entries, 0U);
+}
+
+}  // namespace
+}  // namespace selvage::test

@@ -1,0 +1,62 @@
+// Sums of the shapes of the garment markers in examples/: in the orientations that their pieces may have to each other.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <tuple>
+
+#include "protocol/formats/format.h"
+#include "tests/core/minkowski/sum_laws.h"
+
+namespace selvage::test {
+namespace {
+
+struct ShapePair {
+  Polygon first, second;
+  Symmetry relative;
+};
+
+Marker garment(const std::string& name) {
+  std::ifstream file{std::string{SELVAGE_SOURCE_DIR} + "/examples/markers/" + name + ".json"};
+  std::stringstream text;
+  text << file.rdbuf();
+  auto read = read_marker(text.str());
+  EXPECT_TRUE(read) << name;
+  return read->marker;
+}
+
+// Every two shapes of one marker, one straight and one turned by half a turn, without repetition.
+std::vector<ShapePair> pairs_of(const Marker& marker) {
+  std::set<std::tuple<Polygon, Polygon, Symmetry>> seen;
+  std::vector<ShapePair> pairs;
+  for (std::size_t i = 0; i < marker.shapes.size(); ++i) {
+    for (std::size_t j = i; j < marker.shapes.size(); ++j) {
+      for (const Symmetry relative : {Symmetry{}, Symmetry{false, 2}}) {
+        const Polygon& p = marker.shapes[i].outline;
+        const Polygon& q = marker.shapes[j].outline;
+        if (seen.emplace(p, q, relative).second) pairs.push_back({p, q, relative});
+      }
+    }
+  }
+  return pairs;
+}
+
+class Garments : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Garments, SumsKeepTheLaws) {
+  const auto pairs = pairs_of(garment(GetParam()));
+  ASSERT_GT(pairs.size(), 500U);
+  for (const auto& [p, q, relative] : pairs) {
+    const auto sum = obstacle_sum(*make_outline(p), *make_outline(q), relative);
+    const Summands summands{p, q, Symmetry{false, 2}.after(relative)};
+    ASSERT_EQ(broken_law(summands, sum), "");
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Garments,
+                         ::testing::Values("jeans_02g", "charlie_04g", "simon_06g", "jeans_06g", "jeans_22g"),
+                         [](const auto& tested) { return std::string{tested.param}; });
+
+}  // namespace
+}  // namespace selvage::test
