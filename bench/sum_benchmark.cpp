@@ -1,11 +1,12 @@
 // Minkowski sums of star-shaped pieces, ours beside CGAL's, on one core in one run.
 //
-//   sum_benchmark [--repetitions N] MARKER.json...   a table: every pair of outlines that are neighbours in the marker
-//   sum_benchmark [Google Benchmark's options]       sums of random stars by their number of vertices
+//   sum_benchmark [--repetitions N] MARKER.json...   a table: every pair of outlines that are neighbours in
+//   the marker sum_benchmark [Google Benchmark's options]       sums of random stars by their number of
+//   vertices
 //
-// A pair is two outlines in one relative orientation, taken once however often it occurs, both star-shaped.  Ours is
-// obstacle_sum, from the outlines to the finished sum, nothing cached; CGAL's is minkowski_sum_2 on Polygon_2 of the exact
-// kernel with the same integer coordinates, polygons made beforehand.
+// A pair is two outlines in one relative orientation, taken once however often it occurs, both star-shaped.
+// Ours is obstacle_sum, from the outlines to the finished sum, nothing cached; CGAL's is minkowski_sum_2 on
+// Polygon_2 of the exact kernel with the same integer coordinates, polygons made beforehand.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polygon_with_holes_2.h>
@@ -45,7 +46,9 @@ Exact exact_polygon(const Polygon& polygon) {
 struct OutlinePair {
   std::shared_ptr<const Outline> p, q;
   Symmetry relative;
-  [[nodiscard]] Polygon mirrored_q() const { return transformed(q->polygon, Symmetry{false, 2}.after(relative)); }
+  [[nodiscard]] Polygon mirrored_q() const {
+    return transformed(q->polygon, Symmetry{false, 2}.after(relative));
+  }
 };
 
 std::vector<OutlinePair> neighbours_in(const Marker& marker) {
@@ -60,7 +63,8 @@ std::vector<OutlinePair> neighbours_in(const Marker& marker) {
     const OrientedOutline q = oriented_outline(marker, PieceId{second}, sums);
     if (p.outline->parts.size() > 1 || q.outline->parts.size() > 1) continue;
     const Symmetry relative = p.symmetry.inverse().after(q.symmetry);
-    if (seen.emplace(p.outline->polygon, q.outline->polygon, relative).second) pairs.push_back({p.outline, q.outline, relative});
+    if (seen.emplace(p.outline->polygon, q.outline->polygon, relative).second)
+      pairs.push_back({p.outline, q.outline, relative});
   }
   return pairs;
 }
@@ -74,18 +78,20 @@ double microseconds(Work work) {
 
 // The value that a part of the values lies below.
 double quantile(std::vector<double> values, double part) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1) + 0.5);
+  const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1) + 0.5);
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }
 
-// The median time of each pair's sum.  Each repetition goes over all pairs, as a compaction that begins does: the code is
-// warm, the pair is not.
+// The median time of each pair's sum.  Each repetition goes over all pairs, as a compaction that begins does:
+// the code is warm, the pair is not.
 template <class Sum>
 std::vector<double> median_times(std::size_t pairs, int repetitions, Sum sum) {
   std::vector<std::vector<double>> times(pairs);
   for (int k = 0; k < repetitions; ++k) {
-    for (std::size_t i = 0; i < pairs; ++i) times[i].push_back(microseconds([&] { benchmark::DoNotOptimize(sum(i)); }));
+    for (std::size_t i = 0; i < pairs; ++i)
+      times[i].push_back(microseconds([&] { benchmark::DoNotOptimize(sum(i)); }));
   }
   std::vector<double> medians;
   for (const auto& of_pair : times) medians.push_back(quantile(of_pair, 0.5));
@@ -103,11 +109,14 @@ bool print_row(const std::string& path, int repetitions) {
   }
   const std::vector<OutlinePair> pairs = neighbours_in(read->marker);
   std::vector<std::pair<Exact, Exact>> exact;
-  for (const OutlinePair& pair : pairs) exact.emplace_back(exact_polygon(pair.p->polygon), exact_polygon(pair.mirrored_q()));
-  const auto ours = median_times(pairs.size(), repetitions,
-                                 [&](std::size_t i) { return obstacle_sum(*pairs[i].p, *pairs[i].q, pairs[i].relative); });
-  const auto theirs = median_times(pairs.size(), repetitions,
-                                   [&](std::size_t i) { return CGAL::minkowski_sum_2(exact[i].first, exact[i].second); });
+  for (const OutlinePair& pair : pairs)
+    exact.emplace_back(exact_polygon(pair.p->polygon), exact_polygon(pair.mirrored_q()));
+  const auto ours = median_times(pairs.size(), repetitions, [&](std::size_t i) {
+    return obstacle_sum(*pairs[i].p, *pairs[i].q, pairs[i].relative);
+  });
+  const auto theirs = median_times(pairs.size(), repetitions, [&](std::size_t i) {
+    return CGAL::minkowski_sum_2(exact[i].first, exact[i].second);
+  });
   std::vector<double> ratios;
   for (std::size_t i = 0; i < pairs.size(); ++i) ratios.push_back(theirs[i] / ours[i]);
   if (ratios.empty()) return true;
@@ -146,7 +155,8 @@ BENCHMARK(our_sum)->Name("star sum, selvage")->RangeMultiplier(2)->Range(8, 512)
 BENCHMARK(their_sum)->Name("star sum, CGAL")->RangeMultiplier(2)->Range(8, 64)->Complexity();
 
 int print_table(const std::vector<std::string>& paths, int repetitions) {
-  std::printf("%-20s %6s %9s %9s %8s %8s %8s\n", "marker", "pairs", "ours us", "CGAL us", "ratio", "10 %", "90 %");
+  std::printf("%-20s %6s %9s %9s %8s %8s %8s\n", "marker", "pairs", "ours us", "CGAL us", "ratio", "10 %",
+              "90 %");
   bool all_read = true;
   for (const std::string& path : paths) all_read = print_row(path, repetitions) && all_read;
   return all_read ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -1,0 +1,119 @@
+#include "core/motion/float_step.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/distance.h"
+#include "core/model/snap.h"
+
+namespace selvage {
+namespace {
+
+constexpr int kAttempts = 24;  // programs in one round, as pieces are tied together
+
+class Attempt {
+ public:
+  Attempt(const Scene& scene, const FloatAim& aim, std::span<const FloatGap> gaps, double trust, const Observer& observer)
+      : scene_{scene}, aim_{aim}, gaps_{gaps}, trust_{trust}, observer_{observer}, group_{scene.group} {
+    observer_.on_stage(Stage::kRows);
+    rows_ = width_rows(scene, aim, gaps, trust);
+    std::vector<double> widths;
+    for (const FloatGap& gap : gaps) widths.push_back(gap.now);
+    worth_ = worth_of(aim, gaps, widths, scene.pieces);
+  }
+
+  FloatStep run(SolverChoice solver, const std::stop_token& stop) {
+    FloatStep step;
+    step.end = StepEnd::kNoGain;
+    while (step.programs < kAttempts) {
+      observer_.on_stage(Stage::kRows);
+      const FloatProgram program{scene_, group_, aim_, gaps_, rows_, trust_};
+      observer_.on_stage(Stage::kSolve);
+      const LpSolution solution = solve(program.program(), solver, {}, stop);
+      ++step.programs;
+      if (solution.status != LpStatus::kOptimal) {
+        step.end = solution.status == LpStatus::kStopped ? StepEnd::kStopped : StepEnd::kSolverFailed;
+        return step;
+      }
+      if (step.programs == 1) step.loads = program.loads(solution);
+      if (program.promised(solution) <= worth_) return step;
+      observer_.on_stage(Stage::kVerify);
+      auto broken = try_moves(program.displacements(solution), step);
+      if (broken.empty()) return step;
+      if (step.programs > 1) {  // rounding will break others next time: tie all that it may
+        for (const std::size_t k : program.uncertain(solution)) {
+          if (other_piece(gaps_[k].gap)) broken.push_back(pair_of(gaps_[k].gap));
+        }
+      }
+      tie(broken);
+    }
+    return step;
+  }
+
+ private:
+  // Rounds and proves the moves.  Returns the pairs that rounding brings too near; without any, moves of more worth become
+  // the step's.
+  std::vector<PiecePair> try_moves(const std::vector<Displacement>& moves, FloatStep& step) const {
+    std::vector<Vec> positions = snapped(moves);
+    for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + scene_.pieces.at(i);
+    PlacedPieces moved = scene_.pieces;
+    moved.place(std::move(positions));
+    auto broken = conflicts(moved, scene_.marker.spacing);
+    std::vector<double> widths;
+    for (const FloatGap& gap : gaps_) {
+      widths.push_back(width_within(gap.gap, moved, aim_.strip, aim_.most));
+      const PieceId* other = other_piece(gap.gap);
+      if (!other || gap.least <= scene_.marker.spacing) continue;
+      const PiecePair pair = pair_of(gap.gap);
+      if (closer_than(moved[pair.first], moved[pair.second], gap.least)) broken.push_back(pair);
+    }
+    if (!broken.empty()) return broken;
+    const double gain = worth_of(aim_, gaps_, widths, moved) - worth_;
+    if (gain <= 0 || !inside(moved)) return {};
+    step.end = StepEnd::kMoved;
+    step.gain = gain;
+    for (const Displacement& d : moves) step.farthest = std::max({step.farthest, std::abs(d.x), std::abs(d.y)});
+    step.positions = moved.positions();
+    return {};
+  }
+  [[nodiscard]] bool inside(const PlacedPieces& moved) const {
+    const Box& strip = aim_.strip;
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+      const Box box = moved.box(i);
+      if (box.low.x < strip.low.x || box.low.y < strip.low.y || box.high.x > strip.high.x || box.high.y > strip.high.y) {
+        return false;
+      }
+    }
+    return std::all_of(gaps_.begin(), gaps_.end(), [&](const FloatGap& gap) {
+      return other_piece(gap.gap) || whole_width_within(gap.gap, moved, strip, gap.least) >= gap.least;
+    });
+  }
+
+  // Pieces that rounding brings too near to each other move as one: what fits now still fits then.
+  void tie(const std::vector<PiecePair>& broken) {
+    for (const auto& [p, q] : broken) {
+      const std::uint32_t from = std::max(group_[p], group_[q]);  // kFixed is the largest
+      const std::uint32_t to = std::min(group_[p], group_[q]);
+      const bool fix = from == PositionModel::kFixed;
+      std::replace(group_.begin(), group_.end(), fix ? to : from, fix ? from : to);
+    }
+  }
+
+  const Scene& scene_;
+  const FloatAim& aim_;
+  std::span<const FloatGap> gaps_;
+  double trust_;
+  const Observer& observer_;
+  std::vector<std::uint32_t> group_;
+  std::vector<WidthRow> rows_;
+  double worth_{};
+};
+
+}  // namespace
+
+FloatStep float_step(const Scene& scene, const FloatAim& aim, std::span<const FloatGap> gaps, double trust,
+                     SolverChoice solver, const std::stop_token& stop, const Observer& observer) {
+  return Attempt{scene, aim, gaps, trust, observer}.run(solver, stop);
+}
+
+}  // namespace selvage
