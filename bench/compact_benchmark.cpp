@@ -38,8 +38,9 @@ void compact_warm(benchmark::State& state, const std::string& name, Accuracy acc
 
 void register_all() {
   for (const char* name : {"jeans_02g", "charlie_04g", "simon_06g", "jeans_06g", "jeans_22g"}) {
-    for (const auto& [accuracy, word] : {std::pair{Accuracy::kDraft, "draft"}, std::pair{Accuracy::kStandard, "standard"},
-                                         std::pair{Accuracy::kFine, "fine"}}) {
+    for (const auto& [accuracy, word] :
+         {std::pair{Accuracy::kDraft, "draft"}, std::pair{Accuracy::kStandard, "standard"},
+          std::pair{Accuracy::kFine, "fine"}}) {
       const std::string label = std::string{name} + "/" + word;
       benchmark::RegisterBenchmark((label + "/cold").c_str(), compact_cold, std::string{name}, accuracy)
           ->Unit(benchmark::kMillisecond);

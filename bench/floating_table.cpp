@@ -1,6 +1,6 @@
-// What floating does to compacted markers, as the Markdown table of docs/measurements.md: each of the garment markers compacted
-// at standard accuracy, then floated in each mode.  Arguments: the distance, in the marker's unit (default 5), and the one
-// marker to look at (default: all).
+// What floating does to compacted markers, as the Markdown table of docs/measurements.md: each of the garment markers
+// compacted at standard accuracy, then floated in each mode.  Arguments: the distance, in the marker's unit (default
+// 5), and the one marker to look at (default: all).
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -44,7 +44,8 @@ std::size_t touching(const Floating& floating, double width, double GapWidths::*
                                                 [&](const GapWidths& gap) { return gap.*when < width; }));
 }
 
-bool print_row(const std::string& name, const char* mode, const Marker& start, const FloatSettings& settings, SumCache& sums) {
+bool print_row(const std::string& name, const char* mode, const Marker& start, const FloatSettings& settings,
+               SumCache& sums) {
   const auto begin = std::chrono::steady_clock::now();
   const auto floating = float_apart(start, settings, sums);
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
@@ -57,21 +58,24 @@ bool print_row(const std::string& name, const char* mode, const Marker& start, c
   const Means means = means_of(*floating, distance);
   const double narrow = 0.01 * distance;
   const bool good = is_valid(floating->marker) && floating->length_after <= floating->length_before;
-  std::printf("| %s | %s | %zu | %.3g | %.3g | %zu | %zu | %.3f | %.3f | %lld | %d | %d | %.0f | %s |\n", name.c_str(), mode,
-              floating->gaps.size(), static_cast<double>(floating->least_before) * unit,
+  std::printf("| %s | %s | %zu | %.3g | %.3g | %zu | %zu | %.3f | %.3f | %lld | %d | %d | %.0f | %s |\n", name.c_str(),
+              mode, floating->gaps.size(), static_cast<double>(floating->least_before) * unit,
               static_cast<double>(floating->least_after) * unit, touching(*floating, narrow, &GapWidths::before),
               touching(*floating, narrow, &GapWidths::after), means.before * unit, means.after * unit,
-              static_cast<long long>(floating->length_after - floating->length_before), floating->rounds, floating->programs,
-              took.count(), good ? "yes" : "NO");
+              static_cast<long long>(floating->length_after - floating->length_before), floating->rounds,
+              floating->programs, took.count(), good ? "yes" : "NO");
   std::fflush(stdout);
   return good;
 }
 
 bool print_table(double distance, const std::string& only) {
-  std::printf("Distance %g; lengths in the marker's unit, the change of the marker's length in lattice units. \"Touching\": "
-              "narrower than a hundredth of the distance.\n\n", distance);
-  std::printf("| marker | mode | gaps | least before | least after | touching before | touching after | mean before "
-              "| mean after | length change | rounds | programs | ms | valid |\n");
+  std::printf(
+      "Distance %g; lengths in the marker's unit, the change of the marker's length in lattice units. \"Touching\": "
+      "narrower than a hundredth of the distance.\n\n",
+      distance);
+  std::printf(
+      "| marker | mode | gaps | least before | least after | touching before | touching after | mean before "
+      "| mean after | length change | rounds | programs | ms | valid |\n");
   std::printf("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   bool good = true;
   for (const char* name : {"jeans_02g", "charlie_04g", "simon_06g", "jeans_06g", "jeans_22g"}) {
@@ -81,9 +85,9 @@ bool print_table(double distance, const std::string& only) {
     if (!compacted) return false;
     const Coord wanted = to_lattice(distance, compacted->marker.resolution);
     for (const auto& [mode, word] :
-         {std::pair{FloatMode::kLargestMinimum, "largest minimum"}, std::pair{FloatMode::kGivenDistance, "given distance"},
-          std::pair{FloatMode::kLargestTotal, "largest total"}, std::pair{FloatMode::kUniform, "uniform"},
-          std::pair{FloatMode::kTwoStep, "two-step"}}) {
+         {std::pair{FloatMode::kLargestMinimum, "largest minimum"},
+          std::pair{FloatMode::kGivenDistance, "given distance"}, std::pair{FloatMode::kLargestTotal, "largest total"},
+          std::pair{FloatMode::kUniform, "uniform"}, std::pair{FloatMode::kTwoStep, "two-step"}}) {
       good = print_row(name, word, compacted->marker, float_settings(mode, wanted), sums) && good;
     }
   }

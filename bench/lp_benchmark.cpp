@@ -29,7 +29,15 @@ void interior_point(benchmark::State& state) {
 }
 
 BENCHMARK(simplex)->Arg(5)->Arg(10)->Arg(20)->Arg(40)->Arg(120)->Arg(440)->Unit(benchmark::kMillisecond);
-BENCHMARK(interior_point)->Arg(5)->Arg(10)->Arg(20)->Arg(40)->Arg(120)->Arg(440)->Arg(4000)->Unit(benchmark::kMillisecond);
+BENCHMARK(interior_point)
+    ->Arg(5)
+    ->Arg(10)
+    ->Arg(20)
+    ->Arg(40)
+    ->Arg(120)
+    ->Arg(440)
+    ->Arg(4000)
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace selvage

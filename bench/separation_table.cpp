@@ -1,11 +1,11 @@
-// How well and how fast overlapping markers are separated: the pieces of valid markers are shaken by noise, separated, and
-// compacted.  Prints Markdown.
+// How well and how fast overlapping markers are separated: the pieces of valid markers are shaken by noise, separated,
+// and compacted.  Prints Markdown.
 //
 // usage: separation_table [--seeds N] FILE...
 //
 // Noise of p moves every piece by up to p times its diameter, evenly along each axis, but not out of the strip's width.
-// The length may grow by 2 % of the marker's own, not of the shaken one's.  Times are those of separate() alone, the sums
-// in the cache.
+// The length may grow by 2 % of the marker's own, not of the shaken one's.  Times are those of separate() alone, the
+// sums in the cache.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -87,7 +87,8 @@ Runs run(const Marker& marker, double noise, TargetRule rule, std::uint32_t seed
     ++runs.valid;
     runs.rounds.push_back(result->rounds);
     const auto shorter = compact(result->marker, compaction_settings(Accuracy::kStandard), sums);
-    if (shorter) runs.ratio.push_back(static_cast<double>(shorter->length_after) / static_cast<double>(length_of(marker)));
+    if (shorter)
+      runs.ratio.push_back(static_cast<double>(shorter->length_after) / static_cast<double>(length_of(marker)));
   }
   return runs;
 }
@@ -119,8 +120,8 @@ int table(std::span<const std::string> files, std::uint32_t seeds) {
     const std::string name = path.substr(path.find_last_of('/') + 1);
     markers.push_back({name.substr(0, name.find_last_of('.')), scene.result()});
   }
-  for (const auto& [rule, title] : {std::pair{TargetRule::kNearest, "Nearest boundary point"},
-                                    std::pair{TargetRule::kKernelRay, "Kernel ray"}}) {
+  for (const auto& [rule, title] :
+       {std::pair{TargetRule::kNearest, "Nearest boundary point"}, std::pair{TargetRule::kKernelRay, "Kernel ray"}}) {
     std::printf("\n%s:\n\n| marker | pieces | noise | apart | | rounds | compacted / unshaken | ms |\n", title);
     std::printf("|---|---|---|---|---|---|---|---|\n");
     for (const double noise : {0.01, 0.02, 0.05}) {

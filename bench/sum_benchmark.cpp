@@ -46,9 +46,7 @@ Exact exact_polygon(const Polygon& polygon) {
 struct OutlinePair {
   std::shared_ptr<const Outline> p, q;
   Symmetry relative;
-  [[nodiscard]] Polygon mirrored_q() const {
-    return transformed(q->polygon, Symmetry{false, 2}.after(relative));
-  }
+  [[nodiscard]] Polygon mirrored_q() const { return transformed(q->polygon, Symmetry{false, 2}.after(relative)); }
 };
 
 std::vector<OutlinePair> neighbours_in(const Marker& marker) {
@@ -78,8 +76,7 @@ double microseconds(Work work) {
 
 // The value that a part of the values lies below.
 double quantile(std::vector<double> values, double part) {
-  const auto at =
-      values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1) + 0.5);
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1) + 0.5);
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }
@@ -90,8 +87,7 @@ template <class Sum>
 std::vector<double> median_times(std::size_t pairs, int repetitions, Sum sum) {
   std::vector<std::vector<double>> times(pairs);
   for (int k = 0; k < repetitions; ++k) {
-    for (std::size_t i = 0; i < pairs; ++i)
-      times[i].push_back(microseconds([&] { benchmark::DoNotOptimize(sum(i)); }));
+    for (std::size_t i = 0; i < pairs; ++i) times[i].push_back(microseconds([&] { benchmark::DoNotOptimize(sum(i)); }));
   }
   std::vector<double> medians;
   for (const auto& of_pair : times) medians.push_back(quantile(of_pair, 0.5));
@@ -114,9 +110,8 @@ bool print_row(const std::string& path, int repetitions) {
   const auto ours = median_times(pairs.size(), repetitions, [&](std::size_t i) {
     return obstacle_sum(*pairs[i].p, *pairs[i].q, pairs[i].relative);
   });
-  const auto theirs = median_times(pairs.size(), repetitions, [&](std::size_t i) {
-    return CGAL::minkowski_sum_2(exact[i].first, exact[i].second);
-  });
+  const auto theirs = median_times(
+      pairs.size(), repetitions, [&](std::size_t i) { return CGAL::minkowski_sum_2(exact[i].first, exact[i].second); });
   std::vector<double> ratios;
   for (std::size_t i = 0; i < pairs.size(); ++i) ratios.push_back(theirs[i] / ours[i]);
   if (ratios.empty()) return true;
@@ -155,8 +150,7 @@ BENCHMARK(our_sum)->Name("star sum, selvage")->RangeMultiplier(2)->Range(8, 512)
 BENCHMARK(their_sum)->Name("star sum, CGAL")->RangeMultiplier(2)->Range(8, 64)->Complexity();
 
 int print_table(const std::vector<std::string>& paths, int repetitions) {
-  std::printf("%-20s %6s %9s %9s %8s %8s %8s\n", "marker", "pairs", "ours us", "CGAL us", "ratio", "10 %",
-              "90 %");
+  std::printf("%-20s %6s %9s %9s %8s %8s %8s\n", "marker", "pairs", "ours us", "CGAL us", "ratio", "10 %", "90 %");
   bool all_read = true;
   for (const std::string& path : paths) all_read = print_row(path, repetitions) && all_read;
   return all_read ? EXIT_SUCCESS : EXIT_FAILURE;

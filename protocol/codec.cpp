@@ -35,10 +35,9 @@ MotionCall read_call(Fields& fields) {
 
 Effort read_effort(Fields& fields) {
   Effort effort;
-  effort.accuracy = static_cast<Accuracy>(
-      fields.word_or("accuracy", static_cast<std::size_t>(effort.accuracy), kAccuracyNames));
-  if (const auto rounds = fields.maybe_integer("rounds", 0, kMaxRounds))
-    effort.rounds = static_cast<int>(*rounds);
+  effort.accuracy =
+      static_cast<Accuracy>(fields.word_or("accuracy", static_cast<std::size_t>(effort.accuracy), kAccuracyNames));
+  if (const auto rounds = fields.maybe_integer("rounds", 0, kMaxRounds)) effort.rounds = static_cast<int>(*rounds);
   return effort;
 }
 
@@ -55,8 +54,8 @@ Direction read_direction(Fields& fields, std::string_view key, Mistake& mistake)
                        checked_number(value[1], kAllowed, mistake, at + "/1")};
   if (std::max(std::abs(read.x), std::abs(read.y)) < kLeastForce) {
     mistake.add(ErrorCode::kOutOfRange,
-                shortened(value) + " leads nowhere; [x, y] with x or y of at least " +
-                    number_text(kLeastForce) + " either way is allowed",
+                shortened(value) + " leads nowhere; [x, y] with x or y of at least " + number_text(kLeastForce) +
+                    " either way is allowed",
                 at);
   }
   return read;
@@ -113,8 +112,7 @@ Result<MarkerGet> decode_marker_get(const Json& params) {
   Fields fields{params, "", mistake};
   MarkerGet get;
   get.marker_id = fields.text("markerId");
-  get.format =
-      static_cast<Format>(fields.word_or("format", static_cast<std::size_t>(get.format), kFormatNames));
+  get.format = static_cast<Format>(fields.word_or("format", static_cast<std::size_t>(get.format), kFormatNames));
   fields.finish();
   if (mistake) return mistake.error();
   return get;
@@ -249,12 +247,9 @@ Json validity_json(const Marker& marker, const Validity& validity) {
   }
   Json protrusions = Json::array();
   for (const Protrusion& protrusion : validity.protrusions) {
-    protrusions.push_back(
-        {{"piece", id_of(protrusion.piece)}, {"by", to_decimal(protrusion.by, marker.resolution)}});
+    protrusions.push_back({{"piece", id_of(protrusion.piece)}, {"by", to_decimal(protrusion.by, marker.resolution)}});
   }
-  return {{"valid", validity.valid()},
-          {"overlaps", std::move(overlaps)},
-          {"protrusions", std::move(protrusions)}};
+  return {{"valid", validity.valid()}, {"overlaps", std::move(overlaps)}, {"protrusions", std::move(protrusions)}};
 }
 
 Json changed_placements(const Marker& before, const Marker& after) {

@@ -98,8 +98,7 @@ std::optional<double> Fields::maybe_number(std::string_view key, Range allowed) 
   return checked_number(*value, allowed, mistake_, pointer(key));
 }
 
-std::optional<std::int64_t> Fields::maybe_integer(std::string_view key, std::int64_t least,
-                                                  std::int64_t most) {
+std::optional<std::int64_t> Fields::maybe_integer(std::string_view key, std::int64_t least, std::int64_t most) {
   const Json* value = find(key);
   if (!value) return std::nullopt;
   if (!value->is_number_integer()) {
@@ -111,8 +110,8 @@ std::optional<std::int64_t> Fields::maybe_integer(std::string_view key, std::int
   const auto number = too_large ? std::int64_t{0} : value->get<std::int64_t>();
   if (too_large || number < least || number > most) {
     mistake_.add(ErrorCode::kOutOfRange,
-                 shortened(*value) + " is out of range; " + std::to_string(least) + " to " +
-                     std::to_string(most) + " is allowed",
+                 shortened(*value) + " is out of range; " + std::to_string(least) + " to " + std::to_string(most) +
+                     " is allowed",
                  pointer(key));
     return std::nullopt;
   }
@@ -144,8 +143,7 @@ bool Fields::flag_or(std::string_view key, bool fallback) {
   return value ? value->get<bool>() : fallback;
 }
 
-std::size_t Fields::word_or(std::string_view key, std::size_t fallback,
-                            std::span<const std::string_view> words) {
+std::size_t Fields::word_or(std::string_view key, std::size_t fallback, std::span<const std::string_view> words) {
   const Json* value = find(key);
   value = typed(value, value && value->is_string(), key, "a string");
   if (!value) return fallback;
@@ -191,8 +189,7 @@ void Fields::finish() {
     std::string allowed;
     for (const std::string& known : known_) allowed += (allowed.empty() ? "" : ", ") + known;
     mistake_.add(ErrorCode::kUnknownField,
-                 "the field is not known; " + (allowed.empty() ? "none" : allowed) + " may be here",
-                 pointer(key));
+                 "the field is not known; " + (allowed.empty() ? "none" : allowed) + " may be here", pointer(key));
     return;
   }
 }

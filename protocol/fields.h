@@ -62,8 +62,7 @@ class Fields {
   // Optional fields: the fallback when absent.
   [[nodiscard]] double number_or(std::string_view key, double fallback, Range allowed = {});
   [[nodiscard]] std::optional<double> maybe_number(std::string_view key, Range allowed = {});
-  [[nodiscard]] std::optional<std::int64_t> maybe_integer(std::string_view key, std::int64_t least,
-                                                          std::int64_t most);
+  [[nodiscard]] std::optional<std::int64_t> maybe_integer(std::string_view key, std::int64_t least, std::int64_t most);
   [[nodiscard]] std::string text_or(std::string_view key, std::string fallback);
   [[nodiscard]] bool flag_or(std::string_view key, bool fallback);
   // The position of the field's value among `words`.
@@ -90,8 +89,7 @@ class Fields {
 };
 
 // One number outside an object, such as an element of an array.  `at` is called only for a mistake.
-[[nodiscard]] double checked_number(const Json& value, Range allowed, Mistake& mistake,
-                                    const std::string& at);
+[[nodiscard]] double checked_number(const Json& value, Range allowed, Mistake& mistake, const std::string& at);
 
 // The error with its field moved below `prefix`: "/shapes/0" becomes "/marker/shapes/0".
 [[nodiscard]] Error within(std::string_view prefix, Error error);

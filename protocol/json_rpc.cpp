@@ -15,8 +15,7 @@ bool usable_id(const Json& id) {
 }
 
 Call read_call(const Json& value) {
-  if (!value.is_object())
-    return bad_request(nullptr, shortened(value) + " is no request; an object is required");
+  if (!value.is_object()) return bad_request(nullptr, shortened(value) + " is no request; an object is required");
   Request request;
   if (const auto id = value.find("id"); id != value.end()) {
     if (!usable_id(*id)) return bad_request(nullptr, "/id: a string, a number or null is required");

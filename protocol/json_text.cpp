@@ -33,9 +33,8 @@ std::optional<Error> check_depth(std::string_view text) {
       in_string = true;
     } else if (c == '[' || c == '{') {
       if (++depth > kMaxDepth) {
-        return Error{
-            ErrorCode::kDepth,
-            "JSON nested deeper than " + std::to_string(kMaxDepth) + " levels at " + place_of(text, i), ""};
+        return Error{ErrorCode::kDepth,
+                     "JSON nested deeper than " + std::to_string(kMaxDepth) + " levels at " + place_of(text, i), ""};
       }
     } else if (c == ']' || c == '}') {
       --depth;
@@ -78,18 +77,15 @@ class Builder {
     const bool twice = object.contains(value);
     key_ = std::move(value);
     if (twice)
-      return fail(ErrorCode::kDuplicateField, "the field is there twice; each may appear once",
-                  pointer() + "/" + key_);
+      return fail(ErrorCode::kDuplicateField, "the field is there twice; each may appear once", pointer() + "/" + key_);
     return true;
   }
 
-  bool parse_error(std::size_t position, const std::string& last_token,
-                   const nlohmann::detail::exception& e) {
+  bool parse_error(std::size_t position, const std::string& last_token, const nlohmann::detail::exception& e) {
     constexpr int kNumberOverflow = 406;
     const std::string where = place_of(text_, position) + ", near " + shortened(Json(last_token), 40);
     if (e.id == kNumberOverflow) {
-      return fail(ErrorCode::kOutOfRange,
-                  "a number is too large at " + where + "; numbers reach about 1.8e308", "");
+      return fail(ErrorCode::kOutOfRange, "a number is too large at " + where + "; numbers reach about 1.8e308", "");
     }
     return fail(ErrorCode::kSyntax, "not JSON at " + where, "");
   }
@@ -192,27 +188,14 @@ void append_array(std::string& out, const Json& array) {
 
 void append_text(std::string& out, const Json& value) {
   switch (value.type()) {
-    case Json::value_t::object:
-      return append_object(out, value);
-    case Json::value_t::array:
-      return append_array(out, value);
-    case Json::value_t::string:
-      return append_string(out, value.get_ref<const std::string&>());
-    case Json::value_t::boolean:
-      out += value.get<bool>() ? "true" : "false";
-      return;
-    case Json::value_t::number_float:
-      out += number_text(value.get<double>());
-      return;
-    case Json::value_t::number_integer:
-      out += std::to_string(value.get<std::int64_t>());
-      return;
-    case Json::value_t::number_unsigned:
-      out += std::to_string(value.get<std::uint64_t>());
-      return;
-    default:
-      out += "null";
-      return;
+    case Json::value_t::object: return append_object(out, value);
+    case Json::value_t::array: return append_array(out, value);
+    case Json::value_t::string: return append_string(out, value.get_ref<const std::string&>());
+    case Json::value_t::boolean: out += value.get<bool>() ? "true" : "false"; return;
+    case Json::value_t::number_float: out += number_text(value.get<double>()); return;
+    case Json::value_t::number_integer: out += std::to_string(value.get<std::int64_t>()); return;
+    case Json::value_t::number_unsigned: out += std::to_string(value.get<std::uint64_t>()); return;
+    default: out += "null"; return;
   }
 }
 
@@ -261,8 +244,8 @@ void append_indented(std::string& out, const Json& value, int level) {
 Result<Json> parse(std::string_view text, std::size_t max_bytes) {
   if (text.size() > max_bytes) {
     return Error{ErrorCode::kOutOfRange,
-                 "the text is " + std::to_string(text.size()) + " bytes long; at most " +
-                     std::to_string(max_bytes) + " are read",
+                 "the text is " + std::to_string(text.size()) + " bytes long; at most " + std::to_string(max_bytes) +
+                     " are read",
                  ""};
   }
   if (auto error = check_depth(text)) return *std::move(error);

@@ -15,8 +15,7 @@
 
 namespace selvage {
 
-using Json =
-    nlohmann::ordered_json;  // keeps the order of fields, so that what is passed through stays readable
+using Json = nlohmann::ordered_json;  // keeps the order of fields, so that what is passed through stays readable
 
 inline constexpr int kMaxDepth = 64;
 inline constexpr std::size_t kMaxFields = 256;                       // of one object

@@ -75,8 +75,8 @@ Result<Motion> run_gravity(const MotionGravity& wanted, const Marker& start, con
 Result<Motion> run_bump(const MotionBump& wanted, const Marker& start, const Means& means) {
   const auto piece = piece_of(start, wanted.piece, "/piece");
   if (!piece) return piece.error();
-  auto done = means.engine.bump(start, *piece, wanted.direction.x, wanted.direction.y, means.sums, means.stop,
-                                means.observer);
+  auto done =
+      means.engine.bump(start, *piece, wanted.direction.x, wanted.direction.y, means.sums, means.stop, means.observer);
   if (!done) return done.error();
   Json touching = Json::array();
   for (const std::uint32_t other : done->bump.touching) touching.push_back(start.pieces[other].id);
@@ -121,16 +121,14 @@ Result<MarkerCall> motion(const Json& params) {
   if (!wanted) return wanted.error();
   MarkerCall call;
   call.about = wanted->call;
-  call.run = [wanted = *std::move(wanted)](const MarkerFile& file,
-                                           const Means& means) -> Result<MethodAnswer> {
+  call.run = [wanted = *std::move(wanted)](const MarkerFile& file, const Means& means) -> Result<MethodAnswer> {
     Result<Motion> done = work(wanted, file.marker, means);
     if (!done) return done.error();
     means.observer.on_stage(Stage::kVerify);
     const bool valid = is_valid(done->marker);
     means.observer.on_stage(Stage::kOther);
     MethodAnswer answer{motion_fields(file.marker, *done, valid), std::nullopt};
-    if (wanted.call.commit && valid && !answer.fields["placements"].empty())
-      answer.next = std::move(done->marker);
+    if (wanted.call.commit && valid && !answer.fields["placements"].empty()) answer.next = std::move(done->marker);
     return answer;
   };
   return call;

@@ -67,7 +67,7 @@ struct MotionCall {
   std::string marker_id;
   std::optional<Revision> base_revision;  // refuse when the marker is at another
   bool commit{true};                      // false: answer, but leave the marker as it is
-  bool timing{};  // answer with the times and the cache's counts, which vary from run to run
+  bool timing{};                          // answer with the times and the cache's counts, which vary from run to run
 };
 // What every motion in rounds takes: {"accuracy"?, "rounds"?}
 struct Effort {

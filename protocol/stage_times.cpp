@@ -4,16 +4,11 @@ namespace selvage {
 
 double* StageTimer::slot(StageTimes& times, Stage stage) {
   switch (stage) {
-    case Stage::kSums:
-      return &times.sums;
-    case Stage::kRows:
-      return &times.rows;
-    case Stage::kSolve:
-      return &times.solve;
-    case Stage::kVerify:
-      return &times.verify;
-    case Stage::kOther:
-      break;
+    case Stage::kSums: return &times.sums;
+    case Stage::kRows: return &times.rows;
+    case Stage::kSolve: return &times.solve;
+    case Stage::kVerify: return &times.verify;
+    case Stage::kOther: break;
   }
   return nullptr;
 }

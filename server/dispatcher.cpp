@@ -88,8 +88,8 @@ void Dispatcher::receive(std::string message, std::stop_token caller, Reply repl
 }
 
 std::string Dispatcher::too_long(std::size_t limit) {
-  return text_of({RpcCode::kTooLarge, "the message is longer than " + std::to_string(limit) + " bytes",
-                  Json{{"limit", limit}}});
+  return text_of(
+      {RpcCode::kTooLarge, "the message is longer than " + std::to_string(limit) + " bytes", Json{{"limit", limit}}});
 }
 
 void Dispatcher::take_apart(std::string_view message, std::stop_token caller, ReplyOnce<std::string> reply) {
@@ -120,25 +120,21 @@ void Dispatcher::next(const std::shared_ptr<Exchange>& exchange) {
   std::move(exchange->reply)(exchange->text());
 }
 
-void Dispatcher::start(const std::shared_ptr<Exchange>& exchange, const Request& request,
-                       ReplyOnce<Outcome> reply) {
+void Dispatcher::start(const std::shared_ptr<Exchange>& exchange, const Request& request, ReplyOnce<Outcome> reply) {
   const auto place = place_of(request.method);
   if (!place) {
-    return std::move(reply)(
-        RpcError{RpcCode::kMethodNotFound, "there is no method '" + request.method + "'", {}});
+    return std::move(reply)(RpcError{RpcCode::kMethodNotFound, "there is no method '" + request.method + "'", {}});
   }
   if (*place == Place::kAtOnce) {
-    return std::move(reply)(
-        methods_.call(request.method, request.params, {exchange->caller, exchange->caller}));
+    return std::move(reply)(methods_.call(request.method, request.params, {exchange->caller, exchange->caller}));
   }
   const bool motion = *place == Place::kMotion;
   const auto held = std::make_shared<ReplyOnce<Outcome>>(std::move(reply));
-  Job job{
-      .lane = motion ? marker_of(request.params) : std::string{},
-      .caller = exchange->caller,
-      .work = Work{[this, exchange, &request, held](std::stop_token stop) {
-        std::move (*held)(methods_.call(request.method, request.params, {std::move(stop), exchange->caller}));
-      }}};
+  Job job{.lane = motion ? marker_of(request.params) : std::string{},
+          .caller = exchange->caller,
+          .work = Work{[this, exchange, &request, held](std::stop_token stop) {
+            std::move (*held)(methods_.call(request.method, request.params, {std::move(stop), exchange->caller}));
+          }}};
   const Admission admission = (motion ? motions_ : reads_).submit(job);
   if (admission != Admission::kAccepted) std::move (*held)(refused(admission));
 }

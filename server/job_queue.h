@@ -59,10 +59,9 @@ class JobQueue {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<Job> ready_;
-  std::map<std::string, std::deque<Job>>
-      lanes_;                          // the lanes with a job ready or running, and what waits behind it
-  std::size_t behind_{};               // jobs waiting in lanes_
-  std::list<std::stop_source> stops_;  // one per running job
+  std::map<std::string, std::deque<Job>> lanes_;  // the lanes with a job ready or running, and what waits behind it
+  std::size_t behind_{};                          // jobs waiting in lanes_
+  std::list<std::stop_source> stops_;             // one per running job
   bool draining_{};
   std::vector<std::jthread> threads_;
 };

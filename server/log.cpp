@@ -13,16 +13,14 @@ namespace {
 // A name that came over the wire, fit for one line of a log: quoted and cut when it is not a plain word.
 std::string plain(const std::string& name) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-";
-  if (name.size() <= 40 && name.find_first_not_of(kPlain) == std::string::npos)
-    return name.empty() ? "-" : name;
+  if (name.size() <= 40 && name.find_first_not_of(kPlain) == std::string::npos) return name.empty() ? "-" : name;
   return shortened(Json(name), 40);
 }
 
 }  // namespace
 
 void set_up_log(std::string_view level) {
-  auto logger =
-      std::make_shared<spdlog::logger>("selvaged", std::make_shared<spdlog::sinks::stderr_sink_mt>());
+  auto logger = std::make_shared<spdlog::logger>("selvaged", std::make_shared<spdlog::sinks::stderr_sink_mt>());
   logger->set_pattern("%Y-%m-%dT%H:%M:%S.%e %l %v");
   logger->set_level(spdlog::level::from_str(std::string{level}));
   spdlog::set_default_logger(std::move(logger));

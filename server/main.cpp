@@ -75,8 +75,7 @@ int main(int argc, char** argv) {
   try {
     selvage::serve(options);
   } catch (const std::exception& error) {
-    std::cerr << "selvaged: cannot serve on " << options.host << ":" << options.port << ": " << error.what()
-              << "\n";
+    std::cerr << "selvaged: cannot serve on " << options.host << ":" << options.port << ": " << error.what() << "\n";
     return 1;
   }
   return 0;

@@ -44,14 +44,11 @@ std::variant<Options, Farewell> parse_options(int argc, const char* const* argv)
   std::string listen = "127.0.0.1:7171";
   std::size_t body_mb = options.limits.transport.body_bytes >> 20;
 
-  CLI::App app{"selvaged: compacts garment markers, by JSON-RPC 2.0 over HTTP or over lines of JSON.",
-               "selvaged"};
+  CLI::App app{"selvaged: compacts garment markers, by JSON-RPC 2.0 over HTTP or over lines of JSON.", "selvaged"};
   app.set_version_flag("--version", "selvaged " + std::string{kVersion});
-  app.add_option("--listen", listen, "HOST:PORT of a loopback address; port 0 takes a free one")
-      ->capture_default_str();
+  app.add_option("--listen", listen, "HOST:PORT of a loopback address; port 0 takes a free one")->capture_default_str();
   app.add_option("--port-file", options.port_file, "Write the port that was taken into this file");
-  app.add_option("--workers", options.workers,
-                 "Threads for motions; 0 runs them on the I/O thread, for tests")
+  app.add_option("--workers", options.workers, "Threads for motions; 0 runs them on the I/O thread, for tests")
       ->check(CLI::Range(0, 256))
       ->capture_default_str();
   app.add_option("--cache-mb", options.cache_mb, "Memory for Minkowski sums, in MiB")

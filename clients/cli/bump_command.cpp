@@ -15,8 +15,8 @@ struct BumpOptions {
 };
 
 ExitCode run(const BumpOptions& options) {
-  return run_on_marker("motion.bump", {{"piece", options.piece}, {"direction", options.direction}},
-                       options.files, options.json ? Telling::kLine : Telling::kSummary);
+  return run_on_marker("motion.bump", {{"piece", options.piece}, {"direction", options.direction}}, options.files,
+                       options.json ? Telling::kLine : Telling::kSummary);
 }
 
 }  // namespace

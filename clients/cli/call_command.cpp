@@ -38,15 +38,12 @@ std::vector<std::string> method_names() {
 
 void add_call_command(CLI::App& app, ExitCode& code) {
   auto options = std::make_shared<CallOptions>();
-  CLI::App* command =
-      app.add_subcommand("call", "Run any method of the daemon on a marker, without a daemon");
+  CLI::App* command = app.add_subcommand("call", "Run any method of the daemon on a marker, without a daemon");
   command->add_option("METHOD", options->method, "As in protocol/README.md")
       ->required()
       ->check(CLI::IsMember(method_names()));
-  command->add_option("--marker", options->files.in, "The marker, native or sparrow; - for standard input")
-      ->required();
-  command->add_option("--params", options->params,
-                      "The method's parameters, a file of JSON; - for standard input");
+  command->add_option("--marker", options->files.in, "The marker, native or sparrow; - for standard input")->required();
+  command->add_option("--params", options->params, "The method's parameters, a file of JSON; - for standard input");
   add_marker_files(*command, options->files);
   command->footer(kExitCodesHelp);
   command->callback([options, &code] {

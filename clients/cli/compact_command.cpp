@@ -32,8 +32,7 @@ void add_compact_command(CLI::App& app, ExitCode& code) {
   command->add_option("--accuracy", options->accuracy, "How much work to spend")
       ->check(CLI::IsMember({"draft", "standard", "fine"}))
       ->capture_default_str();
-  command->add_option("--rounds", options->rounds, "At most this many rounds")
-      ->check(CLI::Range(0, kMaxRounds));
+  command->add_option("--rounds", options->rounds, "At most this many rounds")->check(CLI::Range(0, kMaxRounds));
   command->add_flag("--json", options->json, "Print one line of JSON instead of the summary");
   command->footer(kExitCodesHelp);
   command->callback([options, &code] {

@@ -7,11 +7,11 @@ namespace selvage {
 
 enum class ExitCode : int {
   kOk = 0,
-  kNotValid = 1,  // the marker is not valid
-  kBadUsage = 2,  // the command line makes no sense
-  kBadInput = 3,  // the marker cannot be read: not JSON, a field wrong, a shape that is none; or a parameter
-  kFile = 4,      // a file cannot be read or written
-  kRefused = 5,   // the motion cannot start: pieces overlap too deeply
+  kNotValid = 1,    // the marker is not valid
+  kBadUsage = 2,    // the command line makes no sense
+  kBadInput = 3,    // the marker cannot be read: not JSON, a field wrong, a shape that is none; or a parameter
+  kFile = 4,        // a file cannot be read or written
+  kRefused = 5,     // the motion cannot start: pieces overlap too deeply
   kCancelled = 130  // interrupted; the best marker so far was written
 };
 

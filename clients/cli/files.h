@@ -21,8 +21,7 @@ inline constexpr std::string_view kStandardStream = "-";
 // read_text and read_marker.
 [[nodiscard]] Result<MarkerFile> load_marker(const std::string& path);
 // write_marker and write_text.
-[[nodiscard]] std::optional<Error> save_marker(const std::string& path, const MarkerFile& file,
-                                               Format format);
+[[nodiscard]] std::optional<Error> save_marker(const std::string& path, const MarkerFile& file, Format format);
 
 // Tells the notes of a reader on stderr, the first few of them.
 void tell_notes(const std::vector<Note>& notes);

@@ -34,8 +34,8 @@ void wait_for_sigint(const std::stop_token& end, std::stop_source& requested) {
 Interrupt::Interrupt() {
   const sigset_t set = only_sigint();
   pthread_sigmask(SIG_BLOCK, &set, nullptr);
-  waiter_ = std::jthread{
-      [requested = requested_](const std::stop_token& end) mutable { wait_for_sigint(end, requested); }};
+  waiter_ =
+      std::jthread{[requested = requested_](const std::stop_token& end) mutable { wait_for_sigint(end, requested); }};
 }
 
 Interrupt::~Interrupt() {

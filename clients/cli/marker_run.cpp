@@ -20,8 +20,7 @@ constexpr std::string_view kMarkerId = "m1";
 constexpr Revision kFirstRevision = 1;
 
 int standard_outputs(const MarkerFiles& files) {
-  return (files.out == kStandardStream) + (files.svg == kStandardStream) +
-         (files.outlines == kStandardStream);
+  return (files.out == kStandardStream) + (files.svg == kStandardStream) + (files.outlines == kStandardStream);
 }
 
 Result<MarkerFile> load(const MarkerFiles& files) {
@@ -55,14 +54,14 @@ Result<MarkerCall> read_call(const MarkerMethod& method, Json params) {
   auto call = method.read(params);
   if (!call) return call;
   if (const auto base = call->about.base_revision; base && *base != kFirstRevision) {
-    return Error{ErrorCode::kOutOfRange,
-                 std::to_string(*base) + " is not the marker's revision; a file is at 1", "/baseRev"};
+    return Error{ErrorCode::kOutOfRange, std::to_string(*base) + " is not the marker's revision; a file is at 1",
+                 "/baseRev"};
   }
   return call;
 }
 
-std::string told(const MarkerCall& call, const MethodAnswer& answer, const Marker& marker,
-                 const StageTimes& times, const CacheCounts& cache, Telling telling) {
+std::string told(const MarkerCall& call, const MethodAnswer& answer, const Marker& marker, const StageTimes& times,
+                 const CacheCounts& cache, Telling telling) {
   if (telling == Telling::kLine) return json_line(answer.fields, times, cache);
   if (telling == Telling::kSummary) return plain_summary(answer.fields, times, marker);
   Json fields = answer.fields;
@@ -123,8 +122,7 @@ ExitCode run_on_marker(std::string_view name, Json params, const MarkerFiles& fi
   const Coord length_before = length_of(file->marker);
   if (answer->next) file->marker = *std::move(answer->next);
   if (const auto error = save(files, *file, length_before)) return fail(*error, exit_code_of(*error));
-  return answer->fields.value("stop", "") == name_of(StopReason::kCancelled) ? ExitCode::kCancelled
-                                                                             : ExitCode::kOk;
+  return answer->fields.value("stop", "") == name_of(StopReason::kCancelled) ? ExitCode::kCancelled : ExitCode::kOk;
 }
 
 }  // namespace selvage

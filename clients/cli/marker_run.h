@@ -33,7 +33,6 @@ enum class Telling {
 
 // Runs the method as a daemon would that has just opened the marker: as "m1", at revision 1.  What is not
 // proved valid is not written.  REQUIRES: marker_methods.h has the method.
-[[nodiscard]] ExitCode run_on_marker(std::string_view method, Json params, const MarkerFiles& files,
-                                     Telling telling);
+[[nodiscard]] ExitCode run_on_marker(std::string_view method, Json params, const MarkerFiles& files, Telling telling);
 
 }  // namespace selvage

@@ -11,8 +11,7 @@ namespace {
 constexpr double kFirstAfter = 1000, kThenEvery = 100;  // milliseconds
 
 double now_ms() {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
-      .count();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 }  // namespace
@@ -35,8 +34,8 @@ void ProgressLine::tell(const Round& round) {
   if (!show_ || now - start_ < kFirstAfter || now - last_told_ < kThenEvery) return;
   last_told_ = now;
   told_ = true;
-  std::cerr << "\r\033[Kround " << round.number << ": " << number_text(to_decimal(round.length, resolution_))
-            << " " << unit_ << std::flush;
+  std::cerr << "\r\033[Kround " << round.number << ": " << number_text(to_decimal(round.length, resolution_)) << " "
+            << unit_ << std::flush;
 }
 
 StageTimes ProgressLine::finish() {

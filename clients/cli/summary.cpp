@@ -56,9 +56,8 @@ std::string healed_line(const Json& healed, const std::string& unit) {
   const std::size_t pairs = healed["pairs"];
   const std::size_t protruding = healed["protruding"];
   if (pairs == 0 && protruding == 0) return {};
-  return "  healed       " + counted(pairs, "overlap") + ", " + counted(protruding, "protrusion") +
-         ", deepest " + significant(healed["deepest"]) + unit + ", moves up to " +
-         significant(healed["farthestMove"]) + unit + "\n";
+  return "  healed       " + counted(pairs, "overlap") + ", " + counted(protruding, "protrusion") + ", deepest " +
+         significant(healed["deepest"]) + unit + ", moves up to " + significant(healed["farthestMove"]) + unit + "\n";
 }
 
 // Where a bumped piece ended up, and what holds it there.
@@ -80,8 +79,7 @@ std::string json_line(const Json& fields, const StageTimes& times, const CacheCo
                 {"solve", to_microsecond(times.solve)},
                 {"verify", to_microsecond(times.verify)},
                 {"total", to_microsecond(times.total)}};
-  line["cache"] = {
-      {"hits", cache.hits}, {"misses", cache.misses}, {"entries", cache.entries}, {"bytes", cache.bytes}};
+  line["cache"] = {{"hits", cache.hits}, {"misses", cache.misses}, {"entries", cache.entries}, {"bytes", cache.bytes}};
   return to_text(line) + "\n";
 }
 
@@ -89,15 +87,13 @@ std::string plain_summary(const Json& f, const StageTimes& times, const Marker& 
   const std::string unit = " " + marker.unit;
   const double before = f["lengthBefore"];
   const double after = f["lengthAfter"];
-  std::string out =
-      (marker.name.empty() ? "marker" : marker.name) + ": " + counted(f["pieces"], "piece") + "\n";
+  std::string out = (marker.name.empty() ? "marker" : marker.name) + ": " + counted(f["pieces"], "piece") + "\n";
   out += healed_line(f["healed"], unit);
   if (f.contains("at")) out += place_line(f, unit);
   if (f.contains("gain")) out += "  gain         " + significant(f["gain"]) + unit + "\n";
   out += "  length       " + number_text(before) + " -> " + number_text(after) + unit + "  (" +
          rounded(100 * (after / before - 1), 3) + " %)\n";
-  out += "  utilisation  " + per_cent(f["utilisationBefore"]) + " -> " + per_cent(f["utilisationAfter"]) +
-         "\n  ";
+  out += "  utilisation  " + per_cent(f["utilisationBefore"]) + " -> " + per_cent(f["utilisationAfter"]) + "\n  ";
   if (f.contains("rounds")) {
     out += f["stop"].get<std::string>() + " after " + counted(f["rounds"], "round") + ", ";
   }
@@ -106,9 +102,9 @@ std::string plain_summary(const Json& f, const StageTimes& times, const Marker& 
 }
 
 std::string plain_figures(const Marker& marker) {
-  return (marker.name.empty() ? "marker" : marker.name) + ": " + counted(marker.pieces.size(), "piece") +
-         ", length " + number_text(to_decimal(length_of(marker), marker.resolution)) + " " + marker.unit +
-         ", utilisation " + per_cent(utilisation_of(marker));
+  return (marker.name.empty() ? "marker" : marker.name) + ": " + counted(marker.pieces.size(), "piece") + ", length " +
+         number_text(to_decimal(length_of(marker), marker.resolution)) + " " + marker.unit + ", utilisation " +
+         per_cent(utilisation_of(marker));
 }
 
 std::string plain_faults(const Marker& marker, const Validity& validity) {
@@ -117,13 +113,12 @@ std::string plain_faults(const Marker& marker, const Validity& validity) {
   std::string out;
   for (const Overlap& overlap : validity.overlaps) {
     out += "  pieces " + id_of(overlap.first) + " and " + id_of(overlap.second) +
-           (marker.spacing > 0 ? " are too close or overlap" : " overlap") + " by " + length(overlap.depth) +
-           " " + marker.unit + " near (" + length(overlap.witness_x) + ", " + length(overlap.witness_y) +
-           ")\n";
+           (marker.spacing > 0 ? " are too close or overlap" : " overlap") + " by " + length(overlap.depth) + " " +
+           marker.unit + " near (" + length(overlap.witness_x) + ", " + length(overlap.witness_y) + ")\n";
   }
   for (const Protrusion& protrusion : validity.protrusions) {
-    out += "  piece " + id_of(protrusion.piece) + " leaves the strip by " +
-           length(static_cast<double>(protrusion.by)) + " " + marker.unit + "\n";
+    out += "  piece " + id_of(protrusion.piece) + " leaves the strip by " + length(static_cast<double>(protrusion.by)) +
+           " " + marker.unit + "\n";
   }
   return out;
 }

@@ -32,7 +32,9 @@ std::vector<Edge> edges_near(const PlacedPolygon& polygon, const Box& other, dou
   return edges;
 }
 
-double length_of_vector(Vec v) { return std::sqrt(static_cast<double>(dot(v, v))); }
+double length_of_vector(Vec v) {
+  return std::sqrt(static_cast<double>(dot(v, v)));
+}
 
 double distance_to_edge(Vec point, const Edge& edge) {
   const Vec along = edge.to - edge.from;

@@ -5,8 +5,8 @@
 
 namespace selvage {
 
-// The distance of p and q, but never more than `reach`; 0 when they touch or overlap.  Made of exact integer products, each
-// rounded once: off by a few units in the last place of a double.
+// The distance of p and q, but never more than `reach`; 0 when they touch or overlap.  Made of exact integer products,
+// each rounded once: off by a few units in the last place of a double.
 [[nodiscard]] double distance_within(const PlacedPolygon& p, const PlacedPolygon& q, double reach);
 
 // The largest whole number of lattice units that p and q are apart, but never more than `reach`.  Exact: they are not

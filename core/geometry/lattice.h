@@ -12,8 +12,8 @@
 
 namespace selvage {
 
-using Coord = std::int64_t;            // lattice units
-__extension__ using Wide = __int128;   // products of two coordinates
+using Coord = std::int64_t;           // lattice units
+__extension__ using Wide = __int128;  // products of two coordinates
 
 inline constexpr Coord kLatticeLimit = Coord{1} << 40;  // extents of a marker stay below this
 
@@ -46,9 +46,7 @@ struct Box {
   [[nodiscard]] constexpr Coord width() const { return high.x - low.x; }
   [[nodiscard]] constexpr Coord height() const { return high.y - low.y; }
   [[nodiscard]] constexpr Box moved(Vec by) const { return {low + by, high + by}; }
-  [[nodiscard]] constexpr Box grown(Coord by) const {
-    return {{low.x - by, low.y - by}, {high.x + by, high.y + by}};
-  }
+  [[nodiscard]] constexpr Box grown(Coord by) const { return {{low.x - by, low.y - by}, {high.x + by, high.y + by}}; }
   // True when the interiors meet; boxes that only touch do not.
   [[nodiscard]] constexpr bool overlaps(const Box& other) const {
     return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y && other.low.y < high.y;
@@ -65,15 +63,15 @@ struct Resolution {
   int exponent{};
   friend constexpr auto operator<=>(const Resolution&, const Resolution&) = default;
 };
-inline constexpr int kFinestExponent = -22;   // 10^22 is the largest power of ten a double holds exactly
+inline constexpr int kFinestExponent = -22;  // 10^22 is the largest power of ten a double holds exactly
 inline constexpr int kCoarsestExponent = 6;
 
 // The number of decimals in the shortest text of `value`: 12.5 has 1, 100 has 0, 1e-7 has 7.
 [[nodiscard]] int decimals_of(double value);
 
-// The default resolution.  `decimals`: the most decimals of any input number; `extent`: the largest absolute coordinate,
-// in the marker's unit; `width`: the strip's.  Decimals are exact and the strip at least 2^28 units wide, unless that
-// would take the extent beyond the lattice: then as fine as the lattice allows.
+// The default resolution.  `decimals`: the most decimals of any input number; `extent`: the largest absolute
+// coordinate, in the marker's unit; `width`: the strip's.  Decimals are exact and the strip at least 2^28 units wide,
+// unless that would take the extent beyond the lattice: then as fine as the lattice allows.
 [[nodiscard]] Resolution choose_resolution(int decimals, double extent, double width);
 
 // The nearest lattice coordinate.  Exact when `value` has no more decimals than the resolution.

@@ -33,8 +33,8 @@ std::vector<Edge> edges_near(const PlacedPolygon& polygon, const Box& window) {
   return edges;
 }
 
-// True when direction d lies in the half-open arc [start, end), counter-clockwise.  REQUIRES: start, end not parallel in
-// the same sense.
+// True when direction d lies in the half-open arc [start, end), counter-clockwise.  REQUIRES: start, end not parallel
+// in the same sense.
 bool in_arc(Vec start, Vec end, Vec d) {
   const Wide turn = cross(start, end);
   if (turn > 0) return cross(start, d) >= 0 && cross(d, end) > 0;
@@ -71,8 +71,8 @@ Meeting meeting_of(const Edge& e, const Edge& f) {
   if (e_from * e_to > 0) return Meeting::kNone;
   if (f_from * f_to < 0 && e_from * e_to < 0) return Meeting::kOverlap;
   Meeting meeting = Meeting::kNone;
-  for (const auto& [point, touches] : {std::pair{f.from, on_half_open(e, f.from, f_from)},
-                                       std::pair{e.from, on_half_open(f, e.from, e_from)}}) {
+  for (const auto& [point, touches] :
+       {std::pair{f.from, on_half_open(e, f.from, f_from)}, std::pair{e.from, on_half_open(f, e.from, e_from)}}) {
     if (!touches) continue;
     if (cones_meet(cone_at(e, point), cone_at(f, point))) return Meeting::kOverlap;
     meeting = Meeting::kTouch;
@@ -132,7 +132,9 @@ Real nearest_on_segment(Real point, const Edge& edge) {
   const double t = std::clamp(((point.x - ax) * dx + (point.y - ay) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
   return {ax + t * dx, ay + t * dy};
 }
-double squared(Real a, Real b) { return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y); }
+double squared(Real a, Real b) {
+  return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
+}
 
 // Interior stretches of the horizontal line y through a polygon, as sorted x values taken in pairs.
 std::vector<double> crossings_at(const PlacedPolygon& polygon, double y) {
@@ -204,7 +206,8 @@ bool closer_than(const PlacedPolygon& p, const PlacedPolygon& q, Coord distance)
 
 std::optional<Witness> common_point(const PlacedPolygon& p, const PlacedPolygon& q) {
   if (!overlap(p, q)) return std::nullopt;
-  // Between two neighbouring vertex or crossing levels the common stretches change linearly: look halfway between levels.
+  // Between two neighbouring vertex or crossing levels the common stretches change linearly: look halfway between
+  // levels.
   const Box window = common_window(p, q);
   std::vector<double> levels{static_cast<double>(window.low.y), static_cast<double>(window.high.y)};
   const auto p_edges = edges_near(p, window);

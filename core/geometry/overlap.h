@@ -1,4 +1,5 @@
-// Whether two placed polygons overlap, or come closer than a distance.  Exact: this is what every answer is proved with.
+// Whether two placed polygons overlap, or come closer than a distance.  Exact: this is what every answer is proved
+// with.
 //
 // Two polygons overlap when their interiors meet; touching along points or edges is not overlapping.
 #pragma once
@@ -20,8 +21,9 @@ struct PlacedPolygon {
 };
 
 // True when the interiors meet.
-// Method: without a proper crossing of two edges, either the boundaries share points, and then the interiors meet exactly
-// if their cones at some shared point do; or they share none, and then one polygon holds the other or they are apart.
+// Method: without a proper crossing of two edges, either the boundaries share points, and then the interiors meet
+// exactly if their cones at some shared point do; or they share none, and then one polygon holds the other or they are
+// apart.
 [[nodiscard]] bool overlap(const PlacedPolygon& p, const PlacedPolygon& q);
 
 // True when some two points of p and q are less than `distance` > 0 apart.

@@ -6,7 +6,9 @@
 namespace selvage {
 namespace {
 
-std::string name(Vec v) { return "(" + std::to_string(v.x) + ", " + std::to_string(v.y) + ")"; }
+std::string name(Vec v) {
+  return "(" + std::to_string(v.x) + ", " + std::to_string(v.y) + ")";
+}
 
 // Removes repeated vertices, vertices in the middle of straight runs and tips of zero-width spikes until none is left.
 Polygon without_idle_vertices(std::span<const Vec> vertices, Repairs& repairs) {
@@ -58,7 +60,8 @@ bool segments_meet(Vec a, Vec b, Vec c, Vec d) {
   return on(a, b, c, c_side) || on(a, b, d, d_side) || on(c, d, a, a_side) || on(c, d, b, b_side);
 }
 
-// Two edges that meet although they are not neighbours, by a sweep over the edges' x ranges; {0, 0} when there are none.
+// Two edges that meet although they are not neighbours, by a sweep over the edges' x ranges; {0, 0} when there are
+// none.
 std::pair<std::size_t, std::size_t> meeting_edges(const Polygon& polygon) {
   const std::size_t n = polygon.size();
   const auto end_of = [&](std::size_t i) { return polygon[i + 1 == n ? 0 : i + 1]; };
@@ -118,8 +121,10 @@ Location locate(Vec point, std::span<const Vec> polygon) {
 Result<CleanPolygon> clean_polygon(std::span<const Vec> vertices) {
   if (vertices.size() > 1 && vertices.front() == vertices.back()) vertices = vertices.first(vertices.size() - 1);
   if (vertices.size() > kMaxVertices) {
-    return Error{ErrorCode::kTooManyVertices, std::to_string(vertices.size()) + " vertices; at most " +
-                                                  std::to_string(kMaxVertices) + " are allowed", {}};
+    return Error{
+        ErrorCode::kTooManyVertices,
+        std::to_string(vertices.size()) + " vertices; at most " + std::to_string(kMaxVertices) + " are allowed",
+        {}};
   }
   if (vertices.size() < 3) {
     return Error{ErrorCode::kTooFewVertices, std::to_string(vertices.size()) + " vertices; at least 3 are needed", {}};
@@ -129,14 +134,16 @@ Result<CleanPolygon> clean_polygon(std::span<const Vec> vertices) {
   if (clean.polygon.size() < 3) {
     const bool all_equal = clean.polygon.size() <= 1 || clean.repairs.duplicate_vertices + 2 >= vertices.size();
     return Error{all_equal ? ErrorCode::kTooFewVertices : ErrorCode::kZeroArea,
-                 "the outline has no area: at least 3 different vertices, not all on one line, are needed", {}};
+                 "the outline has no area: at least 3 different vertices, not all on one line, are needed",
+                 {}};
   }
   if (const auto [i, j] = meeting_edges(clean.polygon); i != j) {
     const auto& p = clean.polygon;
     return Error{ErrorCode::kSelfIntersecting,
                  "the outline must not cross or touch itself: its edge from " + name(p[i]) + " to " +
                      name(p[(i + 1) % p.size()]) + " meets its edge from " + name(p[j]) + " to " +
-                     name(p[(j + 1) % p.size()]) + " (lattice units)", {}};
+                     name(p[(j + 1) % p.size()]) + " (lattice units)",
+                 {}};
   }
   const Wide area = doubled_area(clean.polygon);
   if (area < 0) {

@@ -180,13 +180,15 @@ class Growth {
   // The triangles hang together along cuts, so their union's vertices are theirs in the polygon's own order.
   [[nodiscard]] StarPart part_of(const Members& members) const {
     StarPart part;
-    for (const std::size_t t : members) part.origin.insert(part.origin.end(), triangles_[t].begin(), triangles_[t].end());
+    for (const std::size_t t : members)
+      part.origin.insert(part.origin.end(), triangles_[t].begin(), triangles_[t].end());
     std::sort(part.origin.begin(), part.origin.end());
     part.origin.erase(std::unique(part.origin.begin(), part.origin.end()), part.origin.end());
     const std::size_t n = polygon_.size();
     for (const std::uint32_t i : part.origin) {
       part.vertices.push_back(polygon_[i]);
-      part.turns.push_back({polygon_[i] - polygon_[i == 0 ? n - 1 : i - 1], polygon_[i + 1 == n ? 0 : i + 1] - polygon_[i]});
+      part.turns.push_back(
+          {polygon_[i] - polygon_[i == 0 ? n - 1 : i - 1], polygon_[i + 1 == n ? 0 : i + 1] - polygon_[i]});
     }
     return part;
   }

@@ -35,7 +35,8 @@ struct StarPart {
 [[nodiscard]] StarPart transformed(const StarPart& part, Symmetry symmetry);
 
 // Parts whose union is the polygon and whose interiors are disjoint: one for a star-shaped polygon, else triangles of a
-// triangulation grown greedily while the kernel test holds.  A sliver without a deep kernel stays a triangle on its own.
+// triangulation grown greedily while the kernel test holds.  A sliver without a deep kernel stays a triangle on its
+// own.
 [[nodiscard]] std::vector<StarPart> star_parts(const Polygon& polygon);
 
 }  // namespace selvage

@@ -34,8 +34,8 @@ CoinPackedMatrix packed_rows(const LinearProgram& program) {
     value[k] = program.entries[k].value;
   }
   const std::vector<CoinBigIndex> start(program.row_start.begin(), program.row_start.end());
-  return {false,        program.columns(), program.rows(), static_cast<CoinBigIndex>(column.size()), value.data(),
-          column.data(), start.data(),      nullptr};
+  return {false,        program.columns(), program.rows(), static_cast<CoinBigIndex>(column.size()),
+          value.data(), column.data(),     start.data(),   nullptr};
 }
 
 void load(ClpSimplex& clp, const LinearProgram& program) {

@@ -68,7 +68,8 @@ std::optional<InequalityForm> inequality_form(const LinearProgram& program, doub
 void multiply(const InequalityForm& form, std::span<const double> x, std::span<double> result) {
   for (std::size_t r = 0; r < result.size(); ++r) {
     double sum = 0;
-    for (auto k = static_cast<std::size_t>(form.row_start[r]); k < static_cast<std::size_t>(form.row_start[r + 1]); ++k) {
+    for (auto k = static_cast<std::size_t>(form.row_start[r]); k < static_cast<std::size_t>(form.row_start[r + 1]);
+         ++k) {
       sum += form.value[k] * x[static_cast<std::size_t>(form.column[k])];
     }
     result[r] = sum;
@@ -78,7 +79,8 @@ void multiply(const InequalityForm& form, std::span<const double> x, std::span<d
 void multiply_transposed(const InequalityForm& form, std::span<const double> y, std::span<double> result) {
   std::fill(result.begin(), result.end(), 0.0);
   for (std::size_t r = 0; r < y.size(); ++r) {
-    for (auto k = static_cast<std::size_t>(form.row_start[r]); k < static_cast<std::size_t>(form.row_start[r + 1]); ++k) {
+    for (auto k = static_cast<std::size_t>(form.row_start[r]); k < static_cast<std::size_t>(form.row_start[r + 1]);
+         ++k) {
       result[static_cast<std::size_t>(form.column[k])] += form.value[k] * y[r];
     }
   }

@@ -71,11 +71,11 @@ class Iteration {
   const InteriorPointSettings& settings_;
   NormalEquations normal_;
   Vector x_, s_, z_, dx_, ds_, dz_;
-  Vector rp_, rd_;      // what is missing from A x - s = b and from A^T z = c
-  Vector weight_;       // 1 / (s / z + delta)
-  Vector target_;       // what s dz + z ds is to be
+  Vector rp_, rd_;  // what is missing from A x - s = b and from A^T z = c
+  Vector weight_;   // 1 / (s / z + delta)
+  Vector target_;   // what s dz + z ds is to be
   Vector scratch_;
-  double gap_{};        // s . z
+  double gap_{};  // s . z
   double last_dual_{kInfinity};
 };
 

@@ -14,10 +14,10 @@
 namespace selvage {
 
 struct InteriorPointSettings {
-  int iterations{60};     // factorisations
-  double gap{1e-10};      // complementarity over 1 + |objective|
-  double primal{1e-11};   // the most a row of the answer may be broken by
-  double dual{1e-10};     // the same for the dual, over 1 + the largest cost
+  int iterations{60};         // factorisations
+  double gap{1e-10};          // complementarity over 1 + |objective|
+  double primal{1e-11};       // the most a row of the answer may be broken by
+  double dual{1e-10};         // the same for the dual, over 1 + the largest cost
   double dual_at_rest{1e-8};  // good enough once rounding keeps it from falling further
 };
 
@@ -26,7 +26,6 @@ struct InteriorPointSettings {
 // per iteration.
 // REQUIRES: lower <= upper, no NaN.
 [[nodiscard]] LpSolution solve_by_interior_point(const LinearProgram& program,
-                                                 const InteriorPointSettings& settings = {},
-                                                 std::stop_token stop = {});
+                                                 const InteriorPointSettings& settings = {}, std::stop_token stop = {});
 
 }  // namespace selvage

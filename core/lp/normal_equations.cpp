@@ -56,7 +56,8 @@ bool NormalEquations::factorise(std::span<const double> weight, double rho) {
   for (std::size_t r = 0; r < weight.size(); ++r) {
     for (int a = form.row_start[r]; a < form.row_start[r + 1]; ++a) {
       const double scaled = weight[r] * form.value[static_cast<std::size_t>(a)];
-      for (int b = a; b < form.row_start[r + 1]; ++b) value[*position++] += scaled * form.value[static_cast<std::size_t>(b)];
+      for (int b = a; b < form.row_start[r + 1]; ++b)
+        value[*position++] += scaled * form.value[static_cast<std::size_t>(b)];
     }
   }
   parts_->factor.factorize(parts_->matrix);

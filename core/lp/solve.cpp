@@ -17,7 +17,9 @@ constexpr double kLargestInfeasibility = 1e-9;
 // What neither solver should see.  kFailed: not a linear program.
 LpStatus precheck(const LinearProgram& program) {
   const auto is_nan = [](double value) { return std::isnan(value); };
-  const auto broken = [&](const std::vector<double>& values) { return std::any_of(values.begin(), values.end(), is_nan); };
+  const auto broken = [&](const std::vector<double>& values) {
+    return std::any_of(values.begin(), values.end(), is_nan);
+  };
   if (broken(program.cost) || broken(program.lower) || broken(program.upper) || broken(program.bound)) {
     return LpStatus::kFailed;
   }

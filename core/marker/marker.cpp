@@ -11,7 +11,9 @@
 namespace selvage {
 namespace {
 
-std::string at_index(const char* list, std::size_t index) { return std::string{"/"} + list + "/" + std::to_string(index); }
+std::string at_index(const char* list, std::size_t index) {
+  return std::string{"/"} + list + "/" + std::to_string(index);
+}
 
 std::string decimal(Coord coord, Resolution resolution) {
   std::string text = std::to_string(to_decimal(coord, resolution));
@@ -43,27 +45,34 @@ bool allows(const Shape& shape, const Orientation& orientation) {
 
 std::optional<Error> strip_defect(const Marker& marker) {
   if (marker.strip.width <= 0) {
-    return Error{ErrorCode::kOutOfRange, "the strip's width is " + decimal(marker.strip.width, marker.resolution) +
-                                             "; it must be greater than 0", "/strip/width"};
+    return Error{
+        ErrorCode::kOutOfRange,
+        "the strip's width is " + decimal(marker.strip.width, marker.resolution) + "; it must be greater than 0",
+        "/strip/width"};
   }
   if (marker.spacing < 0 || marker.spacing > marker.strip.width) {
-    return Error{ErrorCode::kOutOfRange, "the spacing is " + decimal(marker.spacing, marker.resolution) +
-                                             "; it must be from 0 to the strip's width", "/spacing"};
+    return Error{
+        ErrorCode::kOutOfRange,
+        "the spacing is " + decimal(marker.spacing, marker.resolution) + "; it must be from 0 to the strip's width",
+        "/spacing"};
   }
   return std::nullopt;
 }
 
-// A turned outline is rounded to the lattice once; from then on the rounded outline is the piece, so it must be a polygon.
-std::optional<Error> orientation_defect(const Shape& shape, const Orientation& orientation, Coord width, Resolution resolution) {
+// A turned outline is rounded to the lattice once; from then on the rounded outline is the piece, so it must be a
+// polygon.
+std::optional<Error> orientation_defect(const Shape& shape, const Orientation& orientation, Coord width,
+                                        Resolution resolution) {
   const Polygon outline = oriented(shape.outline, orientation);
   if (split(orientation).turn.degrees != 0.0) {
     const auto clean = clean_polygon(outline);
     if (!clean) return Error{clean.error().code, "turned and rounded to the lattice, " + clean.error().message, {}};
   }
   if (const Coord across = box_of(outline).height(); across > width) {
-    return Error{ErrorCode::kPieceTooWide, "shape \"" + shape.id + "\" is " + decimal(across, resolution) +
-                                               " across in this orientation; the strip is " +
-                                               decimal(width, resolution) + " wide", {}};
+    return Error{ErrorCode::kPieceTooWide,
+                 "shape \"" + shape.id + "\" is " + decimal(across, resolution) +
+                     " across in this orientation; the strip is " + decimal(width, resolution) + " wide",
+                 {}};
   }
   return std::nullopt;
 }
@@ -76,8 +85,10 @@ Result<Marker> make_marker(Marker marker) {
     return Error{ErrorCode::kEmptyMarker, "the marker has no piece; at least 1 is needed", "/pieces"};
   }
   if (marker.pieces.size() > kMaxPieces) {
-    return Error{ErrorCode::kTooManyPieces, std::to_string(marker.pieces.size()) + " pieces; at most " +
-                                                std::to_string(kMaxPieces) + " are allowed", "/pieces"};
+    return Error{
+        ErrorCode::kTooManyPieces,
+        std::to_string(marker.pieces.size()) + " pieces; at most " + std::to_string(kMaxPieces) + " are allowed",
+        "/pieces"};
   }
   if (const auto defect = repeated_id(marker.shapes, "shapes")) return *defect;
   if (const auto defect = repeated_id(marker.pieces, "pieces")) return *defect;
@@ -85,8 +96,9 @@ Result<Marker> make_marker(Marker marker) {
   for (std::size_t k = 0; k < marker.pieces.size(); ++k) {
     const Piece& piece = marker.pieces[k];
     if (piece.shape.value >= marker.shapes.size()) {
-      return Error{ErrorCode::kUnknownShape, "shape number " + std::to_string(piece.shape.value) + " of " +
-                                                 std::to_string(marker.shapes.size()), at_index("pieces", k) + "/shape"};
+      return Error{ErrorCode::kUnknownShape,
+                   "shape number " + std::to_string(piece.shape.value) + " of " + std::to_string(marker.shapes.size()),
+                   at_index("pieces", k) + "/shape"};
     }
     const Shape& shape = marker.shapes[piece.shape.value];
     if (!allows(shape, piece.orientation)) {

@@ -1,8 +1,8 @@
 // A marker: garment pieces on a strip of cloth [Li94 1.1.4].
 //
-// The strip is `width` across (along y, from 0) and runs along x from 0.  A marker's length is where its rightmost piece
-// ends.  All coordinates are lattice units; Resolution says how long one is in the marker's own unit (usually mm).
-// Invariant of a Marker that came through make_marker: ids are unique, every piece names a shape, every shape is a
+// The strip is `width` across (along y, from 0) and runs along x from 0.  A marker's length is where its rightmost
+// piece ends.  All coordinates are lattice units; Resolution says how long one is in the marker's own unit (usually
+// mm). Invariant of a Marker that came through make_marker: ids are unique, every piece names a shape, every shape is a
 // Polygon, every oriented piece fits the strip's width.  It need not be valid: see core/marker/validity.h.
 #pragma once
 
@@ -18,8 +18,8 @@
 namespace selvage {
 
 struct Strip {
-  Coord width{};                        // across, along y
-  std::optional<Coord> longest{};       // the cloth's end, when it has one: no piece may pass it
+  Coord width{};                   // across, along y
+  std::optional<Coord> longest{};  // the cloth's end, when it has one: no piece may pass it
   friend bool operator==(const Strip&, const Strip&) = default;
 };
 
@@ -29,7 +29,7 @@ struct Shape {
   Polygon outline;
   std::vector<Angle> rotations{Angle{}};  // allowed; empty: any
   bool may_flip{};
-  Angle tilt_limit;                       // largest |tilt|
+  Angle tilt_limit;  // largest |tilt|
   friend bool operator==(const Shape&, const Shape&) = default;
 };
 

@@ -32,8 +32,8 @@ Validity check(const Marker& marker, SumCache& sums) {
     const PlacedPolygon q = pieces[second];
     const auto inside_both = common_point(p, q);
     const Witness witness = inside_both ? *inside_both : nearest_point(p, q);
-    const Obstacle obstacle = sums.obstacle(oriented_outline(marker, PieceId{first}, sums),
-                                            oriented_outline(marker, PieceId{second}, sums));
+    const Obstacle obstacle =
+        sums.obstacle(oriented_outline(marker, PieceId{first}, sums), oriented_outline(marker, PieceId{second}, sums));
     const double distance = nearest_boundary_point(obstacle.sum(), obstacle.to_frame(q.at - p.at)).distance;
     const double depth = static_cast<double>(marker.spacing) + (inside_both ? distance : -distance);
     validity.overlaps.push_back({PieceId{first}, PieceId{second}, witness.x, witness.y, depth});

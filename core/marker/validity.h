@@ -16,8 +16,9 @@ class SumCache;
 // Two pieces that overlap, or are closer than the marker's spacing.
 struct Overlap {
   PieceId first, second;  // first < second
-  double witness_x{}, witness_y{};  // a point inside both (between both, when only the spacing is broken); lattice units
-  double depth{};         // the shortest move that parts them [Li94 7.1], plus the spacing; lattice units
+  double witness_x{},
+      witness_y{};  // a point inside both (between both, when only the spacing is broken); lattice units
+  double depth{};   // the shortest move that parts them [Li94 7.1], plus the spacing; lattice units
 };
 // A piece that leaves the strip.
 struct Protrusion {

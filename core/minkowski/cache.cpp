@@ -102,7 +102,9 @@ std::shared_ptr<const Outline> SumCache::outline(const Polygon& polygon) {
   return made;
 }
 
-SumCache::SumCache(std::size_t limit_bytes) : store_{std::make_unique<Store>()} { store_->limit = limit_bytes; }
+SumCache::SumCache(std::size_t limit_bytes) : store_{std::make_unique<Store>()} {
+  store_->limit = limit_bytes;
+}
 SumCache::~SumCache() = default;
 
 Obstacle SumCache::obstacle(const OrientedOutline& p, const OrientedOutline& q) {

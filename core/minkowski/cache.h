@@ -1,5 +1,6 @@
-// The cache of Minkowski sums: one entry per pair of outlines and relative orientation, and the outlines themselves; shared
-// by every marker and every thread, bounded in bytes, counted.  What it returns does not depend on what it holds.
+// The cache of Minkowski sums: one entry per pair of outlines and relative orientation, and the outlines themselves;
+// shared by every marker and every thread, bounded in bytes, counted.  What it returns does not depend on what it
+// holds.
 #pragma once
 
 #include <cstddef>

@@ -9,12 +9,14 @@ namespace {
 
 // The lowest vertex, the leftmost of several: edges leave it in the order of their directions from the x axis on.
 std::size_t lowest(const Polygon& polygon) {
-  const auto at = std::min_element(polygon.begin(), polygon.end(),
-                                   [](Vec a, Vec b) { return a.y != b.y ? a.y < b.y : a.x < b.x; });
+  const auto at =
+      std::min_element(polygon.begin(), polygon.end(), [](Vec a, Vec b) { return a.y != b.y ? a.y < b.y : a.x < b.x; });
   return static_cast<std::size_t>(at - polygon.begin());
 }
 
-bool points_up(Vec d) { return d.y > 0 || (d.y == 0 && d.x > 0); }
+bool points_up(Vec d) {
+  return d.y > 0 || (d.y == 0 && d.x > 0);
+}
 
 // a no later than b, counter-clockwise from the x axis.
 bool no_later(Vec a, Vec b) {
@@ -39,12 +41,20 @@ StarSum convex_sum(const StarPart& first, const StarPart& second) {
     const Vec along_q = q[after(j, q)] - q[j];
     const Vec from = p[i] + q[j];
     if (left_q == 0 || (left_p > 0 && no_later(along_p, along_q))) {
-      sum.edges.push_back({from, from + along_p, from, from + along_p, {second.origin[j], first.origin[i], false},
+      sum.edges.push_back({from,
+                           from + along_p,
+                           from,
+                           from + along_p,
+                           {second.origin[j], first.origin[i], false},
                            inside_whole(second, j, first, i, along_p)});
       i = after(i, p);
       --left_p;
     } else {
-      sum.edges.push_back({from, from + along_q, from, from + along_q, {first.origin[i], second.origin[j], true},
+      sum.edges.push_back({from,
+                           from + along_q,
+                           from,
+                           from + along_q,
+                           {first.origin[i], second.origin[j], true},
                            inside_whole(first, i, second, j, along_q)});
       j = after(j, q);
       --left_q;

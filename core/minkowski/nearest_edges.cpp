@@ -19,8 +19,7 @@ NearestEdges::NearestEdges(const MinkowskiSum& sum, Vec from, double reach)
 }
 
 void NearestEdges::push(std::uint32_t level, std::size_t index) {
-  const double d =
-      level == 0 ? squared_distance(sum_.edges()[index]) : squared_distance(sum_.tree()[level - 1][index]);
+  const double d = level == 0 ? squared_distance(sum_.edges()[index]) : squared_distance(sum_.tree()[level - 1][index]);
   if (d > squared_reach_) return;
   heap_.push_back({d, level, static_cast<std::uint32_t>(index)});
   std::push_heap(heap_.begin(), heap_.end(), farther);
@@ -49,9 +48,11 @@ BoundaryPoint nearest_boundary_point(const MinkowskiSum& sum, Vec from) {
   const SumEdge& e = *nearest->edge;
   const auto dx = static_cast<double>(e.to.x - e.from.x);
   const auto dy = static_cast<double>(e.to.y - e.from.y);
-  const double t = nearest_parameter(static_cast<double>(e.from.x - from.x), static_cast<double>(e.from.y - from.y), dx, dy);
+  const double t =
+      nearest_parameter(static_cast<double>(e.from.x - from.x), static_cast<double>(e.from.y - from.y), dx, dy);
   return {{static_cast<double>(e.from.x) + t * dx, static_cast<double>(e.from.y) + t * dy},
-          std::sqrt(nearest->squared_distance), &e};
+          std::sqrt(nearest->squared_distance),
+          &e};
 }
 
 }  // namespace selvage

@@ -8,7 +8,9 @@ namespace selvage {
 namespace {
 
 // Distance from the origin, in the norm |x| + |y|: comparable along one ray.
-double reach(double x, double y) { return std::abs(x) + std::abs(y); }
+double reach(double x, double y) {
+  return std::abs(x) + std::abs(y);
+}
 
 struct Point {
   double x{}, y{};

@@ -14,7 +14,9 @@ struct Direction {
   Vec vector;
   double angle{};
 };
-Direction direction_of(Vec v) { return {v, pseudo_angle(static_cast<double>(v.x), static_cast<double>(v.y))}; }
+Direction direction_of(Vec v) {
+  return {v, pseudo_angle(static_cast<double>(v.x), static_cast<double>(v.y))};
+}
 // a before b counter-clockwise from the x axis, within one turn.
 bool before(const Direction& a, const Direction& b) {
   constexpr double kClear = 1e-12;
@@ -29,9 +31,8 @@ struct Turns {
     for (std::size_t i = 0; i < n; ++i) edge[i] = direction_of(polygon[i + 1 == n ? 0 : i + 1] - polygon[i]);
     for (std::size_t i = 0; i < n; ++i) convex[i] = cross(edge[i == 0 ? n - 1 : i - 1].vector, edge[i].vector) > 0;
     std::iota(by_direction.begin(), by_direction.end(), 0U);
-    std::sort(by_direction.begin(), by_direction.end(), [&](auto i, auto j) {
-      return before(edge[i], edge[j]) || (!before(edge[j], edge[i]) && i < j);
-    });
+    std::sort(by_direction.begin(), by_direction.end(),
+              [&](auto i, auto j) { return before(edge[i], edge[j]) || (!before(edge[j], edge[i]) && i < j); });
   }
   [[nodiscard]] const Direction& into(std::size_t i) const { return edge[i == 0 ? edge.size() - 1 : i - 1]; }
 
@@ -40,8 +41,8 @@ struct Turns {
   std::vector<std::uint32_t> by_direction;
 };
 
-// Calls visit(edge) for every edge of `edges` whose direction lies in the turn from `in` to `out` (less than half a turn).
-// Of the two ends, `with_in` says which one belongs to the turn.
+// Calls visit(edge) for every edge of `edges` whose direction lies in the turn from `in` to `out` (less than half a
+// turn). Of the two ends, `with_in` says which one belongs to the turn.
 template <class Visit>
 void for_edges_in_turn(const Turns& edges, const Direction& in, const Direction& out, bool with_in, Visit visit) {
   const auto& order = edges.by_direction;

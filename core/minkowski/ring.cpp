@@ -8,7 +8,9 @@
 namespace selvage {
 namespace {
 
-double angle_of(double x, double y) { return x == 0 && y == 0 ? 0 : pseudo_angle(x, y); }
+double angle_of(double x, double y) {
+  return x == 0 && y == 0 ? 0 : pseudo_angle(x, y);
+}
 
 // Both on one exact line, in one direction.
 bool run_along(const SumEdge& e, const SumEdge& f) {
@@ -47,10 +49,14 @@ bool Ring::holds(Real2 point, double margin) const {
 }
 
 void Ring::append_inside(const SumEdge& edge, double margin, bool own_edges, Stretches& stretches) const {
-  Question question{static_cast<double>(edge.from.x) - centre_.x, static_cast<double>(edge.from.y) - centre_.y,
-                    static_cast<double>(edge.to.x) - centre_.x,   static_cast<double>(edge.to.y) - centre_.y,
-                    &edge,                                        margin,
-                    own_edges,                                    false};
+  Question question{static_cast<double>(edge.from.x) - centre_.x,
+                    static_cast<double>(edge.from.y) - centre_.y,
+                    static_cast<double>(edge.to.x) - centre_.x,
+                    static_cast<double>(edge.to.y) - centre_.y,
+                    &edge,
+                    margin,
+                    own_edges,
+                    false};
   const double turn = question.ax * question.by - question.ay * question.bx;
   const double length = std::abs(question.bx - question.ax) + std::abs(question.by - question.ay);
   if (std::abs(turn) <= margin * length) {

@@ -20,8 +20,8 @@ class Ring {
   [[nodiscard]] bool holds(Real2 point, double margin) const;
 
   // The stretches [t0, t1] of another ring's edge (t = 0 where it begins, 1 where it ends) that lie inside by more than
-  // `margin`; appended, not sorted.  Stretches that run along one of the ring's own edges, on the same exact line and in
-  // its direction, count as inside with `own_edges`, and else as outside.
+  // `margin`; appended, not sorted.  Stretches that run along one of the ring's own edges, on the same exact line and
+  // in its direction, count as inside with `own_edges`, and else as outside.
   void append_inside(const SumEdge& edge, double margin, bool own_edges, Stretches& stretches) const;
 
  private:

@@ -10,7 +10,9 @@ namespace selvage {
 namespace {
 
 // True for one point rounded in two ways.
-bool same_but_for_rounding(Vec a, Vec b) { return std::abs(a.x - b.x) <= 1 && std::abs(a.y - b.y) <= 1; }
+bool same_but_for_rounding(Vec a, Vec b) {
+  return std::abs(a.x - b.x) <= 1 && std::abs(a.y - b.y) <= 1;
+}
 
 }  // namespace
 
@@ -58,7 +60,8 @@ StarSum star_sum(const StarPart& first, const StarPart& second) {
   }
   // The envelope begins on the x axis, as a rule in the middle of an edge: make that edge whole.
   SumEdge& front = sum.edges.front();
-  if (sum.edges.size() > 1 && sum.edges.back().line_from == front.line_from && sum.edges.back().line_to == front.line_to) {
+  if (sum.edges.size() > 1 && sum.edges.back().line_from == front.line_from &&
+      sum.edges.back().line_to == front.line_to) {
     front.from = sum.edges.back().from;
     sum.edges.pop_back();
   }

@@ -27,7 +27,9 @@ Box united(const Box& a, const Box& b) {
           {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
 }
 
-Real2 real(Vec v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
+Real2 real(Vec v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y)};
+}
 
 // Takes the stretches inside other rings out of each edge.
 class Visibility {

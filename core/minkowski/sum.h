@@ -1,8 +1,8 @@
 // The Minkowski sum of any two outlines: the union of the star sums of their parts [Li94 3.4.3, Remark 4.2].
 //
 // For pieces P at p and Q at q, Q in the frame of P: they overlap exactly when q - p lies in the interior of P (+) -Q
-// [Li94 Theorem 3.1].  The boundary is kept as edges with the sum's interior on their left, each on an exact lattice line;
-// ends that are crossings of two lines are rounded to the lattice.  A sum may have holes.
+// [Li94 Theorem 3.1].  The boundary is kept as edges with the sum's interior on their left, each on an exact lattice
+// line; ends that are crossings of two lines are rounded to the lattice.  A sum may have holes.
 #pragma once
 
 #include <cstddef>

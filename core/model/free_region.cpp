@@ -14,10 +14,12 @@ constexpr double kRounding = 1.5;
 // Positions may lie this deep behind an edge's line and still be taken to face it.
 constexpr double kFacing = 3.0;
 
-HalfPlane side_along(const SumEdge& edge) { return {edge.line_from, edge.line_to - edge.line_from}; }
+HalfPlane side_along(const SumEdge& edge) {
+  return {edge.line_from, edge.line_to - edge.line_from};
+}
 
-// The half-plane that cuts an edge off: its own line, or, when that passes too near for the spacing, the line through its
-// nearest point to r, square to the way there.
+// The half-plane that cuts an edge off: its own line, or, when that passes too near for the spacing, the line through
+// its nearest point to r, square to the way there.
 HalfPlane cut_before(const SumEdge& edge, Vec r, Coord spacing) {
   const HalfPlane along = side_along(edge);
   if (spacing == 0 || slack_of(along, r) >= static_cast<double>(spacing)) return along;
@@ -85,8 +87,9 @@ class Cell {
   std::vector<Side> sides_;
 };
 
-// Nearest facing edge first.  Edges equally near share a corner: either line would do [Li94 4.1.2].  The one whose line is
-// farther takes less away on the other side; for a piece on its way somewhere, the one that is less in its way is better.
+// Nearest facing edge first.  Edges equally near share a corner: either line would do [Li94 4.1.2].  The one whose line
+// is farther takes less away on the other side; for a piece on its way somewhere, the one that is less in its way is
+// better.
 class GreedyRegion {
  public:
   GreedyRegion(const MinkowskiSum& sum, Vec r, const RegionSettings& settings)
@@ -111,9 +114,8 @@ class GreedyRegion {
     for (;;) {
       std::erase_if(tied_, [&](const SumEdge* e) { return cell_.excludes(*e); });
       if (tied_.empty()) return;
-      const auto best = std::max_element(tied_.begin(), tied_.end(), [&](const SumEdge* a, const SumEdge* b) {
-        return merit(*a) < merit(*b);
-      });
+      const auto best = std::max_element(tied_.begin(), tied_.end(),
+                                         [&](const SumEdge* a, const SumEdge* b) { return merit(*a) < merit(*b); });
       cell_.cut(cut_before(**best, r_, settings_.spacing));
       tied_.erase(best);
     }

@@ -26,15 +26,15 @@ struct RegionSettings {
   RegionRule rule{};
   double reach{};   // lattice units; edges farther than this from the position are not looked at
   Coord spacing{};  // the half-planes will be moved outwards by this: choose them so that the position still fits
-  double towards_x{}, towards_y{};  // of edges equally near (a corner), prefer the one that this direction runs into least;
-                                    // (0, 0): the one whose line is farthest
+  double towards_x{}, towards_y{};  // of edges equally near (a corner), prefer the one that this direction runs into
+                                    // least; (0, 0): the one whose line is farthest
 };
 
 // A free region about the relative position `r` = q - p, as the half-planes that bound it within reach.
-// With a spacing, an edge whose line passes r nearer than that is cut off by the line through its nearest point square to
-// the way there [Li94 7.2 moves lines only], which r keeps its distance from whenever the pieces do; the walk knows no such
-// lines and gives way to the greedy rule.
-// Edges that r is behind by no more than rounding count as facing it: the half-planes then ask for r to come out.
+// With a spacing, an edge whose line passes r nearer than that is cut off by the line through its nearest point square
+// to the way there [Li94 7.2 moves lines only], which r keeps its distance from whenever the pieces do; the walk knows
+// no such lines and gives way to the greedy rule. Edges that r is behind by no more than rounding count as facing it:
+// the half-planes then ask for r to come out.
 [[nodiscard]] std::vector<HalfPlane> free_region(const Obstacle& obstacle, Vec r, const RegionSettings& settings);
 
 }  // namespace selvage

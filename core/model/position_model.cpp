@@ -41,8 +41,7 @@ PositionModel::PositionModel(const PlacedPieces& pieces, const Strip& strip, std
     const double left = static_cast<double>(fit.low.x - at.x) / unit_;
     const double low = static_cast<double>(fit.low.y - at.y) / unit_;
     const double high = static_cast<double>(fit.high.y - at.y) / unit_;
-    const double right =
-        strip.longest ? static_cast<double>(*strip.longest - pieces.box(i).high.x) / unit_ : kInfinity;
+    const double right = strip.longest ? static_cast<double>(*strip.longest - pieces.box(i).high.x) / unit_ : kInfinity;
     int& column = column_of_group[group[i]];
     if (column < 0) {
       column = program_.add_column(0, left, right);

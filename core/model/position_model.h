@@ -1,8 +1,8 @@
 // The position model: all pieces' displacements as one linear program [Li94 4.1.3, 4.1.4].
 //
-// Columns are displacements from the present position, in units of a thousandth of the strip's width, so that the program
-// is well scaled whatever the lattice.  Pieces of one group share their columns; fixed pieces have none.  Rows are
-// n . (d_q - d_p) >= bound with unit n.  Length is a column of its own: the change of the marker's length.
+// Columns are displacements from the present position, in units of a thousandth of the strip's width, so that the
+// program is well scaled whatever the lattice.  Pieces of one group share their columns; fixed pieces have none.  Rows
+// are n . (d_q - d_p) >= bound with unit n.  Length is a column of its own: the change of the marker's length.
 #pragma once
 
 #include <cstdint>
@@ -41,8 +41,8 @@ class PositionModel {
  public:
   static constexpr std::uint32_t kFixed = UINT32_MAX;
 
-  // `group[i]`: the group piece i moves with (any number below the number of pieces), or kFixed.  The strip's edges become
-  // bounds of the columns [Li94 4.1.3]; pieces that leave the strip now are asked to come back.
+  // `group[i]`: the group piece i moves with (any number below the number of pieces), or kFixed.  The strip's edges
+  // become bounds of the columns [Li94 4.1.3]; pieces that leave the strip now are asked to come back.
   PositionModel(const PlacedPieces& pieces, const Strip& strip, std::span<const std::uint32_t> group);
 
   // Lattice units in one unit of a column.
@@ -59,8 +59,8 @@ class PositionModel {
   [[nodiscard]] std::optional<int> right_wall_row(std::size_t piece) const;
   // Costs per unit of a piece's displacement.
   void add_cost(std::size_t piece, double x, double y);
-  // Costs per unit of |x| and |y| of every displacement: one column and two rows for each.  With `home`, one position per
-  // piece, what costs is the distance of each piece from its home; of a group, that of its first piece.
+  // Costs per unit of |x| and |y| of every displacement: one column and two rows for each.  With `home`, one position
+  // per piece, what costs is the distance of each piece from its home; of a group, that of its first piece.
   void add_stillness(double cost, std::span<const Vec> home = {});
 
   [[nodiscard]] const LinearProgram& program() const { return program_; }

@@ -13,20 +13,26 @@
 namespace selvage {
 namespace {
 
-constexpr int kSteps = 400;          // cells that one bump may pass through
+constexpr int kSteps = 400;           // cells that one bump may pass through
 constexpr double kFirstReach = 0.02;  // of the strip's width: how far the first cell looks
 constexpr std::size_t kWays = 40;     // ways round corners that are tried before a bump ends
 constexpr double kContact = 4;        // lattice units: sides nearer than this are touched
-constexpr double kLeastGain = 2;     // lattice units; less is rounding
+constexpr double kLeastGain = 2;      // lattice units; less is rounding
 
 // Directions slanting off the wanted one, as (cosine, sine) of 25, 50, 75 and 89 degrees to either side.
-constexpr std::array<std::pair<double, double>, 8> kSlants{{{0.906, 0.423}, {0.906, -0.423}, {0.643, 0.766}, {0.643, -0.766},
-                                                             {0.259, 0.966}, {0.259, -0.966}, {0.017, 1.0}, {0.017, -1.0}}};
+constexpr std::array<std::pair<double, double>, 8> kSlants{{{0.906, 0.423},
+                                                            {0.906, -0.423},
+                                                            {0.643, 0.766},
+                                                            {0.643, -0.766},
+                                                            {0.259, 0.966},
+                                                            {0.259, -0.966},
+                                                            {0.017, 1.0},
+                                                            {0.017, -1.0}}};
 
 // One side of the cell, and whose it is.
 struct Bound {
-  HalfPlane side;               // of the relative position; unused for the strip's edges
-  std::uint32_t piece{};        // kEdge for the strip's edges and the cell's reach
+  HalfPlane side;         // of the relative position; unused for the strip's edges
+  std::uint32_t piece{};  // kEdge for the strip's edges and the cell's reach
 };
 constexpr std::uint32_t kEdge = UINT32_MAX;
 
@@ -56,9 +62,9 @@ class Bumper {
   }
   [[nodiscard]] double gain(Vec by) const { return ux_ * static_cast<double>(by.x) + uy_ * static_cast<double>(by.y); }
 
-  // At a corner either side of a neighbour may be taken; the cell took the ones least in the direct way.  A way out, if there
-  // is one, borders on a way along some contact: try the cells that leave those ways open, and some slanting ways to see
-  // the contacts behind corners.
+  // At a corner either side of a neighbour may be taken; the cell took the ones least in the direct way.  A way out, if
+  // there is one, borders on a way along some contact: try the cells that leave those ways open, and some slanting ways
+  // to see the contacts behind corners.
   bool advance_round_corners() {
     std::vector<std::pair<double, double>> ways;
     for (const auto& [c, s] : kSlants) ways.emplace_back(c * ux_ - s * uy_, s * ux_ + c * uy_);
@@ -102,8 +108,8 @@ class Bumper {
       if (other == piece_ || !own.overlaps(scene_.pieces.box(other))) continue;
       const Vec r = at_ - scene_.pieces.at(other);
       const Obstacle obstacle = scene_.sums.obstacle(scene_.outlines[other], scene_.outlines[piece_]);
-      const RegionSettings region{RegionRule::kGreedy, 1.5 * reach_ + static_cast<double>(spacing_), spacing_, towards_x,
-                                  towards_y};
+      const RegionSettings region{RegionRule::kGreedy, 1.5 * reach_ + static_cast<double>(spacing_), spacing_,
+                                  towards_x, towards_y};
       for (const HalfPlane& side : free_region(obstacle, r, region)) {
         const PairRow row = row_of({0, 1}, side, r, spacing_, 0, TightRows::kKeep);
         const double slack = std::max(0.0, slack_of(side, r) - static_cast<double>(spacing_));
@@ -144,7 +150,8 @@ class Bumper {
     return std::nullopt;
   }
   [[nodiscard]] bool admitted(Vec candidate) const {
-    if (candidate.x < fit_.low.x || candidate.x > fit_.high.x || candidate.y < fit_.low.y || candidate.y > fit_.high.y) {
+    if (candidate.x < fit_.low.x || candidate.x > fit_.high.x || candidate.y < fit_.low.y ||
+        candidate.y > fit_.high.y) {
       return false;
     }
     return std::all_of(bounds_.begin(), bounds_.end(), [&](const Bound& bound) {

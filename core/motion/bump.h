@@ -11,15 +11,14 @@
 namespace selvage {
 
 struct Bump {
-  Vec at;                                // where the piece ends up; proved valid
-  double gain{};                         // how far it came in the direction, lattice units; never negative
-  std::vector<std::uint32_t> touching;   // the pieces that hold it there
+  Vec at;                               // where the piece ends up; proved valid
+  double gain{};                        // how far it came in the direction, lattice units; never negative
+  std::vector<std::uint32_t> touching;  // the pieces that hold it there
 };
 
 // The local optimum of the direction (dx, dy), which need not have unit length: no way of sliding leads farther by more
-// than rounding.  A fixed piece, or the direction (0, 0), stays.  The strip's right edge is the marker's present end, or the
-// cloth's when it has one.
-// REQUIRES: the scene's pieces are valid.
+// than rounding.  A fixed piece, or the direction (0, 0), stays.  The strip's right edge is the marker's present end,
+// or the cloth's when it has one. REQUIRES: the scene's pieces are valid.
 [[nodiscard]] Bump bump(const Scene& scene, std::uint32_t piece, double dx, double dy);
 
 struct BumpedMarker {
@@ -29,7 +28,8 @@ struct BumpedMarker {
 };
 // The same for a marker as it comes: small overlaps are healed first (core/motion/heal.h).
 // REQUIRES: the piece is one of the marker's, dx and dy are finite.  Errors: those of heal.
-[[nodiscard]] Result<BumpedMarker> heal_and_bump(const Marker& start, PieceId piece, double dx, double dy, SumCache& sums,
-                                                 std::stop_token stop = {}, const Observer& observer = {});
+[[nodiscard]] Result<BumpedMarker> heal_and_bump(const Marker& start, PieceId piece, double dx, double dy,
+                                                 SumCache& sums, std::stop_token stop = {},
+                                                 const Observer& observer = {});
 
 }  // namespace selvage

@@ -22,14 +22,26 @@ StopReason reason_of(StepEnd end) {
 CompactionSettings compaction_settings(Accuracy accuracy) {
   switch (accuracy) {
     case Accuracy::kDraft:
-      return {.rounds = 4, .least_gain = 1e-3, .trust = 0.05, .gravity = 0.003, .region = RegionRule::kGreedy,
+      return {.rounds = 4,
+              .least_gain = 1e-3,
+              .trust = 0.05,
+              .gravity = 0.003,
+              .region = RegionRule::kGreedy,
               .solver = SolverChoice::kAutomatic};
     case Accuracy::kStandard:
-      return {.rounds = 60, .least_gain = 2e-5, .trust = 0.1, .gravity = 0.003, .region = RegionRule::kGreedy,
+      return {.rounds = 60,
+              .least_gain = 2e-5,
+              .trust = 0.1,
+              .gravity = 0.003,
+              .region = RegionRule::kGreedy,
               .solver = SolverChoice::kAutomatic};
     case Accuracy::kFine: break;
   }
-  return {.rounds = 400, .least_gain = 1e-8, .trust = 0.3, .gravity = 0.003, .region = RegionRule::kGreedy,
+  return {.rounds = 400,
+          .least_gain = 1e-8,
+          .trust = 0.3,
+          .gravity = 0.003,
+          .region = RegionRule::kGreedy,
           .solver = SolverChoice::kAutomatic};
 }
 
@@ -60,8 +72,8 @@ Progress improve(Scene& scene, const Goal& goal, const CompactionSettings& setti
   return progress;
 }
 
-Result<Compaction> compact(const Marker& start, const CompactionSettings& settings, SumCache& sums, std::stop_token stop,
-                           const Observer& observer) {
+Result<Compaction> compact(const Marker& start, const CompactionSettings& settings, SumCache& sums,
+                           std::stop_token stop, const Observer& observer) {
   observer.on_stage(Stage::kOther);
   Scene scene{start, sums};
   Compaction best;

@@ -1,9 +1,9 @@
 // Leftward compaction: all pieces move at once so that the marker becomes as short as it can without one leaping over
 // another [Li94 4.1.4, 4.2.1].
 //
-// Laws.  (1) The answer is valid, proved in integers.  (2) It is never longer than the input, but for what healing says it
-// had to grow by.  (3) Locked pieces stay to
-// the lattice unit.  (4) Same input and settings, same answer, whatever the cache holds.
+// Laws.  (1) The answer is valid, proved in integers.  (2) It is never longer than the input, but for what healing says
+// it had to grow by.  (3) Locked pieces stay to the lattice unit.  (4) Same input and settings, same answer, whatever
+// the cache holds.
 #pragma once
 
 #include <stop_token>
@@ -22,11 +22,11 @@ namespace selvage {
 enum class Accuracy { kDraft, kStandard, kFine };
 
 struct CompactionSettings {
-  int rounds{};            // at most this many
-  double least_gain{};     // the last round is the one that gains less than this part of the width
-  double trust{};          // neighbours are pairs within this part of the width; two of them move apart or together by
-                           // at most twice that in the first round, in later rounds by less
-  double gravity{};        // weight of the mean leftward motion beside the length
+  int rounds{};         // at most this many
+  double least_gain{};  // the last round is the one that gains less than this part of the width
+  double trust{};       // neighbours are pairs within this part of the width; two of them move apart or together by
+                        // at most twice that in the first round, in later rounds by less
+  double gravity{};     // weight of the mean leftward motion beside the length
   RegionRule region{};
   SolverChoice solver{};
   friend bool operator==(const CompactionSettings&, const CompactionSettings&) = default;

@@ -114,7 +114,8 @@ class Floater {
     return near;
   }
 
-  // Sets aside what holds the minimum now.  False when nothing does: no gap that is left can be wider, or none is narrow.
+  // Sets aside what holds the minimum now.  False when nothing does: no gap that is left can be wider, or none is
+  // narrow.
   bool add_critical_set(Floating& best) {
     double least = aim_.most;
     for (FloatGap& gap : gaps_) {
@@ -128,7 +129,8 @@ class Floater {
     return true;
   }
 
-  // The gaps that carry load in the last program, if it asked for the minimum; else, or when none does, those that have it.
+  // The gaps that carry load in the last program, if it asked for the minimum; else, or when none does, those that have
+  // it.
   [[nodiscard]] std::vector<Gap> holding(double least) const {
     std::vector<Gap> loaded;
     std::vector<Gap> narrowest;
@@ -156,7 +158,13 @@ class Floater {
 
 // Figures behind these choices: docs/measurements.md.
 FloatSettings float_settings(FloatMode mode, Coord distance) {
-  return {.mode = mode, .distance = distance, .edges = false, .rounds = 30, .stages = 6, .least_gain = 1e-5, .trust = 0.03,
+  return {.mode = mode,
+          .distance = distance,
+          .edges = false,
+          .rounds = 30,
+          .stages = 6,
+          .least_gain = 1e-5,
+          .trust = 0.03,
           .solver = SolverChoice::kAutomatic};
 }
 
@@ -166,7 +174,8 @@ Result<Floating> float_apart(const Marker& start, const FloatSettings& settings,
   if (settings.distance <= 0 || settings.distance >= kLatticeLimit) {
     return Error{ErrorCode::kOutOfRange,
                  "the distance is " + std::to_string(settings.distance) +
-                     " lattice units; it must be positive and less than 2^40", "/distance"};
+                     " lattice units; it must be positive and less than 2^40",
+                 "/distance"};
   }
   Scene scene{start, sums};
   Floating best;

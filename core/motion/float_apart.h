@@ -1,9 +1,10 @@
-// Floating: the free space of a marker shared out among the gaps between its pieces, so that a knife has room to pass, at no
-// cost in cloth [Li94 chapter 7].  The pieces move all at once; widths of gaps are columns of the linear program.
+// Floating: the free space of a marker shared out among the gaps between its pieces, so that a knife has room to pass,
+// at no cost in cloth [Li94 chapter 7].  The pieces move all at once; widths of gaps are columns of the linear program.
 //
-// Laws.  (1) The answer is valid, proved in integers.  (2) It is never longer than the input, but for what healing says it had
-// to grow by.  (3) The least distance, in whole lattice units, is never smaller than before; `least_after` is proved.
-// (4) Locked pieces stay to the lattice unit.  (5) Same input and settings, same answer, whatever the cache holds.
+// Laws.  (1) The answer is valid, proved in integers.  (2) It is never longer than the input, but for what healing says
+// it had to grow by.  (3) The least distance, in whole lattice units, is never smaller than before; `least_after` is
+// proved. (4) Locked pieces stay to the lattice unit.  (5) Same input and settings, same answer, whatever the cache
+// holds.
 #pragma once
 
 #include <stop_token>
@@ -17,10 +18,11 @@ namespace selvage {
 
 struct FloatSettings {
   FloatMode mode{};
-  Coord distance{};     // lattice units: the one wanted by kGivenDistance; for the other modes, wider gaps count as this wide
-  bool edges{};         // gaps to the strip's edges count too; its right edge is the end of the marker as it comes in
-  int rounds{};         // at most this many, in each stage
-  int stages{};         // of kTwoStep: so often, gaps that hold the minimum are left behind
+  Coord distance{};  // lattice units: the one wanted by kGivenDistance; for the other modes, wider gaps count as this
+                     // wide
+  bool edges{};      // gaps to the strip's edges count too; its right edge is the end of the marker as it comes in
+  int rounds{};      // at most this many, in each stage
+  int stages{};      // of kTwoStep: so often, gaps that hold the minimum are left behind
   double least_gain{};  // the last round is the one that gains less than this part of the width
   double trust{};       // no piece moves farther in a round than this part of the width, on either axis
   SolverChoice solver{};
@@ -35,8 +37,8 @@ struct GapWidths {
   friend bool operator==(const GapWidths&, const GapWidths&) = default;
 };
 
-// Gaps that cannot all become wider than the distance without the marker becoming longer [Li94 7.6], as far as rounds of
-// linear programs can tell.
+// Gaps that cannot all become wider than the distance without the marker becoming longer [Li94 7.6], as far as rounds
+// of linear programs can tell.
 struct CriticalSet {
   double distance{};      // lattice units
   std::vector<Gap> gaps;  // sorted
@@ -52,8 +54,8 @@ struct Floating {
   Coord least_before{}, least_after{};  // the narrowest gap, whole lattice units, at most the setting's distance
   bool reached{};                       // the narrowest gap has the setting's distance
   std::vector<GapWidths> gaps;          // narrower than the setting's distance before or after, sorted
-  // What holds the minimum: gaps that carry load in the last program, or, in the modes that do not ask for the minimum, that
-  // have it.  kTwoStep adds the sets that held its later stages.  None when the distance is reached.
+  // What holds the minimum: gaps that carry load in the last program, or, in the modes that do not ask for the minimum,
+  // that have it.  kTwoStep adds the sets that held its later stages.  None when the distance is reached.
   std::vector<CriticalSet> critical;
   Healing healing;
 };

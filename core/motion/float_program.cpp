@@ -9,15 +9,21 @@ namespace selvage {
 namespace {
 
 constexpr double kShortfallCost = 10;  // of a unit of missing distance, beside all pieces moving by a unit each
-constexpr double kCost = 0.01;         // of a unit of width, when each gap has its own: keeps duals, which add up, about 1
-constexpr double kCertain = 0.01;      // lattice units: a solver's rounding is less
-constexpr std::size_t kMeanOf = 8;     // columns in one row of a mean
-constexpr double kMeanSlack = 1e-3;    // column units by which a mean may be off: equations have no interior
+constexpr double kCost = 0.01;      // of a unit of width, when each gap has its own: keeps duals, which add up, about 1
+constexpr double kCertain = 0.01;   // lattice units: a solver's rounding is less
+constexpr std::size_t kMeanOf = 8;  // columns in one row of a mean
+constexpr double kMeanSlack = 1e-3;  // column units by which a mean may be off: equations have no interior
 
-bool has_shared_width(FloatMode mode) { return mode == FloatMode::kLargestMinimum || mode == FloatMode::kTwoStep; }
-double shortfall_cost(std::size_t pieces) { return kShortfallCost * static_cast<double>(pieces); }
+bool has_shared_width(FloatMode mode) {
+  return mode == FloatMode::kLargestMinimum || mode == FloatMode::kTwoStep;
+}
+double shortfall_cost(std::size_t pieces) {
+  return kShortfallCost * static_cast<double>(pieces);
+}
 
-Strip strip_of(const Box& box) { return {box.high.y, box.high.x}; }
+Strip strip_of(const Box& box) {
+  return {box.high.y, box.high.x};
+}
 
 // The row to an edge: its normal points into the strip.
 WidthRow edge_row(std::size_t index, StripEdge edge, double width) {
@@ -66,7 +72,8 @@ double worth_of(const FloatAim& aim, std::span<const FloatGap> gaps, std::span<c
   return shortfall_cost(pieces.size()) * sum - motion_of(pieces, aim.start);
 }
 
-std::vector<WidthRow> width_rows(const Scene& scene, const FloatAim& aim, std::span<const FloatGap> gaps, double trust) {
+std::vector<WidthRow> width_rows(const Scene& scene, const FloatAim& aim, std::span<const FloatGap> gaps,
+                                 double trust) {
   std::vector<WidthRow> rows;
   const double unit = static_cast<double>(scene.marker.strip.width) / 1000;
   for (std::size_t k = 0; k < gaps.size(); ++k) {
@@ -79,7 +86,8 @@ std::vector<WidthRow> width_rows(const Scene& scene, const FloatAim& aim, std::s
     const PiecePair pair = pair_of(gap.gap);
     const Vec r = scene.relative_position(pair);
     const Real2 apart = between_centres(scene.pieces.box(pair.first), scene.pieces.box(pair.second));
-    const RegionSettings region{RegionRule::kGreedy, 3 * trust + aim.most, static_cast<Coord>(gap.now), apart.x, apart.y};
+    const RegionSettings region{RegionRule::kGreedy, 3 * trust + aim.most, static_cast<Coord>(gap.now), apart.x,
+                                apart.y};
     for (const HalfPlane& side : free_region(scene.obstacle(pair), r, region)) {
       WidthRow row{k, 0, 0, slack_of(side, r), 0};
       const PairRow moved = row_of(pair, side, r, 0, unit, TightRows::kRestore);
@@ -185,8 +193,8 @@ void FloatProgram::add_rows() {
   }
 }
 
-// A column that is the mean of others.  Their sum is taken a few at a time: one row with all of them would make the solver's
-// matrix dense.
+// A column that is the mean of others.  Their sum is taken a few at a time: one row with all of them would make the
+// solver's matrix dense.
 int FloatProgram::add_mean(std::span<const int> columns) {
   LinearProgram& program = model_.program();
   std::vector<LinearProgram::Entry> terms;

@@ -1,7 +1,7 @@
 // The linear program of one round of floating: the position model with the widths of gaps as columns [Li94 7.3].
 //
-// Rows are n . (d_q - d_p) - width >= margin - slack with unit n: half-planes moved outwards by as much as the width says
-// [Li94 7.2].  A gap's half-planes are chosen at its present clearance, so that staying put is feasible.
+// Rows are n . (d_q - d_p) - width >= margin - slack with unit n: half-planes moved outwards by as much as the width
+// says [Li94 7.2].  A gap's half-planes are chosen at its present clearance, so that staying put is feasible.
 #pragma once
 
 #include <span>
@@ -15,10 +15,10 @@ namespace selvage {
 
 enum class FloatMode {
   kLargestMinimum,  // the least distance as large as it can be [Li94 7.4]
-  kGivenDistance,   // every distance at least the given one where there is room for it, with the least motion [Li94 7.5]
-  kLargestTotal,    // the sum of all distances as large as it can be [Li94 7.6]
-  kUniform,         // the sum of all distances, less what each differs from their mean [Li94 7.7]
-  kTwoStep,         // the largest minimum; then again for those that do not hold it, as they are [Li94 7.8]
+  kGivenDistance,  // every distance at least the given one where there is room for it, with the least motion [Li94 7.5]
+  kLargestTotal,   // the sum of all distances as large as it can be [Li94 7.6]
+  kUniform,        // the sum of all distances, less what each differs from their mean [Li94 7.7]
+  kTwoStep,        // the largest minimum; then again for those that do not hold it, as they are [Li94 7.8]
 };
 
 // A gap as a round sees it.
@@ -32,16 +32,17 @@ struct FloatGap {
 
 struct FloatAim {
   FloatMode mode{};
-  double most{};            // lattice units: a gap counts as no wider than this
-  Box strip;                // where the pieces may be
-  std::vector<Vec> start;   // positions that motion is measured from
+  double most{};           // lattice units: a gap counts as no wider than this
+  Box strip;               // where the pieces may be
+  std::vector<Vec> start;  // positions that motion is measured from
 };
 
 // What a round wants more of, in lattice units, given the gaps' widths: the program's objective, after rounding.
 [[nodiscard]] double worth_of(const FloatAim& aim, std::span<const FloatGap> gaps, std::span<const double> widths,
                               const PlacedPieces& pieces);
 
-// normal . (displacement of `second` - displacement of `first`) - width of the gap >= margin - slack; an edge never moves.
+// normal . (displacement of `second` - displacement of `first`) - width of the gap >= margin - slack; an edge never
+// moves.
 struct WidthRow {
   std::size_t gap{};
   double nx{}, ny{};
@@ -55,8 +56,8 @@ struct WidthRow {
 class FloatProgram {
  public:
   // `group`: as in PositionModel.  The referenced values must outlive this.
-  FloatProgram(const Scene& scene, std::span<const std::uint32_t> group, const FloatAim& aim, std::span<const FloatGap> gaps,
-               std::span<const WidthRow> rows, double trust);
+  FloatProgram(const Scene& scene, std::span<const std::uint32_t> group, const FloatAim& aim,
+               std::span<const FloatGap> gaps, std::span<const WidthRow> rows, double trust);
 
   [[nodiscard]] const LinearProgram& program() const { return model_.program(); }
   [[nodiscard]] std::vector<Displacement> displacements(const LpSolution& s) const { return model_.displacements(s.x); }
@@ -84,8 +85,8 @@ class FloatProgram {
   std::span<const FloatGap> gaps_;
   std::span<const WidthRow> rows_;
   PositionModel model_;
-  std::vector<int> width_;                // each gap's column
-  std::vector<std::size_t> gap_of_row_;   // of the program; gaps_.size() when it is no gap's
+  std::vector<int> width_;               // each gap's column
+  std::vector<std::size_t> gap_of_row_;  // of the program; gaps_.size() when it is no gap's
 };
 
 }  // namespace selvage

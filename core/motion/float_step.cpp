@@ -13,7 +13,8 @@ constexpr int kAttempts = 24;  // programs in one round, as pieces are tied toge
 
 class Attempt {
  public:
-  Attempt(const Scene& scene, const FloatAim& aim, std::span<const FloatGap> gaps, double trust, const Observer& observer)
+  Attempt(const Scene& scene, const FloatAim& aim, std::span<const FloatGap> gaps, double trust,
+          const Observer& observer)
       : scene_{scene}, aim_{aim}, gaps_{gaps}, trust_{trust}, observer_{observer}, group_{scene.group} {
     observer_.on_stage(Stage::kRows);
     rows_ = width_rows(scene, aim, gaps, trust);
@@ -51,8 +52,8 @@ class Attempt {
   }
 
  private:
-  // Rounds and proves the moves.  Returns the pairs that rounding brings too near; without any, moves of more worth become
-  // the step's.
+  // Rounds and proves the moves.  Returns the pairs that rounding brings too near; without any, moves of more worth
+  // become the step's.
   std::vector<PiecePair> try_moves(const std::vector<Displacement>& moves, FloatStep& step) const {
     std::vector<Vec> positions = snapped(moves);
     for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + scene_.pieces.at(i);
@@ -80,7 +81,8 @@ class Attempt {
     const Box& strip = aim_.strip;
     for (std::size_t i = 0; i < moved.size(); ++i) {
       const Box box = moved.box(i);
-      if (box.low.x < strip.low.x || box.low.y < strip.low.y || box.high.x > strip.high.x || box.high.y > strip.high.y) {
+      if (box.low.x < strip.low.x || box.low.y < strip.low.y || box.high.x > strip.high.x ||
+          box.high.y > strip.high.y) {
         return false;
       }
     }

@@ -16,13 +16,14 @@ struct FloatStep {
   double gain{};               // of the worth, lattice units
   double farthest{};           // the most that a piece moved on an axis, lattice units
   int programs{};
-  std::vector<double> loads;   // of each gap, in the first program; empty when that was not solved
+  std::vector<double> loads;  // of each gap, in the first program; empty when that was not solved
 };
 
 // No piece moves farther than `trust` (lattice units) on either axis.
-// REQUIRES: the scene's pieces are valid; `gaps` holds every gap that may be narrower than the aim's `most` plus twice the
-// trust.
-[[nodiscard]] FloatStep float_step(const Scene& scene, const FloatAim& aim, std::span<const FloatGap> gaps, double trust,
-                                   SolverChoice solver, const std::stop_token& stop, const Observer& observer);
+// REQUIRES: the scene's pieces are valid; `gaps` holds every gap that may be narrower than the aim's `most` plus twice
+// the trust.
+[[nodiscard]] FloatStep float_step(const Scene& scene, const FloatAim& aim, std::span<const FloatGap> gaps,
+                                   double trust, SolverChoice solver, const std::stop_token& stop,
+                                   const Observer& observer);
 
 }  // namespace selvage

@@ -35,7 +35,8 @@ std::vector<Gap> gaps_within(const Scene& scene, Coord reach, const Box& strip, 
 }
 
 double width_within(const Gap& gap, const PlacedPieces& pieces, const Box& strip, double reach) {
-  if (const PieceId* other = other_piece(gap)) return distance_within(pieces[gap.piece.value], pieces[other->value], reach);
+  if (const PieceId* other = other_piece(gap))
+    return distance_within(pieces[gap.piece.value], pieces[other->value], reach);
   const Coord width = width_to_edge(std::get<StripEdge>(gap.opposite), pieces.box(gap.piece.value), strip);
   return std::min(reach, static_cast<double>(width));
 }

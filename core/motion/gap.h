@@ -20,14 +20,20 @@ struct Gap {
 };
 
 // The pair of pieces, or nullptr for an edge.
-[[nodiscard]] inline const PieceId* other_piece(const Gap& gap) { return std::get_if<PieceId>(&gap.opposite); }
-[[nodiscard]] inline PiecePair pair_of(const Gap& gap) { return {gap.piece.value, std::get<PieceId>(gap.opposite).value}; }
+[[nodiscard]] inline const PieceId* other_piece(const Gap& gap) {
+  return std::get_if<PieceId>(&gap.opposite);
+}
+[[nodiscard]] inline PiecePair pair_of(const Gap& gap) {
+  return {gap.piece.value, std::get<PieceId>(gap.opposite).value};
+}
 
-// All gaps that may be narrower than `reach`, sorted: between pieces whose boxes come closer than that on both axes, and, if
-// `edges`, to the edges of `strip`.  Gaps between two fixed pieces, or a fixed piece and an edge, are none of anyone's.
+// All gaps that may be narrower than `reach`, sorted: between pieces whose boxes come closer than that on both axes,
+// and, if `edges`, to the edges of `strip`.  Gaps between two fixed pieces, or a fixed piece and an edge, are none of
+// anyone's.
 [[nodiscard]] std::vector<Gap> gaps_within(const Scene& scene, Coord reach, const Box& strip, bool edges);
 
-// How wide a gap is, but at most `reach`; lattice units.  0 for pieces that overlap, negative for a piece beyond the edge.
+// How wide a gap is, but at most `reach`; lattice units.  0 for pieces that overlap, negative for a piece beyond the
+// edge.
 [[nodiscard]] double width_within(const Gap& gap, const PlacedPieces& pieces, const Box& strip, double reach);
 // The same in whole units, rounded down exactly.
 [[nodiscard]] Coord whole_width_within(const Gap& gap, const PlacedPieces& pieces, const Box& strip, Coord reach);

@@ -13,8 +13,8 @@ namespace selvage {
 namespace {
 
 constexpr int kRounds = 12;
-constexpr int kNamed = 5;           // of the offending pairs, so many are named in a message
-constexpr double kReach = 20;       // rows within so many healing limits of a pair's position are modelled
+constexpr int kNamed = 5;            // of the offending pairs, so many are named in a message
+constexpr double kReach = 20;        // rows within so many healing limits of a pair's position are modelled
 constexpr double kLengthCost = 1e3;  // of the marker growing, beside a piece moving by as much
 
 struct Conflict {
@@ -47,7 +47,8 @@ class Healer {
       }
       return Error{ErrorCode::kHealingFailed,
                    "small overlaps could not be parted: " + named(found) +
-                       "; there is no room for them where they are, or the pieces are locked", "/pieces"};
+                       "; there is no room for them where they are, or the pieces are locked",
+                   "/pieces"};
     }
     for (std::size_t i = 0; i < start.size(); ++i) {
       const Vec move = scene_.pieces.at(i) - start[i];
@@ -61,7 +62,8 @@ class Healer {
   std::vector<Conflict> find_conflicts() {
     observer_.on_stage(Stage::kVerify);
     std::vector<Conflict> found;
-    for (const PiecePair& pair : conflicts(scene_.pieces, scene_.marker.spacing)) found.push_back({pair, target(pair).depth});
+    for (const PiecePair& pair : conflicts(scene_.pieces, scene_.marker.spacing))
+      found.push_back({pair, target(pair).depth});
     return found;
   }
   [[nodiscard]] SeparationTarget target(PiecePair pair) const {
@@ -86,8 +88,9 @@ class Healer {
       healing.protruding += by > 0;
       if (static_cast<double>(by) <= limit_) continue;
       return Error{ErrorCode::kOutsideStrip,
-                   "piece \"" + scene_.marker.pieces[i].id + "\" leaves the strip by " + decimal(static_cast<double>(by)) +
-                       "; at most " + decimal(limit_) + " is mended", "/pieces/" + std::to_string(i) + "/at"};
+                   "piece \"" + scene_.marker.pieces[i].id + "\" leaves the strip by " +
+                       decimal(static_cast<double>(by)) + "; at most " + decimal(limit_) + " is mended",
+                   "/pieces/" + std::to_string(i) + "/at"};
     }
     healing.pairs = found.size();
     std::vector<Conflict> deep;
@@ -97,9 +100,11 @@ class Healer {
     }
     if (deep.empty()) return std::nullopt;
     return Error{ErrorCode::kMarkerOverlaps,
-                 std::to_string(deep.size()) + (deep.size() == 1 ? " pair of pieces overlaps" : " pairs of pieces overlap") +
+                 std::to_string(deep.size()) +
+                     (deep.size() == 1 ? " pair of pieces overlaps" : " pairs of pieces overlap") +
                      (scene_.marker.spacing > 0 ? ", or come closer than the spacing," : "") + " by more than the " +
-                     decimal(limit_) + " that is mended: " + named(deep), "/pieces"};
+                     decimal(limit_) + " that is mended: " + named(deep),
+                 "/pieces"};
   }
   [[nodiscard]] std::string decimal(double lattice_units) const {
     std::ostringstream text;

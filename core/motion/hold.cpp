@@ -67,8 +67,8 @@ class Loads {
     turn(p, worth, -row.nx, -row.ny, at);
   }
 
-  // Turning a piece about its position by a small angle moves its touching point square to its lever; what that opens along
-  // the normal of the contact, which points at the piece, is room.
+  // Turning a piece about its position by a small angle moves its touching point square to its lever; what that opens
+  // along the normal of the contact, which points at the piece, is room.
   void turn(std::uint32_t piece, double worth, double nx, double ny, Witness at) {
     if (scene_.fixed(piece)) return;
     const Vec pivot = scene_.pieces.at(piece);

@@ -1,7 +1,8 @@
-// What holds a marker's length: the contacts between its left and its right edge that carry the load, from the dual values of
-// the position model [Li94 4.1.4; duals as in chapter 10].
+// What holds a marker's length: the contacts between its left and its right edge that carry the load, from the dual
+// values of the position model [Li94 4.1.4; duals as in chapter 10].
 //
-// The dual value of a contact says what a unit of room there is worth: how much shorter the marker would get, to first order.
+// The dual value of a contact says what a unit of room there is worth: how much shorter the marker would get, to first
+// order.
 #pragma once
 
 #include <cstdint>

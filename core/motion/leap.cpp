@@ -19,7 +19,8 @@ struct Neighbour {
   double price{};
 };
 
-std::vector<Neighbour> neighbours_of(const Scene& scene, std::uint32_t piece, double reach, const OverlapPrices& prices) {
+std::vector<Neighbour> neighbours_of(const Scene& scene, std::uint32_t piece, double reach,
+                                     const OverlapPrices& prices) {
   const Box box = scene.pieces.box(piece).grown(std::llround(reach) + scene.marker.spacing);
   std::vector<Neighbour> found;
   for (std::uint32_t other = 0; other < scene.pieces.size(); ++other) {

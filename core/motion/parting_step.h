@@ -21,8 +21,8 @@ struct PartingPair {
 
 // What the length may become, and at what price beside a piece moving by as much.
 struct LengthAllowance {
-  Coord free{};      // up to here nothing is paid
-  Coord allowed{};   // up to here `price`, beyond `excess_price`
+  Coord free{};     // up to here nothing is paid
+  Coord allowed{};  // up to here `price`, beyond `excess_price`
   double price{};
   double excess_price{};
 };

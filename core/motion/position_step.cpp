@@ -10,10 +10,10 @@
 namespace selvage {
 namespace {
 
-constexpr int kAttempts = 24;           // programs in one round, as rows enter when they are broken
-constexpr double kUnitsAcross = 1000;   // column units in a strip's width
-constexpr double kLeastGain = 1e-5;     // of the goal, in column units: less is not worth proving
-constexpr double kSpare = 1e-2;         // column units the length may grow by in a program, for rows' margins
+constexpr int kAttempts = 24;          // programs in one round, as rows enter when they are broken
+constexpr double kUnitsAcross = 1000;  // column units in a strip's width
+constexpr double kLeastGain = 1e-5;    // of the goal, in column units: less is not worth proving
+constexpr double kSpare = 1e-2;        // column units the length may grow by in a program, for rows' margins
 
 // The growing model of one round.
 class Attempt {
@@ -131,8 +131,8 @@ class Attempt {
     return any;
   }
 
-  // Rounds and proves the moves; shortens them a little when rounding breaks something.  Returns what collides all the same;
-  // moves that collide nowhere become the step's when they serve the goal.
+  // Rounds and proves the moves; shortens them a little when rounding breaks something.  Returns what collides all the
+  // same; moves that collide nowhere become the step's when they serve the goal.
   std::vector<PiecePair> try_moves(const std::vector<Displacement>& moves, PositionStep& step) const {
     std::vector<PiecePair> first_conflict;
     for (const double part : {1.0, 1 - 1e-6, 1 - 1e-3, 0.5}) {
@@ -231,8 +231,8 @@ Goal leftward_goal(const Scene& scene, double gravity) {
   return {std::vector<Displacement>(scene.pieces.size(), {-gravity / count, 0}), 1, 0};
 }
 
-PositionStep position_step(const Scene& scene, const Goal& goal, const StepSettings& settings, const std::stop_token& stop,
-                           const Observer& observer) {
+PositionStep position_step(const Scene& scene, const Goal& goal, const StepSettings& settings,
+                           const std::stop_token& stop, const Observer& observer) {
   return Attempt{scene, goal, settings, observer}.run(stop);
 }
 

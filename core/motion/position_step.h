@@ -13,8 +13,8 @@
 
 namespace selvage {
 
-// What a motion wants: as much as possible of the sum of force . displacement over all pieces, plus `shorten` times what the
-// marker gets shorter.  With shorten 0 its length is held [Li94 4.2.2].
+// What a motion wants: as much as possible of the sum of force . displacement over all pieces, plus `shorten` times
+// what the marker gets shorter.  With shorten 0 its length is held [Li94 4.2.2].
 struct Goal {
   std::vector<Displacement> force;  // one per piece
   double shorten{};
@@ -24,8 +24,8 @@ struct Goal {
 [[nodiscard]] Goal leftward_goal(const Scene& scene, double gravity);
 
 struct StepSettings {
-  double trust{};       // neighbours are pairs within this part of the width; two of them move apart or together by at most
-                        // twice that
+  double trust{};  // neighbours are pairs within this part of the width; two of them move apart or together by at most
+                   // twice that
   RegionRule region{};
   SolverChoice solver{};
 };
@@ -42,11 +42,11 @@ struct PositionStep {
   std::vector<Vec> positions;  // one per piece: proved valid, the goal better served, the marker no longer
   double gain{};               // of the goal, as a part of the strip's width
   int programs{};              // linear programs solved
-  double farthest{};           // the most that two near pieces moved against each other on an axis, as a part of the width
+  double farthest{};  // the most that two near pieces moved against each other on an axis, as a part of the width
 };
 
-// The best step towards the goal.  Pairs farther apart than the trust are only modelled when a solution makes them collide.
-// REQUIRES: the scene's pieces are valid.
+// The best step towards the goal.  Pairs farther apart than the trust are only modelled when a solution makes them
+// collide. REQUIRES: the scene's pieces are valid.
 [[nodiscard]] PositionStep position_step(const Scene& scene, const Goal& goal, const StepSettings& settings,
                                          const std::stop_token& stop, const Observer& observer);
 

@@ -19,8 +19,9 @@ Result<Goal> goal_of(std::span<const Force> forces, std::size_t pieces) {
     const Force& force = forces[k];
     const std::string field = "/forces/" + std::to_string(k);
     if (force.piece.value >= pieces) {
-      return Error{ErrorCode::kOutOfRange, "force on piece number " + std::to_string(force.piece.value) + " of " +
-                                               std::to_string(pieces), field};
+      return Error{ErrorCode::kOutOfRange,
+                   "force on piece number " + std::to_string(force.piece.value) + " of " + std::to_string(pieces),
+                   field};
     }
     if (!std::isfinite(force.x) || !std::isfinite(force.y)) {
       return Error{ErrorCode::kOutOfRange, "a force must be finite", field};
@@ -37,8 +38,8 @@ Result<Goal> goal_of(std::span<const Force> forces, std::size_t pieces) {
 
 }  // namespace
 
-Result<Push> push(const Marker& start, std::span<const Force> forces, const CompactionSettings& settings, SumCache& sums,
-                  std::stop_token stop, const Observer& observer) {
+Result<Push> push(const Marker& start, std::span<const Force> forces, const CompactionSettings& settings,
+                  SumCache& sums, std::stop_token stop, const Observer& observer) {
   observer.on_stage(Stage::kOther);
   const auto goal = goal_of(forces, start.pieces.size());
   if (!goal) return goal.error();

@@ -1,5 +1,5 @@
-// Pushing: forces on pieces, all of them moving at once to follow, the marker's length held: vector compaction [Li94 4.2.2];
-// with one force on every piece, gravity compaction [Li94 4.2.4].
+// Pushing: forces on pieces, all of them moving at once to follow, the marker's length held: vector compaction
+// [Li94 4.2.2]; with one force on every piece, gravity compaction [Li94 4.2.4].
 #pragma once
 
 #include <span>

@@ -14,7 +14,9 @@ Scene::Scene(const Marker& start, SumCache& sum_cache) : marker{start}, sums{sum
   }
 }
 
-bool Scene::fixed(std::size_t piece) const { return group[piece] == PositionModel::kFixed; }
+bool Scene::fixed(std::size_t piece) const {
+  return group[piece] == PositionModel::kFixed;
+}
 
 Marker Scene::result() const {
   Marker moved = marker;

@@ -14,7 +14,9 @@ struct Scene {
 
   [[nodiscard]] bool fixed(std::size_t piece) const;
   // The obstacle that the pair's first piece is to its second.
-  [[nodiscard]] Obstacle obstacle(PiecePair pair) const { return sums.obstacle(outlines[pair.first], outlines[pair.second]); }
+  [[nodiscard]] Obstacle obstacle(PiecePair pair) const {
+    return sums.obstacle(outlines[pair.first], outlines[pair.second]);
+  }
   [[nodiscard]] Vec relative_position(PiecePair pair) const { return pieces.at(pair.second) - pieces.at(pair.first); }
   // The marker with the pieces where they are now.
   [[nodiscard]] Marker result() const;

@@ -13,25 +13,26 @@ namespace selvage {
 namespace {
 
 // Prices are per lattice unit, beside a piece moving by one.
-constexpr double kOverlapPrice = 100;   // of overlap that stays
-constexpr double kPriceGrowth = 1.4;    // of a pair's overlap, every round that it stays
+constexpr double kOverlapPrice = 100;  // of overlap that stays
+constexpr double kPriceGrowth = 1.4;   // of a pair's overlap, every round that it stays
 constexpr double kHighestPrice = 1e5;
-constexpr double kLengthPrice = 10;     // of the marker growing
-constexpr double kExcessPrice = 50;     // of it growing beyond what is allowed, for the time being
-constexpr double kReach = 2;            // pairs within so many times the deepest overlap are modelled,
-constexpr double kLeastReach = 1e-3;    // but at least so far,
-constexpr double kMostReach = 0.25;     // and at most; parts of the width
-constexpr int kLeapAfter = 2;           // rounds without progress
-constexpr double kLeapReach = 1.5;      // first leaps go so many times the depth, second ones twice as far, ...
-constexpr int kPatience = 30;           // rounds without progress
-constexpr double kProgress = 0.95;      // progress leaves at most this part of what was left
+constexpr double kLengthPrice = 10;   // of the marker growing
+constexpr double kExcessPrice = 50;   // of it growing beyond what is allowed, for the time being
+constexpr double kReach = 2;          // pairs within so many times the deepest overlap are modelled,
+constexpr double kLeastReach = 1e-3;  // but at least so far,
+constexpr double kMostReach = 0.25;   // and at most; parts of the width
+constexpr int kLeapAfter = 2;         // rounds without progress
+constexpr double kLeapReach = 1.5;    // first leaps go so many times the depth, second ones twice as far, ...
+constexpr int kPatience = 30;         // rounds without progress
+constexpr double kProgress = 0.95;    // progress leaves at most this part of what was left
 
 struct Ending {
   StopReason reason{};
   bool apart{};
 };
 
-// Puts pieces that lie outside a strip as long as `length` back to its edge: the least that any separation must move them.
+// Puts pieces that lie outside a strip as long as `length` back to its edge: the least that any separation must move
+// them.
 void put_back(Scene& scene, Coord length) {
   std::vector<Vec> positions = scene.pieces.positions();
   for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -62,13 +63,14 @@ class Rounds {
     return {reason, apart()};
   }
 
-  // The piece that holds up the rest: of those that overlap, the one whose rows weigh most [Li94 10].  Locked pieces only
-  // when there is no other.  REQUIRES: not apart.
+  // The piece that holds up the rest: of those that overlap, the one whose rows weigh most [Li94 10].  Locked pieces
+  // only when there is no other.  REQUIRES: not apart.
   std::uint32_t holding_up(Separation& total, const std::stop_token& stop) const {
     const PartingStep step = parting_step(scene_, parting_, home_, program_settings(), stop, observer_);
     ++total.programs;
     std::vector<std::uint32_t> candidates;
-    for (const PartingPair& parting : parting_) candidates.insert(candidates.end(), {parting.pair.first, parting.pair.second});
+    for (const PartingPair& parting : parting_)
+      candidates.insert(candidates.end(), {parting.pair.first, parting.pair.second});
     if (candidates.empty()) candidates.push_back(rightmost());
     const auto weight = [&](std::uint32_t piece) {
       return std::pair{!scene_.fixed(piece), step.pressure.empty() ? 0.0 : step.pressure[piece]};
@@ -184,7 +186,8 @@ class Rounds {
 
 std::optional<Error> refuse(const Marker& start, const SeparationSettings& settings) {
   if (!(settings.grow >= 0 && std::isfinite(settings.grow))) {
-    return Error{ErrorCode::kOutOfRange, "grow is " + std::to_string(settings.grow) + "; it must be 0 or more", "/grow"};
+    return Error{ErrorCode::kOutOfRange, "grow is " + std::to_string(settings.grow) + "; it must be 0 or more",
+                 "/grow"};
   }
   const PlacedPieces pieces{start};
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -241,8 +244,8 @@ void sum_up(Separation& result, const std::vector<Vec>& home, SumCache& sums) {
 
 }  // namespace
 
-Result<Separation> separate(const Marker& start, const SeparationSettings& settings, SumCache& sums, std::stop_token stop,
-                            const Observer& observer) {
+Result<Separation> separate(const Marker& start, const SeparationSettings& settings, SumCache& sums,
+                            std::stop_token stop, const Observer& observer) {
   observer.on_stage(Stage::kOther);
   if (const auto refusal = refuse(start, settings)) return *refusal;
   Separation result;

@@ -39,7 +39,8 @@ std::optional<Vec> exit_of_ray(const MinkowskiSum& sum, Vec r) {
     const double ay = static_cast<double>(edge.from.y - r.y);
     const double bx = static_cast<double>(edge.to.x - r.x);
     const double by = static_cast<double>(edge.to.y - r.y);
-    const double from = x * ay - y * ax;  // the ray leaves over the edge when it begins to the right and ends to the left
+    const double from =
+        x * ay - y * ax;  // the ray leaves over the edge when it begins to the right and ends to the left
     const double to = x * by - y * bx;
     if (from > 0 || to <= 0) continue;
     const double part = from / (from - to);

@@ -1,4 +1,5 @@
-// Sliding a point in a convex cell as far as possible in a direction: the two-variable program of a bump, without a solver.
+// Sliding a point in a convex cell as far as possible in a direction: the two-variable program of a bump, without a
+// solver.
 #pragma once
 
 #include <span>
@@ -18,8 +19,8 @@ struct Slide {
   std::vector<std::size_t> blocking;  // the one or two sides that hold it there
 };
 
-// From the origin straight towards (ux, uy), then along the sides met, until no way along them leads farther.  In a convex
-// cell that is the optimum.  REQUIRES: (ux, uy) a unit vector, the cell bounded that way.
+// From the origin straight towards (ux, uy), then along the sides met, until no way along them leads farther.  In a
+// convex cell that is the optimum.  REQUIRES: (ux, uy) a unit vector, the cell bounded that way.
 [[nodiscard]] Slide slide(std::span<const CellSide> cell, double ux, double uy);
 
 }  // namespace selvage

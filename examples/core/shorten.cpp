@@ -26,8 +26,8 @@ int main() {
   const auto result = compact(*checked, compaction_settings(Accuracy::kStandard), sums);
   if (!result) return std::puts(result.error().message.c_str()), 1;
   const auto in_mm = [&](Coord c) { return to_decimal(c, marker.resolution); };
-  std::printf("%g mm -> %g mm in %d rounds, %s\n", in_mm(result->length_before), in_mm(result->length_after), result->rounds,
-              is_valid(result->marker) ? "valid" : "not valid");
+  std::printf("%g mm -> %g mm in %d rounds, %s\n", in_mm(result->length_before), in_mm(result->length_after),
+              result->rounds, is_valid(result->marker) ? "valid" : "not valid");
   for (const Piece& piece : result->marker.pieces) {
     std::printf("  %s at (%g, %g)\n", piece.id.c_str(), in_mm(piece.at.x), in_mm(piece.at.y));
   }

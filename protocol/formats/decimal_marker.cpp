@@ -59,8 +59,7 @@ Result<ShapeIndex> index_shapes(const DecimalMarker& written) {
   }
   for (std::size_t i = 0; i < written.pieces.size(); ++i) {
     if (index.contains(written.pieces[i].shape)) continue;
-    return Error{ErrorCode::kUnknownShape,
-                 shortened(Json(written.pieces[i].shape)) + " is the id of no shape",
+    return Error{ErrorCode::kUnknownShape, shortened(Json(written.pieces[i].shape)) + " is the id of no shape",
                  indexed("/pieces/", i, "/shape")};
   }
   return index;
@@ -83,8 +82,7 @@ Survey survey(const DecimalMarker& written, const ShapeIndex& shapes) {
     const std::string at = indexed("/pieces/", i, "/at");
     all.add(piece.at.x, at);
     all.add(piece.at.y, at);
-    all.reach(
-        placed_extent(written.shapes[shapes.at(piece.shape)].outline, piece.piece.orientation, piece.at), at);
+    all.reach(placed_extent(written.shapes[shapes.at(piece.shape)].outline, piece.piece.orientation, piece.at), at);
   }
   return all;
 }
@@ -118,12 +116,10 @@ std::string count_of(std::size_t number, const std::string& one, const std::stri
 
 void note_repairs(std::vector<Note>& notes, const std::string& at, const Repairs& repairs) {
   if (repairs.duplicate_vertices) {
-    notes.push_back(
-        {at, count_of(repairs.duplicate_vertices, "repeated vertex", "repeated vertices") + " left out"});
+    notes.push_back({at, count_of(repairs.duplicate_vertices, "repeated vertex", "repeated vertices") + " left out"});
   }
   if (repairs.collinear_vertices) {
-    notes.push_back(
-        {at, count_of(repairs.collinear_vertices, "vertex", "vertices") + " on a straight edge left out"});
+    notes.push_back({at, count_of(repairs.collinear_vertices, "vertex", "vertices") + " on a straight edge left out"});
   }
   if (repairs.reversed) notes.push_back({at, "clockwise; turned round"});
 }
@@ -138,8 +134,8 @@ Result<Shape> shape_on_lattice(const DecimalShape& written, std::size_t index, R
   if (!clean) return within(at, clean.error());
   note_repairs(notes, at, clean->repairs);
   if (written.holes) {
-    notes.push_back({indexed("/shapes/", index, "/holes"),
-                     count_of(written.holes, "hole is", "holes are") + " treated as filled"});
+    notes.push_back(
+        {indexed("/shapes/", index, "/holes"), count_of(written.holes, "hole is", "holes are") + " treated as filled"});
   }
   Shape shape = written.shape;
   shape.outline = std::move(clean->polygon);
@@ -148,8 +144,8 @@ Result<Shape> shape_on_lattice(const DecimalShape& written, std::size_t index, R
 
 void note_rounding(std::vector<Note>& notes, const Survey& all, const Marker& marker) {
   if (all.decimals <= -marker.resolution.exponent) return;
-  notes.push_back({"", "coordinates are rounded to multiples of " +
-                           number_text(to_decimal(1, marker.resolution)) + " " + marker.unit});
+  notes.push_back({"", "coordinates are rounded to multiples of " + number_text(to_decimal(1, marker.resolution)) +
+                           " " + marker.unit});
 }
 
 }  // namespace
@@ -209,8 +205,7 @@ std::vector<Decimal> read_points(const Json& array, const std::string& at, Mista
   }
   points.reserve(array.size());
   for (const Json& element : array) {
-    const bool fine =
-        element.is_array() && element.size() == 2 && element[0].is_number() && element[1].is_number();
+    const bool fine = element.is_array() && element.size() == 2 && element[0].is_number() && element[1].is_number();
     points.push_back(read_point(element, fine ? std::string{} : indexed(at + "/", points.size()), mistake));
   }
   return points;

@@ -47,8 +47,7 @@ inline constexpr Range kStripWidths{1e-6, 1e9};
 inline constexpr double kFarthest = 1e5;
 
 // Errors: kBeyondLattice, kDuplicateId, kUnknownShape, those of clean_polygon and make_marker.
-[[nodiscard]] Result<MarkerFile> on_lattice(const DecimalMarker& written, Attributes attributes,
-                                            Format format);
+[[nodiscard]] Result<MarkerFile> on_lattice(const DecimalMarker& written, Attributes attributes, Format format);
 
 // The elements of an array of [x, y].  A mistake for anything else.
 [[nodiscard]] std::vector<Decimal> read_points(const Json& array, const std::string& at, Mistake& mistake);
@@ -64,7 +63,6 @@ inline constexpr double kFarthest = 1e5;
 [[nodiscard]] Json outline_json(const Polygon& outline, Resolution resolution);
 
 // The angle out of `allowed` that equals `degrees` up to whole turns and `slack`; none when there is none.
-[[nodiscard]] std::optional<Angle> matching_rotation(double degrees, const std::vector<Angle>& allowed,
-                                                     double slack);
+[[nodiscard]] std::optional<Angle> matching_rotation(double degrees, const std::vector<Angle>& allowed, double slack);
 
 }  // namespace selvage

@@ -25,22 +25,17 @@ Result<MarkerFile> read_document(const Json& document) {
   }
   if (document.contains("items")) return read_sparrow(document);
   if (document.contains("format") || document.contains("shapes")) return read_native(document);
-  return Error{
-      ErrorCode::kUnknownFormat,
-      R"(neither a Selvage marker ("format": "selvage-marker") nor a jagua-rs / sparrow solution ("items"))",
-      ""};
+  return Error{ErrorCode::kUnknownFormat,
+               R"(neither a Selvage marker ("format": "selvage-marker") nor a jagua-rs / sparrow solution ("items"))",
+               ""};
 }
 
 Result<Json> marker_document(const MarkerFile& file, Format format) {
   switch (format) {
-    case Format::kNative:
-      return native_document(file);
-    case Format::kSparrow:
-      return sparrow_document(file);
-    case Format::kOutlines:
-      return outlines_document(file.marker);
-    case Format::kSvg:
-      break;
+    case Format::kNative: return native_document(file);
+    case Format::kSparrow: return sparrow_document(file);
+    case Format::kOutlines: return outlines_document(file.marker);
+    case Format::kSvg: break;
   }
   return Json(to_svg(file.marker, svg_options(file)));
 }
@@ -60,8 +55,7 @@ Result<MarkerFile> with_spacing(MarkerFile file, double spacing) {
   if (mistake) return mistake.error();
   file.marker.spacing = spacing_on_lattice(checked, resolution);
   if (to_decimal(file.marker.spacing, resolution) != checked) {
-    file.notes.push_back(
-        {"/spacing", "rounded up to " + number_text(to_decimal(file.marker.spacing, resolution))});
+    file.notes.push_back({"/spacing", "rounded up to " + number_text(to_decimal(file.marker.spacing, resolution))});
   }
   auto made = make_marker(std::move(file.marker));
   if (!made) return made.error();

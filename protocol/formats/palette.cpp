@@ -76,8 +76,7 @@ Weights neighbourhood(const Marker& marker, const std::vector<Polygon>& placed, 
   for (const Polygon& outline : placed) boxes.push_back(box_of(outline).grown(reach));
   std::vector<std::size_t> order(boxes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](auto a, auto b) { return boxes[a].low.x < boxes[b].low.x; });
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return boxes[a].low.x < boxes[b].low.x; });
   for (std::size_t k = 0; k < order.size(); ++k) {
     for (std::size_t m = k + 1; m < order.size() && boxes[order[m]].low.x <= boxes[order[k]].high.x; ++m) {
       if (!boxes[order[k]].touches(boxes[order[m]])) continue;

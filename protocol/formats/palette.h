@@ -10,7 +10,6 @@
 namespace selvage {
 
 // One per shape, as "#rrggbb".
-[[nodiscard]] std::vector<std::string> shape_colours(const Marker& marker,
-                                                     const std::vector<Polygon>& placed);
+[[nodiscard]] std::vector<std::string> shape_colours(const Marker& marker, const std::vector<Polygon>& placed);
 
 }  // namespace selvage

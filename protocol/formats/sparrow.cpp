@@ -15,7 +15,7 @@ namespace {
 
 constexpr Range kPermissions{-360, 360};  // degrees
 constexpr Range kTurns{-1e6, 1e6};        // degrees or radians, any number of turns
-constexpr double kAngleSlack = 1e-3;  // degrees; what single precision makes of a quarter turn is far closer
+constexpr double kAngleSlack = 1e-3;      // degrees; what single precision makes of a quarter turn is far closer
 
 // A pointer into the native form as one into this form.  `filled`: the shapes written as {outer, inner}.
 std::string renamed(std::string pointer, const std::vector<bool>& filled) {
@@ -84,8 +84,7 @@ void read_item(const Json& value, const std::string& at, Reading& reading) {
   shape.shape.id = fields.id("id");
   if (fields.has("orientation")) {
     // Taking such an item for one that may turn freely would be wrong and silent.
-    reading.mistake.add(ErrorCode::kUnknownField,
-                        "permissions of jagua-rs 0.9 are not read; allowed_orientations is",
+    reading.mistake.add(ErrorCode::kUnknownField, "permissions of jagua-rs 0.9 are not read; allowed_orientations is",
                         fields.pointer("orientation"));
   }
   shape.shape.rotations = read_orientations(fields, reading.mistake);
@@ -103,8 +102,7 @@ void read_placed(const Json& value, const std::string& at, Reading& reading) {
   piece.piece.locked = fields.flag_or("locked", false);
   Fields transformation{fields.object("transformation"), fields.pointer("transformation"), reading.mistake};
   piece.piece.orientation.rotation = Angle::of_degrees(transformation.number("rotation", kTurns));
-  piece.at =
-      read_point(transformation.array("translation"), transformation.pointer("translation"), reading.mistake);
+  piece.at = read_point(transformation.array("translation"), transformation.pointer("translation"), reading.mistake);
   reading.attributes.pieces.push_back(fields.rest());
   reading.marker.pieces.push_back(std::move(piece));
 }
@@ -118,8 +116,7 @@ void read_solution(Fields& fields, Reading& reading) {
   Fields solution{fields.object("solution"), fields.pointer("solution"), reading.mistake};
   Fields layout{solution.object("layout"), solution.pointer("layout"), reading.mistake};
   for (const Json& placed : layout.array("placed_items")) {
-    read_placed(placed, layout.pointer("placed_items") + "/" + std::to_string(reading.marker.pieces.size()),
-                reading);
+    read_placed(placed, layout.pointer("placed_items") + "/" + std::to_string(reading.marker.pieces.size()), reading);
   }
 }
 
@@ -160,8 +157,8 @@ void settle_rotations(Reading& reading) {
     const auto found = by_id.find(piece.shape);
     shapes.push_back(found == by_id.end() ? nullptr : found->second);
   }
-  const bool radians = !all_allowed(marker, shapes, [](double angle) { return angle; }) &&
-                       all_allowed(marker, shapes, in_degrees);
+  const bool radians =
+      !all_allowed(marker, shapes, [](double angle) { return angle; }) && all_allowed(marker, shapes, in_degrees);
   if (radians) {
     reading.notes.push_back({"/solution/layout/placed_items", "rotations are read as radians"});
     for (DecimalPiece& piece : marker.pieces) {
@@ -213,8 +210,8 @@ bool is_item_id(const std::string& id) {
 
 // The number of each shape as an item: its id when all ids are numbers, else its position.
 std::vector<std::uint64_t> item_ids(const Marker& marker) {
-  const bool numbered = std::all_of(marker.shapes.begin(), marker.shapes.end(),
-                                    [](const Shape& s) { return is_item_id(s.id); });
+  const bool numbered =
+      std::all_of(marker.shapes.begin(), marker.shapes.end(), [](const Shape& s) { return is_item_id(s.id); });
   std::vector<std::uint64_t> ids;
   for (const Shape& shape : marker.shapes) ids.push_back(numbered ? std::stoull(shape.id) : ids.size());
   return ids;
@@ -226,8 +223,8 @@ void add_attributes(Json& object, const Json& attributes) {
   }
 }
 
-Json item_json(const Marker& marker, const Shape& shape, std::uint64_t id, std::size_t copies,
-               const Json& attributes, bool tilting) {
+Json item_json(const Marker& marker, const Shape& shape, std::uint64_t id, std::size_t copies, const Json& attributes,
+               bool tilting) {
   Json item{{"id", id}};
   if (std::to_string(id) != shape.id && !attributes.contains("name")) item["name"] = shape.id;
   add_attributes(item, attributes);
@@ -248,8 +245,7 @@ Json placed_json(const Marker& marker, std::size_t position, std::uint64_t item,
   if (piece.locked) placed["locked"] = true;
   add_attributes(placed, attributes);
   const double degrees = piece.orientation.rotation.degrees + piece.orientation.tilt.degrees;
-  placed["transformation"] = {{"rotation", degrees},
-                              {"translation", point_json(piece.at, marker.resolution)}};
+  placed["transformation"] = {{"rotation", degrees}, {"translation", point_json(piece.at, marker.resolution)}};
   return placed;
 }
 
@@ -283,8 +279,7 @@ Result<Json> sparrow_document(const MarkerFile& file) {
                                    [](const Shape& shape) { return shape.tilt_limit.degrees > 0; });
   Json items = Json::array();
   for (std::size_t i = 0; i < marker.shapes.size(); ++i) {
-    items.push_back(
-        item_json(marker, marker.shapes[i], ids[i], copies[i], file.attributes.shapes[i], tilting));
+    items.push_back(item_json(marker, marker.shapes[i], ids[i], copies[i], file.attributes.shapes[i], tilting));
   }
   Json document{{"name", marker.name}};
   add_attributes(document, file.attributes.whole);

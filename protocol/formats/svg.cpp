@@ -12,7 +12,7 @@
 namespace selvage {
 namespace {
 
-constexpr double kLeft = 46, kRight = 70, kTop = 52, kBottom = 40;  // margins round the strip, in pixels
+constexpr double kLeft = 46, kRight = 70, kTop = 52, kBottom = 40;                // margins round the strip, in pixels
 constexpr double kLargestLabel = 13, kReadableLabel = 7.5, kSmallestLabel = 4.5;  // font sizes
 
 std::string fixed(double value, int decimals) {
@@ -33,28 +33,19 @@ std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
     switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+      case '&': out += "&amp;"; break;
+      case '<': out += "&lt;"; break;
+      case '>': out += "&gt;"; break;
+      case '"': out += "&quot;"; break;
+      default: out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
     }
   }
   return out;
 }
 
 std::size_t characters(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(
-      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
 }
 
 // From lattice units to pixels.
@@ -80,19 +71,19 @@ class View {
 };
 
 std::string line(double x1, double y1, double x2, double y2, std::string_view style) {
-  return "<line x1=\"" + pixels(x1) + "\" y1=\"" + pixels(y1) + "\" x2=\"" + pixels(x2) + "\" y2=\"" +
-         pixels(y2) + "\" class=\"" + std::string{style} + "\"/>\n";
+  return "<line x1=\"" + pixels(x1) + "\" y1=\"" + pixels(y1) + "\" x2=\"" + pixels(x2) + "\" y2=\"" + pixels(y2) +
+         "\" class=\"" + std::string{style} + "\"/>\n";
 }
 
 std::string text_at(double x, double y, std::string_view style, std::string_view text) {
-  return "<text x=\"" + pixels(x) + "\" y=\"" + pixels(y) + "\" class=\"" + std::string{style} + "\">" +
-         escaped(text) + "</text>\n";
+  return "<text x=\"" + pixels(x) + "\" y=\"" + pixels(y) + "\" class=\"" + std::string{style} + "\">" + escaped(text) +
+         "</text>\n";
 }
 
 std::string heading(const View& view) {
   const std::string size = pixels(view.width()) + " " + pixels(view.height());
-  std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + pixels(view.width()) +
-                    "\" height=\"" + pixels(view.height()) + "\" viewBox=\"0 0 " + size + "\">\n";
+  std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + pixels(view.width()) + "\" height=\"" +
+                    pixels(view.height()) + "\" viewBox=\"0 0 " + size + "\">\n";
   out += R"(<style>
 text { font-family: "Source Sans 3", "Helvetica Neue", Helvetica, Arial, sans-serif; fill: #3b3a38; }
 .page { fill: #ffffff; }
@@ -110,8 +101,7 @@ text { font-family: "Source Sans 3", "Helvetica Neue", Helvetica, Arial, sans-se
 .caption { font-size: 13px; fill: #56524b; }
 </style>
 )";
-  out += "<rect class=\"page\" width=\"" + pixels(view.width()) + "\" height=\"" + pixels(view.height()) +
-         "\"/>\n";
+  out += "<rect class=\"page\" width=\"" + pixels(view.width()) + "\" height=\"" + pixels(view.height()) + "\"/>\n";
   return out;
 }
 
@@ -152,23 +142,21 @@ std::string label(const Polygon& outline, const std::string& text, const std::st
   if (best.size < kReadableLabel && text != id) best = fit_label(outline, id, view);
   if (best.size < kSmallestLabel) return "";
   const std::string at_x = pixels(view.x(best.spot.x)), at_y = pixels(view.y(best.spot.y));
-  std::string out =
-      "<text class=\"id\" font-size=\"" + pixels(best.size) + "\" x=\"" + at_x + "\" y=\"" + at_y + "\"";
+  std::string out = "<text class=\"id\" font-size=\"" + pixels(best.size) + "\" x=\"" + at_x + "\" y=\"" + at_y + "\"";
   if (best.spot.upright) out += " transform=\"rotate(-90 " + at_x + " " + at_y + ")\"";
   return out + ">" + escaped(best.text) + "</text>\n";
 }
 
 std::string pieces(const Marker& marker, const SvgOptions& options, const View& view) {
   std::vector<Polygon> placed;
-  for (std::uint32_t i = 0; i < marker.pieces.size(); ++i)
-    placed.push_back(placed_outline(marker, PieceId{i}));
+  for (std::uint32_t i = 0; i < marker.pieces.size(); ++i) placed.push_back(placed_outline(marker, PieceId{i}));
   const auto colours = shape_colours(marker, placed);
   std::string out = "<g>\n", labels;
   for (std::size_t i = 0; i < placed.size(); ++i) {
     const Piece& piece = marker.pieces[i];
     out += std::string{"<path class=\"piece"} + (piece.locked ? " locked" : "") + "\" fill=\"" +
-           colours[piece.shape.value] + "\" d=\"" + outline_path(placed[i], view) + "\"><title>" +
-           escaped(piece.id) + "</title></path>\n";
+           colours[piece.shape.value] + "\" d=\"" + outline_path(placed[i], view) + "\"><title>" + escaped(piece.id) +
+           "</title></path>\n";
     labels += label(placed[i], i < options.labels.size() ? options.labels[i] : piece.id, piece.id, view);
   }
   return out + labels + "</g>\n";
@@ -234,14 +222,12 @@ std::string caption(const Marker& marker, const SvgOptions& options) {
   const auto decimal = [&](Coord coord) { return to_decimal(coord, marker.resolution); };
   const auto shown = [](double value) { return pixels(value); };
   const Coord length = length_of(marker);
-  std::string text =
-      std::to_string(marker.pieces.size()) + (marker.pieces.size() == 1 ? " piece" : " pieces");
+  std::string text = std::to_string(marker.pieces.size()) + (marker.pieces.size() == 1 ? " piece" : " pieces");
   text += "  \u00b7  length ";
   if (options.length_before && *options.length_before != length) {
-    const double change =
-        100 * (static_cast<double>(length) / static_cast<double>(*options.length_before) - 1);
-    text += shown(decimal(*options.length_before)) + " \u2192 " + shown(decimal(length)) + " " + marker.unit +
-            " (" + (change < 0 ? "\u2212" : "+") + fixed(std::abs(change), 3) + " %)";
+    const double change = 100 * (static_cast<double>(length) / static_cast<double>(*options.length_before) - 1);
+    text += shown(decimal(*options.length_before)) + " \u2192 " + shown(decimal(length)) + " " + marker.unit + " (" +
+            (change < 0 ? "\u2212" : "+") + fixed(std::abs(change), 3) + " %)";
   } else {
     text += shown(decimal(length)) + " " + marker.unit;
   }

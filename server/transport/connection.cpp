@@ -11,9 +11,7 @@ using boost::asio::ip::tcp;
 using Clock = std::chrono::steady_clock;
 
 Connection::Connection(tcp::socket connected)
-    : socket{std::move(connected)},
-      read_watchdog{socket.get_executor()},
-      write_watchdog{socket.get_executor()} {
+    : socket{std::move(connected)}, read_watchdog{socket.get_executor()}, write_watchdog{socket.get_executor()} {
   boost::system::error_code ignored;
   socket.set_option(tcp::no_delay{true}, ignored);
 }

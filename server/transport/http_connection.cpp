@@ -62,8 +62,7 @@ std::optional<Answer> refusal_of(const Header& request) {
     }
   }
   if (request.count(http::field::transfer_encoding) != 0) {
-    return refuse(http::status::length_required,
-                  "Send the body with a Content-Length, not a Transfer-Encoding.");
+    return refuse(http::status::length_required, "Send the body with a Content-Length, not a Transfer-Encoding.");
   }
   const bool rpc = view(request.target()) == "/rpc";
   if (!rpc && view(request.target()) != "/healthz") {
@@ -146,8 +145,7 @@ class HttpConnection {
 
     if (boost::beast::iequals(parser.get()[http::field::expect], "100-continue")) co_await write_continue();
     connection_.arm(connection_.read_watchdog, limits_.request);
-    co_await http::async_read(connection_.socket, buffer_, parser,
-                              asio::redirect_error(asio::use_awaitable, error));
+    co_await http::async_read(connection_.socket, buffer_, parser, asio::redirect_error(asio::use_awaitable, error));
     Connection::disarm(connection_.read_watchdog);
     failed_ = failed_ || error;
     co_return std::nullopt;

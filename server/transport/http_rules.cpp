@@ -14,8 +14,7 @@ char lower(char c) {
 // Removes `prefix`, whatever its case, from the front; false when it is not there.
 bool take(std::string_view& text, std::string_view prefix) {
   const auto same = [](char a, char b) { return lower(a) == lower(b); };
-  if (text.size() < prefix.size() || !std::equal(prefix.begin(), prefix.end(), text.begin(), same))
-    return false;
+  if (text.size() < prefix.size() || !std::equal(prefix.begin(), prefix.end(), text.begin(), same)) return false;
   text.remove_prefix(prefix.size());
   return true;
 }

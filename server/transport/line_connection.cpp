@@ -22,8 +22,7 @@ using Error = boost::system::error_code;
 
 class LineConnection : public std::enable_shared_from_this<LineConnection> {
  public:
-  LineConnection(std::shared_ptr<Connection> connection, const Service& service,
-                 const TransportLimits& limits)
+  LineConnection(std::shared_ptr<Connection> connection, const Service& service, const TransportLimits& limits)
       : connection_{std::move(connection)},
         service_{service},
         limits_{limits},
@@ -118,8 +117,7 @@ class LineConnection : public std::enable_shared_from_this<LineConnection> {
   }
 
   [[nodiscard]] bool crowded() const {
-    return unanswered_ >= limits_.calls_per_connection ||
-           writing_.size() + outbox_.size() >= limits_.backlog_bytes;
+    return unanswered_ >= limits_.calls_per_connection || writing_.size() + outbox_.size() >= limits_.backlog_bytes;
   }
   [[nodiscard]] bool settled() const { return unanswered_ == 0 && writing_.empty() && outbox_.empty(); }
 

@@ -25,12 +25,10 @@ struct Service {
 struct TransportLimits {
   std::size_t body_bytes{std::size_t{32} << 20};  // of an HTTP body, and of one line
   std::size_t header_bytes{std::size_t{8} << 10};
-  std::size_t connections{512};  // open at once; more are closed at the door
-  std::size_t calls_per_connection{
-      64};  // unanswered on one line connection; it is not read while it has more
+  std::size_t connections{512};          // open at once; more are closed at the door
+  std::size_t calls_per_connection{64};  // unanswered on one line connection; it is not read while it has more
   std::size_t backlog_bytes{std::size_t{16} << 20};  // unsent on one line connection; likewise
-  std::chrono::milliseconds idle{
-      300'000};  // between two HTTP requests, and before the first byte of a connection
+  std::chrono::milliseconds idle{300'000};    // between two HTTP requests, and before the first byte of a connection
   std::chrono::milliseconds request{30'000};  // from the first byte of a header, a body or a line to its last
   std::chrono::milliseconds write{30'000};    // for the other side to take what is sent to it
 };

@@ -28,8 +28,7 @@ tcp::endpoint endpoint_of(const std::string& host, std::uint16_t port) {
 }
 
 // Reads until a byte that is not blank: that byte and what came with it, or nothing when there is none.
-asio::awaitable<std::string> first_bytes(std::shared_ptr<Connection> connection,
-                                         std::chrono::milliseconds patience) {
+asio::awaitable<std::string> first_bytes(std::shared_ptr<Connection> connection, std::chrono::milliseconds patience) {
   connection->arm(connection->read_watchdog, patience);
   std::array<char, 4096> chunk{};
   Error error;
@@ -70,13 +69,8 @@ void log_exception(std::string_view where, const std::exception_ptr& thrown) {
 
 struct Transport::Inside {
   Inside(const std::string& host, std::uint16_t wanted, const TransportLimits& with, Service answering)
-      : limits{with},
-        service{std::move(answering)},
-        acceptor{io, endpoint_of(host, wanted)},
-        pause{io},
-        patience{io} {
-    asio::co_spawn(io, accept(),
-                   [](const std::exception_ptr& thrown) { log_exception("accepting", thrown); });
+      : limits{with}, service{std::move(answering)}, acceptor{io, endpoint_of(host, wanted)}, pause{io}, patience{io} {
+    asio::co_spawn(io, accept(), [](const std::exception_ptr& thrown) { log_exception("accepting", thrown); });
     thread = std::jthread{[this] { run(); }};
   }
 
@@ -113,13 +107,12 @@ struct Transport::Inside {
   void open(tcp::socket socket) {
     const auto connection = std::make_shared<Connection>(std::move(socket));
     connections.insert(connection);
-    asio::co_spawn(io, serve(connection, service, limits),
-                   [this, connection](const std::exception_ptr& thrown) {
-                     log_exception("a connection", thrown);
-                     connection->cut();
-                     connections.erase(connection);
-                     end_when_empty();
-                   });
+    asio::co_spawn(io, serve(connection, service, limits), [this, connection](const std::exception_ptr& thrown) {
+      log_exception("a connection", thrown);
+      connection->cut();
+      connections.erase(connection);
+      end_when_empty();
+    });
   }
 
   void stop_reading() {
@@ -158,8 +151,7 @@ struct Transport::Inside {
   std::jthread thread;
 };
 
-Transport::Transport(const std::string& host, std::uint16_t port, const TransportLimits& limits,
-                     Service service)
+Transport::Transport(const std::string& host, std::uint16_t port, const TransportLimits& limits, Service service)
     : inside_{std::make_unique<Inside>(host, port, limits, std::move(service))} {}
 
 Transport::~Transport() {

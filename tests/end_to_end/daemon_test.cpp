@@ -60,8 +60,7 @@ TEST(Daemon, AFullQueueIsBusyAndRecovers) {
   Wire lines{daemon.port()};
   lines.send(call(1, "motion.compact", id_params(id)) + "\n");
   gate.await_arrivals(1);
-  lines.send(call(2, "motion.compact", id_params(id)) + "\n" + call(3, "motion.compact", id_params(id)) +
-             "\n");
+  lines.send(call(2, "motion.compact", id_params(id)) + "\n" + call(3, "motion.compact", id_params(id)) + "\n");
   const Json refused = Json::parse(lines.line().value_or("{}"));
   EXPECT_EQ(refused["id"], 3);
   EXPECT_EQ(refused["error"]["code"], -32010);
@@ -107,11 +106,7 @@ TEST(Daemon, AnswersEveryCallOfManyClientsExactlyOnce) {
       Wire lines{daemon.port()};
       std::string all;
       for (int i = 0; i < kCalls; ++i) {
-        all += call(i,
-                    i % 3 == 0   ? "motion.compact"
-                    : i % 3 == 1 ? "marker.get"
-                                 : "nothing.here",
-                    id_params(id));
+        all += call(i, i % 3 == 0 ? "motion.compact" : i % 3 == 1 ? "marker.get" : "nothing.here", id_params(id));
         all += '\n';
       }
       lines.send(all);

@@ -79,14 +79,13 @@ TEST(Motions, OnAGarmentMarkerThroughTheDaemon) {
   EXPECT_GT(fallen["gain"], 0);
   EXPECT_LE(fallen["lengthAfter"], compacted["lengthAfter"]);
   EXPECT_EQ(fallen["revision"], 3);
-  const Json pushed = result_of(post_call(
-      wire, "motion.push", id_params(id, R"(,"forces":[{"piece":"17","force":[0,1]}],"rounds":2)")));
+  const Json pushed = result_of(
+      post_call(wire, "motion.push", id_params(id, R"(,"forces":[{"piece":"17","force":[0,1]}],"rounds":2)")));
   EXPECT_EQ(pushed["valid"], true);
   EXPECT_LE(pushed["rounds"], 2);
   for (const char* piece : {"0", "17", "119"}) {
-    const Json bumped = result_of(
-        post_call(wire, "motion.bump",
-                  id_params(id, R"(,"direction":[-1,-0.5],"piece":")" + std::string{piece} + "\"")));
+    const Json bumped = result_of(post_call(
+        wire, "motion.bump", id_params(id, R"(,"direction":[-1,-0.5],"piece":")" + std::string{piece} + "\"")));
     EXPECT_EQ(bumped["valid"], true);
     EXPECT_LE(bumped["lengthAfter"], bumped["lengthBefore"]);
   }

@@ -85,8 +85,7 @@ class Selvaged : public ::testing::Test {
   }
   std::string port_file() const { return (folder_ / "port").string(); }
   std::uint16_t port_of(Process& process) const {
-    EXPECT_NE(process.output_until("listening on 127.0.0.1:").find("listening on 127.0.0.1:"),
-              std::string::npos);
+    EXPECT_NE(process.output_until("listening on 127.0.0.1:").find("listening on 127.0.0.1:"), std::string::npos);
     return static_cast<std::uint16_t>(std::stoi(file_text(port_file())));
   }
 
@@ -103,8 +102,7 @@ TEST_F(Selvaged, SaysWhereItListensAndEndsInOrderOnBothSignals) {
     EXPECT_EQ(wire.rest(), "");
     EXPECT_EQ(selvaged.exit_code(), 0);
     const std::string output = selvaged.all_output();
-    EXPECT_NE(output.find("listening on 127.0.0.1:" + std::to_string(port) + "\n"), std::string::npos)
-        << output;
+    EXPECT_NE(output.find("listening on 127.0.0.1:" + std::to_string(port) + "\n"), std::string::npos) << output;
     EXPECT_NE(output.find("engine.info - "), std::string::npos) << output;
     EXPECT_NE(output.find("drained"), std::string::npos) << output;
   }
@@ -157,8 +155,7 @@ TEST_F(Selvaged, ServesTheCurlExample) {
   ::setenv("SELVAGED", ("127.0.0.1:" + std::to_string(port_of(selvaged))).c_str(), 1);
   const std::string source = SELVAGE_SOURCE_DIR;
   const std::string outlines = (folder_ / "outlines.json").string();
-  Process script{
-      {source + "/examples/curl/compact.sh", source + "/examples/markers/jeans_02g.json", outlines}};
+  Process script{{source + "/examples/curl/compact.sh", source + "/examples/markers/jeans_02g.json", outlines}};
   const std::string output = script.all_output();
   EXPECT_EQ(script.exit_code(), 0) << output;
   EXPECT_NE(output.find("length 2460.35 -> "), std::string::npos) << output;

@@ -48,8 +48,7 @@ using enum ErrorCode;
 INSTANTIATE_TEST_SUITE_P(
     All, BadNative,
     testing::Values(
-        BadInput{"NotAnObject", "", "[1]", kWrongType, ""},
-        BadInput{"NoFormat", "", R"({"a": 1})", kUnknownFormat, ""},
+        BadInput{"NotAnObject", "", "[1]", kWrongType, ""}, BadInput{"NoFormat", "", R"({"a": 1})", kUnknownFormat, ""},
         BadInput{"OtherFormat", "/format", R"("dxf")", kOutOfRange, "/format"},
         BadInput{"FormatMissing", "/format", nullptr, kMissingField, "/format"},
         BadInput{"OtherVersion", "/version", "2", kOutOfRange, "/version"},
@@ -77,23 +76,20 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"BeyondItsOwnResolution", "/resolution", "1e-11", kBeyondLattice, "/strip/width"},
         BadInput{"TwoVertices", "/shapes/0/outline", "[[0,0],[1,0]]", kTooFewVertices, "/shapes/0/outline"},
         BadInput{"NoVertex", "/shapes/0/outline", "[]", kTooFewVertices, "/shapes/0/outline"},
-        BadInput{"OneVertexThrice", "/shapes/0/outline", "[[1,1],[1,1],[1,1]]", kTooFewVertices,
-                 "/shapes/0/outline"},
+        BadInput{"OneVertexThrice", "/shapes/0/outline", "[[1,1],[1,1],[1,1]]", kTooFewVertices, "/shapes/0/outline"},
         BadInput{"NoArea", "/shapes/0/outline", "[[0,0],[1,0],[2,0]]", kZeroArea, "/shapes/0/outline"},
-        BadInput{"BowTie", "/shapes/0/outline", "[[0,0],[9,9],[9,0],[0,9]]", kSelfIntersecting,
-                 "/shapes/0/outline"},
+        BadInput{"BowTie", "/shapes/0/outline", "[[0,0],[9,9],[9,0],[0,9]]", kSelfIntersecting, "/shapes/0/outline"},
         BadInput{"HoleOfText", "/shapes/0/holes", R"([["a"]])", kWrongType, "/shapes/0/holes/0/0"},
         BadInput{"RotationsAWord", "/shapes/0/rotations", R"("some")", kWrongType, "/shapes/0/rotations"},
         BadInput{"RotationsEmpty", "/shapes/0/rotations", "[]", kWrongType, "/shapes/0/rotations"},
         BadInput{"TiltLimitTooLarge", "/shapes/0/tilt_limit", "90", kOutOfRange, "/shapes/0/tilt_limit"},
-        BadInput{"RotationNotAllowed", "/pieces/0/rotation", "90", kOrientationNotAllowed,
-                 "/pieces/0/rotation"},
+        BadInput{"RotationNotAllowed", "/pieces/0/rotation", "90", kOrientationNotAllowed, "/pieces/0/rotation"},
         BadInput{"LockedAString", "/pieces/0/locked", R"("yes")", kWrongType, "/pieces/0/locked"},
         BadInput{"AttributesANumber", "/pieces/0/attributes", "3", kWrongType, "/pieces/0/attributes"},
         BadInput{"ShapeUnknown", "/pieces/0/shape", R"("circle")", kUnknownShape, "/pieces/0/shape"},
         BadInput{"PieceTwice", "/pieces/1/id", R"("left")", kDuplicateId, "/pieces/1/id"},
-        BadInput{"ShapeTwice", "/shapes/1", R"({"id": "square", "outline": [[0,0],[1,0],[0,1]]})",
-                 kDuplicateId, "/shapes/1/id"},
+        BadInput{"ShapeTwice", "/shapes/1", R"({"id": "square", "outline": [[0,0],[1,0],[0,1]]})", kDuplicateId,
+                 "/shapes/1/id"},
         BadInput{"NoPiece", "/pieces", "[]", kEmptyMarker, "/pieces"},
         BadInput{"WiderThanTheStrip", "/strip/width", "39.5", kPieceTooWide, "/pieces/0"}),
     [](const auto& test) { return test.param.name; });
@@ -106,27 +102,26 @@ TEST_P(BadSparrow, IsRefused) {
 constexpr char kPlaced0[] = "/solution/layout/placed_items/0/transformation/translation";
 INSTANTIATE_TEST_SUITE_P(
     All, BadSparrow,
-    testing::Values(
-        BadInput{"NoSolution", "/solution", nullptr, kMissingField, "/solution"},
-        BadInput{"NothingPlaced", "/solution/layout/placed_items", "[]", kEmptyMarker, "/pieces"},
-        BadInput{"HeightMissing", "/strip_height", nullptr, kMissingField, "/strip_height"},
-        BadInput{"TooWide", "/strip_height", "20", kPieceTooWide, "/solution/layout/placed_items/0"},
-        BadInput{"Rectangle", "/items/0/shape", R"({"type": "rectangle", "data": {}})", kOutOfRange,
-                 "/items/0/shape/type"},
-        BadInput{"MultiPolygon", "/items/0/shape", R"({"type": "multi_polygon", "data": []})", kOutOfRange,
-                 "/items/0/shape/type"},
-        BadInput{"PermissionBeyondATurn", "/items/0/allowed_orientations/1", "400", kOutOfRange,
-                 "/items/0/allowed_orientations/1"},
-        BadInput{"LaterPermissions", "/items/0/orientation", "{}", kUnknownField, "/items/0/orientation"},
-        BadInput{"ItemUnknown", "/solution/layout/placed_items/1/item_id", "8", kUnknownShape,
-                 "/solution/layout/placed_items/1/item_id"},
-        BadInput{"RotationNotAllowed", "/solution/layout/placed_items/1/transformation/rotation", "45",
-                 kOrientationNotAllowed, "/solution/layout/placed_items/1/transformation/rotation"},
-        BadInput{"PlaceEnormous", kPlaced0, "[1e300, 0]", kBeyondLattice, kPlaced0},
-        BadInput{"NoArea", "/items/0/shape/data", "[[0,0],[1,0],[2,0]]", kZeroArea, "/items/0/shape/data"},
-        BadInput{"NoAreaWithHoles", "/items/0/shape",
-                 R"({"type": "polygon", "data": {"outer": [[0,0],[1,0],[2,0]]}})", kZeroArea,
-                 "/items/0/shape/data/outer"}),
+    testing::Values(BadInput{"NoSolution", "/solution", nullptr, kMissingField, "/solution"},
+                    BadInput{"NothingPlaced", "/solution/layout/placed_items", "[]", kEmptyMarker, "/pieces"},
+                    BadInput{"HeightMissing", "/strip_height", nullptr, kMissingField, "/strip_height"},
+                    BadInput{"TooWide", "/strip_height", "20", kPieceTooWide, "/solution/layout/placed_items/0"},
+                    BadInput{"Rectangle", "/items/0/shape", R"({"type": "rectangle", "data": {}})", kOutOfRange,
+                             "/items/0/shape/type"},
+                    BadInput{"MultiPolygon", "/items/0/shape", R"({"type": "multi_polygon", "data": []})", kOutOfRange,
+                             "/items/0/shape/type"},
+                    BadInput{"PermissionBeyondATurn", "/items/0/allowed_orientations/1", "400", kOutOfRange,
+                             "/items/0/allowed_orientations/1"},
+                    BadInput{"LaterPermissions", "/items/0/orientation", "{}", kUnknownField, "/items/0/orientation"},
+                    BadInput{"ItemUnknown", "/solution/layout/placed_items/1/item_id", "8", kUnknownShape,
+                             "/solution/layout/placed_items/1/item_id"},
+                    BadInput{"RotationNotAllowed", "/solution/layout/placed_items/1/transformation/rotation", "45",
+                             kOrientationNotAllowed, "/solution/layout/placed_items/1/transformation/rotation"},
+                    BadInput{"PlaceEnormous", kPlaced0, "[1e300, 0]", kBeyondLattice, kPlaced0},
+                    BadInput{"NoArea", "/items/0/shape/data", "[[0,0],[1,0],[2,0]]", kZeroArea, "/items/0/shape/data"},
+                    BadInput{"NoAreaWithHoles", "/items/0/shape",
+                             R"({"type": "polygon", "data": {"outer": [[0,0],[1,0],[2,0]]}})", kZeroArea,
+                             "/items/0/shape/data/outer"}),
     [](const auto& test) { return test.param.name; });
 
 TEST(BadInput, AHundredThousandVerticesAreRefusedWithTheLimit) {
@@ -138,8 +133,7 @@ TEST(BadInput, AHundredThousandVerticesAreRefusedWithTheLimit) {
   ASSERT_FALSE(file);
   EXPECT_EQ(file.error().code, kTooManyVertices);
   EXPECT_EQ(file.error().field, "/shapes/0/outline");
-  EXPECT_NE(file.error().message.find(std::to_string(kMaxVertices)), std::string::npos)
-      << file.error().message;
+  EXPECT_NE(file.error().message.find(std::to_string(kMaxVertices)), std::string::npos) << file.error().message;
 }
 
 TEST(BadInput, MorePiecesThanTheLimitAreRefused) {

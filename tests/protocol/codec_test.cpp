@@ -78,10 +78,9 @@ TEST(Codec, TellsTheFaultsOfAMarkerByIdAndInItsUnit) {
   const Marker marker = test::read(document).marker;
   const Validity validity{.overlaps = {{PieceId{0}, PieceId{1}, 12345.5, 2000, 1500.25}},
                           .protrusions = {{PieceId{1}, 7}}};
-  EXPECT_EQ(
-      to_text(validity_json(marker, validity)),
-      R"({"valid":false,"overlaps":[{"first":"left","second":"right","witness":[12.3455,2],"depth":1.50025}],)"
-      R"("protrusions":[{"piece":"right","by":0.007}]})");
+  EXPECT_EQ(to_text(validity_json(marker, validity)),
+            R"({"valid":false,"overlaps":[{"first":"left","second":"right","witness":[12.3455,2],"depth":1.50025}],)"
+            R"("protrusions":[{"piece":"right","by":0.007}]})");
 }
 
 TEST(Codec, TellsOnlyThePlacementsThatChanged) {
@@ -94,8 +93,8 @@ TEST(Codec, TellsOnlyThePlacementsThatChanged) {
 }
 
 TEST(Codec, DecodesForces) {
-  const auto push = decode_motion_push(json(
-      R"({"markerId":"m1","rounds":3,"forces":[{"piece":"a","force":[1,-2]},{"piece":7,"force":[0,0.5]}]})"));
+  const auto push = decode_motion_push(
+      json(R"({"markerId":"m1","rounds":3,"forces":[{"piece":"a","force":[1,-2]},{"piece":7,"force":[0,0.5]}]})"));
   ASSERT_TRUE(push);
   ASSERT_EQ(push->forces.size(), 2u);
   EXPECT_EQ(push->forces[0].first, "a");
@@ -109,8 +108,8 @@ TEST(Codec, DecodesForces) {
 }
 
 TEST(Codec, DecodesABump) {
-  const auto bump = decode_motion_bump(
-      json(R"({"markerId":"m1","baseRev":2,"commit":false,"piece":"a","direction":[-1,1e-9]})"));
+  const auto bump =
+      decode_motion_bump(json(R"({"markerId":"m1","baseRev":2,"commit":false,"piece":"a","direction":[-1,1e-9]})"));
   ASSERT_TRUE(bump);
   EXPECT_EQ(bump->piece, "a");
   EXPECT_EQ(bump->direction.x, -1);
@@ -150,16 +149,15 @@ TEST_P(BadDirections, AreNamedWhereverTheyStand) {
   expect(decode_motion_push(push).error(), "/forces/1/force");
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, BadDirections,
-    testing::Values(BadDirection{"[0, 0]", ErrorCode::kOutOfRange, "", "at least 1e-09"},
-                    BadDirection{"[-0.0, 5e-324]", ErrorCode::kOutOfRange, "", "is allowed"},
-                    BadDirection{"[1e300, 0]", ErrorCode::kOutOfRange, "/0",
-                                 "-1000000000 to 1000000000 is allowed"},
-                    BadDirection{"[0, null]", ErrorCode::kWrongType, "/1", "a number is required"},
-                    BadDirection{"[1]", ErrorCode::kWrongType, "", "[x, y] is required"},
-                    BadDirection{"[1, 2, 3]", ErrorCode::kWrongType, "", "[x, y] is required"},
-                    BadDirection{R"("left")", ErrorCode::kWrongType, "", "an array is required"}));
+INSTANTIATE_TEST_SUITE_P(All, BadDirections,
+                         testing::Values(BadDirection{"[0, 0]", ErrorCode::kOutOfRange, "", "at least 1e-09"},
+                                         BadDirection{"[-0.0, 5e-324]", ErrorCode::kOutOfRange, "", "is allowed"},
+                                         BadDirection{"[1e300, 0]", ErrorCode::kOutOfRange, "/0",
+                                                      "-1000000000 to 1000000000 is allowed"},
+                                         BadDirection{"[0, null]", ErrorCode::kWrongType, "/1", "a number is required"},
+                                         BadDirection{"[1]", ErrorCode::kWrongType, "", "[x, y] is required"},
+                                         BadDirection{"[1, 2, 3]", ErrorCode::kWrongType, "", "[x, y] is required"},
+                                         BadDirection{R"("left")", ErrorCode::kWrongType, "", "an array is required"}));
 
 TEST(Codec, RefusesForcesThatAreNone) {
   const auto error_of = [](const char* forces) {

@@ -21,8 +21,7 @@ std::string mistake_of(const std::string& text, Read read) {
 }
 
 TEST(Fields, ReadsWhatIsThere) {
-  const Json value =
-      json(R"({"n": 2.5, "t": "x", "i": 3, "b": true, "a": [1], "o": {}, "w": "two", "id": 12})");
+  const Json value = json(R"({"n": 2.5, "t": "x", "i": 3, "b": true, "a": [1], "o": {}, "w": "two", "id": 12})");
   Mistake mistake;
   Fields fields{value, "", mistake};
   constexpr std::string_view kWords[] = {"one", "two"};

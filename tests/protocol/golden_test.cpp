@@ -46,15 +46,14 @@ Method on_squares(const MarkerMethod& method) {
 }
 
 std::map<std::string, Method> methods() {
-  std::map<std::string, Method> all{{"engine.info",
-                                     {[](const Json& p) { return error_of(decode_no_params(p)); },
-                                      [](auto&&) { return encode(EngineInfo{}); }}},
-                                    {"marker.open",
-                                     {[](const Json& p) { return error_of(decode_marker_open(p)); },
-                                      [](auto&&) { return encode(MarkerOpened{}); }}},
-                                    {"marker.close",
-                                     {[](const Json& p) { return error_of(decode_marker_close(p)); },
-                                      [](auto&&) { return encode(MarkerClosed{}); }}}};
+  std::map<std::string, Method> all{
+      {"engine.info",
+       {[](const Json& p) { return error_of(decode_no_params(p)); }, [](auto&&) { return encode(EngineInfo{}); }}},
+      {"marker.open",
+       {[](const Json& p) { return error_of(decode_marker_open(p)); }, [](auto&&) { return encode(MarkerOpened{}); }}},
+      {"marker.close",
+       {[](const Json& p) { return error_of(decode_marker_close(p)); },
+        [](auto&&) { return encode(MarkerClosed{}); }}}};
   for (const MarkerMethod& method : marker_methods()) all.emplace(method.name, on_squares(method));
   return all;
 }
@@ -73,8 +72,7 @@ void expect_alike(const Json& expected, const Json& actual) {
 
 // Only the marker shows that a piece is not one of its own.
 bool names_a_stranger(const Json& response) {
-  return response["error"]["message"].get<std::string>().find("is no piece of this marker") !=
-         std::string::npos;
+  return response["error"]["message"].get<std::string>().find("is no piece of this marker") != std::string::npos;
 }
 
 void replay(const Json& exchange) {
@@ -98,8 +96,7 @@ void replay(const Json& exchange) {
   } else if (expected.contains("result")) {
     EXPECT_EQ(fields_of(expected["result"]), fields_of(method->second.result(request.params)));
   } else if (!names_a_stranger(expected)) {
-    EXPECT_NE(expected["error"]["code"], static_cast<int>(RpcCode::kInvalidParams))
-        << "decoded: " << to_text(expected);
+    EXPECT_NE(expected["error"]["code"], static_cast<int>(RpcCode::kInvalidParams)) << "decoded: " << to_text(expected);
   }
 }
 

@@ -47,8 +47,7 @@ TEST(JsonRpc, AnswersWhatIsNoRequestUnderItsId) {
   }
   EXPECT_TRUE(std::get<BadRequest>(parse_incoming("7", kRoomy).calls[0]).id.is_null());
   EXPECT_TRUE(
-      std::get<BadRequest>(parse_incoming(R"({"jsonrpc":"2.0","id":[1],"method":"m"})", kRoomy).calls[0])
-          .id.is_null());
+      std::get<BadRequest>(parse_incoming(R"({"jsonrpc":"2.0","id":[1],"method":"m"})", kRoomy).calls[0]).id.is_null());
 }
 
 TEST(JsonRpc, TakesABatchInOrderWithItsBadCalls) {

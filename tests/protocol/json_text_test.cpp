@@ -11,8 +11,7 @@ namespace selvage {
 namespace {
 
 std::string nested(int depth) {
-  return std::string(static_cast<std::size_t>(depth), '[') +
-         std::string(static_cast<std::size_t>(depth), ']');
+  return std::string(static_cast<std::size_t>(depth), '[') + std::string(static_cast<std::size_t>(depth), ']');
 }
 
 TEST(Parse, KeepsValuesAndTheOrderOfFields) {
@@ -29,8 +28,7 @@ TEST(Parse, SaysWhereTheTextIsNotJson) {
 }
 
 TEST(Parse, RefusesWhatIsNotJson) {
-  for (const char* text :
-       {"", " ", "{", "[1,]", "{\"a\"}", "Infinity", "[1] x", "'a'", "01", "\"\xff\"", "// c\n1"}) {
+  for (const char* text : {"", " ", "{", "[1,]", "{\"a\"}", "Infinity", "[1] x", "'a'", "01", "\"\xff\"", "// c\n1"}) {
     const auto value = parse(text);
     ASSERT_FALSE(value) << text;
     EXPECT_EQ(value.error().code, ErrorCode::kSyntax) << text;
@@ -104,8 +102,8 @@ TEST(ToText, EscapesStringsAndMendsBadUtf8) {
 }
 
 TEST(ToText, IndentedKeepsNumbersAndShortObjectsOnALine) {
-  const Json value = *parse(
-      R"({"name":"x","outline":[[0,0],[1,0],[1,1]],"pieces":[{"id":1,"at":[0,0]},{"id":2,"at":[5,0]}]})");
+  const Json value =
+      *parse(R"({"name":"x","outline":[[0,0],[1,0],[1,1]],"pieces":[{"id":1,"at":[0,0]},{"id":2,"at":[5,0]}]})");
   EXPECT_EQ(to_text(value, Layout::kIndented),
             "{\n"
             " \"name\": \"x\",\n"

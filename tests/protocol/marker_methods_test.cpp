@@ -68,8 +68,7 @@ TEST(Motions, AllTellTheSameFieldsBesideTheirOwn) {
 }
 
 TEST(Bump, TellsWhereWhatHoldsItAndHowFar) {
-  const auto bumped =
-      ran("motion.bump", test::native_squares(), json(R"({"piece":"right","direction":[-3,0]})"));
+  const auto bumped = ran("motion.bump", test::native_squares(), json(R"({"piece":"right","direction":[-3,0]})"));
   ASSERT_TRUE(bumped.answer);
   const Json& fields = bumped.answer->fields;
   EXPECT_EQ(fields["at"], json("[40,10]"));
@@ -84,8 +83,7 @@ TEST(Bump, TellsWhereWhatHoldsItAndHowFar) {
 }
 
 TEST(Bump, OfAPieceThatCannotMoveMakesNoNextMarker) {
-  const auto still =
-      ran("motion.bump", test::native_squares(), json(R"({"piece":"left","direction":[-1,0]})"));
+  const auto still = ran("motion.bump", test::native_squares(), json(R"({"piece":"left","direction":[-1,0]})"));
   ASSERT_TRUE(still.answer);
   EXPECT_EQ(still.answer->fields["moved"], false);
   EXPECT_EQ(still.answer->fields["gain"], 0);
@@ -113,18 +111,16 @@ TEST(Push, MovesWhatIsPushedAndHoldsTheLength) {
 }
 
 TEST(Push, AddsUpTheForcesOnOnePiece) {
-  const auto pushed =
-      ran("motion.push", test::native_squares(),
-          json(R"({"forces":[{"piece":"left","force":[1,0]},{"piece":"left","force":[-1,2]}]})"));
+  const auto pushed = ran("motion.push", test::native_squares(),
+                          json(R"({"forces":[{"piece":"left","force":[1,0]},{"piece":"left","force":[-1,2]}]})"));
   ASSERT_TRUE(pushed.answer);
   EXPECT_EQ(pushed.answer->fields["placements"][0]["at"], json("[0,60]"));
 }
 
 TEST(Gravity, IsAPushOnEveryPiece) {
   const auto fallen = ran("motion.gravity", test::native_squares(), json(R"({"force":[0,3]})"));
-  const auto pushed =
-      ran("motion.push", test::native_squares(),
-          json(R"({"forces":[{"piece":"left","force":[0,1]},{"piece":"right","force":[0,1]}]})"));
+  const auto pushed = ran("motion.push", test::native_squares(),
+                          json(R"({"forces":[{"piece":"left","force":[0,1]},{"piece":"right","force":[0,1]}]})"));
   ASSERT_TRUE(fallen.answer && pushed.answer);
   EXPECT_EQ(to_text(fallen.answer->fields), to_text(pushed.answer->fields));
   EXPECT_EQ(fallen.answer->fields["gain"], 110);
@@ -140,8 +136,7 @@ TEST(Motions, RefuseDeepOverlapsByName) {
     ASSERT_TRUE(refused.error) << name;
     EXPECT_EQ(refused.code, RpcCode::kMotionRefused);
     EXPECT_EQ(refused.error->code, ErrorCode::kMarkerOverlaps);
-    EXPECT_NE(refused.error->message.find("\"left\" and \"right\""), std::string::npos)
-        << refused.error->message;
+    EXPECT_NE(refused.error->message.find("\"left\" and \"right\""), std::string::npos) << refused.error->message;
   }
 }
 
@@ -150,9 +145,8 @@ TEST(Motions, NameThePieceThatIsNotThere) {
   ASSERT_TRUE(bumped.error);
   EXPECT_EQ(bumped.code, RpcCode::kInvalidParams);
   EXPECT_EQ(bumped.error->field, "/piece");
-  const auto pushed =
-      ran("motion.push", test::native_squares(),
-          json(R"({"forces":[{"piece":"left","force":[1,0]},{"piece":"up","force":[1,0]}]})"));
+  const auto pushed = ran("motion.push", test::native_squares(),
+                          json(R"({"forces":[{"piece":"left","force":[1,0]},{"piece":"up","force":[1,0]}]})"));
   ASSERT_TRUE(pushed.error);
   EXPECT_EQ(pushed.code, RpcCode::kInvalidParams);
   EXPECT_EQ(pushed.error->field, "/forces/1/piece");
@@ -182,8 +176,7 @@ TEST(Motions, WhatIsNotValidIsSaidAndNotKept) {
 TEST(Motions, TimesComeLastAndOnlyWhenTold) {
   Json fields{{"valid", true}};
   tell_times(fields, {}, {});
-  EXPECT_EQ(
-      to_text(result_json("m1", 3, fields)).find(R"({"markerId":"m1","revision":3,"valid":true,"ms":{)"), 0u);
+  EXPECT_EQ(to_text(result_json("m1", 3, fields)).find(R"({"markerId":"m1","revision":3,"valid":true,"ms":{)"), 0u);
   EXPECT_TRUE(fields.contains("cache"));
 }
 

@@ -41,8 +41,7 @@ TEST(Readme, ItsExamplesWork) {
   ASSERT_TRUE(answer);
   Json result = result_json("m1", 2, answer->fields);
   Json shown = found[2]["result"];
-  for (Json* each : {&result, &shown})
-    (*each)["placements"][0].erase("at");  // any place of the same length will do
+  for (Json* each : {&result, &shown}) (*each)["placements"][0].erase("at");  // any place of the same length will do
   EXPECT_EQ(to_text(result), to_text(shown));
 }
 
@@ -75,18 +74,11 @@ TEST(Readme, ExplainsEveryMotionAndItsParameters) {
 
 TEST(Readme, ListsEveryErrorCode) {
   using enum ErrorCode;
-  constexpr std::array kCodes{kSyntax,          kDepth,
-                              kMissingField,    kUnknownField,
-                              kWrongType,       kOutOfRange,
-                              kUnknownFormat,   kFile,
-                              kDuplicateField,  kTooFewVertices,
-                              kZeroArea,        kSelfIntersecting,
-                              kTooManyVertices, kBeyondLattice,
-                              kEmptyMarker,     kUnknownShape,
-                              kDuplicateId,     kPieceTooWide,
-                              kOutsideStrip,    kMarkerOverlaps,
-                              kTooManyPieces,   kOrientationNotAllowed,
-                              kHealingFailed};
+  constexpr std::array kCodes{
+      kSyntax,          kDepth,          kMissingField,   kUnknownField,          kWrongType,    kOutOfRange,
+      kUnknownFormat,   kFile,           kDuplicateField, kTooFewVertices,        kZeroArea,     kSelfIntersecting,
+      kTooManyVertices, kBeyondLattice,  kEmptyMarker,    kUnknownShape,          kDuplicateId,  kPieceTooWide,
+      kOutsideStrip,    kMarkerOverlaps, kTooManyPieces,  kOrientationNotAllowed, kHealingFailed};
   const std::string text = test::file_text("protocol/README.md");
   for (const ErrorCode code : kCodes) {
     const std::string row =
@@ -99,8 +91,8 @@ TEST(Readme, ListsEveryRpcCode) {
   using enum RpcCode;
   const std::string text = test::file_text("protocol/README.md");
   for (const RpcCode code :
-       {kParseError, kInvalidRequest, kMethodNotFound, kInvalidParams, kInternalError, kMotionRefused, kBusy,
-        kTooLarge, kUnknownMarker, kLimit, kDraining, kCancelled, kRevisionMismatch, kSuperseded}) {
+       {kParseError, kInvalidRequest, kMethodNotFound, kInvalidParams, kInternalError, kMotionRefused, kBusy, kTooLarge,
+        kUnknownMarker, kLimit, kDraining, kCancelled, kRevisionMismatch, kSuperseded}) {
     EXPECT_NE(text.find("| " + std::to_string(static_cast<int>(code)) + " |"), std::string::npos);
   }
 }

@@ -95,8 +95,7 @@ TEST(Dispatcher, TellsItsLimits) {
 
 TEST(Dispatcher, AnotherRevisionThanTheBaseIsRefusedAndChangesNothing) {
   Desk desk;
-  const std::string compact =
-      call(1, "motion.compact", R"({"markerId":")" + desk.open_small() + R"(","baseRev":1})");
+  const std::string compact = call(1, "motion.compact", R"({"markerId":")" + desk.open_small() + R"(","baseRev":1})");
   EXPECT_EQ(desk.ask_json(compact)["result"]["revision"], 2);
   const Json again = desk.ask_json(compact);
   EXPECT_EQ(code_of(again), -32801);
@@ -141,8 +140,7 @@ TEST(Dispatcher, TimesAreToldOnlyWhenAsked) {
 TEST(Dispatcher, BatchesGoInOrderAndAFailureStopsNothing) {
   Desk desk;
   const std::string batch = "[" + call(1, "marker.open", R"({"marker":)" + kSmallMarker + "}") + "," +
-                            call(2, "nothing.here") + "," +
-                            call(3, "motion.compact", R"({"markerId":"m1"})") + ",7," +
+                            call(2, "nothing.here") + "," + call(3, "motion.compact", R"({"markerId":"m1"})") + ",7," +
                             R"({"jsonrpc":"2.0","method":"motion.compact","params":{"markerId":"m1"}},)" +
                             call(4, "motion.compact", R"({"markerId":"m1"})") + "]";
   const Json answers = desk.ask_json(batch);
@@ -272,13 +270,11 @@ TEST(Dispatcher, AMistakeAboutAPieceIsAWrongParameter) {
   const Json bump = desk.ask_json(call(1, "motion.bump", start + R"(,"piece":"no","direction":[1,0]})"));
   EXPECT_EQ(code_of(bump), -32602);
   EXPECT_EQ(bump["error"]["data"]["field"], "/piece");
-  const Json push =
-      desk.ask_json(call(2, "motion.push", start + R"(,"forces":[{"piece":"no","force":[1,0]}]})"));
+  const Json push = desk.ask_json(call(2, "motion.push", start + R"(,"forces":[{"piece":"no","force":[1,0]}]})"));
   EXPECT_EQ(push["error"]["data"]["field"], "/forces/0/piece");
   EXPECT_EQ(desk.store.current("m1")->revision, 1U);
-  EXPECT_EQ(
-      code_of(desk.ask_json(call(3, "motion.bump", R"({"markerId":"m9","piece":"low","direction":[1,0]})"))),
-      -32012);
+  EXPECT_EQ(code_of(desk.ask_json(call(3, "motion.bump", R"({"markerId":"m9","piece":"low","direction":[1,0]})"))),
+            -32012);
 }
 
 TEST(Dispatcher, MotionsOfDifferentKindsTakeTurns) {
@@ -313,9 +309,8 @@ TEST(Dispatcher, ListsEveryMethodThatItHas) {
   std::set<std::string> told;
   const Json info = desk.ask_json(call(1, "engine.info"))["result"];
   for (const Json& name : info["methods"]) told.insert(name.get<std::string>());
-  EXPECT_EQ(told,
-            (std::set<std::string>{"engine.info", "marker.open", "marker.get", "marker.check", "marker.close",
-                                   "motion.compact", "motion.push", "motion.gravity", "motion.bump"}));
+  EXPECT_EQ(told, (std::set<std::string>{"engine.info", "marker.open", "marker.get", "marker.check", "marker.close",
+                                         "motion.compact", "motion.push", "motion.gravity", "motion.bump"}));
   for (const std::string& name : told) EXPECT_TRUE(place_of(name)) << name;
 }
 

@@ -23,8 +23,8 @@ TEST(HttpRules, ForeignHosts) {
 TEST(HttpRules, Origins) {
   EXPECT_TRUE(is_local_origin("http://localhost:3000"));
   EXPECT_TRUE(is_local_origin("https://127.0.0.1"));
-  for (const auto* origin : {"", "null", "localhost", "http://example.com", "file://localhost",
-                             "http://localhost/", "http://localhost.example.com"}) {
+  for (const auto* origin : {"", "null", "localhost", "http://example.com", "file://localhost", "http://localhost/",
+                             "http://localhost.example.com"}) {
     EXPECT_FALSE(is_local_origin(origin)) << origin;
   }
 }

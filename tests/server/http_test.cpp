@@ -162,8 +162,7 @@ TEST_F(Http, RefusesOtherMethodsAndPaths) {
   }
   expect_refused("POST /healthz HTTP/1.1\r\nHost: localhost\r\nContent-Length: 0\r\n\r\n", 405);
   for (const auto* path : {"/", "/rpc/", "/rpc?x=1", "/RPC", "/../rpc", "http://localhost/rpc"}) {
-    expect_refused(std::string{"POST "} + path + " HTTP/1.1\r\nHost: localhost\r\nContent-Length: 0\r\n\r\n",
-                   404);
+    expect_refused(std::string{"POST "} + path + " HTTP/1.1\r\nHost: localhost\r\nContent-Length: 0\r\n\r\n", 404);
   }
 }
 
@@ -199,8 +198,8 @@ TEST(HttpTimes, AClientThatIsTooSlowIsCutOff) {
   TransportLimits limits;
   limits.request = 50ms;
   StagedServer server{limits};
-  for (const auto* start : {"POST /rpc HTTP/1.1\r\nHost: lo",
-                            "POST /rpc HTTP/1.1\r\nHost: localhost\r\nContent-Length: 9\r\n\r\nhold"}) {
+  for (const auto* start :
+       {"POST /rpc HTTP/1.1\r\nHost: lo", "POST /rpc HTTP/1.1\r\nHost: localhost\r\nContent-Length: 9\r\n\r\nhold"}) {
     Wire wire{server.port()};
     wire.send(start);
     EXPECT_EQ(wire.rest(), "");

@@ -48,16 +48,15 @@ TEST(Options, LoopbackOnly) {
 }
 
 TEST(Options, MistakesAreRefused) {
-  for (const auto& words :
-       std::initializer_list<std::initializer_list<const char*>>{{"--listen", "127.0.0.1"},
-                                                                 {"--listen", "127.0.0.1:"},
-                                                                 {"--listen", "127.0.0.1:65536"},
-                                                                 {"--listen", "127.0.0.1:80x"},
-                                                                 {"--workers", "-1"},
-                                                                 {"--workers", "many"},
-                                                                 {"--cache-mb", "0"},
-                                                                 {"--log-level", "loud"},
-                                                                 {"--nonsense"}}) {
+  for (const auto& words : std::initializer_list<std::initializer_list<const char*>>{{"--listen", "127.0.0.1"},
+                                                                                     {"--listen", "127.0.0.1:"},
+                                                                                     {"--listen", "127.0.0.1:65536"},
+                                                                                     {"--listen", "127.0.0.1:80x"},
+                                                                                     {"--workers", "-1"},
+                                                                                     {"--workers", "many"},
+                                                                                     {"--cache-mb", "0"},
+                                                                                     {"--log-level", "loud"},
+                                                                                     {"--nonsense"}}) {
     const auto parsed = parse(words);
     const auto* farewell = std::get_if<Farewell>(&parsed);
     ASSERT_TRUE(farewell) << *words.begin();

@@ -37,8 +37,8 @@ class Gate {
   // An engine whose compactions and pushes wait here; cancelled ones say so and have still moved.
   [[nodiscard]] Engine engine() {
     Engine engine;
-    engine.compact = [this](const Marker& start, const CompactionSettings&, SumCache&,
-                            const std::stop_token& stop, const Observer&) -> Result<Compaction> {
+    engine.compact = [this](const Marker& start, const CompactionSettings&, SumCache&, const std::stop_token& stop,
+                            const Observer&) -> Result<Compaction> {
       Compaction done = push_left(start);
       if (!pass(stop)) done.reason = StopReason::kCancelled;
       return done;
@@ -103,8 +103,7 @@ class Gate {
 
 // A JSON-RPC call.
 inline std::string call(int id, const std::string& method, const std::string& params = "{}") {
-  return R"({"jsonrpc":"2.0","id":)" + std::to_string(id) + R"(,"method":")" + method + R"(","params":)" +
-         params + "}";
+  return R"({"jsonrpc":"2.0","id":)" + std::to_string(id) + R"(,"method":")" + method + R"(","params":)" + params + "}";
 }
 
 }  // namespace selvage::test

@@ -31,8 +31,8 @@ Vec on_circle(double angle, double radius, Coord middle) {
 Polygon random_simple(Random& random, std::size_t vertices, Coord extent) {
   Polygon polygon;
   while (polygon.size() < 3) {
-    polygon = as_polygon({random.point(0, extent), random.point(0, extent), random.point(0, extent)})
-                  .value_or(Polygon{});
+    polygon =
+        as_polygon({random.point(0, extent), random.point(0, extent), random.point(0, extent)}).value_or(Polygon{});
   }
   for (std::size_t tries = 0; tries < 12 * vertices && polygon.size() < vertices; ++tries) {
     std::vector<Vec> wider = polygon;
@@ -156,22 +156,14 @@ Polygon random_needle(Random& random, Coord extent) {
 Polygon random_polygon(Random& random, Coord extent) {
   const auto vertices = static_cast<std::size_t>(random.between(3, 40));
   switch (random.between(0, 9)) {
-    case 0:
-      return random_convex(random, std::min<std::size_t>(vertices, 3 + static_cast<std::size_t>(extent)),
-                           extent);
+    case 0: return random_convex(random, std::min<std::size_t>(vertices, 3 + static_cast<std::size_t>(extent)), extent);
     case 1:
-    case 2:
-      return random_star(random, vertices, extent);
-    case 3:
-      return random_comb(random, static_cast<std::size_t>(random.between(2, 6)), extent, false);
-    case 4:
-      return random_comb(random, static_cast<std::size_t>(random.between(2, 8)), extent, true);
-    case 5:
-      return spiral(static_cast<std::size_t>(random.between(2, 8)), extent);
-    case 6:
-      return random_u(random, extent);
-    default:
-      return random_simple(random, vertices, extent);
+    case 2: return random_star(random, vertices, extent);
+    case 3: return random_comb(random, static_cast<std::size_t>(random.between(2, 6)), extent, false);
+    case 4: return random_comb(random, static_cast<std::size_t>(random.between(2, 8)), extent, true);
+    case 5: return spiral(static_cast<std::size_t>(random.between(2, 8)), extent);
+    case 6: return random_u(random, extent);
+    default: return random_simple(random, vertices, extent);
   }
 }
 

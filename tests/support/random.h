@@ -8,6 +8,13 @@
 
 namespace selvage::test {
 
+// Sanitised builds take some thirty times as long: laws are tried less often there.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr int kSlowdown = 20;
+#else
+inline constexpr int kSlowdown = 1;
+#endif
+
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_{seed} {}

@@ -48,46 +48,44 @@ void judge(const Polygon& p, const Polygon& q, Coord distance, Tally& tally) {
 TEST(CloserThan, AgreesWithExactDistancesOnSmallLattices) {
   Random random{51};
   Tally tally;
-  for (int trial = 0; trial < 6000; ++trial) {
+  for (int trial = 0; trial < 6000 / kSlowdown; ++trial) {
     const Polygon p = random_simple(random, static_cast<std::size_t>(random.between(3, 7)), 8);
     const Polygon q = random_simple(random, static_cast<std::size_t>(random.between(3, 7)), 8);
     judge(p, moved(q, random.point(-16, 16)), random.between(1, 8), tally);
     if (HasFatalFailure()) return;
   }
-  EXPECT_GT(tally.nearer, 500U);
-  EXPECT_GT(tally.equal, 40U);
-  EXPECT_GT(tally.farther, 500U);
+  EXPECT_GT(tally.nearer, 500U / kSlowdown);
+  EXPECT_GT(tally.equal, 40U / kSlowdown);
+  EXPECT_GT(tally.farther, 500U / kSlowdown);
 }
 
 TEST(CloserThan, IsExactOnLargeLattices) {
   Random random{52};
   Tally tally;
-  for (int trial = 0; trial < 3000; ++trial) {
+  for (int trial = 0; trial < 3000 / kSlowdown; ++trial) {
     const Coord factor = Coord{1} << random.between(28, 35);
     const Polygon p = scaled(random_simple(random, 5, 8), factor);
     const Polygon q = scaled(moved(random_simple(random, 5, 8), random.point(-12, 12)), factor);
     const Coord off = random.between(0, 1);  // the very coincidence, or about a unit beside it
-    judge(p, moved(q, random.point(-off, off)), random.between(1, 8) * factor + random.between(-off, off),
-          tally);
+    judge(p, moved(q, random.point(-off, off)), random.between(1, 8) * factor + random.between(-off, off), tally);
     if (HasFatalFailure()) return;
   }
-  EXPECT_GT(tally.nearer, 300U);
-  EXPECT_GT(tally.equal, 10U);
-  EXPECT_GT(tally.farther, 300U);
+  EXPECT_GT(tally.nearer, 300U / kSlowdown);
+  EXPECT_GT(tally.equal, 10U / kSlowdown);
+  EXPECT_GT(tally.farther, 300U / kSlowdown);
 }
 
 // A corner beside the middle of a slanted edge, nearer to it or farther than the distance by about 2^-67 of
 // it: no double can tell.
 TEST(CloserThan, IsExactBeyondDoubles) {
   Random random{54};
-  for (int trial = 0; trial < 200; ++trial) {
+  for (int trial = 0; trial < 200 / kSlowdown; ++trial) {
     const Coord m = random.between(Coord{1} << 30, Coord{1} << 34);
     const Coord distance = random.between(m / 4, m / 2);
     const Polygon edge{{0, 0}, {m / 2, -m}, {m, 1}};  // its long edge runs from (m, 1) to the origin
     // The corner makes a triangle with the edge whose doubled area is the largest below distance * length.
     using Integer = boost::multiprecision::int512_t;
-    const Integer below =
-        boost::multiprecision::sqrt(Integer{Integer{distance} * distance * (Integer{m} * m + 1)});
+    const Integer below = boost::multiprecision::sqrt(Integer{Integer{distance} * distance * (Integer{m} * m + 1)});
     for (const int more : {0, 1}) {
       const Integer area = below + more;
       const auto y = static_cast<Coord>(Integer{(area + m - 1) / m});
@@ -117,7 +115,7 @@ double distance_to(const Polygon& polygon, Witness point) {
 TEST(NearestPoint, LiesInTheMiddleBetweenTheTwo) {
   Random random{53};
   std::size_t apart = 0;
-  for (int trial = 0; trial < 2000; ++trial) {
+  for (int trial = 0; trial < 2000 / kSlowdown; ++trial) {
     const Polygon p = random_polygon(random, 100);
     const Polygon q = moved(random_polygon(random, 100), random.point(-150, 150));
     if (overlap(placed(p), placed(q))) continue;
@@ -129,7 +127,7 @@ TEST(NearestPoint, LiesInTheMiddleBetweenTheTwo) {
     ASSERT_GE(compare_distance(p, q, static_cast<Coord>(std::max(0.0, std::floor(2 * half - 1e-9)))), 0);
     ASSERT_LE(compare_distance(p, q, static_cast<Coord>(std::ceil(2 * half + 1e-9))), 0);
   }
-  EXPECT_GT(apart, 500U);
+  EXPECT_GT(apart, 500U / kSlowdown);
 }
 
 }  // namespace

@@ -14,8 +14,7 @@ rc::Gen<Coord> coords() {
   return rc::gen::inRange<Coord>(-kLatticeLimit + 1, kLatticeLimit);
 }
 rc::Gen<Resolution> resolutions() {
-  return rc::gen::map(rc::gen::inRange(kFinestExponent, kCoarsestExponent + 1),
-                      [](int e) { return Resolution{e}; });
+  return rc::gen::map(rc::gen::inRange(kFinestExponent, kCoarsestExponent + 1), [](int e) { return Resolution{e}; });
 }
 
 // The decimal text of coord * 10^exponent, made of its digits alone.
@@ -91,8 +90,7 @@ TEST(Lattice, EndsBelowItsLimit) {
 
 RC_GTEST_PROP(ChosenResolution, KeepsDecimalsWhereTheLatticeAllows, ()) {
   const int decimals = *rc::gen::inRange(0, 25);
-  const double extent =
-      *rc::gen::map(rc::gen::inRange(0, 12'000), [](int k) { return std::pow(10.0, k / 1000.0); });
+  const double extent = *rc::gen::map(rc::gen::inRange(0, 12'000), [](int k) { return std::pow(10.0, k / 1000.0); });
   const double width = extent / *rc::gen::inRange(1, 1000);
   const Resolution chosen = choose_resolution(decimals, extent, width);
   RC_ASSERT(fits_lattice(extent, chosen));

@@ -54,7 +54,7 @@ TEST(Symmetries, AreAGroup) {
 
 TEST(Transformed, KeepsSenseAndArea) {
   Random random{21};
-  for (int trial = 0; trial < 300; ++trial) {
+  for (int trial = 0; trial < 300 / kSlowdown; ++trial) {
     const Polygon polygon = random_polygon(random, 1000);
     for (const Symmetry s : all_symmetries()) {
       const Polygon image = transformed(polygon, s);
@@ -90,8 +90,7 @@ RC_GTEST_PROP(Split, PutsItselfTogetherAgain, ()) {
   const SplitOrientation parts = split_of(flip, rotation, tilt);
   RC_ASSERT(std::abs(parts.turn.degrees) <= 45.0 + 1e-9);
   RC_ASSERT(parts.symmetry.flips() == flip);
-  const double turned_by =
-      (flip ? -parts.turn.degrees : parts.turn.degrees) + 90.0 * parts.symmetry.quarter_turns();
+  const double turned_by = (flip ? -parts.turn.degrees : parts.turn.degrees) + 90.0 * parts.symmetry.quarter_turns();
   RC_ASSERT(std::abs(std::remainder(turned_by - rotation - tilt, 360.0)) < 1e-9);
 }
 
@@ -117,7 +116,7 @@ RC_GTEST_PROP(Oriented, FlipsThenTurns, ()) {
 
 TEST(Oriented, IsExactWithoutATilt) {
   Random random{22};
-  for (int trial = 0; trial < 200; ++trial) {
+  for (int trial = 0; trial < 200 / kSlowdown; ++trial) {
     const Polygon polygon = random_polygon(random, kLatticeLimit / 4);
     for (const Symmetry s : all_symmetries()) {
       const Orientation orientation{s.flips(), Angle::of_degrees(90.0 * s.quarter_turns() - 360), Angle{}};
@@ -131,7 +130,7 @@ TEST(Turned, IsStillAPolygonWhenRoundingStraightensIt) {
   // line.
   const Polygon flat{{0, 0}, {1000, 1}, {2000, 0}, {2000, 900}, {0, 900}};
   Random random{23};
-  for (int trial = 0; trial < 500; ++trial) {
+  for (int trial = 0; trial < 500 / kSlowdown; ++trial) {
     const Polygon image = turned(flat, Angle::of_degrees(random.part() * 45));
     const auto clean = clean_polygon(image);
     ASSERT_TRUE(clean);

@@ -20,7 +20,7 @@ TEST(OutlineHash, TellsPolygonsApart) {
   Random random{31};
   std::set<Polygon> polygons;
   std::set<std::uint64_t> hashes;
-  for (int trial = 0; trial < 5000; ++trial) {
+  for (int trial = 0; trial < 5000 / kSlowdown; ++trial) {
     const Polygon polygon = random_simple(random, 8, 12);
     polygons.insert(polygon);
     hashes.insert(hash_of(polygon));
@@ -33,7 +33,7 @@ TEST(OutlineHash, TellsPolygonsApart) {
 
 TEST(Outline, SaysWhatItsPolygonIs) {
   Random random{32};
-  for (int trial = 0; trial < 300; ++trial) {
+  for (int trial = 0; trial < 300 / kSlowdown; ++trial) {
     const Polygon polygon = random_polygon(random, 1000);
     const auto outline = make_outline(polygon);
     EXPECT_EQ(outline->polygon, polygon);

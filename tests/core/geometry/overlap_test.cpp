@@ -67,11 +67,10 @@ TEST(Overlap, AgreesWithExactIntersectionOnSmallLattices) {
   Random random{41};
   std::vector<Polygon> pool;
   for (int k = 0; k < 400; ++k) {
-    pool.push_back(
-        random_simple(random, static_cast<std::size_t>(random.between(3, 8)), random.between(2, 8)));
+    pool.push_back(random_simple(random, static_cast<std::size_t>(random.between(3, 8)), random.between(2, 8)));
   }
   Tally tally;
-  for (int trial = 0; trial < 30'000; ++trial) {
+  for (int trial = 0; trial < 30'000 / kSlowdown; ++trial) {
     const Polygon p = pool[random.below(pool.size())];
     const Polygon q = trial % 50 == 0 ? p : transformed(pool[random.below(pool.size())], random.symmetry());
     // Where the boxes touch at least.
@@ -82,28 +81,28 @@ TEST(Overlap, AgreesWithExactIntersectionOnSmallLattices) {
     judge(p, trial % 100 == 0 ? q : moved(q, by), tally);
     if (HasFatalFailure()) return;
   }
-  EXPECT_GT(tally.overlapping, 5000U);
-  EXPECT_GT(tally.apart, 5000U);
+  EXPECT_GT(tally.overlapping, 5000U / kSlowdown);
+  EXPECT_GT(tally.apart, 5000U / kSlowdown);
 }
 
 TEST(Overlap, AgreesWithExactIntersectionOfOddShapes) {
   Random random{42};
   Tally tally;
-  for (int trial = 0; trial < 1500; ++trial) {
+  for (int trial = 0; trial < 1500 / kSlowdown; ++trial) {
     const Polygon p = random_polygon(random, 16);
     const Polygon q = transformed(random_polygon(random, 8), random.symmetry());
     judge(p, moved(q, random.point(-8, 24)), tally);
     if (HasFatalFailure()) return;
   }
-  EXPECT_GT(tally.overlapping, 300U);
-  EXPECT_GT(tally.apart, 300U);
+  EXPECT_GT(tally.overlapping, 300U / kSlowdown);
+  EXPECT_GT(tally.apart, 300U / kSlowdown);
 }
 
 // The same coincidences, or one unit off them, where a unit is 2^-37 of the polygon.
 TEST(Overlap, IsExactOnLargeLattices) {
   Random random{43};
   Tally tally;
-  for (int trial = 0; trial < 3000; ++trial) {
+  for (int trial = 0; trial < 3000 / kSlowdown; ++trial) {
     const Coord factor = Coord{1} << random.between(30, 36);
     const Polygon p = scaled(random_simple(random, 6, 7), factor);
     Polygon q = scaled(moved(random_simple(random, 6, 7), random.point(-5, 5)), factor);
@@ -112,8 +111,8 @@ TEST(Overlap, IsExactOnLargeLattices) {
     ASSERT_EQ(overlap(placed(p), placed(q)), expected) << text_of(p) << " and " << text_of(q);
     ++(expected ? tally.overlapping : tally.apart);
   }
-  EXPECT_GT(tally.overlapping, 500U);
-  EXPECT_GT(tally.apart, 500U);
+  EXPECT_GT(tally.overlapping, 500U / kSlowdown);
+  EXPECT_GT(tally.apart, 500U / kSlowdown);
 }
 
 }  // namespace

@@ -56,16 +56,14 @@ TEST(CleanPolygon, StraightensRuns) {
 }
 
 TEST(CleanPolygon, CutsSpikes) {
-  const auto clean =
-      clean_polygon(std::vector<Vec>{{0, 0}, {4, 0}, {9, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 7}, {0, 3}});
+  const auto clean = clean_polygon(std::vector<Vec>{{0, 0}, {4, 0}, {9, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 7}, {0, 3}});
   ASSERT_TRUE(clean);
   EXPECT_EQ(clean->polygon, kSquare);
   EXPECT_FALSE(clean->repairs.reversed);
 }
 
 TEST(CleanPolygon, CutsSpikesWithinSpikes) {
-  const auto clean =
-      clean_polygon(std::vector<Vec>{{0, 0}, {4, 0}, {4, 4}, {8, 4}, {8, 9}, {8, 4}, {4, 4}, {0, 4}});
+  const auto clean = clean_polygon(std::vector<Vec>{{0, 0}, {4, 0}, {4, 4}, {8, 4}, {8, 9}, {8, 4}, {4, 4}, {0, 4}});
   ASSERT_TRUE(clean);
   EXPECT_EQ(clean->polygon, kSquare);
 }
@@ -132,7 +130,7 @@ TEST(CleanPolygon, AgreesWithExactSimplicity) {
   Random random{11};
   std::size_t simple = 0;
   std::size_t refused = 0;
-  for (int trial = 0; trial < 20'000; ++trial) {
+  for (int trial = 0; trial < 20'000 / kSlowdown; ++trial) {
     std::vector<Vec> vertices(static_cast<std::size_t>(random.between(3, 9)));
     for (Vec& v : vertices) v = random.point(0, 7);
     const auto clean = clean_polygon(vertices);
@@ -144,8 +142,7 @@ TEST(CleanPolygon, AgreesWithExactSimplicity) {
       for (std::size_t i = 0; i < p.size(); ++i) {
         ASSERT_NE(side_of(p[i], p[(i + 1) % p.size()], p[(i + 2) % p.size()]), 0) << text_of(vertices);
       }
-      ASSERT_EQ(vertices.size(), p.size() + clean->repairs.duplicate_vertices +
-                                     clean->repairs.collinear_vertices +
+      ASSERT_EQ(vertices.size(), p.size() + clean->repairs.duplicate_vertices + clean->repairs.collinear_vertices +
                                      (vertices.front() == vertices.back() ? 1U : 0U))
           << text_of(vertices);
     } else if (clean.error().code == ErrorCode::kSelfIntersecting) {
@@ -153,13 +150,13 @@ TEST(CleanPolygon, AgreesWithExactSimplicity) {
       ASSERT_FALSE(is_simple_exactly(vertices)) << text_of(vertices);
     }
   }
-  EXPECT_GT(simple, 1000U);
-  EXPECT_GT(refused, 1000U);
+  EXPECT_GT(simple, 1000U / kSlowdown);
+  EXPECT_GT(refused, 1000U / kSlowdown);
 }
 
 TEST(CleanPolygon, MendsWhatWasPutIntoAPolygon) {
   Random random{12};
-  for (int trial = 0; trial < 2000; ++trial) {
+  for (int trial = 0; trial < 2000 / kSlowdown; ++trial) {
     const Polygon polygon = scaled(random_polygon(random, 20), 4);
     std::vector<Vec> spoilt;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -186,7 +183,7 @@ TEST(CleanPolygon, MendsWhatWasPutIntoAPolygon) {
 TEST(Locate, AgreesWithExactSide) {
   Random random{13};
   std::size_t counts[3]{};
-  for (int trial = 0; trial < 400; ++trial) {
+  for (int trial = 0; trial < 400 / kSlowdown; ++trial) {
     const Polygon polygon = random_polygon(random, random.chance(50) ? 8 : 30);
     for (int k = 0; k < 40; ++k) {
       const Vec p = random.point(-1, 31);
@@ -196,7 +193,7 @@ TEST(Locate, AgreesWithExactSide) {
       ++counts[static_cast<int>(ours)];
     }
   }
-  for (const std::size_t count : counts) EXPECT_GT(count, 500U);
+  for (const std::size_t count : counts) EXPECT_GT(count, 500U / kSlowdown);
 }
 
 TEST(Locate, IsExactOnLargeLattices) {
@@ -212,7 +209,7 @@ TEST(Locate, IsExactOnLargeLattices) {
 
 TEST(Convexity, OfRandomPolygons) {
   Random random{14};
-  for (int trial = 0; trial < 500; ++trial) {
+  for (int trial = 0; trial < 500 / kSlowdown; ++trial) {
     EXPECT_TRUE(is_convex(random_convex(random, 12, 1'000'000)));
     const Polygon comb = random_comb(random, 3, 50, trial % 2 == 0);
     EXPECT_FALSE(is_convex(comb)) << text_of(comb);

@@ -46,7 +46,7 @@ TEST(KernelPoint, OfSimpleShapes) {
 TEST(KernelPoint, SeesEveryEdge) {
   Random random{71};
   std::size_t found = 0;
-  for (int trial = 0; trial < 5000; ++trial) {
+  for (int trial = 0; trial < 5000 / kSlowdown; ++trial) {
     const Coord extent = random.chance(50) ? 12 : kLatticeLimit / 2;
     const Polygon polygon = random_polygon(random, extent);
     if (const auto kernel = kernel_point(polygon)) {
@@ -54,13 +54,13 @@ TEST(KernelPoint, SeesEveryEdge) {
       ASSERT_TRUE(sees_every_edge(*kernel, polygon)) << text_of(polygon);
     }
   }
-  EXPECT_GT(found, 1000U);
+  EXPECT_GT(found, 1000U / kSlowdown);
 }
 
 // About the middle, with radii from 0.2 up and at least four vertices a quadrant.
 TEST(StarParts, OneForStarShapedPolygons) {
   Random random{72};
-  for (int trial = 0; trial < 500; ++trial) {
+  for (int trial = 0; trial < 500 / kSlowdown; ++trial) {
     Polygon star = random_convex(random, 24, 1'000'000);
     const Vec middle{500'000, 500'000};
     if (locate(middle, star) != Location::kInside) continue;
@@ -88,8 +88,7 @@ void judge(const Polygon& polygon) {
     }
     // Slivers without a deep kernel may stay, as single triangles.
     if (n > 3 || kernel_point(part.vertices)) {
-      ASSERT_TRUE(sees_every_edge(part.kernel, part.vertices))
-          << text_of(part.vertices) << " of " << text_of(polygon);
+      ASSERT_TRUE(sees_every_edge(part.kernel, part.vertices)) << text_of(part.vertices) << " of " << text_of(polygon);
     }
   }
   // A partition: the areas add up, and what is no edge of the polygon is a cut with a part on either side.
@@ -97,14 +96,13 @@ void judge(const Polygon& polygon) {
   const auto n = static_cast<std::uint32_t>(polygon.size());
   for (const auto& [side, count] : directed) {
     ASSERT_EQ(count, 1) << text_of(polygon);
-    ASSERT_EQ(directed.contains({side.second, side.first}), (side.first + 1) % n != side.second)
-        << text_of(polygon);
+    ASSERT_EQ(directed.contains({side.second, side.first}), (side.first + 1) % n != side.second) << text_of(polygon);
   }
 }
 
 TEST(StarParts, PartitionRandomPolygons) {
   Random random{73};
-  for (int trial = 0; trial < 3000; ++trial) {
+  for (int trial = 0; trial < 3000 / kSlowdown; ++trial) {
     judge(random_polygon(random, random.chance(30) ? 10 : 1'000'000));
     if (HasFatalFailure()) return;
   }
@@ -112,7 +110,7 @@ TEST(StarParts, PartitionRandomPolygons) {
 
 TEST(StarParts, PartitionNastyPolygons) {
   Random random{74};
-  for (int trial = 0; trial < 100; ++trial) {
+  for (int trial = 0; trial < 100 / kSlowdown; ++trial) {
     judge(random_comb(random, 20, 400, trial % 2 == 0));
     judge(spiral(static_cast<std::size_t>(random.between(6, 40)), 2000));
     judge(random_needle(random, kLatticeLimit / 2));
@@ -136,7 +134,7 @@ TEST(StarParts, GrowTrianglesTogether) {
 
 TEST(StarParts, UnderSymmetries) {
   Random random{76};
-  for (int trial = 0; trial < 300; ++trial) {
+  for (int trial = 0; trial < 300 / kSlowdown; ++trial) {
     const Polygon polygon = random_polygon(random, 1'000'000);
     const Symmetry s = random.symmetry();
     for (const StarPart& part : star_parts(polygon)) {

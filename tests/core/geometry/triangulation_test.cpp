@@ -33,7 +33,7 @@ void judge(const Polygon& polygon) {
 
 TEST(Triangulation, OfRandomPolygons) {
   Random random{61};
-  for (int trial = 0; trial < 3000; ++trial) {
+  for (int trial = 0; trial < 3000 / kSlowdown; ++trial) {
     judge(random_polygon(random, random.chance(50) ? 10 : 1'000'000));
     if (HasFatalFailure()) return;
   }
@@ -41,7 +41,7 @@ TEST(Triangulation, OfRandomPolygons) {
 
 TEST(Triangulation, OfNastyPolygons) {
   Random random{62};
-  for (int trial = 0; trial < 200; ++trial) {
+  for (int trial = 0; trial < 200 / kSlowdown; ++trial) {
     judge(random_comb(random, 30, 300, trial % 2 == 0));
     judge(spiral(static_cast<std::size_t>(random.between(9, 60)), 2000));
     judge(random_needle(random, kLatticeLimit / 2));

@@ -49,8 +49,7 @@ void add_pair(LinearProgram& program, const CompactionModel& model, const std::v
     const double nx = std::cos(angle);
     const double ny = std::sin(angle);
     const double slack = draw(0, 1) < model.tight ? 0 : draw(0, 0.3) * apart;
-    const std::array<LinearProgram::Entry, 4> row{
-        {{2 * p, -nx}, {2 * p + 1, -ny}, {2 * q, nx}, {2 * q + 1, ny}}};
+    const std::array<LinearProgram::Entry, 4> row{{{2 * p, -nx}, {2 * p + 1, -ny}, {2 * q, nx}, {2 * q + 1, ny}}};
     program.add_row(row, -slack);
   }
 }

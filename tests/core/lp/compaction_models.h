@@ -13,10 +13,10 @@ namespace selvage {
 
 struct CompactionModel {
   int points{};
-  int across{10};            // points across the strip
-  int normals{4};            // rows a pair of neighbours
-  double tight{0.2};         // the part of the rows with no slack at all
-  double gravity{1e-4};      // weight of the mean leftward motion
+  int across{10};        // points across the strip
+  int normals{4};        // rows a pair of neighbours
+  double tight{0.2};     // the part of the rows with no slack at all
+  double gravity{1e-4};  // weight of the mean leftward motion
   std::uint64_t seed{1};
 };
 

@@ -56,7 +56,8 @@ TEST_P(CompactionModels, BothSolversFindTheSameOptimum) {
       const LinearProgram program = compaction_program({.points = GetParam(), .tight = tight, .seed = seed});
       const LpSolution simplex = solve_by_simplex(program, 1'000'000);
       const LpSolution interior = solve_by_interior_point(program);
-      SCOPED_TRACE(testing::Message() << "seed " << seed << ", tight " << tight << ", iterations " << interior.iterations);
+      SCOPED_TRACE(testing::Message() << "seed " << seed << ", tight " << tight << ", iterations "
+                                      << interior.iterations);
       ASSERT_EQ(interior.status, LpStatus::kOptimal);
       expect_optimal(program, simplex);
       expect_optimal(program, interior);

@@ -31,10 +31,8 @@ TEST(MakeMarker, LeavesAGoodOneAlone) {
 }
 
 TEST(MakeMarker, RefusesStripsAndSpacings) {
-  EXPECT_EQ(error_of(with([](Marker& m) { m.strip.width = 0; })),
-            Found(ErrorCode::kOutOfRange, "/strip/width"));
-  EXPECT_EQ(error_of(with([](Marker& m) { m.strip.width = -5; })),
-            Found(ErrorCode::kOutOfRange, "/strip/width"));
+  EXPECT_EQ(error_of(with([](Marker& m) { m.strip.width = 0; })), Found(ErrorCode::kOutOfRange, "/strip/width"));
+  EXPECT_EQ(error_of(with([](Marker& m) { m.strip.width = -5; })), Found(ErrorCode::kOutOfRange, "/strip/width"));
   EXPECT_EQ(error_of(with([](Marker& m) { m.spacing = -1; })), Found(ErrorCode::kOutOfRange, "/spacing"));
   EXPECT_EQ(error_of(with([](Marker& m) { m.spacing = 101; })), Found(ErrorCode::kOutOfRange, "/spacing"));
   EXPECT_EQ(error_of(with([](Marker& m) { m.spacing = 100; })), Found());
@@ -47,8 +45,7 @@ TEST(MakeMarker, RefusesNoneAndTooManyPieces) {
 }
 
 TEST(MakeMarker, RefusesIdsThatAreNoIds) {
-  EXPECT_EQ(error_of(with([](Marker& m) { m.pieces[1].id = "0"; })),
-            Found(ErrorCode::kDuplicateId, "/pieces/1/id"));
+  EXPECT_EQ(error_of(with([](Marker& m) { m.pieces[1].id = "0"; })), Found(ErrorCode::kDuplicateId, "/pieces/1/id"));
   EXPECT_EQ(error_of(with([](Marker& m) { m.shapes.push_back(m.shapes[0]); })),
             Found(ErrorCode::kDuplicateId, "/shapes/1/id"));
   EXPECT_EQ(error_of(with([](Marker& m) { m.pieces[1].shape.value = 1; })),
@@ -56,8 +53,7 @@ TEST(MakeMarker, RefusesIdsThatAreNoIds) {
 }
 
 TEST(MakeMarker, RefusesPiecesWiderThanTheStrip) {
-  EXPECT_EQ(error_of(with([](Marker& m) { m.strip.width = 9; })),
-            Found(ErrorCode::kPieceTooWide, "/pieces/0"));
+  EXPECT_EQ(error_of(with([](Marker& m) { m.strip.width = 9; })), Found(ErrorCode::kPieceTooWide, "/pieces/0"));
   EXPECT_EQ(error_of(with([](Marker& m) { m.strip.width = 10; })), Found());
   // Only the orientation it has counts.
   const auto bar = [](double rotation) {

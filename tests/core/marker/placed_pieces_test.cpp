@@ -50,7 +50,7 @@ TEST(PlacedPieces, MayBePlacedAnew) {
 
 TEST(PairsWithin, AreThoseOfBruteForce) {
   Random random{202};
-  for (int trial = 0; trial < 200; ++trial) {
+  for (int trial = 0; trial < 200 / kSlowdown; ++trial) {
     const Marker marker = random_marker(random, 40, random.between(10, 800));
     const PlacedPieces pieces{marker};
     const Coord distance = random.chance(30) ? 0 : random.between(1, 100);
@@ -73,15 +73,14 @@ TEST(PairsWithin, AreOpenAtTheDistance) {
 
 TEST(Conflicts, AreThoseOfBruteForce) {
   Random random{203};
-  for (int trial = 0; trial < 200; ++trial) {
+  for (int trial = 0; trial < 200 / kSlowdown; ++trial) {
     const Marker marker = random_marker(random, 20, random.between(50, 500));
     const PlacedPieces pieces{marker};
     const Coord spacing = random.chance(50) ? 0 : random.between(1, 40);
     std::vector<PiecePair> expected;
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
       for (std::uint32_t j = i + 1; j < pieces.size(); ++j) {
-        const bool conflict =
-            spacing == 0 ? overlap(pieces[i], pieces[j]) : closer_than(pieces[i], pieces[j], spacing);
+        const bool conflict = spacing == 0 ? overlap(pieces[i], pieces[j]) : closer_than(pieces[i], pieces[j], spacing);
         if (conflict) expected.emplace_back(i, j);
       }
     }

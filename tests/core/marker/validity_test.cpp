@@ -53,8 +53,8 @@ TEST(Validity, OverlapsComeInOrder) {
   const Validity validity = checked(squares({{0, 0}, {5, 5}, {9, 9}, {60, 0}, {0, 1}}));
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (const Overlap& o : validity.overlaps) pairs.emplace_back(o.first.value, o.second.value);
-  EXPECT_EQ(pairs, (std::vector<std::pair<std::uint32_t, std::uint32_t>>{
-                       {0, 1}, {0, 2}, {0, 4}, {1, 2}, {1, 4}, {2, 4}}));
+  EXPECT_EQ(pairs,
+            (std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0, 1}, {0, 2}, {0, 4}, {1, 2}, {1, 4}, {2, 4}}));
 }
 
 TEST(Validity, OfPiecesOnTopOfEachOther) {
@@ -126,15 +126,14 @@ bool deep_inside(const Polygon& p, const Polygon& q, Vec r) {
 TEST(Validity, DepthPartsAndNoLessDoes) {
   Random random{211};
   std::size_t pairs = 0;
-  for (int trial = 0; trial < 200; ++trial) {
+  for (int trial = 0; trial < 200 / kSlowdown; ++trial) {
     const Polygon p = random_star(random, 12, 100'000);
     const Polygon q = random_star(random, 12, 100'000);
     const Vec r = random.point(-90'000, 90'000);
     if (!overlap(placed(p), placed(q, r))) continue;
     ++pairs;
     Marker marker = squares({{0, 0}, r});
-    marker.shapes = {{.id = "p", .outline = p, .tilt_limit = {}},
-                     {.id = "q", .outline = q, .tilt_limit = {}}};
+    marker.shapes = {{.id = "p", .outline = p, .tilt_limit = {}}, {.id = "q", .outline = q, .tilt_limit = {}}};
     marker.pieces[1].shape.value = 1;
     SumCache sums;
     const Validity validity = check(marker, sums);
@@ -144,17 +143,15 @@ TEST(Validity, DepthPartsAndNoLessDoes) {
       const double angle = degrees * std::acos(-1.0) / 180;
       const double by = depth - 3;
       const Vec there = r + Vec{std::llround(by * std::cos(angle)), std::llround(by * std::sin(angle))};
-      ASSERT_TRUE(overlap(placed(p), placed(q, there)))
-          << text_of(p) << "; " << text_of(q) << " at " << text_of({r});
+      ASSERT_TRUE(overlap(placed(p), placed(q, there))) << text_of(p) << "; " << text_of(q) << " at " << text_of({r});
     }
-    const Obstacle obstacle =
-        sums.obstacle(oriented_outline(marker, {0}, sums), oriented_outline(marker, {1}, sums));
+    const Obstacle obstacle = sums.obstacle(oriented_outline(marker, {0}, sums), oriented_outline(marker, {1}, sums));
     const BoundaryPoint nearest = nearest_boundary_point(obstacle.sum(), obstacle.to_frame(r));
     ASSERT_NEAR(nearest.distance, depth, 1e-6);
     const Vec there = obstacle.from_frame({std::llround(nearest.at.x), std::llround(nearest.at.y)});
     ASSERT_FALSE(deep_inside(p, q, there)) << text_of(p) << "; " << text_of(q) << " at " << text_of({r});
   }
-  EXPECT_GT(pairs, 50U);
+  EXPECT_GT(pairs, 50U / kSlowdown);
 }
 
 TEST(OrientedOutlines, AreThePieces) {
@@ -168,8 +165,7 @@ TEST(OrientedOutlines, AreThePieces) {
       for (const bool flip : {false, true}) {
         marker.pieces[0].orientation = {flip, {rotation}, {tilt}};
         const OrientedOutline piece = oriented_outline(marker, {0}, sums);
-        EXPECT_EQ(moved(transformed(piece.outline->polygon, piece.symmetry), {3, 4}),
-                  placed_outline(marker, {0}));
+        EXPECT_EQ(moved(transformed(piece.outline->polygon, piece.symmetry), {3, 4}), placed_outline(marker, {0}));
       }
     }
   }

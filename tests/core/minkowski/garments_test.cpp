@@ -9,6 +9,7 @@
 
 #include "protocol/formats/format.h"
 #include "tests/core/minkowski/sum_laws.h"
+#include "tests/support/random.h"
 
 namespace selvage::test {
 namespace {
@@ -48,7 +49,8 @@ class Garments : public ::testing::TestWithParam<const char*> {};
 TEST_P(Garments, SumsKeepTheLaws) {
   const auto pairs = pairs_of(garment(GetParam()));
   ASSERT_GT(pairs.size(), 500U);
-  for (const auto& [p, q, relative] : pairs) {
+  for (std::size_t k = 0; k < pairs.size(); k += kSlowdown) {
+    const auto& [p, q, relative] = pairs[k];
     const auto sum = obstacle_sum(*make_outline(p), *make_outline(q), relative);
     const Summands summands{p, q, Symmetry{false, 2}.after(relative)};
     ASSERT_EQ(broken_law(summands, sum), "");

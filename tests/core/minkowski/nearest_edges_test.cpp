@@ -27,15 +27,14 @@ MinkowskiSum random_sum(Random& random) {
 }
 
 Vec near(const Box& box, Random& random) {
-  return {random.between(box.low.x - 5000, box.high.x + 5000),
-          random.between(box.low.y - 5000, box.high.y + 5000)};
+  return {random.between(box.low.x - 5000, box.high.x + 5000), random.between(box.low.y - 5000, box.high.y + 5000)};
 }
 
 constexpr auto kNothing = [](const Box&) { return false; };
 
 TEST(NearestEdges, ComeInOrderAndAllWithinReach) {
   Random random{131};
-  for (int trial = 0; trial < 500; ++trial) {
+  for (int trial = 0; trial < 500 / kSlowdown; ++trial) {
     const MinkowskiSum sum = random_sum(random);
     const Vec from = near(sum.box(), random);
     const double reach = random.chance(30) ? std::numeric_limits<double>::infinity() : random.part() * 10'000;
@@ -58,14 +57,13 @@ TEST(NearestEdges, ComeInOrderAndAllWithinReach) {
 
 TEST(NearestEdges, LeaveOutSkippedBoxesOnly) {
   Random random{132};
-  for (int trial = 0; trial < 300; ++trial) {
+  for (int trial = 0; trial < 300 / kSlowdown; ++trial) {
     const MinkowskiSum sum = random_sum(random);
     const Vec from = near(sum.box(), random);
     const Coord line = near(sum.box(), random).x;
     NearestEdges edges{sum, from, std::numeric_limits<double>::infinity()};
     std::set<const SumEdge*> seen;
-    while (const auto next = edges.next([&](const Box& box) { return box.high.x < line; }))
-      seen.insert(next->edge);
+    while (const auto next = edges.next([&](const Box& box) { return box.high.x < line; })) seen.insert(next->edge);
     for (const SumEdge& e : sum.edges()) {
       ASSERT_TRUE(std::max(e.from.x, e.to.x) < line || seen.contains(&e));
     }
@@ -74,16 +72,15 @@ TEST(NearestEdges, LeaveOutSkippedBoxesOnly) {
 
 TEST(NearestBoundaryPoint, IsNoFartherThanAnyEdge) {
   Random random{133};
-  for (int trial = 0; trial < 1000; ++trial) {
+  for (int trial = 0; trial < 1000 / kSlowdown; ++trial) {
     const MinkowskiSum sum = random_sum(random);
     const Vec from = near(sum.box(), random);
     const BoundaryPoint nearest = nearest_boundary_point(sum, from);
     double least = std::numeric_limits<double>::infinity();
     for (const SumEdge& e : sum.edges()) least = std::min(least, distance_to(e, from));
     ASSERT_NEAR(nearest.distance, least, 1e-6);
-    ASSERT_NEAR(
-        std::hypot(nearest.at.x - static_cast<double>(from.x), nearest.at.y - static_cast<double>(from.y)),
-        least, 1e-6);
+    ASSERT_NEAR(std::hypot(nearest.at.x - static_cast<double>(from.x), nearest.at.y - static_cast<double>(from.y)),
+                least, 1e-6);
     ASSERT_NEAR(distance_to(*nearest.edge, from), least, 1e-6);
   }
 }
@@ -91,10 +88,9 @@ TEST(NearestBoundaryPoint, IsNoFartherThanAnyEdge) {
 // On lattices so small that stretches of a unit are rounding, nothing is proved, but nothing breaks either.
 TEST(NearestBoundaryPoint, OfTheSmallestSums) {
   Random random{134};
-  for (int trial = 0; trial < 4000; ++trial) {
+  for (int trial = 0; trial < 4000 / kSlowdown; ++trial) {
     const Polygon p = random_simple(random, 12, random.between(1, 6));
-    const MinkowskiSum sum =
-        minkowski_sum(star_parts(p), star_parts(random_simple(random, 12, random.between(1, 6))));
+    const MinkowskiSum sum = minkowski_sum(star_parts(p), star_parts(random_simple(random, 12, random.between(1, 6))));
     ASSERT_FALSE(sum.edges().empty()) << text_of(p);
     EXPECT_LT(nearest_boundary_point(sum, {0, 0}).distance, 20);
   }
@@ -104,7 +100,7 @@ TEST(Contains, AgreesWithTheExactSumAwayFromTheBoundary) {
   Random random{135};
   std::size_t inside = 0;
   std::size_t outside = 0;
-  for (int trial = 0; trial < 300; ++trial) {
+  for (int trial = 0; trial < 300 / kSlowdown; ++trial) {
     const Polygon p = random_polygon(random, 10'000);
     const Polygon q = random_polygon(random, 10'000);
     const MinkowskiSum sum = minkowski_sum(star_parts(p), star_parts(q));
@@ -118,8 +114,8 @@ TEST(Contains, AgreesWithTheExactSumAwayFromTheBoundary) {
       ++(sum.contains(at) ? inside : outside);
     }
   }
-  EXPECT_GT(inside, 2000U);
-  EXPECT_GT(outside, 2000U);
+  EXPECT_GT(inside, 2000U / kSlowdown);
+  EXPECT_GT(outside, 2000U / kSlowdown);
 }
 
 }  // namespace

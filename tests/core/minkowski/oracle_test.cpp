@@ -16,7 +16,7 @@ void judge(const Polygon& p, const Polygon& q) {
 // point.  Spread out by a factor, so that rounding stays apart from coincidence.
 TEST(Oracle, OnSmallLattices) {
   Random random{101};
-  for (int trial = 0; trial < 3000 && !HasFailure(); ++trial) {
+  for (int trial = 0; trial < 3000 / kSlowdown && !HasFailure(); ++trial) {
     const Coord factor = random.between(1000, 1'000'000);
     const Polygon p = scaled(random_polygon(random, random.between(4, 16)), factor);
     judge(p, scaled(transformed(random_polygon(random, random.between(2, 12)), random.symmetry()), factor));
@@ -25,7 +25,7 @@ TEST(Oracle, OnSmallLattices) {
 
 TEST(Oracle, OnMiddlingLattices) {
   Random random{102};
-  for (int trial = 0; trial < 3000 && !HasFailure(); ++trial) {
+  for (int trial = 0; trial < 3000 / kSlowdown && !HasFailure(); ++trial) {
     const Polygon p = random_polygon(random, random.between(10'000, 1'000'000));
     judge(p, transformed(random_polygon(random, random.between(10'000, 1'000'000)), random.symmetry()));
   }
@@ -33,7 +33,7 @@ TEST(Oracle, OnMiddlingLattices) {
 
 TEST(Oracle, OnLargeLattices) {
   Random random{103};
-  for (int trial = 0; trial < 2000 && !HasFailure(); ++trial) {
+  for (int trial = 0; trial < 2000 / kSlowdown && !HasFailure(); ++trial) {
     const Polygon p = random_polygon(random, kLatticeLimit / 4);
     judge(p, transformed(random_polygon(random, kLatticeLimit / random.between(4, 1000)), random.symmetry()));
   }

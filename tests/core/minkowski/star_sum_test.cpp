@@ -38,8 +38,7 @@ Polygon corners_of(const StarSum& sum) {
 }
 
 TEST(StarSum, OfASquareAndATriangle) {
-  const StarSum sum =
-      star_sum(part_of({{0, 0}, {40, 0}, {40, 40}, {0, 40}}), part_of({{0, 0}, {30, 0}, {0, 30}}));
+  const StarSum sum = star_sum(part_of({{0, 0}, {40, 0}, {40, 40}, {0, 40}}), part_of({{0, 0}, {30, 0}, {0, 30}}));
   Polygon corners = corners_of(sum);
   std::rotate(corners.begin(), std::find(corners.begin(), corners.end(), Vec{0, 0}), corners.end());
   EXPECT_EQ(corners, (Polygon{{0, 0}, {70, 0}, {70, 40}, {40, 70}, {0, 70}}));
@@ -48,8 +47,7 @@ TEST(StarSum, OfASquareAndATriangle) {
 TEST(StarSum, NamesWhatMadeAnEdge) {
   // A square with a small triangle below it and to its left: the upper edge of the sum is the square's,
   // carried by the triangle's highest vertex.
-  const StarSum sum =
-      star_sum(part_of({{0, 0}, {40, 0}, {40, 40}, {0, 40}}), part_of({{-8, -9}, {-2, -8}, {-5, -3}}));
+  const StarSum sum = star_sum(part_of({{0, 0}, {40, 0}, {40, 40}, {0, 40}}), part_of({{-8, -9}, {-2, -8}, {-5, -3}}));
   const auto top = std::find_if(sum.edges.begin(), sum.edges.end(), [](const SumEdge& e) {
     return e.line_from == Vec{35, 37};
   });
@@ -61,15 +59,14 @@ TEST(StarSum, NamesWhatMadeAnEdge) {
 // Two candidates that cross exactly on the ray where angles pass half a turn: one was taken to last for the
 // whole turn.
 TEST(StarSum, KeepsAnEdgeThatBeginsOnTheAxis) {
-  const Polygon p{{13, 13}, {8, 16}, {3, 13},  {12, 10}, {8, 8},  {8, 6},
-                  {9, 5},   {8, 3},  {14, 10}, {15, 10}, {13, 12}};
+  const Polygon p{{13, 13}, {8, 16}, {3, 13}, {12, 10}, {8, 8}, {8, 6}, {9, 5}, {8, 3}, {14, 10}, {15, 10}, {13, 12}};
   const Summands summands{scaled(p, 123'457), scaled({{1, 2}, {2, 0}, {5, 0}, {2, 2}}, 123'457), {}};
   EXPECT_EQ(broken_source(summands, sum_of(summands.first, summands.second)), "");
 }
 
 TEST(StarSum, OfConvexPolygonsIsTheirMerge) {
   Random random{121};
-  for (int trial = 0; trial < 2000; ++trial) {
+  for (int trial = 0; trial < 2000 / kSlowdown; ++trial) {
     const Coord extent = random.chance(30) ? 24 : random.chance(50) ? 1'000'000 : kLatticeLimit / 2;
     const Polygon p = random_convex(random, static_cast<std::size_t>(random.between(3, 12)), extent);
     const Polygon q = random_convex(random, static_cast<std::size_t>(random.between(3, 12)), extent);
@@ -88,7 +85,7 @@ TEST(StarSum, OfConvexPolygonsIsTheirMerge) {
 
 TEST(Sum, DoesNotDependOnTheOrder) {
   Random random{122};
-  for (int trial = 0; trial < 500; ++trial) {
+  for (int trial = 0; trial < 500 / kSlowdown; ++trial) {
     const Polygon p = random_star(random, 20, 1'000'000);
     const Polygon q = random_star(random, 20, 1'000'000);
     const MinkowskiSum forth = sum_of(p, q);
@@ -100,7 +97,7 @@ TEST(Sum, DoesNotDependOnTheOrder) {
 
 TEST(Sum, MovesWithItsSummands) {
   Random random{123};
-  for (int trial = 0; trial < 500; ++trial) {
+  for (int trial = 0; trial < 500 / kSlowdown; ++trial) {
     const Polygon p = random_polygon(random, 1'000'000);
     const Polygon q = random_polygon(random, 1'000'000);
     const Vec by = random.point(-1'000'000'000, 1'000'000'000);
@@ -116,7 +113,7 @@ TEST(Sum, MovesWithItsSummands) {
 
 TEST(Sum, TurnsWithItsSummands) {
   Random random{124};
-  for (int trial = 0; trial < 300; ++trial) {
+  for (int trial = 0; trial < 300 / kSlowdown; ++trial) {
     const Polygon p = random_star(random, 15, 1'000'000);
     const Polygon q = random_star(random, 15, 1'000'000);
     const Symmetry s = random.symmetry();
@@ -134,7 +131,7 @@ TEST(Sum, TurnsWithItsSummands) {
 
 TEST(Sum, OfAPolygonAndItsMirrorImageHoldsTheOrigin) {
   Random random{125};
-  for (int trial = 0; trial < 500; ++trial) {
+  for (int trial = 0; trial < 500 / kSlowdown; ++trial) {
     const Polygon p = random_polygon(random, 100'000);
     const auto outline = make_outline(p);
     EXPECT_TRUE(obstacle_sum(*outline, *outline, {}).contains({0, 0})) << text_of(p);

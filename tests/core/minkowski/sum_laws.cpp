@@ -9,8 +9,7 @@
 namespace selvage::test {
 namespace {
 
-constexpr double kRounding =
-    2;  // lattice units: two rounded ends, and stretches so short that they are left out
+constexpr double kRounding = 2;  // lattice units: two rounded ends, and stretches so short that they are left out
 
 Real2 real(Vec v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y)};
@@ -29,8 +28,7 @@ double distance(Real2 p, const Segment& s) {
   const double dx = s.second.x - s.first.x;
   const double dy = s.second.y - s.first.y;
   const double squared = dx * dx + dy * dy;
-  const double t =
-      squared == 0 ? 0 : std::clamp(((p.x - s.first.x) * dx + (p.y - s.first.y) * dy) / squared, 0.0, 1.0);
+  const double t = squared == 0 ? 0 : std::clamp(((p.x - s.first.x) * dx + (p.y - s.first.y) * dy) / squared, 0.0, 1.0);
   const Real2 nearest = along(s, t);
   return std::hypot(p.x - nearest.x, p.y - nearest.y);
 }
@@ -45,8 +43,7 @@ std::string text_of(Real2 p) {
   return "(" + std::to_string(p.x) + ", " + std::to_string(p.y) + ")";
 }
 
-constexpr double kStub =
-    100;  // what may be left of an edge at a sharp corner, inside by a few units at its end
+constexpr double kStub = 100;         // what may be left of an edge at a sharp corner, inside by a few units at its end
 constexpr double kLongEnough = 1000;  // to tell the sides by a sample in the middle
 constexpr double kSamples[] = {0.05, 0.35, 0.5, 0.8, 0.95};
 
@@ -79,26 +76,23 @@ class Boundary {
       if (!accompanied(e)) alone += length_of(ours_[e]);
     }
     const double exact = exact_.perimeter();
-    const double rounding =
-        1e-6 * exact + 2 * kRounding * static_cast<double>(ours_.size() + exact_.boundary().size());
+    const double rounding = 1e-6 * exact + 2 * kRounding * static_cast<double>(ours_.size() + exact_.boundary().size());
     if (whole >= exact - rounding && alone <= exact + rounding) return {};
-    return "the boundary is " + std::to_string(exact) + " long, the edges " + std::to_string(whole) +
-           ", single ones " + std::to_string(alone);
+    return "the boundary is " + std::to_string(exact) + " long, the edges " + std::to_string(whole) + ", single ones " +
+           std::to_string(alone);
   }
 
   [[nodiscard]] std::string broken_by(std::size_t e) const {
     const Segment& edge = ours_[e];
     const double length = length_of(edge);
     for (const double t : kSamples) {
-      if (length > kStub && hidden(along(edge, t)))
-        return "an edge inside a ring at " + text_of(along(edge, t));
+      if (length > kStub && hidden(along(edge, t))) return "an edge inside a ring at " + text_of(along(edge, t));
     }
     for (std::size_t k = 0; k < e; ++k) {
       if (twice(sum_.edges()[e], sum_.edges()[k])) return "a stretch twice at " + text_of(along(edge, 0.5));
     }
     const Real2 middle = along(edge, 0.5);
-    if (length < kLongEnough || neighbour_within(10, middle, e))
-      return {};  // too near to tell sides by a sample
+    if (length < kLongEnough || neighbour_within(10, middle, e)) return {};  // too near to tell sides by a sample
     const double reach = 3 / length;
     const Real2 left{-(edge.second.y - edge.first.y) * reach, (edge.second.x - edge.first.x) * reach};
     if (exact_.locate({middle.x + left.x, middle.y + left.y}) != Location::kInside) {
@@ -114,9 +108,7 @@ class Boundary {
   // it.
   [[nodiscard]] bool hidden(Real2 p) const {
     return std::any_of(sum_.rings().begin(), sum_.rings().end(), [&](const StarSum& ring) {
-      const auto side = [](Real2 a, Real2 b, Real2 c) {
-        return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-      };
+      const auto side = [](Real2 a, Real2 b, Real2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); };
       return std::any_of(ring.edges.begin(), ring.edges.end(), [&](const SumEdge& e) {
         const auto [a, b] = segment_of(e);
         return side(ring.centre, a, p) >= 0 && side(ring.centre, b, p) < 0 &&
@@ -164,28 +156,24 @@ bool near_line(Vec p, const SumEdge& e) {
 std::string difference_from(const ExactSum& exact, const MinkowskiSum& sum) {
   const double difference = exact.area_of_difference(sum);
   if (difference > exact.perimeter()) {
-    return "the area differs by " + std::to_string(difference / exact.perimeter()) +
-           " units along the boundary";
+    return "the area differs by " + std::to_string(difference / exact.perimeter()) + " units along the boundary";
   }
   return Boundary{sum, exact}.broken_law();
 }
 
 std::string with(const Summands& summands, const std::string& broken) {
   if (broken.empty()) return {};
-  return broken + "; first " + test::text_of(summands.first) + "; second " +
-         test::text_of(summands.second_image());
+  return broken + "; first " + test::text_of(summands.first) + "; second " + test::text_of(summands.second_image());
 }
 
 // Whether the edge's line is the source's vertex plus its edge.
 bool source_makes(const SumEdge& e, const Summands& s) {
   const Polygon& whole = e.source.vertex_of_first ? s.second : s.first;
   const Symmetry of_edge = e.source.vertex_of_first ? s.of_second : Symmetry{};
-  const Vec vertex =
-      e.source.vertex_of_first ? s.first[e.source.vertex] : s.of_second.apply(s.second[e.source.vertex]);
+  const Vec vertex = e.source.vertex_of_first ? s.first[e.source.vertex] : s.of_second.apply(s.second[e.source.vertex]);
   const std::size_t n = whole.size();
   const Vec next = whole[(e.source.edge + (of_edge.flips() ? n - 1 : 1)) % n];
-  return e.line_from == vertex + of_edge.apply(whole[e.source.edge]) &&
-         e.line_to == vertex + of_edge.apply(next);
+  return e.line_from == vertex + of_edge.apply(whole[e.source.edge]) && e.line_to == vertex + of_edge.apply(next);
 }
 
 }  // namespace
@@ -196,8 +184,7 @@ std::string broken_source(const Summands& summands, const MinkowskiSum& sum) {
     if (e.from == e.to || e.line_from == e.line_to) return with(summands, "no length" + where);
     if (!near_line(e.from, e) || !near_line(e.to, e)) return with(summands, "an end off the line" + where);
     const bool short_one = length_of(segment_of(e)) < 2 * kRounding;
-    if (!short_one && dot(e.line_to - e.line_from, e.to - e.from) <= 0)
-      return with(summands, "a turned line" + where);
+    if (!short_one && dot(e.line_to - e.line_from, e.to - e.from) <= 0) return with(summands, "a turned line" + where);
     if (!source_makes(e, summands)) return with(summands, "another source" + where);
   }
   return {};
@@ -206,10 +193,8 @@ std::string broken_source(const Summands& summands, const MinkowskiSum& sum) {
 std::string broken_law(const Summands& summands, const MinkowskiSum& sum) {
   if (auto broken = broken_source(summands, sum); !broken.empty()) return broken;
   const Polygon second = summands.second_image();
-  if (difference_from(ExactSum{summands.first, second, ExactSum::Method::kConvolution}, sum).empty())
-    return {};
-  return with(summands,
-              difference_from(ExactSum{summands.first, second, ExactSum::Method::kDecomposition}, sum));
+  if (difference_from(ExactSum{summands.first, second, ExactSum::Method::kConvolution}, sum).empty()) return {};
+  return with(summands, difference_from(ExactSum{summands.first, second, ExactSum::Method::kDecomposition}, sum));
 }
 
 }  // namespace selvage::test

@@ -41,7 +41,9 @@ Polygon comb(Coord size) {
 Pair random_pair(std::mt19937& random) {
   const auto polygon = [&]() -> Polygon {
     switch (random() % 4) {
-      case 0: return test::rectangle(1000 + static_cast<Coord>(random() % 100'000), 1000 + static_cast<Coord>(random() % 100'000));
+      case 0:
+        return test::rectangle(1000 + static_cast<Coord>(random() % 100'000),
+                               1000 + static_cast<Coord>(random() % 100'000));
       case 1: return comb(90'000);
       default: return test::spiky(random, 4 + static_cast<int>(random() % 30), 80'000);
     }
@@ -74,7 +76,8 @@ TEST_P(FreeRegion, HoldsThePositionAndNoOverlap) {
     for (const HalfPlane& side : sides) EXPECT_GE(slack_of(side, r), 0);
     for (int sample = 0; sample < 200; ++sample) {
       const Vec x = r + random_vec(random, sample % 2 == 0 ? 300'000 : 5'000);
-      const bool inside = std::all_of(sides.begin(), sides.end(), [&](const auto& side) { return slack_of(side, x) >= 2; });
+      const bool inside =
+          std::all_of(sides.begin(), sides.end(), [&](const auto& side) { return slack_of(side, x) >= 2; });
       if (!inside) continue;
       ++tried;
       EXPECT_FALSE(pair.overlaps_at(x)) << "pair " << k << " from " << r.x << ',' << r.y << " to " << x.x << ',' << x.y;
@@ -97,7 +100,8 @@ TEST_P(FreeRegion, WithASpacingHoldsNoPositionCloserThanIt) {
     for (const HalfPlane& side : sides) EXPECT_GE(slack_of(side, r), d - 2);
     for (int sample = 0; sample < 100; ++sample) {
       const Vec x = r + random_vec(random, 20'000);
-      if (!std::all_of(sides.begin(), sides.end(), [&](const auto& side) { return slack_of(side, x) >= d + 2; })) continue;
+      if (!std::all_of(sides.begin(), sides.end(), [&](const auto& side) { return slack_of(side, x) >= d + 2; }))
+        continue;
       ++tried;
       EXPECT_FALSE(pair.closer_at(x, spacing));
     }
@@ -114,7 +118,8 @@ TEST_P(FreeRegion, AtAConvexCornerOneSideIsEnough) {
 
 TEST_P(FreeRegion, InANotchItIsTheNotch) {
   // A square in the notch of a cup: the cup's three inner sides.
-  const auto cup = make_outline({{0, 0}, {900, 0}, {900, 100}, {100, 100}, {100, 900}, {900, 900}, {900, 1000}, {0, 1000}});
+  const auto cup =
+      make_outline({{0, 0}, {900, 0}, {900, 100}, {100, 100}, {100, 900}, {900, 900}, {900, 1000}, {0, 1000}});
   const auto square = make_outline(test::rectangle(300, 300));
   SumCache sums;
   const auto sides = free_region(sums.obstacle({cup, {}}, {square, {}}), {200, 350}, {GetParam(), 1e6, 0});

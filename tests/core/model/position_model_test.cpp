@@ -37,7 +37,7 @@ TEST(PositionModel, BuildsOnlyWhatTheSceneNeeds) {
   EXPECT_EQ(model.program().columns(), 2);  // two pieces of one group, one fixed
   EXPECT_EQ(model.column(0), model.column(1));
   EXPECT_FALSE(model.column(2));
-  EXPECT_EQ(model.program().lower[0], 0);   // the group's first piece is at the left edge
+  EXPECT_EQ(model.program().lower[0], 0);    // the group's first piece is at the left edge
   EXPECT_EQ(model.program().upper[1], 900);  // units are thousandths of the width
   model.add({{0, 1}, 1, 0, -50});
   EXPECT_EQ(model.program().rows(), 0);  // within a group nothing can change
@@ -46,7 +46,7 @@ TEST(PositionModel, BuildsOnlyWhatTheSceneNeeds) {
   model.add_length(1, 500, 0);
   model.add_right_wall(0);
   model.add_right_wall(2);
-  EXPECT_EQ(model.program().rows(), 2);           // a fixed piece bounds the length itself
+  EXPECT_EQ(model.program().rows(), 2);        // a fixed piece bounds the length itself
   EXPECT_EQ(model.program().lower.back(), 0);  // the fixed piece is the last
 }
 

@@ -42,7 +42,7 @@ TEST(Bump, SlidesAlongWhatItMeets) {  // down a ramp and on along the floor
   layout.put(ramp, {0, 0}).put(square, {300, 800}).put(square, {1900, 0});
   const Bump down = bumped(layout.marker(), 1, 0, -1);
   EXPECT_EQ(down.at, (Vec{600, 0}));
-  EXPECT_TRUE(down.touching.empty());  // the floor holds it, not the ramp
+  EXPECT_TRUE(down.touching.empty());                              // the floor holds it, not the ramp
   EXPECT_EQ(bumped(layout.marker(), 2, -1, 0).at, (Vec{0, 600}));  // up the ramp to the strip's left edge
 }
 
@@ -89,7 +89,8 @@ double best_small_gain(const Marker& marker, std::uint32_t piece, double ux, dou
   double best = 0;
   for (int k = 0; k < 64; ++k) {
     const double angle = 2 * std::numbers::pi * k / 64;
-    const Vec by{std::llround(static_cast<double>(step) * std::cos(angle)), std::llround(static_cast<double>(step) * std::sin(angle))};
+    const Vec by{std::llround(static_cast<double>(step) * std::cos(angle)),
+                 std::llround(static_cast<double>(step) * std::sin(angle))};
     Marker moved = marker;
     moved.pieces[piece].at = marker.pieces[piece].at + by;
     const Box box = box_of(placed_outline(moved, PieceId{piece}));

@@ -205,13 +205,15 @@ TEST(Compact, EveryRuleAndSolverGivesAValidShorterMarker) {
 TEST(Compact, CompactingAgainGainsNothingMore) {
   const auto once = compacted(test::loose_marker(21));
   const auto twice = compacted(once.marker);
-  EXPECT_LE(static_cast<double>(once.length_after - twice.length_after), 1e-5 * static_cast<double>(once.marker.strip.width));
+  EXPECT_LE(static_cast<double>(once.length_after - twice.length_after),
+            1e-5 * static_cast<double>(once.marker.strip.width));
 }
 
 TEST(Compact, PiecesOfOneShapeWithinAnothersBoxAreNoNeighboursOfTrouble) {
   // A frame open to the right holds a small square; both can move.
   Layout layout{1000};
-  const auto cup = layout.shape_of({{0, 0}, {900, 0}, {900, 100}, {100, 100}, {100, 900}, {900, 900}, {900, 1000}, {0, 1000}});
+  const auto cup =
+      layout.shape_of({{0, 0}, {900, 0}, {900, 100}, {100, 100}, {100, 900}, {900, 900}, {900, 1000}, {0, 1000}});
   const auto square = layout.shape_of(test::rectangle(300, 300));
   layout.put(cup, {500, 0}).put(square, {900, 350});
   const auto result = compacted(layout.marker());

@@ -32,7 +32,9 @@ Floating floated(const Marker& marker, const FloatSettings& settings) {
   return *result;
 }
 
-Gap between(std::uint32_t p, std::uint32_t q) { return {PieceId{p}, PieceId{q}}; }
+Gap between(std::uint32_t p, std::uint32_t q) {
+  return {PieceId{p}, PieceId{q}};
+}
 
 double motion_of(const Marker& before, const Marker& after) {
   double sum = 0;
@@ -55,7 +57,8 @@ TEST(FloatApart, LargestMinimumSharesARowsRoomEqually) {
   const auto result = floated(bars(), settings_for(FloatMode::kLargestMinimum, 5000 * kMm));
   EXPECT_EQ(result.length_after, 1000 * kMm);  // the outer bars cannot come in without taking room away
   for (std::size_t k = 0; k < 4; ++k) {
-    EXPECT_NEAR(static_cast<double>(result.marker.pieces[k].at.x), static_cast<double>(300 * kMm) * static_cast<double>(k), 1);
+    EXPECT_NEAR(static_cast<double>(result.marker.pieces[k].at.x),
+                static_cast<double>(300 * kMm) * static_cast<double>(k), 1);
   }
   EXPECT_EQ(result.least_before, 0);
   EXPECT_NEAR(static_cast<double>(result.least_after), 200.0 * kMm, 1);
@@ -214,7 +217,8 @@ TEST(FloatApart, PiecesOfAnyShapeGainRoom) {
     return std::accumulate(f.gaps.begin(), f.gaps.end(), 0.0,
                            [&](double sum, const GapWidths& g) { return sum + std::min(g.*when, 5000.0); });
   };
-  for (const FloatMode mode : {FloatMode::kGivenDistance, FloatMode::kLargestTotal, FloatMode::kUniform, FloatMode::kTwoStep}) {
+  for (const FloatMode mode :
+       {FloatMode::kGivenDistance, FloatMode::kLargestTotal, FloatMode::kUniform, FloatMode::kTwoStep}) {
     const auto result = floated(compacted->marker, float_settings(mode, 5000));
     EXPECT_GT(mean(result, &GapWidths::after), 1.2 * mean(result, &GapWidths::before));
   }
@@ -238,10 +242,10 @@ RC_GTEST_PROP(FloatLaws, ValidNeverLongerNeverNarrowerLocksHold, ()) {
   marker = compacted->marker;
   const auto every = *rc::gen::inRange<std::size_t>(2, 9);
   for (std::size_t k = 0; k < marker.pieces.size(); k += every) marker.pieces[k].locked = true;
-  FloatSettings settings = float_settings(
-      *rc::gen::element(FloatMode::kLargestMinimum, FloatMode::kGivenDistance, FloatMode::kLargestTotal, FloatMode::kUniform,
-                        FloatMode::kTwoStep),
-      *rc::gen::element<Coord>(1, radius / 20, radius));
+  FloatSettings settings =
+      float_settings(*rc::gen::element(FloatMode::kLargestMinimum, FloatMode::kGivenDistance, FloatMode::kLargestTotal,
+                                       FloatMode::kUniform, FloatMode::kTwoStep),
+                     *rc::gen::element<Coord>(1, radius / 20, radius));
   settings.edges = *rc::gen::arbitrary<bool>();
   settings.rounds = 3;
   const auto result = float_apart(marker, settings, sums);

@@ -57,7 +57,8 @@ TEST(Heal, RefusesDeepOverlapsAndNamesThem) {
   const auto healing = healed(start, out);
   ASSERT_FALSE(healing);
   EXPECT_EQ(healing.error().code, ErrorCode::kMarkerOverlaps);
-  EXPECT_NE(healing.error().message.find("\"p0\" and \"p1\" by 0.101 mm"), std::string::npos) << healing.error().message;
+  EXPECT_NE(healing.error().message.find("\"p0\" and \"p1\" by 0.101 mm"), std::string::npos)
+      << healing.error().message;
   EXPECT_EQ(out, start);
 }
 

@@ -59,7 +59,8 @@ TEST(Hold, SaysWhatATiltWouldBring) {
   const Coord run = 100'000;
   const Coord rise = 50'000;
   // A needle from its left tip to its right one: turned so far, it is shorter by rise per radian.
-  layout.put(layout.shape_of({{0, 0}, {run / 2, rise / 2 - 1000}, {run, rise}, {run / 2, rise / 2 + 1000}}), {0, 300'000});
+  layout.put(layout.shape_of({{0, 0}, {run / 2, rise / 2 - 1000}, {run, rise}, {run / 2, rise / 2 + 1000}}),
+             {0, 300'000});
   const Hold hold = held(layout.marker());
   ASSERT_EQ(hold.tilts.size(), 1U);
   EXPECT_NEAR(hold.tilts[0].per_degree, static_cast<double>(rise) * std::numbers::pi / 180, 1);

@@ -35,7 +35,8 @@ RC_GTEST_PROP(CompactLaws, ValidNeverLongerLocksHold, ()) {
   Marker marker = random_marker();
   const auto every = *rc::gen::inRange<std::size_t>(2, 9);
   for (std::size_t k = 0; k < marker.pieces.size(); k += every) marker.pieces[k].locked = k % 2 == 1;
-  CompactionSettings settings = compaction_settings(*rc::gen::element(Accuracy::kDraft, Accuracy::kStandard, Accuracy::kFine));
+  CompactionSettings settings =
+      compaction_settings(*rc::gen::element(Accuracy::kDraft, Accuracy::kStandard, Accuracy::kFine));
   settings.region = *rc::gen::element(RegionRule::kGreedy, RegionRule::kWalk);
   settings.solver = *rc::gen::element(SolverChoice::kAutomatic, SolverChoice::kSimplex);
   settings.trust = *rc::gen::element(0.01, 0.1, 1.0);

@@ -49,7 +49,9 @@ class Layout {
   Marker marker_;
 };
 
-inline Polygon rectangle(Coord width, Coord height) { return {{0, 0}, {width, 0}, {width, height}, {0, height}}; }
+inline Polygon rectangle(Coord width, Coord height) {
+  return {{0, 0}, {width, 0}, {width, height}, {0, height}};
+}
 
 // A band of two slanted halves: stacked, such bands interlock without any slack.
 inline Polygon chevron(Coord length, Coord height, Coord dip) {
@@ -73,11 +75,13 @@ inline Marker loose_marker(std::uint32_t seed, int columns = 6, int rows = 3, Co
   const Coord pitch = 2 * radius + 20'000;  // rows never meet, whatever the jitter
   Layout layout{pitch * rows};
   std::vector<std::uint32_t> shapes;
-  for (int k = 0; k < 4; ++k) shapes.push_back(layout.shape_of(spiky(random, 5 + static_cast<int>(random() % 20), radius)));
+  for (int k = 0; k < 4; ++k)
+    shapes.push_back(layout.shape_of(spiky(random, 5 + static_cast<int>(random() % 20), radius)));
   for (int c = 0; c < columns; ++c) {
     for (int r = 0; r < rows; ++r) {
       const Coord jitter = static_cast<Coord>(random() % 20'000);
-      layout.put(shapes[random() % shapes.size()], {radius + c * (2 * radius + 30'000) + jitter, radius + pitch * r + jitter},
+      layout.put(shapes[random() % shapes.size()],
+                 {radius + c * (2 * radius + 30'000) + jitter, radius + pitch * r + jitter},
                  90.0 * static_cast<double>(random() % 4));
     }
   }

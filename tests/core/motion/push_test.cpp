@@ -40,7 +40,7 @@ TEST(Push, SqueezesAPieceOutFromBetweenTwo) {  // [Li94 Figure 4.6]
   const auto wedge = layout.shape_of({{0, 0}, {200, -150}, {200, 150}});
   layout.put(square, {0, 200}).put(square, {0, 500}).put(wedge, {300, 500}).put(square, {700, 0});
   const auto result = pushed(layout.marker(), {{PieceId{2}, -1, 0}});
-  EXPECT_LE(result.marker.pieces[2].at.x, 3);  // all the way in: the squares have room to part
+  EXPECT_LE(result.marker.pieces[2].at.x, 3);            // all the way in: the squares have room to part
   EXPECT_EQ(result.marker.pieces[3].at, (Vec{700, 0}));  // what is not in the way stays
 }
 

@@ -196,11 +196,13 @@ RC_GTEST_PROP(SeparateLaws, ValidWhenApartLocksHoldLengthKept, ()) {
   RC_ASSERT(static_cast<bool>(result));
   RC_ASSERT(result->apart == is_valid(result->marker));
   if (settings.pop_out) RC_ASSERT(result->apart);
-  RC_ASSERT(static_cast<double>(result->length_after) <= (1 + settings.grow) * static_cast<double>(result->length_before));
+  RC_ASSERT(static_cast<double>(result->length_after) <=
+            (1 + settings.grow) * static_cast<double>(result->length_before));
   RC_ASSERT(result->length_after == length_of(result->marker));
   RC_ASSERT(result->marker.pieces.size() + result->popped.size() == marker.pieces.size());
   for (const Piece& piece : result->marker.pieces) {
-    const auto before = std::find_if(marker.pieces.begin(), marker.pieces.end(), [&](const Piece& p) { return p.id == piece.id; });
+    const auto before =
+        std::find_if(marker.pieces.begin(), marker.pieces.end(), [&](const Piece& p) { return p.id == piece.id; });
     RC_ASSERT(before != marker.pieces.end());
     if (piece.locked) RC_ASSERT(piece == *before);
   }
