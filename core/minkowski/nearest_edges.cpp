@@ -15,7 +15,7 @@ double nearest_parameter(double ax, double ay, double dx, double dy) {
 NearestEdges::NearestEdges(const MinkowskiSum& sum, Vec from, double reach)
     : sum_{sum}, from_{from}, squared_reach_{reach * reach} {
   heap_.reserve(32);
-  push(static_cast<std::uint32_t>(sum.tree().size()), 0);
+  if (!sum.edges().empty()) push(static_cast<std::uint32_t>(sum.tree().size()), 0);
 }
 
 void NearestEdges::push(std::uint32_t level, std::size_t index) {
@@ -45,6 +45,7 @@ double NearestEdges::squared_distance(const SumEdge& edge) const {
 BoundaryPoint nearest_boundary_point(const MinkowskiSum& sum, Vec from) {
   NearestEdges edges{sum, from, std::numeric_limits<double>::infinity()};
   const auto nearest = edges.next([](const Box&) { return false; });
+  if (!nearest) return {{}, std::numeric_limits<double>::infinity(), nullptr};  // a sum of nothing but rounding
   const SumEdge& e = *nearest->edge;
   const auto dx = static_cast<double>(e.to.x - e.from.x);
   const auto dy = static_cast<double>(e.to.y - e.from.y);

@@ -44,7 +44,7 @@ class NearestEdges {
   std::vector<Node> heap_;
 };
 
-// The nearest point of the sum's boundary, and its distance.
+// The nearest point of the sum's boundary, and its distance; infinitely far, without an edge, when the sum shows none.
 struct BoundaryPoint {
   Real2 at;
   double distance{};
