@@ -117,7 +117,8 @@ ExitCode run_on_marker(std::string_view name, Json params, const MarkerFiles& fi
 
   std::ostream& summary = standard_outputs(files) > 0 ? std::cerr : std::cout;
   summary << told(*call, *answer, file->marker, times, sums.counts(), telling) << std::flush;
-  if (answer->fields.value("valid", true) == false) return ExitCode::kNotValid;
+  const bool valid = answer->fields.value("valid", true);
+  if (!valid) return ExitCode::kNotValid;
 
   const Coord length_before = length_of(file->marker);
   if (answer->next) file->marker = *std::move(answer->next);
