@@ -84,7 +84,8 @@ double Ring::margin_at(const Corner& corner, const Question& question) const {
 // The segment turns counter-clockwise about the centre: walk the edges that face it one after another.
 void Ring::append_turning(const Question& question, Stretches& stretches) const {
   const std::size_t n = corners_.size();
-  const auto [ax, ay] = std::pair{question.ax, question.ay};
+  const double ax = question.ax;
+  const double ay = question.ay;
   const double dx = question.bx - ax;
   const double dy = question.by - ay;
   const auto add = [&](double t0, double t1) {
@@ -123,7 +124,8 @@ void Ring::append_turning(const Question& question, Stretches& stretches) const 
 
 // The segment lies on a line through the centre: on either side of it one edge says how far the inside goes.
 void Ring::append_radial(const Question& question, Stretches& stretches) const {
-  const auto [ax, ay] = std::pair{question.ax, question.ay};
+  const double ax = question.ax;
+  const double ay = question.ay;
   const double dx = question.bx - ax;
   const double dy = question.by - ay;
   const double middle = std::clamp(-(ax * dx + ay * dy) / (dx * dx + dy * dy), 0.0, 1.0);

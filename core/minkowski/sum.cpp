@@ -152,7 +152,7 @@ bool MinkowskiSum::contains(Real2 point) const {
 std::size_t MinkowskiSum::bytes() const {
   std::size_t total = sizeof *this + visible_.capacity() * sizeof(SumEdge) + ring_boxes_.capacity() * sizeof(Box);
   for (const StarSum& s : rings_) total += sizeof s + s.edges.capacity() * sizeof(SumEdge);
-  for (const auto& level : tree_) total += sizeof level + level.capacity() * sizeof(Box);
+  for (const auto& level : tree_) total += sizeof(std::vector<Box>) + level.capacity() * sizeof(Box);
   return total;
 }
 
