@@ -3,11 +3,20 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <stop_token>
 #include <string>
 
 namespace selvage {
+
+// Whoever is at the other end of a connection.
+struct Session {
+  std::uint64_t id{};                       // of no other session of this process
+  std::function<void(std::string)> notify;  // sends a message that is no answer, from any thread; empty on plain HTTP
+  std::stop_token gone;                     // stops when the connection has ended
+};
 
 // Takes the answer to one message: call it once, from any thread.  Empty text: nothing is to be sent.
 using Reply = std::function<void(std::string)>;
