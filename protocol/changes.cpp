@@ -3,18 +3,15 @@
 #include <unordered_map>
 
 #include "core/marker/validity.h"
+#include "protocol/call_fields.h"
 
 namespace selvage {
 namespace {
 
-constexpr std::int64_t kLargestRevision = std::int64_t{1} << 53;  // what every client's numbers hold
-
 ChangeCall read_change(Fields& fields, Mistake& mistake) {
   ChangeCall call;
   call.marker_id = fields.text("markerId");
-  if (const auto revision = fields.maybe_integer("baseRev", 1, kLargestRevision)) {
-    call.base_revision = static_cast<Revision>(*revision);
-  }
+  call.base_revision = read_base_revision(fields);
   call.op_id = read_op_id(fields, mistake);
   return call;
 }
@@ -27,21 +24,6 @@ bool same_frame(const MarkerFile& before, const MarkerFile& after) {
 }
 
 }  // namespace
-
-std::optional<std::string> read_op_id(Fields& fields, Mistake& mistake) {
-  if (!fields.has("opId")) {
-    (void)fields.maybe_any("opId");  // so that it counts as known
-    return std::nullopt;
-  }
-  std::string id = fields.text("opId");
-  if (!mistake && (id.empty() || id.size() > kLongestOpId)) {
-    mistake.add(ErrorCode::kOutOfRange,
-                shortened(Json(id)) + " is out of range; 1 to " + std::to_string(kLongestOpId) +
-                    " characters are allowed",
-                fields.pointer("opId"));
-  }
-  return id;
-}
 
 Result<MarkerApply> decode_marker_apply(const Json& params) {
   Mistake mistake;
@@ -61,6 +43,20 @@ Result<ChangeCall> decode_change(const Json& params) {
   fields.finish();
   if (mistake) return mistake.error();
   return call;
+}
+
+MarkerFile with_marker(const MarkerFile& file, Marker next) {
+  MarkerFile after{.marker = {}, .format = file.format, .notes = {}, .attributes = {}};
+  after.attributes.whole = file.attributes.whole;
+  after.attributes.shapes = file.attributes.shapes;
+  after.attributes.pieces.reserve(next.pieces.size());
+  std::size_t old = 0;  // pieces keep their order
+  for (const Piece& piece : next.pieces) {
+    while (old + 1 < file.marker.pieces.size() && file.marker.pieces[old].id != piece.id) ++old;
+    after.attributes.pieces.push_back(file.attributes.pieces[old++]);
+  }
+  after.marker = std::move(next);
+  return after;
 }
 
 Json placement_json(const Marker& marker, const Piece& piece) {

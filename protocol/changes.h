@@ -12,8 +12,6 @@
 
 namespace selvage {
 
-inline constexpr std::size_t kLongestOpId = 128;  // characters
-
 // What every such call takes: {"markerId", "baseRev"?, "opId"?}
 struct ChangeCall {
   std::string marker_id;
@@ -31,8 +29,8 @@ struct MarkerApply {
 // marker.undo, marker.redo
 [[nodiscard]] Result<ChangeCall> decode_change(const Json& params);
 
-// The field "opId": 1 to kLongestOpId characters.
-[[nodiscard]] std::optional<std::string> read_op_id(Fields& fields, Mistake& mistake);
+// The file with its marker's next state, which may have lost pieces: each that stays keeps its attributes.
+[[nodiscard]] MarkerFile with_marker(const MarkerFile& file, Marker next);
 
 // {"id", "shape", "at", "rotation", "flip", "tilt", "locked"}
 [[nodiscard]] Json placement_json(const Marker& marker, const Piece& piece);
