@@ -1,6 +1,8 @@
 #include "server/daemon.h"
 
 #include <chrono>
+#include <memory>
+#include <string>
 #include <utility>
 
 namespace selvage {
@@ -21,8 +23,8 @@ Daemon::Daemon(const Options& options, Engine engine)
       dispatcher_{methods_, reads_, motions_, options.limits.transport.body_bytes},
       transport_{options.host, options.port, options.limits.transport,
                  Service{.call =
-                             [this](std::string message, std::stop_token caller, Reply reply) {
-                               dispatcher_.receive(std::move(message), std::move(caller), std::move(reply));
+                             [this](std::string message, const std::shared_ptr<Session>& session, Reply reply) {
+                               dispatcher_.receive(std::move(message), session->gone, std::move(reply));
                              },
                          .health = [] { return std::string{"{\"status\":\"ok\"}"}; },
                          .line_too_long = Dispatcher::too_long(options.limits.transport.body_bytes)}} {}

@@ -10,8 +10,11 @@ namespace selvage {
 using boost::asio::ip::tcp;
 using Clock = std::chrono::steady_clock;
 
-Connection::Connection(tcp::socket connected)
-    : socket{std::move(connected)}, read_watchdog{socket.get_executor()}, write_watchdog{socket.get_executor()} {
+Connection::Connection(tcp::socket connected, std::uint64_t id)
+    : socket{std::move(connected)},
+      read_watchdog{socket.get_executor()},
+      write_watchdog{socket.get_executor()},
+      session{std::make_shared<Session>(Session{.id = id, .notify = {}, .gone = gone.get_token()})} {
   boost::system::error_code ignored;
   socket.set_option(tcp::no_delay{true}, ignored);
 }

@@ -10,6 +10,8 @@
 #include <boost/asio/use_awaitable.hpp>
 
 #include <chrono>
+#include <cstdint>
+#include <memory>
 #include <stop_token>
 #include <string>
 
@@ -36,7 +38,8 @@ class Signal {
 
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
-  explicit Connection(boost::asio::ip::tcp::socket connected);
+  // `id`: of its session.
+  Connection(boost::asio::ip::tcp::socket connected, std::uint64_t id);
 
   // Notices a connection that breaks, from now on.
   void watch();
@@ -57,6 +60,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   boost::asio::steady_timer read_watchdog;
   boost::asio::steady_timer write_watchdog;
   std::stop_source gone;  // asked to stop when the other side is no longer there
+  const std::shared_ptr<Session> session;
   bool draining{};
 
  private:

@@ -175,7 +175,7 @@ class HttpConnection {
         pending->done.notify();
       });
     };
-    service_.call(std::move(message), connection_.gone.get_token(), std::move(reply));
+    service_.call(std::move(message), connection_.session, std::move(reply));
     while (!pending->answer) co_await pending->done.wait();
     co_return std::move(*pending->answer);
   }

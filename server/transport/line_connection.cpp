@@ -30,6 +30,7 @@ class LineConnection : public std::enable_shared_from_this<LineConnection> {
         changed_{connection_->socket.get_executor()} {}
 
   asio::awaitable<void> serve(std::string received) {
+    let_notify();
     std::vector<Line> lines = splitter_.feed(received);
     co_await take(std::move(lines));
     co_await read_to_end();
@@ -53,6 +54,19 @@ class LineConnection : public std::enable_shared_from_this<LineConnection> {
       co_await take(std::move(lines));
       if (error) co_return;
     }
+  }
+
+  // A client that does not take its notifications is cut off: unlike answers, they cannot be held back by not reading.
+  void let_notify() {
+    const auto executor = connection_->socket.get_executor();
+    connection_->session->notify = [executor, weak = weak_from_this()](std::string message) {
+      asio::post(executor, [weak, held = std::move(message)] {
+        const auto self = weak.lock();
+        if (!self) return;
+        self->send(held);
+        if (self->writing_.size() + self->outbox_.size() > 2 * self->limits_.backlog_bytes) self->connection_->cut();
+      });
+    };
   }
 
   // A line that has begun must end in time; between lines there is no hurry: a front end stays for hours.
@@ -88,7 +102,7 @@ class LineConnection : public std::enable_shared_from_this<LineConnection> {
         self->changed_.notify();
       });
     };
-    service_.call(std::move(message), connection_->gone.get_token(), std::move(reply));
+    service_.call(std::move(message), connection_->session, std::move(reply));
   }
 
   void send(const std::string& answer) {

@@ -21,14 +21,22 @@ struct Session {
 // Takes the answer to one message: call it once, from any thread.  Empty text: nothing is to be sent.
 using Reply = std::function<void(std::string)>;
 
+// Everything here is called on the I/O thread.
 struct Service {
-  // Answers one message.  Called on the I/O thread: must not block.  `caller` stops when the connection is
-  // gone.
-  std::function<void(std::string message, std::stop_token caller, Reply reply)> call;
-  // The body of GET /healthz.  Called on the I/O thread.
-  std::function<std::string()> health;
+  // Answers one message.  Must not block.  The session is the same for all messages of one connection; its
+  // connection keeps it alive, and whoever wants to notify later may hold it, weakly or not.
+  std::function<void(std::string message, const std::shared_ptr<Session>& session, Reply reply)> call;
+  // The GET requests below are answered 404 when nothing is there to call.
+  // The body of GET /healthz, JSON: the process is alive.
+  std::function<std::string()> health{};
+  // GET /readyz: why no work should be sent here now, in words (503); empty when there is no reason not to (200).
+  std::function<std::string()> ready{};
+  // The body of GET /metrics, in Prometheus' text format 0.0.4.
+  std::function<std::string()> metrics{};
+  // The body of GET /openrpc.json.
+  std::function<std::string()> openrpc{};
   // What is sent for a line longer than the limit.
-  std::string line_too_long;
+  std::string line_too_long{};
 };
 
 struct TransportLimits {

@@ -105,7 +105,7 @@ struct Transport::Inside {
   }
 
   void open(tcp::socket socket) {
-    const auto connection = std::make_shared<Connection>(std::move(socket));
+    const auto connection = std::make_shared<Connection>(std::move(socket), ++sessions);
     connections.insert(connection);
     asio::co_spawn(io, serve(connection, service, limits), [this, connection](const std::exception_ptr& thrown) {
       log_exception("a connection", thrown);
@@ -147,6 +147,7 @@ struct Transport::Inside {
   asio::steady_timer pause, patience;
   std::set<std::shared_ptr<Connection>> connections;
   const std::uint16_t port{acceptor.local_endpoint().port()};
+  std::uint64_t sessions{};  // begun so far
   bool finishing{};
   std::jthread thread;
 };

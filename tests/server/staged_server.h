@@ -5,6 +5,7 @@
 
 #include <condition_variable>
 #include <deque>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
@@ -18,6 +19,7 @@ namespace selvage::test {
 
 struct HeldCall {
   std::string message;
+  std::shared_ptr<Session> session;
   std::stop_token caller;
   Reply reply;
 };
@@ -36,8 +38,8 @@ class StagedServer {
   explicit StagedServer(const TransportLimits& limits = {})
       : transport_{"127.0.0.1", 0, limits,
                    Service{.call =
-                               [this](std::string message, std::stop_token caller, Reply reply) {
-                                 take({std::move(message), std::move(caller), std::move(reply)});
+                               [this](std::string message, const std::shared_ptr<Session>& session, Reply reply) {
+                                 take({std::move(message), session, session->gone, std::move(reply)});
                                },
                            .health = [] { return std::string{"well"}; },
                            .line_too_long = "too long"}} {}
