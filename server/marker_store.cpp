@@ -44,7 +44,7 @@ std::shared_ptr<MarkerStore::Held> MarkerStore::held(const std::string& id) cons
   return found == markers_.end() ? nullptr : found->second;
 }
 
-std::optional<OpenMarker> MarkerStore::open(MarkerFile file, const OpenAnswer& answer) {
+std::variant<OpenMarker, NotOpened> MarkerStore::open(MarkerFile file, const OpenAnswer& answer) {
   Stamps stamps = all_new(1, file);
   OpenMarker opened{{}, committed(1, std::move(file), std::move(stamps))};
   auto held = std::make_shared<Held>();
@@ -52,16 +52,16 @@ std::optional<OpenMarker> MarkerStore::open(MarkerFile file, const OpenAnswer& a
   std::uint64_t number{};
   {
     const std::lock_guard lock{mutex_};
-    if (markers_.size() + opening_ >= limit_) return std::nullopt;
+    if (markers_.size() + opening_ >= limit_) return NotOpened::kLimit;
     ++opening_;
     number = ++opened_;
   }
   opened.id = "m" + std::to_string(number);
-  const auto kept = answer ? std::optional{answer(opened)} : std::nullopt;
+  const auto kept = answer ? answer(opened) : std::nullopt;
   const bool written = !journal_ || journal_->opened(opened.id, number, *opened.now.file, kept);
   const std::lock_guard lock{mutex_};
   --opening_;
-  if (!written) return std::nullopt;
+  if (!written) return NotOpened::kNotWritten;
   markers_.emplace(opened.id, std::move(held));
   if (kept) answers_.keep(*kept);
   return opened;
@@ -96,7 +96,7 @@ Commit MarkerStore::commit(const std::string& id, Revision base, NextRevision ne
     return {Commit::Outcome::kNotWritten, base};
   }
   Stamps stamps = stamps_after(*before.stamps, revision, moves, next.file);
-  Committed after = committed(revision, std::move(next.file), std::move(stamps));
+  const Committed after = committed(revision, std::move(next.file), std::move(stamps));
   switch (next.origin) {
     case Origin::kChange: held->history.changed(before.file, moves); break;
     case Origin::kUndo: held->history.undid(before.file, moves); break;
@@ -104,10 +104,10 @@ Commit MarkerStore::commit(const std::string& id, Revision base, NextRevision ne
   }
   {
     const std::lock_guard lock{mutex_};
-    held->current = std::move(after);
+    held->current = after;
     if (next.answer) held->answers.keep(*std::move(next.answer));
   }
-  if (next.tell) next.tell();
+  if (next.tell) next.tell(after);
   return {Commit::Outcome::kDone, revision};
 }
 

@@ -15,6 +15,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "protocol/messages.h"
@@ -55,6 +56,9 @@ struct OpenMarker {
   Committed now;
 };
 
+// Why none was opened: as many as may be are open, or the journal failed.
+enum class NotOpened { kLimit, kNotWritten };
+
 // Where a revision comes from.
 enum class Origin { kChange, kUndo, kRedo };
 
@@ -62,10 +66,11 @@ struct NextRevision {
   MarkerFile file;
   Origin origin{};
   std::optional<KeptAnswer> answer{};  // of the call that makes it, when it has an opId
-  std::function<void()> tell{};        // called once it is there; those of one marker in the order of revisions
+  // Called with it once it is there; for one marker in the order of revisions.
+  std::function<void(const Committed&)> tell{};
 };
 
-// How a commit went.
+// How a commit went.  Not written: the journal failed, nothing was changed.
 struct Commit {
   enum class Outcome { kDone, kMismatch, kClosed, kNotWritten } outcome{};
   Revision revision{};  // the current one: the new one when done
@@ -76,10 +81,9 @@ class MarkerStore {
   // With a journal: all that it holds is open at once.
   explicit MarkerStore(std::size_t limit, Journal* journal = nullptr);
 
-  // `answer`, when given, makes the answer to keep of the marker that was opened.  Nothing when `limit` markers are
-  // open, or when the journal cannot be written.
-  using OpenAnswer = std::function<KeptAnswer(const OpenMarker&)>;
-  [[nodiscard]] std::optional<OpenMarker> open(MarkerFile file, const OpenAnswer& answer = {});
+  // `answer`, when given, makes the answer to keep of the marker that was opened, or none.
+  using OpenAnswer = std::function<std::optional<KeptAnswer>(const OpenMarker&)>;
+  [[nodiscard]] std::variant<OpenMarker, NotOpened> open(MarkerFile file, const OpenAnswer& answer = {});
   // Nothing when no such marker is open.
   [[nodiscard]] std::optional<Committed> current(const std::string& id) const;
   [[nodiscard]] std::vector<OpenMarker> all() const;  // by id
