@@ -1,5 +1,6 @@
 #include "protocol/codec.h"
 
+#include "protocol/call_fields.h"
 #include "protocol/fields.h"
 #include "protocol/formats/decimal_marker.h"
 #include "protocol/json_rpc.h"
@@ -29,22 +30,28 @@ Result<MarkerOpen> decode_marker_open(const Json& params) {
   Fields fields{params, "", mistake};
   const Json& document = fields.object("marker");
   const auto spacing = fields.maybe_number("spacing");
+  auto op_id = read_op_id(fields, mistake);
   fields.finish();
   if (mistake) return mistake.error();
 
   auto file = read_document(document);
   if (!file) return within("/marker", file.error());
   for (Note& note : file->notes) note.field.insert(0, "/marker");
-  if (!spacing) return MarkerOpen{*std::move(file)};
+  if (!spacing) return MarkerOpen{*std::move(file), std::move(op_id)};
   auto spaced = with_spacing(*std::move(file), *spacing);
   if (!spaced) return spaced.error();
-  return MarkerOpen{*std::move(spaced)};
+  return MarkerOpen{*std::move(spaced), std::move(op_id)};
 }
 
 Result<MarkerClose> decode_marker_close(const Json& params) {
-  auto id = decode_marker_id(params);
-  if (!id) return id.error();
-  return MarkerClose{*std::move(id)};
+  Mistake mistake;
+  Fields fields{params, "", mistake};
+  MarkerClose close;
+  close.marker_id = fields.text("markerId");
+  close.op_id = read_op_id(fields, mistake);
+  fields.finish();
+  if (mistake) return mistake.error();
+  return close;
 }
 
 Json encode(const CacheCounts& cache) {

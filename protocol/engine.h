@@ -7,6 +7,7 @@
 #include "core/marker/validity.h"
 #include "core/motion/bump.h"
 #include "core/motion/compact.h"
+#include "core/motion/drag.h"
 #include "core/motion/push.h"
 
 namespace selvage {
@@ -22,6 +23,7 @@ struct Engine {
   std::function<Result<BumpedMarker>(const Marker&, PieceId, double dx, double dy, SumCache&, std::stop_token,
                                      const Observer&)>
       bump = selvage::heal_and_bump;
+  std::function<Drag(const Marker&, PieceId, Vec to, DragMode, SumCache&, std::stop_token)> drag = selvage::drag;
 };
 
 }  // namespace selvage

@@ -71,10 +71,22 @@ Json response(const Json& id, Json result) {
   return {{"jsonrpc", "2.0"}, {"id", id}, {"result", std::move(result)}};
 }
 
+std::string response_text(const Json& id, std::string_view result) {
+  std::string text = R"({"jsonrpc":"2.0","id":)" + to_text(id) + R"(,"result":)";
+  text.reserve(text.size() + result.size() + 1);
+  text += result;
+  text += '}';
+  return text;
+}
+
 Json error_response(const Json& id, const RpcError& error) {
   Json body{{"code", static_cast<int>(error.code)}, {"message", error.message}};
   if (!error.data.is_null()) body["data"] = error.data;
   return {{"jsonrpc", "2.0"}, {"id", id}, {"error", std::move(body)}};
+}
+
+Json notification(std::string_view method, Json params) {
+  return {{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}};
 }
 
 RpcError rpc_error(const Error& error, RpcCode code) {

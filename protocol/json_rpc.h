@@ -67,7 +67,12 @@ struct Incoming {
 [[nodiscard]] Incoming parse_incoming(std::string_view text, std::size_t max_bytes);
 
 [[nodiscard]] Json response(const Json& id, Json result);
+// The same as text, of a result that is text already.
+[[nodiscard]] std::string response_text(const Json& id, std::string_view result);
 [[nodiscard]] Json error_response(const Json& id, const RpcError& error);
+
+// A message of the server's own accord; it has no id and wants no answer.
+[[nodiscard]] Json notification(std::string_view method, Json params);
 
 // An Error of the core or the codec on the wire: its own code, name and field travel in data:
 // {"code": 1102, "name": "shape.zero_area", "field": "/marker/shapes/0/outline"}.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,9 +24,10 @@ struct EngineInfo {
   CacheCounts cache;
 };
 
-// marker.open {"marker": document, "spacing"?}
+// marker.open {"marker": document, "spacing"?, "opId"?}
 struct MarkerOpen {
-  MarkerFile file;  // with the spacing applied
+  MarkerFile file;                   // with the spacing applied
+  std::optional<std::string> op_id;  // the client's name for the call: a retry of it gets the same answer
 };
 struct MarkerOpened {
   std::string marker_id;
@@ -37,9 +39,10 @@ struct MarkerOpened {
   std::vector<Note> notes;
 };
 
-// marker.close {"markerId"}
+// marker.close {"markerId", "opId"?}
 struct MarkerClose {
   std::string marker_id;
+  std::optional<std::string> op_id;
 };
 struct MarkerClosed {
   std::string marker_id;

@@ -2,14 +2,19 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "protocol/engine.h"
+#include "server/deadline_clock.h"
 #include "server/dispatcher.h"
+#include "server/drags.h"
 #include "server/job_queue.h"
+#include "server/journal.h"
 #include "server/marker_store.h"
 #include "server/methods.h"
 #include "server/options.h"
 #include "server/transport/transport.h"
+#include "server/watchers.h"
 
 namespace selvage {
 
@@ -29,10 +34,15 @@ class Daemon {
 
  private:
   SumCache sums_;
+  std::unique_ptr<Journal> journal_;  // null: markers live in memory only
   MarkerStore store_;
+  Watchers watchers_;
   Methods methods_;
+  DeadlineClock clock_;
   JobQueue reads_;
   JobQueue motions_;
+  JobQueue hands_;
+  Drags drags_;
   Dispatcher dispatcher_;
   Transport transport_;
 };

@@ -1,9 +1,11 @@
 #include "server/dispatcher.h"
 
 #include <chrono>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "protocol/call_fields.h"
 #include "server/log.h"
 
 namespace selvage {
@@ -12,25 +14,38 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kSmallMessage = std::size_t{16} << 10;  // bytes; parsed in a fraction of a millisecond
-constexpr int kRetryAfterMs = 200;
+constexpr std::string_view kCancel = "$/cancelRequest";
 
 RpcError internal_error() {
   return {RpcCode::kInternalError, "the server failed; its log says why", {}};
 }
 
-RpcError refused(Admission admission) {
+RpcError refused(Admission admission, const JobQueue& queue) {
   if (admission == Admission::kDraining) return {RpcCode::kDraining, "the server is going down", {}};
-  return {RpcCode::kBusy, "too many calls are waiting", Json{{"retryAfterMs", kRetryAfterMs}}};
+  return {RpcCode::kBusy, "too many calls are waiting", Json{{"retryAfterMs", queue.retry_after_ms()}}};
 }
 
 std::string text_of(const RpcError& error) {
   return to_text(error_response(nullptr, error));
 }
 
+std::string text_field(const Json& fields, std::string_view key) {
+  const auto found = fields.is_object() ? fields.find(key) : fields.end();
+  return found != fields.end() && found->is_string() ? found->get<std::string>() : std::string{};
+}
+
 // The marker a call is about: of its params, or of the answer that opened it.  Empty: none.
 std::string marker_of(const Json& fields) {
-  const auto found = fields.is_object() ? fields.find("markerId") : fields.end();
-  return found != fields.end() && found->is_string() ? found->get<std::string>() : std::string{};
+  return text_field(fields, "markerId");
+}
+
+// When the call wants its answer; checked as a parameter later, together with the others.
+std::optional<Clock::time_point> deadline_of(const Json& params) {
+  const auto found = params.is_object() ? params.find("deadlineMs") : params.end();
+  if (found == params.end() || !found->is_number()) return std::nullopt;
+  const double milliseconds = found->get<double>();
+  if (!(milliseconds >= kDeadlines.least && milliseconds <= kDeadlines.most)) return std::nullopt;
+  return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double, std::milli>{milliseconds});
 }
 
 }  // namespace
@@ -38,7 +53,7 @@ std::string marker_of(const Json& fields) {
 struct Dispatcher::Exchange {
   Incoming incoming;
   std::size_t bytes{};
-  std::stop_token caller;
+  std::shared_ptr<Session> session;
   ReplyOnce<std::string> reply;
   Clock::time_point began{Clock::now()};
   std::size_t calls_done{};
@@ -50,8 +65,8 @@ struct Dispatcher::Exchange {
     line.milliseconds = std::chrono::duration<double, std::milli>{Clock::now() - began}.count();
     if (const auto* error = std::get_if<RpcError>(&outcome)) {
       line.code = static_cast<int>(error->code);
-    } else if (line.marker.empty()) {
-      line.marker = marker_of(std::get<Json>(outcome));
+    } else if (const auto* result = std::get_if<Json>(&outcome); result && line.marker.empty()) {
+      line.marker = marker_of(*result);
     }
     if (request.id) {
       answers.push_back(answer_text(*request.id, std::move(outcome)));
@@ -62,7 +77,8 @@ struct Dispatcher::Exchange {
 
   static std::string answer_text(const Json& id, Outcome outcome) {
     if (const auto* error = std::get_if<RpcError>(&outcome)) return to_text(error_response(id, *error));
-    return to_text(response(id, std::get<Json>(std::move(outcome))));
+    if (auto* result = std::get_if<Json>(&outcome)) return to_text(response(id, std::move(*result)));
+    return response_text(id, *std::get<SharedText>(outcome));
   }
 
   // All answers as one text; empty when every call was a notification.
@@ -75,16 +91,19 @@ struct Dispatcher::Exchange {
   }
 };
 
-void Dispatcher::receive(std::string message, std::stop_token caller, Reply reply) {
+void Dispatcher::receive(std::string message, const std::shared_ptr<Session>& session, Reply reply) {
   ReplyOnce<std::string> once{std::move(reply), text_of(internal_error())};
-  if (message.size() <= kSmallMessage) return take_apart(message, std::move(caller), std::move(once));
+  if (message.size() <= kSmallMessage) return take_apart(message, session, std::move(once));
   // Shared, so that the reply is still at hand when the queue refuses.
   const auto held = std::make_shared<ReplyOnce<std::string>>(std::move(once));
-  Job job{.lane = {}, .caller = caller, .work = Work{[this, held, caller, text = std::move(message)](auto&&) {
-                                          take_apart(text, caller, std::move(*held));
-                                        }}};
+  Job job{.session = session->id,
+          .lane = {},
+          .caller = session->gone,
+          .work = Work{[this, held, session, text = std::move(message)](auto&&) {
+            take_apart(text, session, std::move(*held));
+          }}};
   const Admission admission = reads_.submit(job);
-  if (admission != Admission::kAccepted) std::move (*held)(text_of(refused(admission)));
+  if (admission != Admission::kAccepted) std::move (*held)(text_of(refused(admission, reads_)));
 }
 
 std::string Dispatcher::too_long(std::size_t limit) {
@@ -92,10 +111,10 @@ std::string Dispatcher::too_long(std::size_t limit) {
       {RpcCode::kTooLarge, "the message is longer than " + std::to_string(limit) + " bytes", Json{{"limit", limit}}});
 }
 
-void Dispatcher::take_apart(std::string_view message, std::stop_token caller, ReplyOnce<std::string> reply) {
+void Dispatcher::take_apart(std::string_view message, std::shared_ptr<Session> session, ReplyOnce<std::string> reply) {
   next(std::make_shared<Exchange>(Exchange{.incoming = parse_incoming(message, max_bytes_),
                                            .bytes = message.size(),
-                                           .caller = std::move(caller),
+                                           .session = std::move(session),
                                            .reply = std::move(reply)}));
 }
 
@@ -121,22 +140,45 @@ void Dispatcher::next(const std::shared_ptr<Exchange>& exchange) {
 }
 
 void Dispatcher::start(const std::shared_ptr<Exchange>& exchange, const Request& request, ReplyOnce<Outcome> reply) {
+  if (request.method == kCancel) return std::move(reply)(cancel(request.params, exchange->session->id));
   const auto place = place_of(request.method);
   if (!place) {
     return std::move(reply)(RpcError{RpcCode::kMethodNotFound, "there is no method '" + request.method + "'", {}});
   }
-  if (*place == Place::kAtOnce) {
-    return std::move(reply)(methods_.call(request.method, request.params, {exchange->caller, exchange->caller}));
+  const auto call = std::make_shared<OpenCall>(exchange->session, std::move(reply));
+  if (const auto time = deadline_of(request.params)) OpenCall::set_deadline(call, clock_, *time);
+  if (request.id) calls_.add(*request.id, call);
+  switch (*place) {
+    case Place::kAtOnce: return call->answer(methods_.call(request.method, request.params, {*call, call->stop()}));
+    case Place::kDrag: return drags_.take(request.method, request.params, call);
+    // Retries of one call take turns, so that the later finds the answer of the earlier.
+    case Place::kRead: return enqueue(reads_, text_field(request.params, "opId"), exchange, request, call);
+    case Place::kMotion: return enqueue(motions_, marker_of(request.params), exchange, request, call);
   }
-  const bool motion = *place == Place::kMotion;
-  const auto held = std::make_shared<ReplyOnce<Outcome>>(std::move(reply));
-  Job job{.lane = motion ? marker_of(request.params) : std::string{},
-          .caller = exchange->caller,
-          .work = Work{[this, exchange, &request, held](std::stop_token stop) {
-            std::move (*held)(methods_.call(request.method, request.params, {std::move(stop), exchange->caller}));
+}
+
+void Dispatcher::enqueue(JobQueue& queue, std::string lane, const std::shared_ptr<Exchange>& exchange,
+                         const Request& request, const std::shared_ptr<OpenCall>& call) {
+  Job job{.session = exchange->session->id,
+          .lane = std::move(lane),
+          .caller = call->stop(),
+          .work = Work{[this, exchange, &request, call](std::stop_token stop) {
+            // Nobody waits for the outcome of a call that was cancelled before its turn came.
+            if (call->left().stop_requested() && !call->settle()) return;
+            call->answer(methods_.call(request.method, request.params, {*call, std::move(stop)}));
           }}};
-  const Admission admission = (motion ? motions_ : reads_).submit(job);
-  if (admission != Admission::kAccepted) std::move (*held)(refused(admission));
+  const Admission admission = queue.submit(job);
+  if (admission != Admission::kAccepted) call->answer(refused(admission, queue));
+}
+
+Outcome Dispatcher::cancel(const Json& params, std::uint64_t session) {
+  Mistake mistake;
+  Fields fields{params, "", mistake};
+  const Json* id = fields.maybe_any("id");
+  fields.finish();
+  if (!id) mistake.add(ErrorCode::kMissingField, "the field is missing; it is required", "/id");
+  if (mistake) return rpc_error(mistake.error());
+  return Json{{"cancelled", calls_.cancel(*id, session)}};
 }
 
 }  // namespace selvage

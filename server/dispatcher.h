@@ -7,11 +7,13 @@
 
 #include <cstddef>
 #include <memory>
-#include <stop_token>
 #include <string>
 
+#include "server/deadline_clock.h"
+#include "server/drags.h"
 #include "server/job_queue.h"
 #include "server/methods.h"
+#include "server/open_call.h"
 #include "server/reply_once.h"
 #include "server/transport/service.h"
 
@@ -20,25 +22,31 @@ namespace selvage {
 class Dispatcher {
  public:
   // REQUIRES: all outlive the dispatcher and every call.
-  Dispatcher(Methods& methods, JobQueue& reads, JobQueue& motions, std::size_t max_bytes)
-      : methods_{methods}, reads_{reads}, motions_{motions}, max_bytes_{max_bytes} {}
+  Dispatcher(Methods& methods, Drags& drags, DeadlineClock& clock, JobQueue& reads, JobQueue& motions,
+             std::size_t max_bytes)
+      : methods_{methods}, drags_{drags}, clock_{clock}, reads_{reads}, motions_{motions}, max_bytes_{max_bytes} {}
 
-  // Never blocks, unless the queues have no workers.  `caller` stops when nobody waits for the answer any
-  // more.
-  void receive(std::string message, std::stop_token caller, Reply reply);
+  // Never blocks, unless the queues have no workers.
+  void receive(std::string message, const std::shared_ptr<Session>& session, Reply reply);
   // The answer to a message that is longer than the limit and was therefore not read.
   [[nodiscard]] static std::string too_long(std::size_t limit);
 
  private:
   struct Exchange;  // one message on its way
-  void take_apart(std::string_view message, std::stop_token caller, ReplyOnce<std::string> reply);
+  void take_apart(std::string_view message, std::shared_ptr<Session> session, ReplyOnce<std::string> reply);
   void next(const std::shared_ptr<Exchange>& exchange);
   void start(const std::shared_ptr<Exchange>& exchange, const Request& request, ReplyOnce<Outcome> reply);
+  void enqueue(JobQueue& queue, std::string lane, const std::shared_ptr<Exchange>& exchange, const Request& request,
+               const std::shared_ptr<OpenCall>& call);
+  [[nodiscard]] Outcome cancel(const Json& params, std::uint64_t session);
 
   Methods& methods_;
+  Drags& drags_;
+  DeadlineClock& clock_;
   JobQueue& reads_;
   JobQueue& motions_;
   const std::size_t max_bytes_;
+  OpenCalls calls_;
 };
 
 }  // namespace selvage

@@ -2,10 +2,19 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <chrono>
 #include <exception>
 #include <utility>
 
 namespace selvage {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr double kOfLate = 0.1;  // the weight of the last job in what is usual
+constexpr double kSoonest = 20, kLatest = 10'000;  // milliseconds until a retry
+
+}  // namespace
 
 JobQueue::JobQueue(std::size_t workers, std::size_t capacity) : workers_{workers}, capacity_{capacity} {
   threads_.reserve(workers);
@@ -34,7 +43,8 @@ Admission JobQueue::submit(Job& job) {
       return Admission::kAccepted;
     }
   }
-  ready_.push_back(std::move(job));
+  const std::uint64_t session = job.session;
+  ready_.push(session, std::move(job));
   changed_.notify_all();
   return Admission::kAccepted;
 }
@@ -49,6 +59,13 @@ void JobQueue::drain() {
   for (const std::stop_source& stop : running) stop.request_stop();
   lock.lock();
   changed_.wait(lock, [this] { return ready_.empty() && behind_ == 0 && stops_.empty(); });
+}
+
+int JobQueue::retry_after_ms() const {
+  const std::lock_guard lock{mutex_};
+  const auto ahead = static_cast<double>(ready_.size() + behind_ + 1);
+  const auto hands = static_cast<double>(std::max<std::size_t>(workers_, 1));
+  return static_cast<int>(std::clamp(usual_ms_ * ahead / hands, kSoonest, kLatest));
 }
 
 std::size_t JobQueue::waiting() const {
@@ -66,8 +83,7 @@ void JobQueue::serve() {
   for (;;) {
     changed_.wait(lock, [this] { return !ready_.empty() || (draining_ && behind_ == 0); });
     if (ready_.empty()) return;
-    Job job = std::move(ready_.front());
-    ready_.pop_front();
+    Job job = ready_.pop();
     const auto stop = stops_.emplace(stops_.end());
     if (draining_) stop->request_stop();
     lock.unlock();
@@ -78,6 +94,7 @@ void JobQueue::serve() {
 
 void JobQueue::run(Job job, std::list<std::stop_source>::iterator stop) {
   const std::string lane = job.lane;
+  const Clock::time_point began = Clock::now();
   {
     const std::stop_callback caller_gone{job.caller, [source = *stop]() mutable { source.request_stop(); }};
     auto outcome = job.work.get_future();
@@ -92,17 +109,19 @@ void JobQueue::run(Job job, std::list<std::stop_source>::iterator stop) {
     // The job goes before its lane moves on: what it owned, such as an unused reply, is settled first.
     job.work = {};
   }
-  end(lane, stop);
+  end(lane, stop, std::chrono::duration<double, std::milli>{Clock::now() - began}.count());
 }
 
-void JobQueue::end(const std::string& lane, std::list<std::stop_source>::iterator stop) {
+void JobQueue::end(const std::string& lane, std::list<std::stop_source>::iterator stop, double milliseconds) {
   const std::lock_guard lock{mutex_};
+  usual_ms_ += kOfLate * (milliseconds - usual_ms_);
   stops_.erase(stop);
   if (const auto found = lanes_.find(lane); found != lanes_.end()) {
     if (found->second.empty()) {
       lanes_.erase(found);
     } else {
-      ready_.push_back(std::move(found->second.front()));
+      const std::uint64_t session = found->second.front().session;
+      ready_.push(session, std::move(found->second.front()));
       found->second.pop_front();
       --behind_;
     }

@@ -1,5 +1,7 @@
 // The worker pool: jobs in, at most `capacity` waiting, each told when to stop.
 //
+// Sessions take turns: however many jobs one of them has waiting, another's next job waits for one of each.
+//
 // A job may name a lane; the jobs of one lane run one at a time, in the order they came.  A marker's id is
 // the lane of what changes it.  The queue owns every worker and every stop_source: a job is asked to stop
 // when its caller is gone or when the queue drains, and a job that starts after either finds its token
@@ -8,6 +10,7 @@
 
 #include <condition_variable>
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <future>
 #include <list>
@@ -18,12 +21,15 @@
 #include <thread>
 #include <vector>
 
+#include "server/fair_line.h"
+
 namespace selvage {
 
 // Move-only, unlike std::function, so that a job can own its ReplyOnce.
 using Work = std::packaged_task<void(std::stop_token)>;
 
 struct Job {
+  std::uint64_t session{};  // whose turn it takes
   std::string lane;        // empty: none
   std::stop_token caller;  // stops when whoever asked is gone
   Work work;               // what it throws is logged and ends this job only
@@ -46,22 +52,25 @@ class JobQueue {
 
   [[nodiscard]] std::size_t workers() const { return workers_; }
   [[nodiscard]] std::size_t capacity() const { return capacity_; }
+  // When a full queue is likely to have room again: jobs waiting times what one took of late.
+  [[nodiscard]] int retry_after_ms() const;
   [[nodiscard]] std::size_t waiting() const;
   [[nodiscard]] std::size_t running() const;
 
  private:
   void serve();
   void run(Job job, std::list<std::stop_source>::iterator stop);
-  void end(const std::string& lane, std::list<std::stop_source>::iterator stop);
+  void end(const std::string& lane, std::list<std::stop_source>::iterator stop, double milliseconds);
 
   const std::size_t workers_;
   const std::size_t capacity_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<Job> ready_;
+  FairLine<Job> ready_;
   std::map<std::string, std::deque<Job>> lanes_;  // the lanes with a job ready or running, and what waits behind it
   std::size_t behind_{};                          // jobs waiting in lanes_
   std::list<std::stop_source> stops_;             // one per running job
+  double usual_ms_{100};                          // a job's, of late
   bool draining_{};
   std::vector<std::jthread> threads_;
 };

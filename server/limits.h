@@ -11,6 +11,7 @@ struct Limits {
   std::size_t open_markers{1000};
   std::size_t waiting_motions{64};  // beyond those that run
   std::size_t waiting_reads{256};
+  std::size_t waiting_moves{256};  // of dragging hands
   TransportLimits transport;
 };
 

@@ -2,48 +2,35 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
-#include <string>
 #include <utility>
 
+#include "protocol/changes.h"
 #include "protocol/codec.h"
+#include "server/refusals.h"
 #include "server/version.h"
 
 namespace selvage {
 namespace {
 
-RpcError unknown_marker(const std::string& id) {
-  return {RpcCode::kUnknownMarker, "no marker '" + id + "' is open", {}};
-}
-
-RpcError revision_mismatch(const std::string& id, Revision wanted, Revision present) {
-  return {RpcCode::kRevisionMismatch,
-          "marker '" + id + "' is at revision " + std::to_string(present) + ", not " + std::to_string(wanted),
-          Json{{"revision", present}}};
-}
-
-RpcError limit_reached(const std::string& what, std::size_t limit) {
-  return {RpcCode::kLimit, what + ": the limit is " + std::to_string(limit), Json{{"limit", limit}}};
-}
-
-RpcError caller_gone() {
-  return {RpcCode::kCancelled, "the connection closed before the call ended", {}};
-}
-
-double now_ms() {
-  const auto since = std::chrono::steady_clock::now().time_since_epoch();
-  return std::chrono::duration<double, std::milli>{since}.count();
-}
-
 struct OwnMethod {
   std::string_view name;
   Place place{};
-  Outcome (Methods::*run)(const Json& params);
+  Outcome (Methods::*run)(const Json& params, const CallTurn& turn);  // null: the drags'
 };
 constexpr std::array kOwnMethods{
     OwnMethod{"engine.info", Place::kAtOnce, &Methods::engine_info},
     OwnMethod{"marker.open", Place::kRead, &Methods::marker_open},
+    OwnMethod{"marker.list", Place::kRead, &Methods::marker_list},
+    OwnMethod{"marker.get", Place::kRead, &Methods::marker_get},
     OwnMethod{"marker.close", Place::kRead, &Methods::marker_close},
+    OwnMethod{"marker.watch", Place::kAtOnce, &Methods::marker_watch},
+    OwnMethod{"marker.unwatch", Place::kAtOnce, &Methods::marker_unwatch},
+    OwnMethod{"marker.apply", Place::kMotion, &Methods::marker_apply},
+    OwnMethod{"marker.undo", Place::kMotion, &Methods::marker_undo},
+    OwnMethod{"marker.redo", Place::kMotion, &Methods::marker_redo},
+    OwnMethod{"drag.begin", Place::kDrag, nullptr},
+    OwnMethod{"drag.move", Place::kDrag, nullptr},
+    OwnMethod{"drag.end", Place::kDrag, nullptr},
 };
 const OwnMethod* find_own_method(std::string_view name) {
   const auto* const found = std::find_if(kOwnMethods.begin(), kOwnMethods.end(),
@@ -51,9 +38,15 @@ const OwnMethod* find_own_method(std::string_view name) {
   return found == kOwnMethods.end() ? nullptr : found;
 }
 
+std::string changed_message(const ReadyChange& change, const MarkerFile& before, const Committed& after) {
+  Json params{{"markerId", change.marker_id}, {"revision", after.revision}, {"by", change.method}};
+  params.update(change_json(before, *after.file));
+  return to_text(notification("marker.changed", std::move(params)));
+}
+
 }  // namespace
 
-Outcome Methods::engine_info(const Json& params) {
+Outcome Methods::engine_info(const Json& params, const CallTurn&) {
   if (const auto none = decode_no_params(params); !none) return rpc_error(none.error());
   EngineInfo info;
   info.version = kVersion;
@@ -62,7 +55,9 @@ Outcome Methods::engine_info(const Json& params) {
   info.max_request_bytes = limits_.transport.body_bytes;
   info.cache = sums_.counts();
   for (const OwnMethod& method : kOwnMethods) info.methods.push_back(method.name);
-  for (const MarkerMethod& method : marker_methods()) info.methods.push_back(method.name);
+  for (const MarkerMethod& method : marker_methods()) {
+    if (!find_own_method(method.name)) info.methods.push_back(method.name);
+  }
   Json result = encode(info);
   result["limits"].update(Json{{"openMarkers", limits_.open_markers},
                                {"waitingMotions", limits_.waiting_motions},
@@ -72,62 +67,48 @@ Outcome Methods::engine_info(const Json& params) {
   return result;
 }
 
-Outcome Methods::marker_open(const Json& params) {
-  auto wanted = decode_marker_open(params);
-  if (!wanted) return rpc_error(wanted.error());
-  const auto opened = store_.open(std::move(wanted->file));
-  if (!opened) return limit_reached("too many open markers", store_.limit());
-  const MarkerFile& file = *opened->first.file;
-  MarkerOpened answer;
-  answer.marker_id = opened->id;
-  answer.revision = opened->first.revision;
-  answer.pieces = file.marker.pieces.size();
-  answer.length = to_decimal(length_of(file.marker), file.marker.resolution);
-  answer.utilisation = utilisation_of(file.marker);
-  answer.valid = is_valid(file.marker);
-  answer.notes = file.notes;
-  return encode(answer);
+std::optional<Outcome> Methods::replay(const std::string& marker_id, const std::optional<std::string>& op_id,
+                                       std::string_view method) const {
+  if (!op_id) return std::nullopt;
+  const auto kept = store_.answer(marker_id, *op_id);
+  if (!kept) return std::nullopt;
+  if (kept->method == method) return kept->result;
+  return rpc_error(
+      Error{ErrorCode::kOutOfRange, shortened(Json(*op_id)) + " was the opId of a call of " + kept->method, "/opId"});
 }
 
-Outcome Methods::marker_close(const Json& params) {
-  const auto wanted = decode_marker_close(params);
-  if (!wanted) return rpc_error(wanted.error());
-  if (!store_.close(wanted->marker_id)) return unknown_marker(wanted->marker_id);
-  return encode(MarkerClosed{wanted->marker_id});
-}
-
-Outcome Methods::call_on_marker(const MarkerMethod& method, const Json& params, const Stops& stops) {
-  const auto call = method.read(params);
-  if (!call) return rpc_error(call.error());
-  const std::string& id = call->about.marker_id;
-  const auto current = store_.current(id);
-  if (!current) return unknown_marker(id);
-  const Revision base = current->revision;
-  if (const auto& wanted = call->about.base_revision; wanted && *wanted != base) {
-    return revision_mismatch(id, *wanted, base);
+Outcome Methods::commit(ReadyChange change, const CallTurn& turn) {
+  const Revision base = change.before.revision;
+  const auto text =
+      std::make_shared<const std::string>(to_text(result_json(change.marker_id, base + 1, change.fields)));
+  NextRevision next{std::move(change.after), change.origin, {}, {}};
+  if (change.op_id) next.answer = KeptAnswer{*change.op_id, std::string{change.method}, text};
+  next.tell = [&](const Committed& after) {
+    if (!watchers_.any(change.marker_id)) return;
+    watchers_.tell(change.marker_id, changed_message(change, *change.before.file, after));
+  };
+  if (turn.call.left().stop_requested() || !turn.call.settle()) return nobody_waits();
+  const Commit commit = store_.commit(change.marker_id, base, std::move(next));
+  switch (commit.outcome) {
+    case Commit::Outcome::kClosed: return unknown_marker(change.marker_id);
+    case Commit::Outcome::kMismatch: return revision_mismatch(change.marker_id, base, commit.revision);
+    case Commit::Outcome::kNotWritten: return not_written();
+    case Commit::Outcome::kDone: break;
   }
-  if (stops.caller.stop_requested()) return caller_gone();
-
-  StageTimer timer{now_ms()};
-  Observer observer;
-  observer.on_stage = [&timer](Stage stage) { timer.enter(stage, now_ms()); };
-  auto answer = call->run(*current->file, Means{engine_, sums_, stops.any, observer});
-  if (!answer) return rpc_error(answer.error(), code_of_run(method, answer.error()));
-  if (stops.caller.stop_requested()) return caller_gone();
-
-  if (call->about.timing) tell_times(answer->fields, timer.times(now_ms()), sums_.counts());
-  if (!answer->next) return result_json(id, base, answer->fields);
-  MarkerFile next = *current->file;
-  next.marker = *std::move(answer->next);
-  const Commit commit = store_.commit(id, base, std::move(next));
-  if (commit.outcome == Commit::Outcome::kClosed) return unknown_marker(id);
-  if (commit.outcome == Commit::Outcome::kMismatch) return revision_mismatch(id, base, commit.revision);
-  return result_json(id, commit.revision, answer->fields);
+  return text;
 }
 
-Outcome Methods::call(std::string_view method, const Json& params, const Stops& stops) {
-  if (const OwnMethod* own = find_own_method(method)) return (this->*own->run)(params);
-  return call_on_marker(*find_marker_method(method), params, stops);
+Outcome Methods::unchanged(std::string_view method, const std::string& marker_id,
+                           const std::optional<std::string>& op_id, Json result) {
+  if (!op_id) return result;
+  const auto text = std::make_shared<const std::string>(to_text(result));
+  if (!store_.keep(marker_id, {*op_id, std::string{method}, text})) return not_written();
+  return text;
+}
+
+Outcome Methods::call(std::string_view method, const Json& params, const CallTurn& turn) {
+  if (const OwnMethod* own = find_own_method(method)) return (this->*own->run)(params, turn);
+  return call_on_marker(*find_marker_method(method), params, turn);
 }
 
 std::optional<Place> place_of(std::string_view method) {

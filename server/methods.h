@@ -1,50 +1,84 @@
-// Every method on the markers that are open, given a thread to do it on.  No sockets, no queues: params in,
-// result or error out.
+// Every method of the server, given a thread to do it on.  No sockets, no queues: params in, result or error out.
+//
+// A method is one of the server's own, in the table of methods.cpp and in marker_calls.cpp and change_calls.cpp, or one
+// that works on a marker, from the table that the command line runs too (protocol/marker_methods.h); motion_calls.cpp
+// runs those.
 #pragma once
 
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <string_view>
-#include <variant>
 
 #include "protocol/json_rpc.h"
 #include "protocol/marker_methods.h"
 #include "server/limits.h"
 #include "server/marker_store.h"
+#include "server/open_call.h"
+#include "server/outcome.h"
+#include "server/watchers.h"
 
 namespace selvage {
 
-using Outcome = std::variant<Json, RpcError>;
-
-// Who wants a motion to stop.
-struct Stops {
-  std::stop_token any;     // for whatever reason: hand back the best so far
-  std::stop_token caller;  // the caller is gone: the answer reaches nobody, so nothing is committed
+// A call, now that it has a thread.
+struct CallTurn {
+  OpenCall& call;
+  std::stop_token stop;  // hand back the best so far, for whatever reason
 };
 
-// Where a method runs: at once on the thread that read the call, on a worker for reads, or on a worker for
-// motions in its marker's lane.
-enum class Place { kAtOnce, kRead, kMotion };
+// Where a method runs: at once on the thread that read the call, on a worker for reads, on a worker for motions in its
+// marker's lane, or where the dragging hand is served.
+enum class Place { kAtOnce, kRead, kMotion, kDrag };
 // Nothing when there is no method of this name.
 [[nodiscard]] std::optional<Place> place_of(std::string_view method);
 
+// A change that is ready to be committed, and what is answered when it is.
+struct ReadyChange {
+  std::string_view method;
+  const std::string& marker_id;
+  const Committed& before;
+  MarkerFile after;
+  Origin origin{};
+  const std::optional<std::string>& op_id;
+  const Json& fields;  // of the answer: all but markerId and revision
+};
+
 class Methods {
  public:
-  Methods(MarkerStore& store, SumCache& sums, const Limits& limits, std::size_t workers, Engine engine)
-      : store_{store}, sums_{sums}, limits_{limits}, workers_{workers}, engine_{std::move(engine)} {}
+  Methods(MarkerStore& store, Watchers& watchers, SumCache& sums, const Limits& limits, std::size_t workers,
+          Engine engine)
+      : store_{store}, watchers_{watchers}, sums_{sums}, limits_{limits}, workers_{workers}, engine_{std::move(engine)} {}
 
-  // REQUIRES: place_of knows the method.
-  [[nodiscard]] Outcome call(std::string_view method, const Json& params, const Stops& stops);
+  // REQUIRES: place_of knows the method, and it is none of the drags'.
+  [[nodiscard]] Outcome call(std::string_view method, const Json& params, const CallTurn& turn);
 
-  // The methods about markers as a whole; those that work on one are in protocol/marker_methods.h.
-  [[nodiscard]] Outcome engine_info(const Json& params);
-  [[nodiscard]] Outcome marker_open(const Json& params);
-  [[nodiscard]] Outcome marker_close(const Json& params);
+  // The answer kept of an earlier call of this opId; nothing when there is none.  `marker_id` as of MarkerStore::answer.
+  [[nodiscard]] std::optional<Outcome> replay(const std::string& marker_id, const std::optional<std::string>& op_id,
+                                              std::string_view method) const;
+  // Makes the change the marker's next revision, tells those who watch it, and answers.
+  [[nodiscard]] Outcome commit(ReadyChange change, const CallTurn& turn);
+  [[nodiscard]] const Engine& engine() const { return engine_; }
+
+  [[nodiscard]] Outcome engine_info(const Json& params, const CallTurn& turn);
+  [[nodiscard]] Outcome marker_open(const Json& params, const CallTurn& turn);
+  [[nodiscard]] Outcome marker_list(const Json& params, const CallTurn& turn);
+  [[nodiscard]] Outcome marker_get(const Json& params, const CallTurn& turn);
+  [[nodiscard]] Outcome marker_close(const Json& params, const CallTurn& turn);
+  [[nodiscard]] Outcome marker_watch(const Json& params, const CallTurn& turn);
+  [[nodiscard]] Outcome marker_unwatch(const Json& params, const CallTurn& turn);
+  [[nodiscard]] Outcome marker_apply(const Json& params, const CallTurn& turn);
+  [[nodiscard]] Outcome marker_undo(const Json& params, const CallTurn& turn);
+  [[nodiscard]] Outcome marker_redo(const Json& params, const CallTurn& turn);
 
  private:
-  [[nodiscard]] Outcome call_on_marker(const MarkerMethod& method, const Json& params, const Stops& stops);
+  [[nodiscard]] Outcome call_on_marker(const MarkerMethod& method, const Json& params, const CallTurn& turn);
+  [[nodiscard]] Outcome way_back(std::string_view method, const Json& params, const CallTurn& turn, Origin origin);
+  // The answer to a call that changed nothing, kept when it has an opId.
+  [[nodiscard]] Outcome unchanged(std::string_view method, const std::string& marker_id,
+                                  const std::optional<std::string>& op_id, Json result);
 
   MarkerStore& store_;
+  Watchers& watchers_;
   SumCache& sums_;
   const Limits limits_;
   const std::size_t workers_;

@@ -57,6 +57,14 @@ std::variant<Options, Farewell> parse_options(int argc, const char* const* argv)
   app.add_option("--max-body-mb", body_mb, "The largest request, in MiB")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  app.add_option("--store", options.store,
+                 "The file that keeps markers over restarts (SQLite); none: they live in memory only")
+      ->default_str("none");
+  std::string durability = "full";
+  app.add_option("--durability", durability,
+                 "full: an acknowledged change outlives the loss of power; relaxed: the end of the process")
+      ->check(CLI::IsMember({"full", "relaxed"}))
+      ->capture_default_str();
   app.add_option("--log-level", options.log_level, "What is logged to stderr")
       ->check(CLI::IsMember({"debug", "info", "warn", "error", "off"}))
       ->capture_default_str();
@@ -70,6 +78,8 @@ std::variant<Options, Farewell> parse_options(int argc, const char* const* argv)
   }
   if (const auto mistake = read_address(listen, options)) return Farewell{2, "--listen: " + *mistake + "\n"};
   options.limits.transport.body_bytes = body_mb << 20;
+  if (options.store == "none") options.store.clear();
+  options.durability = durability == "relaxed" ? Durability::kRelaxed : Durability::kFull;
   return options;
 }
 

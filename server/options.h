@@ -6,6 +6,7 @@
 #include <string>
 #include <variant>
 
+#include "server/journal.h"
 #include "server/limits.h"
 
 namespace selvage {
@@ -16,6 +17,8 @@ struct Options {
   std::string port_file;          // where to write the port that was taken; empty: nowhere
   std::size_t workers{};          // for motions; 0: inline, on the I/O thread (for tests)
   std::size_t cache_mb{256};      // for Minkowski sums
+  std::string store;              // the journal's file; empty: markers live in memory only
+  Durability durability{};
   std::string log_level{"info"};
   Limits limits;
 };

@@ -28,6 +28,7 @@ std::string_view wire_name(ErrorCode code) {
     case ErrorCode::kOrientationNotAllowed: return "marker.orientation_not_allowed";
     case ErrorCode::kHealingFailed: return "motion.healing_failed";
     case ErrorCode::kStoppedEarly: return "motion.stopped_early";
+    case ErrorCode::kNothingToUndo: return "history.nothing_to_undo";
   }
   return "unknown";
 }

@@ -1,5 +1,6 @@
 // Errors are values.  A code never changes its number, its wire name or its meaning; new ones are added at the
-// end of their range.  Ranges: 10xx input as text, 11xx shapes, 12xx markers, 13xx motions.
+// end of their range.  Ranges: 10xx input as text, 11xx shapes, 12xx markers, 13xx motions, 14xx
+// the history of a marker that is open.
 #pragma once
 
 #include <string>
@@ -35,6 +36,8 @@ enum class ErrorCode : int {
 
   kHealingFailed = 1301,  // small overlaps could not be parted
   kStoppedEarly = 1302,   // asked to stop before there was any valid marker to hand back
+
+  kNothingToUndo = 1401,  // no change to take back, or none to make again
 };
 
 // The name that goes over the wire, such as "marker.overlaps".

@@ -124,6 +124,8 @@ void note_repairs(std::vector<Note>& notes, const std::string& at, const Repairs
   if (repairs.reversed) notes.push_back({at, "clockwise; turned round"});
 }
 
+}  // namespace
+
 Result<Shape> shape_on_lattice(const DecimalShape& written, std::size_t index, Resolution resolution,
                                std::vector<Note>& notes) {
   const std::string at = indexed("/shapes/", index, "/outline");
@@ -141,6 +143,8 @@ Result<Shape> shape_on_lattice(const DecimalShape& written, std::size_t index, R
   shape.outline = std::move(clean->polygon);
   return shape;
 }
+
+namespace {
 
 void note_rounding(std::vector<Note>& notes, const Survey& all, const Marker& marker) {
   if (all.decimals <= -marker.resolution.exponent) return;

@@ -49,6 +49,11 @@ inline constexpr double kFarthest = 1e5;
 // Errors: kBeyondLattice, kDuplicateId, kUnknownShape, those of clean_polygon and make_marker.
 [[nodiscard]] Result<MarkerFile> on_lattice(const DecimalMarker& written, Attributes attributes, Format format);
 
+// One shape, with what was mended added to the notes.  REQUIRES: its coordinates fit the lattice.
+// Errors: those of clean_polygon, below "/shapes/<index>/outline".
+[[nodiscard]] Result<Shape> shape_on_lattice(const DecimalShape& written, std::size_t index, Resolution resolution,
+                                             std::vector<Note>& notes);
+
 // The elements of an array of [x, y].  A mistake for anything else.
 [[nodiscard]] std::vector<Decimal> read_points(const Json& array, const std::string& at, Mistake& mistake);
 [[nodiscard]] Decimal read_point(const Json& value, const std::string& at, Mistake& mistake);

@@ -189,4 +189,16 @@ Json native_document(const MarkerFile& file) {
   return document;
 }
 
+DecimalShape read_native_shape(const Json& value, const std::string& at, Mistake& mistake, Json& attributes) {
+  return read_shape(value, at, mistake, attributes);
+}
+
+DecimalPiece read_native_piece(const Json& value, const std::string& at, Mistake& mistake, Json& attributes) {
+  return read_piece(value, at, mistake, attributes);
+}
+
+Json native_piece(const Marker& marker, const Piece& piece, const Json& attributes) {
+  return piece_json(marker, piece, attributes);
+}
+
 }  // namespace selvage

@@ -31,7 +31,7 @@ Result<MotionBump> decode_motion_bump(const Json& params) {
   Mistake mistake;
   Fields fields{params, "", mistake};
   MotionBump bump;
-  bump.call = read_call(fields);
+  bump.call = read_call(fields, mistake);
   bump.piece = fields.id("piece");
   bump.direction = read_direction(fields, "direction", mistake);
   fields.finish();

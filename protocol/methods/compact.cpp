@@ -21,7 +21,7 @@ Result<MotionCompact> decode_motion_compact(const Json& params) {
   Mistake mistake;
   Fields fields{params, "", mistake};
   MotionCompact compact;
-  compact.call = read_call(fields);
+  compact.call = read_call(fields, mistake);
   compact.effort = read_effort(fields);
   fields.finish();
   if (mistake) return mistake.error();

@@ -70,7 +70,7 @@ Result<MotionFloat> decode_motion_float(const Json& params) {
   Mistake mistake;
   Fields fields{params, "", mistake};
   MotionFloat wanted;
-  wanted.call = read_call(fields);
+  wanted.call = read_call(fields, mistake);
   wanted.distance = fields.number("distance", kFloatDistances);
   wanted.mode = static_cast<FloatMode>(fields.word_or("mode", static_cast<std::size_t>(wanted.mode), kFloatModeNames));
   wanted.edges = fields.flag_or("edges", wanted.edges);

@@ -33,12 +33,16 @@ struct MethodAnswer {
   std::optional<Marker> next;  // the marker's next state; none: it stays as it is
 };
 
-// What every motion takes: {"markerId", "baseRev"?, "commit"?, "timing"?}
+// What every motion takes: {"markerId", "baseRev"?, "commit"?, "timing"?, "opId"?, "deadlineMs"?, "progressToken"?}.  The
+// last three are the server's business.
 struct MotionCall {
   std::string marker_id;
   std::optional<Revision> base_revision;  // refuse when the marker is at another
   bool commit{true};                      // false: answer, but leave the marker as it is
   bool timing{};                          // answer with the times and the cache's counts, which vary from run to run
+  std::optional<std::string> op_id;       // the client's name for the call: a retry of it gets the same answer
+  std::optional<double> deadline_ms;      // from the call's arrival: then the best so far is wanted
+  Json progress_token;                    // a string or a number to tell rounds under; null: they are not told
 };
 
 // A call whose parameters were understood.

@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "core/marker/validity.h"
+#include "protocol/call_fields.h"
 #include "protocol/codec.h"
 #include "protocol/formats/decimal_marker.h"
 
 namespace selvage {
 namespace {
-
-constexpr std::int64_t kLargestRevision = std::int64_t{1} << 53;  // what every client's numbers hold
 
 // The figures of every motion.
 Json motion_fields(const Marker& start, const Motion& motion, bool valid) {
@@ -40,14 +39,15 @@ CompactionSettings settings_of(const Effort& effort) {
   return settings;
 }
 
-MotionCall read_call(Fields& fields) {
+MotionCall read_call(Fields& fields, Mistake& mistake) {
   MotionCall call;
   call.marker_id = fields.text("markerId");
-  if (const auto revision = fields.maybe_integer("baseRev", 1, kLargestRevision)) {
-    call.base_revision = static_cast<Revision>(*revision);
-  }
+  call.base_revision = read_base_revision(fields);
   call.commit = fields.flag_or("commit", call.commit);
   call.timing = fields.flag_or("timing", call.timing);
+  call.op_id = read_op_id(fields, mistake);
+  call.deadline_ms = fields.maybe_number("deadlineMs", kDeadlines);
+  call.progress_token = read_progress_token(fields, mistake);
   return call;
 }
 

@@ -32,7 +32,7 @@ struct Direction {
 };
 
 // Readers of the parameters above.
-[[nodiscard]] MotionCall read_call(Fields& fields);
+[[nodiscard]] MotionCall read_call(Fields& fields, Mistake& mistake);
 [[nodiscard]] Effort read_effort(Fields& fields);
 [[nodiscard]] std::optional<int> read_rounds(Fields& fields);
 [[nodiscard]] Direction read_direction(Fields& fields, std::string_view key, Mistake& mistake);

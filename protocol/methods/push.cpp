@@ -60,7 +60,7 @@ Result<MotionPush> decode_motion_push(const Json& params) {
   Mistake mistake;
   Fields fields{params, "", mistake};
   MotionPush push;
-  push.call = read_call(fields);
+  push.call = read_call(fields, mistake);
   push.forces = read_forces(fields, mistake);
   push.effort = read_effort(fields);
   fields.finish();
@@ -72,7 +72,7 @@ Result<MotionGravity> decode_motion_gravity(const Json& params) {
   Mistake mistake;
   Fields fields{params, "", mistake};
   MotionGravity gravity;
-  gravity.call = read_call(fields);
+  gravity.call = read_call(fields, mistake);
   gravity.force = read_direction(fields, "force", mistake);
   gravity.effort = read_effort(fields);
   fields.finish();

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "protocol/call_fields.h"
 #include "protocol/codec.h"
 #include "protocol/fields.h"
 #include "protocol/methods/families.h"
@@ -31,6 +32,7 @@ Result<MarkerGet> decode_marker_get(const Json& params) {
   Fields fields{params, "", mistake};
   MarkerGet get;
   get.marker_id = fields.text("markerId");
+  get.since = read_revision(fields, "since");
   get.format = static_cast<Format>(fields.word_or("format", static_cast<std::size_t>(get.format), kFormatNames));
   fields.finish();
   if (mistake) return mistake.error();

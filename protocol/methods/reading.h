@@ -7,9 +7,10 @@
 
 namespace selvage {
 
-// marker.get {"markerId", "format"?}
+// marker.get {"markerId", "format"?, "since"?}
 struct MarkerGet {
   std::string marker_id;
+  std::optional<Revision> since;  // only what changed after it, where that is known (the server knows)
   Format format{Format::kNative};
 };
 [[nodiscard]] Result<MarkerGet> decode_marker_get(const Json& params);

@@ -32,7 +32,7 @@ Result<MotionSeparate> decode_motion_separate(const Json& params) {
   Fields fields{params, "", mistake};
   MotionSeparate separate;
   SeparationSettings& settings = separate.settings;
-  separate.call = read_call(fields);
+  separate.call = read_call(fields, mistake);
   settings.grow = fields.number_or("grow", settings.grow, {0, kMostGrowth});
   settings.pop_out = fields.flag_or("popOut", settings.pop_out);
   settings.target =

@@ -29,6 +29,7 @@ ONLY_IN = {
     "boost/asio": "server/",
     "boost/beast": "server/transport/http_connection.cpp",
     "nlohmann/": "protocol/",
+    "sqlite3": "server/journal_database.cpp",
     "spdlog/": "server/",
     "CLI/": ("server/", "clients/cli/"),
     "CGAL/": (),
@@ -67,6 +68,7 @@ def self_test():
         "protocol/d.cpp": '#include "server/log.h"\n',
         "server/e.cpp": '#include "clients/cli/f.h"\n',
         "core/base/g.h": "#include <nlohmann/json.hpp>\n",
+        "server/journal.cpp": "#include <sqlite3.h>\n",
         "elsewhere/h.h": "",
     }
     with tempfile.TemporaryDirectory() as folder:

@@ -1,0 +1,31 @@
+// The dragging hand: where a piece comes to lie that a hand wants at some place, and, when the others are to make way,
+// where they flow to.
+//
+// Placing: only the piece moves, to a valid position near the wanted one.  Pushing: the piece lies where the hand wants
+// it, inside the strip, and the pieces in reach are parted from it and from each other [Li94 5.2] while all others stay;
+// where that cannot be done, the piece is placed instead.
+//
+// Laws.  (1) No piece that moved overlaps any other or leaves the strip, proved in integers.  (2) Locked pieces stay.
+// (3) Same input, same answer, whatever the cache holds.
+#pragma once
+
+#include <stop_token>
+
+#include "core/marker/marker.h"
+#include "core/minkowski/cache.h"
+
+namespace selvage {
+
+enum class DragMode { kPlace, kPush };
+
+struct Drag {
+  Marker marker;
+  bool pushed{};  // the others made way
+};
+
+// `to` is where the piece's origin is wanted.  A locked piece stays, and so does one for which nothing is found.
+// REQUIRES: the piece is one of the marker's; `to` is on the lattice.
+[[nodiscard]] Drag drag(const Marker& start, PieceId piece, Vec to, DragMode mode, SumCache& sums,
+                        std::stop_token stop = {});
+
+}  // namespace selvage

@@ -1,0 +1,68 @@
+#include "protocol/drag_words.h"
+
+#include <algorithm>
+
+#include "core/marker/validity.h"
+#include "protocol/call_fields.h"
+#include "protocol/codec.h"
+
+namespace selvage {
+
+Result<DragBegin> decode_drag_begin(const Json& params) {
+  Mistake mistake;
+  Fields fields{params, "", mistake};
+  DragBegin begin;
+  begin.marker_id = fields.text("markerId");
+  begin.piece = fields.id("piece");
+  begin.mode = static_cast<DragMode>(fields.word_or("mode", 0, kDragModeNames));
+  begin.base_revision = read_base_revision(fields);
+  fields.finish();
+  if (mistake) return mistake.error();
+  return begin;
+}
+
+Result<DragMove> decode_drag_move(const Json& params) {
+  Mistake mistake;
+  Fields fields{params, "", mistake};
+  DragMove move;
+  move.drag_id = fields.text("dragId");
+  const Json& to = fields.array("to");
+  if (!mistake) move.to = read_point(to, fields.pointer("to"), mistake);
+  fields.finish();
+  if (mistake) return mistake.error();
+  return move;
+}
+
+Result<DragEnd> decode_drag_end(const Json& params) {
+  Mistake mistake;
+  Fields fields{params, "", mistake};
+  DragEnd end;
+  end.drag_id = fields.text("dragId");
+  end.marker_id = fields.text("markerId");
+  end.commit = fields.flag_or("commit", end.commit);
+  end.op_id = read_op_id(fields, mistake);
+  fields.finish();
+  if (mistake) return mistake.error();
+  return end;
+}
+
+Vec within_reach(const Decimal& to, const Marker& marker) {
+  // Half the lattice: the piece's own extent comes on top.
+  const double far = std::min(kFarthest * to_decimal(marker.strip.width, marker.resolution),
+                              to_decimal(kLatticeLimit / 2, marker.resolution));
+  const auto on_lattice = [&](double value) { return to_lattice(std::clamp(value, -far, far), marker.resolution); };
+  return {on_lattice(to.x), on_lattice(to.y)};
+}
+
+Json drag_json(const Marker& before, const Drag& now, PieceId piece, Vec to) {
+  const Vec at = now.marker.pieces[piece.value].at;
+  return {{"at", point_json(at, now.marker.resolution)},
+          {"reached", at == to},
+          {"pushed", now.pushed},
+          {"placements", changed_placements(before, now.marker)},
+          {"length", to_decimal(length_of(now.marker), now.marker.resolution)},
+          {"utilisation", utilisation_of(now.marker)},
+          {"valid", is_valid(now.marker)}};
+}
+
+}  // namespace selvage

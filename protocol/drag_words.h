@@ -1,0 +1,44 @@
+// The words of the dragging hand: drag.begin, drag.move and drag.end.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/motion/drag.h"
+#include "protocol/formats/decimal_marker.h"
+#include "protocol/methods/method.h"
+
+namespace selvage {
+
+inline constexpr std::string_view kDragModeNames[] = {"place", "push"};  // by DragMode
+
+// drag.begin {"markerId", "piece", "mode"?, "baseRev"?}
+struct DragBegin {
+  std::string marker_id, piece;
+  DragMode mode{};
+  std::optional<Revision> base_revision;
+};
+[[nodiscard]] Result<DragBegin> decode_drag_begin(const Json& params);
+
+// drag.move {"dragId", "to": [x, y]}
+struct DragMove {
+  std::string drag_id;
+  Decimal to;  // where the piece's origin is wanted
+};
+[[nodiscard]] Result<DragMove> decode_drag_move(const Json& params);
+
+// drag.end {"dragId", "markerId", "commit"?, "opId"?}
+struct DragEnd {
+  std::string drag_id, marker_id;
+  bool commit{true};
+  std::optional<std::string> op_id;
+};
+[[nodiscard]] Result<DragEnd> decode_drag_end(const Json& params);
+
+// The lattice point nearest to where the hand is, at most as far out as any coordinate of a marker may be.
+[[nodiscard]] Vec within_reach(const Decimal& to, const Marker& marker);
+// {"at", "reached", "pushed", "placements": of all that moved, "length", "utilisation", "valid"}.  `to` is where the
+// piece was wanted.
+[[nodiscard]] Json drag_json(const Marker& before, const Drag& now, PieceId piece, Vec to);
+
+}  // namespace selvage

@@ -1,0 +1,109 @@
+#include "protocol/edits.h"
+
+#include <utility>
+
+#include "protocol/formats/native.h"
+
+namespace selvage {
+namespace {
+
+constexpr Range kDegrees{-360, 360};
+constexpr Range kTilts{-45, 45};
+
+AddPiece read_add(Fields& op, Mistake& mistake) {
+  AddPiece add;
+  add.piece = read_native_piece(op.object("piece"), op.pointer("piece"), mistake, add.attributes);
+  if (const Json* shape = op.maybe_object("shape")) {
+    add.shape = read_native_shape(*shape, op.pointer("shape"), mistake, add.shape_attributes);
+  }
+  return add;
+}
+
+// One of two fields, the second of which adds to what is there: true when it is the second.
+bool adds(Fields& op, std::string_view set, std::string_view add, Mistake& mistake) {
+  if (op.has(set) && op.has(add)) {
+    mistake.add(ErrorCode::kUnknownField, "either " + std::string{set} + " or " + std::string{add} + " is allowed",
+                op.pointer(add));
+  }
+  return op.has(add);
+}
+
+MovePiece read_move(Fields& op, Mistake& mistake) {
+  MovePiece move;
+  move.piece = op.id("piece");
+  move.by = adds(op, "at", "by", mistake);
+  const std::string_view key = move.by ? "by" : "at";
+  const Json& point = op.array(key);
+  if (!mistake) move.to = read_point(point, op.pointer(key), mistake);
+  return move;
+}
+
+template <class Turn>
+Turn read_turn(Fields& op, Range allowed, Mistake& mistake) {
+  Turn turn;
+  turn.piece = op.id("piece");
+  turn.by = adds(op, "to", "by", mistake);
+  turn.degrees = op.number(turn.by ? "by" : "to", allowed);
+  return turn;
+}
+
+FlipPiece read_flip(Fields& op) {
+  FlipPiece flip{op.id("piece"), std::nullopt};
+  if (op.has("flip")) flip.flip = op.flag_or("flip", false);
+  return flip;
+}
+
+SetStrip read_strip(Fields& op, Mistake& mistake) {
+  SetStrip strip;
+  strip.width = op.maybe_number("width", kStripWidths);
+  if (const Json* longest = op.maybe_any("longest")) {
+    strip.longest.emplace();
+    if (!longest->is_null()) {
+      *strip.longest = checked_number(*longest, {0, kStripWidths.most}, mistake, op.pointer("longest"));
+    }
+  }
+  if (!strip.width && !strip.longest) {
+    mistake.add(ErrorCode::kMissingField, "width, longest or both are required", op.pointer());
+  }
+  return strip;
+}
+
+Edit read_edit(const Json& value, const std::string& at, Mistake& mistake) {
+  Fields op{value, at, mistake};
+  if (!op.has("op")) (void)op.text("op");
+  const std::size_t which = op.word_or("op", 0, kEditNames);
+  if (mistake) return RemovePiece{};
+  Edit edit;
+  switch (which) {
+    case 0: edit = read_add(op, mistake); break;
+    case 1: edit = RemovePiece{op.id("piece")}; break;
+    case 2: edit = read_move(op, mistake); break;
+    case 3: edit = read_turn<RotatePiece>(op, kDegrees, mistake); break;
+    case 4: edit = read_flip(op); break;
+    case 5: edit = read_turn<TiltPiece>(op, kTilts, mistake); break;
+    case 6: edit = LockPiece{op.id("piece"), op.flag_or("locked", true)}; break;
+    case 7: edit = read_strip(op, mistake); break;
+    default: edit = SetSpacing{op.number("spacing", {0, kStripWidths.most})}; break;
+  }
+  op.finish();
+  return edit;
+}
+
+}  // namespace
+
+std::vector<Edit> read_edits(Fields& fields, Mistake& mistake) {
+  const Json& list = fields.array("ops");
+  if (mistake) return {};
+  if (list.empty() || list.size() > kMaxEdits) {
+    mistake.add(ErrorCode::kOutOfRange,
+                std::to_string(list.size()) + " operations; 1 to " + std::to_string(kMaxEdits) + " are allowed",
+                fields.pointer("ops"));
+  }
+  std::vector<Edit> edits;
+  for (std::size_t k = 0; k < list.size() && !mistake; ++k) {
+    edits.push_back(read_edit(list[k], fields.pointer("ops") + "/" + std::to_string(k), mistake));
+  }
+  return edits;
+}
+
+}  // namespace selvage

@@ -1,0 +1,40 @@
+#include "server/deadline_clock.h"
+
+namespace selvage {
+
+DeadlineClock::DeadlineClock() : thread_{[this](const std::stop_token& stop) { tick(stop); }} {}
+
+DeadlineClock::Alarm DeadlineClock::at(Time time, std::function<void()> ring) {
+  const std::lock_guard lock{mutex_};
+  const Alarm::Key key{time, ++set_};
+  alarms_.emplace(key, std::move(ring));
+  changed_.notify_all();
+  return Alarm{*this, key};
+}
+
+void DeadlineClock::forget(const Alarm::Key& key) {
+  const std::lock_guard lock{mutex_};
+  alarms_.erase(key);
+}
+
+void DeadlineClock::tick(const std::stop_token& stop) {
+  std::unique_lock lock{mutex_};
+  while (!stop.stop_requested()) {
+    if (alarms_.empty()) {
+      changed_.wait(lock, stop, [this] { return !alarms_.empty(); });
+      continue;
+    }
+    const Time next = alarms_.begin()->first.first;
+    if (std::chrono::steady_clock::now() < next) {
+      changed_.wait_until(lock, stop, next, [&] { return !alarms_.empty() && alarms_.begin()->first.first < next; });
+      continue;
+    }
+    const auto ring = std::move(alarms_.begin()->second);
+    alarms_.erase(alarms_.begin());
+    lock.unlock();
+    ring();
+    lock.lock();
+  }
+}
+
+}  // namespace selvage

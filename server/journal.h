@@ -1,0 +1,65 @@
+// The journal: every revision of every open marker, on disk before it is acknowledged, and the answers kept for
+// retries.
+//
+// One SQLite file in WAL mode.  A marker is a snapshot (its native document) and the steps since (moves); a change that
+// is more than moves is a new snapshot, and so is the step with which the steps would outgrow the snapshot.  Each
+// function that writes is one transaction, synced to disk before it returns.  All may be called from any thread.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "protocol/messages.h"
+#include "protocol/moves.h"
+#include "server/kept_answers.h"
+
+namespace selvage {
+
+enum class Durability {
+  kFull,     // an acknowledged revision outlives the loss of power
+  kRelaxed,  // it outlives the end of the process; a loss of power may take the last ones
+};
+
+struct RestoredMarker {
+  std::string id;
+  Revision revision{};
+  MarkerFile file;
+  std::vector<KeptAnswer> answers;  // oldest first
+};
+struct Restored {
+  std::uint64_t opened{};  // how many markers were ever opened
+  std::vector<RestoredMarker> markers;
+  std::vector<KeptAnswer> answers;  // to calls that opened and closed markers
+};
+
+class Journal {
+ public:
+  // Throws std::runtime_error when the file cannot be used: it is not ours, is damaged or belongs to another process.
+  Journal(const std::string& path, Durability durability);
+  ~Journal();
+  Journal(const Journal&) = delete;
+  Journal& operator=(const Journal&) = delete;
+
+  // What the file holds.  A step that cannot be read, and all of that marker's after it, are cut off; a marker whose
+  // snapshot cannot be read is left out.  The log says so.
+  [[nodiscard]] Restored restore();
+
+  // Each returns false when it could not be written, and the log says why; then the file is as it was.
+  [[nodiscard]] bool opened(const std::string& id, std::uint64_t number, const MarkerFile& file,
+                            const std::optional<KeptAnswer>& answer);
+  // `moves` lead to `after` from the revision before; nothing when moves do not.
+  [[nodiscard]] bool changed(const std::string& id, Revision revision, const std::optional<Moves>& moves,
+                             const MarkerFile& after, const std::optional<KeptAnswer>& answer);
+  [[nodiscard]] bool closed(const std::string& id, const std::optional<KeptAnswer>& answer);
+  // An answer of a call that changed nothing.
+  [[nodiscard]] bool answered(const std::string& id, const KeptAnswer& answer);
+
+ private:
+  struct Inside;
+  std::unique_ptr<Inside> inside_;
+};
+
+}  // namespace selvage

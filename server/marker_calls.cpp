@@ -1,0 +1,134 @@
+// Calls about markers as a whole: opening, listing, reading, watching and closing.
+#include <utility>
+
+#include "core/marker/validity.h"
+#include "protocol/changes.h"
+#include "protocol/codec.h"
+#include "protocol/methods/reading.h"
+#include "server/methods.h"
+#include "server/refusals.h"
+
+namespace selvage {
+namespace {
+
+Json opened_json(const OpenMarker& opened) {
+  const MarkerFile& file = *opened.now.file;
+  MarkerOpened answer;
+  answer.marker_id = opened.id;
+  answer.revision = opened.now.revision;
+  answer.pieces = file.marker.pieces.size();
+  answer.length = to_decimal(length_of(file.marker), file.marker.resolution);
+  answer.utilisation = utilisation_of(file.marker);
+  answer.valid = is_valid(file.marker);
+  answer.notes = file.notes;
+  return encode(answer);
+}
+
+Json listed_json(const OpenMarker& open) {
+  const Marker& marker = open.now.file->marker;
+  return {{"markerId", open.id},
+          {"revision", open.now.revision},
+          {"name", marker.name},
+          {"pieces", marker.pieces.size()},
+          {"length", to_decimal(length_of(marker), marker.resolution)},
+          {"utilisation", utilisation_of(marker)}};
+}
+
+// What moved after a revision; nothing when more than moves has changed since.
+std::optional<Json> placements_since(const Committed& now, Revision since) {
+  if (since < now.stamps->whole || since > now.revision) return std::nullopt;
+  const Marker& marker = now.file->marker;
+  Json placements = Json::array();
+  for (std::size_t i = 0; i < marker.pieces.size(); ++i) {
+    if (now.stamps->pieces[i] > since) placements.push_back(placement_json(marker, marker.pieces[i]));
+  }
+  return placements;
+}
+
+}  // namespace
+
+Outcome Methods::marker_open(const Json& params, const CallTurn& turn) {
+  auto wanted = decode_marker_open(params);
+  if (!wanted) return rpc_error(wanted.error());
+  if (const auto again = replay("", wanted->op_id, "marker.open")) return *again;
+  if (turn.call.left().stop_requested() || !turn.call.settle()) return nobody_waits();
+  Json result;
+  const auto opened = store_.open(std::move(wanted->file), [&](const OpenMarker& marker) -> std::optional<KeptAnswer> {
+    result = opened_json(marker);
+    if (!wanted->op_id) return std::nullopt;
+    return KeptAnswer{*wanted->op_id, "marker.open", std::make_shared<const std::string>(to_text(result))};
+  });
+  if (const auto* why = std::get_if<NotOpened>(&opened)) {
+    if (*why == NotOpened::kLimit) return limit_reached("too many open markers", store_.limit());
+    return not_written();
+  }
+  return result;
+}
+
+Outcome Methods::marker_list(const Json& params, const CallTurn&) {
+  if (const auto none = decode_no_params(params); !none) return rpc_error(none.error());
+  Json markers = Json::array();
+  for (const OpenMarker& open : store_.all()) markers.push_back(listed_json(open));
+  return Json{{"markers", std::move(markers)}};
+}
+
+Outcome Methods::marker_get(const Json& params, const CallTurn& turn) {
+  const auto wanted = decode_marker_get(params);
+  if (!wanted) return rpc_error(wanted.error());
+  const auto now = store_.current(wanted->marker_id);
+  if (!now) return unknown_marker(wanted->marker_id);
+  if (wanted->format != Format::kNative) return call_on_marker(*find_marker_method("marker.get"), params, turn);
+  if (wanted->since) {
+    if (auto placements = placements_since(*now, *wanted->since)) {
+      return Json{{"markerId", wanted->marker_id},
+                  {"revision", now->revision},
+                  {"since", *wanted->since},
+                  {"placements", *std::move(placements)}};
+    }
+  }
+  return now->text->get([&] {
+    return to_text(result_json(wanted->marker_id, now->revision,
+                               {{"format", name_of(Format::kNative)}, {"marker", *marker_document(*now->file, Format::kNative)}}));
+  });
+}
+
+Outcome Methods::marker_close(const Json& params, const CallTurn& turn) {
+  const auto wanted = decode_marker_close(params);
+  if (!wanted) return rpc_error(wanted.error());
+  const std::string& id = wanted->marker_id;
+  if (const auto again = replay("", wanted->op_id, "marker.close")) return *again;
+  if (turn.call.left().stop_requested() || !turn.call.settle()) return nobody_waits();
+  const auto text = std::make_shared<const std::string>(to_text(encode(MarkerClosed{id})));
+  std::optional<KeptAnswer> answer;
+  if (wanted->op_id) answer = KeptAnswer{*wanted->op_id, "marker.close", text};
+  const auto tell = [&] {
+    watchers_.tell_and_forget(id, to_text(notification("marker.closed", {{"markerId", id}})));
+  };
+  if (!store_.close(id, answer, tell)) return unknown_marker(id);
+  return text;
+}
+
+Outcome Methods::marker_watch(const Json& params, const CallTurn& turn) {
+  const auto id = decode_marker_id(params);
+  if (!id) return rpc_error(id.error());
+  const auto& session = turn.call.session();
+  if (!session->notify) return no_notifications();
+  if (!store_.current(*id)) return unknown_marker(*id);
+  // First watched, then looked at: no revision falls between the two.
+  watchers_.watch(*id, session);
+  const auto now = store_.current(*id);
+  if (!now) {
+    (void)watchers_.unwatch(*id, session->id);
+    return unknown_marker(*id);
+  }
+  return Json{{"markerId", *id}, {"revision", now->revision}, {"watching", true}};
+}
+
+Outcome Methods::marker_unwatch(const Json& params, const CallTurn& turn) {
+  const auto id = decode_marker_id(params);
+  if (!id) return rpc_error(id.error());
+  const bool did = watchers_.unwatch(*id, turn.call.session()->id);
+  return Json{{"markerId", *id}, {"watching", false}, {"watched", did}};
+}
+
+}  // namespace selvage

@@ -1,0 +1,69 @@
+// Calls of the methods that work on one marker, above all the motions.
+#include <chrono>
+#include <utility>
+
+#include "protocol/changes.h"
+#include "server/methods.h"
+#include "server/refusals.h"
+
+namespace selvage {
+namespace {
+
+double now_ms() {
+  const auto since = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double, std::milli>{since}.count();
+}
+
+// Tells the caller of each round, when it asked for it and can be told.
+std::function<void(const Round&)> round_teller(const MotionCall& about, const std::shared_ptr<Session>& session,
+                                               Resolution resolution) {
+  if (about.progress_token.is_null() || !session->notify) return [](const Round&) {};
+  return [&about, session, resolution](const Round& round) {
+    session->notify(to_text(notification("$/progress", {{"token", about.progress_token},
+                                                        {"round", round.number},
+                                                        {"length", to_decimal(round.length, resolution)}})));
+  };
+}
+
+// A motion that was stopped by its deadline says so.
+void name_deadline(Json& fields, const OpenCall& call) {
+  const auto stop = fields.find("stop");
+  if (call.late() && stop != fields.end() && *stop == "cancelled") *stop = "deadline";
+}
+
+}  // namespace
+
+Outcome Methods::call_on_marker(const MarkerMethod& method, const Json& params, const CallTurn& turn) {
+  const auto call = method.read(params);
+  if (!call) return rpc_error(call.error());
+  const MotionCall& about = call->about;
+  const std::string& id = about.marker_id;
+  if (const auto again = replay(id, about.op_id, method.name)) return *again;
+  const auto now = store_.current(id);
+  if (!now) return unknown_marker(id);
+  if (about.base_revision && *about.base_revision != now->revision) {
+    return revision_mismatch(id, *about.base_revision, now->revision);
+  }
+  if (turn.call.left().stop_requested()) return nobody_waits();
+
+  StageTimer timer{now_ms()};
+  Observer observer;
+  observer.on_stage = [&timer](Stage stage) { timer.enter(stage, now_ms()); };
+  observer.on_round = round_teller(about, turn.call.session(), now->file->marker.resolution);
+  auto answer = call->run(*now->file, Means{engine_, sums_, turn.stop, observer});
+  if (!answer) return rpc_error(answer.error(), code_of_run(method, answer.error()));
+  if (turn.call.left().stop_requested()) return nobody_waits();
+
+  name_deadline(answer->fields, turn.call);
+  if (about.timing) tell_times(answer->fields, timer.times(now_ms()), sums_.counts());
+  if (!answer->next) {
+    Json result = result_json(id, now->revision, answer->fields);
+    if (!about.commit || !turn.call.settle()) return result;
+    return unchanged(method.name, id, about.op_id, std::move(result));
+  }
+  return commit({method.name, id, *now, with_marker(*now->file, *std::move(answer->next)), Origin::kChange, about.op_id,
+                 answer->fields},
+                turn);
+}
+
+}  // namespace selvage

@@ -1,0 +1,76 @@
+// A call that is under way, and the ways in which it may end: with its outcome, or cancelled - never both.
+//
+// Whoever settles a call first decides: a worker that settles it goes on to commit and to answer, a client that cancels
+// it first has its answer at once, whatever the solver is doing, and the worker's result is dropped.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <utility>
+
+#include "server/deadline_clock.h"
+#include "server/outcome.h"
+#include "server/reply_once.h"
+#include "server/transport/service.h"
+
+namespace selvage {
+
+class OpenCall {
+ public:
+  OpenCall(std::shared_ptr<Session> session, ReplyOnce<Outcome> reply);
+
+  [[nodiscard]] const std::shared_ptr<Session>& session() const { return session_; }
+  // Its caller is gone or has cancelled it: nobody wants the outcome.
+  [[nodiscard]] std::stop_token left() const { return left_.get_token(); }
+  // The same, or its deadline has passed: the best so far is wanted now.
+  [[nodiscard]] std::stop_token stop() const { return stop_.get_token(); }
+  [[nodiscard]] bool late() const { return late_; }
+
+  // True when the call is the worker's to end: from now on it cannot be cancelled.  May be asked again.
+  [[nodiscard]] bool settle();
+  // Answers, unless it was cancelled.  At most once.
+  void answer(Outcome outcome);
+  // False when it was too late to cancel.
+  bool cancel();
+
+  // REQUIRES: nobody else uses the call yet.
+  static void set_deadline(const std::shared_ptr<OpenCall>& call, DeadlineClock& clock, DeadlineClock::Time time);
+
+ private:
+  enum class Fate { kOpen, kSettled, kCancelled };
+
+  const std::shared_ptr<Session> session_;
+  std::atomic<Fate> fate_{Fate::kOpen};
+  std::atomic<bool> late_{};
+  std::stop_source left_, stop_;
+  ReplyOnce<Outcome> reply_;
+  DeadlineClock::Alarm deadline_;
+  std::stop_callback<std::function<void()>> gone_;
+};
+
+// The calls under way that can be cancelled: by session and by the call's id.
+class OpenCalls {
+ public:
+  // A later call of the same id takes an earlier one's place.
+  void add(const Json& id, const std::shared_ptr<OpenCall>& call);
+  void remove(const Json& id, std::uint64_t session, const OpenCall* call);
+  // False when there is none, or when it was too late.
+  bool cancel(const Json& id, std::uint64_t session);
+
+ private:
+  using Key = std::pair<std::uint64_t, std::string>;
+  struct Entry {
+    const OpenCall* which{};  // only compared
+    std::weak_ptr<OpenCall> call;
+  };
+  std::mutex mutex_;
+  std::map<Key, Entry> calls_;
+};
+
+}  // namespace selvage
