@@ -27,7 +27,8 @@ ALLOWED = {
 ONLY_IN = {
     "Clp": "core/lp/clp.cpp",
     "boost/asio": "server/",
-    "boost/beast": "server/transport/http_connection.cpp",
+    "boost/beast": ("server/transport/http_connection.cpp", "server/transport/websocket_connection."),
+    "openssl/": "server/transport/",
     "nlohmann/": "protocol/",
     "sqlite3": "server/journal_database.cpp",
     "spdlog/": "server/",
