@@ -29,7 +29,8 @@ Entry judge_first_line(std::string_view line, const Access& access) {
   const Json id = request != nullptr && request->id ? *request->id : Json();
   const std::string token = request != nullptr ? token_in(*request) : std::string{};
   if (token.empty() || !token_fits(access, token)) {
-    return {false, to_text(error_response(id, {RpcCode::kUnauthorised, "the first line must be an 'auth' call with the token", {}}))};
+    return {false, to_text(error_response(
+                       id, {RpcCode::kUnauthorised, "the first line must be an 'auth' call with the token", {}}))};
   }
   return {true, request->id ? to_text(response(id, Json{{"authorised", true}})) : std::string{}};
 }

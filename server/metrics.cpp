@@ -58,8 +58,8 @@ std::string Metrics::text() const {
     for (std::size_t i = 0; i < method.durations.buckets.size(); ++i) {
       below += method.durations.buckets[i];
       const std::string bound = i < kBucketsMs.size() ? number_text(kBucketsMs.at(i)) : "+Inf";
-      text += line(std::string{kDuration} + "_bucket", labels + "," + labelled("le", bound),
-                   static_cast<double>(below));
+      text +=
+          line(std::string{kDuration} + "_bucket", labels + "," + labelled("le", bound), static_cast<double>(below));
     }
     text += line(std::string{kDuration} + "_sum", labels, method.durations.sum_ms);
     text += line(std::string{kDuration} + "_count", labels, static_cast<double>(method.durations.count));
