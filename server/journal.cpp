@@ -52,6 +52,11 @@ void set_up(Database& database, Durability durability) {
   if (!check.step() || check.text(0) != "ok") throw std::runtime_error{"the file is damaged"};
 }
 
+// A database whose tables are there, which statements need.
+struct Ledger : Database {
+  Ledger(const std::string& path, Durability durability) : Database{path} { set_up(*this, durability); }
+};
+
 std::optional<Format> format_named(const std::string& name) {
   const auto* const found = std::find(std::begin(kFormatNames), std::end(kFormatNames), name);
   if (found == std::end(kFormatNames)) return std::nullopt;
@@ -61,7 +66,7 @@ std::optional<Format> format_named(const std::string& name) {
 }  // namespace
 
 struct Journal::Inside {
-  Inside(const std::string& path, Durability durability) : database{path} { set_up(database, durability); }
+  Inside(const std::string& path, Durability durability) : database{path, durability} {}
 
   // One transaction; false, with a line in the log, when it failed.
   template <class Work>
@@ -152,7 +157,7 @@ struct Journal::Inside {
   }
 
   std::mutex mutex;
-  Database database;
+  Ledger database;
   std::map<std::string, std::size_t> room;  // bytes of steps until the next snapshot, by marker
   Statement put_snapshot{database.handle(), "INSERT OR REPLACE INTO snapshot VALUES(?, ?, ?, ?)"};
   Statement put_step{database.handle(), "INSERT INTO step VALUES(?, ?, ?)"};

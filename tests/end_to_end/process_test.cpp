@@ -1,9 +1,5 @@
 // The program itself: started, told to stop, and used by the curl example.
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
@@ -16,62 +12,10 @@
 #include <vector>
 
 #include "tests/end_to_end/calls.h"
+#include "tests/end_to_end/process.h"
 
 namespace selvage::test {
 namespace {
-
-// A child process whose stdout and stderr are read as one.
-class Process {
- public:
-  explicit Process(std::vector<std::string> words) {
-    std::array<int, 2> ends{};
-    EXPECT_EQ(::pipe2(ends.data(), O_CLOEXEC), 0);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
-    std::vector<char*> argv;
-    for (std::string& word : words) argv.push_back(word.data());
-    argv.push_back(nullptr);
-    EXPECT_EQ(::posix_spawnp(&id_, argv[0], &actions, nullptr, argv.data(), environ), 0) << words[0];
-    posix_spawn_file_actions_destroy(&actions);
-    ::close(ends[1]);
-    output_ = ends[0];
-  }
-  ~Process() {
-    if (id_ > 0) {
-      signal(SIGKILL);
-      (void)exit_code();
-    }
-    ::close(output_);
-  }
-  Process(const Process&) = delete;
-  Process& operator=(const Process&) = delete;
-
-  void signal(int number) const { ::kill(id_, number); }
-  // Waits for its end.
-  int exit_code() {
-    int status{};
-    ::waitpid(std::exchange(id_, -1), &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-  }
-  // Reads output until it holds `text`, or ends.
-  std::string output_until(const std::string& text) {
-    std::array<char, 4096> chunk{};
-    while (seen_.find(text) == std::string::npos) {
-      const ssize_t count = ::read(output_, chunk.data(), chunk.size());
-      if (count <= 0) break;
-      seen_.append(chunk.data(), static_cast<std::size_t>(count));
-    }
-    return seen_;
-  }
-  std::string all_output() { return output_until("\xff"); }
-
- private:
-  pid_t id_{-1};
-  int output_{-1};
-  std::string seen_;
-};
 
 class Selvaged : public ::testing::Test {
  protected:

@@ -9,57 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "tests/server/stub_engine.h"
+#include "tests/server/desk.h"
 
 namespace selvage::test {
 namespace {
-
-Engine pushing_engine() {
-  Engine engine;
-  engine.compact = [](const Marker& start, const CompactionSettings&, SumCache&, const std::stop_token&,
-                      const Observer& observer) -> Result<Compaction> {
-    observer.on_stage(Stage::kSolve);
-    return push_left(start);
-  };
-  return engine;
-}
-
-// Everything behind the transport.
-struct Desk {
-  explicit Desk(std::size_t workers = 0, Engine engine = pushing_engine(), Limits with = {})
-      : limits{with},
-        methods{store, sums, limits, workers, std::move(engine)},
-        reads{workers == 0 ? 0U : 1U, limits.waiting_reads},
-        motions{workers, limits.waiting_motions} {}
-
-  std::future<std::string> send(std::string message, std::stop_token caller = {}) {
-    const auto promise = std::make_shared<std::promise<std::string>>();
-    // A second answer would throw: promise already satisfied.
-    dispatcher.receive(std::move(message), std::move(caller),
-                       [promise](std::string text) { promise->set_value(std::move(text)); });
-    return promise->get_future();
-  }
-  std::string ask(std::string message, std::stop_token caller = {}) {
-    auto answer = send(std::move(message), std::move(caller));
-    if (answer.wait_for(kPatience) != std::future_status::ready) return "(no answer)";
-    return answer.get();
-  }
-  Json ask_json(std::string message) { return Json::parse(ask(std::move(message))); }
-  std::string open_small() {
-    return ask_json(call(0, "marker.open", R"({"marker":)" + kSmallMarker + "}"))["result"]["markerId"];
-  }
-
-  Limits limits;
-  SumCache sums{std::size_t{1} << 20};
-  MarkerStore store{limits.open_markers};
-  Methods methods;
-  JobQueue reads, motions;
-  Dispatcher dispatcher{methods, reads, motions, limits.transport.body_bytes};
-};
-
-int code_of(const Json& answer) {
-  return answer.at("error").at("code");
-}
 
 TEST(Dispatcher, AMarkersLife) {
   Desk desk;
@@ -296,10 +249,10 @@ TEST(Dispatcher, ACallerWhoLeavesStopsItsPush) {
   Gate gate;
   Desk desk{1, gate.engine()};
   const std::string start = R"({"markerId":")" + desk.open_small() + "\"";
-  std::stop_source leaving;
-  auto running = desk.send(call(1, "motion.gravity", start + kFall + "}"), leaving.get_token());
+  Listener leaving;
+  auto running = desk.send(call(1, "motion.gravity", start + kFall + "}"), leaving.session());
   gate.await_arrivals(1);
-  leaving.request_stop();
+  leaving.leave();
   EXPECT_EQ(code_of(Json::parse(running.get())), -32800);
   EXPECT_EQ(desk.store.current("m1")->revision, 1U);
 }
@@ -309,7 +262,9 @@ TEST(Dispatcher, ListsEveryMethodThatItHas) {
   std::set<std::string> told;
   const Json info = desk.ask_json(call(1, "engine.info"))["result"];
   for (const Json& name : info["methods"]) told.insert(name.get<std::string>());
-  std::set<std::string> expected{"engine.info", "marker.open", "marker.close"};
+  std::set<std::string> expected{"engine.info",    "marker.open",  "marker.close", "marker.list",
+                                 "marker.apply",   "marker.undo",  "marker.redo",  "marker.watch",
+                                 "marker.unwatch", "drag.begin",   "drag.move",    "drag.end"};
   for (const MarkerMethod& method : marker_methods()) expected.emplace(method.name);
   EXPECT_EQ(told, expected);
   for (const std::string& name : told) EXPECT_TRUE(place_of(name)) << name;
@@ -350,11 +305,11 @@ TEST(Dispatcher, ACallerWhoLeavesStopsItsMotionAndNothingIsCommitted) {
   Gate gate;
   Desk desk{1, gate.engine()};
   const std::string params = R"({"markerId":")" + desk.open_small() + R"("})";
-  std::stop_source leaving;
-  auto running = desk.send(call(1, "motion.compact", params), leaving.get_token());
-  auto waiting = desk.send(call(2, "motion.compact", params), leaving.get_token());
+  Listener leaving;
+  auto running = desk.send(call(1, "motion.compact", params), leaving.session());
+  auto waiting = desk.send(call(2, "motion.compact", params), leaving.session());
   gate.await_arrivals(1);
-  leaving.request_stop();
+  leaving.leave();
   EXPECT_EQ(code_of(Json::parse(running.get())), -32800);
   EXPECT_EQ(code_of(Json::parse(waiting.get())), -32800);
   EXPECT_EQ(gate.arrived(), 1);  // the second never began

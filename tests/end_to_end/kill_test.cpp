@@ -1,0 +1,164 @@
+// Killed in the middle of random edits and started again: every acknowledged revision is there, and nothing else than
+// what was asked for.
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <random>
+#include <set>
+#include <thread>
+
+#include "tests/end_to_end/calls.h"
+#include "tests/end_to_end/process.h"
+
+namespace selvage::test {
+namespace {
+
+constexpr int kRuns = 20;
+constexpr std::size_t kWriters = 3;
+
+// A marker as its writer knows it: the answers it got, by revision.
+struct Story {
+  std::string id;
+  std::uint64_t acknowledged{1};
+  std::string last_answer{}, last_call{};  // of the revision that was acknowledged last
+};
+
+std::string random_edit(const Story& story, std::mt19937& random, int number) {
+  const std::string op_id = R"(,"opId":"op)" + std::to_string(number) + "\"";
+  const auto coordinate = [&] { return std::to_string(random() % 400) + "." + std::to_string(random() % 100); };
+  const std::string piece = random() % 2 == 0 ? "low" : "high";
+  switch (random() % 6) {
+    case 0: return call(number, "marker.undo", id_params(story.id, op_id));
+    case 1: return call(number, "motion.compact", id_params(story.id, op_id));
+    case 2:
+      return call(number, "marker.apply",
+                  id_params(story.id, op_id + R"(,"ops":[{"op":"setSpacing","spacing":0.)" +
+                                          std::to_string(random() % 10) + "}]"));
+    default:
+      return call(number, "marker.apply",
+                  id_params(story.id, op_id + R"(,"ops":[{"op":"move","piece":")" + piece + R"(","at":[)" +
+                                          coordinate() + ",0." + std::to_string(random() % 100) + "]}]"));
+  }
+}
+
+// Edits until the daemon is gone.
+void edit(std::uint16_t port, Story& story, unsigned seed) {
+  std::mt19937 random{seed};
+  Wire wire{port};
+  for (int number = 1;; ++number) {
+    const std::string asked = random_edit(story, random, number);
+    if (!wire.try_send(asked + "\n")) return;
+    const auto answer = wire.line();
+    if (!answer) return;
+    const Json parsed = Json::parse(*answer);
+    if (!parsed.contains("result")) continue;  // nothing to undo
+    ASSERT_LE(parsed["result"]["revision"], story.acknowledged + 1);
+    story.acknowledged = parsed["result"]["revision"];
+    story.last_answer = *answer;
+    story.last_call = asked;
+  }
+}
+
+// The marker as the daemon shows it now.
+void expect_told(Wire& wire, const Story& story) {
+  const Json got = result_of(post_call(wire, "marker.get", id_params(story.id)));
+  ASSERT_TRUE(got.is_object());
+  const std::uint64_t revision = got["revision"];
+  // At most the one call whose answer was under way is ahead of what was acknowledged.
+  EXPECT_GE(revision, story.acknowledged);
+  EXPECT_LE(revision, story.acknowledged + 1);
+  if (story.last_call.empty()) return;
+  // The retry of the last acknowledged call is answered as it was, and does nothing.
+  EXPECT_EQ(wire.post(story.last_call).value_or(HttpAnswer{}).body, story.last_answer);
+  EXPECT_EQ(result_of(post_call(wire, "marker.get", id_params(story.id)))["revision"], revision);
+  if (revision != story.acknowledged) return;
+  const Json answer = Json::parse(story.last_answer)["result"];
+  for (const Json& placement : answer["placements"]) {
+    for (const Json& piece : got["marker"]["pieces"]) {
+      if (piece["id"] == placement["id"]) {
+        EXPECT_EQ(piece["at"], placement["at"]);
+      }
+    }
+  }
+  const Json checked = result_of(post_call(wire, "marker.check", id_params(story.id)));
+  if (answer.contains("valid")) {
+    EXPECT_EQ(checked["valid"], answer["valid"]);
+  }
+}
+
+class Killed : public ::testing::Test {
+ protected:
+  Killed() {
+    std::string name = (std::filesystem::temp_directory_path() / "selvaged-store-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+  }
+  ~Killed() override { std::filesystem::remove_all(folder_); }
+  [[nodiscard]] std::vector<std::string> words() const {
+    return {SELVAGED,  "--listen",    "127.0.0.1:0", "--port-file", (folder_ / "port").string(),
+            "--store", (folder_ / "store.db").string(), "--workers", "2"};
+  }
+  [[nodiscard]] std::uint16_t port_of(Process& process) const {
+    EXPECT_NE(process.output_until("listening on 127.0.0.1:").find("listening on 127.0.0.1:"), std::string::npos);
+    return static_cast<std::uint16_t>(std::stoi(file_text((folder_ / "port").string())));
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(Killed, LosesNothingThatWasAcknowledged) {
+  std::mt19937 random{20'26};
+  std::vector<Story> stories;
+  std::size_t edits = 0;
+  for (int run = 0; run < kRuns; ++run) {
+    Process selvaged{words()};
+    const std::uint16_t port = port_of(selvaged);
+    Wire wire{port};
+    for (const Story& story : stories) expect_told(wire, story);
+    const Json list = result_of(post_call(wire, "marker.list"))["markers"];
+    EXPECT_EQ(list.size(), stories.size());
+    for (const Story& story : stories) (void)result_of(post_call(wire, "marker.close", id_params(story.id)));
+
+    stories.clear();
+    for (std::size_t k = 0; k < kWriters; ++k) stories.push_back({open_marker(wire, kSmallMarker)});
+    {
+      std::vector<std::jthread> writers;
+      for (Story& story : stories) writers.emplace_back([&, seed = random()] { edit(port, story, static_cast<unsigned>(seed)); });
+      std::this_thread::sleep_for(std::chrono::milliseconds{50 + random() % 200});
+      selvaged.signal(SIGKILL);
+    }
+    EXPECT_EQ(selvaged.exit_code(), -SIGKILL);
+    for (const Story& story : stories) edits += story.acknowledged - 1;
+  }
+  Process selvaged{words()};
+  Wire wire{port_of(selvaged)};
+  for (const Story& story : stories) expect_told(wire, story);
+  EXPECT_GT(edits, static_cast<std::size_t>(kRuns));
+  RecordProperty("acknowledged", static_cast<int>(edits));
+}
+
+TEST_F(Killed, IdsAreNeverUsedTwice) {
+  std::set<std::string> ids;
+  for (int run = 0; run < 3; ++run) {
+    Process selvaged{words()};
+    Wire wire{port_of(selvaged)};
+    const std::string id = open_marker(wire, kSmallMarker);
+    EXPECT_TRUE(ids.insert(id).second) << id;
+    (void)result_of(post_call(wire, "marker.close", id_params(id)));
+    selvaged.signal(SIGKILL);
+    (void)selvaged.exit_code();
+  }
+}
+
+TEST_F(Killed, TwoDaemonsDoNotShareAStore) {
+  Process first{words()};
+  (void)port_of(first);
+  Process second{words()};
+  EXPECT_NE(second.all_output().find("locked"), std::string::npos);
+  EXPECT_EQ(second.exit_code(), 1);
+}
+
+}  // namespace
+}  // namespace selvage::test

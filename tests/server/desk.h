@@ -1,0 +1,116 @@
+// Everything behind the transport: messages in, answers out, without sockets.  Inline with 0 workers.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <condition_variable>
+#include <deque>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+
+#include "server/dispatcher.h"
+#include "tests/server/stub_engine.h"
+
+namespace selvage::test {
+
+inline Engine pushing_engine() {
+  Engine engine;
+  engine.compact = [](const Marker& start, const CompactionSettings&, SumCache&, const std::stop_token&,
+                      const Observer& observer) -> Result<Compaction> {
+    observer.on_stage(Stage::kSolve);
+    return push_left(start);
+  };
+  return engine;
+}
+
+// Someone at the other end of a connection, and what they were notified of.
+class Listener {
+ public:
+  explicit Listener(bool can_be_notified = true) {
+    static std::atomic<std::uint64_t> made{};
+    session_->id = ++made;
+    session_->gone = gone_.get_token();
+    if (!can_be_notified) return;
+    session_->notify = [this](std::string text) {
+      const std::lock_guard lock{mutex_};
+      heard_.push_back(std::move(text));
+      changed_.notify_all();
+    };
+  }
+  [[nodiscard]] const std::shared_ptr<Session>& session() const { return session_; }
+  void leave() { gone_.request_stop(); }
+  // The next notification, once it is there; null when there is none in time.
+  [[nodiscard]] Json next() {
+    std::unique_lock lock{mutex_};
+    if (!changed_.wait_for(lock, kPatience, [this] { return !heard_.empty(); })) return nullptr;
+    const std::string text = std::move(heard_.front());
+    heard_.pop_front();
+    return Json::parse(text);
+  }
+  [[nodiscard]] std::size_t heard() {
+    const std::lock_guard lock{mutex_};
+    return heard_.size();
+  }
+
+ private:
+  std::stop_source gone_;
+  std::shared_ptr<Session> session_ = std::make_shared<Session>();
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<std::string> heard_;
+};
+
+struct Desk {
+  explicit Desk(std::size_t workers = 0, Engine engine = pushing_engine(), Limits with = {}, Journal* journal = nullptr)
+      : limits{with},
+        store{limits.open_markers, journal},
+        methods{store, watchers, sums, limits, workers, std::move(engine)},
+        reads{workers == 0 ? 0U : 1U, limits.waiting_reads},
+        motions{workers, limits.waiting_motions},
+        hands{workers == 0 ? 0U : 1U, limits.waiting_moves} {}
+
+  std::future<std::string> send(std::string message, const std::shared_ptr<Session>& session) {
+    const auto promise = std::make_shared<std::promise<std::string>>();
+    // A second answer would throw: promise already satisfied.
+    dispatcher.receive(std::move(message), session,
+                       [promise](std::string text) { promise->set_value(std::move(text)); });
+    return promise->get_future();
+  }
+  std::future<std::string> send(std::string message) { return send(std::move(message), usual.session()); }
+  std::string ask(std::string message, const std::shared_ptr<Session>& session) {
+    auto answer = send(std::move(message), session);
+    if (answer.wait_for(kPatience) != std::future_status::ready) return "(no answer)";
+    return answer.get();
+  }
+  std::string ask(std::string message) { return ask(std::move(message), usual.session()); }
+  Json ask_json(std::string message) { return Json::parse(ask(std::move(message))); }
+  // The result of a call whose parameters are written with ' for ".
+  Json result(const std::string& method, std::string params) {
+    std::replace(params.begin(), params.end(), '\'', '"');
+    const Json answer = ask_json(call(1, method, params));
+    return answer.contains("result") ? answer["result"] : answer;
+  }
+  std::string open_small() {
+    return ask_json(call(0, "marker.open", R"({"marker":)" + kSmallMarker + "}"))["result"]["markerId"];
+  }
+
+  Limits limits;
+  SumCache sums{std::size_t{1} << 20};
+  MarkerStore store;
+  Watchers watchers;
+  Methods methods;
+  DeadlineClock clock;
+  Listener usual;
+  JobQueue reads, motions, hands;
+  Drags drags{store, methods, sums, hands};
+  Dispatcher dispatcher{methods, drags, clock, reads, motions, limits.transport.body_bytes};
+};
+
+inline int code_of(const Json& answer) {
+  return answer.at("error").at("code");
+}
+
+}  // namespace selvage::test

@@ -1,0 +1,153 @@
+// The journal: what was acknowledged comes back; what is torn is cut off.
+#include "server/journal.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "server/journal_database.h"
+#include "tests/server/desk.h"
+
+namespace selvage::test {
+namespace {
+
+class JournalTest : public ::testing::Test {
+ protected:
+  JournalTest() {
+    std::string name = (std::filesystem::temp_directory_path() / "selvage-store-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+  }
+  ~JournalTest() override { std::filesystem::remove_all(folder_); }
+  [[nodiscard]] std::string path() const { return (folder_ / "store.db").string(); }
+  // Everything that can be asked of all markers, as text.
+  static std::string all_of(Desk& desk) {
+    std::string text = desk.ask(call(1, "marker.list"));
+    for (const Json& marker : Json::parse(text)["result"]["markers"]) {
+      text += desk.ask(call(1, "marker.get", R"({"markerId":)" + marker["markerId"].dump() + "}"));
+    }
+    return text;
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(JournalTest, EverythingIsThereAgain) {
+  std::string before;
+  std::string answered;
+  const std::string retry = call(1, "motion.compact", R"({"markerId":"m1","opId":"mine"})");
+  {
+    Journal journal{path(), Durability::kFull};
+    Desk desk{0, pushing_engine(), {}, &journal};
+    for (int i = 0; i < 3; ++i) (void)desk.open_small();
+    answered = desk.ask(retry);
+    (void)desk.result("marker.apply", R"({'markerId':'m1','ops':[{'op':'lock','piece':'low'},
+        {'op':'move','piece':'high','at':[0.125,5]}]})");
+    (void)desk.result("marker.apply", R"({'markerId':'m3','ops':[{'op':'setSpacing','spacing':0.5},
+        {'op':'add','piece':{'id':'new','shape':'tri','at':[5,5],'attributes':{'colour':'red'}},
+         'shape':{'id':'tri','outline':[[0,0],[1,0],[0,1]],'rotations':'any','tilt_limit':3}},
+        {'op':'tilt','piece':'new','to':1.5},{'op':'rotate','piece':'new','to':33}]})");
+    (void)desk.result("marker.close", "{'markerId':'m2'}");
+    before = all_of(desk);
+  }
+  Journal journal{path(), Durability::kFull};
+  Desk desk{0, pushing_engine(), {}, &journal};
+  EXPECT_EQ(all_of(desk), before);
+  EXPECT_EQ(desk.ask(retry), answered);
+  EXPECT_EQ(desk.open_small(), "m4");  // m2 is never used twice
+}
+
+TEST_F(JournalTest, ManyStepsAndSnapshotsReplayToTheSame) {
+  std::string before;
+  {
+    Journal journal{path(), Durability::kRelaxed};
+    Desk desk{0, pushing_engine(), {}, &journal};
+    (void)desk.open_small();
+    for (int i = 0; i < 1500; ++i) {
+      (void)desk.result("marker.apply", "{'markerId':'m1','opId':'" + std::to_string(i) +
+                                            "','ops':[{'op':'move','piece':'low','at':[" + std::to_string(i % 77) +
+                                            ".25,0]}]}");
+    }
+    before = all_of(desk);
+  }
+  EXPECT_LT(std::filesystem::file_size(path()), 4U << 20);  // snapshots take the place of steps
+  Journal journal{path(), Durability::kRelaxed};
+  Desk desk{0, pushing_engine(), {}, &journal};
+  EXPECT_EQ(all_of(desk), before);
+  EXPECT_FALSE(desk.store.answer("m1", std::to_string(1499 - KeptAnswers::kMost)));
+  EXPECT_TRUE(desk.store.answer("m1", "1499"));
+}
+
+TEST_F(JournalTest, WhatDoesNotFollowIsCutOff) {
+  {
+    Journal journal{path(), Durability::kFull};
+    Desk desk{0, pushing_engine(), {}, &journal};
+    (void)desk.open_small();
+    for (int i = 0; i < 3; ++i) (void)desk.result("motion.compact", "{'markerId':'m1'}");
+  }
+  {
+    Database database{path()};
+    database.run("UPDATE step SET moves = substr(moves, 1, 20) WHERE revision = 3");
+  }
+  for (int start = 0; start < 2; ++start) {  // the second start finds nothing to cut
+    Journal journal{path(), Durability::kFull};
+    Desk desk{0, pushing_engine(), {}, &journal};
+    EXPECT_EQ(desk.store.current("m1")->revision, 2U);
+    EXPECT_EQ(desk.result("marker.check", "{'markerId':'m1'}")["valid"], true);
+  }
+  Journal journal{path(), Durability::kFull};
+  Desk desk{0, pushing_engine(), {}, &journal};
+  EXPECT_EQ(desk.result("motion.compact", "{'markerId':'m1'}")["revision"], 3);
+}
+
+TEST_F(JournalTest, ATornTailOfTheFileIsLeftOut) {
+  const std::string log = path() + "-wal";
+  const std::string torn = (folder_ / "torn.db").string();
+  {
+    Journal journal{path(), Durability::kFull};
+    Desk desk{0, pushing_engine(), {}, &journal};
+    (void)desk.open_small();
+    (void)desk.result("motion.compact", "{'markerId':'m1'}");
+    (void)desk.result("motion.compact", "{'markerId':'m1'}");
+    // As a crash would leave it, the last write half done.
+    std::filesystem::copy(path(), torn);
+    std::filesystem::copy(log, torn + "-wal");
+  }
+  std::filesystem::resize_file(torn + "-wal", std::filesystem::file_size(torn + "-wal") - 100);
+  Journal journal{torn, Durability::kFull};
+  Desk desk{0, pushing_engine(), {}, &journal};
+  EXPECT_EQ(desk.store.current("m1")->revision, 2U);
+  EXPECT_EQ(desk.result("motion.compact", "{'markerId':'m1'}")["revision"], 3);
+}
+
+TEST_F(JournalTest, RefusesWhatIsNotItsOwn) {
+  std::ofstream{path()} << "this is no database, and is long enough to be seen as none";
+  EXPECT_THROW(Journal(path(), Durability::kFull), std::runtime_error);
+  EXPECT_THROW(Journal((folder_ / "no" / "where").string(), Durability::kFull), std::runtime_error);
+  const std::string other = (folder_ / "other.db").string();
+  Database{other}.run("CREATE TABLE theirs(x)");
+  EXPECT_THROW(Journal(other, Durability::kFull), std::runtime_error);
+  const std::string mine = (folder_ / "mine.db").string();
+  Journal first{mine, Durability::kFull};
+  EXPECT_THROW(Journal(mine, Durability::kFull), std::runtime_error);  // one daemon at a time
+}
+
+TEST_F(JournalTest, AStoreThatCannotBeWrittenChangesNothing) {
+  Journal journal{path(), Durability::kFull};
+  Desk desk{0, pushing_engine(), {}, &journal};
+  (void)desk.open_small();
+  Listener watching;
+  (void)desk.ask(call(1, "marker.watch", R"({"markerId":"m1"})"), watching.session());
+  // A revision that is there already is what the store cannot write.
+  {
+    Committed now = *desk.store.current("m1");
+    ASSERT_TRUE(journal.changed("m1", 2, Moves{{0, now.file->marker.pieces[0]}}, *now.file, {}));
+  }
+  EXPECT_EQ(code_of(desk.result("motion.compact", "{'markerId':'m1'}")), -32603);
+  EXPECT_EQ(desk.store.current("m1")->revision, 1U);
+  EXPECT_EQ(watching.heard(), 0U);
+}
+
+}  // namespace
+}  // namespace selvage::test

@@ -1,0 +1,151 @@
+// When calls run and how they end early: cancelled, at their deadline, in turn; and what is told meanwhile.
+#include <gtest/gtest.h>
+
+#include "server/fair_line.h"
+#include "tests/server/desk.h"
+
+namespace selvage::test {
+namespace {
+
+std::string cancel(int id) {
+  return R"({"jsonrpc":"2.0","method":"$/cancelRequest","params":{"id":)" + std::to_string(id) + "}}";
+}
+
+TEST(Cancelling, AnswersAtOnceWhateverTheSolverDoesAndNothingIsCommitted) {
+  // A solver that does not hear its token.
+  std::promise<void> release;
+  auto released = release.get_future().share();
+  std::promise<void> arrived;
+  Engine engine;
+  engine.compact = [&](const Marker& start, auto&&...) -> Result<Compaction> {
+    arrived.set_value();
+    released.wait();
+    return push_left(start);
+  };
+  Desk desk{1, engine};
+  (void)desk.open_small();
+  auto running = desk.send(call(7, "motion.compact", R"({"markerId":"m1","opId":"a"})"));
+  arrived.get_future().wait();
+  EXPECT_EQ(desk.ask(cancel(7)), "");
+  const Json answer = Json::parse(running.get());  // the solver still holds on
+  EXPECT_EQ(code_of(answer), -32800);
+  EXPECT_EQ(answer["id"], 7);
+  release.set_value();
+  desk.motions.drain();
+  EXPECT_EQ(desk.store.current("m1")->revision, 1U);
+  EXPECT_FALSE(desk.store.answer("m1", "a"));
+}
+
+TEST(Cancelling, StopsTheSolverAndWhatWaitsNeverBegins) {
+  Gate gate;
+  Desk desk{1, gate.engine()};
+  (void)desk.open_small();
+  auto running = desk.send(call(1, "motion.compact", R"({"markerId":"m1"})"));
+  auto waiting = desk.send(call(2, "motion.compact", R"({"markerId":"m1"})"));
+  gate.await_arrivals(1);
+  (void)desk.ask(cancel(2));
+  (void)desk.ask(cancel(1));
+  EXPECT_EQ(code_of(Json::parse(waiting.get())), -32800);
+  EXPECT_EQ(code_of(Json::parse(running.get())), -32800);
+  gate.await_stopped(1);
+  EXPECT_EQ(gate.arrived(), 1);
+}
+
+TEST(Cancelling, ReachesOnlyTheCallsOfOneConnectionThatAreUnderWay) {
+  Gate gate;
+  Desk desk{1, gate.engine()};
+  Listener other;
+  (void)desk.open_small();
+  auto running = desk.send(call(1, "motion.compact", R"({"markerId":"m1"})"));
+  gate.await_arrivals(1);
+  const std::string asked = R"({"jsonrpc":"2.0","id":9,"method":"$/cancelRequest","params":{"id":1}})";
+  EXPECT_EQ(Json::parse(desk.ask(asked, other.session()))["result"]["cancelled"], false);
+  gate.open();
+  EXPECT_EQ(Json::parse(running.get())["result"]["revision"], 2);
+  EXPECT_EQ(desk.ask_json(asked)["result"]["cancelled"], false);  // it has ended
+  EXPECT_EQ(code_of(desk.ask_json(call(3, "$/cancelRequest"))), -32602);
+}
+
+TEST(Deadlines, GiveTheBestSoFarAndSaySo) {
+  Gate gate;  // never opened: only the deadline ends the motion
+  Desk desk{1, gate.engine()};
+  (void)desk.open_small();
+  const Json done = desk.result("motion.compact", "{'markerId':'m1','deadlineMs':20}");
+  EXPECT_EQ(done["stop"], "deadline");
+  EXPECT_EQ(done["revision"], 2);
+  EXPECT_EQ(done["lengthAfter"], 4);
+  EXPECT_EQ(done["valid"], true);
+}
+
+TEST(Deadlines, CountTheWaitingAndAreChecked) {
+  Gate gate;
+  Desk desk{1, gate.engine()};
+  (void)desk.open_small();
+  auto first = desk.send(call(1, "motion.compact", R"({"markerId":"m1","deadlineMs":30})"));
+  auto second = desk.send(call(2, "motion.compact", R"({"markerId":"m1","deadlineMs":1})"));
+  EXPECT_EQ(Json::parse(first.get())["result"]["stop"], "deadline");
+  EXPECT_EQ(Json::parse(second.get())["result"]["stop"], "deadline");
+  for (const char* wrong : {"0", "-5", "1e300", "'soon'"}) {
+    const Json answer = desk.result("motion.compact", "{'markerId':'m1','deadlineMs':" + std::string{wrong} + "}");
+    EXPECT_EQ(answer["error"]["data"]["field"], "/deadlineMs") << wrong;
+  }
+}
+
+TEST(Progress, TellsEachRoundUnderItsToken) {
+  Engine engine;
+  engine.compact = [](const Marker& start, const CompactionSettings&, SumCache&, const std::stop_token&,
+                      const Observer& observer) -> Result<Compaction> {
+    observer.on_round({1, to_lattice(4.5, start.resolution)});
+    observer.on_round({2, to_lattice(4, start.resolution)});
+    return push_left(start);
+  };
+  Desk desk{0, engine};
+  (void)desk.open_small();
+  (void)desk.result("motion.compact", "{'markerId':'m1','progressToken':'mine'}");
+  ASSERT_EQ(desk.usual.heard(), 2U);
+  const Json first = desk.usual.next();
+  EXPECT_EQ(first["method"], "$/progress");
+  EXPECT_EQ(first["params"]["token"], "mine");
+  EXPECT_EQ(first["params"]["round"], 1);
+  EXPECT_EQ(first["params"]["length"], 4.5);
+  EXPECT_EQ(desk.usual.next()["params"]["length"], 4);
+  (void)desk.result("motion.compact", "{'markerId':'m1'}");
+  EXPECT_EQ(desk.usual.heard(), 0U);
+  EXPECT_EQ(desk.result("motion.compact", "{'markerId':'m1','progressToken':[1]}")["error"]["data"]["field"],
+            "/progressToken");
+}
+
+TEST(FairLine, SessionsTakeTurnsAndEachKeepsItsOrder) {
+  FairLine<std::string> line;
+  for (const char* thing : {"a1", "a2", "a3", "a4"}) line.push(1, thing);
+  line.push(2, "b1");
+  line.push(2, "b2");
+  line.push(3, "c1");
+  std::string order;
+  while (!line.empty()) order += line.pop() + " ";
+  EXPECT_EQ(order, "a1 b1 c1 a2 b2 a3 a4 ");
+}
+
+TEST(Fairness, OneSessionsManyMotionsDoNotKeepAnotherWaiting) {
+  Gate gate;
+  Desk desk{1, gate.engine()};
+  Listener other;
+  std::vector<std::future<std::string>> many;
+  const std::string busy = desk.open_small();
+  many.push_back(desk.send(call(0, "motion.compact", R"({"markerId":"m1"})")));
+  gate.await_arrivals(1);
+  for (int i = 1; i < 20; ++i) {
+    const std::string id = desk.open_small();
+    many.push_back(desk.send(call(i, "motion.compact", R"({"markerId":")" + id + R"("})")));
+  }
+  const std::string id = desk.open_small();
+  auto one = desk.send(call(1, "motion.compact", R"({"markerId":")" + id + R"("})"), other.session());
+  EXPECT_EQ(desk.motions.waiting(), 20U);
+  gate.open();
+  (void)one.get();
+  EXPECT_GE(desk.motions.waiting() + 4, 20U - 4U);  // most of the other session's still wait
+  for (auto& answer : many) EXPECT_EQ(Json::parse(answer.get())["result"]["revision"], 2);
+}
+
+}  // namespace
+}  // namespace selvage::test
