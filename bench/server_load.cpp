@@ -70,7 +70,8 @@ std::vector<double> run(const Load& load, std::size_t first_piece, Clock::time_p
                         {"commit", false}};
       timed([&] { (void)ask(wire, "motion.bump", params); });
     } else {
-      const Json begun = ask(wire, "drag.begin", {{"markerId", load.marker_id}, {"piece", piece["id"]}, {"mode", load.what}});
+      const Json begun =
+          ask(wire, "drag.begin", {{"markerId", load.marker_id}, {"piece", piece["id"]}, {"mode", load.what}});
       const double x = piece["at"][0], y = piece["at"][1];
       for (int step = 1; step <= 20 && Clock::now() < end; ++step) {
         const Json to{x + 2.0 * step, y + 10 * std::sin(step)};
@@ -125,7 +126,8 @@ int main(int argc, char** argv) {
   try {
     return selvage::measure({argv + 1, argv + argc});
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "server_load: %s\nusage: server_load PORT MARKER get|bump|place|push [CONNECTIONS] [SECONDS]\n",
+    std::fprintf(stderr,
+                 "server_load: %s\nusage: server_load PORT MARKER get|bump|place|push [CONNECTIONS] [SECONDS]\n",
                  error.what());
     return 2;
   }

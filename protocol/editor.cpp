@@ -172,7 +172,8 @@ class Editor {
   }
   void apply(const SetSpacing& spacing) {
     if (!fits_lattice(spacing.spacing, resolution())) {
-      mistake_.add(ErrorCode::kBeyondLattice, number_text(spacing.spacing) + " is too far", pointer_of(edit_, "/spacing"));
+      mistake_.add(ErrorCode::kBeyondLattice, number_text(spacing.spacing) + " is too far",
+                   pointer_of(edit_, "/spacing"));
       return;
     }
     file_.marker.spacing = spacing_on_lattice(spacing.spacing, resolution());

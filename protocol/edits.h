@@ -66,8 +66,8 @@ struct SetSpacing {
   double spacing{};
 };
 
-using Edit = std::variant<AddPiece, RemovePiece, MovePiece, RotatePiece, FlipPiece, TiltPiece, LockPiece, SetStrip,
-                          SetSpacing>;
+using Edit =
+    std::variant<AddPiece, RemovePiece, MovePiece, RotatePiece, FlipPiece, TiltPiece, LockPiece, SetStrip, SetSpacing>;
 
 inline constexpr std::size_t kMaxEdits = 100'000;
 inline constexpr std::string_view kEditNames[] = {"add",  "remove", "move",     "rotate",    "flip",

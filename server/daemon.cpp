@@ -26,13 +26,12 @@ Daemon::Daemon(const Options& options, Engine engine)
       hands_{options.workers == 0 ? 0 : kHandWorkers, options.limits.waiting_moves},
       drags_{store_, methods_, sums_, hands_},
       dispatcher_{methods_, drags_, clock_, reads_, motions_, options.limits.transport.body_bytes},
-      transport_{options.host, options.port, options.limits.transport,
-                 Service{.call =
-                             [this](std::string message, const std::shared_ptr<Session>& session, Reply reply) {
-                               dispatcher_.receive(std::move(message), session, std::move(reply));
-                             },
-                         .health = [] { return std::string{"{\"status\":\"ok\"}"}; },
-                         .line_too_long = Dispatcher::too_long(options.limits.transport.body_bytes)}} {}
+      transport_{
+          options.host, options.port, options.limits.transport,
+          Service{.call = [this](std::string message, const std::shared_ptr<Session>& session,
+                                 Reply reply) { dispatcher_.receive(std::move(message), session, std::move(reply)); },
+                  .health = [] { return std::string{"{\"status\":\"ok\"}"}; },
+                  .line_too_long = Dispatcher::too_long(options.limits.transport.body_bytes)}} {}
 
 Daemon::~Daemon() {
   drain();

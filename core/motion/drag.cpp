@@ -7,17 +7,20 @@
 
 #include "core/minkowski/inner_fit.h"
 #include "core/motion/bump.h"
+#include "core/motion/position_step.h"
 #include "core/motion/scene.h"
-#include "core/motion/separate.h"
 
 namespace selvage {
 namespace {
 
-constexpr int kSteps = 64;         // on the way from where the piece is to where it is wanted
-constexpr int kRefinements = 12;   // halvings of the last of them
-constexpr int kSlides = 4;         // along contacts, each nearer to the wanted place
-constexpr double kReach = 0.3;     // of the strip's width: the pieces this near make way
-constexpr int kPartingRounds = 16;
+constexpr int kSteps = 64;           // on the way from where the piece is to where it is wanted
+constexpr int kRefinements = 12;     // halvings of the last of them
+constexpr int kSlides = 4;           // along contacts, each nearer to the wanted place
+constexpr double kReach = 0.1;       // of the strip's width: the pieces this near to the way make way
+constexpr int kRounds = 4;           // of the position model
+constexpr double kStillness = 1e-3;  // what moves others costs, beside the hand's own way
+constexpr double kLeastTrust = 0.01, kMostTrust = 0.05;  // of the strip's width
+constexpr Coord kThere = 2;                              // lattice units: as near as rounding comes
 
 double distance(Vec a, Vec b) {
   return std::hypot(static_cast<double>(a.x - b.x), static_cast<double>(a.y - b.y));
@@ -45,19 +48,18 @@ class Hand {
     return placed;
   }
 
-  [[nodiscard]] std::optional<Drag> push(const std::stop_token& stop) {
-    const std::vector<std::uint32_t> around = pieces_around();
-    Marker part = part_of(around);
-    SeparationSettings settings;
-    settings.rounds = kPartingRounds;
-    const Coord own_end = length_of(part);
-    settings.grow = static_cast<double>(*part.strip.longest - own_end) / static_cast<double>(std::max(own_end, Coord{1}));
-    const auto parted = separate(part, settings, sums_, stop);
-    if (!parted || !parted->apart) return std::nullopt;
-    Drag pushed{start_, false};
-    for (std::size_t k = 0; k < around.size(); ++k) pushed.marker.pieces[around[k]].at = parted->marker.pieces[k].at;
-    pushed.pushed = true;
-    if (!proved(pushed.marker)) return std::nullopt;
+  [[nodiscard]] Drag push(const std::stop_token& stop) {
+    Drag placed = place();
+    const Vec from = placed.marker.pieces[piece_].at;
+    if (from == wanted_) return placed;
+    const std::vector<std::uint32_t> around = pieces_around(from);
+    const Marker part = part_of(placed.marker, around);
+    Scene scene{part, sums_};
+    if (!conflicts(scene.pieces, part.spacing).empty()) return placed;
+    follow(scene, stop);
+    Drag pushed{placed.marker, true};
+    for (std::size_t k = 0; k < around.size(); ++k) pushed.marker.pieces[around[k]].at = scene.pieces.at(k);
+    if (distance(scene.pieces.at(0), wanted_) >= distance(from, wanted_) || !proved(pushed.marker)) return placed;
     return pushed;
   }
 
@@ -86,8 +88,8 @@ class Hand {
       std::vector<Vec> positions = scene_.pieces.positions();
       positions[piece_] = best;
       scene_.pieces.place(std::move(positions));
-      const Vec next = bump(scene_, piece_, static_cast<double>(wanted_.x - best.x),
-                            static_cast<double>(wanted_.y - best.y)).at;
+      const Vec next =
+          bump(scene_, piece_, static_cast<double>(wanted_.x - best.x), static_cast<double>(wanted_.y - best.y)).at;
       if (!(distance(next, wanted_) < distance(best, wanted_)) || !free_at(next)) break;
       best = next;
     }
@@ -113,17 +115,42 @@ class Hand {
     return std::nullopt;
   }
 
-  // The pieces near the wanted place, and those near them, which stay; the dragged piece first.
-  [[nodiscard]] std::vector<std::uint32_t> pieces_around() {
+  // Rounds of the position model that take the scene's first piece towards the wanted place.
+  void follow(Scene& scene, const std::stop_token& stop) const {
+    const auto width = static_cast<double>(start_.strip.width);
+    for (int round = 0; round < kRounds && !stop.stop_requested(); ++round) {
+      const Vec left = wanted_ - scene.pieces.at(0);
+      const auto x = static_cast<double>(left.x), y = static_cast<double>(left.y);
+      const double far = std::max(std::abs(x), std::abs(y));
+      if (far <= kThere) return;
+      Goal goal{std::vector<Displacement>(scene.pieces.size()), 0, kStillness, Halt{0, {x, y}}};
+      goal.force[0] = {x / far, y / far};
+      const StepSettings settings{std::clamp(far / width, kLeastTrust, kMostTrust), {}, {}};
+      const PositionStep step = position_step(scene, goal, settings, stop, {});
+      if (step.end != StepEnd::kMoved) return;
+      scene.pieces.place(step.positions);
+    }
+  }
+
+  // The pieces near the way that is left, and those near them, which stay; the dragged piece first.
+  [[nodiscard]] std::vector<std::uint32_t> pieces_around(Vec from) {
     const Coord reach = std::llround(kReach * static_cast<double>(start_.strip.width));
-    const Box wanted = scene_.pieces[piece_].box.moved(wanted_);
-    const Box near = wanted.grown(reach);
-    const Box far = wanted.grown(3 * reach);
+    const Box& own = scene_.pieces[piece_].box;
+    const Box a = own.moved(from), b = own.moved(wanted_);
+    const Box way{{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
+                  {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
+    const Box near = way.grown(reach);
     std::vector<std::uint32_t> around{piece_};
+    Box reached = near;  // by the pieces that make way
     for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
-      if (other != piece_ && near.touches(scene_.pieces.box(other))) around.push_back(other);
+      const Box box = scene_.pieces.box(other);
+      if (other == piece_ || !near.touches(box)) continue;
+      around.push_back(other);
+      reached = {{std::min(reached.low.x, box.low.x), std::min(reached.low.y, box.low.y)},
+                 {std::max(reached.high.x, box.high.x), std::max(reached.high.y, box.high.y)}};
     }
     flowing_ = around.size();
+    const Box far = reached.grown(reach);
     for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
       if (other != piece_ && !near.touches(scene_.pieces.box(other)) && far.touches(scene_.pieces.box(other))) {
         around.push_back(other);
@@ -132,17 +159,14 @@ class Hand {
     return around;
   }
 
-  // A marker of these pieces alone.
-  [[nodiscard]] Marker part_of(const std::vector<std::uint32_t>& around) const {
-    Marker part = start_;
+  // A marker of these pieces alone, the later ones locked.
+  [[nodiscard]] Marker part_of(const Marker& placed, const std::vector<std::uint32_t>& around) const {
+    Marker part = placed;
     part.pieces.clear();
     for (std::size_t k = 0; k < around.size(); ++k) {
-      Piece piece = start_.pieces[around[k]];
-      if (k == 0) piece.at = wanted_;
-      if (k == 0 || k >= flowing_) piece.locked = true;
-      part.pieces.push_back(std::move(piece));
+      part.pieces.push_back(placed.pieces[around[k]]);
+      if (k >= flowing_) part.pieces.back().locked = true;
     }
-    part.strip.longest = std::max(end_, length_of(part));
     return part;
   }
 
@@ -167,8 +191,8 @@ class Hand {
   Scene scene_;
   Coord end_{};  // of the strip, or as far as the hand reaches
   Box fit_;
-  Vec wanted_;               // as near to the hand as the strip allows
-  std::size_t flowing_{};    // of the pieces around, the first so many are not held
+  Vec wanted_;             // as near to the hand as the strip allows
+  std::size_t flowing_{};  // of the pieces around, the first so many are not held
 };
 
 }  // namespace
@@ -176,10 +200,7 @@ class Hand {
 Drag drag(const Marker& start, PieceId piece, Vec to, DragMode mode, SumCache& sums, std::stop_token stop) {
   if (start.pieces[piece.value].locked) return {start, false};
   Hand hand{start, piece, to, sums};
-  if (mode == DragMode::kPush) {
-    if (auto pushed = hand.push(stop)) return *std::move(pushed);
-  }
-  return hand.place();
+  return mode == DragMode::kPush ? hand.push(stop) : hand.place();
 }
 
 }  // namespace selvage

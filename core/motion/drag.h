@@ -1,9 +1,9 @@
 // The dragging hand: where a piece comes to lie that a hand wants at some place, and, when the others are to make way,
 // where they flow to.
 //
-// Placing: only the piece moves, to a valid position near the wanted one.  Pushing: the piece lies where the hand wants
-// it, inside the strip, and the pieces in reach are parted from it and from each other [Li94 5.2] while all others stay;
-// where that cannot be done, the piece is placed instead.
+// Placing: only the piece moves, to a valid position near the wanted one.  Pushing: from there it goes on towards the
+// wanted place in a few rounds of the position model, in which the pieces in reach move out of its way and no farther
+// [Li94 4.2.2]; all others stay.
 //
 // Laws.  (1) No piece that moved overlaps any other or leaves the strip, proved in integers.  (2) Locked pieces stay.
 // (3) Same input, same answer, whatever the cache holds.

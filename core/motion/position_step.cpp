@@ -97,8 +97,23 @@ class Attempt {
         if (static_cast<double>(length - scene_.pieces.box(i).high.x) <= 2 * trust_) model_->add_right_wall(i);
       }
     }
+    if (goal_.halt) add_halt(*goal_.halt);
     if (goal_.stillness > 0) model_->add_stillness(goal_.stillness);
     for (const PairRow& row : rows_) model_->add(row);
+  }
+
+  void add_halt(const Halt& halt) {
+    const auto column = model_->column(halt.piece);
+    if (!column) return;
+    const auto limit = [&](int which, double at) {
+      double& low = model_->program().lower[static_cast<std::size_t>(which)];
+      double& high = model_->program().upper[static_cast<std::size_t>(which)];
+      if (low > 0 || high < 0) return;  // it has to come back into the strip first
+      low = std::max(low, std::min(0.0, at / unit()));
+      high = std::min(high, std::max(0.0, at / unit()));
+    };
+    limit(*column, halt.at.x);
+    limit(*column + 1, halt.at.y);
   }
 
   void add(const PairRow& row) {
