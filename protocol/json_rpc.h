@@ -29,6 +29,7 @@ enum class RpcCode : int {
   kUnknownMarker = -32012,  // no marker of this id
   kLimit = -32013,          // a limit of this server, such as the number of open markers; data.limit
   kDraining = -32014,       // the server is going down and takes no new work
+  kUnauthorised = -32015,   // the connection has not shown the token
 
   kCancelled = -32800,         // the client asked to stop
   kRevisionMismatch = -32801,  // the marker moved on; data.revision is the present one

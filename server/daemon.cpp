@@ -1,9 +1,10 @@
 #include "server/daemon.h"
 
-#include <chrono>
-#include <memory>
+#include <array>
 #include <string>
 #include <utility>
+
+#include "server/entry.h"
 
 namespace selvage {
 namespace {
@@ -12,12 +13,16 @@ namespace {
 constexpr std::size_t kReadWorkers = 2;
 // Nor does a dragging hand.
 constexpr std::size_t kHandWorkers = 1;
-constexpr std::chrono::seconds kFlushPatience{5};
+
+Doors doors_for(const Options& options) {
+  return options.task == Options::Task::kServe ? doors_of(options) : Doors{};
+}
 
 }  // namespace
 
 Daemon::Daemon(const Options& options, Engine engine)
-    : sums_{options.cache_mb << 20},
+    : drain_patience_{options.drain},
+      sums_{options.cache_mb << 20},
       journal_{options.store.empty() ? nullptr : std::make_unique<Journal>(options.store, options.durability)},
       store_{options.limits.open_markers, journal_.get()},
       methods_{store_, watchers_, sums_, options.limits, options.workers, std::move(engine)},
@@ -25,24 +30,96 @@ Daemon::Daemon(const Options& options, Engine engine)
       motions_{options.workers, options.limits.waiting_motions},
       hands_{options.workers == 0 ? 0 : kHandWorkers, options.limits.waiting_moves},
       drags_{store_, methods_, sums_, hands_},
-      dispatcher_{methods_, drags_, clock_, reads_, motions_, options.limits.transport.body_bytes},
-      transport_{
-          options.host, options.port, options.limits.transport,
-          Service{.call = [this](std::string message, const std::shared_ptr<Session>& session,
-                                 Reply reply) { dispatcher_.receive(std::move(message), session, std::move(reply)); },
-                  .health = [] { return std::string{"{\"status\":\"ok\"}"}; },
-                  .line_too_long = Dispatcher::too_long(options.limits.transport.body_bytes)}} {}
+      dispatcher_{methods_,
+                  drags_,
+                  clock_,
+                  reads_,
+                  motions_,
+                  options.limits.transport.body_bytes,
+                  [this](const AnsweredRequest& request) {
+                    metrics_.count(request);
+                    log_request(request);
+                  }},
+      transport_{doors_for(options), options.limits.transport, service(options)} {}
+
+Service Daemon::service(const Options& options) {
+  return {.call = [this](std::string message, const std::shared_ptr<Session>& session,
+                         Reply reply) { call(std::move(message), session, std::move(reply)); },
+          .health = [] { return std::string{"{\"status\":\"ok\"}"}; },
+          .ready = [this] { return why_not_ready(); },
+          .metrics = [this] { return metrics_text(); },
+          .enter = judge_first_line,
+          .line_too_long = Dispatcher::too_long(options.limits.transport.body_bytes),
+          .counts = connections_};
+}
+
+void Daemon::call(std::string message, const std::shared_ptr<Session>& session, Reply reply) {
+  dispatcher_.receive(std::move(message), session, std::move(reply));
+}
+
+std::string Daemon::why_not_ready() const {
+  if (draining_) return "going down";
+  if (motions_.waiting() >= motions_.capacity()) return "the queue of motions is full";
+  if (reads_.waiting() >= reads_.capacity()) return "the queue of reads is full";
+  return {};
+}
+
+std::string Daemon::metrics_text() const {
+  const auto value = [](auto count) { return static_cast<double>(count); };
+  const CacheCounts sums = sums_.counts();
+  const TransportCounts& open = *connections_;
+  using enum Metric::Type;
+  const std::array kNow{
+      Metric{"selvage_open_markers", kGauge, "Markers that are open.", "", {{"", value(store_.count())}}},
+      Metric{"selvage_jobs_waiting",
+             kGauge,
+             "Jobs in the queues.",
+             "queue",
+             {{"motions", value(motions_.waiting())},
+              {"reads", value(reads_.waiting())},
+              {"hands", value(hands_.waiting())}}},
+      Metric{"selvage_jobs_running",
+             kGauge,
+             "Jobs on the workers.",
+             "queue",
+             {{"motions", value(motions_.running())},
+              {"reads", value(reads_.running())},
+              {"hands", value(hands_.running())}}},
+      Metric{"selvage_connections",
+             kGauge,
+             "Connections that are open, by what is spoken on them.",
+             "speaks",
+             {{"http", value(open.http.load())},
+              {"lines", value(open.lines.load())},
+              {"websocket", value(open.websockets.load())}}},
+      Metric{"selvage_connections_total",
+             kCounter,
+             "Connections that came, by whether there was room.",
+             "outcome",
+             {{"accepted", value(open.accepted.load())}, {"turned_away", value(open.turned_away.load())}}},
+      Metric{"selvage_sums_total",
+             kCounter,
+             "Minkowski sums asked for, by whether they were kept from before.",
+             "outcome",
+             {{"hit", value(sums.hits)}, {"miss", value(sums.misses)}}},
+      Metric{"selvage_sums_bytes", kGauge, "Memory of the sums that are kept.", "", {{"", value(sums.bytes)}}},
+  };
+  std::string text = metrics_.text();
+  for (const Metric& metric : kNow) text += metric_text(metric);
+  return text;
+}
 
 Daemon::~Daemon() {
   drain();
 }
 
 void Daemon::drain() {
+  draining_ = true;
   transport_.stop_reading();
   motions_.drain();
   hands_.drain();
   reads_.drain();
-  transport_.finish(kFlushPatience);
+  transport_.finish(drain_patience_);
 }
 
 }  // namespace selvage

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "protocol/call_fields.h"
-#include "server/log.h"
 
 namespace selvage {
 namespace {
@@ -56,6 +55,7 @@ struct Dispatcher::Exchange {
   std::size_t bytes{};
   std::shared_ptr<Session> session;
   ReplyOnce<std::string> reply;
+  const OnAnswered& on_answered;
   Clock::time_point began{Clock::now()};
   std::size_t calls_done{};
   std::vector<std::string> answers{};
@@ -73,7 +73,7 @@ struct Dispatcher::Exchange {
       answers.push_back(answer_text(*request.id, std::move(outcome)));
       line.bytes_out = answers.back().size();
     }
-    log_request(line);
+    on_answered(line);
   }
 
   static std::string answer_text(const Json& id, Outcome outcome) {
@@ -116,7 +116,8 @@ void Dispatcher::take_apart(std::string_view message, std::shared_ptr<Session> s
   next(std::make_shared<Exchange>(Exchange{.incoming = parse_incoming(message, max_bytes_),
                                            .bytes = message.size(),
                                            .session = std::move(session),
-                                           .reply = std::move(reply)}));
+                                           .reply = std::move(reply),
+                                           .on_answered = on_answered_}));
 }
 
 void Dispatcher::next(const std::shared_ptr<Exchange>& exchange) {
@@ -132,10 +133,10 @@ void Dispatcher::next(const std::shared_ptr<Exchange>& exchange) {
     }
     const auto& bad = std::get<BadRequest>(call);
     exchange->answers.push_back(to_text(error_response(bad.id, bad.error)));
-    log_request({.method = "bad-request",
-                 .code = static_cast<int>(bad.error.code),
-                 .bytes_in = exchange->bytes,
-                 .bytes_out = exchange->answers.back().size()});
+    on_answered_({.method = "bad-request",
+                  .code = static_cast<int>(bad.error.code),
+                  .bytes_in = exchange->bytes,
+                  .bytes_out = exchange->answers.back().size()});
   }
   std::move(exchange->reply)(exchange->text());
 }

@@ -12,6 +12,7 @@
 #include "server/deadline_clock.h"
 #include "server/drags.h"
 #include "server/job_queue.h"
+#include "server/log.h"
 #include "server/methods.h"
 #include "server/open_call.h"
 #include "server/reply_once.h"
@@ -23,8 +24,14 @@ class Dispatcher {
  public:
   // REQUIRES: all outlive the dispatcher and every call.
   Dispatcher(Methods& methods, Drags& drags, DeadlineClock& clock, JobQueue& reads, JobQueue& motions,
-             std::size_t max_bytes)
-      : methods_{methods}, drags_{drags}, clock_{clock}, reads_{reads}, motions_{motions}, max_bytes_{max_bytes} {}
+             std::size_t max_bytes, OnAnswered on_answered = log_request)
+      : methods_{methods},
+        drags_{drags},
+        clock_{clock},
+        reads_{reads},
+        motions_{motions},
+        max_bytes_{max_bytes},
+        on_answered_{std::move(on_answered)} {}
 
   // Never blocks, unless the queues have no workers.
   void receive(std::string message, const std::shared_ptr<Session>& session, Reply reply);
@@ -46,6 +53,7 @@ class Dispatcher {
   JobQueue& reads_;
   JobQueue& motions_;
   const std::size_t max_bytes_;
+  const OnAnswered on_answered_;
   OpenCalls calls_;
 };
 

@@ -1,64 +1,145 @@
-// selvaged: serves until it is told to stop (SIGTERM, SIGINT), then drains.
-// Exit codes: 0 drained, 1 could not serve, 2 bad command line.
+// selvaged: serves until it is told to stop (SIGTERM, SIGINT), then drains; or answers the calls of a file.
+// Exit codes: 0 drained, or every call of the file went well; 1 could not serve, was overdue, or a call failed; 2 bad
+// command line or configuration.
 #include <spdlog/spdlog.h>
 
+#include <condition_variable>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <mutex>
+#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <variant>
 
+#include "protocol/fields.h"
+#include "server/addresses.h"
 #include "server/daemon.h"
 #include "server/log.h"
 #include "server/options.h"
+#include "server/replay.h"
 #include "server/version.h"
 
 namespace selvage {
 namespace {
 
 // Blocked in every thread, so that only wait_to_stop takes them.
-sigset_t block_stop_signals() {
+sigset_t block_signals() {
   std::signal(SIGPIPE, SIG_IGN);
   sigset_t signals;
   sigemptyset(&signals);
-  sigaddset(&signals, SIGTERM);
-  sigaddset(&signals, SIGINT);
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP}) sigaddset(&signals, signal);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   return signals;
 }
 
-int wait_for(const sigset_t& signals) {
-  int signal{};
-  while (sigwait(&signals, &signal) != 0) {
+// The signal to stop.
+int wait_to_stop(const sigset_t& signals, const Options& options) {
+  for (;;) {
+    int signal{};
+    if (sigwait(&signals, &signal) != 0) continue;
+    if (signal != SIGHUP) return signal;
+    reopen_log(options.log_file);
   }
-  return signal;
+}
+
+std::string name_of(const Listener& listener) {
+  return listener.path.empty() ? address_text({listener.host, listener.port}) : listener.path;
 }
 
 // In one step, so that whoever waits for the file never reads half of it.
-void write_port(const std::string& path, std::uint16_t port) {
+void write_ports(const std::string& path, const Daemon& daemon) {
   const std::string beside = path + ".new";
   std::ofstream file{beside};
-  file << port << '\n';
+  for (const Listener& listener : daemon.listeners()) {
+    if (listener.path.empty()) file << listener.port << '\n';
+  }
   file.close();
   if (!file || std::rename(beside.c_str(), path.c_str()) != 0) {
     throw std::runtime_error{"cannot write --port-file " + path};
   }
 }
 
-void serve(const Options& options) {
-  const sigset_t signals = block_stop_signals();
+// Ends the process when it is not gone by then: a call that cannot be stopped must not keep it for ever.
+class Overdue {
+ public:
+  explicit Overdue(std::chrono::seconds patience)
+      : thread_{[this, patience](const std::stop_token& gone) {
+          std::unique_lock lock{mutex_};
+          if (wake_.wait_for(lock, gone, patience, [&gone] { return gone.stop_requested(); })) return;
+          if (gone.stop_requested()) return;
+          spdlog::error("not drained after {} s: ending without the rest", patience.count());
+          std::_Exit(1);
+        }} {}
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable_any wake_;
+  std::jthread thread_;
+};
+
+int serve(const Options& options) {
+  const sigset_t signals = block_signals();
   Daemon daemon{options};
-  const std::string host = options.host == "::1" ? "[::1]" : options.host;
-  if (!options.port_file.empty()) write_port(options.port_file, daemon.port());
-  std::cout << "listening on " << host << ":" << daemon.port() << std::endl;
-  spdlog::info("selvaged {} listening on {}:{}, {} workers", kVersion, host, daemon.port(), options.workers);
-  const int signal = wait_for(signals);
+  if (!options.port_file.empty()) write_ports(options.port_file, daemon);
+  for (const Listener& listener : daemon.listeners()) {
+    std::cout << "listening on " << name_of(listener) << std::endl;
+    spdlog::info("selvaged {} listening on {}, {} workers", kVersion, name_of(listener), options.workers);
+  }
+  const int signal = wait_to_stop(signals, options);
   spdlog::info("draining: signal {}", signal);
+  const Overdue overdue{options.drain + std::chrono::seconds{1}};
   daemon.drain();
   spdlog::info("drained");
+  return 0;
+}
+
+int check_config(const Options& options) {
+  const Transport without_doors{{.access = options.access, .tls = options.tls}, options.limits.transport, {}};
+  std::cout << "the configuration is sound\n";
+  return 0;
+}
+
+std::string text_of_file(const std::string& path) {
+  std::ifstream file{path};
+  if (!file) throw std::runtime_error{"cannot read " + path};
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+template <class Value>
+Value or_throw(Result<Value> result, const std::string& about) {
+  if (!result) throw std::runtime_error{about + ": " + describe(result.error())};
+  return *std::move(result);
+}
+
+int replay_file(const Options& options) {
+  Daemon daemon{options};
+  const Replay replayed = or_throw(replay(daemon, text_of_file(options.replay_file)), options.replay_file);
+  for (const std::string& answer : replayed.answers) std::cout << answer << '\n';
+  if (!options.replay_svg.empty()) {
+    std::ofstream file{options.replay_svg};
+    file << or_throw(drawing_of_last(daemon), "--svg");
+    file.close();
+    if (!file) throw std::runtime_error{"cannot write " + options.replay_svg};
+  }
+  return replayed.went_well ? 0 : 1;
+}
+
+int run(const Options& options) {
+  set_up_log(options.log_level, options.log_file);
+  switch (options.task) {
+    case Options::Task::kServe: return serve(options);
+    case Options::Task::kCheckConfig: return check_config(options);
+    case Options::Task::kReplay: return replay_file(options);
+  }
+  return 2;
 }
 
 }  // namespace
@@ -71,12 +152,10 @@ int main(int argc, char** argv) {
     return farewell->exit_code;
   }
   const auto& options = std::get<selvage::Options>(parsed);
-  selvage::set_up_log(options.log_level);
   try {
-    selvage::serve(options);
+    return selvage::run(options);
   } catch (const std::exception& error) {
-    std::cerr << "selvaged: cannot serve on " << options.host << ":" << options.port << ": " << error.what() << "\n";
-    return 1;
+    std::cerr << "selvaged: " << error.what() << "\n";
+    return options.task == selvage::Options::Task::kCheckConfig ? 2 : 1;
   }
-  return 0;
 }

@@ -7,33 +7,30 @@
 
 namespace selvage {
 
-using boost::asio::ip::tcp;
 using Clock = std::chrono::steady_clock;
 
-Connection::Connection(tcp::socket connected, std::uint64_t id)
+Connection::Connection(Socket connected, std::uint64_t id, bool must_show_token)
     : socket{std::move(connected)},
       read_watchdog{socket.get_executor()},
       write_watchdog{socket.get_executor()},
-      session{std::make_shared<Session>(Session{.id = id, .notify = {}, .gone = gone.get_token()})} {
-  boost::system::error_code ignored;
-  socket.set_option(tcp::no_delay{true}, ignored);
-}
+      session{std::make_shared<Session>(Session{.id = id, .notify = {}, .gone = gone.get_token()})},
+      needs_token{must_show_token} {}
 
 void Connection::watch() {
-  socket.async_wait(tcp::socket::wait_error, [self = shared_from_this()](boost::system::error_code error) {
+  socket.async_wait(Socket::wait_error, [self = shared_from_this()](boost::system::error_code error) {
     if (!error) self->gone.request_stop();
   });
 }
 
 void Connection::watch_for_end() {
   if (std::exchange(watching_for_end_, true)) return;
-  socket.async_wait(tcp::socket::wait_read, [self = shared_from_this()](boost::system::error_code error) {
+  socket.async_wait(Socket::wait_read, [self = shared_from_this()](boost::system::error_code error) {
     self->watching_for_end_ = false;
     if (error || self->draining) return;
     char next{};
     boost::system::error_code state;
     self->socket.non_blocking(true, state);
-    self->socket.receive(boost::asio::buffer(&next, 1), tcp::socket::message_peek, state);
+    self->socket.receive(boost::asio::buffer(&next, 1), Socket::message_peek, state);
     // Bytes to read are another request, sent ahead: its turn comes.
     if (state && state != boost::asio::error::would_block) self->gone.request_stop();
   });
@@ -52,8 +49,9 @@ void Connection::disarm(boost::asio::steady_timer& watchdog) {
 
 void Connection::drain() {
   draining = true;
+  if (on_drain) return on_drain();
   boost::system::error_code ignored;
-  socket.shutdown(tcp::socket::shutdown_receive,
+  socket.shutdown(Socket::shutdown_receive,
                   ignored);  // a read under way ends as if the other side had closed
 }
 
@@ -68,7 +66,7 @@ void Connection::cut() {
 boost::asio::awaitable<void> Connection::linger() {
   constexpr std::chrono::seconds kPatience{2};
   boost::system::error_code error;
-  socket.shutdown(tcp::socket::shutdown_send, error);
+  socket.shutdown(Socket::shutdown_send, error);
   arm(read_watchdog, kPatience);
   std::array<char, 16384> dropped{};
   while (!error && !draining) {

@@ -26,16 +26,23 @@ bool is_port(std::string_view text) {
 
 }  // namespace
 
+bool is_host(std::string_view host, std::string_view name) {
+  return take(host, name) && (host.empty() || (host.front() == ':' && is_port(host.substr(1))));
+}
+
 bool is_local_host(std::string_view host) {
   constexpr std::array<std::string_view, 3> kNames{"localhost", "127.0.0.1", "[::1]"};
-  return std::any_of(kNames.begin(), kNames.end(), [host](std::string_view name) {
-    std::string_view rest = host;
-    return take(rest, name) && (rest.empty() || (rest.front() == ':' && is_port(rest.substr(1))));
-  });
+  return std::any_of(kNames.begin(), kNames.end(), [host](std::string_view name) { return is_host(host, name); });
 }
 
 bool is_local_origin(std::string_view origin) {
   return (take(origin, "http://") || take(origin, "https://")) && is_local_host(origin);
+}
+
+bool take_scheme(std::string_view& authorization, std::string_view scheme) {
+  if (!take(authorization, scheme) || !authorization.starts_with(' ')) return false;
+  authorization.remove_prefix(std::min(authorization.find_first_not_of(' '), authorization.size()));
+  return true;
 }
 
 }  // namespace selvage

@@ -1,17 +1,15 @@
-// Newline-delimited JSON on one connection: a message per line, many under way at once, answers in the order
-// they are done.  When the other side has sent its last (half-closed), what it asked is still answered before
-// the connection closes; only a connection that breaks stops its calls.
-#include "server/transport/connection.h"
-
+// Newline-delimited JSON on one connection: a message per line.  When the other side has sent its last (half-closed),
+// what it asked is still answered before the connection closes; only a connection that breaks stops its calls.
 #include <boost/asio/buffer.hpp>
-#include <boost/asio/post.hpp>
 #include <boost/asio/write.hpp>
 
 #include <array>
 #include <cstddef>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "server/transport/conversation.h"
 #include "server/transport/line_splitter.h"
 
 namespace selvage {
@@ -20,25 +18,44 @@ namespace {
 namespace asio = boost::asio;
 using Error = boost::system::error_code;
 
-class LineConnection : public std::enable_shared_from_this<LineConnection> {
+class LineConnection final : public Conversation {
  public:
-  LineConnection(std::shared_ptr<Connection> connection, const Service& service, const TransportLimits& limits)
-      : connection_{std::move(connection)},
-        service_{service},
-        limits_{limits},
-        splitter_{limits.body_bytes},
-        changed_{connection_->socket.get_executor()} {}
+  LineConnection(std::shared_ptr<Connection> connection, const Terms& terms)
+      : Conversation{std::move(connection), terms}, splitter_{terms.limits.body_bytes} {}
 
   asio::awaitable<void> serve(std::string received) {
+    if (connection_->needs_token && !co_await enter(received)) {
+      co_await settle();
+      co_return co_await connection_->linger();
+    }
     let_notify();
     std::vector<Line> lines = splitter_.feed(received);
     co_await take(std::move(lines));
     co_await read_to_end();
     Connection::disarm(connection_->read_watchdog);
-    while (!settled()) co_await changed_.wait();
+    co_await settle();
   }
 
  private:
+  // The first line must show the token; what comes behind it is left in `received`.
+  asio::awaitable<bool> enter(std::string& received) {
+    std::array<char, 4096> chunk{};
+    Error error;
+    connection_->arm(connection_->read_watchdog, terms_.limits.request);
+    while (!error && received.find('\n') == std::string::npos && received.size() < terms_.limits.header_bytes) {
+      const std::size_t count = co_await connection_->socket.async_read_some(
+          asio::buffer(chunk), asio::redirect_error(asio::use_awaitable, error));
+      received.append(chunk.data(), count);
+    }
+    Connection::disarm(connection_->read_watchdog);
+    const std::size_t end = received.find('\n');
+    if (end == std::string::npos || !terms_.service.enter) co_return false;
+    Entry entry = terms_.service.enter(std::string_view{received}.substr(0, end), terms_.access);
+    received.erase(0, end + 1);
+    send(std::move(entry.answer));
+    co_return entry.granted;
+  }
+
   asio::awaitable<void> read_to_end() {
     std::array<char, 65536> chunk{};
     Error error;
@@ -56,100 +73,50 @@ class LineConnection : public std::enable_shared_from_this<LineConnection> {
     }
   }
 
-  // A client that does not take its notifications is cut off: unlike answers, they cannot be held back by not reading.
-  void let_notify() {
-    const auto executor = connection_->socket.get_executor();
-    connection_->session->notify = [executor, weak = weak_from_this()](std::string message) {
-      asio::post(executor, [weak, held = std::move(message)] {
-        const auto self = weak.lock();
-        if (!self) return;
-        self->send(held);
-        if (self->writing_.size() + self->outbox_.size() > 2 * self->limits_.backlog_bytes) self->connection_->cut();
-      });
-    };
-  }
-
   // A line that has begun must end in time; between lines there is no hurry: a front end stays for hours.
   void guard_partial_line() {
     if (splitter_.within_line() == guarding_) return;
     guarding_ = !guarding_;
     if (guarding_) {
-      connection_->arm(connection_->read_watchdog, limits_.request);
+      connection_->arm(connection_->read_watchdog, terms_.limits.request);
     } else {
       Connection::disarm(connection_->read_watchdog);
     }
   }
 
-  // Waits while too much is under way: the other side is not read until it has taken its answers.
   asio::awaitable<void> take(std::vector<Line> lines) {
     for (Line& line : lines) {
-      while (crowded()) co_await changed_.wait();
+      co_await wait_for_room();
       if (line.too_long) {
-        send(service_.line_too_long);
+        send(terms_.service.line_too_long);
       } else {
         call(std::move(line.text));
       }
     }
   }
 
-  void call(std::string message) {
-    ++unanswered_;
-    const auto executor = connection_->socket.get_executor();
-    Reply reply = [executor, self = shared_from_this()](std::string answer) {
-      asio::post(executor, [self, held = std::move(answer)] {
-        --self->unanswered_;
-        self->send(held);
-        self->changed_.notify();
-      });
-    };
-    service_.call(std::move(message), connection_->session, std::move(reply));
-  }
-
-  void send(const std::string& answer) {
-    if (answer.empty() || !connection_->socket.is_open()) return;
-    outbox_ += answer;
-    outbox_ += '\n';
-    if (writing_.empty()) write();
-  }
-
-  void write() {
-    writing_.swap(outbox_);
-    connection_->arm(connection_->write_watchdog, limits_.write);
-    asio::async_write(connection_->socket, asio::buffer(writing_),
-                      [self = shared_from_this()](Error error, std::size_t) { self->written(error); });
-  }
-
-  void written(Error error) {
-    Connection::disarm(connection_->write_watchdog);
+  std::size_t write(std::deque<std::string>& unsent) override {
     writing_.clear();
-    if (error) {
-      outbox_.clear();
-      connection_->cut();
+    std::size_t bytes{};
+    for (const std::string& text : std::exchange(unsent, {})) {
+      bytes += text.size();
+      writing_.append(text).push_back('\n');
     }
-    if (!outbox_.empty()) write();
-    changed_.notify();
+    asio::async_write(connection_->socket, asio::buffer(writing_),
+                      [this, self = shared_from_this()](Error error, std::size_t) { written(error); });
+    return bytes;
   }
 
-  [[nodiscard]] bool crowded() const {
-    return unanswered_ >= limits_.calls_per_connection || writing_.size() + outbox_.size() >= limits_.backlog_bytes;
-  }
-  [[nodiscard]] bool settled() const { return unanswered_ == 0 && writing_.empty() && outbox_.empty(); }
-
-  std::shared_ptr<Connection> connection_;
-  const Service& service_;
-  const TransportLimits& limits_;
   LineSplitter splitter_;
-  Signal changed_;  // fewer unanswered calls, or fewer unsent bytes
-  std::size_t unanswered_{};
-  std::string outbox_, writing_;
+  std::string writing_;
   bool guarding_{};
 };
 
 }  // namespace
 
-asio::awaitable<void> serve_lines(std::shared_ptr<Connection> connection, const Service& service,
-                                  const TransportLimits& limits, std::string received) {
-  const auto lines = std::make_shared<LineConnection>(std::move(connection), service, limits);
+asio::awaitable<void> serve_lines(std::shared_ptr<Connection> connection, const Terms& terms, std::string received) {
+  const Counted counted{terms.service.counts->lines};
+  const auto lines = std::make_shared<LineConnection>(std::move(connection), terms);
   co_await lines->serve(std::move(received));
 }
 

@@ -1,6 +1,7 @@
 // What the transport needs to know of those who answer, and they of it: text in, text out.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -8,6 +9,9 @@
 #include <memory>
 #include <stop_token>
 #include <string>
+#include <string_view>
+
+#include "server/transport/access.h"
 
 namespace selvage {
 
@@ -20,6 +24,18 @@ struct Session {
 
 // Takes the answer to one message: call it once, from any thread.  Empty text: nothing is to be sent.
 using Reply = std::function<void(std::string)>;
+
+// What is said to the first message of a connection that must show a token in it, and whether it may stay.
+struct Entry {
+  bool granted{};
+  std::string answer;
+};
+
+// Written by the transport, read by anyone.
+struct TransportCounts {
+  std::atomic<std::uint64_t> accepted{}, turned_away{};    // connections since the start
+  std::atomic<std::size_t> http{}, lines{}, websockets{};  // connections open now
+};
 
 // Everything here is called on the I/O thread.
 struct Service {
@@ -35,19 +51,25 @@ struct Service {
   std::function<std::string()> metrics{};
   // The body of GET /openrpc.json.
   std::function<std::string()> openrpc{};
+  // Judges the first line of a line connection that needs a token.  Nothing there to call: none is let in.
+  std::function<Entry(std::string_view line, const Access& access)> enter{};
   // What is sent for a line longer than the limit.
   std::string line_too_long{};
+  const std::shared_ptr<TransportCounts> counts = std::make_shared<TransportCounts>();
 };
 
 struct TransportLimits {
-  std::size_t body_bytes{std::size_t{32} << 20};  // of an HTTP body, and of one line
-  std::size_t header_bytes{std::size_t{8} << 10};
-  std::size_t connections{512};          // open at once; more are closed at the door
-  std::size_t calls_per_connection{64};  // unanswered on one line connection; it is not read while it has more
-  std::size_t backlog_bytes{std::size_t{16} << 20};  // unsent on one line connection; likewise
+  std::size_t body_bytes{std::size_t{32} << 20};   // of an HTTP body, of one line, of one WebSocket message
+  std::size_t header_bytes{std::size_t{8} << 10};  // of an HTTP request; and of a line that must show a token
+  std::size_t connections{512};                    // open at once; more are closed at the door
+  std::size_t calls_per_connection{
+      64};  // unanswered on one line or WebSocket connection; it is not read while it has more
+  std::size_t backlog_bytes{std::size_t{16} << 20};  // unsent on one such connection; likewise
   std::chrono::milliseconds idle{300'000};    // between two HTTP requests, and before the first byte of a connection
-  std::chrono::milliseconds request{30'000};  // from the first byte of a header, a body or a line to its last
+  std::chrono::milliseconds request{30'000};  // from the first byte of a header, a body or a message to its last
   std::chrono::milliseconds write{30'000};    // for the other side to take what is sent to it
+  std::chrono::milliseconds ping{20'000};     // between two pings on a WebSocket
+  std::chrono::milliseconds silence{60'000};  // of a WebSocket that answers no ping
 };
 
 }  // namespace selvage

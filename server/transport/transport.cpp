@@ -1,13 +1,17 @@
 #include "server/transport/transport.h"
 
+#include "server/transport/acceptor.h"
 #include "server/transport/connection.h"
+#include "server/transport/tls.h"
 
 #include <spdlog/spdlog.h>
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
 
+#include <algorithm>
 #include <array>
 #include <exception>
 #include <optional>
@@ -15,17 +19,13 @@
 #include <string_view>
 #include <thread>
 #include <utility>
+#include <vector>
 
 namespace selvage {
 namespace {
 
 namespace asio = boost::asio;
-using asio::ip::tcp;
 using Error = boost::system::error_code;
-
-tcp::endpoint endpoint_of(const std::string& host, std::uint16_t port) {
-  return {asio::ip::make_address(host), port};
-}
 
 // Reads until a byte that is not blank: that byte and what came with it, or nothing when there is none.
 asio::awaitable<std::string> first_bytes(std::shared_ptr<Connection> connection, std::chrono::milliseconds patience) {
@@ -43,15 +43,14 @@ asio::awaitable<std::string> first_bytes(std::shared_ptr<Connection> connection,
   co_return std::string{received};
 }
 
-asio::awaitable<void> serve(std::shared_ptr<Connection> connection, const Service& service,
-                            const TransportLimits& limits) {
+asio::awaitable<void> serve(std::shared_ptr<Connection> connection, const Terms& terms, Listener::Speaks speaks) {
   connection->watch();
-  std::string received = co_await first_bytes(connection, limits.idle);
+  std::string received = co_await first_bytes(connection, terms.limits.idle);
   if (received.empty()) co_return;
-  if (received.front() == '{' || received.front() == '[') {
-    co_await serve_lines(connection, service, limits, std::move(received));
+  if (speaks == Listener::Speaks::kLines || received.front() == '{' || received.front() == '[') {
+    co_await serve_lines(connection, terms, std::move(received));
   } else {
-    co_await serve_http(connection, service, limits, std::move(received));
+    co_await serve_http(connection, terms, std::move(received));
   }
 }
 
@@ -68,9 +67,17 @@ void log_exception(std::string_view where, const std::exception_ptr& thrown) {
 }  // namespace
 
 struct Transport::Inside {
-  Inside(const std::string& host, std::uint16_t wanted, const TransportLimits& with, Service answering)
-      : limits{with}, service{std::move(answering)}, acceptor{io, endpoint_of(host, wanted)}, pause{io}, patience{io} {
-    asio::co_spawn(io, accept(), [](const std::exception_ptr& thrown) { log_exception("accepting", thrown); });
+  Inside(const Doors& doors, const TransportLimits& with, Service answering)
+      : limits{with}, service{std::move(answering)}, access{doors.access} {
+    if (doors.tls) tls.emplace(*doors.tls, limits, [this] { end_when_empty(); });
+    for (const Listener& listener : doors.listeners) {
+      acceptors.push_back(std::make_unique<Acceptor>(io, listener));
+      listeners.push_back(acceptors.back()->listener());
+    }
+    for (const auto& acceptor : acceptors) {
+      asio::co_spawn(io, accept(*acceptor),
+                     [](const std::exception_ptr& thrown) { log_exception("accepting", thrown); });
+    }
     thread = std::jthread{[this] { run(); }};
   }
 
@@ -86,28 +93,32 @@ struct Transport::Inside {
     }
   }
 
-  asio::awaitable<void> accept() {
+  asio::awaitable<void> accept(Acceptor& acceptor) {
     while (acceptor.is_open()) {
       Error error;
-      tcp::socket socket = co_await acceptor.async_accept(asio::redirect_error(asio::use_awaitable, error));
+      Socket socket = co_await acceptor.accept(error);
       if (error == asio::error::operation_aborted) co_return;
       if (error) {
-        spdlog::warn("accepting failed: {}",
-                     error.message());  // out of file descriptors: some will come back
-        pause.expires_after(std::chrono::milliseconds{100});
-        co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, error));
+        spdlog::warn("accepting failed: {}", error.message());
+        co_await acceptor.pause();
       } else if (connections.size() >= limits.connections) {
+        ++service.counts->turned_away;
         spdlog::warn("a connection was turned away: {} are open", connections.size());
       } else {
-        open(std::move(socket));
+        ++service.counts->accepted;
+        open(std::move(socket), acceptor.listener());
       }
     }
   }
 
-  void open(tcp::socket socket) {
-    const auto connection = std::make_shared<Connection>(std::move(socket), ++sessions);
+  void open(Socket socket, const Listener& listener) {
+    const bool tcp = listener.path.empty();
+    Error ignored;
+    if (tcp) socket.set_option(asio::ip::tcp::no_delay{true}, ignored);
+    if (tcp && tls) socket = tls->unwrap(std::move(socket));
+    const auto connection = std::make_shared<Connection>(std::move(socket), ++sessions, tcp && !access.token.empty());
     connections.insert(connection);
-    asio::co_spawn(io, serve(connection, service, limits), [this, connection](const std::exception_ptr& thrown) {
+    asio::co_spawn(io, serve(connection, terms, listener.speaks), [this, connection](const std::exception_ptr& thrown) {
       log_exception("a connection", thrown);
       connection->cut();
       connections.erase(connection);
@@ -116,9 +127,7 @@ struct Transport::Inside {
   }
 
   void stop_reading() {
-    Error ignored;
-    acceptor.close(ignored);
-    pause.cancel();
+    for (const auto& acceptor : acceptors) acceptor->close();
     for (const auto& connection : connections) connection->drain();
   }
 
@@ -129,38 +138,42 @@ struct Transport::Inside {
     patience.async_wait([this](Error error) {
       if (error) return;
       for (const auto& connection : connections) connection->cut();
+      if (tls) tls->cut();
     });
     end_when_empty();
   }
 
   void end_when_empty() {
-    if (!finishing || !connections.empty()) return;
+    if (!finishing || !connections.empty() || (tls && !tls->idle())) return;
     patience.cancel();
     work.reset();
   }
 
   const TransportLimits limits;
   const Service service;
+  const Access access;
+  const Terms terms{service, limits, access};
   asio::io_context io{1};
   asio::executor_work_guard<asio::io_context::executor_type> work{io.get_executor()};
-  tcp::acceptor acceptor;
-  asio::steady_timer pause, patience;
+  asio::steady_timer patience{io};
+  std::optional<Tls> tls;
+  std::vector<std::unique_ptr<Acceptor>> acceptors;
+  std::vector<Listener> listeners;
   std::set<std::shared_ptr<Connection>> connections;
-  const std::uint16_t port{acceptor.local_endpoint().port()};
   std::uint64_t sessions{};  // begun so far
   bool finishing{};
   std::jthread thread;
 };
 
-Transport::Transport(const std::string& host, std::uint16_t port, const TransportLimits& limits, Service service)
-    : inside_{std::make_unique<Inside>(host, port, limits, std::move(service))} {}
+Transport::Transport(const Doors& doors, const TransportLimits& limits, Service service)
+    : inside_{std::make_unique<Inside>(doors, limits, std::move(service))} {}
 
 Transport::~Transport() {
   finish(std::chrono::milliseconds{0});
 }
 
-std::uint16_t Transport::port() const {
-  return inside_->port;
+const std::vector<Listener>& Transport::listeners() const {
+  return inside_->listeners;
 }
 
 void Transport::stop_reading() {

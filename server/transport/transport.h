@@ -1,27 +1,28 @@
-// The daemon's door: one TCP port that speaks HTTP (POST /rpc, GET /healthz) and newline-delimited JSON, told
-// apart by the first byte that is not blank: '{' or '[' begins JSON, anything else HTTP.
+// The daemon's doors: TCP ports and Unix sockets, with HTTP (POST /rpc, WebSocket at /ws, and pages such as /healthz)
+// and newline-delimited JSON behind them.
 //
 // One thread does all input and output and never waits for an answer.
 #pragma once
 
 #include <chrono>
-#include <cstdint>
 #include <memory>
-#include <string>
+#include <vector>
 
+#include "server/transport/listener.h"
 #include "server/transport/service.h"
 
 namespace selvage {
 
 class Transport {
  public:
-  // Listens at once.  Throws a std::exception when the address cannot be taken.
-  Transport(const std::string& host, std::uint16_t port, const TransportLimits& limits, Service service);
+  // Listens at once.  Throws a std::exception when an address cannot be taken or a TLS file not be used.
+  Transport(const Doors& doors, const TransportLimits& limits, Service service);
   ~Transport();  // finish() without patience
   Transport(const Transport&) = delete;
   Transport& operator=(const Transport&) = delete;
 
-  [[nodiscard]] std::uint16_t port() const;
+  // Where it listens, in the order given, with the ports that were taken.
+  [[nodiscard]] const std::vector<Listener>& listeners() const;
 
   // Takes no new connection and reads nothing more from those there are.
   void stop_reading();

@@ -1,10 +1,14 @@
 // The program itself: started, told to stop, and used by the curl example.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "tests/end_to_end/calls.h"
@@ -85,13 +89,84 @@ TEST_F(Selvaged, StoppedInTheMiddleOfMotionsAnswersThemAll) {
 
 TEST_F(Selvaged, RefusesAForeignAddressAndATakenPort) {
   Process foreign{{SELVAGED, "--listen", "0.0.0.0:0"}};
-  EXPECT_NE(foreign.all_output().find("not a loopback address"), std::string::npos);
+  EXPECT_NE(foreign.all_output().find("--token-file is missing"), std::string::npos);
   EXPECT_EQ(foreign.exit_code(), 2);
   Process first{words()};
   const std::string address = "127.0.0.1:" + std::to_string(port_of(first));
   Process second{{SELVAGED, "--listen", address}};
-  EXPECT_NE(second.all_output().find("cannot serve on " + address), std::string::npos);
+  EXPECT_NE(second.all_output().find("cannot listen on 127.0.0.1 port "), std::string::npos);
   EXPECT_EQ(second.exit_code(), 1);
+}
+
+TEST_F(Selvaged, ListensWhereItIsToldAndSaysSo) {
+  const std::string path = (folder_ / "socket").string();
+  Process selvaged{words({"--listen-tcp", "127.0.0.1:0", "--listen-unix", path})};
+  EXPECT_NE(selvaged.output_until("listening on " + path).find("listening on " + path), std::string::npos);
+  std::istringstream ports{file_text(port_file())};
+  std::uint16_t http{};
+  std::uint16_t lines{};
+  ASSERT_TRUE(ports >> http >> lines);
+  Wire by_lines{lines};
+  Wire by_path{path};
+  for (Wire* wire : {&by_lines, &by_path}) {
+    wire->send(call(1, "engine.info") + "\n");
+    EXPECT_EQ(result_of(wire->line().value_or(""))["name"], "selvage");
+  }
+  Wire page{http};
+  page.send("GET /metrics HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  const std::string metrics = page.answer().value_or(HttpAnswer{}).body;
+  EXPECT_NE(metrics.find("selvage_calls_total{method=\"engine.info\",code=\"0\"} 2\n"), std::string::npos) << metrics;
+  EXPECT_NE(metrics.find("selvage_connections{speaks=\"lines\"} 2\n"), std::string::npos) << metrics;
+  EXPECT_NE(metrics.find("selvage_open_markers 0\n"), std::string::npos) << metrics;
+  selvaged.signal(SIGTERM);
+  EXPECT_EQ(selvaged.exit_code(), 0);
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST_F(Selvaged, OpensItsLogAnewOnSighup) {
+  const std::string log = (folder_ / "log").string();
+  Process selvaged{words({"--log", log})};
+  Wire wire{port_of(selvaged)};
+  ASSERT_FALSE(post_call(wire, "engine.info").empty());
+  std::filesystem::rename(log, log + ".1");
+  selvaged.signal(SIGHUP);
+  const auto patience = std::chrono::steady_clock::now() + kPatience;
+  while (file_text(log).empty() && std::chrono::steady_clock::now() < patience) std::this_thread::yield();
+  ASSERT_FALSE(post_call(wire, "marker.list").empty());
+  selvaged.signal(SIGTERM);
+  EXPECT_EQ(selvaged.exit_code(), 0);
+  EXPECT_NE(file_text(log + ".1").find("engine.info"), std::string::npos);
+  EXPECT_EQ(file_text(log + ".1").find("marker.list"), std::string::npos);
+  EXPECT_NE(file_text(log).find("marker.list"), std::string::npos);
+  EXPECT_NE(file_text(log).find("drained"), std::string::npos);
+}
+
+TEST_F(Selvaged, ChecksItsConfigurationAndServesNobody) {
+  Process sound{{SELVAGED, "--check-config"}};
+  EXPECT_EQ(sound.exit_code(), 0);
+  Process no_key{{SELVAGED, "--check-config", "--tls-cert", "nowhere.pem", "--tls-key", "nowhere.pem"}};
+  EXPECT_NE(no_key.all_output().find("nowhere.pem"), std::string::npos);
+  EXPECT_EQ(no_key.exit_code(), 2);
+}
+
+TEST_F(Selvaged, AnswersTheCallsOfAFileWithoutSockets) {
+  const std::string calls = (folder_ / "calls.json").string();
+  const std::string drawing = (folder_ / "out.svg").string();
+  std::ofstream{calls} << "[" << call(1, "marker.open", open_params(garment("jeans_02g"))) << ","
+                       << call(2, "motion.compact", id_params("m1", R"(,"accuracy":"draft")")) << "]";
+  Process selvaged{{SELVAGED, "--check", calls, "--svg", drawing, "--log-level", "off"}};
+  std::istringstream answers{selvaged.all_output()};
+  EXPECT_EQ(selvaged.exit_code(), 0);
+  std::string opened;
+  std::string compacted;
+  ASSERT_TRUE(std::getline(answers, opened) && std::getline(answers, compacted));
+  EXPECT_LT(result_of(compacted)["lengthAfter"], result_of(opened)["length"]);
+  EXPECT_EQ(file_text(drawing).rfind("<svg", 0), 0U);
+
+  std::ofstream{calls} << call(1, "no.such.method");
+  Process failing{{SELVAGED, "--check", calls, "--log-level", "off"}};
+  EXPECT_NE(failing.all_output().find("-32601"), std::string::npos);
+  EXPECT_EQ(failing.exit_code(), 1);
 }
 
 TEST_F(Selvaged, ServesTheCurlExample) {

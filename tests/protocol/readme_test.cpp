@@ -92,7 +92,7 @@ TEST(Readme, ListsEveryRpcCode) {
   const std::string text = test::file_text("protocol/README.md");
   for (const RpcCode code :
        {kParseError, kInvalidRequest, kMethodNotFound, kInvalidParams, kInternalError, kMotionRefused, kBusy, kTooLarge,
-        kUnknownMarker, kLimit, kDraining, kCancelled, kRevisionMismatch, kSuperseded}) {
+        kUnknownMarker, kLimit, kDraining, kUnauthorised, kCancelled, kRevisionMismatch, kSuperseded}) {
     EXPECT_NE(text.find("| " + std::to_string(static_cast<int>(code)) + " |"), std::string::npos);
   }
 }

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "tests/server/staged_server.h"
 
@@ -83,6 +85,38 @@ TEST_F(Http, HealthIsAnsweredWhileACallIsHeld) {
   EXPECT_EQ(busy.answer().value_or(HttpAnswer{}).body, "done");
 }
 
+TEST_F(Http, PagesSayHowThingsStand) {
+  Wire wire{server_.port()};
+  const auto get = [&wire](const std::string& target) {
+    wire.send("GET " + target + " HTTP/1.1\r\nHost: localhost\r\n\r\n");
+    return wire.answer().value_or(HttpAnswer{});
+  };
+  EXPECT_EQ(get("/readyz").status, 200);
+  server_.set_why_not_ready("full");
+  const HttpAnswer full = get("/readyz");
+  EXPECT_EQ(full.status, 503);
+  EXPECT_EQ(full.body, "full\n");
+  EXPECT_FALSE(full.says("Connection: close"));
+  const HttpAnswer metrics = get("/metrics");
+  EXPECT_EQ(metrics.status, 200);
+  EXPECT_EQ(metrics.body, "up 1\n");
+  EXPECT_TRUE(metrics.says("Content-Type: text/plain; version=0.0.4\r\n"));
+  EXPECT_EQ(get("/openrpc.json").status, 404);  // this service has none
+}
+
+TEST_F(Http, ConnectionsAreCountedWhileTheyAreOpen) {
+  {
+    Wire wire{server_.port()};
+    ASSERT_TRUE(wire.post("{}"));
+    EXPECT_EQ(server_.counts().http, 1U);
+    wire.send(post_request("x", "Connection: close\r\n"));
+    ASSERT_TRUE(wire.answer());
+    EXPECT_EQ(wire.rest(), "");
+  }
+  EXPECT_EQ(server_.counts().http, 0U);
+  EXPECT_EQ(server_.counts().accepted, 1U);
+}
+
 TEST_F(Http, ClosesWhenAsked) {
   Wire wire{server_.port()};
   wire.send(post_request("x", "Connection: close\r\n"));
@@ -160,6 +194,9 @@ TEST_F(Http, RefusesOtherMethodsAndPaths) {
   for (const auto* method : {"GET", "HEAD", "PUT", "DELETE", "OPTIONS", "PATCH", "BREW"}) {
     expect_refused(std::string{method} + " /rpc" + host, 405);
   }
+  for (const auto* path : {"/readyz", "/metrics", "/ws"}) {
+    expect_refused(std::string{"PUT "} + path + " HTTP/1.1\r\nHost: localhost\r\nContent-Length: 0\r\n\r\n", 405);
+  }
   expect_refused("POST /healthz HTTP/1.1\r\nHost: localhost\r\nContent-Length: 0\r\n\r\n", 405);
   for (const auto* path : {"/", "/rpc/", "/rpc?x=1", "/RPC", "/../rpc", "http://localhost/rpc"}) {
     expect_refused(std::string{"POST "} + path + " HTTP/1.1\r\nHost: localhost\r\nContent-Length: 0\r\n\r\n", 404);
@@ -231,6 +268,29 @@ TEST(HttpTimes, AClientThatDoesNotReadItsAnswerIsCutOff) {
   const HeldCall held = server.next_held();
   held.reply(std::string(64 << 20, 'x'));  // more than the buffers between two sockets hold
   EXPECT_TRUE(stops(held.caller));
+}
+
+TEST(HttpTimes, ManySlowWritersAndReadersKeepNobodyElseFromBeingServed) {
+  TransportLimits limits;
+  limits.request = 2s;
+  limits.write = 2s;
+  StagedServer server{limits};
+  std::vector<std::unique_ptr<Wire>> slow;
+  for (int i = 0; i < 200; ++i) {
+    slow.push_back(std::make_unique<Wire>(server.port()));
+    slow.back()->send(i % 2 == 0 ? "POST /rpc HTTP/1.1\r\nX-Slow: a" : "{\"begun\":");
+  }
+  std::vector<HeldCall> unread;
+  for (int i = 0; i < 8; ++i) {
+    slow.push_back(std::make_unique<Wire>(server.port()));
+    slow.back()->send(post_request("hold"));
+    unread.push_back(server.next_held());
+    unread.back().reply(std::string(16 << 20, 'x'));
+  }
+  Wire quick{server.port()};
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(quick.post("{}").value_or(HttpAnswer{}).status, 200);
+  for (const HeldCall& held : unread) EXPECT_TRUE(stops(held.caller));
+  for (int i = 0; i < 200; ++i) EXPECT_EQ(slow[static_cast<std::size_t>(i)]->rest(), "");
 }
 
 TEST(HttpConnections, ThoseBeyondTheLimitAreTurnedAway) {

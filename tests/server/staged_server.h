@@ -35,17 +35,32 @@ inline bool stops(const std::stop_token& token) {
 
 class StagedServer {
  public:
-  explicit StagedServer(const TransportLimits& limits = {})
-      : transport_{"127.0.0.1", 0, limits,
+  explicit StagedServer(const TransportLimits& limits = {}) : StagedServer{Doors{}, limits} {}
+  // With a TCP listener for HTTP when the doors have none.
+  explicit StagedServer(Doors doors, const TransportLimits& limits = {})
+      : transport_{with_http(std::move(doors)), limits,
                    Service{.call =
                                [this](std::string message, const std::shared_ptr<Session>& session, Reply reply) {
                                  take({std::move(message), session, session->gone, std::move(reply)});
                                },
                            .health = [] { return std::string{"well"}; },
-                           .line_too_long = "too long"}} {}
+                           .ready = [this] { return why_not_ready(); },
+                           .metrics = [] { return std::string{"up 1\n"}; },
+                           .enter =
+                               [](std::string_view line, const Access& access) {
+                                 const bool granted = token_fits(access, line);
+                                 return Entry{granted, granted ? "come in" : "stay out"};
+                               },
+                           .line_too_long = "too long",
+                           .counts = counts_}} {}
 
-  [[nodiscard]] std::uint16_t port() const { return transport_.port(); }
+  [[nodiscard]] std::uint16_t port() const { return transport_.listeners().front().port; }
   [[nodiscard]] Transport& transport() { return transport_; }
+  [[nodiscard]] const TransportCounts& counts() const { return *counts_; }
+  void set_why_not_ready(std::string why) {
+    const std::lock_guard lock{mutex_};
+    why_not_ready_ = std::move(why);
+  }
 
   // The next held call, once it is there.
   [[nodiscard]] HeldCall next_held() {
@@ -63,6 +78,15 @@ class StagedServer {
   }
 
  private:
+  static Doors with_http(Doors doors) {
+    if (doors.listeners.empty()) doors.listeners.push_back({.speaks = Listener::Speaks::kHttp, .host = "127.0.0.1"});
+    return doors;
+  }
+  [[nodiscard]] std::string why_not_ready() {
+    const std::lock_guard lock{mutex_};
+    return why_not_ready_;
+  }
+
   void take(HeldCall call) {
     const auto says = [&](const char* word) { return call.message.find(word) != std::string::npos; };
     if (says("throw")) throw std::runtime_error{"on purpose"};
@@ -76,6 +100,8 @@ class StagedServer {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<HeldCall> held_;
+  std::string why_not_ready_;
+  const std::shared_ptr<TransportCounts> counts_ = std::make_shared<TransportCounts>();
   Transport transport_;
 };
 

@@ -2,12 +2,15 @@
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
+#include <openssl/ssl.h>
 #include <sys/socket.h>
 #include <sys/time.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -19,11 +22,24 @@ Wire::Wire(std::uint16_t port) : socket_{::socket(AF_INET, SOCK_STREAM | SOCK_CL
   address.sin_family = AF_INET;
   address.sin_port = htons(port);
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  connect(&address, sizeof address);
+}
+
+Wire::Wire(const std::string& path) : socket_{::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)} {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  path.copy(&address.sun_path[0], sizeof address.sun_path - 1);
+  connect(&address, sizeof address);
+}
+
+void Wire::connect(const void* address, unsigned size) {
   const timeval patience{.tv_sec = kPatience.count(), .tv_usec = 0};
   ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
   ::setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
-  if (::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
-    throw std::system_error{errno, std::generic_category(), "connect"};
+  if (::connect(socket_, static_cast<const sockaddr*>(address), size) != 0) {
+    const int reason = errno;
+    close();
+    throw std::system_error{reason, std::generic_category(), "connect"};
   }
 }
 
@@ -33,8 +49,9 @@ Wire::~Wire() {
 
 bool Wire::try_send(std::string_view bytes) const {
   while (!bytes.empty()) {
-    const ssize_t count = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
-    if (count < 0) return false;
+    const ssize_t count = tls_ ? ::SSL_write(tls_.get(), bytes.data(), static_cast<int>(bytes.size()))
+                               : ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    if (count < (tls_ ? 1 : 0)) return false;
     bytes.remove_prefix(static_cast<std::size_t>(count));
   }
   return true;
@@ -45,7 +62,20 @@ void Wire::send(std::string_view bytes) const {
 }
 
 void Wire::half_close() const {
-  ::shutdown(socket_, SHUT_WR);
+  if (tls_) {
+    ::SSL_shutdown(tls_.get());
+  } else {
+    ::shutdown(socket_, SHUT_WR);
+  }
+}
+
+bool Wire::begin_tls() {
+  std::signal(SIGPIPE, SIG_IGN);  // OpenSSL writes without MSG_NOSIGNAL
+  const std::unique_ptr<SSL_CTX, decltype(&::SSL_CTX_free)> context{::SSL_CTX_new(::TLS_client_method()),
+                                                                    &::SSL_CTX_free};
+  tls_ = {::SSL_new(context.get()), &::SSL_free};
+  ::SSL_set_fd(tls_.get(), socket_);
+  return ::SSL_connect(tls_.get()) == 1;
 }
 
 void Wire::close() {
@@ -61,7 +91,8 @@ void Wire::reset() {
 
 bool Wire::receive() {
   std::array<char, 65536> chunk{};
-  const ssize_t count = ::recv(socket_, chunk.data(), chunk.size(), 0);
+  const ssize_t count = tls_ ? ::SSL_read(tls_.get(), chunk.data(), static_cast<int>(chunk.size()))
+                             : ::recv(socket_, chunk.data(), chunk.size(), 0);
   if (count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) throw std::runtime_error{"no answer in time"};
   if (count <= 0) return false;
   received_.append(chunk.data(), static_cast<std::size_t>(count));
@@ -95,6 +126,14 @@ std::optional<HttpAnswer> Wire::answer() {
   answer.body = received_.substr(0, length);
   received_.erase(0, length);
   return answer;
+}
+
+std::string Wire::bytes(std::size_t count) {
+  while (received_.size() < count && receive()) {
+  }
+  std::string taken = received_.substr(0, count);
+  received_.erase(0, taken.size());
+  return taken;
 }
 
 std::string Wire::rest() {

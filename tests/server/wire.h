@@ -1,12 +1,16 @@
-// A client for tests: one blocking socket to a server on this machine, byte by byte under the test's hand.
+// A client for tests: one blocking socket to a server on this machine, byte by byte under the test's hand; in clear or,
+// after begin_tls(), encrypted.
 // Every wait ends after kPatience, so that a test fails instead of hanging.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+
+struct ssl_st;
 
 namespace selvage::test {
 
@@ -22,6 +26,7 @@ struct HttpAnswer {
 class Wire {
  public:
   explicit Wire(std::uint16_t port);
+  explicit Wire(const std::string& path);  // of a Unix socket
   ~Wire();
   Wire(const Wire&) = delete;
   Wire& operator=(const Wire&) = delete;
@@ -33,10 +38,15 @@ class Wire {
   void close();
   void reset();  // breaks the connection
 
+  // From now on encrypted; false when the handshake fails.  Whoever the server is will do.
+  [[nodiscard]] bool begin_tls();
+
   // The next line without its end, or nothing when the connection has ended.
   [[nodiscard]] std::optional<std::string> line();
   // The next HTTP answer, or nothing when the connection has ended.
   [[nodiscard]] std::optional<HttpAnswer> answer();
+  // The next `count` bytes; fewer when the connection ends before.
+  [[nodiscard]] std::string bytes(std::size_t count);
   // Everything until the connection ends.
   [[nodiscard]] std::string rest();
 
@@ -44,9 +54,11 @@ class Wire {
   [[nodiscard]] std::optional<HttpAnswer> post(std::string_view body);
 
  private:
+  void connect(const void* address, unsigned size);
   bool receive();  // appends to received_; false at the end
 
   int socket_{-1};
+  std::shared_ptr<ssl_st> tls_;
   std::string received_;
 };
 

@@ -1,0 +1,38 @@
+#include "server/entry.h"
+
+#include <string>
+#include <variant>
+
+#include "protocol/fields.h"
+#include "protocol/json_rpc.h"
+
+namespace selvage {
+namespace {
+
+constexpr std::size_t kLongestLine = 8192;
+
+// Empty when the call says none.
+std::string token_in(const Request& request) {
+  if (request.method != "auth" || !request.params.is_object()) return {};
+  Mistake mistake;
+  Fields fields{request.params, "", mistake};
+  std::string token = fields.text("token");
+  fields.finish();
+  return mistake ? std::string{} : token;
+}
+
+}  // namespace
+
+Entry judge_first_line(std::string_view line, const Access& access) {
+  const Incoming incoming = parse_incoming(line, kLongestLine);
+  const auto* request = incoming.batch || incoming.calls.empty() ? nullptr : std::get_if<Request>(&incoming.calls[0]);
+  const Json id = request != nullptr && request->id ? *request->id : Json();
+  const std::string token = request != nullptr ? token_in(*request) : std::string{};
+  if (token.empty() || !token_fits(access, token)) {
+    return {false, to_text(error_response(
+                       id, {RpcCode::kUnauthorised, "the first line must be an 'auth' call with the token", {}}))};
+  }
+  return {true, request->id ? to_text(response(id, Json{{"authorised", true}})) : std::string{}};
+}
+
+}  // namespace selvage

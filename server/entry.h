@@ -1,0 +1,14 @@
+// The first line of a connection that must show a token:
+//   {"jsonrpc": "2.0", "id": 1, "method": "auth", "params": {"token": "..."}}
+// answered with {"authorised": true}, or with kUnauthorised and the end of the connection.
+#pragma once
+
+#include <string_view>
+
+#include "server/transport/service.h"
+
+namespace selvage {
+
+[[nodiscard]] Entry judge_first_line(std::string_view line, const Access& access);
+
+}  // namespace selvage

@@ -1,0 +1,163 @@
+#include "server/transport/tls.h"
+
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <boost/asio/local/connect_pair.hpp>
+#include <boost/asio/local/stream_protocol.hpp>
+#include <boost/asio/ssl.hpp>
+#include <boost/asio/write.hpp>
+
+#include <array>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace selvage {
+namespace {
+
+namespace asio = boost::asio;
+namespace ssl = asio::ssl;
+using Error = boost::system::error_code;
+using Clock = std::chrono::steady_clock;
+
+ssl::context make_context(const TlsFiles& files) {
+  ssl::context context{ssl::context::tls_server};
+  Error error;
+  context.set_options(ssl::context::default_workarounds | ssl::context::no_tlsv1 | ssl::context::no_tlsv1_1 |
+                      ssl::context::no_compression);
+  context.use_certificate_chain_file(files.certificate, error);
+  if (error) throw std::runtime_error{"TLS certificate " + files.certificate + ": " + error.message()};
+  context.use_private_key_file(files.key, ssl::context::pem, error);
+  if (error) throw std::runtime_error{"TLS key " + files.key + ": " + error.message()};
+  return context;
+}
+
+// One connection's two halves.
+class Tunnel : public std::enable_shared_from_this<Tunnel> {
+ public:
+  Tunnel(Socket outside, Socket inside, ssl::context& context, std::chrono::milliseconds patience)
+      : outside_{std::move(outside), context},
+        inside_{std::move(inside)},
+        watchdog_{inside_.get_executor()},
+        patience_{patience} {}
+
+  // Until both directions have ended.
+  static asio::awaitable<void> run(std::shared_ptr<Tunnel> self) {
+    Error error;
+    self->arm();
+    co_await self->outside_.async_handshake(ssl::stream_base::server, asio::redirect_error(asio::use_awaitable, error));
+    self->disarm();
+    if (error) co_return self->cut();
+    self->watch();
+    asio::co_spawn(self->inside_.get_executor(), inwards(self), asio::detached);
+    co_await self->outwards();
+    self->cut();
+  }
+
+  void cut() {
+    Error ignored;
+    outside_.lowest_layer().close(ignored);
+    inside_.close(ignored);
+    watchdog_.cancel();
+  }
+
+ private:
+  static asio::awaitable<void> inwards(std::shared_ptr<Tunnel> self) {
+    std::array<char, 16384> chunk{};
+    Error error;
+    while (!error) {
+      const std::size_t count = co_await self->outside_.async_read_some(
+          asio::buffer(chunk), asio::redirect_error(asio::use_awaitable, error));
+      if (error) break;
+      co_await asio::async_write(self->inside_, asio::buffer(chunk.data(), count),
+                                 asio::redirect_error(asio::use_awaitable, error));
+    }
+    Error ignored;
+    // Without close_notify the end may be anybody's doing: then the connection is broken.
+    if (error == asio::error::eof) {
+      self->inside_.shutdown(Socket::shutdown_send, ignored);
+    } else {
+      self->cut();
+    }
+  }
+
+  asio::awaitable<void> outwards() {
+    std::array<char, 16384> chunk{};
+    Error error;
+    while (!error) {
+      const std::size_t count =
+          co_await inside_.async_read_some(asio::buffer(chunk), asio::redirect_error(asio::use_awaitable, error));
+      if (error) break;
+      arm();
+      co_await asio::async_write(outside_, asio::buffer(chunk.data(), count),
+                                 asio::redirect_error(asio::use_awaitable, error));
+      disarm();
+    }
+    if (error != asio::error::eof) co_return;
+    arm();
+    co_await outside_.async_shutdown(asio::redirect_error(asio::use_awaitable, error));
+  }
+
+  // Notices a connection that breaks while nothing is read from it.
+  void watch() {
+    outside_.lowest_layer().async_wait(Socket::wait_error, [self = shared_from_this()](Error error) {
+      if (!error) self->cut();
+    });
+  }
+
+  void arm() {
+    watchdog_.expires_after(patience_);
+    watchdog_.async_wait([self = shared_from_this()](Error error) {
+      if (!error && self->watchdog_.expiry() <= Clock::now()) self->cut();
+    });
+  }
+  void disarm() { watchdog_.expires_at(Clock::time_point::max()); }
+
+  ssl::stream<Socket> outside_;
+  Socket inside_;
+  asio::steady_timer watchdog_;
+  const std::chrono::milliseconds patience_;
+};
+
+}  // namespace
+
+struct Tls::Inside {
+  ssl::context context;
+  const std::chrono::milliseconds patience;
+  const std::function<void()> changed;
+  std::set<std::shared_ptr<Tunnel>> tunnels{};
+};
+
+Tls::Tls(const TlsFiles& files, const TransportLimits& limits, std::function<void()> changed)
+    : inside_{std::make_shared<Inside>(Inside{make_context(files), limits.write, std::move(changed)})} {}
+
+Tls::~Tls() = default;
+
+Socket Tls::unwrap(Socket outside) {
+  const auto executor = outside.get_executor();
+  asio::local::stream_protocol::socket mine{executor};
+  asio::local::stream_protocol::socket theirs{executor};
+  asio::local::connect_pair(mine, theirs);
+  const auto tunnel =
+      std::make_shared<Tunnel>(std::move(outside), std::move(mine), inside_->context, inside_->patience);
+  inside_->tunnels.insert(tunnel);
+  asio::co_spawn(executor, Tunnel::run(tunnel), [weak = std::weak_ptr{inside_}, tunnel](const std::exception_ptr&) {
+    tunnel->cut();
+    const auto inside = weak.lock();
+    if (!inside) return;
+    inside->tunnels.erase(tunnel);
+    inside->changed();
+  });
+  return theirs;
+}
+
+bool Tls::idle() const {
+  return inside_->tunnels.empty();
+}
+
+void Tls::cut() {
+  for (const auto& tunnel : inside_->tunnels) tunnel->cut();
+}
+
+}  // namespace selvage
