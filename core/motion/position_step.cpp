@@ -104,17 +104,16 @@ class Attempt {
   }
 
   void add_halt(const Halt& halt) {
-    const auto column = model_->column(halt.piece);
-    if (!column) return;
-    const auto limit = [&](int which, double at) {
-      double& low = model_->program().lower[static_cast<std::size_t>(which)];
-      double& high = model_->program().upper[static_cast<std::size_t>(which)];
+    const auto limit = [&](std::optional<int> column, double at) {
+      if (!column) return;
+      double& low = model_->program().lower[static_cast<std::size_t>(*column)];
+      double& high = model_->program().upper[static_cast<std::size_t>(*column)];
       if (low > 0 || high < 0) return;  // it has to come back into the strip first
       low = std::max(low, std::min(0.0, at / unit()));
       high = std::min(high, std::max(0.0, at / unit()));
     };
-    limit(*column, halt.at.x);
-    limit(*column + 1, halt.at.y);
+    limit(model_->x_column(halt.piece), halt.at.x);
+    limit(model_->y_column(halt.piece), halt.at.y);
   }
 
   void add(const PairRow& row) {

@@ -39,13 +39,20 @@ TEST(Edits, EachDoesWhatItSays) {
       {'op':'rotate','piece':'left','to':80},{'op':'rotate','piece':'left','by':10},
       {'op':'flip','piece':'left'},{'op':'flip','piece':'right','flip':false},
       {'op':'tilt','piece':'left','to':1},{'op':'tilt','piece':'left','by':-3},
-      {'op':'lock','piece':'right'},{'op':'setStrip','width':90,'longest':300},{'op':'setSpacing','spacing':0.25})");
+      {'op':'lock','piece':'right'},{'op':'setStrip','width':90,'longest':300},{'op':'setSpacing','spacing':0.25},
+      {'op':'group','piece':'left','group':'bundle'},{'op':'buffer','piece':'left','buffer':0.75},
+      {'op':'lock','piece':'left','locked':['x','tilt']},{'op':'setStrip','margin':2})");
   ASSERT_TRUE(after) << after.error().message << after.error().field;
   const Marker& marker = after->marker;
   EXPECT_EQ(point_json(marker.pieces[0].at, marker.resolution), test::json("[1.5,2]"));
   EXPECT_EQ(marker.pieces[0].orientation, (Orientation{true, Angle{90}, Angle{-2}}));
   EXPECT_FALSE(marker.pieces[1].orientation.flip);
-  EXPECT_TRUE(marker.pieces[1].locked);
+  EXPECT_EQ(marker.pieces[1].locked, Locks{true});
+  EXPECT_EQ(marker.pieces[0].locked, (Locks{true, false, true}));
+  EXPECT_EQ(marker.pieces[0].group, "bundle");
+  EXPECT_EQ(to_decimal(marker.pieces[0].buffer, marker.resolution), 0.75);
+  EXPECT_EQ(to_decimal(marker.strip.margin, marker.resolution), 2);
+  EXPECT_EQ(placement_json(marker, marker.pieces[0])["locked"], test::json(R"(["x","tilt"])"));
   EXPECT_EQ(to_decimal(marker.strip.width, marker.resolution), 90);
   EXPECT_EQ(to_decimal(*marker.strip.longest, marker.resolution), 300);
   EXPECT_EQ(to_decimal(marker.spacing, marker.resolution), 0.25);
@@ -77,12 +84,11 @@ TEST(Edits, MistakesAreNamedByTheirOperation) {
   expect_error(file, "{'op':'setStrip','width':30}", kPieceTooWide, "/ops/0");
   expect_error(file, "{'op':'setSpacing','spacing':500}", kOutOfRange, "/ops/0/spacing");
   expect_error(file, "{'op':'remove','piece':'left'},{'op':'remove','piece':'right'}", kEmptyMarker, "/ops");
-  expect_error(file, "{'op':'add','piece':{'id':'left','shape':'square','at':[0,0]}}", kDuplicateId,
-               "/ops/0/piece/id");
-  expect_error(file, "{'op':'add','piece':{'id':'x','shape':'round','at':[0,0]}}", kUnknownShape,
-               "/ops/0/piece/shape");
-  expect_error(file, "{'op':'add','piece':{'id':'x','shape':'l','at':[0,0]},'shape':{'id':'l','outline':[[0,0],[1,1],[2,2]]}}",
-               kZeroArea, "/ops/0/shape/outline");
+  expect_error(file, "{'op':'add','piece':{'id':'left','shape':'square','at':[0,0]}}", kDuplicateId, "/ops/0/piece/id");
+  expect_error(file, "{'op':'add','piece':{'id':'x','shape':'round','at':[0,0]}}", kUnknownShape, "/ops/0/piece/shape");
+  expect_error(
+      file, "{'op':'add','piece':{'id':'x','shape':'l','at':[0,0]},'shape':{'id':'l','outline':[[0,0],[1,1],[2,2]]}}",
+      kZeroArea, "/ops/0/shape/outline");
   expect_error(file, "{'op':'move','piece':'left','at':[1e300,0]}", kBeyondLattice, "/ops/0/at");
   expect_error(file, "{'op':'move','piece':'left'}", kMissingField, "/ops/0/at");
   expect_error(file, "{'op':'rotate','piece':'left','to':1e9}", kOutOfRange, "/ops/0/to");
@@ -103,7 +109,8 @@ TEST(Edits, MovesThatAddUpBeyondTheLatticeAreRefused) {
 TEST(Moves, LeadFromOneStateToTheOtherAndAreExactAsText) {
   const MarkerFile before = loose();
   const auto after = edited(before, R"({'op':'move','piece':'right','at':[61.0625,3]},
-      {'op':'rotate','piece':'right','to':12.34},{'op':'lock','piece':'right'},{'op':'tilt','piece':'right','to':-1})");
+      {'op':'rotate','piece':'right','to':12.34},{'op':'lock','piece':'right','locked':['y']},
+      {'op':'buffer','piece':'right','buffer':0.125},{'op':'group','piece':'right','group':'g'},{'op':'tilt','piece':'right','to':-1})");
   ASSERT_TRUE(after);
   const auto moves = moves_between(before, *after);
   ASSERT_TRUE(moves);
@@ -117,18 +124,18 @@ TEST(Moves, LeadFromOneStateToTheOtherAndAreExactAsText) {
 
 TEST(Moves, AreNotEnoughForAnythingElse) {
   const MarkerFile before = loose();
-  for (const char* ops : {"{'op':'remove','piece':'left'}", "{'op':'setStrip','longest':500}",
-                          "{'op':'setSpacing','spacing':1}",
-                          "{'op':'remove','piece':'left'},{'op':'add','piece':{'id':'left','shape':'square','at':[0,0]}}"}) {
+  for (const char* ops :
+       {"{'op':'remove','piece':'left'}", "{'op':'setStrip','longest':500}", "{'op':'setSpacing','spacing':1}",
+        "{'op':'remove','piece':'left'},{'op':'add','piece':{'id':'left','shape':'square','at':[0,0]}}"}) {
     EXPECT_FALSE(moves_between(before, *edited(before, ops))) << ops;
   }
 }
 
 TEST(Moves, OfAnotherMarkerAreRefused) {
   const MarkerFile file = loose();
-  for (const char* text : {"7", "[7]", "[[9,{}]]", R"([[0,{"id":"right","shape":"square","at":[0,0]}]])",
-                           R"([[0,{"id":"left","shape":"round","at":[0,0]}]])",
-                           R"([[0,{"id":"left","shape":"square","at":[1e30,0]}]])"}) {
+  for (const char* text :
+       {"7", "[7]", "[[9,{}]]", R"([[0,{"id":"right","shape":"square","at":[0,0]}]])",
+        R"([[0,{"id":"left","shape":"round","at":[0,0]}]])", R"([[0,{"id":"left","shape":"square","at":[1e30,0]}]])"}) {
     EXPECT_FALSE(read_moves(test::json(text), file.marker)) << text;
   }
 }

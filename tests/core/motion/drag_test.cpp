@@ -31,12 +31,27 @@ TEST(Drag, PlacingLeavesTheOthersAndPushingMovesThem) {
   SumCache sums;
   const Drag placed = drag(start, PieceId{0}, {1900, 0}, DragMode::kPlace, sums);
   EXPECT_EQ(placed.marker.pieces[1].at, start.pieces[1].at);
-  EXPECT_EQ(placed.marker.pieces[0].at, (Vec{1900, 1000}));  // above it is nearer than before it
+  EXPECT_TRUE(is_valid(placed.marker));
+  EXPECT_GE(placed.marker.pieces[0].at.x, 1000 - 2);  // it comes as far as the other
   const Drag pushed = drag(start, PieceId{0}, {1900, 400}, DragMode::kPush, sums);
   EXPECT_TRUE(pushed.pushed);
   EXPECT_TRUE(is_valid(pushed.marker));
   EXPECT_NE(pushed.marker.pieces[1].at, start.pieces[1].at);
   EXPECT_LE(std::abs(pushed.marker.pieces[0].at.y - 400), 400);
+}
+
+TEST(Drag, AGroupFollowsItsPieceAndAnAxisThatIsLockedStays) {
+  Marker start = squares({{0, 0}, {1000, 1000}, {3000, 0}}, 4000);
+  start.pieces[0].group = start.pieces[1].group = "pair";
+  SumCache sums;
+  for (const DragMode mode : {DragMode::kPlace, DragMode::kPush}) {
+    const Marker moved = drag(start, PieceId{0}, {2600, 700}, mode, sums).marker;
+    EXPECT_TRUE(is_valid(moved));
+    EXPECT_NE(moved.pieces[0].at, start.pieces[0].at);
+    EXPECT_EQ(moved.pieces[1].at - moved.pieces[0].at, (Vec{1000, 1000}));
+  }
+  start.pieces[2].locked.y = true;
+  EXPECT_EQ(drag(start, PieceId{2}, {4000, 2000}, DragMode::kPlace, sums).marker.pieces[2].at, (Vec{4000, 0}));
 }
 
 TEST(Drag, WhatIsLockedStays) {
@@ -56,6 +71,7 @@ RC_GTEST_PROP(Drag, WhateverTheHandDoesTheMarkerStaysValid, ()) {
   }
   Marker start = squares(at, 4000);
   start.spacing = *rc::gen::inRange<Coord>(0, 40);
+  start.pieces[*rc::gen::inRange<std::size_t>(0, at.size())].buffer = *rc::gen::inRange<Coord>(0, 30);
   start.pieces[*rc::gen::inRange<std::size_t>(0, at.size())].locked = true;
   RC_PRE(is_valid(start));
   const PieceId piece{*rc::gen::inRange<std::uint32_t>(0, static_cast<std::uint32_t>(at.size()))};
