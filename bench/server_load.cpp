@@ -1,10 +1,11 @@
 // How fast a running selvaged answers: calls a second and latencies, as one client or several see them.
 //
-// usage: server_load PORT MARKER get|bump|place|push [CONNECTIONS] [SECONDS]
-//   get    POST /rpc marker.get, kept alive
-//   bump   motion.bump without commit, one piece after the other, on a line connection
-//   place  drag.move on a line connection, a hand that trembles about each piece in turn
-//   push   the same, the others making way
+// usage: server_load PORT MARKER get|bump|compact|place|push [CONNECTIONS] [SECONDS]
+//   get      POST /rpc marker.get, kept alive
+//   bump     motion.bump without commit, one piece after the other, on a line connection
+//   compact  motion.compact without commit, on a line connection
+//   place    drag.move on a line connection: a hand that trembles about each piece in turn
+//   push     the same, the others making way
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -62,6 +63,8 @@ std::vector<double> run(const Load& load, std::size_t first_piece, Clock::time_p
         wire.send(get);
         if (wire.answer().value_or(test::HttpAnswer{}).status != 200) throw std::runtime_error{"no answer"};
       });
+    } else if (load.what == "compact") {
+      timed([&] { (void)ask(wire, "motion.compact", {{"markerId", load.marker_id}, {"commit", false}}); });
     } else if (load.what == "bump") {
       const double turn = static_cast<double>(k);
       const Json params{{"markerId", load.marker_id},
@@ -70,7 +73,8 @@ std::vector<double> run(const Load& load, std::size_t first_piece, Clock::time_p
                         {"commit", false}};
       timed([&] { (void)ask(wire, "motion.bump", params); });
     } else {
-      const Json begun = ask(wire, "drag.begin", {{"markerId", load.marker_id}, {"piece", piece["id"]}, {"mode", load.what}});
+      const Json begun =
+          ask(wire, "drag.begin", {{"markerId", load.marker_id}, {"piece", piece["id"]}, {"mode", load.what}});
       const double x = piece["at"][0], y = piece["at"][1];
       for (int step = 1; step <= 20 && Clock::now() < end; ++step) {
         const Json to{x + 2.0 * step, y + 10 * std::sin(step)};
@@ -125,8 +129,9 @@ int main(int argc, char** argv) {
   try {
     return selvage::measure({argv + 1, argv + argc});
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "server_load: %s\nusage: server_load PORT MARKER get|bump|place|push [CONNECTIONS] [SECONDS]\n",
-                 error.what());
+    std::fprintf(
+        stderr, "server_load: %s\nusage: server_load PORT MARKER get|bump|compact|place|push [CONNECTIONS] [SECONDS]\n",
+        error.what());
     return 2;
   }
 }

@@ -27,8 +27,8 @@ std::optional<std::string> read_op_id(Fields& fields, Mistake& mistake) {
 Json read_progress_token(Fields& fields, Mistake& mistake) {
   const Json* token = fields.maybe_any("progressToken");
   if (!token) return nullptr;
-  const bool fine = token->is_number() ||
-                    (token->is_string() && token->get_ref<const std::string&>().size() <= kLongestToken);
+  const bool fine =
+      token->is_number() || (token->is_string() && token->get_ref<const std::string&>().size() <= kLongestToken);
   if (fine) return *token;
   mistake.add(ErrorCode::kWrongType,
               shortened(*token) + " where a number, or a string of at most " + std::to_string(kLongestToken) +

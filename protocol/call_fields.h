@@ -9,8 +9,8 @@
 
 namespace selvage {
 
-inline constexpr std::size_t kLongestOpId = 128;       // bytes
-inline constexpr std::size_t kLongestToken = 128;      // bytes of a progress token's text
+inline constexpr std::size_t kLongestOpId = 128;         // bytes
+inline constexpr std::size_t kLongestToken = 128;        // bytes of a progress token's text
 inline constexpr Range kDeadlines{1, 24.0 * 3'600'000};  // milliseconds
 
 // Each is optional, and a mistake when it is there and is not as said.

@@ -4,6 +4,7 @@
 
 #include "core/marker/validity.h"
 #include "protocol/call_fields.h"
+#include "protocol/formats/constraints.h"
 
 namespace selvage {
 namespace {
@@ -60,13 +61,15 @@ MarkerFile with_marker(const MarkerFile& file, Marker next) {
 }
 
 Json placement_json(const Marker& marker, const Piece& piece) {
-  return {{"id", piece.id},
-          {"shape", marker.shapes[piece.shape.value].id},
-          {"at", point_json(piece.at, marker.resolution)},
-          {"rotation", piece.orientation.rotation.degrees},
-          {"flip", piece.orientation.flip},
-          {"tilt", piece.orientation.tilt.degrees},
-          {"locked", piece.locked}};
+  Json json{{"id", piece.id},
+            {"shape", marker.shapes[piece.shape.value].id},
+            {"at", point_json(piece.at, marker.resolution)},
+            {"rotation", piece.orientation.rotation.degrees},
+            {"flip", piece.orientation.flip},
+            {"tilt", piece.orientation.tilt.degrees},
+            {"locked", false}};
+  write_constraints(json, marker, piece);
+  return json;
 }
 
 Json figures_json(const Marker& marker) {

@@ -32,7 +32,7 @@ struct MarkerApply {
 // The file with its marker's next state, which may have lost pieces: each that stays keeps its attributes.
 [[nodiscard]] MarkerFile with_marker(const MarkerFile& file, Marker next);
 
-// {"id", "shape", "at", "rotation", "flip", "tilt", "locked"}
+// {"id", "shape", "at", "rotation", "flip", "tilt", "locked", "group"?, "buffer"?}
 [[nodiscard]] Json placement_json(const Marker& marker, const Piece& piece);
 // {"name", "pieces", "length", "utilisation", "valid"}
 [[nodiscard]] Json figures_json(const Marker& marker);

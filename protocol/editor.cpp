@@ -80,6 +80,7 @@ class Editor {
     Piece piece = add.piece.piece;
     piece.shape = ShapeId{shape->second};
     piece.at = {coordinate(add.piece.at.x, "/piece/at"), coordinate(add.piece.at.y, "/piece/at")};
+    piece.buffer = clearance(add.piece.buffer, "/piece/buffer");
     settle(piece);
     by_id_.emplace(piece.id, static_cast<std::uint32_t>(file_.marker.pieces.size()));
     file_.marker.pieces.push_back(std::move(piece));
@@ -155,7 +156,15 @@ class Editor {
   }
   void apply(const LockPiece& lock) {
     Piece* piece = piece_of(lock.piece);
-    if (piece) piece->locked = lock.locked;
+    if (piece) piece->locked = lock.locks;
+  }
+  void apply(const GroupPiece& group) {
+    Piece* piece = piece_of(group.piece);
+    if (piece) piece->group = group.group;
+  }
+  void apply(const BufferPiece& buffer) {
+    Piece* piece = piece_of(buffer.piece);
+    if (piece) piece->buffer = clearance(buffer.buffer, "/buffer");
   }
   void apply(const SetStrip& strip) {
     Strip& mine = file_.marker.strip;
@@ -166,17 +175,20 @@ class Editor {
       return Coord{1};
     };
     if (strip.width) mine.width = length(*strip.width, "/width");
+    if (strip.margin) mine.margin = clearance(*strip.margin, "/margin");
     if (strip.longest) mine.longest.reset();
     if (strip.longest && *strip.longest) mine.longest = length(**strip.longest, "/longest");
     strip_by_ = edit_;
   }
   void apply(const SetSpacing& spacing) {
-    if (!fits_lattice(spacing.spacing, resolution())) {
-      mistake_.add(ErrorCode::kBeyondLattice, number_text(spacing.spacing) + " is too far", pointer_of(edit_, "/spacing"));
-      return;
-    }
-    file_.marker.spacing = spacing_on_lattice(spacing.spacing, resolution());
+    file_.marker.spacing = clearance(spacing.spacing, "/spacing");
     spacing_by_ = edit_;
+  }
+  // A distance to keep: rounded up, so that it holds.
+  Coord clearance(double distance, std::string_view field) {
+    if (fits_lattice(distance, resolution())) return spacing_on_lattice(distance, resolution());
+    mistake_.add(ErrorCode::kBeyondLattice, number_text(distance) + " is too far", pointer_of(edit_, field));
+    return 0;
   }
 
   void leave_out_removed() {

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "protocol/formats/constraints.h"
 #include "protocol/formats/native.h"
 
 namespace selvage {
@@ -53,6 +54,19 @@ FlipPiece read_flip(Fields& op) {
   return flip;
 }
 
+LockPiece read_lock(Fields& op, Mistake& mistake) {
+  LockPiece lock{op.id("piece"), {}};
+  const Json* locked = op.maybe_any("locked");
+  lock.locks = locked ? locks_from(*locked, op.pointer("locked"), mistake) : Locks{true};
+  return lock;
+}
+
+GroupPiece read_group(Fields& op) {
+  GroupPiece group{op.id("piece"), {}};
+  if (op.maybe_any("group")) group.group = op.id("group");
+  return group;
+}
+
 SetStrip read_strip(Fields& op, Mistake& mistake) {
   SetStrip strip;
   strip.width = op.maybe_number("width", kStripWidths);
@@ -62,8 +76,9 @@ SetStrip read_strip(Fields& op, Mistake& mistake) {
       *strip.longest = checked_number(*longest, {0, kStripWidths.most}, mistake, op.pointer("longest"));
     }
   }
-  if (!strip.width && !strip.longest) {
-    mistake.add(ErrorCode::kMissingField, "width, longest or both are required", op.pointer());
+  strip.margin = op.maybe_number("margin", {0, kStripWidths.most});
+  if (!strip.width && !strip.longest && !strip.margin) {
+    mistake.add(ErrorCode::kMissingField, "width, longest or margin is required", op.pointer());
   }
   return strip;
 }
@@ -81,8 +96,10 @@ Edit read_edit(const Json& value, const std::string& at, Mistake& mistake) {
     case 3: edit = read_turn<RotatePiece>(op, kDegrees, mistake); break;
     case 4: edit = read_flip(op); break;
     case 5: edit = read_turn<TiltPiece>(op, kTilts, mistake); break;
-    case 6: edit = LockPiece{op.id("piece"), op.flag_or("locked", true)}; break;
-    case 7: edit = read_strip(op, mistake); break;
+    case 6: edit = read_lock(op, mistake); break;
+    case 7: edit = read_group(op); break;
+    case 8: edit = BufferPiece{op.id("piece"), op.number("buffer", {0, kStripWidths.most})}; break;
+    case 9: edit = read_strip(op, mistake); break;
     default: edit = SetSpacing{op.number("spacing", {0, kStripWidths.most})}; break;
   }
   op.finish();

@@ -51,14 +51,23 @@ struct TiltPiece {
   double degrees{};
   bool by{};
 };
-// {"op": "lock", "piece", "locked"?}
+// {"op": "lock", "piece", "locked"?: true, false or a list of "x", "y", "tilt"}
 struct LockPiece {
   std::string piece;
-  bool locked{true};
+  Locks locks{true};
 };
-// {"op": "setStrip", "width"?, "longest"?: number or null}
+// {"op": "group", "piece", "group"?}; without "group": of none
+struct GroupPiece {
+  std::string piece, group;
+};
+// {"op": "buffer", "piece", "buffer"}
+struct BufferPiece {
+  std::string piece;
+  double buffer{};
+};
+// {"op": "setStrip", "width"?, "longest"?: number or null, "margin"?}
 struct SetStrip {
-  std::optional<double> width;
+  std::optional<double> width, margin;
   std::optional<std::optional<double>> longest;  // a null takes the cloth's end away
 };
 // {"op": "setSpacing", "spacing"}
@@ -66,12 +75,13 @@ struct SetSpacing {
   double spacing{};
 };
 
-using Edit = std::variant<AddPiece, RemovePiece, MovePiece, RotatePiece, FlipPiece, TiltPiece, LockPiece, SetStrip,
-                          SetSpacing>;
+using Edit = std::variant<AddPiece, RemovePiece, MovePiece, RotatePiece, FlipPiece, TiltPiece, LockPiece, GroupPiece,
+                          BufferPiece, SetStrip, SetSpacing>;
 
 inline constexpr std::size_t kMaxEdits = 100'000;
-inline constexpr std::string_view kEditNames[] = {"add",  "remove", "move",     "rotate",    "flip",
-                                                  "tilt", "lock",   "setStrip", "setSpacing"};  // by Edit's index
+inline constexpr std::string_view kEditNames[] = {
+    "add",  "remove", "move",   "rotate",   "flip",      "tilt",
+    "lock", "group",  "buffer", "setStrip", "setSpacing"};  // by Edit's index
 
 // The field "ops" of a call: 1 to kMaxEdits edits.
 [[nodiscard]] std::vector<Edit> read_edits(Fields& fields, Mistake& mistake);

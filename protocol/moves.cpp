@@ -57,13 +57,15 @@ Move read_move(const Json& value, const Marker& marker, Mistake& mistake) {
     mistake.add(ErrorCode::kUnknownShape, shortened(value) + " is a move of another piece", "");
     return {};
   }
-  if (!fits_lattice(read.at.x, marker.resolution) || !fits_lattice(read.at.y, marker.resolution)) {
+  if (!fits_lattice(read.at.x, marker.resolution) || !fits_lattice(read.at.y, marker.resolution) ||
+      !fits_lattice(read.buffer, marker.resolution)) {
     mistake.add(ErrorCode::kBeyondLattice, shortened(value) + " lies beyond the lattice", "");
     return {};
   }
   Piece after = std::move(read.piece);
   after.shape = before.shape;
   after.at = {to_lattice(read.at.x, marker.resolution), to_lattice(read.at.y, marker.resolution)};
+  after.buffer = spacing_on_lattice(read.buffer, marker.resolution);
   return {index, std::move(after)};
 }
 

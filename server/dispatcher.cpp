@@ -44,7 +44,8 @@ std::optional<Clock::time_point> deadline_of(const Json& params) {
   if (found == params.end() || !found->is_number()) return std::nullopt;
   const double milliseconds = found->get<double>();
   if (!(milliseconds >= kDeadlines.least && milliseconds <= kDeadlines.most)) return std::nullopt;
-  return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double, std::milli>{milliseconds});
+  return Clock::now() +
+         std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double, std::milli>{milliseconds});
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace selvage {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr double kOfLate = 0.1;  // the weight of the last job in what is usual
+constexpr double kOfLate = 0.1;                    // the weight of the last job in what is usual
 constexpr double kSoonest = 20, kLatest = 10'000;  // milliseconds until a retry
 
 }  // namespace

@@ -30,9 +30,9 @@ using Work = std::packaged_task<void(std::stop_token)>;
 
 struct Job {
   std::uint64_t session{};  // whose turn it takes
-  std::string lane;        // empty: none
-  std::stop_token caller;  // stops when whoever asked is gone
-  Work work;               // what it throws is logged and ends this job only
+  std::string lane;         // empty: none
+  std::stop_token caller;   // stops when whoever asked is gone
+  Work work;                // what it throws is logged and ends this job only
 };
 
 enum class Admission { kAccepted, kFull, kDraining };

@@ -99,8 +99,8 @@ struct Journal::Inside {
     std::vector<KeptAnswer> answers;
     read_answers.with(id, std::uint64_t{KeptAnswers::kMost});
     while (read_answers.step()) {
-      answers.push_back({read_answers.text(0), read_answers.text(1),
-                         std::make_shared<const std::string>(read_answers.text(2))});
+      answers.push_back(
+          {read_answers.text(0), read_answers.text(1), std::make_shared<const std::string>(read_answers.text(2))});
     }
     std::reverse(answers.begin(), answers.end());
     return answers;

@@ -17,12 +17,13 @@ namespace {
 void log_sqlite() {
   static std::once_flag once;
   std::call_once(once, [] {
-    sqlite3_config(SQLITE_CONFIG_LOG,
-                   +[](void*, int code, const char* text) {
-                     // The schema may be prepared anew without anything being wrong.
-                     if (code != SQLITE_SCHEMA) spdlog::warn("the store: {}", text);
-                   },
-                   nullptr);
+    sqlite3_config(
+        SQLITE_CONFIG_LOG,
+        +[](void*, int code, const char* text) {
+          // The schema may be prepared anew without anything being wrong.
+          if (code != SQLITE_SCHEMA) spdlog::warn("the store: {}", text);
+        },
+        nullptr);
   });
 }
 

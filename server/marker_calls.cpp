@@ -87,8 +87,9 @@ Outcome Methods::marker_get(const Json& params, const CallTurn& turn) {
     }
   }
   return now->text->get([&] {
-    return to_text(result_json(wanted->marker_id, now->revision,
-                               {{"format", name_of(Format::kNative)}, {"marker", *marker_document(*now->file, Format::kNative)}}));
+    return to_text(
+        result_json(wanted->marker_id, now->revision,
+                    {{"format", name_of(Format::kNative)}, {"marker", *marker_document(*now->file, Format::kNative)}}));
   });
 }
 
@@ -101,9 +102,7 @@ Outcome Methods::marker_close(const Json& params, const CallTurn& turn) {
   const auto text = std::make_shared<const std::string>(to_text(encode(MarkerClosed{id})));
   std::optional<KeptAnswer> answer;
   if (wanted->op_id) answer = KeptAnswer{*wanted->op_id, "marker.close", text};
-  const auto tell = [&] {
-    watchers_.tell_and_forget(id, to_text(notification("marker.closed", {{"markerId", id}})));
-  };
+  const auto tell = [&] { watchers_.tell_and_forget(id, to_text(notification("marker.closed", {{"markerId", id}}))); };
   if (!store_.close(id, answer, tell)) return unknown_marker(id);
   return text;
 }

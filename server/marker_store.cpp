@@ -6,8 +6,8 @@ namespace selvage {
 namespace {
 
 Committed committed(Revision revision, MarkerFile file, Stamps stamps) {
-  return {revision, std::make_shared<const MarkerFile>(std::move(file)), std::make_shared<const Stamps>(std::move(stamps)),
-          std::make_shared<TextOnce>()};
+  return {revision, std::make_shared<const MarkerFile>(std::move(file)),
+          std::make_shared<const Stamps>(std::move(stamps)), std::make_shared<TextOnce>()};
 }
 
 Stamps all_new(Revision revision, const MarkerFile& file) {

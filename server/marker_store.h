@@ -90,8 +90,8 @@ class MarkerStore {
 
   // Makes the file the revision after `base`, if `base` is still the current one.
   [[nodiscard]] Commit commit(const std::string& id, Revision base, NextRevision next);
-  // What undoing or redoing would commit, and on which revision; no file when there is nothing to.  Nothing when no such
-  // marker is open.
+  // What undoing or redoing would commit, and on which revision; no file when there is nothing to.  Nothing when no
+  // such marker is open.
   struct Return {
     Committed from;
     std::optional<MarkerFile> file;

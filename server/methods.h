@@ -47,12 +47,18 @@ class Methods {
  public:
   Methods(MarkerStore& store, Watchers& watchers, SumCache& sums, const Limits& limits, std::size_t workers,
           Engine engine)
-      : store_{store}, watchers_{watchers}, sums_{sums}, limits_{limits}, workers_{workers}, engine_{std::move(engine)} {}
+      : store_{store},
+        watchers_{watchers},
+        sums_{sums},
+        limits_{limits},
+        workers_{workers},
+        engine_{std::move(engine)} {}
 
   // REQUIRES: place_of knows the method, and it is none of the drags'.
   [[nodiscard]] Outcome call(std::string_view method, const Json& params, const CallTurn& turn);
 
-  // The answer kept of an earlier call of this opId; nothing when there is none.  `marker_id` as of MarkerStore::answer.
+  // The answer kept of an earlier call of this opId; nothing when there is none.  `marker_id` as of
+  // MarkerStore::answer.
   [[nodiscard]] std::optional<Outcome> replay(const std::string& marker_id, const std::optional<std::string>& op_id,
                                               std::string_view method) const;
   // Makes the change the marker's next revision, tells those who watch it, and answers.

@@ -19,9 +19,9 @@ std::function<void(const Round&)> round_teller(const MotionCall& about, const st
                                                Resolution resolution) {
   if (about.progress_token.is_null() || !session->notify) return [](const Round&) {};
   return [&about, session, resolution](const Round& round) {
-    session->notify(to_text(notification("$/progress", {{"token", about.progress_token},
-                                                        {"round", round.number},
-                                                        {"length", to_decimal(round.length, resolution)}})));
+    session->notify(to_text(notification(
+        "$/progress",
+        {{"token", about.progress_token}, {"round", round.number}, {"length", to_decimal(round.length, resolution)}})));
   };
 }
 

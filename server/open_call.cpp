@@ -4,9 +4,9 @@ namespace selvage {
 
 OpenCall::OpenCall(std::shared_ptr<Session> session, ReplyOnce<Outcome> reply)
     : session_{std::move(session)}, reply_{std::move(reply)}, gone_{session_->gone, [this] {
-                                                                     left_.request_stop();
-                                                                     stop_.request_stop();
-                                                                   }} {}
+                                                                      left_.request_stop();
+                                                                      stop_.request_stop();
+                                                                    }} {}
 
 bool OpenCall::settle() {
   Fate fate = Fate::kOpen;

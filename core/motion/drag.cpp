@@ -4,20 +4,24 @@
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "core/minkowski/inner_fit.h"
 #include "core/motion/bump.h"
+#include "core/motion/position_step.h"
 #include "core/motion/scene.h"
-#include "core/motion/separate.h"
 
 namespace selvage {
 namespace {
 
-constexpr int kSteps = 64;         // on the way from where the piece is to where it is wanted
-constexpr int kRefinements = 12;   // halvings of the last of them
-constexpr int kSlides = 4;         // along contacts, each nearer to the wanted place
-constexpr double kReach = 0.3;     // of the strip's width: the pieces this near make way
-constexpr int kPartingRounds = 16;
+constexpr int kSteps = 64;           // looked at on the way from where the piece is to where it is wanted
+constexpr int kRefinements = 12;     // halvings of the one that is free
+constexpr int kSlides = 4;           // along contacts, each nearer to the wanted place
+constexpr double kReach = 0.1;       // of the strip's width: the pieces this near to the way make way
+constexpr int kRounds = 4;           // of the position model
+constexpr double kStillness = 1e-3;  // what moving others costs, beside the hand's own way
+constexpr double kLeastTrust = 0.01, kMostTrust = 0.05;  // of the strip's width
+constexpr Coord kThere = 2;                              // lattice units: as near as rounding comes
 
 double distance(Vec a, Vec b) {
   return std::hypot(static_cast<double>(a.x - b.x), static_cast<double>(a.y - b.y));
@@ -27,67 +31,81 @@ bool meet(const PlacedPolygon& p, const PlacedPolygon& q, Coord spacing) {
   return spacing > 0 ? closer_than(p, q, spacing) : overlap(p, q);
 }
 
+bool holds(const Box& room, const Box& box) {
+  return box.low.x >= room.low.x && box.low.y >= room.low.y && box.high.x <= room.high.x && box.high.y <= room.high.y;
+}
+
+Box around_both(const Box& a, const Box& b) {
+  return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
+          {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
+}
+
 class Hand {
  public:
   Hand(const Marker& start, PieceId piece, Vec to, SumCache& sums)
-      : start_{start}, piece_{piece.value}, sums_{sums}, scene_{start, sums} {
+      : start_{start}, piece_{piece.value}, sums_{sums}, scene_{start, sums}, from_{scene_.pieces.at(piece_)} {
     const Box& box = scene_.pieces[piece_].box;
-    const Coord beyond = std::max(scene_.pieces.length(), to.x + box.high.x);
-    end_ = start.strip.longest.value_or(beyond);
-    fit_ = inner_fit(box, end_, start.strip.width);
-    wanted_ = {std::clamp(to.x, fit_.low.x, std::max(fit_.low.x, fit_.high.x)),
-               std::clamp(to.y, fit_.low.y, std::max(fit_.low.y, fit_.high.y))};
+    room_ = start.strip.room(start.strip.last().value_or(std::max(scene_.pieces.length(), to.x + box.high.x)));
+    const Box fit = inner_fit(box, room_);
+    wanted_ = {std::clamp(to.x, fit.low.x, std::max(fit.low.x, fit.high.x)),
+               std::clamp(to.y, fit.low.y, std::max(fit.low.y, fit.high.y))};
+    if (scene_.ties.x[piece_] == Ties::kFixed) wanted_.x = from_.x;
+    if (scene_.ties.y[piece_] == Ties::kFixed) wanted_.y = from_.y;
+    for (std::uint32_t i = 0; i < scene_.pieces.size(); ++i) in_hand_.push_back(scene_.ties.joined(i, piece_));
   }
 
-  [[nodiscard]] Drag place() {
-    Drag placed{start_, false};
-    placed.marker.pieces[piece_].at = nearest_found();
-    return placed;
+  Drag place() {
+    scene_.shift(piece_, nearest_found() - from_);
+    return {scene_.result(), false};
   }
 
-  [[nodiscard]] std::optional<Drag> push(const std::stop_token& stop) {
+  Drag push(const std::stop_token& stop) {
+    Drag placed = place();
+    const Vec at = scene_.pieces.at(piece_);
+    if (at == wanted_) return placed;
     const std::vector<std::uint32_t> around = pieces_around();
-    Marker part = part_of(around);
-    SeparationSettings settings;
-    settings.rounds = kPartingRounds;
-    const Coord own_end = length_of(part);
-    settings.grow = static_cast<double>(*part.strip.longest - own_end) / static_cast<double>(std::max(own_end, Coord{1}));
-    const auto parted = separate(part, settings, sums_, stop);
-    if (!parted || !parted->apart) return std::nullopt;
-    Drag pushed{start_, false};
-    for (std::size_t k = 0; k < around.size(); ++k) pushed.marker.pieces[around[k]].at = parted->marker.pieces[k].at;
-    pushed.pushed = true;
-    if (!proved(pushed.marker)) return std::nullopt;
+    const Marker part = part_of(placed.marker, around);
+    Scene scene{part, sums_};
+    if (!conflicts(scene.pieces).empty()) return placed;
+    follow(scene, stop);
+    Drag pushed{placed.marker, true};
+    for (std::size_t k = 0; k < around.size(); ++k) pushed.marker.pieces[around[k]].at = scene.pieces.at(k);
+    if (distance(scene.pieces.at(0), wanted_) >= distance(at, wanted_) || !proved(pushed.marker)) return placed;
     return pushed;
   }
 
  private:
   [[nodiscard]] bool free_at(Vec at) const {
-    if (at.x < fit_.low.x || at.x > fit_.high.x || at.y < fit_.low.y || at.y > fit_.high.y) return false;
-    PlacedPolygon own = scene_.pieces[piece_];
-    own.at = at;
-    const Box box = own.placed_box().grown(start_.spacing);
+    const Vec by = at - scene_.pieces.at(piece_);
+    for (std::uint32_t i = 0; i < scene_.pieces.size(); ++i) {
+      if (in_hand_[i] && !clear(i, by)) return false;
+    }
+    return true;
+  }
+  // A piece in the hand may be moved by this much.
+  [[nodiscard]] bool clear(std::uint32_t piece, Vec by) const {
+    PlacedPolygon moved = scene_.pieces[piece];
+    moved.at = moved.at + by;
+    if (!holds(room_, moved.placed_box())) return false;
+    const Box box = moved.placed_box().grown(scene_.pieces.widest_spacing());
     for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
-      if (other != piece_ && box.overlaps(scene_.pieces.box(other)) &&
-          meet(own, scene_.pieces[other], start_.spacing)) {
-        return false;
-      }
+      if (in_hand_[other] || !box.overlaps(scene_.pieces.box(other))) continue;
+      if (meet(moved, scene_.pieces[other], scene_.pieces.spacing({piece, other}))) return false;
     }
     return true;
   }
 
   // The wanted place when it is free, else one on the way there or, from that one, along what is in the way.
-  [[nodiscard]] Vec nearest_found() {
+  Vec nearest_found() {
     if (free_at(wanted_)) return wanted_;
     const auto on_the_way = farthest_on_the_way();
-    if (!on_the_way) return start_.pieces[piece_].at;
+    if (!on_the_way) return from_;
     Vec best = *on_the_way;
+    Scene sliding = scene_;
     for (int slide = 0; slide < kSlides; ++slide) {
-      std::vector<Vec> positions = scene_.pieces.positions();
-      positions[piece_] = best;
-      scene_.pieces.place(std::move(positions));
-      const Vec next = bump(scene_, piece_, static_cast<double>(wanted_.x - best.x),
-                            static_cast<double>(wanted_.y - best.y)).at;
+      sliding.shift(piece_, best - sliding.pieces.at(piece_));
+      const Vec left = wanted_ - best;
+      const Vec next = bump(sliding, piece_, static_cast<double>(left.x), static_cast<double>(left.y)).at;
       if (!(distance(next, wanted_) < distance(best, wanted_)) || !free_at(next)) break;
       best = next;
     }
@@ -95,10 +113,9 @@ class Hand {
   }
 
   [[nodiscard]] std::optional<Vec> farthest_on_the_way() const {
-    const Vec from = start_.pieces[piece_].at;
-    const auto at = [&](double part) {
+    const auto at = [this](double part) {
       const auto along = [part](Coord a, Coord b) { return a + std::llround(part * static_cast<double>(b - a)); };
-      return Vec{along(from.x, wanted_.x), along(from.y, wanted_.y)};
+      return Vec{along(from_.x, wanted_.x), along(from_.y, wanted_.y)};
     };
     for (int step = kSteps - 1; step >= 0; --step) {
       double free = static_cast<double>(step) / kSteps;
@@ -113,50 +130,70 @@ class Hand {
     return std::nullopt;
   }
 
-  // The pieces near the wanted place, and those near them, which stay; the dragged piece first.
+  // Rounds of the position model that take the scene's first piece towards the wanted place.
+  void follow(Scene& scene, const std::stop_token& stop) const {
+    const auto width = static_cast<double>(start_.strip.width);
+    for (int round = 0; round < kRounds && !stop.stop_requested(); ++round) {
+      const Vec left = wanted_ - scene.pieces.at(0);
+      const auto x = static_cast<double>(left.x), y = static_cast<double>(left.y);
+      const double far = std::max(std::abs(x), std::abs(y));
+      if (far <= kThere) return;
+      Goal goal{std::vector<Displacement>(scene.pieces.size()), 0, kStillness, Halt{0, {x, y}}};
+      goal.force[0] = {x / far, y / far};
+      const StepSettings settings{std::clamp(far / width, kLeastTrust, kMostTrust), {}, {}};
+      const PositionStep step = position_step(scene, goal, settings, stop, {});
+      if (step.end != StepEnd::kMoved) return;
+      scene.pieces.place(step.positions);
+    }
+  }
+
+  // What is in the hand, the pieces near the way that is left, and those near them, which stay; the dragged one first.
   [[nodiscard]] std::vector<std::uint32_t> pieces_around() {
     const Coord reach = std::llround(kReach * static_cast<double>(start_.strip.width));
-    const Box wanted = scene_.pieces[piece_].box.moved(wanted_);
-    const Box near = wanted.grown(reach);
-    const Box far = wanted.grown(3 * reach);
+    const Box own = scene_.pieces.box(piece_);
+    const Box near = around_both(own, own.moved(wanted_ - scene_.pieces.at(piece_))).grown(reach);
+    Box reached = near;  // by those that make way
     std::vector<std::uint32_t> around{piece_};
     for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
-      if (other != piece_ && near.touches(scene_.pieces.box(other))) around.push_back(other);
+      // Other groups stay: part of one may be out of reach.
+      const bool flows =
+          in_hand_[other] || (start_.pieces[other].group.empty() && near.touches(scene_.pieces.box(other)));
+      if (other == piece_ || !flows) continue;
+      around.push_back(other);
+      reached = around_both(reached, scene_.pieces.box(other));
     }
     flowing_ = around.size();
+    std::vector<bool> known(scene_.pieces.size());
+    for (const std::uint32_t piece : around) known[piece] = true;
+    const Box far = reached.grown(reach);
     for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
-      if (other != piece_ && !near.touches(scene_.pieces.box(other)) && far.touches(scene_.pieces.box(other))) {
-        around.push_back(other);
-      }
+      if (!known[other] && far.touches(scene_.pieces.box(other))) around.push_back(other);
     }
     return around;
   }
 
-  // A marker of these pieces alone.
-  [[nodiscard]] Marker part_of(const std::vector<std::uint32_t>& around) const {
-    Marker part = start_;
+  // A marker of these pieces alone, the later ones locked.
+  [[nodiscard]] Marker part_of(const Marker& placed, const std::vector<std::uint32_t>& around) const {
+    Marker part = placed;
     part.pieces.clear();
     for (std::size_t k = 0; k < around.size(); ++k) {
-      Piece piece = start_.pieces[around[k]];
-      if (k == 0) piece.at = wanted_;
-      if (k == 0 || k >= flowing_) piece.locked = true;
-      part.pieces.push_back(std::move(piece));
+      part.pieces.push_back(placed.pieces[around[k]]);
+      if (k >= flowing_) part.pieces.back().locked = true;
     }
-    part.strip.longest = std::max(end_, length_of(part));
     return part;
   }
 
-  // No piece that moved meets another.  (Separation has proved it of the pieces it knew.)
+  // No piece that moved meets another.  (The rounds have proved it of the pieces they knew.)
   [[nodiscard]] bool proved(const Marker& marker) const {
     const PlacedPieces pieces{marker};
     const auto changed = [&](std::uint32_t piece) { return marker.pieces[piece].at != start_.pieces[piece].at; };
     for (std::uint32_t piece = 0; piece < pieces.size(); ++piece) {
-      const Box box = pieces.box(piece);
-      const bool inside = box.low.x >= 0 && box.low.y >= 0 && box.high.x <= end_ && box.high.y <= marker.strip.width;
-      if (changed(piece) && !inside) return false;
+      if (changed(piece) && !holds(room_, pieces.box(piece))) return false;
     }
-    for (const auto& [first, second] : pairs_within(pieces, marker.spacing)) {
-      if ((changed(first) || changed(second)) && meet(pieces[first], pieces[second], marker.spacing)) return false;
+    for (const PiecePair& pair : pairs_within(pieces, pieces.widest_spacing())) {
+      const auto& [first, second] = pair;
+      if ((changed(first) || changed(second)) && meet(pieces[first], pieces[second], pieces.spacing(pair)))
+        return false;
     }
     return true;
   }
@@ -165,21 +202,19 @@ class Hand {
   const std::uint32_t piece_;
   SumCache& sums_;
   Scene scene_;
-  Coord end_{};  // of the strip, or as far as the hand reaches
-  Box fit_;
-  Vec wanted_;               // as near to the hand as the strip allows
-  std::size_t flowing_{};    // of the pieces around, the first so many are not held
+  const Vec from_;
+  Box room_;                   // of the strip, as far as the hand reaches
+  Vec wanted_;                 // as near to the hand as the strip and the locks allow
+  std::vector<bool> in_hand_;  // the piece and its group
+  std::size_t flowing_{};      // of the pieces around, the first so many are not held
 };
 
 }  // namespace
 
 Drag drag(const Marker& start, PieceId piece, Vec to, DragMode mode, SumCache& sums, std::stop_token stop) {
-  if (start.pieces[piece.value].locked) return {start, false};
+  if (ties_of(start).fixed(piece.value)) return {start, false};
   Hand hand{start, piece, to, sums};
-  if (mode == DragMode::kPush) {
-    if (auto pushed = hand.push(stop)) return *std::move(pushed);
-  }
-  return hand.place();
+  return mode == DragMode::kPush ? hand.push(stop) : hand.place();
 }
 
 }  // namespace selvage

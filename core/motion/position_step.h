@@ -13,12 +13,19 @@
 
 namespace selvage {
 
+// A piece that goes no farther than this on either axis, and not back.
+struct Halt {
+  std::uint32_t piece{};
+  Displacement at;
+};
+
 // What a motion wants: as much as possible of the sum of force . displacement over all pieces, plus `shorten` times
 // what the marker gets shorter.  With shorten 0 its length is held [Li94 4.2.2].
 struct Goal {
   std::vector<Displacement> force;  // one per piece
   double shorten{};
   double stillness{};  // what a unit of any piece's motion costs: small, so that only what is in the way moves
+  std::optional<Halt> halt{};
 };
 // The goal of leftward compaction [Li94 4.2.1], with a little gravity so that no piece is left free.
 [[nodiscard]] Goal leftward_goal(const Scene& scene, double gravity);

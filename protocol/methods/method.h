@@ -33,8 +33,8 @@ struct MethodAnswer {
   std::optional<Marker> next;  // the marker's next state; none: it stays as it is
 };
 
-// What every motion takes: {"markerId", "baseRev"?, "commit"?, "timing"?, "opId"?, "deadlineMs"?, "progressToken"?}.  The
-// last three are the server's business.
+// What every motion takes: {"markerId", "baseRev"?, "commit"?, "timing"?, "opId"?, "deadlineMs"?, "progressToken"?}.
+// The last three are the server's business.
 struct MotionCall {
   std::string marker_id;
   std::optional<Revision> base_revision;  // refuse when the marker is at another

@@ -45,8 +45,19 @@ TEST_P(GoldenExchanges, AreWhatTheDaemonAnswers) {
   }
 }
 
+TEST(Readme, ExplainsEveryMethodOfTheDaemon) {
+  const std::string text = file_text(std::string{SELVAGE_SOURCE_DIR} + "/protocol/README.md");
+  Daemon daemon{on_free_port(1)};
+  Wire wire{daemon.port()};
+  const Json info = result_of(post_call(wire, "engine.info"));
+  ASSERT_GT(info["methods"].size(), 20U);
+  for (const Json& name : info["methods"]) {
+    EXPECT_NE(text.find("| `" + name.get<std::string>() + "` |"), std::string::npos) << name;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, GoldenExchanges,
-                         ::testing::Combine(::testing::Values("life_of_a_marker", "mistakes", "motions"),
+                         ::testing::Combine(::testing::Values("life_of_a_marker", "mistakes", "motions", "changes", "dragging"),
                                             ::testing::Values("http", "lines")),
                          [](const auto& tested) {
                            return std::string{std::get<0>(tested.param)} + "_" + std::get<1>(tested.param);

@@ -97,8 +97,15 @@ class Killed : public ::testing::Test {
   }
   ~Killed() override { std::filesystem::remove_all(folder_); }
   [[nodiscard]] std::vector<std::string> words() const {
-    return {SELVAGED,  "--listen",    "127.0.0.1:0", "--port-file", (folder_ / "port").string(),
-            "--store", (folder_ / "store.db").string(), "--workers", "2"};
+    return {SELVAGED,
+            "--listen",
+            "127.0.0.1:0",
+            "--port-file",
+            (folder_ / "port").string(),
+            "--store",
+            (folder_ / "store.db").string(),
+            "--workers",
+            "2"};
   }
   [[nodiscard]] std::uint16_t port_of(Process& process) const {
     EXPECT_NE(process.output_until("listening on 127.0.0.1:").find("listening on 127.0.0.1:"), std::string::npos);
@@ -125,7 +132,8 @@ TEST_F(Killed, LosesNothingThatWasAcknowledged) {
     for (std::size_t k = 0; k < kWriters; ++k) stories.push_back({open_marker(wire, kSmallMarker)});
     {
       std::vector<std::jthread> writers;
-      for (Story& story : stories) writers.emplace_back([&, seed = random()] { edit(port, story, static_cast<unsigned>(seed)); });
+      for (Story& story : stories)
+        writers.emplace_back([&, seed = random()] { edit(port, story, static_cast<unsigned>(seed)); });
       std::this_thread::sleep_for(std::chrono::milliseconds{50 + random() % 200});
       selvaged.signal(SIGKILL);
     }

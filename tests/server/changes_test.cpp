@@ -30,8 +30,7 @@ TEST(Changes, AnApplyIsOneRevisionAndTellsWhatItDid) {
 TEST(Changes, AnEditMayMakePiecesOverlapAndSaysSo) {
   Desk desk;
   (void)desk.open_small();
-  const Json done =
-      desk.result("marker.apply", "{'markerId':'m1','ops':[{'op':'move','piece':'low','at':[3,3]}]}");
+  const Json done = desk.result("marker.apply", "{'markerId':'m1','ops':[{'op':'move','piece':'low','at':[3,3]}]}");
   EXPECT_EQ(done["valid"], false);
   EXPECT_EQ(done["revision"], 2);
 }
