@@ -55,11 +55,20 @@ double time_to_edge(const Ahead& e, double vx, double vy, double clearance) {
   double time = std::min(time_to_corner(e.ax, e.ay, vx, vy, clearance - kGrazing),
                          time_to_corner(e.bx, e.by, vx, vy, clearance - kGrazing));
   if (e.outside_by < 0 || approach <= kStandstill) return time;
-  const double at_line = std::max(0.0, (e.outside_by - clearance) / approach);
-  const double along = at_line * (e.ux * vx + e.uy * vy);
-  const double from = e.ux * e.ax + e.uy * e.ay;
-  const double to = e.ux * e.bx + e.uy * e.by;
-  if (along >= from && along <= to) time = std::min(time, at_line);
+  // In front of the edge, from where it begins to where it ends: coming along another edge into a corner, the point may
+  // be within the clearance of the line before that.
+  const double along = e.ux * vx + e.uy * vy;
+  const double first = e.ux * e.ax + e.uy * e.ay;
+  const double last = e.ux * e.bx + e.uy * e.by;
+  double enters = std::max(0.0, (e.outside_by - clearance) / approach);
+  double leaves = e.outside_by / approach;
+  if (along != 0) {
+    enters = std::max(enters, std::min(first / along, last / along));
+    leaves = std::min(leaves, std::max(first / along, last / along));
+  } else if (first > 0 || last < 0) {
+    return time;
+  }
+  if (enters <= leaves) time = std::min(time, enters);
   return time;
 }
 

@@ -13,10 +13,10 @@
 namespace selvage {
 namespace {
 
-constexpr double kClearance = 3;    // lattice units: room for rounding, kept between slanted edges
-constexpr double kTolerance = 0.5;  // lattice units: nearer than the clearance and this is contact
-constexpr double kRestoring = 1e5;  // units of time in which a contact gets its clearance back
-constexpr double kFastest = 1;      // lattice units per unit of time, on each axis [Li94 2.5]
+constexpr double kClearance = 3;        // lattice units: room for rounding, kept between slanted edges
+constexpr double kLeastTouching = 0.5;  // lattice units beyond the clearance
+constexpr double kRestoring = 1e5;      // units of time in which a contact gets its clearance back
+constexpr double kFastest = 1;          // lattice units per unit of time, on each axis [Li94 2.5]
 
 // Two pieces that may meet within the horizon.
 struct Near {
@@ -37,6 +37,7 @@ class Simulation {
         settings_{settings},
         observer_{observer},
         horizon_{settings.horizon * static_cast<double>(scene.marker.strip.width)},
+        touching_{std::max(kLeastTouching, settings.touching * static_cast<double>(scene.marker.strip.width))},
         start_{scene.pieces.positions()},
         moved_(start_.size()),
         longest_{scene.pieces.length()},
@@ -92,7 +93,7 @@ class Simulation {
   // The touching pairs [Li94 2.3, 2.6], of which a free region that looks no farther keeps those that matter.
   [[nodiscard]] std::vector<ContactRow> contact_rows() const {
     const Coord spacing = scene_.marker.spacing;
-    const RegionSettings region{RegionRule::kGreedy, clearance() + 2 * kTolerance, spacing};
+    const RegionSettings region{RegionRule::kGreedy, clearance() + touching_ + kLeastTouching, spacing};
     std::vector<ContactRow> rows;
     for (const Near& near : near_) {
       const FinePosition r = relative(near.pair);
@@ -100,7 +101,7 @@ class Simulation {
         const PairRow row = row_of(near.pair, side, r.at, spacing, 0, TightRows::kKeep);
         const double slack =
             slack_of(side, r.at) + row.nx * r.rest.x + row.ny * r.rest.y - static_cast<double>(spacing);
-        if (slack > kClearance + 2 * kTolerance) continue;
+        if (slack > kClearance + touching_ + kLeastTouching) continue;
         const bool slanted = side.direction.x != 0 && side.direction.y != 0;
         const double lost = slanted ? std::max(0.0, kClearance - slack) : 0;
         rows.push_back({near.pair, row.nx, row.ny, lost / kRestoring});
@@ -133,12 +134,12 @@ class Simulation {
     for (std::size_t i = 0; i < start_.size(); ++i) {
       const double speed = scene_.fixed(i) ? 0 : kFastest;
       const Walls room = walls(i);
-      program.add_column(gravity, room.left <= kTolerance ? 0 : -speed, speed);
-      program.add_column(0, room.bottom <= kTolerance ? 0 : -speed, room.top <= kTolerance ? 0 : speed);
+      program.add_column(gravity, room.left <= touching_ ? 0 : -speed, speed);
+      program.add_column(0, room.bottom <= touching_ ? 0 : -speed, room.top <= touching_ ? 0 : speed);
     }
     const int piston = program.add_column(1, -kFastest, 0);
     for (std::size_t i = 0; i < start_.size(); ++i) {
-      if (walls(i).right > kTolerance) continue;
+      if (walls(i).right > touching_) continue;
       program.add_row(std::array<LinearProgram::Entry, 2>{{{piston, 1}, {x_of(i), -1}}}, 0);
     }
     for (const ContactRow& row : rows) {
@@ -170,7 +171,7 @@ class Simulation {
 
   // [Li94 2.2.2]
   [[nodiscard]] double next_collision(const std::vector<Displacement>& velocity) const {
-    CollisionSettings settings{clearance(), clearance() + kTolerance, horizon_};
+    CollisionSettings settings{clearance(), clearance() + touching_, horizon_};
     for (const Near& near : near_) {
       const auto& [p, q] = near.pair;
       const Displacement towards{velocity[q].x - velocity[p].x, velocity[q].y - velocity[p].y};
@@ -178,7 +179,7 @@ class Simulation {
     }
     double time = settings.horizon;
     const auto meet = [&](double room, double speed) {
-      if (room > kTolerance && speed > 0) time = std::min(time, room / speed);
+      if (room > touching_ && speed > 0) time = std::min(time, room / speed);
     };
     for (std::size_t i = 0; i < start_.size(); ++i) {
       const Walls room = walls(i);
@@ -228,6 +229,7 @@ class Simulation {
   const VelocitySettings& settings_;
   const Observer& observer_;
   double horizon_;                   // units of time, at kFastest as many lattice units
+  double touching_;                  // lattice units beyond the clearance; nearer is contact
   std::vector<Vec> start_;           // where the pieces were,
   std::vector<Displacement> moved_;  // and how far they have come since; not rounded
   Coord longest_;

@@ -15,8 +15,9 @@
 namespace selvage {
 
 struct VelocitySettings {
-  int steps{2000};           // at most this many
+  int steps{10000};          // at most this many
   double horizon{0.1};       // the longest time step: the fastest piece moves by this part of the width
+  double touching{1e-5};     // pieces this near, in parts of the width, are in contact
   double least_time{1e-7};   // a time step shorter than this (in the same measure) is no progress, and
   int patience{50};          // so many of them in a row are the end
   double least_speed{1e-7};  // the piston at rest: slower than this part of the fastest piece
