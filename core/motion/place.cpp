@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kFirstReach = 1.0 / 32;  // of the strip's width: how far the first search looks
 constexpr double kFarther = 4;            // times as far each time
-constexpr std::size_t kFewLines = 10;     // a cell of so few is searched, a larger one divided
+constexpr std::size_t kFewLines = 6;     // a cell of so few is searched, a larger one divided
 constexpr double kSmall = 64;             // lattice units: so is a cell of this size
 constexpr double kClear = 3;              // lattice units: what is deeper inside an obstacle is not worth proving
 constexpr int kProofs = 12;               // lattice positions that are proved about one point

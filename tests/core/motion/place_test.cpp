@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "core/marker/validity.h"
 #include "core/minkowski/inner_fit.h"
@@ -173,10 +174,25 @@ RC_GTEST_PROP(PlaceLaws, NearestOfAll, ()) {
   }
 }
 
+RC_GTEST_PROP(PlaceLaws, NoStepComesNearer, ()) {
+  const Drop drop = random_drop();
+  const auto found = placed(drop.marker, drop.piece, drop.wanted);
+  if (!found || found->distance <= 8) return;
+  for (const double step : {12.0, 60.0}) {
+    for (int k = 0; k < 48; ++k) {
+      const double angle = 2 * std::numbers::pi * k / 48;
+      const Vec at = found->at + Vec{std::llround(step * std::cos(angle)), std::llround(step * std::sin(angle))};
+      const Marker moved = with(drop.marker, drop.piece, at);
+      if (distance(at, drop.wanted) > found->distance - 4 || length_of(moved) > length_of(drop.marker)) continue;
+      RC_ASSERT(!is_valid(moved));
+    }
+  }
+}
+
 RC_GTEST_PROP(PlaceLaws, PlacingAgainStays, ()) {
   const Drop drop = random_drop();
   const auto found = placed(drop.marker, drop.piece, drop.wanted);
-  RC_PRE(found.has_value());
+  if (!found) return;
   const auto again = placed(with(drop.marker, drop.piece, found->at), drop.piece, found->at);
   RC_ASSERT(again->at == found->at);
   RC_ASSERT(again->distance == 0);
