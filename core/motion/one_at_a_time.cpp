@@ -24,9 +24,7 @@ double sweep(Scene& scene, const std::stop_token& stop) {
     if (stop.stop_requested()) break;
     const Bump bumped = bump(scene, piece, -1, 0);
     gain += bumped.gain;
-    std::vector<Vec> positions = scene.pieces.positions();
-    positions[piece] = bumped.at;
-    scene.pieces.place(std::move(positions));
+    scene.shift(piece, bumped.at - scene.pieces.at(piece));
   }
   return gain;
 }

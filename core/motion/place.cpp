@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/minkowski/inner_fit.h"
 #include "core/motion/surroundings.h"
 
 namespace selvage {
@@ -13,7 +12,7 @@ namespace {
 
 constexpr double kFirstReach = 1.0 / 32;  // of the strip's width: how far the first search looks
 constexpr double kFarther = 4;            // times as far each time
-constexpr std::size_t kFewLines = 6;     // a cell of so few is searched, a larger one divided
+constexpr std::size_t kFewLines = 6;      // a cell of so few is searched, a larger one divided
 constexpr double kSmall = 64;             // lattice units: so is a cell of this size
 constexpr double kClear = 3;              // lattice units: what is deeper inside an obstacle is not worth proving
 constexpr int kProofs = 12;               // lattice positions that are proved about one point
@@ -37,9 +36,8 @@ struct Cell {
 // on a border or on the part itself, or where two borders cross.
 class WindowSearch {
  public:
-  WindowSearch(const Scene& scene, std::uint32_t piece, const Box& window, Vec wanted, Vec origin,
-               std::optional<Vec> best)
-      : around_{scene, piece, window, origin},
+  WindowSearch(const Scene& scene, const Body& body, const Box& window, Vec wanted, Vec origin, std::optional<Vec> best)
+      : around_{scene, body, window, origin},
         window_{window},
         wanted_{wanted},
         origin_{origin},
@@ -187,6 +185,8 @@ class WindowSearch {
       const Real2 normal = outwards(*line, candidate.at);
       out = {out.x + normal.x, out.y + normal.y};
     }
+    if (window_.width() == 0) out.x = 0;  // held on this axis
+    if (window_.height() == 0) out.y = 0;
     int proofs = 0;
     for (const double back : {0.0, 1.0, 2.0, 4.0, 8.0, 16.0, 64.0, 256.0}) {
       if (back > 0 && candidate.on[0] == nullptr) return;
@@ -228,7 +228,7 @@ class WindowSearch {
 };
 
 // Of the positions in `fit`; `present`: a free one, when it is known.
-std::optional<Vec> nearest_free(const Scene& scene, std::uint32_t piece, Vec wanted, const Box& fit,
+std::optional<Vec> nearest_free(const Scene& scene, const Body& body, Vec wanted, const Box& fit,
                                 std::optional<Vec> present) {
   if (fit.high.x < fit.low.x || fit.high.y < fit.low.y) return std::nullopt;
   const Vec origin{std::clamp(wanted.x, fit.low.x, fit.high.x), std::clamp(wanted.y, fit.low.y, fit.high.y)};
@@ -239,7 +239,7 @@ std::optional<Vec> nearest_free(const Scene& scene, std::uint32_t piece, Vec wan
         Box{origin, origin}.grown(std::llround(std::min(enough, 4.0 * static_cast<double>(kLatticeLimit))));
     const Box window{{std::max(about.low.x, fit.low.x), std::max(about.low.y, fit.low.y)},
                      {std::min(about.high.x, fit.high.x), std::min(about.high.y, fit.high.y)}};
-    best = WindowSearch{scene, piece, window, wanted, origin, best}.run();
+    best = WindowSearch{scene, body, window, wanted, origin, best}.run();
     // Outside the window everything is farther from the origin than it reaches, and no nearer to the wanted position.
     const bool final = best && distance_between(*best, wanted) <= std::hypot(enough, distance_between(origin, wanted));
     if (final || window == fit) return best;
@@ -249,43 +249,68 @@ std::optional<Vec> nearest_free(const Scene& scene, std::uint32_t piece, Vec wan
 }  // namespace
 
 std::optional<Place> place(const Scene& scene, std::uint32_t piece, Vec wanted, const PlaceSettings& settings) {
-  const Vec present = scene.pieces.at(piece);
-  if (scene.fixed(piece)) return Place{present, distance_between(present, wanted), false};
+  const Body body{scene, piece};
+  if (scene.fixed(piece)) return Place{body.at, distance_between(body.at, wanted), false};
   const Strip& strip = scene.marker.strip;
-  const PlacedPolygon own = scene.pieces[piece];
-  const Coord end = strip.longest ? *strip.longest : scene.pieces.length();
-  const Box fit = inner_fit(own.box, end, strip.width);
-  const auto free = [&](Vec at) { return within(fit, at) && Surroundings{scene, piece, {at, at}, at}.free(at); };
+  const Coord end = strip.last().value_or(scene.pieces.length());
+  const Box fit = body.fit(scene, end);
+  const auto free = [&](Vec at) { return within(fit, at) && Surroundings{scene, body, {at, at}, at}.free(at); };
   if (free(wanted)) return Place{wanted, 0, false};
-  const auto found = nearest_free(scene, piece, wanted, fit, free(present) ? std::optional{present} : std::nullopt);
+  const auto found = nearest_free(scene, body, wanted, fit, free(body.at) ? std::optional{body.at} : std::nullopt);
   if (found) return Place{*found, distance_between(*found, wanted), false};
   if (!settings.may_grow || strip.longest) return std::nullopt;
-  const Box longer = inner_fit(own.box, end + own.box.width() + scene.marker.spacing, strip.width);
-  const auto beyond = nearest_free(scene, piece, wanted, longer, std::nullopt);
+  Coord reach = 0;  // of the body, from its naming piece's position
+  for (const auto& [member, offset] : body.members) {
+    const Box box = scene.pieces[member].box.moved(offset);
+    reach = std::max({reach, std::abs(box.low.x), std::abs(box.high.x)});
+  }
+  const Box longer = body.fit(scene, end + 2 * reach + scene.pieces.widest_spacing());
+  const auto beyond = nearest_free(scene, body, wanted, longer, std::nullopt);
   if (!beyond) return std::nullopt;
   return Place{*beyond, distance_between(*beyond, wanted), true};
 }
+
+namespace {
+
+// Heals all but one piece; where it lies does not count.
+Result<Healing> heal_others(Marker& marker, PieceId piece, SumCache& sums, std::stop_token stop,
+                            const Observer& observer) {
+  Marker others = marker;
+  others.pieces.erase(others.pieces.begin() + piece.value);
+  if (others.pieces.empty()) return Healing{};
+  Scene scene{others, sums};
+  auto healing = heal(scene, std::move(stop), observer);
+  for (std::size_t i = 0; i < others.pieces.size(); ++i) {
+    marker.pieces[i < piece.value ? i : i + 1].at = scene.pieces.at(i);
+  }
+  return healing;
+}
+
+}  // namespace
 
 Result<PlacedMarker> heal_and_place(const Marker& start, PieceId piece, Vec wanted, const PlaceSettings& settings,
                                     SumCache& sums, std::stop_token stop, const Observer& observer) {
   observer.on_stage(Stage::kOther);
   PlacedMarker answer{start, std::nullopt, {}};
-  Marker others = start;
-  others.pieces.erase(others.pieces.begin() + piece.value);
-  if (!others.pieces.empty()) {
-    Scene scene{others, sums};
-    const auto healing = heal(scene, std::move(stop), observer);
+  const bool alone = Scene{start, sums}.ties.free(piece.value);
+  if (alone) {
+    const auto healing = heal_others(answer.marker, piece, sums, std::move(stop), observer);
     if (!healing) return healing.error();
     answer.healing = *healing;
-    for (std::size_t i = 0; i < others.pieces.size(); ++i) {
-      answer.marker.pieces[i < piece.value ? i : i + 1].at = scene.pieces.at(i);
-    }
+  } else {
+    Scene whole{start, sums};
+    const auto healing = heal(whole, std::move(stop), observer);
+    if (!healing) return healing.error();
+    answer.healing = *healing;
+    answer.marker = whole.result();
   }
   observer.on_stage(Stage::kSolve);
-  const Scene scene{answer.marker, sums};
+  const Marker healed = answer.marker;
+  Scene scene{healed, sums};
   answer.place = place(scene, piece.value, wanted, settings);
   observer.on_stage(Stage::kOther);
-  if (answer.place) answer.marker.pieces[piece.value].at = answer.place->at;
+  if (answer.place) scene.shift(piece.value, answer.place->at - scene.pieces.at(piece.value));
+  answer.marker = scene.result();
   return answer;
 }
 

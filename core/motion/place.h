@@ -28,7 +28,8 @@ struct Place {
 
 // The free position of a piece that is nearest to `wanted`, which may be anywhere; nothing when there is none.
 // The strip's right edge is the marker's present end, or the cloth's when it has one.  Where the piece is now does not
-// matter, but that a fixed piece stays there.  REQUIRES: the other pieces are valid.
+// matter, but that a fixed piece stays there and one locked on an axis stays on its line.  Pieces of its group go with
+// it.  REQUIRES: the other pieces are valid.
 [[nodiscard]] std::optional<Place> place(const Scene& scene, std::uint32_t piece, Vec wanted,
                                          const PlaceSettings& settings = {});
 
@@ -38,7 +39,7 @@ struct PlacedMarker {
   Healing healing;
 };
 // The same for a marker as it comes: small overlaps among the other pieces are healed first (core/motion/heal.h); the
-// piece itself may overlap them as deeply as it likes.
+// piece itself may overlap them as deeply as it likes, unless it is of a group or locked.
 // REQUIRES: the piece is one of the marker's.  Errors: those of heal.
 [[nodiscard]] Result<PlacedMarker> heal_and_place(const Marker& start, PieceId piece, Vec wanted,
                                                   const PlaceSettings& settings, SumCache& sums,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/minkowski/edges_near.h"
+#include "core/minkowski/inner_fit.h"
 #include "core/minkowski/nearest_edges.h"
 
 namespace selvage {
@@ -38,31 +39,62 @@ PlacedEdge placed(const SumEdge& edge, const Obstacle& obstacle, Vec at) {
 
 }  // namespace
 
-Surroundings::Surroundings(const Scene& scene, std::uint32_t piece, const Box& window, Vec origin)
-    : scene_{scene}, piece_{piece}, origin_{origin}, spacing_{scene.marker.spacing} {
-  const Box own = scene.pieces[piece].box;
-  const Box swept = Box{window.low + own.low, window.high + own.high}.grown(spacing_ + 1);
-  for (std::uint32_t other = 0; other < scene.pieces.size(); ++other) {
-    if (other == piece || !swept.touches(scene.pieces.box(other))) continue;
-    near_.push_back({other, scene.sums.obstacle(scene.outlines[other], scene.outlines[piece])});
-    first_line_.push_back(static_cast<std::uint32_t>(lines_.size()));
-    append_lines(near_.back(), window);
+Body::Body(const Scene& scene, std::uint32_t piece)
+    : at{scene.pieces.at(piece)},
+      fixed_x{scene.ties.x[piece] == Ties::kFixed},
+      fixed_y{scene.ties.y[piece] == Ties::kFixed} {
+  for (std::uint32_t i = 0; i < scene.pieces.size(); ++i) {
+    if (i == piece || scene.ties.joined(i, piece)) members.push_back({i, scene.pieces.at(i) - at});
   }
+}
+
+Box Body::fit(const Scene& scene, Coord end) const {
+  const Box room = scene.marker.strip.room(end);
+  Box all{{-kLatticeLimit, -kLatticeLimit}, {kLatticeLimit, kLatticeLimit}};
+  for (const Member& member : members) {
+    const Box one = inner_fit(scene.pieces[member.piece].box, room).moved(-member.offset);
+    all.low = {std::max(all.low.x, one.low.x), std::max(all.low.y, one.low.y)};
+    all.high = {std::min(all.high.x, one.high.x), std::min(all.high.y, one.high.y)};
+  }
+  if (fixed_x) all.low.x = all.high.x = at.x;
+  if (fixed_y) all.low.y = all.high.y = at.y;
+  return all;
+}
+
+bool Body::holds(std::uint32_t piece) const {
+  return std::any_of(members.begin(), members.end(), [&](const Member& member) { return member.piece == piece; });
+}
+
+Surroundings::Surroundings(const Scene& scene, const Body& body, const Box& window, Vec origin)
+    : scene_{scene}, origin_{origin} {
+  for (const Body::Member& member : body.members) append_near(body, member, window);
   first_line_.push_back(static_cast<std::uint32_t>(lines_.size()));
 }
 
+void Surroundings::append_near(const Body& body, const Body::Member& member, const Box& window) {
+  const Box own = scene_.pieces[member.piece].box.moved(member.offset);
+  const Box swept = Box{window.low + own.low, window.high + own.high}.grown(scene_.pieces.widest_spacing() + 1);
+  for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
+    if (!swept.touches(scene_.pieces.box(other)) || body.holds(other)) continue;
+    near_.push_back({member.piece, other, member.offset, scene_.pieces.spacing({member.piece, other}),
+                     scene_.sums.obstacle(scene_.outlines[other], scene_.outlines[member.piece])});
+    first_line_.push_back(static_cast<std::uint32_t>(lines_.size()));
+    append_lines(near_.back(), window);
+  }
+}
+
 void Surroundings::append_lines(const Near& near, const Box& window) {
-  const Vec at = scene_.pieces.at(near.piece);
+  const Vec at = scene_.pieces.at(near.other) - near.offset;
   const Vec a = near.obstacle.to_frame(window.low - at);
   const Vec b = near.obstacle.to_frame(window.high - at);
   const Box in_frame = Box{{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
   const auto index = static_cast<std::uint32_t>(near_.size() - 1);
-  const auto moved = static_cast<double>(spacing_);
+  const auto moved = static_cast<double>(near.spacing);
   std::optional<Vec> last_end;
-  for_each_edge_near(near.obstacle.sum(), in_frame.grown(spacing_ + 2), [&](const SumEdge& edge) {
+  for_each_edge_near(near.obstacle.sum(), in_frame.grown(near.spacing + 2), [&](const SumEdge& edge) {
     const PlacedEdge e = placed(edge, near.obstacle, at);
     BorderLine line{real(e.from), real(e.to), 0, index, e.line_from - origin_, e.line_to - e.line_from};
-    if (spacing_ > 0) {
+    if (near.spacing > 0) {
       const Real2 out = outwards(line, line.a);
       const auto shifted = [&](Real2 p) { return Real2{p.x + moved * out.x, p.y + moved * out.y}; };
       for (const Vec corner : {e.from, e.to}) {
@@ -78,21 +110,20 @@ void Surroundings::append_lines(const Near& near, const Box& window) {
 bool Surroundings::forbids(std::size_t obstacle, Real2 point) const {
   const Near& near = near_[obstacle];
   const Vec position{origin_.x + std::llround(point.x), origin_.y + std::llround(point.y)};
-  const Vec r = near.obstacle.to_frame(position - scene_.pieces.at(near.piece));
+  const Vec r = near.obstacle.to_frame(position + near.offset - scene_.pieces.at(near.other));
   if (inside(near.obstacle.sum(), r)) return true;
-  if (spacing_ == 0) return false;
-  NearestEdges edges{near.obstacle.sum(), r, static_cast<double>(spacing_)};
+  if (near.spacing == 0) return false;
+  NearestEdges edges{near.obstacle.sum(), r, static_cast<double>(near.spacing)};
   return edges.next([](const Box&) { return false; }).has_value();
 }
 
 bool Surroundings::free(Vec position) const {
-  PlacedPolygon moved = scene_.pieces[piece_];
-  moved.at = position;
-  const Box box = moved.placed_box().grown(spacing_);
   return std::none_of(near_.begin(), near_.end(), [&](const Near& near) {
-    const PlacedPolygon still = scene_.pieces[near.piece];
-    if (!box.overlaps(still.placed_box())) return false;
-    return spacing_ > 0 ? closer_than(moved, still, spacing_) : overlap(moved, still);
+    PlacedPolygon moved = scene_.pieces[near.member];
+    moved.at = position + near.offset;
+    const PlacedPolygon still = scene_.pieces[near.other];
+    if (!moved.placed_box().grown(near.spacing).overlaps(still.placed_box())) return false;
+    return near.spacing > 0 ? closer_than(moved, still, near.spacing) : overlap(moved, still);
   });
 }
 

@@ -1,5 +1,5 @@
-// What a piece may not enter near some place: the other pieces' Minkowski sums, and their borders within a window of
-// positions.
+// What a piece, with all that is tied to it, may not enter near some place: the Minkowski sums with the other pieces,
+// and their borders within a window of positions.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,25 @@
 
 namespace selvage {
 
+// A piece and what moves with it.
+struct Body {
+  struct Member {
+    std::uint32_t piece{};
+    Vec offset;  // from the piece that names the body
+  };
+  Body(const Scene& scene, std::uint32_t piece);
+  // Positions of the naming piece within the strip up to `end`, and where its locks allow.
+  [[nodiscard]] Box fit(const Scene& scene, Coord end) const;
+  [[nodiscard]] bool holds(std::uint32_t piece) const;
+  std::vector<Member> members;
+  Vec at;  // of the naming piece
+  bool fixed_x{}, fixed_y{};
+};
+
 class Surroundings {
  public:
-  // All that matters to the piece while its position stays inside `window`.  Real coordinates are relative to `origin`.
-  Surroundings(const Scene& scene, std::uint32_t piece, const Box& window, Vec origin);
+  // All that matters to the body while its position stays inside `window`.  Real coordinates are relative to `origin`.
+  Surroundings(const Scene& scene, const Body& body, const Box& window, Vec origin);
 
   [[nodiscard]] const std::vector<BorderLine>& lines() const { return lines_; }
   [[nodiscard]] std::size_t obstacles() const { return near_.size(); }
@@ -26,18 +41,19 @@ class Surroundings {
 
  private:
   struct Near {
-    std::uint32_t piece{};
+    std::uint32_t member{}, other{};
+    Vec offset;  // of the member
+    Coord spacing{};
     Obstacle obstacle;
   };
+  void append_near(const Body& body, const Body::Member& member, const Box& window);
   void append_lines(const Near& near, const Box& window);
   [[nodiscard]] Real2 real(Vec position) const {
     return {static_cast<double>(position.x - origin_.x), static_cast<double>(position.y - origin_.y)};
   }
 
   const Scene& scene_;
-  std::uint32_t piece_;
   Vec origin_;
-  Coord spacing_;
   std::vector<Near> near_;
   std::vector<BorderLine> lines_;
   std::vector<std::uint32_t> first_line_;  // one more than obstacles

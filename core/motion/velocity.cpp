@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/lp/solve.h"
+#include "core/marker/validity.h"
 #include "core/model/free_region.h"
 #include "core/model/snap.h"
 #include "core/motion/collision.h"
@@ -42,6 +43,8 @@ class Simulation {
         moved_(start_.size()),
         longest_{scene.pieces.length()},
         piston_{static_cast<double>(longest_)},
+        x_(start_.size(), kNone),
+        y_(start_.size(), kNone),
         best_{start_},
         best_length_{longest_} {}
 
@@ -76,12 +79,15 @@ class Simulation {
   void find_near() {
     observer_.on_stage(Stage::kSums);
     near_.clear();
-    for (const PiecePair& pair : pairs_within(scene_.pieces, std::llround(2 * horizon_) + scene_.marker.spacing)) {
-      if (!(scene_.fixed(pair.first) && scene_.fixed(pair.second))) near_.push_back({pair, scene_.obstacle(pair)});
+    for (const PiecePair& pair :
+         pairs_within(scene_.pieces, std::llround(2 * horizon_) + scene_.pieces.widest_spacing())) {
+      if (!scene_.ties.joined(pair.first, pair.second)) near_.push_back({pair, scene_.obstacle(pair)});
     }
   }
 
-  [[nodiscard]] double clearance() const { return static_cast<double>(scene_.marker.spacing) + kClearance; }
+  [[nodiscard]] double clearance(PiecePair pair) const {
+    return static_cast<double>(scene_.pieces.spacing(pair)) + kClearance;
+  }
   [[nodiscard]] FinePosition relative(PiecePair pair) const {
     const double x = moved_[pair.second].x - moved_[pair.first].x;
     const double y = moved_[pair.second].y - moved_[pair.first].y;
@@ -92,10 +98,10 @@ class Simulation {
 
   // The touching pairs [Li94 2.3, 2.6], of which a free region that looks no farther keeps those that matter.
   [[nodiscard]] std::vector<ContactRow> contact_rows() const {
-    const Coord spacing = scene_.marker.spacing;
-    const RegionSettings region{RegionRule::kGreedy, clearance() + touching_ + kLeastTouching, spacing};
     std::vector<ContactRow> rows;
     for (const Near& near : near_) {
+      const Coord spacing = scene_.pieces.spacing(near.pair);
+      const RegionSettings region{RegionRule::kGreedy, clearance(near.pair) + touching_ + kLeastTouching, spacing};
       const FinePosition r = relative(near.pair);
       for (const HalfPlane& side : free_region(near.obstacle, r.at, region)) {
         const PairRow row = row_of(near.pair, side, r.at, spacing, 0, TightRows::kKeep);
@@ -120,43 +126,63 @@ class Simulation {
       if (solution.status == LpStatus::kStopped) return std::nullopt;
       if (solution.status != LpStatus::kOptimal) continue;
       std::vector<Displacement> velocity(start_.size());
-      for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] = {solution.x[2 * i], solution.x[2 * i + 1]};
+      for (std::size_t i = 0; i < velocity.size(); ++i) {
+        const auto speed = [&](int column) { return column < 0 ? 0 : solution.x[static_cast<std::size_t>(column)]; };
+        velocity[i] = {speed(x_[i]), speed(y_[i])};
+      }
       piston_velocity_ = solution.x.back();
       return velocity;
     }
     return std::nullopt;
   }
 
-  // Columns: the velocity of each piece, x and y, then the piston's.
-  [[nodiscard]] LinearProgram velocity_program(const std::vector<ContactRow>& rows, double restoring) const {
+  // Columns: the velocities of pieces that are free to have them, x and y, and last the piston's.
+  [[nodiscard]] LinearProgram velocity_program(const std::vector<ContactRow>& rows, double restoring) {
     LinearProgram program;
-    const double gravity = settings_.gravity / static_cast<double>(start_.size());
-    for (std::size_t i = 0; i < start_.size(); ++i) {
-      const double speed = scene_.fixed(i) ? 0 : kFastest;
-      const Walls room = walls(i);
-      program.add_column(gravity, room.left <= touching_ ? 0 : -speed, speed);
-      program.add_column(0, room.bottom <= touching_ ? 0 : -speed, room.top <= touching_ ? 0 : speed);
-    }
+    add_pieces(program);
     const int piston = program.add_column(1, -kFastest, 0);
     for (std::size_t i = 0; i < start_.size(); ++i) {
       if (walls(i).right > touching_) continue;
-      program.add_row(std::array<LinearProgram::Entry, 2>{{{piston, 1}, {x_of(i), -1}}}, 0);
+      const std::array<LinearProgram::Entry, 2> entries{{{piston, 1}, {x_[i], -1}}};
+      program.add_row(std::span{entries}.first(x_[i] < 0 ? 1 : 2), 0);
     }
     for (const ContactRow& row : rows) {
       std::array<LinearProgram::Entry, 4> entries{};
       std::size_t count = 0;
-      const auto put = [&](int column, double value) {
-        if (value != 0) entries[count++] = {column, value};
+      const auto put = [&](const std::vector<int>& columns, double n) {
+        const int p = columns[row.pair.first];
+        const int q = columns[row.pair.second];
+        if (p == q || n == 0) return;
+        if (p >= 0) entries[count++] = {p, -n};
+        if (q >= 0) entries[count++] = {q, n};
       };
-      put(x_of(row.pair.first), -row.nx);
-      put(x_of(row.pair.first) + 1, -row.ny);
-      put(x_of(row.pair.second), row.nx);
-      put(x_of(row.pair.second) + 1, row.ny);
+      put(x_, row.nx);
+      put(y_, row.ny);
       program.add_row(std::span{entries}.first(count), restoring * row.bound);
     }
     return program;
   }
-  static int x_of(std::size_t piece) { return static_cast<int>(2 * piece); }
+  // Pieces tied to each other share a column; at an edge of the strip there is no way but back.
+  void add_pieces(LinearProgram& program) {
+    const double gravity = settings_.gravity / static_cast<double>(start_.size());
+    std::vector<int> x_of(start_.size(), kNone);  // by tie
+    std::vector<int> y_of(start_.size(), kNone);
+    const auto add = [&](int& column, double cost, bool at_low, bool at_high) {
+      if (column == kNone) column = program.add_column(0, -kFastest, kFastest);
+      const auto c = static_cast<std::size_t>(column);
+      program.cost[c] += cost;
+      if (at_low) program.lower[c] = 0;
+      if (at_high) program.upper[c] = 0;
+      return column;
+    };
+    for (std::size_t i = 0; i < start_.size(); ++i) {
+      const Walls room = walls(i);
+      const std::uint32_t x = scene_.ties.x[i];
+      const std::uint32_t y = scene_.ties.y[i];
+      x_[i] = x == Ties::kFixed ? kNone : add(x_of[x], gravity, room.left <= touching_, false);
+      y_[i] = y == Ties::kFixed ? kNone : add(y_of[y], 0, room.bottom <= touching_, room.top <= touching_);
+    }
+  }
 
   // How far a piece is from the strip's edges and the piston.
   struct Walls {
@@ -164,20 +190,21 @@ class Simulation {
   };
   [[nodiscard]] Walls walls(std::size_t i) const {
     const Box box = scene_.pieces[i].box.moved(start_[i]);
-    return {static_cast<double>(box.low.x) + moved_[i].x, piston_ - static_cast<double>(box.high.x) - moved_[i].x,
-            static_cast<double>(box.low.y) + moved_[i].y,
-            static_cast<double>(scene_.marker.strip.width - box.high.y) - moved_[i].y};
+    const Box room = scene_.marker.strip.room(longest_);
+    const auto way = [](Coord from, Coord to) { return static_cast<double>(to - from); };
+    return {way(room.low.x, box.low.x) + moved_[i].x, piston_ - static_cast<double>(box.high.x) - moved_[i].x,
+            way(room.low.y, box.low.y) + moved_[i].y, way(box.high.y, room.high.y) - moved_[i].y};
   }
 
   // [Li94 2.2.2]
   [[nodiscard]] double next_collision(const std::vector<Displacement>& velocity) const {
-    CollisionSettings settings{clearance(), clearance() + touching_, horizon_};
+    double time = horizon_;
     for (const Near& near : near_) {
+      const double reach = clearance(near.pair);
       const auto& [p, q] = near.pair;
       const Displacement towards{velocity[q].x - velocity[p].x, velocity[q].y - velocity[p].y};
-      settings.horizon = collision_time(near.obstacle, relative(near.pair), towards, settings);
+      time = collision_time(near.obstacle, relative(near.pair), towards, {reach, reach + touching_, time});
     }
-    double time = settings.horizon;
     const auto meet = [&](double room, double speed) {
       if (room > touching_ && speed > 0) time = std::min(time, room / speed);
     };
@@ -212,11 +239,9 @@ class Simulation {
     for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + start_[i];
     pieces.place(std::move(positions));
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-      const Box box = pieces.box(i);
-      if (box.low.x < 0 || box.low.y < 0 || box.high.y > scene_.marker.strip.width || box.high.x > longest_)
-        return false;
+      if (protrusion_of(pieces.box(i), scene_.marker.strip) > 0) return false;
     }
-    if (!conflicts(pieces, scene_.marker.spacing).empty()) return false;
+    if (pieces.length() > longest_ || !conflicts(pieces).empty()) return false;
     scene_.pieces = std::move(pieces);
     if (scene_.pieces.length() < best_length_) {
       best_length_ = scene_.pieces.length();
@@ -235,6 +260,8 @@ class Simulation {
   Coord longest_;
   double piston_;  // where it stands
   double piston_velocity_{};
+  static constexpr int kNone = -1;
+  std::vector<int> x_, y_;  // the columns of each piece; kNone when it cannot move that way
   std::vector<Near> near_;
   std::vector<Vec> best_;
   Coord best_length_;

@@ -105,6 +105,29 @@ TEST(Place, SaysWhenThereIsNoRoom) {
   EXPECT_EQ(placed(on_cloth, 2, {40, 10})->at, (Vec{200, 0}));
 }
 
+TEST(Place, KeepsLocksGroupsBuffersAndMargins) {
+  Layout layout{1000};
+  const auto square = layout.shape_of(test::rectangle(100, 100));
+  layout.put(square, {300, 300}).put(square, {600, 300}).put(square, {900, 850}).put(square, {700, 300});
+  Marker marker = layout.marker();
+  marker.pieces[0].locked = Locks{false, true, false};
+  EXPECT_EQ(placed(marker, 0, {520, 700})->at, (Vec{500, 300}));  // along its line only
+  marker.pieces[0].locked = true;
+  EXPECT_EQ(placed(marker, 0, {520, 700})->at, (Vec{300, 300}));
+  marker.pieces[0].locked = false;
+  marker.pieces[0].buffer = 10;
+  EXPECT_EQ(placed(marker, 0, {520, 320})->at, (Vec{490, 320}));
+  marker.strip.margin = 5;
+  EXPECT_EQ(placed(marker, 0, {-100, 320})->at, (Vec{5, 320}));
+  marker.pieces[1].group = marker.pieces[3].group = "pair";
+  SumCache sums;
+  const auto answer = heal_and_place(marker, PieceId{1}, {120, 330}, {}, sums);  // the pair is 200 long
+  ASSERT_TRUE(answer && answer->place);
+  EXPECT_TRUE(is_valid(answer->marker));
+  EXPECT_EQ(answer->place->at, (Vec{90, 330}));  // the other comes to the buffered piece
+  EXPECT_EQ(answer->marker.pieces[3].at, (Vec{190, 330}));
+}
+
 TEST(Place, OfAMarkerAsItComesHealsTheOthersOnly) {
   Layout layout{1'000'000};
   const auto square = layout.shape_of(test::rectangle(100'000, 100'000));
@@ -122,7 +145,7 @@ TEST(Place, OfAMarkerAsItComesHealsTheOthersOnly) {
 double nearest_by_trying(const Marker& marker, std::uint32_t piece, Vec wanted, Coord step) {
   const Polygon own =
       oriented(marker.shapes[marker.pieces[piece].shape.value].outline, marker.pieces[piece].orientation);
-  const Box fit = inner_fit(box_of(own), length_of(marker), marker.strip.width);
+  const Box fit = inner_fit(box_of(own), marker.strip.room(length_of(marker)));
   const PlacedPieces pieces{marker};
   const auto free = [&](Vec at) {
     PlacedPolygon moved = pieces[piece];

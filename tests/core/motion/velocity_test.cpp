@@ -85,5 +85,22 @@ RC_GTEST_PROP(VelocityLaws, ValidNeverLongerLocksHold, ()) {
   }
 }
 
+RC_GTEST_PROP(VelocityLaws, GroupsAxisLocksAndBuffersHold, ()) {
+  Marker marker = test::loose_marker(*rc::gen::arbitrary<std::uint32_t>(), 4, 3);
+  const auto p = *rc::gen::inRange<std::size_t>(0, 11);
+  const auto q = *rc::gen::inRange<std::size_t>(0, 12);
+  marker.pieces[p].group = marker.pieces[p + 1].group = "g";
+  marker.pieces[q].locked = Locks{false, true, false};
+  marker.pieces[*rc::gen::inRange<std::size_t>(0, 12)].buffer = 300;
+  RC_PRE(is_valid(marker));
+  SumCache sums;
+  const auto result = compact_by_velocities(marker, {.steps = 40}, sums);
+  RC_ASSERT(is_valid(result->marker));
+  RC_ASSERT(result->length_after <= result->length_before);
+  const auto moved = [&](std::size_t k) { return result->marker.pieces[k].at - marker.pieces[k].at; };
+  RC_ASSERT(moved(p) == moved(p + 1));
+  RC_ASSERT(moved(q).y == 0);
+}
+
 }  // namespace
 }  // namespace selvage
