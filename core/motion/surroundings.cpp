@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/minkowski/edges_near.h"
 #include "core/minkowski/inner_fit.h"

@@ -2,7 +2,6 @@
 // and their borders within a window of positions.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "core/motion/border.h"
