@@ -1,0 +1,238 @@
+#include "core/motion/tilt.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <string>
+
+#include "core/marker/validity.h"
+#include "core/motion/relax.h"
+#include "core/motion/separate.h"
+#include "core/motion/tilt_step.h"
+
+namespace selvage {
+namespace {
+
+constexpr double kMostTilt = 45;         // degrees
+constexpr double kLeastPart = 1.0 / 8;   // of the first step: smaller ones are not tried
+constexpr int kCorrections = 3;          // of one step's errors of second order,
+constexpr double kCorrectionTurn = 0.1;  // each turning at most so much of what the one before did
+constexpr int kPartingRounds = 20;       // of separation, when corrections leave overlaps
+constexpr double kTwist = 0.3;           // of a shake: torques beside forces
+constexpr double kShakeTrust = 1;        // of the trust
+
+class Tilter {
+ public:
+  Tilter(const TiltSettings& settings, SumCache& sums, const std::stop_token& stop, const Observer& observer)
+      : settings_{settings}, sums_{sums}, stop_{stop}, observer_{observer} {}
+
+  // Rounds from a compacted marker; leaves the best in `total`.
+  void run(Tilting& total) {
+    best_ = total.marker;
+    best_length_ = total.length_compacted;
+    const Marker* from = &best_;
+    Marker shaken_marker;
+    total.reason = StopReason::kConverged;
+    for (int shake = 0; shake <= settings_.shakes; ++shake) {
+      if (shake > 0) {
+        auto next = shaken(best_, static_cast<std::uint32_t>(shake), total);
+        if (!next) continue;
+        shaken_marker = std::move(*next);
+        from = &shaken_marker;
+      }
+      descend(*from, total);
+      if (total.reason != StopReason::kConverged) break;
+    }
+    total.marker = best_;
+    total.length_after = best_length_;
+  }
+
+ private:
+  // Rounds until they gain no more.
+  void descend(Marker current, Tilting& total) {
+    Coord length = length_of(current);
+    const bool linear = settings_.method == TiltMethod::kLinearisation;
+    const double least_gain = settings_.least_gain * static_cast<double>(current.strip.width);
+    for (double part = 1; part >= kLeastPart;) {
+      if (stop_.stop_requested()) {
+        total.reason = StopReason::kCancelled;
+        return;
+      }
+      if (total.rounds == settings_.rounds) {
+        total.reason = StopReason::kWorkLimit;
+        return;
+      }
+      auto next = linear ? linearised(current, part, total) : relaxed(current);
+      ++total.rounds;
+      if (next) next = compacted(*next, total);
+      const Coord gain = next ? length - length_of(*next) : 0;
+      if (gain > 0) {
+        current = std::move(*next);
+        length -= gain;
+        keep(current, length);
+      }
+      observer_.on_round({total.rounds, best_length_});
+      if (static_cast<double>(gain) > least_gain) continue;
+      if (!linear) return;
+      part /= 2;
+    }
+  }
+  void keep(const Marker& marker, Coord length) {
+    if (length >= best_length_) return;
+    best_ = marker;
+    best_length_ = length;
+  }
+
+  // A step of all pieces at once, made valid; nothing when that fails.
+  std::optional<Marker> linearised(const Marker& start, double part, Tilting& total) {
+    const double gravity = settings_.compaction.gravity;
+    const auto goal = [&](const Scene& scene) { return leftward_goal(scene, gravity); };
+    return stepped(start, goal, {}, part, total);
+  }
+
+  template <class MakeGoal>
+  std::optional<Marker> stepped(const Marker& start, const MakeGoal& goal, std::vector<double> torque, double part,
+                                Tilting& total) {
+    Marker next = start;
+    double turn = settings_.step.degrees * part;
+    double trust = settings_.trust * part;
+    const Coord allowed = length_of(start);
+    for (int k = 0; k <= kCorrections; ++k) {
+      const Scene scene{next, sums_};
+      const TiltStep step = tilt_step(scene, goal(scene), torque, {Angle::of_degrees(turn), trust, settings_.compaction.solver}, stop_, observer_);
+      ++total.programs;
+      if (step.status != LpStatus::kOptimal) return std::nullopt;
+      next.pieces = step.pieces;
+      if (auto healed = mended(next)) return healed;
+      turn *= kCorrectionTurn;
+      if (k > 0) trust *= kCorrectionTurn;
+    }
+    return parted(next, allowed);
+  }
+  // With overlaps that rounding could have left, and a little more, healed.
+  std::optional<Marker> mended(const Marker& marker) {
+    Scene scene{marker, sums_};
+    if (!heal(scene, stop_, observer_)) return std::nullopt;
+    return scene.result();
+  }
+  // Separated by translations, as long as `allowed` at most.
+  std::optional<Marker> parted(const Marker& marker, Coord allowed) {
+    const double grow = static_cast<double>(allowed) / static_cast<double>(length_of(marker)) - 1;
+    SeparationSettings settings;
+    settings.rounds = kPartingRounds;
+    settings.grow = std::max(0.0, grow);
+    settings.solver = settings_.compaction.solver;
+    auto separation = separate(marker, settings, sums_, stop_, observer_);
+    if (!separation || !separation->apart) return std::nullopt;
+    return std::move(separation->marker);
+  }
+
+  // Every piece to where it has most room, from left to right.
+  std::optional<Marker> relaxed(const Marker& start) {
+    Marker next = start;
+    Scene scene{next, sums_};
+    std::vector<std::uint32_t> order(next.pieces.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return scene.pieces.box(a).low.x < scene.pieces.box(b).low.x;
+    });
+    for (const std::uint32_t i : order) {
+      if (stop_.stop_requested()) break;
+      if (scene.fixed(i)) continue;
+      observer_.on_stage(Stage::kSolve);
+      next.pieces[i] = relax_tilted(scene, i, settings_.tilts).piece;
+      scene.outlines[i] = oriented_outline(next, PieceId{i}, sums_);
+      scene.pieces.replace(i, oriented(next.shapes[next.pieces[i].shape.value].outline, next.pieces[i].orientation), next.pieces[i].at);
+    }
+    return next;
+  }
+
+  std::optional<Marker> compacted(const Marker& marker, Tilting& total) {
+    auto compaction = compact(marker, settings_.compaction, sums_, stop_, observer_);
+    if (!compaction) return std::nullopt;
+    total.programs += compaction->programs;
+    return std::move(compaction->marker);
+  }
+
+  // Pushed and turned at random, no longer than before.
+  std::optional<Marker> shaken(const Marker& marker, std::uint32_t seed, Tilting& total) {
+    std::mt19937 random{seed};
+    const auto even = [&] { return 2 * static_cast<double>(random()) / 4294967296.0 - 1; };
+    Goal goal;
+    std::vector<double> torque;
+    for (std::size_t i = 0; i < marker.pieces.size(); ++i) {
+      const double x = even();
+      goal.force.push_back({x, even()});
+      torque.push_back(kTwist * even());
+    }
+    auto next = stepped(marker, [&](const Scene&) { return goal; }, torque, kShakeTrust, total);
+    if (next && length_of(*next) > best_length_ + 0) return next;
+    return next;
+  }
+
+  const TiltSettings& settings_;
+  SumCache& sums_;
+  const std::stop_token& stop_;
+  const Observer& observer_;
+  Marker best_;
+  Coord best_length_{};
+};
+
+// The settings' limit on every shape, or, where pieces are tilted farther already, as far as they are.
+Marker limited(Marker marker, const std::optional<Angle>& limit) {
+  if (!limit) return marker;
+  for (Shape& shape : marker.shapes) shape.tilt_limit = *limit;
+  for (const Piece& piece : marker.pieces) {
+    Angle& shape_limit = marker.shapes[piece.shape.value].tilt_limit;
+    shape_limit.degrees = std::max(shape_limit.degrees, std::abs(piece.orientation.tilt.degrees));
+  }
+  return marker;
+}
+
+Angle farthest_tilt(const Marker& marker) {
+  Angle most;
+  for (const Piece& piece : marker.pieces) {
+    most.degrees = std::max(most.degrees, std::abs(piece.orientation.tilt.degrees));
+  }
+  return most;
+}
+
+}  // namespace
+
+// Figures behind these choices: docs/measurements-tilt.md.
+TiltSettings tilt_settings(TiltMethod method, Accuracy accuracy) {
+  TiltSettings settings;
+  settings.method = method;
+  settings.rounds = accuracy == Accuracy::kDraft ? 8 : accuracy == Accuracy::kStandard ? 60 : 400;
+  settings.least_gain = accuracy == Accuracy::kFine ? 1e-6 : 2e-5;
+  settings.step = Angle::of_degrees(0.5);
+  settings.trust = 0.05;
+  settings.tilts = accuracy == Accuracy::kFine ? 25 : 13;
+  settings.compaction = compaction_settings(accuracy);
+  return settings;
+}
+
+Result<Tilting> tilt(const Marker& start, const TiltSettings& settings, SumCache& sums, std::stop_token stop,
+                     const Observer& observer) {
+  if (settings.limit && !(settings.limit->degrees >= 0 && settings.limit->degrees <= kMostTilt)) {
+    return Error{ErrorCode::kOutOfRange,
+                 "the tilt limit is " + std::to_string(settings.limit->degrees) + " degrees; it must be from 0 to 45",
+                 "/limit"};
+  }
+  auto compaction = compact(limited(start, settings.limit), settings.compaction, sums, stop, observer);
+  if (!compaction) return compaction.error();
+  Tilting tilting;
+  tilting.marker = std::move(compaction->marker);
+  tilting.programs = compaction->programs;
+  tilting.length_before = compaction->length_before;
+  tilting.length_compacted = compaction->length_after;
+  tilting.utilisation_before = compaction->utilisation_before;
+  tilting.healing = compaction->healing;
+  Tilter{settings, sums, stop, observer}.run(tilting);
+  tilting.utilisation_after = utilisation_of(tilting.marker);
+  tilting.farthest_tilt = farthest_tilt(tilting.marker);
+  return tilting;
+}
+
+}  // namespace selvage
