@@ -10,8 +10,7 @@
 namespace selvage {
 namespace {
 
-constexpr double kTolerance = 1e-12;  // in units of the reach
-constexpr double kEnough = 1e9;       // no cell is broken by more, in units of the reach
+constexpr double kTolerance = 1e-10;  // in units of the reach
 
 // a . x <= b, in the first variables only.
 struct Row {
@@ -109,14 +108,16 @@ Square largest_square(std::span<const CellSide> cell, double reach) {
   for (const CellSide& side : cell) nearest_first.push_back(&side);
   std::stable_sort(nearest_first.begin(), nearest_first.end(),
                    [](const CellSide* a, const CellSide* b) { return a->slack < b->slack; });
-  Program program{3, {0, 0, 1}, {-1, -1, -kEnough}, {1, 1, 1}, {}};
+  // The origin's own square, which need not be the largest, is one below which nothing has to be looked for.
+  const double least = nearest_first.empty() ? 0 : std::min(0.0, nearest_first.front()->slack / reach);
+  Program program{3, {0, 0, 1}, {-1, -1, least - 1}, {1, 1, 1}, {}};
   program.rows.reserve(cell.size());
   for (const CellSide* side : nearest_first) {
     // All corners (x +- l, y +- l) inside [Li94 6.1]: the worst of them counts.
     program.rows.push_back({{-side->nx, -side->ny, std::abs(side->nx) + std::abs(side->ny)}, side->slack / reach});
   }
   const auto best = optimum(program);
-  if (!best) return {{}, -kEnough * reach};
+  if (!best) return {{}, least * reach};  // rounding only: the origin's square is always there
   return {{(*best)[0] * reach, (*best)[1] * reach}, (*best)[2] * reach};
 }
 

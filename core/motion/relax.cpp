@@ -12,8 +12,9 @@
 namespace selvage {
 namespace {
 
-constexpr int kCells = 12;           // about so many better places a free region is chosen
+constexpr int kCells = 24;           // about so many better places a free region is chosen
 constexpr double kReach = 0.02;      // of the strip's width: how far one cell looks
+constexpr double kNearlyAll = 0.99;   // of its reach
 constexpr double kLeastGain = 1e-3;  // of its freedom: the last cell's was the local optimum
 constexpr double kContact = 1;       // lattice units: less freedom is none
 
@@ -41,7 +42,10 @@ class Relaxer {
     for (int cell = 0; cell < kCells; ++cell) {
       build_cell();
       const Square square = largest_square(cell_, reach_);
-      if (square.half <= freedom + kLeastGain * std::abs(freedom)) break;
+      const double farthest = std::max({std::abs(square.centre.x), std::abs(square.centre.y), square.half});
+      const bool beyond = farthest > kNearlyAll * reach_;  // the cell did not look far enough
+      if (square.half <= freedom + kLeastGain * std::abs(freedom) && !beyond) break;
+      if (beyond) reach_ *= 2;
       freedom = square.half;
       piece_.at = piece_.at + Vec{std::llround(square.centre.x), std::llround(square.centre.y)};
       if (freedom >= 0 && valid()) best = Relaxation{piece_, freedom < kContact ? 0 : freedom};

@@ -20,103 +20,84 @@ constexpr int kCorrections = 3;          // of one step's errors of second order
 constexpr double kCorrectionTurn = 0.1;  // each turning at most so much of what the one before did
 constexpr int kPartingRounds = 20;       // of separation, when corrections leave overlaps
 constexpr double kTwist = 0.3;           // of a shake: torques beside forces
-constexpr double kShakeTrust = 1;        // of the trust
 
 class Tilter {
  public:
-  Tilter(const TiltSettings& settings, SumCache& sums, const std::stop_token& stop, const Observer& observer)
-      : settings_{settings}, sums_{sums}, stop_{stop}, observer_{observer} {}
+  Tilter(const TiltSettings& settings, SumCache& sums, const std::stop_token& stop, const Observer& observer,
+         Tilting& total)
+      : settings_{settings}, sums_{sums}, stop_{stop}, observer_{observer}, total_{total} {}
 
-  // Rounds from a compacted marker; leaves the best in `total`.
-  void run(Tilting& total) {
-    best_ = total.marker;
-    best_length_ = total.length_compacted;
-    const Marker* from = &best_;
-    Marker shaken_marker;
-    total.reason = StopReason::kConverged;
-    for (int shake = 0; shake <= settings_.shakes; ++shake) {
-      if (shake > 0) {
-        auto next = shaken(best_, static_cast<std::uint32_t>(shake), total);
-        if (!next) continue;
-        shaken_marker = std::move(*next);
-        from = &shaken_marker;
-      }
-      descend(*from, total);
-      if (total.reason != StopReason::kConverged) break;
+  // Rounds from the compacted marker, and from what shakes make of the best; leaves that in `total`.
+  void run() {
+    total_.length_after = total_.length_compacted;
+    descend(total_.marker);
+    for (int shake = 1; shake <= settings_.shakes && total_.reason == StopReason::kConverged; ++shake) {
+      if (auto shaken_marker = shaken(total_.marker, static_cast<std::uint32_t>(shake))) descend(*shaken_marker);
     }
-    total.marker = best_;
-    total.length_after = best_length_;
   }
 
  private:
   // Rounds until they gain no more.
-  void descend(Marker current, Tilting& total) {
+  void descend(Marker current) {
     Coord length = length_of(current);
-    const bool linear = settings_.method == TiltMethod::kLinearisation;
+    const bool by_steps = settings_.method == TiltMethod::kLinearisation;
     const double least_gain = settings_.least_gain * static_cast<double>(current.strip.width);
+    total_.reason = StopReason::kConverged;
     for (double part = 1; part >= kLeastPart;) {
-      if (stop_.stop_requested()) {
-        total.reason = StopReason::kCancelled;
-        return;
-      }
-      if (total.rounds == settings_.rounds) {
-        total.reason = StopReason::kWorkLimit;
-        return;
-      }
-      auto next = linear ? linearised(current, part, total) : relaxed(current);
-      ++total.rounds;
-      if (next) next = compacted(*next, total);
+      if (total_.rounds == settings_.rounds) total_.reason = StopReason::kWorkLimit;
+      if (stop_.stop_requested()) total_.reason = StopReason::kCancelled;
+      if (total_.reason != StopReason::kConverged) return;
+      auto next = by_steps ? stepped(current, leftwards(current), {}, part) : relaxed(current);
+      if (next) next = compacted(*next);
+      ++total_.rounds;
       const Coord gain = next ? length - length_of(*next) : 0;
       if (gain > 0) {
         current = std::move(*next);
         length -= gain;
         keep(current, length);
       }
-      observer_.on_round({total.rounds, best_length_});
+      observer_.on_round({total_.rounds, total_.length_after});
       if (static_cast<double>(gain) > least_gain) continue;
-      if (!linear) return;
+      if (!by_steps) return;
       part /= 2;
     }
   }
   void keep(const Marker& marker, Coord length) {
-    if (length >= best_length_) return;
-    best_ = marker;
-    best_length_ = length;
+    if (length >= total_.length_after) return;
+    total_.marker = marker;
+    total_.length_after = length;
+  }
+
+  [[nodiscard]] Goal leftwards(const Marker& marker) const {
+    const auto count = static_cast<double>(marker.pieces.size());
+    return {std::vector<Displacement>(marker.pieces.size(), {-settings_.compaction.gravity / count, 0}), 1, 0};
   }
 
   // A step of all pieces at once, made valid; nothing when that fails.
-  std::optional<Marker> linearised(const Marker& start, double part, Tilting& total) {
-    const double gravity = settings_.compaction.gravity;
-    const auto goal = [&](const Scene& scene) { return leftward_goal(scene, gravity); };
-    return stepped(start, goal, {}, part, total);
-  }
-
-  template <class MakeGoal>
-  std::optional<Marker> stepped(const Marker& start, const MakeGoal& goal, std::vector<double> torque, double part,
-                                Tilting& total) {
+  std::optional<Marker> stepped(const Marker& start, const Goal& goal, const std::vector<double>& torque, double part) {
     Marker next = start;
-    double turn = settings_.step.degrees * part;
-    double trust = settings_.trust * part;
-    const Coord allowed = length_of(start);
-    for (int k = 0; k <= kCorrections; ++k) {
+    TiltStepSettings step_settings{Angle::of_degrees(settings_.step.degrees * part), settings_.trust * part,
+                                   settings_.compaction.solver};
+    for (int correction = 0; correction <= kCorrections; ++correction) {
       const Scene scene{next, sums_};
-      const TiltStep step = tilt_step(scene, goal(scene), torque, {Angle::of_degrees(turn), trust, settings_.compaction.solver}, stop_, observer_);
-      ++total.programs;
+      const TiltStep step = tilt_step(scene, goal, torque, step_settings, stop_, observer_);
+      ++total_.programs;
       if (step.status != LpStatus::kOptimal) return std::nullopt;
       next.pieces = step.pieces;
-      if (auto healed = mended(next)) return healed;
-      turn *= kCorrectionTurn;
-      if (k > 0) trust *= kCorrectionTurn;
+      observer_.on_stage(Stage::kVerify);
+      if (is_valid(next)) return next;
+      step_settings.turn.degrees *= kCorrectionTurn;
+      if (correction > 0) step_settings.trust *= kCorrectionTurn;
     }
-    return parted(next, allowed);
+    if (auto healed = mended(next)) return healed;
+    return parted(next, length_of(start));
   }
-  // With overlaps that rounding could have left, and a little more, healed.
   std::optional<Marker> mended(const Marker& marker) {
     Scene scene{marker, sums_};
     if (!heal(scene, stop_, observer_)) return std::nullopt;
     return scene.result();
   }
-  // Separated by translations, as long as `allowed` at most.
+  // Separated by translations, no longer than `allowed`.
   std::optional<Marker> parted(const Marker& marker, Coord allowed) {
     const double grow = static_cast<double>(allowed) / static_cast<double>(length_of(marker)) - 1;
     SeparationSettings settings;
@@ -137,26 +118,27 @@ class Tilter {
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
       return scene.pieces.box(a).low.x < scene.pieces.box(b).low.x;
     });
+    observer_.on_stage(Stage::kSolve);
     for (const std::uint32_t i : order) {
       if (stop_.stop_requested()) break;
       if (scene.fixed(i)) continue;
-      observer_.on_stage(Stage::kSolve);
-      next.pieces[i] = relax_tilted(scene, i, settings_.tilts).piece;
+      Piece& piece = next.pieces[i];
+      piece = relax_tilted(scene, i, settings_.tilts).piece;
       scene.outlines[i] = oriented_outline(next, PieceId{i}, sums_);
-      scene.pieces.replace(i, oriented(next.shapes[next.pieces[i].shape.value].outline, next.pieces[i].orientation), next.pieces[i].at);
+      scene.pieces.replace(i, oriented(next.shapes[piece.shape.value].outline, piece.orientation), piece.at);
     }
     return next;
   }
 
-  std::optional<Marker> compacted(const Marker& marker, Tilting& total) {
+  std::optional<Marker> compacted(const Marker& marker) {
     auto compaction = compact(marker, settings_.compaction, sums_, stop_, observer_);
     if (!compaction) return std::nullopt;
-    total.programs += compaction->programs;
+    total_.programs += compaction->programs;
     return std::move(compaction->marker);
   }
 
-  // Pushed and turned at random, no longer than before.
-  std::optional<Marker> shaken(const Marker& marker, std::uint32_t seed, Tilting& total) {
+  // Pushed and turned at random, the length held but for what mending adds.
+  std::optional<Marker> shaken(const Marker& marker, std::uint32_t seed) {
     std::mt19937 random{seed};
     const auto even = [&] { return 2 * static_cast<double>(random()) / 4294967296.0 - 1; };
     Goal goal;
@@ -166,17 +148,14 @@ class Tilter {
       goal.force.push_back({x, even()});
       torque.push_back(kTwist * even());
     }
-    auto next = stepped(marker, [&](const Scene&) { return goal; }, torque, kShakeTrust, total);
-    if (next && length_of(*next) > best_length_ + 0) return next;
-    return next;
+    return stepped(marker, goal, torque, 1);
   }
 
   const TiltSettings& settings_;
   SumCache& sums_;
   const std::stop_token& stop_;
   const Observer& observer_;
-  Marker best_;
-  Coord best_length_{};
+  Tilting& total_;
 };
 
 // The settings' limit on every shape, or, where pieces are tilted farther already, as far as they are.
@@ -206,8 +185,9 @@ TiltSettings tilt_settings(TiltMethod method, Accuracy accuracy) {
   settings.method = method;
   settings.rounds = accuracy == Accuracy::kDraft ? 8 : accuracy == Accuracy::kStandard ? 60 : 400;
   settings.least_gain = accuracy == Accuracy::kFine ? 1e-6 : 2e-5;
-  settings.step = Angle::of_degrees(0.5);
-  settings.trust = 0.05;
+  settings.step = Angle::of_degrees(1);
+  settings.trust = 0.02;
+  settings.shakes = accuracy == Accuracy::kFine ? 10 : 0;
   settings.tilts = accuracy == Accuracy::kFine ? 25 : 13;
   settings.compaction = compaction_settings(accuracy);
   return settings;
@@ -229,7 +209,7 @@ Result<Tilting> tilt(const Marker& start, const TiltSettings& settings, SumCache
   tilting.length_compacted = compaction->length_after;
   tilting.utilisation_before = compaction->utilisation_before;
   tilting.healing = compaction->healing;
-  Tilter{settings, sums, stop, observer}.run(tilting);
+  Tilter{settings, sums, stop, observer, tilting}.run();
   tilting.utilisation_after = utilisation_of(tilting.marker);
   tilting.farthest_tilt = farthest_tilt(tilting.marker);
   return tilting;

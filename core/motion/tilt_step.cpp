@@ -13,6 +13,9 @@ namespace {
 
 constexpr double kRadian = 180 / std::numbers::pi;  // degrees
 constexpr double kOverlapPrice = 100;               // of a unit of overlap that stays, beside a unit of length
+constexpr double kClearance = 1e-7;  // parts of the width that pieces are kept apart by, for what is not linear,
+constexpr Coord kLeastClearance = 3;  // and lattice units, for rounded outlines
+constexpr double kLeastArc = 1;          // lattice units: a smaller turn changes nothing but rounding
 constexpr double kLengthSpare = 1e-2;               // column units the length may grow by in a program, for rows' margins
 
 // How the piece's position must move for its pivot to stay when it turns.
@@ -62,11 +65,13 @@ class Program {
       if (overlaps) target = separation_target(scene_, pair, TargetRule::kNearest);
       const RegionSettings region{RegionRule::kGreedy, 1.5 * reach + static_cast<double>(spacing), spacing};
       const auto sides = free_region(scene_.obstacle(pair), target.about, region);
-      const TiltRowSettings row{turn_, 1.5 * reach, overlaps ? 2 * target.depth : 0, spacing, model_.positions().unit()};
+      const TiltRowSettings row{turn_, 1.5 * reach, overlaps ? 2 * target.depth : 0, spacing + clearance(), model_.positions().unit()};
       const auto rows = tilt_rows(pair, scene_.pieces[p], scene_.pieces[q], sides, row);
       std::optional<int> give;
-      if (overlaps) give = model_.positions().program().add_column(kOverlapPrice, 0, kInfinity);
-      for (const TiltRow& made : rows) model_.add(made, give);
+      if (std::any_of(rows.begin(), rows.end(), [](const TiltRow& made) { return made.row.bound > 0; })) {
+        give = model_.positions().program().add_column(kOverlapPrice, 0, kInfinity);
+      }
+      for (const TiltRow& made : rows) model_.add(made, made.row.bound > 0 ? give : std::nullopt);
     }
   }
 
@@ -91,6 +96,9 @@ class Program {
     }
     return turns;
   }
+  [[nodiscard]] Coord clearance() const {
+    return kLeastClearance + std::llround(kClearance * static_cast<double>(scene_.marker.strip.width));
+  }
   [[nodiscard]] double widest_radius() const {
     double most = 0;
     for (std::size_t i = 0; i < turns_.size(); ++i) {
@@ -105,7 +113,7 @@ class Program {
     const std::vector<double> turns = model_.turns(x);
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
       pieces[i].at = scene_.pieces.at(i);
-      if (turns[i] == 0) continue;
+      if (std::abs(turns[i]) * radius_of(scene_.pieces[i]) < kLeastArc) continue;
       Piece turned_piece = pieces[i];
       double& tilt = turned_piece.orientation.tilt.degrees;
       const double before = tilt;
@@ -119,7 +127,7 @@ class Program {
     const std::vector<Vec> by = snapped(moves);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       pieces[i].at = pieces[i].at + by[i];
-      if (turns[i] != 0) put_inside(pieces[i]);
+      if (!scene_.fixed(i)) put_inside(pieces[i]);
     }
     return pieces;
   }
