@@ -54,8 +54,7 @@ class PairRows {
   }
 
   void add(const HalfPlane& side, Real2 contact) {
-    const PairRow row =
-        row_of(pair_, side, q_.at - p_.at, settings_.spacing, settings_.unit, TightRows::kKeep);
+    const PairRow row = row_of(pair_, side, q_.at - p_.at, settings_.spacing, settings_.unit, TightRows::kKeep);
     if (-row.bound > settings_.reach) return;
     const TiltRow made{row, -lever(row.nx, row.ny, contact, pivot_p_), lever(row.nx, row.ny, contact, pivot_q_)};
     if (std::find(rows_.begin(), rows_.end(), made) == rows_.end()) rows_.push_back(made);
@@ -107,8 +106,11 @@ class PairRows {
         const auto ry = static_cast<double>(at.y - from.y);
         const double gap = out.x * rx + out.y * ry;
         const double along = (ex * rx + ey * ry) / length;
-        if (gap < -kBehind - settings_.behind || gap > most_gap || along < 0 || along > length || !supports(other, v, out)) continue;
-        const Vec anchor = owner_is_first ? owner.vertices[k] - other.vertices[v] : other.vertices[v] - owner.vertices[k];
+        if (gap < -kBehind - settings_.behind || gap > most_gap || along < 0 || along > length ||
+            !supports(other, v, out))
+          continue;
+        const Vec anchor =
+            owner_is_first ? owner.vertices[k] - other.vertices[v] : other.vertices[v] - owner.vertices[k];
         add({anchor, owner_is_first ? to - from : from - to}, real(at));
       }
     }

@@ -37,7 +37,7 @@ struct TiltRowSettings {
   double reach{};   // rows that have more room than this are left out
   double behind{};  // vertices may lie this far behind the edge that they are to be kept before: the pair overlaps
   Coord spacing{};
-  double unit{};    // of the model's columns, as for row_of
+  double unit{};  // of the model's columns, as for row_of
 };
 
 // The rows of one pair: every half-plane of its free region at the vertex that made it, and the vertices near the same

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kCells = 24;           // about so many better places a free region is chosen
 constexpr double kReach = 0.02;      // of the strip's width: how far one cell looks
-constexpr double kNearlyAll = 0.99;   // of its reach
+constexpr double kNearlyAll = 0.99;  // of its reach
 constexpr double kLeastGain = 1e-3;  // of its freedom: the last cell's was the local optimum
 constexpr double kContact = 1;       // lattice units: less freedom is none
 

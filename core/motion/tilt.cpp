@@ -1,6 +1,7 @@
 #include "core/motion/tilt.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -19,13 +20,27 @@ constexpr double kLeastPart = 1.0 / 8;   // of the first step: smaller ones are 
 constexpr int kCorrections = 3;          // of one step's errors of second order,
 constexpr double kCorrectionTurn = 0.1;  // each turning at most so much of what the one before did
 constexpr int kPartingRounds = 20;       // of separation, when corrections leave overlaps
-constexpr double kTwist = 0.3;           // of a shake: torques beside forces
+constexpr double kPartingGrowth = 5e-3;  // of the length, for that
+
+constexpr std::array<double, 3> kShakes{1, 3, 0.5};  // of a step: how far shakes go, in turn
+constexpr double kTwist = 0.3;                       // of a shake: torques beside forces
+
+Observer stages_of(const Observer& observer) {
+  Observer stages;
+  stages.on_stage = observer.on_stage;
+  return stages;
+}
 
 class Tilter {
  public:
   Tilter(const TiltSettings& settings, SumCache& sums, const std::stop_token& stop, const Observer& observer,
          Tilting& total)
-      : settings_{settings}, sums_{sums}, stop_{stop}, observer_{observer}, total_{total} {}
+      : settings_{settings},
+        sums_{sums},
+        stop_{stop},
+        observer_{observer},
+        stages_{stages_of(observer)},
+        total_{total} {}
 
   // Rounds from the compacted marker, and from what shakes make of the best; leaves that in `total`.
   void run() {
@@ -80,7 +95,9 @@ class Tilter {
                                    settings_.compaction.solver};
     for (int correction = 0; correction <= kCorrections; ++correction) {
       const Scene scene{next, sums_};
-      const TiltStep step = tilt_step(scene, goal, torque, step_settings, stop_, observer_);
+      // Corrections have nothing but overlaps, and length, in view.
+      const TiltStep step = correction == 0 ? tilt_step(scene, goal, torque, step_settings, stop_, observer_)
+                                            : tilt_step(scene, leftwards(start), {}, step_settings, stop_, observer_);
       ++total_.programs;
       if (step.status != LpStatus::kOptimal) return std::nullopt;
       next.pieces = step.pieces;
@@ -94,17 +111,18 @@ class Tilter {
   }
   std::optional<Marker> mended(const Marker& marker) {
     Scene scene{marker, sums_};
-    if (!heal(scene, stop_, observer_)) return std::nullopt;
+    if (!heal(scene, stop_, stages_)) return std::nullopt;
     return scene.result();
   }
-  // Separated by translations, no longer than `allowed`.
-  std::optional<Marker> parted(const Marker& marker, Coord allowed) {
-    const double grow = static_cast<double>(allowed) / static_cast<double>(length_of(marker)) - 1;
+  // Separated by translations, a little longer than `length` if need be: compaction may win that back.
+  std::optional<Marker> parted(const Marker& marker, Coord length) {
+    const double allowed = (1 + kPartingGrowth) * static_cast<double>(length);
+    const double grow = allowed / static_cast<double>(length_of(marker)) - 1;
     SeparationSettings settings;
     settings.rounds = kPartingRounds;
     settings.grow = std::max(0.0, grow);
     settings.solver = settings_.compaction.solver;
-    auto separation = separate(marker, settings, sums_, stop_, observer_);
+    auto separation = separate(marker, settings, sums_, stop_, stages_);
     if (!separation || !separation->apart) return std::nullopt;
     return std::move(separation->marker);
   }
@@ -131,7 +149,7 @@ class Tilter {
   }
 
   std::optional<Marker> compacted(const Marker& marker) {
-    auto compaction = compact(marker, settings_.compaction, sums_, stop_, observer_);
+    auto compaction = compact(marker, settings_.compaction, sums_, stop_, stages_);
     if (!compaction) return std::nullopt;
     total_.programs += compaction->programs;
     return std::move(compaction->marker);
@@ -148,13 +166,14 @@ class Tilter {
       goal.force.push_back({x, even()});
       torque.push_back(kTwist * even());
     }
-    return stepped(marker, goal, torque, 1);
+    return stepped(marker, goal, torque, kShakes[(seed - 1) % kShakes.size()]);
   }
 
   const TiltSettings& settings_;
   SumCache& sums_;
   const std::stop_token& stop_;
   const Observer& observer_;
+  Observer stages_;  // for the motions within a round, whose rounds are not ours
   Tilting& total_;
 };
 
@@ -200,7 +219,7 @@ Result<Tilting> tilt(const Marker& start, const TiltSettings& settings, SumCache
                  "the tilt limit is " + std::to_string(settings.limit->degrees) + " degrees; it must be from 0 to 45",
                  "/limit"};
   }
-  auto compaction = compact(limited(start, settings.limit), settings.compaction, sums, stop, observer);
+  auto compaction = compact(limited(start, settings.limit), settings.compaction, sums, stop, stages_of(observer));
   if (!compaction) return compaction.error();
   Tilting tilting;
   tilting.marker = std::move(compaction->marker);

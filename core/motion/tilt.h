@@ -44,8 +44,8 @@ struct Tilting {
   Marker marker;
   StopReason reason{};
   int rounds{};
-  int programs{};          // linear programs solved, but for those of separation
-  Coord length_before{};   // of the input
+  int programs{};            // linear programs solved, but for those of separation
+  Coord length_before{};     // of the input
   Coord length_compacted{};  // after translational compaction, before any piece was tilted
   Coord length_after{};
   double utilisation_before{}, utilisation_after{};

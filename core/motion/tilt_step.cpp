@@ -13,10 +13,10 @@ namespace {
 
 constexpr double kRadian = 180 / std::numbers::pi;  // degrees
 constexpr double kOverlapPrice = 100;               // of a unit of overlap that stays, beside a unit of length
-constexpr double kClearance = 1e-7;  // parts of the width that pieces are kept apart by, for what is not linear,
-constexpr Coord kLeastClearance = 3;  // and lattice units, for rounded outlines
-constexpr double kLeastArc = 1;          // lattice units: a smaller turn changes nothing but rounding
-constexpr double kLengthSpare = 1e-2;               // column units the length may grow by in a program, for rows' margins
+constexpr double kClearance = 1e-7;    // parts of the width that pieces are kept apart by, for what is not linear,
+constexpr Coord kLeastClearance = 3;   // and lattice units, for rounded outlines
+constexpr double kLeastArc = 1;        // lattice units: a smaller turn changes nothing but rounding
+constexpr double kLengthSpare = 1e-2;  // column units the length may grow by in a program, for rows' margins
 
 // How the piece's position must move for its pivot to stay when it turns.
 Displacement held_pivot(const PlacedPolygon& piece, double radians) {
@@ -65,7 +65,8 @@ class Program {
       if (overlaps) target = separation_target(scene_, pair, TargetRule::kNearest);
       const RegionSettings region{RegionRule::kGreedy, 1.5 * reach + static_cast<double>(spacing), spacing};
       const auto sides = free_region(scene_.obstacle(pair), target.about, region);
-      const TiltRowSettings row{turn_, 1.5 * reach, overlaps ? 2 * target.depth : 0, spacing + clearance(), model_.positions().unit()};
+      const TiltRowSettings row{turn_, 1.5 * reach, overlaps ? 2 * target.depth : 0, spacing + clearance(),
+                                model_.positions().unit()};
       const auto rows = tilt_rows(pair, scene_.pieces[p], scene_.pieces[q], sides, row);
       std::optional<int> give;
       if (std::any_of(rows.begin(), rows.end(), [](const TiltRow& made) { return made.row.bound > 0; })) {

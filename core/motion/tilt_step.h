@@ -15,8 +15,8 @@
 namespace selvage {
 
 struct TiltStepSettings {
-  Angle turn;         // no piece turns farther
-  double trust{};     // no pivot moves farther on an axis than this part of the strip's width
+  Angle turn;      // no piece turns farther
+  double trust{};  // no pivot moves farther on an axis than this part of the strip's width
   SolverChoice solver{};
 };
 

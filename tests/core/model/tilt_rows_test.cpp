@@ -15,7 +15,8 @@ using test::Layout;
 
 constexpr double kTurn = 1e-4;  // radians
 
-// Row by row of the first pair, what a turn of either piece leaves of the room in the contact, beside what the row says.
+// Row by row of the first pair, what a turn of either piece leaves of the room in the contact, beside what the row
+// says.
 std::vector<TiltRow> rows_of(const Marker& marker, double turn = 0.01) {
   SumCache sums;
   const PlacedPieces pieces{marker};
@@ -78,7 +79,8 @@ TEST(TiltRows, EdgesAlongEachOtherAreHeldAtBothEnds) {
   const auto rows = rows_of(layout.marker());
   // Whichever way either turns, some row forbids it.
   for (const double sign : {1.0, -1.0}) {
-    EXPECT_TRUE(std::any_of(rows.begin(), rows.end(), [&](const TiltRow& r) { return sign * r.second_turn < -90'000; }));
+    EXPECT_TRUE(
+        std::any_of(rows.begin(), rows.end(), [&](const TiltRow& r) { return sign * r.second_turn < -90'000; }));
     EXPECT_TRUE(std::any_of(rows.begin(), rows.end(), [&](const TiltRow& r) { return sign * r.first_turn < -90'000; }));
   }
   for (const TiltRow& row : rows) EXPECT_GE(row.row.bound, -1e-9);

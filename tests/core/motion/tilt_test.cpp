@@ -46,8 +46,8 @@ Marker leaning_bar(double degrees) {
   return marker;
 }
 
-// Two upright wedges that need 470 mm as they stand, and about 435 mm when the right one leans on the left one's slant of
-// two degrees.
+// Two upright wedges that need 470 mm as they stand, and about 435 mm when the right one leans on the left one's slant
+// of two degrees.
 Marker wedges(double limit) {
   Layout layout{1'100'000};
   const auto left = layout.shape_of({{0, 0}, {300'000, 0}, {335'000, 1'000'000}, {0, 1'000'000}});
@@ -72,7 +72,8 @@ TEST(Tilt, AWedgeLeansOnAWedge) {
   const Tilting result = tilted_marker(wedges(3), settings_of(TiltMethod::kLinearisation));
   EXPECT_EQ(result.length_compacted, 470'000);
   EXPECT_LT(result.length_after, 436'000);
-  const double between = result.marker.pieces[0].orientation.tilt.degrees - result.marker.pieces[1].orientation.tilt.degrees;
+  const double between =
+      result.marker.pieces[0].orientation.tilt.degrees - result.marker.pieces[1].orientation.tilt.degrees;
   EXPECT_NEAR(between, 2.0, 0.1);
 }
 
@@ -134,7 +135,8 @@ TEST(Tilt, EveryPieceIsItsOriginalShapeRoundedOnce) {
     const Polygon outline = placed_outline(result.marker, PieceId{i});
     const Polygon& shape = marker.shapes[after.shape.value].outline;
     ASSERT_EQ(outline.size(), shape.size());
-    const double angle = (after.orientation.rotation.degrees + after.orientation.tilt.degrees) * 3.141592653589793 / 180;
+    const double angle =
+        (after.orientation.rotation.degrees + after.orientation.tilt.degrees) * 3.141592653589793 / 180;
     for (std::size_t k = 0; k < shape.size(); ++k) {
       const auto x = static_cast<double>(shape[k].x);
       const auto y = static_cast<double>(shape[k].y);
