@@ -1,18 +1,12 @@
 #include "protocol/codec.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "protocol/fields.h"
 #include "protocol/formats/decimal_marker.h"
 #include "protocol/json_rpc.h"
+#include "protocol/methods/motion.h"
 
 namespace selvage {
-namespace {
 
-constexpr std::int64_t kLargestRevision = std::int64_t{1} << 53;  // what every client's numbers hold
-
-// The id alone, for the methods that take nothing else.
 Result<std::string> decode_marker_id(const Json& params) {
   Mistake mistake;
   Fields fields{params, "", mistake};
@@ -21,66 +15,6 @@ Result<std::string> decode_marker_id(const Json& params) {
   if (mistake) return mistake.error();
   return id;
 }
-
-MotionCall read_call(Fields& fields) {
-  MotionCall call;
-  call.marker_id = fields.text("markerId");
-  if (const auto revision = fields.maybe_integer("baseRev", 1, kLargestRevision)) {
-    call.base_revision = static_cast<Revision>(*revision);
-  }
-  call.commit = fields.flag_or("commit", call.commit);
-  call.timing = fields.flag_or("timing", call.timing);
-  return call;
-}
-
-Effort read_effort(Fields& fields) {
-  Effort effort;
-  effort.accuracy =
-      static_cast<Accuracy>(fields.word_or("accuracy", static_cast<std::size_t>(effort.accuracy), kAccuracyNames));
-  if (const auto rounds = fields.maybe_integer("rounds", 0, kMaxRounds)) effort.rounds = static_cast<int>(*rounds);
-  return effort;
-}
-
-Direction read_direction(Fields& fields, std::string_view key, Mistake& mistake) {
-  const std::string at = fields.pointer(key);
-  const Json& value = fields.array(key);
-  if (mistake) return {};
-  if (value.size() != 2) {
-    mistake.add(ErrorCode::kWrongType, shortened(value) + " where [x, y] is required", at);
-    return {};
-  }
-  constexpr Range kAllowed{-kLargestForce, kLargestForce};
-  const Direction read{checked_number(value[0], kAllowed, mistake, at + "/0"),
-                       checked_number(value[1], kAllowed, mistake, at + "/1")};
-  if (std::max(std::abs(read.x), std::abs(read.y)) < kLeastForce) {
-    mistake.add(ErrorCode::kOutOfRange,
-                shortened(value) + " leads nowhere; [x, y] with x or y of at least " + number_text(kLeastForce) +
-                    " either way is allowed",
-                at);
-  }
-  return read;
-}
-
-std::vector<std::pair<std::string, Direction>> read_forces(Fields& fields, Mistake& mistake) {
-  const Json& list = fields.array("forces");
-  if (mistake) return {};
-  if (list.empty() || list.size() > kMaxForces) {
-    mistake.add(ErrorCode::kOutOfRange,
-                std::to_string(list.size()) + " forces; 1 to " + std::to_string(kMaxForces) + " are allowed",
-                fields.pointer("forces"));
-  }
-  std::vector<std::pair<std::string, Direction>> forces;
-  for (std::size_t k = 0; k < list.size() && !mistake; ++k) {
-    Fields force{list[k], fields.pointer("forces") + "/" + std::to_string(k), mistake};
-    std::string piece = force.id("piece");
-    const Direction direction = read_direction(force, "force", mistake);
-    force.finish();
-    forces.emplace_back(std::move(piece), direction);
-  }
-  return forces;
-}
-
-}  // namespace
 
 Result<NoParams> decode_no_params(const Json& params) {
   Mistake mistake;
@@ -107,74 +41,10 @@ Result<MarkerOpen> decode_marker_open(const Json& params) {
   return MarkerOpen{*std::move(spaced)};
 }
 
-Result<MarkerGet> decode_marker_get(const Json& params) {
-  Mistake mistake;
-  Fields fields{params, "", mistake};
-  MarkerGet get;
-  get.marker_id = fields.text("markerId");
-  get.format = static_cast<Format>(fields.word_or("format", static_cast<std::size_t>(get.format), kFormatNames));
-  fields.finish();
-  if (mistake) return mistake.error();
-  return get;
-}
-
-Result<MarkerCheck> decode_marker_check(const Json& params) {
-  auto id = decode_marker_id(params);
-  if (!id) return id.error();
-  return MarkerCheck{*std::move(id)};
-}
-
 Result<MarkerClose> decode_marker_close(const Json& params) {
   auto id = decode_marker_id(params);
   if (!id) return id.error();
   return MarkerClose{*std::move(id)};
-}
-
-Result<MotionCompact> decode_motion_compact(const Json& params) {
-  Mistake mistake;
-  Fields fields{params, "", mistake};
-  MotionCompact compact;
-  compact.call = read_call(fields);
-  compact.effort = read_effort(fields);
-  fields.finish();
-  if (mistake) return mistake.error();
-  return compact;
-}
-
-Result<MotionPush> decode_motion_push(const Json& params) {
-  Mistake mistake;
-  Fields fields{params, "", mistake};
-  MotionPush push;
-  push.call = read_call(fields);
-  push.forces = read_forces(fields, mistake);
-  push.effort = read_effort(fields);
-  fields.finish();
-  if (mistake) return mistake.error();
-  return push;
-}
-
-Result<MotionGravity> decode_motion_gravity(const Json& params) {
-  Mistake mistake;
-  Fields fields{params, "", mistake};
-  MotionGravity gravity;
-  gravity.call = read_call(fields);
-  gravity.force = read_direction(fields, "force", mistake);
-  gravity.effort = read_effort(fields);
-  fields.finish();
-  if (mistake) return mistake.error();
-  return gravity;
-}
-
-Result<MotionBump> decode_motion_bump(const Json& params) {
-  Mistake mistake;
-  Fields fields{params, "", mistake};
-  MotionBump bump;
-  bump.call = read_call(fields);
-  bump.piece = fields.id("piece");
-  bump.direction = read_direction(fields, "direction", mistake);
-  fields.finish();
-  if (mistake) return mistake.error();
-  return bump;
 }
 
 Json encode(const CacheCounts& cache) {
@@ -235,28 +105,36 @@ Json healing_json(const Healing& healing, Resolution resolution) {
           {"lengthened", to_decimal(healing.lengthened, resolution)}};
 }
 
-Json validity_json(const Marker& marker, const Validity& validity) {
+Json overlaps_json(const Marker& marker, const std::vector<Overlap>& overlaps) {
   const auto length = [&](double lattice) { return in_unit(lattice, marker.resolution); };
   const auto id_of = [&](PieceId piece) { return marker.pieces[piece.value].id; };
-  Json overlaps = Json::array();
-  for (const Overlap& overlap : validity.overlaps) {
-    overlaps.push_back({{"first", id_of(overlap.first)},
-                        {"second", id_of(overlap.second)},
-                        {"witness", Json::array({length(overlap.witness_x), length(overlap.witness_y)})},
-                        {"depth", length(overlap.depth)}});
+  Json list = Json::array();
+  for (const Overlap& overlap : overlaps) {
+    list.push_back({{"first", id_of(overlap.first)},
+                    {"second", id_of(overlap.second)},
+                    {"witness", Json::array({length(overlap.witness_x), length(overlap.witness_y)})},
+                    {"depth", length(overlap.depth)}});
   }
+  return list;
+}
+
+Json validity_json(const Marker& marker, const Validity& validity) {
   Json protrusions = Json::array();
   for (const Protrusion& protrusion : validity.protrusions) {
-    protrusions.push_back({{"piece", id_of(protrusion.piece)}, {"by", to_decimal(protrusion.by, marker.resolution)}});
+    protrusions.push_back(
+        {{"piece", marker.pieces[protrusion.piece.value].id}, {"by", to_decimal(protrusion.by, marker.resolution)}});
   }
-  return {{"valid", validity.valid()}, {"overlaps", std::move(overlaps)}, {"protrusions", std::move(protrusions)}};
+  return {{"valid", validity.valid()},
+          {"overlaps", overlaps_json(marker, validity.overlaps)},
+          {"protrusions", std::move(protrusions)}};
 }
 
 Json changed_placements(const Marker& before, const Marker& after) {
   Json changed = Json::array();
-  for (std::size_t i = 0; i < after.pieces.size(); ++i) {
-    const Piece& piece = after.pieces[i];
-    if (piece.at == before.pieces[i].at && piece.orientation == before.pieces[i].orientation) continue;
+  auto was = before.pieces.begin();
+  for (const Piece& piece : after.pieces) {
+    while (was != before.pieces.end() && was->id != piece.id) ++was;
+    if (was != before.pieces.end() && piece.at == was->at && piece.orientation == was->orientation) continue;
     changed.push_back({{"id", piece.id},
                        {"at", point_json(piece.at, after.resolution)},
                        {"rotation", piece.orientation.rotation.degrees},

@@ -5,32 +5,33 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/marker/validity.h"
+#include "core/motion/heal.h"
 #include "protocol/json_text.h"
 #include "protocol/messages.h"
+#include "protocol/stage_times.h"
 
 namespace selvage {
+
+// {"markerId"} alone, for the methods that take nothing else.
+[[nodiscard]] Result<std::string> decode_marker_id(const Json& params);
 
 struct NoParams {};
 [[nodiscard]] Result<NoParams> decode_no_params(const Json& params);  // engine.info
 [[nodiscard]] Result<MarkerOpen> decode_marker_open(const Json& params);
-[[nodiscard]] Result<MarkerGet> decode_marker_get(const Json& params);
-[[nodiscard]] Result<MarkerCheck> decode_marker_check(const Json& params);
 [[nodiscard]] Result<MarkerClose> decode_marker_close(const Json& params);
-[[nodiscard]] Result<MotionCompact> decode_motion_compact(const Json& params);
-[[nodiscard]] Result<MotionPush> decode_motion_push(const Json& params);
-[[nodiscard]] Result<MotionGravity> decode_motion_gravity(const Json& params);
-[[nodiscard]] Result<MotionBump> decode_motion_bump(const Json& params);
 
 [[nodiscard]] Json encode(const EngineInfo& info);
 [[nodiscard]] Json encode(const MarkerOpened& opened);
 [[nodiscard]] Json encode(const MarkerClosed& closed);
 
-// {"valid", "overlaps": [{"first", "second", "witness": [x, y], "depth"}], "protrusions": [{"piece", "by"}]},
-// pieces by their ids, distances in the marker's unit.
+// [{"first", "second", "witness": [x, y], "depth"}], pieces by their ids, distances in the marker's unit.
+[[nodiscard]] Json overlaps_json(const Marker& marker, const std::vector<Overlap>& overlaps);
+// {"valid", "overlaps", "protrusions": [{"piece", "by"}]}
 [[nodiscard]] Json validity_json(const Marker& marker, const Validity& validity);
 
-// [{"id", "at", "rotation", "flip", "tilt"}] of the pieces whose placement differs.  REQUIRES: the same
-// pieces.
+// [{"id", "at", "rotation", "flip", "tilt"}] of the pieces whose placement differs, or that are new.  Pieces that are
+// gone are not told of.  REQUIRES: pieces in the same order.
 [[nodiscard]] Json changed_placements(const Marker& before, const Marker& after);
 
 // {"pairs", "protruding", "deepest", "farthestMove", "lengthened"}, lengths in the marker's unit.

@@ -10,6 +10,8 @@ namespace selvage {
 
 void add_compact_command(CLI::App& app, ExitCode& code);
 void add_bump_command(CLI::App& app, ExitCode& code);
+void add_separate_command(CLI::App& app, ExitCode& code);
+void add_float_command(CLI::App& app, ExitCode& code);
 void add_call_command(CLI::App& app, ExitCode& code);
 void add_check_command(CLI::App& app, ExitCode& code);
 void add_show_command(CLI::App& app, ExitCode& code);

@@ -2,7 +2,7 @@
 
 #include "clients/cli/commands.h"
 #include "clients/cli/marker_run.h"
-#include "protocol/messages.h"
+#include "protocol/methods/motion.h"
 
 namespace selvage {
 namespace {

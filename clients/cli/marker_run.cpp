@@ -12,6 +12,7 @@
 #include "clients/cli/summary.h"
 #include "protocol/formats/svg.h"
 #include "protocol/marker_methods.h"
+#include "protocol/methods/motion.h"
 
 namespace selvage {
 namespace {
@@ -118,11 +119,12 @@ ExitCode run_on_marker(std::string_view name, Json params, const MarkerFiles& fi
   std::ostream& summary = standard_outputs(files) > 0 ? std::cerr : std::cout;
   summary << told(*call, *answer, file->marker, times, sums.counts(), telling) << std::flush;
   const bool valid = answer->fields.value("valid", true);
-  if (!valid) return ExitCode::kNotValid;
+  if (!valid && !answer->next) return ExitCode::kNotValid;
 
   const Coord length_before = length_of(file->marker);
   if (answer->next) file->marker = *std::move(answer->next);
   if (const auto error = save(files, *file, length_before)) return fail(*error, exit_code_of(*error));
+  if (!valid) return ExitCode::kNotValid;
   return answer->fields.value("stop", "") == name_of(StopReason::kCancelled) ? ExitCode::kCancelled : ExitCode::kOk;
 }
 

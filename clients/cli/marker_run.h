@@ -32,7 +32,7 @@ enum class Telling {
 };
 
 // Runs the method as a daemon would that has just opened the marker: as "m1", at revision 1.  What is not
-// proved valid is not written.  REQUIRES: marker_methods.h has the method.
+// proved valid is not written, unless the call asks for it.  REQUIRES: marker_methods.h has the method.
 [[nodiscard]] ExitCode run_on_marker(std::string_view method, Json params, const MarkerFiles& files, Telling telling);
 
 }  // namespace selvage

@@ -69,6 +69,18 @@ std::string place_line(const Json& fields, const std::string& unit) {
   return out + by + "\n";
 }
 
+// What a separation left, and left out.
+std::string parting_lines(const Json& fields, const std::string& unit) {
+  std::string out = "  moved        " + significant(fields["moved"]) + unit + " in all, " +
+                    significant(fields["farthestMove"]) + unit + " at most\n";
+  for (const Json& pair : fields["remaining"]) {
+    out += "  overlapping  " + pair["first"].get<std::string>() + " and " + pair["second"].get<std::string>() + " by " +
+           significant(pair["depth"]) + unit + "\n";
+  }
+  for (const Json& id : fields["popped"]) out += "  popped out   " + id.get<std::string>() + "\n";
+  return out;
+}
+
 }  // namespace
 
 std::string json_line(const Json& fields, const StageTimes& times, const CacheCounts& cache) {
@@ -90,6 +102,10 @@ std::string plain_summary(const Json& f, const StageTimes& times, const Marker& 
   std::string out = (marker.name.empty() ? "marker" : marker.name) + ": " + counted(f["pieces"], "piece") + "\n";
   out += healed_line(f["healed"], unit);
   if (f.contains("at")) out += place_line(f, unit);
+  if (f.contains("remaining")) out += parting_lines(f, unit);
+  if (f.contains("leastAfter")) {
+    out += "  least gap    " + significant(f["leastBefore"]) + " -> " + significant(f["leastAfter"]) + unit + "\n";
+  }
   if (f.contains("gain")) out += "  gain         " + significant(f["gain"]) + unit + "\n";
   out += "  length       " + number_text(before) + " -> " + number_text(after) + unit + "  (" +
          rounded(100 * (after / before - 1), 3) + " %)\n";

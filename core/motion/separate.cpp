@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 #include <string>
 
@@ -49,7 +50,13 @@ class Rounds {
  public:
   Rounds(Scene& scene, const std::vector<Vec>& home, Coord free, Coord allowed, const SeparationSettings& settings,
          const Observer& observer)
-      : scene_{scene}, home_{home}, free_{free}, allowed_{allowed}, settings_{settings}, observer_{observer} {}
+      : scene_{scene},
+        home_{home},
+        aim_{home},
+        free_{free},
+        allowed_{allowed},
+        settings_{settings},
+        observer_{observer} {}
 
   // Leaves the pieces parted, or where they overlap least; counts in `total`.
   Ending run(Separation& total, const std::stop_token& stop) {
@@ -58,7 +65,10 @@ class Rounds {
     const Best start{scene_.pieces.positions(), left()};
     best_ = start;
     const StopReason reason = go(total, stop);
-    if (apart()) return {StopReason::kConverged, true};
+    if (apart()) {
+      come_home(total, stop);
+      return {StopReason::kConverged, true};
+    }
     settle(start);
     return {reason, apart()};
   }
@@ -92,8 +102,11 @@ class Rounds {
       if (stop.stop_requested()) return StopReason::kCancelled;
       if (total.rounds == last) return StopReason::kWorkLimit;
       if (idle == kPatience) return StopReason::kConverged;
-      if (idle > 0 && idle % kLeapAfter == 0) leap(idle / kLeapAfter);
-      const PartingStep step = parting_step(scene_, parting_, home_, program_settings(), stop, observer_);
+      if (idle > 0 && idle % kLeapAfter == 0) {
+        leap(idle / kLeapAfter);
+        if (apart()) break;
+      }
+      const PartingStep step = parting_step(scene_, parting_, aim_, program_settings(), stop, observer_);
       ++total.programs;
       if (step.status != LpStatus::kOptimal) {
         return step.status == LpStatus::kStopped ? StopReason::kCancelled : StopReason::kSolverFailed;
@@ -106,6 +119,32 @@ class Rounds {
       if (left() < best_.left) best_ = {scene_.pieces.positions(), left()};
     }
     return StopReason::kConverged;
+  }
+
+  // Pieces that leapt aimed at where they landed: once all are apart, they come as near to where they were as they can.
+  void come_home(Separation& total, const std::stop_token& stop) {
+    if (aim_ == home_) return;
+    const std::vector<Vec> parted = scene_.pieces.positions();
+    const auto width = static_cast<double>(scene_.marker.strip.width);
+    PartingSettings settings = program_settings();
+    settings.reach = kMostReach * width;
+    const PartingStep step = parting_step(scene_, parting_, home_, settings, stop, observer_);
+    ++total.programs;
+    if (step.status != LpStatus::kOptimal) return;
+    scene_.pieces.place(step.positions);
+    put_back(scene_, kLatticeLimit);
+    look();
+    if (apart() && way_home(scene_.pieces.positions()) < way_home(parted)) return;
+    scene_.pieces.place(parted);
+    look();
+  }
+  [[nodiscard]] double way_home(const std::vector<Vec>& from) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      const Vec way = home_[i] - from[i];
+      sum += static_cast<double>(std::abs(way.x)) + static_cast<double>(std::abs(way.y));
+    }
+    return sum;
   }
 
   // The best of what was seen, without the length that was overdrawn; no worse than the start.
@@ -138,25 +177,34 @@ class Rounds {
     }
   }
 
-  // Of every pair that overlaps still, the piece that has the cheaper place to go to leaps there.
+  // Of every pair that overlaps still, the piece that has the cheaper place to go to leaps there; so does every piece
+  // that only fits by overdrawing the length.
   void leap(int times) {
     observer_.on_stage(Stage::kOther);
     for (const auto& [pair, target, price] : parting_) {
-      std::optional<Leap> best;
-      std::uint32_t leaping{};
-      for (const std::uint32_t piece : {pair.first, pair.second}) {
-        if (scene_.fixed(piece)) continue;
-        const Leap found = cheapest_leap(scene_, piece, kLeapReach * target.depth * times, allowed_, prices_);
-        if (best && best->cost <= found.cost) continue;
-        best = found;
-        leaping = piece;
-      }
-      if (!best) continue;
-      std::vector<Vec> positions = scene_.pieces.positions();
-      positions[leaping] = best->to;
-      scene_.pieces.place(std::move(positions));
+      leap_one({pair.first, pair.second}, kLeapReach * target.depth * times);
+    }
+    for (std::uint32_t i = 0; i < scene_.pieces.size(); ++i) {
+      const Coord beyond = scene_.pieces.box(i).high.x - allowed_;
+      if (beyond > 0) leap_one({i}, kLeapReach * static_cast<double>(beyond) * times);
     }
     look();
+  }
+  void leap_one(std::initializer_list<std::uint32_t> candidates, double reach) {
+    std::optional<Leap> best;
+    std::uint32_t leaping{};
+    for (const std::uint32_t piece : candidates) {
+      if (scene_.fixed(piece)) continue;
+      const Leap found = cheapest_leap(scene_, piece, reach, allowed_, prices_);
+      if (best && best->cost <= found.cost) continue;
+      best = found;
+      leaping = piece;
+    }
+    if (!best) return;
+    std::vector<Vec> positions = scene_.pieces.positions();
+    positions[leaping] = best->to;
+    scene_.pieces.place(std::move(positions));
+    aim_[leaping] = best->to;
   }
 
   [[nodiscard]] PartingSettings program_settings() const {
@@ -174,7 +222,8 @@ class Rounds {
   }
 
   Scene& scene_;
-  const std::vector<Vec>& home_;
+  const std::vector<Vec>& home_;  // where the pieces were
+  std::vector<Vec> aim_;          // where they would best be: there, or where they leapt to
   Coord free_, allowed_;
   const SeparationSettings& settings_;
   const Observer& observer_;

@@ -187,6 +187,47 @@ class Bump(CliTest):
         self.assertIn('"p0" and "p1"', ran.stderr)
 
 
+class Separate(CliTest):
+    def test_parts_deep_overlaps_within_the_length_when_it_can(self):
+        ran = run("separate", self.write(squares((0, 0), (30, 0))), "-o", self.path("out.json"), "--json")
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        line = json.loads(ran.stdout)
+        self.assertEqual((line["apart"], line["length_after"], line["moved"]), (True, 70, 40))
+        self.assertEqual(run("check", self.path("out.json")).returncode, OK)
+
+    def test_grows_only_when_told(self):
+        three = squares((0, 0), (0, 60), (30, 30))
+        held = run("separate", self.write(three), "--json", "-o", self.path("out.json"))
+        self.assertEqual(held.returncode, NOT_VALID)
+        self.assertFalse(self.path("out.json").exists())
+        self.assertTrue(json.loads(held.stdout)["remaining"])
+        grown = run("separate", self.write(three), "--json", "--grow", 20)
+        self.assertEqual((grown.returncode, json.loads(grown.stdout)["length_after"]), (OK, 80))
+
+    def test_partial_writes_what_was_reached_and_says_it_is_not_valid(self):
+        crowd = self.write(squares((0, 0), (0, 30), (0, 60), (0, 10)))
+        ran = run("separate", crowd, "--partial", "--json", "-o", self.path("out.json"))
+        self.assertEqual(ran.returncode, NOT_VALID)
+        self.assertEqual(run("check", self.path("out.json")).returncode, NOT_VALID)
+
+    def test_pops_out_what_holds_up_the_rest(self):
+        ran = run("separate", self.write(squares((0, 0), (0, 30), (0, 60))), "--pop-out", "--json", "-o",
+                  self.path("out.json"))
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        self.assertEqual(len(json.loads(ran.stdout)["popped"]), 1)
+        self.assertEqual(len(json.loads(self.path("out.json").read_text())["pieces"]), 2)
+
+
+class Float(CliTest):
+    def test_shares_out_the_free_space_at_no_length(self):
+        ran = run("float", self.write(squares((0, 0), (0, 40), (60, 0))), "--distance", 20, "--json", "-o",
+                  self.path("out.json"))
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        line = json.loads(ran.stdout)
+        self.assertEqual((line["least_before"], line["least_after"], line["reached"]), (0, 20, True))
+        self.assertEqual(line["length_after"], 100)
+
+
 class Call(CliTest):
     def call(self, method, params, *more, marker=None):
         return run("call", method, "--marker", marker or self.marker, "--params", "-", *more,

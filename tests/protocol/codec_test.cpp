@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "protocol/methods/bump.h"
+#include "protocol/methods/compact.h"
+#include "protocol/methods/push.h"
+#include "protocol/methods/reading.h"
 #include "tests/protocol/samples.h"
 
 namespace selvage {

@@ -1,0 +1,46 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "clients/cli/commands.h"
+#include "clients/cli/marker_run.h"
+#include "protocol/methods/float.h"
+
+namespace selvage {
+namespace {
+
+struct FloatOptions {
+  MarkerFiles files;
+  double distance{};
+  std::string mode{kFloatModeNames[0]};
+  bool edges{}, json{};
+};
+
+ExitCode run(const FloatOptions& options) {
+  Json params{{"distance", options.distance}, {"mode", options.mode}, {"edges", options.edges}};
+  return run_on_marker("motion.float", std::move(params), options.files,
+                       options.json ? Telling::kLine : Telling::kSummary);
+}
+
+}  // namespace
+
+void add_float_command(CLI::App& app, ExitCode& code) {
+  auto options = std::make_shared<FloatOptions>();
+  CLI::App* command = app.add_subcommand("float", "Share out the free space among the gaps between pieces");
+  add_marker_in(*command, options->files);
+  command->add_option("--distance", options->distance, "Wider than this no gap need be, in the marker's unit")
+      ->required();
+  command->add_option("--mode", options->mode, "What to make of the gaps")
+      ->check(CLI::IsMember(std::vector<std::string>{std::begin(kFloatModeNames), std::end(kFloatModeNames)}))
+      ->capture_default_str();
+  command->add_flag("--edges", options->edges, "Gaps to the strip's edges count, too");
+  add_marker_files(*command, options->files);
+  command->add_flag("--json", options->json, "Print one line of JSON instead of the summary");
+  command->footer(kExitCodesHelp);
+  command->callback([options, &code] {
+    refuse_mixed_streams(options->files);
+    code = run(*options);
+  });
+}
+
+}  // namespace selvage

@@ -1,0 +1,45 @@
+#include <memory>
+
+#include "clients/cli/commands.h"
+#include "clients/cli/marker_run.h"
+#include "protocol/methods/separate.h"
+
+namespace selvage {
+namespace {
+
+constexpr double kPerCent = 100;
+
+struct SeparateOptions {
+  MarkerFiles files;
+  double grow{};  // per cent of the length
+  bool pop_out{}, partial{}, json{};
+};
+
+ExitCode run(const SeparateOptions& options) {
+  Json params{{"grow", options.grow / kPerCent}, {"popOut", options.pop_out}, {"partial", options.partial}};
+  return run_on_marker("motion.separate", std::move(params), options.files,
+                       options.json ? Telling::kLine : Telling::kSummary);
+}
+
+}  // namespace
+
+void add_separate_command(CLI::App& app, ExitCode& code) {
+  auto options = std::make_shared<SeparateOptions>();
+  CLI::App* command =
+      app.add_subcommand("separate", "Part overlapping pieces, moving all of them as little as it takes");
+  add_marker_in(*command, options->files);
+  command->add_option("--grow", options->grow, "The marker may become longer by this many per cent")
+      ->check(CLI::Range(0.0, kPerCent * kMostGrowth))
+      ->capture_default_str();
+  command->add_flag("--pop-out", options->pop_out, "Leave out pieces that hold up the rest, and name them");
+  command->add_flag("--partial", options->partial, "Write what was reached even when pieces still overlap");
+  add_marker_files(*command, options->files);
+  command->add_flag("--json", options->json, "Print one line of JSON instead of the summary");
+  command->footer(kExitCodesHelp);
+  command->callback([options, &code] {
+    refuse_mixed_streams(options->files);
+    code = run(*options);
+  });
+}
+
+}  // namespace selvage

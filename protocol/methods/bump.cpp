@@ -1,0 +1,46 @@
+#include "protocol/methods/bump.h"
+
+#include <array>
+
+#include "protocol/formats/decimal_marker.h"
+#include "protocol/methods/families.h"
+
+namespace selvage {
+namespace {
+
+Result<Motion> run(const MotionBump& wanted, const Marker& start, const Means& means) {
+  const auto piece = piece_of(start, wanted.piece, "/piece");
+  if (!piece) return piece.error();
+  auto done =
+      means.engine.bump(start, *piece, wanted.direction.x, wanted.direction.y, means.sums, means.stop, means.observer);
+  if (!done) return done.error();
+  Json touching = Json::array();
+  for (const std::uint32_t other : done->bump.touching) touching.push_back(start.pieces[other].id);
+  Json figures{{"at", point_json(done->bump.at, start.resolution)},
+               {"gain", in_unit(done->bump.gain, start.resolution)},
+               {"touching", std::move(touching)},
+               {"moved", done->bump.at != start.pieces[piece->value].at}};
+  return Motion{std::move(done->marker), std::move(figures), done->healing};
+}
+
+constexpr std::array kMethods{MarkerMethod{"motion.bump", true, &read_motion<decode_motion_bump, run>}};
+
+}  // namespace
+
+Result<MotionBump> decode_motion_bump(const Json& params) {
+  Mistake mistake;
+  Fields fields{params, "", mistake};
+  MotionBump bump;
+  bump.call = read_call(fields);
+  bump.piece = fields.id("piece");
+  bump.direction = read_direction(fields, "direction", mistake);
+  fields.finish();
+  if (mistake) return mistake.error();
+  return bump;
+}
+
+std::span<const MarkerMethod> bumping_methods() {
+  return kMethods;
+}
+
+}  // namespace selvage

@@ -1,0 +1,35 @@
+#include "protocol/methods/compact.h"
+
+#include <array>
+
+#include "protocol/methods/families.h"
+
+namespace selvage {
+namespace {
+
+Result<Motion> run(const MotionCompact& wanted, const Marker& start, const Means& means) {
+  auto done = means.engine.compact(start, settings_of(wanted.effort), means.sums, means.stop, means.observer);
+  if (!done) return done.error();
+  return Motion{std::move(done->marker), rounds_json(done->rounds, done->reason), done->healing};
+}
+
+constexpr std::array kMethods{MarkerMethod{"motion.compact", true, &read_motion<decode_motion_compact, run>}};
+
+}  // namespace
+
+Result<MotionCompact> decode_motion_compact(const Json& params) {
+  Mistake mistake;
+  Fields fields{params, "", mistake};
+  MotionCompact compact;
+  compact.call = read_call(fields);
+  compact.effort = read_effort(fields);
+  fields.finish();
+  if (mistake) return mistake.error();
+  return compact;
+}
+
+std::span<const MarkerMethod> compaction_methods() {
+  return kMethods;
+}
+
+}  // namespace selvage

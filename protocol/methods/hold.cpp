@@ -1,0 +1,69 @@
+// marker.hold: what holds a marker's length.
+#include <array>
+
+#include "core/motion/hold.h"
+#include "protocol/codec.h"
+#include "protocol/formats/decimal_marker.h"
+#include "protocol/methods/families.h"
+#include "protocol/methods/reading.h"
+
+namespace selvage {
+namespace {
+
+constexpr std::string_view kEdgeNames[] = {"left", "right", "bottom", "top"};  // by Edge
+
+// marker.hold {"markerId"}
+struct MarkerHold {
+  std::string marker_id;
+};
+
+Result<MarkerHold> decode(const Json& params) {
+  auto id = decode_marker_id(params);
+  if (!id) return id.error();
+  return MarkerHold{*std::move(id)};
+}
+
+Json contacts_json(const Marker& marker, const std::vector<LoadedContact>& contacts) {
+  Json list = Json::array();
+  for (const LoadedContact& contact : contacts) {
+    Json told{{"piece", marker.pieces[contact.first.value].id}};
+    if (contact.second) {
+      told["other"] = marker.pieces[contact.second->value].id;
+    } else {
+      told["edge"] = kEdgeNames[static_cast<std::size_t>(contact.edge)];
+    }
+    told["worth"] = contact.worth;
+    told["at"] = Json::array({in_unit(contact.at.x, marker.resolution), in_unit(contact.at.y, marker.resolution)});
+    list.push_back(std::move(told));
+  }
+  return list;
+}
+
+Json tilts_json(const Marker& marker, const std::vector<TiltWorth>& tilts) {
+  Json list = Json::array();
+  for (const TiltWorth& tilt : tilts) {
+    list.push_back(
+        {{"piece", marker.pieces[tilt.piece.value].id}, {"perDegree", in_unit(tilt.per_degree, marker.resolution)}});
+  }
+  return list;
+}
+
+Result<MethodAnswer> run(const MarkerHold&, const MarkerFile& file, const Means& means) {
+  const auto hold = what_holds(file.marker, means.sums, means.stop);
+  if (!hold) return hold.error();
+  return MethodAnswer{{{"length", to_decimal(length_of(file.marker), file.marker.resolution)},
+                       {"contacts", contacts_json(file.marker, hold->contacts)},
+                       {"tilts", tilts_json(file.marker, hold->tilts)},
+                       {"perSpacing", hold->per_spacing}},
+                      std::nullopt};
+}
+
+constexpr std::array kMethods{MarkerMethod{"marker.hold", false, &read_reading<decode, run>}};
+
+}  // namespace
+
+std::span<const MarkerMethod> holding_methods() {
+  return kMethods;
+}
+
+}  // namespace selvage

@@ -1,0 +1,59 @@
+// What a method on one marker is: its name, its words, and how it is read and run.
+//
+// A method's parameters are read first, without the marker; what was read then runs on a marker and answers with fields
+// and, when it changed the marker, with its next state.  Which markers there are, their revisions, threads and clocks
+// are the caller's.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <string_view>
+
+#include "protocol/engine.h"
+#include "protocol/formats/format.h"
+#include "protocol/json_text.h"
+
+namespace selvage {
+
+using Revision = std::uint64_t;  // 1 when a marker is opened, one more with every change
+
+// What a method works with beside the marker.  REQUIRES: all outlive the run.
+struct Means {
+  const Engine& engine;
+  SumCache& sums;
+  std::stop_token stop;
+  const Observer& observer;
+};
+
+struct MethodAnswer {
+  Json fields;                 // all but markerId and revision
+  std::optional<Marker> next;  // the marker's next state; none: it stays as it is
+};
+
+// What every motion takes: {"markerId", "baseRev"?, "commit"?, "timing"?}
+struct MotionCall {
+  std::string marker_id;
+  std::optional<Revision> base_revision;  // refuse when the marker is at another
+  bool commit{true};                      // false: answer, but leave the marker as it is
+  bool timing{};                          // answer with the times and the cache's counts, which vary from run to run
+};
+
+// A call whose parameters were understood.
+struct MarkerCall {
+  MotionCall about;  // for methods that are no motions only its marker
+  // Errors: 10xx for a parameter that does not suit this marker, `field` pointing into the parameters; others
+  // when the marker does not allow the motion.
+  std::function<Result<MethodAnswer>(const MarkerFile&, const Means&)> run;
+};
+
+struct MarkerMethod {
+  std::string_view name;
+  bool motion{};  // may change the marker, and may take long
+  // Errors: 10xx, `field` pointing into the parameters.
+  Result<MarkerCall> (*read)(const Json& params);
+};
+
+}  // namespace selvage

@@ -1,0 +1,112 @@
+#include "protocol/methods/motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/marker/validity.h"
+#include "protocol/codec.h"
+#include "protocol/formats/decimal_marker.h"
+
+namespace selvage {
+namespace {
+
+constexpr std::int64_t kLargestRevision = std::int64_t{1} << 53;  // what every client's numbers hold
+
+// The figures of every motion.
+Json motion_fields(const Marker& start, const Motion& motion, bool valid) {
+  const Marker& end = motion.marker;
+  Json fields{{"name", end.name},
+              {"pieces", end.pieces.size()},
+              {"lengthBefore", to_decimal(length_of(start), start.resolution)},
+              {"lengthAfter", to_decimal(length_of(end), end.resolution)},
+              {"utilisationBefore", utilisation_of(start)},
+              {"utilisationAfter", utilisation_of(end)}};
+  fields.update(motion.figures);
+  fields.update(Json{{"valid", valid},
+                     {"healed", healing_json(motion.healing, end.resolution)},
+                     {"placements", changed_placements(start, end)}});
+  return fields;
+}
+
+}  // namespace
+
+std::string_view name_of(StopReason reason) {
+  return kStopNames[static_cast<std::size_t>(reason)];
+}
+
+CompactionSettings settings_of(const Effort& effort) {
+  CompactionSettings settings = compaction_settings(effort.accuracy);
+  settings.rounds = effort.rounds.value_or(settings.rounds);
+  return settings;
+}
+
+MotionCall read_call(Fields& fields) {
+  MotionCall call;
+  call.marker_id = fields.text("markerId");
+  if (const auto revision = fields.maybe_integer("baseRev", 1, kLargestRevision)) {
+    call.base_revision = static_cast<Revision>(*revision);
+  }
+  call.commit = fields.flag_or("commit", call.commit);
+  call.timing = fields.flag_or("timing", call.timing);
+  return call;
+}
+
+std::optional<int> read_rounds(Fields& fields) {
+  const auto rounds = fields.maybe_integer("rounds", 0, kMaxRounds);
+  if (!rounds) return std::nullopt;
+  return static_cast<int>(*rounds);
+}
+
+Effort read_effort(Fields& fields) {
+  Effort effort;
+  effort.accuracy =
+      static_cast<Accuracy>(fields.word_or("accuracy", static_cast<std::size_t>(effort.accuracy), kAccuracyNames));
+  effort.rounds = read_rounds(fields);
+  return effort;
+}
+
+Direction read_direction(Fields& fields, std::string_view key, Mistake& mistake) {
+  const std::string at = fields.pointer(key);
+  const Json& value = fields.array(key);
+  if (mistake) return {};
+  if (value.size() != 2) {
+    mistake.add(ErrorCode::kWrongType, shortened(value) + " where [x, y] is required", at);
+    return {};
+  }
+  constexpr Range kAllowed{-kLargestForce, kLargestForce};
+  const Direction read{checked_number(value[0], kAllowed, mistake, at + "/0"),
+                       checked_number(value[1], kAllowed, mistake, at + "/1")};
+  if (std::max(std::abs(read.x), std::abs(read.y)) < kLeastForce) {
+    mistake.add(ErrorCode::kOutOfRange,
+                shortened(value) + " leads nowhere; [x, y] with x or y of at least " + number_text(kLeastForce) +
+                    " either way is allowed",
+                at);
+  }
+  return read;
+}
+
+Result<PieceId> piece_of(const Marker& marker, const std::string& id, const std::string& field) {
+  for (std::uint32_t i = 0; i < marker.pieces.size(); ++i) {
+    if (marker.pieces[i].id == id) return PieceId{i};
+  }
+  return Error{ErrorCode::kOutOfRange,
+               shortened(Json(id)) + " is no piece of this marker; the id of one of its " +
+                   std::to_string(marker.pieces.size()) + " pieces is allowed",
+               field};
+}
+
+Json rounds_json(int rounds, StopReason reason) {
+  return {{"rounds", rounds}, {"stop", name_of(reason)}};
+}
+
+MethodAnswer answer_of(const Marker& start, Motion motion, bool commit, const Means& means) {
+  means.observer.on_stage(Stage::kVerify);
+  const bool valid = is_valid(motion.marker);
+  means.observer.on_stage(Stage::kOther);
+  MethodAnswer answer{motion_fields(start, motion, valid), std::nullopt};
+  const bool changed = !answer.fields["placements"].empty() || motion.marker.pieces.size() != start.pieces.size();
+  if (commit && changed && (valid || motion.keep_invalid)) answer.next = std::move(motion.marker);
+  return answer;
+}
+
+}  // namespace selvage

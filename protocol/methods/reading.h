@@ -1,0 +1,36 @@
+// Methods that tell of a marker and leave it as it is.
+#pragma once
+
+#include <string>
+
+#include "protocol/methods/method.h"
+
+namespace selvage {
+
+// marker.get {"markerId", "format"?}
+struct MarkerGet {
+  std::string marker_id;
+  Format format{Format::kNative};
+};
+[[nodiscard]] Result<MarkerGet> decode_marker_get(const Json& params);
+
+// marker.check {"markerId"}
+struct MarkerCheck {
+  std::string marker_id;
+};
+[[nodiscard]] Result<MarkerCheck> decode_marker_check(const Json& params);
+
+// The `read` of such a method: `decode` makes its typed parameters, with a `marker_id`, of JSON; `work` runs it.
+template <auto decode, auto work>
+Result<MarkerCall> read_reading(const Json& params) {
+  auto wanted = decode(params);
+  if (!wanted) return wanted.error();
+  MarkerCall call;
+  call.about.marker_id = wanted->marker_id;
+  call.run = [wanted = *std::move(wanted)](const MarkerFile& file, const Means& means) {
+    return work(wanted, file, means);
+  };
+  return call;
+}
+
+}  // namespace selvage
