@@ -4,11 +4,11 @@
 // usage: tilt_table [--limit DEGREES] [--shakes N] [--outlines FOLDER] FILE...
 //
 // The limit (3 degrees unless told) stands for every shape's own.  With --outlines, every result is written to
-// FOLDER/MARKER-METHOD.json as placed outlines, for an independent judge.  Times are those of tilt(), the compaction it
-// begins with included, nothing in the cache of sums.  Exit status 1 when a result is not valid, longer than
-// compaction's, or tilted beyond the limit.
-#include <chrono>
+// FOLDER/MARKER-METHOD.json as placed outlines, for an independent judge.  Times are the processor's for tilt(), the
+// compaction it begins with included, nothing in the cache of sums.  Exit status 1 when a result is not valid, longer
+// than compaction's, or tilted beyond the limit.
 #include <cstdio>
+#include <ctime>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -62,9 +62,9 @@ bool print_row(const Options& options, const std::string& name, MarkerFile file,
     settings.rounds *= 1 + options.shakes;
   }
   SumCache sums;
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();
   const auto result = tilt(file.marker, settings, sums);
-  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+  const double milliseconds = 1000.0 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   if (!result) {
     std::printf("| %s | %s | %s |\n", name.c_str(), method.name, result.error().message.c_str());
     return false;
@@ -77,7 +77,7 @@ bool print_row(const Options& options, const std::string& name, MarkerFile file,
               file.marker.pieces.size(), method.name, part_of(result->length_compacted, result->length_before),
               part_of(result->length_after, result->length_compacted),
               part_of(result->length_after, result->length_before), result->farthest_tilt.degrees, result->rounds,
-              result->programs, took.count(), good ? "yes" : "NO");
+              result->programs, milliseconds, good ? "yes" : "NO");
   std::fflush(stdout);
   file.marker = result->marker;
   return save(options, name + "-" + method.name, file) && good;
@@ -86,7 +86,7 @@ bool print_row(const Options& options, const std::string& name, MarkerFile file,
 int table(const Options& options) {
   std::printf(
       "| marker | pieces | method | compacted / before | tilted / compacted | tilted / before | farthest tilt | rounds "
-      "| programs | ms | valid |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+      "| programs | CPU ms | valid |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
   bool good = true;
   std::vector<Gains> gains(std::size(kMethods));
   for (const std::string& path : options.files) {
