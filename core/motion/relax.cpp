@@ -7,7 +7,7 @@
 #include "core/model/free_region.h"
 #include "core/motion/largest_square.h"
 #include "core/motion/separation_target.h"
-#include "core/motion/tilt_step.h"
+#include "core/motion/tilted_piece.h"
 
 namespace selvage {
 namespace {

@@ -7,6 +7,7 @@
 #include "core/minkowski/inner_fit.h"
 #include "core/model/snap.h"
 #include "core/motion/separation_target.h"
+#include "core/motion/tilted_piece.h"
 
 namespace selvage {
 namespace {
@@ -17,16 +18,6 @@ constexpr double kClearance = 1e-7;    // parts of the width that pieces are kep
 constexpr Coord kLeastClearance = 3;   // and lattice units, for rounded outlines
 constexpr double kLeastArc = 1;        // lattice units: a smaller turn changes nothing but rounding
 constexpr double kLengthSpare = 1e-2;  // column units the length may grow by in a program, for rows' margins
-
-// How the piece's position must move for its pivot to stay when it turns.
-Displacement held_pivot(const PlacedPolygon& piece, double radians) {
-  const Real2 pivot = pivot_of(piece);
-  const double x = pivot.x - static_cast<double>(piece.at.x);
-  const double y = pivot.y - static_cast<double>(piece.at.y);
-  const double c = std::cos(radians);
-  const double s = std::sin(radians);
-  return {x - (c * x - s * y), y - (s * x + c * y)};
-}
 
 class Program {
  public:
@@ -121,7 +112,7 @@ class Program {
       const TiltRange range = tilt_range(scene_.marker, PieceId{i});
       tilt = std::clamp(tilt + turns[i] * kRadian, range.least.degrees, range.most.degrees);
       if (!is_cuttable(scene_.marker, turned_piece)) continue;
-      const Displacement held = held_pivot(scene_.pieces[i], (tilt - before) / kRadian);
+      const Displacement held = held_pivot(scene_.pieces[i], Angle::of_degrees(tilt - before));
       moves[i] = {moves[i].x + held.x, moves[i].y + held.y};
       pieces[i] = turned_piece;
     }
@@ -149,28 +140,6 @@ class Program {
 };
 
 }  // namespace
-
-TiltRange tilt_range(const Marker& marker, PieceId id) {
-  const Piece& piece = marker.pieces[id.value];
-  const Angle limit = marker.shapes[piece.shape.value].tilt_limit;
-  const Angle now = piece.orientation.tilt;
-  if (piece.locked) return {now, now};
-  return {std::min(now, Angle::of_degrees(-limit.degrees)), std::max(now, limit)};
-}
-
-Piece tilted(const Piece& piece, const PlacedPolygon& from, Angle tilt) {
-  const double turn = (tilt.degrees - piece.orientation.tilt.degrees) / kRadian;
-  const Displacement held = held_pivot(from, turn);
-  Piece turned_piece = piece;
-  turned_piece.orientation.tilt = tilt;
-  turned_piece.at = from.at + Vec{std::llround(held.x), std::llround(held.y)};
-  return turned_piece;
-}
-
-bool is_cuttable(const Marker& marker, const Piece& piece) {
-  const Polygon outline = oriented(marker.shapes[piece.shape.value].outline, piece.orientation);
-  return static_cast<bool>(clean_polygon(outline)) && box_of(outline).height() <= marker.strip.width;
-}
 
 TiltStep tilt_step(const Scene& scene, const Goal& goal, std::span<const double> torque,
                    const TiltStepSettings& settings, const std::stop_token& stop, const Observer& observer) {

@@ -26,18 +26,6 @@ struct TiltStep {
   std::vector<Piece> pieces;  // the scene's, moved and tilted; within their limits to the last bit
 };
 
-// How far a piece may tilt either way, counter-clockwise: its shape's limit, or as far as it is tilted now when that is
-// more.  {0, 0} for a locked piece.
-struct TiltRange {
-  Angle least, most;
-};
-[[nodiscard]] TiltRange tilt_range(const Marker& marker, PieceId piece);
-
-// A piece turned about its pivot to the given tilt, to the nearest lattice point.  `from`: the piece where it lies.
-[[nodiscard]] Piece tilted(const Piece& piece, const PlacedPolygon& from, Angle tilt);
-// True when the piece's outline, rounded in its orientation, is still a polygon, and not wider than the strip.
-[[nodiscard]] bool is_cuttable(const Marker& marker, const Piece& piece);
-
 // `torque[i]`: what a unit of arc of piece i's farthest vertex, counter-clockwise, is worth, beside the goal's forces;
 // none: nothing.
 [[nodiscard]] TiltStep tilt_step(const Scene& scene, const Goal& goal, std::span<const double> torque,

@@ -6,7 +6,8 @@
 #include <cmath>
 
 #include "core/marker/validity.h"
-#include "core/motion/tilt_step.h"
+#include "core/model/tilt_rows.h"
+#include "core/motion/tilted_piece.h"
 #include "tests/core/motion/markers.h"
 
 namespace selvage {
