@@ -6,21 +6,22 @@
 
 namespace selvage {
 
-TiltModel::TiltModel(const PlacedPieces& pieces, const Strip& strip, std::span<const std::uint32_t> group,
-                     std::span<const TurnRange> turns, double farthest)
+TiltModel::TiltModel(const PlacedPieces& pieces, const Strip& strip, const Ties& ties, std::span<const TurnRange> turns,
+                     double farthest)
     : pieces_{pieces},
       turns_{turns.begin(), turns.end()},
       farthest_{farthest},
-      positions_{pieces, strip, group},
+      positions_{pieces, strip, ties},
       column_(pieces.size(), -1),
       radius_(pieces.size(), 0) {
   LinearProgram& program = positions_.program();
   const double limit = farthest / positions_.unit();
+  const Box room = strip.room(0);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const auto position = positions_.column(i);
-    if (!position) continue;
     const bool tilts = !turns_[i].empty();
-    for (const auto c : {static_cast<std::size_t>(*position), static_cast<std::size_t>(*position) + 1}) {
+    for (const auto position : {positions_.x_column(i), positions_.y_column(i)}) {
+      if (!position) continue;
+      const auto c = static_cast<std::size_t>(*position);
       // A piece outside the strip, by rounding, must still be able to come back.
       program.lower[c] = tilts ? -limit : std::max(program.lower[c], std::min(-limit, program.upper[c]));
       program.upper[c] = tilts ? limit : std::min(program.upper[c], std::max(limit, program.lower[c]));
@@ -30,7 +31,7 @@ TiltModel::TiltModel(const PlacedPieces& pieces, const Strip& strip, std::span<c
     const double arc = radius_[i] / positions_.unit();
     column_[i] = program.add_column(0, turns_[i].least * arc, turns_[i].most * arc);
     const double turn = std::max(-turns_[i].least, turns_[i].most);
-    for (const auto& [nx, ny, edge] : {std::tuple{1, 0, Coord{0}}, {0, 1, Coord{0}}, {0, -1, -strip.width}}) {
+    for (const auto& [nx, ny, edge] : {std::tuple{1, 0, room.low.x}, {0, 1, room.low.y}, {0, -1, -room.high.y}}) {
       for (const WallRow& wall : wall_rows(pieces[i], nx, ny, edge, turn)) {
         if (-wall.bound <= farthest + 2 * turn * radius_[i]) add_wall(i, wall, std::nullopt);
       }
@@ -49,23 +50,22 @@ void TiltModel::add(const TiltRow& tilt_row, std::optional<int> give) {
   const auto put = [&](int column, double value) {
     if (value != 0) entries[count++] = {column, value};
   };
-  for (const auto& [piece, sign, turn] : {std::tuple{row.pair.first, -1.0, tilt_row.first_turn},
-                                          std::tuple{row.pair.second, 1.0, tilt_row.second_turn}}) {
-    if (const auto position = positions_.column(piece)) {
-      put(*position, sign * row.nx);
-      put(*position + 1, sign * row.ny);
-    }
+  const Terms terms = positions_.terms(row.pair.second, row.pair.first, row.nx, row.ny);
+  for (const auto& [column, value] : terms.all()) put(column, value);
+  for (const auto& [piece, turn] :
+       {std::pair{row.pair.first, tilt_row.first_turn}, std::pair{row.pair.second, tilt_row.second_turn}}) {
     if (column_[piece] >= 0) put(column_[piece], turn / radius_[piece]);
   }
+  if (count == 0) return;
   if (give) put(*give, 1);
-  if (count > 0) positions_.program().add_row(std::span{entries}.first(count), row.bound / positions_.unit());
+  positions_.program().add_row(std::span{entries}.first(count), row.bound / positions_.unit());
 }
 
 void TiltModel::add_wall(std::size_t piece, const WallRow& wall, std::optional<int> length_column) {
-  const int position = *positions_.column(piece);
   std::array<LinearProgram::Entry, 3> entries{};
   std::size_t count = 0;
-  entries[count++] = {wall.nx != 0 ? position : position + 1, static_cast<double>(wall.nx + wall.ny)};
+  const auto position = wall.nx != 0 ? positions_.x_column(piece) : positions_.y_column(piece);
+  entries[count++] = {*position, static_cast<double>(wall.nx + wall.ny)};
   if (wall.turn != 0) entries[count++] = {column_[piece], wall.turn / radius_[piece]};
   if (length_column) entries[count++] = {*length_column, 1};
   // What lies outside already, by rounding, is not asked to come back: a step must have an answer.
@@ -79,7 +79,7 @@ void TiltModel::add_right_walls(std::optional<int> length_column) {
     const auto room = static_cast<double>(length - pieces_.box(i).high.x);
     if (column_[i] < 0) {
       if (length_column && room <= 2 * farthest_) positions_.add_right_wall(i);
-      if (const auto position = positions_.column(i); position && !length_column) {
+      if (const auto position = positions_.x_column(i); position && !length_column) {
         double& upper = positions_.program().upper[static_cast<std::size_t>(*position)];
         upper = std::min(upper, room / positions_.unit());
       }

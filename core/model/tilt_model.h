@@ -21,9 +21,10 @@ struct TurnRange {
 
 class TiltModel {
  public:
-  // `turns[i]`: of piece i; `farthest`: no pivot moves farther on an axis than this, lattice units.
-  TiltModel(const PlacedPieces& pieces, const Strip& strip, std::span<const std::uint32_t> group,
-            std::span<const TurnRange> turns, double farthest);
+  // `turns[i]`: of piece i, not empty only when it is free; `farthest`: no pivot moves farther on an axis than this,
+  // lattice units.
+  TiltModel(const PlacedPieces& pieces, const Strip& strip, const Ties& ties, std::span<const TurnRange> turns,
+            double farthest);
 
   [[nodiscard]] PositionModel& positions() { return positions_; }
   [[nodiscard]] const PositionModel& positions() const { return positions_; }

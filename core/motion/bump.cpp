@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "core/minkowski/inner_fit.h"
@@ -19,22 +20,23 @@ constexpr std::size_t kWays = 40;     // ways round corners that are tried befor
 constexpr double kContact = 4;        // lattice units: sides nearer than this are touched
 constexpr double kLeastGain = 2;      // lattice units; less is rounding
 
-// Directions slanting off the wanted one, as (cosine, sine) of 25, 50, 75 and 89 degrees to either side.
-constexpr std::array<std::pair<double, double>, 8> kSlants{{{0.906, 0.423},
-                                                            {0.906, -0.423},
-                                                            {0.643, 0.766},
-                                                            {0.643, -0.766},
-                                                            {0.259, 0.966},
-                                                            {0.259, -0.966},
-                                                            {0.017, 1.0},
-                                                            {0.017, -1.0}}};
+// Directions slanting off the wanted one, as (cosine, sine) of 25, 50, 75 and 89 degrees; to either side.
+constexpr std::array<std::pair<double, double>, 4> kSlants{
+    {{0.906, 0.423}, {0.643, 0.766}, {0.259, 0.966}, {0.017, 1.0}}};
 
 // One side of the cell, and whose it is.
 struct Bound {
   HalfPlane side;         // of the relative position; unused for the strip's edges
   std::uint32_t piece{};  // kEdge for the strip's edges and the cell's reach
+  Vec offset;             // from the bumped piece to the one of its body that has the bound
 };
 constexpr std::uint32_t kEdge = UINT32_MAX;
+
+// A piece that moves: the bumped one, or another of its group.
+struct Member {
+  std::uint32_t piece{};
+  Vec offset;  // from the bumped one, which never changes
+};
 
 class Bumper {
  public:
@@ -43,80 +45,104 @@ class Bumper {
         piece_{piece},
         ux_{ux},
         uy_{uy},
-        spacing_{scene.marker.spacing},
-        fit_{inner_fit(scene.pieces[piece].box, end_of(scene), scene.marker.strip.width)},
         at_{scene.pieces.at(piece)},
-        reach_{kFirstReach * static_cast<double>(scene.marker.strip.width)} {}
+        reach_{kFirstReach * static_cast<double>(scene.marker.strip.width)} {
+    moves_.resize(scene.pieces.size());
+    const Box room = scene.marker.strip.room(scene.marker.strip.last().value_or(scene.pieces.length()));
+    for (std::uint32_t i = 0; i < scene.pieces.size(); ++i) {
+      if (!scene.ties.joined(i, piece)) continue;
+      moves_[i] = 1;
+      body_.push_back({i, scene.pieces.at(i) - at_});
+      const Box fit = inner_fit(scene.pieces[i].box, room).moved(-body_.back().offset);
+      fit_.low = {std::max(fit_.low.x, fit.low.x), std::max(fit_.low.y, fit.low.y)};
+      fit_.high = {std::min(fit_.high.x, fit.high.x), std::min(fit_.high.y, fit.high.y)};
+    }
+    if (scene.ties.x[piece] == Ties::kFixed) fit_.low.x = fit_.high.x = at_.x;
+    if (scene.ties.y[piece] == Ties::kFixed) fit_.low.y = fit_.high.y = at_.y;
+  }
 
   Bump run() {
     for (int step = 0; step < kSteps; ++step) {
-      if (advance(ux_, uy_) || advance_round_corners()) continue;
-      break;
+      if (const auto advance = advance_towards({ux_, uy_})) {
+        take(*advance);
+      } else if (!advance_round_corners()) {
+        break;
+      }
     }
     return {at_, gain(at_ - scene_.pieces.at(piece_)), touching()};
   }
 
  private:
-  static Coord end_of(const Scene& scene) {
-    return scene.marker.strip.longest ? *scene.marker.strip.longest : scene.pieces.length();
-  }
   [[nodiscard]] double gain(Vec by) const { return ux_ * static_cast<double>(by.x) + uy_ * static_cast<double>(by.y); }
+
+  using Way = std::pair<double, double>;
+  // A proved position that lies farther on.
+  struct Advance {
+    Vec to;
+    bool to_limit{};  // nothing but the cell's reach was in the way
+  };
+  void take(const Advance& advance) {
+    at_ = advance.to;
+    if (advance.to_limit) reach_ *= 4;  // look farther next time
+  }
 
   // At a corner either side of a neighbour may be taken; the cell took the ones least in the direct way.  A way out, if
   // there is one, borders on a way along some contact: try the cells that leave those ways open, and some slanting ways
-  // to see the contacts behind corners.
+  // to see the contacts behind corners.  Of two ways that slant alike the better one is taken, not the first: a
+  // mirrored bump must give the mirrored answer.
   bool advance_round_corners() {
-    std::vector<std::pair<double, double>> ways;
-    for (const auto& [c, s] : kSlants) ways.emplace_back(c * ux_ - s * uy_, s * ux_ + c * uy_);
-    for (std::size_t k = 0; k < ways.size() && k < kWays; ++k) {
-      if (advance(ways[k].first, ways[k].second)) return true;
-      for (const CellSide& side : cell_) {
-        if (side.slack > kContact) continue;
-        const double ahead = -side.ny * ux_ + side.nx * uy_;
-        const std::pair along{ahead > 0 ? -side.ny : side.ny, ahead > 0 ? side.nx : -side.nx};
-        const bool known = std::any_of(ways.begin(), ways.end(), [&](const auto& way) {
-          return std::abs(way.first * along.second - way.second * along.first) < 1e-9;
-        });
-        if (!known && ahead != 0) ways.push_back(along);
-      }
+    std::vector<Way> ways;
+    for (const auto& [c, s] : kSlants) {
+      const auto left = advance_noting({c * ux_ - s * uy_, s * ux_ + c * uy_}, ways);
+      const auto right = advance_noting({c * ux_ + s * uy_, -s * ux_ + c * uy_}, ways);
+      if (!left && !right) continue;
+      const bool take_left = left && (!right || gain(left->to - right->to) > 0);
+      take(take_left ? *left : *right);
+      return true;
     }
-    return false;
-  }
-
-  // Builds the cell about the present position, slides in it and takes what is proved.  False when that gains nothing.
-  bool advance(double towards_x, double towards_y) {
-    build_cell(towards_x, towards_y);
-    last_ = slide(cell_, ux_, uy_);
-    if (ux_ * last_.to.x + uy_ * last_.to.y < kLeastGain) return false;
-    for (double part = 1; part > 1e-3; part /= 4) {
-      const auto target = lattice_point(last_.to.x * part, last_.to.y * part);
-      if (!target || gain(*target - at_) < kLeastGain || !valid(*target)) continue;
-      const bool reached_limit = std::any_of(last_.blocking.begin(), last_.blocking.end(),
-                                             [&](std::size_t k) { return k >= cell_.size() - 4; });
-      if (reached_limit) reach_ *= 4;  // nothing else was in the way: look farther next time
-      at_ = *target;
+    for (std::size_t k = 0; k < ways.size() && k < kWays; ++k) {
+      const auto advance = advance_noting(Way{ways[k]}, ways);
+      if (!advance) continue;
+      take(*advance);
       return true;
     }
     return false;
+  }
+  // The same, adding the ways along its cell's contacts to those worth trying.
+  std::optional<Advance> advance_noting(Way towards, std::vector<Way>& ways) {
+    const auto advance = advance_towards(towards);
+    for (const CellSide& side : cell_) {
+      if (side.slack > kContact) continue;
+      const double ahead = -side.ny * ux_ + side.nx * uy_;
+      const Way along{ahead > 0 ? -side.ny : side.ny, ahead > 0 ? side.nx : -side.nx};
+      const bool known = std::any_of(ways.begin(), ways.end(), [&](const Way& way) {
+        return std::abs(way.first * along.second - way.second * along.first) < 1e-9;
+      });
+      if (!known && ahead != 0) ways.push_back(along);
+    }
+    return advance;
+  }
+
+  // Builds the cell about the present position, slides in it and proves where that leads.  Nothing when it gains
+  // nothing.
+  std::optional<Advance> advance_towards(Way towards) {
+    build_cell(towards.first, towards.second);
+    last_ = slide(cell_, ux_, uy_);
+    if (ux_ * last_.to.x + uy_ * last_.to.y < kLeastGain) return std::nullopt;
+    for (double part = 1; part > 1e-3; part /= 4) {
+      const auto target = lattice_point(last_.to.x * part, last_.to.y * part);
+      if (!target || gain(*target - at_) < kLeastGain || !valid(*target)) continue;
+      const bool to_limit = std::any_of(last_.blocking.begin(), last_.blocking.end(),
+                                        [&](std::size_t k) { return k >= cell_.size() - 4; });
+      return Advance{*target, to_limit};
+    }
+    return std::nullopt;
   }
 
   void build_cell(double towards_x, double towards_y) {
     cell_.clear();
     bounds_.clear();
-    const Box own = scene_.pieces[piece_].box.moved(at_).grown(std::llround(reach_) + spacing_);
-    for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
-      if (other == piece_ || !own.overlaps(scene_.pieces.box(other))) continue;
-      const Vec r = at_ - scene_.pieces.at(other);
-      const Obstacle obstacle = scene_.sums.obstacle(scene_.outlines[other], scene_.outlines[piece_]);
-      const RegionSettings region{RegionRule::kGreedy, 1.5 * reach_ + static_cast<double>(spacing_), spacing_,
-                                  towards_x, towards_y};
-      for (const HalfPlane& side : free_region(obstacle, r, region)) {
-        const PairRow row = row_of({0, 1}, side, r, spacing_, 0, TightRows::kKeep);
-        const double slack = std::max(0.0, slack_of(side, r) - static_cast<double>(spacing_));
-        cell_.push_back({row.nx, row.ny, slack});
-        bounds_.push_back({side, other});
-      }
-    }
+    for (const Member& member : body_) add_neighbours(member, towards_x, towards_y);
     const auto room = [](Coord from, Coord to) { return static_cast<double>(std::max(Coord{0}, to - from)); };
     add_edge(1, 0, room(fit_.low.x, at_.x));
     add_edge(-1, 0, room(at_.x, fit_.high.x));
@@ -124,14 +150,42 @@ class Bumper {
     add_edge(0, -1, room(at_.y, fit_.high.y));
     for (const auto& [nx, ny] : {std::pair{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}) add_edge(nx, ny, reach_);
   }
+  void add_neighbours(const Member& member, double towards_x, double towards_y) {
+    const Vec at = at_ + member.offset;
+    const Box own = scene_.pieces[member.piece].box.moved(at).grown(std::llround(reach_) + spacing_);
+    for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
+      if (moves_[other] != 0 || !own.overlaps(scene_.pieces.box(other))) continue;
+      const Coord spacing = scene_.pieces.spacing({member.piece, other});
+      const Vec r = at - scene_.pieces.at(other);
+      const Obstacle obstacle = scene_.sums.obstacle(scene_.outlines[other], scene_.outlines[member.piece]);
+      const RegionSettings region{RegionRule::kGreedy, 1.5 * reach_ + static_cast<double>(spacing), spacing, towards_x,
+                                  towards_y};
+      for (const HalfPlane& side : free_region(obstacle, r, region)) {
+        const PairRow row = row_of({0, 1}, side, r, spacing, 0, TightRows::kKeep);
+        const double slack = std::max(0.0, slack_of(side, r) - static_cast<double>(spacing));
+        cell_.push_back({row.nx, row.ny, slack});
+        bounds_.push_back({side, other, member.offset});
+      }
+    }
+  }
   void add_edge(double nx, double ny, double slack) {
     cell_.push_back({nx, ny, slack});
-    bounds_.push_back({{}, kEdge});
+    bounds_.push_back({{}, kEdge, {}});
   }
 
-  // The best lattice position near the cell's point that every half-plane admits exactly.
+  // The best lattice position near the cell's point that every half-plane admits exactly; of equally good ones the
+  // nearest, of equally near ones the one with less way: no axis and no direction is preferred.
   [[nodiscard]] std::optional<Vec> lattice_point(double x, double y) const {
-    const Vec base{at_.x + static_cast<Coord>(std::floor(x)), at_.y + static_cast<Coord>(std::floor(y))};
+    const Vec low{at_.x + static_cast<Coord>(std::floor(x)), at_.y + static_cast<Coord>(std::floor(y))};
+    const Vec high{at_.x + static_cast<Coord>(std::ceil(x)), at_.y + static_cast<Coord>(std::ceil(y))};
+    std::array<Vec, 4> corners{low, Vec{low.x, high.y}, Vec{high.x, low.y}, high};
+    const auto merit = [&](Vec corner) {
+      const Vec by = corner - at_;
+      const double dx = static_cast<double>(by.x) - x;
+      const double dy = static_cast<double>(by.y) - y;
+      return std::tuple{gain(by), -(dx * dx + dy * dy), -std::abs(by.x) - std::abs(by.y)};
+    };
+    std::stable_sort(corners.begin(), corners.end(), [&](Vec a, Vec b) { return merit(a) > merit(b); });
     // Away from what blocks, farther and farther: a narrow corner may hold no lattice point.
     double back_x = -ux_;
     double back_y = -uy_;
@@ -140,12 +194,10 @@ class Bumper {
       back_y += cell_[k].ny;
     }
     for (const double back : {0.0, 1.0, 2.0, 4.0, 8.0, 16.0, 64.0, 256.0}) {
-      std::optional<Vec> best;
-      for (const auto& [i, j] : {std::pair<Coord, Coord>{0, 0}, {1, 0}, {0, 1}, {1, 1}}) {
-        const Vec candidate{base.x + i + std::llround(back * back_x), base.y + j + std::llround(back * back_y)};
-        if (admitted(candidate) && (!best || gain(candidate - *best) > 0)) best = candidate;
+      for (const Vec corner : corners) {
+        const Vec candidate{corner.x + std::llround(back * back_x), corner.y + std::llround(back * back_y)};
+        if (admitted(candidate)) return candidate;
       }
-      if (best) return best;
     }
     return std::nullopt;
   }
@@ -156,18 +208,25 @@ class Bumper {
     }
     return std::all_of(bounds_.begin(), bounds_.end(), [&](const Bound& bound) {
       if (bound.piece == kEdge || spacing_ > 0) return true;  // with a spacing the proof decides
-      return cross(bound.side.direction, candidate - scene_.pieces.at(bound.piece) - bound.side.anchor) <= 0;
+      return cross(bound.side.direction,
+                   candidate + bound.offset - scene_.pieces.at(bound.piece) - bound.side.anchor) <= 0;
     });
   }
   // The proof: against every piece, in integers.
   [[nodiscard]] bool valid(Vec candidate) const {
-    PlacedPolygon moved = scene_.pieces[piece_];
-    moved.at = candidate;
+    return std::all_of(body_.begin(), body_.end(), [&](const Member& member) {
+      PlacedPolygon moved = scene_.pieces[member.piece];
+      moved.at = candidate + member.offset;
+      return clear_of_others(moved, member.piece);
+    });
+  }
+  [[nodiscard]] bool clear_of_others(const PlacedPolygon& moved, std::uint32_t piece) const {
     const Box box = moved.placed_box().grown(spacing_);
     for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
-      if (other == piece_ || !box.overlaps(scene_.pieces.box(other))) continue;
+      if (moves_[other] != 0 || !box.overlaps(scene_.pieces.box(other))) continue;
       const PlacedPolygon still = scene_.pieces[other];
-      if (spacing_ > 0 ? closer_than(moved, still, spacing_) : overlap(moved, still)) return false;
+      const Coord spacing = scene_.pieces.spacing({piece, other});
+      if (spacing > 0 ? closer_than(moved, still, spacing) : overlap(moved, still)) return false;
     }
     return true;
   }
@@ -185,8 +244,10 @@ class Bumper {
   const Scene& scene_;
   std::uint32_t piece_;
   double ux_, uy_;
-  Coord spacing_;
-  Box fit_;  // positions within the strip
+  Coord spacing_{scene_.pieces.widest_spacing()};
+  std::vector<Member> body_;
+  std::vector<char> moves_;                                                    // is it of the body?
+  Box fit_{{-kLatticeLimit, -kLatticeLimit}, {kLatticeLimit, kLatticeLimit}};  // positions within the strip
   Vec at_;
   double reach_;
   std::vector<CellSide> cell_;
@@ -209,10 +270,10 @@ Result<BumpedMarker> heal_and_bump(const Marker& start, PieceId piece, double dx
   const auto healing = heal(scene, std::move(stop), observer);
   if (!healing) return healing.error();
   observer.on_stage(Stage::kSolve);
-  BumpedMarker bumped{scene.result(), bump(scene, piece.value, dx, dy), *healing};
+  const Bump bumped = bump(scene, piece.value, dx, dy);
+  scene.shift(piece.value, bumped.at - scene.pieces.at(piece.value));
   observer.on_stage(Stage::kOther);
-  bumped.marker.pieces[piece.value].at = bumped.bump.at;
-  return bumped;
+  return BumpedMarker{scene.result(), bumped, *healing};
 }
 
 }  // namespace selvage

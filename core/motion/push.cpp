@@ -12,7 +12,9 @@ namespace {
 
 constexpr double kStillness = 1e-4;  // of the largest force
 
-Result<Goal> goal_of(std::span<const Force> forces, std::size_t pieces) {
+}  // namespace
+
+Result<Goal> pushing_goal(std::span<const Force> forces, std::size_t pieces) {
   Goal goal{std::vector<Displacement>(pieces), 0, kStillness};
   double largest = 0;
   for (std::size_t k = 0; k < forces.size(); ++k) {
@@ -36,12 +38,10 @@ Result<Goal> goal_of(std::span<const Force> forces, std::size_t pieces) {
   return goal;
 }
 
-}  // namespace
-
 Result<Push> push(const Marker& start, std::span<const Force> forces, const CompactionSettings& settings,
                   SumCache& sums, std::stop_token stop, const Observer& observer) {
   observer.on_stage(Stage::kOther);
-  const auto goal = goal_of(forces, start.pieces.size());
+  const auto goal = pushing_goal(forces, start.pieces.size());
   if (!goal) return goal.error();
   Scene scene{start, sums};
   Push best;

@@ -16,6 +16,10 @@ struct Force {
   double x{}, y{};
 };
 
+// The goal that follows the forces, scaled so that the largest is 1.
+// Errors: kOutOfRange for a force on a piece that is not there, or one that is not finite.
+[[nodiscard]] Result<Goal> pushing_goal(std::span<const Force> forces, std::size_t pieces);
+
 struct Push {
   Marker marker;
   StopReason reason{};
@@ -27,7 +31,7 @@ struct Push {
 };
 
 // Moves the pieces as far as the forces can; settings as for compaction (gravity is not used).
-// Errors: those of heal; kOutOfRange for a force on a piece that is not there, or one that is not finite.
+// Errors: those of heal and of pushing_goal.
 [[nodiscard]] Result<Push> push(const Marker& start, std::span<const Force> forces, const CompactionSettings& settings,
                                 SumCache& sums, std::stop_token stop = {}, const Observer& observer = {});
 

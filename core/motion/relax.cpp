@@ -27,7 +27,7 @@ class Relaxer {
         piece_{std::move(piece)},
         polygon_{oriented(scene.marker.shapes[piece_.shape.value].outline, piece_.orientation)},
         box_{box_of(polygon_)},
-        fit_{inner_fit(box_, scene.pieces.length(), scene.marker.strip.width)},
+        fit_{inner_fit(box_, scene.marker.strip.room(scene.pieces.length()))},
         reach_{std::max(16.0, kReach * static_cast<double>(scene.marker.strip.width))} {
     const SplitOrientation parts = split(piece_.orientation);
     outline_ = {scene.sums.outline(turned(scene.marker.shapes[piece_.shape.value].outline, parts.turn)),
@@ -58,11 +58,11 @@ class Relaxer {
 
   void build_cell() {
     cell_.clear();
-    const Coord spacing = scene_.marker.spacing;
-    const Box near = box_.moved(piece_.at).grown(std::llround(2 * reach_) + spacing);
+    const Box near = box_.moved(piece_.at).grown(std::llround(2 * reach_) + scene_.pieces.widest_spacing());
     for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
       if (other == index_ || !near.overlaps(scene_.pieces.box(other))) continue;
       const PlacedPolygon still = scene_.pieces[other];
+      const Coord spacing = scene_.pieces.spacing({index_, other});
       const Obstacle obstacle = scene_.sums.obstacle(scene_.outlines[other], outline_);
       const Vec r = piece_.at - still.at;
       const bool apart = !overlap(still, placed());
@@ -83,11 +83,11 @@ class Relaxer {
   [[nodiscard]] bool valid() const {
     const Vec at = piece_.at;
     if (at.x < fit_.low.x || at.x > fit_.high.x || at.y < fit_.low.y || at.y > fit_.high.y) return false;
-    const Coord spacing = scene_.marker.spacing;
-    const Box near = box_.moved(at).grown(spacing);
+    const Box near = box_.moved(at).grown(scene_.pieces.widest_spacing());
     for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
       if (other == index_ || !near.overlaps(scene_.pieces.box(other))) continue;
       const PlacedPolygon still = scene_.pieces[other];
+      const Coord spacing = scene_.pieces.spacing({index_, other});
       if (spacing > 0 ? closer_than(placed(), still, spacing) : overlap(placed(), still)) return false;
     }
     return true;
@@ -114,7 +114,7 @@ Piece present(const Scene& scene, std::uint32_t index) {
 
 Relaxation relax(const Scene& scene, std::uint32_t index) {
   const Piece piece = present(scene, index);
-  if (!scene.fixed(index)) {
+  if (scene.ties.free(index)) {
     if (auto relaxed = Relaxer{scene, index, piece}.run()) return *relaxed;
   }
   return {piece, 0};

@@ -15,7 +15,7 @@ struct Relaxation {
 
 // Translational relaxation [Li94 6.1.1], from where the piece lies.  The strip ends where the marker does.  A local
 // optimum: the free regions are chosen anew about each better place.
-// REQUIRES: the scene's pieces are valid.  A locked piece stays.
+// REQUIRES: the scene's pieces are valid.  A piece locked in any way, or of a group, stays.
 [[nodiscard]] Relaxation relax(const Scene& scene, std::uint32_t piece);
 
 // Rotational relaxation [Li94 6.1.2]: of `tilts` tilts evenly spaced over the piece's range, and its present one, the

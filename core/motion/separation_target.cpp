@@ -67,7 +67,7 @@ SeparationTarget separation_target(const Obstacle& obstacle, Vec r, bool overlap
 SeparationTarget separation_target(const Scene& scene, PiecePair pair, TargetRule rule) {
   const bool overlapping = overlap(scene.pieces[pair.first], scene.pieces[pair.second]);
   SeparationTarget target = separation_target(scene.obstacle(pair), scene.relative_position(pair), overlapping, rule);
-  target.depth += static_cast<double>(scene.marker.spacing);
+  target.depth += static_cast<double>(scene.pieces.spacing(pair));
   return target;
 }
 

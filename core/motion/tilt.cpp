@@ -139,7 +139,7 @@ class Tilter {
     observer_.on_stage(Stage::kSolve);
     for (const std::uint32_t i : order) {
       if (stop_.stop_requested()) break;
-      if (scene.fixed(i)) continue;
+      if (!scene.ties.free(i)) continue;
       Piece& piece = next.pieces[i];
       piece = relax_tilted(scene, i, settings_.tilts).piece;
       scene.outlines[i] = oriented_outline(next, PieceId{i}, sums_);

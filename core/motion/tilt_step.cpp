@@ -26,7 +26,7 @@ class Program {
         farthest_{settings.trust * static_cast<double>(scene.marker.strip.width)},
         turn_{settings.turn.degrees / kRadian},
         turns_{ranges(scene, turn_)},
-        model_{scene.pieces, scene.marker.strip, scene.group, turns_, farthest_} {}
+        model_{scene.pieces, scene.marker.strip, scene.ties, turns_, farthest_} {}
 
   void add_goal(const Goal& goal, std::span<const double> torque) {
     for (std::size_t i = 0; i < scene_.pieces.size(); ++i) {
@@ -44,13 +44,13 @@ class Program {
 
   void add_pairs(const Observer& observer) {
     observer.on_stage(Stage::kSums);
-    const Coord spacing = scene_.marker.spacing;
     const double most_swing = turn_ * widest_radius();
     const double reach = 2 * (farthest_ + most_swing);
-    const std::vector<PiecePair> overlapping = conflicts(scene_.pieces, spacing);
-    for (const PiecePair& pair : pairs_within(scene_.pieces, std::llround(reach) + spacing)) {
+    const std::vector<PiecePair> overlapping = conflicts(scene_.pieces);
+    for (const PiecePair& pair : pairs_within(scene_.pieces, std::llround(reach) + scene_.pieces.widest_spacing())) {
       const auto [p, q] = pair;
-      if (scene_.fixed(p) && scene_.fixed(q)) continue;
+      if (scene_.ties.joined(p, q)) continue;
+      const Coord spacing = scene_.pieces.spacing(pair);
       SeparationTarget target{0, scene_.relative_position(pair)};
       const bool overlaps = std::binary_search(overlapping.begin(), overlapping.end(), pair);
       if (overlaps) target = separation_target(scene_, pair, TargetRule::kNearest);
@@ -119,7 +119,7 @@ class Program {
     const std::vector<Vec> by = snapped(moves);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       pieces[i].at = pieces[i].at + by[i];
-      if (!scene_.fixed(i)) put_inside(pieces[i]);
+      if (!turns_[i].empty()) put_inside(pieces[i]);
     }
     return pieces;
   }
@@ -127,7 +127,7 @@ class Program {
   void put_inside(Piece& piece) const {
     const Marker& marker = scene_.marker;
     const Box box = box_of(oriented(marker.shapes[piece.shape.value].outline, piece.orientation));
-    const Box fit = inner_fit(box, 0, marker.strip.width);
+    const Box fit = inner_fit(box, marker.strip.room(0));
     piece.at.x = std::max(piece.at.x, fit.low.x);
     piece.at.y = std::max(fit.low.y, std::min(piece.at.y, fit.high.y));
   }

@@ -22,7 +22,8 @@ TiltRange tilt_range(const Marker& marker, PieceId id) {
   const Piece& piece = marker.pieces[id.value];
   const Angle limit = marker.shapes[piece.shape.value].tilt_limit;
   const Angle now = piece.orientation.tilt;
-  if (piece.locked) return {now, now};
+  const bool held = piece.locked.x || piece.locked.y || piece.locked.tilt || !piece.group.empty();
+  if (held) return {now, now};
   return {std::min(now, Angle::of_degrees(-limit.degrees)), std::max(now, limit)};
 }
 
@@ -36,7 +37,7 @@ Piece tilted(const Piece& piece, const PlacedPolygon& from, Angle tilt) {
 
 bool is_cuttable(const Marker& marker, const Piece& piece) {
   const Polygon outline = oriented(marker.shapes[piece.shape.value].outline, piece.orientation);
-  return static_cast<bool>(clean_polygon(outline)) && box_of(outline).height() <= marker.strip.width;
+  return static_cast<bool>(clean_polygon(outline)) && box_of(outline).height() <= marker.strip.room(0).height();
 }
 
 }  // namespace selvage

@@ -8,7 +8,8 @@
 namespace selvage {
 
 // How far a piece may tilt either way, counter-clockwise: its shape's limit, or as far as it is tilted now when that is
-// more.  A locked piece has its present tilt only.
+// more.  Pieces locked in any way, or of
+// a group, have their present tilt only.
 struct TiltRange {
   Angle least, most;
 };
@@ -16,7 +17,7 @@ struct TiltRange {
 
 // A piece turned about its pivot to the given tilt, to the nearest lattice point.  `from`: the piece where it lies.
 [[nodiscard]] Piece tilted(const Piece& piece, const PlacedPolygon& from, Angle tilt);
-// True when the piece's outline, rounded in its orientation, is still a polygon, and not wider than the strip.
+// True when the piece's outline, rounded in its orientation, is still a polygon, and not wider than the strip's room.
 [[nodiscard]] bool is_cuttable(const Marker& marker, const Piece& piece);
 // How a piece's position must move for its pivot (core/model/tilt_rows.h) to stay when it turns about it.
 [[nodiscard]] Displacement held_pivot(const PlacedPolygon& piece, Angle turn);

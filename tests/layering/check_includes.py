@@ -26,6 +26,7 @@ ALLOWED = {
 # Libraries that only one place may see.
 ONLY_IN = {
     "Clp": "core/lp/clp.cpp",
+    ("clipper", "polyclipping/"): "core/geometry/set_operations.cpp",
     "boost/asio": "server/",
     "boost/beast": "server/transport/http_connection.cpp",
     "nlohmann/": "protocol/",
@@ -64,6 +65,7 @@ def self_test():
         "core/geometry/a.h": '#include "core/marker/marker.h"\n',
         "core/motion/b.cpp": '#include "protocol/codec.h"\n',
         "core/lp/c.cpp": "#include <ClpSimplex.hpp>\n",
+        "core/marker/d.cpp": "#include <polyclipping/clipper.hpp>\n",
         "protocol/d.cpp": '#include "server/log.h"\n',
         "server/e.cpp": '#include "clients/cli/f.h"\n',
         "core/base/g.h": "#include <nlohmann/json.hpp>\n",

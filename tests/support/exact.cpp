@@ -8,6 +8,7 @@
 #include <CGAL/Small_side_angle_bisector_decomposition_2.h>
 #include <CGAL/minkowski_sum_2.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace selvage::test {
@@ -93,6 +94,22 @@ int compare_distance(const Polygon& p, const Polygon& q, Coord distance) {
     }
   }
   return static_cast<int>(least);
+}
+
+std::vector<double> areas_left_over(const Box& box, std::span<const Polygon> polygons) {
+  std::vector<Outer> covers;
+  for (const Polygon& polygon : polygons) covers.push_back(polygon_of(polygon));
+  Set covered;
+  covered.join(covers.begin(), covers.end());
+  const Polygon whole{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}};
+  Set open{polygon_of(whole)};
+  open.difference(covered);
+  std::vector<WithHoles> regions;
+  open.polygons_with_holes(std::back_inserter(regions));
+  std::vector<double> areas;
+  for (const WithHoles& region : regions) areas.push_back(area_of(region));
+  std::sort(areas.rbegin(), areas.rend());
+  return areas;
 }
 
 struct ExactSum::Region {

@@ -23,6 +23,9 @@ namespace selvage::test {
 // REQUIRES: their interiors do not meet.
 [[nodiscard]] int compare_distance(const Polygon& p, const Polygon& q, Coord distance);
 
+// The areas of the connected regions of the box that no polygon covers, largest first.
+[[nodiscard]] std::vector<double> areas_left_over(const Box& box, std::span<const Polygon> polygons);
+
 using Segment = std::pair<Real2, Real2>;
 
 // The Minkowski sum of two polygons.

@@ -2,13 +2,11 @@
 // each other.
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <set>
-#include <sstream>
 #include <tuple>
 
-#include "protocol/formats/format.h"
 #include "tests/core/minkowski/sum_laws.h"
+#include "tests/support/garment.h"
 #include "tests/support/random.h"
 
 namespace selvage::test {
@@ -18,15 +16,6 @@ struct ShapePair {
   Polygon first, second;
   Symmetry relative;
 };
-
-Marker garment(const std::string& name) {
-  std::ifstream file{std::string{SELVAGE_SOURCE_DIR} + "/examples/markers/" + name + ".json"};
-  std::stringstream text;
-  text << file.rdbuf();
-  auto read = read_marker(text.str());
-  EXPECT_TRUE(read) << name;
-  return read->marker;
-}
 
 // Every two shapes of one marker, one straight and one turned by half a turn, without repetition.
 std::vector<ShapePair> pairs_of(const Marker& marker) {
@@ -57,9 +46,7 @@ TEST_P(Garments, SumsKeepTheLaws) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Garments,
-                         ::testing::Values("jeans_02g", "charlie_04g", "simon_06g", "jeans_06g", "jeans_22g"),
-                         [](const auto& tested) { return std::string{tested.param}; });
+INSTANTIATE_TEST_SUITE_P(All, Garments, kGarments, garment_name);
 
 }  // namespace
 }  // namespace selvage::test

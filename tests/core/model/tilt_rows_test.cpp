@@ -107,9 +107,8 @@ TEST(TiltModel, OnlyPiecesThatMayTiltHaveAColumnMore) {
   const auto bar = layout.shape_of(test::rectangle(400'000, 100'000));
   layout.put(bar, {0, 200'000}).put(bar, {400'000, 200'000}).put(bar, {800'000, 200'000}, 0, true);
   const PlacedPieces pieces{layout.marker()};
-  const std::vector<std::uint32_t> group{0, 1, PositionModel::kFixed};
-  const std::vector<TurnRange> turns{{-0.01, 0}, {}, {-0.01, 0.01}};
-  TiltModel model{pieces, layout.marker().strip, group, turns, 50'000};
+  const std::vector<TurnRange> turns{{-0.01, 0}, {}, {}};
+  TiltModel model{pieces, layout.marker().strip, ties_of(layout.marker()), turns, 50'000};
   EXPECT_EQ(model.program().columns(), 5);
   EXPECT_FALSE(model.turn_column(1));
   EXPECT_FALSE(model.turn_column(2));  // fixed

@@ -110,22 +110,5 @@ RC_GTEST_PROP(BumpLaws, EndsAtALocalOptimum, ()) {
   RC_ASSERT(best_small_gain(marker, piece, std::cos(angle), std::sin(angle), 16) <= 8.0);
 }
 
-RC_GTEST_PROP(BumpLaws, AMirroredBumpIsTheMirroredAnswer, ()) {
-  const Marker marker = test::loose_marker(*rc::gen::arbitrary<std::uint32_t>(), 4, 3);
-  const auto piece = *rc::gen::inRange<std::uint32_t>(0, 12);
-  const double angle = *rc::gen::element(0.0, 0.5, 1.0, 0.3, 1.7, 1.25) * std::numbers::pi;
-  Marker mirrored = marker;
-  for (Shape& shape : mirrored.shapes) shape.may_flip = true;
-  for (Piece& each : mirrored.pieces) {  // across the strip's middle line
-    each.orientation.flip = true;
-    each.orientation.rotation.degrees = -each.orientation.rotation.degrees;
-    each.at.y = marker.strip.width - each.at.y;
-  }
-  RC_PRE(is_valid(mirrored));
-  const Bump straight = bumped(marker, piece, std::cos(angle), std::sin(angle));
-  const Bump reflected = bumped(mirrored, piece, std::cos(angle), -std::sin(angle));
-  RC_ASSERT(std::abs(straight.gain - reflected.gain) <= 30.0);
-}
-
 }  // namespace
 }  // namespace selvage

@@ -1,0 +1,159 @@
+#include "core/marker/unoccupied.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace selvage {
+namespace {
+
+constexpr double kLeastArea = 1e-4;  // of the width squared
+constexpr double kClearance = 2e-3;  // of the width
+constexpr Coord kRounding = 4;       // lattice units: pieces this much farther than the clearance still border
+
+struct Point {
+  double x{}, y{};
+};
+Point relative(Vec v, Vec origin) {
+  return {static_cast<double>(v.x - origin.x), static_cast<double>(v.y - origin.y)};
+}
+
+// An edge of a region's boundary, the region to its left.
+class Side {
+ public:
+  Side(Vec from, Vec to) : from_{from}, to_{to} {
+    const Point d = relative(to, from);
+    length_ = std::hypot(d.x, d.y);
+    along_ = {d.x / length_, d.y / length_};
+  }
+  [[nodiscard]] Box box() const {
+    return {{std::min(from_.x, to_.x), std::min(from_.y, to_.y)}, {std::max(from_.x, to_.x), std::max(from_.y, to_.y)}};
+  }
+  // Out of the region, of unit length.
+  [[nodiscard]] Point normal() const { return {along_.y, -along_.x}; }
+
+  // How far the edge c-d of a piece runs within `reach` of this one, against its direction; nothing when it stays
+  // farther away, 0 when it is only crossed or runs the other way.
+  [[nodiscard]] std::optional<double> run_along(Vec c, Vec d, double reach) const {
+    const Point p = frame(c);
+    const Point q = frame(d);
+    double low = 0;
+    double high = 1;
+    if (!cut(p.y, q.y, -reach, reach, low, high)) return std::nullopt;
+    if (!cut(p.x, q.x, -reach, length_ + reach, low, high)) return std::nullopt;
+    const double first = std::clamp(p.x + low * (q.x - p.x), 0.0, length_);
+    const double last = std::clamp(p.x + high * (q.x - p.x), 0.0, length_);
+    return std::max(0.0, first - last);
+  }
+
+ private:
+  // In the frame whose x axis is this edge.
+  [[nodiscard]] Point frame(Vec v) const {
+    const Point d = relative(v, from_);
+    return {along_.x * d.x + along_.y * d.y, along_.x * d.y - along_.y * d.x};
+  }
+  // Cuts the part [low, high] of the way from p to q down to where it lies in [least, most].
+  static bool cut(double p, double q, double least, double most, double& low, double& high) {
+    if (std::max(p, q) < least || std::min(p, q) > most) return false;
+    if (p == q) return true;
+    const double at_least = (least - p) / (q - p);
+    const double at_most = (most - p) / (q - p);
+    low = std::max(low, std::min(at_least, at_most));
+    high = std::min(high, std::max(at_least, at_most));
+    return low <= high;
+  }
+
+  Vec from_, to_;
+  double length_{};
+  Point along_;
+};
+
+std::vector<Side> sides_of(const Region& region) {
+  std::vector<Side> sides;
+  const auto append = [&sides](const Polygon& ring) {
+    for (std::size_t k = 0; k < ring.size(); ++k) sides.emplace_back(ring[k], ring[(k + 1) % ring.size()]);
+  };
+  append(region.outline);
+  for (const Polygon& hole : region.holes) append(hole);
+  return sides;
+}
+
+// What the piece is to the region's sides, if it borders on any.
+std::optional<Bordering> bordering(const std::vector<Side>& sides, const PlacedPolygon& piece, PieceId id,
+                                   Coord reach) {
+  Bordering sum{id, 0, 0};
+  bool any = false;
+  const Box box = piece.placed_box().grown(reach);
+  for (const Side& side : sides) {
+    const Box near = side.box().grown(reach);
+    if (!box.touches(side.box())) continue;
+    Vec c = piece.vertices.back() + piece.at;
+    for (const Vec v : piece.vertices) {
+      const Vec d = v + piece.at;
+      const Box edge{{std::min(c.x, d.x), std::min(c.y, d.y)}, {std::max(c.x, d.x), std::max(c.y, d.y)}};
+      const auto run = near.touches(edge) ? side.run_along(c, d, static_cast<double>(reach)) : std::nullopt;
+      c = d;
+      if (!run) continue;
+      any = true;
+      sum.x += *run * side.normal().x;
+      sum.y += *run * side.normal().y;
+    }
+  }
+  return any ? std::optional{sum} : std::nullopt;
+}
+
+std::vector<Bordering> around(const Region& region, const PlacedPieces& pieces, Coord clearance) {
+  const std::vector<Side> sides = sides_of(region);
+  const Coord reach = 2 * clearance + kRounding;  // mitred corners
+  const Box box = box_of(region.outline).grown(reach);
+  std::vector<Bordering> found;
+  for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+    if (!box.touches(pieces.box(i))) continue;
+    if (const auto beside = bordering(sides, pieces[i], PieceId{i}, reach)) found.push_back(*beside);
+  }
+  return found;
+}
+
+// All pieces' outlines, grown by the clearance: once for every polygon that pieces share.
+std::vector<Polygon> taken_by(const PlacedPieces& pieces, Coord clearance) {
+  std::map<const Vec*, std::vector<Polygon>> grown_polygons;
+  std::vector<Polygon> taken;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const PlacedPolygon piece = pieces[i];
+    auto& rings = grown_polygons[piece.vertices.data()];
+    if (rings.empty()) rings = grown(piece.vertices, clearance);
+    for (Polygon ring : rings) {
+      for (Vec& v : ring) v = v + piece.at;
+      taken.push_back(std::move(ring));
+    }
+  }
+  return taken;
+}
+
+}  // namespace
+
+UnoccupiedSettings unoccupied_settings(const Strip& strip) {
+  return {kLeastArea, std::llround(kClearance * static_cast<double>(strip.width))};
+}
+
+std::vector<UnoccupiedRegion> unoccupied_regions(const PlacedPieces& pieces, Coord width,
+                                                 const UnoccupiedSettings& settings) {
+  const Box cloth{{0, 0}, {pieces.length(), width}};
+  const double least = settings.least_area * static_cast<double>(width) * static_cast<double>(width);
+  std::vector<UnoccupiedRegion> found;
+  const Coord clearance = std::max(settings.clearance, kLeastClearance);
+  for (Region& region : left_over(cloth, taken_by(pieces, clearance))) {
+    const double area = area_of(region);
+    if (area < least) continue;
+    auto beside = around(region, pieces, clearance);
+    found.push_back({std::move(region), area, std::move(beside)});
+  }
+  return found;
+}
+
+std::vector<UnoccupiedRegion> unoccupied_regions(const Marker& marker, const UnoccupiedSettings& settings) {
+  return unoccupied_regions(PlacedPieces{marker}, marker.strip.width, settings);
+}
+
+}  // namespace selvage

@@ -1,0 +1,157 @@
+#include "core/motion/open_gap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "core/motion/push.h"
+#include "core/motion/scene.h"
+
+namespace selvage {
+namespace {
+
+constexpr int kTries = 4;       // steps that gain nothing, each shorter than the last, before the end
+constexpr double kShorter = 4;  // times
+
+class Opening {
+ public:
+  Opening(Scene& scene, const CompactionSettings& settings, const UnoccupiedSettings& regions,
+          const std::stop_token& stop, const Observer& observer)
+      : scene_{scene}, settings_{settings}, regions_{regions}, stop_{stop}, observer_{observer} {}
+
+  // Names the gap; false when there is none such.
+  bool choose(const GapChoice& choice) {
+    auto found = unoccupied_regions(scene_.pieces, scene_.marker.strip.width, regions_);
+    if (const auto* outline = std::get_if<AwayFromOutline>(&choice)) {
+      if (outline->region >= found.size()) return false;
+      gap_ = std::move(found[outline->region]);
+      inside_ = point_inside(gap_.region);
+      return true;
+    }
+    from_point_ = true;
+    inside_ = std::get<AwayFromPoint>(choice).point;
+    auto holding = holds(found);
+    if (!holding) return false;
+    gap_ = std::move(*holding);
+    return true;
+  }
+
+  void run() {
+    CompactionSettings one_round = settings_;
+    one_round.rounds = 1;
+    one_round.least_gain = 0;
+    progress_.reason = StopReason::kWorkLimit;
+    for (int tries = 0; progress_.rounds < settings_.rounds;) {
+      const std::vector<Vec> before = scene_.pieces.positions();
+      const double area = gap_.area;
+      const Progress step = improve(scene_, goal(), one_round, stop_, silent());
+      progress_.programs += step.programs;
+      const bool larger = step.rounds > 0 && take_larger();
+      if (!larger) scene_.pieces.place(before);
+      if (step.reason == StopReason::kCancelled || step.reason == StopReason::kSolverFailed) {
+        progress_.reason = step.reason;
+        return;
+      }
+      if (larger) {
+        ++progress_.rounds;
+        observer_.on_round({progress_.rounds, scene_.pieces.length()});
+      }
+      // Forces follow the area to first order only: a long step may overshoot where a short one gains.
+      if (gap_.area - area < settings_.least_gain * area) {
+        if (step.rounds == 0 || ++tries == kTries) {
+          progress_.reason = StopReason::kConverged;
+          return;
+        }
+        one_round.trust /= kShorter;
+      }
+    }
+  }
+
+  [[nodiscard]] const Progress& progress() const { return progress_; }
+  [[nodiscard]] const UnoccupiedRegion& gap() const { return gap_; }
+  [[nodiscard]] Vec inside() const { return inside_; }
+
+ private:
+  [[nodiscard]] std::optional<UnoccupiedRegion> holds(std::vector<UnoccupiedRegion>& found) const {
+    const auto held = std::find_if(found.begin(), found.end(), [&](const UnoccupiedRegion& candidate) {
+      return locate(inside_, candidate.region) != Location::kOutside;
+    });
+    return held == found.end() ? std::nullopt : std::optional{std::move(*held)};
+  }
+  // The gap as it is now; false, and nothing changed, when it has not grown.
+  bool take_larger() {
+    auto found = unoccupied_regions(scene_.pieces, scene_.marker.strip.width, regions_);
+    auto now = holds(found);
+    if (!now || now->area <= gap_.area) return false;
+    gap_ = std::move(*now);
+    return true;
+  }
+  [[nodiscard]] Observer silent() const {
+    Observer observer = observer_;
+    observer.on_round = [](const Round&) {};
+    return observer;
+  }
+  [[nodiscard]] Goal goal() const { return *pushing_goal(forces(), scene_.pieces.size()); }
+  [[nodiscard]] std::vector<Force> forces() const {
+    std::vector<Force> forces;
+    for (const Bordering& beside : gap_.around) {
+      if (scene_.fixed(beside.piece.value)) continue;
+      if (!from_point_) {
+        forces.push_back({beside.piece, beside.x, beside.y});
+        continue;
+      }
+      const Box box = scene_.pieces.box(beside.piece.value);
+      const double x = static_cast<double>(box.low.x + box.high.x) / 2 - static_cast<double>(inside_.x);
+      const double y = static_cast<double>(box.low.y + box.high.y) / 2 - static_cast<double>(inside_.y);
+      const double length = std::hypot(x, y);
+      if (length > 0) forces.push_back({beside.piece, x / length, y / length});
+    }
+    return forces;
+  }
+
+  Scene& scene_;
+  const CompactionSettings& settings_;
+  const UnoccupiedSettings& regions_;
+  const std::stop_token& stop_;
+  const Observer& observer_;
+  bool from_point_{};
+  Vec inside_;
+  UnoccupiedRegion gap_;
+  Progress progress_;
+};
+
+}  // namespace
+
+Result<OpenedGap> open_gap(const Marker& start, const GapChoice& choice, const CompactionSettings& settings,
+                           const UnoccupiedSettings& regions, SumCache& sums, std::stop_token stop,
+                           const Observer& observer) {
+  observer.on_stage(Stage::kOther);
+  Scene scene{start, sums};
+  OpenedGap opened;
+  opened.length_before = scene.pieces.length();
+  const auto healing = heal(scene, stop, observer);
+  if (!healing) return healing.error();
+  opened.healing = *healing;
+  Opening opening{scene, settings, regions, stop, observer};
+  if (!opening.choose(choice)) {
+    const bool by_point = std::holds_alternative<AwayFromPoint>(choice);
+    return Error{ErrorCode::kOutOfRange,
+                 by_point ? "the point lies in no unoccupied region large enough to count"
+                          : "region number " + std::to_string(std::get<AwayFromOutline>(choice).region) +
+                                " is not among the unoccupied regions",
+                 by_point ? "/point" : "/region"};
+  }
+  opened.before = opening.gap();
+  opening.run();
+  opened.reason = opening.progress().reason;
+  opened.rounds = opening.progress().rounds;
+  opened.programs = opening.progress().programs;
+  opened.inside = opening.inside();
+  opened.after = opening.gap();
+  opened.marker = scene.result();
+  opened.length_after = scene.pieces.length();
+  return opened;
+}
+
+}  // namespace selvage

@@ -1,0 +1,93 @@
+#include "tests/laws/random_marker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "tests/support/polygons.h"
+
+namespace selvage::test {
+namespace {
+
+constexpr Coord kLargestExtent = Coord{1} << 34;
+
+Polygon random_outline(Random& random, Coord extent) {
+  if (random.chance(30)) {
+    const Coord w = random.between(extent / 4, extent);
+    const Coord h = random.between(extent / 4, extent);
+    return {{0, 0}, {w, 0}, {w, h}, {0, h}};
+  }
+  for (;;) {
+    // Turned symmetries and small extents may leave idle vertices.
+    const auto clean = clean_polygon(random_polygon(random, extent));
+    if (clean) return clean->polygon;
+  }
+}
+
+}  // namespace
+
+Marker random_marker(Random& random) {
+  const Coord extent = std::min(kLargestExtent, Coord{1} << random.between(8, 34));
+  const auto rows = random.between(1, 3);
+  const auto columns = random.between(1, 4);
+  Marker marker;
+  marker.resolution = {-3};
+  marker.spacing = random.chance(40) ? random.between(1, extent / 50) : 0;
+  Coord largest = 0;
+  for (int k = 0; k < 4; ++k) {
+    Shape shape{
+        .id = "s" + std::to_string(k), .outline = random_outline(random, extent), .rotations = {}, .tilt_limit = {}};
+    shape.may_flip = true;
+    const Box box = box_of(shape.outline);
+    largest = std::max({largest, box.width(), box.height()});
+    marker.shapes.push_back(std::move(shape));
+  }
+  const Coord room = largest / random.between(4, 40) + 1;
+  const Coord pitch = largest + marker.spacing + room;
+  marker.strip.width = rows * pitch;
+  for (Coord c = 0; c < columns; ++c) {
+    for (Coord r = 0; r < rows; ++r) {
+      Piece piece{
+          .id = std::to_string(marker.pieces.size()),
+          .shape = ShapeId{static_cast<std::uint32_t>(random.below(4))},
+          .orientation = {random.chance(30), Angle::of_degrees(90.0 * static_cast<double>(random.below(4))), {}},
+          .at = {},
+          .locked = random.chance(15)};
+      const Box box = box_of(oriented(marker.shapes[piece.shape.value].outline, piece.orientation));
+      const Vec corner{c * pitch + random.between(0, room), r * pitch + random.between(0, room)};
+      piece.at = corner - box.low;
+      marker.pieces.push_back(std::move(piece));
+    }
+  }
+  return marker;
+}
+
+Marker shaken(Random& random, Marker marker, double part) {
+  const auto most = static_cast<Coord>(part * static_cast<double>(marker.strip.width));
+  for (Piece& piece : marker.pieces) {
+    if (!piece.locked) piece.at = piece.at + random.point(-most, most);
+  }
+  return marker;
+}
+
+Marker mirrored(Marker marker) {
+  for (Piece& piece : marker.pieces) {
+    piece.orientation.flip = !piece.orientation.flip;
+    piece.orientation.rotation.degrees = std::fmod(360 - piece.orientation.rotation.degrees, 360);
+    piece.at.y = marker.strip.width - piece.at.y;
+  }
+  return marker;
+}
+
+Marker on_finer_lattice(Marker marker) {
+  marker.resolution.exponent -= 1;
+  marker.strip.width *= 10;
+  marker.spacing *= 10;
+  for (Shape& shape : marker.shapes) {
+    for (Vec& v : shape.outline) v = {10 * v.x, 10 * v.y};
+  }
+  for (Piece& piece : marker.pieces) piece.at = {10 * piece.at.x, 10 * piece.at.y};
+  return marker;
+}
+
+}  // namespace selvage::test

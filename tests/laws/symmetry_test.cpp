@@ -1,0 +1,124 @@
+// Mirrored and scaled markers give mirrored and scaled answers.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/marker/validity.h"
+#include "core/motion/bump.h"
+#include "core/motion/compact.h"
+#include "core/motion/push.h"
+#include "tests/laws/random_marker.h"
+
+namespace selvage {
+namespace {
+
+using test::kSlowdown;
+using test::Random;
+
+Bump bumped(const Marker& marker, std::uint32_t piece, double dx, double dy) {
+  SumCache sums;
+  return bump(Scene{marker, sums}, piece, dx, dy);
+}
+
+// Along an axis now and then.
+double random_angle(Random& random) {
+  return std::numbers::pi * (random.chance(30) ? static_cast<double>(random.below(4)) / 2 : 2 * random.part());
+}
+
+// To the lattice unit.  No scene here is its own mirror image: there, one of two equally good ways has to be taken.
+TEST(SymmetryLaws, AMirroredBumpGivesTheMirroredAnswer) {
+  Random random{201};
+  for (int trial = 0; trial < 4000 / kSlowdown; ++trial) {
+    const Marker marker = test::random_marker(random);
+    const Marker reflection = test::mirrored(marker);
+    ASSERT_TRUE(is_valid(reflection)) << trial;
+    const auto piece = static_cast<std::uint32_t>(random.below(marker.pieces.size()));
+    const double angle = random_angle(random);
+    const Bump straight = bumped(marker, piece, std::cos(angle), std::sin(angle));
+    const Bump reflected = bumped(reflection, piece, std::cos(angle), -std::sin(angle));
+    ASSERT_EQ(straight.at.x, reflected.at.x) << trial;
+    ASSERT_EQ(straight.at.y, marker.strip.width - reflected.at.y) << trial;
+    ASSERT_EQ(straight.touching, reflected.touching) << trial;
+  }
+}
+
+// A marker in mm and the same one in tenths of a mm (every number ten times as large): the lattice is chosen from the
+// numbers, so both have the same coordinates, and every motion gives the same bytes in units ten times as small.
+TEST(SymmetryLaws, TenTimesTheNumbersAreTheSameMarker) {
+  Random random{202};
+  for (int trial = 0; trial < 500 / kSlowdown; ++trial) {
+    const auto hundredths = random.between(1'000, 100'000'000);
+    const double in_mm = static_cast<double>(hundredths) / 100;
+    const double in_tenths = static_cast<double>(hundredths) / 10;
+    const double extent = in_mm * static_cast<double>(random.between(1, 50));
+    const Resolution coarse = choose_resolution(2, extent, in_mm);
+    const Resolution fine = choose_resolution(1, 10 * extent, in_tenths);
+    ASSERT_EQ(fine.exponent, coarse.exponent + 1) << trial;
+    ASSERT_EQ(to_lattice(in_mm, coarse), to_lattice(in_tenths, fine)) << trial;
+    const Coord coordinate = random.between(0, to_lattice(in_mm, coarse));
+    ASSERT_NEAR(10 * to_decimal(coordinate, coarse), to_decimal(coordinate, fine), 1e-15 * to_decimal(coordinate, fine))
+        << trial;
+  }
+}
+
+TEST(SymmetryLaws, TheUnitsLengthChangesNothing) {
+  Random random{203};
+  for (int trial = 0; trial < 500 / kSlowdown; ++trial) {
+    const Marker marker = test::random_marker(random);
+    Marker other = marker;
+    other.resolution.exponent += 1;
+    const auto settings = compaction_settings(Accuracy::kStandard);
+    SumCache sums;
+    auto compacted = compact(marker, settings, sums);
+    auto same = compact(other, settings, sums);
+    ASSERT_TRUE(compacted && same) << trial;
+    same->marker.resolution = marker.resolution;
+    ASSERT_EQ(compacted->marker, same->marker) << trial;
+    ASSERT_EQ(compacted->rounds, same->rounds) << trial;
+  }
+}
+
+// On a lattice ten times as fine the answer is the same up to the coarser one's rounding, unless rounding decides which
+// of two ways is the better: then it is another local optimum.
+TEST(SymmetryLaws, AFinerLatticeGivesTheSameBumpUpToRounding) {
+  Random random{204};
+  const int trials = 1500 / kSlowdown;
+  int same = 0;
+  for (int trial = 0; trial < trials; ++trial) {
+    const Marker marker = test::random_marker(random);
+    const auto piece = static_cast<std::uint32_t>(random.below(marker.pieces.size()));
+    const double angle = random_angle(random);
+    const Bump coarse = bumped(marker, piece, std::cos(angle), std::sin(angle));
+    const Bump fine = bumped(test::on_finer_lattice(marker), piece, std::cos(angle), std::sin(angle));
+    const Vec off{10 * coarse.at.x - fine.at.x, 10 * coarse.at.y - fine.at.y};
+    same += std::max(std::abs(off.x), std::abs(off.y)) <= 40 ? 1 : 0;
+  }
+  EXPECT_GE(same, trials * 85 / 100) << "of " << trials;
+}
+
+// Nothing is rounded where rectangles move along the axes; only, less than two units of way are not worth a step, on
+// either lattice.
+TEST(SymmetryLaws, AFinerLatticeGivesRectanglesTheSameBump) {
+  Random random{205};
+  for (int trial = 0; trial < 1500 / kSlowdown; ++trial) {
+    Marker marker = test::random_marker(random);
+    for (Shape& shape : marker.shapes) {
+      const Box box = box_of(shape.outline);
+      shape.outline = {box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}};
+    }
+    const auto piece = static_cast<std::uint32_t>(random.below(marker.pieces.size()));
+    const auto towards = Symmetry{false, static_cast<int>(random.below(4))}.apply({1, 0});
+    const auto dx = static_cast<double>(towards.x);
+    const auto dy = static_cast<double>(towards.y);
+    const Bump coarse = bumped(marker, piece, dx, dy);
+    const Bump fine = bumped(test::on_finer_lattice(marker), piece, dx, dy);
+    const Vec off{10 * coarse.at.x - fine.at.x, 10 * coarse.at.y - fine.at.y};
+    ASSERT_LT(std::abs(off.x), 20) << trial;
+    ASSERT_LT(std::abs(off.y), 20) << trial;
+  }
+}
+
+}  // namespace
+}  // namespace selvage
