@@ -46,7 +46,7 @@ Marker shaken(Marker marker, double noise, std::uint32_t seed) {
     const double most = noise * diameter_of(outline);
     piece.at.x += std::llround(most * even());
     piece.at.y += std::llround(most * even());
-    const Box fit = inner_fit(box_of(outline), *marker.strip.longest, marker.strip.width);
+    const Box fit = inner_fit(box_of(outline), marker.strip.room(*marker.strip.last()));
     piece.at = {std::clamp(piece.at.x, fit.low.x, fit.high.x), std::clamp(piece.at.y, fit.low.y, fit.high.y)};
   }
   return marker;

@@ -56,22 +56,37 @@ std::optional<Error> strip_defect(const Marker& marker) {
         "the spacing is " + decimal(marker.spacing, marker.resolution) + "; it must be from 0 to the strip's width",
         "/spacing"};
   }
+  if (marker.strip.margin < 0 || 2 * marker.strip.margin >= marker.strip.width) {
+    return Error{ErrorCode::kOutOfRange,
+                 "the margin is " + decimal(marker.strip.margin, marker.resolution) +
+                     "; it must be from 0 to less than half the strip's width",
+                 "/strip/margin"};
+  }
   return std::nullopt;
+}
+
+std::optional<Error> buffer_defect(const Marker& marker, std::size_t k) {
+  const Coord buffer = marker.pieces[k].buffer;
+  if (buffer >= 0 && buffer <= marker.strip.width) return std::nullopt;
+  return Error{ErrorCode::kOutOfRange,
+               "the buffer is " + decimal(buffer, marker.resolution) + "; it must be from 0 to the strip's width",
+               at_index("pieces", k) + "/buffer"};
 }
 
 // A turned outline is rounded to the lattice once; from then on the rounded outline is the piece, so it must be a
 // polygon.
-std::optional<Error> orientation_defect(const Shape& shape, const Orientation& orientation, Coord width,
+std::optional<Error> orientation_defect(const Shape& shape, const Orientation& orientation, const Strip& strip,
                                         Resolution resolution) {
   const Polygon outline = oriented(shape.outline, orientation);
   if (split(orientation).turn.degrees != 0.0) {
     const auto clean = clean_polygon(outline);
     if (!clean) return Error{clean.error().code, "turned and rounded to the lattice, " + clean.error().message, {}};
   }
-  if (const Coord across = box_of(outline).height(); across > width) {
+  if (const Coord across = box_of(outline).height(); across > strip.width - 2 * strip.margin) {
     return Error{ErrorCode::kPieceTooWide,
                  "shape \"" + shape.id + "\" is " + decimal(across, resolution) +
-                     " across in this orientation; the strip is " + decimal(width, resolution) + " wide",
+                     " across in this orientation; the strip is " + decimal(strip.width, resolution) + " wide" +
+                     (strip.margin > 0 ? ", its margins included" : ""),
                  {}};
   }
   return std::nullopt;
@@ -100,6 +115,7 @@ Result<Marker> make_marker(Marker marker) {
                    "shape number " + std::to_string(piece.shape.value) + " of " + std::to_string(marker.shapes.size()),
                    at_index("pieces", k) + "/shape"};
     }
+    if (const auto defect = buffer_defect(marker, k)) return *defect;
     const Shape& shape = marker.shapes[piece.shape.value];
     if (!allows(shape, piece.orientation)) {
       return Error{ErrorCode::kOrientationNotAllowed,
@@ -109,7 +125,7 @@ Result<Marker> make_marker(Marker marker) {
                    at_index("pieces", k) + "/rotation"};
     }
     const auto [at, fresh] = seen.try_emplace({piece.shape, piece.orientation});
-    if (fresh) at->second = orientation_defect(shape, piece.orientation, marker.strip.width, marker.resolution);
+    if (fresh) at->second = orientation_defect(shape, piece.orientation, marker.strip, marker.resolution);
     if (at->second) return Error{at->second->code, at->second->message, at_index("pieces", k)};
   }
   return marker;

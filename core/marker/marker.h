@@ -20,6 +20,18 @@ namespace selvage {
 struct Strip {
   Coord width{};                   // across, along y
   std::optional<Coord> longest{};  // the cloth's end, when it has one: no piece may pass it
+  Coord margin{};                  // pieces stay this far from the strip's edges, the cloth's end included
+
+  // Where pieces may be, up to x = `end`.
+  [[nodiscard]] constexpr Box room(Coord end) const { return {{margin, margin}, {end, width - margin}}; }
+  // How far pieces may reach: nothing when the cloth has no end.
+  [[nodiscard]] constexpr std::optional<Coord> last() const {
+    return longest ? std::optional{*longest - margin} : std::nullopt;
+  }
+  // The same strip, with pieces reaching to `last` at most.
+  [[nodiscard]] constexpr Strip ending(std::optional<Coord> last) const {
+    return {width, last ? std::optional{*last + margin} : std::nullopt, margin};
+  }
   friend bool operator==(const Strip&, const Strip&) = default;
 };
 
@@ -33,13 +45,25 @@ struct Shape {
   friend bool operator==(const Shape&, const Shape&) = default;
 };
 
+// What no motion may change of a piece.
+struct Locks {
+  bool x{}, y{}, tilt{};
+  constexpr Locks() = default;
+  constexpr Locks(bool all) : x{all}, y{all}, tilt{all} {}  // NOLINT(*-explicit-*): locked = true
+  constexpr Locks(bool in_x, bool in_y, bool in_tilt) : x{in_x}, y{in_y}, tilt{in_tilt} {}
+  [[nodiscard]] constexpr explicit operator bool() const { return x && y && tilt; }  // wholly
+  friend constexpr auto operator<=>(const Locks&, const Locks&) = default;
+};
+
 // One copy of a shape, placed: the shape in its orientation, moved by `at`.
 struct Piece {
   std::string id;
   ShapeId shape;
   Orientation orientation;
   Vec at;
-  bool locked{};  // no motion may move it
+  Locks locked{};
+  std::string group{};  // pieces of one group move as one and do not tilt; empty: of none
+  Coord buffer{};       // room kept about it: two pieces are no closer than the sum of their buffers
   friend bool operator==(const Piece&, const Piece&) = default;
 };
 
@@ -48,7 +72,7 @@ struct Marker {
   std::string unit{"mm"};
   Resolution resolution;
   Strip strip;
-  Coord spacing{};  // least distance between two pieces; 0: they may touch
+  Coord spacing{};  // least distance between any two pieces; 0: they may touch
   std::vector<Shape> shapes;
   std::vector<Piece> pieces;
   friend bool operator==(const Marker&, const Marker&) = default;
@@ -57,7 +81,8 @@ struct Marker {
 inline constexpr std::size_t kMaxPieces = 20'000;
 
 // Checks the invariant above.  Errors: kEmptyMarker, kTooManyPieces, kDuplicateId, kUnknownShape, kPieceTooWide,
-// kOrientationNotAllowed, kOutOfRange (strip width, spacing); `field` is a JSON pointer into the native form.
+// kOrientationNotAllowed, kOutOfRange (strip width and margin, spacing, buffers); `field` is a JSON pointer into the
+// native form.
 [[nodiscard]] Result<Marker> make_marker(Marker marker);
 
 // A piece's outline where it lies.

@@ -6,7 +6,7 @@
 
 namespace selvage {
 
-PlacedPieces::PlacedPieces(const Marker& marker) {
+PlacedPieces::PlacedPieces(const Marker& marker) : spacing_{marker.spacing} {
   std::map<std::pair<ShapeId, Orientation>, std::shared_ptr<const SharedPolygon>> made;
   polygons_.reserve(marker.pieces.size());
   at_.reserve(marker.pieces.size());
@@ -19,7 +19,10 @@ PlacedPieces::PlacedPieces(const Marker& marker) {
     }
     polygons_.push_back(polygon);
     at_.push_back(piece.at);
+    buffers_.push_back(piece.buffer);
   }
+  const Coord widest_buffer = buffers_.empty() ? 0 : *std::max_element(buffers_.begin(), buffers_.end());
+  widest_spacing_ = std::max(spacing_, 2 * widest_buffer);
 }
 
 Coord PlacedPieces::length() const {
@@ -49,11 +52,12 @@ std::vector<PiecePair> pairs_within(const PlacedPieces& pieces, Coord distance) 
   return pairs;
 }
 
-std::vector<PiecePair> conflicts(const PlacedPieces& pieces, Coord spacing) {
+std::vector<PiecePair> conflicts(const PlacedPieces& pieces) {
   std::vector<PiecePair> found;
-  for (const PiecePair& pair : pairs_within(pieces, spacing)) {
+  for (const PiecePair& pair : pairs_within(pieces, pieces.widest_spacing())) {
     const PlacedPolygon p = pieces[pair.first];
     const PlacedPolygon q = pieces[pair.second];
+    const Coord spacing = pieces.spacing(pair);
     if (spacing > 0 ? closer_than(p, q, spacing) : overlap(p, q)) found.push_back(pair);
   }
   return found;

@@ -1,6 +1,7 @@
 // A marker made ready for geometry: every piece's polygon in its orientation, and where it lies.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -17,6 +18,9 @@ struct SharedPolygon {
   Box box;
 };
 
+// Two pieces, first < second.
+using PiecePair = std::pair<std::uint32_t, std::uint32_t>;
+
 class PlacedPieces {
  public:
   explicit PlacedPieces(const Marker& marker);
@@ -30,21 +34,26 @@ class PlacedPieces {
   [[nodiscard]] Vec at(std::size_t piece) const { return at_[piece]; }
   [[nodiscard]] const std::vector<Vec>& positions() const { return at_; }
   void place(std::vector<Vec> positions) { at_ = std::move(positions); }
+  // The least distance the two must keep: the marker's spacing, or their buffers.
+  [[nodiscard]] Coord spacing(PiecePair pair) const {
+    return std::max(spacing_, buffers_[pair.first] + buffers_[pair.second]);
+  }
+  // The largest spacing of any pair.
+  [[nodiscard]] Coord widest_spacing() const { return widest_spacing_; }
   // Where the rightmost piece ends.
   [[nodiscard]] Coord length() const;
 
  private:
   std::vector<std::shared_ptr<const SharedPolygon>> polygons_;
   std::vector<Vec> at_;
+  std::vector<Coord> buffers_;
+  Coord spacing_, widest_spacing_;
 };
-
-// Two pieces, first < second.
-using PiecePair = std::pair<std::uint32_t, std::uint32_t>;
 
 // All pairs whose boxes come closer than `distance` on both axes (0: whose boxes overlap), sorted.
 [[nodiscard]] std::vector<PiecePair> pairs_within(const PlacedPieces& pieces, Coord distance);
 
-// All pairs that overlap or are closer than the spacing, sorted.  Exact.
-[[nodiscard]] std::vector<PiecePair> conflicts(const PlacedPieces& pieces, Coord spacing);
+// All pairs that overlap or are closer than their spacing, sorted.  Exact.
+[[nodiscard]] std::vector<PiecePair> conflicts(const PlacedPieces& pieces);
 
 }  // namespace selvage

@@ -8,15 +8,11 @@
 #include "core/minkowski/nearest_edges.h"
 
 namespace selvage {
-namespace {
 
 Coord protrusion_of(const Box& box, const Strip& strip) {
-  Coord by = std::max({-box.low.x, -box.low.y, box.high.y - strip.width});
-  if (strip.longest) by = std::max(by, box.high.x - *strip.longest);
-  return by;
+  const Box room = strip.room(strip.last().value_or(box.high.x));
+  return std::max({room.low.x - box.low.x, room.low.y - box.low.y, box.high.x - room.high.x, box.high.y - room.high.y});
 }
-
-}  // namespace
 
 OrientedOutline oriented_outline(const Marker& marker, PieceId id, SumCache& sums) {
   const Piece& piece = marker.pieces[id.value];
@@ -27,7 +23,8 @@ OrientedOutline oriented_outline(const Marker& marker, PieceId id, SumCache& sum
 Validity check(const Marker& marker, SumCache& sums) {
   Validity validity;
   const PlacedPieces pieces{marker};
-  for (const auto& [first, second] : conflicts(pieces, marker.spacing)) {
+  for (const PiecePair& pair : conflicts(pieces)) {
+    const auto [first, second] = pair;
     const PlacedPolygon p = pieces[first];
     const PlacedPolygon q = pieces[second];
     const auto inside_both = common_point(p, q);
@@ -35,7 +32,7 @@ Validity check(const Marker& marker, SumCache& sums) {
     const Obstacle obstacle =
         sums.obstacle(oriented_outline(marker, PieceId{first}, sums), oriented_outline(marker, PieceId{second}, sums));
     const double distance = nearest_boundary_point(obstacle.sum(), obstacle.to_frame(q.at - p.at)).distance;
-    const double depth = static_cast<double>(marker.spacing) + (inside_both ? distance : -distance);
+    const double depth = static_cast<double>(pieces.spacing(pair)) + (inside_both ? distance : -distance);
     validity.overlaps.push_back({PieceId{first}, PieceId{second}, witness.x, witness.y, depth});
   }
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {
@@ -51,7 +48,7 @@ bool is_valid(const Marker& marker) {
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (protrusion_of(pieces.box(i), marker.strip) > 0) return false;
   }
-  return conflicts(pieces, marker.spacing).empty();
+  return conflicts(pieces).empty();
 }
 
 }  // namespace selvage

@@ -1,5 +1,6 @@
-// Is a marker valid?  Decided in integers: pieces may touch, never overlap, never be closer than the spacing, never
-// leave the strip.  Every answer of Selvage passes through here before it is given.
+// Is a marker valid?  Decided in integers: pieces may touch, never overlap, never be closer than the spacing and
+// their buffers allow, never leave the strip or enter its margins.  Every answer of Selvage passes through here before
+// it is given.
 #pragma once
 
 #include <optional>
@@ -13,7 +14,7 @@ namespace selvage {
 
 class SumCache;
 
-// Two pieces that overlap, or are closer than the marker's spacing.
+// Two pieces that overlap, or are closer than their spacing.
 struct Overlap {
   PieceId first, second;  // first < second
   double witness_x{},
@@ -30,6 +31,9 @@ struct Validity {
   std::vector<Protrusion> protrusions;  // by piece
   [[nodiscard]] bool valid() const { return overlaps.empty() && protrusions.empty(); }
 };
+
+// The largest distance by which a box leaves the strip or enters its margins; 0 or less when it does neither.
+[[nodiscard]] Coord protrusion_of(const Box& box, const Strip& strip);
 
 // A piece as the cache of sums knows it.
 [[nodiscard]] OrientedOutline oriented_outline(const Marker& marker, PieceId piece, SumCache& sums);

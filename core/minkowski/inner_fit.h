@@ -5,10 +5,9 @@
 
 namespace selvage {
 
-// Positions of a piece with box `piece` that keep it within [0, length] x [0, width]; empty (high < low) when it does
-// not fit.
-[[nodiscard]] constexpr Box inner_fit(const Box& piece, Coord length, Coord width) {
-  return {{-piece.low.x, -piece.low.y}, {length - piece.high.x, width - piece.high.y}};
+// Positions of a piece with box `piece` that keep it within `room`; empty (high < low) when it does not fit.
+[[nodiscard]] constexpr Box inner_fit(const Box& piece, const Box& room) {
+  return {room.low - piece.low, room.high - piece.high};
 }
 
 }  // namespace selvage

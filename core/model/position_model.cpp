@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "core/minkowski/inner_fit.h"
-
 namespace selvage {
 namespace {
 
@@ -27,55 +25,61 @@ PairRow row_of(PiecePair pair, const HalfPlane& side, Vec r, Coord spacing, doub
   return row;
 }
 
-PositionModel::PositionModel(const PlacedPieces& pieces, const Strip& strip, std::span<const std::uint32_t> group)
+PositionModel::PositionModel(const PlacedPieces& pieces, const Strip& strip, const Ties& ties)
     : pieces_{pieces},
       unit_{static_cast<double>(strip.width) / kUnitsAcross},
       length_{pieces.length()},
-      column_(pieces.size(), -1),
+      x_(pieces.size(), kNone),
+      y_(pieces.size(), kNone),
       wall_row_(pieces.size(), kNoWall) {
-  std::vector<int> column_of_group(pieces.size(), -1);
+  std::vector<int> x_of(pieces.size(), kNone);  // by tie
+  std::vector<int> y_of(pieces.size(), kNone);
+  const Box room = strip.room(strip.last().value_or(0));
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (group[i] == kFixed) continue;
-    const Box fit = inner_fit(pieces[i].box, 0, strip.width);
-    const Vec at = pieces.at(i);
-    const double left = static_cast<double>(fit.low.x - at.x) / unit_;
-    const double low = static_cast<double>(fit.low.y - at.y) / unit_;
-    const double high = static_cast<double>(fit.high.y - at.y) / unit_;
-    const double right = strip.longest ? static_cast<double>(*strip.longest - pieces.box(i).high.x) / unit_ : kInfinity;
-    int& column = column_of_group[group[i]];
-    if (column < 0) {
-      column = program_.add_column(0, left, right);
-      program_.add_column(0, low, high);
-    } else {
-      const auto c = static_cast<std::size_t>(column);
-      program_.lower[c] = std::max(program_.lower[c], left);
-      program_.upper[c] = std::min(program_.upper[c], right);
-      program_.lower[c + 1] = std::max(program_.lower[c + 1], low);
-      program_.upper[c + 1] = std::min(program_.upper[c + 1], high);
+    const Box box = pieces.box(i);
+    const auto way = [&](Coord from, Coord to) { return static_cast<double>(to - from) / unit_; };
+    if (ties.x[i] != Ties::kFixed) {
+      bound(x_of[ties.x[i]], way(box.low.x, room.low.x), strip.longest ? way(box.high.x, room.high.x) : kInfinity);
+      x_[i] = x_of[ties.x[i]];
     }
-    column_[i] = column;
+    if (ties.y[i] != Ties::kFixed) {
+      bound(y_of[ties.y[i]], way(box.low.y, room.low.y), way(box.high.y, room.high.y));
+      y_[i] = y_of[ties.y[i]];
+    }
   }
 }
 
-void PositionModel::add(const PairRow& row, std::optional<int> give) {
-  std::array<LinearProgram::Entry, 5> entries{};
-  std::size_t count = 0;
-  const int p = column_[row.pair.first];
-  const int q = column_[row.pair.second];
-  if (p == q) return;  // both fixed, or of one group: nothing to say
-  const auto put = [&](int column, double value) {
-    if (value != 0) entries[count++] = {column, value};
+// Makes the column if there is none yet; narrows it else.
+void PositionModel::bound(int& column, double low, double high) {
+  if (column == kNone) {
+    column = program_.add_column(0, low, high);
+    return;
+  }
+  const auto c = static_cast<std::size_t>(column);
+  program_.lower[c] = std::max(program_.lower[c], low);
+  program_.upper[c] = std::min(program_.upper[c], high);
+}
+
+Terms PositionModel::terms(std::size_t q, std::optional<std::size_t> p, double nx, double ny) const {
+  Terms terms;
+  const auto put = [&](const std::vector<int>& columns, double n) {
+    const int second = columns[q];
+    const int first = p ? columns[*p] : kNone;
+    if (n == 0 || first == second) return;  // one displacement: its difference is nothing
+    if (second != kNone) terms.add(second, n);
+    if (first != kNone) terms.add(first, -n);
   };
-  if (q >= 0) {
-    put(q, row.nx);
-    put(q + 1, row.ny);
-  }
-  if (p >= 0) {
-    put(p, -row.nx);
-    put(p + 1, -row.ny);
-  }
-  if (give) put(*give, 1);
-  program_.add_row(std::span{entries}.first(count), row.bound / unit_);
+  put(x_, nx);
+  put(y_, ny);
+  return terms;
+}
+
+void PositionModel::add(const PairRow& row, std::optional<int> give) {
+  const auto [p, q] = row.pair;
+  if (x_[p] == x_[q] && y_[p] == y_[q]) return;  // they never move against each other: nothing to say
+  Terms entries = terms(q, p, row.nx, row.ny);
+  if (give) entries.add(*give, 1);
+  program_.add_row(entries.all(), row.bound / unit_);
 }
 
 void PositionModel::add_length(double cost, double shorten, double lengthen) {
@@ -84,8 +88,8 @@ void PositionModel::add_length(double cost, double shorten, double lengthen) {
 
 void PositionModel::add_right_wall(std::size_t piece) {
   const double room = static_cast<double>(length_ - pieces_.box(piece).high.x) / unit_;
-  if (column_[piece] >= 0) {
-    const std::array<LinearProgram::Entry, 2> entries{{{length_column_, 1}, {column_[piece], -1}}};
+  if (x_[piece] != kNone) {
+    const std::array<LinearProgram::Entry, 2> entries{{{length_column_, 1}, {x_[piece], -1}}};
     wall_row_[piece] = program_.add_row(entries, -room);
   } else {
     wall_row_[piece] = kWallIsBound;
@@ -99,19 +103,17 @@ std::optional<int> PositionModel::right_wall_row(std::size_t piece) const {
 }
 
 void PositionModel::add_cost(std::size_t piece, double x, double y) {
-  if (column_[piece] < 0) return;
-  const auto c = static_cast<std::size_t>(column_[piece]);
-  program_.cost[c] += x;
-  program_.cost[c + 1] += y;
+  if (x_[piece] != kNone) program_.cost[static_cast<std::size_t>(x_[piece])] += x;
+  if (y_[piece] != kNone) program_.cost[static_cast<std::size_t>(y_[piece])] += y;
 }
 
 void PositionModel::add_stillness(double cost, std::span<const Vec> home) {
-  std::vector<char> counted(program_.cost.size());  // each group once
+  std::vector<char> counted(program_.cost.size());  // tied pieces once
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    if (column_[i] < 0 || counted[static_cast<std::size_t>(column_[i])] != 0) continue;
-    counted[static_cast<std::size_t>(column_[i])] = 1;
     const Vec away = home.empty() ? Vec{} : pieces_.at(i) - home[i];
-    for (const auto& [column, offset] : {std::pair{column_[i], away.x}, std::pair{column_[i] + 1, away.y}}) {
+    for (const auto& [column, offset] : {std::pair{x_[i], away.x}, std::pair{y_[i], away.y}}) {
+      if (column == kNone || counted[static_cast<std::size_t>(column)] != 0) continue;
+      counted[static_cast<std::size_t>(column)] = 1;
       // |away + d| is the least t with t >= away + d and t >= -(away + d).
       const double bound = static_cast<double>(offset) / unit_;
       const int magnitude = program_.add_column(cost, 0, kInfinity);
@@ -121,16 +123,11 @@ void PositionModel::add_stillness(double cost, std::span<const Vec> home) {
   }
 }
 
-std::optional<int> PositionModel::column(std::size_t piece) const {
-  return column_[piece] < 0 ? std::nullopt : std::optional{column_[piece]};
-}
-
 std::vector<Displacement> PositionModel::displacements(std::span<const double> x) const {
   std::vector<Displacement> moves(pieces_.size());
   for (std::size_t i = 0; i < moves.size(); ++i) {
-    if (column_[i] < 0) continue;
-    const auto c = static_cast<std::size_t>(column_[i]);
-    moves[i] = {x[c] * unit_, x[c + 1] * unit_};
+    if (x_[i] != kNone) moves[i].x = x[static_cast<std::size_t>(x_[i])] * unit_;
+    if (y_[i] != kNone) moves[i].y = x[static_cast<std::size_t>(y_[i])] * unit_;
   }
   return moves;
 }

@@ -1,10 +1,12 @@
 // The position model: all pieces' displacements as one linear program [Li94 4.1.3, 4.1.4].
 //
 // Columns are displacements from the present position, in units of a thousandth of the strip's width, so that the
-// program is well scaled whatever the lattice.  Pieces of one group share their columns; fixed pieces have none.  Rows
-// are n . (d_q - d_p) >= bound with unit n.  Length is a column of its own: the change of the marker's length.
+// program is well scaled whatever the lattice.  Tied pieces share their columns, fixed ones have none: on each axis for
+// itself (core/model/ties.h).  Rows are n . (d_q - d_p) >= bound with unit n.  Length is a column of its own: the
+// change of the marker's length.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -13,6 +15,7 @@
 #include "core/lp/linear_program.h"
 #include "core/marker/placed_pieces.h"
 #include "core/model/free_region.h"
+#include "core/model/ties.h"
 
 namespace selvage {
 
@@ -37,13 +40,19 @@ struct Displacement {
   double x{}, y{};  // lattice units
 };
 
+// The entries of a row on a pair: at most two columns of each piece, and one more.
+struct Terms {
+  std::array<LinearProgram::Entry, 5> entries{};
+  std::size_t count{};
+  void add(int column, double value) { entries[count++] = {column, value}; }
+  [[nodiscard]] std::span<const LinearProgram::Entry> all() const { return std::span{entries}.first(count); }
+};
+
 class PositionModel {
  public:
-  static constexpr std::uint32_t kFixed = UINT32_MAX;
-
-  // `group[i]`: the group piece i moves with (any number below the number of pieces), or kFixed.  The strip's edges
-  // become bounds of the columns [Li94 4.1.3]; pieces that leave the strip now are asked to come back.
-  PositionModel(const PlacedPieces& pieces, const Strip& strip, std::span<const std::uint32_t> group);
+  // The strip's edges become bounds of the columns [Li94 4.1.3]; pieces that leave the strip now are asked to come
+  // back.
+  PositionModel(const PlacedPieces& pieces, const Strip& strip, const Ties& ties);
 
   // Lattice units in one unit of a column.
   [[nodiscard]] double unit() const { return unit_; }
@@ -60,21 +69,30 @@ class PositionModel {
   // Costs per unit of a piece's displacement.
   void add_cost(std::size_t piece, double x, double y);
   // Costs per unit of |x| and |y| of every displacement: one column and two rows for each.  With `home`, one position
-  // per piece, what costs is the distance of each piece from its home; of a group, that of its first piece.
+  // per piece, what costs is the distance of each piece from its home; of tied ones, that of the first.
   void add_stillness(double cost, std::span<const Vec> home = {});
 
   [[nodiscard]] const LinearProgram& program() const { return program_; }
   [[nodiscard]] LinearProgram& program() { return program_; }
-  // The x column of a piece (its y column is the next), or nothing when it is fixed.
-  [[nodiscard]] std::optional<int> column(std::size_t piece) const;
+  // A piece's columns, or nothing where it is fixed.
+  [[nodiscard]] std::optional<int> x_column(std::size_t piece) const { return some(x_[piece]); }
+  [[nodiscard]] std::optional<int> y_column(std::size_t piece) const { return some(y_[piece]); }
+  // (nx, ny) . (displacement of q - displacement of p) as a row's entries; without p, the displacement of q alone.
+  [[nodiscard]] Terms terms(std::size_t q, std::optional<std::size_t> p, double nx, double ny) const;
   [[nodiscard]] std::vector<Displacement> displacements(std::span<const double> x) const;
   [[nodiscard]] double length_change(std::span<const double> x) const;  // lattice units
 
  private:
+  static constexpr int kNone = -1;
+  [[nodiscard]] static std::optional<int> some(int column) {
+    return column == kNone ? std::nullopt : std::optional{column};
+  }
+  void bound(int& column, double low, double high);
+
   const PlacedPieces& pieces_;
   double unit_;
   Coord length_;
-  std::vector<int> column_;  // of each piece; -1 when fixed
+  std::vector<int> x_, y_;  // each piece's columns; kNone where it is fixed
   static constexpr int kNoWall = -2;
   static constexpr int kWallIsBound = -1;
   std::vector<int> wall_row_;  // of each piece, or one of the two above

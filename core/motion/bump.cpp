@@ -28,8 +28,15 @@ constexpr std::array<std::pair<double, double>, 4> kSlants{
 struct Bound {
   HalfPlane side;         // of the relative position; unused for the strip's edges
   std::uint32_t piece{};  // kEdge for the strip's edges and the cell's reach
+  Vec offset;             // from the bumped piece to the one of its body that has the bound
 };
 constexpr std::uint32_t kEdge = UINT32_MAX;
+
+// A piece that moves: the bumped one, or another of its group.
+struct Member {
+  std::uint32_t piece{};
+  Vec offset;  // from the bumped one, which never changes
+};
 
 class Bumper {
  public:
@@ -38,10 +45,21 @@ class Bumper {
         piece_{piece},
         ux_{ux},
         uy_{uy},
-        spacing_{scene.marker.spacing},
-        fit_{inner_fit(scene.pieces[piece].box, end_of(scene), scene.marker.strip.width)},
         at_{scene.pieces.at(piece)},
-        reach_{kFirstReach * static_cast<double>(scene.marker.strip.width)} {}
+        reach_{kFirstReach * static_cast<double>(scene.marker.strip.width)} {
+    moves_.resize(scene.pieces.size());
+    const Box room = scene.marker.strip.room(scene.marker.strip.last().value_or(scene.pieces.length()));
+    for (std::uint32_t i = 0; i < scene.pieces.size(); ++i) {
+      if (!scene.ties.joined(i, piece)) continue;
+      moves_[i] = 1;
+      body_.push_back({i, scene.pieces.at(i) - at_});
+      const Box fit = inner_fit(scene.pieces[i].box, room).moved(-body_.back().offset);
+      fit_.low = {std::max(fit_.low.x, fit.low.x), std::max(fit_.low.y, fit.low.y)};
+      fit_.high = {std::min(fit_.high.x, fit.high.x), std::min(fit_.high.y, fit.high.y)};
+    }
+    if (scene.ties.x[piece] == Ties::kFixed) fit_.low.x = fit_.high.x = at_.x;
+    if (scene.ties.y[piece] == Ties::kFixed) fit_.low.y = fit_.high.y = at_.y;
+  }
 
   Bump run() {
     for (int step = 0; step < kSteps; ++step) {
@@ -55,9 +73,6 @@ class Bumper {
   }
 
  private:
-  static Coord end_of(const Scene& scene) {
-    return scene.marker.strip.longest ? *scene.marker.strip.longest : scene.pieces.length();
-  }
   [[nodiscard]] double gain(Vec by) const { return ux_ * static_cast<double>(by.x) + uy_ * static_cast<double>(by.y); }
 
   using Way = std::pair<double, double>;
@@ -127,20 +142,7 @@ class Bumper {
   void build_cell(double towards_x, double towards_y) {
     cell_.clear();
     bounds_.clear();
-    const Box own = scene_.pieces[piece_].box.moved(at_).grown(std::llround(reach_) + spacing_);
-    for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
-      if (other == piece_ || !own.overlaps(scene_.pieces.box(other))) continue;
-      const Vec r = at_ - scene_.pieces.at(other);
-      const Obstacle obstacle = scene_.sums.obstacle(scene_.outlines[other], scene_.outlines[piece_]);
-      const RegionSettings region{RegionRule::kGreedy, 1.5 * reach_ + static_cast<double>(spacing_), spacing_,
-                                  towards_x, towards_y};
-      for (const HalfPlane& side : free_region(obstacle, r, region)) {
-        const PairRow row = row_of({0, 1}, side, r, spacing_, 0, TightRows::kKeep);
-        const double slack = std::max(0.0, slack_of(side, r) - static_cast<double>(spacing_));
-        cell_.push_back({row.nx, row.ny, slack});
-        bounds_.push_back({side, other});
-      }
-    }
+    for (const Member& member : body_) add_neighbours(member, towards_x, towards_y);
     const auto room = [](Coord from, Coord to) { return static_cast<double>(std::max(Coord{0}, to - from)); };
     add_edge(1, 0, room(fit_.low.x, at_.x));
     add_edge(-1, 0, room(at_.x, fit_.high.x));
@@ -148,9 +150,27 @@ class Bumper {
     add_edge(0, -1, room(at_.y, fit_.high.y));
     for (const auto& [nx, ny] : {std::pair{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}) add_edge(nx, ny, reach_);
   }
+  void add_neighbours(const Member& member, double towards_x, double towards_y) {
+    const Vec at = at_ + member.offset;
+    const Box own = scene_.pieces[member.piece].box.moved(at).grown(std::llround(reach_) + spacing_);
+    for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
+      if (moves_[other] != 0 || !own.overlaps(scene_.pieces.box(other))) continue;
+      const Coord spacing = scene_.pieces.spacing({member.piece, other});
+      const Vec r = at - scene_.pieces.at(other);
+      const Obstacle obstacle = scene_.sums.obstacle(scene_.outlines[other], scene_.outlines[member.piece]);
+      const RegionSettings region{RegionRule::kGreedy, 1.5 * reach_ + static_cast<double>(spacing), spacing, towards_x,
+                                  towards_y};
+      for (const HalfPlane& side : free_region(obstacle, r, region)) {
+        const PairRow row = row_of({0, 1}, side, r, spacing, 0, TightRows::kKeep);
+        const double slack = std::max(0.0, slack_of(side, r) - static_cast<double>(spacing));
+        cell_.push_back({row.nx, row.ny, slack});
+        bounds_.push_back({side, other, member.offset});
+      }
+    }
+  }
   void add_edge(double nx, double ny, double slack) {
     cell_.push_back({nx, ny, slack});
-    bounds_.push_back({{}, kEdge});
+    bounds_.push_back({{}, kEdge, {}});
   }
 
   // The best lattice position near the cell's point that every half-plane admits exactly; of equally good ones the
@@ -188,18 +208,25 @@ class Bumper {
     }
     return std::all_of(bounds_.begin(), bounds_.end(), [&](const Bound& bound) {
       if (bound.piece == kEdge || spacing_ > 0) return true;  // with a spacing the proof decides
-      return cross(bound.side.direction, candidate - scene_.pieces.at(bound.piece) - bound.side.anchor) <= 0;
+      return cross(bound.side.direction,
+                   candidate + bound.offset - scene_.pieces.at(bound.piece) - bound.side.anchor) <= 0;
     });
   }
   // The proof: against every piece, in integers.
   [[nodiscard]] bool valid(Vec candidate) const {
-    PlacedPolygon moved = scene_.pieces[piece_];
-    moved.at = candidate;
+    return std::all_of(body_.begin(), body_.end(), [&](const Member& member) {
+      PlacedPolygon moved = scene_.pieces[member.piece];
+      moved.at = candidate + member.offset;
+      return clear_of_others(moved, member.piece);
+    });
+  }
+  [[nodiscard]] bool clear_of_others(const PlacedPolygon& moved, std::uint32_t piece) const {
     const Box box = moved.placed_box().grown(spacing_);
     for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
-      if (other == piece_ || !box.overlaps(scene_.pieces.box(other))) continue;
+      if (moves_[other] != 0 || !box.overlaps(scene_.pieces.box(other))) continue;
       const PlacedPolygon still = scene_.pieces[other];
-      if (spacing_ > 0 ? closer_than(moved, still, spacing_) : overlap(moved, still)) return false;
+      const Coord spacing = scene_.pieces.spacing({piece, other});
+      if (spacing > 0 ? closer_than(moved, still, spacing) : overlap(moved, still)) return false;
     }
     return true;
   }
@@ -217,8 +244,10 @@ class Bumper {
   const Scene& scene_;
   std::uint32_t piece_;
   double ux_, uy_;
-  Coord spacing_;
-  Box fit_;  // positions within the strip
+  Coord spacing_{scene_.pieces.widest_spacing()};
+  std::vector<Member> body_;
+  std::vector<char> moves_;                                                    // is it of the body?
+  Box fit_{{-kLatticeLimit, -kLatticeLimit}, {kLatticeLimit, kLatticeLimit}};  // positions within the strip
   Vec at_;
   double reach_;
   std::vector<CellSide> cell_;
@@ -241,10 +270,10 @@ Result<BumpedMarker> heal_and_bump(const Marker& start, PieceId piece, double dx
   const auto healing = heal(scene, std::move(stop), observer);
   if (!healing) return healing.error();
   observer.on_stage(Stage::kSolve);
-  BumpedMarker bumped{scene.result(), bump(scene, piece.value, dx, dy), *healing};
+  const Bump bumped = bump(scene, piece.value, dx, dy);
+  scene.shift(piece.value, bumped.at - scene.pieces.at(piece.value));
   observer.on_stage(Stage::kOther);
-  bumped.marker.pieces[piece.value].at = bumped.bump.at;
-  return bumped;
+  return BumpedMarker{scene.result(), bumped, *healing};
 }
 
 }  // namespace selvage

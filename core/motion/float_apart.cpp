@@ -22,10 +22,8 @@ class Floater {
       : scene_{scene},
         settings_{settings},
         observer_{observer},
-        most_{std::max(settings.distance, scene.marker.spacing)},
-        aim_{settings.mode,
-             static_cast<double>(most_),
-             {{0, 0}, {scene.pieces.length(), scene.marker.strip.width}},
+        most_{std::max(settings.distance, scene.pieces.widest_spacing())},
+        aim_{settings.mode, static_cast<double>(most_), scene.marker.strip.room(scene.pieces.length()),
              scene.pieces.positions()} {
     const auto gaps = gaps_within(scene, most_, aim_.strip, settings.edges);
     start_gaps_ = {gaps.begin(), gaps.end()};

@@ -21,10 +21,6 @@ double shortfall_cost(std::size_t pieces) {
   return kShortfallCost * static_cast<double>(pieces);
 }
 
-Strip strip_of(const Box& box) {
-  return {box.high.y, box.high.x};
-}
-
 // The row to an edge: its normal points into the strip.
 WidthRow edge_row(std::size_t index, StripEdge edge, double width) {
   switch (edge) {
@@ -101,14 +97,14 @@ std::vector<WidthRow> width_rows(const Scene& scene, const FloatAim& aim, std::s
   return rows;
 }
 
-FloatProgram::FloatProgram(const Scene& scene, std::span<const std::uint32_t> group, const FloatAim& aim,
-                           std::span<const FloatGap> gaps, std::span<const WidthRow> rows, double trust)
+FloatProgram::FloatProgram(const Scene& scene, const Ties& ties, const FloatAim& aim, std::span<const FloatGap> gaps,
+                           std::span<const WidthRow> rows, double trust)
     : scene_{scene},
-      group_{group},
+      ties_{ties},
       aim_{aim},
       gaps_{gaps},
       rows_{rows},
-      model_{scene.pieces, strip_of(aim.strip), group},
+      model_{scene.pieces, scene.marker.strip.ending(aim.strip.high.x), ties},
       width_(gaps.size(), -1) {
   bound_motion(trust);
   add_widths();
@@ -126,8 +122,10 @@ void FloatProgram::bound_motion(double trust) {
 }
 
 bool FloatProgram::tied(const Gap& gap) const {
-  const PieceId* other = other_piece(gap);
-  return group_[gap.piece.value] == (other ? group_[other->value] : PositionModel::kFixed);
+  if (const PieceId* other = other_piece(gap)) return ties_.joined(gap.piece.value, other->value);
+  const auto edge = std::get<StripEdge>(gap.opposite);
+  const bool along = edge == StripEdge::kLeft || edge == StripEdge::kRight;
+  return (along ? ties_.x : ties_.y)[gap.piece.value] == Ties::kFixed;
 }
 
 void FloatProgram::add_widths() {
@@ -173,22 +171,11 @@ void FloatProgram::add_rows() {
   for (const WidthRow& row : rows_) {
     const Gap& gap = gaps_[row.gap].gap;
     if (tied(gap)) continue;
-    std::array<LinearProgram::Entry, 5> entries{};
-    std::size_t count = 0;
-    const auto put = [&](std::size_t piece, double sign) {
-      const auto column = model_.column(piece);
-      if (!column) return;
-      if (row.nx != 0) entries[count++] = {*column, sign * row.nx};
-      if (row.ny != 0) entries[count++] = {*column + 1, sign * row.ny};
-    };
-    if (const PieceId* other = other_piece(gap)) {
-      put(other->value, 1);
-      put(gap.piece.value, -1);
-    } else {
-      put(gap.piece.value, 1);
-    }
-    entries[count++] = {width_[row.gap], -1};
-    model_.program().add_row(std::span{entries}.first(count), (row.margin - row.slack) / model_.unit());
+    const PieceId* other = other_piece(gap);
+    Terms entries = other ? model_.terms(other->value, gap.piece.value, row.nx, row.ny)
+                          : model_.terms(gap.piece.value, {}, row.nx, row.ny);
+    entries.add(width_[row.gap], -1);
+    model_.program().add_row(entries.all(), (row.margin - row.slack) / model_.unit());
     gap_of_row_.push_back(row.gap);
   }
 }
@@ -241,10 +228,10 @@ void FloatProgram::add_uniformity() {
 void FloatProgram::add_motion() {
   LinearProgram& program = model_.program();
   for (std::size_t i = 0; i < scene_.pieces.size(); ++i) {
-    const auto column = model_.column(i);
-    if (!column) continue;
     const Vec so_far = scene_.pieces.at(i) - aim_.start[i];
-    for (const auto& [moving, by] : {std::pair{*column, so_far.x}, std::pair{*column + 1, so_far.y}}) {
+    for (const auto& [column, by] : {std::pair{model_.x_column(i), so_far.x}, {model_.y_column(i), so_far.y}}) {
+      if (!column) continue;
+      const int moving = *column;
       const double offset = static_cast<double>(by) / model_.unit();
       const int magnitude = program.add_column(kCost / shortfall_cost(scene_.pieces.size()), 0, kInfinity);
       program.add_row(std::array<LinearProgram::Entry, 2>{{{magnitude, 1}, {moving, -1}}}, offset);

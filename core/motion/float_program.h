@@ -55,9 +55,9 @@ struct WidthRow {
 
 class FloatProgram {
  public:
-  // `group`: as in PositionModel.  The referenced values must outlive this.
-  FloatProgram(const Scene& scene, std::span<const std::uint32_t> group, const FloatAim& aim,
-               std::span<const FloatGap> gaps, std::span<const WidthRow> rows, double trust);
+  // The referenced values must outlive this.
+  FloatProgram(const Scene& scene, const Ties& ties, const FloatAim& aim, std::span<const FloatGap> gaps,
+               std::span<const WidthRow> rows, double trust);
 
   [[nodiscard]] const LinearProgram& program() const { return model_.program(); }
   [[nodiscard]] std::vector<Displacement> displacements(const LpSolution& s) const { return model_.displacements(s.x); }
@@ -80,7 +80,7 @@ class FloatProgram {
   [[nodiscard]] bool tied(const Gap& gap) const;
 
   const Scene& scene_;
-  std::span<const std::uint32_t> group_;
+  const Ties& ties_;
   const FloatAim& aim_;
   std::span<const FloatGap> gaps_;
   std::span<const WidthRow> rows_;

@@ -15,7 +15,7 @@ class Attempt {
  public:
   Attempt(const Scene& scene, const FloatAim& aim, std::span<const FloatGap> gaps, double trust,
           const Observer& observer)
-      : scene_{scene}, aim_{aim}, gaps_{gaps}, trust_{trust}, observer_{observer}, group_{scene.group} {
+      : scene_{scene}, aim_{aim}, gaps_{gaps}, trust_{trust}, observer_{observer}, ties_{scene.ties} {
     observer_.on_stage(Stage::kRows);
     rows_ = width_rows(scene, aim, gaps, trust);
     std::vector<double> widths;
@@ -28,7 +28,7 @@ class Attempt {
     step.end = StepEnd::kNoGain;
     while (step.programs < kAttempts) {
       observer_.on_stage(Stage::kRows);
-      const FloatProgram program{scene_, group_, aim_, gaps_, rows_, trust_};
+      const FloatProgram program{scene_, ties_, aim_, gaps_, rows_, trust_};
       observer_.on_stage(Stage::kSolve);
       const LpSolution solution = solve(program.program(), solver, {}, stop);
       ++step.programs;
@@ -59,13 +59,14 @@ class Attempt {
     for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + scene_.pieces.at(i);
     PlacedPieces moved = scene_.pieces;
     moved.place(std::move(positions));
-    auto broken = conflicts(moved, scene_.marker.spacing);
+    auto broken = conflicts(moved);
     std::vector<double> widths;
     for (const FloatGap& gap : gaps_) {
       widths.push_back(width_within(gap.gap, moved, aim_.strip, aim_.most));
       const PieceId* other = other_piece(gap.gap);
-      if (!other || gap.least <= scene_.marker.spacing) continue;
+      if (!other) continue;
       const PiecePair pair = pair_of(gap.gap);
+      if (gap.least <= moved.spacing(pair)) continue;
       if (closer_than(moved[pair.first], moved[pair.second], gap.least)) broken.push_back(pair);
     }
     if (!broken.empty()) return broken;
@@ -93,12 +94,7 @@ class Attempt {
 
   // Pieces that rounding brings too near to each other move as one: what fits now still fits then.
   void tie(const std::vector<PiecePair>& broken) {
-    for (const auto& [p, q] : broken) {
-      const std::uint32_t from = std::max(group_[p], group_[q]);  // kFixed is the largest
-      const std::uint32_t to = std::min(group_[p], group_[q]);
-      const bool fix = from == PositionModel::kFixed;
-      std::replace(group_.begin(), group_.end(), fix ? to : from, fix ? from : to);
-    }
+    for (const auto& [p, q] : broken) ties_.join(p, q);
   }
 
   const Scene& scene_;
@@ -106,7 +102,7 @@ class Attempt {
   std::span<const FloatGap> gaps_;
   double trust_;
   const Observer& observer_;
-  std::vector<std::uint32_t> group_;
+  Ties ties_;
   std::vector<WidthRow> rows_;
   double worth_{};
 };

@@ -22,7 +22,7 @@ Coord width_to_edge(StripEdge edge, const Box& piece, const Box& strip) {
 std::vector<Gap> gaps_within(const Scene& scene, Coord reach, const Box& strip, bool edges) {
   std::vector<Gap> gaps;
   for (const auto& [p, q] : pairs_within(scene.pieces, reach)) {
-    if (!scene.fixed(p) || !scene.fixed(q)) gaps.push_back({PieceId{p}, PieceId{q}});
+    if (!scene.ties.joined(p, q)) gaps.push_back({PieceId{p}, PieceId{q}});
   }
   for (std::uint32_t i = 0; edges && i < scene.pieces.size(); ++i) {
     if (scene.fixed(i)) continue;

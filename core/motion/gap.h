@@ -28,8 +28,8 @@ struct Gap {
 }
 
 // All gaps that may be narrower than `reach`, sorted: between pieces whose boxes come closer than that on both axes,
-// and, if `edges`, to the edges of `strip`.  Gaps between two fixed pieces, or a fixed piece and an edge, are none of
-// anyone's.
+// and, if `edges`, to the edges of `strip`.  Gaps that no motion can change are left
+// out: between pieces that are fixed or move as one, between a fixed piece and an edge.
 [[nodiscard]] std::vector<Gap> gaps_within(const Scene& scene, Coord reach, const Box& strip, bool edges);
 
 // How wide a gap is, but at most `reach`; lattice units.  0 for pieces that overlap, negative for a piece beyond the

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/lp/solve.h"
+#include "core/marker/validity.h"
 #include "core/model/position_model.h"
 #include "core/model/snap.h"
 #include "core/motion/separation_target.h"
@@ -47,7 +48,7 @@ class Healer {
       }
       return Error{ErrorCode::kHealingFailed,
                    "small overlaps could not be parted: " + named(found) +
-                       "; there is no room for them where they are, or the pieces are locked",
+                       "; there is no room for them where they are, or the pieces are locked or of one group",
                    "/pieces"};
     }
     for (std::size_t i = 0; i < start.size(); ++i) {
@@ -62,18 +63,14 @@ class Healer {
   std::vector<Conflict> find_conflicts() {
     observer_.on_stage(Stage::kVerify);
     std::vector<Conflict> found;
-    for (const PiecePair& pair : conflicts(scene_.pieces, scene_.marker.spacing))
-      found.push_back({pair, target(pair).depth});
+    for (const PiecePair& pair : conflicts(scene_.pieces)) found.push_back({pair, target(pair).depth});
     return found;
   }
   [[nodiscard]] SeparationTarget target(PiecePair pair) const {
     return separation_target(scene_, pair, TargetRule::kNearest);
   }
   [[nodiscard]] Coord protrusion(std::size_t piece) const {
-    const Box box = scene_.pieces.box(piece);
-    const Strip& strip = scene_.marker.strip;
-    const Coord past_end = strip.longest ? box.high.x - *strip.longest : 0;
-    return std::max({-box.low.x, -box.low.y, box.high.y - strip.width, past_end, Coord{0}});
+    return std::max(protrusion_of(scene_.pieces.box(piece), scene_.marker.strip), Coord{0});
   }
   [[nodiscard]] std::size_t protrusions() const {
     std::size_t count = 0;
@@ -102,8 +99,8 @@ class Healer {
     return Error{ErrorCode::kMarkerOverlaps,
                  std::to_string(deep.size()) +
                      (deep.size() == 1 ? " pair of pieces overlaps" : " pairs of pieces overlap") +
-                     (scene_.marker.spacing > 0 ? ", or come closer than the spacing," : "") + " by more than the " +
-                     decimal(limit_) + " that is mended: " + named(deep),
+                     (scene_.pieces.widest_spacing() > 0 ? ", or come closer than the spacing," : "") +
+                     " by more than the " + decimal(limit_) + " that is mended: " + named(deep),
                  "/pieces"};
   }
   [[nodiscard]] std::string decimal(double lattice_units) const {
@@ -142,15 +139,16 @@ class Healer {
   }
 
   [[nodiscard]] std::vector<PairRow> rows_for(const std::vector<Conflict>& found) const {
-    const Coord spacing = scene_.marker.spacing;
-    const RegionSettings region{RegionRule::kGreedy, kReach * limit_ + static_cast<double>(spacing), spacing};
     std::vector<PairRow> rows;
     auto conflict = found.begin();  // both lists are sorted by pair
-    for (const PiecePair& pair : pairs_within(scene_.pieces, std::llround(kReach * limit_) + spacing)) {
+    for (const PiecePair& pair :
+         pairs_within(scene_.pieces, std::llround(kReach * limit_) + scene_.pieces.widest_spacing())) {
       const bool apart = conflict == found.end() || conflict->pair != pair;
       if (!apart) ++conflict;
       const Vec r = scene_.relative_position(pair);
       const Vec about = apart ? r : target(pair).about;
+      const Coord spacing = scene_.pieces.spacing(pair);
+      const RegionSettings region{RegionRule::kGreedy, kReach * limit_ + static_cast<double>(spacing), spacing};
       for (const HalfPlane& side : free_region(scene_.obstacle(pair), about, region)) {
         rows.push_back(row_of(pair, side, r, spacing, unit_, TightRows::kRestore));
       }
@@ -159,7 +157,7 @@ class Healer {
   }
 
   [[nodiscard]] PositionModel model_with(const std::vector<PairRow>& rows, double lengthen) const {
-    PositionModel model{scene_.pieces, scene_.marker.strip, scene_.group};
+    PositionModel model{scene_.pieces, scene_.marker.strip, scene_.ties};
     model.add_length(kLengthCost, 0, lengthen);
     for (std::size_t i = 0; i < scene_.pieces.size(); ++i) model.add_right_wall(i);
     for (const PairRow& row : rows) model.add(row);

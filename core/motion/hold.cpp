@@ -39,13 +39,13 @@ class Loads {
  private:
   LpSolution solve_model(const std::stop_token& stop) {
     const Strip& strip = scene_.marker.strip;
-    const Coord spacing = scene_.marker.spacing;
     const double reach = kReach * static_cast<double>(strip.width);
-    model_.emplace(scene_.pieces, strip, scene_.group);
-    const RegionSettings region{RegionRule::kGreedy, reach + static_cast<double>(spacing), spacing, 0, 0};
-    for (const PiecePair& pair : pairs_within(scene_.pieces, std::llround(reach) + spacing)) {
+    model_.emplace(scene_.pieces, strip, scene_.ties);
+    for (const PiecePair& pair : pairs_within(scene_.pieces, std::llround(reach) + scene_.pieces.widest_spacing())) {
       const Vec r = scene_.relative_position(pair);
-      if (scene_.fixed(pair.first) && scene_.fixed(pair.second)) continue;
+      if (scene_.ties.joined(pair.first, pair.second)) continue;
+      const Coord spacing = scene_.pieces.spacing(pair);
+      const RegionSettings region{RegionRule::kGreedy, reach + static_cast<double>(spacing), spacing, 0, 0};
       for (const HalfPlane& side : free_region(scene_.obstacle(pair), r, region)) {
         rows_.push_back(row_of(pair, side, r, spacing, model_->unit(), TightRows::kRestore));
         model_->add(rows_.back());
@@ -87,16 +87,24 @@ class Loads {
       }
     }
     for (std::uint32_t i = 0; i < scene_.pieces.size(); ++i) {
-      if (const auto column = model_->column(i)) {
-        const auto c = static_cast<std::size_t>(*column);
-        add_edge(i, Edge::kLeft, reduced[c], 1, 0, hold);
-        add_edge(i, Edge::kBottom, reduced[c + 1], 0, 1, hold);
-        add_edge(i, Edge::kTop, -reduced[c + 1], 0, -1, hold);
+      const Box room = scene_.marker.strip.room(0);
+      const Box box = scene_.pieces.box(i);
+      if (const auto x = model_->x_column(i); x && bounds(program.lower, *x, room.low.x - box.low.x)) {
+        add_edge(i, Edge::kLeft, reduced[static_cast<std::size_t>(*x)], 1, 0, hold);
+      }
+      if (const auto y = model_->y_column(i)) {
+        const double load = reduced[static_cast<std::size_t>(*y)];
+        if (bounds(program.lower, *y, room.low.y - box.low.y)) add_edge(i, Edge::kBottom, load, 0, 1, hold);
+        if (bounds(program.upper, *y, room.high.y - box.high.y)) add_edge(i, Edge::kTop, -load, 0, -1, hold);
       }
       if (const auto wall = model_->right_wall_row(i)) {
         add_edge(i, Edge::kRight, solution.dual[static_cast<std::size_t>(*wall)], -1, 0, hold);
       }
     }
+  }
+  // Is it this piece, of those tied together, whose room sets the column's bound?
+  [[nodiscard]] bool bounds(const std::vector<double>& limits, int column, Coord room) const {
+    return std::abs(limits[static_cast<std::size_t>(column)] * model_->unit() - static_cast<double>(room)) < 0.5;
   }
   // `(nx, ny)`: from the edge into the strip.
   void add_edge(std::uint32_t piece, Edge edge, double worth, int nx, int ny, Hold& hold) {

@@ -21,7 +21,7 @@ struct Neighbour {
 
 std::vector<Neighbour> neighbours_of(const Scene& scene, std::uint32_t piece, double reach,
                                      const OverlapPrices& prices) {
-  const Box box = scene.pieces.box(piece).grown(std::llround(reach) + scene.marker.spacing);
+  const Box box = scene.pieces.box(piece).grown(std::llround(reach) + scene.pieces.widest_spacing());
   std::vector<Neighbour> found;
   for (std::uint32_t other = 0; other < scene.pieces.size(); ++other) {
     if (other == piece || !box.overlaps(scene.pieces.box(other))) continue;
@@ -45,7 +45,7 @@ double depth_at(const Obstacle& obstacle, Vec r, Coord spacing) {
 
 Leap cheapest_leap(const Scene& scene, std::uint32_t piece, double reach, Coord length, const OverlapPrices& prices) {
   const Vec from = scene.pieces.at(piece);
-  const Box fit = inner_fit(scene.pieces[piece].box, length, scene.marker.strip.width);
+  const Box fit = inner_fit(scene.pieces[piece].box, scene.marker.strip.room(length));
   const std::vector<Neighbour> neighbours = neighbours_of(scene, piece, reach, prices);
   Leap best{from, std::numeric_limits<double>::infinity()};
   const auto step = [&](int k) { return static_cast<Coord>(std::llround(reach * k / kSteps)); };
@@ -57,7 +57,7 @@ Leap cheapest_leap(const Scene& scene, std::uint32_t piece, double reach, Coord 
       for (const Neighbour& neighbour : neighbours) {
         if (cost >= best.cost) break;
         const Vec r = neighbour.pair.first == piece ? neighbour.at - to : to - neighbour.at;
-        cost += neighbour.price * depth_at(neighbour.obstacle, r, scene.marker.spacing);
+        cost += neighbour.price * depth_at(neighbour.obstacle, r, scene.pieces.spacing(neighbour.pair));
       }
       if (cost < best.cost) best = {to, cost};
     }

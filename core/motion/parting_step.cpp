@@ -16,7 +16,7 @@ class PartingProgram {
       : scene_{scene},
         settings_{settings},
         length_{scene.pieces.length()},
-        model_{scene.pieces, strip_without_end(scene.marker.strip), scene.group} {}
+        model_{scene.pieces, scene.marker.strip.ending({}), scene.ties} {}
 
   void add_length() {
     const LengthAllowance& allowance = settings_.length;
@@ -34,7 +34,7 @@ class PartingProgram {
   }
 
   void add_pairs(const std::vector<PartingPair>& parting) {
-    const Coord spacing = scene_.marker.spacing;
+    const Coord spacing = scene_.pieces.widest_spacing();
     auto parted = parting.begin();
     for (const PiecePair& pair : pairs_within(scene_.pieces, std::llround(settings_.reach) + spacing)) {
       const bool parts = parted != parting.end() && parted->pair == pair;
@@ -65,15 +65,10 @@ class PartingProgram {
   }
 
  private:
-  static Strip strip_without_end(Strip strip) {
-    strip.longest.reset();  // the length's allowance stands for it
-    return strip;
-  }
-
   // The rows of one pair; all that its present position breaks may stay broken by the same amount.
   void add_pair(PiecePair pair, Vec about, double price) {
-    if (scene_.fixed(pair.first) && scene_.fixed(pair.second)) return;
-    const Coord spacing = scene_.marker.spacing;
+    if (scene_.ties.joined(pair.first, pair.second)) return;
+    const Coord spacing = scene_.pieces.spacing(pair);
     const Vec r = scene_.relative_position(pair);
     const RegionSettings region{RegionRule::kGreedy, settings_.reach + static_cast<double>(spacing), spacing};
     rows_.clear();

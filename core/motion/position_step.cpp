@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/marker/validity.h"
 #include "core/model/snap.h"
 
 namespace selvage {
@@ -24,10 +25,10 @@ class Attempt {
         settings_{settings},
         observer_{observer},
         trust_{settings.trust * static_cast<double>(scene.marker.strip.width)},
-        group_{scene.group} {
+        ties_{scene.ties} {
     observer_.on_stage(Stage::kSums);
-    for (const PiecePair& pair : pairs_within(scene.pieces, std::llround(trust_))) {
-      if (scene.fixed(pair.first) && scene.fixed(pair.second)) continue;
+    for (const PiecePair& pair : pairs_within(scene.pieces, std::llround(trust_) + scene.pieces.widest_spacing())) {
+      if (ties_.joined(pair.first, pair.second)) continue;
       near_.push_back(pair);
       obstacles_.push_back(scene.obstacle(pair));
     }
@@ -71,7 +72,7 @@ class Attempt {
   }
   void append_rows(PiecePair pair, const Obstacle& obstacle, double reach) {
     const Vec r = scene_.relative_position(pair);
-    const Coord spacing = scene_.marker.spacing;
+    const Coord spacing = scene_.pieces.spacing(pair);
     const Displacement& p_force = goal_.force[pair.first];
     const Displacement& q_force = goal_.force[pair.second];
     const RegionSettings region{settings_.region, 1.5 * reach + static_cast<double>(spacing), spacing,
@@ -87,9 +88,9 @@ class Attempt {
 
   void build() {
     const Coord length = scene_.pieces.length();
-    Strip strip = scene_.marker.strip;
-    if (held()) strip.longest = length;  // a bound on every piece: no column for the length, no rows
-    model_.emplace(scene_.pieces, strip, group_);
+    // With the length held, a bound on every piece: no column for the length, no rows.
+    const Strip& strip = scene_.marker.strip;
+    model_.emplace(scene_.pieces, held() ? strip.ending(length) : strip, ties_);
     for (std::size_t i = 0; i < scene_.pieces.size(); ++i) model_->add_cost(i, -goal_.force[i].x, -goal_.force[i].y);
     if (!held()) {
       model_->add_length(goal_.shorten, static_cast<double>(length), kSpare * unit());
@@ -142,7 +143,7 @@ class Attempt {
       std::vector<Vec> positions = snapped(scaled);
       for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + scene_.pieces.at(i);
       moved.place(std::move(positions));
-      auto conflict = conflicts(moved, scene_.marker.spacing);
+      auto conflict = conflicts(moved);
       if (conflict.empty()) {
         if (moved.length() <= scene_.pieces.length() && inside(moved) && gain(moved) > 0) {
           step.end = StepEnd::kMoved;
@@ -176,11 +177,8 @@ class Attempt {
     return most / static_cast<double>(scene_.marker.strip.width);
   }
   [[nodiscard]] bool inside(const PlacedPieces& moved) const {
-    const Strip& strip = scene_.marker.strip;
     for (std::size_t i = 0; i < moved.size(); ++i) {
-      const Box box = moved.box(i);
-      if (box.low.x < 0 || box.low.y < 0 || box.high.y > strip.width) return false;
-      if (strip.longest && box.high.x > *strip.longest) return false;
+      if (protrusion_of(moved.box(i), scene_.marker.strip) > 0) return false;
     }
     return true;
   }
@@ -200,13 +198,7 @@ class Attempt {
 
   // Pieces that rounding keeps breaking apart move as one: what fits now still fits then.
   void tie(const std::vector<PiecePair>& conflict) {
-    for (const auto& [p, q] : conflict) {
-      const std::uint32_t from = std::max(group_[p], group_[q]);  // kFixed is the largest
-      const std::uint32_t to = std::min(group_[p], group_[q]);
-      const std::uint32_t kept = from == PositionModel::kFixed ? from : to;
-      const std::uint32_t gone = from == PositionModel::kFixed ? to : from;
-      std::replace(group_.begin(), group_.end(), gone, kept);
-    }
+    for (const auto& [p, q] : conflict) ties_.join(p, q);
     build();
   }
 
@@ -215,7 +207,7 @@ class Attempt {
   const StepSettings& settings_;
   const Observer& observer_;
   double trust_;
-  std::vector<std::uint32_t> group_;
+  Ties ties_;
   std::vector<PiecePair> near_;
   std::vector<Obstacle> obstacles_;
   TightRows tight_{TightRows::kRestore};

@@ -1,21 +1,22 @@
 #include "core/motion/scene.h"
 
 #include "core/marker/validity.h"
-#include "core/model/position_model.h"
 
 namespace selvage {
 
-Scene::Scene(const Marker& start, SumCache& sum_cache) : marker{start}, sums{sum_cache}, pieces{start} {
+Scene::Scene(const Marker& start, SumCache& sum_cache)
+    : marker{start}, sums{sum_cache}, pieces{start}, ties{ties_of(start)} {
   outlines.reserve(start.pieces.size());
-  group.reserve(start.pieces.size());
-  for (std::uint32_t i = 0; i < start.pieces.size(); ++i) {
-    outlines.push_back(oriented_outline(start, PieceId{i}, sums));
-    group.push_back(start.pieces[i].locked ? PositionModel::kFixed : i);
-  }
+  for (std::uint32_t i = 0; i < start.pieces.size(); ++i) outlines.push_back(oriented_outline(start, PieceId{i}, sums));
 }
 
-bool Scene::fixed(std::size_t piece) const {
-  return group[piece] == PositionModel::kFixed;
+void Scene::shift(std::size_t piece, Vec by) {
+  std::vector<Vec> positions = pieces.positions();
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    if (ties.x[i] != Ties::kFixed && ties.x[i] == ties.x[piece]) positions[i].x += by.x;
+    if (ties.y[i] != Ties::kFixed && ties.y[i] == ties.y[piece]) positions[i].y += by.y;
+  }
+  pieces.place(std::move(positions));
 }
 
 Marker Scene::result() const {

@@ -1,4 +1,5 @@
-// What every motion of a marker works on: its pieces where they lie now, their outlines, and which may move.
+// What every motion of a marker works on: its pieces where they lie now, their outlines, and which may move with
+// which.
 #pragma once
 
 #include <cstdint>
@@ -6,13 +7,16 @@
 
 #include "core/marker/placed_pieces.h"
 #include "core/minkowski/cache.h"
+#include "core/model/ties.h"
 
 namespace selvage {
 
 struct Scene {
   Scene(const Marker& start, SumCache& sum_cache);
 
-  [[nodiscard]] bool fixed(std::size_t piece) const;
+  [[nodiscard]] bool fixed(std::size_t piece) const { return ties.fixed(piece); }
+  // Moves a piece as far as its ties allow, and with it what is tied to it.
+  void shift(std::size_t piece, Vec by);
   // The obstacle that the pair's first piece is to its second.
   [[nodiscard]] Obstacle obstacle(PiecePair pair) const {
     return sums.obstacle(outlines[pair.first], outlines[pair.second]);
@@ -25,7 +29,7 @@ struct Scene {
   SumCache& sums;
   PlacedPieces pieces;
   std::vector<OrientedOutline> outlines;
-  std::vector<std::uint32_t> group;  // PositionModel::kFixed for locked pieces, else the piece itself
+  Ties ties;
 };
 
 }  // namespace selvage

@@ -35,14 +35,14 @@ struct Ending {
 // Puts pieces that lie outside a strip as long as `length` back to its edge: the least that any separation must move
 // them.
 void put_back(Scene& scene, Coord length) {
-  std::vector<Vec> positions = scene.pieces.positions();
-  for (std::size_t i = 0; i < positions.size(); ++i) {
+  for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
     if (scene.fixed(i)) continue;
-    const Box fit = inner_fit(scene.pieces[i].box, length, scene.marker.strip.width);
-    const auto within = [](Coord value, Coord low, Coord high) { return std::max(low, std::min(value, high)); };
-    positions[i] = {within(positions[i].x, fit.low.x, fit.high.x), within(positions[i].y, fit.low.y, fit.high.y)};
+    const Box fit = inner_fit(scene.pieces[i].box, scene.marker.strip.room(length));
+    const auto way_in = [](Coord value, Coord low, Coord high) { return std::max(low, std::min(value, high)) - value; };
+    const Vec at = scene.pieces.at(i);
+    const Vec by{way_in(at.x, fit.low.x, fit.high.x), way_in(at.y, fit.low.y, fit.high.y)};
+    if (by != Vec{}) scene.shift(i, by);
   }
-  scene.pieces.place(std::move(positions));
 }
 
 // The rounds on one set of pieces.
@@ -167,7 +167,7 @@ class Rounds {
     observer_.on_stage(Stage::kVerify);
     parting_.clear();
     depth_ = deepest_ = 0;
-    for (const PiecePair& pair : conflicts(scene_.pieces, scene_.marker.spacing)) {
+    for (const PiecePair& pair : conflicts(scene_.pieces)) {
       const SeparationTarget target = separation_target(scene_, pair, settings_.target);
       const auto [price, first_time] = prices_.raised.try_emplace(pair, kOverlapPrice);
       if (!first_time) price->second = std::min(kHighestPrice, kPriceGrowth * price->second);
@@ -194,7 +194,7 @@ class Rounds {
     std::optional<Leap> best;
     std::uint32_t leaping{};
     for (const std::uint32_t piece : candidates) {
-      if (scene_.fixed(piece)) continue;
+      if (!scene_.ties.free(piece)) continue;
       const Leap found = cheapest_leap(scene_, piece, reach, allowed_, prices_);
       if (best && best->cost <= found.cost) continue;
       best = found;
@@ -239,11 +239,13 @@ std::optional<Error> refuse(const Marker& start, const SeparationSettings& setti
                  "/grow"};
   }
   const PlacedPieces pieces{start};
+  const Ties ties = ties_of(start);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Box box = pieces.box(i);
-    const bool outside = box.low.x < 0 || box.low.y < 0 || box.high.y > start.strip.width ||
-                         (start.strip.longest && box.high.x > *start.strip.longest);
-    if (!start.pieces[i].locked || !outside) continue;
+    const Box room = start.strip.room(start.strip.last().value_or(box.high.x));
+    const bool outside_x = box.low.x < room.low.x || box.high.x > room.high.x;
+    const bool outside_y = box.low.y < room.low.y || box.high.y > room.high.y;
+    if (!(ties.x[i] == Ties::kFixed && outside_x) && !(ties.y[i] == Ties::kFixed && outside_y)) continue;
     return Error{ErrorCode::kOutsideStrip, "piece \"" + start.pieces[i].id + "\" is locked outside the strip",
                  "/pieces/" + std::to_string(i) + "/at"};
   }
@@ -253,12 +255,12 @@ std::optional<Error> refuse(const Marker& start, const SeparationSettings& setti
 Coord allowed_length(const Marker& start, Coord length, double grow) {
   const double more = std::min(grow * static_cast<double>(length), static_cast<double>(kLatticeLimit - length));
   const Coord allowed = length + static_cast<Coord>(more);
-  return start.strip.longest ? std::min(allowed, *start.strip.longest) : allowed;
+  return std::min(allowed, start.strip.last().value_or(allowed));
 }
 
 Coord length_put_back(const Marker& start, SumCache& sums) {
   Scene scene{start, sums};
-  put_back(scene, start.strip.longest.value_or(kLatticeLimit));
+  put_back(scene, start.strip.last().value_or(kLatticeLimit));
   return scene.pieces.length();
 }
 

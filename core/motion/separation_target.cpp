@@ -56,7 +56,7 @@ std::optional<Vec> exit_of_ray(const MinkowskiSum& sum, Vec r) {
 }  // namespace
 
 SeparationTarget separation_target(const Scene& scene, PiecePair pair, TargetRule rule) {
-  const auto spacing = static_cast<double>(scene.marker.spacing);
+  const auto spacing = static_cast<double>(scene.pieces.spacing(pair));
   const Obstacle obstacle = scene.obstacle(pair);
   const Vec r = scene.relative_position(pair);
   const Vec at = obstacle.to_frame(r);

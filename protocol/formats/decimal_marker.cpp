@@ -69,6 +69,7 @@ Survey survey(const DecimalMarker& written, const ShapeIndex& shapes) {
   Survey all;
   all.add(written.width, "/strip/width");
   all.add(written.spacing, "/spacing");
+  all.add(written.margin, "/strip/margin");
   if (written.longest) all.add(*written.longest, "/strip/longest");
   for (std::size_t i = 0; i < written.shapes.size(); ++i) {
     const std::string at = indexed("/shapes/", i, "/outline");
@@ -80,6 +81,7 @@ Survey survey(const DecimalMarker& written, const ShapeIndex& shapes) {
   for (std::size_t i = 0; i < written.pieces.size(); ++i) {
     const DecimalPiece& piece = written.pieces[i];
     const std::string at = indexed("/pieces/", i, "/at");
+    all.add(piece.buffer, indexed("/pieces/", i, "/buffer"));
     all.add(piece.at.x, at);
     all.add(piece.at.y, at);
     all.reach(placed_extent(written.shapes[shapes.at(piece.shape)].outline, piece.piece.orientation, piece.at), at);
@@ -164,6 +166,7 @@ Result<MarkerFile> on_lattice(const DecimalMarker& written, Attributes attribute
   marker.resolution = *resolution;
   marker.strip.width = to_lattice(written.width, *resolution);
   if (written.longest) marker.strip.longest = to_lattice(*written.longest, *resolution);
+  marker.strip.margin = spacing_on_lattice(written.margin, *resolution);
   marker.spacing = spacing_on_lattice(written.spacing, *resolution);
   note_rounding(file.notes, all, marker);
   for (std::size_t i = 0; i < written.shapes.size(); ++i) {
@@ -175,6 +178,7 @@ Result<MarkerFile> on_lattice(const DecimalMarker& written, Attributes attribute
     Piece placed = piece.piece;
     placed.shape = ShapeId{static_cast<std::uint32_t>(shapes->at(piece.shape))};
     placed.at = rounded(piece.at, *resolution);
+    placed.buffer = spacing_on_lattice(piece.buffer, *resolution);
     marker.pieces.push_back(std::move(placed));
   }
   auto made = make_marker(std::move(marker));

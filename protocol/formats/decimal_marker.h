@@ -27,15 +27,16 @@ struct DecimalShape {
 };
 
 struct DecimalPiece {
-  Piece piece;  // all but shape and position
+  Piece piece;  // all but shape, position and buffer
   std::string shape;
   Decimal at;
+  double buffer{};
 };
 
 struct DecimalMarker {
   std::string name, unit{"mm"};
   std::optional<Resolution> resolution;  // absent: chosen
-  double width{}, spacing{};
+  double width{}, spacing{}, margin{};
   std::optional<double> longest;
   std::vector<DecimalShape> shapes;
   std::vector<DecimalPiece> pieces;

@@ -3,6 +3,7 @@
 #include <unordered_map>
 
 #include "protocol/fields.h"
+#include "protocol/formats/constraints.h"
 #include "protocol/formats/decimal_marker.h"
 
 namespace selvage {
@@ -62,7 +63,7 @@ DecimalPiece read_piece(const Json& value, const std::string& at, Mistake& mista
   piece.piece.orientation.rotation = Angle::of_degrees(fields.number_or("rotation", 0, kDegrees));
   piece.piece.orientation.flip = fields.flag_or("flip", false);
   piece.piece.orientation.tilt = Angle::of_degrees(fields.number_or("tilt", 0, {-45, 45}));
-  piece.piece.locked = fields.flag_or("locked", false);
+  read_constraints(fields, mistake, piece);
   attributes = read_attributes(fields);
   fields.finish();
   return piece;
@@ -93,6 +94,7 @@ void read_strip(Fields& fields, Mistake& mistake, DecimalMarker& marker) {
   Fields strip{fields.object("strip"), fields.pointer("strip"), mistake};
   marker.width = strip.number("width", kStripWidths);
   marker.longest = strip.maybe_number("longest", {0, std::numeric_limits<double>::max()});
+  marker.margin = strip.number_or("margin", 0, {0, kStripWidths.most});
   strip.finish();
 }
 
@@ -159,7 +161,7 @@ Json piece_json(const Marker& marker, const Piece& piece, const Json& attributes
             {"rotation", piece.orientation.rotation.degrees}};
   if (piece.orientation.flip) json["flip"] = true;
   if (piece.orientation.tilt.degrees != 0) json["tilt"] = piece.orientation.tilt.degrees;
-  if (piece.locked) json["locked"] = true;
+  write_constraints(json, marker, piece);
   if (!attributes.empty()) json["attributes"] = attributes;
   return json;
 }
@@ -170,6 +172,7 @@ Json native_document(const MarkerFile& file) {
   const Marker& marker = file.marker;
   Json strip{{"width", to_decimal(marker.strip.width, marker.resolution)}};
   if (marker.strip.longest) strip["longest"] = to_decimal(*marker.strip.longest, marker.resolution);
+  if (marker.strip.margin > 0) strip["margin"] = to_decimal(marker.strip.margin, marker.resolution);
   Json document{{"format", kNativeName},
                 {"version", kNativeVersion},
                 {"name", marker.name},

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "protocol/fields.h"
+#include "protocol/formats/constraints.h"
 #include "protocol/formats/decimal_marker.h"
 
 namespace selvage {
@@ -99,7 +100,7 @@ void read_placed(const Json& value, const std::string& at, Reading& reading) {
   DecimalPiece piece;
   piece.shape = fields.id("item_id");
   piece.piece.id = fields.has("id") ? fields.id("id") : std::to_string(reading.marker.pieces.size());
-  piece.piece.locked = fields.flag_or("locked", false);
+  read_constraints(fields, reading.mistake, piece);
   Fields transformation{fields.object("transformation"), fields.pointer("transformation"), reading.mistake};
   piece.piece.orientation.rotation = Angle::of_degrees(transformation.number("rotation", kTurns));
   piece.at = read_point(transformation.array("translation"), transformation.pointer("translation"), reading.mistake);
@@ -183,6 +184,7 @@ Result<MarkerFile> read_sparrow(const Json& document) {
     read_item(value, "/items/" + std::to_string(marker.shapes.size()), reading);
   }
   marker.width = fields.number("strip_height", kStripWidths);
+  marker.margin = fields.number_or("margin", 0, {0, kStripWidths.most});
   marker.spacing = fields.number_or("spacing", 0, {0, kStripWidths.most});
   read_solution(fields, reading);
   reading.attributes.whole = fields.rest();
@@ -242,7 +244,7 @@ Json placed_json(const Marker& marker, std::size_t position, std::uint64_t item,
   const Piece& piece = marker.pieces[position];
   Json placed{{"item_id", item}};
   if (piece.id != std::to_string(position)) placed["id"] = piece.id;
-  if (piece.locked) placed["locked"] = true;
+  write_constraints(placed, marker, piece);
   add_attributes(placed, attributes);
   const double degrees = piece.orientation.rotation.degrees + piece.orientation.tilt.degrees;
   placed["transformation"] = {{"rotation", degrees}, {"translation", point_json(piece.at, marker.resolution)}};
@@ -286,6 +288,7 @@ Result<Json> sparrow_document(const MarkerFile& file) {
   document["units"] = marker.unit;
   document["items"] = std::move(items);
   document["strip_height"] = to_decimal(marker.strip.width, marker.resolution);
+  if (marker.strip.margin > 0) document["margin"] = to_decimal(marker.strip.margin, marker.resolution);
   if (marker.spacing > 0) document["spacing"] = to_decimal(marker.spacing, marker.resolution);
   document["solution"] = solution_json(file, ids);
   return document;

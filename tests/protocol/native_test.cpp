@@ -38,18 +38,27 @@ TEST(Native, RoundTripsEverything) {
   document["pieces"][1]["rotation"] = 90;
   document["pieces"][1]["flip"] = true;
   document["pieces"][1]["tilt"] = -1.5;
+  document["pieces"][0]["locked"] = json(R"(["x", "tilt"])");
+  document["pieces"][0]["group"] = "pair";
+  document["pieces"][0]["buffer"] = 0.125;
+  document["strip"]["margin"] = 0.5;
   document["pieces"][1]["locked"] = true;
   document["pieces"][1]["at"] = json("[91.0000001, 50]");
   document["pieces"][1]["attributes"] = json(R"({"bundle": "A"})");
   const MarkerFile once = test::read(document);
   EXPECT_EQ(once.marker.resolution, Resolution{-7});
   EXPECT_TRUE(once.marker.pieces[1].locked);
+  EXPECT_EQ(once.marker.pieces[0].locked, (Locks{true, false, true}));
+  EXPECT_EQ(to_decimal(once.marker.pieces[0].buffer, once.marker.resolution), 0.125);
+  EXPECT_EQ(to_decimal(once.marker.strip.margin, once.marker.resolution), 0.5);
 
   const Json written = native_document(once);
   const MarkerFile twice = test::read(written);
   EXPECT_EQ(once.marker, twice.marker);
   EXPECT_EQ(to_text(written), to_text(native_document(twice)));
   EXPECT_EQ(to_text(written["pieces"][1]["at"]), "[91.0000001,50]");
+  EXPECT_EQ(to_text(written["pieces"][0]["locked"]), R"(["x","tilt"])");
+  EXPECT_EQ(written["pieces"][0]["group"], "pair");
   EXPECT_EQ(to_text(written["attributes"]), R"({"customer":{"no":17}})");
 }
 

@@ -110,6 +110,7 @@ TEST(Sparrow, CarriesIdsLocksAndSpacingOfANativeMarker) {
   Json native = test::native_squares();
   native["spacing"] = 2.5;
   native["pieces"][1]["locked"] = true;
+  native["pieces"][0].update(json(R"({"locked": ["y"], "group": "g", "buffer": 0.5})"));
   native["shapes"][0]["attributes"] = json(R"({"size": 38})");
   const MarkerFile file = test::read(native);
   const auto written = sparrow_document(file);
@@ -120,6 +121,9 @@ TEST(Sparrow, CarriesIdsLocksAndSpacingOfANativeMarker) {
   const MarkerFile back = test::read(*written);
   EXPECT_EQ(back.marker.pieces[1].id, "right");
   EXPECT_TRUE(back.marker.pieces[1].locked);
+  EXPECT_EQ(back.marker.pieces[0].locked, (Locks{false, true, false}));
+  EXPECT_EQ(back.marker.pieces[0].group, "g");
+  EXPECT_EQ(to_decimal(back.marker.pieces[0].buffer, back.marker.resolution), 0.5);
   EXPECT_EQ(to_decimal(back.marker.spacing, back.marker.resolution), 2.5);
 }
 

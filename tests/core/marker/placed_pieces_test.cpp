@@ -74,17 +74,21 @@ TEST(PairsWithin, AreOpenAtTheDistance) {
 TEST(Conflicts, AreThoseOfBruteForce) {
   Random random{203};
   for (int trial = 0; trial < 200 / kSlowdown; ++trial) {
-    const Marker marker = random_marker(random, 20, random.between(50, 500));
+    Marker marker = random_marker(random, 20, random.between(50, 500));
+    if (random.chance(50)) marker.spacing = random.between(1, 40);
+    if (random.chance(50)) {
+      for (Piece& piece : marker.pieces) piece.buffer = random.between(0, 30);
+    }
     const PlacedPieces pieces{marker};
-    const Coord spacing = random.chance(50) ? 0 : random.between(1, 40);
     std::vector<PiecePair> expected;
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
       for (std::uint32_t j = i + 1; j < pieces.size(); ++j) {
+        const Coord spacing = std::max(marker.spacing, marker.pieces[i].buffer + marker.pieces[j].buffer);
         const bool conflict = spacing == 0 ? overlap(pieces[i], pieces[j]) : closer_than(pieces[i], pieces[j], spacing);
         if (conflict) expected.emplace_back(i, j);
       }
     }
-    ASSERT_EQ(conflicts(pieces, spacing), expected);
+    ASSERT_EQ(conflicts(pieces), expected);
   }
 }
 

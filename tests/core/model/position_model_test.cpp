@@ -32,11 +32,12 @@ TEST(PositionModel, BuildsOnlyWhatTheSceneNeeds) {
   const auto square = layout.shape_of(test::rectangle(100, 100));
   layout.put(square, {0, 0}).put(square, {200, 0}).put(square, {400, 0}, 0, true);
   const PlacedPieces pieces{layout.marker()};
-  const std::vector<std::uint32_t> group{0, 0, PositionModel::kFixed};
-  PositionModel model{pieces, layout.marker().strip, group};
+  const Ties ties{{0, 0, Ties::kFixed}, {0, 0, Ties::kFixed}};
+  PositionModel model{pieces, layout.marker().strip, ties};
   EXPECT_EQ(model.program().columns(), 2);  // two pieces of one group, one fixed
-  EXPECT_EQ(model.column(0), model.column(1));
-  EXPECT_FALSE(model.column(2));
+  EXPECT_EQ(model.x_column(0), model.x_column(1));
+  EXPECT_EQ(model.y_column(0), model.y_column(1));
+  EXPECT_FALSE(model.x_column(2) || model.y_column(2));
   EXPECT_EQ(model.program().lower[0], 0);    // the group's first piece is at the left edge
   EXPECT_EQ(model.program().upper[1], 900);  // units are thousandths of the width
   model.add({{0, 1}, 1, 0, -50});
@@ -48,6 +49,38 @@ TEST(PositionModel, BuildsOnlyWhatTheSceneNeeds) {
   model.add_right_wall(2);
   EXPECT_EQ(model.program().rows(), 2);        // a fixed piece bounds the length itself
   EXPECT_EQ(model.program().lower.back(), 0);  // the fixed piece is the last
+}
+
+TEST(PositionModel, OfAPieceLockedOnAnAxisHasOnlyTheOtherColumn) {
+  Layout layout{1000};
+  const auto square = layout.shape_of(test::rectangle(100, 100));
+  layout.put(square, {0, 0}).put(square, {200, 0});
+  Marker marker = layout.marker();
+  marker.pieces[0].locked = {true, false, false};
+  const PlacedPieces pieces{marker};
+  PositionModel model{pieces, marker.strip, ties_of(marker)};
+  EXPECT_EQ(model.program().columns(), 3);
+  EXPECT_FALSE(model.x_column(0));
+  model.add({{0, 1}, 0.6, 0.8, -50});
+  EXPECT_EQ(model.program().row(0).size(), 3U);
+  const std::vector<double> x{1, 2, 3};
+  const auto moves = model.displacements(x);
+  EXPECT_EQ(moves[0].x, 0);
+  EXPECT_EQ(moves[0].y, 1);  // units are thousandths of the width
+  EXPECT_EQ(moves[1].x, 2);
+}
+
+TEST(PositionModel, KeepsTheMargins) {
+  Layout layout{1000};
+  const auto square = layout.shape_of(test::rectangle(100, 100));
+  layout.put(square, {50, 60});
+  Marker marker = layout.marker();
+  marker.strip.margin = 20;
+  marker.strip.longest = 400;
+  const PlacedPieces pieces{marker};
+  PositionModel model{pieces, marker.strip, ties_of(marker)};
+  EXPECT_EQ(model.program().lower, (std::vector<double>{-30, -40}));
+  EXPECT_EQ(model.program().upper, (std::vector<double>{230, 820}));
 }
 
 }  // namespace

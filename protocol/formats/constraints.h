@@ -1,0 +1,23 @@
+// What a marker maker sets about a piece beside its placement: locks, its rigid group and its buffer.  The same words
+// in the native and the sparrow form:
+//   "locked": true, or the list of what is: "x", "y", "tilt"; "group": a name; "buffer": a length.
+#pragma once
+
+#include "protocol/fields.h"
+#include "protocol/formats/decimal_marker.h"
+
+namespace selvage {
+
+inline constexpr std::string_view kLockNames[] = {"x", "y", "tilt"};
+
+// Absent words leave the piece free.
+void read_constraints(Fields& fields, Mistake& mistake, DecimalPiece& piece);
+// Only what is not the default.
+void write_constraints(Json& json, const Marker& marker, const Piece& piece);
+
+// A value of "locked".
+[[nodiscard]] Locks locks_from(const Json& value, const std::string& at, Mistake& mistake);
+// The shortest value of "locked" that says the same.
+[[nodiscard]] Json locks_json(const Locks& locks);
+
+}  // namespace selvage
