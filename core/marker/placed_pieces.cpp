@@ -25,6 +25,12 @@ PlacedPieces::PlacedPieces(const Marker& marker) : spacing_{marker.spacing} {
   widest_spacing_ = std::max(spacing_, 2 * widest_buffer);
 }
 
+void PlacedPieces::replace(std::size_t piece, Polygon polygon, Vec at) {
+  const Box box = box_of(polygon);
+  polygons_[piece] = std::make_shared<const SharedPolygon>(SharedPolygon{std::move(polygon), box});
+  at_[piece] = at;
+}
+
 Coord PlacedPieces::length() const {
   Coord length = 0;
   for (std::size_t i = 0; i < size(); ++i) length = std::max(length, box(i).high.x);

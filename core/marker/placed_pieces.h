@@ -34,6 +34,8 @@ class PlacedPieces {
   [[nodiscard]] Vec at(std::size_t piece) const { return at_[piece]; }
   [[nodiscard]] const std::vector<Vec>& positions() const { return at_; }
   void place(std::vector<Vec> positions) { at_ = std::move(positions); }
+  // Gives one piece another polygon: it was tilted.
+  void replace(std::size_t piece, Polygon polygon, Vec at);
   // The least distance the two must keep: the marker's spacing, or their buffers.
   [[nodiscard]] Coord spacing(PiecePair pair) const {
     return std::max(spacing_, buffers_[pair.first] + buffers_[pair.second]);

@@ -20,9 +20,15 @@ constexpr std::size_t kWays = 40;     // ways round corners that are tried befor
 constexpr double kContact = 4;        // lattice units: sides nearer than this are touched
 constexpr double kLeastGain = 2;      // lattice units; less is rounding
 
-// Directions slanting off the wanted one, as (cosine, sine) of 25, 50, 75 and 89 degrees; to either side.
-constexpr std::array<std::pair<double, double>, 4> kSlants{
-    {{0.906, 0.423}, {0.643, 0.766}, {0.259, 0.966}, {0.017, 1.0}}};
+// Directions slanting off the wanted one, as (cosine, sine) of 25, 50, 75 and 89 degrees, to one side and to the other.
+constexpr std::array<std::pair<double, double>, 8> kSlants{{{0.906, 0.423},
+                                                            {0.906, -0.423},
+                                                            {0.643, 0.766},
+                                                            {0.643, -0.766},
+                                                            {0.259, 0.966},
+                                                            {0.259, -0.966},
+                                                            {0.017, 1.0},
+                                                            {0.017, -1.0}}};
 
 // One side of the cell, and whose it is.
 struct Bound {
@@ -63,11 +69,8 @@ class Bumper {
 
   Bump run() {
     for (int step = 0; step < kSteps; ++step) {
-      if (const auto advance = advance_towards({ux_, uy_})) {
-        take(*advance);
-      } else if (!advance_round_corners()) {
-        break;
-      }
+      if (advance(ux_, uy_) || advance_round_corners()) continue;
+      break;
     }
     return {at_, gain(at_ - scene_.pieces.at(piece_)), touching()};
   }
@@ -75,68 +78,50 @@ class Bumper {
  private:
   [[nodiscard]] double gain(Vec by) const { return ux_ * static_cast<double>(by.x) + uy_ * static_cast<double>(by.y); }
 
-  using Way = std::pair<double, double>;
-  // A proved position that lies farther on.
-  struct Advance {
-    Vec to;
-    bool to_limit{};  // nothing but the cell's reach was in the way
-  };
-  void take(const Advance& advance) {
-    at_ = advance.to;
-    if (advance.to_limit) reach_ *= 4;  // look farther next time
-  }
-
   // At a corner either side of a neighbour may be taken; the cell took the ones least in the direct way.  A way out, if
   // there is one, borders on a way along some contact: try the cells that leave those ways open, and some slanting ways
-  // to see the contacts behind corners.  Of two ways that slant alike the better one is taken, not the first: a
-  // mirrored bump must give the mirrored answer.
+  // to see the contacts behind corners.
   bool advance_round_corners() {
-    std::vector<Way> ways;
-    for (const auto& [c, s] : kSlants) {
-      const auto left = advance_noting({c * ux_ - s * uy_, s * ux_ + c * uy_}, ways);
-      const auto right = advance_noting({c * ux_ + s * uy_, -s * ux_ + c * uy_}, ways);
-      if (!left && !right) continue;
-      const bool take_left = left && (!right || gain(left->to - right->to) > 0);
-      take(take_left ? *left : *right);
-      return true;
-    }
+    std::vector<std::pair<double, double>> ways;
+    const double side = first_side();
+    for (const auto& [c, s] : kSlants) ways.emplace_back(c * ux_ - side * s * uy_, side * s * ux_ + c * uy_);
     for (std::size_t k = 0; k < ways.size() && k < kWays; ++k) {
-      const auto advance = advance_noting(Way{ways[k]}, ways);
-      if (!advance) continue;
-      take(*advance);
-      return true;
+      if (advance(ways[k].first, ways[k].second)) return true;
+      for (const CellSide& met : cell_) {
+        if (met.slack > kContact) continue;
+        const double ahead = -met.ny * ux_ + met.nx * uy_;
+        const std::pair along{ahead > 0 ? -met.ny : met.ny, ahead > 0 ? met.nx : -met.nx};
+        const bool known = std::any_of(ways.begin(), ways.end(), [&](const auto& way) {
+          return std::abs(way.first * along.second - way.second * along.first) < 1e-9;
+        });
+        if (!known && ahead != 0) ways.push_back(along);
+      }
     }
     return false;
   }
-  // The same, adding the ways along its cell's contacts to those worth trying.
-  std::optional<Advance> advance_noting(Way towards, std::vector<Way>& ways) {
-    const auto advance = advance_towards(towards);
-    for (const CellSide& side : cell_) {
-      if (side.slack > kContact) continue;
-      const double ahead = -side.ny * ux_ + side.nx * uy_;
-      const Way along{ahead > 0 ? -side.ny : side.ny, ahead > 0 ? side.nx : -side.nx};
-      const bool known = std::any_of(ways.begin(), ways.end(), [&](const Way& way) {
-        return std::abs(way.first * along.second - way.second * along.first) < 1e-9;
-      });
-      if (!known && ahead != 0) ways.push_back(along);
-    }
-    return advance;
+
+  // The side that is tried first, +1 for the left of the wanted direction: leftwards in the strip, and for a bump along
+  // the strip to where there is more room.  So that a mirrored marker gives the mirrored answer.
+  [[nodiscard]] double first_side() const {
+    if (uy_ != 0) return uy_ > 0 ? 1 : -1;
+    return (fit_.high.y - at_.y >= at_.y - fit_.low.y) == (ux_ > 0) ? 1 : -1;
   }
 
-  // Builds the cell about the present position, slides in it and proves where that leads.  Nothing when it gains
-  // nothing.
-  std::optional<Advance> advance_towards(Way towards) {
-    build_cell(towards.first, towards.second);
+  // Builds the cell about the present position, slides in it and takes what is proved.  False when that gains nothing.
+  bool advance(double towards_x, double towards_y) {
+    build_cell(towards_x, towards_y);
     last_ = slide(cell_, ux_, uy_);
-    if (ux_ * last_.to.x + uy_ * last_.to.y < kLeastGain) return std::nullopt;
+    if (ux_ * last_.to.x + uy_ * last_.to.y < kLeastGain) return false;
     for (double part = 1; part > 1e-3; part /= 4) {
       const auto target = lattice_point(last_.to.x * part, last_.to.y * part);
       if (!target || gain(*target - at_) < kLeastGain || !valid(*target)) continue;
-      const bool to_limit = std::any_of(last_.blocking.begin(), last_.blocking.end(),
-                                        [&](std::size_t k) { return k >= cell_.size() - 4; });
-      return Advance{*target, to_limit};
+      const bool reached_limit = std::any_of(last_.blocking.begin(), last_.blocking.end(),
+                                             [&](std::size_t k) { return k >= cell_.size() - 4; });
+      if (reached_limit) reach_ *= 4;  // nothing else was in the way: look farther next time
+      at_ = *target;
+      return true;
     }
-    return std::nullopt;
+    return false;
   }
 
   void build_cell(double towards_x, double towards_y) {
@@ -173,19 +158,13 @@ class Bumper {
     bounds_.push_back({{}, kEdge, {}});
   }
 
-  // The best lattice position near the cell's point that every half-plane admits exactly; of equally good ones the
-  // nearest, of equally near ones the one with less way: no axis and no direction is preferred.
+  // The best lattice position near the cell's point that every half-plane admits exactly.
   [[nodiscard]] std::optional<Vec> lattice_point(double x, double y) const {
-    const Vec low{at_.x + static_cast<Coord>(std::floor(x)), at_.y + static_cast<Coord>(std::floor(y))};
-    const Vec high{at_.x + static_cast<Coord>(std::ceil(x)), at_.y + static_cast<Coord>(std::ceil(y))};
-    std::array<Vec, 4> corners{low, Vec{low.x, high.y}, Vec{high.x, low.y}, high};
-    const auto merit = [&](Vec corner) {
-      const Vec by = corner - at_;
-      const double dx = static_cast<double>(by.x) - x;
-      const double dy = static_cast<double>(by.y) - y;
-      return std::tuple{gain(by), -(dx * dx + dy * dy), -std::abs(by.x) - std::abs(by.y)};
+    const auto about = [](double v) {
+      return std::pair{static_cast<Coord>(std::floor(v)), static_cast<Coord>(std::ceil(v))};
     };
-    std::stable_sort(corners.begin(), corners.end(), [&](Vec a, Vec b) { return merit(a) > merit(b); });
+    const auto [low_x, high_x] = about(x);
+    const auto [low_y, high_y] = about(y);
     // Away from what blocks, farther and farther: a narrow corner may hold no lattice point.
     double back_x = -ux_;
     double back_y = -uy_;
@@ -194,12 +173,20 @@ class Bumper {
       back_y += cell_[k].ny;
     }
     for (const double back : {0.0, 1.0, 2.0, 4.0, 8.0, 16.0, 64.0, 256.0}) {
-      for (const Vec corner : corners) {
-        const Vec candidate{corner.x + std::llround(back * back_x), corner.y + std::llround(back * back_y)};
-        if (admitted(candidate)) return candidate;
+      std::optional<Vec> best;
+      const Vec away{std::llround(back * back_x), std::llround(back * back_y)};
+      for (const Vec rounded : {Vec{low_x, low_y}, {high_x, low_y}, {low_x, high_y}, {high_x, high_y}}) {
+        const Vec by = rounded + away;
+        if (admitted(at_ + by) && (!best || preferred(by, *best))) best = by;
       }
+      if (best) return at_ + *best;
     }
     return std::nullopt;
+  }
+  // Farther in the direction; of moves equally far the shorter one.
+  [[nodiscard]] bool preferred(Vec a, Vec b) const {
+    const auto rank = [&](Vec by) { return std::tuple{-gain(by), std::abs(by.x) + std::abs(by.y), std::abs(by.y)}; };
+    return rank(a) < rank(b);
   }
   [[nodiscard]] bool admitted(Vec candidate) const {
     if (candidate.x < fit_.low.x || candidate.x > fit_.high.x || candidate.y < fit_.low.y ||

@@ -18,8 +18,9 @@ struct Bump {
 
 // The local optimum of the direction (dx, dy), which need not have unit length: no way of sliding leads farther by more
 // than rounding.  A fixed piece, or the direction (0, 0), stays; one locked on an axis slides along the other.  The
-// strip's right edge is the marker's present end, or the cloth's when it has one. REQUIRES: the scene's pieces are
-// valid.
+// strip's right edge is the marker's present end, or the cloth's when it has one.  A marker mirrored across the strip
+// gives the mirrored answer to the lattice unit, unless the piece goes along the very middle of the strip and could
+// pass a corner on either side. REQUIRES: the scene's pieces are valid.
 [[nodiscard]] Bump bump(const Scene& scene, std::uint32_t piece, double dx, double dy);
 
 struct BumpedMarker {

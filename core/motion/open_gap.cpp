@@ -58,7 +58,7 @@ class Opening {
         observer_.on_round({progress_.rounds, scene_.pieces.length()});
       }
       // Forces follow the area to first order only: a long step may overshoot where a short one gains.
-      if (gap_.area - area < settings_.least_gain * area) {
+      if (!larger || gap_.area - area < settings_.least_gain * area) {
         if (step.rounds == 0 || ++tries == kTries) {
           progress_.reason = StopReason::kConverged;
           return;

@@ -55,16 +55,20 @@ std::optional<Vec> exit_of_ray(const MinkowskiSum& sum, Vec r) {
 
 }  // namespace
 
-SeparationTarget separation_target(const Scene& scene, PiecePair pair, TargetRule rule) {
-  const auto spacing = static_cast<double>(scene.pieces.spacing(pair));
-  const Obstacle obstacle = scene.obstacle(pair);
-  const Vec r = scene.relative_position(pair);
+SeparationTarget separation_target(const Obstacle& obstacle, Vec r, bool overlapping, TargetRule rule) {
   const Vec at = obstacle.to_frame(r);
   const BoundaryPoint nearest = nearest_boundary_point(obstacle.sum(), at);
-  if (!overlap(scene.pieces[pair.first], scene.pieces[pair.second])) return {spacing - nearest.distance, r};
+  if (!overlapping) return {-nearest.distance, r};
   std::optional<Vec> about;
   if (rule == TargetRule::kKernelRay) about = exit_of_ray(obstacle.sum(), at);
-  return {spacing + nearest.distance, obstacle.from_frame(about ? *about : just_outside(nearest.at, *nearest.edge))};
+  return {nearest.distance, obstacle.from_frame(about ? *about : just_outside(nearest.at, *nearest.edge))};
+}
+
+SeparationTarget separation_target(const Scene& scene, PiecePair pair, TargetRule rule) {
+  const bool overlapping = overlap(scene.pieces[pair.first], scene.pieces[pair.second]);
+  SeparationTarget target = separation_target(scene.obstacle(pair), scene.relative_position(pair), overlapping, rule);
+  target.depth += static_cast<double>(scene.pieces.spacing(pair));
+  return target;
 }
 
 }  // namespace selvage

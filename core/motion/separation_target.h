@@ -19,4 +19,8 @@ struct SeparationTarget {
 // REQUIRES: the pair overlaps, or is closer than the marker's spacing.
 [[nodiscard]] SeparationTarget separation_target(const Scene& scene, PiecePair pair, TargetRule rule);
 
+// The same for two pieces of which not both lie as the scene says: at the relative position r, overlapping or too
+// close. `depth` leaves the spacing out.
+[[nodiscard]] SeparationTarget separation_target(const Obstacle& obstacle, Vec r, bool overlapping, TargetRule rule);
+
 }  // namespace selvage

@@ -21,6 +21,8 @@ namespace ssl = asio::ssl;
 using Error = boost::system::error_code;
 using Clock = std::chrono::steady_clock;
 
+constexpr std::chrono::seconds kClosePatience{2};
+
 ssl::context make_context(const TlsFiles& files) {
   ssl::context context{ssl::context::tls_server};
   Error error;
@@ -45,7 +47,7 @@ class Tunnel : public std::enable_shared_from_this<Tunnel> {
   // Until both directions have ended.
   static asio::awaitable<void> run(std::shared_ptr<Tunnel> self) {
     Error error;
-    self->arm();
+    self->arm(self->patience_);
     co_await self->outside_.async_handshake(ssl::stream_base::server, asio::redirect_error(asio::use_awaitable, error));
     self->disarm();
     if (error) co_return self->cut();
@@ -89,13 +91,13 @@ class Tunnel : public std::enable_shared_from_this<Tunnel> {
       const std::size_t count =
           co_await inside_.async_read_some(asio::buffer(chunk), asio::redirect_error(asio::use_awaitable, error));
       if (error) break;
-      arm();
+      arm(patience_);
       co_await asio::async_write(outside_, asio::buffer(chunk.data(), count),
                                  asio::redirect_error(asio::use_awaitable, error));
       disarm();
     }
     if (error != asio::error::eof) co_return;
-    arm();
+    arm(kClosePatience);
     co_await outside_.async_shutdown(asio::redirect_error(asio::use_awaitable, error));
   }
 
@@ -106,8 +108,8 @@ class Tunnel : public std::enable_shared_from_this<Tunnel> {
     });
   }
 
-  void arm() {
-    watchdog_.expires_after(patience_);
+  void arm(std::chrono::milliseconds patience) {
+    watchdog_.expires_after(patience);
     watchdog_.async_wait([self = shared_from_this()](Error error) {
       if (!error && self->watchdog_.expiry() <= Clock::now()) self->cut();
     });

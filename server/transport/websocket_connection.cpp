@@ -29,7 +29,9 @@ class WebSocketConnection final : public Conversation {
     stream_.read_message_max(terms_.limits.body_bytes);
     stream_.auto_fragment(false);
     stream_.text(true);
-    stream_.control_callback([this](auto&&...) { heard(); });
+    stream_.control_callback([this](websocket::frame_type kind, auto&&) {
+      kind == websocket::frame_type::close ? closed_by_client() : heard();
+    });
   }
 
   asio::awaitable<void> serve(const Upgrade& upgrade) {
@@ -85,6 +87,12 @@ class WebSocketConnection final : public Conversation {
   // Something came.  A message that has begun has its own time, and pongs do not lengthen it.
   void heard() {
     if (!within_message_ && !leaving_) connection_->arm(connection_->read_watchdog, terms_.limits.silence);
+  }
+
+  // Its calls need no longer run; the stream answers the close and waits a while for the end of the connection.
+  void closed_by_client() {
+    connection_->gone.request_stop();
+    connection_->arm(connection_->read_watchdog, kClosePatience);
   }
 
   void ping() {

@@ -27,11 +27,22 @@ double random_angle(Random& random) {
   return std::numbers::pi * (random.chance(30) ? static_cast<double>(random.below(4)) / 2 : 2 * random.part());
 }
 
-// To the lattice unit.  No scene here is its own mirror image: there, one of two equally good ways has to be taken.
+// Some of its pieces turned by angles that are rounded; as it was, when that leaves no room.
+Marker turned_a_little(Random& random, const Marker& marker) {
+  Marker turned = marker;
+  for (Piece& piece : turned.pieces) {
+    if (random.chance(50)) piece.orientation.rotation.degrees += static_cast<double>(random.between(-30, 30)) / 10;
+  }
+  const auto made = make_marker(turned);
+  return made && is_valid(*made) ? *made : marker;
+}
+
+// To the lattice unit, unless a piece that goes along the very middle of the strip may pass a corner on either side: no
+// piece here does.
 TEST(SymmetryLaws, AMirroredBumpGivesTheMirroredAnswer) {
   Random random{201};
-  for (int trial = 0; trial < 4000 / kSlowdown; ++trial) {
-    const Marker marker = test::random_marker(random);
+  for (int trial = 0; trial < 6000 / kSlowdown; ++trial) {
+    const Marker marker = turned_a_little(random, test::random_marker(random));
     const Marker reflection = test::mirrored(marker);
     ASSERT_TRUE(is_valid(reflection)) << trial;
     const auto piece = static_cast<std::uint32_t>(random.below(marker.pieces.size()));

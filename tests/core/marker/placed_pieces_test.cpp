@@ -92,5 +92,20 @@ TEST(Conflicts, AreThoseOfBruteForce) {
   }
 }
 
+TEST(PlacedPieces, OneCanBeReplaced) {
+  Random random{204};
+  Marker marker = random_marker(random, 6, 1000);
+  PlacedPieces pieces{marker};
+  const Vec far{5000, 7};
+  const Polygon square{{0, 0}, {30, 0}, {30, 30}, {0, 30}};
+  pieces.replace(2, square, far);
+  EXPECT_EQ(pieces.box(2), (Box{{5000, 7}, {5030, 37}}));
+  EXPECT_EQ(pieces.at(2), far);
+  EXPECT_EQ(pieces.length(), 5030);
+  for (const std::uint32_t other : {0U, 1U, 3U, 4U, 5U}) {  // shapes are shared, replacements are not
+    EXPECT_EQ(pieces.box(other), box_of(placed_outline(marker, {other})));
+  }
+}
+
 }  // namespace
 }  // namespace selvage::test

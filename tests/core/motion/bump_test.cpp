@@ -110,5 +110,13 @@ RC_GTEST_PROP(BumpLaws, EndsAtALocalOptimum, ()) {
   RC_ASSERT(best_small_gain(marker, piece, std::cos(angle), std::sin(angle), 16) <= 8.0);
 }
 
+RC_GTEST_PROP(BumpLaws, ASecondBumpGainsNothing, ()) {
+  Marker marker = test::loose_marker(*rc::gen::arbitrary<std::uint32_t>(), 4, 3);
+  const auto piece = *rc::gen::inRange<std::uint32_t>(0, 12);
+  const double angle = *rc::gen::element(0.0, 0.5, 1.0, 0.3, 1.7, 1.25) * std::numbers::pi;
+  marker.pieces[piece].at = bumped(marker, piece, std::cos(angle), std::sin(angle)).at;
+  RC_ASSERT(bumped(marker, piece, std::cos(angle), std::sin(angle)).gain <= 8.0);
+}
+
 }  // namespace
 }  // namespace selvage

@@ -64,6 +64,16 @@ TEST(OpenGap, LocksHold) {
   EXPECT_NEAR(area_in_k1(gap.after), 500 * 1000, 1);
 }
 
+TEST(OpenGap, EndsWithoutALeastGainToo) {
+  CompactionSettings settings = kStandard;
+  settings.least_gain = 0;
+  SumCache sums;
+  const auto result = open_gap(walls(false).marker(), AwayFromOutline{1}, settings, kEverything, sums);
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->reason, StopReason::kConverged);
+  EXPECT_NEAR(area_in_k1(result->after), 700 * 1000, 1);
+}
+
 TEST(OpenGap, WithNothingToOpenNothingMoves) {  // a frame of bricks without slack
   Layout layout{300 * k1};
   const auto brick = layout.shape_of(test::rectangle(200 * k1, 100 * k1));

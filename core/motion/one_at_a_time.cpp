@@ -1,0 +1,67 @@
+#include "core/motion/one_at_a_time.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/motion/bump.h"
+
+namespace selvage {
+namespace {
+
+// From left to right; ties by piece.
+std::vector<std::uint32_t> sweep_order(const PlacedPieces& pieces) {
+  std::vector<std::uint32_t> order(pieces.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return pieces.box(a).low.x < pieces.box(b).low.x; });
+  return order;
+}
+
+// Bumps every piece once; returns how far they went, all together.
+double sweep(Scene& scene, const std::stop_token& stop) {
+  double gain = 0;
+  for (const std::uint32_t piece : sweep_order(scene.pieces)) {
+    if (stop.stop_requested()) break;
+    const Bump bumped = bump(scene, piece, -1, 0);
+    gain += bumped.gain;
+    scene.shift(piece, bumped.at - scene.pieces.at(piece));
+  }
+  return gain;
+}
+
+StopReason sweep_until_still(Scene& scene, const SweepSettings& settings, const std::stop_token& stop,
+                             const Observer& observer, int& sweeps) {
+  const double least = settings.least_gain * static_cast<double>(scene.marker.strip.width);
+  while (sweeps < settings.sweeps) {
+    if (stop.stop_requested()) return StopReason::kCancelled;
+    observer.on_stage(Stage::kSolve);
+    const double gain = sweep(scene, stop);
+    observer.on_stage(Stage::kOther);
+    ++sweeps;
+    observer.on_round({sweeps, scene.pieces.length()});
+    if (stop.stop_requested()) return StopReason::kCancelled;
+    if (gain <= least) return StopReason::kConverged;
+  }
+  return StopReason::kWorkLimit;
+}
+
+}  // namespace
+
+Result<Compaction> compact_one_at_a_time(const Marker& start, const SweepSettings& settings, SumCache& sums,
+                                         std::stop_token stop, const Observer& observer) {
+  observer.on_stage(Stage::kOther);
+  Scene scene{start, sums};
+  Compaction best;
+  best.length_before = scene.pieces.length();
+  best.utilisation_before = utilisation_of(start);
+  const auto healing = heal(scene, stop, observer);
+  if (!healing) return healing.error();
+  best.healing = *healing;
+  best.reason = sweep_until_still(scene, settings, stop, observer, best.rounds);
+  best.marker = scene.result();
+  best.length_after = scene.pieces.length();
+  best.utilisation_after = utilisation_of(best.marker);
+  return best;
+}
+
+}  // namespace selvage

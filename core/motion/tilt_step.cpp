@@ -1,0 +1,153 @@
+#include "core/motion/tilt_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/minkowski/inner_fit.h"
+#include "core/model/snap.h"
+#include "core/motion/separation_target.h"
+#include "core/motion/tilted_piece.h"
+
+namespace selvage {
+namespace {
+
+constexpr double kRadian = 180 / std::numbers::pi;  // degrees
+constexpr double kOverlapPrice = 100;               // of a unit of overlap that stays, beside a unit of length
+constexpr double kClearance = 1e-7;    // parts of the width that pieces are kept apart by, for what is not linear,
+constexpr Coord kLeastClearance = 3;   // and lattice units, for rounded outlines
+constexpr double kLeastArc = 1;        // lattice units: a smaller turn changes nothing but rounding
+constexpr double kLengthSpare = 1e-2;  // column units the length may grow by in a program, for rows' margins
+
+class Program {
+ public:
+  Program(const Scene& scene, const TiltStepSettings& settings)
+      : scene_{scene},
+        farthest_{settings.trust * static_cast<double>(scene.marker.strip.width)},
+        turn_{settings.turn.degrees / kRadian},
+        turns_{ranges(scene, turn_)},
+        model_{scene.pieces, scene.marker.strip, scene.ties, turns_, farthest_} {}
+
+  void add_goal(const Goal& goal, std::span<const double> torque) {
+    for (std::size_t i = 0; i < scene_.pieces.size(); ++i) {
+      model_.positions().add_cost(i, -goal.force[i].x, -goal.force[i].y);
+      const auto turn = model_.turn_column(i);
+      if (turn && !torque.empty()) model_.positions().program().cost[static_cast<std::size_t>(*turn)] = -torque[i];
+    }
+    if (goal.shorten == 0) {
+      model_.hold_length();
+    } else {
+      const double shorten = std::min(static_cast<double>(scene_.pieces.length()), 2 * farthest_);
+      model_.add_length(goal.shorten, shorten, kLengthSpare * model_.positions().unit());
+    }
+  }
+
+  void add_pairs(const Observer& observer) {
+    observer.on_stage(Stage::kSums);
+    const double most_swing = turn_ * widest_radius();
+    const double reach = 2 * (farthest_ + most_swing);
+    const std::vector<PiecePair> overlapping = conflicts(scene_.pieces);
+    for (const PiecePair& pair : pairs_within(scene_.pieces, std::llround(reach) + scene_.pieces.widest_spacing())) {
+      const auto [p, q] = pair;
+      if (scene_.ties.joined(p, q)) continue;
+      const Coord spacing = scene_.pieces.spacing(pair);
+      SeparationTarget target{0, scene_.relative_position(pair)};
+      const bool overlaps = std::binary_search(overlapping.begin(), overlapping.end(), pair);
+      if (overlaps) target = separation_target(scene_, pair, TargetRule::kNearest);
+      const RegionSettings region{RegionRule::kGreedy, 1.5 * reach + static_cast<double>(spacing), spacing};
+      const auto sides = free_region(scene_.obstacle(pair), target.about, region);
+      const TiltRowSettings row{turn_, 1.5 * reach, overlaps ? 2 * target.depth : 0, spacing + clearance(),
+                                model_.positions().unit()};
+      const auto rows = tilt_rows(pair, scene_.pieces[p], scene_.pieces[q], sides, row);
+      std::optional<int> give;
+      if (std::any_of(rows.begin(), rows.end(), [](const TiltRow& made) { return made.row.bound > 0; })) {
+        give = model_.positions().program().add_column(kOverlapPrice, 0, kInfinity);
+      }
+      for (const TiltRow& made : rows) model_.add(made, made.row.bound > 0 ? give : std::nullopt);
+    }
+  }
+
+  [[nodiscard]] TiltStep solved(SolverChoice solver, const std::stop_token& stop) const {
+    const LpSolution solution = solve(model_.program(), solver, {}, stop);
+    TiltStep step;
+    step.status = solution.status;
+    if (solution.status != LpStatus::kOptimal) return step;
+    step.promise = -solution.objective * static_cast<double>(scene_.marker.strip.width) / 1000;
+    step.pieces = moved(solution.x);
+    return step;
+  }
+
+ private:
+  static std::vector<TurnRange> ranges(const Scene& scene, double turn) {
+    std::vector<TurnRange> turns(scene.pieces.size());
+    for (std::uint32_t i = 0; i < turns.size(); ++i) {
+      const TiltRange range = tilt_range(scene.marker, PieceId{i});
+      const double now = scene.marker.pieces[i].orientation.tilt.degrees;
+      turns[i].least = std::clamp((range.least.degrees - now) / kRadian, -turn, 0.0);
+      turns[i].most = std::clamp((range.most.degrees - now) / kRadian, 0.0, turn);
+    }
+    return turns;
+  }
+  [[nodiscard]] Coord clearance() const {
+    return kLeastClearance + std::llround(kClearance * static_cast<double>(scene_.marker.strip.width));
+  }
+  [[nodiscard]] double widest_radius() const {
+    double most = 0;
+    for (std::size_t i = 0; i < turns_.size(); ++i) {
+      if (!turns_[i].empty()) most = std::max(most, radius_of(scene_.pieces[i]));
+    }
+    return most;
+  }
+
+  [[nodiscard]] std::vector<Piece> moved(std::span<const double> x) const {
+    std::vector<Piece> pieces = scene_.marker.pieces;
+    std::vector<Displacement> moves = model_.positions().displacements(x);
+    const std::vector<double> turns = model_.turns(x);
+    for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+      pieces[i].at = scene_.pieces.at(i);
+      if (std::abs(turns[i]) * radius_of(scene_.pieces[i]) < kLeastArc) continue;
+      Piece turned_piece = pieces[i];
+      double& tilt = turned_piece.orientation.tilt.degrees;
+      const double before = tilt;
+      const TiltRange range = tilt_range(scene_.marker, PieceId{i});
+      tilt = std::clamp(tilt + turns[i] * kRadian, range.least.degrees, range.most.degrees);
+      if (!is_cuttable(scene_.marker, turned_piece)) continue;
+      const Displacement held = held_pivot(scene_.pieces[i], Angle::of_degrees(tilt - before));
+      moves[i] = {moves[i].x + held.x, moves[i].y + held.y};
+      pieces[i] = turned_piece;
+    }
+    const std::vector<Vec> by = snapped(moves);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      pieces[i].at = pieces[i].at + by[i];
+      if (!turns_[i].empty()) put_inside(pieces[i]);
+    }
+    return pieces;
+  }
+  // What a turn's second order puts outside the strip comes back to its edge.
+  void put_inside(Piece& piece) const {
+    const Marker& marker = scene_.marker;
+    const Box box = box_of(oriented(marker.shapes[piece.shape.value].outline, piece.orientation));
+    const Box fit = inner_fit(box, marker.strip.room(0));
+    piece.at.x = std::max(piece.at.x, fit.low.x);
+    piece.at.y = std::max(fit.low.y, std::min(piece.at.y, fit.high.y));
+  }
+
+  const Scene& scene_;
+  double farthest_;
+  double turn_;
+  std::vector<TurnRange> turns_;
+  TiltModel model_;
+};
+
+}  // namespace
+
+TiltStep tilt_step(const Scene& scene, const Goal& goal, std::span<const double> torque,
+                   const TiltStepSettings& settings, const std::stop_token& stop, const Observer& observer) {
+  Program program{scene, settings};
+  program.add_goal(goal, torque);
+  program.add_pairs(observer);
+  observer.on_stage(Stage::kSolve);
+  return program.solved(settings.solver, stop);
+}
+
+}  // namespace selvage
