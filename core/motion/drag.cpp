@@ -166,8 +166,11 @@ class Hand {
     std::vector<bool> known(scene_.pieces.size());
     for (const std::uint32_t piece : around) known[piece] = true;
     const Box far = reached.grown(reach);
+    const Coord end = scene_.pieces.length();
     for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
-      if (!known[other] && far.touches(scene_.pieces.box(other))) around.push_back(other);
+      const Box box = scene_.pieces.box(other);
+      // Whatever ends the marker is known, so that the rounds hold the whole one's length, not the part's.
+      if (!known[other] && (far.touches(box) || box.high.x == end)) around.push_back(other);
     }
     return around;
   }
