@@ -27,6 +27,10 @@ void add_compact_command(CLI::App& app, ExitCode& code) {
   CLI::App* command =
       app.add_subcommand("compact", "Shorten a marker: all pieces move at once, none leaps over another");
   add_marker_in(*command, options->files);
+  command->add_option("--accuracy", options->accuracy, "How much work to spend")
+      ->check(CLI::IsMember({"draft", "standard", "fine"}))
+      ->capture_default_str();
+  command->add_option("--rounds", options->rounds, "At most this many rounds")->check(CLI::Range(0, kMaxRounds));
   add_motion(*command, options, "motion.compact", code);
 }
 

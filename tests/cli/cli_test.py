@@ -163,8 +163,8 @@ class Bump(CliTest):
         self.assertEqual(ran.stdout.count("\n"), 1)
         line = json.loads(ran.stdout)
         self.assertEqual(set(line), {"name", "pieces", "length_before", "length_after", "utilisation_before",
-                                     "utilisation_after", "at", "gain", "touching", "moved", "valid", "healed", "ms",
-                                     "cache"})
+                                     "utilisation_after", "at", "gain", "touching", "moved", "stop", "valid", "healed",
+                                     "ms", "cache"})
         self.assertEqual((line["at"], line["gain"], line["touching"], line["moved"]), ([40, 10], 10, ["p0"], True))
         self.assertIn('class="before"', self.path("o.svg").read_text())
         self.assertEqual(json.loads(self.path("o.json").read_text())["strip_length"], 80)
