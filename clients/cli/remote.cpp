@@ -49,7 +49,11 @@ std::variant<std::unique_ptr<client::Client>, Refusal> reach(const ServerChoice&
     if (!text) return refusal_of(text.error());
     settings.token = text->substr(0, text->find_first_of("\r\n"));
   }
-  return std::make_unique<client::Client>(server.address, std::move(settings), std::move(handlers));
+  auto client = std::make_unique<client::Client>(server.address, std::move(settings), std::move(handlers));
+  // Little is asked first: a daemon whose token was not shown says so, but does not hear out a whole marker before.
+  const client::Answer greeted = client->call("engine.info");
+  if (!greeted) return refusal_of(greeted.error());
+  return client;
 }
 
 RemoteMarker::~RemoteMarker() {

@@ -25,7 +25,7 @@ struct Refusal {
 [[nodiscard]] Refusal refusal_of(const client::CallError& error);
 [[nodiscard]] ExitCode fail(const Refusal& refusal);  // tells it
 
-// Errors: those of read_text, for the token.
+// A client of the daemon, which has answered once.
 [[nodiscard]] std::variant<std::unique_ptr<client::Client>, Refusal> reach(const ServerChoice& server,
                                                                            client::Handlers handlers = {});
 
