@@ -52,7 +52,7 @@ bool Fields::has(std::string_view key) const {
 }
 
 const Json* Fields::find(std::string_view key) {
-  known_.emplace_back(key);
+  if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
   const auto found = value_.find(key);
   return found == value_.end() ? nullptr : &*found;
 }

@@ -13,7 +13,11 @@ Result<Motion> run(const MotionCompact& wanted, const Marker& start, const Means
   return Motion{std::move(done->marker), rounds_json(done->rounds, done->reason), done->healing};
 }
 
-constexpr std::array kMethods{MarkerMethod{"motion.compact", true, &read_motion<decode_motion_compact, run>}};
+constexpr std::array kMethods{
+    MarkerMethod{"motion.compact",
+                 true,
+                 &read_motion<decode_motion_compact, run>,
+                 {"The marker made shorter, all pieces moving at once.", kEffortParams, kRoundsResults}}};
 
 }  // namespace
 
