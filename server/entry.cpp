@@ -26,13 +26,14 @@ std::string token_in(const Request& request) {
 Entry judge_first_line(std::string_view line, const Access& access) {
   const Incoming incoming = parse_incoming(line, kLongestLine);
   const auto* request = incoming.batch || incoming.calls.empty() ? nullptr : std::get_if<Request>(&incoming.calls[0]);
-  const Json id = request != nullptr && request->id ? *request->id : Json();
+  const bool notification = request == nullptr || !request->id;
+  const Json id = notification ? Json() : *request->id;
   const std::string token = request != nullptr ? token_in(*request) : std::string{};
-  if (token.empty() || !token_fits(access, token)) {
-    return {false, to_text(error_response(
-                       id, {RpcCode::kUnauthorised, "the first line must be an 'auth' call with the token", {}}))};
+  if (!token.empty() && token_fits(access, token)) {
+    return {true, notification ? std::string{} : to_text(response(id, Json{{"authorised", true}}))};
   }
-  return {true, request->id ? to_text(response(id, Json{{"authorised", true}})) : std::string{}};
+  const RpcError refusal{RpcCode::kUnauthorised, "the first line must be an 'auth' call with the token", {}};
+  return {false, to_text(error_response(id, refusal))};
 }
 
 }  // namespace selvage

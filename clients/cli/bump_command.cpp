@@ -12,12 +12,9 @@ struct BumpOptions {
   std::string piece;
   std::vector<double> direction;
   bool json{};
-};
 
-ExitCode run(const BumpOptions& options) {
-  return run_on_marker("motion.bump", {{"piece", options.piece}, {"direction", options.direction}}, options.files,
-                       options.json ? Telling::kLine : Telling::kSummary);
-}
+  [[nodiscard]] Json params() const { return {{"piece", piece}, {"direction", direction}}; }
+};
 
 }  // namespace
 
@@ -31,13 +28,7 @@ void add_bump_command(CLI::App& app, ExitCode& code) {
       ->delimiter(',')
       ->expected(2)
       ->type_name("X,Y");
-  add_marker_files(*command, options->files);
-  command->add_flag("--json", options->json, "Print one line of JSON instead of the summary");
-  command->footer(kExitCodesHelp);
-  command->callback([options, &code] {
-    refuse_mixed_streams(options->files);
-    code = run(*options);
-  });
+  add_motion(*command, options, "motion.bump", code);
 }
 
 }  // namespace selvage

@@ -12,6 +12,7 @@ void add_compact_command(CLI::App& app, ExitCode& code);
 void add_bump_command(CLI::App& app, ExitCode& code);
 void add_separate_command(CLI::App& app, ExitCode& code);
 void add_float_command(CLI::App& app, ExitCode& code);
+void add_tilt_command(CLI::App& app, ExitCode& code);
 void add_call_command(CLI::App& app, ExitCode& code);
 void add_check_command(CLI::App& app, ExitCode& code);
 void add_show_command(CLI::App& app, ExitCode& code);

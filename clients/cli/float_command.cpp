@@ -14,13 +14,12 @@ struct FloatOptions {
   double distance{};
   std::string mode{kFloatModeNames[0]};
   bool edges{}, json{};
-};
 
-ExitCode run(const FloatOptions& options) {
-  Json params{{"distance", options.distance}, {"mode", options.mode}, {"edges", options.edges}};
-  return run_on_marker("motion.float", std::move(params), options.files,
-                       options.json ? Telling::kLine : Telling::kSummary);
-}
+  [[nodiscard]] Json params() const {
+    Json params{{"distance", distance}, {"mode", mode}, {"edges", edges}};
+    return params;
+  }
+};
 
 }  // namespace
 
@@ -34,13 +33,7 @@ void add_float_command(CLI::App& app, ExitCode& code) {
       ->check(CLI::IsMember(std::vector<std::string>{std::begin(kFloatModeNames), std::end(kFloatModeNames)}))
       ->capture_default_str();
   command->add_flag("--edges", options->edges, "Gaps to the strip's edges count, too");
-  add_marker_files(*command, options->files);
-  command->add_flag("--json", options->json, "Print one line of JSON instead of the summary");
-  command->footer(kExitCodesHelp);
-  command->callback([options, &code] {
-    refuse_mixed_streams(options->files);
-    code = run(*options);
-  });
+  add_motion(*command, options, "motion.float", code);
 }
 
 }  // namespace selvage

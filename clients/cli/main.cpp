@@ -1,4 +1,4 @@
-// selvage: compacts, bumps, separates, floats, checks, shows and converts markers from the command line.
+// selvage: compacts, bumps, separates, floats, tilts, checks, shows and converts markers from the command line.
 #include <string>
 
 #include "clients/cli/commands.h"
@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
   selvage::add_bump_command(app, code);
   selvage::add_separate_command(app, code);
   selvage::add_float_command(app, code);
+  selvage::add_tilt_command(app, code);
   selvage::add_check_command(app, code);
   selvage::add_show_command(app, code);
   selvage::add_convert_command(app, code);

@@ -10,7 +10,6 @@
 #include "clients/cli/interrupt.h"
 #include "clients/cli/progress.h"
 #include "clients/cli/summary.h"
-#include "protocol/formats/svg.h"
 #include "protocol/marker_methods.h"
 #include "protocol/methods/motion.h"
 
@@ -36,7 +35,7 @@ Format format_of(const MarkerFiles& files, const MarkerFile& file) {
   return static_cast<Format>(word - std::begin(kFormatNames));
 }
 
-std::optional<Error> save(const MarkerFiles& files, const MarkerFile& file, Coord length_before) {
+std::optional<Error> save(const MarkerFiles& files, const MarkerFile& file, const Marker& start, const Json& params) {
   if (!files.out.empty()) {
     if (auto error = save_marker(files.out, file, format_of(files, file))) return error;
   }
@@ -44,13 +43,11 @@ std::optional<Error> save(const MarkerFiles& files, const MarkerFile& file, Coor
     if (auto error = save_marker(files.outlines, file, Format::kOutlines)) return error;
   }
   if (files.svg.empty()) return std::nullopt;
-  SvgOptions drawing = svg_options(file);
-  drawing.length_before = length_before;
-  return write_text(files.svg, to_svg(file.marker, drawing));
+  return write_text(files.svg, to_svg(file.marker, drawing_of(file, start, params, files.drawing)));
 }
 
 // The call as it would be read by a daemon that has just opened the marker.
-Result<MarkerCall> read_call(const MarkerMethod& method, Json params) {
+Result<MarkerCall> read_call(const MarkerMethod& method, Json& params) {
   if (params.is_object() && !params.contains("markerId")) params["markerId"] = kMarkerId;
   auto call = method.read(params);
   if (!call) return call;
@@ -85,6 +82,8 @@ void add_marker_in(CLI::App& command, MarkerFiles& files) {
 void add_marker_files(CLI::App& command, MarkerFiles& files) {
   command.add_option("-o,--out", files.out, "Write the moved marker here; - for standard output");
   command.add_option("--svg", files.svg, "Write a drawing here");
+  command.add_flag("--arrows", files.drawing.arrows, "Draw how the pieces went, and the forces on them");
+  command.add_flag("--chain", files.drawing.chain, "Draw what holds the length");
   command.add_option("--outlines", files.outlines, "Write the placed outlines here, every coordinate exact");
   command.add_option("--format", files.format, "Form of the moved marker; default: the input's")
       ->check(CLI::IsMember({"native", "sparrow"}));
@@ -98,7 +97,7 @@ void refuse_mixed_streams(const MarkerFiles& files) {
 
 ExitCode run_on_marker(std::string_view name, Json params, const MarkerFiles& files, Telling telling) {
   const MarkerMethod& method = *find_marker_method(name);
-  const auto call = read_call(method, std::move(params));
+  const auto call = read_call(method, params);
   if (!call) return fail(call.error(), exit_code_of(call.error()));
   auto file = load(files);
   if (!file) return fail(file.error(), exit_code_of(file.error()));
@@ -121,9 +120,9 @@ ExitCode run_on_marker(std::string_view name, Json params, const MarkerFiles& fi
   const bool valid = answer->fields.value("valid", true);
   if (!valid && !answer->next) return ExitCode::kNotValid;
 
-  const Coord length_before = length_of(file->marker);
+  const Marker start = file->marker;
   if (answer->next) file->marker = *std::move(answer->next);
-  if (const auto error = save(files, *file, length_before)) return fail(*error, exit_code_of(*error));
+  if (const auto error = save(files, *file, start, params)) return fail(*error, exit_code_of(*error));
   if (!valid) return ExitCode::kNotValid;
   return answer->fields.value("stop", "") == name_of(StopReason::kCancelled) ? ExitCode::kCancelled : ExitCode::kOk;
 }

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "clients/cli/drawing.h"
 #include "clients/cli/exit_code.h"
 #include "protocol/json_text.h"
 
@@ -16,10 +18,11 @@ struct MarkerFiles {
   std::string in, out, svg, outlines;
   std::optional<std::string> format;
   std::optional<double> spacing;
+  DrawingWish drawing;
 };
 // IN as the first argument.
 void add_marker_in(CLI::App& command, MarkerFiles& files);
-// -o, --svg, --outlines, --format, --spacing.
+// -o, --svg, --arrows, --chain, --outlines, --format, --spacing.
 void add_marker_files(CLI::App& command, MarkerFiles& files);
 // Throws CLI::ValidationError when more than one is written to standard output.
 void refuse_mixed_streams(const MarkerFiles& files);
@@ -34,5 +37,18 @@ enum class Telling {
 // Runs the method as a daemon would that has just opened the marker: as "m1", at revision 1.  What is not
 // proved valid is not written, unless the call asks for it.  REQUIRES: marker_methods.h has the method.
 [[nodiscard]] ExitCode run_on_marker(std::string_view method, Json params, const MarkerFiles& files, Telling telling);
+
+// The short form of a motion: its files and --json, and what it does when it is the command chosen.  Options have
+// `files`, `json` and params(), the call's parameters.  REQUIRES: `method` is a literal.
+template <class Options>
+void add_motion(CLI::App& command, const std::shared_ptr<Options>& options, std::string_view method, ExitCode& code) {
+  add_marker_files(command, options->files);
+  command.add_flag("--json", options->json, "Print one line of JSON instead of the summary");
+  command.footer(kExitCodesHelp);
+  command.callback([options, method, &code] {
+    refuse_mixed_streams(options->files);
+    code = run_on_marker(method, options->params(), options->files, options->json ? Telling::kLine : Telling::kSummary);
+  });
+}
 
 }  // namespace selvage

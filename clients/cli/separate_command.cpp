@@ -13,13 +13,12 @@ struct SeparateOptions {
   MarkerFiles files;
   double grow{};  // per cent of the length
   bool pop_out{}, partial{}, json{};
-};
 
-ExitCode run(const SeparateOptions& options) {
-  Json params{{"grow", options.grow / kPerCent}, {"popOut", options.pop_out}, {"partial", options.partial}};
-  return run_on_marker("motion.separate", std::move(params), options.files,
-                       options.json ? Telling::kLine : Telling::kSummary);
-}
+  [[nodiscard]] Json params() const {
+    Json params{{"grow", grow / kPerCent}, {"popOut", pop_out}, {"partial", partial}};
+    return params;
+  }
+};
 
 }  // namespace
 
@@ -33,13 +32,7 @@ void add_separate_command(CLI::App& app, ExitCode& code) {
       ->capture_default_str();
   command->add_flag("--pop-out", options->pop_out, "Leave out pieces that hold up the rest, and name them");
   command->add_flag("--partial", options->partial, "Write what was reached even when pieces still overlap");
-  add_marker_files(*command, options->files);
-  command->add_flag("--json", options->json, "Print one line of JSON instead of the summary");
-  command->footer(kExitCodesHelp);
-  command->callback([options, &code] {
-    refuse_mixed_streams(options->files);
-    code = run(*options);
-  });
+  add_motion(*command, options, "motion.separate", code);
 }
 
 }  // namespace selvage

@@ -137,10 +137,11 @@ UnoccupiedSettings unoccupied_settings(const Strip& strip) {
   return {kLeastArea, std::llround(kClearance * static_cast<double>(strip.width))};
 }
 
-std::vector<UnoccupiedRegion> unoccupied_regions(const PlacedPieces& pieces, Coord width,
+std::vector<UnoccupiedRegion> unoccupied_regions(const PlacedPieces& pieces, const Strip& strip,
                                                  const UnoccupiedSettings& settings) {
-  const Box cloth{{0, 0}, {pieces.length(), width}};
-  const double least = settings.least_area * static_cast<double>(width) * static_cast<double>(width);
+  const Box cloth = strip.room(pieces.length());
+  const auto width = static_cast<double>(strip.width);
+  const double least = settings.least_area * width * width;
   std::vector<UnoccupiedRegion> found;
   const Coord clearance = std::max(settings.clearance, kLeastClearance);
   for (Region& region : left_over(cloth, taken_by(pieces, clearance))) {
@@ -153,7 +154,7 @@ std::vector<UnoccupiedRegion> unoccupied_regions(const PlacedPieces& pieces, Coo
 }
 
 std::vector<UnoccupiedRegion> unoccupied_regions(const Marker& marker, const UnoccupiedSettings& settings) {
-  return unoccupied_regions(PlacedPieces{marker}, marker.strip.width, settings);
+  return unoccupied_regions(PlacedPieces{marker}, marker.strip, settings);
 }
 
 }  // namespace selvage

@@ -1,5 +1,5 @@
-// Unoccupied regions: the connected parts of the cloth that no piece covers, between the strip's edges and the marker's
-// two ends: where trim pieces may still go [Li94 4.2.2].
+// Unoccupied regions: the connected parts of the cloth that no piece covers, between the strip's edges, or margins, and
+// the marker's two ends: where trim pieces may still go [Li94 4.2.2].
 //
 // Strictly nearly all open cloth of a marker hangs together, through passages that nothing fits through.  What counts
 // here is cloth with some clearance from every piece: passages narrower than twice that part two regions.
@@ -39,7 +39,7 @@ struct UnoccupiedRegion {
 };
 
 // From left to right: by the outlines' smallest vertices (by x, then y).
-[[nodiscard]] std::vector<UnoccupiedRegion> unoccupied_regions(const PlacedPieces& pieces, Coord width,
+[[nodiscard]] std::vector<UnoccupiedRegion> unoccupied_regions(const PlacedPieces& pieces, const Strip& strip,
                                                                const UnoccupiedSettings& settings);
 [[nodiscard]] std::vector<UnoccupiedRegion> unoccupied_regions(const Marker& marker,
                                                                const UnoccupiedSettings& settings);

@@ -68,11 +68,10 @@ class Bumper {
   }
 
   Bump run() {
-    for (int step = 0; step < kSteps; ++step) {
-      if (advance(ux_, uy_) || advance_round_corners()) continue;
-      break;
-    }
-    return {at_, gain(at_ - scene_.pieces.at(piece_)), touching()};
+    int step = 0;
+    while (step < kSteps && (advance(ux_, uy_) || advance_round_corners())) ++step;
+    const StopReason reason = step < kSteps ? StopReason::kConverged : StopReason::kWorkLimit;
+    return {reason, at_, gain(at_ - scene_.pieces.at(piece_)), touching()};
   }
 
  private:
@@ -246,7 +245,7 @@ class Bumper {
 
 Bump bump(const Scene& scene, std::uint32_t piece, double dx, double dy) {
   const double length = std::hypot(dx, dy);
-  if (scene.fixed(piece) || !(length > 0)) return {scene.pieces.at(piece), 0, {}};
+  if (scene.fixed(piece) || !(length > 0)) return {StopReason::kConverged, scene.pieces.at(piece), 0, {}};
   return Bumper{scene, piece, dx / length, dy / length}.run();
 }
 

@@ -7,10 +7,12 @@
 #include "core/base/result.h"
 #include "core/motion/heal.h"
 #include "core/motion/scene.h"
+#include "core/motion/stop_reason.h"
 
 namespace selvage {
 
 struct Bump {
+  StopReason reason{};                  // kWorkLimit: it went round so many corners that it may not be at the end
   Vec at;                               // where the piece ends up; proved valid
   double gain{};                        // how far it came in the direction, lattice units; never negative
   std::vector<std::uint32_t> touching;  // the pieces that hold it there

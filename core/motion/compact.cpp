@@ -72,8 +72,8 @@ Progress improve(Scene& scene, const Goal& goal, const CompactionSettings& setti
   return progress;
 }
 
-Result<Compaction> compact(const Marker& start, const CompactionSettings& settings, SumCache& sums,
-                           std::stop_token stop, const Observer& observer) {
+Result<Compaction> healed_and(const Marker& start, SumCache& sums, const std::stop_token& stop,
+                              const Observer& observer, const std::function<Progress(Scene&)>& work) {
   observer.on_stage(Stage::kOther);
   Scene scene{start, sums};
   Compaction best;
@@ -82,7 +82,7 @@ Result<Compaction> compact(const Marker& start, const CompactionSettings& settin
   const auto healing = heal(scene, stop, observer);
   if (!healing) return healing.error();
   best.healing = *healing;
-  const Progress progress = improve(scene, leftward_goal(scene, settings.gravity), settings, stop, observer);
+  const Progress progress = work(scene);
   best.reason = progress.reason;
   best.rounds = progress.rounds;
   best.programs = progress.programs;
@@ -90,6 +90,13 @@ Result<Compaction> compact(const Marker& start, const CompactionSettings& settin
   best.length_after = scene.pieces.length();
   best.utilisation_after = utilisation_of(best.marker);
   return best;
+}
+
+Result<Compaction> compact(const Marker& start, const CompactionSettings& settings, SumCache& sums,
+                           std::stop_token stop, const Observer& observer) {
+  return healed_and(start, sums, stop, observer, [&](Scene& scene) {
+    return improve(scene, leftward_goal(scene, settings.gravity), settings, stop, observer);
+  });
 }
 
 }  // namespace selvage

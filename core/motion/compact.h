@@ -6,6 +6,7 @@
 // the cache holds.
 #pragma once
 
+#include <functional>
 #include <stop_token>
 
 #include "core/base/result.h"
@@ -16,6 +17,7 @@
 #include "core/motion/heal.h"
 #include "core/motion/observer.h"
 #include "core/motion/position_step.h"
+#include "core/motion/stop_reason.h"
 
 namespace selvage {
 
@@ -32,13 +34,6 @@ struct CompactionSettings {
   friend bool operator==(const CompactionSettings&, const CompactionSettings&) = default;
 };
 [[nodiscard]] CompactionSettings compaction_settings(Accuracy accuracy);
-
-enum class StopReason {
-  kConverged,     // the last round gained less than the least gain, or nothing was left to gain
-  kWorkLimit,     // the rounds are used up
-  kCancelled,     // asked to stop
-  kSolverFailed,  // no solver could solve a round's program; the best marker so far
-};
 
 // What rounds towards a goal came to.
 struct Progress {
@@ -61,6 +56,12 @@ struct Compaction {
   double utilisation_before{}, utilisation_after{};
   Healing healing;
 };
+
+// The frame of every motion that makes a marker shorter: heals small overlaps, lets `work` move the scene's pieces, and
+// tells what came of it.
+// Errors: those of heal.
+[[nodiscard]] Result<Compaction> healed_and(const Marker& start, SumCache& sums, const std::stop_token& stop,
+                                            const Observer& observer, const std::function<Progress(Scene&)>& work);
 
 // Small overlaps in the input are healed first (core/motion/heal.h).
 // Errors: those of heal.

@@ -1,7 +1,8 @@
 // The dragging hand: where a piece comes to lie that a hand wants at some place, and, when the others are to make way,
 // where they flow to.
 //
-// Placing: only the piece moves, with its group, to a free position near the wanted one.  Pushing: from there it goes
+// Placing: only the piece moves, with its group, to the free position nearest to the wanted one
+// (core/motion/place.h).  Pushing: from there it goes
 // on towards the wanted place in a few rounds of the position model, in which the pieces in reach move out of its way
 // and no farther [Li94 4.2.2]; all others stay.
 //

@@ -49,19 +49,11 @@ StopReason sweep_until_still(Scene& scene, const SweepSettings& settings, const 
 
 Result<Compaction> compact_one_at_a_time(const Marker& start, const SweepSettings& settings, SumCache& sums,
                                          std::stop_token stop, const Observer& observer) {
-  observer.on_stage(Stage::kOther);
-  Scene scene{start, sums};
-  Compaction best;
-  best.length_before = scene.pieces.length();
-  best.utilisation_before = utilisation_of(start);
-  const auto healing = heal(scene, stop, observer);
-  if (!healing) return healing.error();
-  best.healing = *healing;
-  best.reason = sweep_until_still(scene, settings, stop, observer, best.rounds);
-  best.marker = scene.result();
-  best.length_after = scene.pieces.length();
-  best.utilisation_after = utilisation_of(best.marker);
-  return best;
+  return healed_and(start, sums, stop, observer, [&](Scene& scene) {
+    Progress progress;
+    progress.reason = sweep_until_still(scene, settings, stop, observer, progress.rounds);
+    return progress;
+  });
 }
 
 }  // namespace selvage

@@ -22,7 +22,7 @@ class Opening {
 
   // Names the gap; false when there is none such.
   bool choose(const GapChoice& choice) {
-    auto found = unoccupied_regions(scene_.pieces, scene_.marker.strip.width, regions_);
+    auto found = unoccupied_regions(scene_.pieces, scene_.marker.strip, regions_);
     if (const auto* outline = std::get_if<AwayFromOutline>(&choice)) {
       if (outline->region >= found.size()) return false;
       gap_ = std::move(found[outline->region]);
@@ -81,7 +81,7 @@ class Opening {
   }
   // The gap as it is now; false, and nothing changed, when it has not grown.
   bool take_larger() {
-    auto found = unoccupied_regions(scene_.pieces, scene_.marker.strip.width, regions_);
+    auto found = unoccupied_regions(scene_.pieces, scene_.marker.strip, regions_);
     auto now = holds(found);
     if (!now || now->area <= gap_.area) return false;
     gap_ = std::move(*now);

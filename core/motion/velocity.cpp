@@ -271,19 +271,11 @@ class Simulation {
 
 Result<Compaction> compact_by_velocities(const Marker& start, const VelocitySettings& settings, SumCache& sums,
                                          std::stop_token stop, const Observer& observer) {
-  observer.on_stage(Stage::kOther);
-  Scene scene{start, sums};
-  Compaction best;
-  best.length_before = scene.pieces.length();
-  best.utilisation_before = utilisation_of(start);
-  const auto healing = heal(scene, stop, observer);
-  if (!healing) return healing.error();
-  best.healing = *healing;
-  best.reason = Simulation{scene, settings, observer}.run(stop, best.rounds, best.programs);
-  best.marker = scene.result();
-  best.length_after = scene.pieces.length();
-  best.utilisation_after = utilisation_of(best.marker);
-  return best;
+  return healed_and(start, sums, stop, observer, [&](Scene& scene) {
+    Progress progress;
+    progress.reason = Simulation{scene, settings, observer}.run(stop, progress.rounds, progress.programs);
+    return progress;
+  });
 }
 
 }  // namespace selvage

@@ -8,76 +8,17 @@
 
 #include "protocol/formats/label_spot.h"
 #include "protocol/formats/palette.h"
+#include "protocol/formats/svg_overlay.h"
+#include "protocol/formats/svg_view.h"
 
 namespace selvage {
 namespace {
 
-constexpr double kLeft = 46, kRight = 70, kTop = 52, kBottom = 40;                // margins round the strip, in pixels
 constexpr double kLargestLabel = 13, kReadableLabel = 7.5, kSmallestLabel = 4.5;  // font sizes
-
-std::string fixed(double value, int decimals) {
-  std::array<char, 64> buffer{};
-  const auto result =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals);
-  return {buffer.data(), result.ptr};
-}
-
-std::string pixels(double value) {
-  std::string text = fixed(value, 2);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text == "-0" ? "0" : text;
-}
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return out;
-}
 
 std::size_t characters(std::string_view text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
-}
-
-// From lattice units to pixels.
-class View {
- public:
-  View(const Marker& marker, const SvgOptions& options)
-      : scale_{options.height / static_cast<double>(std::max<Coord>(1, marker.strip.width))},
-        length_{static_cast<double>(length_of(marker))},
-        end_{std::max(length_, static_cast<double>(options.length_before.value_or(0)))},
-        height_{options.height} {}
-
-  [[nodiscard]] double x(double lattice) const { return kLeft + lattice * scale_; }
-  [[nodiscard]] double y(double lattice) const { return kTop + height_ - lattice * scale_; }
-  [[nodiscard]] double scale() const { return scale_; }
-  [[nodiscard]] double length() const { return length_; }
-  [[nodiscard]] double end() const { return end_; }  // where the drawn cloth ends
-  [[nodiscard]] double bottom() const { return kTop + height_; }
-  [[nodiscard]] double width() const { return std::max(x(end_) + kRight, 560.0); }
-  [[nodiscard]] double height() const { return kTop + height_ + kBottom; }
-
- private:
-  double scale_, length_, end_, height_;
-};
-
-std::string line(double x1, double y1, double x2, double y2, std::string_view style) {
-  return "<line x1=\"" + pixels(x1) + "\" y1=\"" + pixels(y1) + "\" x2=\"" + pixels(x2) + "\" y2=\"" + pixels(y2) +
-         "\" class=\"" + std::string{style} + "\"/>\n";
-}
-
-std::string text_at(double x, double y, std::string_view style, std::string_view text) {
-  return "<text x=\"" + pixels(x) + "\" y=\"" + pixels(y) + "\" class=\"" + std::string{style} + "\">" + escaped(text) +
-         "</text>\n";
 }
 
 std::string heading(const View& view) {
@@ -99,6 +40,12 @@ text { font-family: "Source Sans 3", "Helvetica Neue", Helvetica, Arial, sans-se
 .before { stroke: #8b857a; stroke-width: 1.2; stroke-dasharray: 5 4; }
 .title { font-size: 17px; font-weight: 600; }
 .caption { font-size: 13px; fill: #56524b; }
+.moved { stroke: #1f5fa8; stroke-width: 1.4; fill: none; }
+.moved-head { fill: #1f5fa8; }
+.force { stroke: #b3423a; stroke-width: 1.4; fill: none; }
+.force-head { fill: #b3423a; }
+.chain { stroke: #7a2fa0; stroke-linecap: round; }
+.contact { fill: #7a2fa0; }
 </style>
 )";
   out += "<rect class=\"page\" width=\"" + pixels(view.width()) + "\" height=\"" + pixels(view.height()) + "\"/>\n";
@@ -106,8 +53,8 @@ text { font-family: "Source Sans 3", "Helvetica Neue", Helvetica, Arial, sans-se
 }
 
 std::string cloth(const View& view) {
-  return "<rect class=\"cloth\" x=\"" + pixels(view.x(0)) + "\" y=\"" + pixels(kTop) + "\" width=\"" +
-         pixels(view.end() * view.scale()) + "\" height=\"" + pixels(view.bottom() - kTop) + "\"/>\n";
+  return "<rect class=\"cloth\" x=\"" + pixels(view.x(0)) + "\" y=\"" + pixels(View::kTop) + "\" width=\"" +
+         pixels(view.end() * view.scale()) + "\" height=\"" + pixels(view.bottom() - View::kTop) + "\"/>\n";
 }
 
 std::string outline_path(const Polygon& outline, const View& view) {
@@ -199,9 +146,9 @@ std::string ruler(const Marker& marker, const View& view) {
 }
 
 std::string width_label(const Marker& marker, const View& view) {
-  const double x = kLeft - 14, middle = (kTop + view.bottom()) / 2;
-  std::string out = line(x, kTop, x, view.bottom(), "tick");
-  out += line(x - 4, kTop, x + 4, kTop, "tick") + line(x - 4, view.bottom(), x + 4, view.bottom(), "tick");
+  const double x = View::kLeft - 14, middle = (View::kTop + view.bottom()) / 2;
+  std::string out = line(x, View::kTop, x, view.bottom(), "tick");
+  out += line(x - 4, View::kTop, x + 4, View::kTop, "tick") + line(x - 4, view.bottom(), x + 4, view.bottom(), "tick");
   const std::string text = number_text(to_decimal(marker.strip.width, marker.resolution)) + " " + marker.unit;
   return out + "<text class=\"across\" transform=\"translate(" + pixels(x - 9) + " " + pixels(middle) +
          ") rotate(-90)\">" + escaped(text) + "</text>\n";
@@ -212,10 +159,10 @@ std::string end_lines(const SvgOptions& options, const View& view) {
   std::string out;
   if (options.length_before) {
     const double x = view.x(static_cast<double>(*options.length_before));
-    out += line(x, kTop - over, x, view.bottom() + over, "before");
+    out += line(x, View::kTop - over, x, view.bottom() + over, "before");
   }
   const double x = view.x(view.length());
-  return out + line(x, kTop - over, x, view.bottom() + over, "end");
+  return out + line(x, View::kTop - over, x, view.bottom() + over, "end");
 }
 
 std::string caption(const Marker& marker, const SvgOptions& options) {
@@ -232,16 +179,18 @@ std::string caption(const Marker& marker, const SvgOptions& options) {
     text += shown(decimal(length)) + " " + marker.unit;
   }
   text += "  \u00b7  utilisation " + fixed(100 * utilisation_of(marker), 3) + " %";
-  return text_at(kLeft, 19, "title", marker.name.empty() ? "marker" : marker.name) +
-         text_at(kLeft, 38, "caption", text);
+  return text_at(View::kLeft, 19, "title", marker.name.empty() ? "marker" : marker.name) +
+         text_at(View::kLeft, 38, "caption", text + overlay_legend(options.overlay, marker, options.height));
 }
 
 }  // namespace
 
 std::string to_svg(const Marker& marker, const SvgOptions& options) {
-  const View view{marker, options};
+  const Coord length = length_of(marker);
+  const View view{marker.strip.width, length, std::max(length, options.length_before.value_or(0)), options.height};
   return heading(view) + caption(marker, options) + cloth(view) + pieces(marker, options, view) +
-         end_lines(options, view) + ruler(marker, view) + width_label(marker, view) + "</svg>\n";
+         overlay(options.overlay, view) + end_lines(options, view) + ruler(marker, view) + width_label(marker, view) +
+         "</svg>\n";
 }
 
 SvgOptions svg_options(const MarkerFile& file) {

@@ -12,6 +12,7 @@
 
 #include "core/marker/marker.h"
 #include "protocol/formats/format.h"
+#include "protocol/formats/svg_overlay.h"
 
 namespace selvage {
 
@@ -19,6 +20,7 @@ struct SvgOptions {
   std::vector<std::string> labels;     // one per piece; empty: the pieces' ids
   std::optional<Coord> length_before;  // where the marker ended before a motion: a second, dashed line
   double height = 400;                 // of the strip, in pixels
+  SvgOverlay overlay;                  // what happened, and why it went no farther
 };
 
 [[nodiscard]] std::string to_svg(const Marker& marker, const SvgOptions& options = {});

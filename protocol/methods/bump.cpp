@@ -20,6 +20,7 @@ Result<Motion> run(const MotionBump& wanted, const Marker& start, const Means& m
                {"gain", in_unit(done->bump.gain, start.resolution)},
                {"touching", std::move(touching)},
                {"moved", done->bump.at != start.pieces[piece->value].at}};
+  figures["stop"] = name_of(done->bump.reason);
   return Motion{std::move(done->marker), std::move(figures), done->healing};
 }
 

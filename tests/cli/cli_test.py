@@ -163,8 +163,8 @@ class Bump(CliTest):
         self.assertEqual(ran.stdout.count("\n"), 1)
         line = json.loads(ran.stdout)
         self.assertEqual(set(line), {"name", "pieces", "length_before", "length_after", "utilisation_before",
-                                     "utilisation_after", "at", "gain", "touching", "moved", "valid", "healed", "ms",
-                                     "cache"})
+                                     "utilisation_after", "at", "gain", "touching", "moved", "stop", "valid", "healed",
+                                     "ms", "cache"})
         self.assertEqual((line["at"], line["gain"], line["touching"], line["moved"]), ([40, 10], 10, ["p0"], True))
         self.assertIn('class="before"', self.path("o.svg").read_text())
         self.assertEqual(json.loads(self.path("o.json").read_text())["strip_length"], 80)
@@ -226,6 +226,36 @@ class Float(CliTest):
         line = json.loads(ran.stdout)
         self.assertEqual((line["least_before"], line["least_after"], line["reached"]), (0, 20, True))
         self.assertEqual(line["length_after"], 100)
+
+
+class Tilt(CliTest):
+    def test_obeys_the_limit_and_says_so(self):
+        tilted = run("tilt", MARKERS / "jeans_02g.json", "--limit", 1, "--json", "-o", self.path("out.json"))
+        self.assertEqual(tilted.returncode, OK, tilted.stderr)
+        line = json.loads(tilted.stdout)
+        self.assertLessEqual(line["length_after"], line["length_compacted"])
+        self.assertLessEqual(line["farthest_tilt"], 1)
+        self.assertEqual(run("check", self.path("out.json")).returncode, OK)
+
+
+class Drawing(CliTest):
+    def test_shows_how_pieces_went_and_what_holds_the_length_when_asked(self):
+        marker = self.write(squares((10, 0), (55, 20)))
+        for flags, shown, hidden in (([], [], ["moved-head", "chain"]), (["--arrows"], ["moved-head"], ["chain"]),
+                                     (["--arrows", "--chain"], ["moved-head", "chain"], [])):
+            ran = run("compact", marker, "--svg", self.path("out.svg"), *flags)
+            self.assertEqual(ran.returncode, OK, ran.stderr)
+            body = self.path("out.svg").read_text().split("</style>")[1]
+            for word in shown:
+                self.assertIn(f'class="{word}"', body)
+            for word in hidden:
+                self.assertNotIn(f'class="{word}"', body)
+
+    def test_shows_forces(self):
+        params = self.write({"force": [0, 1]}, "params.json")
+        run("call", "motion.gravity", "--marker", self.write(squares((10, 0))), "--params", params, "--svg",
+            self.path("out.svg"), "--arrows")
+        self.assertIn('class="force-head"', self.path("out.svg").read_text())
 
 
 class Call(CliTest):

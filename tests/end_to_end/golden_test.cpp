@@ -57,7 +57,8 @@ TEST(Readme, ExplainsEveryMethodOfTheDaemon) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, GoldenExchanges,
-                         ::testing::Combine(::testing::Values("life_of_a_marker", "mistakes", "motions", "changes", "dragging"),
+                         ::testing::Combine(::testing::Values("life_of_a_marker", "mistakes", "motions", "changes",
+                                                              "dragging", "places_and_tilts"),
                                             ::testing::Values("http", "lines")),
                          [](const auto& tested) {
                            return std::string{std::get<0>(tested.param)} + "_" + std::get<1>(tested.param);

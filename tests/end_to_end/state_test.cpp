@@ -50,7 +50,8 @@ TEST(State, ALongMotionIsCancelledOrEndsAtItsDeadlineAndTellsItsRounds) {
   EXPECT_EQ(told["method"], "$/progress");
   EXPECT_EQ(told["params"]["token"], "p");
   EXPECT_GT(told["params"]["length"], 0);
-  line.send(R"({"jsonrpc":"2.0","method":"$/cancelRequest","params":{"id":5}})" "\n");
+  line.send(R"({"jsonrpc":"2.0","method":"$/cancelRequest","params":{"id":5}})"
+            "\n");
   Json answer;
   do {
     answer = Json::parse(line.line().value_or(R"({"id":5})"));
@@ -70,8 +71,8 @@ TEST(State, AHandDragsOverAGarmentAndItStaysValid) {
   const std::string id = opened["result"]["markerId"];
   const Json piece = ask_line(line, call(1, "marker.get", id_params(id)))["result"]["marker"]["pieces"][3];
   for (const char* mode : {"place", "push"}) {
-    const Json begun = ask_line(line, call(2, "drag.begin", id_params(id, R"(,"piece":)" + piece["id"].dump() +
-                                                                              R"(,"mode":")" + mode + "\"")));
+    const Json begun = ask_line(
+        line, call(2, "drag.begin", id_params(id, R"(,"piece":)" + piece["id"].dump() + R"(,"mode":")" + mode + "\"")));
     const std::string drag = R"("dragId":)" + begun["result"]["dragId"].dump();
     const double x = piece["at"][0], y = piece["at"][1];
     for (int step = 1; step <= 15; ++step) {

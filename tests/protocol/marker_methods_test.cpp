@@ -64,7 +64,7 @@ TEST(Motions, AllTellTheSameFieldsBesideTheirOwn) {
   EXPECT_EQ(own("motion.push", kPushLeft), (std::set<std::string>{"gain", "rounds", "stop"}));
   EXPECT_EQ(own("motion.gravity", R"({"force":[0,1]})"), (std::set<std::string>{"gain", "rounds", "stop"}));
   EXPECT_EQ(own("motion.bump", R"({"piece":"left","direction":[0,1]})"),
-            (std::set<std::string>{"at", "gain", "touching", "moved"}));
+            (std::set<std::string>{"at", "gain", "touching", "moved", "stop"}));
 }
 
 TEST(Bump, TellsWhereWhatHoldsItAndHowFar) {
@@ -124,6 +124,68 @@ TEST(Gravity, IsAPushOnEveryPiece) {
   ASSERT_TRUE(fallen.answer && pushed.answer);
   EXPECT_EQ(to_text(fallen.answer->fields), to_text(pushed.answer->fields));
   EXPECT_EQ(fallen.answer->fields["gain"], 110);
+}
+
+TEST(Place, GoesToTheNearestFreePosition) {
+  const auto placed =
+      ran("motion.place", squares_at({0, 0}, {10, 5}), json(R"({"piece":"right","to":[35,20],"mayGrow":true})"));
+  ASSERT_TRUE(placed.answer) << placed.error->message;
+  EXPECT_EQ(placed.answer->fields["found"], true);
+  EXPECT_EQ(placed.answer->fields["at"], json("[10,40]"));  // within the length there is room only above
+  EXPECT_EQ(placed.answer->fields["grown"], false);
+  const auto far = ran("motion.place", test::native_squares(), json(R"({"piece":"right","to":[1e300,0]})"));
+  ASSERT_TRUE(far.error);
+  EXPECT_EQ(far.error->field, "/to");
+}
+
+TEST(OpenGap, TellsTheAreaBeforeAndAfter) {
+  const auto opened = ran("motion.openGap", test::native_squares(), json(R"({"point":[45,20]})"));
+  ASSERT_TRUE(opened.answer) << opened.error->message;
+  EXPECT_GE(opened.answer->fields["areaAfter"], opened.answer->fields["areaBefore"]);
+  EXPECT_EQ(opened.answer->fields["valid"], true);
+  const auto covered = ran("motion.openGap", test::native_squares(), json(R"({"point":[20,20]})"));
+  EXPECT_TRUE(covered.error);
+  const auto both = ran("motion.openGap", test::native_squares(), json(R"({"point":[20,20],"region":0})"));
+  ASSERT_TRUE(both.error);
+  EXPECT_EQ(both.error->field, "/point");
+}
+
+TEST(Regions, AreListedWithWhatIsAround) {
+  const auto told = ran("marker.regions", test::native_squares(), json(R"({"clearance":0.1})"));
+  ASSERT_TRUE(told.answer);
+  const Json& regions = told.answer->fields["regions"];
+  ASSERT_EQ(regions.size(), 1u);
+  EXPECT_NEAR(regions[0]["area"].get<double>(), 90 * 100 - 2 * 40 * 40, 60);
+  EXPECT_EQ(regions[0]["around"], json(R"(["left","right"])"));
+}
+
+TEST(Tilt, TellsWhatTiltingBrought) {
+  Json document = test::native_squares();
+  document["pieces"][1]["tilt"] = 2;
+  document["shapes"][0]["tilt_limit"] = 2;
+  const auto tilted = ran("motion.tilt", document, json(R"({"limit":2.5})"));
+  ASSERT_TRUE(tilted.answer) << tilted.error->message;
+  const Json& fields = tilted.answer->fields;
+  EXPECT_LE(fields["lengthAfter"], fields["lengthCompacted"]);
+  EXPECT_LE(fields["farthestTilt"], 2.5);
+  EXPECT_EQ(fields["valid"], true);
+}
+
+TEST(Relax, GoesToTheMiddleOfItsRoom) {
+  const auto relaxed = ran("motion.relax", test::native_squares(), json(R"({"piece":"right"})"));
+  ASSERT_TRUE(relaxed.answer) << relaxed.error->message;
+  EXPECT_GT(relaxed.answer->fields["freedom"], 4);
+  EXPECT_EQ(relaxed.answer->fields["valid"], true);
+  EXPECT_EQ(ran("motion.relax", test::native_squares(), json(R"({"piece":"up"})")).error->field, "/piece");
+}
+
+TEST(Baselines, NeverLengthen) {
+  for (const char* name : {"motion.oneAtATime", "motion.velocity"}) {
+    const auto done = ran(name, test::native_squares(), json("{}"));
+    ASSERT_TRUE(done.answer) << name;
+    EXPECT_LE(done.answer->fields["lengthAfter"], 90) << name;
+    EXPECT_EQ(done.answer->fields["valid"], true) << name;
+  }
 }
 
 TEST(Motions, RefuseDeepOverlapsByName) {

@@ -27,17 +27,20 @@ TEST(Drag, AFreePlaceIsTakenAlsoBeyondTheEnd) {
 }
 
 TEST(Drag, PlacingLeavesTheOthersAndPushingMovesThem) {
-  const Marker start = squares({{0, 0}, {2000, 0}}, 4000);
+  const Marker start = squares({{0, 1500}, {2000, 1500}, {6000, 0}}, 4000);
+  const Vec wanted{1400, 1500};
   SumCache sums;
-  const Drag placed = drag(start, PieceId{0}, {1900, 0}, DragMode::kPlace, sums);
-  EXPECT_EQ(placed.marker.pieces[1].at, start.pieces[1].at);
+  const Drag placed = drag(start, PieceId{0}, wanted, DragMode::kPlace, sums);
+  EXPECT_FALSE(placed.pushed);
   EXPECT_TRUE(is_valid(placed.marker));
   EXPECT_GE(placed.marker.pieces[0].at.x, 1000 - 2);  // it comes as far as the other
-  const Drag pushed = drag(start, PieceId{0}, {1900, 400}, DragMode::kPush, sums);
+  EXPECT_EQ(placed.marker.pieces[1].at, start.pieces[1].at);
+  const Drag pushed = drag(start, PieceId{0}, wanted, DragMode::kPush, sums);
   EXPECT_TRUE(pushed.pushed);
   EXPECT_TRUE(is_valid(pushed.marker));
-  EXPECT_NE(pushed.marker.pieces[1].at, start.pieces[1].at);
-  EXPECT_LE(std::abs(pushed.marker.pieces[0].at.y - 400), 400);
+  EXPECT_GE(pushed.marker.pieces[0].at.x, wanted.x - 2);
+  EXPECT_GE(pushed.marker.pieces[1].at.x, 2400 - 2);
+  EXPECT_EQ(pushed.marker.pieces[2].at, start.pieces[2].at);
 }
 
 TEST(Drag, AGroupFollowsItsPieceAndAnAxisThatIsLockedStays) {

@@ -1,0 +1,72 @@
+// marker.regions: the cloth that no piece covers.
+#include "protocol/methods/regions.h"
+
+#include <algorithm>
+#include <array>
+
+#include "protocol/formats/decimal_marker.h"
+#include "protocol/methods/families.h"
+#include "protocol/methods/reading.h"
+
+namespace selvage {
+namespace {
+
+// marker.regions {"markerId", "leastArea"?, "clearance"?}
+struct MarkerRegions {
+  std::string marker_id;
+  RegionWish wish;
+};
+
+Result<MarkerRegions> decode(const Json& params) {
+  Mistake mistake;
+  Fields fields{params, "", mistake};
+  MarkerRegions wanted{fields.text("markerId"), read_region_wish(fields)};
+  fields.finish();
+  if (mistake) return mistake.error();
+  return wanted;
+}
+
+Result<MethodAnswer> run(const MarkerRegions& wanted, const MarkerFile& file, const Means&) {
+  Json list = Json::array();
+  for (const UnoccupiedRegion& region : unoccupied_regions(file.marker, settings_of(wanted.wish, file.marker))) {
+    list.push_back(region_json(file.marker, region));
+  }
+  return MethodAnswer{{{"regions", std::move(list)}}, std::nullopt};
+}
+
+constexpr std::array kMethods{MarkerMethod{"marker.regions", false, &read_reading<decode, run>}};
+
+}  // namespace
+
+RegionWish read_region_wish(Fields& fields) {
+  return {fields.maybe_number("leastArea", kRegionSizes), fields.maybe_number("clearance", kRegionSizes)};
+}
+
+UnoccupiedSettings settings_of(const RegionWish& wish, const Marker& marker) {
+  UnoccupiedSettings settings = unoccupied_settings(marker.strip);
+  const double width = to_decimal(marker.strip.width, marker.resolution);
+  if (wish.least_area) settings.least_area = *wish.least_area / (width * width);
+  if (wish.clearance) settings.clearance = spacing_on_lattice(std::min(*wish.clearance, width), marker.resolution);
+  return settings;
+}
+
+double area_in_unit(double lattice, Resolution resolution) {
+  return in_unit(in_unit(lattice, resolution), resolution);
+}
+
+Json region_json(const Marker& marker, const UnoccupiedRegion& region) {
+  Json holes = Json::array();
+  for (const Polygon& hole : region.region.holes) holes.push_back(outline_json(hole, marker.resolution));
+  Json around = Json::array();
+  for (const Bordering& beside : region.around) around.push_back(marker.pieces[beside.piece.value].id);
+  return {{"outline", outline_json(region.region.outline, marker.resolution)},
+          {"holes", std::move(holes)},
+          {"area", area_in_unit(region.area, marker.resolution)},
+          {"around", std::move(around)}};
+}
+
+std::span<const MarkerMethod> region_methods() {
+  return kMethods;
+}
+
+}  // namespace selvage
