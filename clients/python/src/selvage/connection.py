@@ -140,16 +140,16 @@ class Connection:
         self._end(reason)
 
     def _route(self, message: dict[str, Any]) -> None:
-        match message:
-            case {"method": "$/progress", "params": {"token": int(number), **params}}:
-                if deliver := self._calls.get(number):
-                    deliver(read(Progress, params))
-            case {"method": str(method), "params": {"markerId": str(marker_id)} as params}:
-                for deliver in list(self._listeners.get(marker_id, [])):
-                    deliver(Told(method, params))
-            case {"id": int(number)}:
-                if deliver := self._calls.pop(number, None):
-                    deliver(Answer(message.get("result"), message.get("error")))
+        method, params = message.get("method"), message.get("params", {})
+        if method is None:
+            if answered := self._calls.pop(message["id"], None):
+                answered(Answer(message.get("result"), message.get("error")))
+        elif method == "$/progress":
+            if told := self._calls.get(params["token"]):
+                told(read(Progress, params))
+        else:
+            for listener in list(self._listeners.get(params.get("markerId"), [])):
+                listener(Told(method, params))
 
     def _end(self, reason: str) -> None:
         if self.lost:

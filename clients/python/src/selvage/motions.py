@@ -33,8 +33,8 @@ class AsyncMotions:
     revision: int | None
     _link: Link
 
-    async def _move(self, kind: type[M], method: str, progress: OnProgress | None, **params: Any) -> M:
-        answer = await self._link.call(method, named(marker_id=self.id, **params), progress)
+    async def _move(self, kind: type[M], motion: str, progress: OnProgress | None, **params: Any) -> M:
+        answer = await self._link.call(motion, named(marker_id=self.id, **params), progress)
         moved = read(kind, answer)
         self.revision = moved.revision
         return moved

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import asyncio
+import concurrent.futures
 import functools
 import queue
 import threading
 from collections.abc import Callable, Coroutine
 from typing import Any, Concatenate, ParamSpec, TypeVar
 
+from .errors import ConnectionLost
 from .results import Progress
 
 P = ParamSpec("P")
@@ -31,24 +33,38 @@ class Portal:
 
         Whatever ends the waiting - Ctrl-C, an exception in `progress` - cancels the call.
         """
-        told = told or queue.SimpleQueue()
+        if self._loop.is_closed():
+            coroutine.close()
+            raise ConnectionLost("the client is closed")
+        events = told or queue.SimpleQueue[Progress | None]()
         future = asyncio.run_coroutine_threadsafe(coroutine, self._loop)
-        future.add_done_callback(lambda _: told.put(None))
+        future.add_done_callback(lambda _: events.put(None))
         try:
-            while (event := told.get()) is not None:
+            while (event := events.get()) is not None:
                 if progress:
                     progress(event)
             return future.result()
+        except concurrent.futures.CancelledError:
+            raise ConnectionLost("the client was closed") from None
         except BaseException:
             future.cancel()
             raise
 
     def close(self) -> None:
-        """Nothing runs any more afterwards."""
-        if not self._loop.is_closed():
-            self._loop.call_soon_threadsafe(self._loop.stop)
-            self._thread.join()
-            self._loop.close()
+        """Nothing runs any more afterwards; who still waits is told so."""
+        if self._loop.is_closed():
+            return
+        self.run(self._cancel_others())
+        self._loop.call_soon_threadsafe(self._loop.stop)
+        self._thread.join()
+        self._loop.close()
+
+    @staticmethod
+    async def _cancel_others() -> None:
+        others = asyncio.all_tasks() - {asyncio.current_task()}
+        for task in others:
+            task.cancel()
+        await asyncio.gather(*others, return_exceptions=True)
 
 
 class Blocking:
@@ -62,7 +78,7 @@ def blocking(method: Callable[Concatenate[Any, P], Coroutine[Any, Any, T]]) -> C
     """The twin's method, of the same parameters and result, as one that waits."""
 
     @functools.wraps(method)
-    def wait(self: Blocking, *args: P.args, **kwargs: P.kwargs) -> T:
+    def wait(self: Blocking, /, *args: P.args, **kwargs: P.kwargs) -> T:
         told: queue.SimpleQueue[Progress | None] = queue.SimpleQueue()
         progress: Any = kwargs.get("progress")
         if progress is not None:
