@@ -10,7 +10,7 @@ import time
 import unittest
 
 import selvage
-from selvage import ops
+from selvage import drawing, ops
 
 SELVAGED = sys.argv.pop(1)
 ROOT = pathlib.Path(__file__).parents[2]
@@ -99,6 +99,30 @@ class Sync(LiveTest):
             self.client().marker("m9").check()
         self.assertEqual(caught.exception.code, -32012)
         self.assertIsNot(type(caught.exception), selvage.CallError)
+
+    def test_tcp_and_dry_runs(self):
+        ports = pathlib.Path(self.socket.parent / "ports")
+        other = subprocess.Popen([SELVAGED, "--listen", "127.0.0.1:0", "--port-file", ports, "--log-level", "off"])
+        self.addCleanup(other.wait)
+        self.addCleanup(other.kill)
+        end = time.monotonic() + 30
+        while not (ports.exists() and ports.read_text().strip()) and time.monotonic() < end:
+            time.sleep(0.01)
+        with selvage.Client(f"127.0.0.1:{ports.read_text().split()[0]}") as client:
+            marker = client.open(SQUARES)
+            self.assertEqual(marker.bump("right", (-1, 0), commit=False).at, (40, 10))
+            self.assertEqual(marker.check().revision, 1)
+
+    def test_outlines_and_a_drawing(self):
+        outlines = self.client().open(SQUARES).outlines()
+        self.assertEqual([piece.id for piece in outlines.pieces], ["left", "right"])
+        try:
+            import matplotlib
+        except ImportError:
+            self.skipTest("needs python3-matplotlib")
+        matplotlib.use("agg")
+        self.assertEqual(outlines.arrays()["right"].shape, (4, 2))
+        self.assertEqual(len(drawing.draw(outlines, labels=True).patches), 3)
 
     def test_the_example(self):
         ran = subprocess.run([sys.executable, ROOT / "examples/python/compact.py", self.address,

@@ -11,7 +11,7 @@ from .errors import UnknownMarker
 from .link import Link
 from .motions import AsyncMotions
 from .ops import Op
-from .outlines import Outlines
+from .outlines import Outline, Outlines
 from .results import Checked, Closed, Edited, Got, Hold, Opened, Regions
 from .watch import AsyncWatch
 from .words import named, read
@@ -32,7 +32,9 @@ class AsyncMarker(AsyncMotions):
 
     async def outlines(self) -> Outlines:
         """The outlines of all pieces where they lie."""
-        return read(Outlines, (await self.get(format="outlines")).marker)
+        document = (await self.get(format="outlines")).marker  # a file, whose names are in snake_case
+        pieces = tuple(read(Outline, piece) for piece in document["pieces"])
+        return Outlines(document["strip_height"], document["strip_length"], pieces)
 
     async def svg(self) -> str:
         """A drawing."""
