@@ -130,7 +130,7 @@ void knobs(const std::vector<std::string>& paths) {
       const double start = own_time();
       SumCache sums;
       done = *refine(marker, settings, sums);
-      told(name_of(path), "accuracy", tilts ? "fine" : "fine, no tilts", own_time() - start, done);
+      told(name_of(path), "accuracy", tilts ? "fine" : "fine without tilts", own_time() - start, done);
     }
   }
 }
