@@ -1,15 +1,16 @@
 // How well and how fast overlapping markers are separated: the pieces of valid markers are shaken by noise, separated,
 // and compacted.  Prints Markdown.
 //
-// usage: separation_table [--seeds N] FILE...
+// usage: separation_table [--seeds N] [--outlines FOLDER] FILE...
 //
-// Noise of p moves every piece by up to p times its diameter, evenly along each axis, but not out of the strip's width.
-// The length may grow by 2 % of the marker's own, not of the shaken one's.  Times are those of separate() alone, the
-// sums in the cache.
+// With --outlines, every marker that came apart by the nearest boundary point is written to
+// FOLDER/MARKER-NOISE-SEED.json as placed outlines, for an independent judge. Noise of p moves every piece by up to p
+// times its diameter, evenly along each axis, but not out of the strip's width. The length may grow by 2 % of the
+// marker's own, not of the shaken one's.  Times are the processor's for separate() alone, the sums in the cache.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <fstream>
 #include <random>
 #include <span>
@@ -72,19 +73,39 @@ struct Runs {
   }
 };
 
-Runs run(const Marker& marker, double noise, TargetRule rule, std::uint32_t seeds, SumCache& sums) {
+struct Options {
+  std::uint32_t seeds{20};
+  std::string outlines;
+};
+
+// False when the file cannot be written.
+bool write(const std::string& path, const Marker& marker) {
+  MarkerFile file{.marker = marker, .format = Format::kNative, .notes = {}, .attributes = {}};
+  const auto document = marker_document(file, Format::kOutlines);
+  std::ofstream out{path};
+  out << to_text(*document) << "\n";
+  return out.good();
+}
+
+Runs run(const std::string& name, const Marker& marker, double noise, TargetRule rule, const Options& options,
+         SumCache& sums) {
   Runs runs;
   const SeparationSettings settings{.grow = kGrow, .target = rule};
-  for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
+  for (std::uint32_t seed = 1; seed <= options.seeds; ++seed) {
     const Marker start = shaken(marker, noise, seed);
     (void)separate(start, settings, sums);  // fills the cache
-    const auto begin = std::chrono::steady_clock::now();
+    const std::clock_t begin = std::clock();
     const auto result = separate(start, settings, sums);
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+    const double took = 1000.0 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     ++runs.all;
-    runs.milliseconds.push_back(took.count());
+    runs.milliseconds.push_back(took);
     if (!result || !result->apart || !is_valid(result->marker)) continue;
     ++runs.valid;
+    if (!options.outlines.empty() && rule == TargetRule::kNearest) {
+      const std::string path = options.outlines + "/" + name + "-" + std::to_string(std::lround(100 * noise)) + "-" +
+                               std::to_string(seed) + ".json";
+      if (!write(path, result->marker)) std::fprintf(stderr, "%s: cannot be written\n", path.c_str());
+    }
     runs.rounds.push_back(result->rounds);
     const auto shorter = compact(result->marker, compaction_settings(Accuracy::kStandard), sums);
     if (shorter)
@@ -100,7 +121,7 @@ void print_row(const std::string& name, std::size_t pieces, double noise, const 
   std::fflush(stdout);
 }
 
-int table(std::span<const std::string> files, std::uint32_t seeds) {
+int table(std::span<const std::string> files, const Options& options) {
   struct Named {
     std::string name;
     Marker marker;
@@ -128,7 +149,7 @@ int table(std::span<const std::string> files, std::uint32_t seeds) {
       Runs all;
       for (const auto& [name, marker] : markers) {
         SumCache sums;
-        const Runs runs = run(marker, noise, rule, seeds, sums);
+        const Runs runs = run(name, marker, noise, rule, options, sums);
         print_row(name, marker.pieces.size(), noise, runs);
         all.append(runs);
       }
@@ -143,14 +164,15 @@ int table(std::span<const std::string> files, std::uint32_t seeds) {
 
 int main(int argc, char** argv) {
   std::vector<std::string> files{argv + 1, argv + argc};
-  std::uint32_t seeds = 20;
-  if (files.size() >= 2 && files[0] == "--seeds") {
-    seeds = static_cast<std::uint32_t>(std::stoul(files[1]));
+  selvage::Options options;
+  while (files.size() >= 2 && files[0].starts_with("--")) {
+    if (files[0] == "--seeds") options.seeds = static_cast<std::uint32_t>(std::stoul(files[1]));
+    if (files[0] == "--outlines") options.outlines = files[1];
     files.erase(files.begin(), files.begin() + 2);
   }
   if (files.empty()) {
-    std::fprintf(stderr, "usage: separation_table [--seeds N] FILE...\n");
+    std::fprintf(stderr, "usage: separation_table [--seeds N] [--outlines FOLDER] FILE...\n");
     return 2;
   }
-  return selvage::table(files, seeds);
+  return selvage::table(files, options);
 }

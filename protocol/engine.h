@@ -9,6 +9,7 @@
 #include "core/motion/compact.h"
 #include "core/motion/drag.h"
 #include "core/motion/push.h"
+#include "core/motion/refine.h"
 
 namespace selvage {
 
@@ -17,6 +18,8 @@ struct Engine {
   std::function<Result<Compaction>(const Marker&, const CompactionSettings&, SumCache&, std::stop_token,
                                    const Observer&)>
       compact = selvage::compact;
+  std::function<Result<Compaction>(const Marker&, const RefineSettings&, SumCache&, std::stop_token, const Observer&)>
+      refine = selvage::refine;
   std::function<Result<Push>(const Marker&, std::span<const Force>, const CompactionSettings&, SumCache&,
                              std::stop_token, const Observer&)>
       push = selvage::push;

@@ -11,10 +11,9 @@ namespace {
 
 std::vector<MarkerMethod> all_families() {
   std::vector<MarkerMethod> all;
-  for (const auto family :
-       {reading_methods(), holding_methods(), region_methods(), compaction_methods(), pushing_methods(),
-        bumping_methods(), placing_methods(), separation_methods(), floating_methods(), gap_methods(),
-        tilting_methods(), baseline_methods()}) {
+  for (const auto family : {reading_methods(), holding_methods(), region_methods(), compaction_methods(),
+                            pushing_methods(), bumping_methods(), placing_methods(), separation_methods(),
+                            floating_methods(), gap_methods(), tilting_methods(), baseline_methods()}) {
     all.insert(all.end(), family.begin(), family.end());
   }
   return all;

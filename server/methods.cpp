@@ -6,6 +6,8 @@
 
 #include "protocol/changes.h"
 #include "protocol/codec.h"
+#include "protocol/daemon_words.h"
+#include "protocol/openrpc.h"
 #include "server/refusals.h"
 #include "server/version.h"
 
@@ -19,6 +21,7 @@ struct OwnMethod {
 };
 constexpr std::array kOwnMethods{
     OwnMethod{"engine.info", Place::kAtOnce, &Methods::engine_info},
+    OwnMethod{"rpc.discover", Place::kAtOnce, &Methods::rpc_discover},
     OwnMethod{"marker.open", Place::kRead, &Methods::marker_open},
     OwnMethod{"marker.list", Place::kRead, &Methods::marker_list},
     OwnMethod{"marker.get", Place::kRead, &Methods::marker_get},
@@ -65,6 +68,19 @@ Outcome Methods::engine_info(const Json& params, const CallTurn&) {
                                {"connections", limits_.transport.connections},
                                {"callsPerConnection", limits_.transport.calls_per_connection}});
   return result;
+}
+
+std::string openrpc_text() {
+  std::vector<ToldMethod> methods;
+  for (const NamedWords& own : daemon_words()) methods.push_back(told(own.name, own.words));
+  for (const MarkerMethod& method : marker_methods()) methods.push_back(told(method));
+  return to_text(openrpc_document(kVersion, methods));
+}
+
+Outcome Methods::rpc_discover(const Json& params, const CallTurn&) {
+  if (const auto none = decode_no_params(params); !none) return rpc_error(none.error());
+  static const SharedText kText = std::make_shared<const std::string>(openrpc_text());
+  return kText;
 }
 
 std::optional<Outcome> Methods::replay(const std::string& marker_id, const std::optional<std::string>& op_id,

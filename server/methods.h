@@ -32,6 +32,9 @@ enum class Place { kAtOnce, kRead, kMotion, kDrag };
 // Nothing when there is no method of this name.
 [[nodiscard]] std::optional<Place> place_of(std::string_view method);
 
+// The OpenRPC document of all methods, as text.
+[[nodiscard]] std::string openrpc_text();
+
 // A change that is ready to be committed, and what is answered when it is.
 struct ReadyChange {
   std::string_view method;
@@ -66,6 +69,7 @@ class Methods {
   [[nodiscard]] const Engine& engine() const { return engine_; }
 
   [[nodiscard]] Outcome engine_info(const Json& params, const CallTurn& turn);
+  [[nodiscard]] Outcome rpc_discover(const Json& params, const CallTurn& turn);
   [[nodiscard]] Outcome marker_open(const Json& params, const CallTurn& turn);
   [[nodiscard]] Outcome marker_list(const Json& params, const CallTurn& turn);
   [[nodiscard]] Outcome marker_get(const Json& params, const CallTurn& turn);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,10 @@ using Vector = std::vector<double>;
 // Proximal weights of the columns, tried in turn: near the end rounding can leave a matrix that needs more.  They hold
 // the step back, they do not move the answer: its residuals are measured without them.
 constexpr std::array<double, 4> kRho{1e-9, 1e-6, 1e-4, 1e-2};
+// A column that only a far bound holds moves by its cost over rho at a time: once all else is settled rho gives way.
+constexpr double kEasier = 0.1;
+constexpr double kLeastEase = 1e-4;
+constexpr double kRoundings = 4;  // of the largest bound: no row can be met more exactly than that
 constexpr double kDelta = 1e-11;  // proximal weight of the rows' multipliers
 constexpr double kLeastStartingSlack = 1;
 constexpr double kLeastCost = 1e-3;  // a program without costs has a centre all the same
@@ -51,6 +56,7 @@ class Iteration {
  public:
   Iteration(const InequalityForm& form, const InteriorPointSettings& settings)
       : form_{form}, settings_{settings}, normal_{form} {
+    primal_ = std::max(settings.primal, kRoundings * std::numeric_limits<double>::epsilon() * largest(form.bound));
     const auto n = static_cast<std::size_t>(form.columns());
     const auto m = static_cast<std::size_t>(form.rows());
     for (Vector* v : {&x_, &dx_, &rd_}) v->assign(n, 0.0);
@@ -77,6 +83,8 @@ class Iteration {
   Vector scratch_;
   double gap_{};  // s . z
   double last_dual_{kInfinity};
+  double primal_{};  // the most a row may be broken by
+  double ease_{1};   // what rho is multiplied by
 };
 
 void Iteration::start(std::span<const double> x) {
@@ -98,8 +106,9 @@ bool Iteration::converged() {
   const double dual = largest(rd_) / (1 + largest(form_.cost));
   const bool at_rest = dual > last_dual_ / 2;
   last_dual_ = dual;
-  return gap_ <= settings_.gap * (1 + std::abs(dot(form_.cost, x_))) && largest(rp_) <= settings_.primal &&
-         (dual <= settings_.dual || (at_rest && dual <= settings_.dual_at_rest));
+  const bool closed = gap_ <= settings_.gap * (1 + std::abs(dot(form_.cost, x_)));
+  if (closed && at_rest) ease_ = std::max(kLeastEase, kEasier * ease_);
+  return closed && largest(rp_) <= primal_ && (dual <= settings_.dual || (at_rest && dual <= settings_.dual_at_rest));
 }
 
 // (dx, ds, dz) with A dx - ds + delta dz = rp, A^T dz - rho dx = rd, s dz + z ds = target.
@@ -119,7 +128,8 @@ void Iteration::direction() {
 bool Iteration::step() {
   const auto m = static_cast<double>(s_.size());
   for (std::size_t r = 0; r < s_.size(); ++r) weight_[r] = 1 / (s_[r] / z_[r] + kDelta);
-  if (std::none_of(kRho.begin(), kRho.end(), [&](double rho) { return normal_.factorise(weight_, rho); })) return false;
+  if (std::none_of(kRho.begin(), kRho.end(), [&](double rho) { return normal_.factorise(weight_, ease_ * rho); }))
+    return false;
   const double mu = gap_ / m;
   for (std::size_t r = 0; r < s_.size(); ++r) target_[r] = -s_[r] * z_[r];
   direction();

@@ -14,9 +14,9 @@
 namespace selvage {
 
 struct InteriorPointSettings {
-  int iterations{60};         // factorisations
+  int iterations{120};        // factorisations; few need more than 60
   double gap{1e-10};          // complementarity over 1 + |objective|
-  double primal{1e-11};       // the most a row of the answer may be broken by
+  double primal{1e-11};       // the most a row of the answer may be broken by, but for the rounding of its bound
   double dual{1e-10};         // the same for the dual, over 1 + the largest cost
   double dual_at_rest{1e-8};  // good enough once rounding keeps it from falling further
 };

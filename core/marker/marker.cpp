@@ -139,16 +139,25 @@ Polygon placed_outline(const Marker& marker, PieceId id) {
 }
 
 Coord length_of(const Marker& marker) {
+  std::map<std::pair<ShapeId, Orientation>, Coord> right;  // how far the oriented shape reaches
   Coord length = 0;
-  for (std::uint32_t i = 0; i < marker.pieces.size(); ++i) {
-    length = std::max(length, box_of(placed_outline(marker, PieceId{i})).high.x);
+  for (const Piece& piece : marker.pieces) {
+    const auto [found, fresh] = right.try_emplace({piece.shape, piece.orientation});
+    if (fresh) {
+      found->second = box_of(oriented(marker.shapes[piece.shape.value].outline, piece.orientation)).high.x;
+    }
+    length = std::max(length, piece.at.x + found->second);
   }
   return length;
 }
 
 double utilisation_of(const Marker& marker) {
+  std::vector<Wide> copies(marker.shapes.size());
+  for (const Piece& piece : marker.pieces) ++copies[piece.shape.value];
   Wide doubled = 0;
-  for (const Piece& piece : marker.pieces) doubled += doubled_area(marker.shapes[piece.shape.value].outline);
+  for (std::size_t s = 0; s < copies.size(); ++s) {
+    if (copies[s] > 0) doubled += copies[s] * doubled_area(marker.shapes[s].outline);
+  }
   const double cloth = static_cast<double>(marker.strip.width) * static_cast<double>(length_of(marker));
   return cloth > 0 ? static_cast<double>(doubled) / 2 / cloth : 0;
 }

@@ -38,6 +38,12 @@ struct Bound {
 };
 constexpr std::uint32_t kEdge = UINT32_MAX;
 
+// The obstacle that a still piece is to one of the body.
+struct Met {
+  std::uint32_t other{}, member{};
+  Obstacle obstacle;
+};
+
 // A piece that moves: the bumped one, or another of its group.
 struct Member {
   std::uint32_t piece{};
@@ -141,7 +147,7 @@ class Bumper {
       if (moves_[other] != 0 || !own.overlaps(scene_.pieces.box(other))) continue;
       const Coord spacing = scene_.pieces.spacing({member.piece, other});
       const Vec r = at - scene_.pieces.at(other);
-      const Obstacle obstacle = scene_.sums.obstacle(scene_.outlines[other], scene_.outlines[member.piece]);
+      const Obstacle& obstacle = obstacle_of(other, member.piece);
       const RegionSettings region{RegionRule::kGreedy, 1.5 * reach_ + static_cast<double>(spacing), spacing, towards_x,
                                   towards_y};
       for (const HalfPlane& side : free_region(obstacle, r, region)) {
@@ -151,6 +157,14 @@ class Bumper {
         bounds_.push_back({side, other, member.offset});
       }
     }
+  }
+  // Asked for in every cell: the cache of sums would be locked each time.
+  const Obstacle& obstacle_of(std::uint32_t other, std::uint32_t member) {
+    for (const Met& met : met_) {
+      if (met.other == other && met.member == member) return met.obstacle;
+    }
+    met_.push_back({other, member, scene_.sums.obstacle(scene_.outlines[other], scene_.outlines[member])});
+    return met_.back().obstacle;
   }
   void add_edge(double nx, double ny, double slack) {
     cell_.push_back({nx, ny, slack});
@@ -236,6 +250,7 @@ class Bumper {
   Box fit_{{-kLatticeLimit, -kLatticeLimit}, {kLatticeLimit, kLatticeLimit}};  // positions within the strip
   Vec at_;
   double reach_;
+  std::vector<Met> met_;
   std::vector<CellSide> cell_;
   std::vector<Bound> bounds_;
   Slide last_;

@@ -78,16 +78,18 @@ double collision_time(const Obstacle& obstacle, const FinePosition& r, const Dis
                       const CollisionSettings& settings) {
   if (velocity.x == 0 && velocity.y == 0) return settings.horizon;
   const Vec at = obstacle.to_frame(r.at);
-  const auto [rest_x, rest_y] = obstacle.direction_to_frame(r.rest.x, r.rest.y);
-  const auto [vx, vy] = obstacle.direction_to_frame(velocity.x, velocity.y);
-  const Vec end{at.x + std::llround(vx * settings.horizon), at.y + std::llround(vy * settings.horizon)};
+  const auto rest = obstacle.direction_to_frame(r.rest.x, r.rest.y);
+  const auto speed = obstacle.direction_to_frame(velocity.x, velocity.y);
+  const Vec end{at.x + std::llround(speed.first * settings.horizon),
+                at.y + std::llround(speed.second * settings.horizon)};
   const Box path =
       Box{{std::min(at.x, end.x), std::min(at.y, end.y)}, {std::max(at.x, end.x), std::max(at.y, end.y)}}.grown(
           static_cast<Coord>(std::ceil(settings.touching)) + 1);
   double time = settings.horizon;
   for_each_edge_near(obstacle.sum(), path, [&](const SumEdge& edge) {
-    const Ahead ahead = seen_from(edge, at, rest_x, rest_y);
-    if (distance_to(ahead) > settings.touching) time = std::min(time, time_to_edge(ahead, vx, vy, settings.clearance));
+    const Ahead ahead = seen_from(edge, at, rest.first, rest.second);
+    if (distance_to(ahead) > settings.touching)
+      time = std::min(time, time_to_edge(ahead, speed.first, speed.second, settings.clearance));
   });
   return time;
 }

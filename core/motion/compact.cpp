@@ -22,9 +22,9 @@ StopReason reason_of(StepEnd end) {
 CompactionSettings compaction_settings(Accuracy accuracy) {
   switch (accuracy) {
     case Accuracy::kDraft:
-      return {.rounds = 4,
-              .least_gain = 1e-3,
-              .trust = 0.05,
+      return {.rounds = 2,
+              .least_gain = 0.05,
+              .trust = 0.15,
               .gravity = 0.003,
               .region = RegionRule::kGreedy,
               .solver = SolverChoice::kAutomatic};

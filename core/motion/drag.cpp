@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/minkowski/inner_fit.h"
+#include "core/motion/bump.h"
 #include "core/motion/place.h"
 #include "core/motion/position_step.h"
 #include "core/motion/scene.h"
@@ -14,6 +15,9 @@
 namespace selvage {
 namespace {
 
+constexpr int kSteps = 64;           // looked at on the way from where the piece is to where it is wanted
+constexpr int kRefinements = 12;     // halvings of the one that is free
+constexpr int kSlides = 4;           // along contacts, each nearer to the wanted place
 constexpr double kReach = 0.1;       // of the strip's width: the pieces this near to the way make way
 constexpr int kRounds = 4;           // of the position model
 constexpr double kStillness = 1e-3;  // what moving others costs, beside the hand's own way
@@ -57,7 +61,8 @@ class Hand {
   }
 
   Drag push(const std::stop_token& stop) {
-    Drag placed = place();
+    scene_.shift(piece_, slid_towards() - from_);
+    Drag placed{scene_.result(), false};
     const Vec at = scene_.pieces.at(piece_);
     if (at == wanted_) return placed;
     const std::vector<std::uint32_t> around = pieces_around();
@@ -78,6 +83,61 @@ class Hand {
     reached.strip = start_.strip.ending(room_.high.x);
     const auto found = selvage::place(Scene{reached, sums_}, piece_, wanted_);
     return found ? found->at : from_;
+  }
+
+  [[nodiscard]] bool free_at(Vec at) const {
+    const Vec by = at - scene_.pieces.at(piece_);
+    for (std::uint32_t i = 0; i < scene_.pieces.size(); ++i) {
+      if (in_hand_[i] && !clear(i, by)) return false;
+    }
+    return true;
+  }
+  // A piece in the hand may be moved by this much.
+  [[nodiscard]] bool clear(std::uint32_t piece, Vec by) const {
+    PlacedPolygon moved = scene_.pieces[piece];
+    moved.at = moved.at + by;
+    if (!holds(room_, moved.placed_box())) return false;
+    const Box box = moved.placed_box().grown(scene_.pieces.widest_spacing());
+    for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
+      if (in_hand_[other] || !box.overlaps(scene_.pieces.box(other))) continue;
+      if (meet(moved, scene_.pieces[other], scene_.pieces.spacing({piece, other}))) return false;
+    }
+    return true;
+  }
+
+  // Where a piece comes that is moved straight to the wanted place and, from where that ends, along what is in the way.
+  Vec slid_towards() {
+    if (free_at(wanted_)) return wanted_;
+    const auto on_the_way = farthest_on_the_way();
+    if (!on_the_way) return from_;
+    Vec best = *on_the_way;
+    Scene sliding = scene_;
+    for (int slide = 0; slide < kSlides; ++slide) {
+      sliding.shift(piece_, best - sliding.pieces.at(piece_));
+      const Vec left = wanted_ - best;
+      const Vec next = bump(sliding, piece_, static_cast<double>(left.x), static_cast<double>(left.y)).at;
+      if (!(distance(next, wanted_) < distance(best, wanted_)) || !free_at(next)) break;
+      best = next;
+    }
+    return best;
+  }
+
+  [[nodiscard]] std::optional<Vec> farthest_on_the_way() const {
+    const auto at = [this](double part) {
+      const auto along = [part](Coord a, Coord b) { return a + std::llround(part * static_cast<double>(b - a)); };
+      return Vec{along(from_.x, wanted_.x), along(from_.y, wanted_.y)};
+    };
+    for (int step = kSteps - 1; step >= 0; --step) {
+      double free = static_cast<double>(step) / kSteps;
+      if (!free_at(at(free))) continue;
+      double taken = static_cast<double>(step + 1) / kSteps;
+      for (int k = 0; k < kRefinements; ++k) {
+        const double middle = (free + taken) / 2;
+        (free_at(at(middle)) ? free : taken) = middle;
+      }
+      return at(free);
+    }
+    return std::nullopt;
   }
 
   // Rounds of the position model that take the scene's first piece towards the wanted place.

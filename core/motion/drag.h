@@ -2,9 +2,9 @@
 // where they flow to.
 //
 // Placing: only the piece moves, with its group, to the free position nearest to the wanted one
-// (core/motion/place.h).  Pushing: from there it goes
-// on towards the wanted place in a few rounds of the position model, in which the pieces in reach move out of its way
-// and no farther [Li94 4.2.2]; all others stay.
+// (core/motion/place.h).  Pushing: it goes straight towards the wanted place, along what is in the way, and on from
+// there in a few rounds of the position model, in which
+// the pieces in reach move out of its way and no farther [Li94 4.2.2]; all others stay.
 //
 // Laws.  (1) No piece that moved overlaps any other, comes too close to it or leaves the strip, proved in integers.
 // (2) Locks and groups hold.  (3) Same input, same answer, whatever the cache holds.

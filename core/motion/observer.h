@@ -1,9 +1,11 @@
 // How a motion tells what it is doing, for whoever holds a clock or a progress bar: the core has neither.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 
 #include "core/geometry/lattice.h"
+#include "core/lp/linear_program.h"
 
 namespace selvage {
 
@@ -14,9 +16,19 @@ struct Round {
   Coord length{};  // after it
 };
 
+// How large a linear program is.
+struct ProgramSize {
+  int columns{}, rows{};
+  std::size_t nonzeros{};
+};
+[[nodiscard]] inline ProgramSize size_of(const LinearProgram& program) {
+  return {program.columns(), program.rows(), program.entries.size()};
+}
+
 struct Observer {
   std::function<void(Stage)> on_stage = [](Stage) {};  // a stage begins
   std::function<void(const Round&)> on_round = [](const Round&) {};
+  std::function<void(const ProgramSize&)> on_program = [](const ProgramSize&) {};  // one is about to be solved
 };
 
 }  // namespace selvage

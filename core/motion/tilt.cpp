@@ -28,6 +28,7 @@ constexpr double kTwist = 0.3;                       // of a shake: torques besi
 Observer stages_of(const Observer& observer) {
   Observer stages;
   stages.on_stage = observer.on_stage;
+  stages.on_program = observer.on_program;
   return stages;
 }
 

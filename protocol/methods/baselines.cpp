@@ -43,8 +43,15 @@ Result<Motion> run_velocity(const Baseline& wanted, const Marker& start, const M
   return motion_of(compact_by_velocities(start, settings, means.sums, means.stop, means.observer));
 }
 
-constexpr std::array kMethods{MarkerMethod{"motion.oneAtATime", true, &read_motion<decode, run_one_at_a_time>},
-                              MarkerMethod{"motion.velocity", true, &read_motion<decode, run_velocity>}};
+constexpr std::array kMethods{
+    MarkerMethod{"motion.oneAtATime",
+                 true,
+                 &read_motion<decode, run_one_at_a_time>,
+                 {"A baseline: every piece bumped to the left, one after another.", kRoundsParams, kRoundsResults}},
+    MarkerMethod{"motion.velocity",
+                 true,
+                 &read_motion<decode, run_velocity>,
+                 {"A baseline: pieces pushed by a piston, time step by time step.", kRoundsParams, kRoundsResults}}};
 
 }  // namespace
 

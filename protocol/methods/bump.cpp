@@ -24,7 +24,24 @@ Result<Motion> run(const MotionBump& wanted, const Marker& start, const Means& m
   return Motion{std::move(done->marker), std::move(figures), done->healing};
 }
 
-constexpr std::array kMethods{MarkerMethod{"motion.bump", true, &read_motion<decode_motion_bump, run>}};
+constexpr std::array kParams{
+    Word{"piece", "Id", kRequired, "The piece's id."},
+    Word{"direction", "Direction", kRequired, "Where to."},
+};
+constexpr std::array kResults = together(
+    std::array{
+        Word{"at", "Point", kRequired, "Where the piece's origin now lies; exact."},
+        Word{"gain", "number", kRequired, "How far it came in the direction."},
+        Word{"touching", "string[]", kRequired, "Ids of the pieces that hold it there."},
+        Word{"moved", "boolean", kRequired, "Is it elsewhere than before?"},
+    },
+    kStopResults);
+
+constexpr std::array kMethods{
+    MarkerMethod{"motion.bump",
+                 true,
+                 &read_motion<decode_motion_bump, run>,
+                 {"One piece slides as far as it can, all others still.", kParams, kResults}}};
 
 }  // namespace
 

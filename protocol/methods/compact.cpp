@@ -8,12 +8,19 @@ namespace selvage {
 namespace {
 
 Result<Motion> run(const MotionCompact& wanted, const Marker& start, const Means& means) {
-  auto done = means.engine.compact(start, settings_of(wanted.effort), means.sums, means.stop, means.observer);
+  // A number of rounds asks for the compaction alone.
+  const bool search = wanted.effort.accuracy == Accuracy::kFine && !wanted.effort.rounds;
+  auto done = search ? means.engine.refine(start, refine_settings(), means.sums, means.stop, means.observer)
+                     : means.engine.compact(start, settings_of(wanted.effort), means.sums, means.stop, means.observer);
   if (!done) return done.error();
   return Motion{std::move(done->marker), rounds_json(done->rounds, done->reason), done->healing};
 }
 
-constexpr std::array kMethods{MarkerMethod{"motion.compact", true, &read_motion<decode_motion_compact, run>}};
+constexpr std::array kMethods{
+    MarkerMethod{"motion.compact",
+                 true,
+                 &read_motion<decode_motion_compact, run>,
+                 {"The marker made shorter, all pieces moving at once.", kEffortParams, kRoundsResults}}};
 
 }  // namespace
 

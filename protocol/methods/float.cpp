@@ -62,7 +62,28 @@ Result<Motion> run(const MotionFloat& wanted, const Marker& start, const Means& 
   return Motion{std::move(done->marker), std::move(figures), done->healing};
 }
 
-constexpr std::array kMethods{MarkerMethod{"motion.float", true, &read_motion<decode_motion_float, run>}};
+constexpr std::array kParams = together(
+    std::array{
+        Word{"distance", "number", kRequired, "Wider gaps count as this wide; in given_distance, the one wanted."},
+        Word{"mode", "FloatMode", kOptional, "What is made large; largest_minimum when absent."},
+        Word{"edges", "boolean", kOptional, "Gaps to the strip's edges count, too."},
+    },
+    kRoundsParams);
+constexpr std::array kResults = together(
+    std::array{
+        Word{"leastBefore", "number", kRequired, "The narrowest gap, at most the distance."},
+        Word{"leastAfter", "number", kRequired, "Likewise afterwards; proved."},
+        Word{"reached", "boolean", kRequired, "The narrowest gap has the distance."},
+        Word{"gaps", "GapWidths[]", kRequired, "Those narrower than the distance before or after."},
+        Word{"critical", "CriticalSet[]", kRequired, "Sets of gaps that hold a minimum."},
+    },
+    kRoundsResults);
+
+constexpr std::array kMethods{
+    MarkerMethod{"motion.float",
+                 true,
+                 &read_motion<decode_motion_float, run>,
+                 {"Free space shared out among the gaps between pieces.", kParams, kResults}}};
 
 }  // namespace
 

@@ -64,7 +64,28 @@ Result<Motion> run(const MotionOpenGap& wanted, const Marker& start, const Means
   return Motion{std::move(done->marker), std::move(figures), done->healing};
 }
 
-constexpr std::array kMethods{MarkerMethod{"motion.openGap", true, &read_motion<decode, run>}};
+constexpr std::array kParams = together(
+    std::array{
+        Word{"point", "Point", kOptional,
+             "In an unoccupied region: pieces around it move away from the point. Required without a region."},
+        Word{"region", "integer", kOptional,
+             "A region's place in the list of marker.regions, from 0: pieces move away from its outline."},
+    },
+    kRegionParams, kEffortParams);
+constexpr std::array kResults = together(
+    std::array{
+        Word{"areaBefore", "number", kRequired, "Of the region that holds the point inside."},
+        Word{"areaAfter", "number", kRequired, "Never smaller."},
+        Word{"inside", "Point", kRequired, "A point of the gap, before and after."},
+        Word{"gap", "Region", kRequired, "The region afterwards."},
+    },
+    kRoundsResults);
+
+constexpr std::array kMethods{
+    MarkerMethod{"motion.openGap",
+                 true,
+                 &read_motion<decode, run>,
+                 {"Pieces move away from a point or an unoccupied region, the length held.", kParams, kResults}}};
 
 }  // namespace
 

@@ -58,7 +58,15 @@ Result<MethodAnswer> run(const MarkerHold&, const MarkerFile& file, const Means&
                       std::nullopt};
 }
 
-constexpr std::array kMethods{MarkerMethod{"marker.hold", false, &read_reading<decode, run>}};
+constexpr std::array kResults{
+    Word{"length", "number", kRequired, "The marker's."},
+    Word{"contacts", "LoadedContact[]", kRequired, "The contacts that carry load, from left to right."},
+    Word{"tilts", "TiltWorth[]", kRequired, "What tilting a piece would bring, the most telling first."},
+    Word{"perSpacing", "number", kRequired, "What a unit less of spacing would bring."},
+};
+
+constexpr std::array kMethods{MarkerMethod{
+    "marker.hold", false, &read_reading<decode, run>, {"What holds the length of the marker.", {}, kResults}}};
 
 }  // namespace
 

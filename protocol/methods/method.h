@@ -15,6 +15,7 @@
 #include "protocol/engine.h"
 #include "protocol/formats/format.h"
 #include "protocol/json_text.h"
+#include "protocol/methods/words.h"
 
 namespace selvage {
 
@@ -58,6 +59,7 @@ struct MarkerMethod {
   bool motion{};  // may change the marker, and may take long
   // Errors: 10xx, `field` pointing into the parameters.
   Result<MarkerCall> (*read)(const Json& params);
+  MethodWords words{};  // its own; openrpc.h adds what every such method takes and answers
 };
 
 }  // namespace selvage

@@ -48,7 +48,25 @@ Result<Motion> run(const MotionPlace& wanted, const Marker& start, const Means& 
   return Motion{std::move(done->marker), std::move(figures), done->healing};
 }
 
-constexpr std::array kMethods{MarkerMethod{"motion.place", true, &read_motion<decode, run>}};
+constexpr std::array kParams{
+    Word{"piece", "Id", kRequired, "The piece's id."},
+    Word{"to", "Point", kRequired, "Where its origin is wanted."},
+    Word{"mayGrow", "boolean", kOptional, "When nothing within the marker's length is free, beyond it."},
+};
+constexpr std::array kResults = together(
+    std::array{
+        Word{"found", "boolean", kRequired, "There is a free position; without one the piece stays."},
+        Word{"at", "Point", kRequired, "Where its origin now lies; exact."},
+        Word{"distance", "number|null", kRequired, "From the wanted place; null when none was found."},
+        Word{"grown", "boolean", kRequired, "The marker had to become longer."},
+    },
+    kStopResults);
+
+constexpr std::array kMethods{
+    MarkerMethod{"motion.place",
+                 true,
+                 &read_motion<decode, run>,
+                 {"A piece dropped anywhere goes to the nearest free position.", kParams, kResults}}};
 
 }  // namespace
 

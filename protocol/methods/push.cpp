@@ -51,8 +51,32 @@ Result<Motion> run_gravity(const MotionGravity& wanted, const Marker& start, con
   return run_forces(gravity(start, wanted.force.x, wanted.force.y), wanted.effort, start, means);
 }
 
-constexpr std::array kMethods{MarkerMethod{"motion.push", true, &read_motion<decode_motion_push, run_push>},
-                              MarkerMethod{"motion.gravity", true, &read_motion<decode_motion_gravity, run_gravity>}};
+constexpr std::array kPushParams = together(
+    std::array{
+        Word{"forces", "Force[]", kRequired,
+             "Those on one piece add up; a piece without one moves only out of the way."},
+    },
+    kEffortParams);
+constexpr std::array kGravityParams = together(
+    std::array{
+        Word{"force", "Direction", kRequired, "On every piece."},
+    },
+    kEffortParams);
+constexpr std::array kResults = together(
+    std::array{
+        Word{"gain", "number", kRequired, "The sum over the pieces of force times the way along it."},
+    },
+    kRoundsResults);
+
+constexpr std::array kMethods{
+    MarkerMethod{"motion.push",
+                 true,
+                 &read_motion<decode_motion_push, run_push>,
+                 {"Pieces follow forces, the length held.", kPushParams, kResults}},
+    MarkerMethod{"motion.gravity",
+                 true,
+                 &read_motion<decode_motion_gravity, run_gravity>,
+                 {"Every piece follows one force, the length held.", kGravityParams, kResults}}};
 
 }  // namespace
 

@@ -20,9 +20,31 @@ Result<MethodAnswer> tell_validity(const MarkerCheck&, const MarkerFile& file, c
   return MethodAnswer{validity_json(file.marker, means.engine.check(file.marker, means.sums)), std::nullopt};
 }
 
+constexpr std::array kGetParams{
+    Word{"format", "Format", kOptional, "The form of the document; native when absent."},
+    Word{"since", "integer", kOptional, "A revision: only what changed after it, where that is known."},
+};
+constexpr std::array kGetResults{
+    Word{"format", "Format", kOptional, "The form of the document."},
+    Word{"marker", "object|string", kOptional, "The document; for svg a string. Absent when the answer is by since."},
+    Word{"since", "integer", kOptional, "The revision asked from."},
+    Word{"placements", "PieceState[]", kOptional, "The pieces that changed after it."},
+};
+constexpr std::array kCheckResults{
+    Word{"valid", "boolean", kRequired, "Proved in integers."},
+    Word{"overlaps", "Overlap[]", kRequired, "Pairs that overlap or are too close."},
+    Word{"protrusions", "Protrusion[]", kRequired, "Pieces that leave the strip."},
+};
+
 constexpr std::array kMethods{
-    MarkerMethod{"marker.get", false, &read_reading<decode_marker_get, get>},
-    MarkerMethod{"marker.check", false, &read_reading<decode_marker_check, tell_validity>},
+    MarkerMethod{"marker.get",
+                 false,
+                 &read_reading<decode_marker_get, get>,
+                 {"A marker as a document.", kGetParams, kGetResults}},
+    MarkerMethod{"marker.check",
+                 false,
+                 &read_reading<decode_marker_check, tell_validity>,
+                 {"Is the marker valid, and where not?", {}, kCheckResults}},
 };
 
 }  // namespace

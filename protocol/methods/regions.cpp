@@ -34,7 +34,12 @@ Result<MethodAnswer> run(const MarkerRegions& wanted, const MarkerFile& file, co
   return MethodAnswer{{{"regions", std::move(list)}}, std::nullopt};
 }
 
-constexpr std::array kMethods{MarkerMethod{"marker.regions", false, &read_reading<decode, run>}};
+constexpr std::array kResults{
+    Word{"regions", "Region[]", kRequired, "From left to right."},
+};
+
+constexpr std::array kMethods{MarkerMethod{
+    "marker.regions", false, &read_reading<decode, run>, {"The cloth that no piece covers.", kRegionParams, kResults}}};
 
 }  // namespace
 

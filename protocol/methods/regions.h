@@ -5,6 +5,7 @@
 
 #include "core/marker/unoccupied.h"
 #include "protocol/fields.h"
+#include "protocol/methods/words.h"
 
 namespace selvage {
 
@@ -16,6 +17,10 @@ struct RegionWish {
 };
 [[nodiscard]] RegionWish read_region_wish(Fields& fields);
 [[nodiscard]] UnoccupiedSettings settings_of(const RegionWish& wish, const Marker& marker);
+
+inline constexpr std::array kRegionParams{
+    Word{"leastArea", "number", kOptional, "Smaller regions are left out; 1e-4 of the width squared when absent."},
+    Word{"clearance", "number", kOptional, "How far regions stay from pieces; 2e-3 of the width when absent."}};
 
 // A square measure in the marker's unit.
 [[nodiscard]] double area_in_unit(double lattice, Resolution resolution);

@@ -23,7 +23,30 @@ Result<Motion> run(const MotionSeparate& wanted, const Marker& start, const Mean
   return Motion{std::move(done->marker), std::move(figures), {}, wanted.partial};
 }
 
-constexpr std::array kMethods{MarkerMethod{"motion.separate", true, &read_motion<decode_motion_separate, run>}};
+constexpr std::array kParams = together(
+    std::array{
+        Word{"grow", "number", kOptional,
+             "The part of its length that the marker may become longer by, 0 to 10; 0 when absent."},
+        Word{"popOut", "boolean", kOptional,
+             "When the pieces cannot be parted, leave out those that hold up the rest."},
+        Word{"partial", "boolean", kOptional, "Commit what was reached even when pieces still overlap."},
+        Word{"target", "TargetRule", kOptional, "Where a pair is aimed; nearest when absent."},
+    },
+    kRoundsParams);
+constexpr std::array kResults = together(
+    std::array{
+        Word{"apart", "boolean", kRequired, "Nothing overlaps any more."},
+        Word{"moved", "number", kRequired, "The sum over the pieces of how far each moved along x and along y."},
+        Word{"farthestMove", "number", kRequired, "The largest of these."},
+        Word{"remaining", "Overlap[]", kRequired, "Pairs that still overlap."},
+        Word{"popped", "string[]", kRequired, "Ids of the pieces left out."},
+    },
+    kRoundsResults);
+
+constexpr std::array kMethods{MarkerMethod{"motion.separate",
+                                           true,
+                                           &read_motion<decode_motion_separate, run>,
+                                           {"Overlapping pieces parted with little motion.", kParams, kResults}}};
 
 }  // namespace
 

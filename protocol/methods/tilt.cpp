@@ -84,8 +84,42 @@ Result<Motion> run_relax(const MotionRelax& wanted, const Marker& start, const M
   return motion;
 }
 
-constexpr std::array kMethods{MarkerMethod{"motion.tilt", true, &read_motion<decode_tilt, run_tilt>},
-                              MarkerMethod{"motion.relax", true, &read_motion<decode_relax, run_relax>}};
+constexpr std::array kTiltParams = together(
+    std::array{
+        Word{"method", "'linearisation'|'relaxation'", kOptional,
+             "All pieces at once (when absent), or one after another."},
+        Word{"limit", "number", kOptional, "Largest tilt in degrees, 0 to 45, in place of every shape's own."},
+        Word{"shakes", "integer", kOptional,
+             "So often the pieces are shaken for the rounds to begin again, 0 to 10,000."},
+        Word{"tilts", "integer", kOptional, "Of relaxation: so many tilts are tried, 1 to 1,001."},
+    },
+    kEffortParams);
+constexpr std::array kTiltResults = together(
+    std::array{
+        Word{"lengthCompacted", "number", kRequired, "After compaction, before any piece was tilted."},
+        Word{"farthestTilt", "number", kRequired, "The largest tilt of any piece either way, in degrees."},
+    },
+    kRoundsResults);
+constexpr std::array kRelaxParams{
+    Word{"piece", "Id", kRequired, "The piece's id."},
+    Word{"tilts", "integer", kOptional, "So many tilts are tried; 0, as when absent: it keeps its tilt."},
+};
+constexpr std::array kRelaxResults = together(
+    std::array{
+        Word{"at", "Point", kRequired, "Where it lies now."},
+        Word{"tilt", "number", kRequired, "How it is tilted now, in degrees."},
+        Word{"freedom", "number", kRequired, "It may move by so much along both axes at once, either way."},
+    },
+    kStopResults);
+
+constexpr std::array kMethods{MarkerMethod{"motion.tilt",
+                                           true,
+                                           &read_motion<decode_tilt, run_tilt>,
+                                           {"The marker made shorter with small tilts.", kTiltParams, kTiltResults}},
+                              MarkerMethod{"motion.relax",
+                                           true,
+                                           &read_motion<decode_relax, run_relax>,
+                                           {"One piece goes to where it has most room.", kRelaxParams, kRelaxResults}}};
 
 }  // namespace
 

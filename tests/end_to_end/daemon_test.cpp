@@ -30,6 +30,19 @@ TEST(Daemon, ReadsAndInfoAreAnsweredWhileEveryMotionWorkerIsBusy) {
   EXPECT_EQ(result_of(busy.answer().value_or(HttpAnswer{}).body)["revision"], 2);
 }
 
+TEST(Daemon, DescribesEveryMethodThatItHas) {
+  Daemon daemon{on_free_port(1)};
+  Wire wire{daemon.port()};
+  const Json told = result_of(post_call(wire, "rpc.discover"));
+  std::set<Json> names;
+  for (const Json& method : told["methods"]) names.insert(method["name"]);
+  EXPECT_EQ(names.erase("$/cancelRequest"), 1U);  // the dispatcher's, which engine.info does not list
+  const Json listed = result_of(post_call(wire, "engine.info"))["methods"];
+  EXPECT_EQ(names, std::set<Json>(listed.begin(), listed.end()));
+  wire.send("GET /openrpc.json HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  EXPECT_EQ(wire.answer().value_or(HttpAnswer{}).body, to_text(told));
+}
+
 TEST(Daemon, AClosedConnectionStopsItsMotion) {
   Gate gate;
   Daemon daemon{on_free_port(1), gate.engine()};

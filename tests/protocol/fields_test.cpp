@@ -20,6 +20,14 @@ std::string mistake_of(const std::string& text, Read read) {
   return mistake ? std::string{wire_name(mistake.error().code)} + " " + describe(mistake.error()) : "";
 }
 
+TEST(Fields, NamesWhatMayBeThereOnce) {
+  const auto read = [](Fields& fields) {
+    if (fields.maybe_any("a")) (void)fields.text("a");
+  };
+  EXPECT_EQ(mistake_of(R"({"a": "x", "b": 1})", read),
+            "input.unknown_field /here/b: the field is not known; a may be here");
+}
+
 TEST(Fields, ReadsWhatIsThere) {
   const Json value = json(R"({"n": 2.5, "t": "x", "i": 3, "b": true, "a": [1], "o": {}, "w": "two", "id": 12})");
   Mistake mistake;

@@ -262,9 +262,9 @@ TEST(Dispatcher, ListsEveryMethodThatItHas) {
   std::set<std::string> told;
   const Json info = desk.ask_json(call(1, "engine.info"))["result"];
   for (const Json& name : info["methods"]) told.insert(name.get<std::string>());
-  std::set<std::string> expected{"engine.info",    "marker.open", "marker.close", "marker.list",
-                                 "marker.apply",   "marker.undo", "marker.redo",  "marker.watch",
-                                 "marker.unwatch", "drag.begin",  "drag.move",    "drag.end"};
+  std::set<std::string> expected{"engine.info", "marker.open", "marker.close", "marker.list",    "marker.apply",
+                                 "marker.undo", "marker.redo", "marker.watch", "marker.unwatch", "drag.begin",
+                                 "drag.move",   "drag.end",    "rpc.discover"};
   for (const MarkerMethod& method : marker_methods()) expected.emplace(method.name);
   EXPECT_EQ(told, expected);
   for (const std::string& name : told) EXPECT_TRUE(place_of(name)) << name;

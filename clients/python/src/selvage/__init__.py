@@ -1,0 +1,35 @@
+"""Client of selvaged, the daemon that compacts garment markers.
+
+`Client` waits, `AsyncClient` is for asyncio; both have the same methods.  What the calls mean: protocol/README.md.
+"""
+
+from . import errors, motion_results, ops, results
+from .async_client import AsyncClient
+from .client import Client, Drag, Marker, Watch
+from .drag import AsyncDrag
+from .drawing import draw
+from .errors import CallError, ConnectionLost, SelvageError
+from .marker import AsyncMarker
+from .outlines import Outline, Outlines
+from .watch import AsyncWatch
+
+__all__ = [
+    "AsyncClient",
+    "AsyncDrag",
+    "AsyncMarker",
+    "AsyncWatch",
+    "CallError",
+    "Client",
+    "ConnectionLost",
+    "Drag",
+    "Marker",
+    "Outline",
+    "Outlines",
+    "SelvageError",
+    "Watch",
+    "draw",
+    "errors",
+    "motion_results",
+    "ops",
+    "results",
+]

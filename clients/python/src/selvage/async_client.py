@@ -1,0 +1,69 @@
+"""The client for asyncio."""
+
+from __future__ import annotations
+
+import json
+import os
+import pathlib
+import ssl
+from collections.abc import Mapping
+from types import TracebackType
+from typing import Any
+
+from .address import DEFAULT
+from .link import Link, OnProgress
+from .marker import AsyncMarker
+from .results import Info, Listed, Opened
+from .words import named, read
+
+Document = Mapping[str, Any] | str | os.PathLike[str]
+
+
+class AsyncClient:
+    """async with AsyncClient() as client: marker = await client.open("marker.json")
+
+    `address`: HOST:PORT, tls://HOST:PORT or unix:PATH; connected when first needed.  `patience`: seconds for which a call
+    is tried again when the connection is lost or the daemon is busy; a change is never applied twice.
+    """
+
+    def __init__(
+        self,
+        address: str = DEFAULT,
+        *,
+        token: str | None = None,
+        tls: ssl.SSLContext | None = None,
+        patience: float = 30.0,
+    ) -> None:
+        self._link = Link(address, token, tls, patience)
+
+    async def call(self, method: str, params: Mapping[str, Any] | None = None, progress: OnProgress | None = None) -> Any:
+        """Any method, in the wire's own words: for what this package has no name for yet."""
+        return await self._link.call(method, dict(params or {}), progress)
+
+    async def info(self) -> Info:
+        return read(Info, await self.call("engine.info"))
+
+    async def open(self, marker: Document, *, spacing: float | None = None, op_id: str | None = None) -> AsyncMarker:
+        """Opens a native or sparrow document, or the file of that path."""
+        document = marker if isinstance(marker, Mapping) else json.loads(pathlib.Path(marker).read_text("utf-8"))
+        opened = read(Opened, await self.call("marker.open", named(marker=document, spacing=spacing, op_id=op_id)))
+        return AsyncMarker(self._link, opened.marker_id, opened)
+
+    def marker(self, marker_id: str) -> AsyncMarker:
+        """A marker that is open already.  Asks nothing: the first call of it does."""
+        return AsyncMarker(self._link, marker_id)
+
+    async def list(self) -> tuple[Listed, ...]:
+        """The open markers."""
+        return tuple(read(Listed, each) for each in (await self.call("marker.list"))["markers"])
+
+    async def close(self) -> None:
+        await self._link.close()
+
+    async def __aenter__(self) -> AsyncClient:
+        return self
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        await self.close()

@@ -1,0 +1,175 @@
+"""The client that waits: the asynchronous one's methods, called from any thread.
+
+Watching, dragging and progress are as there; `progress` is called on the thread that made the call.
+"""
+
+from __future__ import annotations
+
+import ssl
+from types import TracebackType
+
+from .address import DEFAULT
+from .async_client import AsyncClient, Document
+from .drag import AsyncDrag
+from .marker import AsyncMarker
+from .portal import Blocking, Portal, blocking
+from .results import Changed, Edited, Held, Missed, Opened
+from .watch import AsyncWatch
+
+Error = BaseException
+
+
+class Watch(Blocking):
+    """with marker.watch() as changes: for change in changes: ...   See AsyncWatch."""
+
+    def __init__(self, portal: Portal, twin: AsyncWatch) -> None:
+        self._portal, self._twin = portal, twin
+
+    @property
+    def revision(self) -> int:
+        return int(self._twin.revision)
+
+    def __enter__(self) -> Watch:
+        self._portal.run(self._twin.__aenter__())
+        return self
+
+    def __exit__(self, kind: type[Error] | None, error: Error | None, trace: TracebackType | None) -> None:
+        self._portal.run(self._twin.__aexit__(kind, error, trace))
+
+    def __iter__(self) -> Watch:
+        return self
+
+    def __next__(self) -> Changed | Missed:
+        try:
+            return self._next()
+        except StopAsyncIteration:
+            raise StopIteration from None
+
+    _next = blocking(AsyncWatch.__anext__)
+
+
+class Drag(Blocking):
+    """with marker.drag("sleeve") as hand: hand.move((x, y))   See AsyncDrag."""
+
+    def __init__(self, portal: Portal, twin: AsyncDrag) -> None:
+        self._portal, self._twin = portal, twin
+
+    @property
+    def held(self) -> Held | None:
+        held: Held | None = self._twin.held
+        return held
+
+    @property
+    def ended(self) -> Edited | None:
+        ended: Edited | None = self._twin.ended
+        return ended
+
+    begin = blocking(AsyncDrag.begin)
+    move = blocking(AsyncDrag.move)
+    end = blocking(AsyncDrag.end)
+
+    def __enter__(self) -> Drag:
+        self.begin()
+        return self
+
+    def __exit__(self, kind: type[Error] | None, error: Error | None, trace: TracebackType | None) -> None:
+        self._portal.run(self._twin.__aexit__(kind, error, trace))
+
+
+class Marker(Blocking):
+    """A handle: the marker lives in the daemon.  `with` closes it there at the end.  See AsyncMarker."""
+
+    def __init__(self, portal: Portal, twin: AsyncMarker) -> None:
+        self._portal, self._twin = portal, twin
+
+    @property
+    def id(self) -> str:
+        return str(self._twin.id)
+
+    @property
+    def opened(self) -> Opened | None:
+        opened: Opened | None = self._twin.opened
+        return opened
+
+    @property
+    def revision(self) -> int | None:
+        revision: int | None = self._twin.revision
+        return revision
+
+    get = blocking(AsyncMarker.get)
+    outlines = blocking(AsyncMarker.outlines)
+    svg = blocking(AsyncMarker.svg)
+    check = blocking(AsyncMarker.check)
+    hold = blocking(AsyncMarker.hold)
+    regions = blocking(AsyncMarker.regions)
+    apply = blocking(AsyncMarker.apply)
+    undo = blocking(AsyncMarker.undo)
+    redo = blocking(AsyncMarker.redo)
+    close = blocking(AsyncMarker.close)
+
+    compact = blocking(AsyncMarker.compact)
+    push = blocking(AsyncMarker.push)
+    gravity = blocking(AsyncMarker.gravity)
+    bump = blocking(AsyncMarker.bump)
+    separate = blocking(AsyncMarker.separate)
+    float_apart = blocking(AsyncMarker.float_apart)
+    place = blocking(AsyncMarker.place)
+    open_gap = blocking(AsyncMarker.open_gap)
+    tilt = blocking(AsyncMarker.tilt)
+    relax = blocking(AsyncMarker.relax)
+    one_at_a_time = blocking(AsyncMarker.one_at_a_time)
+    velocity = blocking(AsyncMarker.velocity)
+
+    def watch(self) -> Watch:
+        """Every change from now on, whoever makes it: a context manager and an iterator."""
+        return Watch(self._portal, self._twin.watch())
+
+    def drag(self, piece: str, *, mode: str | None = None, base_rev: int | None = None) -> Drag:
+        """A hand takes hold of a piece: a context manager."""
+        return Drag(self._portal, self._twin.drag(piece, mode=mode, base_rev=base_rev))
+
+    def __enter__(self) -> Marker:
+        return self
+
+    def __exit__(self, kind: type[Error] | None, error: Error | None, trace: TracebackType | None) -> None:
+        self._portal.run(self._twin.__aexit__(kind, error, trace))
+
+
+class Client(Blocking):
+    """with Client() as client: marker = client.open("marker.json")
+
+    Parameters as of AsyncClient.
+    """
+
+    def __init__(
+        self,
+        address: str = DEFAULT,
+        *,
+        token: str | None = None,
+        tls: ssl.SSLContext | None = None,
+        patience: float = 30.0,
+    ) -> None:
+        self._twin = AsyncClient(address, token=token, tls=tls, patience=patience)
+        self._portal = Portal()
+
+    call = blocking(AsyncClient.call)
+    info = blocking(AsyncClient.info)
+    list = blocking(AsyncClient.list)
+
+    def open(self, marker: Document, *, spacing: float | None = None, op_id: str | None = None) -> Marker:
+        """Opens a native or sparrow document, or the file of that path."""
+        return Marker(self._portal, self._portal.run(self._twin.open(marker, spacing=spacing, op_id=op_id)))
+
+    def marker(self, marker_id: str) -> Marker:
+        """A marker that is open already.  Asks nothing: the first call of it does."""
+        return Marker(self._portal, self._twin.marker(marker_id))
+
+    def close(self) -> None:
+        self._portal.run(self._twin.close())
+        self._portal.close()
+
+    def __enter__(self) -> Client:
+        return self
+
+    def __exit__(self, kind: type[Error] | None, error: Error | None, trace: TracebackType | None) -> None:
+        self.close()

@@ -1,0 +1,163 @@
+"""One connection to the daemon: lines of JSON, many calls under way, answers and notifications to whom they concern.
+
+A connection is made once and lost once; whoever waits for something then hears Lost.  Everything happens on the event
+loop that made it.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import itertools
+import json
+import ssl
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from .address import Address
+from .errors import ConnectionLost, UnexpectedAnswer, call_error
+from .results import Progress
+from .words import read
+
+# asyncio wants a bound for a line; a whole marker is one.
+_LONGEST_LINE = 1 << 28
+
+
+@dataclass(frozen=True)
+class Answer:
+    result: Any = None
+    error: dict[str, Any] | None = None
+
+
+@dataclass(frozen=True)
+class Told:
+    """A notification about a marker."""
+
+    method: str
+    params: dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Lost:
+    reason: str
+
+
+Event = Answer | Progress | Told | Lost
+Deliver = Callable[[Event], None]
+
+
+class Connection:
+    def __init__(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        self._reader, self._writer = reader, writer
+        self._ids = itertools.count(1)
+        self._calls: dict[int, Deliver] = {}
+        self._listeners: dict[str, list[Deliver]] = {}  # by marker
+        self.lost: Lost | None = None
+        self._reading = asyncio.create_task(self._read())
+
+    @staticmethod
+    async def open(address: Address, token: str | None, context: ssl.SSLContext | None) -> Connection:
+        """Raises ConnectionLost, and Unauthorised when the token is refused."""
+        try:
+            if address.path is not None:
+                ends = await asyncio.open_unix_connection(address.path, limit=_LONGEST_LINE)
+            else:
+                tls = (context or ssl.create_default_context()) if address.tls else None
+                ends = await asyncio.open_connection(address.host, address.port, limit=_LONGEST_LINE, ssl=tls)
+        except OSError as error:
+            raise ConnectionLost(f"cannot reach {address.path or f'{address.host}:{address.port}'}: {error}") from error
+        connection = Connection(*ends)
+        if token is not None and address.path is None:
+            try:
+                await connection._show(token)
+            except BaseException:
+                await connection.close()
+                raise
+        return connection
+
+    def call(self, method: str, params: dict[str, Any], deliver: Deliver, *, progress: bool = False) -> int:
+        """Sends a call; its rounds, if wanted, and its answer come to `deliver`.  The id is for cancel and forget."""
+        number = next(self._ids)
+        if progress:
+            params = params | {"progressToken": number}
+        line = json.dumps({"jsonrpc": "2.0", "id": number, "method": method, "params": params}, allow_nan=False)
+        if self.lost:
+            deliver(self.lost)
+            return number
+        self._calls[number] = deliver
+        self._writer.write(line.encode() + b"\n")
+        return number
+
+    def cancel(self, number: int) -> None:
+        """Ends a call that nobody waits for any more; nothing when it has been answered."""
+        if self._calls.pop(number, None) is None or self.lost:
+            return
+        stop = {"jsonrpc": "2.0", "method": "$/cancelRequest", "params": {"id": number}}
+        self._writer.write(json.dumps(stop).encode() + b"\n")
+
+    def listen(self, marker_id: str, deliver: Deliver) -> None:
+        """From now on what is told of a marker comes to `deliver`."""
+        self._listeners.setdefault(marker_id, []).append(deliver)
+
+    def unlisten(self, marker_id: str, deliver: Deliver) -> bool:
+        """Does nobody listen any more?"""
+        listeners = self._listeners.get(marker_id, [])
+        if deliver in listeners:
+            listeners.remove(deliver)
+        return not listeners
+
+    async def drain(self) -> None:
+        """Waits until what was sent is on its way; that it is lost is heard by those who wait for answers."""
+        try:
+            await self._writer.drain()
+        except OSError:
+            pass
+
+    async def close(self) -> None:
+        self._reading.cancel()
+        self._end("closed")
+        try:
+            await self._writer.wait_closed()
+        except (OSError, ssl.SSLError):
+            pass
+
+    async def _show(self, token: str) -> None:
+        answer: asyncio.Queue[Event] = asyncio.Queue()
+        self.call("auth", {"token": token}, answer.put_nowait)
+        match await answer.get():
+            case Answer(error=dict(error)):
+                raise call_error(error)
+            case Lost(reason):
+                raise ConnectionLost(reason)
+
+    async def _read(self) -> None:
+        reason = "the daemon closed the connection"
+        try:
+            while line := await self._reader.readline():
+                self._route(json.loads(line))
+        except (OSError, ValueError, KeyError, TypeError, AttributeError, UnexpectedAnswer) as error:
+            reason = f"the connection broke: {error!r}"
+        self._end(reason)
+
+    def _route(self, message: dict[str, Any]) -> None:
+        method, params = message.get("method"), message.get("params", {})
+        if method is None:
+            if answered := self._calls.pop(message["id"], None):
+                answered(Answer(message.get("result"), message.get("error")))
+        elif method == "$/progress":
+            if told := self._calls.get(params["token"]):
+                told(read(Progress, params))
+        else:
+            for listener in list(self._listeners.get(params.get("markerId"), [])):
+                listener(Told(method, params))
+
+    def _end(self, reason: str) -> None:
+        if self.lost:
+            return
+        self.lost = Lost(reason)
+        self._writer.close()
+        waiting = [*self._calls.values(), *itertools.chain.from_iterable(self._listeners.values())]
+        self._calls.clear()
+        self._listeners.clear()
+        for deliver in waiting:
+            deliver(self.lost)

@@ -1,0 +1,55 @@
+"""The dragging hand: a piece held, moved as often as one likes, and let go."""
+
+from __future__ import annotations
+
+from types import TracebackType
+from typing import Any
+
+from .connection import Connection
+from .link import Link
+from .results import Dragged, Edited, Held, Point
+from .words import named, read
+
+
+class AsyncDrag:
+    """async with marker.drag("sleeve") as hand: await hand.move((x, y))
+
+    The end of the block lets go and commits, an exception in it lets go and leaves the marker as it was.  `ended` is what
+    the end brought.  A drag ends with its connection: then the next move raises ConnectionLost.
+    """
+
+    def __init__(self, link: Link, marker_id: str, piece: str, mode: str | None, base_rev: int | None) -> None:
+        self._link, self._marker_id = link, marker_id
+        self._begin = named(marker_id=marker_id, piece=piece, mode=mode, base_rev=base_rev)
+        self._connection: Connection | None = None
+        self.held: Held | None = None
+        self.ended: Edited | None = None
+
+    async def begin(self) -> Held:
+        self._connection = await self._link.connection()
+        self.held = read(Held, await self._link.once(self._connection, "drag.begin", self._begin))
+        return self.held
+
+    async def move(self, to: Point) -> Dragged:
+        """Raises Superseded when a later move came before this one was begun."""
+        return read(Dragged, await self._call("drag.move", to=to))
+
+    async def end(self, *, commit: bool | None = None, op_id: str | None = None) -> Edited:
+        answer = await self._call("drag.end", marker_id=self._marker_id, commit=commit, op_id=op_id)
+        self.ended = read(Edited, answer)
+        return self.ended
+
+    async def __aenter__(self) -> AsyncDrag:
+        await self.begin()
+        return self
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if self.ended is None and (error is None or (self._connection and not self._connection.lost)):
+            await self.end(commit=None if error is None else False)
+
+    async def _call(self, method: str, **params: Any) -> Any:
+        if self._connection is None or self.held is None:
+            raise RuntimeError("the drag has not begun")
+        return await self._link.once(self._connection, method, named(drag_id=self.held.drag_id, **params))

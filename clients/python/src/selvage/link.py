@@ -1,0 +1,106 @@
+"""The way to the daemon, over as many connections as it takes.
+
+A call whose connection is lost is sent again on a new one when that cannot apply it twice: reads, dry runs, and changes,
+whose `opId` makes the daemon answer the first answer.  So are calls that a busy or draining daemon refused.  What belongs to
+a connection - watching, dragging - is not: `once` is for these.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import ssl
+import uuid
+from collections.abc import Awaitable, Callable
+from typing import Any, TypeVar
+
+from .address import parse_address
+from .connection import Answer, Connection, Event, Lost
+from .errors import Busy, ConnectionLost, Draining, call_error
+from .results import Progress
+
+T = TypeVar("T")
+OnProgress = Callable[[Progress], None]
+
+_FIRST_PAUSE, _LONGEST_PAUSE = 0.05, 1.0  # seconds between two tries
+_READS = {"engine.info", "marker.list", "marker.get", "marker.check", "marker.hold", "marker.regions", "rpc.discover"}
+_CHANGES = {"marker.open", "marker.close", "marker.apply", "marker.undo", "marker.redo", "drag.end"}
+
+
+def changes(method: str, params: dict[str, Any]) -> bool:
+    """Does the call change what the daemon keeps, so that it wants an opId?"""
+    return (method in _CHANGES or method.startswith("motion.")) and params.get("commit") is not False
+
+
+def may_repeat(method: str, params: dict[str, Any]) -> bool:
+    """May the call be sent again when its answer was lost?"""
+    dry = method.startswith("motion.") and params.get("commit") is False
+    return method in _READS or dry or "opId" in params
+
+
+class Link:
+    def __init__(self, address: str, token: str | None, context: ssl.SSLContext | None, patience: float) -> None:
+        """`patience`: seconds for which a call is tried again."""
+        self._address = parse_address(address)
+        self._token, self._context, self._patience = token, context, patience
+        self._connection: Connection | None = None
+        self._connecting = asyncio.Lock()
+        self._closed = False
+
+    async def connection(self) -> Connection:
+        """The present connection, or a new one.  Raises ConnectionLost."""
+        async with self._connecting:
+            if self._closed:
+                raise ConnectionLost("the client is closed")
+            if self._connection is None or self._connection.lost:
+                self._connection = await Connection.open(self._address, self._token, self._context)
+            return self._connection
+
+    async def call(self, method: str, params: dict[str, Any], progress: OnProgress | None = None) -> Any:
+        """A call's result.  A change without an `opId` is given one.  Raises CallError and ConnectionLost."""
+        if changes(method, params) and "opId" not in params:
+            params = params | {"opId": uuid.uuid4().hex}
+
+        async def attempt() -> Any:
+            return await self.once(await self.connection(), method, params, progress)
+
+        return await (self.patiently(attempt) if may_repeat(method, params) else attempt())
+
+    async def once(
+        self, connection: Connection, method: str, params: dict[str, Any], progress: OnProgress | None = None
+    ) -> Any:
+        """The same on this connection or not at all, never repeated.  Whoever stops waiting cancels the call."""
+        events: asyncio.Queue[Event] = asyncio.Queue()
+        number = connection.call(method, params, events.put_nowait, progress=progress is not None)
+        try:
+            await connection.drain()
+            while True:
+                match await events.get():
+                    case Progress() as told if progress:
+                        progress(told)
+                    case Answer(error=dict(error)):
+                        raise call_error(error)
+                    case Answer(result):
+                        return result
+                    case Lost(reason):
+                        raise ConnectionLost(reason)
+        finally:
+            connection.cancel(number)
+
+    async def patiently(self, attempt: Callable[[], Awaitable[T]]) -> T:
+        """Tries until it is answered, or patience has run out."""
+        clock = asyncio.get_running_loop().time
+        end, pause = clock() + self._patience, _FIRST_PAUSE
+        while True:
+            try:
+                return await attempt()
+            except (ConnectionLost, Busy, Draining) as error:
+                wait = max(pause, error.retry_after) if isinstance(error, Busy) else pause
+                if self._closed or clock() + wait > end:
+                    raise
+            await asyncio.sleep(wait)
+            pause = min(2 * pause, _LONGEST_PAUSE)
+
+    async def close(self) -> None:
+        self._closed = True
+        if self._connection:
+            await self._connection.close()

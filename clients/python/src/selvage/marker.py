@@ -1,0 +1,93 @@
+"""A marker that the daemon keeps."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from types import TracebackType
+from typing import Any
+
+from .drag import AsyncDrag
+from .errors import UnknownMarker
+from .link import Link
+from .motions import AsyncMotions
+from .ops import Op
+from .outlines import Outline, Outlines
+from .results import Checked, Closed, Edited, Got, Hold, Opened, Regions
+from .watch import AsyncWatch
+from .words import named, read
+
+
+class AsyncMarker(AsyncMotions):
+    """A handle: the marker lives in the daemon.  `async with` closes it there at the end."""
+
+    def __init__(self, link: Link, marker_id: str, opened: Opened | None = None) -> None:
+        self._link = link
+        self.id = marker_id
+        self.opened = opened  # what opening it answered; None when it was open already
+        self.revision = opened.revision if opened else None  # the latest that this handle's calls answered
+
+    async def get(self, *, format: str | None = None, since: int | None = None) -> Got:
+        """The document, in the form wanted; with `since` perhaps only the placements that changed after that revision."""
+        return read(Got, await self._call("marker.get", format=format, since=since))
+
+    async def outlines(self) -> Outlines:
+        """The outlines of all pieces where they lie."""
+        document = (await self.get(format="outlines")).marker  # a file, whose names are in snake_case
+        pieces = tuple(read(Outline, piece) for piece in document["pieces"])
+        return Outlines(document["strip_height"], document["strip_length"], pieces)
+
+    async def svg(self) -> str:
+        """A drawing."""
+        return str((await self.get(format="svg")).marker)
+
+    async def check(self) -> Checked:
+        """Is it valid, and if not, what overlaps and what leaves the strip."""
+        return read(Checked, await self._call("marker.check"))
+
+    async def hold(self) -> Hold:
+        """What holds the marker's length."""
+        return read(Hold, await self._call("marker.hold"))
+
+    async def regions(self, *, least_area: float | None = None, clearance: float | None = None) -> Regions:
+        """The cloth that no piece covers."""
+        return read(Regions, await self._call("marker.regions", least_area=least_area, clearance=clearance))
+
+    async def apply(self, ops: Iterable[Op], *, base_rev: int | None = None, op_id: str | None = None) -> Edited:
+        """Operations, all or none: make them with selvage.ops."""
+        return await self._edit("marker.apply", ops=list(ops), base_rev=base_rev, op_id=op_id)
+
+    async def undo(self, *, base_rev: int | None = None, op_id: str | None = None) -> Edited:
+        return await self._edit("marker.undo", base_rev=base_rev, op_id=op_id)
+
+    async def redo(self, *, base_rev: int | None = None, op_id: str | None = None) -> Edited:
+        return await self._edit("marker.redo", base_rev=base_rev, op_id=op_id)
+
+    def watch(self) -> AsyncWatch:
+        """Every change from now on, whoever makes it: a context manager and an iterator."""
+        return AsyncWatch(self._link, self.id)
+
+    def drag(self, piece: str, *, mode: str | None = None, base_rev: int | None = None) -> AsyncDrag:
+        """A hand takes hold of a piece: a context manager."""
+        return AsyncDrag(self._link, self.id, piece, mode, base_rev)
+
+    async def close(self, *, op_id: str | None = None) -> Closed:
+        return read(Closed, await self._call("marker.close", op_id=op_id))
+
+    async def __aenter__(self) -> AsyncMarker:
+        return self
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        try:
+            await self.close()
+        except UnknownMarker:
+            pass  # closed already
+
+    async def _call(self, method: str, **params: Any) -> Any:
+        return await self._link.call(method, named(marker_id=self.id, **params))
+
+    async def _edit(self, method: str, **params: Any) -> Edited:
+        edited = read(Edited, await self._call(method, **params))
+        self.revision = edited.revision
+        return edited

@@ -1,0 +1,63 @@
+"""Changes by hand, for Marker.apply: each function makes one operation of protocol/README.md, "Changes by hand"."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from .results import Point
+from .words import named
+
+Op = dict[str, Any]
+
+
+def add(piece: Mapping[str, Any], shape: Mapping[str, Any] | None = None) -> Op:
+    """A piece as in a native document, and its shape when the marker has none of that id."""
+    return named(op="add", piece=piece, shape=shape)
+
+
+def remove(piece: str) -> Op:
+    return named(op="remove", piece=piece)
+
+
+def move(piece: str, *, at: Point | None = None, by: Point | None = None) -> Op:
+    return named(op="move", piece=piece, at=at, by=by)
+
+
+def rotate(piece: str, *, to: float | None = None, by: float | None = None) -> Op:
+    return named(op="rotate", piece=piece, to=to, by=by)
+
+
+def flip(piece: str, flip: bool | None = None) -> Op:
+    """Without `flip`: the other way."""
+    return named(op="flip", piece=piece, flip=flip)
+
+
+def tilt(piece: str, *, to: float | None = None, by: float | None = None) -> Op:
+    return named(op="tilt", piece=piece, to=to, by=by)
+
+
+def lock(piece: str, locked: bool | Sequence[str] = True) -> Op:
+    """True, False, or some of "x", "y", "tilt"."""
+    return named(op="lock", piece=piece, locked=locked)
+
+
+def group(piece: str, group: str | None = None) -> Op:
+    """Without `group`: of no group."""
+    return named(op="group", piece=piece, group=group)
+
+
+def buffer(piece: str, buffer: float) -> Op:
+    return named(op="buffer", piece=piece, buffer=buffer)
+
+
+def set_strip(
+    *, width: float | None = None, longest: float | None = None, margin: float | None = None, endless: bool = False
+) -> Op:
+    """`endless` takes the cloth's end away."""
+    op = named(op="setStrip", width=width, longest=longest, margin=margin)
+    return op | {"longest": None} if endless else op
+
+
+def set_spacing(spacing: float) -> Op:
+    return named(op="setSpacing", spacing=spacing)

@@ -1,0 +1,48 @@
+"""The outlines of a marker's pieces where they lie: plain points, numpy arrays or shapely polygons.
+
+numpy and shapely are imported only by the methods that give theirs: `pip install selvage[outlines]`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from .results import Point
+
+if TYPE_CHECKING:
+    import numpy
+    from numpy.typing import NDArray
+
+
+@dataclass(frozen=True)
+class Outline:
+    """Counter-clockwise, every coordinate exact; the last point is not the first again."""
+
+    id: str
+    outline: tuple[Point, ...]
+
+    def __array__(self, dtype: Any = None) -> NDArray[Any]:
+        """numpy.asarray(outline): n rows of x and y."""
+        import numpy
+
+        return numpy.array(self.outline, dtype=dtype if dtype is not None else numpy.float64)
+
+
+@dataclass(frozen=True)
+class Outlines:
+    """`strip_height` is the width of the strip, across along y; `strip_length` the length of the marker, along x."""
+
+    strip_height: float
+    strip_length: float
+    pieces: tuple[Outline, ...]
+
+    def arrays(self) -> dict[str, NDArray[numpy.float64]]:
+        """By piece, n rows of x and y."""
+        return {piece.id: piece.__array__() for piece in self.pieces}
+
+    def polygons(self) -> dict[str, Any]:
+        """By piece, a shapely.geometry.Polygon."""
+        from shapely.geometry import Polygon
+
+        return {piece.id: Polygon(piece.outline) for piece in self.pieces}

@@ -1,0 +1,88 @@
+"""Blocking calls of what is written for asyncio: an event loop on a thread of its own, and the way to it."""
+
+from __future__ import annotations
+
+import asyncio
+import concurrent.futures
+import functools
+import queue
+import threading
+from collections.abc import Callable, Coroutine
+from typing import Any, Concatenate, ParamSpec, TypeVar
+
+from .errors import ConnectionLost
+from .results import Progress
+
+P = ParamSpec("P")
+T = TypeVar("T")
+
+
+class Portal:
+    def __init__(self) -> None:
+        self._loop = asyncio.new_event_loop()
+        self._thread = threading.Thread(target=self._loop.run_forever, name="selvage", daemon=True)
+        self._thread.start()
+
+    def run(
+        self,
+        coroutine: Coroutine[Any, Any, T],
+        told: queue.SimpleQueue[Progress | None] | None = None,
+        progress: Callable[[Progress], None] | None = None,
+    ) -> T:
+        """Waits for the result, and calls `progress` here, on the caller's thread, with what is put into `told`.
+
+        Whatever ends the waiting - Ctrl-C, an exception in `progress` - cancels the call.
+        """
+        if self._loop.is_closed():
+            coroutine.close()
+            raise ConnectionLost("the client is closed")
+        events = told or queue.SimpleQueue[Progress | None]()
+        future = asyncio.run_coroutine_threadsafe(coroutine, self._loop)
+        future.add_done_callback(lambda _: events.put(None))
+        try:
+            while (event := events.get()) is not None:
+                if progress:
+                    progress(event)
+            return future.result()
+        except concurrent.futures.CancelledError:
+            raise ConnectionLost("the client was closed") from None
+        except BaseException:
+            future.cancel()
+            raise
+
+    def close(self) -> None:
+        """Nothing runs any more afterwards; who still waits is told so."""
+        if self._loop.is_closed():
+            return
+        self.run(self._cancel_others())
+        self._loop.call_soon_threadsafe(self._loop.stop)
+        self._thread.join()
+        self._loop.close()
+
+    @staticmethod
+    async def _cancel_others() -> None:
+        others = asyncio.all_tasks() - {asyncio.current_task()}
+        for task in others:
+            task.cancel()
+        await asyncio.gather(*others, return_exceptions=True)
+
+
+class Blocking:
+    """What has an asynchronous twin, and the portal to it."""
+
+    _portal: Portal
+    _twin: Any
+
+
+def blocking(method: Callable[Concatenate[Any, P], Coroutine[Any, Any, T]]) -> Callable[Concatenate[Any, P], T]:
+    """The twin's method, of the same parameters and result, as one that waits."""
+
+    @functools.wraps(method)
+    def wait(self: Blocking, /, *args: P.args, **kwargs: P.kwargs) -> T:
+        told: queue.SimpleQueue[Progress | None] = queue.SimpleQueue()
+        progress: Any = kwargs.get("progress")
+        if progress is not None:
+            kwargs["progress"] = told.put
+        return self._portal.run(method(self._twin, *args, **kwargs), told, progress)
+
+    return wait

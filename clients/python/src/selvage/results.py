@@ -1,0 +1,227 @@
+"""What the daemon answers, typed.  Fields, units and meanings: protocol/README.md; names are its names in snake_case.
+
+Lengths are in the marker's unit, angles in degrees counter-clockwise, areas in the square of the unit.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+Point = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Note:
+    field: str
+    text: str
+
+
+@dataclass(frozen=True)
+class Cache:
+    hits: int
+    misses: int
+    entries: int
+    bytes: int
+    limit: int
+
+
+@dataclass(frozen=True)
+class Info:
+    name: str
+    version: str
+    methods: tuple[str, ...]
+    reads: tuple[str, ...]
+    writes: tuple[str, ...]
+    accuracies: tuple[str, ...]
+    workers: int
+    markers: int
+    limits: dict[str, int]
+    cache: Cache
+
+
+@dataclass(frozen=True)
+class Opened:
+    marker_id: str
+    revision: int
+    pieces: int
+    length: float
+    utilisation: float
+    valid: bool
+    notes: tuple[Note, ...]
+
+
+@dataclass(frozen=True)
+class Listed:
+    marker_id: str
+    revision: int
+    name: str
+    pieces: int
+    length: float
+    utilisation: float
+
+
+@dataclass(frozen=True)
+class Placement:
+    """Where a piece lies.  Motions leave out `shape`, `locked`, `group` and `buffer`: they never change them."""
+
+    id: str
+    at: Point
+    rotation: float
+    flip: bool
+    tilt: float
+    shape: str | None = None
+    locked: bool | tuple[str, ...] | None = None
+    group: str | None = None
+    buffer: float | None = None
+
+
+@dataclass(frozen=True)
+class Got:
+    """`marker` is the whole document (a string for svg), or None when `placements` since `since` say it all."""
+
+    marker_id: str
+    revision: int
+    format: str | None = None
+    marker: Any = None
+    since: int | None = None
+    placements: tuple[Placement, ...] | None = None
+
+
+@dataclass(frozen=True)
+class Overlap:
+    first: str
+    second: str
+    witness: Point
+    depth: float
+
+
+@dataclass(frozen=True)
+class Protrusion:
+    piece: str
+    by: float
+
+
+@dataclass(frozen=True)
+class Checked:
+    marker_id: str
+    revision: int
+    valid: bool
+    overlaps: tuple[Overlap, ...]
+    protrusions: tuple[Protrusion, ...]
+
+
+@dataclass(frozen=True)
+class Contact:
+    piece: str
+    worth: float
+    at: Point
+    other: str | None = None
+    edge: str | None = None
+
+
+@dataclass(frozen=True)
+class TiltWorth:
+    piece: str
+    per_degree: float
+
+
+@dataclass(frozen=True)
+class Hold:
+    marker_id: str
+    revision: int
+    length: float
+    contacts: tuple[Contact, ...]
+    tilts: tuple[TiltWorth, ...]
+    per_spacing: float
+
+
+@dataclass(frozen=True)
+class Region:
+    outline: tuple[Point, ...]
+    holes: tuple[tuple[Point, ...], ...]
+    area: float
+    around: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Regions:
+    marker_id: str
+    revision: int
+    regions: tuple[Region, ...]
+
+
+@dataclass(frozen=True)
+class Closed:
+    marker_id: str
+    closed: bool
+
+
+@dataclass(frozen=True)
+class Edited:
+    """After a change by hand: apply, undo, redo, or the end of a drag."""
+
+    marker_id: str
+    revision: int
+    placements: tuple[Placement, ...]
+    removed: tuple[str, ...]
+    name: str
+    pieces: int
+    length: float
+    utilisation: float
+    valid: bool
+    whole: bool = False
+    notes: tuple[Note, ...] = ()
+
+
+@dataclass(frozen=True)
+class Changed(Edited):
+    """The marker that is watched has a new revision, by the method `by`."""
+
+    by: str = ""
+
+
+@dataclass(frozen=True)
+class Missed:
+    """The connection was lost meanwhile, and the marker has moved on to `revision`: get what is needed."""
+
+    marker_id: str
+    revision: int
+
+
+@dataclass(frozen=True)
+class Watching:
+    marker_id: str
+    revision: int
+    watching: bool
+
+
+@dataclass(frozen=True)
+class Held:
+    """A hand has taken hold of a piece."""
+
+    drag_id: str
+    marker_id: str
+    revision: int
+    piece: str
+    at: Point
+
+
+@dataclass(frozen=True)
+class Dragged:
+    drag_id: str
+    at: Point
+    reached: bool
+    pushed: bool
+    placements: tuple[Placement, ...]
+    length: float
+    utilisation: float
+    valid: bool
+
+
+@dataclass(frozen=True)
+class Progress:
+    """A round of a motion under way."""
+
+    round: int
+    length: float

@@ -1,0 +1,186 @@
+import type { Connect, Connection } from "./connection.js";
+import { CallError, Code, ConnectionLost, type ErrorData } from "./errors.js";
+import { retriable, type Methods, type Notifications } from "./methods.js";
+import { Progress } from "./progress.js";
+
+export type Motion = Extract<keyof Methods, `motion.${string}`>;
+export type Params<M extends keyof Methods> = Methods[M]["params"];
+export type Answer<M extends keyof Methods> = Methods[M]["result"];
+
+export interface CallOptions {
+  /** Ends the call: it rejects with the code -32800, unless its answer was already on its way. */
+  signal?: AbortSignal;
+}
+export interface ClientOptions {
+  /** How often a lost connection is sought again before calls are given up; 5. */
+  attempts?: number;
+  /** Milliseconds before the second attempt, twice as long before each further one; 100. */
+  patience?: number;
+}
+
+interface Pending {
+  method: string;
+  text: string;
+  again: boolean; // may be sent on another connection
+  resolve(result: unknown): void;
+  reject(error: Error): void;
+}
+interface Message {
+  id?: number | null;
+  method?: string;
+  params?: unknown;
+  result?: unknown;
+  error?: { code: number; message: string; data?: ErrorData };
+}
+
+const wait = (milliseconds: number) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+
+/**
+ * Calls on one daemon. When the connection is lost it is sought again, and every unanswered call that takes an `opId` is sent
+ * again under the same one, so that it is carried out once; other calls reject with ConnectionLost. Watches and drags end with
+ * their connection: watch again on "reconnected".
+ */
+export class Client {
+  private connection: Connection | undefined;
+  private closed = false;
+  private ids = 0;
+  private readonly name = Math.random().toString(36).slice(2) + Date.now().toString(36);
+  private readonly pending = new Map<number, Pending>();
+  private readonly rounds = new Map<string, Progress>();
+  private readonly listeners = new Map<string, Set<(params: never) => void>>();
+
+  private constructor(
+    private readonly connect: Connect,
+    private readonly options: Required<ClientOptions>,
+  ) {}
+
+  static async open(connect: Connect, options: ClientOptions = {}): Promise<Client> {
+    const client = new Client(connect, { attempts: 5, patience: 100, ...options });
+    await client.join();
+    return client;
+  }
+
+  call<M extends keyof Methods>(method: M, params: Params<M>, options: CallOptions = {}): Promise<Answer<M>> {
+    const id = ++this.ids;
+    const again = retriable.has(method);
+    const named = again ? { opId: `${this.name}-${id}`, ...params } : params;
+    const text = JSON.stringify({ jsonrpc: "2.0", id, method, params: named });
+    const { signal } = options;
+    return new Promise<Answer<M>>((resolve, reject) => {
+      if (this.closed) return reject(new ConnectionLost("the client is closed"));
+      if (signal?.aborted) return reject(new CallError(Code.Cancelled, "cancelled before it was sent"));
+      const cancel = () => this.cancel(id);
+      const done = () => signal?.removeEventListener("abort", cancel);
+      signal?.addEventListener("abort", cancel);
+      this.pending.set(id, {
+        method,
+        text,
+        again,
+        resolve: (result) => (done(), resolve(result as Answer<M>)),
+        reject: (error) => (done(), reject(error)),
+      });
+      if (this.connection || !again) this.send(id);
+    });
+  }
+
+  /** A motion whose rounds are told: `for await (const round of run.progress)`, then `await run.result`. */
+  start<M extends Motion>(method: M, params: Params<M>, options: CallOptions = {}) {
+    const progress = new Progress();
+    const progressToken = `${this.name}-${this.ids + 1}`;
+    this.rounds.set(progressToken, progress);
+    const result = this.call(method, { ...params, progressToken }, options).finally(() => {
+      this.rounds.delete(progressToken);
+      progress.end();
+    });
+    result.catch(() => {}); // whoever awaits the result hears of it
+    return { progress, result };
+  }
+
+  /** Hears what the daemon sends unasked, and "reconnected"; the answer ends it. */
+  on<N extends keyof Notifications>(name: N, listener: (params: Notifications[N]) => void): () => void;
+  on(name: "reconnected", listener: () => void): () => void;
+  on(name: string, listener: (params: never) => void): () => void {
+    const listeners = this.listeners.get(name) ?? new Set();
+    this.listeners.set(name, listeners.add(listener));
+    return () => void listeners.delete(listener);
+  }
+
+  close(): void {
+    this.closed = true;
+    this.connection?.close();
+    this.giveUp(() => true, "the client was closed");
+  }
+
+  private async join(): Promise<void> {
+    let over = false; // it may end before it is ours
+    const connection = await this.connect({
+      message: (text) => this.hear(JSON.parse(text) as Message),
+      closed: (reason) => {
+        over = true;
+        if (this.connection === connection) void this.lost(reason);
+      },
+    });
+    if (over) throw new ConnectionLost("the connection ended at once");
+    if (this.closed) return connection.close();
+    this.connection = connection;
+  }
+
+  private async lost(reason: string): Promise<void> {
+    this.connection = undefined;
+    this.giveUp((call) => !call.again, reason);
+    for (let k = 0; k < this.options.attempts && !this.closed; ++k) {
+      if (k > 0) await wait(this.options.patience * 2 ** (k - 1));
+      try {
+        await this.join();
+      } catch {
+        continue;
+      }
+      for (const id of this.pending.keys()) this.send(id);
+      return this.tell("reconnected", undefined);
+    }
+    this.closed = true;
+    this.giveUp(() => true, reason);
+  }
+
+  private giveUp(which: (call: Pending) => boolean, reason: string): void {
+    for (const [id, call] of this.pending) {
+      if (!which(call)) continue;
+      this.pending.delete(id);
+      call.reject(new ConnectionLost(`${call.method}: ${reason}`));
+    }
+  }
+
+  private send(id: number): void {
+    const call = this.pending.get(id);
+    if (!call) return;
+    if (this.connection) return this.connection.send(call.text);
+    this.pending.delete(id);
+    call.reject(new ConnectionLost(`${call.method}: there is no connection`));
+  }
+
+  private cancel(id: number): void {
+    const text = JSON.stringify({ jsonrpc: "2.0", method: "$/cancelRequest", params: { id } });
+    if (this.connection) return this.connection.send(text);
+    const call = this.pending.get(id);
+    this.pending.delete(id);
+    call?.reject(new CallError(Code.Cancelled, "cancelled while there was no connection"));
+  }
+
+  private hear(message: Message): void {
+    if (message.method !== undefined) return this.tell(message.method, message.params);
+    const call = this.pending.get(message.id ?? -1);
+    if (!call) return;
+    this.pending.delete(message.id as number);
+    const { error } = message;
+    if (error) call.reject(new CallError(error.code, error.message, error.data));
+    else call.resolve(message.result);
+  }
+
+  private tell(name: string, params: unknown): void {
+    if (name === "$/progress") {
+      const round = params as Notifications["$/progress"];
+      this.rounds.get(String(round.token))?.tell(round);
+    }
+    for (const listener of this.listeners.get(name) ?? []) listener(params as never);
+  }
+}

@@ -1,0 +1,13 @@
+// As much of Node's sockets as lines.ts uses, so that the package builds without Node's own types.
+declare module "node:net" {
+  interface Socket {
+    setEncoding(encoding: "utf8"): void;
+    setNoDelay(on: boolean): void;
+    on(event: "data", listener: (text: string) => void): this;
+    on(event: "connect" | "close", listener: () => void): this;
+    on(event: "error", listener: (error: Error) => void): this;
+    write(text: string): boolean;
+    end(): void;
+  }
+  export function connect(options: { host: string; port: number } | { path: string }): Socket;
+}

@@ -1,0 +1,130 @@
+import assert from "node:assert/strict";
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import test from "node:test";
+
+import { CallError, Client, Code, ConnectionLost } from "../dist/index.js";
+import { overLines } from "../dist/lines.js";
+import { squares, startDaemon } from "./daemon.mjs";
+
+async function withClient(work) {
+  const daemon = await startDaemon();
+  const client = await Client.open(overLines({ host: "127.0.0.1", port: daemon.port }));
+  try {
+    await work(client, daemon);
+  } finally {
+    client.close();
+    await daemon.stop();
+  }
+}
+
+test("a marker is opened, shortened and read", () =>
+  withClient(async (client) => {
+    const opened = await client.call("marker.open", { marker: squares(2) });
+    assert.equal(opened.length, 90);
+    const done = await client.call("motion.compact", { markerId: opened.markerId });
+    assert.equal(done.lengthAfter, 80);
+    assert.equal(done.valid, true);
+    const { marker } = await client.call("marker.get", { markerId: opened.markerId });
+    assert.equal(marker.pieces.length, 2);
+  }));
+
+test("an error has its code, its name and its field", () =>
+  withClient(async (client) => {
+    await assert.rejects(client.call("marker.get", { markerId: "nobody" }), { name: "CallError", code: Code.UnknownMarker });
+    const wrong = client.call("motion.compact", { markerId: "m1", rounds: -1 });
+    await assert.rejects(wrong, (error) => error instanceof CallError && error.data.field === "/rounds");
+  }));
+
+test("a motion tells its rounds in order, and then its result", () =>
+  withClient(async (client) => {
+    const { markerId } = await client.call("marker.open", { marker: squares(9) });
+    const run = client.start("motion.compact", { markerId });
+    const rounds = [];
+    for await (const told of run.progress) rounds.push(told.round);
+    const result = await run.result;
+    assert.ok(rounds.length > 0);
+    assert.deepEqual(rounds, [...rounds].sort((a, b) => a - b));
+    assert.ok(result.lengthAfter < result.lengthBefore);
+  }));
+
+test("a signal ends the call, and nothing is committed", () =>
+  withClient(async (client) => {
+    const { markerId } = await client.call("marker.open", { marker: squares(300) });
+    const abort = new AbortController();
+    const run = client.start("motion.velocity", { markerId }, { signal: abort.signal });
+    abort.abort();
+    await assert.rejects(run.result, { name: "CallError", code: Code.Cancelled });
+    const [listed] = (await client.call("marker.list", {})).markers;
+    assert.equal(listed.revision, 1);
+    await assert.rejects(client.call("marker.list", {}, { signal: abort.signal }), { code: Code.Cancelled });
+  }));
+
+test("changes are told to those who watch", () =>
+  withClient(async (client) => {
+    const { markerId } = await client.call("marker.open", { marker: squares(2) });
+    await client.call("marker.watch", { markerId });
+    const told = new Promise((resolve) => client.on("marker.changed", resolve));
+    await client.call("marker.apply", { markerId, ops: [{ op: "move", piece: "p1", by: [5, 0] }] });
+    const change = await told;
+    assert.equal(change.by, "marker.apply");
+    assert.equal(change.placements[0].id, "p1");
+  }));
+
+test("an answer lost with its connection comes after another: the call is carried out once", async () => {
+  const daemon = await startDaemon();
+  const connect = overLines({ host: "127.0.0.1", port: daemon.port });
+  // A connection that swallows the next answer and ends.
+  let swallow = false;
+  const lossy = async (listener) => {
+    let broken = false;
+    const way = await connect({
+      message: (text) => {
+        if (broken || swallow) {
+          swallow = false;
+          if (!broken) way.close();
+          broken = true;
+        } else {
+          listener.message(text);
+        }
+      },
+      closed: listener.closed,
+    });
+    return way;
+  };
+  const client = await Client.open(lossy, { patience: 1 });
+  const { markerId } = await client.call("marker.open", { marker: squares(2) });
+  swallow = true;
+  const change = await client.call("marker.apply", { markerId, ops: [{ op: "move", piece: "p1", by: [5, 0] }] });
+  assert.equal(change.revision, 2);
+  assert.equal(change.placements[0].at[0], 55);
+  assert.equal((await client.call("marker.list", {})).markers[0].revision, 2);
+  swallow = true;
+  await assert.rejects(client.call("marker.list", {}), ConnectionLost);
+  client.close();
+  await daemon.stop();
+});
+
+test("a call outlives the daemon it was sent to", async () => {
+  const folder = mkdtempSync(join(tmpdir(), "selvage-"));
+  const more = ["--store", join(folder, "store.sqlite")];
+  const first = await startDaemon({ more });
+  const client = await Client.open(overLines({ host: "127.0.0.1", port: first.port }), { attempts: 12, patience: 10 });
+  const { markerId } = await client.call("marker.open", { marker: squares(2) });
+  await first.stop("SIGKILL");
+  const done = client.call("motion.compact", { markerId });
+  const second = await startDaemon({ port: first.port, more });
+  assert.equal((await done).lengthAfter, 80);
+  client.close();
+  await second.stop();
+  rmSync(folder, { recursive: true });
+});
+
+test("when no daemon comes back, every call says so", async () => {
+  const daemon = await startDaemon();
+  const client = await Client.open(overLines({ host: "127.0.0.1", port: daemon.port }), { attempts: 1 });
+  await daemon.stop("SIGKILL");
+  await assert.rejects(client.call("marker.open", { marker: squares(2) }), ConnectionLost);
+  await assert.rejects(client.call("marker.list", {}), ConnectionLost);
+});

@@ -1,0 +1,36 @@
+// A daemon of its own for a test, on free ports.
+import { spawn } from "node:child_process";
+import { mkdtempSync, readFileSync, existsSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+
+export const selvaged = process.env.SELVAGED;
+if (!selvaged) throw new Error("SELVAGED must name the daemon's program");
+
+/** {port, stop}; `more`: further options. With a port of before it takes that one. */
+export async function startDaemon({ port = 0, more = [] } = {}) {
+  const folder = mkdtempSync(join(tmpdir(), "selvage-"));
+  const file = join(folder, "ports");
+  const options = ["--listen", `127.0.0.1:${port}`, "--port-file", file, "--log-level", "off", ...more];
+  const child = spawn(selvaged, options, { stdio: "ignore" });
+  const ended = new Promise((resolve) => child.once("exit", resolve));
+  while (!existsSync(file)) {
+    if (child.exitCode !== null) throw new Error(`selvaged ended with ${child.exitCode}`);
+    await new Promise((resolve) => setTimeout(resolve, 5));
+  }
+  const stop = async (signal = "SIGTERM") => {
+    child.kill(signal);
+    await ended;
+    rmSync(folder, { recursive: true });
+  };
+  return { port: Number(readFileSync(file, "utf8").split("\n")[0]), stop };
+}
+
+/** Squares in a row, apart from one another. */
+export const squares = (count) => ({
+  format: "selvage-marker",
+  version: 1,
+  strip: { width: 100 },
+  shapes: [{ id: "square", outline: [[0, 0], [40, 0], [40, 40], [0, 40]] }],
+  pieces: Array.from({ length: count }, (_, k) => ({ id: `p${k}`, shape: "square", at: [50 * k, (k % 3) * 10] })),
+});
