@@ -1,8 +1,8 @@
 #include "clients/cpp/address.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <system_error>
 
 namespace selvage::client {
 namespace {
@@ -17,10 +17,11 @@ bool is_port(std::string_view text) {
 
 std::optional<Address> read_address(std::string_view text) {
   constexpr std::string_view kUnix = "unix:";
+  const bool is_path = text.starts_with(kUnix) || text.find('/') != std::string_view::npos;
   if (text.starts_with(kUnix)) text.remove_prefix(kUnix.size());
-  constexpr std::size_t kLongestPath = 107;  // of a Unix socket
-  if (text.find('/') != std::string_view::npos) {
-    if (text.size() > kLongestPath) return std::nullopt;
+  if (is_path) {
+    constexpr std::size_t kLongestPath = 107;  // of a Unix socket
+    if (text.empty() || text.size() > kLongestPath) return std::nullopt;
     return Address{"", "", std::string{text}};
   }
   const std::size_t colon = text.rfind(':');
