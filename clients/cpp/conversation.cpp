@@ -83,13 +83,12 @@ void Conversation::attempt() {
 
 void Conversation::connected() {
   state_ = State::kOpen;
-  const bool again = std::exchange(was_connected_, true);
+  again_ = std::exchange(was_connected_, true);
   if (!settings_.token.empty()) link_->send(own_line(kAuthId, "auth", {{"token", settings_.token}}));
   for (const std::string& marker : watched_) {
     link_->send(own_line(std::string{kWatchId} + marker, "marker.watch", {{"markerId", marker}}));
   }
   for (auto& [id, call] : open_) send(call);
-  if (again && handlers_.reconnected) handlers_.reconnected();
 }
 
 void Conversation::send(OpenCall& call) {
@@ -98,7 +97,8 @@ void Conversation::send(OpenCall& call) {
 }
 
 void Conversation::hear(const std::string& line) {
-  heard_ = true;
+  // Only a daemon that speaks is there again: one that is starting may accept a connection and drop it.
+  if (!std::exchange(heard_, true) && again_ && handlers_.reconnected) handlers_.reconnected();
   const Json message = Json::parse(line, nullptr, false);
   if (!message.is_object()) return;
   if (message.contains("method")) {

@@ -66,6 +66,7 @@ class Conversation {
   Handlers handlers_;
   State state_{State::kIdle};
   bool was_connected_{};  // at any time before
+  bool again_{};          // the present connection is not the first
   bool heard_{};          // anything, on the present connection
   bool fruitless_{};      // the connection before it ended before anything was heard
   std::shared_ptr<Link> link_;

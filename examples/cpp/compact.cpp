@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
   const Answer opened = client.call("marker.open", {{"marker", Json::parse(file, nullptr, false)}});
   if (!opened) return std::cerr << opened.error().message << "\n", 1;
   const Json& id = (*opened)["markerId"];
-  const Answer compacted = client.call("motion.compact", {{"markerId", id}, {"accuracy", "fine"}});
+  const Answer compacted = client.call("motion.compact", {{"markerId", id}});
   if (!compacted) return std::cerr << compacted.error().message << "\n", 1;
   std::cout << (*compacted)["lengthBefore"] << " -> " << (*compacted)["lengthAfter"] << "\n";
   return client.call("marker.close", {{"markerId", id}}) ? 0 : 1;

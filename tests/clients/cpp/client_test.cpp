@@ -48,7 +48,7 @@ TEST(Client, CancelledCallIsAnsweredSoAndCommitsNothing) {
   std::vector<Call> calls;
   // One worker: the last waits behind the others, and cannot have been answered when it is cancelled.
   for (int i = 0; i < 4; ++i) {
-    calls.push_back(client.begin("motion.compact", {{"markerId", id}, {"accuracy", "fine"}, {"commit", i == 3}}));
+    calls.push_back(client.begin("motion.compact", {{"markerId", id}, {"commit", i == 3}}));
   }
   client.cancel(calls.back().id);
   EXPECT_EQ(code_of(calls.back().answer.get()), CallCode::kCancelled);
