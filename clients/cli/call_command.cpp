@@ -38,7 +38,7 @@ std::vector<std::string> method_names() {
 
 void add_call_command(CLI::App& app, ExitCode& code) {
   auto options = std::make_shared<CallOptions>();
-  CLI::App* command = app.add_subcommand("call", "Run any method of the daemon on a marker, without a daemon");
+  CLI::App* command = app.add_subcommand("call", "Run any method of the daemon on a marker");
   command->add_option("METHOD", options->method, "As in protocol/README.md")
       ->required()
       ->check(CLI::IsMember(method_names()));
@@ -46,7 +46,8 @@ void add_call_command(CLI::App& app, ExitCode& code) {
   command->add_option("--params", options->params, "The method's parameters, a file of JSON; - for standard input");
   add_marker_files(*command, options->files);
   command->footer(kExitCodesHelp);
-  command->callback([options, &code] {
+  command->callback([options, command, &code] {
+    options->files.server = server_choice(*command);
     if (options->files.in == kStandardStream && options->params == kStandardStream)
       throw CLI::ValidationError("only one of --marker, --params can be standard input");
     refuse_mixed_streams(options->files);

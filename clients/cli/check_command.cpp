@@ -3,6 +3,7 @@
 
 #include "clients/cli/commands.h"
 #include "clients/cli/files.h"
+#include "clients/cli/remote.h"
 #include "clients/cli/summary.h"
 #include "protocol/codec.h"
 
@@ -13,7 +14,24 @@ struct CheckOptions {
   std::string in;
   std::optional<double> spacing;
   bool json{};
+  ServerChoice server;
 };
+
+// The fields of marker.check's answer.
+std::variant<Json, Refusal> validity_of(const MarkerFile& file, const ServerChoice& server) {
+  if (!server) {
+    SumCache sums;
+    return validity_json(file.marker, check(file.marker, sums));
+  }
+  RemoteMarker remote;
+  if (auto refusal = remote.open(server, file)) return *std::move(refusal);
+  auto answer = remote.call("marker.check", Json::object());
+  if (auto* result = std::get_if<Json>(&answer)) {
+    result->erase("markerId");
+    result->erase("revision");
+  }
+  return answer;
+}
 
 ExitCode run(const CheckOptions& options) {
   auto file = load_marker(options.in);
@@ -22,16 +40,18 @@ ExitCode run(const CheckOptions& options) {
     report(file.error());
     return exit_code_of(file.error());
   }
-  SumCache sums;
-  const Validity validity = check(file->marker, sums);
+  const auto judged = validity_of(*file, options.server);
+  if (const auto* refusal = std::get_if<Refusal>(&judged)) return fail(*refusal);
+  const Json& validity = std::get<Json>(judged);
+  const bool valid = validity["valid"] == true;
   if (options.json) {
-    std::cout << to_text(validity_json(file->marker, validity)) << "\n";
+    std::cout << to_text(validity) << "\n";
   } else {
     tell_notes(file->notes);
-    std::cout << plain_figures(file->marker) << ": " << (validity.valid() ? "valid" : "NOT valid") << "\n"
+    std::cout << plain_figures(file->marker) << ": " << (valid ? "valid" : "NOT valid") << "\n"
               << plain_faults(file->marker, validity);
   }
-  return validity.valid() ? ExitCode::kOk : ExitCode::kNotValid;
+  return valid ? ExitCode::kOk : ExitCode::kNotValid;
 }
 
 }  // namespace
@@ -43,7 +63,10 @@ void add_check_command(CLI::App& app, ExitCode& code) {
   command->add_option("--spacing", options->spacing, "Least distance between pieces, in the marker's unit");
   command->add_flag("--json", options->json, "Print the answer as one line of JSON");
   command->footer(kExitCodesHelp);
-  command->callback([options, &code] { code = run(*options); });
+  command->callback([options, command, &code] {
+    options->server = server_choice(*command);
+    code = run(*options);
+  });
 }
 
 }  // namespace selvage

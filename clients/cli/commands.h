@@ -17,5 +17,6 @@ void add_call_command(CLI::App& app, ExitCode& code);
 void add_check_command(CLI::App& app, ExitCode& code);
 void add_show_command(CLI::App& app, ExitCode& code);
 void add_convert_command(CLI::App& app, ExitCode& code);
+void add_watch_command(CLI::App& app, ExitCode& code);
 
 }  // namespace selvage

@@ -4,12 +4,14 @@
 
 #include "clients/cli/commands.h"
 #include "clients/cli/files.h"
+#include "clients/cli/remote.h"
 
 namespace selvage {
 namespace {
 
 struct ConvertOptions {
   std::string in, out, format;
+  ServerChoice server;
 };
 
 ExitCode run(const ConvertOptions& options) {
@@ -21,7 +23,9 @@ ExitCode run(const ConvertOptions& options) {
   tell_notes(file->notes);
   const auto* const word = std::find(std::begin(kFormatNames), std::end(kFormatNames), options.format);
   const auto format = static_cast<Format>(word - std::begin(kFormatNames));
-  if (const auto error = save_marker(options.out, *file, format)) {
+  const auto text = text_of(*file, format, options.server);
+  if (const auto* refusal = std::get_if<Refusal>(&text)) return fail(*refusal);
+  if (const auto error = write_text(options.out, std::get<std::string>(text))) {
     report(*error);
     return exit_code_of(*error);
   }
@@ -39,7 +43,10 @@ void add_convert_command(CLI::App& app, ExitCode& code) {
       ->required()
       ->check(CLI::IsMember({"native", "sparrow", "outlines", "svg"}));
   command->footer(kExitCodesHelp);
-  command->callback([options, &code] { code = run(*options); });
+  command->callback([options, command, &code] {
+    options->server = server_choice(*command);
+    code = run(*options);
+  });
 }
 
 }  // namespace selvage

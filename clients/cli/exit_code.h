@@ -12,6 +12,7 @@ enum class ExitCode : int {
   kBadInput = 3,    // the marker cannot be read: not JSON, a field wrong, a shape that is none; or a parameter
   kFile = 4,        // a file cannot be read or written
   kRefused = 5,     // the motion cannot start: pieces overlap too deeply
+  kServer = 6,      // the daemon cannot be reached, or would not do it now
   kCancelled = 130  // interrupted; the best marker so far was written
 };
 
@@ -23,7 +24,8 @@ inline constexpr char kExitCodesHelp[] =
     "  3    bad input: not a marker, or one with a mistake in it; parameters with a mistake\n"
     "  4    a file cannot be read or written\n"
     "  5    refused: pieces overlap or leave the strip too far to be healed\n"
-    "  130  interrupted (Ctrl-C): the best marker so far was written";
+    "  6    the daemon cannot be reached, is busy or at a limit\n"
+    "  130  interrupted (Ctrl-C): the best marker so far was written; from a daemon, nothing";
 
 // Of an error met while reading and writing.
 [[nodiscard]] ExitCode exit_code_of(const Error& error);

@@ -1,7 +1,9 @@
-// selvage: compacts, bumps, separates, floats, tilts, checks, shows and converts markers from the command line.
+// selvage: compacts, bumps, separates, floats, tilts, checks, shows and converts markers from the command line, here or
+// on a daemon.
 #include <string>
 
 #include "clients/cli/commands.h"
+#include "clients/cli/server_option.h"
 
 int main(int argc, char** argv) {
   CLI::App app{"Selvage shortens garment markers: exactly, fast, and never with an overlap."};
@@ -9,6 +11,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", std::string{"selvage "} + SELVAGE_VERSION);
   app.require_subcommand(1);
   app.footer(selvage::kExitCodesHelp);
+  selvage::add_server_options(app);
   selvage::ExitCode code = selvage::ExitCode::kOk;
   selvage::add_compact_command(app, code);
   selvage::add_bump_command(app, code);
@@ -19,6 +22,7 @@ int main(int argc, char** argv) {
   selvage::add_show_command(app, code);
   selvage::add_convert_command(app, code);
   selvage::add_call_command(app, code);
+  selvage::add_watch_command(app, code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

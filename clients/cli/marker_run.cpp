@@ -8,16 +8,12 @@
 
 #include "clients/cli/files.h"
 #include "clients/cli/interrupt.h"
-#include "clients/cli/progress.h"
+#include "clients/cli/roads.h"
 #include "clients/cli/summary.h"
-#include "protocol/marker_methods.h"
 #include "protocol/methods/motion.h"
 
 namespace selvage {
 namespace {
-
-constexpr std::string_view kMarkerId = "m1";
-constexpr Revision kFirstRevision = 1;
 
 int standard_outputs(const MarkerFiles& files) {
   return (files.out == kStandardStream) + (files.svg == kStandardStream) + (files.outlines == kStandardStream);
@@ -58,14 +54,12 @@ Result<MarkerCall> read_call(const MarkerMethod& method, Json& params) {
   return call;
 }
 
-std::string told(const MarkerCall& call, const MethodAnswer& answer, const Marker& marker, const StageTimes& times,
-                 const CacheCounts& cache, Telling telling) {
-  if (telling == Telling::kLine) return json_line(answer.fields, times, cache);
-  if (telling == Telling::kSummary) return plain_summary(answer.fields, times, marker);
-  Json fields = answer.fields;
-  if (call.about.timing) tell_times(fields, times, cache);
-  const Revision revision = answer.next ? kFirstRevision + 1 : kFirstRevision;
-  return to_text(result_json(call.about.marker_id, revision, fields)) + "\n";
+std::string told(const Ran& ran, bool timing, const Marker& marker, Telling telling) {
+  if (telling == Telling::kLine) return json_line(ran.fields, ran.times, ran.cache);
+  if (telling == Telling::kSummary) return plain_summary(ran.fields, ran.times, marker);
+  Json fields = ran.fields;
+  if (timing) tell_times(fields, ran.times, ran.cache);
+  return to_text(result_json(ran.marker_id, ran.revision, fields)) + "\n";
 }
 
 ExitCode fail(const Error& error, ExitCode code) {
@@ -104,27 +98,21 @@ ExitCode run_on_marker(std::string_view name, Json params, const MarkerFiles& fi
   if (telling == Telling::kSummary) tell_notes(file->notes);
 
   const Interrupt interrupt;
-  const Engine engine;
-  SumCache sums;
   ProgressLine progress{file->marker, telling == Telling::kSummary && isatty(STDERR_FILENO) != 0};
-  const Observer observer = progress.observer();
-  auto answer = call->run(*file, Means{engine, sums, interrupt.token(), observer});
-  const StageTimes times = progress.finish();
-  if (!answer) {
-    const bool refused = code_of_run(method, answer.error()) == RpcCode::kMotionRefused;
-    return fail(answer.error(), refused ? ExitCode::kRefused : exit_code_of(answer.error()));
-  }
+  const Task task{method, params, *call, *file};
+  const auto done = files.server ? run_there(files.server, task, interrupt.token(), progress)
+                                 : run_here(task, interrupt.token(), progress);
+  if (const auto* refusal = std::get_if<Refusal>(&done)) return fail(*refusal);
+  const Ran& ran = std::get<Ran>(done);
 
   std::ostream& summary = standard_outputs(files) > 0 ? std::cerr : std::cout;
-  summary << told(*call, *answer, file->marker, times, sums.counts(), telling) << std::flush;
-  const bool valid = answer->fields.value("valid", true);
-  if (!valid && !answer->next) return ExitCode::kNotValid;
+  summary << told(ran, call->about.timing, file->marker, telling) << std::flush;
+  const bool valid = ran.fields.value("valid", true);
+  if (!valid && ran.revision == kFirstRevision) return ExitCode::kNotValid;
 
-  const Marker start = file->marker;
-  if (answer->next) file->marker = *std::move(answer->next);
-  if (const auto error = save(files, *file, start, params)) return fail(*error, exit_code_of(*error));
+  if (const auto error = save(files, ran.end, file->marker, params)) return fail(*error, exit_code_of(*error));
   if (!valid) return ExitCode::kNotValid;
-  return answer->fields.value("stop", "") == name_of(StopReason::kCancelled) ? ExitCode::kCancelled : ExitCode::kOk;
+  return ran.fields.value("stop", "") == name_of(StopReason::kCancelled) ? ExitCode::kCancelled : ExitCode::kOk;
 }
 
 }  // namespace selvage

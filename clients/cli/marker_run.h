@@ -1,5 +1,5 @@
 // What the commands that run a method on a marker have in common: where the marker comes from and goes to,
-// and the run itself, in this process, from the daemon's own table of methods.
+// and the run itself, here or on a daemon (roads.h).
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,6 +10,7 @@
 
 #include "clients/cli/drawing.h"
 #include "clients/cli/exit_code.h"
+#include "clients/cli/server_option.h"
 #include "protocol/json_text.h"
 
 namespace selvage {
@@ -19,6 +20,7 @@ struct MarkerFiles {
   std::optional<std::string> format;
   std::optional<double> spacing;
   DrawingWish drawing;
+  ServerChoice server;  // where it runs
 };
 // IN as the first argument.
 void add_marker_in(CLI::App& command, MarkerFiles& files);
@@ -45,8 +47,9 @@ void add_motion(CLI::App& command, const std::shared_ptr<Options>& options, std:
   add_marker_files(command, options->files);
   command.add_flag("--json", options->json, "Print one line of JSON instead of the summary");
   command.footer(kExitCodesHelp);
-  command.callback([options, method, &code] {
+  command.callback([options, method, &command, &code] {
     refuse_mixed_streams(options->files);
+    options->files.server = server_choice(command);
     code = run_on_marker(method, options->params(), options->files, options->json ? Telling::kLine : Telling::kSummary);
   });
 }

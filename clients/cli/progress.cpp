@@ -26,16 +26,15 @@ ProgressLine::ProgressLine(const Marker& marker, bool show)
 
 Observer ProgressLine::observer() {
   return {.on_stage = [this](Stage stage) { timer_.enter(stage, now_ms()); },
-          .on_round = [this](const Round& round) { tell(round); }};
+          .on_round = [this](const Round& round) { tell(round.number, to_decimal(round.length, resolution_)); }};
 }
 
-void ProgressLine::tell(const Round& round) {
+void ProgressLine::tell(int round, double length) {
   const double now = now_ms();
   if (!show_ || now - start_ < kFirstAfter || now - last_told_ < kThenEvery) return;
   last_told_ = now;
   told_ = true;
-  std::cerr << "\r\033[Kround " << round.number << ": " << number_text(to_decimal(round.length, resolution_)) << " "
-            << unit_ << std::flush;
+  std::cerr << "\r\033[Kround " << round << ": " << number_text(length) << " " << unit_ << std::flush;
 }
 
 StageTimes ProgressLine::finish() {

@@ -15,12 +15,13 @@ class ProgressLine {
 
   // REQUIRES: *this outlives the observer.
   [[nodiscard]] Observer observer();
+  // A round is done; `length`: in the marker's unit.
+  void tell(int round, double length);
+  [[nodiscard]] bool shown() const { return show_; }
   // Stops the clock and wipes the line.
   [[nodiscard]] StageTimes finish();
 
  private:
-  void tell(const Round& round);
-
   Resolution resolution_;
   std::string unit_;
   bool show_;

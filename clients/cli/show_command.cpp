@@ -3,6 +3,7 @@
 
 #include "clients/cli/commands.h"
 #include "clients/cli/files.h"
+#include "clients/cli/remote.h"
 #include "clients/cli/summary.h"
 
 namespace selvage {
@@ -10,6 +11,7 @@ namespace {
 
 struct ShowOptions {
   std::string in, svg;
+  ServerChoice server;
 };
 
 ExitCode run(const ShowOptions& options) {
@@ -19,7 +21,9 @@ ExitCode run(const ShowOptions& options) {
     return exit_code_of(file.error());
   }
   tell_notes(file->notes);
-  if (const auto error = save_marker(options.svg, *file, Format::kSvg)) {
+  const auto text = text_of(*file, Format::kSvg, options.server);
+  if (const auto* refusal = std::get_if<Refusal>(&text)) return fail(*refusal);
+  if (const auto error = write_text(options.svg, std::get<std::string>(text))) {
     report(*error);
     return exit_code_of(*error);
   }
@@ -35,7 +39,10 @@ void add_show_command(CLI::App& app, ExitCode& code) {
   command->add_option("IN", options->in, "The marker, native or sparrow; - for standard input")->required();
   command->add_option("--svg", options->svg, "Write the drawing here; - for standard output")->required();
   command->footer(kExitCodesHelp);
-  command->callback([options, &code] { code = run(*options); });
+  command->callback([options, command, &code] {
+    options->server = server_choice(*command);
+    code = run(*options);
+  });
 }
 
 }  // namespace selvage

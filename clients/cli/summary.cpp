@@ -123,20 +123,26 @@ std::string plain_figures(const Marker& marker) {
          per_cent(utilisation_of(marker));
 }
 
-std::string plain_faults(const Marker& marker, const Validity& validity) {
-  const auto length = [&](double lattice) { return significant(in_unit(lattice, marker.resolution)); };
-  const auto id_of = [&](PieceId piece) { return marker.pieces[piece.value].id; };
+std::string plain_faults(const Marker& marker, const Json& validity) {
+  const std::string unit = " " + marker.unit;
   std::string out;
-  for (const Overlap& overlap : validity.overlaps) {
-    out += "  pieces " + id_of(overlap.first) + " and " + id_of(overlap.second) +
-           (marker.spacing > 0 ? " are too close or overlap" : " overlap") + " by " + length(overlap.depth) + " " +
-           marker.unit + " near (" + length(overlap.witness_x) + ", " + length(overlap.witness_y) + ")\n";
+  for (const Json& overlap : validity["overlaps"]) {
+    out += "  pieces " + overlap["first"].get<std::string>() + " and " + overlap["second"].get<std::string>() +
+           (marker.spacing > 0 ? " are too close or overlap" : " overlap") + " by " + significant(overlap["depth"]) +
+           unit + " near (" + significant(overlap["witness"][0]) + ", " + significant(overlap["witness"][1]) + ")\n";
   }
-  for (const Protrusion& protrusion : validity.protrusions) {
-    out += "  piece " + id_of(protrusion.piece) + " leaves the strip by " + length(static_cast<double>(protrusion.by)) +
-           " " + marker.unit + "\n";
+  for (const Json& protrusion : validity["protrusions"]) {
+    out += "  piece " + protrusion["piece"].get<std::string>() + " leaves the strip by " +
+           significant(protrusion["by"]) + unit + "\n";
   }
   return out;
+}
+
+std::string plain_change(const Json& figures) {
+  const std::string by = figures.value("by", "");
+  return "revision " + to_text(figures["revision"]) + ": length " + number_text(figures["length"]) + ", utilisation " +
+         per_cent(figures["utilisation"]) + ", " + (figures["valid"] == true ? "valid" : "NOT valid") +
+         (by.empty() ? "" : "; " + by);
 }
 
 }  // namespace selvage

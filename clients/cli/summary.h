@@ -17,7 +17,11 @@ namespace selvage {
 
 // A marker's own figures: "jeans: 120 pieces, length 7238 mm, utilisation 80.79 %".
 [[nodiscard]] std::string plain_figures(const Marker& marker);
-// The list of what is wrong, one line each; empty when valid.
-[[nodiscard]] std::string plain_faults(const Marker& marker, const Validity& validity);
+// The list of what is wrong, one line each; empty when valid.  REQUIRES: the fields of marker.check's answer.
+[[nodiscard]] std::string plain_faults(const Marker& marker, const Json& validity);
+
+// A revision of a watched marker: "revision 3: length 7174.72, utilisation 81.4991 %, valid; motion.compact".
+// REQUIRES: what marker.changed tells, "by" aside.
+[[nodiscard]] std::string plain_change(const Json& figures);
 
 }  // namespace selvage

@@ -21,16 +21,17 @@ ALLOWED = {
     "core/motion": CORE,
     "protocol": CORE,
     "server": CORE + ["protocol"],
-    "clients/cli": CORE + ["protocol"],
+    "clients/cpp": [],
+    "clients/cli": CORE + ["protocol", "clients/cpp"],
 }
 # Libraries that only one place may see.
 ONLY_IN = {
     "Clp": "core/lp/clp.cpp",
     ("clipper", "polyclipping/"): "core/geometry/set_operations.cpp",
-    "boost/asio": "server/",
+    "boost/asio": ("server/", "clients/cpp/"),
     "boost/beast": ("server/transport/http_connection.cpp", "server/transport/websocket_connection."),
     "openssl/": "server/transport/",
-    "nlohmann/": "protocol/",
+    "nlohmann/": ("protocol/", "clients/cpp/"),
     "sqlite3": "server/journal_database.cpp",
     "spdlog/": "server/",
     "CLI/": ("server/", "clients/cli/"),
@@ -70,6 +71,7 @@ def self_test():
         "core/marker/d.cpp": "#include <polyclipping/clipper.hpp>\n",
         "protocol/d.cpp": '#include "server/log.h"\n',
         "server/e.cpp": '#include "clients/cli/f.h"\n',
+        "clients/cpp/f.cpp": '#include "protocol/json_text.h"\n',
         "core/base/g.h": "#include <nlohmann/json.hpp>\n",
         "server/journal.cpp": "#include <sqlite3.h>\n",
         "elsewhere/h.h": "",

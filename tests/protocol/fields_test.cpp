@@ -46,6 +46,15 @@ TEST(Fields, ReadsWhatIsThere) {
   EXPECT_FALSE(mistake) << describe(mistake.error());
 }
 
+TEST(Fields, NamesWhatMayBeThereOnceHoweverOftenItWasAskedFor) {
+  EXPECT_EQ(mistake_of(R"({"n": 1, "z": 2})",
+                       [](Fields& f) {
+                         (void)f.maybe_any("n");
+                         (void)f.number("n");
+                       }),
+            "input.unknown_field /here/z: the field is not known; n may be here");
+}
+
 TEST(Fields, NamesTheFieldTheValueAndWhatIsAllowed) {
   EXPECT_EQ(mistake_of("{}", [](Fields& f) { (void)f.number("width"); }),
             "input.missing_field /here/width: the field is missing; it is required");

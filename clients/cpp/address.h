@@ -1,0 +1,19 @@
+// Where a daemon speaks lines of JSON: a TCP address or a Unix socket.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace selvage::client {
+
+struct Address {
+  std::string host, port;  // TCP; IPv6 without brackets
+  std::string path;        // of a Unix socket; empty: TCP
+};
+
+// "127.0.0.1:7171", "localhost:7171", "[::1]:7171"; "unix:/run/selvage.sock", or any path with a slash in it.
+// Nothing when it is none of these.
+[[nodiscard]] std::optional<Address> read_address(std::string_view text);
+
+}  // namespace selvage::client

@@ -1,0 +1,25 @@
+#include "clients/cpp/address.h"
+
+#include <gtest/gtest.h>
+
+namespace selvage::client {
+namespace {
+
+TEST(Address, IsTcpOrAPath) {
+  EXPECT_EQ(read_address("localhost:7171")->host, "localhost");
+  EXPECT_EQ(read_address("localhost:7171")->port, "7171");
+  EXPECT_EQ(read_address("[::1]:80")->host, "::1");
+  EXPECT_EQ(read_address("/run/selvage.sock")->path, "/run/selvage.sock");
+  EXPECT_EQ(read_address("unix:./s")->path, "./s");
+}
+
+TEST(Address, IsNothingElse) {
+  for (const char* text :
+       {"", "7171", ":7171", "host:", "host:0", "host:65536", "host:1x", "::1:80", "unix:", "unix:x"}) {
+    EXPECT_FALSE(read_address(text)) << text;
+  }
+  EXPECT_FALSE(read_address("/" + std::string(200, 'x')));
+}
+
+}  // namespace
+}  // namespace selvage::client

@@ -1,0 +1,136 @@
+// What the client does when a connection breaks at the worst moment: staged by a server that answers only what the
+// test has it answer.
+#include <gtest/gtest.h>
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/read_until.hpp>
+#include <boost/asio/write.hpp>
+
+#include <optional>
+
+#include "tests/clients/cpp/live_daemon.h"
+
+namespace selvage::test {
+namespace {
+
+namespace asio = boost::asio;
+using asio::ip::tcp;
+
+class StagedServer {
+ public:
+  [[nodiscard]] std::string address() const { return "127.0.0.1:" + std::to_string(acceptor_.local_endpoint().port()); }
+  void accept() {
+    received_.clear();
+    socket_.emplace(acceptor_.accept());
+  }
+  Json hear() {
+    const std::size_t size = asio::read_until(*socket_, asio::dynamic_buffer(received_), '\n');
+    Json message = Json::parse(received_.substr(0, size));
+    received_.erase(0, size);
+    return message;
+  }
+  void answer(const Json& id, const Json& result) {
+    asio::write(*socket_, asio::buffer(Json{{"jsonrpc", "2.0"}, {"id", id}, {"result", result}}.dump() + "\n"));
+  }
+  void hang_up() { socket_.reset(); }
+  void leave() { acceptor_.close(); }
+
+ private:
+  asio::io_context io_;
+  tcp::acceptor acceptor_{io_, {asio::ip::address_v4::loopback(), 0}};
+  std::optional<tcp::socket> socket_;
+  std::string received_;
+};
+
+TEST(BrokenConnection, AChangeIsSentAgainUnderTheSameName) {
+  StagedServer server;
+  Client client{server.address()};
+  Call call = client.begin("motion.compact", {{"markerId", "m1"}});
+  server.accept();
+  const Json first = server.hear();
+  EXPECT_FALSE(first["params"]["opId"].get<std::string>().empty());
+  server.hang_up();
+  server.accept();
+  const Json second = server.hear();
+  EXPECT_EQ(first, second);
+  server.answer(second["id"], "done");
+  const Answer answer = call.answer.get();
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(*answer, "done");
+}
+
+TEST(BrokenConnection, NamesOfTheCallersChoiceStay) {
+  StagedServer server;
+  Client client{server.address()};
+  Call call = client.begin("marker.undo", {{"markerId", "m1"}, {"opId", "mine"}});
+  server.accept();
+  EXPECT_EQ(server.hear()["params"]["opId"], "mine");
+  Call reading = client.begin("marker.get", {{"markerId", "m1"}});
+  EXPECT_FALSE(server.hear()["params"].contains("opId"));
+}
+
+TEST(BrokenConnection, WhatMustNotBeSentTwiceIsNot) {
+  StagedServer server;
+  Client client{server.address()};
+  Call drag = client.begin("drag.move", {{"dragId", "d1"}});
+  Call info = client.begin("engine.info");
+  server.accept();
+  EXPECT_EQ(server.hear()["method"], "drag.move");
+  EXPECT_EQ(server.hear()["method"], "engine.info");
+  server.hang_up();
+  const Answer lost = drag.answer.get();
+  ASSERT_FALSE(lost);
+  EXPECT_EQ(lost.error().code, CallCode::kDisconnected);
+  server.accept();
+  const Json again = server.hear();
+  EXPECT_EQ(again["method"], "engine.info");
+  server.answer(again["id"], "info");
+  EXPECT_TRUE(info.answer.get());
+}
+
+TEST(BrokenConnection, WhatWasWatchedIsWatchedAgainUntilClosed) {
+  StagedServer server;
+  Client client{server.address()};
+  Call watch = client.begin("marker.watch", {{"markerId", "m7"}});
+  server.accept();
+  server.answer(server.hear()["id"], {{"watching", true}});
+  ASSERT_TRUE(watch.answer.get());
+  server.hang_up();
+  server.accept();
+  const Json again = server.hear();
+  EXPECT_EQ(again["method"], "marker.watch");
+  EXPECT_EQ(again["params"]["markerId"], "m7");
+}
+
+TEST(BrokenConnection, PatienceEnds) {
+  StagedServer server;
+  std::promise<CallError> lost;
+  Client client{server.address(),
+                {.reconnect_for = std::chrono::milliseconds{50}},
+                {.lost = [&](const CallError& error) { lost.set_value(error); }}};
+  Call call = client.begin("engine.info");
+  server.accept();
+  (void)server.hear();
+  server.leave();
+  server.hang_up();
+  const Answer answer = call.answer.get();
+  ASSERT_FALSE(answer);
+  EXPECT_EQ(answer.error().code, CallCode::kUnreachable);
+  EXPECT_EQ(lost.get_future().get().code, CallCode::kUnreachable);
+}
+
+TEST(BrokenConnection, TheEndOfTheClientAnswersWhatIsOpen) {
+  StagedServer server;
+  std::optional<Client> client{std::in_place, server.address()};
+  Call call = client->begin("engine.info");
+  server.accept();
+  (void)server.hear();
+  client.reset();
+  const Answer answer = call.answer.get();
+  ASSERT_FALSE(answer);
+  EXPECT_EQ(answer.error().code, CallCode::kEnded);
+}
+
+}  // namespace
+}  // namespace selvage::test

@@ -1,0 +1,68 @@
+// The golden exchanges of tests/golden/rpc, played by the client to a live daemon, by both roads.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <tuple>
+
+#include "tests/clients/cpp/live_daemon.h"
+
+namespace selvage::test {
+namespace {
+
+// Equal but for "$any", and exactly the same fields.
+bool alike(const Json& expected, const Json& actual) {
+  if (expected == "$any") return true;
+  if (!expected.is_object() || !actual.is_object()) return expected == actual;
+  if (expected.size() != actual.size()) return false;
+  for (const auto& [key, value] : expected.items()) {
+    if (!actual.contains(key) || !alike(value, actual[key])) return false;
+  }
+  return true;
+}
+
+Json as_response(const Answer& answer) {
+  if (answer) return {{"result", *answer}};
+  Json error{{"code", static_cast<int>(answer.error().code)}, {"message", answer.error().message}};
+  if (!answer.error().details.is_null()) error["data"] = answer.error().details;
+  return {{"error", error}};
+}
+
+// What the client's own envelope cannot say is not for it to play.
+bool is_a_call(const Json& request) {
+  return request.is_object() && request["jsonrpc"] == "2.0" && !request["id"].is_object();
+}
+
+class GoldenExchanges : public ::testing::TestWithParam<std::tuple<const char*, bool>> {};
+
+TEST_P(GoldenExchanges, ReachTheClientAsTheyAre) {
+  const auto& [name, over_tcp] = GetParam();
+  const Json exchanges =
+      Json::parse(text_of_file(std::string{SELVAGE_SOURCE_DIR} + "/tests/golden/rpc/" + name + ".json"));
+  const LiveDaemon daemon;
+  Client client{over_tcp ? daemon.tcp() : daemon.socket()};
+  int played = 0;
+  for (const Json& exchange : exchanges) {
+    const Json& request = exchange["request"];
+    if (!is_a_call(request)) continue;
+    ++played;
+    Json expected = exchange["response"];
+    expected.erase("jsonrpc");
+    expected.erase("id");
+    const Json came =
+        as_response(client.call(request["method"].get<std::string>(), request.value("params", Json::object())));
+    EXPECT_TRUE(alike(expected, came)) << request << "\nexpected " << expected << "\nanswered " << came;
+  }
+  EXPECT_GE(played, 6);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, GoldenExchanges,
+                         ::testing::Combine(::testing::Values("life_of_a_marker", "mistakes", "motions", "changes",
+                                                              "dragging", "places_and_tilts"),
+                                            ::testing::Bool()),
+                         [](const auto& tested) {
+                           return std::string{std::get<0>(tested.param)} +
+                                  (std::get<1>(tested.param) ? "_tcp" : "_unix");
+                         });
+
+}  // namespace
+}  // namespace selvage::test
