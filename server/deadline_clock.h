@@ -20,7 +20,7 @@ class DeadlineClock {
   class Alarm {
    public:
     Alarm() = default;
-    Alarm(Alarm&& other) noexcept : clock_{std::exchange(other.clock_, nullptr)}, key_{other.key_} {}
+    Alarm(Alarm&& other) noexcept : clock_{std::exchange(other.clock_, nullptr)}, key_{std::move(other.key_)} {}
     Alarm& operator=(Alarm&& other) noexcept {
       std::swap(clock_, other.clock_);
       std::swap(key_, other.key_);

@@ -165,8 +165,10 @@ class Client(Blocking):
         return Marker(self._portal, self._twin.marker(marker_id))
 
     def close(self) -> None:
-        self._portal.run(self._twin.close())
-        self._portal.close()
+        """Calls under way on other threads end with ConnectionLost."""
+        if not self._portal.closed:
+            self._portal.run(self._twin.close())
+            self._portal.close()
 
     def __enter__(self) -> Client:
         return self

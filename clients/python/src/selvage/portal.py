@@ -20,6 +20,8 @@ T = TypeVar("T")
 class Portal:
     def __init__(self) -> None:
         self._loop = asyncio.new_event_loop()
+        self._ending = threading.Lock()  # what is begun before the end is cancelled by it; nothing is begun after
+        self.closed = False
         self._thread = threading.Thread(target=self._loop.run_forever, name="selvage", daemon=True)
         self._thread.start()
 
@@ -33,11 +35,12 @@ class Portal:
 
         Whatever ends the waiting - Ctrl-C, an exception in `progress` - cancels the call.
         """
-        if self._loop.is_closed():
-            coroutine.close()
-            raise ConnectionLost("the client is closed")
         events = told or queue.SimpleQueue[Progress | None]()
-        future = asyncio.run_coroutine_threadsafe(coroutine, self._loop)
+        with self._ending:
+            if self.closed:
+                coroutine.close()
+                raise ConnectionLost("the client is closed")
+            future = asyncio.run_coroutine_threadsafe(coroutine, self._loop)
         future.add_done_callback(lambda _: events.put(None))
         try:
             while (event := events.get()) is not None:
@@ -52,9 +55,11 @@ class Portal:
 
     def close(self) -> None:
         """Nothing runs any more afterwards; who still waits is told so."""
-        if self._loop.is_closed():
-            return
-        self.run(self._cancel_others())
+        with self._ending:
+            if self.closed:
+                return
+            self.closed = True
+        asyncio.run_coroutine_threadsafe(self._cancel_others(), self._loop).result()
         self._loop.call_soon_threadsafe(self._loop.stop)
         self._thread.join()
         self._loop.close()

@@ -1,0 +1,92 @@
+"""A selvaged of a test's own, and a door before it that loses connections when the test says so."""
+import json
+import pathlib
+import socket
+import subprocess
+import tempfile
+import threading
+
+SQUARES = {
+    "format": "selvage-marker", "version": 1, "name": "two squares", "strip": {"width": 100},
+    "shapes": [{"id": "square", "outline": [[0, 0], [40, 0], [40, 40], [0, 40]]}],
+    "pieces": [{"id": "left", "shape": "square", "at": [0, 0]}, {"id": "right", "shape": "square", "at": [50, 10]}],
+}
+
+
+class LiveDaemon:
+    """Runs while the `with` block does; `address` is its Unix socket, `port` its TCP port."""
+
+    def __init__(self, program, *options):
+        self._program, self._options = program, options
+        self._folder = tempfile.TemporaryDirectory()
+        self.folder = pathlib.Path(self._folder.name)
+        self.path = str(self.folder / "socket")
+        self.address = "unix:" + self.path
+
+    def start(self):
+        ports = self.folder / "ports"
+        ports.unlink(missing_ok=True)
+        words = [self._program, "--listen", "127.0.0.1:0", "--listen-unix", self.path, "--port-file", ports,
+                 "--store", self.folder / "store", "--log-level", "off", *self._options]
+        self._process = subprocess.Popen(words, stdout=subprocess.PIPE, text=True)
+        while "socket" not in (line := self._process.stdout.readline()):
+            if not line:
+                raise RuntimeError("selvaged ended before it listened")
+        self.port = int(ports.read_text().split()[0])
+
+    def kill(self):
+        self._process.kill()
+        self._process.wait()
+        self._process.stdout.close()
+
+    def __enter__(self):
+        self.start()
+        return self
+
+    def __exit__(self, *_):
+        self.kill()
+        self._folder.cleanup()
+
+
+class LossyDoor:
+    """Passes lines to a daemon and back, but drops the connection instead of the first answer to each method of `losing`.
+
+    By then the daemon has carried out the call: what a client must not do twice.  `calls` are all that came.
+    """
+
+    def __init__(self, daemon, losing):
+        self._daemon, self._losing, self.calls = daemon, set(losing), []
+        self.path = str(daemon.folder / "door")
+        self.address = "unix:" + self.path
+        self._door = socket.socket(socket.AF_UNIX)
+        self._door.bind(self.path)
+        self._door.listen()
+        threading.Thread(target=self._serve, daemon=True).start()
+
+    def _serve(self):
+        while True:
+            try:
+                client, _ = self._door.accept()
+            except OSError:
+                return
+            self._pass_on(client)
+
+    def _pass_on(self, client):
+        with client, socket.socket(socket.AF_UNIX) as inner:
+            inner.connect(self._daemon.path)
+            with client.makefile("rb") as calls, inner.makefile("rb") as answers:
+                for line in calls:
+                    call = json.loads(line)
+                    self.calls.append(call)
+                    inner.sendall(line)
+                    if "id" not in call:
+                        continue
+                    answer = answers.readline()
+                    if call["method"] in self._losing:
+                        self._losing.remove(call["method"])
+                        return
+                    client.sendall(answer)
+
+    def close(self):
+        self._door.shutdown(socket.SHUT_RDWR)
+        self._door.close()

@@ -1,0 +1,255 @@
+#!/usr/bin/env python3
+"""The Python client's methods one by one, and what it does when things go wrong.  usage: python_methods_test.py SELVAGED"""
+import asyncio
+import dataclasses
+import json
+import pathlib
+import re
+import sys
+import threading
+import unittest
+
+from live_daemon import SQUARES, LiveDaemon, LossyDoor
+
+import selvage
+from selvage import errors, ops, words
+from selvage.link import may_repeat
+
+SELVAGED = sys.argv.pop(1) if len(sys.argv) > 1 else "selvaged"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+GOLDEN = ROOT / "tests" / "golden" / "rpc"
+
+# Methods whose name here is not just their name there.
+OTHERWISE = {"motion.float": "float_apart", "marker.unwatch": "watch"}
+OF_CLIENT = {"engine.info": "info", "marker.open": "open", "marker.list": "list", "rpc.discover": "call"}
+OF_DRAG = {"drag.begin": "begin", "drag.move": "move", "drag.end": "end"}
+
+
+def python_name(method):
+    return OTHERWISE.get(method) or words.snake(method.split(".")[1])
+
+
+def differences(expected, told, where=""):
+    """Where a typed result differs from the JSON it was read from; fields of a result that nobody expects are None or empty."""
+    if expected == "$any":
+        return []
+    if dataclasses.is_dataclass(told):
+        fields = {words.camel(field.name): getattr(told, field.name) for field in dataclasses.fields(told)}
+        missing = [f"{where}/{name}" for name in expected if name not in fields]
+        extra = [f"{where}/{name}" for name, value in fields.items() if value and name not in expected]
+        return missing + extra + [
+            fault for name in expected if name in fields for fault in differences(expected[name], fields[name], f"{where}/{name}")
+        ]
+    if isinstance(expected, list):
+        if len(expected) != len(told):
+            return [where]
+        return [f for i, pair in enumerate(zip(expected, told)) for f in differences(*pair, f"{where}/{i}")]
+    return [] if expected == told else [where]
+
+
+class Typed(unittest.TestCase):
+    def test_every_method_of_the_daemon_has_one_here(self):
+        with LiveDaemon(SELVAGED) as daemon, selvage.Client(daemon.address) as client:
+            for method in client.info().methods:
+                if method in OF_CLIENT:
+                    kinds, name = (selvage.Client, selvage.AsyncClient), OF_CLIENT[method]
+                elif method in OF_DRAG:
+                    kinds, name = (selvage.Drag, selvage.AsyncDrag), OF_DRAG[method]
+                elif method.startswith("$"):
+                    continue
+                else:
+                    kinds, name = (selvage.Marker, selvage.AsyncMarker), python_name(method)
+                for kind in kinds:
+                    self.assertTrue(callable(getattr(kind, name, None)), f"{kind.__name__}.{name} for {method}")
+
+    def test_the_golden_pairs_through_the_typed_methods(self):
+        played = 0
+        for name in ("motions", "places_and_tilts", "changes", "life_of_a_marker"):
+            with LiveDaemon(SELVAGED) as daemon, selvage.Client(daemon.address) as client:
+                for exchange in json.loads((GOLDEN / f"{name}.json").read_text("utf-8")):
+                    played += self.play(client, exchange["request"], exchange["response"])
+        self.assertGreater(played, 40)
+
+    def play(self, client, request, response):
+        """1 when the call is one that Python's parameters can say."""
+        method, params = request["method"], dict(request["params"])
+        if method in OF_CLIENT:
+            call = getattr(client, OF_CLIENT[method])
+        else:
+            call = getattr(client.marker(params.pop("markerId")), python_name(method))
+        options = {words.snake(name): value for name, value in params.items()}
+        if "forces" in options:
+            options["forces"] = {force["piece"]: force["force"] for force in options["forces"]}
+        try:
+            answer = call(**options)
+        except TypeError:  # a required parameter is left out: Python says so itself
+            self.assertEqual(response["error"]["data"]["name"], "input.missing_field")
+            return 0
+        except selvage.CallError as refused:
+            error = response.get("error")
+            self.assertIsNotNone(error, f"{request}: {refused}")
+            self.assertIs(type(refused), errors.CallError.by_code[error["code"]])
+            self.assertEqual(refused.data, error.get("data", {}))
+            if error["message"] != "$any":
+                self.assertEqual(str(refused), error["message"])
+            return 1
+        expected = response["result"]
+        if method == "marker.open":
+            answer = answer.opened
+        elif method == "marker.list":
+            expected = expected["markers"]
+        self.assertEqual(differences(expected, answer), [], request)
+        return 1
+
+    def test_every_code_of_the_protocol_has_its_class(self):
+        text = (ROOT / "protocol" / "README.md").read_text("utf-8")
+        codes = {int(code) for code in re.findall(r"^\| (-32\d{3}) \|", text, re.MULTILINE)}
+        self.assertGreater(len(codes), 10)
+        self.assertEqual(codes, {code for code in errors.CallError.by_code if code})
+
+
+class Losses(unittest.TestCase):
+    def test_a_change_whose_answer_was_lost_is_sent_again_and_done_once(self):
+        with LiveDaemon(SELVAGED) as daemon:
+            door = LossyDoor(daemon, ["marker.open", "marker.apply"])
+            self.addCleanup(door.close)
+            with selvage.Client(door.address) as client:
+                marker = client.open(SQUARES)
+                edited = marker.apply([ops.move("right", by=(7, 0))])
+                self.assertEqual((marker.id, edited.revision, edited.length), ("m1", 2, 97))
+                self.assertEqual([each.revision for each in client.list()], [2])
+        for method in ("marker.open", "marker.apply"):
+            sent = [call["params"]["opId"] for call in door.calls if call["method"] == method]
+            self.assertEqual(len(sent), 2, method)
+            self.assertEqual(sent[0], sent[1], method)
+
+    def test_what_belongs_to_a_connection_is_not_sent_again(self):
+        with LiveDaemon(SELVAGED) as daemon:
+            door = LossyDoor(daemon, ["drag.move"])
+            self.addCleanup(door.close)
+            with selvage.Client(door.address) as client:
+                marker = client.open(SQUARES)
+                with self.assertRaises(selvage.ConnectionLost), marker.drag("right") as hand:
+                    hand.move((60, 10))
+                self.assertEqual(marker.check().revision, 1)
+        self.assertFalse(may_repeat("drag.move", {}))
+        self.assertFalse(may_repeat("motion.compact", {}))
+        self.assertTrue(may_repeat("motion.compact", {"commit": False}))
+
+    def test_who_watches_over_a_restart_hears_what_was_missed(self):
+        with LiveDaemon(SELVAGED) as daemon, selvage.Client(daemon.address) as client:
+            marker = client.open(SQUARES)
+            with marker.watch() as changes:
+                daemon.kill()
+                daemon.start()
+                with selvage.Client(daemon.address) as other:
+                    other.marker(marker.id).compact()
+                heard = next(changes)
+                self.assertEqual((heard.marker_id, heard.revision), (marker.id, 2))
+                marker.close()
+                self.assertEqual(list(changes), [])
+
+    def test_no_daemon_is_said_within_patience(self):
+        with selvage.Client("unix:/nowhere/socket", patience=0.1) as client, self.assertRaises(selvage.ConnectionLost):
+            client.info()
+
+    def test_closing_wakes_who_waits(self):
+        with LiveDaemon(SELVAGED) as daemon:
+            client, raised = selvage.Client(daemon.address), []
+            watch = client.open(SQUARES).watch()
+            watch.__enter__()
+
+            def wait():
+                try:
+                    next(watch)
+                except selvage.ConnectionLost as lost:
+                    raised.append(lost)
+
+            waiting = threading.Thread(target=wait, daemon=True)
+            waiting.start()
+            client.close()
+            client.close()
+            waiting.join(30)
+            self.assertEqual(len(raised), 1)
+            with self.assertRaises(selvage.ConnectionLost):
+                client.info()
+
+
+class Ends(unittest.TestCase):
+    def test_an_exception_in_progress_cancels(self):
+        with LiveDaemon(SELVAGED) as daemon, selvage.Client(daemon.address) as client:
+            marker = client.open(ROOT / "examples" / "markers" / "jeans_06g.json")
+
+            def stop(told):
+                self.assertIs(threading.current_thread(), threading.main_thread())
+                raise ZeroDivisionError(told.round)
+
+            with self.assertRaises(ZeroDivisionError):
+                marker.compact(accuracy="fine", progress=stop)
+            self.assertTrue(marker.bump(marker.outlines().pieces[0].id, (-1, 0), commit=False).valid)
+
+    def test_a_cancelled_task_commits_nothing(self):
+        async def play(address):
+            async with selvage.AsyncClient(address) as client:
+                marker = await client.open(ROOT / "examples" / "markers" / "jeans_22g.json")
+                begun = asyncio.Event()
+                motion = asyncio.create_task(marker.compact(accuracy="fine", progress=lambda _: begun.set()))
+                await begun.wait()
+                motion.cancel()
+                with self.assertRaises(asyncio.CancelledError):
+                    await motion
+                return (await marker.apply([ops.lock(marker_piece(await marker.get()))])).revision
+
+        def marker_piece(got):
+            return got.marker["pieces"][0]["id"]
+
+        with LiveDaemon(SELVAGED) as daemon:
+            self.assertEqual(asyncio.run(play(daemon.address)), 2)
+
+    def test_a_dragged_piece_stays_when_the_hand_slips(self):
+        with LiveDaemon(SELVAGED) as daemon, selvage.Client(daemon.address) as client:
+            marker = client.open(SQUARES)
+            with self.assertRaises(KeyError), marker.drag("right") as hand:
+                hand.move((60, 10))
+                raise KeyError
+            self.assertEqual(marker.check().revision, 1)
+
+
+class Outlines(unittest.TestCase):
+    def test_as_arrays_and_polygons(self):
+        try:
+            import numpy
+            import shapely.geometry  # noqa: F401
+        except ImportError as missing:
+            self.skipTest(str(missing))
+        with LiveDaemon(SELVAGED) as daemon, selvage.Client(daemon.address) as client:
+            outlines = client.open(SQUARES).outlines()
+        self.assertEqual((outlines.strip_height, outlines.strip_length), (100, 90))
+        self.assertEqual(outlines.arrays()["right"].max(axis=0).tolist(), [90, 50])
+        self.assertEqual(numpy.asarray(outlines.pieces[0]).shape, (4, 2))
+        areas = {name: polygon.area for name, polygon in outlines.polygons().items()}
+        self.assertEqual(areas, {"left": 1600, "right": 1600})
+
+
+class Doors(unittest.TestCase):
+    def test_a_token_is_shown(self):
+        token = LiveDaemon(SELVAGED)
+        (token.folder / "token").write_text("0123456789abcdef\n")
+        token._options = ("--token-file", token.folder / "token")
+        with token as daemon:
+            address = f"127.0.0.1:{daemon.port}"
+            with selvage.Client(address, token="0123456789abcdef") as client:
+                self.assertEqual(client.info().name, "selvage")
+            for wrong in ("0123456789abcdeg", None):
+                with selvage.Client(address, token=wrong, patience=0.1) as client:
+                    with self.assertRaises((errors.Unauthorised, selvage.ConnectionLost)):
+                        client.info()
+
+    def test_addresses_that_are_none(self):
+        for text in ("localhost", "http://localhost:1", "localhost:99999", ":80", "localhost:x"):
+            with self.assertRaises(ValueError, msg=text):
+                selvage.Client(text)
+
+
+if __name__ == "__main__":
+    unittest.main()
