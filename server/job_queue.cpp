@@ -45,7 +45,8 @@ Admission JobQueue::submit(Job& job) {
   }
   const std::uint64_t session = job.session;
   ready_.push(session, std::move(job));
-  changed_.notify_all();
+  lock.unlock();
+  work_.notify_one();
   return Admission::kAccepted;
 }
 
@@ -55,10 +56,10 @@ void JobQueue::drain() {
   // A copy: a stop callback may run here, and must not find the mutex taken.
   const std::vector<std::stop_source> running{stops_.begin(), stops_.end()};
   lock.unlock();
-  changed_.notify_all();
+  work_.notify_all();
   for (const std::stop_source& stop : running) stop.request_stop();
   lock.lock();
-  changed_.wait(lock, [this] { return ready_.empty() && behind_ == 0 && stops_.empty(); });
+  drained_.wait(lock, [this] { return ready_.empty() && behind_ == 0 && stops_.empty(); });
 }
 
 int JobQueue::retry_after_ms() const {
@@ -81,7 +82,7 @@ std::size_t JobQueue::running() const {
 void JobQueue::serve() {
   std::unique_lock lock{mutex_};
   for (;;) {
-    changed_.wait(lock, [this] { return !ready_.empty() || (draining_ && behind_ == 0); });
+    work_.wait(lock, [this] { return !ready_.empty() || (draining_ && behind_ == 0); });
     if (ready_.empty()) return;
     Job job = ready_.pop();
     const auto stop = stops_.emplace(stops_.end());
@@ -126,7 +127,11 @@ void JobQueue::end(const std::string& lane, std::list<std::stop_source>::iterato
       --behind_;
     }
   }
-  changed_.notify_all();
+  // This worker looks for its next job now, so nobody is woken for what the lane made ready.
+  if (draining_) {
+    work_.notify_all();
+    drained_.notify_all();
+  }
 }
 
 }  // namespace selvage

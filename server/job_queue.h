@@ -65,7 +65,8 @@ class JobQueue {
   const std::size_t workers_;
   const std::size_t capacity_;
   mutable std::mutex mutex_;
-  std::condition_variable changed_;
+  std::condition_variable work_;     // a job is ready, or no more will come
+  std::condition_variable drained_;  // the last has ended
   FairLine<Job> ready_;
   std::map<std::string, std::deque<Job>> lanes_;  // the lanes with a job ready or running, and what waits behind it
   std::size_t behind_{};                          // jobs waiting in lanes_
