@@ -1,5 +1,6 @@
 #include "core/geometry/overlap.h"
 
+#include <boost/container/small_vector.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <vector>
@@ -17,18 +18,31 @@ Box box_of_segment(Vec a, Vec b) {
   return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
 }
 
-// The edges of `polygon` that touch `window`.
-std::vector<Edge> edges_near(const PlacedPolygon& polygon, const Box& window) {
-  std::vector<Edge> edges;
+using Edges = boost::container::small_vector<Edge, 24>;  // most pairs have fewer near each other
+
+// The sides of a box that a point lies beyond, as bits.
+unsigned sides_beyond(const Box& box, Vec point) {
+  return static_cast<unsigned>(point.x < box.low.x) | static_cast<unsigned>(point.x > box.high.x) << 1U |
+         static_cast<unsigned>(point.y < box.low.y) << 2U | static_cast<unsigned>(point.y > box.high.y) << 3U;
+}
+
+// The edges of `polygon` whose boxes touch `window`: those with no side that both ends lie beyond.
+Edges edges_near(const PlacedPolygon& polygon, const Box& window) {
+  Edges edges;
   const auto& v = polygon.vertices;
   const std::size_t n = v.size();
   const Box local = window.moved(-polygon.at);
+  const unsigned first = sides_beyond(local, v[0]);
+  unsigned here = first;
   for (std::size_t i = 0; i < n; ++i) {
-    const Vec a = v[i];
-    const Vec b = v[i + 1 == n ? 0 : i + 1];
-    const Box box = box_of_segment(a, b);
-    if (!box.touches(local)) continue;
-    edges.push_back({v[i == 0 ? n - 1 : i - 1] + polygon.at, a + polygon.at, b + polygon.at, box.moved(polygon.at)});
+    const bool last = i + 1 == n;
+    const unsigned next = last ? first : sides_beyond(local, v[i + 1]);
+    if ((here & next) == 0) {
+      const Vec a = v[i] + polygon.at;
+      const Vec b = v[last ? 0 : i + 1] + polygon.at;
+      edges.push_back({v[i == 0 ? n - 1 : i - 1] + polygon.at, a, b, box_of_segment(a, b)});
+    }
+    here = next;
   }
   return edges;
 }
@@ -89,7 +103,11 @@ Box common_window(const PlacedPolygon& p, const PlacedPolygon& q) {
 
 // q holds p, given that their boundaries share no point.
 bool holds(const PlacedPolygon& q, const PlacedPolygon& p) {
-  return locate(p.vertices.front() + p.at - q.at, q.vertices) == Location::kInside;
+  const Box outer = q.placed_box();
+  const Box inner = p.placed_box();
+  const bool may = outer.low.x < inner.low.x && outer.low.y < inner.low.y && inner.high.x < outer.high.x &&
+                   inner.high.y < outer.high.y;
+  return may && locate(p.vertices.front() + p.at - q.at, q.vertices) == Location::kInside;
 }
 
 using Integer256 = boost::multiprecision::int256_t;
