@@ -2,7 +2,7 @@
 
 #include <unordered_map>
 
-#include "core/marker/validity.h"
+#include "core/marker/figures.h"
 #include "protocol/call_fields.h"
 #include "protocol/formats/constraints.h"
 
@@ -73,11 +73,12 @@ Json placement_json(const Marker& marker, const Piece& piece) {
 }
 
 Json figures_json(const Marker& marker) {
+  const Figures figures = figures_of(marker);
   return {{"name", marker.name},
           {"pieces", marker.pieces.size()},
-          {"length", to_decimal(length_of(marker), marker.resolution)},
-          {"utilisation", utilisation_of(marker)},
-          {"valid", is_valid(marker)}};
+          {"length", to_decimal(figures.length, marker.resolution)},
+          {"utilisation", figures.utilisation},
+          {"valid", figures.valid}};
 }
 
 Json change_json(const MarkerFile& before, const MarkerFile& after) {

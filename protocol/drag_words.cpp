@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/marker/validity.h"
+#include "core/marker/figures.h"
 #include "protocol/call_fields.h"
 #include "protocol/codec.h"
 
@@ -56,13 +56,14 @@ Vec within_reach(const Decimal& to, const Marker& marker) {
 
 Json drag_json(const Marker& before, const Drag& now, PieceId piece, Vec to) {
   const Vec at = now.marker.pieces[piece.value].at;
+  const Figures figures = figures_of(now.marker);
   return {{"at", point_json(at, now.marker.resolution)},
           {"reached", at == to},
           {"pushed", now.pushed},
           {"placements", changed_placements(before, now.marker)},
-          {"length", to_decimal(length_of(now.marker), now.marker.resolution)},
-          {"utilisation", utilisation_of(now.marker)},
-          {"valid", is_valid(now.marker)}};
+          {"length", to_decimal(figures.length, now.marker.resolution)},
+          {"utilisation", figures.utilisation},
+          {"valid", figures.valid}};
 }
 
 }  // namespace selvage

@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "core/geometry/orientation.h"
+#include "core/marker/figures.h"
 
 namespace selvage {
 namespace {
@@ -152,14 +153,7 @@ Coord length_of(const Marker& marker) {
 }
 
 double utilisation_of(const Marker& marker) {
-  std::vector<Wide> copies(marker.shapes.size());
-  for (const Piece& piece : marker.pieces) ++copies[piece.shape.value];
-  Wide doubled = 0;
-  for (std::size_t s = 0; s < copies.size(); ++s) {
-    if (copies[s] > 0) doubled += copies[s] * doubled_area(marker.shapes[s].outline);
-  }
-  const double cloth = static_cast<double>(marker.strip.width) * static_cast<double>(length_of(marker));
-  return cloth > 0 ? static_cast<double>(doubled) / 2 / cloth : 0;
+  return utilisation_at(marker, length_of(marker));
 }
 
 }  // namespace selvage

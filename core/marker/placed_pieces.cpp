@@ -58,15 +58,17 @@ std::vector<PiecePair> pairs_within(const PlacedPieces& pieces, Coord distance) 
   return pairs;
 }
 
+bool conflict(const PlacedPieces& pieces, PiecePair pair) {
+  const PlacedPolygon p = pieces[pair.first];
+  const PlacedPolygon q = pieces[pair.second];
+  const Coord spacing = pieces.spacing(pair);
+  return spacing > 0 ? closer_than(p, q, spacing) : overlap(p, q);
+}
+
 std::vector<PiecePair> conflicts(const PlacedPieces& pieces) {
-  std::vector<PiecePair> found;
-  for (const PiecePair& pair : pairs_within(pieces, pieces.widest_spacing())) {
-    const PlacedPolygon p = pieces[pair.first];
-    const PlacedPolygon q = pieces[pair.second];
-    const Coord spacing = pieces.spacing(pair);
-    if (spacing > 0 ? closer_than(p, q, spacing) : overlap(p, q)) found.push_back(pair);
-  }
-  return found;
+  std::vector<PiecePair> pairs = pairs_within(pieces, pieces.widest_spacing());
+  std::erase_if(pairs, [&](const PiecePair& pair) { return !conflict(pieces, pair); });
+  return pairs;
 }
 
 }  // namespace selvage

@@ -55,7 +55,10 @@ class PlacedPieces {
 // All pairs whose boxes come closer than `distance` on both axes (0: whose boxes overlap), sorted.
 [[nodiscard]] std::vector<PiecePair> pairs_within(const PlacedPieces& pieces, Coord distance);
 
-// All pairs that overlap or are closer than their spacing, sorted.  Exact.
+// True when the two overlap or are closer than their spacing.  Exact.
+[[nodiscard]] bool conflict(const PlacedPieces& pieces, PiecePair pair);
+
+// All pairs of which that is true, sorted.
 [[nodiscard]] std::vector<PiecePair> conflicts(const PlacedPieces& pieces);
 
 }  // namespace selvage

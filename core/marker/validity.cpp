@@ -44,9 +44,12 @@ Validity check(const Marker& marker, SumCache& sums) {
 }
 
 bool is_valid(const Marker& marker) {
-  const PlacedPieces pieces{marker};
+  return is_valid(PlacedPieces{marker}, marker.strip);
+}
+
+bool is_valid(const PlacedPieces& pieces, const Strip& strip) {
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (protrusion_of(pieces.box(i), marker.strip) > 0) return false;
+    if (protrusion_of(pieces.box(i), strip) > 0) return false;
   }
   return conflicts(pieces).empty();
 }

@@ -12,6 +12,7 @@
 
 namespace selvage {
 
+class PlacedPieces;
 class SumCache;
 
 // Two pieces that overlap, or are closer than their spacing.
@@ -42,5 +43,6 @@ struct Validity {
 [[nodiscard]] Validity check(const Marker& marker, SumCache& sums);
 // Only yes or no.
 [[nodiscard]] bool is_valid(const Marker& marker);
+[[nodiscard]] bool is_valid(const PlacedPieces& pieces, const Strip& strip);
 
 }  // namespace selvage

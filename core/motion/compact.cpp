@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/marker/validity.h"
+#include "core/marker/figures.h"
 #include "core/motion/position_step.h"
 #include "core/motion/scene.h"
 
@@ -78,7 +78,7 @@ Result<Compaction> healed_and(const Marker& start, SumCache& sums, const std::st
   Scene scene{start, sums};
   Compaction best;
   best.length_before = scene.pieces.length();
-  best.utilisation_before = utilisation_of(start);
+  best.utilisation_before = utilisation_at(start, best.length_before);
   const auto healing = heal(scene, stop, observer);
   if (!healing) return healing.error();
   best.healing = *healing;
@@ -88,7 +88,7 @@ Result<Compaction> healed_and(const Marker& start, SumCache& sums, const std::st
   best.programs = progress.programs;
   best.marker = scene.result();
   best.length_after = scene.pieces.length();
-  best.utilisation_after = utilisation_of(best.marker);
+  best.utilisation_after = utilisation_at(best.marker, best.length_after);
   return best;
 }
 

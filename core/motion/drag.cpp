@@ -205,8 +205,7 @@ class Hand {
     }
     for (const PiecePair& pair : pairs_within(pieces, pieces.widest_spacing())) {
       const auto& [first, second] = pair;
-      if ((changed(first) || changed(second)) && meet(pieces[first], pieces[second], pieces.spacing(pair)))
-        return false;
+      if ((changed(first) || changed(second)) && conflict(pieces, pair)) return false;
     }
     return true;
   }

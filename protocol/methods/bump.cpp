@@ -21,7 +21,8 @@ Result<Motion> run(const MotionBump& wanted, const Marker& start, const Means& m
                {"touching", std::move(touching)},
                {"moved", done->bump.at != start.pieces[piece->value].at}};
   figures["stop"] = name_of(done->bump.reason);
-  return Motion{std::move(done->marker), std::move(figures), done->healing};
+  const bool began_valid = done->healing.pairs == 0 && done->healing.protruding == 0;
+  return Motion{std::move(done->marker), std::move(figures), done->healing, false, began_valid};
 }
 
 constexpr std::array kParams{

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/marker/validity.h"
+#include "core/marker/figures.h"
 #include "protocol/call_fields.h"
 #include "protocol/codec.h"
 #include "protocol/formats/decimal_marker.h"
@@ -12,16 +12,17 @@ namespace selvage {
 namespace {
 
 // The figures of every motion.
-Json motion_fields(const Marker& start, const Motion& motion, bool valid) {
+Json motion_fields(const Marker& start, const Motion& motion, const Figures& after) {
   const Marker& end = motion.marker;
+  const Coord length_before = length_of(start);
   Json fields{{"name", end.name},
               {"pieces", end.pieces.size()},
-              {"lengthBefore", to_decimal(length_of(start), start.resolution)},
-              {"lengthAfter", to_decimal(length_of(end), end.resolution)},
-              {"utilisationBefore", utilisation_of(start)},
-              {"utilisationAfter", utilisation_of(end)}};
+              {"lengthBefore", to_decimal(length_before, start.resolution)},
+              {"lengthAfter", to_decimal(after.length, end.resolution)},
+              {"utilisationBefore", utilisation_at(start, length_before)},
+              {"utilisationAfter", after.utilisation}};
   fields.update(motion.figures);
-  fields.update(Json{{"valid", valid},
+  fields.update(Json{{"valid", after.valid},
                      {"healed", healing_json(motion.healing, end.resolution)},
                      {"placements", changed_placements(start, end)}});
   return fields;
@@ -101,11 +102,11 @@ Json rounds_json(int rounds, StopReason reason) {
 
 MethodAnswer answer_of(const Marker& start, Motion motion, bool commit, const Means& means) {
   means.observer.on_stage(Stage::kVerify);
-  const bool valid = is_valid(motion.marker);
+  const Figures after = motion.began_valid ? figures_after(start, motion.marker) : figures_of(motion.marker);
   means.observer.on_stage(Stage::kOther);
-  MethodAnswer answer{motion_fields(start, motion, valid), std::nullopt};
+  MethodAnswer answer{motion_fields(start, motion, after), std::nullopt};
   const bool changed = !answer.fields["placements"].empty() || motion.marker.pieces.size() != start.pieces.size();
-  if (commit && changed && (valid || motion.keep_invalid)) answer.next = std::move(motion.marker);
+  if (commit && changed && (after.valid || motion.keep_invalid)) answer.next = std::move(motion.marker);
   return answer;
 }
 

@@ -46,6 +46,7 @@ struct Motion {
   Json figures;  // the motion's own
   Healing healing;
   bool keep_invalid{};  // what is not valid is kept, too: the caller asked for it
+  bool began_valid{};   // the marker it began with was proved valid: of pieces that stayed nothing is proved again
 };
 // {"rounds", "stop"}
 [[nodiscard]] Json rounds_json(int rounds, StopReason reason);
