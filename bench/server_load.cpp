@@ -2,9 +2,9 @@
 //
 // usage: server_load PORT MARKER get|bump|compact|place|push [CONNECTIONS] [SECONDS]
 //   get      POST /rpc marker.get, kept alive
-//   bump     motion.bump without commit, one piece after the other, on a line connection
-//   compact  motion.compact without commit, on a line connection
-//   place    drag.move on a line connection: a hand that trembles about each piece in turn
+//   bump     motion.bump without commit, one piece after the other, over a WebSocket
+//   compact  motion.compact without commit, over a WebSocket
+//   place    drag.move over a WebSocket: a hand that trembles about each piece in turn
 //   push     the same, the others making way
 #include <algorithm>
 #include <chrono>
@@ -20,21 +20,23 @@
 #include <vector>
 
 #include "protocol/json_text.h"
+#include "tests/server/websocket_wire.h"
 #include "tests/server/wire.h"
 
 namespace selvage {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using test::WebSocketWire;
 using test::Wire;
 
 std::string call(const std::string& method, const Json& params) {
   return to_text({{"jsonrpc", "2.0"}, {"id", 1}, {"method", method}, {"params", params}});
 }
 
-Json ask(Wire& wire, const std::string& method, const Json& params) {
-  wire.send(call(method, params) + "\n");
-  const Json answer = Json::parse(wire.line().value_or("{}"));
+Json ask(WebSocketWire& wire, const std::string& method, const Json& params) {
+  wire.send_text(call(method, params));
+  const Json answer = Json::parse(wire.text().value_or("{}"));
   if (!answer.contains("result")) throw std::runtime_error{method + ": " + answer.dump()};
   return answer["result"];
 }
@@ -49,7 +51,8 @@ struct Load {
 // Milliseconds of each call until the time is over.
 std::vector<double> run(const Load& load, std::size_t first_piece, Clock::time_point end) {
   std::vector<double> times;
-  Wire wire{load.port};
+  Wire http{load.port};
+  WebSocketWire wire{load.port};
   const auto timed = [&](const auto& work) {
     const auto began = Clock::now();
     work();
@@ -60,8 +63,8 @@ std::vector<double> run(const Load& load, std::size_t first_piece, Clock::time_p
     const Json& piece = load.pieces[k % load.pieces.size()];
     if (load.what == "get") {
       timed([&] {
-        wire.send(get);
-        if (wire.answer().value_or(test::HttpAnswer{}).status != 200) throw std::runtime_error{"no answer"};
+        http.send(get);
+        if (http.answer().value_or(test::HttpAnswer{}).status != 200) throw std::runtime_error{"no answer"};
       });
     } else if (load.what == "compact") {
       timed([&] { (void)ask(wire, "motion.compact", {{"markerId", load.marker_id}, {"commit", false}}); });
@@ -102,7 +105,7 @@ int measure(const std::vector<std::string>& words) {
   document << std::ifstream{words.at(1)}.rdbuf();
   const std::size_t connections = words.size() > 3 ? std::stoul(words[3]) : 1;
   const double seconds = words.size() > 4 ? std::stod(words[4]) : 5;
-  Wire wire{port};
+  WebSocketWire wire{port};
   const Json opened = ask(wire, "marker.open", {{"marker", Json::parse(document.str())}});
   const std::string id = opened["markerId"];
   const Load load{port, words.at(2), id, ask(wire, "marker.get", {{"markerId", id}})["marker"]["pieces"]};

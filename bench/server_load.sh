@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Starts selvaged and loads it: reads over HTTP, bumps and dragging hands over lines, alone and beside a client that
+# Starts selvaged and loads it: reads over HTTP, bumps and dragging hands over a WebSocket, alone and beside a client that
 # compacts in a loop.  usage: server_load.sh DIRECTORY_OF_PROGRAMS [SECONDS]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
