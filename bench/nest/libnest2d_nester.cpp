@@ -1,5 +1,6 @@
 #include "bench/nest/libnest2d_nester.h"
 
+#include <algorithm>
 #include <libnest2d/libnest2d.hpp>
 
 namespace selvage::bench {
@@ -8,7 +9,7 @@ namespace {
 using Placer = libnest2d::NfpPlacer;
 
 constexpr double kUpwards = 1e-3;  // weight of lying low beside lying left
-constexpr double kOutside = 1e6;   // of a position that leaves the strip
+constexpr double kOutside = 100;   // of leaving the strip
 constexpr double kDegree = 3.14159265358979323846 / 180;
 
 // Clockwise and closed, as libnest2d's polygons are.
@@ -30,9 +31,9 @@ Placer::Config leftmost_first(const std::vector<double>& rotations, const libnes
     const auto low = box.minCorner();
     const auto high = box.maxCorner();
     const auto end = strip.maxCorner();
-    const bool inside = low.X >= 0 && low.Y >= 0 && high.X <= end.X && high.Y <= end.Y;
     const auto across = [&](ClipperLib::cInt value) { return static_cast<double>(value) / static_cast<double>(end.Y); };
-    return across(high.X) + kUpwards * across(high.Y) + (inside ? 0 : kOutside);
+    const auto outside = std::max<ClipperLib::cInt>({0, -low.X, -low.Y, high.X - end.X, high.Y - end.Y});
+    return across(high.X) + kUpwards * across(high.Y) + (outside > 0 ? kOutside * (1 + across(outside)) : 0);
   };
   return config;
 }
@@ -49,6 +50,7 @@ std::vector<NestedPiece> nest(const std::vector<std::vector<NestedPoint>>& outli
   for (const libnest2d::Item& item : items) {
     const libnest2d::Radians turned = item.rotation();
     const libnest2d::Point at = item.translation();
+    if (item.binId() != 0) return {};
     pieces.push_back({static_cast<double>(turned) / kDegree, {at.X, at.Y}});
   }
   return pieces;

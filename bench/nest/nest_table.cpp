@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,9 @@ constexpr Coord kRoom = 3;                  // the strip's length beside the mar
 constexpr Coord kUnitsAcross = 10'000'000;  // libnest2d's units in the strip's width: it fails on much finer ones
 constexpr Coord kGrace = 2;                 // of those units: rounded, a piece as wide as the strip is wider
 
-// The marker's pieces laid out anew, in rotations that their shapes allow, flipped as they were.
-Marker nested(const Marker& marker) {
+// The marker's pieces laid out anew, in rotations that their shapes allow, flipped as they were.  Nothing when the
+// nester left one out.
+std::optional<Marker> nested(const Marker& marker) {
   const Coord unit = std::max<Coord>(1, marker.strip.width / kUnitsAcross);
   std::vector<std::vector<NestedPoint>> outlines;
   for (const Piece& piece : marker.pieces) {
@@ -40,6 +42,7 @@ Marker nested(const Marker& marker) {
   for (const Angle rotation : marker.shapes.front().rotations) rotations.push_back(rotation.degrees);
   const Coord length = kRoom * length_of(marker);
   const auto nest_of = nest(outlines, rotations, length / unit, marker.strip.width / unit + kGrace);
+  if (nest_of.empty()) return std::nullopt;
   Marker nested = marker;
   for (std::size_t i = 0; i < nest_of.size(); ++i) {
     Piece& piece = nested.pieces[i];
@@ -63,22 +66,26 @@ double milliseconds() {
 void print_row(const std::string& path, const std::string& outlines) {
   const Marker start = marker_in(path);
   const double begin = milliseconds();
-  const Marker nest = nested(start);
+  const auto nest = nested(start);
   const double nesting = milliseconds() - begin;
+  const std::string name = name_of(path);
+  if (!nest) {
+    std::printf("| %s | %zu | %.1f s | left pieces out |\n", name.c_str(), start.pieces.size(), nesting / 1000);
+    return;
+  }
   SumCache sums;
   const double since = milliseconds();
-  const auto done = compact(nest, compaction_settings(Accuracy::kStandard), sums);
+  const auto done = compact(*nest, compaction_settings(Accuracy::kStandard), sums);
   const double compacting = milliseconds() - since;
-  const std::string name = name_of(path);
   if (!done) {
-    std::printf("| %s | %zu | %.1f s | refused: %s |\n", name.c_str(), nest.pieces.size(), nesting / 1000,
+    std::printf("| %s | %zu | %.1f s | refused: %s |\n", name.c_str(), nest->pieces.size(), nesting / 1000,
                 done.error().message.c_str());
     return;
   }
   const auto length = [&](Coord units) { return to_decimal(units, start.resolution); };
   const double saved = 100 * (1 - static_cast<double>(done->length_after) / static_cast<double>(done->length_before));
   std::printf("| %s | %zu | %.1f s | %.6g | %.2f %% | %zu | %.6g | %.2f %% | %.2f %% | %.1f ms | %s |\n", name.c_str(),
-              nest.pieces.size(), nesting / 1000, length(done->length_before), 100 * done->utilisation_before,
+              nest->pieces.size(), nesting / 1000, length(done->length_before), 100 * done->utilisation_before,
               done->healing.pairs, length(done->length_after), 100 * done->utilisation_after, saved, compacting,
               is_valid(done->marker) ? "yes" : "NO");
   std::fflush(stdout);
