@@ -25,7 +25,7 @@
 namespace selvage::bench {
 namespace {
 
-constexpr double kPatience = 3e4;  // milliseconds of the processor for one program: then the way is given up
+constexpr double kPatience = 5e3;  // milliseconds of the processor for one program: then the way is given up
 
 struct Way {
   const char* name;

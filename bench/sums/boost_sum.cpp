@@ -1,6 +1,5 @@
 #include <boost/polygon/polygon.hpp>
 #include <limits>
-#include <stdexcept>
 
 #include "bench/sums/pair_sum.h"
 
@@ -13,13 +12,6 @@ namespace bp = boost::polygon;
 using Number = int;
 using Set = bp::polygon_set_data<Number>;
 
-Number narrowed(Coord value) {
-  if (value < std::numeric_limits<Number>::min() || value > std::numeric_limits<Number>::max()) {
-    throw std::overflow_error{"a pair too large for Boost.Polygon's coordinates"};
-  }
-  return static_cast<Number>(value);
-}
-
 Vec middle_of(const Polygon& polygon) {
   const Box box = box_of(polygon);
   return {box.low.x + box.width() / 2, box.low.y + box.height() / 2};
@@ -27,7 +19,8 @@ Vec middle_of(const Polygon& polygon) {
 
 Set set_of(const Polygon& polygon, Vec middle) {
   std::vector<bp::point_data<Number>> points;
-  for (const Vec v : polygon) points.emplace_back(narrowed(v.x - middle.x), narrowed(v.y - middle.y));
+  for (const Vec v : polygon)
+    points.emplace_back(static_cast<Number>(v.x - middle.x), static_cast<Number>(v.y - middle.y));
   Set set;
   set.insert(bp::polygon_data<Number>{points.begin(), points.end()});
   set.clean();
@@ -74,6 +67,10 @@ class BoostSum final : public PairSum {
 }  // namespace
 
 std::unique_ptr<PairSum> boost_sum(const OutlinePair& pair) {
+  const Box p = pair.p->box;
+  const Box q = box_of(pair.mirrored_q());
+  const Coord extent = std::max(p.width() + q.width(), p.height() + q.height());
+  if (extent / 2 + 2 > std::numeric_limits<Number>::max()) return nullptr;
   return std::make_unique<BoostSum>(pair);
 }
 

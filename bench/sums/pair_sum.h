@@ -42,7 +42,7 @@ struct Library {
 [[nodiscard]] std::unique_ptr<PairSum> cgal_sum(const OutlinePair& pair);
 // ClipperLib::MinkowskiSum of the smaller along the larger, which unites a quadrilateral for each pair of edges.
 [[nodiscard]] std::unique_ptr<PairSum> clipper_sum(const OutlinePair& pair);
-// Boost.Polygon's convolution of polygon sets, which does the same.
+// Boost.Polygon's convolution of polygon sets, which does the same.  Null for a pair too large for 32 bits.
 [[nodiscard]] std::unique_ptr<PairSum> boost_sum(const OutlinePair& pair);
 
 }  // namespace selvage::bench

@@ -95,6 +95,7 @@ class Comparison {
     double hopeless = std::numeric_limits<double>::infinity();  // so many edges times edges
     for (int k = 0; k < repetitions; ++k) {
       for (std::size_t i = 0; i < pairs_.size(); ++i) {
+        if (!sums_[i][library]) continue;
         std::vector<double>& times = measured_[i][library].by_pass;
         const auto edges = static_cast<double>(pairs_[i].p->polygon.size() * pairs_[i].q->polygon.size());
         if (edges >= hopeless || (!times.empty() && times.front() > kPatience)) continue;
