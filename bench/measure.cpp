@@ -175,7 +175,8 @@ struct Work {
 };
 Observer counting(Work& work) {
   Observer observer;
-  observer.on_program = [&work](const ProgramSize& size) {
+  observer.on_program = [&work](const LinearProgram& program) {
+    const ProgramSize size = size_of(program);
     ++work.programs;
     if (size.rows > work.largest.rows) work.largest = size;
   };

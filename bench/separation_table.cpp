@@ -18,9 +18,9 @@
 #include <string>
 #include <vector>
 
+#include "bench/marker_file.h"
 #include "core/minkowski/inner_fit.h"
 #include "core/motion/separate.h"
-#include "protocol/formats/format.h"
 
 namespace selvage {
 namespace {
@@ -78,15 +78,6 @@ struct Options {
   std::string outlines;
 };
 
-// False when the file cannot be written.
-bool write(const std::string& path, const Marker& marker) {
-  MarkerFile file{.marker = marker, .format = Format::kNative, .notes = {}, .attributes = {}};
-  const auto document = marker_document(file, Format::kOutlines);
-  std::ofstream out{path};
-  out << to_text(*document) << "\n";
-  return out.good();
-}
-
 Runs run(const std::string& name, const Marker& marker, double noise, TargetRule rule, const Options& options,
          SumCache& sums) {
   Runs runs;
@@ -104,7 +95,7 @@ Runs run(const std::string& name, const Marker& marker, double noise, TargetRule
     if (!options.outlines.empty() && rule == TargetRule::kNearest) {
       const std::string path = options.outlines + "/" + name + "-" + std::to_string(std::lround(100 * noise)) + "-" +
                                std::to_string(seed) + ".json";
-      if (!write(path, result->marker)) std::fprintf(stderr, "%s: cannot be written\n", path.c_str());
+      if (!bench::write_outlines(path, result->marker)) std::fprintf(stderr, "%s: cannot be written\n", path.c_str());
     }
     runs.rounds.push_back(result->rounds);
     const auto shorter = compact(result->marker, compaction_settings(Accuracy::kStandard), sums);

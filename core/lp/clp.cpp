@@ -12,7 +12,7 @@ namespace selvage {
 namespace {
 
 constexpr double kTolerance = 1e-9;
-// Below this many rows the presolve costs more than the pivots it saves (bench/lp_benchmark).
+// Below this many rows the presolve costs more than the pivots it saves (bench/lp/lp_benchmark).
 constexpr int kPresolveFromRows = 60;
 
 // Clp asks at every pivot; 0 ends the solve with status 5.  Clp clones and deletes its handlers, hence the bare new.

@@ -67,22 +67,24 @@ std::optional<InequalityForm> inequality_form(const LinearProgram& program, doub
 
 void multiply(const InequalityForm& form, std::span<const double> x, std::span<double> result) {
   for (std::size_t r = 0; r < result.size(); ++r) {
-    double sum = 0;
-    for (auto k = static_cast<std::size_t>(form.row_start[r]); k < static_cast<std::size_t>(form.row_start[r + 1]);
-         ++k) {
-      sum += form.value[k] * x[static_cast<std::size_t>(form.column[k])];
-    }
-    result[r] = sum;
+    const int* column = form.column.data() + form.row_start[r];
+    const double* value = form.value.data() + form.row_start[r];
+    with_row_size(form, r, [&](auto size) {
+      double sum = 0;
+      for (int k = 0; k < size; ++k) sum += value[k] * x[static_cast<std::size_t>(column[k])];
+      result[r] = sum;
+    });
   }
 }
 
 void multiply_transposed(const InequalityForm& form, std::span<const double> y, std::span<double> result) {
   std::fill(result.begin(), result.end(), 0.0);
   for (std::size_t r = 0; r < y.size(); ++r) {
-    for (auto k = static_cast<std::size_t>(form.row_start[r]); k < static_cast<std::size_t>(form.row_start[r + 1]);
-         ++k) {
-      result[static_cast<std::size_t>(form.column[k])] += form.value[k] * y[r];
-    }
+    const int* column = form.column.data() + form.row_start[r];
+    const double* value = form.value.data() + form.row_start[r];
+    with_row_size(form, r, [&](auto size) {
+      for (int k = 0; k < size; ++k) result[static_cast<std::size_t>(column[k])] += value[k] * y[r];
+    });
   }
 }
 

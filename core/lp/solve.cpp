@@ -9,7 +9,7 @@
 namespace selvage {
 namespace {
 
-// From here on the interior point method is the faster of the two (bench/lp_benchmark).
+// From here on the interior point method is the faster of the two (bench/lp/lp_benchmark).
 constexpr int kInteriorPointFromRows = 150;
 // What an answer of the interior point method may break a row by before it is not believed.
 constexpr double kLargestInfeasibility = 1e-9;

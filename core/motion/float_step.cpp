@@ -30,7 +30,7 @@ class Attempt {
       observer_.on_stage(Stage::kRows);
       const FloatProgram program{scene_, ties_, aim_, gaps_, rows_, trust_};
       observer_.on_stage(Stage::kSolve);
-      observer_.on_program(size_of(program.program()));
+      observer_.on_program(program.program());
       const LpSolution solution = solve(program.program(), solver, {}, stop);
       ++step.programs;
       if (solution.status != LpStatus::kOptimal) {

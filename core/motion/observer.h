@@ -28,7 +28,7 @@ struct ProgramSize {
 struct Observer {
   std::function<void(Stage)> on_stage = [](Stage) {};  // a stage begins
   std::function<void(const Round&)> on_round = [](const Round&) {};
-  std::function<void(const ProgramSize&)> on_program = [](const ProgramSize&) {};  // one is about to be solved
+  std::function<void(const LinearProgram&)> on_program = [](const LinearProgram&) {};  // about to be solved
 };
 
 }  // namespace selvage

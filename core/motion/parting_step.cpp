@@ -64,7 +64,7 @@ class PartingProgram {
     return step;
   }
 
-  [[nodiscard]] ProgramSize size() const { return size_of(model_.program()); }
+  [[nodiscard]] const LinearProgram& program() const { return model_.program(); }
 
  private:
   // The rows of one pair; all that its present position breaks may stay broken by the same amount.
@@ -105,7 +105,7 @@ PartingStep parting_step(const Scene& scene, const std::vector<PartingPair>& par
   program.add_pairs(parting);
   program.add_stillness(home);
   observer.on_stage(Stage::kSolve);
-  observer.on_program(program.size());
+  observer.on_program(program.program());
   return program.solved(stop);
 }
 

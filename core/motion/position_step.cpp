@@ -39,7 +39,7 @@ class Attempt {
     PositionStep step;
     while (step.programs < kAttempts) {
       observer_.on_stage(Stage::kSolve);
-      observer_.on_program(size_of(model_->program()));
+      observer_.on_program(model_->program());
       const LpSolution solution = solve(model_->program(), settings_.solver, {}, stop);
       ++step.programs;
       if (solution.status == LpStatus::kInfeasible && tight_ == TightRows::kRestore) {

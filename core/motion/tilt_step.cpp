@@ -77,7 +77,7 @@ class Program {
     return step;
   }
 
-  [[nodiscard]] ProgramSize size() const { return size_of(model_.program()); }
+  [[nodiscard]] const LinearProgram& program() const { return model_.program(); }
 
  private:
   static std::vector<TurnRange> ranges(const Scene& scene, double turn) {
@@ -149,7 +149,7 @@ TiltStep tilt_step(const Scene& scene, const Goal& goal, std::span<const double>
   program.add_goal(goal, torque);
   program.add_pairs(observer);
   observer.on_stage(Stage::kSolve);
-  observer.on_program(program.size());
+  observer.on_program(program.program());
   return program.solved(settings.solver, stop);
 }
 

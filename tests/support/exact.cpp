@@ -69,6 +69,34 @@ void append_region(const StarSum& ring, std::vector<Outer>& regions) {
   }
 }
 
+// A ring that touches itself in vertices, as rings that do not.
+std::vector<Polygon> loops_of(const Polygon& ring) {
+  std::vector<Polygon> loops;
+  Polygon open;
+  for (const Vec v : ring) {
+    const auto before = std::find(open.begin(), open.end(), v);
+    if (before != open.end()) {
+      if (open.end() - before > 2) loops.emplace_back(before, open.end());
+      open.erase(before, open.end());
+    }
+    open.push_back(v);
+  }
+  if (open.size() > 2) loops.push_back(std::move(open));
+  return loops;
+}
+
+double distance_to(std::span<const Segment> boundary, Real2 point) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [a, b] : boundary) {
+    const double dx = b.x - a.x;
+    const double dy = b.y - a.y;
+    const double length = dx * dx + dy * dy;
+    const double along = length > 0 ? std::clamp(((point.x - a.x) * dx + (point.y - a.y) * dy) / length, 0.0, 1.0) : 0;
+    least = std::min(least, std::hypot(point.x - a.x - along * dx, point.y - a.y - along * dy));
+  }
+  return least;
+}
+
 }  // namespace
 
 bool is_simple_exactly(std::span<const Vec> vertices) {
@@ -114,6 +142,9 @@ std::vector<double> areas_left_over(const Box& box, std::span<const Polygon> pol
 
 struct ExactSum::Region {
   WithHoles sum;
+  // Of the union of the outlines less the holes.
+  [[nodiscard]] Difference difference_of(const std::vector<Outer>& outlines, const std::vector<Outer>& holes,
+                                         std::span<const Segment> boundary) const;
 };
 
 ExactSum::ExactSum(const Polygon& p, const Polygon& q, Method method)
@@ -151,17 +182,50 @@ Location ExactSum::locate(Real2 at) const {
   return Location::kInside;
 }
 
-double ExactSum::area_of_difference(const MinkowskiSum& other) const {
-  std::vector<Outer> regions;
-  for (const StarSum& ring : other.rings()) append_region(ring, regions);
+Difference ExactSum::Region::difference_of(const std::vector<Outer>& outlines, const std::vector<Outer>& holes,
+                                           std::span<const Segment> boundary) const {
   Set united;
-  united.join(regions.begin(), regions.end());
-  united.symmetric_difference(Set{region_->sum});
+  united.join(outlines.begin(), outlines.end());
+  for (const Outer& hole : holes) united.difference(hole);
+  united.symmetric_difference(Set{sum});
   std::vector<WithHoles> rest;
   united.polygons_with_holes(std::back_inserter(rest));
-  double area = 0;
-  for (const WithHoles& part : rest) area += area_of(part);
-  return area;
+  Difference difference;
+  for (const WithHoles& part : rest) {
+    difference.area += area_of(part);
+    for (const Point& corner : part.outer_boundary().vertices()) {
+      difference.distance = std::max(difference.distance, distance_to(boundary, rounded(corner)));
+    }
+  }
+  return difference;
+}
+
+Difference ExactSum::difference(const MinkowskiSum& other) const {
+  std::vector<Outer> regions;
+  for (const StarSum& ring : other.rings()) append_region(ring, regions);
+  return region_->difference_of(regions, {}, boundary_);
+}
+
+Difference ExactSum::difference(std::span<const Polygon> rings) const {
+  std::vector<Outer> outlines;
+  std::vector<Outer> holes;
+  bool crossed = false;
+  for (const Polygon& ring : rings) {
+    for (const Polygon& loop : loops_of(ring)) {
+      Outer whole = polygon_of(loop);
+      if (!whole.is_simple()) {
+        crossed = true;
+      } else if (whole.orientation() == CGAL::COUNTERCLOCKWISE) {
+        outlines.push_back(std::move(whole));
+      } else if (whole.orientation() == CGAL::CLOCKWISE) {
+        whole.reverse_orientation();
+        holes.push_back(std::move(whole));
+      }
+    }
+  }
+  Difference difference = region_->difference_of(outlines, holes, boundary_);
+  difference.crossed = crossed;
+  return difference;
 }
 
 }  // namespace selvage::test

@@ -28,6 +28,13 @@ namespace selvage::test {
 
 using Segment = std::pair<Real2, Real2>;
 
+// Where a region is not the exact one.
+struct Difference {
+  double area{};      // of the symmetric difference, square lattice units
+  double distance{};  // from its farthest corner to the exact boundary, lattice units
+  bool crossed{};     // a ring crosses itself: it was left out
+};
+
 // The Minkowski sum of two polygons.
 class ExactSum {
  public:
@@ -44,8 +51,10 @@ class ExactSum {
   [[nodiscard]] double perimeter() const;
   [[nodiscard]] std::size_t holes() const;
   [[nodiscard]] Location locate(Real2 point) const;
-  // The area where this and the union of the other's rings differ.
-  [[nodiscard]] double area_of_difference(const MinkowskiSum& other) const;
+  // Where the union of the other's rings differs from this.
+  [[nodiscard]] Difference difference(const MinkowskiSum& other) const;
+  // Where a region does, given as rings: outlines counter-clockwise, holes clockwise.
+  [[nodiscard]] Difference difference(std::span<const Polygon> rings) const;
 
  private:
   struct Region;

@@ -154,7 +154,7 @@ bool near_line(Vec p, const SumEdge& e) {
 
 // Laws (1) to (4) and (7).
 std::string difference_from(const ExactSum& exact, const MinkowskiSum& sum) {
-  const double difference = exact.area_of_difference(sum);
+  const double difference = exact.difference(sum).area;
   if (difference > exact.perimeter()) {
     return "the area differs by " + std::to_string(difference / exact.perimeter()) + " units along the boundary";
   }

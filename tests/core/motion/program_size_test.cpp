@@ -29,7 +29,8 @@ Work work_of(const Motion& motion) {
   Work work;
   SumCache sums;
   Observer observer;
-  observer.on_program = [&](const ProgramSize& size) {
+  observer.on_program = [&](const LinearProgram& program) {
+    const ProgramSize size = size_of(program);
     ++work.programs;
     work.columns.insert(size.columns);
     work.largest.columns = std::max(work.largest.columns, size.columns);

@@ -1,0 +1,132 @@
+// The linear programs of real compactions, solved in every way there is: our interior point method and COIN-OR Clp's
+// methods.  Markdown.
+//
+// usage: lp_table [--repetitions N] MARKER...
+//
+// Every program that compacting the marker at accuracy standard solves is taken down and solved again by each.  Times
+// are the processor's, medians of N repetitions (5), from our form of the program to the solution in it, summed over
+// the marker's programs; the objective's difference is the largest, to dual simplex with presolve, over 1 +
+// |objective|; `broken by` the most that a solution breaks a row or bound by, in units of a thousandth of the strip's
+// width.
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <functional>
+#include <string>
+
+#include "bench/lp/clp_variants.h"
+#include "bench/marker_file.h"
+#include "bench/quantile.h"
+#include "core/lp/interior_point.h"
+#include "core/motion/compact.h"
+
+namespace selvage::bench {
+namespace {
+
+constexpr double kPatience = 5e3;  // milliseconds of the processor for one program: then the way is given up
+
+struct Way {
+  const char* name;
+  std::function<LpSolution(const LinearProgram&)> solve;
+};
+
+std::vector<Way> ways() {
+  const auto clp = [](ClpVariant variant) {
+    return [variant](const LinearProgram& program) { return solve_by_clp(program, variant); };
+  };
+  return {{"interior point (ours)", [](const LinearProgram& program) { return solve_by_interior_point(program); }},
+          {"Clp dual, presolve", clp(ClpVariant::kDualPresolved)},
+          {"Clp dual", clp(ClpVariant::kDual)},
+          {"Clp primal, presolve", clp(ClpVariant::kPrimalPresolved)},
+          {"Clp primal", clp(ClpVariant::kPrimal)},
+          {"Clp dual, dualised", clp(ClpVariant::kDualised)},
+          {"Clp barrier", clp(ClpVariant::kBarrierNoVertex)},
+          {"Clp barrier, crossover", clp(ClpVariant::kBarrier)}};
+}
+
+std::vector<LinearProgram> programs_of(const Marker& marker) {
+  std::vector<LinearProgram> programs;
+  Observer observer;
+  observer.on_program = [&](const LinearProgram& program) { programs.push_back(program); };
+  SumCache sums;
+  (void)compact(marker, compaction_settings(Accuracy::kStandard), sums, {}, observer);
+  return programs;
+}
+
+double milliseconds() {
+  return 1000.0 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+struct Row {
+  double time{}, difference{}, broken{};
+  long iterations{};
+  int unsolved{};
+};
+
+Row row_of(const Way& way, const std::vector<LinearProgram>& programs, const std::vector<double>& objectives,
+           int repetitions) {
+  Row row;
+  for (std::size_t k = 0; k < programs.size(); ++k) {
+    std::vector<double> times;
+    LpSolution solution;
+    while (times.size() < static_cast<std::size_t>(repetitions) && (times.empty() || times.back() < 1000)) {
+      const double start = milliseconds();
+      solution = way.solve(programs[k]);
+      times.push_back(milliseconds() - start);
+    }
+    row.time += quantile(times, 0.5);
+    row.iterations += solution.iterations;
+    if (solution.status != LpStatus::kOptimal) {
+      ++row.unsolved;
+    } else {
+      const double difference = std::abs(solution.objective - objectives[k]) / (1 + std::abs(objectives[k]));
+      row.difference = std::max(row.difference, difference);
+      row.broken = std::max(row.broken, infeasibility(programs[k], solution.x));
+    }
+    if (times.front() > kPatience) {
+      row.unsolved += static_cast<int>(programs.size() - k - 1);
+      break;
+    }
+  }
+  return row;
+}
+
+void print_rows(const std::string& path, int repetitions) {
+  const std::vector<LinearProgram> programs = programs_of(marker_in(path));
+  std::vector<double> objectives;
+  std::vector<double> rows;
+  for (const LinearProgram& program : programs) {
+    objectives.push_back(solve_by_clp(program, ClpVariant::kDualPresolved).objective);
+    rows.push_back(program.rows());
+  }
+  double ours = 0;
+  for (const Way& way : ways()) {
+    const Row row = row_of(way, programs, objectives, repetitions);
+    if (ours == 0) ours = row.time;
+    std::printf("| %s | %zu | %d | %.0f to %.0f | %s | %.1f | %.1f | %ld | %.1e | %.1e | %d |\n", name_of(path).c_str(),
+                programs.size(), programs.front().columns(), quantile(rows, 0), quantile(rows, 1), way.name, row.time,
+                row.time / ours, row.iterations, row.difference, row.broken, row.unsolved);
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+}  // namespace selvage::bench
+
+int main(int argc, char** argv) {
+  int repetitions = 5;
+  std::vector<std::string> paths{argv + 1, argv + argc};
+  if (paths.size() >= 2 && paths[0] == "--repetitions") {
+    repetitions = std::max(1, std::atoi(paths[1].c_str()));
+    paths.erase(paths.begin(), paths.begin() + 2);
+  }
+  if (paths.empty()) {
+    std::fprintf(stderr, "usage: lp_table [--repetitions N] MARKER...\n");
+    return 2;
+  }
+  std::printf("| marker | programs | columns | rows | way | ms | times ours | iterations | objective differs by |");
+  std::printf(" broken by | unsolved |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+  for (const std::string& path : paths) selvage::bench::print_rows(path, repetitions);
+}

@@ -1,0 +1,115 @@
+// What compaction adds to a popular nester's layouts: libnest2d lays the pieces of markers out anew, we heal and
+// compact. Markdown.
+//
+// usage: nest_table [--outlines FOLDER] MARKER...
+//
+// Times are the processor's: the nester's for all it does, compaction's with nothing in the cache of sums, healing
+// included.  With --outlines every result is written to FOLDER/MARKER.json, for an independent judge.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/marker_file.h"
+#include "bench/nest/libnest2d_nester.h"
+#include "core/marker/validity.h"
+#include "core/minkowski/inner_fit.h"
+#include "core/motion/compact.h"
+
+namespace selvage::bench {
+namespace {
+
+constexpr Coord kRoom = 3;                  // the strip's length beside the marker's before
+constexpr Coord kUnitsAcross = 10'000'000;  // libnest2d's units in the strip's width: it fails on much finer ones
+constexpr Coord kGrace = 2;                 // of those units: rounded, a piece as wide as the strip is wider
+
+// The marker's pieces laid out anew, in rotations that their shapes allow, flipped as they were.  Nothing when the
+// nester left one out.
+std::optional<Marker> nested(const Marker& marker) {
+  const Coord unit = std::max<Coord>(1, marker.strip.width / kUnitsAcross);
+  std::vector<std::vector<NestedPoint>> outlines;
+  for (const Piece& piece : marker.pieces) {
+    auto& outline = outlines.emplace_back();
+    const Orientation upright{piece.orientation.flip, {}, {}};
+    for (const Vec v : oriented(marker.shapes[piece.shape.value].outline, upright)) {
+      outline.emplace_back(v.x / unit, v.y / unit);
+    }
+  }
+  std::vector<double> rotations;
+  for (const Angle rotation : marker.shapes.front().rotations) rotations.push_back(rotation.degrees);
+  const Coord length = kRoom * length_of(marker);
+  const auto nest_of = nest(outlines, rotations, length / unit, marker.strip.width / unit + kGrace);
+  if (nest_of.empty()) return std::nullopt;
+  Marker nested = marker;
+  for (std::size_t i = 0; i < nest_of.size(); ++i) {
+    Piece& piece = nested.pieces[i];
+    // The rotation allowed that it comes nearest to: it adds up in radians.
+    const auto off = [&](double rotation) { return std::abs(std::remainder(rotation - nest_of[i].rotation, 360)); };
+    const double rotation =
+        *std::min_element(rotations.begin(), rotations.end(), [&](double a, double b) { return off(a) < off(b); });
+    piece.orientation = {piece.orientation.flip, {rotation}, {}};
+    const Polygon outline = oriented(marker.shapes[piece.shape.value].outline, piece.orientation);
+    const Box fit = inner_fit(box_of(outline), marker.strip.room(length));
+    const auto [x, y] = nest_of[i].at;
+    piece.at = {std::clamp(x * unit, fit.low.x, fit.high.x), std::clamp(y * unit, fit.low.y, fit.high.y)};
+  }
+  return nested;
+}
+
+double milliseconds() {
+  return 1000.0 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+void print_row(const std::string& path, const std::string& outlines) {
+  const Marker start = marker_in(path);
+  const double begin = milliseconds();
+  const auto nest = nested(start);
+  const double nesting = milliseconds() - begin;
+  const std::string name = name_of(path);
+  if (!nest) {
+    std::printf("| %s | %zu | %.1f s | left pieces out |\n", name.c_str(), start.pieces.size(), nesting / 1000);
+    return;
+  }
+  SumCache sums;
+  const double since = milliseconds();
+  const auto done = compact(*nest, compaction_settings(Accuracy::kStandard), sums);
+  const double compacting = milliseconds() - since;
+  if (!done) {
+    std::printf("| %s | %zu | %.1f s | refused: %s |\n", name.c_str(), nest->pieces.size(), nesting / 1000,
+                done.error().message.c_str());
+    return;
+  }
+  const auto length = [&](Coord units) { return to_decimal(units, start.resolution); };
+  const double saved = 100 * (1 - static_cast<double>(done->length_after) / static_cast<double>(done->length_before));
+  std::printf("| %s | %zu | %.1f s | %.6g | %.2f %% | %zu | %.6g | %.2f %% | %.2f %% | %.1f ms | %s |\n", name.c_str(),
+              nest->pieces.size(), nesting / 1000, length(done->length_before), 100 * done->utilisation_before,
+              done->healing.pairs, length(done->length_after), 100 * done->utilisation_after, saved, compacting,
+              is_valid(done->marker) ? "yes" : "NO");
+  std::fflush(stdout);
+  if (!outlines.empty() && !write_outlines(outlines + "/" + name + ".json", done->marker)) {
+    std::fprintf(stderr, "%s: cannot be written\n", outlines.c_str());
+  }
+}
+
+}  // namespace
+}  // namespace selvage::bench
+
+int main(int argc, char** argv) {
+  std::vector<std::string> paths{argv + 1, argv + argc};
+  std::string outlines;
+  if (paths.size() >= 2 && paths[0] == "--outlines") {
+    outlines = paths[1];
+    paths.erase(paths.begin(), paths.begin() + 2);
+  }
+  if (paths.empty()) {
+    std::fprintf(stderr, "usage: nest_table [--outlines FOLDER] MARKER...\n");
+    return 2;
+  }
+  std::printf(
+      "| pieces of | pieces | libnest2d | its length | utilisation | healed pairs | compacted | utilisation | saved |");
+  std::printf(" in | valid |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+  for (const std::string& path : paths) selvage::bench::print_row(path, outlines);
+}

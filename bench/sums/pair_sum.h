@@ -1,0 +1,48 @@
+// One pair of polygons as a library keeps them, and their Minkowski sum by that library: what sum_table compares.
+//
+// Polygons are made ready beforehand, each library's in its own form; make() is what is timed.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/geometry/outline.h"
+#include "tests/support/exact.h"
+
+namespace selvage::bench {
+
+// P, and Q as it stands to P: the sum is that of P and -(Q under `relative`).
+struct OutlinePair {
+  std::shared_ptr<const Outline> p, q;
+  Symmetry relative;
+  [[nodiscard]] Polygon mirrored_q() const { return transformed(q->polygon, Symmetry{false, 2}.after(relative)); }
+  [[nodiscard]] std::size_t vertices() const { return p->polygon.size() + q->polygon.size(); }
+};
+
+class PairSum {
+ public:
+  PairSum() = default;
+  PairSum(const PairSum&) = delete;
+  PairSum& operator=(const PairSum&) = delete;
+  virtual ~PairSum() = default;
+  // Makes the sum anew and lets go of the last one.
+  virtual void make() = 0;
+  // Where the sum last made differs from the exact one.
+  [[nodiscard]] virtual test::Difference difference(const test::ExactSum& exact) const = 0;
+};
+
+struct Library {
+  const char* name;
+  std::unique_ptr<PairSum> (*prepared)(const OutlinePair& pair);
+};
+
+[[nodiscard]] std::unique_ptr<PairSum> selvage_sum(const OutlinePair& pair);
+// minkowski_sum_2 in the exact kernel: the reduced convolution.
+[[nodiscard]] std::unique_ptr<PairSum> cgal_sum(const OutlinePair& pair);
+// ClipperLib::MinkowskiSum of the smaller along the larger, which unites a quadrilateral for each pair of edges.
+[[nodiscard]] std::unique_ptr<PairSum> clipper_sum(const OutlinePair& pair);
+// Boost.Polygon's convolution of polygon sets, which does the same.  Null for a pair too large for 32 bits.
+[[nodiscard]] std::unique_ptr<PairSum> boost_sum(const OutlinePair& pair);
+
+}  // namespace selvage::bench
