@@ -20,14 +20,9 @@
 #include <vector>
 
 #include "core/marker/validity.h"
-#include "core/motion/bump.h"
-#include "core/motion/float_apart.h"
-#include "core/motion/push.h"
 #include "core/motion/refine.h"
-#include "core/motion/relax.h"
-#include "core/motion/separate.h"
-#include "core/motion/tilt.h"
 #include "protocol/formats/format.h"
+#include "tests/support/one_round.h"
 #include "tests/support/tiled_marker.h"
 
 namespace selvage {
@@ -169,61 +164,19 @@ void anytime(const std::vector<std::string>& paths) {
   }
 }
 
-struct Work {
-  int programs{};
-  ProgramSize largest;
-};
-Observer counting(Work& work) {
-  Observer observer;
-  observer.on_program = [&work](const LinearProgram& program) {
-    const ProgramSize size = size_of(program);
-    ++work.programs;
-    if (size.rows > work.largest.rows) work.largest = size;
-  };
-  return observer;
-}
-
-// One round of each motion.
 void scene(const std::string& path) {
   std::cout << "pieces,motion,ms,programs,variables,rows,nonzeros,sums\n" << std::fixed;
   const Marker tile = marker_in(path);
   for (const std::size_t pieces : {40U, 120U, 440U, 4000U}) {
     const Marker marker = test::tiled(tile, pieces);
-    CompactionSettings once = compaction_settings(Accuracy::kStandard);
-    once.rounds = 1;
-    const auto measure = [&](const std::string& motion, const auto& run) {
-      Work work;
-      SumCache sums;
-      const Observer observer = counting(work);
+    for (const test::OneRound& round : test::one_round_of_each()) {
+      if (pieces > round.pieces) continue;
       const double start = own_time();
-      run(sums, observer);
+      const auto [programs, largest, sums] = test::work_of(round, marker);
       const double time = own_time() - start;
-      const CacheCounts counts = sums.counts();
-      std::cout << pieces << ',' << motion << ',' << time << ',' << work.programs << ',' << work.largest.columns << ','
-                << work.largest.rows << ',' << work.largest.nonzeros << ',' << counts.hits + counts.misses << std::endl;
-    };
-    const auto middle = static_cast<std::uint32_t>(pieces / 2);
-    measure("compact", [&](SumCache& sums, const Observer& o) { (void)compact(marker, once, sums, {}, o); });
-    measure("push one", [&](SumCache& sums, const Observer& o) {
-      const Force force{PieceId{middle}, 1, 0};
-      (void)push(marker, {&force, 1}, once, sums, {}, o);
-    });
-    measure("bump", [&](SumCache& sums, const Observer&) { (void)bump(Scene{marker, sums}, middle, -1, 0); });
-    measure("relax", [&](SumCache& sums, const Observer&) { (void)relax(Scene{marker, sums}, middle); });
-    measure("separate one", [&](SumCache& sums, const Observer& o) {
-      Marker overlapping = marker;
-      overlapping.pieces[middle].at.x += marker.strip.width / 100;
-      SeparationSettings settings;
-      settings.rounds = 1;
-      settings.grow = 0.02;
-      (void)separate(overlapping, settings, sums, {}, o);
-    });
-    measure("tilt", [&](SumCache& sums, const Observer& o) {
-      TiltSettings settings = tilt_settings(TiltMethod::kLinearisation, Accuracy::kStandard);
-      settings.rounds = 1;
-      settings.compaction = once;
-      (void)tilt(marker, settings, sums, {}, o);
-    });
+      std::cout << pieces << ",\"" << round.motion << "\"," << time << ',' << programs << ',' << largest.columns << ','
+                << largest.rows << ',' << largest.nonzeros << ',' << sums << std::endl;
+    }
   }
 }
 

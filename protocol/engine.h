@@ -26,7 +26,8 @@ struct Engine {
   std::function<Result<BumpedMarker>(const Marker&, PieceId, double dx, double dy, SumCache&, std::stop_token,
                                      const Observer&)>
       bump = selvage::heal_and_bump;
-  std::function<Drag(const Marker&, PieceId, Vec to, DragMode, SumCache&, std::stop_token)> drag = selvage::drag;
+  std::function<Drag(const Marker&, PieceId, Vec to, DragMode, SumCache&, std::stop_token, const Observer&)> drag =
+      selvage::drag;
 };
 
 }  // namespace selvage

@@ -126,7 +126,7 @@ void Drags::serve(Held& drag, const std::stop_token& stop) {
   }
   if (!move || (move->call->left().stop_requested() && !move->call->settle())) return;
   const Marker& start = drag.base.file->marker;
-  Drag now = methods_.engine().drag(start, drag.piece, move->to, drag.mode, sums_, stop);
+  Drag now = methods_.engine().drag(start, drag.piece, move->to, drag.mode, sums_, stop, {});
   Json answer{{"dragId", drag.id}};
   answer.update(drag_json(start, now, drag.piece, move->to));
   // What was cancelled has not happened.

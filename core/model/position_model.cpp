@@ -74,12 +74,12 @@ Terms PositionModel::terms(std::size_t q, std::optional<std::size_t> p, double n
   return terms;
 }
 
-void PositionModel::add(const PairRow& row, std::optional<int> give) {
+std::optional<int> PositionModel::add(const PairRow& row, std::optional<int> give) {
   const auto [p, q] = row.pair;
-  if (x_[p] == x_[q] && y_[p] == y_[q]) return;  // they never move against each other: nothing to say
+  if (x_[p] == x_[q] && y_[p] == y_[q]) return std::nullopt;
   Terms entries = terms(q, p, row.nx, row.ny);
   if (give) entries.add(*give, 1);
-  program_.add_row(entries.all(), row.bound / unit_);
+  return program_.add_row(entries.all(), row.bound / unit_);
 }
 
 void PositionModel::add_length(double cost, double shorten, double lengthen) {

@@ -57,8 +57,9 @@ class PositionModel {
   // Lattice units in one unit of a column.
   [[nodiscard]] double unit() const { return unit_; }
 
-  // With a column `give`, the row may be broken by that column's value.
-  void add(const PairRow& row, std::optional<int> give = {});
+  // With a column `give`, the row may be broken by that column's value.  Nothing when the pair never moves against each
+  // other: there is nothing to say; else the program's row.
+  std::optional<int> add(const PairRow& row, std::optional<int> give = {});
   // The length column, at `cost` per unit, from -`shorten` to `lengthen` lattice units.
   void add_length(double cost, double shorten, double lengthen);
   // Keeps piece i left of the strip's present length plus the length column.  REQUIRES: add_length.

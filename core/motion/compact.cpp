@@ -49,7 +49,7 @@ Progress improve(Scene& scene, const Goal& goal, const CompactionSettings& setti
                  const Observer& observer) {
   Progress progress;
   progress.reason = StopReason::kWorkLimit;
-  StepSettings step_settings{settings.trust, settings.region, settings.solver};
+  StepSettings step_settings{settings.trust, settings.region, settings.solver, settings.extent};
   while (progress.rounds < settings.rounds) {
     const PositionStep step = position_step(scene, goal, step_settings, stop, observer);
     progress.programs += step.programs;

@@ -31,6 +31,7 @@ struct CompactionSettings {
   double gravity{};     // weight of the mean leftward motion beside the length
   RegionRule region{};
   SolverChoice solver{};
+  Extent extent{Extent::kReached};
   friend bool operator==(const CompactionSettings&, const CompactionSettings&) = default;
 };
 [[nodiscard]] CompactionSettings compaction_settings(Accuracy accuracy);

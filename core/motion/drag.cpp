@@ -60,7 +60,7 @@ class Hand {
     return {scene_.result(), false};
   }
 
-  Drag push(const std::stop_token& stop) {
+  Drag push(const std::stop_token& stop, const Observer& observer) {
     scene_.shift(piece_, slid_towards() - from_);
     Drag placed{scene_.result(), false};
     const Vec at = scene_.pieces.at(piece_);
@@ -69,7 +69,7 @@ class Hand {
     const Marker part = part_of(placed.marker, around);
     Scene scene{part, sums_};
     if (!conflicts(scene.pieces).empty()) return placed;
-    follow(scene, stop);
+    follow(scene, stop, observer);
     Drag pushed{placed.marker, true};
     for (std::size_t k = 0; k < around.size(); ++k) pushed.marker.pieces[around[k]].at = scene.pieces.at(k);
     if (distance(scene.pieces.at(0), wanted_) >= distance(at, wanted_) || !proved(pushed.marker)) return placed;
@@ -141,7 +141,7 @@ class Hand {
   }
 
   // Rounds of the position model that take the scene's first piece towards the wanted place.
-  void follow(Scene& scene, const std::stop_token& stop) const {
+  void follow(Scene& scene, const std::stop_token& stop, const Observer& observer) const {
     const auto width = static_cast<double>(start_.strip.width);
     for (int round = 0; round < kRounds && !stop.stop_requested(); ++round) {
       const Vec left = wanted_ - scene.pieces.at(0);
@@ -151,7 +151,7 @@ class Hand {
       Goal goal{std::vector<Displacement>(scene.pieces.size()), 0, kStillness, Halt{0, {x, y}}};
       goal.force[0] = {x / far, y / far};
       const StepSettings settings{std::clamp(far / width, kLeastTrust, kMostTrust), {}, {}};
-      const PositionStep step = position_step(scene, goal, settings, stop, {});
+      const PositionStep step = position_step(scene, goal, settings, stop, observer);
       if (step.end != StepEnd::kMoved) return;
       scene.pieces.place(step.positions);
     }
@@ -223,10 +223,11 @@ class Hand {
 
 }  // namespace
 
-Drag drag(const Marker& start, PieceId piece, Vec to, DragMode mode, SumCache& sums, std::stop_token stop) {
+Drag drag(const Marker& start, PieceId piece, Vec to, DragMode mode, SumCache& sums, std::stop_token stop,
+          const Observer& observer) {
   if (ties_of(start).fixed(piece.value)) return {start, false};
   Hand hand{start, piece, to, sums};
-  return mode == DragMode::kPush ? hand.push(stop) : hand.place();
+  return mode == DragMode::kPush ? hand.push(stop, observer) : hand.place();
 }
 
 }  // namespace selvage

@@ -14,6 +14,7 @@
 
 #include "core/marker/marker.h"
 #include "core/minkowski/cache.h"
+#include "core/motion/observer.h"
 
 namespace selvage {
 
@@ -27,6 +28,6 @@ struct Drag {
 // `to` is where the piece's origin is wanted, which may be beyond the marker's present end, but not the cloth's.  A
 // piece for which nothing is found stays.  REQUIRES: the piece is one of the marker's; `to` is on the lattice.
 [[nodiscard]] Drag drag(const Marker& start, PieceId piece, Vec to, DragMode mode, SumCache& sums,
-                        std::stop_token stop = {});
+                        std::stop_token stop = {}, const Observer& observer = {});
 
 }  // namespace selvage

@@ -10,13 +10,17 @@
 namespace selvage {
 namespace {
 
+constexpr double kStillness = 1;  // of a unit of a piece's motion
+constexpr int kGrowing = 8;       // programs may find pieces missing; then all have columns
+
 class PartingProgram {
  public:
-  PartingProgram(const Scene& scene, const PartingSettings& settings)
+  PartingProgram(const Scene& scene, const Reached& reached, const PartingSettings& settings)
       : scene_{scene},
+        reached_{reached},
         settings_{settings},
         length_{scene.pieces.length()},
-        model_{scene.pieces, scene.marker.strip.ending({}), scene.ties} {}
+        model_{scene.pieces, scene.marker.strip.ending({}), reached.with_others_fixed()} {}
 
   void add_length() {
     const LengthAllowance& allowance = settings_.length;
@@ -33,35 +37,40 @@ class PartingProgram {
     }
   }
 
-  void add_pairs(const std::vector<PartingPair>& parting) {
-    const Coord spacing = scene_.pieces.widest_spacing();
+  // `near`: the pairs that may come to touch.  Both sorted.
+  void add_pairs(const std::vector<PartingPair>& parting, const std::vector<PiecePair>& near) {
     auto parted = parting.begin();
-    for (const PiecePair& pair : pairs_within(scene_.pieces, std::llround(settings_.reach) + spacing)) {
+    for (const PiecePair& pair : near) {
       const bool parts = parted != parting.end() && parted->pair == pair;
       if (parts) {
         add_pair(pair, parted->target.about, parted->price);
         ++parted;
-      } else {
+      } else if (reached_.holds_any(pair)) {
         add_pair(pair, scene_.relative_position(pair), settings_.price);
       }
     }
   }
 
-  void add_stillness(const std::vector<Vec>& home) { model_.add_stillness(1, home); }
+  void add_stillness(const std::vector<Vec>& home) { model_.add_stillness(kStillness, home); }
 
-  [[nodiscard]] PartingStep solved(const std::stop_token& stop) const {
-    const LpSolution solution = solve(model_.program(), settings_.solver, {}, stop);
-    PartingStep step;
-    step.status = solution.status;
-    if (solution.status != LpStatus::kOptimal) return step;
+  [[nodiscard]] LpSolution solved(const std::stop_token& stop) const {
+    return solve(model_.program(), settings_.solver, {}, stop);
+  }
+  // The pieces without columns that would move in the solution if they had some.
+  [[nodiscard]] std::vector<std::uint32_t> missed(const LpSolution& solution) const {
+    Pressure pressure{scene_.pieces.size()};
+    for (const auto& [row, pair_row] : rows_) pressure.add(pair_row, solution.dual[static_cast<std::size_t>(row)]);
+    const Box room = scene_.marker.strip.room(scene_.marker.strip.last().value_or(kLatticeLimit));
+    return reached_.missed(scene_.pieces, pressure.load(), kStillness, room);
+  }
+  void take(const LpSolution& solution, PartingStep& step) const {
     step.positions = snapped(model_.displacements(solution.x));
     for (std::size_t i = 0; i < step.positions.size(); ++i) step.positions[i] = step.positions[i] + scene_.pieces.at(i);
     step.pressure.assign(scene_.pieces.size(), 0);
-    for (const auto& [row, pair] : row_of_pair_) {
-      step.pressure[pair.first] += solution.dual[row];
-      step.pressure[pair.second] += solution.dual[row];
+    for (const auto& [row, pair_row] : rows_) {
+      step.pressure[pair_row.pair.first] += solution.dual[static_cast<std::size_t>(row)];
+      step.pressure[pair_row.pair.second] += solution.dual[static_cast<std::size_t>(row)];
     }
-    return step;
   }
 
   [[nodiscard]] const LinearProgram& program() const { return model_.program(); }
@@ -73,40 +82,69 @@ class PartingProgram {
     const Coord spacing = scene_.pieces.spacing(pair);
     const Vec r = scene_.relative_position(pair);
     const RegionSettings region{RegionRule::kGreedy, settings_.reach + static_cast<double>(spacing), spacing};
-    rows_.clear();
+    std::vector<PairRow> rows;
     for (const HalfPlane& side : free_region(scene_.obstacle(pair), about, region)) {
-      rows_.push_back(row_of(pair, side, r, spacing, model_.unit(), TightRows::kKeep));
+      rows.push_back(row_of(pair, side, r, spacing, model_.unit(), TightRows::kKeep));
     }
     std::optional<int> give;
-    if (std::any_of(rows_.begin(), rows_.end(), [](const PairRow& row) { return row.bound > 0; })) {
+    if (std::any_of(rows.begin(), rows.end(), [](const PairRow& row) { return row.bound > 0; })) {
       give = model_.program().add_column(price, 0, kInfinity);
     }
-    for (const PairRow& row : rows_) {
-      row_of_pair_.emplace_back(static_cast<std::size_t>(model_.program().rows()), pair);
-      model_.add(row, row.bound > 0 ? give : std::nullopt);
+    for (const PairRow& row : rows) {
+      if (const auto added = model_.add(row, row.bound > 0 ? give : std::nullopt)) rows_.emplace_back(*added, row);
     }
   }
 
   const Scene& scene_;
+  const Reached& reached_;
   const PartingSettings& settings_;
   Coord length_;
   PositionModel model_;
-  std::vector<PairRow> rows_;
-  std::vector<std::pair<std::size_t, PiecePair>> row_of_pair_;
+  std::vector<std::pair<int, PairRow>> rows_;  // of the program, and what they say
 };
+
+// What wants to move of itself.
+Reached moving(const Scene& scene, const std::vector<PartingPair>& parting, const std::vector<Vec>& home,
+               const PartingSettings& settings) {
+  Reached reached{scene.ties};
+  for (const PartingPair& parted : parting) {
+    reached.add(parted.pair.first);
+    reached.add(parted.pair.second);
+  }
+  for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
+    const bool beyond = scene.pieces.box(i).high.x > settings.length.free;
+    if (beyond || scene.pieces.at(i) != home[i]) reached.add(i);
+  }
+  if (settings.extent == Extent::kWhole) reached.add_all();
+  return reached;
+}
 
 }  // namespace
 
 PartingStep parting_step(const Scene& scene, const std::vector<PartingPair>& parting, const std::vector<Vec>& home,
                          const PartingSettings& settings, const std::stop_token& stop, const Observer& observer) {
-  observer.on_stage(Stage::kRows);
-  PartingProgram program{scene, settings};
-  program.add_length();
-  program.add_pairs(parting);
-  program.add_stillness(home);
-  observer.on_stage(Stage::kSolve);
-  observer.on_program(program.program());
-  return program.solved(stop);
+  const auto near = pairs_within(scene.pieces, std::llround(settings.reach) + scene.pieces.widest_spacing());
+  Reached reached = moving(scene, parting, home, settings);
+  PartingStep step;
+  for (;;) {
+    observer.on_stage(Stage::kRows);
+    PartingProgram program{scene, reached, settings};
+    program.add_length();
+    program.add_pairs(parting, near);
+    program.add_stillness(home);
+    observer.on_stage(Stage::kSolve);
+    observer.on_program(program.program());
+    const LpSolution solution = program.solved(stop);
+    ++step.programs;
+    step.status = solution.status;
+    if (solution.status != LpStatus::kOptimal) return step;
+    const auto missed = program.missed(solution);
+    if (missed.empty()) {
+      program.take(solution, step);
+      return step;
+    }
+    reached.grow(missed, near);
+  }
 }
 
 }  // namespace selvage

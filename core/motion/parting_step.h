@@ -1,11 +1,13 @@
 // One round of separation: the linear program that parts overlapping pieces with the least motion [Li94 5.2], with rows
-// that may be broken at a price [Li94 7.9], so that it always has an answer.
+// that may be broken at a price [Li94 7.9], so that it always has an answer.  It has columns for the pieces that
+// overlap, are away from home or beyond the length, and for those that these press upon (core/model/reached.h).
 #pragma once
 
 #include <stop_token>
 #include <vector>
 
 #include "core/lp/solve.h"
+#include "core/model/reached.h"
 #include "core/motion/observer.h"
 #include "core/motion/scene.h"
 #include "core/motion/separation_target.h"
@@ -32,10 +34,12 @@ struct PartingSettings {
   double price{};  // for rows of pairs that do not overlap and have no room for their margins
   LengthAllowance length;
   SolverChoice solver{};
+  Extent extent{Extent::kReached};  // kWhole: of all pieces; pairs and rows as the reach says
 };
 
 struct PartingStep {
   LpStatus status{};
+  int programs{};                // linear programs solved
   std::vector<Vec> positions;    // one per piece, rounded; inside the strip's width; not proved
   std::vector<double> pressure;  // of each piece: the sum of the dual values of its rows
 };

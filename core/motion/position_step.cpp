@@ -25,13 +25,16 @@ class Attempt {
         settings_{settings},
         observer_{observer},
         trust_{settings.trust * static_cast<double>(scene.marker.strip.width)},
-        ties_{scene.ties} {
-    observer_.on_stage(Stage::kSums);
-    for (const PiecePair& pair : pairs_within(scene.pieces, std::llround(trust_) + scene.pieces.widest_spacing())) {
-      if (ties_.joined(pair.first, pair.second)) continue;
-      near_.push_back(pair);
-      obstacles_.push_back(scene.obstacle(pair));
+        reached_{scene.ties},
+        within_trust_{pairs_within(scene.pieces, std::llround(trust_) + scene.pieces.widest_spacing())} {
+    if (held() && goal.stillness > 0 && !whole()) {
+      for (std::size_t i = 0; i < goal.force.size(); ++i) {
+        if (goal.force[i].x != 0 || goal.force[i].y != 0) reached_.add(i);
+      }
+    } else {
+      reached_.add_all();
     }
+    know_near();
     model_near();
   }
 
@@ -43,6 +46,7 @@ class Attempt {
       const LpSolution solution = solve(model_->program(), settings_.solver, {}, stop);
       ++step.programs;
       if (solution.status == LpStatus::kInfeasible && tight_ == TightRows::kRestore) {
+        if (reach_neighbours()) continue;
         tight_ = TightRows::kKeep;  // no room for the margins anywhere: a layout without slack
         model_near();
         continue;
@@ -54,8 +58,10 @@ class Attempt {
       observer_.on_stage(Stage::kVerify);
       const auto moves = model_->displacements(solution.x);
       step.end = StepEnd::kNoGain;
-      if (-solution.objective < kLeastGain) return step;
-      if (add_broken_limits(moves, model_->length_change(solution.x))) continue;
+      const bool gains = -solution.objective >= kLeastGain;
+      const bool broken = gains && add_broken_limits(moves, model_->length_change(solution.x));
+      if (reach_pressed(solution) || broken) continue;
+      if (!gains) return step;
       const auto conflict = try_moves(moves, step);
       if (conflict.empty()) return step;
       if (!add_colliding(conflict)) tie(conflict);
@@ -64,13 +70,69 @@ class Attempt {
   }
 
  private:
+  // Looks up the sums of pairs that have come to matter.  Returns how many were known before.
+  std::size_t know_near() {
+    observer_.on_stage(Stage::kSums);
+    const std::size_t known = near_.size();
+    for (const PiecePair& pair : within_trust_) {
+      if (!reached_.holds_any(pair) || reached_.ties().joined(pair.first, pair.second)) continue;
+      if (!modelled_.insert(pair).second) continue;
+      near_.push_back(pair);
+      obstacles_.push_back(scene_.obstacle(pair));
+    }
+    return known;
+  }
   void model_near() {
     observer_.on_stage(Stage::kRows);
     rows_.clear();
-    for (std::size_t k = 0; k < near_.size(); ++k) append_rows(near_[k], obstacles_[k], 2 * trust_);
     modelled_ = {near_.begin(), near_.end()};
+    append_near_rows(0);
+    if (whole()) append_all_others();
     build();
   }
+  void append_near_rows(std::size_t from) {
+    for (std::size_t k = from; k < near_.size(); ++k) append_rows(near_[k], obstacles_[k], 2 * trust_);
+  }
+  // What would have entered only when a solution broke it.
+  void append_all_others() {
+    for (const PiecePair& pair : near_) append_limits(pair);
+    for (std::uint32_t p = 0; p < scene_.pieces.size(); ++p) {
+      for (std::uint32_t q = p + 1; q < scene_.pieces.size(); ++q) append_far({p, q});
+    }
+  }
+
+  // Models what may move from now on.
+  void model_reached() {
+    const std::size_t known = know_near();
+    observer_.on_stage(Stage::kRows);
+    append_near_rows(known);
+    build();
+  }
+  // Programs may be too small: what they press upon moves too.  False when nothing is missed.
+  bool reach_pressed(const LpSolution& solution) {
+    if (reached_.complete()) return false;
+    Pressure pressure{scene_.pieces.size()};
+    for (const auto& [row, k] : row_of_) pressure.add(rows_[k], solution.dual[static_cast<std::size_t>(row)]);
+    const Box room = scene_.marker.strip.room(scene_.pieces.length());
+    const auto missed = reached_.missed(scene_.pieces, pressure.load(), goal_.stillness, room);
+    if (missed.empty()) return false;
+    reached_.grow(missed, within_trust_);
+    model_reached();
+    return true;
+  }
+  // There is no room for what moves as long as its neighbours stay.
+  bool reach_neighbours() {
+    if (reached_.complete()) return false;
+    std::vector<std::uint32_t> around;
+    for (const auto& [p, q] : near_) {
+      if (!reached_.holds(p)) around.push_back(p);
+      if (!reached_.holds(q)) around.push_back(q);
+    }
+    reached_.grow(around, within_trust_);
+    model_reached();
+    return true;
+  }
+
   void append_rows(PiecePair pair, const Obstacle& obstacle, double reach) {
     const Vec r = scene_.relative_position(pair);
     const Coord spacing = scene_.pieces.spacing(pair);
@@ -81,27 +143,33 @@ class Attempt {
     for (const HalfPlane& side : free_region(obstacle, r, region)) {
       const PairRow row = row_of(pair, side, r, spacing, unit(), tight_);
       // Within the trust |d_q - d_p| <= reach on each axis: rows farther away cannot be broken.
-      if (-row.bound <= reach * (std::abs(row.nx) + std::abs(row.ny))) rows_.push_back(row);
+      if (whole() || -row.bound <= reach * (std::abs(row.nx) + std::abs(row.ny))) rows_.push_back(row);
     }
   }
   [[nodiscard]] bool held() const { return goal_.shorten == 0; }
+  [[nodiscard]] bool whole() const { return settings_.extent == Extent::kWhole; }
   [[nodiscard]] double unit() const { return static_cast<double>(scene_.marker.strip.width) / kUnitsAcross; }
 
   void build() {
     const Coord length = scene_.pieces.length();
     // With the length held, a bound on every piece: no column for the length, no rows.
     const Strip& strip = scene_.marker.strip;
-    model_.emplace(scene_.pieces, held() ? strip.ending(length) : strip, ties_);
+    model_.emplace(scene_.pieces, held() ? strip.ending(length) : strip, reached_.with_others_fixed());
     for (std::size_t i = 0; i < scene_.pieces.size(); ++i) model_->add_cost(i, -goal_.force[i].x, -goal_.force[i].y);
     if (!held()) {
       model_->add_length(goal_.shorten, static_cast<double>(length), kSpare * unit());
       for (std::size_t i = 0; i < scene_.pieces.size(); ++i) {
-        if (static_cast<double>(length - scene_.pieces.box(i).high.x) <= 2 * trust_) model_->add_right_wall(i);
+        if (static_cast<double>(length - scene_.pieces.box(i).high.x) <= 2 * trust_ || whole())
+          model_->add_right_wall(i);
       }
     }
     if (goal_.halt) add_halt(*goal_.halt);
     if (goal_.stillness > 0) model_->add_stillness(goal_.stillness);
-    for (const PairRow& row : rows_) model_->add(row);
+    row_of_.clear();
+    for (std::size_t k = 0; k < rows_.size(); ++k) add_to_model(k);
+  }
+  void add_to_model(std::size_t k) {
+    if (const auto row = model_->add(rows_[k])) row_of_.emplace_back(*row, k);
   }
 
   void add_halt(const Halt& halt) {
@@ -119,7 +187,13 @@ class Attempt {
 
   void add(const PairRow& row) {
     rows_.push_back(row);
-    model_->add(row);
+    add_to_model(rows_.size() - 1);
+  }
+  // Near pairs move against each other by no more than twice the trust.
+  void append_limits(PiecePair pair) {
+    for (const auto& [nx, ny] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+      rows_.push_back({pair, static_cast<double>(nx), static_cast<double>(ny), -2 * trust_});
+    }
   }
 
   // Adds the rows that were left out and are broken: near pairs that moved beyond the trust, pieces beyond the new end.
@@ -200,21 +274,23 @@ class Attempt {
 
   // Models pairs that were not near and collide.
   bool add_colliding(const std::vector<PiecePair>& conflict) {
+    const std::size_t before = rows_.size();
     bool any = false;
-    for (const PiecePair& pair : conflict) {
-      if (!modelled_.insert(pair).second) continue;
-      any = true;
-      const std::size_t before = rows_.size();
-      append_rows(pair, scene_.obstacle(pair), static_cast<double>(kLatticeLimit));
-      for (std::size_t k = before; k < rows_.size(); ++k) model_->add(rows_[k]);
-    }
+    for (const PiecePair& pair : conflict) any = append_far(pair) || any;
+    for (std::size_t k = before; k < rows_.size(); ++k) add_to_model(k);
     return any;
+  }
+  // The rows of a pair that was not near.  False when it is modelled already.
+  bool append_far(PiecePair pair) {
+    if (!modelled_.insert(pair).second) return false;
+    append_rows(pair, scene_.obstacle(pair), static_cast<double>(kLatticeLimit));
+    return true;
   }
 
   // Pieces that rounding keeps breaking apart move as one: what fits now still fits then.
   void tie(const std::vector<PiecePair>& conflict) {
-    for (const auto& [p, q] : conflict) ties_.join(p, q);
-    build();
+    for (const auto& [p, q] : conflict) reached_.join(p, q);
+    model_reached();
   }
 
   const Scene& scene_;
@@ -222,11 +298,13 @@ class Attempt {
   const StepSettings& settings_;
   const Observer& observer_;
   double trust_;
-  Ties ties_;
-  std::vector<PiecePair> near_;
-  std::vector<Obstacle> obstacles_;
+  Reached reached_;
+  std::vector<PiecePair> within_trust_;
+  std::vector<PiecePair> near_;      // of these, those that can move against each other
+  std::vector<Obstacle> obstacles_;  // and their obstacles
   TightRows tight_{TightRows::kRestore};
   std::vector<PairRow> rows_;
+  std::vector<std::pair<int, std::size_t>> row_of_;  // of the program, and its place in rows_
   std::set<PiecePair> modelled_;
   std::optional<PositionModel> model_;
 };

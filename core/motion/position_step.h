@@ -8,6 +8,7 @@
 #include "core/lp/solve.h"
 #include "core/model/free_region.h"
 #include "core/model/position_model.h"
+#include "core/model/reached.h"
 #include "core/motion/observer.h"
 #include "core/motion/scene.h"
 
@@ -35,6 +36,7 @@ struct StepSettings {
                    // twice that
   RegionRule region{};
   SolverChoice solver{};
+  Extent extent{Extent::kReached};
 };
 
 enum class StepEnd {
@@ -53,7 +55,8 @@ struct PositionStep {
 };
 
 // The best step towards the goal.  Pairs farther apart than the trust are only modelled when a solution makes them
-// collide. REQUIRES: the scene's pieces are valid.
+// collide; of a goal with stillness that holds the length, pieces only when they are reached (core/model/reached.h).
+// REQUIRES: the scene's pieces are valid.
 [[nodiscard]] PositionStep position_step(const Scene& scene, const Goal& goal, const StepSettings& settings,
                                          const std::stop_token& stop, const Observer& observer);
 

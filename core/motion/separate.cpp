@@ -77,7 +77,7 @@ class Rounds {
   // only when there is no other.  REQUIRES: not apart.
   std::uint32_t holding_up(Separation& total, const std::stop_token& stop) const {
     const PartingStep step = parting_step(scene_, parting_, home_, program_settings(), stop, observer_);
-    ++total.programs;
+    total.programs += step.programs;
     std::vector<std::uint32_t> candidates;
     for (const PartingPair& parting : parting_)
       candidates.insert(candidates.end(), {parting.pair.first, parting.pair.second});
@@ -107,7 +107,7 @@ class Rounds {
         if (apart()) break;
       }
       const PartingStep step = parting_step(scene_, parting_, aim_, program_settings(), stop, observer_);
-      ++total.programs;
+      total.programs += step.programs;
       if (step.status != LpStatus::kOptimal) {
         return step.status == LpStatus::kStopped ? StopReason::kCancelled : StopReason::kSolverFailed;
       }
@@ -129,7 +129,7 @@ class Rounds {
     PartingSettings settings = program_settings();
     settings.reach = kMostReach * width;
     const PartingStep step = parting_step(scene_, parting_, home_, settings, stop, observer_);
-    ++total.programs;
+    total.programs += step.programs;
     if (step.status != LpStatus::kOptimal) return;
     scene_.pieces.place(step.positions);
     put_back(scene_, kLatticeLimit);

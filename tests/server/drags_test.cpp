@@ -52,7 +52,8 @@ TEST(Drags, ALockedPieceStays) {
 struct SlowHand {
   Engine engine() {
     Engine engine;
-    engine.drag = [this](const Marker& start, PieceId piece, Vec to, DragMode, SumCache&, const std::stop_token&) {
+    engine.drag = [this](const Marker& start, PieceId piece, Vec to, DragMode, SumCache&, const std::stop_token&,
+                         const Observer&) {
       {
         const std::lock_guard lock{mutex};
         ++begun;

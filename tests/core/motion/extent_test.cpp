@@ -1,0 +1,90 @@
+// What is reached is enough: motions that model only that serve their goal as well as the naive model does, which has
+// every piece, pair and row at once.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/marker/validity.h"
+#include "core/motion/compact.h"
+#include "core/motion/parting_step.h"
+#include "core/motion/push.h"
+#include "tests/support/garment.h"
+#include "tests/support/tiled_marker.h"
+
+namespace selvage {
+namespace {
+
+CompactionSettings settings_with(Extent extent) {
+  CompactionSettings settings = compaction_settings(Accuracy::kStandard);
+  settings.extent = extent;
+  return settings;
+}
+
+class Extents : public ::testing::TestWithParam<const char*> {
+ protected:
+  Marker marker_{test::tiled(test::garment(GetParam()), 20)};
+  double width_{static_cast<double>(marker_.strip.width)};
+};
+
+TEST_P(Extents, CompactionComesToTheSameLength) {
+  const Marker loose = test::loosened(marker_, 0.05);
+  const auto length = [&](Extent extent) {
+    SumCache sums;
+    CompactionSettings settings = settings_with(extent);
+    settings.rounds = 1;  // the same program: later rounds start where the first one's vertex lies
+    return static_cast<double>(compact(loose, settings, sums)->length_after);
+  };
+  EXPECT_NEAR(length(Extent::kReached), length(Extent::kWhole), 1e-7 * width_);
+}
+
+TEST_P(Extents, PushingOnePieceGainsAsMuch) {
+  const auto gain = [&](const Force& force, Extent extent) {
+    SumCache sums;
+    CompactionSettings settings = settings_with(extent);
+    settings.rounds = 1;
+    const auto pushed = push(marker_, {&force, 1}, settings, sums);
+    EXPECT_TRUE(is_valid(pushed->marker));
+    return pushed->gain;
+  };
+  for (std::uint32_t piece = 0; piece < marker_.pieces.size(); piece += 3) {
+    for (const Displacement to : {Displacement{1, 0}, {-1, 0}, {0, 1}, {0.6, -0.8}}) {
+      const Force force{PieceId{piece}, to.x, to.y};
+      // Farther pieces need not give room for margins when they stay: never less, by a few units more.
+      EXPECT_NEAR(gain(force, Extent::kReached), gain(force, Extent::kWhole), 1e-5 * width_) << piece << ' ' << to.x;
+    }
+  }
+}
+
+TEST_P(Extents, PartingOnePieceMovesAsLittle) {
+  const auto way = [&](std::size_t piece, Extent extent) {
+    Marker overlapping = marker_;
+    overlapping.pieces[piece].at.x -= marker_.strip.width / 200;
+    SumCache sums;
+    const Scene scene{overlapping, sums};
+    std::vector<PartingPair> parting;
+    for (const PiecePair& pair : conflicts(scene.pieces)) {
+      parting.push_back({pair, separation_target(scene, pair, TargetRule::kNearest), 100});
+    }
+    const Coord length = scene.pieces.length();
+    PartingSettings settings{0.05 * width_, 100, {length, length, 10, 50}, SolverChoice::kAutomatic};
+    settings.extent = extent;
+    const PartingStep step = parting_step(scene, parting, scene.pieces.positions(), settings, {}, {});
+    EXPECT_EQ(step.status, LpStatus::kOptimal);
+    double sum = 0;
+    for (std::size_t i = 0; i < step.positions.size(); ++i) {
+      const Vec by = step.positions[i] - scene.pieces.at(i);
+      sum += static_cast<double>(std::abs(by.x) + std::abs(by.y));
+    }
+    return sum;
+  };
+  for (std::size_t piece = 1; piece < marker_.pieces.size(); piece += 4) {
+    if (PlacedPieces{marker_}.box(piece).low.x < marker_.strip.width / 100) continue;
+    EXPECT_NEAR(way(piece, Extent::kReached), way(piece, Extent::kWhole), 1e-5 * width_) << piece;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Garments, Extents, ::testing::Values("jeans_02g", "charlie_04g", "simon_06g"),
+                         test::garment_name);
+
+}  // namespace
+}  // namespace selvage

@@ -1,0 +1,147 @@
+#include "tests/support/one_round.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "core/motion/bump.h"
+#include "core/motion/drag.h"
+#include "core/motion/float_apart.h"
+#include "core/motion/open_gap.h"
+#include "core/motion/place.h"
+#include "core/motion/push.h"
+#include "core/motion/relax.h"
+#include "core/motion/separate.h"
+#include "core/motion/tilt.h"
+
+namespace selvage::test {
+namespace {
+
+constexpr std::size_t kAny = std::numeric_limits<std::size_t>::max();
+
+// A motion that refuses its marker would look like one that takes nothing.
+template <class Answer>
+void require(const Result<Answer>& answer) {
+  if (!answer) throw std::runtime_error{answer.error().message};
+}
+
+PieceId middle_of(const Marker& marker) {
+  return PieceId{static_cast<std::uint32_t>(marker.pieces.size() / 2)};
+}
+// A part of the strip's width to the right of where the middle piece is.
+Vec beside_middle(const Marker& marker, double part) {
+  const Vec at = marker.pieces[middle_of(marker).value].at;
+  return {at.x + std::llround(part * static_cast<double>(marker.strip.width)), at.y};
+}
+
+CompactionSettings one_round(Extent extent) {
+  CompactionSettings settings = compaction_settings(Accuracy::kStandard);
+  settings.rounds = 1;
+  settings.extent = extent;
+  return settings;
+}
+
+template <Extent kExtent>
+void compact_once(const Marker& marker, SumCache& sums, const Observer& observer) {
+  require(compact(marker, one_round(kExtent), sums, {}, observer));
+}
+
+// `kAcross`: towards the strip's edge, else along the marker.
+template <bool kAcross, Extent kExtent>
+void push_once(const Marker& marker, SumCache& sums, const Observer& observer) {
+  const Force force{middle_of(marker), kAcross ? 0.0 : 1.0, kAcross ? 1.0 : 0.0};
+  require(push(marker, {&force, 1}, one_round(kExtent), sums, {}, observer));
+}
+
+void open_once(const Marker& marker, SumCache& sums, const Observer& observer) {
+  const UnoccupiedSettings regions = unoccupied_settings(marker.strip);
+  const std::size_t middle = unoccupied_regions(marker, regions).size() / 2;
+  require(open_gap(marker, AwayFromOutline{middle}, one_round(Extent::kReached), regions, sums, {}, observer));
+}
+
+template <FloatMode kMode>
+void float_once(const Marker& marker, SumCache& sums, const Observer& observer) {
+  FloatSettings settings = float_settings(kMode, marker.strip.width / 500);
+  settings.rounds = 1;
+  require(float_apart(marker, settings, sums, {}, observer));
+}
+
+// The middle piece lies in its neighbour by a hundredth of the width.
+void separate_once(const Marker& marker, SumCache& sums, const Observer& observer) {
+  Marker overlapping = marker;
+  overlapping.pieces[middle_of(marker).value].at = beside_middle(marker, 0.01);
+  SeparationSettings settings;
+  settings.rounds = 1;
+  settings.grow = 0.02;
+  require(separate(overlapping, settings, sums, {}, observer));
+}
+
+void tilt_once(const Marker& marker, SumCache& sums, const Observer& observer) {
+  TiltSettings settings = tilt_settings(TiltMethod::kLinearisation, Accuracy::kStandard);
+  settings.rounds = 1;
+  settings.compaction = one_round(Extent::kReached);
+  require(tilt(marker, settings, sums, {}, observer));
+}
+
+void bump_once(const Marker& marker, SumCache& sums, const Observer& /*solves nothing*/) {
+  (void)bump(Scene{marker, sums}, middle_of(marker).value, -1, 0);
+}
+void relax_once(const Marker& marker, SumCache& sums, const Observer& /*solves nothing*/) {
+  (void)relax(Scene{marker, sums}, middle_of(marker).value);
+}
+void place_once(const Marker& marker, SumCache& sums, const Observer& observer) {
+  require(heal_and_place(marker, middle_of(marker), beside_middle(marker, 0.1), {}, sums, {}, observer));
+}
+template <DragMode kMode>
+void drag_once(const Marker& marker, SumCache& sums, const Observer& observer) {
+  (void)drag(marker, middle_of(marker), beside_middle(marker, 0.02), kMode, sums, {}, observer);
+}
+
+constexpr std::array kRounds{
+    OneRound{"bump", kAny, bump_once},
+    OneRound{"compact", kAny, compact_once<Extent::kReached>},
+    OneRound{"compact, whole", 440, compact_once<Extent::kWhole>},
+    OneRound{"drag, place", kAny, drag_once<DragMode::kPlace>},
+    OneRound{"drag, push", kAny, drag_once<DragMode::kPush>},
+    OneRound{"float, given distance", kAny, float_once<FloatMode::kGivenDistance>},
+    OneRound{"float, largest minimum", kAny, float_once<FloatMode::kLargestMinimum>},
+    OneRound{"float, largest total", kAny, float_once<FloatMode::kLargestTotal>},
+    OneRound{"float, two steps", 440, float_once<FloatMode::kTwoStep>},
+    OneRound{"float, uniform", 440, float_once<FloatMode::kUniform>},
+    OneRound{"gap", kAny, open_once},
+    OneRound{"place", kAny, place_once},
+    OneRound{"push one across", kAny, push_once<true, Extent::kReached>},
+    OneRound{"push one across, whole", 440, push_once<true, Extent::kWhole>},
+    OneRound{"push one along", kAny, push_once<false, Extent::kReached>},
+    OneRound{"push one along, whole", 440, push_once<false, Extent::kWhole>},
+    OneRound{"relax", kAny, relax_once},
+    OneRound{"separate one", kAny, separate_once},
+    OneRound{"tilt", 440, tilt_once},
+};
+
+}  // namespace
+
+std::span<const OneRound> one_round_of_each() {
+  return kRounds;
+}
+
+Work work_of(const OneRound& round, const Marker& marker) {
+  Work work;
+  SumCache sums;
+  Observer observer;
+  observer.on_program = [&](const LinearProgram& program) {
+    const ProgramSize size = size_of(program);
+    ++work.programs;
+    work.largest.columns = std::max(work.largest.columns, size.columns);
+    work.largest.rows = std::max(work.largest.rows, size.rows);
+    work.largest.nonzeros = std::max(work.largest.nonzeros, size.nonzeros);
+  };
+  round.run(marker, sums, observer);
+  work.sums = sums.counts().hits + sums.counts().misses;
+  return work;
+}
+
+}  // namespace selvage::test
