@@ -72,6 +72,7 @@ std::string Daemon::metrics_text() const {
   using enum Metric::Type;
   const std::array kNow{
       Metric{"selvage_open_markers", kGauge, "Markers that are open.", "", {{"", value(store_.count())}}},
+      Metric{"selvage_open_calls", kGauge, "Calls under way.", "", {{"", value(dispatcher_.open_calls())}}},
       Metric{"selvage_jobs_waiting",
              kGauge,
              "Jobs in the queues.",

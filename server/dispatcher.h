@@ -37,6 +37,8 @@ class Dispatcher {
   void receive(std::string message, const std::shared_ptr<Session>& session, Reply reply);
   // The answer to a message that is longer than the limit and was therefore not read.
   [[nodiscard]] static std::string too_long(std::size_t limit);
+  // Calls that have an id and are not done with.
+  [[nodiscard]] std::size_t open_calls() const { return calls_.count(); }
 
  private:
   struct Exchange;  // one message on its way
