@@ -42,7 +42,7 @@ class Dispatcher {
 
  private:
   struct Exchange;  // one message on its way
-  void take_apart(std::string_view message, std::shared_ptr<Session> session, ReplyOnce<std::string> reply);
+  void take_apart(std::string message, std::shared_ptr<Session> session, ReplyOnce<std::string> reply);
   void next(const std::shared_ptr<Exchange>& exchange);
   void start(const std::shared_ptr<Exchange>& exchange, const Request& request, ReplyOnce<Outcome> reply);
   void enqueue(JobQueue& queue, std::string lane, const std::shared_ptr<Exchange>& exchange, const Request& request,
