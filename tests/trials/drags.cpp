@@ -79,6 +79,7 @@ class Hand {
   }
 
   void take_all() {
+    bool ended{};
     while (!awaited_.empty()) {
       const Json answer = caller_.next_answer();
       const auto call = awaited_.find(answer["id"].get<int>());
@@ -90,10 +91,11 @@ class Hand {
       awaited_.erase(call);
       if (method == "drag.move") {
         judge_move(answer);
-      } else if (judge_end(answer)) {
-        check();
+      } else {
+        ended = judge_end(answer);
       }
     }
+    if (ended) check();
   }
 
   void judge_move(const Json& answer) {
