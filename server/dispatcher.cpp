@@ -13,7 +13,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kSmallMessage = std::size_t{16} << 10;  // bytes; parsed in a fraction of a millisecond
+constexpr std::size_t kSmallMessage = std::size_t{16} << 10;   // bytes; parsed in a fraction of a millisecond
+constexpr std::size_t kLargeMessage = std::size_t{256} << 10;  // bytes; takes milliseconds and more
 constexpr std::string_view kCancel = "$/cancelRequest";
 
 RpcError internal_error() {
@@ -97,6 +98,7 @@ struct Dispatcher::Exchange {
 void Dispatcher::receive(std::string message, const std::shared_ptr<Session>& session, Reply reply) {
   ReplyOnce<std::string> once{std::move(reply), text_of(internal_error())};
   if (message.size() <= kSmallMessage) return take_apart(std::move(message), session, std::move(once));
+  JobQueue& queue = message.size() <= kLargeMessage ? reads_ : parsing_;
   // Shared, so that the reply is still at hand when the queue refuses.
   const auto held = std::make_shared<ReplyOnce<std::string>>(std::move(once));
   Job job{.session = session->id,
@@ -105,8 +107,8 @@ void Dispatcher::receive(std::string message, const std::shared_ptr<Session>& se
           .work = Work{[this, held, session, text = std::move(message)](auto&&) mutable {
             take_apart(std::move(text), session, std::move(*held));
           }}};
-  const Admission admission = reads_.submit(job);
-  if (admission != Admission::kAccepted) std::move (*held)(text_of(refused(admission, reads_)));
+  const Admission admission = queue.submit(job);
+  if (admission != Admission::kAccepted) std::move (*held)(text_of(refused(admission, queue)));
 }
 
 std::string Dispatcher::too_long(std::size_t limit) {

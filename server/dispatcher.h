@@ -23,11 +23,12 @@ namespace selvage {
 class Dispatcher {
  public:
   // REQUIRES: all outlive the dispatcher and every call.
-  Dispatcher(Methods& methods, Drags& drags, DeadlineClock& clock, JobQueue& reads, JobQueue& motions,
-             std::size_t max_bytes, OnAnswered on_answered = log_request)
+  Dispatcher(Methods& methods, Drags& drags, DeadlineClock& clock, JobQueue& parsing, JobQueue& reads,
+             JobQueue& motions, std::size_t max_bytes, OnAnswered on_answered = log_request)
       : methods_{methods},
         drags_{drags},
         clock_{clock},
+        parsing_{parsing},
         reads_{reads},
         motions_{motions},
         max_bytes_{max_bytes},
@@ -52,6 +53,7 @@ class Dispatcher {
   Methods& methods_;
   Drags& drags_;
   DeadlineClock& clock_;
+  JobQueue& parsing_;  // of large messages: no read waits behind one
   JobQueue& reads_;
   JobQueue& motions_;
   const std::size_t max_bytes_;
