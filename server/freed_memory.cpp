@@ -5,8 +5,8 @@
 namespace selvage {
 
 void bound_freed_memory() {
-  // A solver's buffers stay below; taking those from the system each time would cost it their page faults.
-  constexpr int kMostKept = 8 << 20, kLargeBuffer = 4 << 20;  // bytes
+  // Small next to what a thread works with, large next to what it frees and takes again all the time.
+  constexpr int kMostKept = 1 << 20, kLargeBuffer = 1 << 20;  // bytes
   ::mallopt(M_TRIM_THRESHOLD, kMostKept);
   ::mallopt(M_MMAP_THRESHOLD, kLargeBuffer);
 }
