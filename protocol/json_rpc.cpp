@@ -14,7 +14,8 @@ bool usable_id(const Json& id) {
   return id.is_string() || id.is_number() || id.is_null();
 }
 
-Call read_call(const Json& value) {
+// Takes the parameters out of `value`: they may be large.
+Call read_call(Json& value) {
   if (!value.is_object()) return bad_request(nullptr, shortened(value) + " is no request; an object is required");
   Request request;
   if (const auto id = value.find("id"); id != value.end()) {
@@ -35,7 +36,7 @@ Call read_call(const Json& value) {
     // An array is a request too, by the standard; the method's decoder refuses it, so that a notification
     // stays silent.
     if (!params->is_structured()) return bad_request(id, "/params: an object is required");
-    request.params = *params;
+    request.params = std::move(*params);
   }
   return request;
 }
@@ -52,7 +53,7 @@ Incoming parse_incoming(std::string_view text, std::size_t max_bytes) {
                                 std::to_string(max_bytes) + " are taken";
     return only({nullptr, {RpcCode::kTooLarge, message, {{"limit", max_bytes}}}});
   }
-  const auto document = parse(text, max_bytes);
+  auto document = parse(text, max_bytes);
   if (!document) return only({nullptr, rpc_error(document.error(), RpcCode::kParseError)});
   if (!document->is_array()) return {.batch = false, .calls = {read_call(*document)}};
   if (document->empty()) return only(bad_request(nullptr, "a batch holds at least one call"));
@@ -63,7 +64,7 @@ Incoming parse_incoming(std::string_view text, std::size_t max_bytes) {
                             {{"limit", kMaxBatch}}));
   }
   Incoming incoming{.batch = true, .calls = {}};
-  for (const Json& value : *document) incoming.calls.push_back(read_call(value));
+  for (Json& value : *document) incoming.calls.push_back(read_call(value));
   return incoming;
 }
 

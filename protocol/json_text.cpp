@@ -1,5 +1,6 @@
 #include "protocol/json_text.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -19,19 +20,29 @@ std::string place_of(std::string_view text, std::size_t position) {
   return "line " + std::to_string(line) + ", column " + std::to_string(column);
 }
 
-// Looks for nesting beyond the limit before anything is built, since a deep tree cannot even be destroyed
-// safely.
-std::optional<Error> check_depth(std::string_view text) {
+// Text of commas and brackets becomes a tree of forty times its size: no more values than a part of the bytes that a
+// text may have.  Outlines are about as many values as may be: a point is three, and some twenty bytes.
+constexpr std::size_t kBytesPerValue = 16, kLeastValues = 10'000;
+
+// Looks for nesting and numbers of values beyond the limits before anything is built, since a deep tree cannot even be
+// destroyed safely.
+std::optional<Error> check_shape(std::string_view text, std::size_t most_values) {
   int depth = 0;
+  std::size_t values = 1;  // at most
   bool in_string = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
     if (in_string) {
       if (c == '\\') ++i;
       in_string = c != '"';
-    } else if (c == '"') {
-      in_string = true;
-    } else if (c == '[' || c == '{') {
+      continue;
+    }
+    in_string = c == '"';
+    if (c == ',' || c == '[' || c == '{') ++values;
+    if (values > most_values) {
+      return Error{ErrorCode::kOutOfRange, "JSON of more than " + std::to_string(most_values) + " values", ""};
+    }
+    if (c == '[' || c == '{') {
       if (++depth > kMaxDepth) {
         return Error{ErrorCode::kDepth,
                      "JSON nested deeper than " + std::to_string(kMaxDepth) + " levels at " + place_of(text, i), ""};
@@ -248,7 +259,7 @@ Result<Json> parse(std::string_view text, std::size_t max_bytes) {
                      " are read",
                  ""};
   }
-  if (auto error = check_depth(text)) return *std::move(error);
+  if (auto error = check_shape(text, std::max(kLeastValues, max_bytes / kBytesPerValue))) return *std::move(error);
   Builder builder{text};
   Json::sax_parse(text.begin(), text.end(), &builder);
   return std::move(builder).take();

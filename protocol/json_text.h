@@ -1,9 +1,9 @@
 // JSON as text: a strict reader with limits, and a writer whose decimals are exact.
 //
-// Reading refuses what would hurt later: nesting deeper than kMaxDepth, objects of more than kMaxFields
-// fields, a key twice in one object, numbers no double holds, bad UTF-8.  Writing prints every double as its
-// shortest decimal that reads back as the same double (std::to_chars): a lattice coordinate that came through
-// to_decimal is printed exactly.
+// Reading refuses what would hurt later: nesting deeper than kMaxDepth, objects of more than kMaxFields fields, a key
+// twice in one object, more values than a 16th of the bytes allowed, numbers no double holds, bad UTF-8.  Writing
+// prints every double as its shortest decimal that reads back as the same double (std::to_chars): a lattice coordinate
+// that came through to_decimal is printed exactly.
 #pragma once
 
 #include <cstddef>
@@ -21,8 +21,8 @@ inline constexpr int kMaxDepth = 64;
 inline constexpr std::size_t kMaxFields = 256;                       // of one object
 inline constexpr std::size_t kMaxFileBytes = std::size_t{64} << 20;  // of a marker read from a file
 
-// Errors: kSyntax (with line and column), kDepth, kOutOfRange (the text is too long, a number overflows, an
-// object has too many fields), kDuplicateField.
+// Errors: kSyntax (with line and column), kDepth, kOutOfRange (the text is too long or has too many values, a number
+// overflows, an object has too many fields), kDuplicateField.
 [[nodiscard]] Result<Json> parse(std::string_view text, std::size_t max_bytes = kMaxFileBytes);
 
 enum class Layout { kCompact, kIndented };

@@ -12,7 +12,7 @@ namespace {
 // Reads have their own workers, so that none waits behind a motion.
 constexpr std::size_t kReadWorkers = 2;
 // Nor does a dragging hand.
-constexpr std::size_t kHandWorkers = 1;
+constexpr std::size_t kHandWorkers = 1, kParsingWorkers = 1;
 
 Doors doors_for(const Options& options) {
   return options.task == Options::Task::kServe ? doors_of(options) : Doors{};
@@ -26,6 +26,7 @@ Daemon::Daemon(const Options& options, Engine engine)
       journal_{options.store.empty() ? nullptr : std::make_unique<Journal>(options.store, options.durability)},
       store_{options.limits.open_markers, journal_.get()},
       methods_{store_, watchers_, sums_, options.limits, options.workers, std::move(engine)},
+      parsing_{options.workers == 0 ? 0 : kParsingWorkers, options.limits.waiting_reads},
       reads_{options.workers == 0 ? 0 : kReadWorkers, options.limits.waiting_reads},
       motions_{options.workers, options.limits.waiting_motions},
       hands_{options.workers == 0 ? 0 : kHandWorkers, options.limits.waiting_moves},
@@ -33,6 +34,7 @@ Daemon::Daemon(const Options& options, Engine engine)
       dispatcher_{methods_,
                   drags_,
                   clock_,
+                  parsing_,
                   reads_,
                   motions_,
                   options.limits.transport.body_bytes,
@@ -72,11 +74,13 @@ std::string Daemon::metrics_text() const {
   using enum Metric::Type;
   const std::array kNow{
       Metric{"selvage_open_markers", kGauge, "Markers that are open.", "", {{"", value(store_.count())}}},
+      Metric{"selvage_open_calls", kGauge, "Calls under way.", "", {{"", value(dispatcher_.open_calls())}}},
       Metric{"selvage_jobs_waiting",
              kGauge,
              "Jobs in the queues.",
              "queue",
              {{"motions", value(motions_.waiting())},
+              {"parsing", value(parsing_.waiting())},
               {"reads", value(reads_.waiting())},
               {"hands", value(hands_.waiting())}}},
       Metric{"selvage_jobs_running",
@@ -84,6 +88,7 @@ std::string Daemon::metrics_text() const {
              "Jobs on the workers.",
              "queue",
              {{"motions", value(motions_.running())},
+              {"parsing", value(parsing_.running())},
               {"reads", value(reads_.running())},
               {"hands", value(hands_.running())}}},
       Metric{"selvage_connections",
@@ -119,6 +124,7 @@ void Daemon::drain() {
   transport_.stop_reading();
   motions_.drain();
   hands_.drain();
+  parsing_.drain();
   reads_.drain();
   transport_.finish(drain_patience_);
 }

@@ -58,6 +58,7 @@ class Daemon {
   Watchers watchers_;
   Methods methods_;
   DeadlineClock clock_;
+  JobQueue parsing_;
   JobQueue reads_;
   JobQueue motions_;
   JobQueue hands_;

@@ -6,13 +6,15 @@
 #include <vector>
 
 #include "protocol/call_fields.h"
+#include "server/freed_memory.h"
 
 namespace selvage {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kSmallMessage = std::size_t{16} << 10;  // bytes; parsed in a fraction of a millisecond
+constexpr std::size_t kSmallMessage = std::size_t{16} << 10;   // bytes; parsed in a fraction of a millisecond
+constexpr std::size_t kLargeMessage = std::size_t{256} << 10;  // bytes; takes milliseconds and more
 constexpr std::string_view kCancel = "$/cancelRequest";
 
 RpcError internal_error() {
@@ -51,6 +53,7 @@ std::optional<Clock::time_point> deadline_of(const Json& params) {
 }  // namespace
 
 struct Dispatcher::Exchange {
+  FreedMemory freed;  // first: goes when all the rest has gone
   Incoming incoming;
   std::size_t bytes{};
   std::shared_ptr<Session> session;
@@ -94,17 +97,18 @@ struct Dispatcher::Exchange {
 
 void Dispatcher::receive(std::string message, const std::shared_ptr<Session>& session, Reply reply) {
   ReplyOnce<std::string> once{std::move(reply), text_of(internal_error())};
-  if (message.size() <= kSmallMessage) return take_apart(message, session, std::move(once));
+  if (message.size() <= kSmallMessage) return take_apart(std::move(message), session, std::move(once));
+  JobQueue& queue = message.size() <= kLargeMessage ? reads_ : parsing_;
   // Shared, so that the reply is still at hand when the queue refuses.
   const auto held = std::make_shared<ReplyOnce<std::string>>(std::move(once));
   Job job{.session = session->id,
           .lane = {},
           .caller = session->gone,
-          .work = Work{[this, held, session, text = std::move(message)](auto&&) {
-            take_apart(text, session, std::move(*held));
+          .work = Work{[this, held, session, text = std::move(message)](auto&&) mutable {
+            take_apart(std::move(text), session, std::move(*held));
           }}};
-  const Admission admission = reads_.submit(job);
-  if (admission != Admission::kAccepted) std::move (*held)(text_of(refused(admission, reads_)));
+  const Admission admission = queue.submit(job);
+  if (admission != Admission::kAccepted) std::move (*held)(text_of(refused(admission, queue)));
 }
 
 std::string Dispatcher::too_long(std::size_t limit) {
@@ -112,9 +116,13 @@ std::string Dispatcher::too_long(std::size_t limit) {
       {RpcCode::kTooLarge, "the message is longer than " + std::to_string(limit) + " bytes", Json{{"limit", limit}}});
 }
 
-void Dispatcher::take_apart(std::string_view message, std::shared_ptr<Session> session, ReplyOnce<std::string> reply) {
-  next(std::make_shared<Exchange>(Exchange{.incoming = parse_incoming(message, max_bytes_),
-                                           .bytes = message.size(),
+void Dispatcher::take_apart(std::string message, std::shared_ptr<Session> session, ReplyOnce<std::string> reply) {
+  const std::size_t bytes = message.size();
+  Incoming incoming = parse_incoming(message, max_bytes_);
+  std::string{}.swap(message);  // has served; it may be large
+  next(std::make_shared<Exchange>(Exchange{.freed = FreedMemory{bytes},
+                                           .incoming = std::move(incoming),
+                                           .bytes = bytes,
                                            .session = std::move(session),
                                            .reply = std::move(reply),
                                            .on_answered = on_answered_}));

@@ -23,11 +23,12 @@ namespace selvage {
 class Dispatcher {
  public:
   // REQUIRES: all outlive the dispatcher and every call.
-  Dispatcher(Methods& methods, Drags& drags, DeadlineClock& clock, JobQueue& reads, JobQueue& motions,
-             std::size_t max_bytes, OnAnswered on_answered = log_request)
+  Dispatcher(Methods& methods, Drags& drags, DeadlineClock& clock, JobQueue& parsing, JobQueue& reads,
+             JobQueue& motions, std::size_t max_bytes, OnAnswered on_answered = log_request)
       : methods_{methods},
         drags_{drags},
         clock_{clock},
+        parsing_{parsing},
         reads_{reads},
         motions_{motions},
         max_bytes_{max_bytes},
@@ -37,10 +38,12 @@ class Dispatcher {
   void receive(std::string message, const std::shared_ptr<Session>& session, Reply reply);
   // The answer to a message that is longer than the limit and was therefore not read.
   [[nodiscard]] static std::string too_long(std::size_t limit);
+  // Calls that have an id and are not done with.
+  [[nodiscard]] std::size_t open_calls() const { return calls_.count(); }
 
  private:
   struct Exchange;  // one message on its way
-  void take_apart(std::string_view message, std::shared_ptr<Session> session, ReplyOnce<std::string> reply);
+  void take_apart(std::string message, std::shared_ptr<Session> session, ReplyOnce<std::string> reply);
   void next(const std::shared_ptr<Exchange>& exchange);
   void start(const std::shared_ptr<Exchange>& exchange, const Request& request, ReplyOnce<Outcome> reply);
   void enqueue(JobQueue& queue, std::string lane, const std::shared_ptr<Exchange>& exchange, const Request& request,
@@ -50,6 +53,7 @@ class Dispatcher {
   Methods& methods_;
   Drags& drags_;
   DeadlineClock& clock_;
+  JobQueue& parsing_;  // of large messages: no read waits behind one
   JobQueue& reads_;
   JobQueue& motions_;
   const std::size_t max_bytes_;

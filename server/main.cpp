@@ -20,6 +20,7 @@
 #include "protocol/fields.h"
 #include "server/addresses.h"
 #include "server/daemon.h"
+#include "server/freed_memory.h"
 #include "server/log.h"
 #include "server/options.h"
 #include "server/replay.h"
@@ -84,6 +85,7 @@ class Overdue {
 };
 
 int serve(const Options& options) {
+  bound_freed_memory();
   const sigset_t signals = block_signals();
   Daemon daemon{options};
   if (!options.port_file.empty()) write_ports(options.port_file, daemon);

@@ -35,23 +35,41 @@ void OpenCall::set_deadline(const std::shared_ptr<OpenCall>& call, DeadlineClock
   });
 }
 
+// Takes its call off the list, unless a later one has the place.
+struct OpenCalls::Listing {
+  std::shared_ptr<List> list;
+  Key key;
+  const OpenCall* which{};
+
+  Listing(std::shared_ptr<List> listed_in, Key listed_as, const OpenCall* call)
+      : list{std::move(listed_in)}, key{std::move(listed_as)}, which{call} {}
+  ~Listing() {
+    const std::lock_guard lock{list->mutex};
+    const auto found = list->calls.find(key);
+    if (found != list->calls.end() && found->second.which == which) list->calls.erase(found);
+  }
+  Listing(const Listing&) = delete;
+  Listing& operator=(const Listing&) = delete;
+};
+
 void OpenCalls::add(const Json& id, const std::shared_ptr<OpenCall>& call) {
-  const std::lock_guard lock{mutex_};
-  calls_.insert_or_assign(Key{call->session()->id, to_text(id)}, Entry{call.get(), call});
+  const Key key{call->session()->id, to_text(id)};
+  call->listing_ = std::make_shared<const Listing>(list_, key, call.get());
+  const std::lock_guard lock{list_->mutex};
+  list_->calls.insert_or_assign(key, Entry{call.get(), call});
 }
 
-void OpenCalls::remove(const Json& id, std::uint64_t session, const OpenCall* call) {
-  const std::lock_guard lock{mutex_};
-  const auto found = calls_.find(Key{session, to_text(id)});
-  if (found != calls_.end() && found->second.which == call) calls_.erase(found);
+std::size_t OpenCalls::count() const {
+  const std::lock_guard lock{list_->mutex};
+  return list_->calls.size();
 }
 
 bool OpenCalls::cancel(const Json& id, std::uint64_t session) {
   std::shared_ptr<OpenCall> call;
   {
-    const std::lock_guard lock{mutex_};
-    const auto found = calls_.find(Key{session, to_text(id)});
-    if (found != calls_.end()) call = found->second.call.lock();
+    const std::lock_guard lock{list_->mutex};
+    const auto found = list_->calls.find(Key{session, to_text(id)});
+    if (found != list_->calls.end()) call = found->second.call.lock();
   }
   return call && call->cancel();
 }

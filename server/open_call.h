@@ -51,17 +51,19 @@ class OpenCall {
   std::stop_source left_, stop_;
   ReplyOnce<Outcome> reply_;
   DeadlineClock::Alarm deadline_;
+  friend class OpenCalls;
+  std::shared_ptr<const void> listing_;  // its place in OpenCalls, given up with the call
   std::stop_callback<std::function<void()>> gone_;
 };
 
-// The calls under way that can be cancelled: by session and by the call's id.
+// The calls under way that can be cancelled: by session and by the call's id.  A call is listed as long as it lives.
 class OpenCalls {
  public:
-  // A later call of the same id takes an earlier one's place.
+  // A later call of the same id takes an earlier one's place.  REQUIRES: nobody else uses the call yet.
   void add(const Json& id, const std::shared_ptr<OpenCall>& call);
-  void remove(const Json& id, std::uint64_t session, const OpenCall* call);
   // False when there is none, or when it was too late.
   bool cancel(const Json& id, std::uint64_t session);
+  [[nodiscard]] std::size_t count() const;
 
  private:
   using Key = std::pair<std::uint64_t, std::string>;
@@ -69,8 +71,12 @@ class OpenCalls {
     const OpenCall* which{};  // only compared
     std::weak_ptr<OpenCall> call;
   };
-  std::mutex mutex_;
-  std::map<Key, Entry> calls_;
+  struct List {
+    std::mutex mutex;
+    std::map<Key, Entry> calls;
+  };
+  struct Listing;
+  const std::shared_ptr<List> list_ = std::make_shared<List>();  // a call may end after us, on the deadlines' thread
 };
 
 }  // namespace selvage

@@ -27,7 +27,8 @@ Locks locks_from(const Json& value, const std::string& at, Mistake& mistake) {
                 shortened(value) + R"( where true, false or a list of "x", "y", "tilt" is required)", at);
     return locks;
   }
-  for (std::size_t k = 0; k < value.size(); ++k) lock_one(value[k], locks, at + "/" + std::to_string(k), mistake);
+  for (std::size_t k = 0; k < value.size() && !mistake; ++k)
+    lock_one(value[k], locks, at + "/" + std::to_string(k), mistake);
   return locks;
 }
 

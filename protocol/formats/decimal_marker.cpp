@@ -213,6 +213,7 @@ std::vector<Decimal> read_points(const Json& array, const std::string& at, Mista
   }
   points.reserve(array.size());
   for (const Json& element : array) {
+    if (mistake) break;
     const bool fine = element.is_array() && element.size() == 2 && element[0].is_number() && element[1].is_number();
     points.push_back(read_point(element, fine ? std::string{} : indexed(at + "/", points.size()), mistake));
   }

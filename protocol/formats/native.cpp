@@ -28,6 +28,7 @@ std::vector<Angle> read_rotations(Fields& fields, Mistake& mistake) {
   }
   std::vector<Angle> rotations;
   for (const Json& degrees : *value) {
+    if (mistake) break;
     const std::string at = fields.pointer("rotations") + "/" + std::to_string(rotations.size());
     rotations.push_back(Angle::of_degrees(checked_number(degrees, kDegrees, mistake, at)));
   }
@@ -41,6 +42,7 @@ DecimalShape read_shape(const Json& value, const std::string& at, Mistake& mista
   shape.outline = read_points(fields.array("outline"), fields.pointer("outline"), mistake);
   if (const Json* holes = fields.maybe_array("holes")) {
     for (const Json& hole : *holes) {
+      if (mistake) break;
       // Read only so that a mistake in a hole is not passed over: a piece is treated as filled.
       (void)read_points(hole, fields.pointer("holes") + "/" + std::to_string(shape.holes), mistake);
       ++shape.holes;
@@ -124,10 +126,12 @@ Result<MarkerFile> read_native(const Json& document) {
   read_strip(fields, mistake, marker);
   marker.spacing = fields.number_or("spacing", 0, {0, kStripWidths.most});
   for (const Json& shape : fields.array("shapes")) {
+    if (mistake) return mistake.error();
     const std::string at = "/shapes/" + std::to_string(marker.shapes.size());
     marker.shapes.push_back(read_shape(shape, at, mistake, attributes.shapes.emplace_back()));
   }
   for (const Json& piece : fields.array("pieces")) {
+    if (mistake) return mistake.error();
     const std::string at = "/pieces/" + std::to_string(marker.pieces.size());
     marker.pieces.push_back(read_piece(piece, at, mistake, attributes.pieces.emplace_back()));
   }

@@ -72,6 +72,7 @@ std::vector<Angle> read_orientations(Fields& fields, Mistake& mistake) {
   if (!list) return {};  // any
   std::vector<Angle> rotations;
   for (const Json& degrees : *list) {
+    if (mistake) break;
     const std::string at = fields.pointer("allowed_orientations") + "/" + std::to_string(rotations.size());
     rotations.push_back(Angle::of_degrees(checked_number(degrees, kPermissions, mistake, at)));
   }
@@ -117,6 +118,7 @@ void read_solution(Fields& fields, Reading& reading) {
   Fields solution{fields.object("solution"), fields.pointer("solution"), reading.mistake};
   Fields layout{solution.object("layout"), solution.pointer("layout"), reading.mistake};
   for (const Json& placed : layout.array("placed_items")) {
+    if (reading.mistake) return;
     read_placed(placed, layout.pointer("placed_items") + "/" + std::to_string(reading.marker.pieces.size()), reading);
   }
 }
@@ -181,6 +183,7 @@ Result<MarkerFile> read_sparrow(const Json& document) {
   marker.name = fields.text_or("name", "");
   marker.unit = fields.text_or("units", "mm");
   for (const Json& value : fields.array("items")) {
+    if (reading.mistake) return reading.mistake.error();
     read_item(value, "/items/" + std::to_string(marker.shapes.size()), reading);
   }
   marker.width = fields.number("strip_height", kStripWidths);

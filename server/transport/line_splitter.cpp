@@ -26,7 +26,7 @@ void LineSplitter::append(std::string_view bytes, std::vector<Line>& lines) {
   if (bytes.size() > limit_ - partial_.size()) {
     lines.push_back({{}, true});
     dropping_ = true;
-    partial_ = {};  // its memory goes too
+    std::string{}.swap(partial_);  // its memory goes too, which an assignment would keep
     return;
   }
   partial_ += bytes;

@@ -35,6 +35,21 @@ TEST(Parse, RefusesWhatIsNotJson) {
   }
 }
 
+TEST(Parse, RefusesMoreValuesThanASixteenthOfTheBytesAllowed) {
+  constexpr std::size_t kMost = 20'000;
+  const auto zeros = [](std::size_t count) {
+    std::string text = "[0";
+    for (std::size_t i = 1; i < count; ++i) text += ",0";
+    return text + "]";
+  };
+  EXPECT_TRUE(parse(zeros(kMost - 1), 16 * kMost));  // the array is one, too
+  const auto value = parse(zeros(kMost + 1), 16 * kMost);
+  ASSERT_FALSE(value);
+  EXPECT_EQ(value.error().code, ErrorCode::kOutOfRange);
+  EXPECT_NE(value.error().message.find("20000"), std::string::npos) << value.error().message;
+  EXPECT_TRUE(parse('"' + std::string(100'000, ',') + '"', 200'000));  // within a string they are none
+}
+
 TEST(Parse, RefusesNestingBeyondTheLimitHoweverDeep) {
   EXPECT_TRUE(parse(nested(kMaxDepth)));
   for (const int depth : {kMaxDepth + 1, 1'000'000}) {

@@ -68,6 +68,7 @@ struct Desk {
       : limits{with},
         store{limits.open_markers, journal},
         methods{store, watchers, sums, limits, workers, std::move(engine)},
+        parsing{workers == 0 ? 0U : 1U, limits.waiting_reads},
         reads{workers == 0 ? 0U : 1U, limits.waiting_reads},
         motions{workers, limits.waiting_motions},
         hands{workers == 0 ? 0U : 1U, limits.waiting_moves} {}
@@ -104,9 +105,9 @@ struct Desk {
   Methods methods;
   DeadlineClock clock;
   Listener usual;
-  JobQueue reads, motions, hands;
+  JobQueue parsing, reads, motions, hands;
   Drags drags{store, methods, sums, hands};
-  Dispatcher dispatcher{methods, drags, clock, reads, motions, limits.transport.body_bytes};
+  Dispatcher dispatcher{methods, drags, clock, parsing, reads, motions, limits.transport.body_bytes};
 };
 
 inline int code_of(const Json& answer) {

@@ -66,6 +66,16 @@ TEST(Cancelling, ReachesOnlyTheCallsOfOneConnectionThatAreUnderWay) {
   EXPECT_EQ(code_of(desk.ask_json(call(3, "$/cancelRequest"))), -32602);
 }
 
+TEST(Cancelling, KeepsNothingOfCallsThatHaveEnded) {
+  Desk desk{0, pushing_engine()};
+  (void)desk.open_small();
+  for (int id = 1; id <= 10; ++id) {
+    (void)desk.ask(call(id, "marker.get", R"({"markerId":"m1"})"));
+    (void)desk.ask(call(id, "engine.info"));
+  }
+  EXPECT_EQ(desk.dispatcher.open_calls(), 0U);
+}
+
 TEST(Deadlines, GiveTheBestSoFarAndSaySo) {
   Gate gate;  // never opened: only the deadline ends the motion
   Desk desk{1, gate.engine()};

@@ -1,0 +1,67 @@
+#include "tests/trials/caller.h"
+
+#include <stdexcept>
+#include <utility>
+
+namespace selvage::trials {
+
+std::string call_text(const Json& id, const std::string& method, const Json& params) {
+  return to_text({{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", params}});
+}
+
+int code_of(const Json& answer) {
+  const auto error = answer.find("error");
+  return error == answer.end() ? 0 : error->at("code").get<int>();
+}
+
+Caller::Caller(const LiveDaemon& daemon, Door door) {
+  switch (door) {
+    case Door::kShared: line_ = std::make_unique<test::Wire>(daemon.port()); break;
+    case Door::kTcp: line_ = std::make_unique<test::Wire>(daemon.lines_port()); break;
+    case Door::kUnix: line_ = std::make_unique<test::Wire>(daemon.path()); break;
+    case Door::kWebSocket: socket_ = std::make_unique<test::WebSocketWire>(daemon.port()); break;
+  }
+}
+
+void Caller::send_text(std::string text) {
+  if (socket_) return socket_->send_text(std::move(text));
+  line_->send(text += '\n');
+}
+
+std::optional<std::string> Caller::next_text() {
+  return socket_ ? socket_->text() : line_->line();
+}
+
+int Caller::send(const std::string& method, const Json& params) {
+  send_text(call_text(++last_id_, method, params));
+  return last_id_;
+}
+
+void Caller::notify(const std::string& method, const Json& params) {
+  send_text(to_text({{"jsonrpc", "2.0"}, {"method", method}, {"params", params}}));
+}
+
+Json Caller::next_answer() {
+  for (;;) {
+    const auto text = next_text();
+    if (!text) throw std::runtime_error{"the connection has ended"};
+    Json message = Json::parse(*text);
+    if (message.contains("id")) return message;
+    ++notifications_;
+  }
+}
+
+Json Caller::ask(const std::string& method, const Json& params) {
+  const int id = send(method, params);
+  Json answer = next_answer();
+  if (answer["id"] != id) throw std::runtime_error{method + " is answered by " + answer.dump()};
+  return answer;
+}
+
+Json Caller::result(const std::string& method, const Json& params) {
+  Json answer = ask(method, params);
+  if (code_of(answer) != 0) throw std::runtime_error{method + ": " + answer.dump()};
+  return std::move(answer["result"]);
+}
+
+}  // namespace selvage::trials

@@ -1,0 +1,52 @@
+#include "tests/trials/live_daemon.h"
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace selvage::trials {
+
+LiveDaemon::LiveDaemon(const std::vector<std::string>& options) {
+  // Nobody reads its log while it runs: what it warns of goes to the file, not into a pipe that would fill.
+  std::vector<std::string> words{SELVAGED,        "--listen", "127.0.0.1:0",      "--listen-tcp",        "127.0.0.1:0",
+                                 "--listen-unix", path(),     "--port-file",      folder_.file("ports"), "--log-level",
+                                 "warn",          "--log",    folder_.file("log")};
+  for (const std::string& option : options) words.push_back(option == "STORE" ? store() : option);
+  process_.emplace(std::move(words));
+  if (process_->output_until(path()).find(path()) == std::string::npos) {
+    throw std::runtime_error{"selvaged does not listen"};
+  }
+  std::ifstream ports{folder_.file("ports")};
+  ports >> port_ >> lines_port_;
+}
+
+Resources LiveDaemon::resources() const {
+  const std::filesystem::path here = "/proc/" + std::to_string(process_->id());
+  Resources found;
+  std::ifstream status{here / "status"};
+  for (std::string line; std::getline(status, line);) {
+    std::istringstream words{line};
+    std::string name;
+    double kib{};
+    words >> name >> kib;
+    if (name == "VmRSS:") found.resident_mb = kib / 1024;
+    if (name == "VmHWM:") found.peak_mb = kib / 1024;
+  }
+  for ([[maybe_unused]] const auto& one : std::filesystem::directory_iterator{here / "fd"}) ++found.descriptors;
+  return found;
+}
+
+int LiveDaemon::end() {
+  process_->signal(SIGTERM);
+  return process_->exit_code();
+}
+
+std::string garment(const std::string& name) {
+  std::ostringstream text;
+  text << std::ifstream{std::string{SELVAGE_SOURCE_DIR} + "/examples/markers/" + name + ".json"}.rdbuf();
+  return text.str();
+}
+
+}  // namespace selvage::trials

@@ -1,0 +1,43 @@
+// A selvaged of a trial's own, with every door open, and what it takes of the machine.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tests/end_to_end/process.h"
+#include "tests/server/temporary_folder.h"
+
+namespace selvage::trials {
+
+struct Resources {
+  double resident_mb{}, peak_mb{};  // MiB
+  std::size_t descriptors{};        // open files and sockets
+};
+
+class LiveDaemon {
+ public:
+  // Throws when it does not listen.
+  explicit LiveDaemon(const std::vector<std::string>& options = {});
+
+  [[nodiscard]] std::uint16_t port() const { return port_; }              // HTTP, WebSocket, lines
+  [[nodiscard]] std::uint16_t lines_port() const { return lines_port_; }  // lines only
+  [[nodiscard]] std::string path() const { return folder_.file("socket"); }
+  [[nodiscard]] std::string store() const { return folder_.file("store"); }  // where a store may be
+  [[nodiscard]] Resources resources() const;
+
+  // Asks it to end; its exit code.
+  int end();
+
+ private:
+  test::TemporaryFolder folder_;
+  std::optional<test::Process> process_;
+  std::uint16_t port_{}, lines_port_{};
+};
+
+// The native document of an example marker.
+[[nodiscard]] std::string garment(const std::string& name);
+
+}  // namespace selvage::trials

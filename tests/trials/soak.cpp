@@ -1,0 +1,254 @@
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/support/random.h"
+#include "tests/trials/caller.h"
+#include "tests/trials/linear_fit.h"
+#include "tests/trials/live_daemon.h"
+#include "tests/trials/trials.h"
+
+namespace selvage::trials {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+using test::Random;
+
+constexpr std::size_t kClients = 64;
+constexpr double kWarmUp = 0.2;  // the part of the time that is not judged
+constexpr auto kThought = 40ms;  // at most, between two calls of a client
+constexpr int kBusy = -32010, kUnknownMarker = -32012, kMoved = -32801, kRefused = -32000;
+
+struct Tally {
+  std::atomic<std::size_t> calls{}, lives{}, busy{}, notifications{};
+};
+
+// A marker that everybody may watch and read: the one that was opened last.
+class Shown {
+ public:
+  void show(const std::string& id) {
+    const std::lock_guard lock{mutex_};
+    id_ = id;
+  }
+  [[nodiscard]] std::string id() const {
+    const std::lock_guard lock{mutex_};
+    return id_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::string id_;
+};
+
+// From a connection's beginning to its end.
+class Life {
+ public:
+  Life(const LiveDaemon& daemon, Random& random, Shown& shown, Tally& tally, Faults& faults)
+      : caller_{daemon, static_cast<Door>(random.below(kDoors))},
+        random_{random},
+        shown_{shown},
+        tally_{tally},
+        faults_{faults} {}
+
+  void live(const Json& document, const std::stop_token& stop) {
+    const Json opened = ask("marker.open", {{"marker", document}});
+    if (opened.is_null()) return;
+    id_ = opened["markerId"];
+    pieces_ = &document["pieces"];
+    shown_.show(id_);
+    for (auto deeds = random_.between(5, 30); deeds > 0 && !stop.stop_requested(); --deeds) {
+      do_something();
+      std::this_thread::sleep_for(random_.part() * kThought);
+    }
+    if (random_.chance(90)) {
+      (void)ask("marker.close", {{"markerId", id_}});
+    } else {
+      left_open = id_;  // as by one who lost its connection
+    }
+    tally_.notifications += caller_.notifications();
+    ++tally_.lives;
+  }
+
+  std::string left_open;
+
+ private:
+  void do_something() {
+    const Json marker{{"markerId", id_}};
+    switch (random_.below(10)) {
+      case 0: return drag();
+      case 1: (void)ask("motion.compact", {{"markerId", id_}, {"accuracy", "draft"}}); return;
+      case 2: (void)ask("marker.undo", marker); return;
+      case 3: (void)ask("marker.redo", marker); return;
+      case 4: (void)ask("marker.watch", {{"markerId", random_.chance(50) ? id_ : shown_.id()}}); return;
+      case 5: (void)ask("marker.get", {{"markerId", shown_.id()}}); return;
+      case 6: (void)ask("marker.check", marker); return;
+      case 7: return bump();
+      default: return edit();
+    }
+  }
+  [[nodiscard]] const Json& some_piece() { return (*pieces_)[random_.below(pieces_->size())]["id"]; }
+  [[nodiscard]] Json some_place() { return {random_.part() * 3000, random_.part() * 1000}; }
+
+  // Goes where it is free, so that the marker stays one that motions take.
+  void edit() {
+    (void)ask("motion.place", {{"markerId", id_}, {"piece", some_piece()}, {"to", some_place()}});
+    (void)ask("marker.apply", {{"markerId", id_},
+                               {"opId", std::to_string(random_.below(1'000'000'000))},
+                               {"ops", {{{"op", "lock"}, {"piece", some_piece()}, {"locked", random_.chance(50)}}}}});
+  }
+  void bump() {
+    const Json direction{random_.part() - 0.5, random_.part() + 0.1};
+    (void)ask("motion.bump", {{"markerId", id_}, {"piece", some_piece()}, {"direction", direction}});
+  }
+  void drag() {
+    const Json begun = ask("drag.begin", {{"markerId", id_}, {"piece", some_piece()}, {"mode", "push"}});
+    if (begun.is_null()) return;
+    const Json& drag = begun["dragId"];
+    for (int step = 0; step < 3; ++step) (void)ask("drag.move", {{"dragId", drag}, {"to", some_place()}});
+    if (random_.chance(90)) (void)ask("drag.end", {{"dragId", drag}, {"markerId", id_}});
+  }
+
+  // The result; null when it was refused as may be.
+  Json ask(const std::string& method, const Json& params) {
+    ++tally_.calls;
+    Json answer = caller_.ask(method, params);
+    const int code = code_of(answer);
+    if (code == 0) return std::move(answer["result"]);
+    if (code == kBusy) ++tally_.busy;
+    // Another's marker may be closed by now; there may be nothing to undo.
+    const bool may_be = code == kBusy || code == kMoved || code == kRefused || code == kUnknownMarker;
+    faults_.expect(may_be, method + ": " + answer.dump());
+    return nullptr;
+  }
+
+  Caller caller_;
+  Random& random_;
+  Shown& shown_;
+  Tally& tally_;
+  Faults& faults_;
+  std::string id_;
+  const Json* pieces_{};
+};
+
+// An example marker in the form that names its pieces.
+Json native(const LiveDaemon& daemon, const std::string& name) {
+  Caller caller{daemon, Door::kTcp};
+  const Json opened = caller.result("marker.open", {{"marker", Json::parse(garment(name))}});
+  const Json marker{{"markerId", opened["markerId"]}};
+  Json document = caller.result("marker.get", marker)["marker"];
+  (void)caller.result("marker.close", marker);
+  return document;
+}
+
+struct Samples {
+  std::vector<Sample> resident_mb, sums_mb, descriptors, store_mb;  // over hours
+};
+
+double store_mb(const LiveDaemon& daemon) {
+  std::error_code none;
+  double bytes{};
+  for (const char* end : {"", "-wal"}) {
+    const auto size = std::filesystem::file_size(daemon.store() + end, none);
+    if (!none) bytes += static_cast<double>(size);
+  }
+  return bytes / (1 << 20);
+}
+
+// The Minkowski sums that are kept, which grow to a limit of their own.
+double sums_mb(Caller& caller) {
+  return caller.result("engine.info")["cache"]["bytes"].get<double>() / (1 << 20);
+}
+
+Samples sample(const LiveDaemon& daemon, double seconds) {
+  Samples samples;
+  Caller caller{daemon, Door::kTcp};
+  const auto began = Clock::now();
+  double told{};
+  for (;;) {
+    std::this_thread::sleep_for(500ms);
+    const double now = std::chrono::duration<double>{Clock::now() - began}.count();
+    if (now >= seconds) return samples;
+    const Resources found = daemon.resources();
+    const double sums = sums_mb(caller);
+    if (now >= told + seconds / 20) {
+      told = now;
+      std::printf("%6.0f s: resident %.1f MB, sums %.1f MB, %zu descriptors, store %.1f MB\n", now, found.resident_mb,
+                  sums, found.descriptors, store_mb(daemon));
+    }
+    if (now < seconds * kWarmUp) continue;
+    samples.resident_mb.push_back({now / 3600, found.resident_mb});
+    samples.sums_mb.push_back({now / 3600, sums});
+    samples.descriptors.push_back({now / 3600, static_cast<double>(found.descriptors)});
+    samples.store_mb.push_back({now / 3600, store_mb(daemon)});
+  }
+}
+
+void tell(const char* what, const std::vector<Sample>& samples, const char* goal) {
+  const LinearFit fit = linear_fit(samples);
+  std::printf("%s: slope %+.3f an hour, standard error %.3f%s\n", what, fit.slope, fit.error, goal);
+}
+
+void live_on(const std::stop_token& stop, const LiveDaemon& daemon, std::uint64_t seed, const Json& document,
+             Shown& shown, Tally& tally, Faults& faults) {
+  Random random{seed};
+  std::string left_open;
+  while (!stop.stop_requested()) {
+    Life life{daemon, random, shown, tally, faults};
+    life.live(document, stop);
+    if (!left_open.empty()) (void)Caller{daemon, Door::kTcp}.ask("marker.close", {{"markerId", left_open}});
+    left_open = life.left_open;
+  }
+}
+
+// How many descriptors are open once those that are closing have closed.
+std::size_t settled_descriptors(const LiveDaemon& daemon, std::size_t wanted) {
+  std::size_t found{};
+  for (int tries = 0; tries < 100; ++tries) {
+    found = daemon.resources().descriptors;
+    if (found <= wanted) break;
+    std::this_thread::sleep_for(100ms);
+  }
+  return found;
+}
+
+}  // namespace
+
+void soak(std::size_t seconds, Faults& faults) {
+  LiveDaemon daemon{{"--store", "STORE", "--max-connections", "1000"}};
+  const std::array documents{native(daemon, "jeans_02g"), native(daemon, "charlie_04g")};
+  const std::size_t before = settled_descriptors(daemon, 0);
+  Tally tally;
+  Shown shown;
+  Samples samples;
+  {
+    std::vector<std::jthread> clients;
+    for (std::size_t k = 0; k < kClients; ++k) {
+      clients.emplace_back([&, k](const std::stop_token& stop) {
+        faults.guard("a client",
+                     [&] { live_on(stop, daemon, k, documents.at(k % documents.size()), shown, tally, faults); });
+      });
+    }
+    samples = sample(daemon, static_cast<double>(seconds));
+    for (std::jthread& client : clients) client.request_stop();
+  }
+  const std::size_t after = settled_descriptors(daemon, before);
+  std::printf("%zu clients, %zu s: %zu lives, %zu calls (%zu busy), %zu notifications\n", kClients, seconds,
+              tally.lives.load(), tally.calls.load(), tally.busy.load(), tally.notifications.load());
+  tell("resident MB", samples.resident_mb, " (goal: slope below 1)");
+  tell("of it sums MB", samples.sums_mb, "");
+  tell("descriptors", samples.descriptors, "");
+  tell("store MB", samples.store_mb, "");
+  std::printf("descriptors without clients: %zu before, %zu after\n", before, after);
+  faults.expect(tally.lives >= kClients && tally.notifications > 0, "the trial did not try everything");
+  faults.expect(after <= before, "descriptors are left open");
+  faults.expect(daemon.end() == 0, "selvaged did not end well");
+}
+
+}  // namespace selvage::trials
