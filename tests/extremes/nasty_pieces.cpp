@@ -112,4 +112,10 @@ std::vector<NastyPiece> nasty_pieces() {
   };
 }
 
+std::vector<NastyPiece> pieces_with_judged_sums() {
+  std::vector<NastyPiece> pieces = nasty_pieces();
+  std::erase_if(pieces, [](const NastyPiece& piece) { return !piece.sum_judged; });
+  return pieces;
+}
+
 }  // namespace selvage::test

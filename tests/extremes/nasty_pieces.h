@@ -16,6 +16,8 @@ struct NastyPiece {
   bool sum_judged{};  // few enough vertices for CGAL's Minkowski sums
 };
 [[nodiscard]] std::vector<NastyPiece> nasty_pieces();
+// Those of them whose sums CGAL judges.
+[[nodiscard]] std::vector<NastyPiece> pieces_with_judged_sums();
 
 // Its kernel is about one lattice unit across, its arms are as long as `arm`.
 [[nodiscard]] Polygon pinwheel(Coord arm);
