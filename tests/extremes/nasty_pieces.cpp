@@ -103,7 +103,7 @@ std::vector<NastyPiece> nasty_pieces() {
       {"spikes_of_2_by_1e8", spiked_block(40, 100'000'000), false, false, false},
       {"saw_of_500_teeth", saw(500, 2000, 1'000'000), false, true, false},
       {"comb_of_499_teeth", random_comb(random, 499, kLarge, false), false, true, false},
-      {"spiral_of_40_turns", spiral(40, kLarge), false, false, false},
+      {"spiral_of_70_turns", spiral(70, kLarge), false, false, false},
       {"kernel_of_one_unit", pinwheel(kLarge), false, false, true},
       {"circle_of_2000", circle(2000, static_cast<double>(kLarge)), false, false, false},
       {"star_of_2000", random_star(random, 2000, kLarge), false, false, false},

@@ -77,7 +77,7 @@ LinearProgram square_between_lines(Random& random, int lines) {
 TEST(ExtremePrograms, DustInTheRows) {
   Random random{1};
   Worst worst;
-  for (int trial = 0; trial < 2000; ++trial) {
+  for (int trial = 0; trial < 2000 / test::kSlowdown; ++trial) {
     worst.look_at(square_between_lines(random, static_cast<int>(random.between(0, 60))));
   }
   worst.expect_closed();
