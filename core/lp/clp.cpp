@@ -1,12 +1,15 @@
 #include "core/lp/clp.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <ClpEventHandler.hpp>
 #include <ClpSimplex.hpp>
 #include <ClpSolve.hpp>
 #include <CoinPackedMatrix.hpp>
+
+#include "core/lp/certificate.h"
 
 namespace selvage {
 namespace {
@@ -58,19 +61,25 @@ LpStatus translate(int clp_status) {
   }
 }
 
-}  // namespace
+// How to ask Clp.  Rows come with a largest coefficient of about 1 and want no scaling: Clp's would take the dust in
+// them (the cosine of a right angle is 6e-17) for a scale, and call optimal what is so within its tolerance times 1e8.
+// Rows that come otherwise need it.
+struct Way {
+  ClpSolve::SolveType method{};
+  bool presolve{}, scaled{};
+};
 
-LpSolution solve_by_simplex(const LinearProgram& program, int pivot_limit, std::stop_token stop) {
-  if (stop.stop_requested()) return {.status = LpStatus::kStopped};
+LpSolution solve_once(const LinearProgram& program, Way way, int pivot_limit, const std::stop_token& stop) {
   ClpSimplex clp;
   load(clp, program);
+  if (!way.scaled) clp.scaling(0);
   clp.setMaximumIterations(pivot_limit);
   StopOnRequest handler{stop};
   clp.passInEventHandler(&handler);
 
   ClpSolve options;
-  options.setSolveType(ClpSolve::useDual);
-  options.setPresolveType(program.rows() < kPresolveFromRows ? ClpSolve::presolveOff : ClpSolve::presolveOn);
+  options.setSolveType(way.method);
+  options.setPresolveType(way.presolve ? ClpSolve::presolveOn : ClpSolve::presolveOff);
   clp.initialSolve(options);
 
   LpSolution solution{.status = translate(clp.status()), .iterations = clp.numberIterations()};
@@ -82,6 +91,32 @@ LpSolution solve_by_simplex(const LinearProgram& program, int pivot_limit, std::
   for (double& price : solution.dual) price = std::max(price, 0.0);  // rounding makes some -1e-17
   solution.objective = clp.objectiveValue();
   return solution;
+}
+
+// Whether the answer is what it says it is.  What is infeasible or unbounded comes without a proof that could be looked
+// at, and is believed.
+bool holds(const LinearProgram& program, const LpSolution& solution) {
+  if (solution.status == LpStatus::kFailed) return false;
+  return solution.status != LpStatus::kOptimal || certificate_of(program, solution).closes();
+}
+
+}  // namespace
+
+LpSolution solve_by_simplex(const LinearProgram& program, int pivot_limit, std::stop_token stop) {
+  if (stop.stop_requested()) return {.status = LpStatus::kStopped};
+  const bool presolve = program.rows() >= kPresolveFromRows;
+  // The quick way first; the others, from scratch, when its answer does not prove itself.
+  const std::array<Way, 4> ways{{{ClpSolve::useDual, presolve, false},
+                                 {ClpSolve::useDual, presolve, true},
+                                 {ClpSolve::useDual, !presolve, false},
+                                 {ClpSolve::usePrimal, false, false}}};
+  int pivots = 0;
+  for (const Way way : ways) {
+    LpSolution solution = solve_once(program, way, pivot_limit - pivots, stop);
+    solution.iterations = pivots += solution.iterations;
+    if (holds(program, solution)) return solution;
+  }
+  return {.status = LpStatus::kFailed, .iterations = pivots};
 }
 
 }  // namespace selvage

@@ -7,8 +7,9 @@
 
 namespace selvage {
 
-// A vertex solution, feasible to 1e-9.  Stops at the next pivot once `stop` is requested.
-// REQUIRES: lower <= upper, no NaN, at least one column.
+// A vertex solution, feasible to 1e-9, whose prices certify it (core/lp/certificate.h): Clp's word is not enough.
+// kFailed when no way of asking Clp gives one.  Costs below 1e-7 may count as none.  Stops at the next pivot once
+// `stop` is requested. REQUIRES: lower <= upper, no NaN, at least one column.
 [[nodiscard]] LpSolution solve_by_simplex(const LinearProgram& program, int pivot_limit, std::stop_token stop = {});
 
 }  // namespace selvage

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/lp/clp.h"
 #include "core/lp/interior_point.h"
@@ -46,14 +47,20 @@ LpSolution solve(const LinearProgram& program, SolverChoice choice, const LpLimi
   if (stop.stop_requested()) return {.status = LpStatus::kStopped};
   if (const LpStatus status = precheck(program); status != LpStatus::kOptimal) return {.status = status};
   if (program.columns() == 0) return solve_without_columns(program);
-  if (prefers_interior_point(program, choice)) {
+  const auto interior = [&]() -> std::optional<LpSolution> {
     LpSolution solution = solve_by_interior_point(program, {}, stop);
     if (solution.status == LpStatus::kStopped) return solution;
-    if (solution.status == LpStatus::kOptimal && infeasibility(program, solution.x) <= kLargestInfeasibility) {
-      return solution;
-    }
+    const bool solved = solution.status == LpStatus::kOptimal;
+    if (solved && infeasibility(program, solution.x) <= kLargestInfeasibility) return solution;
+    return std::nullopt;
+  };
+  const bool interior_first = prefers_interior_point(program, choice);
+  if (interior_first) {
+    if (auto solution = interior()) return *solution;
   }
-  return solve_by_simplex(program, limits.iterations, stop);
+  LpSolution vertex = solve_by_simplex(program, limits.iterations, stop);
+  if (vertex.status != LpStatus::kFailed || interior_first) return vertex;
+  return interior().value_or(vertex);
 }
 
 }  // namespace selvage

@@ -1,5 +1,5 @@
 // The solvers behind one call [design: solve].  Simplex (COIN-OR Clp) for small models and where a vertex matters; the
-// interior point method for large ones; simplex again when the interior point method fails.
+// interior point method for large ones; each of them again when the other fails.
 #pragma once
 
 #include <stop_token>

@@ -46,10 +46,7 @@ class Healer {
       if (stop.stop_requested()) {
         return Error{ErrorCode::kStoppedEarly, "stopped before the overlaps of the input were parted", "/pieces"};
       }
-      return Error{ErrorCode::kHealingFailed,
-                   "small overlaps could not be parted: " + named(found) +
-                       "; there is no room for them where they are, or the pieces are locked or of one group",
-                   "/pieces"};
+      return unparted(found);
     }
     for (std::size_t i = 0; i < start.size(); ++i) {
       const Vec move = scene_.pieces.at(i) - start[i];
@@ -117,6 +114,23 @@ class Healer {
               scene_.marker.pieces[pair.second].id + "\" by " + decimal(depth);
     }
     return list.size() > kNamed ? text + " and " + std::to_string(list.size() - kNamed) + " more" : text;
+  }
+
+  // REQUIRES: the pieces are where they came.
+  [[nodiscard]] Error unparted(const std::vector<Conflict>& found) const {
+    if (!found.empty()) {
+      return {ErrorCode::kHealingFailed,
+              "small overlaps could not be parted: " + named(found) +
+                  "; there is no room for them where they are, or the pieces are locked or of one group",
+              "/pieces"};
+    }
+    std::size_t piece = 0;
+    while (piece + 1 < scene_.pieces.size() && protrusion(piece) == 0) ++piece;
+    return {ErrorCode::kHealingFailed,
+            "piece \"" + scene_.marker.pieces[piece].id + "\" leaves the strip by " +
+                decimal(static_cast<double>(protrusion(piece))) +
+                " and could not be put back; there is no room for it, or it is locked",
+            "/pieces/" + std::to_string(piece) + "/at"};
   }
 
   // One program: every near pair keeps apart, every conflict is parted, all with the least motion.  First within the

@@ -102,6 +102,14 @@ const std::vector<Case>& catalogue() {
        {{{{0, 1e-3}, {1, 1}}, 1}, {{{0, 1}}, 10}},
        LpStatus::kOptimal,
        0.1},
+      // The cosine of a right angle.  Clp's scaling takes it for the scale of its row, and then calls -0.914 optimal.
+      {"dust_in_a_row",
+       {0, 0, -1},
+       {-1, -1, -kFree},
+       {1, 1, 1},
+       {{{{0, 0.875}, {1, 0.5}, {2, -1.375}}, -0.25}, {{{0, 6e-17}, {1, 1}, {2, -1}}, -0.65}},
+       LpStatus::kOptimal,
+       -1},
       {"crossed_bounds", {1}, {2}, {1}, {}, LpStatus::kInfeasible},
       {"not_a_number", {std::nan("")}, {0}, {1}, {}, LpStatus::kFailed},
   };

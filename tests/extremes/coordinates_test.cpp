@@ -1,0 +1,206 @@
+// Coordinates at the edges of what files may say and of what the lattice can hold.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "core/marker/validity.h"
+#include "protocol/formats/native.h"
+#include "tests/core/motion/markers.h"
+#include "tests/extremes/reached.h"
+#include "tests/extremes/soundness.h"
+#include "tests/support/garment.h"
+#include "tests/support/polygons.h"
+
+namespace selvage {
+namespace {
+
+using test::Random;
+using test::reached;
+using test::soundly_compacted;
+
+Json document_of(const Marker& marker) {
+  MarkerFile file;
+  file.marker = marker;
+  file.attributes.shapes.assign(marker.shapes.size(), Json::object());
+  file.attributes.pieces.assign(marker.pieces.size(), Json::object());
+  return native_document(file);
+}
+
+// Times 10^exponent, as decimals are: the digits stay.
+double shifted(double value, int exponent) {
+  std::array<char, 40> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific).ptr;
+  const std::string written{text.data(), end};
+  const std::size_t e = written.find('e');
+  return std::stod(written.substr(0, e + 1) + std::to_string(std::stoi(written.substr(e + 1)) + exponent));
+}
+template <class Change>
+void change_numbers(Json& value, const Change& change) {
+  if (value.is_number()) value = change(value.get<double>());
+  if (value.is_structured()) {
+    for (Json& inner : value) change_numbers(inner, change);
+  }
+}
+// The document with every length in it changed, and a resolution of the reader's choice.
+template <class Change>
+Json with_lengths(Json document, const Change& change) {
+  document.erase("resolution");
+  change_numbers(document["strip"], change);
+  change_numbers(document["spacing"], change);
+  for (Json& shape : document["shapes"]) change_numbers(shape["outline"], change);
+  for (Json& piece : document["pieces"]) change_numbers(piece["at"], change);
+  return document;
+}
+
+std::vector<Vec> positions(const Marker& marker) {
+  std::vector<Vec> at;
+  for (const Piece& piece : marker.pieces) at.push_back(piece.at);
+  return at;
+}
+
+// From strips of 1.5e-6 with details of 1e-11 to strips of 1.5e8 with lengths of 2.4e8: always the same lattice, hence
+// the same answer to the last digit.
+TEST(ExtremeCoordinates, TheSameMarkerInUnitsOf1em9To1e5) {
+  const Json document = document_of(test::garment("jeans_02g"));
+  std::optional<Compaction> first;
+  for (const int exponent : {0, -9, -6, -3, 3, 5}) {
+    SCOPED_TRACE(exponent);
+    const auto read = read_document(with_lengths(document, [&](double x) { return shifted(x, exponent); }));
+    ASSERT_TRUE(read) << read.error().field << read.error().message;
+    EXPECT_EQ(shifted(to_decimal(read->marker.strip.width, read->marker.resolution), -exponent), 1500);
+    const Compaction result = soundly_compacted(read->marker);
+    if (!first) first = result;
+    EXPECT_EQ(positions(result.marker), positions(first->marker));
+    EXPECT_EQ(result.length_after, first->length_after);
+    EXPECT_LT(result.length_after, result.length_before);
+  }
+  reached("after / before", static_cast<double>(first->length_after) / static_cast<double>(first->length_before));
+}
+
+// In inches, which no decimal is a whole number of: other roundings, the same way down.
+TEST(ExtremeCoordinates, UnitsWithoutCommonMeasureGiveTheSameLength) {
+  const Json document = document_of(test::garment("jeans_02g"));
+  const auto ratio = [&](double factor) {
+    const auto read = read_document(with_lengths(document, [&](double x) { return x * factor; }));
+    if (!read) {
+      ADD_FAILURE() << read.error().message;
+      return 0.0;
+    }
+    const Compaction result = soundly_compacted(read->marker);
+    return static_cast<double>(result.length_after) / static_cast<double>(result.length_before);
+  };
+  const double plain = ratio(1);
+  double farthest = 0;
+  for (const double factor : {1 / 25.4, 1.0 / 3, 3.14159265358979, 1e5 / 7}) {
+    farthest = std::max(farthest, std::abs(ratio(factor) - plain));
+  }
+  reached("ratios apart", farthest);
+  EXPECT_LT(farthest, 1e-6);
+}
+
+// Two rows of squares with room between them.
+Marker squares(Resolution resolution, Coord side, std::size_t columns) {
+  test::Layout layout{2 * side};
+  const auto square = layout.shape_of(test::rectangle(side, side));
+  for (std::size_t k = 0; k < columns; ++k) {
+    const auto x = static_cast<Coord>(k) * (side + std::max<Coord>(1, side / 100));
+    layout.put(square, {x, 0}).put(square, {x, side});
+  }
+  Marker marker = layout.marker();
+  marker.resolution = resolution;
+  return marker;
+}
+
+TEST(ExtremeCoordinates, TheCoarsestAndTheFinestLattice) {
+  for (const int exponent : {kFinestExponent, kCoarsestExponent}) {
+    // As wide as a lattice allows to be long, and two units wide: squares of a single unit.
+    for (const Coord side : {kLatticeLimit / 4 - 1, Coord{1}}) {
+      const Marker marker = squares({exponent}, side, 3);
+      const Compaction result = soundly_compacted(marker);
+      EXPECT_EQ(result.length_after, 3 * side) << exponent << ' ' << side;
+      for (const Piece& piece : result.marker.pieces) {
+        EXPECT_EQ(to_lattice(to_decimal(piece.at.x, marker.resolution), marker.resolution), piece.at.x);
+      }
+    }
+  }
+  reached("widest strip, lattice units", static_cast<double>(kLatticeLimit / 2 - 2));
+  reached("narrowest strip, lattice units", 2);
+}
+
+// Forty pieces of every kind, twenty-five times as long as they are wide, in a row: a hundredth of each is free.
+std::vector<Polygon> row_of_pieces() {
+  Random random{17};
+  constexpr Coord kAcross = Coord{1} << 28;
+  std::vector<Polygon> row;
+  Coord end = 0;
+  while (row.size() < 40) {
+    Polygon outline = test::random_polygon(random, kAcross);
+    const Box box = box_of(outline);
+    if (box.height() > kAcross || box.height() < kAcross * 6 / 10) continue;  // no two beside each other
+    for (Vec& v : outline) v = {(v.x - box.low.x) * 25 + end, v.y - box.low.y};
+    end += 25 * box.width() * 101 / 100;
+    row.push_back(std::move(outline));
+  }
+  return row;
+}
+
+// Each outline a shape of its own, placed where it is drawn.
+Marker as_drawn(const std::vector<Polygon>& outlines, Coord width) {
+  test::Layout layout{width};
+  for (const Polygon& outline : outlines) layout.put(layout.shape_of(outline), {0, 0});
+  return layout.marker();
+}
+
+TEST(ExtremeCoordinates, AThousandTimesLongerThanWide) {
+  const Marker marker = as_drawn(row_of_pieces(), Coord{1} << 28);
+  const double aspect = static_cast<double>(length_of(marker)) / static_cast<double>(marker.strip.width);
+  reached("length over width", aspect);
+  ASSERT_GE(aspect, 700);
+  const Compaction result = soundly_compacted(marker);
+  reached("after / before", static_cast<double>(result.length_after) / static_cast<double>(result.length_before));
+  EXPECT_LT(result.length_after, result.length_before * 995 / 1000);
+}
+
+TEST(ExtremeCoordinates, AThousandTimesWiderThanLong) {
+  std::vector<Polygon> column;
+  for (const Polygon& outline : row_of_pieces()) column.push_back(transformed(outline, Symmetry{false, 1}));
+  const Coord end = box_of(column.back()).high.y;
+  for (Polygon& outline : column) outline = test::moved(outline, {(Coord{1} << 29) - box_of(outline).low.x, 0});
+  const Marker marker = as_drawn(column, end);
+  const Compaction result = soundly_compacted(marker);
+  const double aspect = static_cast<double>(marker.strip.width) / static_cast<double>(result.length_after);
+  reached("width over length", aspect);
+  EXPECT_GE(aspect, 700);
+  EXPECT_LE(result.length_after, Coord{1} << 28);  // every piece has come to the strip's left edge
+}
+
+// What a file may not say is refused with the field, the value and what is allowed.
+TEST(ExtremeCoordinates, BeyondTheEdgesIsRefusedByName) {
+  const Json document = document_of(squares({-3}, 1'000'000, 3));
+  const auto refused = [&](const char* pointer, double value, ErrorCode code, const char* field, const char* allowed) {
+    SCOPED_TRACE(testing::Message() << pointer << ' ' << value);
+    Json changed = document;
+    changed[Json::json_pointer{pointer}] = value;
+    const auto read = read_document(changed);
+    ASSERT_FALSE(read);
+    EXPECT_EQ(read.error().code, code);
+    EXPECT_EQ(read.error().field, field);
+    EXPECT_NE(read.error().message.find(allowed), std::string::npos) << read.error().message;
+  };
+  using enum ErrorCode;
+  refused("/strip/width", 0.9e-6, kOutOfRange, "/strip/width", "0.000001");
+  refused("/strip/width", 1.1e9, kOutOfRange, "/strip/width", "1000000000");
+  refused("/pieces/0/at/0", 2.1e8, kBeyondLattice, "/pieces/0/at", "200000000");  // 100,000 widths of 2,000
+  refused("/pieces/0/at/1", -1e300, kBeyondLattice, "/pieces/0/at", "200000000");
+  refused("/shapes/0/outline/2/0", 1e12, kBeyondLattice, "/pieces/4/at", "200000000");
+  refused("/resolution", 1e-23, kOutOfRange, "/resolution", "1e-22");
+  refused("/resolution", 1e7, kOutOfRange, "/resolution", "1e6");
+  refused("/resolution", 1e-9, kBeyondLattice, "/pieces/4/at", "1099.511627776");
+  refused("/spacing", 2001, kOutOfRange, "/spacing", "strip's width");
+  reached("refusals with field, value and range", 9);
+}
+
+}  // namespace
+}  // namespace selvage

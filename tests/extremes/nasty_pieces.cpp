@@ -1,0 +1,121 @@
+#include "tests/extremes/nasty_pieces.h"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "tests/support/polygons.h"
+
+namespace selvage::test {
+namespace {
+
+// The vertices as a Polygon that none of them drops out of.
+Polygon whole(const std::vector<Vec>& vertices) {
+  auto clean = clean_polygon(vertices);
+  if (!clean || clean->polygon.size() != vertices.size()) throw std::logic_error{"not a polygon as it stands"};
+  return std::move(clean->polygon);
+}
+
+// Up in steps of one unit, and straight down again.
+Polygon unit_steps(Coord steps) {
+  std::vector<Vec> vertices{{0, 0}};
+  for (Coord k = 0; k < steps; ++k) {
+    vertices.push_back({steps + 1 - k, k});
+    vertices.push_back({steps + 1 - k, k + 1});
+  }
+  vertices.push_back({0, steps});
+  return whole(vertices);
+}
+
+// Below, a chain whose edges turn by `rise` units in `run`.
+Polygon shallow_bowl(Coord edges, Coord run, Coord rise) {
+  std::vector<Vec> vertices;
+  for (Coord k = 0; k <= edges; ++k) vertices.push_back({k * run, rise * k * (k - edges)});
+  vertices.push_back({edges * run, run});
+  vertices.push_back({0, run});
+  return whole(vertices);
+}
+
+Polygon spiked_block(Coord spikes, Coord height) {
+  std::vector<Vec> vertices{{0, 0}, {spikes * 1000, 0}};
+  for (Coord k = spikes; k-- > 0;) {
+    const Coord x = k * 1000 + 500;
+    for (const Vec v : {Vec{x + 1, height / 10}, Vec{x, height}, Vec{x - 1, height / 10}}) vertices.push_back(v);
+  }
+  vertices.push_back({0, height / 10});
+  vertices[1].y = 0;
+  vertices.insert(vertices.begin() + 2, {spikes * 1000, height / 10});
+  return clean_polygon(vertices)->polygon;  // the block's top between two spikes is straight
+}
+
+// A regular polygon, as near as the lattice lets it be.
+Polygon circle(int vertices, double radius) {
+  std::vector<Vec> round;
+  for (int k = 0; k < vertices; ++k) {
+    const double angle = 2 * std::numbers::pi * k / vertices;
+    round.push_back({std::llround(radius * std::cos(angle)), std::llround(radius * std::sin(angle))});
+  }
+  return whole(round);
+}
+
+// A square frayed all round: neighbours are one or two units apart.
+Polygon frayed(Coord side) {
+  std::vector<Vec> vertices;
+  const auto fray = [](Coord k) { return k % 2; };
+  for (Coord k = 0; k < side; ++k) vertices.push_back({k, -fray(k)});
+  for (Coord k = 0; k < side; ++k) vertices.push_back({side + fray(k), k});
+  for (Coord k = 0; k < side; ++k) vertices.push_back({side - k, side + fray(k)});
+  for (Coord k = 0; k < side; ++k) vertices.push_back({-fray(k), side - k});
+  return whole(vertices);
+}
+
+}  // namespace
+
+Polygon pinwheel(Coord arm) {
+  return whole({{1, -1}, {arm, -1}, {1, 1}, {1, arm}, {-1, 1}, {-arm, 1}, {-1, -1}, {-1, -arm}});
+}
+
+Polygon saw(Coord teeth, Coord pitch, Coord height) {
+  std::vector<Vec> vertices{{0, 0}, {teeth * pitch, 0}};
+  for (Coord k = teeth; k-- > 0;) {
+    vertices.push_back({k * pitch + pitch / 2, height});
+    vertices.push_back({k * pitch, height / 10});
+  }
+  return whole(vertices);
+}
+
+std::vector<NastyPiece> nasty_pieces() {
+  constexpr Coord kLarge = Coord{1} << 28;
+  constexpr Coord kTrillion = 1'000'000'000'000;
+  Random random{5};
+  return {
+      {"sliver_of_aspect_1e6", whole({{0, 0}, {1'000'000'000, 0}, {1'000'000'000, 1000}, {0, 1000}}), false, false,
+       true},
+      {"slanted_sliver_of_aspect_1e6",
+       whole({{0, 0}, {1'000'000'000, 99'999'999}, {999'999'901, 100'000'994}, {-99, 995}}), false, false, true},
+      {"needle_of_one_unit", whole({{0, 0}, {1'000'000, 0}, {1'000'000, 1}, {0, 1}}), false, false, true},
+      {"triangle_of_one_unit", whole({{0, 0}, {1, 0}, {0, 1}}), false, false, true},
+      {"least_triangle_of_all", whole({{0, 0}, {kTrillion, 1}, {kTrillion - 1, 1}}), true, false, true},
+      {"edges_at_1e-12_rad", whole({{0, 0}, {kTrillion, 0}, {kTrillion, 1001}, {0, 1000}}), true, false, true},
+      {"edges_of_one_unit", unit_steps(998), false, false, false},
+      {"bowl_of_turns_of_2e-6", shallow_bowl(400, 1'000'000, 1), false, false, false},
+      {"bowl_of_turns_of_2e-9", shallow_bowl(30, 1'000'000'000, 1), false, false, true},
+      {"spikes_of_2_by_1e8", spiked_block(40, 100'000'000), false, false, false},
+      {"saw_of_500_teeth", saw(500, 2000, 1'000'000), false, true, false},
+      {"comb_of_499_teeth", random_comb(random, 499, kLarge, false), false, true, false},
+      {"spiral_of_70_turns", spiral(70, kLarge), false, false, false},
+      {"kernel_of_one_unit", pinwheel(kLarge), false, false, true},
+      {"circle_of_2000", circle(2000, static_cast<double>(kLarge)), false, false, false},
+      {"star_of_2000", random_star(random, 2000, kLarge), false, false, false},
+      {"vertices_one_or_two_apart", frayed(499), false, false, false},
+      {"ring_open_by_one_unit", broken_ring(1'000'001, 1000, 1), false, false, true},
+  };
+}
+
+std::vector<NastyPiece> pieces_with_judged_sums() {
+  std::vector<NastyPiece> pieces = nasty_pieces();
+  std::erase_if(pieces, [](const NastyPiece& piece) { return !piece.sum_judged; });
+  return pieces;
+}
+
+}  // namespace selvage::test

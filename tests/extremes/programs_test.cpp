@@ -1,0 +1,250 @@
+// Linear programs at the edges of arithmetic: each solver's answer against the other's, and against a certificate in
+// rationals that knows neither.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/lp/clp.h"
+#include "core/lp/interior_point.h"
+#include "core/lp/solve.h"
+#include "tests/core/lp/compaction_models.h"
+#include "tests/extremes/exact_certificate.h"
+#include "tests/extremes/reached.h"
+#include "tests/support/random.h"
+
+namespace selvage {
+namespace {
+
+using test::exact_certificate;
+using test::ExactCertificate;
+using test::Random;
+using test::reached;
+using Entry = LinearProgram::Entry;
+
+constexpr int kPivots = 1'000'000;
+// One lattice unit in a column's unit, on the coarsest lattice that is chosen by itself: 2^28 units across.
+constexpr double kLatticeUnit = 1000.0 / (1 << 28);
+
+// The worst of what the answers to one kind of program were found to lack.
+struct Worst {
+  double primal{}, dual{}, gap{}, apart{};
+
+  // `scale`: the size of the numbers that the objective is made of.
+  void look_at(const LinearProgram& program, double scale = 1) {
+    const LpSolution simplex = solve_by_simplex(program, kPivots);
+    const LpSolution interior = solve_by_interior_point(program);
+    ASSERT_EQ(simplex.status, LpStatus::kOptimal);
+    ASSERT_EQ(interior.status, LpStatus::kOptimal);
+    apart = std::max(apart, std::abs(simplex.objective - interior.objective) / scale);
+    for (const LpSolution* solution : {&simplex, &interior}) {
+      const ExactCertificate exact = exact_certificate(program, *solution);
+      primal = std::max(primal, exact.primal);
+      dual = std::max(dual, exact.dual);
+      gap = std::max(gap, std::abs(exact.gap) / scale);
+      EXPECT_NEAR(exact.objective, solution->objective, 1e-9 * scale);
+    }
+  }
+  void expect_closed() const {
+    reached("row broken by", primal);
+    reached("price beyond its bound", dual);
+    reached("duality gap", gap);
+    reached("simplex and interior point apart", apart);
+    EXPECT_LE(primal, 1e-8);
+    EXPECT_LE(dual, 1e-8);
+    EXPECT_LE(gap, 1e-7);
+    EXPECT_LE(apart, 1e-7);
+  }
+};
+
+// The largest square between so many lines in whole degrees: cosines of right angles leave dust of 6e-17 in the rows.
+LinearProgram square_between_lines(Random& random, int lines) {
+  LinearProgram program;
+  program.add_column(0, -1, 1);
+  program.add_column(0, -1, 1);
+  program.add_column(-1, -kInfinity, 1);
+  for (int k = 0; k < lines; ++k) {
+    const double angle = static_cast<double>(random.between(0, 359)) * std::numbers::pi / 180;
+    const double room = static_cast<double>(random.between(-20, 199)) / 150;
+    const std::array<Entry, 3> row{
+        {{0, std::cos(angle)}, {1, std::sin(angle)}, {2, -std::abs(std::cos(angle)) - std::abs(std::sin(angle))}}};
+    program.add_row(row, -room);
+  }
+  return program;
+}
+
+TEST(ExtremePrograms, DustInTheRows) {
+  Random random{1};
+  Worst worst;
+  for (int trial = 0; trial < 2000 / test::kSlowdown; ++trial) {
+    worst.look_at(square_between_lines(random, static_cast<int>(random.between(0, 60))));
+  }
+  worst.expect_closed();
+}
+
+// Every row passes through the one vertex that is best.
+TEST(ExtremePrograms, AThousandRowsThroughOneVertex) {
+  Random random{2};
+  Worst worst;
+  for (int trial = 0; trial < 5; ++trial) {
+    constexpr int kColumns = 12;
+    LinearProgram program;
+    for (int j = 0; j < kColumns; ++j) program.add_column(0, -kInfinity, kInfinity);
+    for (int r = 0; r < 1000; ++r) {
+      std::vector<Entry> row;
+      double at_vertex = 0;
+      for (int j = 0; j < kColumns; ++j) {
+        const double value = random.part() * 2 - 1;
+        row.push_back({j, value});
+        at_vertex += value * j;
+        if (r < 20) program.cost[static_cast<std::size_t>(j)] += value;  // optimal there: a sum of rows
+      }
+      program.add_row(row, at_vertex);
+    }
+    worst.look_at(program, 100);
+  }
+  worst.expect_closed();
+}
+
+// Beale's program, on which the textbook's simplex method goes round in a circle.
+TEST(ExtremePrograms, WherePivotsGoRoundInACircle) {
+  LinearProgram program;
+  for (const double cost : {-0.75, 150.0, -0.02, 6.0}) program.add_column(cost, 0, kInfinity);
+  program.add_row(std::vector<Entry>{{0, -0.25}, {1, 60}, {2, 0.04}, {3, -9}}, 0);
+  program.add_row(std::vector<Entry>{{0, -0.5}, {1, 90}, {2, 0.02}, {3, -3}}, 0);
+  program.add_row(std::vector<Entry>{{2, -1}}, -1);
+  Worst worst;
+  worst.look_at(program);
+  worst.expect_closed();
+  EXPECT_NEAR(solve_by_simplex(program, kPivots).objective, -0.05, 1e-9);
+}
+
+// The rows of a Hilbert matrix: all but parallel, at a condition of 1e10.
+TEST(ExtremePrograms, RowsAllButParallel) {
+  constexpr int kSize = 8;
+  LinearProgram program;
+  for (int j = 0; j < kSize; ++j) program.add_column(1, 0, 10);
+  for (int r = 0; r < kSize; ++r) {
+    std::vector<Entry> row;
+    double sum = 0;
+    for (int j = 0; j < kSize; ++j) {
+      row.push_back({j, 1.0 / (1 + r + j)});
+      sum += row.back().value;
+    }
+    program.add_row(row, sum);
+  }
+  Worst worst;
+  worst.look_at(program);
+  worst.expect_closed();
+}
+
+// Points one apart in a row across the strip, which leaves `spare` lattice units in all.
+LinearProgram row_of_points(int points, double spare) {
+  LinearProgram program;
+  program.add_column(1, 0, kInfinity);
+  for (int j = 1; j < points; ++j) program.add_column(0, -kInfinity, kInfinity);
+  for (int j = 1; j < points; ++j) program.add_row(std::vector<Entry>{{j, 1}, {j - 1, -1}}, 1);
+  program.add_row(std::vector<Entry>{{points - 1, -1}}, 1 - points - spare * kLatticeUnit);
+  return program;
+}
+
+TEST(ExtremePrograms, InfeasibleByOneLatticeUnit) {
+  for (const int points : {2, 10, 100, 400}) {
+    for (const SolverChoice choice : {SolverChoice::kSimplex, SolverChoice::kInteriorPoint}) {
+      SCOPED_TRACE(points);
+      EXPECT_EQ(solve(row_of_points(points, -1), choice).status, LpStatus::kInfeasible);
+      for (const double spare : {0.0, 1.0}) {
+        const LinearProgram program = row_of_points(points, spare);
+        const LpSolution solution = solve(program, choice);
+        ASSERT_EQ(solution.status, LpStatus::kOptimal) << spare;
+        EXPECT_LE(exact_certificate(program, solution).primal, 1e-9);
+      }
+    }
+  }
+  reached("lattice units spread over 400 rows", 1);
+}
+
+// A column that nothing holds is said to be unbounded; one held far away is not.
+TEST(ExtremePrograms, UnboundedAndAllButUnbounded) {
+  for (const SolverChoice choice : {SolverChoice::kSimplex, SolverChoice::kInteriorPoint}) {
+    for (const double cost : {-1.0, -1e-3, -1e-6}) {
+      LinearProgram program = row_of_points(300, 1);
+      const int loose = program.add_column(cost, -kInfinity, kInfinity);
+      program.add_row(std::vector<Entry>{{loose, 1}, {0, -1}}, 0);
+      EXPECT_EQ(solve(program, choice).status, LpStatus::kUnbounded) << cost;
+      program.add_row(std::vector<Entry>{{loose, -1}}, -1e9);
+      const LpSolution solution = solve(program, choice);
+      ASSERT_EQ(solution.status, LpStatus::kOptimal) << cost;
+      EXPECT_NEAR(solution.x[static_cast<std::size_t>(loose)] / 1e9, 1, 1e-9);
+    }
+  }
+  reached("bound of a column whose cost is 1e-6", 1e9);
+}
+
+TEST(ExtremePrograms, ColumnsThatNothingHolds) {
+  Worst worst;
+  LinearProgram program = row_of_points(50, 10);
+  for (int k = 0; k < 1000; ++k) {  // free, without cost: some in no row, some in a row that never binds
+    const int loose = program.add_column(0, -kInfinity, kInfinity);
+    if (k % 2 == 0) program.add_row(std::vector<Entry>{{loose, 1}, {k % 50, 1}}, -1);
+  }
+  worst.look_at(program);
+  worst.expect_closed();
+}
+
+// Rows in their own units each, from a thousandth to a thousand: more than any model of ours.
+TEST(ExtremePrograms, RowsInUnitsAMillionApart) {
+  Random random{3};
+  Worst worst;
+  for (const int points : {5, 20}) {
+    LinearProgram program = compaction_program({.points = points});
+    for (int r = 0; r < program.rows(); ++r) {
+      const double unit = std::pow(10.0, static_cast<double>(random.between(-3, 3)));
+      const auto k = static_cast<std::size_t>(r);
+      program.bound[k] *= unit;
+      for (std::size_t e = program.row_start[k]; e < program.row_start[k + 1]; ++e) program.entries[e].value *= unit;
+    }
+    worst.look_at(program, 100);
+  }
+  worst.expect_closed();
+}
+
+// 50,000 half-spaces about a ball of 12 dimensions.
+TEST(ExtremePrograms, FiftyThousandRows) {
+  Random random{4};
+  constexpr int kColumns = 12;
+  LinearProgram program;
+  for (int j = 0; j < kColumns; ++j) program.add_column(random.part() * 2 - 1, -kInfinity, kInfinity);
+  for (int r = 0; r < 50'000; ++r) {
+    std::vector<Entry> row;
+    double square = 0;
+    for (int j = 0; j < kColumns; ++j) {
+      row.push_back({j, random.part() * 2 - 1});
+      square += row.back().value * row.back().value;
+    }
+    for (Entry& entry : row) entry.value /= std::sqrt(square);
+    program.add_row(row, -1);
+  }
+  Worst worst;
+  worst.look_at(program);
+  reached("rows", program.rows());
+  worst.expect_closed();
+}
+
+// As many rows shaped like a compaction's, for the interior point method alone: simplex takes minutes.
+TEST(ExtremePrograms, FiftyThousandRowsOfACompaction) {
+  const LinearProgram program = compaction_program({.points = 3300});
+  ASSERT_GE(program.rows(), 50'000);
+  const LpSolution solution = solve_by_interior_point(program);
+  ASSERT_EQ(solution.status, LpStatus::kOptimal);
+  const ExactCertificate exact = exact_certificate(program, solution);
+  reached("rows", program.rows());
+  reached("row broken by", exact.primal);
+  reached("gap over objective", exact.gap / exact.objective);
+  EXPECT_LE(exact.primal, 1e-9);
+  EXPECT_LE(std::abs(exact.gap), 1e-5 * std::abs(exact.objective));
+}
+
+}  // namespace
+}  // namespace selvage

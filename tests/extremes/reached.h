@@ -1,0 +1,23 @@
+// How far an extreme went: a property of the test in ctest's XML, and a line on its output.
+// docs/measurements-extremes.md keeps the lines.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <string>
+
+namespace selvage::test {
+
+inline void reached(const std::string& what, const std::string& figure) {
+  const auto* running = testing::UnitTest::GetInstance()->current_test_info();
+  testing::Test::RecordProperty(what, figure);
+  std::printf("| %s.%s | %s | %s |\n", running->test_suite_name(), running->name(), what.c_str(), figure.c_str());
+}
+inline void reached(const std::string& what, double figure) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.9g", figure);
+  reached(what, std::string{text});
+}
+
+}  // namespace selvage::test

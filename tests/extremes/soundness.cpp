@@ -1,0 +1,62 @@
+#include "tests/extremes/soundness.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/marker/validity.h"
+#include "tests/support/exact.h"
+
+namespace selvage::test {
+
+void expect_valid_twice(const Marker& marker) {
+  EXPECT_TRUE(is_valid(marker));
+  struct Placed {
+    Polygon outline;
+    Box box;
+  };
+  std::vector<Placed> placed;
+  for (std::uint32_t k = 0; k < marker.pieces.size(); ++k) {
+    Polygon outline = placed_outline(marker, PieceId{k});
+    const Box box = box_of(outline);
+    EXPECT_GE(box.low.x, 0) << "piece " << k;
+    EXPECT_GE(box.low.y, 0) << "piece " << k;
+    EXPECT_LE(box.high.y, marker.strip.width) << "piece " << k;
+    placed.push_back({std::move(outline), box});
+  }
+  std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) { return a.box.low.x < b.box.low.x; });
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    for (std::size_t j = i + 1; j < placed.size() && placed[j].box.low.x < placed[i].box.high.x; ++j) {
+      if (!placed[i].box.overlaps(placed[j].box)) continue;
+      EXPECT_FALSE(interiors_meet(placed[i].outline, placed[j].outline)) << i << " and " << j << " from the left";
+    }
+  }
+}
+
+void expect_sound(const Marker& before, const Marker& after, Coord lengthened) {
+  expect_valid_twice(after);
+  EXPECT_LE(length_of(after), length_of(before) + lengthened);
+  EXPECT_EQ(after.shapes, before.shapes);
+  EXPECT_EQ(after.strip, before.strip);
+  ASSERT_EQ(after.pieces.size(), before.pieces.size());
+  for (std::size_t k = 0; k < before.pieces.size(); ++k) {
+    Piece expected = before.pieces[k];
+    if (!expected.locked.x) expected.at.x = after.pieces[k].at.x;
+    if (!expected.locked.y) expected.at.y = after.pieces[k].at.y;
+    EXPECT_EQ(after.pieces[k], expected) << "piece " << k;
+  }
+}
+
+Compaction soundly_compacted(const Marker& marker) {
+  SumCache sums;
+  auto result = compact(marker, compaction_settings(Accuracy::kStandard), sums);
+  if (!result) {
+    ADD_FAILURE() << result.error().message;
+    return {};
+  }
+  EXPECT_TRUE(result->reason == StopReason::kConverged || result->reason == StopReason::kWorkLimit);
+  expect_sound(marker, result->marker, result->healing.lengthened);
+  return std::move(*result);
+}
+
+}  // namespace selvage::test

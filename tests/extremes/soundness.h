@@ -1,0 +1,19 @@
+// What every answer must be, judged twice: by the product's own integers, and by CGAL's.
+#pragma once
+
+#include "core/marker/marker.h"
+#include "core/motion/compact.h"
+
+namespace selvage::test {
+
+// No pair overlaps and no piece leaves the strip, by either judge.  CGAL is asked about every pair whose boxes overlap.
+void expect_valid_twice(const Marker& marker);
+
+// Valid twice; shapes, strip, orientations and locked coordinates are what they were; not longer than before but for
+// `lengthened` lattice units.
+void expect_sound(const Marker& before, const Marker& after, Coord lengthened = 0);
+
+// Compacted at standard accuracy and found sound; an empty marker, and a failure, when it is refused.
+Compaction soundly_compacted(const Marker& marker);
+
+}  // namespace selvage::test

@@ -1,0 +1,112 @@
+// Tilts of next to nothing, and at the limit to the last bit.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/marker/validity.h"
+#include "core/motion/tilt.h"
+#include "tests/core/motion/markers.h"
+#include "tests/extremes/reached.h"
+#include "tests/extremes/soundness.h"
+#include "tests/support/garment.h"
+
+namespace selvage {
+namespace {
+
+using test::reached;
+
+// Every vertex of a piece turned by 1e-9 degrees is the nearest lattice point, on any lattice.
+TEST(ExtremeTilts, ABillionthOfADegree) {
+  const long double radians = 1e-9L * std::numbers::pi_v<long double> / 180;
+  for (const Coord size : {Coord{1} << 20, Coord{1} << 28, Coord{1} << 38}) {
+    const Polygon shape{{0, 0}, {2 * size, size / 7}, {size, size}, {-size / 3, size - 1}};
+    const Polygon image = turned(shape, Angle::of_degrees(1e-9));
+    ASSERT_EQ(image.size(), shape.size());
+    for (std::size_t k = 0; k < shape.size(); ++k) {
+      const auto x = static_cast<long double>(shape[k].x);
+      const auto y = static_cast<long double>(shape[k].y);
+      EXPECT_EQ(image[k].x, std::llround(x * std::cos(radians) - y * std::sin(radians)));
+      EXPECT_EQ(image[k].y, std::llround(x * std::sin(radians) + y * std::cos(radians)));
+    }
+    EXPECT_EQ(image == shape, size < Coord{1} << 30);  // there it is less than half a unit
+    reached("a corner moved, lattice units", static_cast<double>(image[1].y - shape[1].y));
+  }
+}
+
+Marker tilting_marker(double limit) {
+  Marker marker = test::loose_marker(3, 3, 2);
+  for (Shape& shape : marker.shapes) shape.tilt_limit = Angle::of_degrees(limit);
+  return marker;
+}
+
+TEST(ExtremeTilts, LimitsHoldToTheLastBit) {
+  for (const double limit : {std::numeric_limits<double>::denorm_min(), 1e-9, 0.1, 3.0, 45.0}) {
+    SCOPED_TRACE(limit);
+    const Marker marker = tilting_marker(limit);
+    for (const TiltMethod method : {TiltMethod::kLinearisation, TiltMethod::kRelaxation}) {
+      SumCache sums;
+      const auto result = tilt(marker, tilt_settings(method, Accuracy::kStandard), sums);
+      ASSERT_TRUE(result) << result.error().message;
+      test::expect_valid_twice(result->marker);
+      EXPECT_LE(result->length_after, result->length_compacted);
+      EXPECT_LE(result->farthest_tilt.degrees, limit);
+      for (const Piece& piece : result->marker.pieces) EXPECT_LE(std::abs(piece.orientation.tilt.degrees), limit);
+      EXPECT_TRUE(make_marker(result->marker));
+      if (method == TiltMethod::kLinearisation) {
+        char name[64];
+        std::snprintf(name, sizeof name, "limit %g: farthest tilt", limit);
+        reached(name, result->farthest_tilt.degrees);
+      }
+    }
+  }
+}
+
+TEST(ExtremeTilts, AtTheLimitIsAllowedAndABitBeyondIsNot) {
+  for (const double limit : {1e-9, 0.1, 3.0, 45.0}) {
+    Marker marker = tilting_marker(limit);
+    for (const double sign : {1.0, -1.0}) {
+      marker.pieces[0].orientation.tilt = Angle::of_degrees(sign * limit);
+      EXPECT_TRUE(make_marker(marker)) << limit;
+      marker.pieces[0].orientation.tilt = Angle::of_degrees(sign * std::nextafter(limit, 90));
+      const auto refused = make_marker(marker);
+      ASSERT_FALSE(refused) << limit;
+      EXPECT_EQ(refused.error().code, ErrorCode::kOrientationNotAllowed);
+      EXPECT_EQ(refused.error().field, "/pieces/0/rotation");
+    }
+  }
+  reached("beyond the limit by, degrees", std::nextafter(1e-9, 90) - 1e-9);
+}
+
+// A piece that came at its limit, or a bit beyond, turns back or stays.
+TEST(ExtremeTilts, PiecesThatComeAtTheLimitTiltNoFarther) {
+  for (const double came : {3.0, std::nextafter(3.0, 90), 2.9999999999}) {
+    Marker marker = tilting_marker(3);
+    for (Piece& piece : marker.pieces) piece.orientation.tilt = Angle::of_degrees(came);
+    SumCache sums;
+    const auto result = tilt(marker, tilt_settings(TiltMethod::kLinearisation, Accuracy::kStandard), sums);
+    ASSERT_TRUE(result) << result.error().message;
+    test::expect_valid_twice(result->marker);
+    for (const Piece& piece : result->marker.pieces) {
+      EXPECT_LE(std::abs(piece.orientation.tilt.degrees), std::max(came, 3.0));
+    }
+  }
+}
+
+TEST(ExtremeTilts, LimitsOutsideTheRangeAreRefused) {
+  const Marker marker = tilting_marker(3);
+  SumCache sums;
+  for (const double limit : {-std::numeric_limits<double>::denorm_min(), std::nextafter(45.0, 90.0), std::nan(""),
+                             std::numeric_limits<double>::infinity()}) {
+    TiltSettings settings = tilt_settings(TiltMethod::kLinearisation, Accuracy::kStandard);
+    settings.limit = Angle::of_degrees(limit);
+    const auto refused = tilt(marker, settings, sums);
+    ASSERT_FALSE(refused) << limit;
+    EXPECT_EQ(refused.error().code, ErrorCode::kOutOfRange);
+    EXPECT_NE(refused.error().message.find("45"), std::string::npos) << refused.error().message;
+  }
+}
+
+}  // namespace
+}  // namespace selvage

@@ -1,0 +1,117 @@
+// Pairs that touch: to the lattice unit, by our proof and by CGAL's, on small lattices and on the largest.
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "core/motion/bump.h"
+#include "tests/core/motion/markers.h"
+#include "tests/extremes/nasty_pieces.h"
+#include "tests/extremes/reached.h"
+#include "tests/extremes/soundness.h"
+#include "tests/support/exact.h"
+#include "tests/support/placed.h"
+#include "tests/support/polygons.h"
+
+namespace selvage {
+namespace {
+
+using test::Random;
+using test::reached;
+
+constexpr std::array<Vec, 9> kUnitMoves{{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+
+// Both judges about the pair, and about it with the second moved by a unit in every direction.  How many of the moves
+// overlap.
+int overlapping_moves(const Polygon& p, const Polygon& q) {
+  int overlapping = 0;
+  for (const Vec by : kUnitMoves) {
+    const bool ours = overlap(test::placed(p), test::placed(q, by));
+    EXPECT_EQ(ours, test::interiors_meet(p, test::moved(q, by))) << by.x << ' ' << by.y;
+    overlapping += ours ? 1 : 0;
+  }
+  EXPECT_FALSE(overlap(test::placed(p), test::placed(q)));
+  return overlapping;
+}
+
+TEST(ExtremeContacts, InAPointAlongAnEdgeAndInAHole) {
+  for (const Coord size : {Coord{4}, Coord{1} << 20, Coord{1} << 38}) {
+    SCOPED_TRACE(size);
+    const Polygon square = test::rectangle(size, size);
+    const Polygon diamond{{size, 0}, {2 * size, size}, {size, 2 * size}, {0, size}};
+    const Polygon star = test::moved(test::pinwheel(size), {size, size});
+    // Corner to corner, corner to edge, along a whole edge and along part of one.
+    EXPECT_EQ(overlapping_moves(square, test::moved(square, {size, size})), 1);
+    EXPECT_EQ(overlapping_moves(diamond, test::moved(square, {2 * size, size / 2})), 3);
+    EXPECT_EQ(overlapping_moves(square, test::moved(square, {size, 0})), 3);
+    EXPECT_EQ(overlapping_moves(square, test::moved(square, {size, size / 2})), 3);
+    EXPECT_EQ(overlapping_moves(star, test::moved(square, {2 * size, size / 2})), 3);  // an arm's tip in an edge
+    EXPECT_EQ(overlapping_moves(star, test::moved(star, {2 * size, -2})), 0);  // two tips: thinner than a unit there
+    // In a hole that it fills to the last unit: every move but none overlaps.
+    const Polygon ring = test::broken_ring(3 * size, size, 1);
+    EXPECT_EQ(overlapping_moves(ring, test::moved(square, {size, size})), 8);
+  }
+  reached("largest size, lattice units", static_cast<double>(Coord{3} << 38));
+}
+
+// Wherever a bump brings two pieces of any kind together, it brings them to the last unit.
+TEST(ExtremeContacts, WhereBumpsBringRandomPiecesTogether) {
+  Random random{23};
+  int touching = 0;
+  int pairs = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    const Coord extent = random.between(8, 100) << random.between(0, 28);
+    const Polygon p = trial % 2 == 0 ? test::random_star(random, 12, extent) : test::random_convex(random, 8, extent);
+    const Polygon q = test::random_polygon(random, extent);
+    test::Layout layout{4 * extent};
+    layout.put(layout.shape_of(p), -box_of(p).low, 0, true);
+    layout.put(layout.shape_of(q), Vec{2 * extent, 0} - box_of(q).low);
+    SumCache sums;
+    const auto result = heal_and_bump(layout.marker(), PieceId{1}, -1, -1e-3, sums);
+    ASSERT_TRUE(result);
+    const Polygon obstacle = placed_outline(result->marker, PieceId{0});
+    const Polygon bumped = placed_outline(result->marker, PieceId{1});
+    ++pairs;
+    // Where it was led past the other nothing is left to touch.
+    touching += overlapping_moves(obstacle, bumped) > 0 ? 1 : 0;
+  }
+  reached("pairs", pairs);
+  reached("of them a unit from overlapping", touching);
+  EXPECT_GT(touching, pairs / 4);
+}
+
+// A bar in a slot `play` units wider than it, drawn in to the slot's floor.
+Compaction drawn_into_slot(Coord size, Coord play) {
+  test::Layout layout{3 * size + play};
+  layout.put(layout.shape_of({{0, 0},
+                              {4 * size, 0},
+                              {4 * size, size},
+                              {size, size},
+                              {size, 2 * size + play},
+                              {4 * size, 2 * size + play},
+                              {4 * size, 3 * size + play},
+                              {0, 3 * size + play}}),
+             {0, 0});
+  layout.put(layout.shape_of(test::rectangle(3 * size, size)), {3 * size, size + play / 2});
+  return test::soundly_compacted(layout.marker());
+}
+
+TEST(ExtremeContacts, ABarSlidesToTheFloorOfASlotFourUnitsWider) {
+  for (const Coord size : {Coord{100}, Coord{1} << 36}) {
+    for (const Coord play : {4, 5, 50}) EXPECT_EQ(drawn_into_slot(size, play).length_after, 4 * size) << play;
+  }
+}
+
+// With less play than that the floor, an edge as long as the play, is taken for rounding (core/model/free_region.cpp):
+// the bar stays where it is or stops short.  Sound, but not as short as it could be.
+TEST(ExtremeContacts, ABarInATighterSlotStopsShortButSound) {
+  constexpr Coord kSize = Coord{1} << 36;
+  for (const Coord play : {0, 1, 2, 3}) {
+    const Compaction result = drawn_into_slot(kSize, play);
+    EXPECT_LE(result.length_after, result.length_before);
+    reached("play of " + std::to_string(play) + " units: left of a way of 2",
+            static_cast<double>(result.length_after - 4 * kSize) / static_cast<double>(kSize));
+  }
+}
+
+}  // namespace
+}  // namespace selvage
