@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kTrustAhead = 2;     // next round's trust, as a multiple of the last one's farthest move
 constexpr double kLeastTrust = 0.05;  // as a part of the first round's trust
+constexpr double kLongFrom = 10;      // widths
 
 StopReason reason_of(StepEnd end) {
   return end == StepEnd::kSolverFailed ? StopReason::kSolverFailed : StopReason::kConverged;
@@ -50,6 +51,9 @@ Progress improve(Scene& scene, const Goal& goal, const CompactionSettings& setti
   Progress progress;
   progress.reason = StopReason::kWorkLimit;
   StepSettings step_settings{settings.trust, settings.region, settings.solver, settings.extent};
+  // What is worth another round of a long marker is measured by its length.
+  const double widths = static_cast<double>(scene.pieces.length()) / static_cast<double>(scene.marker.strip.width);
+  const double least_gain = settings.least_gain * (goal.shorten > 0 ? std::max(1.0, widths / kLongFrom) : 1.0);
   while (progress.rounds < settings.rounds) {
     const PositionStep step = position_step(scene, goal, step_settings, stop, observer);
     progress.programs += step.programs;
@@ -64,7 +68,7 @@ Progress improve(Scene& scene, const Goal& goal, const CompactionSettings& setti
     progress.gain += step.gain * static_cast<double>(scene.marker.strip.width);
     ++progress.rounds;
     observer.on_round({progress.rounds, scene.pieces.length()});
-    if (step.gain < settings.least_gain) {
+    if (step.gain < least_gain) {
       progress.reason = StopReason::kConverged;
       break;
     }

@@ -87,8 +87,23 @@ class Attempt {
     rows_.clear();
     modelled_ = {near_.begin(), near_.end()};
     append_near_rows(0);
-    if (whole()) append_all_others();
+    if (whole()) {
+      append_all_others();
+    } else if (!held()) {
+      limit_drifting();
+    }
     build();
+  }
+  // Gravity takes a piece that nothing near holds on its left beyond every limit: it is limited from the first.
+  void limit_drifting() {
+    std::vector<char> held_on_left(scene_.pieces.size());
+    for (const PairRow& row : rows_) {
+      if (row.nx > 0) held_on_left[row.pair.second] = 1;
+      if (row.nx < 0) held_on_left[row.pair.first] = 1;
+    }
+    for (const PiecePair& pair : near_) {
+      if (held_on_left[pair.first] == 0 || held_on_left[pair.second] == 0) append_limits(pair);
+    }
   }
   void append_near_rows(std::size_t from) {
     for (std::size_t k = from; k < near_.size(); ++k) append_rows(near_[k], obstacles_[k], 2 * trust_);
