@@ -29,6 +29,7 @@ constexpr std::uint64_t kGarments = 250;
 constexpr std::size_t kSmallEnough = 120;                   // pieces of a garment marker
 constexpr std::size_t kCacheBytes = std::size_t{16} << 20;  // so few that sums are made anew now and then
 constexpr int kFaultsShown = 20;
+constexpr std::uint64_t kTellEvery = 100'000;  // motions
 
 std::vector<Marker> garments(const std::string& folder) {
   std::vector<std::filesystem::path> paths;
@@ -70,6 +71,10 @@ class Soak {
       tally_.refused += static_cast<std::uint64_t>(life.refused);
       for (const auto& [name, count] : life.of_each) tally_.of_each[name] += static_cast<std::uint64_t>(count);
       if (life.fault) report(seed, *life.fault);
+      if (tally_.motions >= told_ + kTellEvery) {
+        told_ = tally_.motions;
+        std::cerr << told_ << " motions, " << tally_.faults << " faults" << std::endl;
+      }
     }
   }
 
@@ -97,6 +102,7 @@ class Soak {
   SumCache sums_{kCacheBytes};
   std::mutex mutex_;
   Tally tally_;
+  std::uint64_t told_{};
 };
 
 }  // namespace
