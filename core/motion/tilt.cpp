@@ -178,15 +178,18 @@ class Tilter {
   Tilting& total_;
 };
 
-// The settings' limit on every shape, or, where pieces are tilted farther already, as far as they are.
+// The limit on every shape.  Pieces that are tilted farther already are no reason for others to be.
 Marker limited(Marker marker, const std::optional<Angle>& limit) {
   if (!limit) return marker;
   for (Shape& shape : marker.shapes) shape.tilt_limit = *limit;
-  for (const Piece& piece : marker.pieces) {
-    Angle& shape_limit = marker.shapes[piece.shape.value].tilt_limit;
-    shape_limit.degrees = std::max(shape_limit.degrees, std::abs(piece.orientation.tilt.degrees));
-  }
   return marker;
+}
+// Shapes allow what pieces that came so still have.
+void allow_present_tilts(Marker& marker) {
+  for (const Piece& piece : marker.pieces) {
+    Angle& limit = marker.shapes[piece.shape.value].tilt_limit;
+    limit.degrees = std::max(limit.degrees, std::abs(piece.orientation.tilt.degrees));
+  }
 }
 
 Angle farthest_tilt(const Marker& marker) {
@@ -230,6 +233,7 @@ Result<Tilting> tilt(const Marker& start, const TiltSettings& settings, SumCache
   tilting.utilisation_before = compaction->utilisation_before;
   tilting.healing = compaction->healing;
   Tilter{settings, sums, stop, observer, tilting}.run();
+  if (settings.limit) allow_present_tilts(tilting.marker);
   tilting.utilisation_after = utilisation_of(tilting.marker);
   tilting.farthest_tilt = farthest_tilt(tilting.marker);
   return tilting;

@@ -14,12 +14,14 @@
 #include "core/motion/push.h"
 #include "core/motion/separate.h"
 #include "tests/laws/random_marker.h"
+#include "tests/laws/random_settings.h"
 
 namespace selvage {
 namespace {
 
 using test::kSlowdown;
 using test::Random;
+using test::random_settings;
 
 // Empty when the motion kept what every motion keeps.
 std::string broken_law(const Marker& before, const Marker& after) {
@@ -35,15 +37,6 @@ std::string broken_law(const Marker& before, const Marker& after) {
     if (moved != after.pieces[k]) return "piece " + std::to_string(k) + " is not as it was";
   }
   return "";
-}
-
-CompactionSettings random_settings(Random& random) {
-  auto settings = compaction_settings(random.chance(50) ? Accuracy::kDraft : Accuracy::kStandard);
-  settings.region = random.chance(20) ? RegionRule::kWalk : RegionRule::kGreedy;
-  settings.solver = random.chance(20) ? SolverChoice::kSimplex : SolverChoice::kAutomatic;
-  constexpr std::array kTrusts{0.02, 0.1, 1.0};
-  settings.trust = kTrusts[random.below(kTrusts.size())];
-  return settings;
 }
 
 TEST(MotionLaws, Compaction) {

@@ -1,8 +1,10 @@
-// Chance that repeats: the same numbers from the same seed, on every machine.
+// Chance that repeats: the same numbers from the same seed, on every machine; or from the same bytes, so that a fuzzer
+// can steer it: each number takes as many bytes as it needs, and when none are left a seed goes on.
 #pragma once
 
 #include <cstdint>
 #include <random>
+#include <span>
 
 #include "core/geometry/orientation.h"
 
@@ -18,16 +20,21 @@ inline constexpr int kSlowdown = 1;
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_{seed} {}
+  // `bytes` must outlive it.
+  explicit Random(std::span<const std::uint8_t> bytes) : bytes_{bytes} {}
 
   // Both ends included.
   [[nodiscard]] Coord between(Coord low, Coord high) {
     const auto span = static_cast<std::uint64_t>(high - low) + 1;
-    return low + static_cast<Coord>(engine_() % span);
+    return low + static_cast<Coord>(draw(span));
   }
-  [[nodiscard]] std::size_t below(std::size_t count) { return static_cast<std::size_t>(engine_() % count); }
+  [[nodiscard]] std::size_t below(std::size_t count) { return static_cast<std::size_t>(draw(count)); }
   [[nodiscard]] bool chance(int percent) { return between(1, 100) <= percent; }
   // In [0, 1).
-  [[nodiscard]] double part() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+  [[nodiscard]] double part() {
+    if (!bytes_.empty()) return static_cast<double>(draw(std::uint64_t{1} << 16)) * 0x1p-16;
+    return static_cast<double>(engine_() >> 11) * 0x1p-53;
+  }
   [[nodiscard]] Vec point(Coord low, Coord high) {
     const Coord x = between(low, high);
     return {x, between(low, high)};
@@ -38,7 +45,18 @@ class Random {
   }
 
  private:
+  std::uint64_t draw(std::uint64_t count) {
+    if (bytes_.empty()) return engine_() % count;
+    std::uint64_t number = 0;
+    for (std::uint64_t most = count - 1; most > 0 && !bytes_.empty(); most >>= 8) {
+      number = number << 8 | bytes_.front();
+      bytes_ = bytes_.subspan(1);
+    }
+    return number % count;
+  }
+
   std::mt19937_64 engine_;
+  std::span<const std::uint8_t> bytes_;
 };
 
 }  // namespace selvage::test

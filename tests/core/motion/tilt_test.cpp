@@ -109,6 +109,20 @@ TEST(Tilt, PiecesThatCameBeyondTheLimitTiltNoFarther) {
   EXPECT_LE(result.length_after, 400'010);  // but back they may
 }
 
+TEST(Tilt, PiecesThatCameBeyondTheLimitAreNoReasonForOthersToBe) {
+  Marker marker = wedges(3);
+  Piece beyond = marker.pieces[1];
+  beyond.id = "beyond";
+  beyond.at.x = 600'000;  // behind the one that would lean
+  beyond.orientation.tilt = Angle::of_degrees(3);
+  marker.pieces.push_back(beyond);
+  for (const TiltMethod method : {TiltMethod::kLinearisation, TiltMethod::kRelaxation}) {
+    const Tilting result = tilted_marker(marker, limited(0.5, method));
+    for (const std::size_t k : {0U, 1U}) EXPECT_LE(std::abs(result.marker.pieces[k].orientation.tilt.degrees), 0.5);
+    EXPECT_LE(std::abs(result.marker.pieces[2].orientation.tilt.degrees), 3);
+  }
+}
+
 TEST(Tilt, LockedPiecesKeepPlaceAndTilt) {
   Marker marker = wedges(3);
   marker.pieces[1].locked = true;

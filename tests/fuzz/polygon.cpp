@@ -1,0 +1,66 @@
+// Outlines as they come in: what clean_polygon makes a Polygon is one, and all that is worked out of one holds.
+#include "core/geometry/polygon.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/geometry/orientation.h"
+#include "core/geometry/outline.h"
+#include "core/geometry/star.h"
+#include "core/geometry/triangulation.h"
+#include "tests/fuzz/any_polygon.h"
+#include "tests/fuzz/entry.h"
+#include "tests/soak/exact_pairs.h"
+
+namespace selvage::test {
+namespace {
+
+void judge_polygon(const Polygon& polygon, const std::vector<Vec>& vertices) {
+  const std::size_t n = polygon.size();
+  demand(n >= 3, "a polygon of less than three vertices");
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec a = polygon[k];
+    const Vec b = polygon[(k + 1) % n];
+    const Vec c = polygon[(k + 2) % n];
+    demand(a != b && cross({b.x - a.x, b.y - a.y}, {c.x - b.x, c.y - b.y}) != 0, "an idle vertex");
+    demand(std::find(vertices.begin(), vertices.end(), a) != vertices.end(), "a vertex that nobody gave");
+    demand(locate(a, polygon) == Location::kBoundary, "a vertex that is not on the boundary");
+  }
+  demand(!touches_itself(polygon), "a polygon that touches itself");
+  demand(doubled_area(polygon) > 0, "a clockwise polygon");
+  const auto again = clean_polygon(polygon);
+  demand(again && again->polygon == polygon && again->repairs == Repairs{}, "a clean polygon that is mended");
+}
+
+Wide area_of_parts(const std::vector<StarPart>& parts) {
+  return std::accumulate(parts.begin(), parts.end(), Wide{},
+                         [](Wide sum, const StarPart& part) { return sum + doubled_area(part.vertices); });
+}
+
+void judge_outline(const Polygon& polygon) {
+  const auto outline = make_outline(polygon);
+  demand(outline->convex == is_convex(polygon), "convex or not");
+  demand(area_of_parts(outline->parts) == doubled_area(polygon), "star parts that are not the polygon");
+}
+
+}  // namespace
+}  // namespace selvage::test
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  using namespace selvage;
+  test::Random random{std::span{bytes, size}};
+  const std::vector<Vec> vertices = test::any_vertices(random, 60, kLatticeLimit - 1);
+  const auto clean = clean_polygon(vertices);
+  std::vector<Vec> backwards{vertices.rbegin(), vertices.rend()};
+  test::demand(static_cast<bool>(clean_polygon(backwards)) == static_cast<bool>(clean), "refused in one sense only");
+  if (!clean) {
+    test::demand(!clean.error().message.empty(), "refused without a word");
+    return 0;
+  }
+  test::judge_polygon(clean->polygon, vertices);
+  test::judge_outline(clean->polygon);
+  const Orientation orientation{random.chance(50), Angle::of_degrees(360 * random.part()), {}};
+  const Polygon turned_polygon = oriented(clean->polygon, orientation);
+  if (const auto still = clean_polygon(turned_polygon)) test::judge_polygon(still->polygon, turned_polygon);
+  return 0;
+}

@@ -1,0 +1,92 @@
+// Text as JSON-RPC: a message per line, to everything of the daemon that is behind its sockets.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "server/dispatcher.h"
+#include "tests/fuzz/entry.h"
+
+namespace selvage::test {
+namespace {
+
+constexpr std::size_t kMostMessages = 20;
+constexpr std::size_t kMostPieces = 12;  // of a marker that moves
+constexpr std::size_t kMostVertices = 200;
+
+bool small(const Marker& marker) {
+  std::size_t vertices = 0;
+  for (const Piece& piece : marker.pieces) vertices += marker.shapes[piece.shape.value].outline.size();
+  return marker.pieces.size() <= kMostPieces && vertices <= kMostVertices;
+}
+
+// The core, but for what takes long: that is not what is looked at here.
+Engine quick_engine() {
+  Engine engine;
+  engine.refine = [](const Marker& start, const RefineSettings&, SumCache& sums, std::stop_token stop,
+                     const Observer& observer) -> Result<Compaction> {
+    if (!small(start)) return Error{ErrorCode::kHealingFailed, "too large for this test", {}};
+    return refine(start, {.other_ways = true, .effort = 20, .tilts = false, .seed = 1}, sums, std::move(stop),
+                  observer);
+  };
+  return engine;
+}
+
+// Every answer is JSON-RPC; none says that the daemon is at fault.
+void judge(const std::string& text) {
+  if (text.empty()) return;  // to notifications
+  const auto answer = parse(text);
+  demand(static_cast<bool>(answer), "an answer that is not JSON");
+  const Json answers = answer->is_array() ? *answer : Json::array({*answer});
+  for (const Json& one : answers) {
+    demand(one.value("jsonrpc", "") == "2.0", "an answer that is not JSON-RPC");
+    const auto error = one.find("error");
+    const bool internal = error != one.end() && (*error)["code"] == static_cast<int>(RpcCode::kInternalError);
+    demand(!internal, "internal error: " + text);
+  }
+}
+
+// What is behind the transport, everything on the calling thread.
+class Desk {
+ public:
+  // Nothing when the message was not answered; more than one answer is a crash.
+  std::optional<std::string> ask(std::string message) {
+    std::optional<std::string> answer;
+    dispatcher_.receive(std::move(message), session_, [&answer](std::string text) {
+      demand(!answer, "answered twice");
+      answer = std::move(text);
+    });
+    return answer;
+  }
+
+ private:
+  const Limits limits_{.open_markers = 8, .transport = {}};
+  SumCache sums_{std::size_t{1} << 20};
+  MarkerStore store_{limits_.open_markers, nullptr};
+  Watchers watchers_;
+  Methods methods_{store_, watchers_, sums_, limits_, 0, quick_engine()};
+  DeadlineClock clock_;
+  std::shared_ptr<Session> session_ =
+      std::make_shared<Session>(Session{.id = 1, .notify = [](const std::string& text) { judge(text); }, .gone = {}});
+  JobQueue reads_{0, limits_.waiting_reads}, motions_{0, limits_.waiting_motions}, hands_{0, limits_.waiting_moves};
+  Drags drags_{store_, methods_, sums_, hands_};
+  Dispatcher dispatcher_{
+      methods_, drags_, clock_, reads_, motions_, std::size_t{1} << 20, [](const AnsweredRequest&) {}};
+};
+
+}  // namespace
+}  // namespace selvage::test
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  using namespace selvage::test;
+  Desk desk;
+  const std::string text{bytes, bytes + size};
+  std::size_t begin = 0;
+  for (std::size_t message = 0; message < kMostMessages && begin < text.size(); ++message) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const auto answer = desk.ask(text.substr(begin, end - begin));
+    demand(answer.has_value(), "a message without an answer");
+    judge(*answer);
+    begin = end + 1;
+  }
+  return 0;
+}

@@ -1,0 +1,154 @@
+#include "tests/soak/exact_pairs.h"
+
+#include <algorithm>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <vector>
+
+namespace selvage::test {
+namespace {
+
+using Wider = boost::multiprecision::checked_int256_t;
+
+struct Edge {
+  Vec from, to;
+  [[nodiscard]] Vec along() const { return {to.x - from.x, to.y - from.y}; }
+  [[nodiscard]] bool near(const Edge& other, Coord reach) const {
+    const auto apart = [reach](Coord a, Coord b, Coord c, Coord d) {
+      return std::max(a, b) + reach < std::min(c, d) || std::max(c, d) + reach < std::min(a, b);
+    };
+    return !apart(from.x, to.x, other.from.x, other.to.x) && !apart(from.y, to.y, other.from.y, other.to.y);
+  }
+};
+
+Wide product(Coord a, Coord b) {
+  return static_cast<Wide>(a) * b;
+}
+// Positive when c lies left of the way from the edge's first point to its second.
+Wide left_of(const Edge& e, Vec c) {
+  return product(e.to.x - e.from.x, c.y - e.from.y) - product(e.to.y - e.from.y, c.x - e.from.x);
+}
+int sign(Wide w) {
+  return w > 0 ? 1 : w < 0 ? -1 : 0;
+}
+// How far along the edge the point lies, times the edge's length.
+Wide advance(const Edge& e, Vec c) {
+  return product(e.to.x - e.from.x, c.x - e.from.x) + product(e.to.y - e.from.y, c.y - e.from.y);
+}
+Wide squared_length(Vec v) {
+  return product(v.x, v.x) + product(v.y, v.y);
+}
+bool lies_on(const Edge& e, Vec c) {
+  const Wide at = advance(e, c);
+  return left_of(e, c) == 0 && at >= 0 && at <= squared_length(e.along());
+}
+bool cross_properly(const Edge& e, const Edge& f) {
+  return sign(left_of(e, f.from)) * sign(left_of(e, f.to)) < 0 && sign(left_of(f, e.from)) * sign(left_of(f, e.to)) < 0;
+}
+
+std::vector<Edge> edges_of(const Polygon& p) {
+  std::vector<Edge> edges;
+  for (std::size_t k = 0; k < p.size(); ++k) edges.push_back({p[k], p[(k + 1) % p.size()]});
+  return edges;
+}
+
+// True when the polygon of doubled edges winds about the doubled point, which is not on its boundary.
+bool winds_about(const std::vector<Edge>& doubled, Vec c) {
+  int winding = 0;
+  for (const Edge& e : doubled) {
+    if (lies_on(e, c)) return false;
+    if (e.from.y <= c.y && e.to.y > c.y && left_of(e, c) > 0) ++winding;
+    if (e.from.y > c.y && e.to.y <= c.y && left_of(e, c) < 0) --winding;
+  }
+  return winding != 0;
+}
+
+std::vector<Edge> doubled(std::vector<Edge> edges) {
+  for (Edge& e : edges) e = {{2 * e.from.x, 2 * e.from.y}, {2 * e.to.x, 2 * e.to.y}};
+  return edges;
+}
+
+// True when some stretch of p's boundary, cut at q's vertices, lies inside q.  REQUIRES: no proper crossing.
+bool runs_inside(const std::vector<Edge>& p, const std::vector<Edge>& q) {
+  const std::vector<Edge> twice = doubled(q);
+  for (const Edge& e : p) {
+    std::vector<Vec> cuts{e.from, e.to};
+    for (const Edge& f : q) {
+      if (lies_on(e, f.from)) cuts.push_back(f.from);
+    }
+    std::sort(cuts.begin(), cuts.end(), [&](Vec a, Vec b) { return advance(e, a) < advance(e, b); });
+    // Where a vertex of p lies on q, the stretches on either side are cut there of themselves.
+    for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+      const Vec middle{cuts[k].x + cuts[k + 1].x, cuts[k].y + cuts[k + 1].y};
+      if (cuts[k] != cuts[k + 1] && winds_about(twice, middle)) return true;
+    }
+  }
+  return false;
+}
+
+bool same_ring(const Polygon& p, const Polygon& q) {
+  if (p.size() != q.size()) return false;
+  const auto first = std::find(q.begin(), q.end(), p.front());
+  if (first == q.end()) return false;
+  const auto shift = static_cast<std::size_t>(first - q.begin());
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    if (p[k] != q[(k + shift) % q.size()]) return false;
+  }
+  return true;
+}
+
+bool point_nearer(const Edge& e, Vec c, Wide squared_distance) {
+  const Wide at = advance(e, c);
+  const Wide squared = squared_length(e.along());
+  if (at <= 0) return squared_length({c.x - e.from.x, c.y - e.from.y}) < squared_distance;
+  if (at >= squared) return squared_length({c.x - e.to.x, c.y - e.to.y}) < squared_distance;
+  const Wider off{left_of(e, c)};
+  return off * off < Wider{squared} * Wider{squared_distance};
+}
+
+}  // namespace
+
+bool interiors_share(const Polygon& p, const Polygon& q) {
+  const std::vector<Edge> of_p = edges_of(p);
+  const std::vector<Edge> of_q = edges_of(q);
+  for (const Edge& e : of_p) {
+    for (const Edge& f : of_q) {
+      if (e.near(f, 0) && cross_properly(e, f)) return true;
+    }
+  }
+  return runs_inside(of_p, of_q) || runs_inside(of_q, of_p) || same_ring(p, q);
+}
+
+bool nearer_than(const Polygon& p, const Polygon& q, Coord distance) {
+  const std::vector<Edge> of_p = edges_of(p);
+  const std::vector<Edge> of_q = edges_of(q);
+  const Wide squared = product(distance, distance);
+  for (const Edge& e : of_p) {
+    for (const Edge& f : of_q) {
+      if (!e.near(f, distance)) continue;
+      // Segments that do not cross are nearest at an end of one of them.
+      if (cross_properly(e, f) || point_nearer(e, f.from, squared) || point_nearer(e, f.to, squared) ||
+          point_nearer(f, e.from, squared) || point_nearer(f, e.to, squared)) {
+        return true;
+      }
+    }
+  }
+  return interiors_share(p, q);
+}
+
+bool touches_itself(const Polygon& p) {
+  const std::vector<Edge> edges = edges_of(p);
+  const std::size_t n = edges.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = i + 2; j < n; ++j) {
+      if (i == 0 && j == n - 1) continue;
+      const Edge& e = edges[i];
+      const Edge& f = edges[j];
+      if (cross_properly(e, f) || lies_on(e, f.from) || lies_on(e, f.to) || lies_on(f, e.from) || lies_on(f, e.to)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace selvage::test

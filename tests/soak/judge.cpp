@@ -1,0 +1,214 @@
+#include "tests/soak/judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "tests/soak/exact_pairs.h"
+
+namespace selvage::test {
+namespace {
+
+// Lattice units: half of one in each coordinate, and what doubles lose on a lattice of 2^40.
+constexpr long double kRounding = 0.71L;
+
+struct Fine {
+  long double x{}, y{};
+};
+
+// The shape's vertices in the orientation, before they are rounded.
+std::vector<Fine> before_rounding(const Polygon& shape, const Orientation& orientation) {
+  const long double radians =
+      (static_cast<long double>(orientation.rotation.degrees) + static_cast<long double>(orientation.tilt.degrees)) *
+      (std::numbers::pi_v<long double> / 180);
+  const long double c = std::cos(radians);
+  const long double s = std::sin(radians);
+  std::vector<Fine> fine;
+  for (const Vec v : shape) {
+    const auto x = static_cast<long double>(v.x);
+    const auto y = static_cast<long double>(orientation.flip ? -v.y : v.y);
+    fine.push_back({c * x - s * y, s * x + c * y});
+  }
+  return fine;
+}
+
+long double distance(Fine a, Fine b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
+Fine fine(Vec v) {
+  return {static_cast<long double>(v.x), static_cast<long double>(v.y)};
+}
+// Twice the area, and the perimeter.
+struct Measure {
+  long double doubled_area{}, perimeter{};
+};
+Measure measure_of(const Polygon& polygon) {
+  Measure measure;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Fine a = fine(polygon[k]);
+    const Fine b = fine(polygon[(k + 1) % polygon.size()]);
+    measure.doubled_area += a.x * b.y - a.y * b.x;
+    measure.perimeter += distance(a, b);
+  }
+  return measure;
+}
+
+// Every vertex of the outline is one of the shape's, rounded; and nothing of the shape is missing but what is thinner
+// than rounding.
+std::string outline_fault(const Polygon& shape, const Orientation& orientation, const Polygon& outline) {
+  if (outline.size() < 3) return "has no outline";
+  const std::vector<Fine> wanted = before_rounding(shape, orientation);
+  for (const Vec v : outline) {
+    const bool known =
+        std::any_of(wanted.begin(), wanted.end(), [&](Fine w) { return distance(w, fine(v)) <= kRounding; });
+    if (!known) return "has a vertex that its shape has not";
+  }
+  const Measure drafted = measure_of(shape);
+  if (std::abs(measure_of(outline).doubled_area - drafted.doubled_area) > 2 * kRounding * drafted.perimeter) {
+    return "has another area than its shape";
+  }
+  return touches_itself(outline) ? "touches itself" : "";
+}
+
+Box box_about(const Polygon& polygon) {
+  Box box{polygon.front(), polygon.front()};
+  for (const Vec v : polygon) {
+    box.low = {std::min(box.low.x, v.x), std::min(box.low.y, v.y)};
+    box.high = {std::max(box.high.x, v.x), std::max(box.high.y, v.y)};
+  }
+  return box;
+}
+
+Polygon moved_by(Polygon polygon, Vec by) {
+  for (Vec& v : polygon) v = {v.x + by.x, v.y + by.y};
+  return polygon;
+}
+
+std::string about(const Piece& piece, const std::string& what) {
+  return "piece " + piece.id + " " + what;
+}
+
+bool leaves(const Box& box, const Strip& strip) {
+  return box.low.x < strip.margin || box.low.y < strip.margin || box.high.y > strip.width - strip.margin ||
+         (strip.longest && box.high.x > *strip.longest - strip.margin);
+}
+
+// Pieces that move with this one, itself among them.
+bool tied(const Piece& a, const Piece& b) {
+  return a.id == b.id || (!a.group.empty() && a.group == b.group);
+}
+
+std::string orientation_fault(const Marker& before, std::size_t k, const Orientation& after, const Leave& leave) {
+  const Piece& piece = before.pieces[k];
+  const Orientation& was = piece.orientation;
+  if (after == was) return "";
+  const bool held = piece.locked.x || piece.locked.y || piece.locked.tilt || !piece.group.empty();
+  if (held) return "turned, and is held";
+  const Shape& shape = before.shapes[piece.shape.value];
+  if (after.flip != was.flip) return "was flipped";
+  if (after.rotation != was.rotation) {
+    const bool allowed =
+        shape.rotations.empty() || std::any_of(shape.rotations.begin(), shape.rotations.end(), [&](Angle angle) {
+          return std::remainder(angle.degrees - after.rotation.degrees, 360.0) == 0;
+        });
+    if (!leave.turns || !allowed) return "has another rotation";
+  }
+  if (after.tilt != was.tilt) {
+    const double limit = leave.tilt_limit.value_or(shape.tilt_limit).degrees;
+    if (!leave.tilts) return "was tilted";
+    if (std::abs(after.tilt.degrees) > std::max(limit, std::abs(was.tilt.degrees))) return "was tilted too far";
+  }
+  return "";
+}
+
+// The limit, or as far as pieces of the shape, which came so, are still tilted.
+Angle limit_told(const Marker& after, std::size_t shape, Angle limit) {
+  for (const Piece& piece : after.pieces) {
+    if (piece.shape.value == shape) limit.degrees = std::max(limit.degrees, std::abs(piece.orientation.tilt.degrees));
+  }
+  return limit;
+}
+
+// Everything but where the pieces lie and how they are turned.
+std::string identity_fault(const Marker& before, const Marker& after, const Leave& leave) {
+  Marker same = after;
+  if (same.pieces.size() != before.pieces.size()) return "has other pieces";
+  if (same.shapes.size() != before.shapes.size()) return "has other shapes";
+  for (std::size_t k = 0; leave.tilt_limit && k < same.shapes.size(); ++k) {
+    if (same.shapes[k].tilt_limit != limit_told(after, k, *leave.tilt_limit)) return "has another tilt limit";
+    same.shapes[k].tilt_limit = before.shapes[k].tilt_limit;
+  }
+  for (std::size_t k = 0; k < same.pieces.size(); ++k) {
+    same.pieces[k].at = before.pieces[k].at;
+    same.pieces[k].orientation = before.pieces[k].orientation;
+  }
+  return same == before ? "" : "is another one";
+}
+
+}  // namespace
+
+const Judge::Cut& Judge::cut_of(const Marker& marker, const Piece& piece) {
+  const auto [at, fresh] = cuts_.try_emplace({piece.shape, piece.orientation});
+  if (fresh) {
+    const Polygon& shape = marker.shapes[piece.shape.value].outline;
+    Cut& cut = at->second;
+    cut.outline = oriented(shape, piece.orientation);
+    cut.fault = outline_fault(shape, piece.orientation, cut.outline);
+    cut.box = box_about(cut.outline);
+  }
+  return at->second;
+}
+
+Coord Judge::length_of(const Marker& marker) {
+  Coord length = 0;
+  for (const Piece& piece : marker.pieces) length = std::max(length, cut_of(marker, piece).box.high.x + piece.at.x);
+  return length;
+}
+
+std::string Judge::fault_of(const Marker& marker) {
+  std::vector<Box> boxes;
+  for (const Piece& piece : marker.pieces) {
+    const Cut& cut = cut_of(marker, piece);
+    if (!cut.fault.empty()) return about(piece, cut.fault);
+    boxes.push_back(cut.box.moved(piece.at));
+    if (leaves(boxes.back(), marker.strip)) return about(piece, "leaves the strip");
+  }
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (std::size_t j = i + 1; j < boxes.size(); ++j) {
+      const Piece& p = marker.pieces[i];
+      const Piece& q = marker.pieces[j];
+      const Coord spacing = std::max(marker.spacing, p.buffer + q.buffer);
+      if (!boxes[i].grown(spacing).touches(boxes[j])) continue;
+      // The first one's frame keeps coordinates small.
+      const Polygon& first = cut_of(marker, p).outline;
+      const Polygon second = moved_by(cut_of(marker, q).outline, {q.at.x - p.at.x, q.at.y - p.at.y});
+      if (interiors_share(first, second)) return about(p, "overlaps piece " + q.id);
+      if (spacing > 0 && nearer_than(first, second, spacing)) return about(p, "is too near to piece " + q.id);
+    }
+  }
+  return "";
+}
+
+std::string Judge::broken_promise(const Marker& before, const Marker& after, const Leave& leave) {
+  if (const auto fault = identity_fault(before, after, leave); !fault.empty()) return "the marker " + fault;
+  for (std::size_t k = 0; k < before.pieces.size(); ++k) {
+    const Piece& was = before.pieces[k];
+    const Piece& is = after.pieces[k];
+    if (const auto fault = orientation_fault(before, k, is.orientation, leave); !fault.empty())
+      return about(was, fault);
+    for (std::size_t other = 0; other < before.pieces.size(); ++other) {
+      const Piece& mate = before.pieces[other];
+      if (!tied(was, mate)) continue;
+      if (mate.locked.x && is.at.x != was.at.x) return about(was, "moved along a locked x");
+      if (mate.locked.y && is.at.y != was.at.y) return about(was, "moved along a locked y");
+      if (after.pieces[other].at - mate.at != is.at - was.at) return about(was, "moved away from its group");
+    }
+  }
+  if (const Coord length = length_of(after); length > leave.longest) {
+    return "the marker is " + std::to_string(length - leave.longest) + " units too long";
+  }
+  return "";
+}
+
+}  // namespace selvage::test

@@ -1,0 +1,134 @@
+// The judge of the soak against CGAL, and against markers with one thing wrong.
+#include "tests/soak/judge.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/laws/random_marker.h"
+#include "tests/soak/exact_pairs.h"
+#include "tests/support/exact.h"
+#include "tests/support/polygons.h"
+
+namespace selvage::test {
+namespace {
+
+// On small lattices polygons touch in every way there is.
+TEST(Judge, AgreesWithCgalOnPairs) {
+  Random random{201};
+  int overlapping = 0;
+  const int trials = 3000 / kSlowdown;
+  for (int trial = 0; trial < trials; ++trial) {
+    const Coord extent = random.chance(70) ? random.between(4, 16) : random.between(1000, kLatticeLimit / 4);
+    const Polygon p = random_polygon(random, extent);
+    const Polygon q =
+        random.chance(5) ? p : moved(random_polygon(random, extent), random.point(-extent / 2, extent / 2));
+    const bool expected = interiors_meet(p, q);
+    ASSERT_EQ(interiors_share(p, q), expected) << text_of(p) << " and " << text_of(q);
+    ASSERT_EQ(interiors_share(q, p), expected) << text_of(p) << " and " << text_of(q);
+    overlapping += expected ? 1 : 0;
+  }
+  EXPECT_GT(overlapping, trials / 4);
+  EXPECT_LT(overlapping, trials);
+}
+
+TEST(Judge, AgreesWithCgalOnDistances) {
+  Random random{202};
+  int nearer = 0;
+  const int trials = 1000 / kSlowdown;
+  for (int trial = 0; trial < trials; ++trial) {
+    const Coord extent = random.chance(70) ? random.between(4, 16) : random.between(1000, kLatticeLimit / 8);
+    const Polygon p = random_polygon(random, extent);
+    const Polygon q = moved(random_polygon(random, extent), random.point(-2 * extent, 2 * extent));
+    const Coord distance = random.between(1, extent);
+    const bool expected = interiors_meet(p, q) || compare_distance(p, q, distance) < 0;
+    ASSERT_EQ(nearer_than(p, q, distance), expected) << text_of(p) << " and " << text_of(q) << ", " << distance;
+    nearer += expected ? 1 : 0;
+  }
+  EXPECT_GT(nearer, trials / 4);
+  EXPECT_LT(nearer, trials);
+}
+
+TEST(Judge, SeesAPieceInsideAnotherAndAPieceOnItsTwin) {
+  const Polygon large{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+  const Polygon small{{2, 2}, {4, 2}, {4, 4}, {2, 4}};
+  EXPECT_TRUE(interiors_share(large, small));
+  EXPECT_TRUE(interiors_share(small, large));
+  EXPECT_TRUE(interiors_share(large, large));
+  EXPECT_FALSE(interiors_share(large, moved(large, {10, 3})));
+}
+
+TEST(Judge, SeesAPolygonThatTouchesItself) {
+  EXPECT_FALSE(touches_itself({{0, 0}, {4, 0}, {4, 4}, {0, 4}}));
+  EXPECT_TRUE(touches_itself({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}));
+  EXPECT_TRUE(touches_itself({{0, 0}, {4, 4}, {4, 0}, {0, 4}}));
+}
+
+// Two squares of 100 with 10 between them, 5 from the edges of a strip of 120 that ends at 300.
+Marker two_squares() {
+  Marker marker;
+  marker.strip = {120, 300, 5};
+  Shape square;
+  square.outline = {{0, 0}, {100, 0}, {100, 100}, {0, 100}};
+  square.tilt_limit = Angle::of_degrees(2);
+  marker.shapes.push_back(square);
+  marker.pieces.push_back({.id = "a", .shape = {}, .orientation = {}, .at = {5, 5}});
+  marker.pieces.push_back({.id = "b", .shape = {}, .orientation = {}, .at = {115, 5}});
+  return marker;
+}
+
+TEST(Judge, NamesWhatIsWrong) {
+  Judge judge;
+  const Marker good = two_squares();
+  EXPECT_EQ(judge.fault_of(good), "");
+  EXPECT_EQ(judge.length_of(good), 215);
+  Marker bad = good;
+  bad.pieces[1].at.x = 104;
+  EXPECT_EQ(judge.fault_of(bad), "piece a overlaps piece b");
+  bad = good;
+  bad.spacing = 10;
+  EXPECT_EQ(judge.fault_of(bad), "");
+  bad.pieces[1].buffer = 6;
+  bad.pieces[0].buffer = 5;
+  EXPECT_EQ(judge.fault_of(bad), "piece a is too near to piece b");
+  for (const Vec by : {Vec{-1, 0}, Vec{0, -1}, Vec{0, 11}}) {
+    bad = good;
+    bad.pieces[0].at = bad.pieces[0].at + by;
+    EXPECT_EQ(judge.fault_of(bad), "piece a leaves the strip");
+  }
+  bad = good;
+  bad.pieces[1].at.x = 196;
+  EXPECT_EQ(judge.fault_of(bad), "piece b leaves the strip");
+}
+
+TEST(Judge, NamesBrokenPromises) {
+  Judge judge;
+  Marker before = two_squares();
+  const Leave none{.longest = 215};
+  Marker after = before;
+  EXPECT_EQ(judge.broken_promise(before, after, none), "");
+  after.pieces[1].at.x += 1;
+  EXPECT_EQ(judge.broken_promise(before, after, none), "the marker is 1 units too long");
+  after.pieces[1].at.x -= 2;
+  EXPECT_EQ(judge.broken_promise(before, after, none), "");
+  before.pieces[1].locked = {true, false, false};
+  after.pieces[1].locked = before.pieces[1].locked;
+  EXPECT_EQ(judge.broken_promise(before, after, none), "piece b moved along a locked x");
+  before.pieces[1].locked = after.pieces[1].locked = false;
+  for (Marker* marker : {&before, &after}) marker->pieces[0].group = marker->pieces[1].group = "g";
+  EXPECT_EQ(judge.broken_promise(before, after, none), "piece a moved away from its group");
+
+  before = after = two_squares();
+  after.pieces[0].orientation.tilt = Angle::of_degrees(1);
+  EXPECT_EQ(judge.broken_promise(before, after, none), "piece a was tilted");
+  const Leave tilts{.longest = 300, .tilts = true};
+  EXPECT_EQ(judge.broken_promise(before, after, tilts), "");
+  after.pieces[0].orientation.tilt = Angle::of_degrees(-2.5);
+  EXPECT_EQ(judge.broken_promise(before, after, tilts), "piece a was tilted too far");
+  after.pieces[0].orientation = {false, Angle::of_degrees(90), {}};
+  EXPECT_EQ(judge.broken_promise(before, after, tilts), "piece a has another rotation");
+  after = before;
+  after.pieces[0].buffer = 1;
+  EXPECT_EQ(judge.broken_promise(before, after, none), "the marker is another one");
+}
+
+}  // namespace
+}  // namespace selvage::test

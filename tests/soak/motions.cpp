@@ -1,0 +1,343 @@
+#include "tests/soak/motions.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "core/marker/validity.h"
+#include "core/motion/bump.h"
+#include "core/motion/compact.h"
+#include "core/motion/drag.h"
+#include "core/motion/exchange.h"
+#include "core/motion/float_apart.h"
+#include "core/motion/hold.h"
+#include "core/motion/one_at_a_time.h"
+#include "core/motion/open_gap.h"
+#include "core/motion/place.h"
+#include "core/motion/push.h"
+#include "core/motion/refine.h"
+#include "core/motion/relax.h"
+#include "core/motion/separate.h"
+#include "core/motion/tilt.h"
+#include "core/motion/velocity.h"
+#include "tests/laws/random_settings.h"
+
+namespace selvage::test {
+namespace {
+
+constexpr Coord kAnyLength = std::numeric_limits<Coord>::max();
+constexpr int kFewSteps = 60;                // of the velocity model, which needs many
+constexpr std::uint64_t kLittleEffort = 60;  // of refinement
+
+template <class Done>
+Result<Answer> answer(Result<Done> done, Leave leave = {}) {
+  if (!done) return done.error();
+  leave.longest = done->length_before + done->healing.lengthened;
+  Answer answer{.marker = std::move(done->marker), .leave = leave};
+  if (done->length_after != length_of(answer.marker)) answer.contradiction = "tells another length";
+  const Healing& healing = done->healing;
+  if (healing.pairs + healing.protruding == 0 && (healing.lengthened > 0 || healing.farthest_move > 0)) {
+    answer.contradiction = "heals what is valid";
+  }
+  return answer;
+}
+
+// There was nothing to be done.
+Answer unmoved(const Marker& start) {
+  return {.marker = start, .leave = {.longest = kAnyLength}, .apart = is_valid(start)};
+}
+
+PieceId any_piece(Random& random, const Marker& marker) {
+  return {static_cast<std::uint32_t>(random.below(marker.pieces.size()))};
+}
+// Along an axis now and then.
+std::pair<double, double> any_direction(Random& random) {
+  const double angle =
+      std::numbers::pi * (random.chance(30) ? static_cast<double>(random.below(4)) / 2 : 2 * random.part());
+  return {std::cos(angle), std::sin(angle)};
+}
+// On the strip or a little beside it.
+Vec any_place(Random& random, const Marker& marker) {
+  const Coord beside = marker.strip.width / 8;
+  const Coord x = random.between(-beside, length_of(marker) + beside);
+  return {x, random.between(-beside, marker.strip.width + beside)};
+}
+Angle any_limit(Random& random) {
+  return Angle::of_degrees(random.chance(10) ? 45 * random.part() : 3 * random.part());
+}
+// The end that motions of one piece know: the cloth's, or, when it has none, the marker's.
+Coord open_end(const Marker& marker) {
+  return marker.strip.last().value_or(length_of(marker));
+}
+
+Result<Answer> compaction(const Marker& start, const Occasion& on) {
+  return answer(compact(start, random_settings(on.random), on.sums, on.stop, on.observer));
+}
+
+Result<Answer> sweeps(const Marker& start, const Occasion& on) {
+  const SweepSettings settings{.sweeps = static_cast<int>(on.random.between(1, 20))};
+  return answer(compact_one_at_a_time(start, settings, on.sums, on.stop, on.observer));
+}
+
+Result<Answer> velocities(const Marker& start, const Occasion& on) {
+  VelocitySettings settings;
+  settings.steps = kFewSteps;
+  return answer(compact_by_velocities(start, settings, on.sums, on.stop, on.observer));
+}
+
+Result<Answer> refinement(const Marker& start, const Occasion& on) {
+  const RefineSettings settings{.other_ways = on.random.chance(30),
+                                .effort = kLittleEffort,
+                                .tilts = on.random.chance(50),
+                                .seed = static_cast<std::uint32_t>(on.random.below(1000))};
+  return answer(refine(start, settings, on.sums, on.stop, on.observer), {.tilts = true, .turns = true});
+}
+
+Result<Answer> exchanging(const Marker& start, const Occasion& on) {
+  std::mt19937 random{static_cast<std::uint32_t>(on.random.below(1000))};
+  auto done = exchange(start, random_settings(on.random), random, on.sums, on.stop);
+  const Leave leave{.longest = kAnyLength, .turns = true};
+  return Answer{.marker = done.marker ? std::move(*done.marker) : start, .leave = leave};
+}
+
+Result<Answer> pushing(const Marker& start, const Occasion& on) {
+  std::vector<Force> forces;
+  for (std::uint32_t i = 0; i < start.pieces.size(); ++i) {
+    if (on.random.chance(50)) continue;
+    const double x = 2 * on.random.part() - 1;
+    forces.push_back({PieceId{i}, x, 2 * on.random.part() - 1});
+  }
+  return answer(push(start, forces, random_settings(on.random), on.sums, on.stop, on.observer));
+}
+
+Result<Answer> falling(const Marker& start, const Occasion& on) {
+  const auto [x, y] = any_direction(on.random);
+  return answer(push(start, gravity(start, x, y), random_settings(on.random), on.sums, on.stop, on.observer));
+}
+
+Result<Answer> bumping(const Marker& start, const Occasion& on) {
+  const PieceId piece = any_piece(on.random, start);
+  const auto [x, y] = any_direction(on.random);
+  auto done = heal_and_bump(start, piece, x, y, on.sums, on.stop, on.observer);
+  if (!done) return done.error();
+  Answer answer{.marker = std::move(done->marker), .leave = {.longest = open_end(start) + done->healing.lengthened}};
+  if (done->bump.gain < 0) answer.contradiction = "went backwards";
+  if (answer.marker.pieces[piece.value].at != done->bump.at) answer.contradiction = "tells another place";
+  return answer;
+}
+
+Answer placed_answer(PlacedMarker done, PieceId piece, const PlaceSettings& settings, Coord end) {
+  const Coord longest = settings.may_grow ? kAnyLength : end + done.healing.lengthened;
+  Answer answer{.marker = std::move(done.marker), .leave = {.longest = longest}};
+  // No free position: the piece is where it was, on top of others as it may be.
+  if (!done.place) answer.apart = is_valid(answer.marker);
+  if (done.place && answer.marker.pieces[piece.value].at != done.place->at)
+    answer.contradiction = "tells another place";
+  return answer;
+}
+
+Result<Answer> placing(const Marker& start, const Occasion& on) {
+  const PieceId piece = any_piece(on.random, start);
+  const PlaceSettings settings{on.random.chance(50)};
+  const Vec wanted = any_place(on.random, start);
+  auto done = heal_and_place(start, piece, wanted, settings, on.sums, on.stop, on.observer);
+  if (!done) return done.error();
+  return placed_answer(*std::move(done), piece, settings, open_end(start));
+}
+
+// A piece turned by whatever angle goes where there is room for it.
+Result<Answer> turning_and_placing(const Marker& start, const Occasion& on) {
+  const PieceId piece = any_piece(on.random, start);
+  Marker turned = start;
+  Piece& moved = turned.pieces[piece.value];
+  if (moved.locked.x || moved.locked.y || moved.locked.tilt || !moved.group.empty()) return unmoved(start);
+  const Angle limit = start.shapes[moved.shape.value].tilt_limit;
+  moved.orientation = {on.random.chance(50), Angle::of_degrees(90.0 * static_cast<double>(on.random.below(4))),
+                       Angle::of_degrees((2 * on.random.part() - 1) * limit.degrees)};
+  if (on.random.chance(30)) moved.orientation.rotation.degrees += static_cast<double>(on.random.between(0, 900)) / 10;
+  if (!make_marker(turned)) return unmoved(start);
+  const PlaceSettings settings{true};
+  auto done = heal_and_place(turned, piece, any_place(on.random, start), settings, on.sums, on.stop, on.observer);
+  if (!done) return done.error();
+  if (!done->place) return unmoved(start);
+  Answer answer = placed_answer(*std::move(done), piece, settings, 0);
+  answer.started = std::move(turned);
+  return answer;
+}
+
+Result<Answer> dragging(const Marker& start, const Occasion& on) {
+  const PieceId piece = any_piece(on.random, start);
+  const DragMode mode = on.random.chance(50) ? DragMode::kPlace : DragMode::kPush;
+  const Drag done = drag(start, piece, any_place(on.random, start), mode, on.sums, on.stop);
+  Answer answer{.marker = done.marker, .leave = {.longest = kAnyLength}};
+  if (done.pushed && mode == DragMode::kPlace) answer.contradiction = "pushed others, who were to stay";
+  return answer;
+}
+
+Result<Answer> separation(const Marker& start, const Occasion& on) {
+  Marker overlapping = start;
+  const auto most = static_cast<Coord>(0.1 * on.random.part() * static_cast<double>(start.strip.width));
+  for (Piece& piece : overlapping.pieces) {
+    if (!piece.locked.x) piece.at.x += on.random.between(-most, most);
+    if (!piece.locked.y) piece.at.y += on.random.between(-most, most);
+  }
+  // Groups stay as they are.
+  for (std::size_t k = 0; k < start.pieces.size(); ++k) {
+    if (!start.pieces[k].group.empty()) overlapping.pieces[k].at = start.pieces[k].at;
+  }
+  SeparationSettings settings;
+  settings.grow = on.random.chance(50) ? 0.1 * on.random.part() : 0;
+  settings.target = on.random.chance(20) ? TargetRule::kKernelRay : TargetRule::kNearest;
+  auto done = separate(overlapping, settings, on.sums, on.stop, on.observer);
+  // A locked piece that was shaken off the strip cannot be put back.
+  if (!done && done.error().code == ErrorCode::kOutsideStrip && !is_valid(overlapping)) return unmoved(start);
+  if (!done) return done.error();
+  const auto longest = std::ceil((1 + settings.grow) * static_cast<double>(done->length_before));
+  Answer answer{.marker = std::move(done->marker), .leave = {.longest = static_cast<Coord>(longest)}};
+  answer.apart = done->apart;
+  if (done->apart != done->remaining.empty()) answer.contradiction = "apart, and overlaps remain";
+  if (done->length_after != length_of(answer.marker)) answer.contradiction = "tells another length";
+  answer.started = std::move(overlapping);
+  return answer;
+}
+
+Result<Answer> floating(const Marker& start, const Occasion& on) {
+  constexpr std::array kModes{FloatMode::kLargestMinimum, FloatMode::kGivenDistance, FloatMode::kLargestTotal,
+                              FloatMode::kUniform, FloatMode::kTwoStep};
+  const auto distance = start.strip.width / on.random.between(5, 400) + 1;
+  FloatSettings settings = float_settings(kModes[on.random.below(kModes.size())], distance);
+  settings.edges = on.random.chance(50);
+  auto done = float_apart(start, settings, on.sums, on.stop, on.observer);
+  const bool narrower = done && done->least_after < done->least_before;
+  auto told = answer(std::move(done));
+  if (told && narrower) told->contradiction = "narrowed the least gap";
+  return told;
+}
+
+Result<Answer> opening(const Marker& start, const Occasion& on) {
+  const UnoccupiedSettings regions{1e-3, start.strip.width / on.random.between(50, 2000)};
+  const auto found = unoccupied_regions(start, regions);
+  if (found.empty()) return unmoved(start);
+  const std::size_t k = on.random.below(found.size());
+  const GapChoice choice =
+      on.random.chance(50) ? GapChoice{AwayFromOutline{k}} : GapChoice{AwayFromPoint{point_inside(found[k].region)}};
+  auto done = open_gap(start, choice, random_settings(on.random), regions, on.sums, on.stop, on.observer);
+  const bool smaller = done && done->after.area < done->before.area;
+  auto told = answer(std::move(done));
+  if (told && smaller) told->contradiction = "made the gap smaller";
+  return told;
+}
+
+Result<Answer> tilting(const Marker& start, const Occasion& on) {
+  const TiltMethod method = on.random.chance(50) ? TiltMethod::kLinearisation : TiltMethod::kRelaxation;
+  TiltSettings settings = tilt_settings(method, Accuracy::kDraft);
+  settings.rounds = static_cast<int>(on.random.between(1, 4));
+  settings.shakes = on.random.chance(20) ? 1 : 0;
+  if (on.random.chance(50)) settings.limit = any_limit(on.random);
+  auto done = tilt(start, settings, on.sums, on.stop, on.observer);
+  return answer(std::move(done), {.tilts = true, .tilt_limit = settings.limit});
+}
+
+Result<Answer> relaxing(const Marker& start, const Occasion& on) {
+  const PieceId piece = any_piece(on.random, start);
+  const Scene scene{start, on.sums};
+  const auto tilts = static_cast<int>(on.random.between(1, 7));
+  const Relaxation done = on.random.chance(50) ? relax(scene, piece.value) : relax_tilted(scene, piece.value, tilts);
+  Answer answer{.marker = start, .leave = {.longest = length_of(start), .tilts = true}};
+  answer.marker.pieces[piece.value] = done.piece;
+  return answer;
+}
+
+// Moves nothing.
+Result<Answer> asking_what_holds(const Marker& start, const Occasion& on) {
+  const auto hold = what_holds(start, on.sums, on.stop);
+  if (!hold) return hold.error();
+  Answer answer{.marker = start, .leave = {.longest = length_of(start)}};
+  for (const LoadedContact& contact : hold->contacts) {
+    if (!(contact.worth > 0)) answer.contradiction = "a contact that is worth nothing";
+  }
+  if (!check(start, on.sums).valid()) answer.contradiction = "holds what is not valid";
+  return answer;
+}
+
+// What must be refused, and leave the marker alone.
+Result<Answer> nonsense(const Marker& start, const Occasion& on) {
+  const auto refused = [&](const auto& result) { return !result && result.error().code == ErrorCode::kOutOfRange; };
+  const CompactionSettings settings = random_settings(on.random);
+  const auto beyond = PieceId{static_cast<std::uint32_t>(start.pieces.size())};
+  const UnoccupiedSettings regions = unoccupied_settings(start.strip);
+  bool well{};
+  switch (on.random.below(6)) {
+    case 0: well = refused(push(start, std::array{Force{beyond, 1, 0}}, settings, on.sums)); break;
+    case 1: {
+      const Force force{any_piece(on.random, start), std::numeric_limits<double>::quiet_NaN(), 0};
+      well = refused(push(start, std::array{force}, settings, on.sums));
+      break;
+    }
+    case 2: well = refused(float_apart(start, float_settings(FloatMode::kLargestMinimum, 0), on.sums)); break;
+    case 3: {
+      TiltSettings wrong = tilt_settings(TiltMethod::kRelaxation, Accuracy::kDraft);
+      wrong.limit = Angle::of_degrees(46);
+      well = refused(tilt(start, wrong, on.sums));
+      break;
+    }
+    case 4: {
+      const GapChoice none = AwayFromOutline{unoccupied_regions(start, regions).size()};
+      well = refused(open_gap(start, none, settings, regions, on.sums));
+      break;
+    }
+    default: {
+      SeparationSettings wrong;
+      wrong.grow = -0.1;
+      well = refused(separate(start, wrong, on.sums));
+    }
+  }
+  Answer answer{.marker = start, .leave = {.longest = length_of(start)}};
+  if (!well) answer.contradiction = "was not refused";
+  return answer;
+}
+
+constexpr std::array kMotions{
+    NamedMotion{"compact", 12, true, compaction},
+    NamedMotion{"compact one at a time", 4, true, sweeps},
+    NamedMotion{"compact by velocities", 1, true, velocities},
+    NamedMotion{"refine", 1, true, refinement},
+    NamedMotion{"exchange", 4, false, exchanging},
+    NamedMotion{"push", 8, true, pushing},
+    NamedMotion{"gravity", 6, true, falling},
+    NamedMotion{"bump", 12, true, bumping},
+    NamedMotion{"place", 10, true, placing},
+    NamedMotion{"turn and place", 10, true, turning_and_placing},
+    NamedMotion{"drag", 10, false, dragging},
+    NamedMotion{"separate", 10, false, separation},
+    NamedMotion{"float", 4, true, floating},
+    NamedMotion{"open a gap", 4, true, opening},
+    NamedMotion{"tilt", 3, true, tilting},
+    NamedMotion{"relax", 6, false, relaxing},
+    NamedMotion{"what holds", 2, false, asking_what_holds},
+    NamedMotion{"nonsense", 2, false, nonsense},
+};
+
+}  // namespace
+
+std::span<const NamedMotion> motions() {
+  return kMotions;
+}
+
+const NamedMotion& drawn_motion(Random& random) {
+  std::size_t whole = 0;
+  for (const NamedMotion& motion : kMotions) whole += static_cast<std::size_t>(motion.weight);
+  std::size_t drawn = random.below(whole);
+  for (const NamedMotion& motion : kMotions) {
+    const auto weight = static_cast<std::size_t>(motion.weight);
+    if (drawn < weight) return motion;
+    drawn -= weight;
+  }
+  return kMotions.back();
+}
+
+}  // namespace selvage::test
