@@ -12,6 +12,7 @@ namespace selvage {
 namespace {
 
 constexpr int kAttempts = 24;          // programs in one round, as rows enter when they are broken
+constexpr std::size_t kSmall = 64;     // pieces: the one program of so few is quicker than those of a growing set
 constexpr double kUnitsAcross = 1000;  // column units in a strip's width
 constexpr double kLeastGain = 1e-5;    // of the goal, in column units: less is not worth proving
 constexpr double kSpare = 1e-2;        // column units the length may grow by in a program, for rows' margins
@@ -27,7 +28,7 @@ class Attempt {
         trust_{settings.trust * static_cast<double>(scene.marker.strip.width)},
         reached_{scene.ties},
         within_trust_{pairs_within(scene.pieces, std::llround(trust_) + scene.pieces.widest_spacing())} {
-    if (held() && goal.stillness > 0 && !whole()) {
+    if (held() && goal.stillness > 0 && !whole() && many_move()) {
       for (std::size_t i = 0; i < goal.force.size(); ++i) {
         if (goal.force[i].x != 0 || goal.force[i].y != 0) reached_.add(i);
       }
@@ -162,6 +163,11 @@ class Attempt {
     }
   }
   [[nodiscard]] bool held() const { return goal_.shorten == 0; }
+  [[nodiscard]] bool many_move() const {
+    std::size_t free = 0;
+    for (std::size_t i = 0; i < scene_.pieces.size(); ++i) free += scene_.fixed(i) ? 0 : 1;
+    return free > kSmall;
+  }
   [[nodiscard]] bool whole() const { return settings_.extent == Extent::kWhole; }
   [[nodiscard]] double unit() const { return static_cast<double>(scene_.marker.strip.width) / kUnitsAcross; }
 
