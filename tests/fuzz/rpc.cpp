@@ -67,10 +67,11 @@ class Desk {
   DeadlineClock clock_;
   std::shared_ptr<Session> session_ =
       std::make_shared<Session>(Session{.id = 1, .notify = [](const std::string& text) { judge(text); }, .gone = {}});
-  JobQueue reads_{0, limits_.waiting_reads}, motions_{0, limits_.waiting_motions}, hands_{0, limits_.waiting_moves};
+  JobQueue parsing_{0, limits_.waiting_reads}, reads_{0, limits_.waiting_reads}, motions_{0, limits_.waiting_motions},
+      hands_{0, limits_.waiting_moves};
   Drags drags_{store_, methods_, sums_, hands_};
   Dispatcher dispatcher_{
-      methods_, drags_, clock_, reads_, motions_, std::size_t{1} << 20, [](const AnsweredRequest&) {}};
+      methods_, drags_, clock_, parsing_, reads_, motions_, std::size_t{1} << 20, [](const AnsweredRequest&) {}};
 };
 
 }  // namespace

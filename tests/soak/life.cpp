@@ -84,7 +84,7 @@ class Impatience {
  public:
   explicit Impatience(std::size_t patience) : left_{patience} {
     observer_.on_stage = [this](Stage) { wait(); };
-    observer_.on_program = [this](const ProgramSize&) { wait(); };
+    observer_.on_program = [this](const LinearProgram&) { wait(); };
   }
   Impatience(const Impatience&) = delete;
   Impatience& operator=(const Impatience&) = delete;
