@@ -8,6 +8,7 @@
 #include "core/motion/compact.h"
 #include "core/motion/parting_step.h"
 #include "core/motion/push.h"
+#include "tests/core/motion/markers.h"
 #include "tests/support/garment.h"
 #include "tests/support/tiled_marker.h"
 
@@ -23,13 +24,33 @@ CompactionSettings settings_with(Extent extent) {
 // More than the position step takes whole, few enough to wait for all pairs of.
 constexpr std::size_t kPieces = 80;
 
-class Extents : public ::testing::TestWithParam<const char*> {
+// How far pieces go in all in one round of separation.
+double way_apart(const Marker& marker, Coord length, Extent extent) {
+  SumCache sums;
+  const Scene scene{marker, sums};
+  std::vector<PartingPair> parting;
+  for (const PiecePair& pair : conflicts(scene.pieces)) {
+    parting.push_back({pair, separation_target(scene, pair, TargetRule::kNearest), 100});
+  }
+  const double reach = 0.05 * static_cast<double>(marker.strip.width);
+  const PartingSettings settings{reach, 100, {length, length, 10, 50}, SolverChoice::kAutomatic, extent};
+  const PartingStep step = parting_step(scene, parting, scene.pieces.positions(), settings, {}, {});
+  EXPECT_EQ(step.status, LpStatus::kOptimal);
+  double sum = 0;
+  for (std::size_t i = 0; i < step.positions.size(); ++i) {
+    const Vec by = step.positions[i] - scene.pieces.at(i);
+    sum += static_cast<double>(std::abs(by.x) + std::abs(by.y));
+  }
+  return sum;
+}
+
+class GarmentExtents : public ::testing::TestWithParam<const char*> {
  protected:
   Marker marker_{test::tiled(test::garment(GetParam()), kPieces)};
   double width_{static_cast<double>(marker_.strip.width)};
 };
 
-TEST_P(Extents, CompactionComesToTheSameLength) {
+TEST_P(GarmentExtents, CompactionComesToTheSameLength) {
   const Marker loose = test::loosened(marker_, 0.05);
   const auto length = [&](Extent extent) {
     SumCache sums;
@@ -40,7 +61,7 @@ TEST_P(Extents, CompactionComesToTheSameLength) {
   EXPECT_NEAR(length(Extent::kReached), length(Extent::kWhole), 1e-7 * width_);
 }
 
-TEST_P(Extents, PushingOnePieceGainsAsMuch) {
+TEST_P(GarmentExtents, PushingOnePieceGainsAsMuch) {
   const auto gain = [&](const Force& force, Extent extent) {
     SumCache sums;
     CompactionSettings settings = settings_with(extent);
@@ -58,35 +79,29 @@ TEST_P(Extents, PushingOnePieceGainsAsMuch) {
   }
 }
 
-TEST_P(Extents, PartingOnePieceMovesAsLittle) {
-  const auto way = [&](std::size_t piece, Extent extent) {
-    Marker overlapping = marker_;
-    overlapping.pieces[piece].at.x -= marker_.strip.width / 200;
-    SumCache sums;
-    const Scene scene{overlapping, sums};
-    std::vector<PartingPair> parting;
-    for (const PiecePair& pair : conflicts(scene.pieces)) {
-      parting.push_back({pair, separation_target(scene, pair, TargetRule::kNearest), 100});
-    }
-    const Coord length = scene.pieces.length();
-    PartingSettings settings{0.05 * width_, 100, {length, length, 10, 50}, SolverChoice::kAutomatic};
-    settings.extent = extent;
-    const PartingStep step = parting_step(scene, parting, scene.pieces.positions(), settings, {}, {});
-    EXPECT_EQ(step.status, LpStatus::kOptimal);
-    double sum = 0;
-    for (std::size_t i = 0; i < step.positions.size(); ++i) {
-      const Vec by = step.positions[i] - scene.pieces.at(i);
-      sum += static_cast<double>(std::abs(by.x) + std::abs(by.y));
-    }
-    return sum;
-  };
+TEST_P(GarmentExtents, PartingOnePieceMovesAsLittle) {
   for (std::size_t piece = 1; piece < marker_.pieces.size(); piece += 8) {
     if (PlacedPieces{marker_}.box(piece).low.x < marker_.strip.width / 100) continue;
-    EXPECT_NEAR(way(piece, Extent::kReached), way(piece, Extent::kWhole), 1e-5 * width_) << piece;
+    Marker overlapping = marker_;
+    overlapping.pieces[piece].at.x -= marker_.strip.width / 200;
+    const Coord length = PlacedPieces{overlapping}.length();
+    EXPECT_NEAR(way_apart(overlapping, length, Extent::kReached), way_apart(overlapping, length, Extent::kWhole),
+                1e-5 * width_)
+        << piece;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Garments, Extents, ::testing::Values("jeans_02g", "charlie_04g", "simon_06g"),
+TEST(Extents, PartingPressesThroughAWholeRow) {
+  test::Layout layout{1000};
+  const auto square = layout.shape_of(test::rectangle(1000, 1000));
+  layout.put(square, {0, 0});
+  for (Coord k = 1; k < 40; ++k) layout.put(square, {1000 * k - 50, 0});
+  for (const Extent extent : {Extent::kReached, Extent::kWhole}) {
+    EXPECT_NEAR(way_apart(layout.marker(), 40'000, extent), 39 * 50, 39);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Garments, GarmentExtents, ::testing::Values("jeans_02g", "charlie_04g", "simon_06g"),
                          test::garment_name);
 
 }  // namespace
