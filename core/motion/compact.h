@@ -27,8 +27,8 @@ struct CompactionSettings {
   int rounds{};         // at most this many
   double least_gain{};  // the last round is the one that gains less than this part of the width or, when a marker
                         // longer than ten widths is made shorter, of a tenth of its length
-  double trust{};    // neighbours are pairs within this part of the width; two of them move apart or together by
-                     // at most twice that in the first round, in later rounds by less
+  double trust{};    // neighbours are pairs within this part of the width in the first round, within less in later ones
+                     // (position_step.h)
   double gravity{};  // weight of the mean leftward motion beside the length
   RegionRule region{};
   SolverChoice solver{};

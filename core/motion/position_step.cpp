@@ -15,6 +15,7 @@ constexpr int kAttempts = 24;          // programs in one round, as rows enter w
 constexpr std::size_t kSmall = 64;     // pieces: the one program of so few is quicker than those of a growing set
 constexpr double kUnitsAcross = 1000;  // column units in a strip's width
 constexpr double kLeastGain = 1e-5;    // of the goal, in column units: less is not worth proving
+constexpr double kBroken = 1e-2;       // lattice units: by less no row is broken
 constexpr double kSpare = 1e-2;        // column units the length may grow by in a program, for rows' margins
 
 // The growing model of one round.
@@ -103,15 +104,21 @@ class Attempt {
       if (row.nx < 0) held_on_left[row.pair.first] = 1;
     }
     for (const PiecePair& pair : near_) {
-      if (held_on_left[pair.first] == 0 || held_on_left[pair.second] == 0) append_limits(pair);
+      char& first = held_on_left[pair.first];
+      char& second = held_on_left[pair.second];
+      if (first == second) continue;
+      rows_.push_back({pair, first == 0 ? -1.0 : 1.0, 0, -2 * trust_});
+      first = second = 1;
     }
   }
   void append_near_rows(std::size_t from) {
-    for (std::size_t k = from; k < near_.size(); ++k) append_rows(near_[k], obstacles_[k], 2 * trust_);
+    for (std::size_t k = from; k < near_.size(); ++k) append_rows(near_[k], obstacles_[k], reach());
   }
   // What would have entered only when a solution broke it.
   void append_all_others() {
-    for (const PiecePair& pair : near_) append_limits(pair);
+    if (held()) {
+      for (const PiecePair& pair : near_) append_limits(pair);
+    }
     for (std::uint32_t p = 0; p < scene_.pieces.size(); ++p) {
       for (std::uint32_t q = p + 1; q < scene_.pieces.size(); ++q) append_far({p, q});
     }
@@ -158,7 +165,7 @@ class Attempt {
                                 q_force.x - p_force.x, q_force.y - p_force.y};
     for (const HalfPlane& side : free_region(obstacle, r, region)) {
       const PairRow row = row_of(pair, side, r, spacing, unit(), tight_);
-      // Within the trust |d_q - d_p| <= reach on each axis: rows farther away cannot be broken.
+      // While |d_q - d_p| <= reach on each axis, rows farther away cannot be broken.
       if (whole() || -row.bound <= reach * (std::abs(row.nx) + std::abs(row.ny))) rows_.push_back(row);
     }
   }
@@ -168,6 +175,8 @@ class Attempt {
     for (std::size_t i = 0; i < scene_.pieces.size(); ++i) free += scene_.fixed(i) ? 0 : 1;
     return free > kSmall;
   }
+  // How far two near pieces are thought to move against each other, on an axis: rows farther away are left out.
+  [[nodiscard]] double reach() const { return whole() && !held() ? static_cast<double>(kLatticeLimit) : 2 * trust_; }
   [[nodiscard]] bool whole() const { return settings_.extent == Extent::kWhole; }
   [[nodiscard]] double unit() const { return static_cast<double>(scene_.marker.strip.width) / kUnitsAcross; }
 
@@ -210,27 +219,36 @@ class Attempt {
     rows_.push_back(row);
     add_to_model(rows_.size() - 1);
   }
-  // Near pairs move against each other by no more than twice the trust.
+  // With the length held, forces are right about where pieces are: no near pair goes beyond the reach.
   void append_limits(PiecePair pair) {
     for (const auto& [nx, ny] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
-      rows_.push_back({pair, static_cast<double>(nx), static_cast<double>(ny), -2 * trust_});
+      rows_.push_back({pair, static_cast<double>(nx), static_cast<double>(ny), -reach()});
     }
   }
+  // Those of them that moving by so much breaks.
+  void add_limits(PiecePair pair, Displacement by) {
+    const auto limit_axis = [&](double way, double nx, double ny) {
+      if (std::abs(way) > reach()) add({pair, way > 0 ? -nx : nx, way > 0 ? -ny : ny, -reach()});
+    };
+    limit_axis(by.x, 1, 0);
+    limit_axis(by.y, 0, 1);
+  }
 
-  // Adds the rows that were left out and are broken: near pairs that moved beyond the trust, pieces beyond the new end.
+  // Adds the rows that were left out and are broken: of near pairs that moved beyond the reach, of pieces beyond the
+  // new end.
   bool add_broken_limits(const std::vector<Displacement>& moves, double length_change) {
     bool any = false;
-    const double limit = 2 * trust_;
-    for (const PiecePair& pair : near_) {
-      const double x = moves[pair.second].x - moves[pair.first].x;
-      const double y = moves[pair.second].y - moves[pair.first].y;
-      const auto limit_axis = [&](double by, double nx, double ny) {
-        if (std::abs(by) <= limit * (1 + 1e-6)) return;
-        add({pair, by > 0 ? -nx : nx, by > 0 ? -ny : ny, -limit});
+    for (std::size_t k = 0; k < near_.size(); ++k) {
+      const auto [p, q] = near_[k];
+      const Displacement by{moves[q].x - moves[p].x, moves[q].y - moves[p].y};
+      const double far = std::max(std::abs(by.x), std::abs(by.y));
+      if (far <= reach() * (1 + 1e-6)) continue;
+      if (held()) {
+        add_limits(near_[k], by);
         any = true;
-      };
-      limit_axis(x, 1, 0);
-      limit_axis(y, 0, 1);
+      } else if (add_broken(near_[k], obstacles_[k], by, far)) {
+        any = true;
+      }
     }
     if (held()) return any;
     const double end = static_cast<double>(scene_.pieces.length()) + length_change;
@@ -240,6 +258,18 @@ class Attempt {
       any = true;
     }
     return any;
+  }
+
+  // Adds the rows of a pair, up to `reach`, that its moving by so much breaks.
+  bool add_broken(PiecePair pair, const Obstacle& obstacle, Displacement by, double reach) {
+    const std::size_t before = rows_.size();
+    append_rows(pair, obstacle, reach);
+    std::vector<PairRow> broken;
+    std::copy_if(rows_.begin() + static_cast<std::ptrdiff_t>(before), rows_.end(), std::back_inserter(broken),
+                 [&](const PairRow& row) { return row.nx * by.x + row.ny * by.y < row.bound - kBroken; });
+    rows_.erase(rows_.begin() + static_cast<std::ptrdiff_t>(before), rows_.end());
+    for (const PairRow& row : broken) add(row);
+    return !broken.empty();
   }
 
   // Rounds and proves the moves; shortens them a little when rounding breaks something.  Returns what collides all the

@@ -32,8 +32,9 @@ struct Goal {
 [[nodiscard]] Goal leftward_goal(const Scene& scene, double gravity);
 
 struct StepSettings {
-  double trust{};  // neighbours are pairs within this part of the width; two of them move apart or together by at most
-                   // twice that
+  double trust{};  // neighbours are pairs within this part of the width; of their rows those enter at once that moving
+                   // apart or together by twice that can break.  Others enter when they are broken or, with the length
+                   // held, never: then no two of them move by more
   RegionRule region{};
   SolverChoice solver{};
   Extent extent{Extent::kReached};
