@@ -27,7 +27,7 @@ Reached::Reached(Ties ties) : ties_{std::move(ties)}, reached_(ties_.x.size()) {
 }
 
 void Reached::add(std::size_t piece) {
-  if (holds(piece) || ties_.fixed(piece)) return;
+  if (!may_hold(piece)) return;
   std::vector<std::size_t> entering{piece};
   reached_[piece] = 1;
   while (!entering.empty()) {
@@ -62,8 +62,8 @@ void Reached::grow(std::vector<std::uint32_t> missed, std::span<const PiecePair>
     if (count_ >= enough) return;
     missed.clear();
     for (const auto& [p, q] : neighbours) {
-      if (ring[p] != 0 && !holds(q) && !ties_.fixed(q)) missed.push_back(q);
-      if (ring[q] != 0 && !holds(p) && !ties_.fixed(p)) missed.push_back(p);
+      if (ring[p] != 0 && may_hold(q)) missed.push_back(q);
+      if (ring[q] != 0 && may_hold(p)) missed.push_back(p);
     }
   }
 }

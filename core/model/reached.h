@@ -40,6 +40,8 @@ class Reached {
   void join(std::size_t p, std::size_t q);
 
   [[nodiscard]] bool holds(std::size_t piece) const { return reached_[piece] != 0; }
+  // Neither reached nor fixed.
+  [[nodiscard]] bool may_hold(std::size_t piece) const { return !holds(piece) && !ties_.fixed(piece); }
   [[nodiscard]] bool holds_any(PiecePair pair) const { return holds(pair.first) || holds(pair.second); }
   // Every piece that is not fixed.
   [[nodiscard]] bool complete() const { return left_ == 0; }

@@ -143,14 +143,15 @@ class Attempt {
     model_reached();
     return true;
   }
-  // There is no room for what moves as long as its neighbours stay.
+  // There is no room for what moves as long as its neighbours stay.  False when none of them could move.
   bool reach_neighbours() {
     if (reached_.complete()) return false;
     std::vector<std::uint32_t> around;
     for (const auto& [p, q] : near_) {
-      if (!reached_.holds(p)) around.push_back(p);
-      if (!reached_.holds(q)) around.push_back(q);
+      if (reached_.may_hold(p)) around.push_back(p);
+      if (reached_.may_hold(q)) around.push_back(q);
     }
+    if (around.empty()) return false;
     reached_.grow(around, within_trust_);
     model_reached();
     return true;

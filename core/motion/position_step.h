@@ -48,7 +48,7 @@ enum class StepEnd {
 };
 
 struct PositionStep {
-  StepEnd end{};
+  StepEnd end{StepEnd::kNoGain};
   std::vector<Vec> positions;  // one per piece: proved valid, the goal better served, the marker no longer
   double gain{};               // of the goal, as a part of the strip's width
   int programs{};              // linear programs solved

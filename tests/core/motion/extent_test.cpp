@@ -104,5 +104,40 @@ TEST(Extents, PartingPressesThroughAWholeRow) {
 INSTANTIATE_TEST_SUITE_P(Garments, GarmentExtents, ::testing::Values("jeans_02g", "charlie_04g", "simon_06g"),
                          test::garment_name);
 
+// A rhombus without room between two locked ones, and more free squares elsewhere than are taken whole: there is no
+// room for margins, and nobody to be reached who could make some.
+TEST(Extents, NothingToReachIsNoReasonToTryForEver) {
+  constexpr Coord kSide = 1'000'000;
+  Marker marker;
+  marker.resolution = {-6};
+  marker.strip.width = 10 * kSide;
+  marker.shapes.push_back(
+      {.id = "rhombus", .outline = {{0, 0}, {kSide, 0}, {2 * kSide, kSide}, {kSide, kSide}}, .tilt_limit = {}});
+  marker.shapes.push_back(
+      {.id = "square", .outline = {{0, 0}, {kSide, 0}, {kSide, kSide}, {0, kSide}}, .tilt_limit = {}});
+  for (Coord k = 0; k < 3; ++k) {
+    const Locks locked{k != 1, k != 1, true};
+    marker.pieces.push_back({.id = "r" + std::to_string(k),
+                             .shape = {0},
+                             .orientation = {},
+                             .at = {k * kSide, 4 * kSide},
+                             .locked = locked});
+  }
+  for (Coord k = 0; k < static_cast<Coord>(kPieces); ++k) {
+    marker.pieces.push_back(
+        {.id = "s" + std::to_string(k), .shape = {1}, .orientation = {}, .at = {(10 + 2 * k) * kSide, 4 * kSide}});
+  }
+  ASSERT_TRUE(is_valid(marker));
+  SumCache sums;
+  const Scene scene{marker, sums};
+  Goal goal{std::vector<Displacement>(scene.pieces.size()), 0, 1e-3};
+  for (const Displacement force : {Displacement{0, 1}, Displacement{1, 0}}) {
+    goal.force[1] = force;
+    const PositionStep step = position_step(scene, goal, {0.05, {}, {}}, {}, {});
+    EXPECT_LE(step.programs, 4);
+    EXPECT_EQ(step.positions.size(), step.end == StepEnd::kMoved ? scene.pieces.size() : 0);
+  }
+}
+
 }  // namespace
 }  // namespace selvage
