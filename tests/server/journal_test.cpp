@@ -24,7 +24,8 @@ class JournalTest : public ::testing::Test {
   // Everything that can be asked of all markers, as text.
   static std::string all_of(Desk& desk) {
     std::string text = desk.ask(call(1, "marker.list"));
-    for (const Json& marker : Json::parse(text)["result"]["markers"]) {
+    const Json list = Json::parse(text);
+    for (const Json& marker : list["result"]["markers"]) {
       text += desk.ask(call(1, "marker.get", R"({"markerId":)" + marker["markerId"].dump() + "}"));
     }
     return text;
