@@ -11,7 +11,6 @@ namespace selvage {
 namespace {
 
 constexpr double kStillness = 1;  // of a unit of a piece's motion
-constexpr int kGrowing = 8;       // programs may find pieces missing; then all have columns
 
 class PartingProgram {
  public:
