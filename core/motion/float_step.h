@@ -11,7 +11,7 @@
 namespace selvage {
 
 struct FloatStep {
-  StepEnd end{};
+  StepEnd end{StepEnd::kNoGain};
   std::vector<Vec> positions;  // when kMoved: proved valid, no gap narrower than its `least`, the worth greater
   double gain{};               // of the worth, lattice units
   double farthest{};           // the most that a piece moved on an axis, lattice units

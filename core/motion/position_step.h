@@ -33,8 +33,8 @@ struct Goal {
 
 struct StepSettings {
   double trust{};  // neighbours are pairs within this part of the width; of their rows those enter at once that moving
-                   // apart or together by twice that can break.  Others enter when they are broken or, with the length
-                   // held, never: then no two of them move by more
+                   // apart or together by twice that can break.  With the length held no two of them move by more;
+                   // otherwise they may, and the rows which that breaks enter then
   RegionRule region{};
   SolverChoice solver{};
   Extent extent{Extent::kReached};
