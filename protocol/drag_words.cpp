@@ -54,9 +54,9 @@ Vec within_reach(const Decimal& to, const Marker& marker) {
   return {on_lattice(to.x), on_lattice(to.y)};
 }
 
-Json drag_json(const Marker& before, const Drag& now, PieceId piece, Vec to) {
+Json drag_json(const Marker& before, const LaidOut& laid_out, const Drag& now, PieceId piece, Vec to) {
   const Vec at = now.marker.pieces[piece.value].at;
-  const Figures figures = figures_of(now.marker);
+  const Figures figures = figures_after(before, laid_out, now.marker);
   return {{"at", point_json(at, now.marker.resolution)},
           {"reached", at == to},
           {"pushed", now.pushed},

@@ -38,7 +38,7 @@ struct DragEnd {
 // The lattice point nearest to where the hand is, at most as far out as any coordinate of a marker may be.
 [[nodiscard]] Vec within_reach(const Decimal& to, const Marker& marker);
 // {"at", "reached", "pushed", "placements": of all that moved, "length", "utilisation", "valid"}.  `to` is where the
-// piece was wanted.
-[[nodiscard]] Json drag_json(const Marker& before, const Drag& now, PieceId piece, Vec to);
+// piece was wanted.  REQUIRES: `laid_out` is of `before`.
+[[nodiscard]] Json drag_json(const Marker& before, const LaidOut& laid_out, const Drag& now, PieceId piece, Vec to);
 
 }  // namespace selvage

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 
 #include "core/marker/validity.h"
 #include "core/motion/bump.h"
@@ -23,11 +24,12 @@ struct Engine {
   std::function<Result<Push>(const Marker&, std::span<const Force>, const CompactionSettings&, SumCache&,
                              std::stop_token, const Observer&)>
       push = selvage::push;
-  std::function<Result<BumpedMarker>(const Marker&, PieceId, double dx, double dy, SumCache&, std::stop_token,
-                                     const Observer&)>
-      bump = selvage::heal_and_bump;
-  std::function<Drag(const Marker&, PieceId, Vec to, DragMode, SumCache&, std::stop_token, const Observer&)> drag =
-      selvage::drag;
+  std::function<Result<BumpedMarker>(const Marker&, const LaidOut&, PieceId, double dx, double dy, SumCache&,
+                                     std::stop_token, const Observer&)>
+      bump = [](auto&&... given) { return heal_and_bump(std::forward<decltype(given)>(given)...); };
+  std::function<Drag(const Marker&, const LaidOut&, PieceId, Vec to, DragMode, SumCache&, std::stop_token,
+                     const Observer&)>
+      drag = [](auto&&... given) { return selvage::drag(std::forward<decltype(given)>(given)...); };
 };
 
 }  // namespace selvage

@@ -126,9 +126,10 @@ void Drags::serve(Held& drag, const std::stop_token& stop) {
   }
   if (!move || (move->call->left().stop_requested() && !move->call->settle())) return;
   const Marker& start = drag.base.file->marker;
-  Drag now = methods_.engine().drag(start, drag.piece, move->to, drag.mode, sums_, stop, {});
+  const auto laid_out = drag.base.laid_out->get([&] { return LaidOut{start, sums_}; });
+  Drag now = methods_.engine().drag(start, *laid_out, drag.piece, move->to, drag.mode, sums_, stop, {});
   Json answer{{"dragId", drag.id}};
-  answer.update(drag_json(start, now, drag.piece, move->to));
+  answer.update(drag_json(start, *laid_out, now, drag.piece, move->to));
   // What was cancelled has not happened.
   if (!move->call->settle()) return;
   drag.latest = std::move(now.marker);

@@ -7,7 +7,8 @@ namespace {
 
 Committed committed(Revision revision, MarkerFile file, Stamps stamps) {
   return {revision, std::make_shared<const MarkerFile>(std::move(file)),
-          std::make_shared<const Stamps>(std::move(stamps)), std::make_shared<TextOnce>()};
+          std::make_shared<const Stamps>(std::move(stamps)), std::make_shared<const MadeOnce<std::string>>(),
+          std::make_shared<const MadeOnce<LaidOut>>()};
 }
 
 Stamps all_new(Revision revision, const MarkerFile& file) {

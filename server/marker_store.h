@@ -31,24 +31,12 @@ struct Stamps {
   std::vector<Revision> pieces;
 };
 
-// A text that is made once, by whoever needs it first, and then shared.
-class TextOnce {
- public:
-  [[nodiscard]] SharedText get(const std::function<std::string()>& make) {
-    std::call_once(once_, [&] { text_ = std::make_shared<const std::string>(make()); });
-    return text_;
-  }
-
- private:
-  std::once_flag once_;
-  SharedText text_;
-};
-
 struct Committed {
   Revision revision{};
   std::shared_ptr<const MarkerFile> file;  // the marker, and what its document said beside it
   std::shared_ptr<const Stamps> stamps;
-  std::shared_ptr<TextOnce> text;  // of marker.get
+  std::shared_ptr<const MadeOnce<std::string>> text;  // of marker.get
+  std::shared_ptr<const MadeOnce<LaidOut>> laid_out;  // for motions of a piece, of which there may be many
 };
 
 struct OpenMarker {

@@ -1,51 +1,86 @@
 #include "core/marker/figures.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
-#include "core/marker/placed_pieces.h"
 #include "core/marker/validity.h"
 
 namespace selvage {
-
 namespace {
 
+// So few pieces are looked for one by one among the others; more by a sweep over all.
+constexpr std::size_t kFew = 16;
+
 // The pieces that are not as they were; nothing when more than pieces has changed.
-std::optional<std::vector<bool>> changed_pieces(const Marker& before, const Marker& marker) {
+std::optional<std::vector<std::uint32_t>> changed_pieces(const Marker& before, const Marker& marker) {
   if (before.strip != marker.strip || before.spacing != marker.spacing || before.shapes != marker.shapes ||
       before.pieces.size() != marker.pieces.size()) {
     return std::nullopt;
   }
-  std::vector<bool> changed;
-  changed.reserve(marker.pieces.size());
-  for (std::size_t i = 0; i < marker.pieces.size(); ++i) changed.push_back(before.pieces[i] != marker.pieces[i]);
+  std::vector<std::uint32_t> changed;
+  for (std::uint32_t i = 0; i < marker.pieces.size(); ++i) {
+    if (before.pieces[i] != marker.pieces[i]) changed.push_back(i);
+  }
   return changed;
 }
 
-// Nothing is wrong about the pieces that have changed.
-bool are_valid(const PlacedPieces& pieces, const Strip& strip, const std::vector<bool>& changed) {
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (changed[i] && protrusion_of(pieces.box(i), strip) > 0) return false;
+// Where the pieces are now, of the polygons that they had.  Nothing when one of them has turned, or keeps another room.
+std::optional<PlacedPieces> moved(const Marker& before, const PlacedPieces& pieces, const Marker& marker,
+                                  std::span<const std::uint32_t> changed) {
+  std::vector<Vec> positions = pieces.positions();
+  for (const std::uint32_t i : changed) {
+    const Piece& was = before.pieces[i];
+    const Piece& is = marker.pieces[i];
+    if (was.shape != is.shape || was.orientation != is.orientation || was.buffer != is.buffer) return std::nullopt;
+    positions[i] = is.at;
   }
-  const auto near = pairs_within(pieces, pieces.widest_spacing());
+  PlacedPieces now = pieces;
+  now.place(std::move(positions));
+  return now;
+}
+
+// Nothing that is one of the changed pieces is too near to anything.
+bool clear(const PlacedPieces& pieces, std::span<const std::uint32_t> changed) {
+  const Coord distance = pieces.widest_spacing();
+  if (changed.size() <= kFew) {
+    return std::none_of(changed.begin(), changed.end(), [&](std::uint32_t i) {
+      const Box around = pieces.box(i).grown(distance);
+      for (std::uint32_t other = 0; other < pieces.size(); ++other) {
+        if (other != i && around.overlaps(pieces.box(other)) && conflict(pieces, std::minmax(i, other))) return true;
+      }
+      return false;
+    });
+  }
+  std::vector<bool> moved(pieces.size());
+  for (const std::uint32_t i : changed) moved[i] = true;
+  const auto near = pairs_within(pieces, distance);
   return std::none_of(near.begin(), near.end(), [&](const PiecePair& pair) {
-    return (changed[pair.first] || changed[pair.second]) && conflict(pieces, pair);
+    return (moved[pair.first] || moved[pair.second]) && conflict(pieces, pair);
   });
 }
 
 }  // namespace
 
-Figures figures_after(const Marker& before, const Marker& marker) {
+Figures figures_after(const Marker& before, const PlacedPieces& pieces, const Marker& marker) {
   const auto changed = changed_pieces(before, marker);
   if (!changed) return figures_of(marker);
-  const PlacedPieces pieces{marker};
-  const Coord length = pieces.length();
-  return {length, utilisation_at(marker, length), are_valid(pieces, marker.strip, *changed)};
+  auto now = moved(before, pieces, marker, *changed);
+  if (!now) now.emplace(marker);
+  const Coord length = now->length();
+  const bool within = std::none_of(changed->begin(), changed->end(),
+                                   [&](std::uint32_t i) { return protrusion_of(now->box(i), marker.strip) > 0; });
+  return {length, utilisation_at(marker, length), within && clear(*now, *changed)};
 }
 
 Figures figures_of(const Marker& marker) {
-  const PlacedPieces pieces{marker};
+  return figures_of(marker, PlacedPieces{marker});
+}
+
+Figures figures_of(const Marker& marker, const PlacedPieces& pieces) {
   const Coord length = pieces.length();
   return {length, utilisation_at(marker, length), is_valid(pieces, marker.strip)};
 }

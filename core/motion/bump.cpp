@@ -266,15 +266,24 @@ Bump bump(const Scene& scene, std::uint32_t piece, double dx, double dy) {
 
 Result<BumpedMarker> heal_and_bump(const Marker& start, PieceId piece, double dx, double dy, SumCache& sums,
                                    std::stop_token stop, const Observer& observer) {
+  return heal_and_bump(start, LaidOut{start, sums}, piece, dx, dy, sums, std::move(stop), observer);
+}
+
+Result<BumpedMarker> heal_and_bump(const Marker& start, const LaidOut& laid_out, PieceId piece, double dx, double dy,
+                                   SumCache& sums, std::stop_token stop, const Observer& observer) {
   observer.on_stage(Stage::kOther);
-  Scene scene{start, sums};
-  const auto healing = heal(scene, std::move(stop), observer);
-  if (!healing) return healing.error();
+  Scene scene{start, laid_out, sums};
+  Healing healing;
+  if (!laid_out.figures.valid) {
+    const auto healed = heal(scene, std::move(stop), observer);
+    if (!healed) return healed.error();
+    healing = *healed;
+  }
   observer.on_stage(Stage::kSolve);
   const Bump bumped = bump(scene, piece.value, dx, dy);
   scene.shift(piece.value, bumped.at - scene.pieces.at(piece.value));
   observer.on_stage(Stage::kOther);
-  return BumpedMarker{scene.result(), bumped, *healing};
+  return BumpedMarker{scene.result(), bumped, healing};
 }
 
 }  // namespace selvage

@@ -35,5 +35,9 @@ struct BumpedMarker {
 [[nodiscard]] Result<BumpedMarker> heal_and_bump(const Marker& start, PieceId piece, double dx, double dy,
                                                  SumCache& sums, std::stop_token stop = {},
                                                  const Observer& observer = {});
+// The same, of a marker that is laid out already: where that is known to be valid nothing of it is proved again.
+[[nodiscard]] Result<BumpedMarker> heal_and_bump(const Marker& start, const LaidOut& laid_out, PieceId piece, double dx,
+                                                 double dy, SumCache& sums, std::stop_token stop = {},
+                                                 const Observer& observer = {});
 
 }  // namespace selvage

@@ -43,8 +43,13 @@ Box around_both(const Box& a, const Box& b) {
 
 class Hand {
  public:
-  Hand(const Marker& start, PieceId piece, Vec to, SumCache& sums)
-      : start_{start}, piece_{piece.value}, sums_{sums}, scene_{start, sums}, from_{scene_.pieces.at(piece_)} {
+  Hand(const Marker& start, const LaidOut& laid_out, PieceId piece, Vec to, SumCache& sums)
+      : start_{start},
+        laid_out_{laid_out},
+        piece_{piece.value},
+        sums_{sums},
+        scene_{start, laid_out, sums},
+        from_{scene_.pieces.at(piece_)} {
     const Box& box = scene_.pieces[piece_].box;
     room_ = start.strip.room(start.strip.last().value_or(std::max(scene_.pieces.length(), to.x + box.high.x)));
     const Box fit = inner_fit(box, room_);
@@ -81,7 +86,7 @@ class Hand {
   [[nodiscard]] Vec nearest_found() const {
     Marker reached = start_;
     reached.strip = start_.strip.ending(room_.high.x);
-    const auto found = selvage::place(Scene{reached, sums_}, piece_, wanted_);
+    const auto found = selvage::place(Scene{reached, laid_out_, sums_}, piece_, wanted_);
     return found ? found->at : from_;
   }
 
@@ -211,6 +216,7 @@ class Hand {
   }
 
   const Marker& start_;
+  const LaidOut& laid_out_;  // of it
   const std::uint32_t piece_;
   SumCache& sums_;
   Scene scene_;
@@ -225,8 +231,13 @@ class Hand {
 
 Drag drag(const Marker& start, PieceId piece, Vec to, DragMode mode, SumCache& sums, std::stop_token stop,
           const Observer& observer) {
-  if (ties_of(start).fixed(piece.value)) return {start, false};
-  Hand hand{start, piece, to, sums};
+  return drag(start, LaidOut{start, sums}, piece, to, mode, sums, std::move(stop), observer);
+}
+
+Drag drag(const Marker& start, const LaidOut& laid_out, PieceId piece, Vec to, DragMode mode, SumCache& sums,
+          std::stop_token stop, const Observer& observer) {
+  if (laid_out.ties.fixed(piece.value)) return {start, false};
+  Hand hand{start, laid_out, piece, to, sums};
   return mode == DragMode::kPush ? hand.push(stop, observer) : hand.place();
 }
 

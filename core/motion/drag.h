@@ -14,6 +14,7 @@
 
 #include "core/marker/marker.h"
 #include "core/minkowski/cache.h"
+#include "core/motion/laid_out.h"
 #include "core/motion/observer.h"
 
 namespace selvage {
@@ -29,5 +30,8 @@ struct Drag {
 // piece for which nothing is found stays.  REQUIRES: the piece is one of the marker's; `to` is on the lattice.
 [[nodiscard]] Drag drag(const Marker& start, PieceId piece, Vec to, DragMode mode, SumCache& sums,
                         std::stop_token stop = {}, const Observer& observer = {});
+// The same, of a marker that is laid out already.
+[[nodiscard]] Drag drag(const Marker& start, const LaidOut& laid_out, PieceId piece, Vec to, DragMode mode,
+                        SumCache& sums, std::stop_token stop = {}, const Observer& observer = {});
 
 }  // namespace selvage

@@ -292,7 +292,7 @@ Result<PlacedMarker> heal_and_place(const Marker& start, PieceId piece, Vec want
                                     SumCache& sums, std::stop_token stop, const Observer& observer) {
   observer.on_stage(Stage::kOther);
   PlacedMarker answer{start, std::nullopt, {}};
-  const bool alone = Scene{start, sums}.ties.free(piece.value);
+  const bool alone = ties_of(start).free(piece.value);
   if (alone) {
     const auto healing = heal_others(answer.marker, piece, sums, std::move(stop), observer);
     if (!healing) return healing.error();

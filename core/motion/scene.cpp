@@ -1,30 +1,11 @@
 #include "core/motion/scene.h"
 
-#include <map>
-
-#include "core/marker/validity.h"
-
 namespace selvage {
-namespace {
-
-// One to a piece; the cache, which compares whole polygons, is asked once for all pieces that lie alike.
-std::vector<OrientedOutline> outlines_of(const Marker& marker, SumCache& sums) {
-  std::map<std::pair<ShapeId, Orientation>, OrientedOutline> known;
-  std::vector<OrientedOutline> outlines;
-  outlines.reserve(marker.pieces.size());
-  for (std::uint32_t i = 0; i < marker.pieces.size(); ++i) {
-    const Piece& piece = marker.pieces[i];
-    const auto [at, fresh] = known.try_emplace({piece.shape, piece.orientation});
-    if (fresh) at->second = oriented_outline(marker, PieceId{i}, sums);
-    outlines.push_back(at->second);
-  }
-  return outlines;
-}
-
-}  // namespace
-
 Scene::Scene(const Marker& start, SumCache& sum_cache)
     : marker{start}, sums{sum_cache}, pieces{start}, outlines{outlines_of(start, sum_cache)}, ties{ties_of(start)} {}
+
+Scene::Scene(const Marker& start, const LaidOut& laid_out, SumCache& sum_cache)
+    : marker{start}, sums{sum_cache}, pieces{laid_out.pieces}, outlines{laid_out.outlines}, ties{laid_out.ties} {}
 
 void Scene::shift(std::size_t piece, Vec by) {
   std::vector<Vec> positions = pieces.positions();

@@ -8,11 +8,14 @@
 #include "core/marker/placed_pieces.h"
 #include "core/minkowski/cache.h"
 #include "core/model/ties.h"
+#include "core/motion/laid_out.h"
 
 namespace selvage {
 
 struct Scene {
   Scene(const Marker& start, SumCache& sum_cache);
+  // REQUIRES: `laid_out` is of this marker, or of one that differs from it in its strip alone.
+  Scene(const Marker& start, const LaidOut& laid_out, SumCache& sum_cache);
 
   [[nodiscard]] bool fixed(std::size_t piece) const { return ties.fixed(piece); }
   // Moves a piece as far as its ties allow, and with it what is tied to it.

@@ -11,8 +11,9 @@ namespace {
 Result<Motion> run(const MotionBump& wanted, const Marker& start, const Means& means) {
   const auto piece = piece_of(start, wanted.piece, "/piece");
   if (!piece) return piece.error();
-  auto done =
-      means.engine.bump(start, *piece, wanted.direction.x, wanted.direction.y, means.sums, means.stop, means.observer);
+  auto before = laid_out(start, means);
+  auto done = means.engine.bump(start, *before, *piece, wanted.direction.x, wanted.direction.y, means.sums, means.stop,
+                                means.observer);
   if (!done) return done.error();
   Json touching = Json::array();
   for (const std::uint32_t other : done->bump.touching) touching.push_back(start.pieces[other].id);
@@ -21,8 +22,7 @@ Result<Motion> run(const MotionBump& wanted, const Marker& start, const Means& m
                {"touching", std::move(touching)},
                {"moved", done->bump.at != start.pieces[piece->value].at}};
   figures["stop"] = name_of(done->bump.reason);
-  const bool began_valid = done->healing.pairs == 0 && done->healing.protruding == 0;
-  return Motion{std::move(done->marker), std::move(figures), done->healing, false, began_valid};
+  return Motion{std::move(done->marker), std::move(figures), done->healing, false, std::move(before)};
 }
 
 constexpr std::array kParams{

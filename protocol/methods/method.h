@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -15,6 +16,7 @@
 #include "protocol/engine.h"
 #include "protocol/formats/format.h"
 #include "protocol/json_text.h"
+#include "protocol/made_once.h"
 #include "protocol/methods/words.h"
 
 namespace selvage {
@@ -27,7 +29,9 @@ struct Means {
   SumCache& sums;
   std::stop_token stop;
   const Observer& observer;
+  const MadeOnce<LaidOut>* laid_out{};  // of the marker at hand, kept for whoever comes next; null: nobody keeps it
 };
+[[nodiscard]] std::shared_ptr<const LaidOut> laid_out(const Marker& marker, const Means& means);
 
 struct MethodAnswer {
   Json fields;                 // all but markerId and revision

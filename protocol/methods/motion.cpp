@@ -14,12 +14,14 @@ namespace {
 // The figures of every motion.
 Json motion_fields(const Marker& start, const Motion& motion, const Figures& after) {
   const Marker& end = motion.marker;
-  const Coord length_before = length_of(start);
+  const Coord length_before = motion.before ? motion.before->figures.length : length_of(start);
+  const double utilisation_before =
+      motion.before ? motion.before->figures.utilisation : utilisation_at(start, length_before);
   Json fields{{"name", end.name},
               {"pieces", end.pieces.size()},
               {"lengthBefore", to_decimal(length_before, start.resolution)},
               {"lengthAfter", to_decimal(after.length, end.resolution)},
-              {"utilisationBefore", utilisation_at(start, length_before)},
+              {"utilisationBefore", utilisation_before},
               {"utilisationAfter", after.utilisation}};
   fields.update(motion.figures);
   fields.update(Json{{"valid", after.valid},
@@ -29,6 +31,11 @@ Json motion_fields(const Marker& start, const Motion& motion, const Figures& aft
 }
 
 }  // namespace
+
+std::shared_ptr<const LaidOut> laid_out(const Marker& marker, const Means& means) {
+  const auto make = [&] { return LaidOut{marker, means.sums}; };
+  return means.laid_out ? means.laid_out->get(make) : std::make_shared<const LaidOut>(make());
+}
 
 std::string_view name_of(StopReason reason) {
   return kStopNames[static_cast<std::size_t>(reason)];
@@ -102,7 +109,7 @@ Json rounds_json(int rounds, StopReason reason) {
 
 MethodAnswer answer_of(const Marker& start, Motion motion, bool commit, const Means& means) {
   means.observer.on_stage(Stage::kVerify);
-  const Figures after = motion.began_valid ? figures_after(start, motion.marker) : figures_of(motion.marker);
+  const Figures after = motion.before ? figures_after(start, *motion.before, motion.marker) : figures_of(motion.marker);
   means.observer.on_stage(Stage::kOther);
   MethodAnswer answer{motion_fields(start, motion, after), std::nullopt};
   const bool changed = !answer.fields["placements"].empty() || motion.marker.pieces.size() != start.pieces.size();

@@ -2,6 +2,7 @@
 // answers with, and how one of them becomes a MarkerMethod.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -45,8 +46,8 @@ struct Motion {
   Marker marker;
   Json figures;  // the motion's own
   Healing healing;
-  bool keep_invalid{};  // what is not valid is kept, too: the caller asked for it
-  bool began_valid{};   // the marker it began with was proved valid: of pieces that stayed nothing is proved again
+  bool keep_invalid{};                      // what is not valid is kept, too: the caller asked for it
+  std::shared_ptr<const LaidOut> before{};  // the marker it began with, when it laid that out as a whole
 };
 // {"rounds", "stop"}
 [[nodiscard]] Json rounds_json(int rounds, StopReason reason);

@@ -52,8 +52,8 @@ TEST(Drags, ALockedPieceStays) {
 struct SlowHand {
   Engine engine() {
     Engine engine;
-    engine.drag = [this](const Marker& start, PieceId piece, Vec to, DragMode, SumCache&, const std::stop_token&,
-                         const Observer&) {
+    engine.drag = [this](const Marker& start, const LaidOut&, PieceId piece, Vec to, DragMode, SumCache&,
+                         const std::stop_token&, const Observer&) {
       {
         const std::lock_guard lock{mutex};
         ++begun;

@@ -32,7 +32,7 @@ TEST(Figures, AfterAChangeAreThoseOfTheWhole) {
     for (Coord y = -5; y <= 95; y += 5) {
       Marker after = before;
       after.pieces[1].at = {x, y};
-      const Figures figures = figures_after(before, after);
+      const Figures figures = figures_after(before, PlacedPieces{before}, after);
       expect_same(figures, figures_of(after));
       valid += figures.valid;
     }
@@ -45,15 +45,15 @@ TEST(Figures, AfterAChangeOfTheStripOrTheSpacingAreProvedAnew) {
   const Marker before = squares({{0, 0}, {10, 0}, {30, 90}});
   Marker narrower = before;
   narrower.strip.width = 95;
-  EXPECT_FALSE(figures_after(before, narrower).valid);
+  EXPECT_FALSE(figures_after(before, PlacedPieces{before}, narrower).valid);
   Marker spaced = before;
   spaced.spacing = 1;
-  EXPECT_FALSE(figures_after(before, spaced).valid);
+  EXPECT_FALSE(figures_after(before, PlacedPieces{before}, spaced).valid);
   Marker other = before;
   other.shapes[0].outline = kTriangle;
-  EXPECT_FALSE(figures_after(before, other).valid);
+  EXPECT_FALSE(figures_after(before, PlacedPieces{before}, other).valid);
   Marker more = squares({{0, 0}, {10, 0}, {30, 90}, {30, 85}});
-  EXPECT_FALSE(figures_after(before, more).valid);
+  EXPECT_FALSE(figures_after(before, PlacedPieces{before}, more).valid);
 }
 
 TEST(Figures, AfterATiltSeeTheTiltedPiece) {
@@ -61,8 +61,8 @@ TEST(Figures, AfterATiltSeeTheTiltedPiece) {
   Marker tilted = before;
   tilted.pieces[0].orientation.tilt = Angle::of_degrees(5);
   tilted.pieces[0].at = {1, 0};
-  expect_same(figures_after(before, tilted), figures_of(tilted));
-  EXPECT_FALSE(figures_after(before, tilted).valid);
+  expect_same(figures_after(before, PlacedPieces{before}, tilted), figures_of(tilted));
+  EXPECT_FALSE(figures_after(before, PlacedPieces{before}, tilted).valid);
 }
 
 }  // namespace
