@@ -136,6 +136,8 @@ constexpr std::array kLimits{
     Word{"openMarkers", "integer", kRequired, "At once."},
     Word{"waitingMotions", "integer", kRequired, "In the queue."},
     Word{"waitingReads", "integer", kRequired, "In the queue."},
+    Word{"waitingMoves", "integer", kRequired, "Of dragging hands, in the queue."},
+    Word{"dragsPerConnection", "integer", kRequired, "At once."},
     Word{"connections", "integer", kRequired, "At once."},
     Word{"callsPerConnection", "integer", kRequired, "Unanswered."},
 };

@@ -51,7 +51,7 @@ Service Daemon::service(const Options& options) {
           .ready = [this] { return why_not_ready(); },
           .metrics = [this] { return metrics_text(); },
           .openrpc = openrpc_text,
-          .enter = judge_first_line,
+          .enter = judge_first_message,
           .line_too_long = Dispatcher::too_long(options.limits.transport.body_bytes),
           .counts = connections_};
 }

@@ -9,7 +9,7 @@
 namespace selvage {
 namespace {
 
-constexpr std::size_t kLongestLine = 8192;
+constexpr std::size_t kLongest = 8192;
 
 // Empty when the call says none.
 std::string token_in(const Request& request) {
@@ -23,8 +23,8 @@ std::string token_in(const Request& request) {
 
 }  // namespace
 
-Entry judge_first_line(std::string_view line, const Access& access) {
-  const Incoming incoming = parse_incoming(line, kLongestLine);
+Entry judge_first_message(std::string_view message, const Access& access) {
+  const Incoming incoming = parse_incoming(message, kLongest);
   const auto* request = incoming.batch || incoming.calls.empty() ? nullptr : std::get_if<Request>(&incoming.calls[0]);
   const bool notification = request == nullptr || !request->id;
   const Json id = notification ? Json() : *request->id;
@@ -32,7 +32,7 @@ Entry judge_first_line(std::string_view line, const Access& access) {
   if (!token.empty() && token_fits(access, token)) {
     return {true, notification ? std::string{} : to_text(response(id, Json{{"authorised", true}}))};
   }
-  const RpcError refusal{RpcCode::kUnauthorised, "the first line must be an 'auth' call with the token", {}};
+  const RpcError refusal{RpcCode::kUnauthorised, "the first message must be an 'auth' call with the token", {}};
   return {false, to_text(error_response(id, refusal))};
 }
 

@@ -1,4 +1,4 @@
-// The first line of a connection that must show a token:
+// The first message of a connection that must show a token, a line or a WebSocket's:
 //   {"jsonrpc": "2.0", "id": 1, "method": "auth", "params": {"token": "..."}}
 // answered with {"authorised": true}, or with kUnauthorised and the end of the connection.
 #pragma once
@@ -9,6 +9,6 @@
 
 namespace selvage {
 
-[[nodiscard]] Entry judge_first_line(std::string_view line, const Access& access);
+[[nodiscard]] Entry judge_first_message(std::string_view message, const Access& access);
 
 }  // namespace selvage

@@ -8,6 +8,7 @@
 #include "protocol/codec.h"
 #include "protocol/daemon_words.h"
 #include "protocol/openrpc.h"
+#include "server/drags.h"
 #include "server/refusals.h"
 #include "server/version.h"
 
@@ -65,6 +66,8 @@ Outcome Methods::engine_info(const Json& params, const CallTurn&) {
   result["limits"].update(Json{{"openMarkers", limits_.open_markers},
                                {"waitingMotions", limits_.waiting_motions},
                                {"waitingReads", limits_.waiting_reads},
+                               {"waitingMoves", limits_.waiting_moves},
+                               {"dragsPerConnection", Drags::kMostPerSession},
                                {"connections", limits_.transport.connections},
                                {"callsPerConnection", limits_.transport.calls_per_connection}});
   return result;

@@ -77,6 +77,15 @@ const Resource* find_resource(std::string_view target) {
   return found == kResources.end() ? nullptr : found;
 }
 
+bool shows_token(const Header& request, const Access& access) {
+  return is_once(request, http::field::authorization) &&
+         authorization_fits(access, view(request[http::field::authorization]));
+}
+// A page cannot add a header to its upgrade: the first message over the WebSocket shows the token then.
+bool shows_token_later(const Header& request) {
+  return view(request.target()) == kWebSocket && request.count(http::field::authorization) == 0;
+}
+
 // Hosts and origins of foreign sites, and requests without the token.
 std::optional<Answer> refusal_of_caller(const Header& request, const Access& access, bool needs_token) {
   if (!is_once(request, http::field::host) || !host_may_be(access, view(request[http::field::host]))) {
@@ -88,8 +97,7 @@ std::optional<Answer> refusal_of_caller(const Header& request, const Access& acc
       return refuse(http::status::forbidden, "Pages of another origin may not call this server.");
     }
   }
-  if (needs_token && (!is_once(request, http::field::authorization) ||
-                      !authorization_fits(access, view(request[http::field::authorization])))) {
+  if (needs_token && !shows_token(request, access)) {
     Answer answer = refuse(http::status::unauthorized, "Send the token: Authorization: Bearer TOKEN.");
     answer.set(http::field::www_authenticate, "Bearer");
     return answer;
@@ -114,7 +122,7 @@ std::optional<Answer> refusal_of_upgrade(const Header& request) {
 std::optional<Answer> refusal_of(const Header& request, const Terms& terms, bool needs_token) {
   const Resource* resource = find_resource(view(request.target()));
   if (resource != nullptr && resource->page != nullptr && !(terms.service.*resource->page)) resource = nullptr;
-  const bool open = resource != nullptr && !resource->needs_token;
+  const bool open = (resource != nullptr && !resource->needs_token) || shows_token_later(request);
   if (auto refusal = refusal_of_caller(request, terms.access, needs_token && !open)) return refusal;
   if (request.count(http::field::transfer_encoding) != 0) {
     return refuse(http::status::length_required, "Send the body with a Content-Length, not a Transfer-Encoding.");

@@ -51,8 +51,9 @@ struct Service {
   std::function<std::string()> metrics{};
   // The body of GET /openrpc.json.
   std::function<std::string()> openrpc{};
-  // Judges the first line of a line connection that needs a token.  Nothing there to call: none is let in.
-  std::function<Entry(std::string_view line, const Access& access)> enter{};
+  // Judges the first message of a line connection, or of a WebSocket whose upgrade did not show it, that needs a token.
+  // Nothing there to call: none is let in.
+  std::function<Entry(std::string_view message, const Access& access)> enter{};
   // What is sent for a line longer than the limit.
   std::string line_too_long{};
   const std::shared_ptr<TransportCounts> counts = std::make_shared<TransportCounts>();
@@ -60,7 +61,7 @@ struct Service {
 
 struct TransportLimits {
   std::size_t body_bytes{std::size_t{32} << 20};   // of an HTTP body, of one line, of one WebSocket message
-  std::size_t header_bytes{std::size_t{8} << 10};  // of an HTTP request; and of a line that must show a token
+  std::size_t header_bytes{std::size_t{8} << 10};  // of an HTTP request; and of a message that must show a token
   std::size_t connections{512};                    // open at once; more are closed at the door
   std::size_t calls_per_connection{
       64};  // unanswered on one line or WebSocket connection; it is not read while it has more

@@ -43,9 +43,15 @@ class WebSocketConnection final : public Conversation {
     connection_->on_drain = [weak = weak()] {
       if (const auto self = weak.lock()) self->leave(websocket::close_code::going_away);
     };
-    let_notify();
-    ping();
-    co_await read_to_end();
+    // An upgrade that showed a wrong token has not come so far.
+    const bool stranger = connection_->needs_token && upgrade.count(boost::beast::http::field::authorization) == 0;
+    if (stranger && !co_await enter()) {
+      leave(websocket::close_code::policy_error);
+    } else {
+      let_notify();
+      ping();
+      co_await read_to_end();
+    }
     Connection::disarm(connection_->read_watchdog);
     while (leaving_ && !left_) co_await changed_.wait();
     ping_timer_.cancel();
@@ -58,6 +64,21 @@ class WebSocketConnection final : public Conversation {
     return std::static_pointer_cast<WebSocketConnection>(shared_from_this());
   }
   std::weak_ptr<WebSocketConnection> weak() { return self(); }
+
+  // The first message must show the token.
+  asio::awaitable<bool> enter() {
+    boost::beast::flat_buffer message;
+    Error error;
+    stream_.read_message_max(terms_.limits.header_bytes);
+    connection_->arm(connection_->read_watchdog, terms_.limits.request);
+    co_await stream_.async_read(message, asio::redirect_error(asio::use_awaitable, error));
+    stream_.read_message_max(terms_.limits.body_bytes);
+    if (error || leaving_ || !terms_.service.enter) co_return false;
+    Entry entry =
+        terms_.service.enter({static_cast<const char*>(message.data().data()), message.size()}, terms_.access);
+    send(std::move(entry.answer));
+    co_return entry.granted;
+  }
 
   asio::awaitable<void> read_to_end() {
     boost::beast::flat_buffer message;

@@ -146,11 +146,34 @@ TEST(Token, ARefusalSaysWhatToSend) {
 
 TEST(Token, AWebSocketNeedsItToBegin) {
   StagedServer server{with_token()};
-  EXPECT_EQ(WebSocketWire{server.port()}.status(), 401);
+  EXPECT_EQ((WebSocketWire{server.port(), "Authorization: Bearer correct horse batterz\r\n"}.status()), 401);
   WebSocketWire socket{server.port(), "Authorization: Bearer " + std::string{kToken} + "\r\n"};
   EXPECT_EQ(socket.status(), 101);
   socket.send_text("{}");
   EXPECT_EQ(socket.text(), "{}");
+}
+
+// A page cannot add a header to an upgrade.
+TEST(Token, AWebSocketMayShowItInItsFirstMessage) {
+  StagedServer server{with_token()};
+  WebSocketWire known{server.port()};
+  EXPECT_EQ(known.status(), 101);
+  known.send_text(std::string{kToken});
+  EXPECT_EQ(known.text(), "come in");
+  known.send_text("{\"n\":1}");
+  EXPECT_EQ(known.text(), "{\"n\":1}");
+  known.send_text(std::string(100'000, 'x'));
+  EXPECT_EQ(known.text(), std::string(100'000, 'x'));
+  WebSocketWire stranger{server.port()};
+  stranger.send_text("{\"hold\":1}");
+  stranger.send_text("{\"hold\":2}");
+  EXPECT_EQ(stranger.text(), "stay out");
+  EXPECT_EQ(stranger.frame().value_or(Frame{}).close_code(), 1008);
+  WebSocketWire endless{server.port()};
+  endless.send_text(std::string(100'000, 'x'));
+  EXPECT_EQ(endless.frame().value_or(Frame{}).close_code(), 1009);
+  EXPECT_EQ((WebSocketWire{server.port(), "Origin: http://example.com\r\n"}.status()), 403);
+  EXPECT_EQ(server.held(), 0U);
 }
 
 TEST(Token, LinesMustBeginWithIt) {

@@ -11,11 +11,11 @@ const Access kAccess{.token = "correct horse"};
 
 TEST(Entry, TheTokenLetsIn) {
   const Entry entry =
-      judge_first_line(R"({"jsonrpc":"2.0","id":7,"method":"auth","params":{"token":"correct horse"}})", kAccess);
+      judge_first_message(R"({"jsonrpc":"2.0","id":7,"method":"auth","params":{"token":"correct horse"}})", kAccess);
   EXPECT_TRUE(entry.granted);
   EXPECT_EQ(entry.answer, R"({"jsonrpc":"2.0","id":7,"result":{"authorised":true}})");
   const Entry silent =
-      judge_first_line(R"({"jsonrpc":"2.0","method":"auth","params":{"token":"correct horse"}})", kAccess);
+      judge_first_message(R"({"jsonrpc":"2.0","method":"auth","params":{"token":"correct horse"}})", kAccess);
   EXPECT_TRUE(silent.granted);
   EXPECT_EQ(silent.answer, "");
 }
@@ -29,7 +29,7 @@ TEST(Entry, AnythingElseDoesNot) {
                            R"({"jsonrpc":"2.0","id":1,"method":"auth","params":{"token":"correct"}})",
                            R"({"jsonrpc":"2.0","id":1,"method":"auth","params":{"token":"correct horse","more":1}})",
                            R"([{"jsonrpc":"2.0","id":1,"method":"auth","params":{"token":"correct horse"}}])"}) {
-    const Entry entry = judge_first_line(line, kAccess);
+    const Entry entry = judge_first_message(line, kAccess);
     EXPECT_FALSE(entry.granted) << line;
     EXPECT_EQ(Json::parse(entry.answer)["error"]["code"], -32015) << line;
     EXPECT_EQ(entry.answer.find("horse"), std::string::npos) << entry.answer;

@@ -1,6 +1,6 @@
 // Lines of JSON over TCP or a Unix socket: Node only, and needs no package.
 import { connect } from "node:net";
-import type { Connect } from "./connection.js";
+import { authorisation, type Connect } from "./connection.js";
 
 export function overLines(address: { host: string; port: number } | { path: string }, token?: string): Connect {
   return (listener) =>
@@ -12,7 +12,7 @@ export function overLines(address: { host: string; port: number } | { path: stri
       socket.on("connect", () => {
         open = true;
         if ("port" in address) socket.setNoDelay(true);
-        if (token !== undefined) socket.write(JSON.stringify({ jsonrpc: "2.0", method: "auth", params: { token } }) + "\n");
+        if (token !== undefined) socket.write(authorisation(token) + "\n");
         resolve({ send: (text) => void socket.write(text + "\n"), close: () => socket.end() });
       });
       socket.on("data", (text) => {

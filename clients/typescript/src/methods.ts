@@ -168,6 +168,10 @@ export type Limits = {
   waitingMotions: number;
   /** In the queue. */
   waitingReads: number;
+  /** Of dragging hands, in the queue. */
+  waitingMoves: number;
+  /** At once. */
+  dragsPerConnection: number;
   /** At once. */
   connections: number;
   /** Unanswered. */
