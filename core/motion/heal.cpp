@@ -60,7 +60,7 @@ class Healer {
   std::vector<Conflict> find_conflicts() {
     observer_.on_stage(Stage::kVerify);
     std::vector<Conflict> found;
-    for (const PiecePair& pair : conflicts(scene_.pieces)) found.push_back({pair, target(pair).depth});
+    for (const PiecePair& pair : conflicts(scene_.pieces, *observer_.crew)) found.push_back({pair, target(pair).depth});
     return found;
   }
   [[nodiscard]] SeparationTarget target(PiecePair pair) const {
