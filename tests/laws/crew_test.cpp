@@ -10,6 +10,7 @@
 #include "core/marker/validity.h"
 #include "core/motion/push.h"
 #include "core/motion/refine.h"
+#include "core/motion/tilt.h"
 #include "server/crew/thread_crew.h"
 #include "tests/laws/random_marker.h"
 #include "tests/laws/random_settings.h"
@@ -104,6 +105,19 @@ TEST(Crews, CompactRandomMarkers) {
   for (int trial = 0; trial < 60 / kSlowdown; ++trial) {
     const Marker marker = test::tiled(test::random_marker(random), 70);
     expect_one_story(compaction(marker, random_settings(random)), std::to_string(trial));
+  }
+}
+
+TEST(Crews, Tilt) {
+  for (const char* name : {"jeans_02g", "charlie_04g"}) {
+    const Marker marker = test::garment(name);
+    for (const TiltMethod method : {TiltMethod::kLinearisation, TiltMethod::kRelaxation}) {
+      expect_one_story(
+          [&](SumCache& sums, const std::stop_token& stop, const Observer& observer) {
+            return tilt(marker, tilt_settings(method, Accuracy::kDraft), sums, stop, observer);
+          },
+          name);
+    }
   }
 }
 
