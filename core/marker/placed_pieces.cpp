@@ -7,7 +7,7 @@
 namespace selvage {
 namespace {
 
-constexpr std::size_t kBlock = 256;  // pairs that one hand proves in a row
+constexpr std::size_t kBlock = 512;  // pairs that one hand proves in a row
 
 }  // namespace
 
