@@ -78,26 +78,52 @@ TEST(ThreadCrew, AsksForACoreBeforeEveryPart) {
   EXPECT_EQ(crew.hands(), 1U);
 }
 
-TEST(ThreadCrew, ThrowsWhatTheFirstOfItsPartsThrew) {
-  const ThreadCrew crew{2};
-  for (int trial = 0; trial < 200; ++trial) {
-    std::atomic<int> under_way{};
-    std::string thrown;
-    try {
-      crew.each(50, [&](std::size_t k) {
-        ++under_way;
-        const bool fails = k == 7 || k == 8 || k == 30;
-        --under_way;
-        if (fails) throw std::runtime_error{std::to_string(k)};
-      });
-    } catch (const std::runtime_error& error) {
-      thrown = error.what();
-    }
-    ASSERT_EQ(thrown, "7");
-    ASSERT_EQ(under_way, 0);  // nothing goes on behind the caller's back
+std::string thrown_by(const Crew& crew, std::size_t count, const Crew::Part& part) {
+  try {
+    crew.each(count, part);
+  } catch (const std::runtime_error& error) {
+    return error.what();
   }
+  return "";
+}
+
+TEST(ThreadCrew, ThrowsWhatTheFirstOfThePartsThatFailedThrew) {
+  const ThreadCrew crew{1};
+  for (int trial = 0; trial < 100; ++trial) {
+    std::latch both{2};
+    const std::string thrown = thrown_by(crew, 2, [&](std::size_t k) {
+      both.arrive_and_wait();
+      throw std::runtime_error{std::to_string(k)};
+    });
+    ASSERT_EQ(thrown, "0");
+  }
+}
+
+TEST(ThreadCrew, BeginsNothingAfterAPartThatFailed) {
+  const ThreadCrew crew{0};
+  int begun = 0;
+  const std::string thrown = thrown_by(crew, 50, [&](std::size_t k) {
+    ++begun;
+    if (k == 7) throw std::runtime_error{"7"};
+  });
+  EXPECT_EQ(thrown, "7");
+  EXPECT_EQ(begun, 8);
+}
+
+TEST(ThreadCrew, WaitsForWhatIsUnderWayWhenAPartFailsAndWorksOn) {
+  const ThreadCrew crew{1};
+  std::latch both{2};
+  std::atomic<bool> ended{};
+  const std::string thrown = thrown_by(crew, 2, [&](std::size_t k) {
+    both.arrive_and_wait();
+    if (k == 0) throw std::runtime_error{"0"};
+    for (int turn = 0; turn < 1000; ++turn) std::this_thread::yield();
+    ended = true;
+  });
+  EXPECT_EQ(thrown, "0");
+  EXPECT_TRUE(ended);
   std::atomic<int> done{};
-  crew.each(50, [&](std::size_t) { ++done; });  // and it still works
+  crew.each(50, [&](std::size_t) { ++done; });
   EXPECT_EQ(done, 50);
 }
 
