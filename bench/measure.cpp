@@ -1,8 +1,8 @@
 // Time against length for every knob of compaction, the anytime curve, what each motion models, and how time grows:
 // comma-separated lines that bench/measure.py makes tables and pictures of.  Times are the processor's, milliseconds,
-// nothing in the cache of sums.
+// nothing in the cache of sums.  And what a second core brings: a table, times by the clock on the wall.
 //
-// usage: measure knobs|anytime|scene|growth MARKER...
+// usage: measure knobs|anytime|scene|growth|cores MARKER...
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -11,6 +11,8 @@
 #include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <iomanip>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
@@ -21,7 +23,9 @@
 
 #include "core/marker/validity.h"
 #include "core/motion/refine.h"
+#include "core/motion/tilt.h"
 #include "protocol/formats/format.h"
+#include "server/crew/thread_crew.h"
 #include "tests/support/one_round.h"
 #include "tests/support/tiled_marker.h"
 
@@ -212,6 +216,95 @@ void growth(const std::vector<std::string>& paths) {
   }
 }
 
+double wall_time() {
+  return milliseconds(CLOCK_MONOTONIC);
+}
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+struct CoreCase {
+  std::string marker, motion;
+  bool warm{};
+  std::size_t repetitions{};
+  std::function<void(SumCache&, const Observer&)> run;
+};
+
+std::vector<CoreCase> core_cases(const std::string& name, const Marker& marker, std::size_t repetitions) {
+  const auto compaction = [marker](SumCache& sums, const Observer& observer) {
+    (void)compact(marker, compaction_settings(Accuracy::kStandard), sums, {}, observer);
+  };
+  return {{name, "compact", false, repetitions, compaction}, {name, "compact", true, repetitions, compaction}};
+}
+std::vector<CoreCase> long_core_cases(const std::string& name, const Marker& marker) {
+  constexpr std::size_t kFew = 5;
+  const auto tilting = [marker](SumCache& sums, const Observer& observer) {
+    (void)tilt(marker, tilt_settings(TiltMethod::kLinearisation, Accuracy::kStandard), sums, {}, observer);
+  };
+  const auto refining = [marker](SumCache& sums, const Observer& observer) {
+    RefineSettings settings = refine_settings();
+    settings.tilts = false;
+    (void)refine(marker, settings, sums, {}, observer);
+  };
+  return {{name, "tilt", false, kFew, tilting}, {name, "compact, fine, no tilts", false, kFew, refining}};
+}
+
+// How much sooner two threads have done what one does in 20 ms, that needs nothing but a core each: 2 on idle cores.
+double twice_as_fast(const Crew& two) {
+  const auto work = [](std::size_t) {
+    volatile double sum = 0;
+    for (int k = 0; k < 4'000'000; ++k) sum = sum + 1.0 / (k + 1);
+  };
+  const double start = wall_time();
+  alone().each(2, work);
+  const double between = wall_time();
+  two.each(2, work);
+  return (between - start) / (wall_time() - between);
+}
+
+// One hand and two in turn, so that both see the same load.
+void told(const CoreCase& wanted, const Crew& two) {
+  SumCache kept;
+  if (wanted.warm) wanted.run(kept, {});
+  std::vector<double> one_hand, two_hands, ratio, possible;
+  const auto time_with = [&](const Crew& crew) {
+    Observer observer;
+    observer.crew = &crew;
+    SumCache own;
+    const double start = wall_time();
+    wanted.run(wanted.warm ? kept : own, observer);
+    return wall_time() - start;
+  };
+  for (std::size_t k = 0; k < wanted.repetitions; ++k) {
+    possible.push_back(twice_as_fast(two));
+    one_hand.push_back(time_with(alone()));
+    two_hands.push_back(time_with(two));
+    ratio.push_back(one_hand.back() / two_hands.back());
+  }
+  std::cout << "| " << wanted.marker << " | " << wanted.motion << " | " << (wanted.warm ? "kept" : "none") << " | "
+            << median(one_hand) << " | " << median(two_hands) << " | " << *std::ranges::min_element(one_hand) << " | "
+            << *std::ranges::min_element(two_hands) << " | " << median(ratio) << " | " << median(possible) << " |"
+            << std::endl;
+}
+
+// The last column is what the machine had left for a second thread.
+void cores(const std::vector<std::string>& paths) {
+  constexpr std::size_t kMany = 41, kSeveral = 7, kLongMarker = 4000;
+  const ThreadCrew two{1};
+  std::cout << "| marker | motion | sums | one hand, ms | two hands | least, one | two | one / two | possible |\n"
+            << "|---|---|---|---|---|---|---|---|---|\n"
+            << std::fixed << std::setprecision(2);
+  const auto tell = [&](const std::vector<CoreCase>& cases) {
+    for (const CoreCase& wanted : cases) told(wanted, two);
+  };
+  for (const std::string& path : paths) tell(core_cases(name_of(path), marker_in(path), kMany));
+  const std::string& first = paths.front();
+  tell(core_cases(name_of(first) + ", 4,000 pieces", test::tiled(test::loosened(marker_in(first), 0.05), kLongMarker),
+                  kSeveral));
+  tell(long_core_cases(name_of(first), marker_in(first)));
+}
+
 }  // namespace
 }  // namespace selvage
 
@@ -226,8 +319,10 @@ int main(int argc, char** argv) {
     selvage::scene(paths.front());
   } else if (what == "growth") {
     selvage::growth(paths);
+  } else if (what == "cores") {
+    selvage::cores(paths);
   } else {
-    std::cerr << "usage: measure knobs|anytime|scene|growth MARKER...\n";
+    std::cerr << "usage: measure knobs|anytime|scene|growth|cores MARKER...\n";
     return 2;
   }
 }

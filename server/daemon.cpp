@@ -1,5 +1,6 @@
 #include "server/daemon.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -25,7 +26,9 @@ Daemon::Daemon(const Options& options, Engine engine)
       sums_{options.cache_mb << 20},
       journal_{options.store.empty() ? nullptr : std::make_unique<Journal>(options.store, options.durability)},
       store_{options.limits.open_markers, journal_.get()},
-      methods_{store_, watchers_, sums_, options.limits, options.workers, std::move(engine)},
+      crew_{std::max<std::size_t>(options.workers, 1) - 1,
+            [this, cores = options.workers] { return idle_cores(cores); }},
+      methods_{store_, watchers_, sums_, options.limits, options.workers, std::move(engine), crew_},
       parsing_{options.workers == 0 ? 0 : kParsingWorkers, options.limits.waiting_reads},
       reads_{options.workers == 0 ? 0 : kReadWorkers, options.limits.waiting_reads},
       motions_{options.workers, options.limits.waiting_motions},
@@ -54,6 +57,11 @@ Service Daemon::service(const Options& options) {
           .enter = judge_first_message,
           .line_too_long = Dispatcher::too_long(options.limits.transport.body_bytes),
           .counts = connections_};
+}
+
+std::size_t Daemon::idle_cores(std::size_t cores) const {
+  const std::size_t busy = motions_.running() + hands_.running() + reads_.running() + parsing_.running();
+  return cores - std::min(cores, busy);
 }
 
 void Daemon::call(std::string message, const std::shared_ptr<Session>& session, Reply reply) {

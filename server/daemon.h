@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "protocol/engine.h"
+#include "server/crew/thread_crew.h"
 #include "server/deadline_clock.h"
 #include "server/dispatcher.h"
 #include "server/drags.h"
@@ -47,6 +48,8 @@ class Daemon {
 
  private:
   [[nodiscard]] Service service(const Options& options);
+  // Of so many cores, those that no job is on now.
+  [[nodiscard]] std::size_t idle_cores(std::size_t cores) const;
 
   const std::chrono::seconds drain_patience_;
   std::atomic<bool> draining_{};
@@ -56,6 +59,7 @@ class Daemon {
   std::unique_ptr<Journal> journal_;  // null: markers live in memory only
   MarkerStore store_;
   Watchers watchers_;
+  ThreadCrew crew_;
   Methods methods_;
   DeadlineClock clock_;
   JobQueue parsing_;

@@ -49,13 +49,14 @@ struct ReadyChange {
 class Methods {
  public:
   Methods(MarkerStore& store, Watchers& watchers, SumCache& sums, const Limits& limits, std::size_t workers,
-          Engine engine)
+          Engine engine, const Crew& crew = alone())
       : store_{store},
         watchers_{watchers},
         sums_{sums},
         limits_{limits},
         workers_{workers},
-        engine_{std::move(engine)} {}
+        engine_{std::move(engine)},
+        crew_{crew} {}
 
   // REQUIRES: place_of knows the method, and it is none of the drags'.
   [[nodiscard]] Outcome call(std::string_view method, const Json& params, const CallTurn& turn);
@@ -93,6 +94,7 @@ class Methods {
   const Limits limits_;
   const std::size_t workers_;
   const Engine engine_;
+  const Crew& crew_;  // of every motion
 };
 
 }  // namespace selvage

@@ -49,6 +49,7 @@ Outcome Methods::call_on_marker(const MarkerMethod& method, const Json& params, 
   StageTimer timer{now_ms()};
   Observer observer;
   observer.on_stage = [&timer](Stage stage) { timer.enter(stage, now_ms()); };
+  observer.crew = &crew_;
   observer.on_round = round_teller(about, turn.call.session(), now->file->marker.resolution);
   auto answer = call->run(*now->file, Means{engine_, sums_, turn.stop, observer, now->laid_out.get()});
   if (!answer) return rpc_error(answer.error(), code_of_run(method, answer.error()));

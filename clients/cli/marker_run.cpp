@@ -11,6 +11,7 @@
 #include "clients/cli/roads.h"
 #include "clients/cli/summary.h"
 #include "protocol/methods/motion.h"
+#include "server/crew/thread_crew.h"
 
 namespace selvage {
 namespace {
@@ -82,6 +83,9 @@ void add_marker_files(CLI::App& command, MarkerFiles& files) {
   command.add_option("--format", files.format, "Form of the moved marker; default: the input's")
       ->check(CLI::IsMember({"native", "sparrow"}));
   command.add_option("--spacing", files.spacing, "Least distance between pieces, in the marker's unit");
+  command.add_option("--threads", files.threads, "Work with so many; the result is the same with any number")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
 }
 
 void refuse_mixed_streams(const MarkerFiles& files) {
@@ -101,7 +105,7 @@ ExitCode run_on_marker(std::string_view name, Json params, const MarkerFiles& fi
   ProgressLine progress{file->marker, telling == Telling::kSummary && isatty(STDERR_FILENO) != 0};
   const Task task{method, params, *call, *file};
   const auto done = files.server ? run_there(files.server, task, interrupt.token(), progress)
-                                 : run_here(task, interrupt.token(), progress);
+                                 : run_here(task, ThreadCrew{files.threads - 1}, interrupt.token(), progress);
   if (const auto* refusal = std::get_if<Refusal>(&done)) return fail(*refusal);
   const Ran& ran = std::get<Ran>(done);
 

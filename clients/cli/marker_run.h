@@ -3,10 +3,13 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <thread>
 
 #include "clients/cli/drawing.h"
 #include "clients/cli/exit_code.h"
@@ -20,11 +23,12 @@ struct MarkerFiles {
   std::optional<std::string> format;
   std::optional<double> spacing;
   DrawingWish drawing;
-  ServerChoice server;  // where it runs
+  ServerChoice server;                                                     // where it runs
+  std::size_t threads{std::max(1U, std::thread::hardware_concurrency())};  // when it runs here
 };
 // IN as the first argument.
 void add_marker_in(CLI::App& command, MarkerFiles& files);
-// -o, --svg, --arrows, --chain, --outlines, --format, --spacing.
+// -o, --svg, --arrows, --chain, --outlines, --format, --spacing, --threads.
 void add_marker_files(CLI::App& command, MarkerFiles& files);
 // Throws CLI::ValidationError when more than one is written to standard output.
 void refuse_mixed_streams(const MarkerFiles& files);

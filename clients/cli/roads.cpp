@@ -46,10 +46,12 @@ Ran ran_of(Json result, MarkerFile end) {
 
 }  // namespace
 
-std::variant<Ran, Refusal> run_here(const Task& task, const std::stop_token& stop, ProgressLine& progress) {
+std::variant<Ran, Refusal> run_here(const Task& task, const Crew& crew, const std::stop_token& stop,
+                                    ProgressLine& progress) {
   const Engine engine;
   SumCache sums;
-  const Observer observer = progress.observer();
+  Observer observer = progress.observer();
+  observer.crew = &crew;
   auto answer = task.call.run(task.file, Means{engine, sums, stop, observer});
   const StageTimes times = progress.finish();
   if (!answer) return refusal_of(task.method, answer.error());

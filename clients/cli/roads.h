@@ -34,7 +34,7 @@ struct Task {
   const MarkerFile& file;
 };
 
-[[nodiscard]] std::variant<Ran, Refusal> run_here(const Task& task, const std::stop_token& stop,
+[[nodiscard]] std::variant<Ran, Refusal> run_here(const Task& task, const Crew& crew, const std::stop_token& stop,
                                                   ProgressLine& progress);
 // Opens the marker there, calls, fetches what came of it, and closes it again.
 [[nodiscard]] std::variant<Ran, Refusal> run_there(const ServerChoice& server, const Task& task,

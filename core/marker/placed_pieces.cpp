@@ -5,6 +5,11 @@
 #include <numeric>
 
 namespace selvage {
+namespace {
+
+constexpr std::size_t kBlock = 512;  // pairs that one hand proves in a row
+
+}  // namespace
 
 PlacedPieces::PlacedPieces(const Marker& marker) : spacing_{marker.spacing} {
   std::map<std::pair<ShapeId, Orientation>, std::shared_ptr<const SharedPolygon>> made;
@@ -65,10 +70,11 @@ bool conflict(const PlacedPieces& pieces, PiecePair pair) {
   return spacing > 0 ? closer_than(p, q, spacing) : overlap(p, q);
 }
 
-std::vector<PiecePair> conflicts(const PlacedPieces& pieces) {
-  std::vector<PiecePair> pairs = pairs_within(pieces, pieces.widest_spacing());
-  std::erase_if(pairs, [&](const PiecePair& pair) { return !conflict(pieces, pair); });
-  return pairs;
+std::vector<PiecePair> conflicts(const PlacedPieces& pieces, const Crew& crew) {
+  const std::vector<PiecePair> near = pairs_within(pieces, pieces.widest_spacing());
+  return gathered<PiecePair>(crew, near.size(), kBlock, [&](std::size_t k, std::vector<PiecePair>& found) {
+    if (conflict(pieces, near[k])) found.push_back(near[k]);
+  });
 }
 
 }  // namespace selvage

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/crew.h"
 #include "core/geometry/overlap.h"
 #include "core/marker/marker.h"
 
@@ -59,6 +60,6 @@ class PlacedPieces {
 [[nodiscard]] bool conflict(const PlacedPieces& pieces, PiecePair pair);
 
 // All pairs of which that is true, sorted.
-[[nodiscard]] std::vector<PiecePair> conflicts(const PlacedPieces& pieces);
+[[nodiscard]] std::vector<PiecePair> conflicts(const PlacedPieces& pieces, const Crew& crew = alone());
 
 }  // namespace selvage

@@ -35,12 +35,32 @@ bool kept_swapped(const OrientedOutline& p, const OrientedOutline& q) {
   return forth.inverse().index() < forth.index();
 }
 
+// Under which key the sum of a pair is kept, and how the pair sees it.
+struct Kept {
+  Key key;
+  Symmetry frame;
+  bool swapped{};
+};
+Kept kept_as(const OrientedOutline& p, const OrientedOutline& q) {
+  const bool swapped = kept_swapped(p, q);
+  const OrientedOutline& first = swapped ? q : p;
+  const OrientedOutline& second = swapped ? p : q;
+  return {{first.outline, second.outline, first.symmetry.inverse().after(second.symmetry)}, first.symmetry, swapped};
+}
+
+using Sum = std::shared_ptr<const MinkowskiSum>;
+Sum make(const Key& key) {
+  return std::make_shared<const MinkowskiSum>(obstacle_sum(*key.p, *key.q, key.relative));
+}
+
+constexpr std::size_t kBlock = 4;  // sums that one hand makes in a row
+
 }  // namespace
 
 struct SumCache::Store {
   struct Entry {
     Key key;
-    std::shared_ptr<const MinkowskiSum> sum;
+    Sum sum;
     std::size_t bytes{};
   };
   using Entries = std::list<Entry>;  // most recently used first
@@ -54,20 +74,22 @@ struct SumCache::Store {
   std::unordered_map<Key, Entries::iterator, KeyHash> index;
   CacheCounts counts;
 
-  std::shared_ptr<const MinkowskiSum> find(const Key& key) {
+  Sum find(const Key& key) {
     const std::lock_guard lock{mutex};
     const auto at = index.find(key);
-    if (at == index.end()) {
-      ++counts.misses;
-      return nullptr;
-    }
-    ++counts.hits;
+    if (at == index.end()) return nullptr;
     entries.splice(entries.begin(), entries, at->second);
     return at->second->sum;
   }
 
+  void count(std::size_t hits, std::size_t misses) {
+    const std::lock_guard lock{mutex};
+    counts.hits += hits;
+    counts.misses += misses;
+  }
+
   // Keeps the sum, unless another thread was faster.
-  void keep(const Key& key, const std::shared_ptr<const MinkowskiSum>& sum) {
+  void keep(const Key& key, const Sum& sum) {
     const std::lock_guard lock{mutex};
     if (index.contains(key)) return;
     entries.push_front({key, sum, sum->bytes()});
@@ -108,16 +130,41 @@ SumCache::SumCache(std::size_t limit_bytes) : store_{std::make_unique<Store>()} 
 SumCache::~SumCache() = default;
 
 Obstacle SumCache::obstacle(const OrientedOutline& p, const OrientedOutline& q) {
-  const bool swapped = kept_swapped(p, q);
-  const OrientedOutline& first = swapped ? q : p;
-  const OrientedOutline& second = swapped ? p : q;
-  const Key key{first.outline, second.outline, first.symmetry.inverse().after(second.symmetry)};
-  auto sum = store_->find(key);
+  const Kept kept = kept_as(p, q);
+  Sum sum = store_->find(kept.key);
+  store_->count(sum ? 1 : 0, sum ? 0 : 1);
   if (!sum) {
-    sum = std::make_shared<const MinkowskiSum>(obstacle_sum(*key.p, *key.q, key.relative));
-    store_->keep(key, sum);
+    sum = make(kept.key);
+    store_->keep(kept.key, sum);
   }
-  return {std::move(sum), first.symmetry, swapped};
+  return {std::move(sum), kept.frame, kept.swapped};
+}
+
+std::vector<Obstacle> SumCache::obstacles(std::span<const OutlinePair> pairs, const Crew& crew) {
+  std::vector<Kept> kept;
+  std::vector<Sum> sums;
+  kept.reserve(pairs.size());
+  sums.reserve(pairs.size());
+  std::vector<Key> missing;
+  std::unordered_map<Key, std::size_t, KeyHash> number;  // of each that is missing
+  for (const auto& [p, q] : pairs) {
+    const Key& key = kept.emplace_back(kept_as(*p, *q)).key;
+    sums.push_back(store_->find(key));
+    if (!sums.back() && number.try_emplace(key, missing.size()).second) missing.push_back(key);
+  }
+  store_->count(pairs.size() - missing.size(), missing.size());
+
+  const auto made = gathered<Sum>(crew, missing.size(), kBlock,
+                                  [&](std::size_t k, std::vector<Sum>& out) { out.push_back(make(missing[k])); });
+  for (std::size_t k = 0; k < missing.size(); ++k) store_->keep(missing[k], made[k]);
+
+  std::vector<Obstacle> obstacles;
+  obstacles.reserve(pairs.size());
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    if (!sums[k]) sums[k] = made[number.at(kept[k].key)];
+    obstacles.emplace_back(std::move(sums[k]), kept[k].frame, kept[k].swapped);
+  }
+  return obstacles;
 }
 
 CacheCounts SumCache::counts() const {

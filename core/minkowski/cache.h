@@ -6,8 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <utility>
+#include <vector>
 
+#include "core/base/crew.h"
 #include "core/geometry/outline.h"
 #include "core/minkowski/sum.h"
 
@@ -44,6 +47,8 @@ class Obstacle {
   bool mirrored_;  // the sum is that of P relative to Q: -(P (+) -Q)
 };
 
+using OutlinePair = std::pair<const OrientedOutline*, const OrientedOutline*>;  // P and Q, neither null
+
 class SumCache {
  public:
   static constexpr std::size_t kDefaultLimit = std::size_t{256} << 20;
@@ -57,6 +62,8 @@ class SumCache {
 
   // Finds or makes the sum.  The least recently used entries go when the limit is passed; whoever holds one keeps it.
   [[nodiscard]] Obstacle obstacle(const OrientedOutline& p, const OrientedOutline& q);
+  // One to each pair.  Sums that are not there yet are made by the crew, each of them once.
+  [[nodiscard]] std::vector<Obstacle> obstacles(std::span<const OutlinePair> pairs, const Crew& crew);
 
   [[nodiscard]] CacheCounts counts() const;
 

@@ -3,7 +3,7 @@
 //
 // Laws.  (1) The answer is valid, proved in integers.  (2) It is never longer than the input, but for what healing says
 // it had to grow by.  (3) Locked pieces stay to the lattice unit.  (4) Same input and settings, same answer, whatever
-// the cache holds.
+// the cache holds and however many hands there are.
 #pragma once
 
 #include <functional>

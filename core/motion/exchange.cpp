@@ -57,33 +57,37 @@ bool turn(Piece& piece, const Shape& shape, const Box& box, std::mt19937& random
 
 }  // namespace
 
-Exchanged exchange(const Marker& start, const CompactionSettings& settings, std::mt19937& random, SumCache& sums,
-                   const std::stop_token& stop) {
+std::optional<DrawnExchange> draw_exchange(const Marker& start, std::mt19937& random) {
   const Ties ties = ties_of(start);
   std::vector<std::uint32_t> free;
   for (std::uint32_t i = 0; i < start.pieces.size(); ++i) {
     if (ties.free(i)) free.push_back(i);
   }
-  if (free.empty()) return {};
+  if (free.empty()) return std::nullopt;
   const PlacedPieces pieces{start};
   Marker next = start;
   const std::uint32_t i = free[random() % free.size()];
   Piece& piece = next.pieces[i];
   if (random() % kTurnsOneIn == 0) {
-    if (!turn(piece, start.shapes[piece.shape.value], pieces.box(i), random)) return {};
+    if (!turn(piece, start.shapes[piece.shape.value], pieces.box(i), random)) return std::nullopt;
   } else {
     const auto j = partner_of(i, start, pieces, free, random);
-    if (!j) return {};
+    if (!j) return std::nullopt;
     const Vec way = centre_of(pieces.box(*j)) - centre_of(pieces.box(i));
     piece.at = piece.at + way;
     next.pieces[*j].at = next.pieces[*j].at - way;
   }
-  const double length = static_cast<double>(std::max<Coord>(1, pieces.length()));
+  return DrawnExchange{std::move(next), pieces.length()};
+}
+
+Exchanged exchange(const DrawnExchange& drawn, const CompactionSettings& settings, SumCache& sums,
+                   const std::stop_token& stop) {
+  const double length = static_cast<double>(std::max<Coord>(1, drawn.length));
   SeparationSettings parting;
   parting.rounds = kPartingRounds;
-  parting.grow = kPartingGrowth * static_cast<double>(start.strip.width) / length;
+  parting.grow = kPartingGrowth * static_cast<double>(drawn.marker.strip.width) / length;
   parting.solver = settings.solver;
-  auto separation = separate(next, parting, sums, stop);
+  auto separation = separate(drawn.marker, parting, sums, stop);
   if (!separation) return {};
   Exchanged done{.marker = {}, .programs = separation->programs};
   if (!separation->apart) return done;

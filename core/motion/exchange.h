@@ -12,15 +12,23 @@
 
 namespace selvage {
 
+// An exchange that has been drawn: the pieces are where they are to be, and overlap as a rule.
+struct DrawnExchange {
+  Marker marker;
+  Coord length{};  // of the marker before
+};
+// A random exchange among the pieces that are free on both axes and of no group: mostly of two that differ little in
+// size and lie near each other.  What is drawn depends on `random` and the marker alone; nothing when no piece has a
+// partner or another rotation.
+[[nodiscard]] std::optional<DrawnExchange> draw_exchange(const Marker& start, std::mt19937& random);
+
 struct Exchanged {
   std::optional<Marker> marker;  // valid; nothing when the pieces could not be parted within the growth allowed
   int programs{};                // linear programs solved
 };
-
-// A random exchange among the pieces that are free on both axes and of no group: mostly of two that differ little in
-// size and lie near each other.  The answer may be longer than `start`, by little.  What is drawn depends on `random`
-// and the marker alone.  REQUIRES: start is valid.
-[[nodiscard]] Exchanged exchange(const Marker& start, const CompactionSettings& settings, std::mt19937& random,
-                                 SumCache& sums, const std::stop_token& stop);
+// Parts what overlaps and compacts.  The answer may be longer than the marker was before, by little.
+// REQUIRES: the marker was valid before.
+[[nodiscard]] Exchanged exchange(const DrawnExchange& drawn, const CompactionSettings& settings, SumCache& sums,
+                                 const std::stop_token& stop);
 
 }  // namespace selvage

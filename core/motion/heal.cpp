@@ -60,7 +60,7 @@ class Healer {
   std::vector<Conflict> find_conflicts() {
     observer_.on_stage(Stage::kVerify);
     std::vector<Conflict> found;
-    for (const PiecePair& pair : conflicts(scene_.pieces)) found.push_back({pair, target(pair).depth});
+    for (const PiecePair& pair : conflicts(scene_.pieces, *observer_.crew)) found.push_back({pair, target(pair).depth});
     return found;
   }
   [[nodiscard]] SeparationTarget target(PiecePair pair) const {
@@ -155,15 +155,17 @@ class Healer {
   [[nodiscard]] std::vector<PairRow> rows_for(const std::vector<Conflict>& found) const {
     std::vector<PairRow> rows;
     auto conflict = found.begin();  // both lists are sorted by pair
-    for (const PiecePair& pair :
-         pairs_within(scene_.pieces, std::llround(kReach * limit_) + scene_.pieces.widest_spacing())) {
+    const auto near = pairs_within(scene_.pieces, std::llround(kReach * limit_) + scene_.pieces.widest_spacing());
+    const auto obstacles = scene_.obstacles(near, *observer_.crew);
+    for (std::size_t k = 0; k < near.size(); ++k) {
+      const PiecePair pair = near[k];
       const bool apart = conflict == found.end() || conflict->pair != pair;
       if (!apart) ++conflict;
       const Vec r = scene_.relative_position(pair);
       const Vec about = apart ? r : target(pair).about;
       const Coord spacing = scene_.pieces.spacing(pair);
       const RegionSettings region{RegionRule::kGreedy, kReach * limit_ + static_cast<double>(spacing), spacing};
-      for (const HalfPlane& side : free_region(scene_.obstacle(pair), about, region)) {
+      for (const HalfPlane& side : free_region(obstacles[k], about, region)) {
         rows.push_back(row_of(pair, side, r, spacing, unit_, TightRows::kRestore));
       }
     }

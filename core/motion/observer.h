@@ -1,9 +1,11 @@
-// How a motion tells what it is doing, for whoever holds a clock or a progress bar: the core has neither.
+// How a motion tells what it is doing, for whoever holds a clock or a progress bar, and whose hands it works with: the
+// core has neither clock nor threads.
 #pragma once
 
 #include <cstddef>
 #include <functional>
 
+#include "core/base/crew.h"
 #include "core/geometry/lattice.h"
 #include "core/lp/linear_program.h"
 
@@ -29,6 +31,7 @@ struct Observer {
   std::function<void(Stage)> on_stage = [](Stage) {};  // a stage begins
   std::function<void(const Round&)> on_round = [](const Round&) {};
   std::function<void(const LinearProgram&)> on_program = [](const LinearProgram&) {};  // about to be solved
+  const Crew* crew = &alone();  // never null; outlives the motion.  The answer does not depend on it
 };
 
 }  // namespace selvage

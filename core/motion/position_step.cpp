@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <set>
+#include <span>
 
 #include "core/marker/validity.h"
 #include "core/model/snap.h"
@@ -16,6 +18,7 @@ constexpr std::size_t kSmall = 64;     // pieces: the one program of so few is q
 constexpr double kUnitsAcross = 1000;  // column units in a strip's width
 constexpr double kLeastGain = 1e-5;    // of the goal, in column units: less is not worth proving
 constexpr double kBroken = 1e-2;       // lattice units: by less no row is broken
+constexpr std::size_t kBlock = 64;     // near pairs whose rows one hand finds in a row
 constexpr double kSpare = 1e-2;        // column units the length may grow by in a program, for rows' margins
 
 // The growing model of one round.
@@ -80,8 +83,9 @@ class Attempt {
       if (!reached_.holds_any(pair) || reached_.ties().joined(pair.first, pair.second)) continue;
       if (!modelled_.insert(pair).second) continue;
       near_.push_back(pair);
-      obstacles_.push_back(scene_.obstacle(pair));
     }
+    auto obstacles = scene_.obstacles(std::span{near_}.subspan(known), *observer_.crew);
+    std::move(obstacles.begin(), obstacles.end(), std::back_inserter(obstacles_));
     return known;
   }
   void model_near() {
@@ -112,7 +116,11 @@ class Attempt {
     }
   }
   void append_near_rows(std::size_t from) {
-    for (std::size_t k = from; k < near_.size(); ++k) append_rows(near_[k], obstacles_[k], reach());
+    const auto rows =
+        gathered<PairRow>(*observer_.crew, near_.size() - from, kBlock, [&](std::size_t k, std::vector<PairRow>& out) {
+          append_rows(near_[from + k], obstacles_[from + k], reach(), out);
+        });
+    rows_.insert(rows_.end(), rows.begin(), rows.end());
   }
   // What would have entered only when a solution broke it.
   void append_all_others() {
@@ -157,7 +165,7 @@ class Attempt {
     return true;
   }
 
-  void append_rows(PiecePair pair, const Obstacle& obstacle, double reach) {
+  void append_rows(PiecePair pair, const Obstacle& obstacle, double reach, std::vector<PairRow>& rows) const {
     const Vec r = scene_.relative_position(pair);
     const Coord spacing = scene_.pieces.spacing(pair);
     const Displacement& p_force = goal_.force[pair.first];
@@ -167,7 +175,7 @@ class Attempt {
     for (const HalfPlane& side : free_region(obstacle, r, region)) {
       const PairRow row = row_of(pair, side, r, spacing, unit(), tight_);
       // While |d_q - d_p| <= reach on each axis, rows farther away cannot be broken.
-      if (whole() || -row.bound <= reach * (std::abs(row.nx) + std::abs(row.ny))) rows_.push_back(row);
+      if (whole() || -row.bound <= reach * (std::abs(row.nx) + std::abs(row.ny))) rows.push_back(row);
     }
   }
   [[nodiscard]] bool held() const { return goal_.shorten == 0; }
@@ -263,14 +271,11 @@ class Attempt {
 
   // Adds the rows of a pair, up to `reach`, that its moving by so much breaks.
   bool add_broken(PiecePair pair, const Obstacle& obstacle, Displacement by, double reach) {
-    const std::size_t before = rows_.size();
-    append_rows(pair, obstacle, reach);
-    std::vector<PairRow> broken;
-    std::copy_if(rows_.begin() + static_cast<std::ptrdiff_t>(before), rows_.end(), std::back_inserter(broken),
-                 [&](const PairRow& row) { return row.nx * by.x + row.ny * by.y < row.bound - kBroken; });
-    rows_.erase(rows_.begin() + static_cast<std::ptrdiff_t>(before), rows_.end());
-    for (const PairRow& row : broken) add(row);
-    return !broken.empty();
+    std::vector<PairRow> rows;
+    append_rows(pair, obstacle, reach, rows);
+    std::erase_if(rows, [&](const PairRow& row) { return !(row.nx * by.x + row.ny * by.y < row.bound - kBroken); });
+    for (const PairRow& row : rows) add(row);
+    return !rows.empty();
   }
 
   // Rounds and proves the moves; shortens them a little when rounding breaks something.  Returns what collides all the
@@ -284,7 +289,7 @@ class Attempt {
       std::vector<Vec> positions = snapped(scaled);
       for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + scene_.pieces.at(i);
       moved.place(std::move(positions));
-      auto conflict = conflicts(moved);
+      auto conflict = conflicts(moved, *observer_.crew);
       if (conflict.empty()) {
         if (moved.length() <= scene_.pieces.length() && inside(moved) && gain(moved) > 0) {
           step.end = StepEnd::kMoved;
@@ -335,7 +340,7 @@ class Attempt {
   // The rows of a pair that was not near.  False when it is modelled already.
   bool append_far(PiecePair pair) {
     if (!modelled_.insert(pair).second) return false;
-    append_rows(pair, scene_.obstacle(pair), static_cast<double>(kLatticeLimit));
+    append_rows(pair, scene_.obstacle(pair), static_cast<double>(kLatticeLimit), rows_);
     return true;
   }
 

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <random>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "core/marker/validity.h"
 #include "core/motion/exchange.h"
@@ -19,8 +22,18 @@ Observer stages_of(const Observer& observer) {
   Observer stages;
   stages.on_stage = observer.on_stage;
   stages.on_program = observer.on_program;
+  stages.crew = observer.crew;
   return stages;
 }
+
+// An exchange on trial.
+struct Trial {
+  std::optional<DrawnExchange> drawn;
+  std::mt19937 random;  // as drawing it left it
+  Exchanged exchanged{};
+  Coord length{};           // of the marker that came of it, if any
+  std::stop_source stop{};  // nobody asks for it any more
+};
 
 // Settings that differ from standard in one thing each.
 std::array<CompactionSettings, 4> other_settings() {
@@ -62,38 +75,76 @@ class Refiner {
   }
 
   void try_other_ways() {
-    for (const CompactionSettings& other : other_settings()) {
-      if (stop_.stop_requested()) return;
-      auto compaction = compact(start_, other, sums_, stop_, stages_);
-      if (!compaction) continue;
-      best_.programs += compaction->programs;
-      if (compaction->length_after < best_.length_after) {
-        best_.healing = compaction->healing;
-        keep(std::move(compaction->marker), compaction->length_after);
+    const auto others = other_settings();
+    for (std::size_t first = 0; first < others.size() && !stop_.stop_requested();) {
+      const std::size_t count = std::min(at_once(), others.size() - first);
+      std::array<std::optional<Compaction>, std::tuple_size_v<decltype(others)>> found;
+      observer_.crew->each(count, [&](std::size_t k) {
+        auto compaction = compact(start_, others[first + k], sums_, stop_, count == 1 ? stages_ : Observer{});
+        if (compaction) found[k] = *std::move(compaction);
+      });
+      for (std::size_t k = 0; k < count && (k == 0 || !stop_.stop_requested()); ++k) {
+        if (found[k]) judge(*std::move(found[k]));
       }
-      attempted();
+      first += count;
     }
+  }
+  void judge(Compaction compaction) {
+    best_.programs += compaction.programs;
+    if (compaction.length_after < best_.length_after) {
+      best_.healing = compaction.healing;
+      keep(std::move(compaction.marker), compaction.length_after);
+    }
+    attempted();
   }
 
+  // Exchanges of the best marker so far, several at once; of them those count that one hand would have tried: up to the
+  // first that is kept, for the next is one of the new marker.
   void try_exchanges() {
     std::mt19937 random{settings_.seed};
-    CompactionSettings quick = compaction_settings(Accuracy::kStandard);
-    quick.rounds = kExchangeRounds;
     std::uint64_t spent = 0;
-    for (std::uint64_t idle = 0; spent < settings_.effort && idle < kIdleTrials && !stop_.stop_requested();) {
-      auto exchanged = exchange(best_.marker, quick, random, sums_, stop_);
-      idle = exchanged.programs == 0 ? idle + 1 : 0;
-      spent += static_cast<std::uint64_t>(exchanged.programs) * start_.pieces.size();
-      best_.programs += exchanged.programs;
-      if (exchanged.marker) {
-        // Equal lengths are kept too: they are ways over a plateau.
-        if (const Coord length = length_of(*exchanged.marker); length <= best_.length_after) {
-          keep(std::move(*exchanged.marker), length);
-        }
+    std::uint64_t idle = 0;
+    const auto enough = [&] { return spent >= settings_.effort || idle >= kIdleTrials || stop_.stop_requested(); };
+    while (!enough()) {
+      std::vector<Trial> trials = drawn(at_once(), random);
+      observer_.crew->each(trials.size(), [&](std::size_t k) { run(trials, k); });
+      for (Trial& trial : trials) {
+        random = trial.random;
+        const int programs = trial.exchanged.programs;
+        idle = programs == 0 ? idle + 1 : 0;
+        spent += static_cast<std::uint64_t>(programs) * start_.pieces.size();
+        best_.programs += programs;
+        const bool kept = worth_keeping(trial);
+        if (kept) keep(*std::move(trial.exchanged.marker), trial.length);
+        attempted();
+        if (kept || enough()) break;
       }
-      attempted();
     }
   }
+  [[nodiscard]] std::vector<Trial> drawn(std::size_t count, std::mt19937 random) const {
+    std::vector<Trial> trials;
+    while (trials.size() < count) {
+      auto exchange = draw_exchange(best_.marker, random);
+      trials.push_back({std::move(exchange), random});
+    }
+    return trials;
+  }
+  void run(std::vector<Trial>& trials, std::size_t k) const {
+    Trial& trial = trials[k];
+    if (!trial.drawn) return;
+    const std::stop_callback with_all{stop_, [&trial] { trial.stop.request_stop(); }};
+    CompactionSettings quick = compaction_settings(Accuracy::kStandard);
+    quick.rounds = kExchangeRounds;
+    trial.exchanged = exchange(*trial.drawn, quick, sums_, trial.stop.get_token());
+    if (trial.exchanged.marker) trial.length = length_of(*trial.exchanged.marker);
+    if (!worth_keeping(trial)) return;
+    for (std::size_t later = k + 1; later < trials.size(); ++later) trials[later].stop.request_stop();
+  }
+  // Equal lengths are kept too: they are ways over a plateau.
+  [[nodiscard]] bool worth_keeping(const Trial& trial) const {
+    return trial.exchanged.marker && trial.length <= best_.length_after;
+  }
+  [[nodiscard]] std::size_t at_once() const { return observer_.crew->hands(); }
 
   void try_tilts() {
     const bool any = std::any_of(start_.shapes.begin(), start_.shapes.end(),

@@ -2,12 +2,14 @@
 //
 // Standard compaction first; then from the same start with other region rules, trusts and weights of gravity, for where
 // a descent ends depends on its way; then exchanges of pieces (core/motion/exchange.h), one after another, each kept
-// when the marker is no longer for it; at last, where shapes allow tilts, tilting (core/motion/tilt.h).
+// when the marker is no longer for it; at last, where shapes allow tilts, tilting (core/motion/tilt.h).  Several hands
+// try several exchanges at once, of which those count that one hand would have tried.
 //
 // Laws.  (1) The answer is valid, proved in integers.  (2) It is never longer than what standard compaction answers,
 // unless asked to stop before that was done; nor than the input, but for healing.  (3) Locked pieces stay to the
 // lattice unit, groups stay rigid, tilts and rotations are those that shapes allow.  (4) Same input and settings, same
-// answer, whatever the cache holds.  (5) Asked to stop, it answers with the best so far.
+// answer, whatever the cache holds and however many hands there are.  (5) Asked to stop, it answers with the best so
+// far.
 #pragma once
 
 #include <cstdint>

@@ -16,6 +16,13 @@ void Scene::shift(std::size_t piece, Vec by) {
   pieces.place(std::move(positions));
 }
 
+std::vector<Obstacle> Scene::obstacles(std::span<const PiecePair> pairs, const Crew& crew) const {
+  std::vector<OutlinePair> asked;
+  asked.reserve(pairs.size());
+  for (const auto& [p, q] : pairs) asked.emplace_back(&outlines[p], &outlines[q]);
+  return sums.obstacles(asked, crew);
+}
+
 Marker Scene::result() const {
   Marker moved = marker;
   for (std::size_t i = 0; i < moved.pieces.size(); ++i) moved.pieces[i].at = pieces.at(i);

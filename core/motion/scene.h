@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/marker/placed_pieces.h"
@@ -24,6 +25,7 @@ struct Scene {
   [[nodiscard]] Obstacle obstacle(PiecePair pair) const {
     return sums.obstacle(outlines[pair.first], outlines[pair.second]);
   }
+  [[nodiscard]] std::vector<Obstacle> obstacles(std::span<const PiecePair> pairs, const Crew& crew) const;
   [[nodiscard]] Vec relative_position(PiecePair pair) const { return pieces.at(pair.second) - pieces.at(pair.first); }
   // The marker with the pieces where they are now.
   [[nodiscard]] Marker result() const;

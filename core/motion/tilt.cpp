@@ -29,6 +29,7 @@ Observer stages_of(const Observer& observer) {
   Observer stages;
   stages.on_stage = observer.on_stage;
   stages.on_program = observer.on_program;
+  stages.crew = observer.crew;
   return stages;
 }
 

@@ -17,6 +17,7 @@ constexpr double kOverlapPrice = 100;               // of a unit of overlap that
 constexpr double kClearance = 1e-7;    // parts of the width that pieces are kept apart by, for what is not linear,
 constexpr Coord kLeastClearance = 3;   // and lattice units, for rounded outlines
 constexpr double kLeastArc = 1;        // lattice units: a smaller turn changes nothing but rounding
+constexpr std::size_t kBlock = 16;     // near pairs whose rows one hand finds in a row
 constexpr double kLengthSpare = 1e-2;  // column units the length may grow by in a program, for rows' margins
 
 class Program {
@@ -46,25 +47,34 @@ class Program {
     observer.on_stage(Stage::kSums);
     const double most_swing = turn_ * widest_radius();
     const double reach = 2 * (farthest_ + most_swing);
-    const std::vector<PiecePair> overlapping = conflicts(scene_.pieces);
-    for (const PiecePair& pair : pairs_within(scene_.pieces, std::llround(reach) + scene_.pieces.widest_spacing())) {
-      const auto [p, q] = pair;
-      if (scene_.ties.joined(p, q)) continue;
-      const Coord spacing = scene_.pieces.spacing(pair);
-      SeparationTarget target{0, scene_.relative_position(pair)};
-      const bool overlaps = std::binary_search(overlapping.begin(), overlapping.end(), pair);
-      if (overlaps) target = separation_target(scene_, pair, TargetRule::kNearest);
-      const RegionSettings region{RegionRule::kGreedy, 1.5 * reach + static_cast<double>(spacing), spacing};
-      const auto sides = free_region(scene_.obstacle(pair), target.about, region);
-      const TiltRowSettings row{turn_, 1.5 * reach, overlaps ? 2 * target.depth : 0, spacing + clearance(),
-                                model_.positions().unit()};
-      const auto rows = tilt_rows(pair, scene_.pieces[p], scene_.pieces[q], sides, row);
+    const std::vector<PiecePair> overlapping = conflicts(scene_.pieces, *observer.crew);
+    auto near = pairs_within(scene_.pieces, std::llround(reach) + scene_.pieces.widest_spacing());
+    std::erase_if(near, [&](const PiecePair& pair) { return scene_.ties.joined(pair.first, pair.second); });
+    const auto obstacles = scene_.obstacles(near, *observer.crew);
+    using Rows = std::vector<TiltRow>;
+    const auto found = gathered<Rows>(*observer.crew, near.size(), kBlock, [&](std::size_t k, std::vector<Rows>& out) {
+      const bool overlaps = std::binary_search(overlapping.begin(), overlapping.end(), near[k]);
+      out.push_back(rows_of(near[k], obstacles[k], overlaps, reach));
+    });
+    for (const Rows& rows : found) {
       std::optional<int> give;
       if (std::any_of(rows.begin(), rows.end(), [](const TiltRow& made) { return made.row.bound > 0; })) {
         give = model_.positions().program().add_column(kOverlapPrice, 0, kInfinity);
       }
       for (const TiltRow& made : rows) model_.add(made, made.row.bound > 0 ? give : std::nullopt);
     }
+  }
+
+  [[nodiscard]] std::vector<TiltRow> rows_of(PiecePair pair, const Obstacle& obstacle, bool overlaps,
+                                             double reach) const {
+    const Coord spacing = scene_.pieces.spacing(pair);
+    SeparationTarget target{0, scene_.relative_position(pair)};
+    if (overlaps) target = separation_target(scene_, pair, TargetRule::kNearest);
+    const RegionSettings region{RegionRule::kGreedy, 1.5 * reach + static_cast<double>(spacing), spacing};
+    const auto sides = free_region(obstacle, target.about, region);
+    const TiltRowSettings row{turn_, 1.5 * reach, overlaps ? 2 * target.depth : 0, spacing + clearance(),
+                              model_.positions().unit()};
+    return tilt_rows(pair, scene_.pieces[pair.first], scene_.pieces[pair.second], sides, row);
   }
 
   [[nodiscard]] TiltStep solved(SolverChoice solver, const std::stop_token& stop) const {

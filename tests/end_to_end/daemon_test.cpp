@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <set>
 #include <string>
 #include <thread>
@@ -28,6 +30,35 @@ TEST(Daemon, ReadsAndInfoAreAnsweredWhileEveryMotionWorkerIsBusy) {
   EXPECT_EQ(wire.answer().value_or(HttpAnswer{}).body, "{\"status\":\"ok\"}");
   gate.open();
   EXPECT_EQ(result_of(busy.answer().value_or(HttpAnswer{}).body)["revision"], 2);
+}
+
+// Waits until a motion may work with so many hands; false when that does not come.
+bool await_hands(const Crew& crew, std::size_t hands) {
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  while (crew.hands() != hands && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+  return crew.hands() == hands;
+}
+
+TEST(Daemon, LendsAMotionTheCoresThatNoJobIsOn) {
+  Gate gate;
+  Engine engine = gate.engine();
+  std::atomic<std::size_t> motions{};
+  engine.compact = [&, compact = engine.compact](const Marker& start, const CompactionSettings& settings,
+                                                 SumCache& sums, std::stop_token stop, const Observer& observer) {
+    // Three workers: the first motion has them all, the second those that the first is not on.
+    EXPECT_TRUE(await_hands(*observer.crew, 3 - motions++)) << observer.crew->hands();
+    return compact(start, settings, sums, std::move(stop), observer);
+  };
+  Daemon daemon{on_free_port(3), engine};
+  Wire wire{daemon.port()};
+  Wire lines{daemon.port()};
+  for (int motion = 1; motion <= 3; ++motion) {
+    const std::string id = open_marker(wire, kSmallMarker);
+    lines.send(call(motion, "motion.compact", id_params(id)) + "\n");
+    gate.await_arrivals(motion);
+  }
+  gate.open();
+  for (int motion = 1; motion <= 3; ++motion) EXPECT_EQ(result_of(lines.line().value_or(""))["revision"], 2);
 }
 
 TEST(Daemon, DescribesEveryMethodThatItHas) {

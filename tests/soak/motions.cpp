@@ -99,7 +99,9 @@ Result<Answer> refinement(const Marker& start, const Occasion& on) {
 
 Result<Answer> exchanging(const Marker& start, const Occasion& on) {
   std::mt19937 random{static_cast<std::uint32_t>(on.random.below(1000))};
-  auto done = exchange(start, random_settings(on.random), random, on.sums, on.stop);
+  const auto drawn = draw_exchange(start, random);
+  const CompactionSettings settings = random_settings(on.random);
+  auto done = drawn ? exchange(*drawn, settings, on.sums, on.stop) : Exchanged{};
   const Leave leave{.longest = kAnyLength, .turns = true};
   return Answer{.marker = done.marker ? std::move(*done.marker) : start, .leave = leave};
 }

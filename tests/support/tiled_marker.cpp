@@ -39,7 +39,7 @@ Marker tiled(const Marker& marker, std::size_t pieces) {
   for (Coord tile = 0; tiles.pieces.size() < pieces; ++tile) {
     for (std::size_t k = 0; k < order.size() && tiles.pieces.size() < pieces; ++k) {
       Piece piece = marker.pieces[order[k]];
-      piece.at.x += tile * placed.length();
+      piece.at.x += tile * (placed.length() + placed.widest_spacing());
       piece.id += "@" + std::to_string(tile);
       if (!piece.group.empty()) piece.group += "@" + std::to_string(tile);
       tiles.pieces.push_back(std::move(piece));

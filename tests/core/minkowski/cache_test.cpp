@@ -138,6 +138,43 @@ TEST(Cache, AnswersDoNotDependOnWhatItHolds) {
   EXPECT_LE(small.counts().bytes, 100'000U);
 }
 
+// Many at once are what they are one by one, and the cache is the same for it; a sum asked for twice is made once.
+TEST(Cache, AnswersManyAtOnceAsOneByOne) {
+  Random random{146};
+  std::vector<OrientedOutline> pieces;
+  for (int k = 0; k < 12; ++k) {
+    const auto outline = make_outline(random_polygon(random, 100'000));
+    pieces.push_back({outline, random.symmetry()});
+    pieces.push_back({outline, random.symmetry()});
+  }
+  std::vector<OutlinePair> pairs;
+  for (int k = 0; k < 300; ++k) {
+    const OrientedOutline& p = pieces[random.below(pieces.size())];
+    pairs.emplace_back(&p, &pieces[random.below(pieces.size())]);
+  }
+  SumCache one_by_one;
+  SumCache at_once;
+  for (const std::size_t known : {0U, 40U, 300U}) {
+    const std::span<const OutlinePair> asked = std::span{pairs}.first(known);
+    (void)at_once.obstacles(asked, alone());
+    const auto found = at_once.obstacles(pairs, alone());
+    ASSERT_EQ(found.size(), pairs.size());
+    for (const auto& [p, q] : asked) (void)one_by_one.obstacle(*p, *q);
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      ASSERT_EQ(edges_of(found[k]), edges_of(one_by_one.obstacle(*pairs[k].first, *pairs[k].second)));
+    }
+    EXPECT_EQ(at_once.counts().hits, one_by_one.counts().hits);
+    EXPECT_EQ(at_once.counts().misses, one_by_one.counts().misses);
+    EXPECT_EQ(at_once.counts().entries, one_by_one.counts().entries);
+    EXPECT_EQ(at_once.counts().bytes, one_by_one.counts().bytes);
+  }
+  SumCache none{0};
+  const auto found = none.obstacles(pairs, alone());
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    ASSERT_EQ(edges_of(found[k]), edges_of(one_by_one.obstacle(*pairs[k].first, *pairs[k].second)));
+  }
+}
+
 // q at r overlaps p at 0 exactly when r lies inside the obstacle: in every pair of orientations.
 TEST(Obstacle, TellsOverlapInEveryOrientation) {
   Random random{143};
