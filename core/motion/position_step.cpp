@@ -7,6 +7,7 @@
 
 #include "core/marker/validity.h"
 #include "core/model/snap.h"
+#include "core/motion/obstacles.h"
 
 namespace selvage {
 namespace {
@@ -26,6 +27,7 @@ class Attempt {
         goal_{goal},
         settings_{settings},
         observer_{observer},
+        obstacles_{scene, settings.simplification},
         trust_{settings.trust * static_cast<double>(scene.marker.strip.width)},
         reached_{scene.ties},
         within_trust_{pairs_within(scene.pieces, std::llround(trust_) + scene.pieces.widest_spacing())} {
@@ -80,7 +82,7 @@ class Attempt {
       if (!reached_.holds_any(pair) || reached_.ties().joined(pair.first, pair.second)) continue;
       if (!modelled_.insert(pair).second) continue;
       near_.push_back(pair);
-      obstacles_.push_back(scene_.obstacle(pair));
+      of_near_.push_back(obstacles_.of(pair));
     }
     return known;
   }
@@ -112,7 +114,7 @@ class Attempt {
     }
   }
   void append_near_rows(std::size_t from) {
-    for (std::size_t k = from; k < near_.size(); ++k) append_rows(near_[k], obstacles_[k], reach());
+    for (std::size_t k = from; k < near_.size(); ++k) append_rows(near_[k], of_near_[k], reach());
   }
   // What would have entered only when a solution broke it.
   void append_all_others() {
@@ -247,7 +249,7 @@ class Attempt {
       if (held()) {
         add_limits(near_[k], by);
         any = true;
-      } else if (add_broken(near_[k], obstacles_[k], by, far)) {
+      } else if (add_broken(near_[k], of_near_[k], by, far)) {
         any = true;
       }
     }
@@ -335,7 +337,7 @@ class Attempt {
   // The rows of a pair that was not near.  False when it is modelled already.
   bool append_far(PiecePair pair) {
     if (!modelled_.insert(pair).second) return false;
-    append_rows(pair, scene_.obstacle(pair), static_cast<double>(kLatticeLimit));
+    append_rows(pair, obstacles_.of(pair), static_cast<double>(kLatticeLimit));
     return true;
   }
 
@@ -349,11 +351,12 @@ class Attempt {
   const Goal& goal_;
   const StepSettings& settings_;
   const Observer& observer_;
+  Obstacles obstacles_;
   double trust_;
   Reached reached_;
   std::vector<PiecePair> within_trust_;
-  std::vector<PiecePair> near_;      // of these, those that can move against each other
-  std::vector<Obstacle> obstacles_;  // and their obstacles
+  std::vector<PiecePair> near_;    // of these, those that can move against each other
+  std::vector<Obstacle> of_near_;  // and their obstacles
   TightRows tight_{TightRows::kRestore};
   std::vector<PairRow> rows_;
   std::vector<std::pair<int, std::size_t>> row_of_;  // of the program, and its place in rows_
