@@ -48,7 +48,7 @@ class Refiner {
   void run() {
     best_.rounds = 0;
     attempted();
-    if (settings_.other_ways) try_other_ways();
+    try_other_ways();
     try_exchanges();
     if (settings_.tilts) try_tilts();
     best_.reason = stop_.stop_requested() ? StopReason::kCancelled : StopReason::kWorkLimit;
@@ -62,9 +62,11 @@ class Refiner {
   }
 
   void try_other_ways() {
-    for (const CompactionSettings& other : other_settings()) {
+    const auto others = other_settings();
+    const int count = std::clamp(settings_.other_ways, 0, static_cast<int>(others.size()));
+    for (int k = 0; k < count; ++k) {
       if (stop_.stop_requested()) return;
-      auto compaction = compact(start_, other, sums_, stop_, stages_);
+      auto compaction = compact(start_, others[static_cast<std::size_t>(k)], sums_, stop_, stages_);
       if (!compaction) continue;
       best_.programs += compaction->programs;
       if (compaction->length_after < best_.length_after) {
@@ -119,7 +121,7 @@ class Refiner {
 }  // namespace
 
 RefineSettings refine_settings() {
-  return {.other_ways = true, .effort = 60'000, .tilts = true, .seed = 1};
+  return {.other_ways = 4, .effort = 60'000, .tilts = true, .seed = 1};
 }
 
 Result<Compaction> refine(const Marker& start, const RefineSettings& settings, SumCache& sums, std::stop_token stop,
