@@ -794,6 +794,8 @@ export interface Methods {
       accuracy?: Accuracy;
       /** At most this many, 0 to 100,000. */
       rounds?: number;
+      /** Outlines that are farther apart than this part of the strip's width are modelled by simpler ones that hold them, 0 to 1; 0 when absent. */
+      simplification?: number;
       /** Refuse when the marker is at another revision. */
       baseRev?: number;
       /** False: answer, but leave the marker as it is. */
@@ -851,6 +853,8 @@ export interface Methods {
       accuracy?: Accuracy;
       /** At most this many, 0 to 100,000. */
       rounds?: number;
+      /** Outlines that are farther apart than this part of the strip's width are modelled by simpler ones that hold them, 0 to 1; 0 when absent. */
+      simplification?: number;
       /** Refuse when the marker is at another revision. */
       baseRev?: number;
       /** False: answer, but leave the marker as it is. */
@@ -910,6 +914,8 @@ export interface Methods {
       accuracy?: Accuracy;
       /** At most this many, 0 to 100,000. */
       rounds?: number;
+      /** Outlines that are farther apart than this part of the strip's width are modelled by simpler ones that hold them, 0 to 1; 0 when absent. */
+      simplification?: number;
       /** Refuse when the marker is at another revision. */
       baseRev?: number;
       /** False: answer, but leave the marker as it is. */
@@ -1239,6 +1245,8 @@ export interface Methods {
       accuracy?: Accuracy;
       /** At most this many, 0 to 100,000. */
       rounds?: number;
+      /** Outlines that are farther apart than this part of the strip's width are modelled by simpler ones that hold them, 0 to 1; 0 when absent. */
+      simplification?: number;
       /** Refuse when the marker is at another revision. */
       baseRev?: number;
       /** False: answer, but leave the marker as it is. */
@@ -1310,6 +1318,8 @@ export interface Methods {
       accuracy?: Accuracy;
       /** At most this many, 0 to 100,000. */
       rounds?: number;
+      /** Outlines that are farther apart than this part of the strip's width are modelled by simpler ones that hold them, 0 to 1; 0 when absent. */
+      simplification?: number;
       /** Refuse when the marker is at another revision. */
       baseRev?: number;
       /** False: answer, but leave the marker as it is. */
