@@ -25,7 +25,7 @@ CompactionSettings compaction_settings(Accuracy accuracy) {
     case Accuracy::kDraft:
       return {.rounds = 2,
               .least_gain = 0.05,
-              .trust = 0.15,
+              .trust = 0.1,
               .gravity = 0.003,
               .region = RegionRule::kGreedy,
               .solver = SolverChoice::kAutomatic};
