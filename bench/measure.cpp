@@ -1,8 +1,9 @@
-// Time against length for every knob of compaction, the anytime curve, what each motion models, and how time grows:
-// comma-separated lines that bench/measure.py makes tables and pictures of.  Times are the processor's, milliseconds,
-// nothing in the cache of sums.  And what a second core brings: a table, times by the clock on the wall.
+// Time against length for every knob, simplification of digitised outlines, the anytime curve, what each motion models,
+// and how time grows: comma-separated lines that bench/measure.py makes tables and pictures of.  Times are the
+// processor's, milliseconds, nothing in the cache of sums unless it says warm.  And what a second core brings: a table,
+// times by the clock on the wall.
 //
-// usage: measure knobs|anytime|scene|growth|cores MARKER...
+// usage: measure knobs|digitised|anytime|scene|growth|cores MARKER...
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -19,6 +20,7 @@
 #include <stop_token>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "core/marker/validity.h"
@@ -26,6 +28,7 @@
 #include "core/motion/tilt.h"
 #include "protocol/formats/format.h"
 #include "server/crew/thread_crew.h"
+#include "tests/support/digitised.h"
 #include "tests/support/one_round.h"
 #include "tests/support/tiled_marker.h"
 
@@ -33,7 +36,7 @@ namespace selvage {
 namespace {
 
 constexpr int kRepetitions = 3;  // the median is told
-constexpr double kLong = 1500;   // milliseconds: what takes longer is run once
+constexpr double kLong = 500;    // milliseconds: what takes longer is run once
 
 Marker marker_in(const std::string& path) {
   std::ifstream in{path};
@@ -69,6 +72,9 @@ double median_time(const Run& run) {
   return times[times.size() / 2];
 }
 
+// Of outlines, as parts of the strip's width.
+constexpr std::array kSimplifications{"0", "0.0001", "0.0002", "0.0005", "0.001", "0.002", "0.005"};
+
 struct Variant {
   std::string knob, value;
   CompactionSettings settings;
@@ -94,6 +100,9 @@ std::vector<Variant> variants() {
   for (const char* gravity : {"0", "0.0003", "0.003", "0.03", "0.3"}) {
     vary("gravity", gravity, [&](auto& s) { s.gravity = std::stod(gravity); });
   }
+  for (const char* part : kSimplifications) {
+    vary("simplification", part, [&](auto& s) { s.simplification = std::stod(part); });
+  }
   vary("region", "greedy", [](auto& s) { s.region = RegionRule::kGreedy; });
   vary("region", "walk", [](auto& s) { s.region = RegionRule::kWalk; });
   vary("solver", "automatic", [](auto& s) { s.solver = SolverChoice::kAutomatic; });
@@ -104,32 +113,121 @@ std::vector<Variant> variants() {
   return all;
 }
 
-void told(const std::string& name, const std::string& knob, const std::string& value, double time,
-          const Compaction& done) {
-  const double ratio = static_cast<double>(done.length_after) / static_cast<double>(done.length_before);
-  std::cout << name << ',' << knob << ',' << value << ',' << time << ',' << ratio << ',' << done.programs << ','
-            << (is_valid(done.marker) ? "valid" : "INVALID") << std::endl;
+template <class Done>
+double ratio_of(const Done& done) {
+  return static_cast<double>(done.length_after) / static_cast<double>(done.length_before);
+}
+void told(const std::string& name, const std::string& knob, const std::string& value, double time, double ratio,
+          int programs, bool valid) {
+  std::cout << name << ',' << knob << ',' << value << ',' << time << ',' << ratio << ',' << programs << ','
+            << (valid ? "valid" : "INVALID") << std::endl;
+}
+// Measures what `run(sums)` takes, and tells what it comes to.
+template <class Run>
+void measured(const std::string& name, const std::string& knob, const std::string& value, const Run& run) {
+  decltype(run(std::declval<SumCache&>())) done;
+  const double time = median_time([&] {
+    SumCache sums;
+    done = run(sums);
+  });
+  told(name, knob, value, time, ratio_of(done), done.programs, is_valid(done.marker));
+}
+
+bool may_tilt(const Marker& marker) {
+  return std::any_of(marker.shapes.begin(), marker.shapes.end(),
+                     [](const Shape& shape) { return shape.tilt_limit.degrees > 0; });
+}
+void knobs_of_tilts(const std::string& name, const Marker& marker) {
+  for (const char* degrees : {"0.25", "0.5", "1", "2", "3"}) {
+    TiltSettings settings = tilt_settings(TiltMethod::kLinearisation, Accuracy::kStandard);
+    settings.step = Angle::of_degrees(std::stod(degrees));
+    measured(name, "tilt step", degrees, [&](SumCache& sums) { return *tilt(marker, settings, sums); });
+  }
+  for (const char* tilts : {"3", "7", "13", "25", "49"}) {
+    TiltSettings settings = tilt_settings(TiltMethod::kRelaxation, Accuracy::kStandard);
+    settings.tilts = std::stoi(tilts);
+    measured(name, "tilts", tilts, [&](SumCache& sums) { return *tilt(marker, settings, sums); });
+  }
+}
+
+// Of refinement without tilts: how many other ways it goes, how many exchanges it tries, and from how many seeds, the
+// best kept; and the presets that are refinement.
+void knobs_of_starts(const std::string& name, const Marker& marker) {
+  const auto refined = [&](const RefineSettings& settings) {
+    return [&marker, settings](SumCache& sums) { return *refine(marker, settings, sums); };
+  };
+  RefineSettings settings = refine_settings();
+  settings.tilts = false;
+  settings.effort = 0;
+  for (const char* ways : {"0", "1", "2", "3", "4"}) {
+    settings.other_ways = std::stoi(ways);
+    measured(name, "other ways", ways, refined(settings));
+  }
+  for (const char* effort : {"0", "4000", "15000", "120000"}) {
+    settings.effort = std::stoull(effort);
+    measured(name, "exchanges", effort, refined(settings));
+  }
+  settings.effort = refine_settings().effort;
+  double time = 0;
+  double best = 2;
+  int programs = 0;
+  bool valid = true;
+  for (settings.seed = 1; settings.seed <= 3; ++settings.seed) {
+    const double start = own_time();
+    SumCache sums;
+    const Compaction done = refined(settings)(sums);
+    time += own_time() - start;
+    best = std::min(best, ratio_of(done));
+    programs += done.programs;
+    valid = valid && is_valid(done.marker);
+    told(name, "seeds", std::to_string(settings.seed), time, best, programs, valid);
+    if (settings.seed > 1) continue;
+    told(name, "exchanges", std::to_string(settings.effort), time, best, programs, valid);
+    told(name, "accuracy", "fine without tilts", time, best, programs, valid);
+    if (!may_tilt(marker)) told(name, "accuracy", "fine", time, best, programs, valid);
+  }
+  if (may_tilt(marker)) measured(name, "accuracy", "fine", refined(refine_settings()));
 }
 
 void knobs(const std::vector<std::string>& paths) {
   std::cout << "marker,knob,value,ms,ratio,programs,valid\n" << std::fixed;
   for (const std::string& path : paths) {
+    const std::string name = name_of(path);
     const Marker marker = marker_in(path);
-    Compaction done;
     for (const Variant& variant : variants()) {
-      const double time = median_time([&] {
-        SumCache sums;
-        done = *compact(marker, variant.settings, sums);
-      });
-      told(name_of(path), variant.knob, variant.value, time, done);
+      measured(name, variant.knob, variant.value,
+               [&](SumCache& sums) { return *compact(marker, variant.settings, sums); });
     }
-    for (const bool tilts : {false, true}) {
-      RefineSettings settings = refine_settings();
-      settings.tilts = tilts;
-      const double start = own_time();
-      SumCache sums;
-      done = *refine(marker, settings, sums);
-      told(name_of(path), "accuracy", tilts ? "fine" : "fine without tilts", own_time() - start, done);
+    knobs_of_starts(name, marker);
+    if (may_tilt(marker)) knobs_of_tilts(name, marker);
+  }
+}
+
+// Simplification where pieces have many vertices, with an empty cache of sums and with one that holds all of them.
+void digitised(const std::vector<std::string>& paths) {
+  std::cout << "marker,pitch,vertices,simplification,cold,warm,sums,ratio,valid\n" << std::fixed;
+  for (const std::string& path : paths) {
+    const Marker drawn = marker_in(path);
+    for (const Coord pitch : {Coord{1}, Coord{100}, Coord{200}, Coord{400}}) {
+      const Coord width = drawn.strip.width;
+      const Marker marker = pitch == 1 ? drawn : test::digitised(drawn, width / pitch, width / 10'000);
+      std::size_t vertices = 0;
+      for (const Shape& shape : marker.shapes) vertices += shape.outline.size();
+      for (const char* part : kSimplifications) {
+        CompactionSettings settings = compaction_settings(Accuracy::kStandard);
+        settings.simplification = std::stod(part);
+        Compaction done;
+        SumCache full;
+        const double cold = median_time([&] {
+          SumCache sums;
+          done = *compact(marker, settings, sums);
+        });
+        done = *compact(marker, settings, full);
+        const double warm = median_time([&] { done = *compact(marker, settings, full); });
+        std::cout << name_of(path) << ',' << pitch << ',' << vertices / marker.shapes.size() << ',' << part << ','
+                  << cold << ',' << warm << ',' << full.counts().entries << ',' << ratio_of(done) << ','
+                  << (is_valid(done.marker) ? "valid" : "INVALID") << std::endl;
+      }
     }
   }
 }
@@ -162,7 +260,8 @@ void anytime(const std::vector<std::string>& paths) {
         const WorkDeadline limit{static_cast<double>(deadline)};
         const Compaction done = fine ? *refine(marker, refine_settings(), sums, limit.token())
                                      : *compact(marker, compaction_settings(Accuracy::kStandard), sums, limit.token());
-        told(name_of(path), fine ? "fine" : "standard", std::to_string(deadline), own_time() - start, done);
+        told(name_of(path), fine ? "fine" : "standard", std::to_string(deadline), own_time() - start, ratio_of(done),
+             done.programs, is_valid(done.marker));
       }
     }
   }
@@ -209,9 +308,8 @@ void growth(const std::vector<std::string>& paths) {
       getrusage(RUSAGE_SELF, &usage);
       std::cout << name_of(path) << ',' << pieces << ',' << last - start;
       for (const double stage : stages) std::cout << ',' << stage;
-      std::cout << ',' << done->programs << ','
-                << static_cast<double>(done->length_after) / static_cast<double>(done->length_before) << ','
-                << usage.ru_maxrss / 1024 << ',' << (is_valid(done->marker) ? "valid" : "INVALID") << std::endl;
+      std::cout << ',' << done->programs << ',' << ratio_of(*done) << ',' << usage.ru_maxrss / 1024 << ','
+                << (is_valid(done->marker) ? "valid" : "INVALID") << std::endl;
     }
   }
 }
@@ -313,6 +411,8 @@ int main(int argc, char** argv) {
   const std::vector<std::string> paths(argv + std::min(argc, 2), argv + argc);
   if (what == "knobs") {
     selvage::knobs(paths);
+  } else if (what == "digitised") {
+    selvage::digitised(paths);
   } else if (what == "anytime") {
     selvage::anytime(paths);
   } else if (what == "scene") {
@@ -322,7 +422,7 @@ int main(int argc, char** argv) {
   } else if (what == "cores") {
     selvage::cores(paths);
   } else {
-    std::cerr << "usage: measure knobs|anytime|scene|growth|cores MARKER...\n";
+    std::cerr << "usage: measure knobs|digitised|anytime|scene|growth|cores MARKER...\n";
     return 2;
   }
 }

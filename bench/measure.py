@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Tables and pictures of what the measuring program (bench/measure.cpp) counts.
 
-usage: measure.py --program build/release/bin/measure --out docs [--kept FOLDER] MARKER...
+usage: measure.py --program build/release/bin/measure --out docs --kept FOLDER [--records RECORD...] --garments MARKER...
 
-Writes the tables into FOLDER as Markdown (knobs.md, anytime.md, scene.md, growth.md) beside the lines they come from, and
-the pictures into docs/pictures.  With lines kept from an earlier run, measures only what is missing.
+Writes the tables into FOLDER as Markdown (presets.md, fronts.md, knobs.md, digitised.md, anytime.md, scene.md, growth.md)
+beside the lines they come from, and the pictures into docs/pictures.  With lines kept from an earlier run, measures only what is missing.
 """
 import argparse
 import csv
@@ -21,12 +21,14 @@ matplotlib.rcParams["svg.hashsalt"] = "selvage"
 from matplotlib import pyplot  # noqa: E402
 
 
-def lines_of(arguments, what, markers):
-    kept = arguments.kept / f"{what}.csv"
+def lines_of(arguments, what, markers, name=None):
+    kept = arguments.kept / f"{name or what}.csv"
     if not kept.exists():
         done = subprocess.run([arguments.program, what, *markers], check=True, capture_output=True, text=True)
         kept.write_text(done.stdout)
-    return list(csv.DictReader(io.StringIO(kept.read_text())))
+    rows = list(csv.DictReader(io.StringIO(kept.read_text())))
+    assert all(row.get("valid", "valid") == "valid" for row in rows)
+    return rows
 
 
 def table(head, rows):
@@ -40,43 +42,131 @@ def save(figure, path):
     pyplot.close(figure)
 
 
-def knobs(arguments, rows):
-    """Of every knob's value: time and length beside standard's, the geometric mean over the markers."""
-    assert all(row["valid"] == "valid" for row in rows)
+PRESETS = ["draft", "standard", "fine without tilts", "fine"]
+TIME_NOISE, LENGTH_NOISE = 0.1, 1e-5  # parts by which two settings must differ to be told apart
+TOGETHER = "all"
+
+
+def beside_standard(rows):
+    """Of every setting, (time, length) beside standard's: by marker, and the geometric mean over all of them."""
     standard = {r["marker"]: r for r in rows if (r["knob"], r["value"]) == ("accuracy", "standard")}
     points = {}
     for row in rows:
         base = standard[row["marker"]]
         pair = (float(row["ms"]) / float(base["ms"]), float(row["ratio"]) / float(base["ratio"]))
-        points.setdefault(row["knob"], {}).setdefault(row["value"], []).append(pair)
-    mean = {k: {v: [statistics.geometric_mean(axis) for axis in zip(*pairs)] for v, pairs in values.items()}
-            for k, values in points.items()}
-    body = [[k, v, f"{time:.2f}", f"{100 * (length - 1):+.4f} %", f"{100 * (max(p[1] for p in points[k][v]) - 1):+.4f} %"]
-            for k, values in mean.items() for v, (time, length) in values.items()]
-    (arguments.kept / "knobs.md").write_text(
-        table(["knob", "value", "time / standard", "length beside standard", "worst marker"], body))
-    names = [k for k in mean if k != "accuracy"]
-    figure, axes = pyplot.subplots(2, math.ceil(len(names) / 2), figsize=(12, 7))
+        points.setdefault((row["knob"], row["value"]), {})[row["marker"]] = pair
+    for of_marker in points.values():
+        # Of a setting that not every marker has there is no mean to be compared.
+        if len(of_marker) == len(standard):
+            of_marker[TOGETHER] = tuple(map(statistics.geometric_mean, zip(*of_marker.values())))
+    return points
+
+
+def better(one, other):
+    """True when one setting is faster and no longer, or shorter and no slower, beyond noise."""
+    faster = one[0] < other[0] * (1 - TIME_NOISE) and one[1] <= other[1] + LENGTH_NOISE / 10
+    shorter = one[1] < other[1] - LENGTH_NOISE and one[0] <= other[0]
+    return faster or shorter
+
+
+def rivals(points, preset, marker):
+    """The settings that leave a preset behind the front, worst for it first."""
+    own = points["accuracy", preset][marker]
+    found = [(p[marker][0] / own[0], f"{k} {v}") for (k, v), p in points.items()
+             if k != "accuracy" and marker in p and better(p[marker], own)]
+    return [name for _, name in sorted(found)]
+
+
+def fronts(arguments, sets):
+    """Which presets lie on the front of all that was measured: on the mean of each set, and on the longest marker."""
+    columns = [(f"{name}, mean", points, TOGETHER) for name, points in sets.items()]
+    longest = "jeans_22g"
+    columns += [(longest, points, longest) for points in sets.values() if longest in points["accuracy", "standard"]]
+    body = []
+    for preset in PRESETS:
+        found = [rivals(points, preset, marker) for _, points, marker in columns]
+        body.append([preset] + ["on the front" if not f else "behind " + ", ".join(f[:3]) for f in found])
+    (arguments.kept / "fronts.md").write_text(table(["preset", *(name for name, _, _ in columns)], body))
+
+
+def percent(length):
+    return f"{100 * (length - 1):+.4f} %"
+
+
+def knobs(arguments, sets):
+    """Of every knob's value: time and length beside standard's, the geometric mean over each set of markers."""
+    of_set = {name: beside_standard(rows) for name, rows in sets.items()}
+    settings = dict.fromkeys(key for points in of_set.values() for key in points)
+    head = ["knob", "value"]
+    for name in sets:
+        head += [f"{name}: time / standard", "length beside standard", "worst marker"]
+    body = []
+    for key in settings:
+        cells = []
+        for points in of_set.values():
+            own = points.get(key, {})
+            if TOGETHER in own:
+                time, length = own[TOGETHER]
+                cells += [f"{time:.2f}", percent(length), percent(max(p[1] for p in own.values()))]
+            else:
+                cells += ["", "", ""]
+        body.append([*key, *cells])
+    (arguments.kept / "knobs.md").write_text(table(head, body))
+    names = [k for k in dict.fromkeys(k for k, _ in settings) if k != "accuracy"]
+    figure, axes = pyplot.subplots(3, math.ceil(len(names) / 3), figsize=(16, 10))
     for axis, knob in zip(axes.flat, names):
-        times, lengths = zip(*mean[knob].values())
-        axis.plot(times, [100 * (x - 1) for x in lengths], "o-", linewidth=0.7)
-        for value, (time, length) in mean[knob].items():
-            axis.annotate(value, (time, 100 * (length - 1)), fontsize=8)
+        for (name, points), line in zip(of_set.items(), ("o-", "s--")):
+            own = [(v, p[TOGETHER]) for (k, v), p in points.items() if k == knob and TOGETHER in p]
+            if not own:
+                continue
+            axis.plot([p[0] for _, p in own], [100 * (p[1] - 1) for _, p in own], line, linewidth=0.7, label=name)
+            for value, (time, length) in own:
+                axis.annotate(value, (time, 100 * (length - 1)), fontsize=7)
         axis.set(title=knob, xscale="log", xlabel="time / standard", ylabel="length beside standard, %")
+        axis.legend(fontsize=7)
+    for axis in axes.flat[len(names):]:
+        axis.remove()
     save(figure, arguments.out / "pictures" / "trade-knobs.svg")
-    presets = ["draft", "standard", "fine without tilts", "fine"]
-    markers = list(standard)
-    at = {(r["marker"], r["value"]): r for r in rows if r["knob"] == "accuracy"}
-    body = [[m] + [f"{float(at[m, p]['ms']):.1f} ms, {float(at[m, p]['ratio']):.6f}" for p in presets]
-            + [f"{100 * (float(at[m, 'draft']['ratio']) / float(at[m, 'standard']['ratio']) - 1):+.3f} %",
-               f"{100 * (float(at[m, 'fine']['ratio']) / float(at[m, 'standard']['ratio']) - 1):+.3f} %"]
-            for m in markers]
+    front_picture(arguments, of_set)
+    fronts(arguments, of_set)
+    body = []
+    for rows in sets.values():
+        at = {(r["marker"], r["value"]): r for r in rows if r["knob"] == "accuracy"}
+        for m in dict.fromkeys(r["marker"] for r in rows):
+            body.append([m] + [f"{float(at[m, p]['ms']):.1f} ms, {float(at[m, p]['ratio']):.6f}" for p in PRESETS]
+                        + [f"{100 * (float(at[m, p]['ratio']) / float(at[m, 'standard']['ratio']) - 1):+.3f} %"
+                           for p in ("draft", "fine")])
     (arguments.kept / "presets.md").write_text(
-        table(["marker", *presets, "draft beside standard", "fine beside standard"], body))
+        table(["marker", *PRESETS, "draft beside standard", "fine beside standard"], body))
+
+
+def front_picture(arguments, of_set):
+    """Every setting that was measured, and where the presets lie among them."""
+    figure, axes = pyplot.subplots(1, len(of_set), figsize=(6.5 * len(of_set), 4.8), squeeze=False)
+    for axis, (name, points) in zip(axes.flat, of_set.items()):
+        mean = {key: p[TOGETHER] for key, p in points.items() if TOGETHER in p}
+        for marks, chosen in (("o", False), ("*", True)):
+            own = [(v, p) for (k, v), p in mean.items() if (k == "accuracy") == chosen]
+            axis.plot([p[0] for _, p in own], [100 * (p[1] - 1) for _, p in own], marks, markersize=10 if chosen else 3)
+            for value, (time, length) in own if chosen else []:
+                axis.annotate(value, (time, 100 * (length - 1)))
+        axis.set(title=name, xscale="log", xlabel="time / standard", ylabel="length beside standard, %")
+    save(figure, arguments.out / "pictures" / "trade-front.svg")
+
+
+def digitised(arguments, rows):
+    """What simplification brings where pieces have many vertices, beside none."""
+    body = []
+    for row in rows:
+        base = next(r for r in rows if (r["marker"], r["pitch"], r["simplification"]) == (row["marker"], row["pitch"], "0"))
+        part = lambda key: f"{float(row[key]):.1f} ms ({float(row[key]) / float(base[key]):.2f})"
+        body.append([row["marker"], row["vertices"], row["simplification"], part("cold"), part("warm"), row["sums"],
+                     percent(float(row["ratio"]) / float(base["ratio"]))])
+    (arguments.kept / "digitised.md").write_text(
+        table(["marker", "vertices a shape", "simplification", "cold", "warm", "sums", "length beside none"], body))
 
 
 def anytime(arguments, rows):
-    assert all(row["valid"] == "valid" for row in rows)
     figure, axis = pyplot.subplots(figsize=(7, 4.5))
     for accuracy in ("standard", "fine"):
         own = [r for r in rows if r["accuracy"] == accuracy]
@@ -97,7 +187,6 @@ def exponent(rows, key):
 
 
 def growth(arguments, rows):
-    assert all(row["valid"] == "valid" for row in rows)
     stages = ["ms", "sums", "rows", "solve", "verify"]
     figure, axes = pyplot.subplots(1, 2, figsize=(11, 4.5), squeeze=False)
     body = []
@@ -129,15 +218,20 @@ def main():
     parser.add_argument("--program", required=True)
     parser.add_argument("--out", type=pathlib.Path, required=True)
     parser.add_argument("--kept", type=pathlib.Path, required=True)
-    parser.add_argument("markers", nargs="+")
+    parser.add_argument("--garments", nargs="+", required=True)
+    parser.add_argument("--records", nargs="*", default=[])
     arguments = parser.parse_args()
     arguments.kept.mkdir(parents=True, exist_ok=True)
-    named = {pathlib.Path(m).stem: m for m in arguments.markers}
-    knobs(arguments, lines_of(arguments, "knobs", arguments.markers))
+    named = {pathlib.Path(m).stem: m for m in arguments.garments}
+    sets = {"garments": lines_of(arguments, "knobs", arguments.garments)}
+    if arguments.records:
+        sets["records"] = lines_of(arguments, "knobs", arguments.records, "knobs-records")
+    knobs(arguments, sets)
+    digitised(arguments, lines_of(arguments, "digitised", [named["jeans_06g"], named["simon_06g"]]))
     anytime(arguments, lines_of(arguments, "anytime", [named["jeans_22g"]]))
     scene(arguments, lines_of(arguments, "scene", [named["jeans_06g"]]))
     growth(arguments, lines_of(arguments, "growth", [named["jeans_02g"], named["jeans_06g"]]))
-    for name in ("presets", "knobs", "anytime", "scene", "growth"):
+    for name in ("presets", "fronts", "knobs", "digitised", "anytime", "scene", "growth"):
         print((arguments.kept / f"{name}.md").read_text())
 
 

@@ -11,11 +11,13 @@ struct CompactOptions {
   MarkerFiles files;
   std::string accuracy{"standard"};
   std::optional<int> rounds;
+  std::optional<double> simplification;
   bool json{};
 
   [[nodiscard]] Json params() const {
     Json params{{"accuracy", accuracy}};
     if (rounds) params["rounds"] = *rounds;
+    if (simplification) params["simplification"] = *simplification;
     return params;
   }
 };
@@ -31,6 +33,10 @@ void add_compact_command(CLI::App& app, ExitCode& code) {
       ->check(CLI::IsMember({"draft", "standard", "fine"}))
       ->capture_default_str();
   command->add_option("--rounds", options->rounds, "At most this many rounds")->check(CLI::Range(0, kMaxRounds));
+  command
+      ->add_option("--simplification", options->simplification,
+                   "Model outlines that are farther apart than this part of the width by simpler ones that hold them")
+      ->check(CLI::Range(0.0, kMostSimplification));
   add_motion(*command, options, "motion.compact", code);
 }
 

@@ -1,8 +1,11 @@
 #include "core/minkowski/cache.h"
 
 #include <list>
+#include <map>
 #include <mutex>
 #include <unordered_map>
+
+#include "core/geometry/outward.h"
 
 namespace selvage {
 namespace {
@@ -69,7 +72,8 @@ struct SumCache::Store {
   static constexpr std::size_t kOutlines = 100'000;  // all are forgotten when there are more
 
   mutable std::mutex mutex;
-  std::unordered_multimap<std::uint64_t, std::shared_ptr<const Outline>> outlines;  // by hash
+  std::unordered_multimap<std::uint64_t, std::shared_ptr<const Outline>> outlines;                   // by hash
+  std::map<std::pair<std::shared_ptr<const Outline>, Coord>, std::shared_ptr<const Outline>> grown;  // by tolerance
   Entries entries;
   std::unordered_map<Key, Entries::iterator, KeyHash> index;
   CacheCounts counts;
@@ -122,6 +126,19 @@ std::shared_ptr<const Outline> SumCache::outline(const Polygon& polygon) {
   if (store_->outlines.size() >= Store::kOutlines) store_->outlines.clear();
   store_->outlines.emplace(hash, made);
   return made;
+}
+
+std::shared_ptr<const Outline> SumCache::grown(const std::shared_ptr<const Outline>& outline, Coord tolerance) {
+  const std::pair key{outline, tolerance};
+  {
+    const std::lock_guard lock{store_->mutex};
+    if (const auto known = store_->grown.find(key); known != store_->grown.end()) return known->second;
+  }
+  Polygon simplified = simplified_outward(outline->polygon, tolerance);
+  auto made = simplified.size() == outline->polygon.size() ? outline : this->outline(simplified);
+  const std::lock_guard lock{store_->mutex};
+  if (store_->grown.size() >= Store::kOutlines) store_->grown.clear();
+  return store_->grown.emplace(key, std::move(made)).first->second;
 }
 
 SumCache::SumCache(std::size_t limit_bytes) : store_{std::make_unique<Store>()} {

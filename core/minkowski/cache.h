@@ -60,6 +60,10 @@ class SumCache {
   // Finds or makes the outline of a polygon.
   [[nodiscard]] std::shared_ptr<const Outline> outline(const Polygon& polygon);
 
+  // Finds or makes the outline of what simplified_outward (core/geometry/outward.h) makes of the polygon: the very same
+  // one when that is nothing else.
+  [[nodiscard]] std::shared_ptr<const Outline> grown(const std::shared_ptr<const Outline>& outline, Coord tolerance);
+
   // Finds or makes the sum.  The least recently used entries go when the limit is passed; whoever holds one keeps it.
   [[nodiscard]] Obstacle obstacle(const OrientedOutline& p, const OrientedOutline& q);
   // One to each pair.  Sums that are not there yet are made by the crew, each of them once.

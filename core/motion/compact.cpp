@@ -25,7 +25,7 @@ CompactionSettings compaction_settings(Accuracy accuracy) {
     case Accuracy::kDraft:
       return {.rounds = 2,
               .least_gain = 0.05,
-              .trust = 0.15,
+              .trust = 0.1,
               .gravity = 0.003,
               .region = RegionRule::kGreedy,
               .solver = SolverChoice::kAutomatic};
@@ -50,7 +50,8 @@ Progress improve(Scene& scene, const Goal& goal, const CompactionSettings& setti
                  const Observer& observer) {
   Progress progress;
   progress.reason = StopReason::kWorkLimit;
-  StepSettings step_settings{settings.trust, settings.region, settings.solver, settings.extent};
+  StepSettings step_settings{settings.trust, settings.region, settings.solver, settings.extent,
+                             settings.simplification};
   // What is worth another round of a long marker is measured by its length.
   const double widths = static_cast<double>(scene.pieces.length()) / static_cast<double>(scene.marker.strip.width);
   const double least_gain = settings.least_gain * (goal.shorten > 0 ? std::max(1.0, widths / kLongFrom) : 1.0);

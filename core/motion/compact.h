@@ -33,6 +33,8 @@ struct CompactionSettings {
   RegionRule region{};
   SolverChoice solver{};
   Extent extent{Extent::kReached};
+  double simplification{};  // programs are made of outlines grown by up to this part of the width, where pieces are not
+                            // nearer than that (obstacles.h); 0: of their own
   friend bool operator==(const CompactionSettings&, const CompactionSettings&) = default;
 };
 [[nodiscard]] CompactionSettings compaction_settings(Accuracy accuracy);

@@ -9,6 +9,7 @@
 
 #include "core/marker/validity.h"
 #include "core/model/snap.h"
+#include "core/motion/obstacles.h"
 
 namespace selvage {
 namespace {
@@ -29,6 +30,7 @@ class Attempt {
         goal_{goal},
         settings_{settings},
         observer_{observer},
+        obstacles_{scene, settings.simplification},
         trust_{settings.trust * static_cast<double>(scene.marker.strip.width)},
         reached_{scene.ties},
         within_trust_{pairs_within(scene.pieces, std::llround(trust_) + scene.pieces.widest_spacing())} {
@@ -84,8 +86,8 @@ class Attempt {
       if (!modelled_.insert(pair).second) continue;
       near_.push_back(pair);
     }
-    auto obstacles = scene_.obstacles(std::span{near_}.subspan(known), *observer_.crew);
-    std::move(obstacles.begin(), obstacles.end(), std::back_inserter(obstacles_));
+    auto obstacles = obstacles_.of(std::span{near_}.subspan(known), *observer_.crew);
+    std::move(obstacles.begin(), obstacles.end(), std::back_inserter(of_near_));
     return known;
   }
   void model_near() {
@@ -118,7 +120,7 @@ class Attempt {
   void append_near_rows(std::size_t from) {
     const auto rows =
         gathered<PairRow>(*observer_.crew, near_.size() - from, kBlock, [&](std::size_t k, std::vector<PairRow>& out) {
-          append_rows(near_[from + k], obstacles_[from + k], reach(), out);
+          append_rows(near_[from + k], of_near_[from + k], reach(), out);
         });
     rows_.insert(rows_.end(), rows.begin(), rows.end());
   }
@@ -255,7 +257,7 @@ class Attempt {
       if (held()) {
         add_limits(near_[k], by);
         any = true;
-      } else if (add_broken(near_[k], obstacles_[k], by, far)) {
+      } else if (add_broken(near_[k], of_near_[k], by, far)) {
         any = true;
       }
     }
@@ -340,7 +342,7 @@ class Attempt {
   // The rows of a pair that was not near.  False when it is modelled already.
   bool append_far(PiecePair pair) {
     if (!modelled_.insert(pair).second) return false;
-    append_rows(pair, scene_.obstacle(pair), static_cast<double>(kLatticeLimit), rows_);
+    append_rows(pair, obstacles_.of(pair), static_cast<double>(kLatticeLimit), rows_);
     return true;
   }
 
@@ -354,11 +356,12 @@ class Attempt {
   const Goal& goal_;
   const StepSettings& settings_;
   const Observer& observer_;
+  Obstacles obstacles_;
   double trust_;
   Reached reached_;
   std::vector<PiecePair> within_trust_;
-  std::vector<PiecePair> near_;      // of these, those that can move against each other
-  std::vector<Obstacle> obstacles_;  // and their obstacles
+  std::vector<PiecePair> near_;    // of these, those that can move against each other
+  std::vector<Obstacle> of_near_;  // and their obstacles
   TightRows tight_{TightRows::kRestore};
   std::vector<PairRow> rows_;
   std::vector<std::pair<int, std::size_t>> row_of_;  // of the program, and its place in rows_

@@ -38,6 +38,7 @@ struct StepSettings {
   RegionRule region{};
   SolverChoice solver{};
   Extent extent{Extent::kReached};
+  double simplification{};  // of outlines that are apart, as a part of the width (obstacles.h)
 };
 
 enum class StepEnd {

@@ -61,7 +61,7 @@ class Refiner {
   void run() {
     best_.rounds = 0;
     attempted();
-    if (settings_.other_ways) try_other_ways();
+    try_other_ways();
     try_exchanges();
     if (settings_.tilts) try_tilts();
     best_.reason = stop_.stop_requested() ? StopReason::kCancelled : StopReason::kWorkLimit;
@@ -76,8 +76,9 @@ class Refiner {
 
   void try_other_ways() {
     const auto others = other_settings();
-    for (std::size_t first = 0; first < others.size() && !stop_.stop_requested();) {
-      const std::size_t count = std::min(at_once(), others.size() - first);
+    const std::size_t wanted = std::min(static_cast<std::size_t>(std::max(0, settings_.other_ways)), others.size());
+    for (std::size_t first = 0; first < wanted && !stop_.stop_requested();) {
+      const std::size_t count = std::min(at_once(), wanted - first);
       std::array<std::optional<Compaction>, std::tuple_size_v<decltype(others)>> found;
       observer_.crew->each(count, [&](std::size_t k) {
         auto compaction = compact(start_, others[first + k], sums_, stop_, count == 1 ? stages_ : Observer{});
@@ -170,7 +171,7 @@ class Refiner {
 }  // namespace
 
 RefineSettings refine_settings() {
-  return {.other_ways = true, .effort = 60'000, .tilts = true, .seed = 1};
+  return {.other_ways = 4, .effort = 60'000, .tilts = true, .seed = 1};
 }
 
 Result<Compaction> refine(const Marker& start, const RefineSettings& settings, SumCache& sums, std::stop_token stop,

@@ -21,7 +21,7 @@
 namespace selvage {
 
 struct RefineSettings {
-  bool other_ways{};       // other region rules, trusts and weights of gravity
+  int other_ways{};        // so many other region rules, trusts and weights of gravity are tried, at most 4
   std::uint64_t effort{};  // exchanges go on until the pieces of all programs they solved are so many
   bool tilts{};            // where shapes allow them
   std::uint32_t seed{};    // of the exchanges

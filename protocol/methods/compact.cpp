@@ -8,10 +8,11 @@ namespace selvage {
 namespace {
 
 Result<Motion> run(const MotionCompact& wanted, const Marker& start, const Means& means) {
-  // A number of rounds asks for the compaction alone.
-  const bool search = wanted.effort.accuracy == Accuracy::kFine && !wanted.effort.rounds;
+  // Whoever says how to go about a compaction asks for that alone.
+  const Effort& effort = wanted.effort;
+  const bool search = effort.accuracy == Accuracy::kFine && !effort.rounds && !effort.simplification;
   auto done = search ? means.engine.refine(start, refine_settings(), means.sums, means.stop, means.observer)
-                     : means.engine.compact(start, settings_of(wanted.effort), means.sums, means.stop, means.observer);
+                     : means.engine.compact(start, settings_of(effort), means.sums, means.stop, means.observer);
   if (!done) return done.error();
   return Motion{std::move(done->marker), rounds_json(done->rounds, done->reason), done->healing};
 }

@@ -44,6 +44,7 @@ std::string_view name_of(StopReason reason) {
 CompactionSettings settings_of(const Effort& effort) {
   CompactionSettings settings = compaction_settings(effort.accuracy);
   settings.rounds = effort.rounds.value_or(settings.rounds);
+  settings.simplification = effort.simplification.value_or(settings.simplification);
   return settings;
 }
 
@@ -70,6 +71,7 @@ Effort read_effort(Fields& fields) {
   effort.accuracy =
       static_cast<Accuracy>(fields.word_or("accuracy", static_cast<std::size_t>(effort.accuracy), kAccuracyNames));
   effort.rounds = read_rounds(fields);
+  effort.simplification = fields.maybe_number("simplification", {0, kMostSimplification});
   return effort;
 }
 

@@ -14,16 +14,18 @@
 namespace selvage {
 
 inline constexpr int kMaxRounds = 100'000;
+inline constexpr double kMostSimplification = 1;
 inline constexpr double kLargestForce = 1e9, kLeastForce = 1e-9;  // of either coordinate; of the larger one
 inline constexpr std::string_view kAccuracyNames[] = {"draft", "standard", "fine"};  // by Accuracy
 inline constexpr std::string_view kStopNames[] = {"converged", "work_limit", "cancelled",
                                                   "solver_failed"};  // by StopReason
 [[nodiscard]] std::string_view name_of(StopReason reason);
 
-// What every motion in rounds takes: {"accuracy"?, "rounds"?}
+// What every motion in rounds takes: {"accuracy"?, "rounds"?, "simplification"?}
 struct Effort {
   Accuracy accuracy{Accuracy::kStandard};
-  std::optional<int> rounds;  // instead of the accuracy's own limit
+  std::optional<int> rounds;             // instead of the accuracy's own limit
+  std::optional<double> simplification;  // instead of the accuracy's own; a part of the strip's width
 };
 [[nodiscard]] CompactionSettings settings_of(const Effort& effort);
 

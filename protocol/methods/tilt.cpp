@@ -29,6 +29,7 @@ Result<MotionTilt> decode_tilt(const Json& params) {
   const auto method = static_cast<TiltMethod>(fields.word_or("method", 0, kMethodNames));
   TiltSettings& settings = wanted.settings = tilt_settings(method, effort.accuracy);
   settings.rounds = effort.rounds.value_or(settings.rounds);
+  settings.compaction.simplification = effort.simplification.value_or(settings.compaction.simplification);
   if (const auto limit = fields.maybe_number("limit", {0, 45})) settings.limit = Angle::of_degrees(*limit);
   settings.shakes = static_cast<int>(fields.maybe_integer("shakes", 0, kMostShakes).value_or(settings.shakes));
   settings.tilts = static_cast<int>(fields.maybe_integer("tilts", 1, kMostTilts).value_or(settings.tilts));

@@ -38,7 +38,10 @@ constexpr std::array<Word, (sizes + ... + 0)> together(const std::array<Word, si
 // What methods in rounds take and answer.
 inline constexpr std::array kRoundsParams{Word{"rounds", "integer", kOptional, "At most this many, 0 to 100,000."}};
 inline constexpr std::array kEffortParams = together(
-    std::array{Word{"accuracy", "Accuracy", kOptional, "How hard to try; standard when absent."}}, kRoundsParams);
+    std::array{Word{"accuracy", "Accuracy", kOptional, "How hard to try; standard when absent."}}, kRoundsParams,
+    std::array{Word{"simplification", "number", kOptional,
+                    "Outlines that are farther apart than this part of the strip's width are modelled by "
+                    "simpler ones that hold them, 0 to 1; 0 when absent."}});
 inline constexpr std::array kStopResults{Word{"stop", "StopReason", kRequired, "Why it ended."}};
 inline constexpr std::array kRoundsResults =
     together(std::array{Word{"rounds", "integer", kRequired, "Rounds that were done."}}, kStopResults);

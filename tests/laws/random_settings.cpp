@@ -10,6 +10,8 @@ CompactionSettings random_settings(Random& random) {
   settings.solver = random.chance(20) ? SolverChoice::kSimplex : SolverChoice::kAutomatic;
   constexpr std::array kTrusts{0.02, 0.1, 1.0};
   settings.trust = kTrusts[random.below(kTrusts.size())];
+  constexpr std::array kSimplifications{0.0, 1e-4, 1e-2};
+  if (random.chance(30)) settings.simplification = kSimplifications[random.below(kSimplifications.size())];
   return settings;
 }
 

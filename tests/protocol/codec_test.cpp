@@ -41,12 +41,13 @@ TEST(Codec, DecodesACompaction) {
   EXPECT_TRUE(plain->call.commit);
   EXPECT_FALSE(plain->call.timing);
   EXPECT_FALSE(plain->call.base_revision);
-  const auto full = decode_motion_compact(
-      json(R"({"markerId":"m1","baseRev":3,"accuracy":"fine","rounds":7,"commit":false,"timing":true})"));
+  const auto full = decode_motion_compact(json(
+      R"({"markerId":"m1","baseRev":3,"accuracy":"fine","rounds":7,"simplification":0.001,"commit":false,"timing":true})"));
   ASSERT_TRUE(full);
   EXPECT_EQ(full->call.base_revision, 3u);
   EXPECT_EQ(full->effort.accuracy, Accuracy::kFine);
   EXPECT_EQ(full->effort.rounds, 7);
+  EXPECT_EQ(full->effort.simplification, 0.001);
   EXPECT_FALSE(full->call.commit);
   EXPECT_TRUE(full->call.timing);
 }

@@ -90,7 +90,7 @@ Result<Answer> velocities(const Marker& start, const Occasion& on) {
 }
 
 Result<Answer> refinement(const Marker& start, const Occasion& on) {
-  const RefineSettings settings{.other_ways = on.random.chance(30),
+  const RefineSettings settings{.other_ways = static_cast<int>(on.random.chance(30) ? on.random.below(5) : 0),
                                 .effort = kLittleEffort,
                                 .tilts = on.random.chance(50),
                                 .seed = static_cast<std::uint32_t>(on.random.below(1000))};

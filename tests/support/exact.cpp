@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace selvage::test {
 namespace {
@@ -109,6 +110,12 @@ Location locate_exactly(Real2 at, const Polygon& polygon) {
 
 bool interiors_meet(const Polygon& p, const Polygon& q) {
   return CGAL::do_intersect(polygon_of(p), polygon_of(q), CGAL::Tag_false{});
+}
+
+bool holds(const Polygon& outer, const Polygon& inner) {
+  std::vector<WithHoles> outside;
+  CGAL::difference(polygon_of(inner), polygon_of(outer), std::back_inserter(outside), CGAL::Tag_false{});
+  return outside.empty();
 }
 
 int compare_distance(const Polygon& p, const Polygon& q, Coord distance) {

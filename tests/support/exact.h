@@ -19,6 +19,8 @@ namespace selvage::test {
 [[nodiscard]] Location locate_exactly(Real2 point, const Polygon& polygon);
 // True when the intersection of the two has an area.
 [[nodiscard]] bool interiors_meet(const Polygon& p, const Polygon& q);
+// True when no part of `inner` that has an area lies outside `outer`.
+[[nodiscard]] bool holds(const Polygon& outer, const Polygon& inner);
 // The sign of (distance of the closed polygons) - distance: -1 nearer, 0 exactly as far, 1 farther.
 // REQUIRES: their interiors do not meet.
 [[nodiscard]] int compare_distance(const Polygon& p, const Polygon& q, Coord distance);

@@ -798,6 +798,8 @@ export interface Methods {
       accuracy?: Accuracy;
       /** At most this many, 0 to 100,000. */
       rounds?: number;
+      /** Outlines that are farther apart than this part of the strip's width are modelled by simpler ones that hold them, 0 to 1; 0 when absent. */
+      simplification?: number;
       /** Refuse when the marker is at another revision. */
       baseRev?: number;
       /** False: answer, but leave the marker as it is. */
@@ -855,6 +857,8 @@ export interface Methods {
       accuracy?: Accuracy;
       /** At most this many, 0 to 100,000. */
       rounds?: number;
+      /** Outlines that are farther apart than this part of the strip's width are modelled by simpler ones that hold them, 0 to 1; 0 when absent. */
+      simplification?: number;
       /** Refuse when the marker is at another revision. */
       baseRev?: number;
       /** False: answer, but leave the marker as it is. */
@@ -914,6 +918,8 @@ export interface Methods {
       accuracy?: Accuracy;
       /** At most this many, 0 to 100,000. */
       rounds?: number;
+      /** Outlines that are farther apart than this part of the strip's width are modelled by simpler ones that hold them, 0 to 1; 0 when absent. */
+      simplification?: number;
       /** Refuse when the marker is at another revision. */
       baseRev?: number;
       /** False: answer, but leave the marker as it is. */
@@ -1243,6 +1249,8 @@ export interface Methods {
       accuracy?: Accuracy;
       /** At most this many, 0 to 100,000. */
       rounds?: number;
+      /** Outlines that are farther apart than this part of the strip's width are modelled by simpler ones that hold them, 0 to 1; 0 when absent. */
+      simplification?: number;
       /** Refuse when the marker is at another revision. */
       baseRev?: number;
       /** False: answer, but leave the marker as it is. */
@@ -1314,6 +1322,8 @@ export interface Methods {
       accuracy?: Accuracy;
       /** At most this many, 0 to 100,000. */
       rounds?: number;
+      /** Outlines that are farther apart than this part of the strip's width are modelled by simpler ones that hold them, 0 to 1; 0 when absent. */
+      simplification?: number;
       /** Refuse when the marker is at another revision. */
       baseRev?: number;
       /** False: answer, but leave the marker as it is. */

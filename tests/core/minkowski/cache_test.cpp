@@ -47,6 +47,17 @@ TEST(Cache, CountsHitsAndMisses) {
   EXPECT_EQ(sums.counts().entries, 1U);
 }
 
+TEST(Cache, RemembersGrownOutlines) {
+  SumCache sums;
+  const auto notched = sums.outline({{0, 0}, {50, 3}, {100, 0}, {100, 100}, {0, 100}});
+  const auto grown = sums.grown(notched, 10);
+  EXPECT_EQ(grown->polygon, (Polygon{{0, 0}, {100, 0}, {100, 100}, {0, 100}}));
+  EXPECT_EQ(sums.grown(notched, 10), grown);
+  EXPECT_EQ(sums.outline(grown->polygon), grown);
+  EXPECT_EQ(sums.grown(notched, 2), notched);
+  EXPECT_EQ(sums.grown(grown, 10), grown);
+}
+
 TEST(Cache, SharesWhatAFrameCanTell) {
   SumCache sums;
   const auto p = sums.outline({{0, 0}, {40, 0}, {0, 30}});

@@ -40,36 +40,42 @@ class AsyncMotions:
         return moved
 
     async def compact(
-        self, *, accuracy: str | None = None, rounds: int | None = None, commit: bool | None = None,
+        self, *, accuracy: str | None = None, rounds: int | None = None,
+        simplification: float | None = None, commit: bool | None = None,
         base_rev: int | None = None, op_id: str | None = None, deadline_ms: int | None = None,
         timing: bool | None = None, progress: OnProgress | None = None,
     ) -> MovedInRounds:
         """The marker made shorter, all pieces moving at once [Li94 4.1]."""
         return await self._move(
-            MovedInRounds, "motion.compact", progress, accuracy=accuracy, rounds=rounds, commit=commit,
+            MovedInRounds, "motion.compact", progress, accuracy=accuracy, rounds=rounds,
+            simplification=simplification, commit=commit,
             base_rev=base_rev, op_id=op_id, deadline_ms=deadline_ms, timing=timing,
         )
 
     async def push(
         self, forces: Mapping[str, Point], *, accuracy: str | None = None, rounds: int | None = None,
+        simplification: float | None = None,
         commit: bool | None = None, base_rev: int | None = None, op_id: str | None = None,
         deadline_ms: int | None = None, timing: bool | None = None, progress: OnProgress | None = None,
     ) -> Pushed:
         """Pieces follow forces, by piece, the length held [Li94 4.2.2]."""
         return await self._move(
             Pushed, "motion.push", progress, forces=[{"piece": piece, "force": force} for piece, force in
-            forces.items()], accuracy=accuracy, rounds=rounds, commit=commit, base_rev=base_rev, op_id=op_id,
+            forces.items()], accuracy=accuracy, rounds=rounds,
+            simplification=simplification, commit=commit, base_rev=base_rev, op_id=op_id,
             deadline_ms=deadline_ms, timing=timing,
         )
 
     async def gravity(
         self, force: Point, *, accuracy: str | None = None, rounds: int | None = None,
+        simplification: float | None = None,
         commit: bool | None = None, base_rev: int | None = None, op_id: str | None = None,
         deadline_ms: int | None = None, timing: bool | None = None, progress: OnProgress | None = None,
     ) -> Pushed:
         """Every piece follows one force, the length held [Li94 4.2.4]."""
         return await self._move(
-            Pushed, "motion.gravity", progress, force=force, accuracy=accuracy, rounds=rounds, commit=commit,
+            Pushed, "motion.gravity", progress, force=force, accuracy=accuracy, rounds=rounds,
+            simplification=simplification, commit=commit,
             base_rev=base_rev, op_id=op_id, deadline_ms=deadline_ms, timing=timing,
         )
 
@@ -121,26 +127,30 @@ class AsyncMotions:
     async def open_gap(
         self, *, point: Point | None = None, region: int | None = None, least_area: float | None = None,
         clearance: float | None = None, accuracy: str | None = None, rounds: int | None = None,
+        simplification: float | None = None,
         commit: bool | None = None, base_rev: int | None = None, op_id: str | None = None,
         deadline_ms: int | None = None, timing: bool | None = None, progress: OnProgress | None = None,
     ) -> GapOpened:
         """Pieces move away from a point or an unoccupied region [Li94 4.2.2]."""
         return await self._move(
             GapOpened, "motion.openGap", progress, point=point, region=region, least_area=least_area,
-            clearance=clearance, accuracy=accuracy, rounds=rounds, commit=commit, base_rev=base_rev, op_id=op_id,
+            clearance=clearance, accuracy=accuracy, rounds=rounds,
+            simplification=simplification, commit=commit, base_rev=base_rev, op_id=op_id,
             deadline_ms=deadline_ms, timing=timing,
         )
 
     async def tilt(
         self, *, method: str | None = None, limit: float | None = None, shakes: int | None = None,
         tilts: int | None = None, accuracy: str | None = None, rounds: int | None = None,
+        simplification: float | None = None,
         commit: bool | None = None, base_rev: int | None = None, op_id: str | None = None,
         deadline_ms: int | None = None, timing: bool | None = None, progress: OnProgress | None = None,
     ) -> Tilted:
         """The marker made shorter with small tilts [Li94 6]."""
         return await self._move(
             Tilted, "motion.tilt", progress, method=method, limit=limit, shakes=shakes, tilts=tilts,
-            accuracy=accuracy, rounds=rounds, commit=commit, base_rev=base_rev, op_id=op_id,
+            accuracy=accuracy, rounds=rounds,
+            simplification=simplification, commit=commit, base_rev=base_rev, op_id=op_id,
             deadline_ms=deadline_ms, timing=timing,
         )
 
