@@ -1,7 +1,7 @@
 // The form the interior point method works on: minimise cost . x subject to A x >= bound, x free.
 //
-// Columns that cannot move are substituted away, finite column bounds become rows of one entry, and empty rows are
-// dropped once checked.  A is stored row by row.
+// Columns that cannot move are substituted away, finite column bounds become rows of one entry after all others, and
+// empty rows are dropped once checked.  A is stored row by row.
 #pragma once
 
 #include <optional>

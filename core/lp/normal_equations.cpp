@@ -116,7 +116,7 @@ struct NormalEquations::Parts {
   std::size_t blocks{};
   // The diagonal blocks, those above, and one for what falls on the column that stays still.
   std::vector<Block> matrix;
-  std::vector<int> position;  // in it, number by number, of each run's products
+  std::vector<int> position;  // in it, number by number, of each run's products; then of each bound's
   std::optional<BlockCholesky> factor;
   std::vector<double> ordered;  // a right side in the order of elimination
 };
@@ -145,6 +145,7 @@ void NormalEquations::Parts::find_positions(const BlockPattern& pattern) {
       }
     }
   }
+  for (const RowRuns::Bound& bound : rows.bounds) position.push_back(find(bound.column, bound.column));
 }
 
 NormalEquations::NormalEquations(const RowRuns& rows) : parts_{std::make_unique<Parts>(rows)} {
@@ -181,6 +182,8 @@ bool NormalEquations::factorise(std::span<const double> weight, double rho) {
       if (a != b) matrix[*position++] -= sum;
     });
   }
+  const double* w = weight.data() + weight.size() - p.rows.bounds.size();
+  for (std::size_t k = 0; k < p.rows.bounds.size(); ++k) matrix[*position++] += w[k];
   return p.factor->factorise({p.matrix.begin(), above}, {above, p.matrix.end() - 1});
 }
 

@@ -94,12 +94,17 @@ RowRuns row_runs(const InequalityForm& form) {
   std::vector<Difference> differences;
   std::vector<Term> terms;
   Growing run{rows, differences};
-  for (std::size_t r = 0; r < form.bound.size(); ++r) {
+  std::size_t r = 0;
+  for (; r < form.bound.size() && form.program_row[r] != InequalityForm::kColumnBound; ++r) {
     terms_of(form, r, rows.still(), terms);
     if (!run.takes(terms)) run.end();
     run.take(terms);
   }
   run.end();
+  for (; r < form.bound.size(); ++r) {
+    const auto k = static_cast<std::size_t>(form.row_start[r]);
+    rows.bounds.push_back({form.column[k], form.value[k]});
+  }
   return rows;
 }
 
@@ -121,6 +126,7 @@ void multiply(const RowRuns& rows, std::span<const double> x, std::span<double> 
       }
     });
   }
+  for (const auto& [column, sign] : rows.bounds) *out++ = sign * x[static_cast<std::size_t>(column)];
 }
 
 void multiply_transposed(const RowRuns& rows, std::span<const double> y, std::span<double> result) {
@@ -129,18 +135,31 @@ void multiply_transposed(const RowRuns& rows, std::span<const double> y, std::sp
   for (const RowRuns::Run& run : rows.runs) {
     with_width(run, [&](auto width) {
       const Difference* of = rows.differences.data() + run.first_difference;
-      auto force = zeros(width);
       const double* value = rows.value.data() + run.first_value;
-      for (int r = 0; r < run.rows; ++r, value += width, ++in) {
-        for (int k = 0; k < width; ++k) force[static_cast<std::size_t>(k)] += value[k] * *in;
+      const auto press = [&](const Difference& at, double force) {
+        result[static_cast<std::size_t>(at.plus)] += force;
+        result[static_cast<std::size_t>(at.minus)] -= force;
+      };
+      if constexpr (std::is_same_v<decltype(width), std::integral_constant<int, 2>>) {
+        double first = 0;
+        double second = 0;
+        for (int r = 0; r < run.rows; ++r) {
+          first += value[2 * r] * in[r];
+          second += value[2 * r + 1] * in[r];
+        }
+        press(of[0], first);
+        press(of[1], second);
+      } else {
+        for (int k = 0; k < width; ++k) {
+          double force = 0;
+          for (int r = 0; r < run.rows; ++r) force += value[r * width + k] * in[r];
+          press(of[k], force);
+        }
       }
-      for (int k = 0; k < width; ++k) {
-        const double along = force[static_cast<std::size_t>(k)];
-        result[static_cast<std::size_t>(of[k].plus)] += along;
-        result[static_cast<std::size_t>(of[k].minus)] -= along;
-      }
+      in += run.rows;
     });
   }
+  for (const auto& [column, sign] : rows.bounds) result[static_cast<std::size_t>(column)] += sign * *in++;
 }
 
 }  // namespace selvage

@@ -28,10 +28,17 @@ struct RowRuns {
     int first_value{};                // row after row, `width` values each
   };
 
+  // A row that is a column or, of an upper bound, its opposite.
+  struct Bound {
+    int column{};
+    double sign{};
+  };
+
   int columns{};  // of the form
   std::vector<Difference> differences;
   std::vector<double> value;
-  std::vector<Run> runs;  // together all rows, in the form's order
+  std::vector<Run> runs;      // the form's rows in their order
+  std::vector<Bound> bounds;  // and, after these, its column bounds, which are not worth a run each
 
   // The column past the form's, which is always 0.
   [[nodiscard]] int still() const { return columns; }
