@@ -28,7 +28,10 @@ constexpr double kLeastEase = 1e-4;
 constexpr double kRoundings = 4;  // of the largest bound: no row can be met more exactly than that
 constexpr double kDelta = 1e-11;  // proximal weight of the rows' multipliers
 constexpr double kLeastStartingSlack = 1;
-constexpr double kCentring = 3;      // the power of the predicted part of the gap that the corrector aims at
+constexpr double kCentring = 4;  // the power of the predicted part of the gap that the corrector aims at
+constexpr double kBelieved =
+    5e-10;  // what a row may be broken by when the gap need not close: solve() believes twice that
+constexpr double kDualPart = 1e-2;   // of a tolerance for the gap, what is left for the dual's residual
 constexpr double kLeastCost = 1e-3;  // a program without costs has a centre all the same
 
 std::span<double> span_of(Vector& v) {
@@ -169,6 +172,16 @@ bool Iteration::step() {
 }
 
 }  // namespace
+
+InteriorPointSettings settled_within(double tolerance) {
+  InteriorPointSettings settings;
+  if (tolerance <= settings.gap) return settings;
+  settings.gap = tolerance;
+  settings.primal = std::max(settings.primal, kBelieved);
+  settings.dual = std::max(settings.dual, kDualPart * tolerance);
+  settings.dual_at_rest = std::max(settings.dual_at_rest, settings.dual);
+  return settings;
+}
 
 LpSolution solve_by_interior_point(const LinearProgram& program, const InteriorPointSettings& settings,
                                    std::stop_token stop) {

@@ -33,6 +33,8 @@ struct CompactionSettings {
   RegionRule region{};
   SolverChoice solver{};
   Extent extent{Extent::kReached};
+  double solver_tolerance{};  // of 1 + what a round gains (thousandths of the width): by so much its program may miss
+                              // the best; what one round misses the next may gain
   friend bool operator==(const CompactionSettings&, const CompactionSettings&) = default;
 };
 [[nodiscard]] CompactionSettings compaction_settings(Accuracy accuracy);

@@ -42,10 +42,12 @@ class Attempt {
 
   PositionStep run(const std::stop_token& stop) {
     PositionStep step;
+    LpLimits limits;
+    if (!held()) limits.tolerance = settings_.tolerance;
     while (step.programs < kAttempts) {
       observer_.on_stage(Stage::kSolve);
       observer_.on_program(model_->program());
-      const LpSolution solution = solve(model_->program(), settings_.solver, {}, stop);
+      const LpSolution solution = solve(model_->program(), settings_.solver, limits, stop);
       ++step.programs;
       if (solution.status == LpStatus::kInfeasible && tight_ == TightRows::kRestore) {
         if (reach_neighbours()) continue;

@@ -38,6 +38,8 @@ struct StepSettings {
   RegionRule region{};
   SolverChoice solver{};
   Extent extent{Extent::kReached};
+  double tolerance{};  // of programs that shorten the marker (core/lp/solve.h); with the length held they are solved as
+                       // well as can be, for what presses on what is read from their prices
 };
 
 enum class StepEnd {

@@ -10,6 +10,8 @@ CompactionSettings random_settings(Random& random) {
   settings.solver = random.chance(20) ? SolverChoice::kSimplex : SolverChoice::kAutomatic;
   constexpr std::array kTrusts{0.02, 0.1, 1.0};
   settings.trust = kTrusts[random.below(kTrusts.size())];
+  constexpr std::array kTolerances{0.0, 1e-3, 1e-1};
+  settings.solver_tolerance = kTolerances[random.below(kTolerances.size())];
   return settings;
 }
 
