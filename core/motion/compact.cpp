@@ -68,6 +68,10 @@ Progress improve(Scene& scene, const Goal& goal, const CompactionSettings& setti
       progress.reason = stop.stop_requested() ? StopReason::kCancelled : reason_of(step.end);
       break;
     }
+    step_settings.last_moves.resize(scene.pieces.size());
+    for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
+      step_settings.last_moves[i] = step.positions[i] - scene.pieces.at(i);
+    }
     scene.pieces.place(step.positions);
     // Rounds move pieces less and less: look only as far as the next may go.
     step_settings.trust = std::clamp(kTrustAhead * step.farthest, kLeastTrust * settings.trust, settings.trust);

@@ -38,6 +38,9 @@ struct StepSettings {
   RegionRule region{};
   SolverChoice solver{};
   Extent extent{Extent::kReached};
+  // Of each piece, in the round before; none in the first.  Where the marker is made shorter, of pairs that hardly
+  // moved against each other then, fewer rows enter at once.
+  std::vector<Vec> last_moves{};
   double tolerance{};  // of programs that shorten the marker (core/lp/solve.h); with the length held they are solved as
                        // well as can be, for what presses on what is read from their prices
 };
