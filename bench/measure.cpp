@@ -108,6 +108,9 @@ std::vector<Variant> variants() {
   vary("solver", "automatic", [](auto& s) { s.solver = SolverChoice::kAutomatic; });
   vary("solver", "simplex", [](auto& s) { s.solver = SolverChoice::kSimplex; });
   vary("solver", "interior_point", [](auto& s) { s.solver = SolverChoice::kInteriorPoint; });
+  for (const char* tolerance : {"0", "1e-6", "1e-4", "1e-3", "3e-3", "1e-2", "1e-1"}) {
+    vary("solver_tolerance", tolerance, [&](auto& s) { s.solver_tolerance = std::stod(tolerance); });
+  }
   all.push_back({"accuracy", "draft", compaction_settings(Accuracy::kDraft)});
   all.push_back({"accuracy", "standard", standard});
   return all;

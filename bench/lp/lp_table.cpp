@@ -37,6 +37,11 @@ std::vector<Way> ways() {
     return [variant](const LinearProgram& program) { return solve_by_clp(program, variant); };
   };
   return {{"interior point (ours)", [](const LinearProgram& program) { return solve_by_interior_point(program); }},
+          {"interior point (ours), standard's tolerance",
+           [](const LinearProgram& program) {
+             return solve_by_interior_point(program,
+                                            settled_within(compaction_settings(Accuracy::kStandard).solver_tolerance));
+           }},
           {"Clp dual, presolve", clp(ClpVariant::kDualPresolved)},
           {"Clp dual", clp(ClpVariant::kDual)},
           {"Clp primal, presolve", clp(ClpVariant::kPrimalPresolved)},

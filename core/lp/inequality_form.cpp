@@ -65,27 +65,4 @@ std::optional<InequalityForm> inequality_form(const LinearProgram& program, doub
   return form;
 }
 
-void multiply(const InequalityForm& form, std::span<const double> x, std::span<double> result) {
-  for (std::size_t r = 0; r < result.size(); ++r) {
-    const int* column = form.column.data() + form.row_start[r];
-    const double* value = form.value.data() + form.row_start[r];
-    with_row_size(form, r, [&](auto size) {
-      double sum = 0;
-      for (int k = 0; k < size; ++k) sum += value[k] * x[static_cast<std::size_t>(column[k])];
-      result[r] = sum;
-    });
-  }
-}
-
-void multiply_transposed(const InequalityForm& form, std::span<const double> y, std::span<double> result) {
-  std::fill(result.begin(), result.end(), 0.0);
-  for (std::size_t r = 0; r < y.size(); ++r) {
-    const int* column = form.column.data() + form.row_start[r];
-    const double* value = form.value.data() + form.row_start[r];
-    with_row_size(form, r, [&](auto size) {
-      for (int k = 0; k < size; ++k) result[static_cast<std::size_t>(column[k])] += value[k] * y[r];
-    });
-  }
-}
-
 }  // namespace selvage

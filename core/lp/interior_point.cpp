@@ -4,16 +4,20 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "core/lp/inequality_form.h"
 #include "core/lp/normal_equations.h"
+#include "core/lp/row_runs.h"
 
 namespace selvage {
 namespace {
 
-using Vector = std::vector<double>;
+using Vector = Eigen::ArrayXd;
 
 // Proximal weights of the columns, tried in turn: near the end rounding can leave a matrix that needs more.  They hold
 // the step back, they do not move the answer: its residuals are measured without them.
@@ -24,140 +28,167 @@ constexpr double kLeastEase = 1e-4;
 constexpr double kRoundings = 4;  // of the largest bound: no row can be met more exactly than that
 constexpr double kDelta = 1e-11;  // proximal weight of the rows' multipliers
 constexpr double kLeastStartingSlack = 1;
+constexpr double kCentring = 4;  // the power of the predicted part of the gap that the corrector aims at
+constexpr double kBelieved =
+    5e-10;  // what a row may be broken by when the gap need not close: solve() believes twice that
+constexpr double kDualPart = 1e-2;   // of a tolerance for the gap, what is left for the dual's residual
 constexpr double kLeastCost = 1e-3;  // a program without costs has a centre all the same
 
-double dot(std::span<const double> a, std::span<const double> b) {
-  double sum = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) sum += a[k] * b[k];
-  return sum;
+std::span<double> span_of(Vector& v) {
+  return {v.data(), static_cast<std::size_t>(v.size())};
+}
+Vector vector_of(std::span<const double> v) {
+  return Eigen::Map<const Vector>(v.data(), static_cast<Eigen::Index>(v.size()));
 }
 
-double largest(std::span<const double> a) {
-  double most = 0;
-  for (const double value : a) most = std::max(most, std::abs(value));
-  return most;
+double dot(const Vector& a, const Vector& b) {
+  return a.matrix().dot(b.matrix());
 }
 
-// The longest step <= 1 that keeps v + step * dv >= 0.
-double longest_step(std::span<const double> v, std::span<const double> dv) {
-  double most = 1;
-  for (std::size_t k = 0; k < v.size(); ++k) {
-    if (v[k] + most * dv[k] < 0) most = -v[k] / dv[k];
-  }
-  return most;
+double largest(const Vector& a) {
+  return a.size() == 0 ? 0 : a.abs().maxCoeff();
 }
 
-void advance(std::span<double> v, std::span<const double> dv, double step) {
-  for (std::size_t k = 0; k < v.size(); ++k) v[k] += step * dv[k];
+// The step along which v loses all that an entry of it has; infinite when none shrinks.
+double longest_step(const Vector& v, const Vector& dv) {
+  const double shrinks = v.size() == 0 ? 0 : (-dv / v).maxCoeff();
+  return shrinks > 0 ? 1 / shrinks : kInfinity;
 }
 
-// min c.x with A x - s = b, s >= 0, and the dual A^T z = c, z >= 0.
+// min c.x with A x - s = b, s >= 0, and the dual A^T z = c, z >= 0.  Vectors of columns end with that of RowRuns which
+// stays still: 0 in all of them.
 class Iteration {
  public:
   Iteration(const InequalityForm& form, const InteriorPointSettings& settings)
-      : form_{form}, settings_{settings}, normal_{form} {
-    primal_ = std::max(settings.primal, kRoundings * std::numeric_limits<double>::epsilon() * largest(form.bound));
-    const auto n = static_cast<std::size_t>(form.columns());
-    const auto m = static_cast<std::size_t>(form.rows());
-    for (Vector* v : {&x_, &dx_, &rd_}) v->assign(n, 0.0);
-    for (Vector* v : {&s_, &z_, &ds_, &dz_, &rp_, &weight_, &target_, &scratch_}) v->assign(m, 0.0);
+      : rows_{row_runs(form)},
+        settings_{settings},
+        normal_{rows_},
+        cost_{vector_of(form.cost)},
+        bound_{vector_of(form.bound)},
+        largest_cost_{largest(cost_)} {
+    primal_ = std::max(settings.primal, kRoundings * std::numeric_limits<double>::epsilon() * largest(bound_));
+    cost_.conservativeResize(form.columns() + 1);
+    cost_[form.columns()] = 0;
+    for (Vector* v : {&x_, &dx_, &rd_}) v->setZero(form.columns() + 1);
+    for (Vector* v : {&s_, &z_, &ds_, &dz_, &rp_, &weight_, &target_, &wanted_}) v->setZero(form.rows());
   }
 
   void start(std::span<const double> x);
   bool converged();
   bool step();  // false when it can go no further
 
-  std::span<const double> x() const { return x_; }
-  std::span<const double> z() const { return z_; }
+  [[nodiscard]] const Vector& x() const { return x_; }
+  [[nodiscard]] const Vector& z() const { return z_; }
 
  private:
+  bool factorise();
+  void measure_primal();
   void direction();
 
-  const InequalityForm& form_;
+  const RowRuns rows_;
   const InteriorPointSettings& settings_;
   NormalEquations normal_;
+  Vector cost_, bound_;
+  double largest_cost_;
   Vector x_, s_, z_, dx_, ds_, dz_;
-  Vector rp_, rd_;  // what is missing from A x - s = b and from A^T z = c
-  Vector weight_;   // 1 / (s / z + delta)
-  Vector target_;   // what s dz + z ds is to be
-  Vector scratch_;
-  double gap_{};  // s . z
-  double last_dual_{kInfinity};
-  double primal_{};  // the most a row may be broken by
-  double ease_{1};   // what rho is multiplied by
+  Vector rp_, rd_;                // what is missing from A x - s = b and from A^T z = c
+  Vector weight_;                 // 1 / (s / z + delta)
+  Vector target_;                 // what s dz + z ds is to be
+  Vector wanted_;                 // what A dx is to be where the weight is large
+  double gap_{};                  // s . z
+  double least_dual_{kInfinity};  // so far
+  double primal_{};               // the most a row may be broken by
+  double ease_{1};                // what rho is multiplied by
 };
 
 void Iteration::start(std::span<const double> x) {
-  std::copy(x.begin(), x.end(), x_.begin());
-  multiply(form_, x_, s_);
-  const double cost = std::max(largest(form_.cost), kLeastCost);
-  for (std::size_t r = 0; r < s_.size(); ++r) {
-    s_[r] = std::max(s_[r] - form_.bound[r], kLeastStartingSlack);
-    z_[r] = cost / s_[r];  // every product s z the same: the central path
-  }
+  std::copy(x.begin(), x.end(), x_.data());
+  multiply(rows_, span_of(x_), span_of(s_));
+  s_ = (s_ - bound_).max(kLeastStartingSlack);
+  z_ = std::max(largest_cost_, kLeastCost) / s_;  // every product s z the same: the central path
+  measure_primal();
+}
+
+void Iteration::measure_primal() {
+  multiply(rows_, span_of(x_), span_of(rp_));
+  rp_ = bound_ + s_ - rp_;
 }
 
 bool Iteration::converged() {
-  multiply(form_, x_, rp_);
-  for (std::size_t r = 0; r < rp_.size(); ++r) rp_[r] = form_.bound[r] + s_[r] - rp_[r];
-  multiply_transposed(form_, z_, rd_);
-  for (std::size_t j = 0; j < rd_.size(); ++j) rd_[j] = form_.cost[j] - rd_[j];
+  multiply_transposed(rows_, span_of(z_), span_of(rd_));
+  rd_ = cost_ - rd_;
+  rd_[rows_.still()] = 0;
   gap_ = dot(s_, z_);
-  const double dual = largest(rd_) / (1 + largest(form_.cost));
-  const bool at_rest = dual > last_dual_ / 2;
-  last_dual_ = dual;
-  const bool closed = gap_ <= settings_.gap * (1 + std::abs(dot(form_.cost, x_)));
+  const double dual = largest(rd_) / (1 + largest_cost_);
+  const bool at_rest = dual > least_dual_ / 2;
+  least_dual_ = std::min(least_dual_, dual);
+  const bool closed = gap_ <= settings_.gap * (1 + std::abs(dot(cost_, x_)));
   if (closed && at_rest) ease_ = std::max(kLeastEase, kEasier * ease_);
-  return closed && largest(rp_) <= primal_ && (dual <= settings_.dual || (at_rest && dual <= settings_.dual_at_rest));
+  if (!closed || largest(rp_) > primal_) return false;
+  if (dual > settings_.dual && !(at_rest && dual <= settings_.dual_at_rest)) return false;
+  measure_primal();  // steps only keep it up to date
+  return largest(rp_) <= primal_;
+}
+
+bool Iteration::factorise() {
+  weight_ = z_ / (s_ + kDelta * z_);
+  return std::any_of(kRho.begin(), kRho.end(),
+                     [&](double rho) { return normal_.factorise(span_of(weight_), ease_ * rho); });
 }
 
 // (dx, ds, dz) with A dx - ds + delta dz = rp, A^T dz - rho dx = rd, s dz + z ds = target.
 void Iteration::direction() {
-  for (std::size_t r = 0; r < rp_.size(); ++r) scratch_[r] = rp_[r] + target_[r] / z_[r];
-  for (std::size_t r = 0; r < rp_.size(); ++r) dz_[r] = weight_[r] * scratch_[r];
-  multiply_transposed(form_, dz_, dx_);
-  for (std::size_t j = 0; j < dx_.size(); ++j) dx_[j] -= rd_[j];
-  normal_.solve(dx_);
-  multiply(form_, dx_, ds_);
-  for (std::size_t r = 0; r < rp_.size(); ++r) {
-    dz_[r] = weight_[r] * (scratch_[r] - ds_[r]);
-    ds_[r] += kDelta * dz_[r] - rp_[r];
-  }
+  wanted_ = rp_ + target_ / z_;
+  dz_ = weight_ * wanted_;
+  multiply_transposed(rows_, span_of(dz_), span_of(dx_));
+  dx_ -= rd_;
+  normal_.solve(span_of(dx_));
+  dx_[rows_.still()] = 0;
+  multiply(rows_, span_of(dx_), span_of(ds_));
+  dz_ = weight_ * (wanted_ - ds_);
+  ds_ += kDelta * dz_ - rp_;
 }
 
 bool Iteration::step() {
-  const auto m = static_cast<double>(s_.size());
-  for (std::size_t r = 0; r < s_.size(); ++r) weight_[r] = 1 / (s_[r] / z_[r] + kDelta);
-  if (std::none_of(kRho.begin(), kRho.end(), [&](double rho) { return normal_.factorise(weight_, ease_ * rho); }))
-    return false;
-  const double mu = gap_ / m;
-  for (std::size_t r = 0; r < s_.size(); ++r) target_[r] = -s_[r] * z_[r];
+  if (!factorise()) return false;
+  const double mu = gap_ / static_cast<double>(s_.size());
+  target_ = -s_ * z_;
   direction();
-  double primal = longest_step(s_, ds_);
-  double dual = longest_step(z_, dz_);
-  double affine = 0;
-  for (std::size_t r = 0; r < s_.size(); ++r) affine += (s_[r] + primal * ds_[r]) * (z_[r] + dual * dz_[r]);
-  const double sigma = std::pow(affine / gap_, 3);
-  for (std::size_t r = 0; r < s_.size(); ++r) target_[r] = sigma * mu - s_[r] * z_[r] - ds_[r] * dz_[r];
+  double primal = std::min(1.0, longest_step(s_, ds_));
+  double dual = std::min(1.0, longest_step(z_, dz_));
+  const double affine = ((s_ + primal * ds_) * (z_ + dual * dz_)).sum();
+  const double sigma = std::pow(affine / gap_, kCentring);
+  target_ = sigma * mu - s_ * z_ - ds_ * dz_;
   direction();
   // Nearer to the boundary as the gap closes, never onto it.
   const double keep = std::clamp(1 - mu, 0.99, 0.9995);
-  primal = keep * longest_step(s_, ds_);
-  dual = keep * longest_step(z_, dz_);
-  advance(x_, dx_, primal);
-  advance(s_, ds_, primal);
-  advance(z_, dz_, dual);
+  primal = std::min(1.0, keep * longest_step(s_, ds_));
+  dual = std::min(1.0, keep * longest_step(z_, dz_));
+  x_ += primal * dx_;
+  s_ += primal * ds_;
+  z_ += dual * dz_;
+  rp_ -= primal * (rp_ - kDelta * dz_);
   return std::isfinite(dot(x_, x_));
 }
 
 }  // namespace
+
+InteriorPointSettings settled_within(double tolerance) {
+  InteriorPointSettings settings;
+  if (tolerance <= settings.gap) return settings;
+  settings.gap = tolerance;
+  settings.primal = std::max(settings.primal, kBelieved);
+  settings.dual = std::max(settings.dual, kDualPart * tolerance);
+  settings.dual_at_rest = std::max(settings.dual_at_rest, settings.dual);
+  return settings;
+}
 
 LpSolution solve_by_interior_point(const LinearProgram& program, const InteriorPointSettings& settings,
                                    std::stop_token stop) {
   const auto form = inequality_form(program, settings.primal);
   if (!form) return {.status = LpStatus::kFailed};
   LpSolution solution;
-  Vector x0;
+  std::vector<double> x0;
   for (const int j : form->program_column) {
     const auto k = static_cast<std::size_t>(j);
     x0.push_back(std::clamp(0.0, program.lower[k], program.upper[k]));
@@ -174,15 +205,15 @@ LpSolution solve_by_interior_point(const LinearProgram& program, const InteriorP
   solution.status = LpStatus::kOptimal;
   solution.x = program.lower;
   for (std::size_t k = 0; k < form->cost.size(); ++k) {
-    solution.x[static_cast<std::size_t>(form->program_column[k])] = iteration.x()[k];
+    solution.x[static_cast<std::size_t>(form->program_column[k])] = iteration.x()[static_cast<Eigen::Index>(k)];
   }
   solution.dual.assign(program.bound.size(), 0.0);
   for (std::size_t r = 0; r < form->bound.size(); ++r) {
     if (form->program_row[r] != InequalityForm::kColumnBound) {
-      solution.dual[static_cast<std::size_t>(form->program_row[r])] = iteration.z()[r];
+      solution.dual[static_cast<std::size_t>(form->program_row[r])] = iteration.z()[static_cast<Eigen::Index>(r)];
     }
   }
-  solution.objective = dot(program.cost, solution.x);
+  solution.objective = std::inner_product(program.cost.begin(), program.cost.end(), solution.x.begin(), 0.0);
   return solution;
 }
 

@@ -21,6 +21,11 @@ struct InteriorPointSettings {
   double dual_at_rest{1e-8};  // good enough once rounding keeps it from falling further
 };
 
+// Settings for an answer that is worse than the best by at most `tolerance` (of 1 + |objective|), or as little as by
+// the settings above when that is more.  Its rows hold as solve() asks; in exchange for the tolerance it is reached
+// sooner.
+[[nodiscard]] InteriorPointSettings settled_within(double tolerance);
+
 // The answer lies inside the feasible region, in the middle of the optimal face.  kFailed when it does not get there:
 // no proof of infeasibility or unboundedness is attempted, ask the simplex method.  Deterministic; looks at `stop` once
 // per iteration.

@@ -1,133 +1,200 @@
 #include "core/lp/normal_equations.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/OrderingMethods>
-#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include "core/lp/block_cholesky.h"
 
 namespace selvage {
-
-using Matrix = Eigen::SparseMatrix<double>;
-using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
-
-// The matrix is kept in the order that fills in least, so that a factorisation has nothing to move about.
-struct NormalEquations::Parts {
-  explicit Parts(const InequalityForm& f) : form{f} {}
-  const InequalityForm& form;
-  Permutation order;          // from the form's columns to the matrix's
-  Matrix matrix;              // its upper triangle
-  std::vector<int> position;  // of each row's products in the matrix's values, row after row
-  std::vector<int> diagonal;  // of each column's diagonal
-  Eigen::SimplicialLLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> factor;
-  Eigen::VectorXd ordered;  // a right side in the matrix's order
-};
-
 namespace {
 
-// Neighbouring rows speak of the same two pieces, as a rule: of the same columns.
-bool same_columns(const InequalityForm& form, std::size_t row, std::size_t other) {
-  const auto columns = [&](std::size_t r) {
-    return std::span{form.column}.subspan(static_cast<std::size_t>(form.row_start[r]),
-                                          static_cast<std::size_t>(form.row_start[r + 1] - form.row_start[r]));
-  };
-  return std::ranges::equal(columns(row), columns(other));
+using Edge = std::pair<int, int>;
+
+// Where a column lies: its block column and its place in it.
+struct Seat {
+  int block{}, slot{};
+};
+
+std::span<const RowRuns::Difference> differences_of(const RowRuns& rows, const RowRuns::Run& run) {
+  return std::span{rows.differences}.subspan(static_cast<std::size_t>(run.first_difference),
+                                             static_cast<std::size_t>(run.width));
 }
 
-// Calls visit(row, i, j) for every product of a row's entries, in the form's columns, with i >= j.  Rows of the same
-// columns as the row before are told by repeat(row).
-template <class Visit, class Repeat>
-void for_products(const InequalityForm& form, const Visit& visit, const Repeat& repeat) {
-  for (std::size_t r = 0; r < form.bound.size(); ++r) {
-    if (r > 0 && same_columns(form, r, r - 1)) {
-      repeat(r);
-      continue;
-    }
-    for (int a = form.row_start[r]; a < form.row_start[r + 1]; ++a) {
-      for (int b = a; b < form.row_start[r + 1]; ++b) {
-        const int i = form.column[static_cast<std::size_t>(a)];
-        const int j = form.column[static_cast<std::size_t>(b)];
-        visit(std::max(i, j), std::min(i, j));
-      }
+// Columns that follow each other and are held by the same rows share a block: those of a piece.  Others have a block to
+// themselves, in which the second place stays empty.  The last seat is that of the column that stays still.
+std::vector<Seat> seats_of(const RowRuns& rows) {
+  const auto size = static_cast<std::size_t>(rows.columns);
+  std::vector<char> with_next(size + 1);
+  for (const RowRuns::Run& run : rows.runs) {
+    const auto of = differences_of(rows, run);
+    for (std::size_t k = 0; k + 1 < of.size(); ++k) {
+      if (of[k + 1].plus == of[k].plus + 1) with_next[static_cast<std::size_t>(of[k].plus)] = 1;
+      if (of[k + 1].minus == of[k].minus + 1) with_next[static_cast<std::size_t>(of[k].minus)] = 1;
     }
   }
+  std::vector<Seat> seats(size + 1);
+  int block = 0;
+  for (std::size_t j = 0; j < size; ++j, ++block) {
+    seats[j] = {block, 0};
+    if (with_next[j] != 0 && j + 1 < size) seats[++j] = {block, 1};
+  }
+  seats[size] = {block, 0};
+  return seats;
 }
 
-// The lower triangle in the form's columns, each value its own position.
-Matrix numbered_pattern(const InequalityForm& form) {
-  std::vector<Eigen::Triplet<double>> triplets;
-  for (int j = 0; j < form.columns(); ++j) triplets.emplace_back(j, j, 1.0);
-  for_products(
-      form, [&](int i, int j) { triplets.emplace_back(i, j, 1.0); }, [](std::size_t) {});
-  Matrix pattern(form.columns(), form.columns());
-  pattern.setFromTriplets(triplets.begin(), triplets.end());
-  for (Eigen::Index k = 0; k < pattern.nonZeros(); ++k) pattern.valuePtr()[k] = static_cast<double>(k);
+// The blocks that have a row in common, the lesser first; neither twice nor with the one that stays still.
+std::vector<Edge> edges_of(const RowRuns& rows, const std::vector<Seat>& seats) {
+  std::vector<Edge> edges;
+  std::vector<int> blocks;
+  for (const RowRuns::Run& run : rows.runs) {
+    blocks.clear();
+    for (const auto& [plus, minus] : differences_of(rows, run)) {
+      for (const int column : {plus, minus}) {
+        const int block = seats[static_cast<std::size_t>(column)].block;
+        if (column != rows.still() && std::find(blocks.begin(), blocks.end(), block) == blocks.end()) {
+          blocks.push_back(block);
+        }
+      }
+    }
+    for (std::size_t a = 0; a < blocks.size(); ++a) {
+      for (std::size_t b = a + 1; b < blocks.size(); ++b) edges.push_back(std::minmax({blocks[a], blocks[b]}));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+// The place of each block in the order of elimination.
+std::vector<int> least_fill(const std::vector<Edge>& edges, int blocks) {
+  std::vector<Eigen::Triplet<char>> both;
+  both.reserve(2 * edges.size() + static_cast<std::size_t>(blocks));
+  for (int k = 0; k < blocks; ++k) both.emplace_back(k, k, 1);
+  for (const auto& [a, b] : edges) {
+    both.emplace_back(a, b, 1);
+    both.emplace_back(b, a, 1);
+  }
+  Eigen::SparseMatrix<char> pattern(blocks, blocks);
+  pattern.setFromTriplets(both.begin(), both.end());
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> first;  // the block at each place
+  Eigen::AMDOrdering<int>{}(pattern, first);
+  std::vector<int> place(static_cast<std::size_t>(blocks));
+  for (int k = 0; k < blocks; ++k) place[static_cast<std::size_t>(first.indices()[k])] = k;
+  return place;
+}
+
+BlockPattern pattern_of(std::vector<Edge> edges, const std::vector<int>& place) {
+  for (auto& [a, b] : edges) {
+    const auto [first, second] = std::minmax({place[static_cast<std::size_t>(a)], place[static_cast<std::size_t>(b)]});
+    a = second;
+    b = first;
+  }
+  std::sort(edges.begin(), edges.end());
+  BlockPattern pattern;
+  pattern.start.assign(place.size() + 1, 0);
+  for (const auto& [column, row] : edges) {
+    ++pattern.start[static_cast<std::size_t>(column) + 1];
+    pattern.row.push_back(row);
+  }
+  for (std::size_t k = 0; k < place.size(); ++k) pattern.start[k + 1] += pattern.start[k];
   return pattern;
-}
-
-Permutation least_fill(const Matrix& lower) {
-  Matrix whole = lower.selfadjointView<Eigen::Lower>();
-  Permutation inverse;
-  Eigen::AMDOrdering<int>{}(whole, inverse);
-  return inverse.inverse();
 }
 
 }  // namespace
 
-NormalEquations::NormalEquations(const InequalityForm& form) : parts_{std::make_unique<Parts>(form)} {
-  const Matrix pattern = numbered_pattern(form);
-  parts_->order = least_fill(pattern);
-  auto& m = parts_->matrix;
-  m.resize(form.columns(), form.columns());
-  m.selfadjointView<Eigen::Upper>() = pattern.selfadjointView<Eigen::Lower>().twistedBy(parts_->order);
-  std::vector<int> place(static_cast<std::size_t>(m.nonZeros()));  // in the matrix, of each position in the pattern
-  for (Eigen::Index k = 0; k < m.nonZeros(); ++k) {
-    place[static_cast<std::size_t>(m.valuePtr()[k])] = static_cast<int>(k);
-  }
+struct NormalEquations::Parts {
+  explicit Parts(const RowRuns& r) : rows{r} {}
+  void find_positions(const BlockPattern& pattern);
+
+  const RowRuns& rows;
+  std::vector<Seat> seats;  // in the order of elimination
+  std::size_t blocks{};
+  // The diagonal blocks, those above, and one for what falls on the column that stays still.
+  std::vector<Block> matrix;
+  std::vector<int> position;  // in it, number by number, of each run's products; then of each bound's
+  std::optional<BlockCholesky> factor;
+  std::vector<double> ordered;  // a right side in the order of elimination
+};
+
+// Products of two differences fall on four places, those of one with itself on three.
+void NormalEquations::Parts::find_positions(const BlockPattern& pattern) {
+  const int nowhere = 4 * static_cast<int>(matrix.size() - 1);
   const auto find = [&](int i, int j) {
-    const int* begin = pattern.innerIndexPtr() + pattern.outerIndexPtr()[j];
-    const int* end = pattern.innerIndexPtr() + pattern.outerIndexPtr()[j + 1];
-    return place[static_cast<std::size_t>(std::lower_bound(begin, end, i) - pattern.innerIndexPtr())];
+    if (i == rows.still() || j == rows.still()) return nowhere;
+    auto [first, second] = std::pair{seats[static_cast<std::size_t>(i)], seats[static_cast<std::size_t>(j)]};
+    if (first.block == second.block) return 4 * first.block + (i == j ? 3 * first.slot : 1);
+    if (first.block > second.block) std::swap(first, second);
+    const auto begin = pattern.row.begin() + pattern.start[static_cast<std::size_t>(second.block)];
+    const auto end = pattern.row.begin() + pattern.start[static_cast<std::size_t>(second.block) + 1];
+    const auto above = std::lower_bound(begin, end, first.block) - pattern.row.begin();
+    return 4 * static_cast<int>(blocks + static_cast<std::size_t>(above)) + first.slot + 2 * second.slot;
   };
-  for (int j = 0; j < form.columns(); ++j) parts_->diagonal.push_back(find(j, j));
-  auto& position = parts_->position;
-  for_products(
-      form, [&](int i, int j) { position.push_back(find(i, j)); },
-      [&](std::size_t row) {
-        const auto size = static_cast<std::size_t>(form.row_start[row + 1] - form.row_start[row]);
-        const std::size_t products = size * (size + 1) / 2;
-        for (std::size_t k = 0; k < products; ++k) position.push_back(position[position.size() - products]);
-      });
-  parts_->factor.analyzePattern(m);
+  for (const RowRuns::Run& run : rows.runs) {
+    const auto of = differences_of(rows, run);
+    for (std::size_t a = 0; a < of.size(); ++a) {
+      for (std::size_t b = a; b < of.size(); ++b) {
+        position.push_back(find(of[a].plus, of[b].plus));
+        position.push_back(find(of[a].minus, of[b].minus));
+        position.push_back(find(of[a].plus, of[b].minus));
+        if (a != b) position.push_back(find(of[a].minus, of[b].plus));
+      }
+    }
+  }
+  for (const RowRuns::Bound& bound : rows.bounds) position.push_back(find(bound.column, bound.column));
+}
+
+NormalEquations::NormalEquations(const RowRuns& rows) : parts_{std::make_unique<Parts>(rows)} {
+  Parts& p = *parts_;
+  p.seats = seats_of(rows);
+  const int blocks = p.seats.back().block;
+  p.blocks = static_cast<std::size_t>(blocks);
+  const std::vector<Edge> edges = edges_of(rows, p.seats);
+  const std::vector<int> place = least_fill(edges, blocks);
+  for (std::size_t j = 0; j + 1 < p.seats.size(); ++j) {
+    p.seats[j].block = place[static_cast<std::size_t>(p.seats[j].block)];
+  }
+  BlockPattern pattern = pattern_of(edges, place);
+  p.matrix.resize(p.blocks + pattern.row.size() + 1);
+  p.find_positions(pattern);
+  p.factor.emplace(std::move(pattern));
+  p.ordered.resize(2 * p.blocks);
 }
 
 NormalEquations::~NormalEquations() = default;
 
 bool NormalEquations::factorise(std::span<const double> weight, double rho) {
-  const auto& form = parts_->form;
-  double* matrix = parts_->matrix.valuePtr();
-  std::fill(matrix, matrix + parts_->matrix.nonZeros(), 0.0);
-  for (const int d : parts_->diagonal) matrix[d] = rho;
-  const int* position = parts_->position.data();
-  for (std::size_t r = 0; r < weight.size(); ++r) {
-    const double* value = form.value.data() + form.row_start[r];
-    with_row_size(form, r, [&](auto size) {
-      for (int a = 0; a < size; ++a) {
-        const double scaled = weight[r] * value[a];
-        for (int b = a; b < size; ++b) matrix[*position++] += scaled * value[b];
-      }
+  Parts& p = *parts_;
+  const auto above = p.matrix.begin() + static_cast<std::ptrdiff_t>(p.blocks);
+  std::fill(p.matrix.begin(), above, Block{rho, 0, 0, rho});
+  std::fill(above, p.matrix.end(), Block{});
+  double* matrix = p.matrix.front().data();
+  const int* position = p.position.data();
+  for (const RowRuns::Run& run : p.rows.runs) {
+    for_weighted_products(p.rows, run, weight, [&](int a, int b, double sum) {
+      matrix[*position++] += sum;
+      matrix[*position++] += sum;
+      matrix[*position++] -= sum;
+      if (a != b) matrix[*position++] -= sum;
     });
   }
-  parts_->factor.factorize(parts_->matrix);
-  return parts_->factor.info() == Eigen::Success;
+  const double* w = weight.data() + weight.size() - p.rows.bounds.size();
+  for (std::size_t k = 0; k < p.rows.bounds.size(); ++k) matrix[*position++] += w[k];
+  return p.factor->factorise({p.matrix.begin(), above}, {above, p.matrix.end() - 1});
 }
 
 void NormalEquations::solve(std::span<double> right_side) {
-  Eigen::Map<Eigen::VectorXd> r(right_side.data(), static_cast<Eigen::Index>(right_side.size()));
-  parts_->ordered = parts_->order * r;
-  parts_->factor.matrixL().solveInPlace(parts_->ordered);
-  parts_->factor.matrixU().solveInPlace(parts_->ordered);
-  r = parts_->order.inverse() * parts_->ordered;
+  Parts& p = *parts_;
+  std::fill(p.ordered.begin(), p.ordered.end(), 0.0);
+  const auto place = [&](std::size_t j) { return static_cast<std::size_t>(2 * p.seats[j].block + p.seats[j].slot); };
+  const auto columns = static_cast<std::size_t>(p.rows.columns);
+  for (std::size_t j = 0; j < columns; ++j) p.ordered[place(j)] = right_side[j];
+  p.factor->solve(p.ordered);
+  for (std::size_t j = 0; j < columns; ++j) right_side[j] = p.ordered[place(j)];
 }
 
 }  // namespace selvage

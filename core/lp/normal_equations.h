@@ -5,19 +5,19 @@
 #include <memory>
 #include <span>
 
-#include "core/lp/inequality_form.h"
+#include "core/lp/row_runs.h"
 
 namespace selvage {
 
 class NormalEquations {
  public:
-  // Finds the pattern and where each row's products fall in it.  Keeps a reference to `form`.
-  explicit NormalEquations(const InequalityForm& form);
+  // Finds the pattern, the order that fills in least, and where each run's products fall.  Keeps a reference to `rows`.
+  explicit NormalEquations(const RowRuns& rows);
   ~NormalEquations();
 
   // False when the matrix is not positive definite in floating point.
   [[nodiscard]] bool factorise(std::span<const double> weight, double rho);
-  // Solves in place.
+  // Solves in place; what comes after the last column is left alone.
   void solve(std::span<double> right_side);
 
  private:

@@ -48,7 +48,7 @@ LpSolution solve(const LinearProgram& program, SolverChoice choice, const LpLimi
   if (const LpStatus status = precheck(program); status != LpStatus::kOptimal) return {.status = status};
   if (program.columns() == 0) return solve_without_columns(program);
   const auto interior = [&]() -> std::optional<LpSolution> {
-    LpSolution solution = solve_by_interior_point(program, {}, stop);
+    LpSolution solution = solve_by_interior_point(program, settled_within(limits.tolerance), stop);
     if (solution.status == LpStatus::kStopped) return solution;
     const bool solved = solution.status == LpStatus::kOptimal;
     if (solved && infeasibility(program, solution.x) <= kLargestInfeasibility) return solution;

@@ -12,6 +12,8 @@ enum class SolverChoice { kAutomatic, kSimplex, kInteriorPoint };
 
 struct LpLimits {
   int iterations{100'000};  // simplex pivots; the interior point method has its own far smaller limit
+  double tolerance{};  // of 1 + |objective|: by so much the interior point method's answer may be worse than the best;
+                       // 0: as good as rounding lets it be.  A vertex is never worse
 };
 
 // Deterministic.  Stops soon after `stop` is requested, with kStopped.

@@ -24,11 +24,15 @@ StarSum star_sum(const StarPart& first, const StarPart& second) {
     return Vec{std::llround(sum.centre.x + x), std::llround(sum.centre.y + y)};
   };
   sum.edges.reserve(envelope.size());
+  const Stretch* before = nullptr;
+  Vec to;
   for (const Stretch& s : envelope) {
     const Candidate& c = candidates[s.candidate];
     // The start of each stretch is the end of the one before, but for jumps along rays (kernels without depth).
-    Vec from = lattice_point(s.x0, s.y0);
-    const Vec to = lattice_point(s.x1, s.y1);
+    const bool goes_on = before != nullptr && before->x1 == s.x0 && before->y1 == s.y0;
+    Vec from = goes_on ? to : lattice_point(s.x0, s.y0);
+    to = lattice_point(s.x1, s.y1);
+    before = &s;
     if (!sum.edges.empty() && sum.edges.back().to != from) {
       const Vec last = sum.edges.back().to;
       if (same_but_for_rounding(last, from)) {

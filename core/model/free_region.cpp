@@ -43,10 +43,15 @@ Side side_of_plane(const HalfPlane& plane, Vec r) {
   return {dy / length, -dx / length, slack_of(plane, r)};
 }
 
+constexpr std::size_t kMany = 16;  // sides: few regions have more
+
 // The cell so far.
 class Cell {
  public:
-  explicit Cell(Vec r) : r_{r} {}
+  explicit Cell(Vec r) : r_{r} {
+    planes_.reserve(kMany);
+    sides_.reserve(kMany);
+  }
 
   void cut(const HalfPlane& plane) {
     planes_.push_back(plane);

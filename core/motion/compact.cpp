@@ -28,14 +28,16 @@ CompactionSettings compaction_settings(Accuracy accuracy) {
               .trust = 0.1,
               .gravity = 0.003,
               .region = RegionRule::kGreedy,
-              .solver = SolverChoice::kAutomatic};
+              .solver = SolverChoice::kAutomatic,
+              .solver_tolerance = 1e-3};
     case Accuracy::kStandard:
       return {.rounds = 60,
               .least_gain = 2e-5,
               .trust = 0.1,
               .gravity = 0.003,
               .region = RegionRule::kGreedy,
-              .solver = SolverChoice::kAutomatic};
+              .solver = SolverChoice::kAutomatic,
+              .solver_tolerance = 1e-3};
     case Accuracy::kFine: break;
   }
   return {.rounds = 400,
@@ -50,8 +52,12 @@ Progress improve(Scene& scene, const Goal& goal, const CompactionSettings& setti
                  const Observer& observer) {
   Progress progress;
   progress.reason = StopReason::kWorkLimit;
-  StepSettings step_settings{settings.trust, settings.region, settings.solver, settings.extent,
-                             settings.simplification};
+  StepSettings step_settings{.trust = settings.trust,
+                             .region = settings.region,
+                             .solver = settings.solver,
+                             .extent = settings.extent,
+                             .simplification = settings.simplification,
+                             .tolerance = settings.solver_tolerance};
   // What is worth another round of a long marker is measured by its length.
   const double widths = static_cast<double>(scene.pieces.length()) / static_cast<double>(scene.marker.strip.width);
   const double least_gain = settings.least_gain * (goal.shorten > 0 ? std::max(1.0, widths / kLongFrom) : 1.0);
@@ -62,6 +68,10 @@ Progress improve(Scene& scene, const Goal& goal, const CompactionSettings& setti
     if (step.end != StepEnd::kMoved || stop.stop_requested()) {
       progress.reason = stop.stop_requested() ? StopReason::kCancelled : reason_of(step.end);
       break;
+    }
+    step_settings.last_moves.resize(scene.pieces.size());
+    for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
+      step_settings.last_moves[i] = step.positions[i] - scene.pieces.at(i);
     }
     scene.pieces.place(step.positions);
     // Rounds move pieces less and less: look only as far as the next may go.

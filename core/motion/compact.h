@@ -35,6 +35,8 @@ struct CompactionSettings {
   Extent extent{Extent::kReached};
   double simplification{};  // programs are made of outlines grown by up to this part of the width, where pieces are not
                             // nearer than that (obstacles.h); 0: of their own
+  double solver_tolerance{};  // of 1 + what a round gains (thousandths of the width): by so much its program may miss
+                              // the best; what one round misses the next may gain
   friend bool operator==(const CompactionSettings&, const CompactionSettings&) = default;
 };
 [[nodiscard]] CompactionSettings compaction_settings(Accuracy accuracy);

@@ -14,13 +14,15 @@
 namespace selvage {
 namespace {
 
-constexpr int kAttempts = 24;          // programs in one round, as rows enter when they are broken
-constexpr std::size_t kSmall = 64;     // pieces: the one program of so few is quicker than those of a growing set
-constexpr double kUnitsAcross = 1000;  // column units in a strip's width
-constexpr double kLeastGain = 1e-5;    // of the goal, in column units: less is not worth proving
-constexpr double kBroken = 1e-2;       // lattice units: by less no row is broken
-constexpr std::size_t kBlock = 64;     // near pairs whose rows one hand finds in a row
-constexpr double kSpare = 1e-2;        // column units the length may grow by in a program, for rows' margins
+constexpr int kAttempts = 24;            // programs in one round, as rows enter when they are broken
+constexpr std::size_t kSmall = 64;       // pieces: the one program of so few is quicker than those of a growing set
+constexpr double kUnitsAcross = 1000;    // column units in a strip's width
+constexpr double kLeastGain = 1e-5;      // of the goal, in column units: less is not worth proving
+constexpr double kBroken = 1e-2;         // lattice units: by less no row is broken
+constexpr double kPairAhead = 8;         // a pair's reach, as a multiple of what it moved in the last round
+constexpr double kLeastPairReach = 0.2;  // as a part of the reach of all
+constexpr std::size_t kBlock = 64;       // near pairs whose rows one hand finds in a row
+constexpr double kSpare = 1e-2;          // column units the length may grow by in a program, for rows' margins
 
 // The growing model of one round.
 class Attempt {
@@ -47,10 +49,12 @@ class Attempt {
 
   PositionStep run(const std::stop_token& stop) {
     PositionStep step;
+    LpLimits limits;
+    if (!held()) limits.tolerance = settings_.tolerance;
     while (step.programs < kAttempts) {
       observer_.on_stage(Stage::kSolve);
       observer_.on_program(model_->program());
-      const LpSolution solution = solve(model_->program(), settings_.solver, {}, stop);
+      const LpSolution solution = solve(model_->program(), settings_.solver, limits, stop);
       ++step.programs;
       if (solution.status == LpStatus::kInfeasible && tight_ == TightRows::kRestore) {
         if (reach_neighbours()) continue;
@@ -120,7 +124,7 @@ class Attempt {
   void append_near_rows(std::size_t from) {
     const auto rows =
         gathered<PairRow>(*observer_.crew, near_.size() - from, kBlock, [&](std::size_t k, std::vector<PairRow>& out) {
-          append_rows(near_[from + k], of_near_[from + k], reach(), out);
+          append_rows(near_[from + k], of_near_[from + k], reach(near_[from + k]), out);
         });
     rows_.insert(rows_.end(), rows.begin(), rows.end());
   }
@@ -188,6 +192,13 @@ class Attempt {
   }
   // How far two near pieces are thought to move against each other, on an axis: rows farther away are left out.
   [[nodiscard]] double reach() const { return whole() && !held() ? static_cast<double>(kLatticeLimit) : 2 * trust_; }
+  // The same of one pair: one that hardly moved in the last round hardly moves in this.
+  [[nodiscard]] double reach(PiecePair pair) const {
+    if (held() || whole() || settings_.last_moves.empty()) return reach();
+    const Vec by = settings_.last_moves[pair.second] - settings_.last_moves[pair.first];
+    const auto moved = static_cast<double>(std::max(std::abs(by.x), std::abs(by.y)));
+    return std::clamp(kPairAhead * moved, kLeastPairReach * reach(), reach());
+  }
   [[nodiscard]] bool whole() const { return settings_.extent == Extent::kWhole; }
   [[nodiscard]] double unit() const { return static_cast<double>(scene_.marker.strip.width) / kUnitsAcross; }
 
@@ -253,7 +264,7 @@ class Attempt {
       const auto [p, q] = near_[k];
       const Displacement by{moves[q].x - moves[p].x, moves[q].y - moves[p].y};
       const double far = std::max(std::abs(by.x), std::abs(by.y));
-      if (far <= reach() * (1 + 1e-6)) continue;
+      if (far <= reach(near_[k]) * (1 + 1e-6)) continue;
       if (held()) {
         add_limits(near_[k], by);
         any = true;

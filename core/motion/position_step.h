@@ -39,6 +39,11 @@ struct StepSettings {
   SolverChoice solver{};
   Extent extent{Extent::kReached};
   double simplification{};  // of outlines that are apart, as a part of the width (obstacles.h)
+  // Of each piece, in the round before; none in the first.  Where the marker is made shorter, of pairs that hardly
+  // moved against each other then, fewer rows enter at once.
+  std::vector<Vec> last_moves{};
+  double tolerance{};  // of programs that shorten the marker (core/lp/solve.h); with the length held they are solved as
+                       // well as can be, for what presses on what is read from their prices
 };
 
 enum class StepEnd {

@@ -12,6 +12,8 @@ CompactionSettings random_settings(Random& random) {
   settings.trust = kTrusts[random.below(kTrusts.size())];
   constexpr std::array kSimplifications{0.0, 1e-4, 1e-2};
   if (random.chance(30)) settings.simplification = kSimplifications[random.below(kSimplifications.size())];
+  constexpr std::array kTolerances{0.0, 1e-3, 1e-1};
+  settings.solver_tolerance = kTolerances[random.below(kTolerances.size())];
   return settings;
 }
 

@@ -62,6 +62,25 @@ TEST_P(CompactionModels, WithoutGravityTheInteriorPointMethodStillEnds) {  // fr
   expect_optimal(program, solution);
 }
 
+TEST_P(CompactionModels, ATolerancePaysForFewerIterations) {
+  const LinearProgram program = compaction_program({.points = GetParam()});
+  const LpSolution best = solve(program, SolverChoice::kInteriorPoint);
+  ASSERT_EQ(best.status, LpStatus::kOptimal);
+  int last = best.iterations;
+  for (const double tolerance : {1e-6, 1e-3, 1e-1}) {
+    const LpSolution solution = solve(program, SolverChoice::kInteriorPoint, {.tolerance = tolerance});
+    SCOPED_TRACE(testing::Message() << "tolerance " << tolerance);
+    ASSERT_EQ(solution.status, LpStatus::kOptimal);
+    const double scale = 1 + std::abs(best.objective);
+    EXPECT_LE(solution.objective, best.objective + tolerance * scale);
+    EXPECT_GE(solution.objective, best.objective - 1e-7 * scale);
+    EXPECT_LE(infeasibility(program, solution.x), 1e-9);  // rows are kept all the same
+    EXPECT_LE(solution.iterations, last);
+    last = solution.iterations;
+  }
+  EXPECT_LT(last, best.iterations);
+}
+
 INSTANTIATE_TEST_SUITE_P(Points, CompactionModels, testing::Values(3, 50, 200, 700));
 
 TEST(CompactionModel, StopsWhileItIsAtWork) {
