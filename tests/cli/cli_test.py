@@ -58,6 +58,18 @@ class Compact(CliTest):
         self.assertIs(line["valid"], True)
         self.assertEqual(run("check", self.path("out.json")).returncode, OK)
 
+    def test_gives_the_same_with_any_number_of_threads(self):
+        told = []
+        for threads in ("1", "2", "5"):
+            ran = run("compact", MARKERS / "jeans_06g.json", "-o", self.path("out.json"), "--json", "--threads", threads)
+            self.assertEqual(ran.returncode, OK, ran.stderr)
+            line = json.loads(ran.stdout)
+            del line["ms"]
+            told.append((line, self.path("out.json").read_text()))
+        self.assertEqual(told[1:], told[:1] * 2)
+        for wrong in ("0", "257", "many"):
+            self.assertEqual(run("compact", MARKERS / "jeans_06g.json", "--threads", wrong).returncode, BAD_USAGE)
+
     def test_keeps_the_form_of_the_input_unless_told(self):
         run("compact", MARKERS / "jeans_02g.json", "-o", self.path("same.json"))
         same = json.loads(self.path("same.json").read_text())
