@@ -16,6 +16,15 @@ std::uint64_t hash_of(const Polygon& polygon) {
   return hash;
 }
 
+std::size_t Outline::bytes() const {
+  std::size_t total = sizeof *this + polygon.capacity() * sizeof(Vec);
+  for (const StarPart& part : parts) {
+    total += sizeof part + part.vertices.capacity() * sizeof(Vec) + part.origin.capacity() * sizeof(std::uint32_t) +
+             part.turns.capacity() * sizeof(Turn);
+  }
+  return total;
+}
+
 std::shared_ptr<const Outline> make_outline(Polygon polygon) {
   auto outline = std::make_shared<Outline>();
   outline->box = box_of(polygon);

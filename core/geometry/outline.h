@@ -2,6 +2,7 @@
 // worked out once.  Immutable and shared; two outlines of the same polygon are equal.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -18,6 +19,8 @@ struct Outline {
   bool convex{};
   std::vector<StarPart> parts;
   std::uint64_t hash{};  // hash_of(polygon)
+
+  [[nodiscard]] std::size_t bytes() const;
 };
 // Equal on every machine.
 [[nodiscard]] std::uint64_t hash_of(const Polygon& polygon);

@@ -1,5 +1,6 @@
 #include "core/minkowski/cache.h"
 
+#include <iterator>
 #include <list>
 #include <map>
 #include <mutex>
@@ -61,28 +62,38 @@ constexpr std::size_t kBlock = 4;  // sums that one hand makes in a row
 }  // namespace
 
 struct SumCache::Store {
-  struct Entry {
+  struct Held {
     Key key;
     Sum sum;
     std::size_t bytes{};
+    std::uint64_t used{};  // the number of its last use
   };
-  using Entries = std::list<Entry>;  // most recently used first
+  struct Known {
+    std::shared_ptr<const Outline> outline;
+    std::size_t bytes{};
+    std::uint64_t used{};  // that of its last use, or its sums': they are forgotten before it
+  };
+  // Most recently used first.
+  using Sums = std::list<Held>;
+  using Outlines = std::list<Known>;
+
+  static constexpr std::size_t kGrown = 1000;  // remembered beside the limit; all are forgotten when there are more
 
   std::size_t limit{};
-  static constexpr std::size_t kOutlines = 100'000;  // all are forgotten when there are more
-
   mutable std::mutex mutex;
-  std::unordered_multimap<std::uint64_t, std::shared_ptr<const Outline>> outlines;                   // by hash
+  Sums sums;
+  Outlines outlines;
+  std::unordered_map<Key, Sums::iterator, KeyHash> sum_at;
+  std::unordered_multimap<std::uint64_t, Outlines::iterator> outline_at;  // by hash
+  std::uint64_t uses{};
   std::map<std::pair<std::shared_ptr<const Outline>, Coord>, std::shared_ptr<const Outline>> grown;  // by tolerance
-  Entries entries;
-  std::unordered_map<Key, Entries::iterator, KeyHash> index;
   CacheCounts counts;
 
   Sum find(const Key& key) {
     const std::lock_guard lock{mutex};
-    const auto at = index.find(key);
-    if (at == index.end()) return nullptr;
-    entries.splice(entries.begin(), entries, at->second);
+    const auto at = sum_at.find(key);
+    if (at == sum_at.end()) return nullptr;
+    use(at->second);
     return at->second->sum;
   }
 
@@ -95,37 +106,74 @@ struct SumCache::Store {
   // Keeps the sum, unless another thread was faster.
   void keep(const Key& key, const Sum& sum) {
     const std::lock_guard lock{mutex};
-    if (index.contains(key)) return;
-    entries.push_front({key, sum, sum->bytes()});
-    index.emplace(key, entries.begin());
-    counts.bytes += entries.front().bytes;
-    while (counts.bytes > limit && !entries.empty()) {
-      counts.bytes -= entries.back().bytes;
-      index.erase(entries.back().key);
-      entries.pop_back();
+    if (sum_at.contains(key)) return;
+    sums.push_front({key, sum, sum->bytes()});
+    sum_at.emplace(key, sums.begin());
+    counts.bytes += sums.front().bytes;
+    use(sums.begin());
+    make_room();
+  }
+
+  // The outline of the polygon when it is known.
+  std::shared_ptr<const Outline> find(const Polygon& polygon, std::uint64_t hash) {
+    const std::lock_guard lock{mutex};
+    return use(polygon, hash);
+  }
+
+  // The outline, or that of another thread that was faster.
+  std::shared_ptr<const Outline> keep(const std::shared_ptr<const Outline>& made) {
+    const std::lock_guard lock{mutex};
+    if (auto known = use(made->polygon, made->hash)) return known;
+    outlines.push_front({made, made->bytes(), ++uses});
+    outline_at.emplace(made->hash, outlines.begin());
+    counts.bytes += outlines.front().bytes;
+    make_room();
+    return made;
+  }
+
+ private:
+  void use(Sums::iterator sum) {
+    sum->used = ++uses;
+    sums.splice(sums.begin(), sums, sum);
+    use(sum->key.p->polygon, sum->key.p->hash);
+    use(sum->key.q->polygon, sum->key.q->hash);
+  }
+  std::shared_ptr<const Outline> use(const Polygon& polygon, std::uint64_t hash) {
+    const auto [first, last] = outline_at.equal_range(hash);
+    for (auto at = first; at != last; ++at) {
+      const auto known = at->second;
+      if (&known->outline->polygon != &polygon && known->outline->polygon != polygon) continue;
+      known->used = ++uses;
+      outlines.splice(outlines.begin(), outlines, known);
+      return known->outline;
     }
+    return nullptr;
+  }
+
+  // Forgets the least recently used until what is kept fits.
+  void make_room() {
+    while (counts.bytes > limit && !(sums.empty() && outlines.empty())) {
+      if (outlines.empty() || (!sums.empty() && sums.back().used < outlines.back().used)) {
+        counts.bytes -= sums.back().bytes;
+        sum_at.erase(sums.back().key);
+        sums.pop_back();
+      } else {
+        forget(std::prev(outlines.end()));
+      }
+    }
+  }
+  void forget(Outlines::iterator outline) {
+    counts.bytes -= outline->bytes;
+    auto at = outline_at.equal_range(outline->outline->hash).first;
+    while (at->second != outline) ++at;
+    outline_at.erase(at);
+    outlines.erase(outline);
   }
 };
 
 std::shared_ptr<const Outline> SumCache::outline(const Polygon& polygon) {
-  const std::uint64_t hash = hash_of(polygon);
-  const auto known = [&]() -> std::shared_ptr<const Outline> {
-    const auto [first, last] = store_->outlines.equal_range(hash);
-    for (auto at = first; at != last; ++at) {
-      if (at->second->polygon == polygon) return at->second;
-    }
-    return nullptr;
-  };
-  {
-    const std::lock_guard lock{store_->mutex};
-    if (auto outline = known()) return outline;
-  }
-  auto made = make_outline(polygon);
-  const std::lock_guard lock{store_->mutex};
-  if (auto outline = known()) return outline;
-  if (store_->outlines.size() >= Store::kOutlines) store_->outlines.clear();
-  store_->outlines.emplace(hash, made);
-  return made;
+  if (auto known = store_->find(polygon, hash_of(polygon))) return known;
+  return store_->keep(make_outline(polygon));
 }
 
 std::shared_ptr<const Outline> SumCache::grown(const std::shared_ptr<const Outline>& outline, Coord tolerance) {
@@ -137,7 +185,7 @@ std::shared_ptr<const Outline> SumCache::grown(const std::shared_ptr<const Outli
   Polygon simplified = simplified_outward(outline->polygon, tolerance);
   auto made = simplified.size() == outline->polygon.size() ? outline : this->outline(simplified);
   const std::lock_guard lock{store_->mutex};
-  if (store_->grown.size() >= Store::kOutlines) store_->grown.clear();
+  if (store_->grown.size() >= Store::kGrown) store_->grown.clear();
   return store_->grown.emplace(key, std::move(made)).first->second;
 }
 
@@ -187,7 +235,7 @@ std::vector<Obstacle> SumCache::obstacles(std::span<const OutlinePair> pairs, co
 CacheCounts SumCache::counts() const {
   const std::lock_guard lock{store_->mutex};
   CacheCounts counts = store_->counts;
-  counts.entries = store_->entries.size();
+  counts.entries = store_->sums.size();
   counts.limit = store_->limit;
   return counts;
 }

@@ -1,6 +1,6 @@
 // The cache of Minkowski sums: one entry per pair of outlines and relative orientation, and the outlines themselves;
-// shared by every marker and every thread, bounded in bytes, counted.  What it returns does not depend on what it
-// holds.
+// shared by every marker and every thread, bounded in bytes, counted.  Outlines count as sums do, and stay at least as
+// long as their sums.  What it returns does not depend on what it holds.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,9 @@ namespace selvage {
 
 struct CacheCounts {
   std::uint64_t hits{}, misses{};
-  std::size_t entries{}, bytes{}, limit{};
+  std::size_t entries{};  // sums kept
+  std::size_t bytes{};    // of them and of the outlines kept
+  std::size_t limit{};
 };
 
 // The obstacle that piece P is to piece Q, in some frame of its own: a position r = q - p of Q relative to P in the
@@ -57,7 +59,7 @@ class SumCache {
   SumCache(const SumCache&) = delete;
   SumCache& operator=(const SumCache&) = delete;
 
-  // Finds or makes the outline of a polygon.
+  // Finds or makes the outline of a polygon.  It is forgotten like a sum.
   [[nodiscard]] std::shared_ptr<const Outline> outline(const Polygon& polygon);
 
   // Finds or makes the outline of what simplified_outward (core/geometry/outward.h) makes of the polygon: the very same

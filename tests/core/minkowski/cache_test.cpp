@@ -39,7 +39,7 @@ TEST(Cache, CountsHitsAndMisses) {
   EXPECT_EQ(sums.counts().limit, SumCache::kDefaultLimit);
   const Obstacle first = sums.obstacle({p, {}}, {q, {}});
   EXPECT_EQ(sums.counts().misses, 1U);
-  EXPECT_EQ(sums.counts().bytes, first.sum().bytes());
+  EXPECT_EQ(sums.counts().bytes, p->bytes() + q->bytes() + first.sum().bytes());
   const Obstacle again = sums.obstacle({p, {}}, {q, {}});
   EXPECT_EQ(&again.sum(), &first.sum());
   EXPECT_EQ(sums.counts().hits, 1U);
@@ -112,6 +112,37 @@ TEST(Cache, ForgetsTheLeastRecentlyUsed) {
   (void)sum_with(sums, 2);
   EXPECT_EQ(sums.counts().misses, misses + 1);
   EXPECT_FALSE(kept.sum().edges().empty());
+}
+
+TEST(Cache, CountsOutlinesWithinItsLimit) {
+  const auto rectangle = [](Coord width) { return Polygon{{0, 0}, {width, 0}, {width, 30}, {0, 30}}; };
+  const std::size_t bytes = make_outline(rectangle(1))->bytes();
+  SumCache sums{10 * bytes};
+  for (Coord width = 1; width <= 1000; ++width) (void)sums.outline(rectangle(width));
+  EXPECT_EQ(sums.counts().bytes, 10 * bytes);
+  const std::weak_ptr<const Outline> first = sums.outline(rectangle(991));
+  const std::weak_ptr<const Outline> second = sums.outline(rectangle(992));
+  EXPECT_FALSE(first.expired());  // the cache holds it
+  (void)sums.outline(rectangle(991));
+  for (Coord width = 1; width <= 9; ++width) (void)sums.outline(rectangle(width));
+  EXPECT_FALSE(first.expired());
+  EXPECT_TRUE(second.expired());  // 991 was used since
+}
+
+TEST(Cache, KeepsOutlinesAsLongAsTheirSums) {
+  Random random{145};
+  const Polygon p = random_convex(random, 20, 1'000'000);
+  const Polygon q = random_convex(random, 20, 1'000'000);
+  SumCache roomy;
+  (void)roomy.obstacle({roomy.outline(p), {}}, {roomy.outline(q), {}});
+  const std::size_t bytes = roomy.counts().bytes;
+  SumCache sums{bytes};
+  const std::weak_ptr<const Outline> outline = sums.outline(p);
+  (void)sums.obstacle({sums.outline(p), {}}, {sums.outline(q), {}});
+  EXPECT_EQ(sums.counts().bytes, bytes);
+  (void)sums.outline({{0, 0}, {40, 0}, {0, 30}});
+  EXPECT_EQ(sums.counts().entries, 0U);  // the sum went, though its outlines came first
+  EXPECT_FALSE(outline.expired());
 }
 
 TEST(Cache, OfNoRoomKeepsNothingAndStillAnswers) {
