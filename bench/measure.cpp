@@ -125,15 +125,21 @@ void told(const std::string& name, const std::string& knob, const std::string& v
   std::cout << name << ',' << knob << ',' << value << ',' << time << ',' << ratio << ',' << programs << ','
             << (valid ? "valid" : "INVALID") << std::endl;
 }
-// Measures what `run(sums)` takes, and tells what it comes to.
+// Measures what `run(sums)` takes, and tells what it comes to, for all settings that are the same.
 template <class Run>
-void measured(const std::string& name, const std::string& knob, const std::string& value, const Run& run) {
+void measured(const std::string& name, const std::vector<std::pair<std::string, std::string>>& same, const Run& run) {
   decltype(run(std::declval<SumCache&>())) done;
   const double time = median_time([&] {
     SumCache sums;
     done = run(sums);
   });
-  told(name, knob, value, time, ratio_of(done), done.programs, is_valid(done.marker));
+  for (const auto& [knob, value] : same) {
+    told(name, knob, value, time, ratio_of(done), done.programs, is_valid(done.marker));
+  }
+}
+template <class Run>
+void measured(const std::string& name, const std::string& knob, const std::string& value, const Run& run) {
+  measured(name, {{knob, value}}, run);
 }
 
 bool may_tilt(const Marker& marker) {
@@ -159,18 +165,20 @@ void knobs_of_starts(const std::string& name, const Marker& marker) {
   const auto refined = [&](const RefineSettings& settings) {
     return [&marker, settings](SumCache& sums) { return *refine(marker, settings, sums); };
   };
-  RefineSettings settings = refine_settings();
+  const RefineSettings preset = refine_settings();
+  RefineSettings settings = preset;
+  settings.most_exchanged = kMaxPieces;
   settings.tilts = false;
   settings.effort = 0;
   for (const char* ways : {"0", "1", "2", "3", "4"}) {
     settings.other_ways = std::stoi(ways);
     measured(name, "other ways", ways, refined(settings));
   }
-  for (const char* effort : {"0", "4000", "15000", "120000"}) {
+  for (const char* effort : {"0", "4000", "15000", "30000"}) {
     settings.effort = std::stoull(effort);
     measured(name, "exchanges", effort, refined(settings));
   }
-  settings.effort = refine_settings().effort;
+  settings.effort = 60'000;
   double time = 0;
   double best = 2;
   int programs = 0;
@@ -184,12 +192,18 @@ void knobs_of_starts(const std::string& name, const Marker& marker) {
     programs += done.programs;
     valid = valid && is_valid(done.marker);
     told(name, "seeds", std::to_string(settings.seed), time, best, programs, valid);
-    if (settings.seed > 1) continue;
-    told(name, "exchanges", std::to_string(settings.effort), time, best, programs, valid);
-    told(name, "accuracy", "fine without tilts", time, best, programs, valid);
-    if (!may_tilt(marker)) told(name, "accuracy", "fine", time, best, programs, valid);
+    if (settings.seed == 1) told(name, "exchanges", std::to_string(settings.effort), time, best, programs, valid);
   }
-  if (may_tilt(marker)) measured(name, "accuracy", "fine", refined(refine_settings()));
+  settings = preset;
+  if (may_tilt(marker)) measured(name, "accuracy", "fine", refined(settings));
+  settings.tilts = false;
+  std::vector<std::pair<std::string, std::string>> same{{"accuracy", "fine without tilts"}};
+  if (!may_tilt(marker)) same.emplace_back("accuracy", "fine");
+  if (marker.pieces.size() <= preset.most_exchanged) same.emplace_back("exchanges", std::to_string(preset.effort));
+  measured(name, same, refined(settings));
+  if (same.back().first == "exchanges") return;
+  settings.most_exchanged = kMaxPieces;
+  measured(name, "exchanges", std::to_string(settings.effort), refined(settings));
 }
 
 void knobs(const std::vector<std::string>& paths) {

@@ -44,6 +44,7 @@ def save(figure, path):
 
 PRESETS = ["draft", "standard", "fine without tilts", "fine"]
 TIME_NOISE, LENGTH_NOISE = 0.1, 1e-5  # parts by which two settings must differ to be told apart
+TILTING = {"tilt step", "tilts"}
 TOGETHER = "all"
 
 
@@ -70,10 +71,11 @@ def better(one, other):
 
 
 def rivals(points, preset, marker):
-    """The settings that leave a preset behind the front, worst for it first."""
+    """The settings that leave a preset behind the front, the fastest first; those that tilt only where the preset does."""
     own = points["accuracy", preset][marker]
-    found = [(p[marker][0] / own[0], f"{k} {v}") for (k, v), p in points.items()
-             if k != "accuracy" and marker in p and better(p[marker], own)]
+    found = [(p[marker][0], f"{k} {v}") for (k, v), p in points.items()
+             if k != "accuracy" and marker in p and better(p[marker], own)
+             and (preset == "fine" or k not in TILTING)]
     return [name for _, name in sorted(found)]
 
 
@@ -89,6 +91,19 @@ def fronts(arguments, sets):
     (arguments.kept / "fronts.md").write_text(table(["preset", *(name for name, _, _ in columns)], body))
 
 
+def in_order(settings):
+    """Knob by knob, numbers by size."""
+    values = {}
+    for knob, value in settings:
+        values.setdefault(knob, {})[value] = None
+    for knob, own in values.items():
+        try:
+            values[knob] = sorted(own, key=float)
+        except ValueError:
+            pass
+    return [(knob, value) for knob, own in values.items() for value in own]
+
+
 def percent(length):
     return f"{100 * (length - 1):+.4f} %"
 
@@ -96,7 +111,7 @@ def percent(length):
 def knobs(arguments, sets):
     """Of every knob's value: time and length beside standard's, the geometric mean over each set of markers."""
     of_set = {name: beside_standard(rows) for name, rows in sets.items()}
-    settings = dict.fromkeys(key for points in of_set.values() for key in points)
+    settings = in_order(key for points in of_set.values() for key in points)
     head = ["knob", "value"]
     for name in sets:
         head += [f"{name}: time / standard", "length beside standard", "worst marker"]
@@ -116,7 +131,7 @@ def knobs(arguments, sets):
     figure, axes = pyplot.subplots(3, math.ceil(len(names) / 3), figsize=(16, 10))
     for axis, knob in zip(axes.flat, names):
         for (name, points), line in zip(of_set.items(), ("o-", "s--")):
-            own = [(v, p[TOGETHER]) for (k, v), p in points.items() if k == knob and TOGETHER in p]
+            own = [(v, points[k, v][TOGETHER]) for k, v in settings if k == knob and TOGETHER in points.get((k, v), {})]
             if not own:
                 continue
             axis.plot([p[0] for _, p in own], [100 * (p[1] - 1) for _, p in own], line, linewidth=0.7, label=name)

@@ -62,7 +62,7 @@ class Refiner {
     best_.rounds = 0;
     attempted();
     try_other_ways();
-    try_exchanges();
+    if (start_.pieces.size() <= settings_.most_exchanged) try_exchanges();
     if (settings_.tilts) try_tilts();
     best_.reason = stop_.stop_requested() ? StopReason::kCancelled : StopReason::kWorkLimit;
   }
@@ -171,7 +171,7 @@ class Refiner {
 }  // namespace
 
 RefineSettings refine_settings() {
-  return {.other_ways = 4, .effort = 60'000, .tilts = true, .seed = 1};
+  return {.other_ways = 4, .effort = 120'000, .tilts = true, .seed = 1, .most_exchanged = 300};
 }
 
 Result<Compaction> refine(const Marker& start, const RefineSettings& settings, SumCache& sums, std::stop_token stop,

@@ -25,6 +25,7 @@ struct RefineSettings {
   std::uint64_t effort{};  // exchanges go on until the pieces of all programs they solved are so many
   bool tilts{};            // where shapes allow them
   std::uint32_t seed{};    // of the exchanges
+  std::size_t most_exchanged{kMaxPieces};  // of markers with more pieces none are exchanged
   friend bool operator==(const RefineSettings&, const RefineSettings&) = default;
 };
 // Figures behind these: docs/measurements-trade.md.

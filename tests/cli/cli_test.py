@@ -116,6 +116,14 @@ class Compact(CliTest):
         line = json.loads(ran.stdout)
         self.assertEqual((line["rounds"], line["stop"]), (1, "work_limit"))
 
+    def test_simplified_outlines_make_other_sums(self):
+        marker = MARKERS / "jeans_02g.json"
+        own, simplified = (json.loads(run("compact", marker, "--json", "--simplification", part).stdout)
+                           for part in ("0", "0.001"))
+        self.assertTrue(simplified["valid"])
+        self.assertLess(simplified["length_after"], simplified["length_before"])
+        self.assertNotEqual(own["cache"]["entries"], simplified["cache"]["entries"])
+
     def test_the_same_request_gives_the_same_bytes(self):
         results = set()
         for _ in range(3):
@@ -396,6 +404,7 @@ class BadUsage(CliTest):
         marker = str(MARKERS / "jeans_02g.json")
         for arguments in ([], ["fold"], ["compact"], ["compact", marker, "--accuracy", "perfect"],
                           ["compact", marker, "--rounds", "-1"], ["compact", marker, "--rounds", "many"],
+                          ["compact", marker, "--simplification", "2"],
                           ["compact", marker, "--format", "svg"], ["show", marker], ["check", marker, "--fast"],
                           ["compact", marker, "-o", "-", "--svg", "-"], ["bump", marker, "--piece", "0"],
                           ["bump", marker, "--piece", "0", "--direction", "1"],

@@ -6,6 +6,7 @@
 
 #include "core/geometry/orientation.h"
 #include "core/geometry/outline.h"
+#include "core/geometry/outward.h"
 #include "core/geometry/star.h"
 #include "core/geometry/triangulation.h"
 #include "tests/fuzz/any_polygon.h"
@@ -43,6 +44,15 @@ void judge_outline(const Polygon& polygon) {
   demand(area_of_parts(outline->parts) == doubled_area(polygon), "star parts that are not the polygon");
 }
 
+void judge_simplified(const Polygon& polygon, Coord tolerance) {
+  const Polygon grown = simplified_outward(polygon, tolerance);
+  const auto again = clean_polygon(grown);
+  demand(again && again->polygon == grown && again->repairs == Repairs{}, "a simplified polygon that is mended");
+  demand(grown.size() <= polygon.size(), "a simplified polygon of more vertices");
+  demand(doubled_area(grown) >= doubled_area(polygon), "a simplified polygon that is smaller");
+  for (const Vec v : polygon) demand(locate(v, grown) != Location::kOutside, "a vertex outside the simplified polygon");
+}
+
 }  // namespace
 }  // namespace selvage::test
 
@@ -59,6 +69,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   }
   test::judge_polygon(clean->polygon, vertices);
   test::judge_outline(clean->polygon);
+  test::judge_simplified(clean->polygon, Coord{1} << random.below(40));
   const Orientation orientation{random.chance(50), Angle::of_degrees(360 * random.part()), {}};
   const Polygon turned_polygon = oriented(clean->polygon, orientation);
   if (const auto still = clean_polygon(turned_polygon)) test::judge_polygon(still->polygon, turned_polygon);

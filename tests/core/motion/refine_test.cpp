@@ -51,6 +51,11 @@ TEST(Refine, ExchangesWhatCompactionCannot) {
   layout.put(tall, {300, 0}).put(tall, {600, 0}).put(low, {900, 0}).put(low, {900, 350});
   EXPECT_EQ(standard_length(layout.marker()), 1200);
   EXPECT_EQ(refined(layout.marker(), brief(20'000)).length_after, 900);
+  RefineSettings settings = brief(20'000);
+  settings.most_exchanged = 6;
+  EXPECT_EQ(refined(layout.marker(), settings).length_after, 900);
+  settings.most_exchanged = 5;
+  EXPECT_EQ(refined(layout.marker(), settings).length_after, 1200);
 }
 
 TEST(Refine, ShortensAGarmentMarkerBeyondStandard) {
