@@ -17,11 +17,15 @@ struct Direction {
 Direction direction_of(Vec v) {
   return {v, pseudo_angle(static_cast<double>(v.x), static_cast<double>(v.y))};
 }
-// a before b counter-clockwise from the x axis, within one turn.
-bool before(const Direction& a, const Direction& b) {
+// Negative: a before b counter-clockwise from the x axis, within one turn; 0: they point the same way.
+int order_of(const Direction& a, const Direction& b) {
   constexpr double kClear = 1e-12;
-  if (std::abs(a.angle - b.angle) > kClear) return a.angle < b.angle;
-  return cross(a.vector, b.vector) > 0;
+  if (std::abs(a.angle - b.angle) > kClear) return a.angle < b.angle ? -1 : 1;
+  const Wide turn = cross(a.vector, b.vector);
+  return static_cast<int>(turn < 0) - static_cast<int>(turn > 0);
+}
+bool before(const Direction& a, const Direction& b) {
+  return order_of(a, b) < 0;
 }
 
 // A part's edges and which of its vertices are convex, with the edges sorted by direction.
@@ -31,8 +35,10 @@ struct Turns {
     for (std::size_t i = 0; i < n; ++i) edge[i] = direction_of(polygon[i + 1 == n ? 0 : i + 1] - polygon[i]);
     for (std::size_t i = 0; i < n; ++i) convex[i] = cross(edge[i == 0 ? n - 1 : i - 1].vector, edge[i].vector) > 0;
     std::iota(by_direction.begin(), by_direction.end(), 0U);
-    std::sort(by_direction.begin(), by_direction.end(),
-              [&](auto i, auto j) { return before(edge[i], edge[j]) || (!before(edge[j], edge[i]) && i < j); });
+    std::sort(by_direction.begin(), by_direction.end(), [&](auto i, auto j) {
+      const int order = order_of(edge[i], edge[j]);
+      return order < 0 || (order == 0 && i < j);
+    });
   }
   [[nodiscard]] const Direction& into(std::size_t i) const { return edge[i == 0 ? edge.size() - 1 : i - 1]; }
 

@@ -136,6 +136,7 @@ class Refiner {
     const std::stop_callback with_all{stop_, [&trial] { trial.stop.request_stop(); }};
     CompactionSettings quick = compaction_settings(Accuracy::kStandard);
     quick.rounds = kExchangeRounds;
+    quick.solver_tolerance = 0;  // what is only nearly as short is not taken for a way over a plateau
     trial.exchanged = exchange(*trial.drawn, quick, sums_, trial.stop.get_token());
     if (trial.exchanged.marker) trial.length = length_of(*trial.exchanged.marker);
     if (!worth_keeping(trial)) return;

@@ -132,10 +132,11 @@ Result<Answer> bumping(const Marker& start, const Occasion& on) {
   return answer;
 }
 
-Answer placed_answer(PlacedMarker done, PieceId piece, const PlaceSettings& settings, Coord end) {
+Answer placed_answer(PlacedMarker done, PieceId piece, const PlaceSettings& settings, const Marker& start) {
+  // No free position: the piece is where it was, on top of others or beyond the cloth's end as it may be.
+  const Coord end = done.place ? open_end(start) : std::max(open_end(start), length_of(start));
   const Coord longest = settings.may_grow ? kAnyLength : end + done.healing.lengthened;
   Answer answer{.marker = std::move(done.marker), .leave = {.longest = longest}};
-  // No free position: the piece is where it was, on top of others as it may be.
   if (!done.place) answer.apart = is_valid(answer.marker);
   if (done.place && answer.marker.pieces[piece.value].at != done.place->at)
     answer.contradiction = "tells another place";
@@ -148,7 +149,7 @@ Result<Answer> placing(const Marker& start, const Occasion& on) {
   const Vec wanted = any_place(on.random, start);
   auto done = heal_and_place(start, piece, wanted, settings, on.sums, on.stop, on.observer);
   if (!done) return done.error();
-  return placed_answer(*std::move(done), piece, settings, open_end(start));
+  return placed_answer(*std::move(done), piece, settings, start);
 }
 
 // A piece turned by whatever angle goes where there is room for it.
@@ -166,7 +167,7 @@ Result<Answer> turning_and_placing(const Marker& start, const Occasion& on) {
   auto done = heal_and_place(turned, piece, any_place(on.random, start), settings, on.sums, on.stop, on.observer);
   if (!done) return done.error();
   if (!done->place) return unmoved(start);
-  Answer answer = placed_answer(*std::move(done), piece, settings, 0);
+  Answer answer = placed_answer(*std::move(done), piece, settings, turned);
   answer.started = std::move(turned);
   return answer;
 }

@@ -61,7 +61,15 @@ TEST(Refine, ExchangesWhatCompactionCannot) {
 TEST(Refine, ShortensAGarmentMarkerBeyondStandard) {
   const Marker marker = test::garment("jeans_02g");
   const auto standard = static_cast<double>(standard_length(marker));
-  EXPECT_LT(static_cast<double>(refined(marker, brief(20'000)).length_after), 0.995 * standard);
+  // What one seed finds in so short a time is luck.
+  constexpr std::uint32_t kSeeds = 8;
+  double sum = 0;
+  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
+    RefineSettings settings = brief(20'000);
+    settings.seed = seed;
+    sum += static_cast<double>(refined(marker, settings).length_after);
+  }
+  EXPECT_LT(sum / kSeeds, 0.995 * standard);
 }
 
 TEST(Refine, TiltsOnlyWhereItMay) {
