@@ -22,8 +22,8 @@ class Opening {
 
   // Names the gap; false when there is none such.
   bool choose(const GapChoice& choice) {
-    auto found = unoccupied_regions(scene_.pieces, scene_.marker.strip, regions_);
     if (const auto* outline = std::get_if<AwayFromOutline>(&choice)) {
+      auto found = unoccupied_regions(scene_.pieces, scene_.marker.strip, regions_);
       if (outline->region >= found.size()) return false;
       gap_ = std::move(found[outline->region]);
       inside_ = point_inside(gap_.region);
@@ -31,6 +31,11 @@ class Opening {
     }
     from_point_ = true;
     inside_ = std::get<AwayFromPoint>(choice).point;
+    return find_again();
+  }
+  // The gap about the same point where the pieces are now; false when it has closed.
+  bool find_again() {
+    auto found = unoccupied_regions(scene_.pieces, scene_.marker.strip, regions_);
     auto holding = holds(found);
     if (!holding) return false;
     gap_ = std::move(*holding);
@@ -130,17 +135,24 @@ Result<OpenedGap> open_gap(const Marker& start, const GapChoice& choice, const C
   Scene scene{start, sums};
   OpenedGap opened;
   opened.length_before = scene.pieces.length();
+  Opening opening{scene, settings, regions, stop, observer};
+  // A region's number is its place in the list of the marker as it came; healing may change the list.
+  const bool by_number = std::holds_alternative<AwayFromOutline>(choice);
+  bool found = by_number && opening.choose(choice);
   const auto healing = heal(scene, stop, observer);
   if (!healing) return healing.error();
   opened.healing = *healing;
-  Opening opening{scene, settings, regions, stop, observer};
-  if (!opening.choose(choice)) {
-    const bool by_point = std::holds_alternative<AwayFromPoint>(choice);
+  if (!by_number) {
+    found = opening.choose(choice);
+  } else if (found && healing->farthest_move > 0) {
+    found = opening.find_again();
+  }
+  if (!found) {
     return Error{ErrorCode::kOutOfRange,
-                 by_point ? "the point lies in no unoccupied region large enough to count"
-                          : "region number " + std::to_string(std::get<AwayFromOutline>(choice).region) +
-                                " is not among the unoccupied regions",
-                 by_point ? "/point" : "/region"};
+                 by_number ? "region number " + std::to_string(std::get<AwayFromOutline>(choice).region) +
+                                 " is not among the unoccupied regions"
+                           : "the point lies in no unoccupied region large enough to count",
+                 by_number ? "/region" : "/point"};
   }
   opened.before = opening.gap();
   opening.run();

@@ -23,7 +23,7 @@ struct AwayFromPoint {
   Vec point;  // in an unoccupied region
 };
 struct AwayFromOutline {
-  std::size_t region{};  // its place in the list of unoccupied_regions
+  std::size_t region{};  // its place in the list of unoccupied_regions, of the marker as it comes
 };
 using GapChoice = std::variant<AwayFromPoint, AwayFromOutline>;
 
@@ -40,7 +40,8 @@ struct OpenedGap {
 
 // Settings as for compaction (gravity is not used; least_gain is the part by which the last round enlarges the gap);
 // `regions` says what is a region.
-// Errors: those of heal; kOutOfRange for a point in no unoccupied region, or a region that is not there.
+// Errors: those of heal; kOutOfRange for a point in no unoccupied region, or a region that is not there, or that
+// healing closed.
 [[nodiscard]] Result<OpenedGap> open_gap(const Marker& start, const GapChoice& choice,
                                          const CompactionSettings& settings, const UnoccupiedSettings& regions,
                                          SumCache& sums, std::stop_token stop = {}, const Observer& observer = {});

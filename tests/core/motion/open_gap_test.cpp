@@ -98,6 +98,21 @@ TEST(OpenGap, RefusesWhatIsNoGap) {
   EXPECT_EQ(open_gap(marker, AwayFromOutline{3}, kStandard, kEverything, sums).error().code, ErrorCode::kOutOfRange);
 }
 
+// Of a list that healing makes shorter: it closes the slit before the second wall.
+TEST(OpenGap, ARegionsNumberIsThatOfTheMarkerAsItComes) {
+  Layout layout{1000 * k1};
+  const auto wall = layout.shape_of(test::rectangle(100 * k1, 1000 * k1));
+  layout.put(wall, {0, 0}, 0, true).put(wall, {100 * k1 + 100, 0});
+  layout.put(wall, {200 * k1, 0}, 0, true).put(wall, {900 * k1, 0}, 0, true);
+  const Marker marker = layout.marker();
+  ASSERT_EQ(unoccupied_regions(marker, kEverything).size(), 2U);
+  const OpenedGap gap = opened(marker, AwayFromOutline{1}, kEverything);
+  EXPECT_EQ(gap.healing.pairs, 1U);
+  EXPECT_NEAR(area_in_k1(gap.before), 600 * 1000, 1);
+  SumCache sums;
+  EXPECT_EQ(open_gap(marker, AwayFromOutline{0}, kStandard, kEverything, sums).error().code, ErrorCode::kOutOfRange);
+}
+
 TEST(OpenGap, StopsWhenAsked) {
   SumCache sums;
   std::stop_source source;
