@@ -43,8 +43,10 @@ std::optional<std::uint32_t> partner_of(std::uint32_t i, const Marker& marker, c
   return partners[random() % best].second;
 }
 
-// Turns the piece to another rotation that its shape allows, about the middle of its box; false when there is none.
+// Turns the piece to another rotation that its shape allows, about the middle of its box; false when there is none or
+// its tilt is locked, and with it how it lies.
 bool turn(Piece& piece, const Shape& shape, const Box& box, std::mt19937& random) {
+  if (piece.locked.tilt) return false;
   std::vector<Angle> others;
   for (const Angle rotation : shape.rotations) {
     if (rotation != piece.orientation.rotation) others.push_back(rotation);

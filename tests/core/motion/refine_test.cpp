@@ -98,6 +98,19 @@ TEST(Refine, KeepsLocksGroupsAndRotations) {
   }
 }
 
+TEST(Refine, TurnsNoPieceWhoseTiltIsLocked) {
+  Marker marker = test::garment("jeans_02g");
+  const auto turned = [&](const Marker& now) {
+    int count = 0;
+    for (std::size_t k = 0; k < now.pieces.size(); ++k)
+      count += now.pieces[k].orientation != marker.pieces[k].orientation;
+    return count;
+  };
+  EXPECT_GT(turned(refined(marker, brief(20'000)).marker), 0);
+  for (Piece& piece : marker.pieces) piece.locked.tilt = true;
+  EXPECT_EQ(turned(refined(marker, brief(20'000, true)).marker), 0);
+}
+
 TEST(Refine, GivesTheSameAnswerWithAColdAndAWarmCache) {
   const Marker marker = test::garment("jeans_02g");
   SumCache warm;
