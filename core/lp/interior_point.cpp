@@ -28,7 +28,7 @@ constexpr double kLeastEase = 1e-4;
 constexpr double kRoundings = 4;  // of the largest bound: no row can be met more exactly than that
 constexpr double kDelta = 1e-11;  // proximal weight of the rows' multipliers
 constexpr double kLeastStartingSlack = 1;
-constexpr double kCentring = 4;  // the power of the predicted part of the gap that the corrector aims at
+constexpr double kCentring = 3;  // the power of the predicted part of the gap that the corrector aims at
 constexpr double kBelieved =
     5e-10;  // what a row may be broken by when the gap need not close: solve() believes twice that
 constexpr double kDualPart = 1e-2;   // of a tolerance for the gap, what is left for the dual's residual

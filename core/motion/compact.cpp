@@ -29,7 +29,7 @@ CompactionSettings compaction_settings(Accuracy accuracy) {
               .gravity = 0.003,
               .region = RegionRule::kGreedy,
               .solver = SolverChoice::kAutomatic,
-              .solver_tolerance = 1e-3};
+              .solver_tolerance = 1e-4};
     case Accuracy::kStandard:
       return {.rounds = 60,
               .least_gain = 2e-5,
@@ -37,7 +37,7 @@ CompactionSettings compaction_settings(Accuracy accuracy) {
               .gravity = 0.003,
               .region = RegionRule::kGreedy,
               .solver = SolverChoice::kAutomatic,
-              .solver_tolerance = 1e-3};
+              .solver_tolerance = 1e-4};
     case Accuracy::kFine: break;
   }
   return {.rounds = 400,
