@@ -19,6 +19,12 @@ constexpr double kFirstReach = 0.02;  // of the strip's width: how far the first
 constexpr std::size_t kWays = 40;     // ways round corners that are tried before a bump ends
 constexpr double kContact = 4;        // lattice units: sides nearer than this are touched
 constexpr double kLeastGain = 2;      // lattice units; less is rounding
+constexpr double kRounding = 1e-6;    // lattice units; of a slack
+constexpr double kNarrowest = 1e-6;   // of a corner: one and the cosine between its sides' normals
+
+// Lattice units of room that a corner's sides are given until a lattice point fits: within 0.71 of any point there is
+// one, so that it takes more only where a third side is near.
+constexpr std::array kBacks{0.0, 0.25, 0.5, 0.71, 1.0, 2.0, 4.0, 16.0, 64.0};
 
 // Directions slanting off the wanted one, as (cosine, sine) of 25, 50, 75 and 89 degrees, to one side and to the other.
 constexpr std::array<std::pair<double, double>, 8> kSlants{{{0.906, 0.423},
@@ -171,30 +177,30 @@ class Bumper {
     bounds_.push_back({{}, kEdge, {}});
   }
 
-  // The best lattice position near the cell's point that every half-plane admits exactly.
+  // The best lattice position near the cell's point that every half-plane admits.
   [[nodiscard]] std::optional<Vec> lattice_point(double x, double y) const {
     const auto about = [](double v) {
       return std::pair{static_cast<Coord>(std::floor(v)), static_cast<Coord>(std::ceil(v))};
     };
-    const auto [low_x, high_x] = about(x);
-    const auto [low_y, high_y] = about(y);
-    // Away from what blocks, farther and farther: a narrow corner may hold no lattice point.
-    double back_x = -ux_;
-    double back_y = -uy_;
-    for (const std::size_t k : last_.blocking) {
-      back_x += cell_[k].nx;
-      back_y += cell_[k].ny;
-    }
-    for (const double back : {0.0, 1.0, 2.0, 4.0, 8.0, 16.0, 64.0, 256.0}) {
+    const Displacement into = into_cell();
+    for (const double back : kBacks) {
+      const auto [low_x, high_x] = about(x + back * into.x);
+      const auto [low_y, high_y] = about(y + back * into.y);
       std::optional<Vec> best;
-      const Vec away{std::llround(back * back_x), std::llround(back * back_y)};
-      for (const Vec rounded : {Vec{low_x, low_y}, {high_x, low_y}, {low_x, high_y}, {high_x, high_y}}) {
-        const Vec by = rounded + away;
+      for (const Vec by : {Vec{low_x, low_y}, {high_x, low_y}, {low_x, high_y}, {high_x, high_y}}) {
         if (admitted(at_ + by) && (!best || preferred(by, *best))) best = by;
       }
       if (best) return at_ + *best;
     }
     return std::nullopt;
+  }
+  // The way from a point that the blocking sides hold by which each of them gets one unit of room per unit.
+  [[nodiscard]] Displacement into_cell() const {
+    if (last_.blocking.empty()) return {-ux_, -uy_};
+    const CellSide& first = cell_[last_.blocking.front()];
+    const CellSide& last = cell_[last_.blocking.back()];
+    const double room = std::max(kNarrowest, 1 + first.nx * last.nx + first.ny * last.ny);
+    return {(first.nx + last.nx) / room, (first.ny + last.ny) / room};
   }
   // Farther in the direction; of moves equally far the shorter one.
   [[nodiscard]] bool preferred(Vec a, Vec b) const {
@@ -206,11 +212,20 @@ class Bumper {
         candidate.y > fit_.high.y) {
       return false;
     }
-    return std::all_of(bounds_.begin(), bounds_.end(), [&](const Bound& bound) {
-      if (bound.piece == kEdge || spacing_ > 0) return true;  // with a spacing the proof decides
-      return cross(bound.side.direction,
-                   candidate + bound.offset - scene_.pieces.at(bound.piece) - bound.side.anchor) <= 0;
-    });
+    for (std::size_t k = 0; k < bounds_.size(); ++k) {
+      const Bound& bound = bounds_[k];
+      if (bound.piece == kEdge) continue;
+      const Vec by = candidate - at_;
+      const double room =
+          cell_[k].slack + cell_[k].nx * static_cast<double>(by.x) + cell_[k].ny * static_cast<double>(by.y);
+      if (spacing_ > 0) {  // nearly: the proof decides
+        if (room < -kRounding) return false;
+      } else if (cross(bound.side.direction,
+                       candidate + bound.offset - scene_.pieces.at(bound.piece) - bound.side.anchor) > 0) {
+        return false;
+      }
+    }
+    return true;
   }
   // The proof: against every piece, in integers.
   [[nodiscard]] bool valid(Vec candidate) const {
