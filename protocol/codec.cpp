@@ -89,6 +89,7 @@ Json encode(const EngineInfo& info) {
            {{"requestBytes", info.max_request_bytes},
             {"batch", kMaxBatch},
             {"depth", kMaxDepth},
+            {"values", most_values(info.max_request_bytes)},
             {"pieces", kMaxPieces},
             {"vertices", kMaxVertices}}},
           {"cache", encode(info.cache)}};

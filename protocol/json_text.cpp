@@ -20,13 +20,9 @@ std::string place_of(std::string_view text, std::size_t position) {
   return "line " + std::to_string(line) + ", column " + std::to_string(column);
 }
 
-// Text of commas and brackets becomes a tree of forty times its size: no more values than a part of the bytes that a
-// text may have.  Outlines are about as many values as may be: a point is three, and some twenty bytes.
-constexpr std::size_t kBytesPerValue = 16, kLeastValues = 10'000;
-
 // Looks for nesting and numbers of values beyond the limits before anything is built, since a deep tree cannot even be
 // destroyed safely.
-std::optional<Error> check_shape(std::string_view text, std::size_t most_values) {
+std::optional<Error> check_shape(std::string_view text, std::size_t most) {
   int depth = 0;
   std::size_t values = 1;  // at most
   bool in_string = false;
@@ -39,8 +35,8 @@ std::optional<Error> check_shape(std::string_view text, std::size_t most_values)
     }
     in_string = c == '"';
     if (c == ',' || c == '[' || c == '{') ++values;
-    if (values > most_values) {
-      return Error{ErrorCode::kOutOfRange, "JSON of more than " + std::to_string(most_values) + " values", ""};
+    if (values > most) {
+      return Error{ErrorCode::kOutOfRange, "JSON of more than " + std::to_string(most) + " values", ""};
     }
     if (c == '[' || c == '{') {
       if (++depth > kMaxDepth) {
@@ -252,6 +248,13 @@ void append_indented(std::string& out, const Json& value, int level) {
 
 }  // namespace
 
+// Text of commas and brackets becomes a tree of forty times its size: no more values than a part of the bytes that a
+// text may have.  Outlines are about as many values as may be: a point is three, and some twenty bytes.
+std::size_t most_values(std::size_t max_bytes) {
+  constexpr std::size_t kBytesPerValue = 16, kLeast = 10'000;
+  return std::max(kLeast, max_bytes / kBytesPerValue);
+}
+
 Result<Json> parse(std::string_view text, std::size_t max_bytes) {
   if (text.size() > max_bytes) {
     return Error{ErrorCode::kOutOfRange,
@@ -259,7 +262,7 @@ Result<Json> parse(std::string_view text, std::size_t max_bytes) {
                      " are read",
                  ""};
   }
-  if (auto error = check_shape(text, std::max(kLeastValues, max_bytes / kBytesPerValue))) return *std::move(error);
+  if (auto error = check_shape(text, most_values(max_bytes))) return *std::move(error);
   Builder builder{text};
   Json::sax_parse(text.begin(), text.end(), &builder);
   return std::move(builder).take();

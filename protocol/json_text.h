@@ -21,6 +21,9 @@ inline constexpr int kMaxDepth = 64;
 inline constexpr std::size_t kMaxFields = 256;                       // of one object
 inline constexpr std::size_t kMaxFileBytes = std::size_t{64} << 20;  // of a marker read from a file
 
+// How many values a text may have that may be so long.
+[[nodiscard]] std::size_t most_values(std::size_t max_bytes);
+
 // Errors: kSyntax (with line and column), kDepth, kOutOfRange (the text is too long or has too many values, a number
 // overflows, an object has too many fields), kDuplicateField.
 [[nodiscard]] Result<Json> parse(std::string_view text, std::size_t max_bytes = kMaxFileBytes);

@@ -40,7 +40,7 @@ Daemon::Daemon(const Options& options, Engine engine)
                   parsing_,
                   reads_,
                   motions_,
-                  options.limits.transport.body_bytes,
+                  options.limits,
                   [this](const AnsweredRequest& request) {
                     metrics_.count(request);
                     log_request(request);

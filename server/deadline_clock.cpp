@@ -8,7 +8,7 @@ DeadlineClock::Alarm DeadlineClock::at(Time time, std::function<void()> ring) {
   const std::lock_guard lock{mutex_};
   const Alarm::Key key{time, ++set_};
   alarms_.emplace(key, std::move(ring));
-  changed_.notify_all();
+  if (time < wakes_at_) changed_.notify_all();
   return Alarm{*this, key};
 }
 
@@ -20,13 +20,15 @@ void DeadlineClock::forget(const Alarm::Key& key) {
 void DeadlineClock::tick(const std::stop_token& stop) {
   std::unique_lock lock{mutex_};
   while (!stop.stop_requested()) {
-    if (alarms_.empty()) {
-      changed_.wait(lock, stop, [this] { return !alarms_.empty(); });
-      continue;
-    }
-    const Time next = alarms_.begin()->first.first;
+    const Time next = alarms_.empty() ? Time::max() : alarms_.begin()->first.first;
     if (std::chrono::steady_clock::now() < next) {
-      changed_.wait_until(lock, stop, next, [&] { return !alarms_.empty() && alarms_.begin()->first.first < next; });
+      wakes_at_ = next;
+      const auto earlier = [&] { return !alarms_.empty() && alarms_.begin()->first.first < next; };
+      if (next == Time::max()) {
+        changed_.wait(lock, stop, earlier);  // a wait until the end of time overflows
+      } else {
+        changed_.wait_until(lock, stop, next, earlier);
+      }
       continue;
     }
     const auto ring = std::move(alarms_.begin()->second);

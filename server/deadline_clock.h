@@ -51,6 +51,9 @@ class DeadlineClock {
   std::condition_variable_any changed_;
   std::uint64_t set_{};
   std::map<Alarm::Key, std::function<void()>> alarms_;
+  // When the thread looks next.  A forgotten alarm leaves it as it is: one needless look costs less than waking the
+  // thread for every call that ends in time.
+  Time wakes_at_{Time::max()};
   std::jthread thread_;  // last: it uses all the rest
 };
 

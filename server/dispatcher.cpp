@@ -1,5 +1,6 @@
 #include "server/dispatcher.h"
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <utility>
@@ -40,14 +41,13 @@ std::string marker_of(const Json& fields) {
   return text_field(fields, "markerId");
 }
 
-// When the call wants its answer; checked as a parameter later, together with the others.
-std::optional<Clock::time_point> deadline_of(const Json& params) {
+// How long the call may take by its own words; checked as a parameter later, together with the others.
+std::optional<Clock::duration> asked_time(const Json& params) {
   const auto found = params.is_object() ? params.find("deadlineMs") : params.end();
   if (found == params.end() || !found->is_number()) return std::nullopt;
   const double milliseconds = found->get<double>();
   if (!(milliseconds >= kDeadlines.least && milliseconds <= kDeadlines.most)) return std::nullopt;
-  return Clock::now() +
-         std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double, std::milli>{milliseconds});
+  return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double, std::milli>{milliseconds});
 }
 
 }  // namespace
@@ -118,7 +118,7 @@ std::string Dispatcher::too_long(std::size_t limit) {
 
 void Dispatcher::take_apart(std::string message, std::shared_ptr<Session> session, ReplyOnce<std::string> reply) {
   const std::size_t bytes = message.size();
-  Incoming incoming = parse_incoming(message, max_bytes_);
+  Incoming incoming = parse_incoming(message, longest_message_);
   std::string{}.swap(message);  // has served; it may be large
   next(std::make_shared<Exchange>(Exchange{.freed = FreedMemory{bytes},
                                            .incoming = std::move(incoming),
@@ -156,7 +156,9 @@ void Dispatcher::start(const std::shared_ptr<Exchange>& exchange, const Request&
     return std::move(reply)(RpcError{RpcCode::kMethodNotFound, "there is no method '" + request.method + "'", {}});
   }
   const auto call = std::make_shared<OpenCall>(exchange->session, std::move(reply));
-  if (const auto time = deadline_of(request.params)) OpenCall::set_deadline(call, clock_, *time);
+  auto time = asked_time(request.params);
+  if (*place == Place::kMotion) time = std::min<Clock::duration>(time.value_or(longest_motion_), longest_motion_);
+  if (time) OpenCall::set_deadline(call, clock_, Clock::now() + *time);
   if (request.id) calls_.add(*request.id, call);
   switch (*place) {
     case Place::kAtOnce: return call->answer(methods_.call(request.method, request.params, {*call, call->stop()}));

@@ -5,6 +5,7 @@
 // run one after another, in order; one that fails does not stop those behind it.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -12,6 +13,7 @@
 #include "server/deadline_clock.h"
 #include "server/drags.h"
 #include "server/job_queue.h"
+#include "server/limits.h"
 #include "server/log.h"
 #include "server/methods.h"
 #include "server/open_call.h"
@@ -24,14 +26,15 @@ class Dispatcher {
  public:
   // REQUIRES: all outlive the dispatcher and every call.
   Dispatcher(Methods& methods, Drags& drags, DeadlineClock& clock, JobQueue& parsing, JobQueue& reads,
-             JobQueue& motions, std::size_t max_bytes, OnAnswered on_answered = log_request)
+             JobQueue& motions, const Limits& limits, OnAnswered on_answered = log_request)
       : methods_{methods},
         drags_{drags},
         clock_{clock},
         parsing_{parsing},
         reads_{reads},
         motions_{motions},
-        max_bytes_{max_bytes},
+        longest_message_{limits.transport.body_bytes},
+        longest_motion_{limits.motion},
         on_answered_{std::move(on_answered)} {}
 
   // Never blocks, unless the queues have no workers.
@@ -56,7 +59,8 @@ class Dispatcher {
   JobQueue& parsing_;  // of large messages: no read waits behind one
   JobQueue& reads_;
   JobQueue& motions_;
-  const std::size_t max_bytes_;
+  const std::size_t longest_message_;  // bytes
+  const std::chrono::milliseconds longest_motion_;
   const OnAnswered on_answered_;
   OpenCalls calls_;
 };

@@ -67,6 +67,7 @@ Outcome Methods::engine_info(const Json& params, const CallTurn&) {
                                {"waitingMotions", limits_.waiting_motions},
                                {"waitingReads", limits_.waiting_reads},
                                {"waitingMoves", limits_.waiting_moves},
+                               {"motionMs", limits_.motion.count()},
                                {"dragsPerConnection", Drags::kMostPerSession},
                                {"connections", limits_.transport.connections},
                                {"callsPerConnection", limits_.transport.calls_per_connection}});

@@ -58,7 +58,7 @@ class Desk {
   }
 
  private:
-  const Limits limits_{.open_markers = 8, .transport = {}};
+  const Limits limits_{.open_markers = 8, .transport = {.body_bytes = std::size_t{1} << 20}};
   SumCache sums_{std::size_t{1} << 20};
   MarkerStore store_{limits_.open_markers, nullptr};
   Watchers watchers_;
@@ -69,8 +69,7 @@ class Desk {
   JobQueue parsing_{0, limits_.waiting_reads}, reads_{0, limits_.waiting_reads}, motions_{0, limits_.waiting_motions},
       hands_{0, limits_.waiting_moves};
   Drags drags_{store_, methods_, sums_, hands_};
-  Dispatcher dispatcher_{
-      methods_, drags_, clock_, parsing_, reads_, motions_, std::size_t{1} << 20, [](const AnsweredRequest&) {}};
+  Dispatcher dispatcher_{methods_, drags_, clock_, parsing_, reads_, motions_, limits_, [](const AnsweredRequest&) {}};
 };
 
 }  // namespace

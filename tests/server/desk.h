@@ -107,7 +107,7 @@ struct Desk {
   Listener usual;
   JobQueue parsing, reads, motions, hands;
   Drags drags{store, methods, sums, hands};
-  Dispatcher dispatcher{methods, drags, clock, parsing, reads, motions, limits.transport.body_bytes};
+  Dispatcher dispatcher{methods, drags, clock, parsing, reads, motions, limits};
 };
 
 inline int code_of(const Json& answer) {

@@ -101,6 +101,34 @@ TEST(Deadlines, CountTheWaitingAndAreChecked) {
   }
 }
 
+TEST(Deadlines, TheServersOwnHoldsForMotionsThatAskForNoneOrForMore) {
+  Gate gate;
+  Limits limits;
+  limits.motion = std::chrono::milliseconds{20};
+  Desk desk{1, gate.engine(), limits};
+  (void)desk.open_small();
+  for (const char* asked : {"", ",'deadlineMs':86400000"}) {
+    const Json done = desk.result("motion.compact", std::string{"{'markerId':'m1'"} + asked + "}");
+    EXPECT_EQ(done["stop"], "deadline") << asked;
+    EXPECT_EQ(done["valid"], true) << asked;
+  }
+  EXPECT_EQ(desk.result("engine.info", "{}")["limits"]["motionMs"], 20);
+}
+
+TEST(DeadlineClock, RingsEachInTurnWhateverIsForgotten) {
+  using namespace std::chrono_literals;
+  DeadlineClock clock;
+  const auto now = std::chrono::steady_clock::now();
+  std::promise<void> first;
+  std::promise<void> last;
+  const auto far = clock.at(now + 1h, [] { ADD_FAILURE() << "an hour has not passed"; });
+  (void)clock.at(now + 1ms, [] {});  // forgotten at once: the thread may look for it in vain
+  const auto late = clock.at(now + 40ms, [&] { last.set_value(); });
+  const auto soon = clock.at(now + 10ms, [&] { first.set_value(); });
+  ASSERT_EQ(first.get_future().wait_for(kPatience), std::future_status::ready);
+  ASSERT_EQ(last.get_future().wait_for(kPatience), std::future_status::ready);
+}
+
 TEST(Progress, TellsEachRoundUnderItsToken) {
   Engine engine;
   engine.compact = [](const Marker& start, const CompactionSettings&, SumCache&, const std::stop_token&,

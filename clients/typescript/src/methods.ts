@@ -158,6 +158,8 @@ export type Limits = {
   batch: number;
   /** Levels of nesting. */
   depth: number;
+  /** Numbers, texts, arrays and so on, of one request. */
+  values: number;
   /** Of a marker. */
   pieces: number;
   /** Of a shape. */
@@ -170,6 +172,8 @@ export type Limits = {
   waitingReads: number;
   /** Of dragging hands, in the queue. */
   waitingMoves: number;
+  /** From a motion's arrival to the best it has by then. */
+  motionMs: number;
   /** At once. */
   dragsPerConnection: number;
   /** At once. */
