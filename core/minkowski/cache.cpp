@@ -2,7 +2,6 @@
 
 #include <iterator>
 #include <list>
-#include <map>
 #include <mutex>
 #include <unordered_map>
 
@@ -68,16 +67,21 @@ struct SumCache::Store {
     std::size_t bytes{};
     std::uint64_t used{};  // the number of its last use
   };
+  // What an outline was simplified to, as long as somebody keeps that.
+  struct Grown {
+    Coord tolerance{};
+    std::weak_ptr<const Outline> outline;
+  };
+  static constexpr std::size_t kGrown = 4;  // tolerances that one outline remembers
   struct Known {
     std::shared_ptr<const Outline> outline;
     std::size_t bytes{};
     std::uint64_t used{};  // that of its last use, or its sums': they are forgotten before it
+    std::vector<Grown> grown{};
   };
   // Most recently used first.
   using Sums = std::list<Held>;
   using Outlines = std::list<Known>;
-
-  static constexpr std::size_t kGrown = 1000;  // remembered beside the limit; all are forgotten when there are more
 
   std::size_t limit{};
   mutable std::mutex mutex;
@@ -86,7 +90,6 @@ struct SumCache::Store {
   std::unordered_map<Key, Sums::iterator, KeyHash> sum_at;
   std::unordered_multimap<std::uint64_t, Outlines::iterator> outline_at;  // by hash
   std::uint64_t uses{};
-  std::map<std::pair<std::shared_ptr<const Outline>, Coord>, std::shared_ptr<const Outline>> grown;  // by tolerance
   CacheCounts counts;
 
   Sum find(const Key& key) {
@@ -117,13 +120,35 @@ struct SumCache::Store {
   // The outline of the polygon when it is known.
   std::shared_ptr<const Outline> find(const Polygon& polygon, std::uint64_t hash) {
     const std::lock_guard lock{mutex};
-    return use(polygon, hash);
+    const auto known = use(polygon, hash);
+    return known == outlines.end() ? nullptr : known->outline;
+  }
+
+  // What the outline was simplified to, when that is remembered.
+  std::shared_ptr<const Outline> find_grown(const Outline& outline, Coord tolerance) {
+    const std::lock_guard lock{mutex};
+    const auto known = use(outline.polygon, outline.hash);
+    if (known == outlines.end()) return nullptr;
+    for (const Grown& grown : known->grown) {
+      if (grown.tolerance == tolerance) return grown.outline.lock();
+    }
+    return nullptr;
+  }
+  // Remembers it as long as the outline is known.
+  void keep_grown(const Outline& outline, Coord tolerance, const std::shared_ptr<const Outline>& simplified) {
+    const std::lock_guard lock{mutex};
+    const auto known = use(outline.polygon, outline.hash);
+    if (known == outlines.end()) return;
+    std::vector<Grown>& grown = known->grown;
+    std::erase_if(grown, [&](const Grown& one) { return one.tolerance == tolerance; });
+    if (grown.size() == kGrown) grown.erase(grown.begin());
+    grown.push_back({tolerance, simplified});
   }
 
   // The outline, or that of another thread that was faster.
   std::shared_ptr<const Outline> keep(const std::shared_ptr<const Outline>& made) {
     const std::lock_guard lock{mutex};
-    if (auto known = use(made->polygon, made->hash)) return known;
+    if (const auto known = use(made->polygon, made->hash); known != outlines.end()) return known->outline;
     outlines.push_front({made, made->bytes(), ++uses});
     outline_at.emplace(made->hash, outlines.begin());
     counts.bytes += outlines.front().bytes;
@@ -138,16 +163,16 @@ struct SumCache::Store {
     use(sum->key.p->polygon, sum->key.p->hash);
     use(sum->key.q->polygon, sum->key.q->hash);
   }
-  std::shared_ptr<const Outline> use(const Polygon& polygon, std::uint64_t hash) {
+  Outlines::iterator use(const Polygon& polygon, std::uint64_t hash) {
     const auto [first, last] = outline_at.equal_range(hash);
     for (auto at = first; at != last; ++at) {
       const auto known = at->second;
       if (&known->outline->polygon != &polygon && known->outline->polygon != polygon) continue;
       known->used = ++uses;
       outlines.splice(outlines.begin(), outlines, known);
-      return known->outline;
+      return known;
     }
-    return nullptr;
+    return outlines.end();
   }
 
   // Forgets the least recently used until what is kept fits.
@@ -177,16 +202,11 @@ std::shared_ptr<const Outline> SumCache::outline(const Polygon& polygon) {
 }
 
 std::shared_ptr<const Outline> SumCache::grown(const std::shared_ptr<const Outline>& outline, Coord tolerance) {
-  const std::pair key{outline, tolerance};
-  {
-    const std::lock_guard lock{store_->mutex};
-    if (const auto known = store_->grown.find(key); known != store_->grown.end()) return known->second;
-  }
+  if (auto known = store_->find_grown(*outline, tolerance)) return known;
   Polygon simplified = simplified_outward(outline->polygon, tolerance);
   auto made = simplified.size() == outline->polygon.size() ? outline : this->outline(simplified);
-  const std::lock_guard lock{store_->mutex};
-  if (store_->grown.size() >= Store::kGrown) store_->grown.clear();
-  return store_->grown.emplace(key, std::move(made)).first->second;
+  store_->keep_grown(*outline, tolerance, made);
+  return made;
 }
 
 SumCache::SumCache(std::size_t limit_bytes) : store_{std::make_unique<Store>()} {

@@ -129,6 +129,15 @@ TEST(Cache, CountsOutlinesWithinItsLimit) {
   EXPECT_TRUE(second.expired());  // 991 was used since
 }
 
+TEST(Cache, ForgetsWhatOutlinesGrewTo) {
+  const Polygon notched{{0, 0}, {50, 3}, {100, 0}, {100, 100}, {0, 100}};
+  SumCache sums{4 * make_outline(notched)->bytes()};
+  const std::weak_ptr<const Outline> first = sums.grown(sums.outline(notched), 10);
+  EXPECT_FALSE(first.expired());  // the cache holds it
+  for (Coord width = 1; width <= 9; ++width) (void)sums.outline({{0, 0}, {width, 0}, {width, 30}, {0, 30}});
+  EXPECT_TRUE(first.expired());
+}
+
 TEST(Cache, KeepsOutlinesAsLongAsTheirSums) {
   Random random{145};
   const Polygon p = random_convex(random, 20, 1'000'000);
