@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
+#include <utility>
 
 #include "core/lp/solve.h"
 #include "core/marker/validity.h"
 #include "core/model/position_model.h"
+#include "core/model/reached.h"
 #include "core/model/snap.h"
 #include "core/motion/separation_target.h"
 
@@ -17,6 +20,7 @@ constexpr int kRounds = 12;
 constexpr int kNamed = 5;            // of the offending pairs, so many are named in a message
 constexpr double kReach = 20;        // rows within so many healing limits of a pair's position are modelled
 constexpr double kLengthCost = 1e3;  // of the marker growing, beside a piece moving by as much
+constexpr double kStillness = 1;     // of a piece moving
 
 struct Conflict {
   PiecePair pair;
@@ -137,30 +141,95 @@ class Healer {
   // marker's length, then beyond it.
   bool part(const std::vector<Conflict>& found, const std::stop_token& stop) {
     observer_.on_stage(Stage::kRows);
-    const std::vector<PairRow> rows = rows_for(found);
+    const auto near = pairs_within(scene_.pieces, std::llround(kReach * limit_) + scene_.pieces.widest_spacing());
+    Reached reached = to_be_moved(found);
     for (const double lengthen : {1e-2 * unit_, kReach * limit_}) {
-      observer_.on_stage(Stage::kRows);
-      PositionModel model = model_with(rows, lengthen);
-      observer_.on_stage(Stage::kSolve);
-      const LpSolution solution = solve(model.program(), SolverChoice::kAutomatic, {}, stop);
-      if (solution.status != LpStatus::kOptimal) continue;
-      std::vector<Vec> positions = snapped(model.displacements(solution.x));
-      for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + scene_.pieces.at(i);
-      scene_.pieces.place(std::move(positions));
-      return true;
+      if (part_within(lengthen, found, near, reached, stop)) return true;
+      if (stop.stop_requested()) return false;
     }
     return false;
   }
 
-  [[nodiscard]] std::vector<PairRow> rows_for(const std::vector<Conflict>& found) const {
+  [[nodiscard]] Reached to_be_moved(const std::vector<Conflict>& found) const {
+    Reached reached{scene_.ties};
+    for (const Conflict& conflict : found) {
+      reached.add(conflict.pair.first);
+      reached.add(conflict.pair.second);
+    }
+    for (std::size_t i = 0; i < scene_.pieces.size(); ++i) {
+      if (protrusion(i) > 0) reached.add(i);
+    }
+    return reached;
+  }
+
+  // With columns for what is reached, and for more until nothing is missed.
+  bool part_within(double lengthen, const std::vector<Conflict>& found, const std::vector<PiecePair>& near,
+                   Reached& reached, const std::stop_token& stop) {
+    for (;;) {
+      observer_.on_stage(Stage::kRows);
+      PositionModel model{scene_.pieces, scene_.marker.strip, reached.with_others_fixed()};
+      model.add_length(kLengthCost, 0, lengthen);
+      for (std::size_t i = 0; i < scene_.pieces.size(); ++i) model.add_right_wall(i);
+      std::vector<std::pair<int, PairRow>> modelled;
+      for (const PairRow& row : rows_for(found, near, reached)) {
+        if (const auto added = model.add(row)) modelled.emplace_back(*added, row);
+      }
+      model.add_stillness(kStillness);
+      observer_.on_stage(Stage::kSolve);
+      observer_.on_program(model.program());
+      const LpSolution solution = solve(model.program(), SolverChoice::kAutomatic, {}, stop);
+      std::vector<std::uint32_t> missed;
+      if (solution.status == LpStatus::kOptimal) {
+        missed = missed_in(solution, modelled, reached);
+        if (missed.empty()) {
+          take(model.displacements(solution.x));
+          return true;
+        }
+      } else if (!stop.stop_requested()) {
+        missed = beside(reached, near);
+      }
+      if (missed.empty()) return false;
+      reached.grow(std::move(missed), near);
+    }
+  }
+
+  void take(const std::vector<Displacement>& displacements) {
+    std::vector<Vec> positions = snapped(displacements);
+    for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + scene_.pieces.at(i);
+    scene_.pieces.place(std::move(positions));
+  }
+
+  [[nodiscard]] std::vector<std::uint32_t> missed_in(const LpSolution& solution,
+                                                     const std::vector<std::pair<int, PairRow>>& modelled,
+                                                     const Reached& reached) const {
+    Pressure pressure{scene_.pieces.size()};
+    for (const auto& [row, pair_row] : modelled) pressure.add(pair_row, solution.dual[static_cast<std::size_t>(row)]);
+    const Box room = scene_.marker.strip.room(scene_.marker.strip.last().value_or(kLatticeLimit));
+    return reached.missed(scene_.pieces, pressure.load(), kStillness, room);
+  }
+  // Whose motion might help where there is no room.
+  [[nodiscard]] static std::vector<std::uint32_t> beside(const Reached& reached, const std::vector<PiecePair>& near) {
+    std::vector<std::uint32_t> neighbours;
+    for (const auto& [p, q] : near) {
+      if (reached.holds(p) && reached.may_hold(q)) neighbours.push_back(q);
+      if (reached.holds(q) && reached.may_hold(p)) neighbours.push_back(p);
+    }
+    return neighbours;
+  }
+
+  // Of the pairs that something reached is of.
+  [[nodiscard]] std::vector<PairRow> rows_for(const std::vector<Conflict>& found, const std::vector<PiecePair>& near,
+                                              const Reached& reached) const {
+    std::vector<PiecePair> held;
+    std::copy_if(near.begin(), near.end(), std::back_inserter(held),
+                 [&](const PiecePair& pair) { return reached.holds_any(pair); });
+    const auto obstacles = scene_.obstacles(held, *observer_.crew);
     std::vector<PairRow> rows;
     auto conflict = found.begin();  // both lists are sorted by pair
-    const auto near = pairs_within(scene_.pieces, std::llround(kReach * limit_) + scene_.pieces.widest_spacing());
-    const auto obstacles = scene_.obstacles(near, *observer_.crew);
-    for (std::size_t k = 0; k < near.size(); ++k) {
-      const PiecePair pair = near[k];
+    for (std::size_t k = 0; k < held.size(); ++k) {
+      const PiecePair pair = held[k];
+      while (conflict != found.end() && conflict->pair < pair) ++conflict;
       const bool apart = conflict == found.end() || conflict->pair != pair;
-      if (!apart) ++conflict;
       const Vec r = scene_.relative_position(pair);
       const Vec about = apart ? r : target(pair).about;
       const Coord spacing = scene_.pieces.spacing(pair);
@@ -170,15 +239,6 @@ class Healer {
       }
     }
     return rows;
-  }
-
-  [[nodiscard]] PositionModel model_with(const std::vector<PairRow>& rows, double lengthen) const {
-    PositionModel model{scene_.pieces, scene_.marker.strip, scene_.ties};
-    model.add_length(kLengthCost, 0, lengthen);
-    for (std::size_t i = 0; i < scene_.pieces.size(); ++i) model.add_right_wall(i);
-    for (const PairRow& row : rows) model.add(row);
-    model.add_stillness(1);
-    return model;
   }
 
   Scene& scene_;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/marker/validity.h"
@@ -107,6 +108,44 @@ TEST(Heal, PartsPiecesCloserThanTheSpacing) {
   ASSERT_TRUE(healing) << healing.error().message;
   EXPECT_TRUE(is_valid(out));
   EXPECT_NEAR(healing->deepest, 50, 1e-6);
+}
+
+// The columns of the largest program that healing the marker solves.
+int most_columns(const Marker& marker, Marker& out) {
+  int most = 0;
+  Observer observer;
+  observer.on_program = [&](const LinearProgram& program) { most = std::max(most, program.columns()); };
+  SumCache sums;
+  Scene scene{marker, sums};
+  EXPECT_TRUE(heal(scene, {}, observer));
+  out = scene.result();
+  EXPECT_TRUE(is_valid(out));
+  return most;
+}
+
+TEST(Heal, ModelsNoMoreThanWhatOverlaps) {
+  Layout layout{1'000'000};
+  const auto square = layout.shape_of(test::rectangle(90'000, 90'000));
+  for (Coord i = 0; i < 100; ++i) layout.put(square, {i / 10 * 100'000, i % 10 * 100'000});
+  Marker marker = layout.marker();
+  marker.pieces[54].at.y += 10'050;  // into the next by 50
+  Marker out;
+  EXPECT_EQ(most_columns(marker, out), 9);  // of two pieces: where to, and how far; and the length
+  EXPECT_EQ(out.pieces[53], marker.pieces[53]);
+}
+
+TEST(Heal, ModelsWhatIsPushedOn) {  // nine in a stack, of which the lowest two overlap: all but the lowest go up
+  Layout layout{1'000'000};
+  const auto square = layout.shape_of(test::rectangle(100'000, 100'000));
+  layout.put(square, {0, 0}, 0, true);
+  for (Coord i = 1; i < 9; ++i) layout.put(square, {0, i * 100'000 - 50});
+  for (Coord i = 0; i < 9; ++i) layout.put(square, {300'000, i * 100'000});
+  Marker out;
+  EXPECT_EQ(most_columns(layout.marker(), out), 8 * 4 + 1);
+  for (std::size_t i = 1; i < 9; ++i) {
+    EXPECT_EQ(out.pieces[i].at, (Vec{0, static_cast<Coord>(i) * 100'000}));
+    EXPECT_EQ(out.pieces[i + 9], layout.marker().pieces[i + 9]);
+  }
 }
 
 TEST(Heal, ShakenCompactedMarkersHealAndStayAsShort) {
