@@ -10,6 +10,7 @@
 #include "core/motion/bump.h"
 #include "core/motion/drag.h"
 #include "core/motion/float_apart.h"
+#include "core/motion/heal.h"
 #include "core/motion/open_gap.h"
 #include "core/motion/place.h"
 #include "core/motion/push.h"
@@ -79,6 +80,17 @@ void separate_once(const Marker& marker, SumCache& sums, const Observer& observe
   require(separate(overlapping, settings, sums, {}, observer));
 }
 
+// The middle piece, bumped to the right, lies in what it met there by half of what is healed.
+void heal_once(const Marker& marker, SumCache& sums, const Observer& observer) {
+  Marker overlapping = marker;
+  Vec& at = overlapping.pieces[middle_of(marker).value].at;
+  SumCache others;
+  at = bump(Scene{marker, others}, middle_of(marker).value, 1, 0).at;
+  at = beside_middle(overlapping, kHealingLimit / 2);
+  Scene scene{overlapping, sums};
+  require(heal(scene, {}, observer));
+}
+
 void tilt_once(const Marker& marker, SumCache& sums, const Observer& observer) {
   TiltSettings settings = tilt_settings(TiltMethod::kLinearisation, Accuracy::kStandard);
   settings.rounds = 1;
@@ -109,9 +121,10 @@ constexpr std::array kRounds{
     OneRound{"float, given distance", kAny, float_once<FloatMode::kGivenDistance>},
     OneRound{"float, largest minimum", kAny, float_once<FloatMode::kLargestMinimum>},
     OneRound{"float, largest total", kAny, float_once<FloatMode::kLargestTotal>},
-    OneRound{"float, two steps", 440, float_once<FloatMode::kTwoStep>},
-    OneRound{"float, uniform", 440, float_once<FloatMode::kUniform>},
+    OneRound{"float, two steps", kAny, float_once<FloatMode::kTwoStep>},
+    OneRound{"float, uniform", kAny, float_once<FloatMode::kUniform>},
     OneRound{"gap", kAny, open_once},
+    OneRound{"heal one", kAny, heal_once},
     OneRound{"place", kAny, place_once},
     OneRound{"push one across", kAny, push_once<true, Extent::kReached>},
     OneRound{"push one across, whole", 440, push_once<true, Extent::kWhole>},
@@ -119,7 +132,7 @@ constexpr std::array kRounds{
     OneRound{"push one along, whole", 440, push_once<false, Extent::kWhole>},
     OneRound{"relax", kAny, relax_once},
     OneRound{"separate one", kAny, separate_once},
-    OneRound{"tilt", 440, tilt_once},
+    OneRound{"tilt", kAny, tilt_once},
 };
 
 }  // namespace
