@@ -4,8 +4,6 @@
 // times by the clock on the wall.
 //
 // usage: measure knobs|digitised|anytime|scene|growth|cores MARKER...
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -15,6 +13,7 @@
 #include <functional>
 #include <iomanip>
 #include <iostream>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 #include <stop_token>
@@ -291,42 +290,66 @@ void scene(const std::string& path) {
     const Marker marker = test::tiled(tile, pieces);
     for (const test::OneRound& round : test::one_round_of_each()) {
       if (pieces > round.pieces) continue;
-      const double start = own_time();
-      const auto [programs, largest, sums] = test::work_of(round, marker);
-      const double time = own_time() - start;
+      test::Work work;
+      const double time = median_time([&] { work = test::work_of(round, marker); });
+      const auto& [programs, largest, sums] = work;
       std::cout << pieces << ",\"" << round.motion << "\"," << time << ',' << programs << ',' << largest.columns << ','
                 << largest.rows << ',' << largest.nonzeros << ',' << sums << std::endl;
     }
   }
 }
 
+// The most memory that this process has had, MB.  (What getrusage tells is also that of the process that started it.)
+std::size_t peak_megabytes() {
+  std::ifstream status{"/proc/self/status"};
+  for (std::string word; status >> word;) {
+    if (word != "VmHWM:") continue;
+    std::size_t kilobytes{};
+    status >> kilobytes;
+    return kilobytes / 1024;
+  }
+  return 0;
+}
+
+// A compaction, and the milliseconds of its stages.
+struct Staged {
+  Compaction done;
+  std::array<double, 5> stages{};
+  [[nodiscard]] double all() const { return std::accumulate(stages.begin(), stages.end(), 0.0); }
+};
+Staged staged(const Marker& marker) {
+  std::array<double, 5> stages{};
+  auto at = static_cast<std::size_t>(Stage::kOther);
+  double last = own_time();
+  const auto enter = [&](std::size_t next) {
+    const double now = own_time();
+    stages[at] += now - last;
+    last = now;
+    at = next;
+  };
+  Observer observer;
+  observer.on_stage = [&](Stage stage) { enter(static_cast<std::size_t>(stage)); };
+  SumCache sums;
+  Compaction done = *compact(marker, compaction_settings(Accuracy::kStandard), sums, {}, observer);
+  enter(0);
+  return {std::move(done), stages};
+}
+
+// Of three runs the one between the others.
 void growth(const std::vector<std::string>& paths) {
   std::cout << "tile,pieces,ms,sums,rows,solve,verify,other,programs,ratio,megabytes,valid\n" << std::fixed;
   for (const std::string& path : paths) {
     const Marker tile = test::loosened(marker_in(path), 0.05);
     for (const std::size_t pieces : {100U, 400U, 1600U, 4000U, 6400U}) {
       const Marker marker = test::tiled(tile, pieces);
-      std::array<double, 5> stages{};
-      auto at = static_cast<std::size_t>(Stage::kOther);
-      double last = own_time();
-      const double start = last;
-      const auto enter = [&](std::size_t next) {
-        const double now = own_time();
-        stages[at] += now - last;
-        last = now;
-        at = next;
-      };
-      Observer observer;
-      observer.on_stage = [&](Stage stage) { enter(static_cast<std::size_t>(stage)); };
-      SumCache sums;
-      const auto done = compact(marker, compaction_settings(Accuracy::kStandard), sums, {}, observer);
-      enter(0);
-      rusage usage{};
-      getrusage(RUSAGE_SELF, &usage);
-      std::cout << name_of(path) << ',' << pieces << ',' << last - start;
-      for (const double stage : stages) std::cout << ',' << stage;
-      std::cout << ',' << done->programs << ',' << ratio_of(*done) << ',' << usage.ru_maxrss / 1024 << ','
-                << (is_valid(done->marker) ? "valid" : "INVALID") << std::endl;
+      std::vector<Staged> runs;
+      for (int run = 0; run < 3; ++run) runs.push_back(staged(marker));
+      std::ranges::sort(runs, {}, &Staged::all);
+      const Staged& between = runs[1];
+      std::cout << name_of(path) << ',' << pieces << ',' << between.all();
+      for (const double stage : between.stages) std::cout << ',' << stage;
+      std::cout << ',' << between.done.programs << ',' << ratio_of(between.done) << ',' << peak_megabytes() << ','
+                << (is_valid(between.done.marker) ? "valid" : "INVALID") << std::endl;
     }
   }
 }

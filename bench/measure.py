@@ -3,8 +3,8 @@
 
 usage: measure.py --program build/release/bin/measure --out docs --kept FOLDER [--records RECORD...] --garments MARKER...
 
-Writes the tables into FOLDER as Markdown (presets.md, fronts.md, knobs.md, digitised.md, anytime.md, scene.md, growth.md)
-beside the lines they come from, and the pictures into docs/pictures.  With lines kept from an earlier run, measures only what is missing.
+Writes the tables into the pages that have a place for them (PAGES), between `<!-- table: NAME -->` and `<!-- end -->`, and the
+pictures beside those.  The lines they come from are kept in FOLDER: with some from an earlier run, measures only what is missing.
 """
 import argparse
 import csv
@@ -21,12 +21,20 @@ matplotlib.rcParams["svg.hashsalt"] = "selvage"
 from matplotlib import pyplot  # noqa: E402
 
 
-def lines_of(arguments, what, markers, name=None):
-    kept = arguments.kept / f"{name or what}.csv"
+PAGES = ["measurements-trade.md", "measurements-growth.md"]
+
+
+def told(arguments, what, markers, name=None):
+    """What the program prints, kept."""
+    kept = arguments.kept / (name or f"{what}.csv")
     if not kept.exists():
         done = subprocess.run([arguments.program, what, *markers], check=True, capture_output=True, text=True)
         kept.write_text(done.stdout)
-    rows = list(csv.DictReader(io.StringIO(kept.read_text())))
+    return kept.read_text()
+
+
+def lines_of(arguments, what, markers, name=None):
+    rows = list(csv.DictReader(io.StringIO(told(arguments, what, markers, name))))
     assert all(row.get("valid", "valid") == "valid" for row in rows)
     return rows
 
@@ -34,6 +42,17 @@ def lines_of(arguments, what, markers, name=None):
 def table(head, rows):
     lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
     return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows]) + "\n"
+
+
+def put(arguments, name, text):
+    """Puts a table where the pages have a place for it."""
+    begin, end = f"<!-- table: {name} -->\n", "<!-- end -->"
+    for page in (arguments.out / p for p in PAGES):
+        before, found, rest = page.read_text().partition(begin)
+        if found:
+            page.write_text(before + begin + "\n" + text + "\n" + end + rest.partition(end)[2])
+            return
+    raise SystemExit(f"no page has a place for the table '{name}'")
 
 
 def save(figure, path):
@@ -88,7 +107,7 @@ def fronts(arguments, sets):
     for preset in PRESETS:
         found = [rivals(points, preset, marker) for _, points, marker in columns]
         body.append([preset] + ["on the front" if not f else "behind " + ", ".join(f[:3]) for f in found])
-    (arguments.kept / "fronts.md").write_text(table(["preset", *(name for name, _, _ in columns)], body))
+    put(arguments, "fronts", table(["preset", *(name for name, _, _ in columns)], body))
 
 
 def in_order(settings):
@@ -126,7 +145,7 @@ def knobs(arguments, sets):
             else:
                 cells += ["", "", ""]
         body.append([*key, *cells])
-    (arguments.kept / "knobs.md").write_text(table(head, body))
+    put(arguments, "knobs", table(head, body))
     names = [k for k in dict.fromkeys(k for k, _ in settings) if k != "accuracy"]
     figure, axes = pyplot.subplots(3, math.ceil(len(names) / 3), figsize=(16, 10))
     for axis, knob in zip(axes.flat, names):
@@ -151,8 +170,7 @@ def knobs(arguments, sets):
             body.append([m] + [f"{float(at[m, p]['ms']):.1f} ms, {float(at[m, p]['ratio']):.6f}" for p in PRESETS]
                         + [f"{100 * (float(at[m, p]['ratio']) / float(at[m, 'standard']['ratio']) - 1):+.3f} %"
                            for p in ("draft", "fine")])
-    (arguments.kept / "presets.md").write_text(
-        table(["marker", *PRESETS, "draft beside standard", "fine beside standard"], body))
+    put(arguments, "presets", table(["marker", *PRESETS, "draft beside standard", "fine beside standard"], body))
 
 
 def front_picture(arguments, of_set):
@@ -177,7 +195,7 @@ def digitised(arguments, rows):
         part = lambda key: f"{float(row[key]):.1f} ms ({float(row[key]) / float(base[key]):.2f})"
         body.append([row["marker"], row["vertices"], row["simplification"], part("cold"), part("warm"), row["sums"],
                      percent(float(row["ratio"]) / float(base["ratio"]))])
-    (arguments.kept / "digitised.md").write_text(
+    put(arguments, "digitised",
         table(["marker", "vertices a shape", "simplification", "cold", "warm", "sums", "length beside none"], body))
 
 
@@ -192,7 +210,7 @@ def anytime(arguments, rows):
     at = {(r["accuracy"], r["deadline"]): r for r in rows}
     cell = lambda r: f"{float(r['ratio']):.6f} ({float(r['ms']):.0f} ms)"
     body = [[d, cell(at["standard", d]), cell(at["fine", d])] for d in dict.fromkeys(r["deadline"] for r in rows)]
-    (arguments.kept / "anytime.md").write_text(table(["deadline, ms", "standard", "fine"], body))
+    put(arguments, "anytime", table(["deadline, ms", "standard", "fine"], body))
 
 
 def exponent(rows, key):
@@ -215,17 +233,29 @@ def growth(arguments, rows):
         axis.legend(title="growth exponent")
         body += [[tile, r["pieces"], *(f"{float(r[s]):.1f}" for s in stages), r["programs"], f"{float(r['ratio']):.5f}",
                   r["megabytes"]] for r in own]
-        body.append([tile, "exponent", *(f"{exponent(own, s):.2f}" for s in stages), "", "", ""])
+        for words, part in (("exponent", own), ("from 1,600 on", [r for r in own if int(r["pieces"]) >= 1600])):
+            body.append([tile, words, *(f"{exponent(part, s):.2f}" for s in stages), "", "", ""])
     save(figure, arguments.out / "pictures" / "growth.svg")
     head = ["tile", "pieces", "all, ms", "sums", "rows", "solve", "verify", "programs", "after / before", "MB"]
-    (arguments.kept / "growth.md").write_text(table(head, body))
+    put(arguments, "growth", table(head, body))
 
 
 def scene(arguments, rows):
     head = ["motion", "pieces", "ms, cold", "programs", "variables", "rows", "nonzeros", "sums asked for"]
     body = [[r["motion"], r["pieces"], f"{float(r['ms']):.2f}", r["programs"], r["variables"], r["rows"], r["nonzeros"],
              r["sums"]] for r in sorted(rows, key=lambda r: (r["motion"], int(r["pieces"])))]
-    (arguments.kept / "scene.md").write_text(table(head, body))
+    put(arguments, "scene", table(head, body))
+    naive(arguments, rows)
+
+
+def naive(arguments, rows):
+    """How many times ours the naive model takes."""
+    time = {(r["motion"], r["pieces"]): float(r["ms"]) for r in rows}
+    whole = ", whole"
+    motions = dict.fromkeys(m.removesuffix(whole) for m, _ in time if m.endswith(whole))
+    sizes = [p for p in dict.fromkeys(p for _, p in time) if (next(iter(motions)) + whole, p) in time]
+    body = [[m, *(f"{time[m + whole, p] / time[m, p]:.1f}" for p in sizes)] for m in motions]
+    put(arguments, "naive", table(["motion", *(f"{p} pieces" for p in sizes)], body))
 
 
 def main():
@@ -240,14 +270,15 @@ def main():
     named = {pathlib.Path(m).stem: m for m in arguments.garments}
     sets = {"garments": lines_of(arguments, "knobs", arguments.garments)}
     if arguments.records:
-        sets["records"] = lines_of(arguments, "knobs", arguments.records, "knobs-records")
+        sets["records"] = lines_of(arguments, "knobs", arguments.records, "knobs-records.csv")
     knobs(arguments, sets)
     digitised(arguments, lines_of(arguments, "digitised", [named["jeans_06g"], named["simon_06g"]]))
     anytime(arguments, lines_of(arguments, "anytime", [named["jeans_22g"]]))
     scene(arguments, lines_of(arguments, "scene", [named["jeans_06g"]]))
-    growth(arguments, lines_of(arguments, "growth", [named["jeans_02g"], named["jeans_06g"]]))
-    for name in ("presets", "fronts", "knobs", "digitised", "anytime", "scene", "growth"):
-        print((arguments.kept / f"{name}.md").read_text())
+    # A process for each tile: its memory is the most that it has had.
+    tiles = ["jeans_02g", "jeans_06g"]
+    growth(arguments, [row for t in tiles for row in lines_of(arguments, "growth", [named[t]], f"growth-{t}.csv")])
+    put(arguments, "cores", told(arguments, "cores", [named["jeans_06g"], named["jeans_22g"]], "cores.md"))
 
 
 if __name__ == "__main__":

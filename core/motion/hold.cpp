@@ -22,8 +22,8 @@ class Loads {
  public:
   Loads(const Marker& marker, SumCache& sums) : scene_{marker, sums} {}
 
-  Result<Hold> run(const std::stop_token& stop) {
-    const LpSolution solution = solve_model(stop);
+  Result<Hold> run(const std::stop_token& stop, const Observer& observer) {
+    const LpSolution solution = solve_model(stop, observer);
     Hold hold;
     if (solution.status != LpStatus::kOptimal) return hold;  // stopped: nothing is known
     for (std::size_t k = 0; k < rows_.size(); ++k) add_pair(rows_[k], solution.dual[k], hold);
@@ -37,7 +37,8 @@ class Loads {
   }
 
  private:
-  LpSolution solve_model(const std::stop_token& stop) {
+  LpSolution solve_model(const std::stop_token& stop, const Observer& observer) {
+    observer.on_stage(Stage::kRows);
     const Strip& strip = scene_.marker.strip;
     const double reach = kReach * static_cast<double>(strip.width);
     model_.emplace(scene_.pieces, strip, scene_.ties);
@@ -54,6 +55,8 @@ class Loads {
     const auto length = static_cast<double>(scene_.pieces.length());
     model_->add_length(1, length, kSpare * model_->unit());
     for (std::size_t i = 0; i < scene_.pieces.size(); ++i) model_->add_right_wall(i);
+    observer.on_stage(Stage::kSolve);
+    observer.on_program(model_->program());
     return solve(model_->program(), SolverChoice::kSimplex, {}, stop);
   }
 
@@ -158,11 +161,12 @@ class Loads {
 
 }  // namespace
 
-Result<Hold> what_holds(const Marker& marker, SumCache& sums, std::stop_token stop) {
+Result<Hold> what_holds(const Marker& marker, SumCache& sums, std::stop_token stop, const Observer& observer) {
+  observer.on_stage(Stage::kVerify);
   if (!is_valid(marker)) {
     return Error{ErrorCode::kMarkerOverlaps, "the marker is not valid: compact or part it first", "/pieces"};
   }
-  return Loads{marker, sums}.run(stop);
+  return Loads{marker, sums}.run(stop, observer);
 }
 
 }  // namespace selvage

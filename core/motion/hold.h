@@ -14,6 +14,7 @@
 #include "core/geometry/overlap.h"
 #include "core/marker/marker.h"
 #include "core/minkowski/cache.h"
+#include "core/motion/observer.h"
 
 namespace selvage {
 
@@ -40,6 +41,7 @@ struct Hold {
 
 // REQUIRES: a valid marker.  A marker that is not compacted is held where it stands, all the same.
 // Errors: kMarkerOverlaps, kOutsideStrip for one that is not valid.
-[[nodiscard]] Result<Hold> what_holds(const Marker& marker, SumCache& sums, std::stop_token stop = {});
+[[nodiscard]] Result<Hold> what_holds(const Marker& marker, SumCache& sums, std::stop_token stop = {},
+                                      const Observer& observer = {});
 
 }  // namespace selvage

@@ -121,7 +121,9 @@ class Simulation {
     const std::vector<ContactRow> rows = contact_rows();
     for (const double restoring : {1.0, 0.0}) {  // without room for the clearance, at least what there is stays
       observer_.on_stage(Stage::kSolve);
-      const LpSolution solution = solve(velocity_program(rows, restoring), settings_.solver, {}, stop);
+      const LinearProgram program = velocity_program(rows, restoring);
+      observer_.on_program(program);
+      const LpSolution solution = solve(program, settings_.solver, {}, stop);
       ++programs;
       if (solution.status == LpStatus::kStopped) return std::nullopt;
       if (solution.status != LpStatus::kOptimal) continue;

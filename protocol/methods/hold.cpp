@@ -49,7 +49,7 @@ Json tilts_json(const Marker& marker, const std::vector<TiltWorth>& tilts) {
 }
 
 Result<MethodAnswer> run(const MarkerHold&, const MarkerFile& file, const Means& means) {
-  const auto hold = what_holds(file.marker, means.sums, means.stop);
+  const auto hold = what_holds(file.marker, means.sums, means.stop, means.observer);
   if (!hold) return hold.error();
   return MethodAnswer{{{"length", to_decimal(length_of(file.marker), file.marker.resolution)},
                        {"contacts", contacts_json(file.marker, hold->contacts)},

@@ -6,17 +6,21 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "core/motion/bump.h"
 #include "core/motion/drag.h"
 #include "core/motion/float_apart.h"
 #include "core/motion/heal.h"
+#include "core/motion/hold.h"
+#include "core/motion/one_at_a_time.h"
 #include "core/motion/open_gap.h"
 #include "core/motion/place.h"
 #include "core/motion/push.h"
 #include "core/motion/relax.h"
 #include "core/motion/separate.h"
 #include "core/motion/tilt.h"
+#include "core/motion/velocity.h"
 
 namespace selvage::test {
 namespace {
@@ -57,10 +61,18 @@ void push_once(const Marker& marker, SumCache& sums, const Observer& observer) {
   require(push(marker, {&force, 1}, one_round(kExtent), sums, {}, observer));
 }
 
+// Every piece to the left, the length held.
+void pull_left_once(const Marker& marker, SumCache& sums, const Observer& observer) {
+  std::vector<Force> forces;
+  for (std::uint32_t piece = 0; piece < marker.pieces.size(); ++piece) forces.push_back({PieceId{piece}, -1, 0});
+  require(push(marker, forces, one_round(Extent::kReached), sums, {}, observer));
+}
+
+template <Extent kExtent>
 void open_once(const Marker& marker, SumCache& sums, const Observer& observer) {
   const UnoccupiedSettings regions = unoccupied_settings(marker.strip);
   const std::size_t middle = unoccupied_regions(marker, regions).size() / 2;
-  require(open_gap(marker, AwayFromOutline{middle}, one_round(Extent::kReached), regions, sums, {}, observer));
+  require(open_gap(marker, AwayFromOutline{middle}, one_round(kExtent), regions, sums, {}, observer));
 }
 
 template <FloatMode kMode>
@@ -101,6 +113,19 @@ void tilt_once(const Marker& marker, SumCache& sums, const Observer& observer) {
 void bump_once(const Marker& marker, SumCache& sums, const Observer& /*solves nothing*/) {
   (void)bump(Scene{marker, sums}, middle_of(marker).value, -1, 0);
 }
+void sweep_once(const Marker& marker, SumCache& sums, const Observer& observer) {
+  SweepSettings settings;
+  settings.sweeps = 1;
+  require(compact_one_at_a_time(marker, settings, sums, {}, observer));
+}
+void step_once(const Marker& marker, SumCache& sums, const Observer& observer) {
+  VelocitySettings settings;
+  settings.steps = 1;
+  require(compact_by_velocities(marker, settings, sums, {}, observer));
+}
+void ask_what_holds(const Marker& marker, SumCache& sums, const Observer& observer) {
+  require(what_holds(marker, sums, {}, observer));
+}
 void relax_once(const Marker& marker, SumCache& sums, const Observer& /*solves nothing*/) {
   (void)relax(Scene{marker, sums}, middle_of(marker).value);
 }
@@ -123,8 +148,11 @@ constexpr std::array kRounds{
     OneRound{"float, largest total", kAny, float_once<FloatMode::kLargestTotal>},
     OneRound{"float, two steps", kAny, float_once<FloatMode::kTwoStep>},
     OneRound{"float, uniform", kAny, float_once<FloatMode::kUniform>},
-    OneRound{"gap", kAny, open_once},
+    OneRound{"gap", kAny, open_once<Extent::kReached>},
+    OneRound{"gap, whole", 440, open_once<Extent::kWhole>},
+    OneRound{"gravity", kAny, pull_left_once},
     OneRound{"heal one", kAny, heal_once},
+    OneRound{"one at a time", kAny, sweep_once},
     OneRound{"place", kAny, place_once},
     OneRound{"push one across", kAny, push_once<true, Extent::kReached>},
     OneRound{"push one across, whole", 440, push_once<true, Extent::kWhole>},
@@ -133,6 +161,8 @@ constexpr std::array kRounds{
     OneRound{"relax", kAny, relax_once},
     OneRound{"separate one", kAny, separate_once},
     OneRound{"tilt", kAny, tilt_once},
+    OneRound{"velocities", kAny, step_once},
+    OneRound{"what holds", kAny, ask_what_holds},
 };
 
 }  // namespace
