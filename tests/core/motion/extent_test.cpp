@@ -6,6 +6,7 @@
 
 #include "core/marker/validity.h"
 #include "core/motion/compact.h"
+#include "core/motion/open_gap.h"
 #include "core/motion/parting_step.h"
 #include "core/motion/push.h"
 #include "tests/core/motion/markers.h"
@@ -77,6 +78,23 @@ TEST_P(GarmentExtents, PushingOnePieceGainsAsMuch) {
       // Farther pieces need not give room for margins when they stay: never less, by a few units more.
       EXPECT_NEAR(gain(force, Extent::kReached), gain(force, Extent::kWhole), 1e-5 * width_) << piece << ' ' << to.x;
     }
+  }
+}
+
+TEST_P(GarmentExtents, OpeningAGapGainsAsMuch) {
+  const UnoccupiedSettings regions = unoccupied_settings(marker_.strip);
+  const std::size_t count = unoccupied_regions(marker_, regions).size();
+  const auto area = [&](std::size_t region, Extent extent) {
+    SumCache sums;
+    CompactionSettings settings = settings_with(extent);
+    settings.rounds = 1;
+    const auto opened = open_gap(marker_, AwayFromOutline{region}, settings, regions, sums);
+    EXPECT_TRUE(is_valid(opened->marker));
+    return opened->after.area;
+  };
+  for (std::size_t region = 0; region < count; region += 1 + count / 4) {
+    const double whole = area(region, Extent::kWhole);
+    EXPECT_NEAR(area(region, Extent::kReached), whole, 1e-3 * whole) << region;
   }
 }
 
