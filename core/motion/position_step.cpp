@@ -22,15 +22,18 @@ constexpr double kBroken = 1e-2;         // lattice units: by less no row is bro
 constexpr double kPairAhead = 8;         // a pair's reach, as a multiple of what it moved in the last round
 constexpr double kLeastPairReach = 0.2;  // as a part of the reach of all
 constexpr std::size_t kBlock = 64;       // near pairs whose rows one hand finds in a row
+constexpr std::size_t kHearing = 512;    // near pairs between two looks at whether to stop
 constexpr double kSpare = 1e-2;          // column units the length may grow by in a program, for rows' margins
 
 // The growing model of one round.
 class Attempt {
  public:
-  Attempt(const Scene& scene, const Goal& goal, const StepSettings& settings, const Observer& observer)
+  Attempt(const Scene& scene, const Goal& goal, const StepSettings& settings, const std::stop_token& stop,
+          const Observer& observer)
       : scene_{scene},
         goal_{goal},
         settings_{settings},
+        stop_{stop},
         observer_{observer},
         obstacles_{scene, settings.simplification},
         trust_{settings.trust * static_cast<double>(scene.marker.strip.width)},
@@ -47,14 +50,18 @@ class Attempt {
     model_near();
   }
 
-  PositionStep run(const std::stop_token& stop) {
+  PositionStep run() {
     PositionStep step;
     LpLimits limits;
     if (!held()) limits.tolerance = settings_.tolerance;
     while (step.programs < kAttempts) {
+      if (stop_.stop_requested()) {
+        step.end = StepEnd::kStopped;
+        return step;
+      }
       observer_.on_stage(Stage::kSolve);
       observer_.on_program(model_->program());
-      const LpSolution solution = solve(model_->program(), settings_.solver, limits, stop);
+      const LpSolution solution = solve(model_->program(), settings_.solver, limits, stop_);
       ++step.programs;
       if (solution.status == LpStatus::kInfeasible && tight_ == TightRows::kRestore) {
         if (reach_neighbours()) continue;
@@ -81,7 +88,8 @@ class Attempt {
   }
 
  private:
-  // Looks up the sums of pairs that have come to matter.  Returns how many were known before.
+  // Looks up the sums of pairs that have come to matter, unless asked to stop: where pieces were turned they are new,
+  // and many in long markers.  Returns how many were known before.
   std::size_t know_near() {
     observer_.on_stage(Stage::kSums);
     const std::size_t known = near_.size();
@@ -90,8 +98,15 @@ class Attempt {
       if (!modelled_.insert(pair).second) continue;
       near_.push_back(pair);
     }
-    auto obstacles = obstacles_.of(std::span{near_}.subspan(known), *observer_.crew);
-    std::move(obstacles.begin(), obstacles.end(), std::back_inserter(of_near_));
+    for (std::size_t done = known; done < near_.size(); done += kHearing) {
+      if (stop_.stop_requested()) {
+        near_.resize(done);
+        break;
+      }
+      auto obstacles =
+          obstacles_.of(std::span{near_}.subspan(done, std::min(kHearing, near_.size() - done)), *observer_.crew);
+      std::move(obstacles.begin(), obstacles.end(), std::back_inserter(of_near_));
+    }
     return known;
   }
   void model_near() {
@@ -366,6 +381,7 @@ class Attempt {
   const Scene& scene_;
   const Goal& goal_;
   const StepSettings& settings_;
+  const std::stop_token& stop_;
   const Observer& observer_;
   Obstacles obstacles_;
   double trust_;
@@ -389,7 +405,7 @@ Goal leftward_goal(const Scene& scene, double gravity) {
 
 PositionStep position_step(const Scene& scene, const Goal& goal, const StepSettings& settings,
                            const std::stop_token& stop, const Observer& observer) {
-  return Attempt{scene, goal, settings, observer}.run(stop);
+  return Attempt{scene, goal, settings, stop, observer}.run();
 }
 
 }  // namespace selvage

@@ -102,6 +102,7 @@ class Tilter {
                                             : tilt_step(scene, leftwards(start), {}, step_settings, stop_, observer_);
       ++total_.programs;
       if (step.status != LpStatus::kOptimal) return std::nullopt;
+      if (stop_.stop_requested()) return std::nullopt;
       next.pieces = step.pieces;
       observer_.on_stage(Stage::kVerify);
       if (is_valid(next)) return next;

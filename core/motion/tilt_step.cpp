@@ -18,6 +18,7 @@ constexpr double kClearance = 1e-7;    // parts of the width that pieces are kep
 constexpr Coord kLeastClearance = 3;   // and lattice units, for rounded outlines
 constexpr double kLeastArc = 1;        // lattice units: a smaller turn changes nothing but rounding
 constexpr std::size_t kBlock = 16;     // near pairs whose rows one hand finds in a row
+constexpr std::size_t kHearing = 512;  // near pairs between two looks at whether to stop
 constexpr double kLengthSpare = 1e-2;  // column units the length may grow by in a program, for rows' margins
 
 class Program {
@@ -43,13 +44,23 @@ class Program {
     }
   }
 
-  void add_pairs(const Observer& observer) {
+  // False when it was asked to stop meanwhile: turned pieces need new sums, which takes long in long markers.
+  bool add_pairs(const Observer& observer, const std::stop_token& stop) {
     observer.on_stage(Stage::kSums);
     const double most_swing = turn_ * widest_radius();
     const double reach = 2 * (farthest_ + most_swing);
     const std::vector<PiecePair> overlapping = conflicts(scene_.pieces, *observer.crew);
     auto near = pairs_within(scene_.pieces, std::llround(reach) + scene_.pieces.widest_spacing());
     std::erase_if(near, [&](const PiecePair& pair) { return scene_.ties.joined(pair.first, pair.second); });
+    for (std::size_t done = 0; done < near.size(); done += kHearing) {
+      if (stop.stop_requested()) return false;
+      add_rows(std::span{near}.subspan(done, std::min(kHearing, near.size() - done)), overlapping, reach, observer);
+    }
+    return true;
+  }
+
+  void add_rows(std::span<const PiecePair> near, const std::vector<PiecePair>& overlapping, double reach,
+                const Observer& observer) {
     const auto obstacles = scene_.obstacles(near, *observer.crew);
     using Rows = std::vector<TiltRow>;
     const auto found = gathered<Rows>(*observer.crew, near.size(), kBlock, [&](std::size_t k, std::vector<Rows>& out) {
@@ -157,7 +168,7 @@ TiltStep tilt_step(const Scene& scene, const Goal& goal, std::span<const double>
                    const TiltStepSettings& settings, const std::stop_token& stop, const Observer& observer) {
   Program program{scene, settings};
   program.add_goal(goal, torque);
-  program.add_pairs(observer);
+  if (!program.add_pairs(observer, stop)) return {LpStatus::kStopped, 0, {}};
   observer.on_stage(Stage::kSolve);
   observer.on_program(program.program());
   return program.solved(settings.solver, stop);
