@@ -7,6 +7,8 @@
 namespace selvage::test {
 
 // No pair overlaps and no piece leaves the strip, by either judge.  CGAL is asked about every pair whose boxes overlap.
+// With SELVAGE_OUTLINES=FOLDER in the environment the layout is kept there as placed outlines, named after the running
+// test, for a third judge (tests/judge).
 void expect_valid_twice(const Marker& marker);
 
 // Valid twice; shapes, strip, orientations and locked coordinates are what they were; not longer than before but for
