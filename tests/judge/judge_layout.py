@@ -56,13 +56,15 @@ class Piece:
 
         REQUIRES: no vertex lies strictly between two neighbours.  Every second pair of edges has the piece in between.
         """
-        reached, coming = [], 0
+        reached, coming = [], 0  # (height at the cut come to, edge)
         for x0, x1 in pairwise(cuts):
             while coming < len(self.edges) and self.edges[coming].left[0] <= x0:
-                reached.append(self.edges[coming])
+                reached.append((self.edges[coming].height_at(x0), self.edges[coming]))
                 coming += 1
-            reached = [edge for edge in reached if edge.right[0] > x0]
-            yield sorted((edge.height_at(x0), edge.height_at(x1)) for edge in reached)
+            reached = [(height, edge) for height, edge in reached if edge.right[0] > x0]
+            stack = sorted((height, edge.height_at(x1), edge) for height, edge in reached)
+            yield [ends for *ends, _ in stack]
+            reached = [(height, edge) for _, height, edge in stack]
 
 
 def below(one, other):
