@@ -75,15 +75,6 @@ Polygon pinwheel(Coord arm) {
   return whole({{1, -1}, {arm, -1}, {1, 1}, {1, arm}, {-1, 1}, {-arm, 1}, {-1, -1}, {-1, -arm}});
 }
 
-Polygon saw(Coord teeth, Coord pitch, Coord height) {
-  std::vector<Vec> vertices{{0, 0}, {teeth * pitch, 0}};
-  for (Coord k = teeth; k-- > 0;) {
-    vertices.push_back({k * pitch + pitch / 2, height});
-    vertices.push_back({k * pitch, height / 10});
-  }
-  return whole(vertices);
-}
-
 std::vector<NastyPiece> nasty_pieces() {
   constexpr Coord kLarge = Coord{1} << 28;
   constexpr Coord kTrillion = 1'000'000'000'000;

@@ -22,7 +22,5 @@ struct NastyPiece {
 
 // Its kernel is about one lattice unit across, its arms are as long as `arm`.
 [[nodiscard]] Polygon pinwheel(Coord arm);
-// A bar with upright sharp teeth.
-[[nodiscard]] Polygon saw(Coord teeth, Coord pitch, Coord height);
 
 }  // namespace selvage::test
