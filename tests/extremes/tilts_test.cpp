@@ -35,7 +35,7 @@ TEST(ExtremeTilts, ABillionthOfADegree) {
       EXPECT_EQ(image[k].y, std::llround(x * std::sin(radians) + y * std::cos(radians)));
     }
     EXPECT_EQ(image == shape, size < Coord{1} << 30);  // there it is less than half a unit
-    reached("a corner moved, lattice units", static_cast<double>(image[1].y - shape[1].y));
+    reached("a corner moved, on a piece of " + std::to_string(2 * size), static_cast<double>(image[1].y - shape[1].y));
   }
 }
 
