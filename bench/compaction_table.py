@@ -3,7 +3,8 @@
 
 usage: compaction_table.py --selvage BINARY [--accuracy WORD] [--judge CHECKER] FILE...
 
---judge: a program that is given each result's outlines file and exits 0 when the layout is valid.
+--judge: a program that is given each result's outlines file and exits 0 when the layout is valid
+(tests/judge/judge_layout.py); a result counts as valid when it and Selvage say so.
 Exit status 1 when some marker could not be compacted, came out longer, or is not valid.
 """
 import argparse
@@ -24,7 +25,9 @@ def compacted(options, path, folder):
     result = json.loads(run.stdout)
     if options.judge:
         judged = subprocess.run([sys.executable, options.judge, str(outlines)], capture_output=True, text=True, check=False)
-        result["valid"] = result["valid"] and judged.returncode == 0
+        if judged.returncode != 0:
+            print(judged.stdout + judged.stderr, file=sys.stderr)
+            result["valid"] = False
     return result, None
 
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
+#include <span>
 
 #include "core/marker/validity.h"
 #include "protocol/formats/native.h"
@@ -54,29 +56,86 @@ Json with_lengths(Json document, const Change& change) {
   return document;
 }
 
+// Every coordinate of a piece's place and of a shape's outline.
+template <class Visit>
+void for_each_length(Json document, const Visit& visit) {
+  const auto look_at = [&](double x) {
+    visit(x);
+    return x;
+  };
+  for (Json& shape : document["shapes"]) change_numbers(shape["outline"], look_at);
+  for (Json& piece : document["pieces"]) change_numbers(piece["at"], look_at);
+}
+
 std::vector<Vec> positions(const Marker& marker) {
   std::vector<Vec> at;
   for (const Piece& piece : marker.pieces) at.push_back(piece.at);
   return at;
 }
 
-// From strips of 1.5e-6 with details of 1e-11 to strips of 1.5e8 with lengths of 2.4e8: always the same lattice, hence
-// the same answer to the last digit.
-TEST(ExtremeCoordinates, TheSameMarkerInUnitsOf1em9To1e5) {
-  const Json document = document_of(test::garment("jeans_02g"));
+Json in_units_of(int exponent, const Json& document) {
+  return with_lengths(document, [&](double x) { return shifted(x, exponent); });
+}
+
+// In each of the units the same lattice, hence the same answer to the last digit.
+void expect_the_same_in_units(const Marker& marker, std::span<const int> exponents, double compacts_to) {
+  const Json document = document_of(marker);
+  const double width = to_decimal(marker.strip.width, marker.resolution);
   std::optional<Compaction> first;
-  for (const int exponent : {0, -9, -6, -3, 3, 5}) {
+  for (const int exponent : exponents) {
     SCOPED_TRACE(exponent);
-    const auto read = read_document(with_lengths(document, [&](double x) { return shifted(x, exponent); }));
+    const auto read = read_document(in_units_of(exponent, document));
     ASSERT_TRUE(read) << read.error().field << read.error().message;
-    EXPECT_EQ(shifted(to_decimal(read->marker.strip.width, read->marker.resolution), -exponent), 1500);
+    EXPECT_EQ(shifted(to_decimal(read->marker.strip.width, read->marker.resolution), -exponent), width);
     const Compaction result = soundly_compacted(read->marker);
     if (!first) first = result;
     EXPECT_EQ(positions(result.marker), positions(first->marker));
     EXPECT_EQ(result.length_after, first->length_after);
     EXPECT_LT(result.length_after, result.length_before);
   }
-  reached("after / before", static_cast<double>(first->length_after) / static_cast<double>(first->length_before));
+  const double ratio = static_cast<double>(first->length_after) / static_cast<double>(first->length_before);
+  reached("after / before", ratio);
+  EXPECT_LE(ratio, compacts_to);
+}
+
+// From strips of 1.5e-6 to strips of 1.5e8.
+TEST(ExtremeCoordinates, TheSameMarkerInUnitsOf1em9To1e5) {
+  expect_the_same_in_units(test::garment("jeans_02g"), std::array{0, -9, -6, -3, 3, 5}, 0.9967);
+}
+
+// A strip 1,000 wide, whose width in the smallest and in the largest of these units is the least and the most that a
+// file may say; and a speck of 1 among the pieces.
+TEST(ExtremeCoordinates, FromTheNarrowestStripToTheWidest) {
+  Marker marker = test::loose_marker(7, 6, 4, 115'000);
+  ASSERT_EQ(to_decimal(marker.strip.width, marker.resolution), 1000);
+  marker.shapes.push_back(test::shape("speck", test::rectangle(1000, 1000)));
+  marker.pieces.push_back(marker.pieces.front());
+  marker.pieces.back().id = "speck";
+  marker.pieces.back().shape = ShapeId{static_cast<std::uint32_t>(marker.shapes.size() - 1)};
+  marker.pieces.back().at = {0, marker.strip.width - 1000};
+  marker.pieces.back().orientation = {};
+  expect_the_same_in_units(marker, std::array{0, -9, 6}, 0.6563);
+  const Json document = document_of(marker);
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0;
+  for (const int exponent : {-9, 6}) {
+    for_each_length(in_units_of(exponent, document), [&](double x) {
+      if (x != 0) least = std::min(least, std::abs(x));
+      most = std::max(most, std::abs(x));
+    });
+  }
+  reached("least coordinate", least);
+  reached("largest coordinate", most);
+  EXPECT_LE(least, 1e-9);
+  EXPECT_GE(most, 1e9);
+  for (const int exponent : {-10, 7}) {  // ten times less, ten times more
+    const auto refused = read_document(in_units_of(exponent, document));
+    ASSERT_FALSE(refused) << exponent;
+    EXPECT_EQ(refused.error().code, ErrorCode::kOutOfRange);
+    EXPECT_EQ(refused.error().field, "/strip/width");
+    EXPECT_NE(refused.error().message.find(exponent < 0 ? "1e-07" : "10000000000"), std::string::npos)
+        << refused.error().message;
+  }
 }
 
 // In inches, which no decimal is a whole number of: other roundings, the same way down.
@@ -129,13 +188,13 @@ TEST(ExtremeCoordinates, TheCoarsestAndTheFinestLattice) {
   reached("narrowest strip, lattice units", 2);
 }
 
-// Forty pieces of every kind, twenty-five times as long as they are wide, in a row: a hundredth of each is free.
+// Fifty pieces of every kind, twenty-five times as long as they are wide, in a row: a hundredth of each is free.
 std::vector<Polygon> row_of_pieces() {
   Random random{17};
   constexpr Coord kAcross = Coord{1} << 28;
   std::vector<Polygon> row;
   Coord end = 0;
-  while (row.size() < 40) {
+  while (row.size() < 50) {
     Polygon outline = test::random_polygon(random, kAcross);
     const Box box = box_of(outline);
     if (box.height() > kAcross || box.height() < kAcross * 6 / 10) continue;  // no two beside each other
@@ -157,10 +216,13 @@ TEST(ExtremeCoordinates, AThousandTimesLongerThanWide) {
   const Marker marker = as_drawn(row_of_pieces(), Coord{1} << 28);
   const double aspect = static_cast<double>(length_of(marker)) / static_cast<double>(marker.strip.width);
   reached("length over width", aspect);
-  ASSERT_GE(aspect, 700);
+  ASSERT_GE(aspect, 1000);
   const Compaction result = soundly_compacted(marker);
+  reached("length over width, compacted",
+          static_cast<double>(result.length_after) / static_cast<double>(marker.strip.width));
+  EXPECT_GE(result.length_after, 1000 * marker.strip.width);
   reached("after / before", static_cast<double>(result.length_after) / static_cast<double>(result.length_before));
-  EXPECT_LT(result.length_after, result.length_before * 995 / 1000);
+  EXPECT_LE(result.length_after, result.length_before / 1000 * 939);
 }
 
 TEST(ExtremeCoordinates, AThousandTimesWiderThanLong) {
@@ -172,7 +234,7 @@ TEST(ExtremeCoordinates, AThousandTimesWiderThanLong) {
   const Compaction result = soundly_compacted(marker);
   const double aspect = static_cast<double>(marker.strip.width) / static_cast<double>(result.length_after);
   reached("width over length", aspect);
-  EXPECT_GE(aspect, 700);
+  EXPECT_GE(aspect, 1000);
   EXPECT_LE(result.length_after, Coord{1} << 28);  // every piece has come to the strip's left edge
 }
 

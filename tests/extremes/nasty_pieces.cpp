@@ -75,40 +75,58 @@ Polygon pinwheel(Coord arm) {
   return whole({{1, -1}, {arm, -1}, {1, 1}, {1, arm}, {-1, 1}, {-arm, 1}, {-1, -1}, {-1, -arm}});
 }
 
-Polygon saw(Coord teeth, Coord pitch, Coord height) {
-  std::vector<Vec> vertices{{0, 0}, {teeth * pitch, 0}};
-  for (Coord k = teeth; k-- > 0;) {
-    vertices.push_back({k * pitch + pitch / 2, height});
-    vertices.push_back({k * pitch, height / 10});
-  }
-  return whole(vertices);
-}
-
 std::vector<NastyPiece> nasty_pieces() {
   constexpr Coord kLarge = Coord{1} << 28;
   constexpr Coord kTrillion = 1'000'000'000'000;
   Random random{5};
   return {
-      {"sliver_of_aspect_1e6", whole({{0, 0}, {1'000'000'000, 0}, {1'000'000'000, 1000}, {0, 1000}}), false, false,
-       true},
-      {"slanted_sliver_of_aspect_1e6",
-       whole({{0, 0}, {1'000'000'000, 99'999'999}, {999'999'901, 100'000'994}, {-99, 995}}), false, false, true},
-      {"needle_of_one_unit", whole({{0, 0}, {1'000'000, 0}, {1'000'000, 1}, {0, 1}}), false, false, true},
-      {"triangle_of_one_unit", whole({{0, 0}, {1, 0}, {0, 1}}), false, false, true},
-      {"least_triangle_of_all", whole({{0, 0}, {kTrillion, 1}, {kTrillion - 1, 1}}), true, false, true},
-      {"edges_at_1e-12_rad", whole({{0, 0}, {kTrillion, 0}, {kTrillion, 1001}, {0, 1000}}), true, false, true},
-      {"edges_of_one_unit", unit_steps(998), false, false, false},
-      {"bowl_of_turns_of_2e-6", shallow_bowl(400, 1'000'000, 1), false, false, false},
-      {"bowl_of_turns_of_2e-9", shallow_bowl(30, 1'000'000'000, 1), false, false, true},
-      {"spikes_of_2_by_1e8", spiked_block(40, 100'000'000), false, false, false},
-      {"saw_of_500_teeth", saw(500, 2000, 1'000'000), false, true, false},
-      {"comb_of_499_teeth", random_comb(random, 499, kLarge, false), false, true, false},
-      {"spiral_of_70_turns", spiral(70, kLarge), false, false, false},
-      {"kernel_of_one_unit", pinwheel(kLarge), false, false, true},
-      {"circle_of_2000", circle(2000, static_cast<double>(kLarge)), false, false, false},
-      {"star_of_2000", random_star(random, 2000, kLarge), false, false, false},
-      {"vertices_one_or_two_apart", frayed(499), false, false, false},
-      {"ring_open_by_one_unit", broken_ring(1'000'001, 1000, 1), false, false, true},
+      {.name = "sliver_of_aspect_1e6",
+       .outline = whole({{0, 0}, {1'000'000'000, 0}, {1'000'000'000, 1000}, {0, 1000}}),
+       .compacts_to = 0.9865,
+       .sum_judged = true},
+      {.name = "slanted_sliver_of_aspect_1e6",
+       .outline = whole({{0, 0}, {1'000'000'000, 99'999'999}, {999'999'901, 100'000'994}, {-99, 995}}),
+       .compacts_to = 0.4933,
+       .sum_judged = true},
+      {.name = "needle_of_one_unit",
+       .outline = whole({{0, 0}, {1'000'000, 0}, {1'000'000, 1}, {0, 1}}),
+       .compacts_to = 0.9865,
+       .sum_judged = true},
+      {.name = "triangle_of_one_unit",
+       .outline = whole({{0, 0}, {1, 0}, {0, 1}}),
+       .compacts_to = 0.6667,
+       .sum_judged = true},
+      {.name = "least_triangle_of_all",
+       .outline = whole({{0, 0}, {kTrillion, 1}, {kTrillion - 1, 1}}),
+       .compacts_to = 0.9926,
+       .stacked = true,
+       .sum_judged = true},
+      {.name = "edges_at_1e-12_rad",
+       .outline = whole({{0, 0}, {kTrillion, 0}, {kTrillion, 1001}, {0, 1000}}),
+       .compacts_to = 0.9951,
+       .stacked = true,
+       .sum_judged = true},
+      {.name = "edges_of_one_unit", .outline = unit_steps(998), .compacts_to = 0.9867},
+      {.name = "bowl_of_turns_of_2e-6", .outline = shallow_bowl(400, 1'000'000, 1), .compacts_to = 0.9865},
+      {.name = "bowl_of_turns_of_2e-9",
+       .outline = shallow_bowl(30, 1'000'000'000, 1),
+       .compacts_to = 0.9865,
+       .sum_judged = true},
+      {.name = "spikes_of_2_by_1e8", .outline = spiked_block(40, 100'000'000), .compacts_to = 0.9865},
+      {.name = "saw_of_500_teeth", .outline = saw(500, 2000, 1'000'000), .compacts_to = 0.9001, .many_parts = true},
+      {.name = "comb_of_499_teeth",
+       .outline = random_comb(random, 499, kLarge, false),
+       .compacts_to = 0.9001,
+       .many_parts = true},
+      {.name = "spiral_of_70_turns", .outline = spiral(70, kLarge), .compacts_to = 0.9865},
+      {.name = "kernel_of_one_unit", .outline = pinwheel(kLarge), .compacts_to = 0.7399, .sum_judged = true},
+      {.name = "circle_of_2000", .outline = circle(2000, static_cast<double>(kLarge)), .compacts_to = 0.9861},
+      {.name = "star_of_2000", .outline = random_star(random, 2000, kLarge), .compacts_to = 0.9649},
+      {.name = "vertices_one_or_two_apart", .outline = frayed(499), .compacts_to = 0.9843},
+      {.name = "ring_open_by_one_unit",
+       .outline = broken_ring(1'000'001, 1000, 1),
+       .compacts_to = 0.9865,
+       .sum_judged = true},
   };
 }
 

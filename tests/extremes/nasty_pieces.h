@@ -11,9 +11,10 @@ namespace selvage::test {
 struct NastyPiece {
   std::string name;
   Polygon outline;
-  bool stacked{};     // too long for two beside each other within the lattice
-  bool many_parts{};  // hundreds of star parts: a sum of two takes minutes
-  bool sum_judged{};  // few enough vertices for CGAL's Minkowski sums
+  double compacts_to{};  // after / before of some of them, rounded up a little
+  bool stacked{};        // too long for two beside each other within the lattice
+  bool many_parts{};     // hundreds of star parts: a sum of two takes minutes
+  bool sum_judged{};     // few enough vertices for CGAL's Minkowski sums
 };
 [[nodiscard]] std::vector<NastyPiece> nasty_pieces();
 // Those of them whose sums CGAL judges.
@@ -21,7 +22,5 @@ struct NastyPiece {
 
 // Its kernel is about one lattice unit across, its arms are as long as `arm`.
 [[nodiscard]] Polygon pinwheel(Coord arm);
-// A bar with upright sharp teeth.
-[[nodiscard]] Polygon saw(Coord teeth, Coord pitch, Coord height);
 
 }  // namespace selvage::test

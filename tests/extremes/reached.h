@@ -1,5 +1,5 @@
 // How far an extreme went: a property of the test in ctest's XML, and a line on its output.
-// docs/measurements-extremes.md keeps the lines.
+// `./dev measure extremes` fills the lines into docs/measurements-extremes.md; of one test, `what` says each but once.
 #pragma once
 
 #include <gtest/gtest.h>

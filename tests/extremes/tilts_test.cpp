@@ -6,6 +6,10 @@
 #include <numbers>
 
 #include "core/marker/validity.h"
+#include "core/motion/bump.h"
+#include "core/motion/drag.h"
+#include "core/motion/float_apart.h"
+#include "core/motion/separate.h"
 #include "core/motion/tilt.h"
 #include "tests/core/motion/markers.h"
 #include "tests/extremes/reached.h"
@@ -31,7 +35,7 @@ TEST(ExtremeTilts, ABillionthOfADegree) {
       EXPECT_EQ(image[k].y, std::llround(x * std::sin(radians) + y * std::cos(radians)));
     }
     EXPECT_EQ(image == shape, size < Coord{1} << 30);  // there it is less than half a unit
-    reached("a corner moved, lattice units", static_cast<double>(image[1].y - shape[1].y));
+    reached("a corner moved, on a piece of " + std::to_string(2 * size), static_cast<double>(image[1].y - shape[1].y));
   }
 }
 
@@ -92,6 +96,59 @@ TEST(ExtremeTilts, PiecesThatComeAtTheLimitTiltNoFarther) {
       EXPECT_LE(std::abs(piece.orientation.tilt.degrees), std::max(came, 3.0));
     }
   }
+}
+
+// Pieces on a lattice so fine that a billionth of a degree moves their corners; every second one tilted the other way.
+Marker tilted_marker(double limit, double tilt) {
+  Marker marker = test::loose_marker(3, 3, 2, Coord{1} << 36);
+  for (Shape& shape : marker.shapes) shape.tilt_limit = Angle::of_degrees(limit);
+  for (std::size_t k = 0; k < marker.pieces.size(); ++k) {
+    marker.pieces[k].orientation.tilt = Angle::of_degrees(k % 2 == 0 ? tilt : -tilt);
+  }
+  return marker;
+}
+
+void expect_motions_from(const Marker& marker) {
+  const Compaction compaction = test::soundly_compacted(marker);  // orientations to the last bit
+  EXPECT_LT(compaction.length_after, compaction.length_before);
+  SumCache sums;
+  const auto floated = float_apart(compaction.marker, float_settings(FloatMode::kLargestMinimum, Coord{1} << 30), sums);
+  ASSERT_TRUE(floated) << floated.error().message;
+  test::expect_sound(compaction.marker, floated->marker);
+  const auto bumped = heal_and_bump(marker, PieceId{5}, -1, 0.1, sums);
+  ASSERT_TRUE(bumped) << bumped.error().message;
+  test::expect_sound(marker, bumped->marker);
+  test::expect_sound(marker, drag(marker, PieceId{5}, {0, 0}, DragMode::kPush, sums).marker);
+  Marker overlapping = marker;
+  overlapping.pieces[2].at.x -= Coord{1} << 34;
+  const auto separated = separate(overlapping, {}, sums);
+  ASSERT_TRUE(separated) << separated.error().message;
+  ASSERT_TRUE(separated->apart);
+  test::expect_sound(overlapping, separated->marker);
+}
+
+TEST(ExtremeTilts, MotionsFromPiecesThatLieTilted) {
+  struct Start {
+    double limit, tilt;
+  };
+  for (const auto& [limit, tilt_by] : {Start{3, 1e-9}, Start{1e-9, 1e-9}, Start{1e-9, std::nextafter(1e-9, 0)},
+                                       Start{3, 3}, Start{3, std::nextafter(3.0, 0)}, Start{45, 45}}) {
+    SCOPED_TRACE(testing::Message() << limit << ' ' << tilt_by);
+    const Marker marker = tilted_marker(limit, tilt_by);
+    ASSERT_TRUE(make_marker(marker));
+    EXPECT_NE(placed_outline(marker, PieceId{0}), placed_outline(tilted_marker(limit, 0), PieceId{0}));
+    expect_motions_from(marker);
+    for (const TiltMethod method : {TiltMethod::kLinearisation, TiltMethod::kRelaxation}) {
+      SumCache sums;
+      const auto result = tilt(marker, tilt_settings(method, Accuracy::kDraft), sums);
+      ASSERT_TRUE(result) << result.error().message;
+      test::expect_valid_twice(result->marker);
+      EXPECT_LE(result->length_after, result->length_compacted);
+      EXPECT_LE(result->farthest_tilt.degrees, limit);
+      EXPECT_TRUE(make_marker(result->marker));
+    }
+  }
+  reached("starts", 6);
 }
 
 TEST(ExtremeTilts, LimitsOutsideTheRangeAreRefused) {

@@ -76,7 +76,7 @@ TEST(ExtremeContacts, WhereBumpsBringRandomPiecesTogether) {
   }
   reached("pairs", pairs);
   reached("of them a unit from overlapping", touching);
-  EXPECT_GT(touching, pairs / 4);
+  EXPECT_GE(touching, 280);
 }
 
 // A bar in a slot `play` units wider than it, drawn in to the slot's floor.
@@ -101,15 +101,17 @@ TEST(ExtremeContacts, ABarSlidesToTheFloorOfASlotFourUnitsWider) {
   }
 }
 
-// With less play than that the floor, an edge as long as the play, is taken for rounding (core/model/free_region.cpp):
-// the bar stays where it is or stops short.  Sound, but not as short as it could be.
+// With less play than that the floor, an edge as long as the play, is taken for rounding (core/model/free_region.cpp).
+// The program lets the bar through it to the strip's edge, a way of 3; half of that is proved, 1.5 of the 2 there are,
+// and half of the next way is too far again.  With a single unit of play it does not move at all.
 TEST(ExtremeContacts, ABarInATighterSlotStopsShortButSound) {
   constexpr Coord kSize = Coord{1} << 36;
+  constexpr std::array<double, 4> kLeft{0.5, 2, 0.5, 0.5};
   for (const Coord play : {0, 1, 2, 3}) {
     const Compaction result = drawn_into_slot(kSize, play);
-    EXPECT_LE(result.length_after, result.length_before);
-    reached("play of " + std::to_string(play) + " units: left of a way of 2",
-            static_cast<double>(result.length_after - 4 * kSize) / static_cast<double>(kSize));
+    const double left = static_cast<double>(result.length_after - 4 * kSize) / static_cast<double>(kSize);
+    reached("play of " + std::to_string(play) + " units: left of a way of 2", left);
+    EXPECT_LE(left, kLeft[static_cast<std::size_t>(play)] + 1e-6);
   }
 }
 

@@ -87,6 +87,15 @@ Polygon random_comb(Random& random, std::size_t teeth, Coord extent, bool slant)
   return demanded(comb);
 }
 
+Polygon saw(Coord teeth, Coord pitch, Coord height) {
+  std::vector<Vec> vertices{{0, 0}, {teeth * pitch, 0}};
+  for (Coord k = teeth; k-- > 0;) {
+    vertices.push_back({k * pitch + pitch / 2, height});
+    vertices.push_back({k * pitch, height / 10});
+  }
+  return demanded(vertices);
+}
+
 Polygon spiral(std::size_t windings, Coord extent) {
   // The middle line of the band, from the inside out: quarter turns to the left, each second one longer by a
   // pitch.

@@ -17,6 +17,8 @@ namespace selvage::test {
 
 // A bar with upright teeth; with `slant`, teeth lean and end in points.
 [[nodiscard]] Polygon random_comb(Random& random, std::size_t teeth, Coord extent, bool slant);
+// A bar with upright sharp teeth, all alike.
+[[nodiscard]] Polygon saw(Coord teeth, Coord pitch, Coord height);
 // A band that winds inwards `windings` quarter turns, with slots as wide as itself.
 [[nodiscard]] Polygon spiral(std::size_t windings, Coord extent);
 // Two arms: sums with pieces that fit between them have holes or slots.

@@ -1,0 +1,170 @@
+#!/usr/bin/env python3
+"""Judges layouts: does a piece leave the strip, do two overlap?  Exact, and it shares nothing with what it judges.
+
+usage: judge_layout.py FILE...
+
+FILE: placed outlines, as `selvage compact --outlines FILE` and `selvage convert --format outlines` write them:
+{"strip_height": H, "strip_length": L, "pieces": [{"id": ID, "outline": [[x, y], ...]}, ...]}.
+Every number is the decimal that is printed, every test one in whole numbers and fractions: there is no tolerance.
+Pieces may touch each other and the strip's edges.  Prints each offence; exit status 1 when there is any.
+
+Two pieces overlap when some vertical line meets both in stretches that have more than a point in common.  Between the
+abscissas of two neighbouring vertices a piece is a stack of trapezoids, so that it is these that are compared: two
+trapezoids between the same two vertical lines have no inner point in common only when one lies below the other.
+"""
+import argparse
+import json
+import math
+import sys
+from fractions import Fraction
+from itertools import pairwise
+from typing import NamedTuple
+
+
+class Edge(NamedTuple):
+    left: tuple
+    right: tuple
+
+    def height_at(self, x):
+        (x0, y0), (x1, y1) = self
+        if x == x0:
+            return y0
+        if x == x1:
+            return y1
+        return Fraction(y0 * (x1 - x) + y1 * (x - x0), x1 - x0)
+
+
+class Piece:
+    def __init__(self, name, outline):
+        self.name = name
+        self.outline = outline
+        self.abscissas = sorted({x for x, _ in outline})
+        self.low_y, self.high_y = min(y for _, y in outline), max(y for _, y in outline)
+        ends = (sorted(pair) for pair in zip(outline, outline[1:] + outline[:1]))
+        self.edges = sorted(Edge(a, b) for a, b in ends if a[0] < b[0])
+
+    @property
+    def low_x(self):
+        return self.abscissas[0]
+
+    @property
+    def high_x(self):
+        return self.abscissas[-1]
+
+    def stacks(self, cuts):
+        """Between each two neighbours of `cuts`: the piece's edges from the lowest up, as heights at both of them.
+
+        REQUIRES: no vertex lies strictly between two neighbours.  Every second pair of edges has the piece in between.
+        """
+        reached, coming = [], 0  # (height at the cut come to, edge)
+        for x0, x1 in pairwise(cuts):
+            while coming < len(self.edges) and self.edges[coming].left[0] <= x0:
+                reached.append((self.edges[coming].height_at(x0), self.edges[coming]))
+                coming += 1
+            reached = [(height, edge) for height, edge in reached if edge.right[0] > x0]
+            stack = sorted((height, edge.height_at(x1), edge) for height, edge in reached)
+            yield [ends for *ends, _ in stack]
+            reached = [(height, edge) for _, height, edge in stack]
+
+
+def below(one, other):
+    """True when what one edge bounds from above ends, at both cuts, where the other edge begins, or lower."""
+    return one[0] <= other[0] and one[1] <= other[1]
+
+
+def trapezoids(stack):
+    return [(low, high) for low, high in zip(stack[::2], stack[1::2]) if low != high]
+
+
+def fault_of_outline(piece):
+    """What keeps the outline from being a polygon's; None when it is one."""
+    has_inside = False
+    for stack in piece.stacks(piece.abscissas):
+        if not all(below(low, high) for low, high in pairwise(stack)):
+            return "crosses itself"
+        has_inside = has_inside or bool(trapezoids(stack))
+    return None if has_inside else "has no inside"
+
+
+def overlap(one, other):
+    """Between which two abscissas the pieces are seen to overlap; None when they do not.  REQUIRES: no faulty outline."""
+    left, right = max(one.low_x, other.low_x), min(one.high_x, other.high_x)
+    if left >= right or max(one.low_y, other.low_y) >= min(one.high_y, other.high_y):
+        return None
+    cuts = sorted({x for piece in (one, other) for x in piece.abscissas if left <= x <= right})
+    for slab, *stacks in zip(pairwise(cuts), one.stacks(cuts), other.stacks(cuts)):
+        ours, theirs = map(trapezoids, stacks)
+        while ours and theirs:
+            if below(ours[-1][1], theirs[-1][0]):
+                theirs.pop()
+            elif below(theirs[-1][1], ours[-1][0]):
+                ours.pop()
+            else:
+                return slab
+    return None
+
+
+def overlaps(pieces):
+    """(one, other, where) of every pair that overlaps."""
+    near = []
+    for piece in sorted(pieces, key=lambda p: p.low_x):
+        near = [other for other in near if other.high_x > piece.low_x]
+        for other in near:
+            where = overlap(other, piece)
+            if where:
+                yield other, piece, where
+        near.append(piece)
+
+
+def offences(layout):
+    """What is wrong with a layout as `read` returns it, in words, one thing after another."""
+    numbers = [layout["strip_height"], layout["strip_length"]]
+    numbers += [c for piece in layout["pieces"] for point in piece["outline"] for c in point]
+    unit = math.lcm(*(Fraction(number).denominator for number in numbers))  # from here on all are whole
+    whole = lambda number: int(number * unit)
+    told = lambda number: number / unit
+
+    height, length = whole(layout["strip_height"]), whole(layout["strip_length"])
+    sound = []
+    for written in layout["pieces"]:
+        piece = Piece(f'"{written["id"]}"', [(whole(x), whole(y)) for x, y in written["outline"]])
+        for end, limit in ((piece.high_x, length), (piece.high_y, height)):
+            if end > limit:
+                yield f"piece {piece.name} leaves the strip: {told(end)} is beyond {told(limit)}"
+        for end in (piece.low_x, piece.low_y):
+            if end < 0:
+                yield f"piece {piece.name} leaves the strip: {told(end)} is below 0"
+        fault = fault_of_outline(piece)
+        if fault:
+            yield f"piece {piece.name}: its outline {fault}"
+        else:
+            sound.append(piece)
+    for one, other, (x0, x1) in overlaps(sound):
+        yield f"pieces {one.name} and {other.name} overlap between x = {told(x0)} and x = {told(x1)}"
+
+
+def no_number(word):
+    raise ValueError(f"{word} is no number")
+
+
+def read(path):
+    with open(path, encoding="utf-8") as text:
+        return json.load(text, parse_float=Fraction, parse_constant=no_number)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("files", nargs="+", metavar="FILE")
+    good = True
+    for path in parser.parse_args().files:
+        layout = read(path)
+        found = list(offences(layout))
+        good = good and not found
+        for offence in found:
+            print(f"{path}: {offence}")
+        print(f"{path}: {len(layout['pieces'])} pieces, {len(found)} offences")
+    sys.exit(0 if good else 1)
+
+
+if __name__ == "__main__":
+    main()
