@@ -8,10 +8,10 @@
 
 #include "core/lp/clp.h"
 #include "core/lp/interior_point.h"
-#include "core/lp/solve.h"
 #include "tests/core/lp/compaction_models.h"
 #include "tests/extremes/exact_certificate.h"
 #include "tests/extremes/reached.h"
+#include "tests/extremes/row_of_points.h"
 #include "tests/support/random.h"
 
 namespace selvage {
@@ -21,11 +21,10 @@ using test::exact_certificate;
 using test::ExactCertificate;
 using test::Random;
 using test::reached;
+using test::row_of_points;
 using Entry = LinearProgram::Entry;
 
 constexpr int kPivots = 1'000'000;
-// One lattice unit in a column's unit, on the coarsest lattice that is chosen by itself: 2^28 units across.
-constexpr double kLatticeUnit = 1000.0 / (1 << 28);
 
 // The worst of what the answers to one kind of program were found to lack.
 struct Worst {
@@ -137,49 +136,6 @@ TEST(ExtremePrograms, RowsAllButParallel) {
   Worst worst;
   worst.look_at(program);
   worst.expect_closed();
-}
-
-// Points one apart in a row across the strip, which leaves `spare` lattice units in all.
-LinearProgram row_of_points(int points, double spare) {
-  LinearProgram program;
-  program.add_column(1, 0, kInfinity);
-  for (int j = 1; j < points; ++j) program.add_column(0, -kInfinity, kInfinity);
-  for (int j = 1; j < points; ++j) program.add_row(std::vector<Entry>{{j, 1}, {j - 1, -1}}, 1);
-  program.add_row(std::vector<Entry>{{points - 1, -1}}, 1 - points - spare * kLatticeUnit);
-  return program;
-}
-
-TEST(ExtremePrograms, InfeasibleByOneLatticeUnit) {
-  for (const int points : {2, 10, 100, 400}) {
-    for (const SolverChoice choice : {SolverChoice::kSimplex, SolverChoice::kInteriorPoint}) {
-      SCOPED_TRACE(points);
-      EXPECT_EQ(solve(row_of_points(points, -1), choice).status, LpStatus::kInfeasible);
-      for (const double spare : {0.0, 1.0}) {
-        const LinearProgram program = row_of_points(points, spare);
-        const LpSolution solution = solve(program, choice);
-        ASSERT_EQ(solution.status, LpStatus::kOptimal) << spare;
-        EXPECT_LE(exact_certificate(program, solution).primal, 1e-9);
-      }
-    }
-  }
-  reached("lattice units spread over 400 rows", 1);
-}
-
-// A column that nothing holds is said to be unbounded; one held far away is not.
-TEST(ExtremePrograms, UnboundedAndAllButUnbounded) {
-  for (const SolverChoice choice : {SolverChoice::kSimplex, SolverChoice::kInteriorPoint}) {
-    for (const double cost : {-1.0, -1e-3, -1e-6}) {
-      LinearProgram program = row_of_points(300, 1);
-      const int loose = program.add_column(cost, -kInfinity, kInfinity);
-      program.add_row(std::vector<Entry>{{loose, 1}, {0, -1}}, 0);
-      EXPECT_EQ(solve(program, choice).status, LpStatus::kUnbounded) << cost;
-      program.add_row(std::vector<Entry>{{loose, -1}}, -1e9);
-      const LpSolution solution = solve(program, choice);
-      ASSERT_EQ(solution.status, LpStatus::kOptimal) << cost;
-      EXPECT_NEAR(solution.x[static_cast<std::size_t>(loose)] / 1e9, 1, 1e-9);
-    }
-  }
-  reached("bound of a column whose cost is 1e-6", 1e9);
 }
 
 TEST(ExtremePrograms, ColumnsThatNothingHolds) {
