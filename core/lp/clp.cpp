@@ -94,7 +94,7 @@ LpSolution solve_once(const LinearProgram& program, Way way, int pivot_limit, co
 }
 
 // Whether the answer is what it says it is.  What is infeasible or unbounded comes without a proof that could be looked
-// at, and is believed.
+// at (most of Clp's rays are none): solve() asks once more.
 bool holds(const LinearProgram& program, const LpSolution& solution) {
   if (solution.status == LpStatus::kFailed) return false;
   return solution.status != LpStatus::kOptimal || certificate_of(program, solution).closes();

@@ -1,5 +1,6 @@
 // The solvers behind one call [design: solve].  Simplex (COIN-OR Clp) for small models and where a vertex matters; the
-// interior point method for large ones; each of them again when the other fails.
+// interior point method for large ones; each of them again when the other fails.  That there is no best point is for
+// simplex to say and for the other to confirm (core/lp/shortage.h).
 #pragma once
 
 #include <stop_token>

@@ -1,15 +1,10 @@
 #include "tests/extremes/exact_certificate.h"
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 
 namespace selvage::test {
-namespace {
 
-using Rational = boost::multiprecision::cpp_rational;
-
-// The most by which x breaks a row or a bound.
 Rational broken_by(const LinearProgram& program, const std::vector<Rational>& x) {
   Rational worst = 0;
   for (std::size_t j = 0; j < x.size(); ++j) {
@@ -25,8 +20,6 @@ Rational broken_by(const LinearProgram& program, const std::vector<Rational>& x)
   }
   return worst;
 }
-
-}  // namespace
 
 ExactCertificate exact_certificate(const LinearProgram& program, const LpSolution& solution) {
   const std::vector<Rational> x(solution.x.begin(), solution.x.end());

@@ -1,7 +1,10 @@
 // The certificate of a linear program's answer in rationals: every double taken as the number it is, nothing rounded.
 #pragma once
 
+#include <vector>
+
 #include "core/lp/linear_program.h"
+#include "tests/extremes/exact_equations.h"
 
 namespace selvage::test {
 
@@ -13,5 +16,8 @@ struct ExactCertificate {
   double gap{};        // cost . x less what the prices prove the objective to be at least
 };
 [[nodiscard]] ExactCertificate exact_certificate(const LinearProgram& program, const LpSolution& solution);
+
+// The most by which x breaks a row or a column bound.
+[[nodiscard]] Rational broken_by(const LinearProgram& program, const std::vector<Rational>& x);
 
 }  // namespace selvage::test

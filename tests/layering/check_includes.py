@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Includes follow the arrows clients -> server -> protocol -> core, and the order of the core's own layers.
+"""Includes follow the arrows clients -> server -> protocol -> core, and the order of the core's own layers; motions of
+one piece reach no solver.
 
 usage: check_includes.py ROOT        exit 0: all includes follow; 1: some do not, each named
        check_includes.py --self-test
@@ -38,6 +39,11 @@ ONLY_IN = {
     "CLI/": ("server/", "clients/cli/"),
     "CGAL/": (),
 }
+# Motions that solve no linear program: neither they nor the sources of what they include know more of one than what it
+# looks like.  Healing, which comes before them where pieces overlap, is a motion of its own.
+WITHOUT_PROGRAMS = ["bump", "gap", "leap", "place", "relax", "slide"]
+MAY_KNOW = "core/lp/linear_program.h"
+HEALING = "core/motion/heal.cpp"
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
 
@@ -63,6 +69,36 @@ def faults(root):
     return found
 
 
+def reached(root, source):
+    """All that a source includes, and their sources, with what led to each."""
+    led = {source: None}
+    ahead = [source]
+    while ahead:
+        name = ahead.pop()
+        path = root / name
+        if name == HEALING or not path.is_file():
+            continue
+        for included in INCLUDE.findall(path.read_text(encoding="utf-8")):
+            for found in (included, str(pathlib.PurePosixPath(included).with_suffix(".cpp"))):
+                if found not in led:
+                    led[found] = name
+                    ahead.append(found)
+    return led
+
+
+def programs_reached(root):
+    found = []
+    for motion in WITHOUT_PROGRAMS:
+        source = f"core/motion/{motion}.cpp"
+        if not (root / source).is_file():
+            found.append(f"{source}: is not where it was")
+        for name, by in sorted(reached(root, source).items()):
+            inside = by is not None and by.startswith("core/lp/")
+            if re.fullmatch(r"core/lp/.*\.h", name) and name != MAY_KNOW and not inside:
+                found.append(f"{source}: solves no program, but reaches {name} through {by}")
+    return found
+
+
 def self_test():
     """A planted fault of each kind is found."""
     planted = {
@@ -79,9 +115,16 @@ def self_test():
         "server/journal.cpp": "#include <sqlite3.h>\n",
         "elsewhere/h.h": "",
     }
+    reaching = {f"core/motion/{motion}.cpp": "" for motion in WITHOUT_PROGRAMS if motion != "slide"} | {
+        "core/motion/bump.cpp": '#include "core/motion/scene.h"\n#include "core/motion/heal.h"\n',
+        "core/motion/heal.cpp": '#include "core/lp/interior_point.h"\n',
+        "core/motion/place.cpp": '#include "core/motion/heal.h"\n#include "core/lp/linear_program.h"\n',
+        "core/motion/scene.h": "",
+        "core/motion/scene.cpp": '#include "core/lp/solve.h"\n',
+    }
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)
-        for name, text in planted.items():
+        for name, text in (planted | reaching).items():
             path = root / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8")
@@ -89,12 +132,16 @@ def self_test():
         for name in planted:
             expected = 0 if name.startswith("elsewhere") else 1
             assert sum(f.startswith(name + ":") for f in found) == expected, (name, found)
+        assert programs_reached(root) == [
+            "core/motion/bump.cpp: solves no program, but reaches core/lp/solve.h through core/motion/scene.cpp",
+            "core/motion/slide.cpp: is not where it was",
+        ], programs_reached(root)
 
 
 if __name__ == "__main__":
     if sys.argv[1:] == ["--self-test"]:
         self_test()
         sys.exit(0)
-    list_of_faults = faults(pathlib.Path(sys.argv[1]))
+    list_of_faults = faults(pathlib.Path(sys.argv[1])) + programs_reached(pathlib.Path(sys.argv[1]))
     print("\n".join(list_of_faults) or "all includes follow the layers")
     sys.exit(1 if list_of_faults else 0)

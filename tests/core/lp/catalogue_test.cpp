@@ -102,6 +102,12 @@ const std::vector<Case>& catalogue() {
        {{{{0, 1e-3}, {1, 1}}, 1}, {{{0, 1}}, 10}},
        LpStatus::kOptimal,
        0.1},
+      {"infeasible_while_the_cost_falls_for_ever",
+       {-1, 0},
+       {-kFree, -kFree},
+       {kFree, kFree},
+       {{{{1, 1}}, 1}, {{{1, -1}}, 0}},
+       LpStatus::kInfeasible},
       // The cosine of a right angle.  Clp's scaling takes it for the scale of its row, and then calls -0.914 optimal.
       {"dust_in_a_row",
        {0, 0, -1},

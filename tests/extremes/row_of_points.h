@@ -1,0 +1,24 @@
+// Points in a row across a strip: the program whose spare room can be told to a lattice unit.
+#pragma once
+
+#include <vector>
+
+#include "core/lp/linear_program.h"
+
+namespace selvage::test {
+
+// One lattice unit in a column's unit, on the coarsest lattice that is chosen by itself: 2^28 units across.
+inline constexpr double kLatticeUnit = 1000.0 / (1 << 28);
+
+// Points one apart, which the strip leaves `spare` lattice units in all.
+inline LinearProgram row_of_points(int points, double spare) {
+  using Row = std::vector<LinearProgram::Entry>;
+  LinearProgram program;
+  program.add_column(1, 0, kInfinity);
+  for (int j = 1; j < points; ++j) program.add_column(0, -kInfinity, kInfinity);
+  for (int j = 1; j < points; ++j) program.add_row(Row{{j, 1}, {j - 1, -1}}, 1);
+  program.add_row(Row{{points - 1, -1}}, 1 - points - spare * kLatticeUnit);
+  return program;
+}
+
+}  // namespace selvage::test
