@@ -12,8 +12,8 @@ namespace selvage {
 namespace {
 
 // From here on the interior point method takes no more instructions than the other on the programs of real markers, at
-// the same lengths.  Of the smallest scenes a vertex is wanted: there it is a lattice unit shorter, and moves less.
-constexpr int kInteriorPointFromRows = 20;
+// the same lengths.  Of small scenes a vertex is wanted: there it is a lattice unit shorter, and moves less.
+constexpr int kInteriorPointFromRows = 60;
 // What an answer of the interior point method may break a row by before it is not believed.
 constexpr double kLargestInfeasibility = 1e-9;
 
