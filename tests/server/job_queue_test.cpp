@@ -106,6 +106,84 @@ TEST(JobQueue, RefusesWhatIsBeyondItsCapacityAndLeavesItWhole) {
   EXPECT_FALSE(ran);
 }
 
+Job brief_job(std::function<void(std::stop_token)> work, std::string lane = {}) {
+  Job brief = job(std::move(work), std::move(lane));
+  brief.brief = true;
+  return brief;
+}
+
+TEST(JobQueue, ABriefJobWaitsForNoLongOneOfAnotherLane) {
+  JobQueue queue{2, 8, 1};
+  std::latch started{2};
+  std::latch release{1};
+  for (const char* lane : {"m1", "m2"}) {
+    ASSERT_EQ(submit(queue, job(
+                                [&](auto) {
+                                  started.count_down();
+                                  release.wait();
+                                },
+                                lane)),
+              Admission::kAccepted);
+  }
+  started.wait();  // no worker is left but the one for brief jobs
+  bool first_has_ended = false;
+  ASSERT_EQ(submit(queue, brief_job([&](auto) { first_has_ended = true; }, "m1")), Admission::kAccepted);
+  std::latch brief_done{1};
+  ASSERT_EQ(submit(queue, job([](auto) {}, "m3")), Admission::kAccepted);  // a long one, which has to wait
+  ASSERT_EQ(submit(queue, brief_job([&](auto) { brief_done.count_down(); }, "m4")), Admission::kAccepted);
+  brief_done.wait();
+  EXPECT_FALSE(first_has_ended);  // its lane is taken
+  release.count_down();
+  queue.drain();
+  EXPECT_TRUE(first_has_ended);
+}
+
+TEST(JobQueue, BriefAndLongJobsOfOneLaneKeepTheirOrder) {
+  std::vector<int> order;  // not guarded: the lane is
+  {
+    JobQueue queue{2, 64, 2};
+    for (int i = 0; i < 48; ++i) {
+      const auto note = [&order, i](auto) { order.push_back(i); };
+      ASSERT_EQ(submit(queue, i % 3 == 0 ? job(note, "m1") : brief_job(note, "m1")), Admission::kAccepted);
+    }
+  }
+  std::vector<int> expected(48);
+  for (int i = 0; i < 48; ++i) expected[static_cast<std::size_t>(i)] = i;
+  EXPECT_EQ(order, expected);
+}
+
+TEST(JobQueue, HasRoomForOneOfASessionThatHasNoneWaiting) {
+  JobQueue queue{1, 2};
+  std::latch started{1};
+  std::latch release{1};
+  ASSERT_EQ(submit(queue, job([&](auto) {
+                     started.count_down();
+                     release.wait();
+                   })),
+            Admission::kAccepted);
+  started.wait();
+  const auto of_session = [](std::uint64_t session) {
+    Job idle = job([](auto) {});
+    idle.session = session;
+    return idle;
+  };
+  EXPECT_EQ(submit(queue, of_session(1)), Admission::kAccepted);
+  EXPECT_EQ(submit(queue, of_session(1)), Admission::kAccepted);
+  EXPECT_EQ(submit(queue, of_session(1)), Admission::kFull);
+  EXPECT_EQ(submit(queue, of_session(2)), Admission::kAccepted);
+  EXPECT_EQ(submit(queue, of_session(2)), Admission::kFull);
+  release.count_down();
+}
+
+TEST(JobQueue, CountsHowLongJobsHaveRunBeforeItSaysWhenToComeBack) {
+  JobQueue queue{1, 2};
+  std::latch release{1};
+  const int idle = queue.retry_after_ms();
+  ASSERT_EQ(submit(queue, job([&](auto) { release.wait(); })), Admission::kAccepted);
+  while (queue.retry_after_ms() <= idle + 20) std::this_thread::yield();  // none has ended
+  release.count_down();
+}
+
 TEST(JobQueue, AJobThatThrowsEndsAloneAndDropsWhatItOwned) {
   JobQueue queue{1, 8};
   std::latch dropped{1};
