@@ -15,7 +15,9 @@
 namespace selvage {
 
 struct Engine {
-  std::function<Validity(const Marker&, SumCache&)> check = selvage::check;
+  std::function<Result<Validity>(const Marker&, SumCache&, const std::stop_token&)> check = [](auto&&... given) {
+    return selvage::check(std::forward<decltype(given)>(given)...);
+  };
   std::function<Result<Compaction>(const Marker&, const CompactionSettings&, SumCache&, std::stop_token,
                                    const Observer&)>
       compact = selvage::compact;

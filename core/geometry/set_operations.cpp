@@ -16,6 +16,20 @@ ClipperLib::Path path_of(std::span<const Vec> polygon) {
   return path;
 }
 
+// The library sweeps along y, and its work goes with the edges under the sweeping line.  Markers are long in x: turned
+// by a quarter, the line is as short as the strip is wide.
+Vec turned(Vec v) {
+  return {-v.y, v.x};
+}
+Vec turned_back(Vec v) {
+  return {v.y, -v.x};
+}
+
+Polygon turned(Polygon ring) {
+  for (Vec& v : ring) v = turned(v);
+  return ring;
+}
+
 // From its smallest vertex on.
 Polygon ring_of(const ClipperLib::Path& path) {
   Polygon ring;
@@ -25,12 +39,20 @@ Polygon ring_of(const ClipperLib::Path& path) {
   return ring;
 }
 
+Polygon ring_turned_back(ClipperLib::Path path) {
+  for (ClipperLib::IntPoint& point : path) {
+    const Vec v = turned_back({point.X, point.Y});
+    point = {v.x, v.y};
+  }
+  return ring_of(path);
+}
+
 // Outlines at even depths, their holes one deeper.
 void collect(const ClipperLib::PolyNode& parent, std::vector<Region>& regions) {
   for (const ClipperLib::PolyNode* outline : parent.Childs) {
-    Region region{ring_of(outline->Contour), {}};
+    Region region{ring_turned_back(outline->Contour), {}};
     for (const ClipperLib::PolyNode* hole : outline->Childs) {
-      region.holes.push_back(ring_of(hole->Contour));
+      region.holes.push_back(ring_turned_back(hole->Contour));
       collect(*hole, regions);
     }
     std::sort(region.holes.begin(), region.holes.end());
@@ -55,8 +77,8 @@ std::vector<Polygon> grown(std::span<const Vec> polygon, Coord distance) {
 std::vector<Region> left_over(const Box& box, const std::vector<Polygon>& taken) {
   ClipperLib::Clipper clipper{ClipperLib::ioStrictlySimple};
   const Polygon whole{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}};
-  clipper.AddPath(path_of(whole), ClipperLib::ptSubject, true);
-  for (const Polygon& ring : taken) clipper.AddPath(path_of(ring), ClipperLib::ptClip, true);
+  clipper.AddPath(path_of(turned(whole)), ClipperLib::ptSubject, true);
+  for (const Polygon& ring : taken) clipper.AddPath(path_of(turned(ring)), ClipperLib::ptClip, true);
   ClipperLib::PolyTree tree;
   clipper.Execute(ClipperLib::ctDifference, tree, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
   std::vector<Region> regions;

@@ -9,6 +9,27 @@ namespace {
 
 constexpr std::size_t kBlock = 512;  // pairs that one hand proves in a row
 
+// Tells of all pairs whose boxes come closer than `distance` on both axes, from left to right, while `tell` wants more.
+template <class Tell>
+void sweep(const PlacedPieces& pieces, Coord distance, const Tell& tell) {
+  struct Entry {
+    Box box;
+    std::uint32_t piece{};
+  };
+  std::vector<Entry> entries(pieces.size());
+  for (std::uint32_t i = 0; i < entries.size(); ++i) entries[i] = {pieces.box(i), i};
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return a.box.low.x != b.box.low.x ? a.box.low.x < b.box.low.x : a.piece < b.piece;
+  });
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    const Box reach = entries[k].box.grown(distance);
+    for (std::size_t m = k + 1; m < entries.size() && entries[m].box.low.x < reach.high.x; ++m) {
+      if (!reach.overlaps(entries[m].box)) continue;
+      if (!tell(PiecePair{std::minmax(entries[k].piece, entries[m].piece)})) return;
+    }
+  }
+}
+
 }  // namespace
 
 PlacedPieces::PlacedPieces(const Marker& marker) : spacing_{marker.spacing} {
@@ -43,22 +64,11 @@ Coord PlacedPieces::length() const {
 }
 
 std::vector<PiecePair> pairs_within(const PlacedPieces& pieces, Coord distance) {
-  struct Entry {
-    Box box;
-    std::uint32_t piece{};
-  };
-  std::vector<Entry> sweep(pieces.size());
-  for (std::uint32_t i = 0; i < sweep.size(); ++i) sweep[i] = {pieces.box(i), i};
-  std::sort(sweep.begin(), sweep.end(), [](const Entry& a, const Entry& b) {
-    return a.box.low.x != b.box.low.x ? a.box.low.x < b.box.low.x : a.piece < b.piece;
-  });
   std::vector<PiecePair> pairs;
-  for (std::size_t k = 0; k < sweep.size(); ++k) {
-    const Box reach = sweep[k].box.grown(distance);
-    for (std::size_t m = k + 1; m < sweep.size() && sweep[m].box.low.x < reach.high.x; ++m) {
-      if (reach.overlaps(sweep[m].box)) pairs.push_back(std::minmax(sweep[k].piece, sweep[m].piece));
-    }
-  }
+  sweep(pieces, distance, [&](PiecePair pair) {
+    pairs.push_back(pair);
+    return true;
+  });
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
@@ -70,11 +80,17 @@ bool conflict(const PlacedPieces& pieces, PiecePair pair) {
   return spacing > 0 ? closer_than(p, q, spacing) : overlap(p, q);
 }
 
-std::vector<PiecePair> conflicts(const PlacedPieces& pieces, const Crew& crew) {
+std::vector<PiecePair> conflicts(const PlacedPieces& pieces, const Crew& crew, const std::stop_token& stop) {
   const std::vector<PiecePair> near = pairs_within(pieces, pieces.widest_spacing());
   return gathered<PiecePair>(crew, near.size(), kBlock, [&](std::size_t k, std::vector<PiecePair>& found) {
-    if (conflict(pieces, near[k])) found.push_back(near[k]);
+    if (!stop.stop_requested() && conflict(pieces, near[k])) found.push_back(near[k]);
   });
+}
+
+bool any_conflict(const PlacedPieces& pieces) {
+  bool found = false;
+  sweep(pieces, pieces.widest_spacing(), [&](PiecePair pair) { return !(found = conflict(pieces, pair)); });
+  return found;
 }
 
 }  // namespace selvage

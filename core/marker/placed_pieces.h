@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -59,7 +60,11 @@ class PlacedPieces {
 // True when the two overlap or are closer than their spacing.  Exact.
 [[nodiscard]] bool conflict(const PlacedPieces& pieces, PiecePair pair);
 
-// All pairs of which that is true, sorted.
-[[nodiscard]] std::vector<PiecePair> conflicts(const PlacedPieces& pieces, const Crew& crew = alone());
+// All pairs of which that is true, sorted.  Asked to stop, only some: whoever may stop it looks at the token
+// afterwards.
+[[nodiscard]] std::vector<PiecePair> conflicts(const PlacedPieces& pieces, const Crew& crew = alone(),
+                                               const std::stop_token& stop = {});
+// Is there one?
+[[nodiscard]] bool any_conflict(const PlacedPieces& pieces);
 
 }  // namespace selvage

@@ -79,47 +79,78 @@ std::vector<Side> sides_of(const Region& region) {
   return sides;
 }
 
-// What the piece is to the region's sides, if it borders on any.
-std::optional<Bordering> bordering(const std::vector<Side>& sides, const PlacedPolygon& piece, PieceId id,
-                                   Coord reach) {
-  Bordering sum{id, 0, 0};
+// Adds to `sum` what the piece is to the region's side; false when it does not border on it.
+bool border_on(const Side& side, const PlacedPolygon& piece, Coord reach, Bordering& sum) {
   bool any = false;
-  const Box box = piece.placed_box().grown(reach);
-  for (const Side& side : sides) {
-    const Box near = side.box().grown(reach);
-    if (!box.touches(side.box())) continue;
-    Vec c = piece.vertices.back() + piece.at;
-    for (const Vec v : piece.vertices) {
-      const Vec d = v + piece.at;
-      const Box edge{{std::min(c.x, d.x), std::min(c.y, d.y)}, {std::max(c.x, d.x), std::max(c.y, d.y)}};
-      const auto run = near.touches(edge) ? side.run_along(c, d, static_cast<double>(reach)) : std::nullopt;
-      c = d;
-      if (!run) continue;
-      any = true;
-      sum.x += *run * side.normal().x;
-      sum.y += *run * side.normal().y;
+  const Box near = side.box().grown(reach);
+  Vec c = piece.vertices.back() + piece.at;
+  for (const Vec v : piece.vertices) {
+    const Vec d = v + piece.at;
+    const Box edge{{std::min(c.x, d.x), std::min(c.y, d.y)}, {std::max(c.x, d.x), std::max(c.y, d.y)}};
+    const auto run = near.touches(edge) ? side.run_along(c, d, static_cast<double>(reach)) : std::nullopt;
+    c = d;
+    if (!run) continue;
+    any = true;
+    sum.x += *run * side.normal().x;
+    sum.y += *run * side.normal().y;
+  }
+  return any;
+}
+
+// The pieces from left to right, so that those beside a region are found without a look at all others.
+class Neighbours {
+ public:
+  Neighbours(const PlacedPieces& pieces, Coord clearance) : pieces_{pieces}, reach_{2 * clearance + kRounding} {
+    for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+      const Box box = pieces.box(i).grown(reach_);  // mitred corners reach so far
+      from_left_.push_back({box, i});
+      widest_ = std::max(widest_, box.high.x - box.low.x);
+    }
+    std::sort(from_left_.begin(), from_left_.end(), [](const Entry& a, const Entry& b) {
+      return std::pair{a.box.low.x, a.piece} < std::pair{b.box.low.x, b.piece};
+    });
+  }
+
+  // By piece; asked to stop, only some.
+  [[nodiscard]] std::vector<Bordering> around(const Region& region, const std::stop_token& stop) const {
+    std::map<std::uint32_t, Bordering> found;
+    for (const Side& side : sides_of(region)) {
+      if (stop.stop_requested()) break;
+      add_beside(side, found);
+    }
+    std::vector<Bordering> by_piece;
+    for (const auto& [piece, beside] : found) by_piece.push_back(beside);
+    return by_piece;
+  }
+
+ private:
+  struct Entry {
+    Box box;  // grown by the reach
+    std::uint32_t piece{};
+  };
+  void add_beside(const Side& side, std::map<std::uint32_t, Bordering>& found) const {
+    const Box box = side.box();
+    auto entry = std::lower_bound(from_left_.begin(), from_left_.end(), box.low.x - widest_,
+                                  [](const Entry& e, Coord x) { return e.box.low.x < x; });
+    for (; entry != from_left_.end() && entry->box.low.x <= box.high.x; ++entry) {
+      if (!entry->box.touches(box)) continue;
+      const auto at = found.find(entry->piece);
+      Bordering sum = at == found.end() ? Bordering{PieceId{entry->piece}, 0, 0} : at->second;
+      if (border_on(side, pieces_[entry->piece], reach_, sum)) found.insert_or_assign(entry->piece, sum);
     }
   }
-  return any ? std::optional{sum} : std::nullopt;
-}
 
-std::vector<Bordering> around(const Region& region, const PlacedPieces& pieces, Coord clearance) {
-  const std::vector<Side> sides = sides_of(region);
-  const Coord reach = 2 * clearance + kRounding;  // mitred corners
-  const Box box = box_of(region.outline).grown(reach);
-  std::vector<Bordering> found;
-  for (std::uint32_t i = 0; i < pieces.size(); ++i) {
-    if (!box.touches(pieces.box(i))) continue;
-    if (const auto beside = bordering(sides, pieces[i], PieceId{i}, reach)) found.push_back(*beside);
-  }
-  return found;
-}
+  const PlacedPieces& pieces_;
+  const Coord reach_;
+  std::vector<Entry> from_left_;
+  Coord widest_{};
+};
 
-// All pieces' outlines, grown by the clearance: once for every polygon that pieces share.
-std::vector<Polygon> taken_by(const PlacedPieces& pieces, Coord clearance) {
+// All pieces' outlines, grown by the clearance: once for every polygon that pieces share.  Asked to stop, only some.
+std::vector<Polygon> taken_by(const PlacedPieces& pieces, Coord clearance, const std::stop_token& stop) {
   std::map<const Vec*, std::vector<Polygon>> grown_polygons;
   std::vector<Polygon> taken;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
+  for (std::size_t i = 0; i < pieces.size() && !stop.stop_requested(); ++i) {
     const PlacedPolygon piece = pieces[i];
     auto& rings = grown_polygons[piece.vertices.data()];
     if (rings.empty()) rings = grown(piece.vertices, clearance);
@@ -131,26 +162,45 @@ std::vector<Polygon> taken_by(const PlacedPieces& pieces, Coord clearance) {
   return taken;
 }
 
+Error stopped_early() {
+  return {ErrorCode::kStoppedEarly, "stopped before the unoccupied regions were found", ""};
+}
+
 }  // namespace
 
 UnoccupiedSettings unoccupied_settings(const Strip& strip) {
   return {kLeastArea, std::llround(kClearance * static_cast<double>(strip.width))};
 }
 
-std::vector<UnoccupiedRegion> unoccupied_regions(const PlacedPieces& pieces, const Strip& strip,
-                                                 const UnoccupiedSettings& settings) {
+Result<std::vector<UnoccupiedRegion>> unoccupied_regions(const PlacedPieces& pieces, const Strip& strip,
+                                                         const UnoccupiedSettings& settings,
+                                                         const std::stop_token& stop) {
   const Box cloth = strip.room(pieces.length());
   const auto width = static_cast<double>(strip.width);
   const double least = settings.least_area * width * width;
-  std::vector<UnoccupiedRegion> found;
   const Coord clearance = std::max(settings.clearance, kLeastClearance);
-  for (Region& region : left_over(cloth, taken_by(pieces, clearance))) {
+  const std::vector<Polygon> taken = taken_by(pieces, clearance, stop);
+  if (stop.stop_requested()) return stopped_early();
+  std::vector<UnoccupiedRegion> found;
+  const Neighbours neighbours{pieces, clearance};
+  for (Region& region : left_over(cloth, taken)) {
     const double area = area_of(region);
     if (area < least) continue;
-    auto beside = around(region, pieces, clearance);
+    auto beside = neighbours.around(region, stop);
+    if (stop.stop_requested()) return stopped_early();
     found.push_back({std::move(region), area, std::move(beside)});
   }
   return found;
+}
+
+Result<std::vector<UnoccupiedRegion>> unoccupied_regions(const Marker& marker, const UnoccupiedSettings& settings,
+                                                         const std::stop_token& stop) {
+  return unoccupied_regions(PlacedPieces{marker}, marker.strip, settings, stop);
+}
+
+std::vector<UnoccupiedRegion> unoccupied_regions(const PlacedPieces& pieces, const Strip& strip,
+                                                 const UnoccupiedSettings& settings) {
+  return *unoccupied_regions(pieces, strip, settings, std::stop_token{});
 }
 
 std::vector<UnoccupiedRegion> unoccupied_regions(const Marker& marker, const UnoccupiedSettings& settings) {

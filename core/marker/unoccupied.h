@@ -6,8 +6,10 @@
 // Units: lattice units, areas in square ones.  Corners are rounded (core/geometry/set_operations.h): not for proofs.
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/geometry/set_operations.h"
 #include "core/marker/placed_pieces.h"
 
@@ -43,5 +45,13 @@ struct UnoccupiedRegion {
                                                                const UnoccupiedSettings& settings);
 [[nodiscard]] std::vector<UnoccupiedRegion> unoccupied_regions(const Marker& marker,
                                                                const UnoccupiedSettings& settings);
+// The same for whoever may ask to stop.  Errors: kStoppedEarly.  Within left_over (core/geometry/set_operations.h) a
+// stop is not heard.
+[[nodiscard]] Result<std::vector<UnoccupiedRegion>> unoccupied_regions(const PlacedPieces& pieces, const Strip& strip,
+                                                                       const UnoccupiedSettings& settings,
+                                                                       const std::stop_token& stop);
+[[nodiscard]] Result<std::vector<UnoccupiedRegion>> unoccupied_regions(const Marker& marker,
+                                                                       const UnoccupiedSettings& settings,
+                                                                       const std::stop_token& stop);
 
 }  // namespace selvage

@@ -8,6 +8,30 @@
 #include "core/minkowski/nearest_edges.h"
 
 namespace selvage {
+namespace {
+
+Overlap measured(PiecePair pair, const PlacedPieces& pieces, const Marker& marker, SumCache& sums) {
+  const auto [first, second] = pair;
+  const PlacedPolygon p = pieces[first];
+  const PlacedPolygon q = pieces[second];
+  const auto inside_both = common_point(p, q);
+  const Witness witness = inside_both ? *inside_both : nearest_point(p, q);
+  const Obstacle obstacle =
+      sums.obstacle(oriented_outline(marker, PieceId{first}, sums), oriented_outline(marker, PieceId{second}, sums));
+  const double distance = nearest_boundary_point(obstacle.sum(), obstacle.to_frame(q.at - p.at)).distance;
+  const double depth = static_cast<double>(pieces.spacing(pair)) + (inside_both ? distance : -distance);
+  return {PieceId{first}, PieceId{second}, witness.x, witness.y, depth};
+}
+
+Overlap unmeasured(PiecePair pair, const PlacedPieces& pieces) {
+  const Box p = pieces.box(pair.first);
+  const Box q = pieces.box(pair.second);
+  const auto middle = [](Coord low, Coord high) { return static_cast<double>(low + high) / 2; };
+  return {PieceId{pair.first}, PieceId{pair.second}, middle(std::max(p.low.x, q.low.x), std::min(p.high.x, q.high.x)),
+          middle(std::max(p.low.y, q.low.y), std::min(p.high.y, q.high.y))};
+}
+
+}  // namespace
 
 Coord protrusion_of(const Box& box, const Strip& strip) {
   const Box room = strip.room(strip.last().value_or(box.high.x));
@@ -21,19 +45,18 @@ OrientedOutline oriented_outline(const Marker& marker, PieceId id, SumCache& sum
 }
 
 Validity check(const Marker& marker, SumCache& sums) {
+  return *check(marker, sums, std::stop_token{});
+}
+
+Result<Validity> check(const Marker& marker, SumCache& sums, const std::stop_token& stop) {
   Validity validity;
   const PlacedPieces pieces{marker};
-  for (const PiecePair& pair : conflicts(pieces)) {
-    const auto [first, second] = pair;
-    const PlacedPolygon p = pieces[first];
-    const PlacedPolygon q = pieces[second];
-    const auto inside_both = common_point(p, q);
-    const Witness witness = inside_both ? *inside_both : nearest_point(p, q);
-    const Obstacle obstacle =
-        sums.obstacle(oriented_outline(marker, PieceId{first}, sums), oriented_outline(marker, PieceId{second}, sums));
-    const double distance = nearest_boundary_point(obstacle.sum(), obstacle.to_frame(q.at - p.at)).distance;
-    const double depth = static_cast<double>(pieces.spacing(pair)) + (inside_both ? distance : -distance);
-    validity.overlaps.push_back({PieceId{first}, PieceId{second}, witness.x, witness.y, depth});
+  for (const PiecePair& pair : conflicts(pieces, alone(), stop)) {
+    if (stop.stop_requested()) break;
+    validity.overlaps.push_back(measured(pair, pieces, marker, sums));
+  }
+  if (stop.stop_requested()) {
+    return Error{ErrorCode::kStoppedEarly, "stopped before all that overlaps was measured", ""};
   }
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {
     if (const Coord by = protrusion_of(pieces.box(i), marker.strip); by > 0) {
@@ -41,6 +64,13 @@ Validity check(const Marker& marker, SumCache& sums) {
     }
   }
   return validity;
+}
+
+std::vector<Overlap> overlaps_unmeasured(const Marker& marker) {
+  const PlacedPieces pieces{marker};
+  std::vector<Overlap> overlaps;
+  for (const PiecePair& pair : conflicts(pieces)) overlaps.push_back(unmeasured(pair, pieces));
+  return overlaps;
 }
 
 bool is_valid(const Marker& marker) {
@@ -51,7 +81,7 @@ bool is_valid(const PlacedPieces& pieces, const Strip& strip) {
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (protrusion_of(pieces.box(i), strip) > 0) return false;
   }
-  return conflicts(pieces).empty();
+  return !any_conflict(pieces);
 }
 
 }  // namespace selvage

@@ -4,9 +4,11 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <variant>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/geometry/outline.h"
 #include "core/marker/marker.h"
 
@@ -20,7 +22,7 @@ struct Overlap {
   PieceId first, second;  // first < second
   double witness_x{},
       witness_y{};  // a point inside both (between both, when only the spacing is broken); lattice units
-  double depth{};   // the shortest move that parts them [Li94 7.1], plus the spacing; lattice units
+  double depth{};   // the shortest move that parts them [Li94 7.1], plus the spacing; 0: not measured; lattice units
 };
 // A piece that leaves the strip.
 struct Protrusion {
@@ -41,6 +43,11 @@ struct Validity {
 
 // The whole answer, with depths (which need Minkowski sums, taken from the cache).
 [[nodiscard]] Validity check(const Marker& marker, SumCache& sums);
+// The same for whoever may ask to stop.  Errors: kStoppedEarly.
+[[nodiscard]] Result<Validity> check(const Marker& marker, SumCache& sums, const std::stop_token& stop);
+// All that overlap, found exactly but not measured, which is what takes long: depths are 0, and a witness is the middle
+// of what the two boxes share.
+[[nodiscard]] std::vector<Overlap> overlaps_unmeasured(const Marker& marker);
 // Only yes or no.
 [[nodiscard]] bool is_valid(const Marker& marker);
 [[nodiscard]] bool is_valid(const PlacedPieces& pieces, const Strip& strip);

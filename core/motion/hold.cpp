@@ -24,8 +24,11 @@ class Loads {
 
   Result<Hold> run(const std::stop_token& stop, const Observer& observer) {
     const LpSolution solution = solve_model(stop, observer);
+    if (stop.stop_requested()) {
+      return Error{ErrorCode::kStoppedEarly, "stopped before it was known what holds the length", ""};
+    }
     Hold hold;
-    if (solution.status != LpStatus::kOptimal) return hold;  // stopped: nothing is known
+    if (solution.status != LpStatus::kOptimal) return hold;  // nothing is known
     for (std::size_t k = 0; k < rows_.size(); ++k) add_pair(rows_[k], solution.dual[k], hold);
     add_edges(solution, hold);
     merge(hold);
@@ -43,6 +46,7 @@ class Loads {
     const double reach = kReach * static_cast<double>(strip.width);
     model_.emplace(scene_.pieces, strip, scene_.ties);
     for (const PiecePair& pair : pairs_within(scene_.pieces, std::llround(reach) + scene_.pieces.widest_spacing())) {
+      if (stop.stop_requested()) return {};
       const Vec r = scene_.relative_position(pair);
       if (scene_.ties.joined(pair.first, pair.second)) continue;
       const Coord spacing = scene_.pieces.spacing(pair);

@@ -40,7 +40,7 @@ struct Hold {
 };
 
 // REQUIRES: a valid marker.  A marker that is not compacted is held where it stands, all the same.
-// Errors: kMarkerOverlaps, kOutsideStrip for one that is not valid.
+// Errors: kMarkerOverlaps, kOutsideStrip for one that is not valid; kStoppedEarly.
 [[nodiscard]] Result<Hold> what_holds(const Marker& marker, SumCache& sums, std::stop_token stop = {},
                                       const Observer& observer = {});
 

@@ -17,7 +17,9 @@ Result<MethodAnswer> get(const MarkerGet& wanted, const MarkerFile& file, const 
 }
 
 Result<MethodAnswer> tell_validity(const MarkerCheck&, const MarkerFile& file, const Means& means) {
-  return MethodAnswer{validity_json(file.marker, means.engine.check(file.marker, means.sums)), std::nullopt};
+  const auto validity = means.engine.check(file.marker, means.sums, means.stop);
+  if (!validity) return validity.error();
+  return MethodAnswer{validity_json(file.marker, *validity), std::nullopt};
 }
 
 constexpr std::array kGetParams{

@@ -26,9 +26,11 @@ Result<MarkerRegions> decode(const Json& params) {
   return wanted;
 }
 
-Result<MethodAnswer> run(const MarkerRegions& wanted, const MarkerFile& file, const Means&) {
+Result<MethodAnswer> run(const MarkerRegions& wanted, const MarkerFile& file, const Means& means) {
+  const auto regions = unoccupied_regions(file.marker, settings_of(wanted.wish, file.marker), means.stop);
+  if (!regions) return regions.error();
   Json list = Json::array();
-  for (const UnoccupiedRegion& region : unoccupied_regions(file.marker, settings_of(wanted.wish, file.marker))) {
+  for (const UnoccupiedRegion& region : *regions) {
     list.push_back(region_json(file.marker, region));
   }
   return MethodAnswer{{{"regions", std::move(list)}}, std::nullopt};

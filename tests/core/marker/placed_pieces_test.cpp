@@ -89,6 +89,7 @@ TEST(Conflicts, AreThoseOfBruteForce) {
       }
     }
     ASSERT_EQ(conflicts(pieces), expected);
+    ASSERT_EQ(any_conflict(pieces), !expected.empty());
   }
 }
 

@@ -48,6 +48,16 @@ double total_area(const std::vector<UnoccupiedRegion>& regions) {
   return area;
 }
 
+TEST(Unoccupied, StopsWhenAsked) {
+  std::stop_source source;
+  const Marker marker = rectangles({{0, 0, 10, 10}, {90, 0, 10, 10}});
+  EXPECT_TRUE(unoccupied_regions(marker, kEverything, source.get_token()));
+  source.request_stop();
+  const auto stopped = unoccupied_regions(marker, kEverything, source.get_token());
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::kStoppedEarly);
+}
+
 TEST(Unoccupied, BetweenTwoWalls) {  // pieces from edge to edge part the cloth in two; the last one ends it
   const auto regions =
       unoccupied_regions(rectangles({{0, 0, 10, 10}, {50, 0, 10, 100}, {90, 0, 10, 100}}), kEverything);

@@ -39,6 +39,30 @@ TEST(Validity, SaysWhichOverlapWhereAndHowDeep) {
   EXPECT_TRUE(validity.protrusions.empty());
 }
 
+TEST(Validity, StopsWhenAsked) {
+  SumCache sums;
+  std::stop_source source;
+  source.request_stop();
+  const auto stopped = check(squares({{0, 0}, {7, 2}}), sums, source.get_token());
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::kStoppedEarly);
+}
+
+TEST(Validity, TellsTheSameOverlapsUnmeasured) {
+  const Marker marker = squares({{0, 0}, {5, 5}, {9, 9}, {60, 0}, {0, 1}});
+  const auto measured = checked(marker).overlaps;
+  const auto unmeasured = overlaps_unmeasured(marker);
+  ASSERT_EQ(unmeasured.size(), measured.size());
+  for (std::size_t k = 0; k < measured.size(); ++k) {
+    EXPECT_EQ(unmeasured[k].first, measured[k].first);
+    EXPECT_EQ(unmeasured[k].second, measured[k].second);
+    EXPECT_EQ(unmeasured[k].witness_x, measured[k].witness_x);  // of two boxes
+    EXPECT_EQ(unmeasured[k].witness_y, measured[k].witness_y);
+    EXPECT_EQ(unmeasured[k].depth, 0);
+    EXPECT_GT(measured[k].depth, 0);
+  }
+}
+
 TEST(Validity, DepthIsTheShortestMoveInAnyDirection) {
   // The corner of a square under the hypotenuse of a triangle, x + y = 20, at (7, 7): 6 / sqrt(2) deep.
   Marker marker = squares({{0, 0}, {7, 7}});

@@ -93,6 +93,15 @@ TEST(Hold, RoomInASpacingIsWorthWhatItSays) {
   EXPECT_GE(static_cast<double>(tight->length_after - shorter->length_after), 10 * hold.per_spacing - 20);
 }
 
+TEST(Hold, StopsWhenAsked) {
+  SumCache sums;
+  std::stop_source source;
+  source.request_stop();
+  const auto stopped = what_holds(test::loose_marker(3), sums, source.get_token());
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::kStoppedEarly);
+}
+
 TEST(Hold, RefusesWhatIsNotValid) {
   Marker marker = test::loose_marker(3);
   marker.pieces[1].at = marker.pieces[0].at;
