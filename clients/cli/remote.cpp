@@ -9,10 +9,6 @@
 namespace selvage {
 namespace {
 
-Refusal refusal_of(const Error& error) {
-  return {describe(error) + " [" + std::string{wire_name(error.code)} + "]", exit_code_of(error)};
-}
-
 client::Handlers rounds_to(RemoteMarker::OnRound on_round) {
   if (!on_round) return {};
   return {.notified = [tell = std::move(on_round)](std::string_view method, const Json& params) {
@@ -21,6 +17,10 @@ client::Handlers rounds_to(RemoteMarker::OnRound on_round) {
 }
 
 }  // namespace
+
+Refusal refusal_of(const Error& error) {
+  return {describe(error) + " [" + std::string{wire_name(error.code)} + "]", exit_code_of(error)};
+}
 
 Refusal refusal_of(const client::CallError& error) {
   using client::CallCode;

@@ -103,6 +103,12 @@ class Twins(ServerTest):
         params = self.write({"force": [0, 1], "timing": True}, "params.json")
         dry = self.write({"commit": False}, "dry.json")
         wrong = self.write({"piece": "p9", "direction": [1, 0]}, "wrong.json")
+        by_hand = self.write({"ops": [
+            {"op": "remove", "piece": "p0"}, {"op": "setStrip", "width": 90},
+            {"op": "add", "piece": {"id": "new", "shape": "square", "at": [0, 41], "attributes": {"size": "L"}}},
+            {"op": "move", "piece": "p1", "at": [10.5, 0]}]}, "by_hand.json")
+        stranger = self.write({"ops": [{"op": "lock", "piece": "p9"}]}, "stranger.json")
+        nothing = self.write({"ops": [{"op": "move", "piece": "p1", "by": [0, 0]}]}, "nothing.json")
         every_file = ["-o", "o.json", "--svg", "o.svg", "--arrows", "--chain", "--outlines", "p.json"]
         commands = [
             ["compact", jeans, *every_file],
@@ -132,6 +138,9 @@ class Twins(ServerTest):
             ["call", "marker.get", "--marker", loose],
             ["call", "marker.check", "--marker", deep],
             ["call", "motion.compact", "--marker", loose],
+            ["call", "marker.apply", "--marker", loose, "--params", by_hand, *every_file],
+            ["call", "marker.apply", "--marker", loose, "--params", stranger],
+            ["call", "marker.apply", "--marker", loose, "--params", nothing, "-o", "o.json"],
         ]
         codes = {self.assert_twins(daemon.tcp, *command)[0] for command in commands}
         self.assertEqual(codes, {0, 1, 3, 4, 5})
