@@ -44,6 +44,7 @@ ExitCode fail(const Refusal& refusal) {
 
 std::variant<std::unique_ptr<client::Client>, Refusal> reach(const ServerChoice& server, client::Handlers handlers) {
   client::Settings settings;
+  settings.trusted = server.trusted;
   if (!server.token_file.empty()) {
     auto text = read_text(server.token_file);
     if (!text) return refusal_of(text.error());
