@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The steps that make an installed Selvage out of a fresh tree.  The Dockerfile runs them in its stages; the test of
-# packaging runs `install` and what follows on the build that is there.
+# packaging runs `configure`, and `install` on the build that is there.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -10,7 +10,8 @@ usage: packaging/build.sh STEP
 
   build-packages         install the Debian packages that building needs (as root)
   run-packages           install those that running needs (as root)
-  build BUILD            configure and build the programs, without tests and benchmarks
+  configure BUILD        configure the programs, without tests and benchmarks
+  build BUILD            configure and build them
   install BUILD PREFIX   install them, stripped, below PREFIX
 EOF
 }
@@ -24,11 +25,16 @@ install_packages() {
   rm -rf /var/lib/apt/lists/*
 }
 
+configure() {
+  cmake -S . -B "$1" -G Ninja -DCMAKE_BUILD_TYPE=Release -DSELVAGE_TESTS=OFF -DSELVAGE_BENCH=OFF
+}
+
 case ${1:-} in
   build-packages) install_packages packaging/packages-build.txt ;;
   run-packages) install_packages packaging/packages-run.txt ;;
+  configure) configure "$2" ;;
   build)
-    cmake -S . -B "$2" -G Ninja -DCMAKE_BUILD_TYPE=Release -DSELVAGE_TESTS=OFF -DSELVAGE_BENCH=OFF
+    configure "$2"
     cmake --build "$2" --target selvaged selvage
     ;;
   install) cmake --install "$2" --prefix "$3" --strip ;;

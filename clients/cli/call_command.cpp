@@ -1,6 +1,7 @@
 #include <memory>
 #include <vector>
 
+#include "clients/cli/by_hand.h"
 #include "clients/cli/commands.h"
 #include "clients/cli/files.h"
 #include "clients/cli/marker_run.h"
@@ -29,7 +30,7 @@ ExitCode run(const CallOptions& options) {
 }
 
 std::vector<std::string> method_names() {
-  std::vector<std::string> names;
+  std::vector<std::string> names{std::string{apply_method().name}};
   for (const MarkerMethod& method : marker_methods()) names.emplace_back(method.name);
   return names;
 }
@@ -38,7 +39,7 @@ std::vector<std::string> method_names() {
 
 void add_call_command(CLI::App& app, ExitCode& code) {
   auto options = std::make_shared<CallOptions>();
-  CLI::App* command = app.add_subcommand("call", "Run any method of the daemon on a marker");
+  CLI::App* command = app.add_subcommand("call", "Run a method of the daemon on a marker");
   command->add_option("METHOD", options->method, "As in protocol/README.md")
       ->required()
       ->check(CLI::IsMember(method_names()));

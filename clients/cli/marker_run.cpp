@@ -6,6 +6,7 @@
 #include <iostream>
 #include <iterator>
 
+#include "clients/cli/by_hand.h"
 #include "clients/cli/files.h"
 #include "clients/cli/interrupt.h"
 #include "clients/cli/roads.h"
@@ -41,6 +42,18 @@ std::optional<Error> save(const MarkerFiles& files, const MarkerFile& file, cons
   }
   if (files.svg.empty()) return std::nullopt;
   return write_text(files.svg, to_svg(file.marker, drawing_of(file, start, params, files.drawing)));
+}
+
+const MarkerMethod& method_of(std::string_view name) {
+  const MarkerMethod* const found = find_marker_method(name);
+  return found != nullptr ? *found : apply_method();
+}
+
+std::variant<Ran, Refusal> run(const Task& task, const MarkerFiles& files, const std::stop_token& stop,
+                               ProgressLine& progress) {
+  if (files.server) return run_there(files.server, task, stop, progress);
+  if (&task.method == &apply_method()) return apply_here(task);
+  return run_here(task, ThreadCrew{files.threads - 1}, stop, progress);
 }
 
 // The call as it would be read by a daemon that has just opened the marker.
@@ -94,7 +107,7 @@ void refuse_mixed_streams(const MarkerFiles& files) {
 }
 
 ExitCode run_on_marker(std::string_view name, Json params, const MarkerFiles& files, Telling telling) {
-  const MarkerMethod& method = *find_marker_method(name);
+  const MarkerMethod& method = method_of(name);
   const auto call = read_call(method, params);
   if (!call) return fail(call.error(), exit_code_of(call.error()));
   auto file = load(files);
@@ -103,9 +116,7 @@ ExitCode run_on_marker(std::string_view name, Json params, const MarkerFiles& fi
 
   const Interrupt interrupt;
   ProgressLine progress{file->marker, telling == Telling::kSummary && isatty(STDERR_FILENO) != 0};
-  const Task task{method, params, *call, *file};
-  const auto done = files.server ? run_there(files.server, task, interrupt.token(), progress)
-                                 : run_here(task, ThreadCrew{files.threads - 1}, interrupt.token(), progress);
+  const auto done = run({method, params, *call, *file}, files, interrupt.token(), progress);
   if (const auto* refusal = std::get_if<Refusal>(&done)) return fail(*refusal);
   const Ran& ran = std::get<Ran>(done);
 

@@ -41,7 +41,8 @@ enum class Telling {
 };
 
 // Runs the method as a daemon would that has just opened the marker: as "m1", at revision 1.  What is not
-// proved valid is not written, unless the call asks for it.  REQUIRES: marker_methods.h has the method.
+// proved valid is not written, unless the call asks for it.  REQUIRES: marker_methods.h has the method, or it is
+// marker.apply.
 [[nodiscard]] ExitCode run_on_marker(std::string_view method, Json params, const MarkerFiles& files, Telling telling);
 
 // The short form of a motion: its files and --json, and what it does when it is the command chosen.  Options have

@@ -9,10 +9,6 @@
 namespace selvage {
 namespace {
 
-Refusal refusal_of(const Error& error) {
-  return {describe(error) + " [" + std::string{wire_name(error.code)} + "]", exit_code_of(error)};
-}
-
 client::Handlers rounds_to(RemoteMarker::OnRound on_round) {
   if (!on_round) return {};
   return {.notified = [tell = std::move(on_round)](std::string_view method, const Json& params) {
@@ -21,6 +17,10 @@ client::Handlers rounds_to(RemoteMarker::OnRound on_round) {
 }
 
 }  // namespace
+
+Refusal refusal_of(const Error& error) {
+  return {describe(error) + " [" + std::string{wire_name(error.code)} + "]", exit_code_of(error)};
+}
 
 Refusal refusal_of(const client::CallError& error) {
   using client::CallCode;
@@ -44,6 +44,7 @@ ExitCode fail(const Refusal& refusal) {
 
 std::variant<std::unique_ptr<client::Client>, Refusal> reach(const ServerChoice& server, client::Handlers handlers) {
   client::Settings settings;
+  settings.trusted = server.trusted;
   if (!server.token_file.empty()) {
     auto text = read_text(server.token_file);
     if (!text) return refusal_of(text.error());

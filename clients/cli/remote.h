@@ -21,6 +21,8 @@ struct Refusal {
   std::string message;
   ExitCode code{};
 };
+// Of an error of this process.
+[[nodiscard]] Refusal refusal_of(const Error& error);
 // Of an error that a daemon answered with, or that kept it from answering.
 [[nodiscard]] Refusal refusal_of(const client::CallError& error);
 [[nodiscard]] ExitCode fail(const Refusal& refusal);  // tells it

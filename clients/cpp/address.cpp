@@ -16,13 +16,16 @@ bool is_port(std::string_view text) {
 }  // namespace
 
 std::optional<Address> read_address(std::string_view text) {
-  constexpr std::string_view kUnix = "unix:";
+  constexpr std::string_view kUnix = "unix:", kTls = "tls://";
+  const bool tls = text.starts_with(kTls);
+  if (tls) text.remove_prefix(kTls.size());
+  if (text.find("://") != std::string_view::npos && !text.starts_with(kUnix)) return std::nullopt;
   const bool is_path = text.starts_with(kUnix) || text.find('/') != std::string_view::npos;
   if (text.starts_with(kUnix)) text.remove_prefix(kUnix.size());
   if (is_path) {
     constexpr std::size_t kLongestPath = 107;  // of a Unix socket
-    if (text.empty() || text.size() > kLongestPath) return std::nullopt;
-    return Address{"", "", std::string{text}};
+    if (tls || text.empty() || text.size() > kLongestPath) return std::nullopt;
+    return Address{"", "", std::string{text}, false};
   }
   const std::size_t colon = text.rfind(':');
   if (colon == std::string_view::npos || !is_port(text.substr(colon + 1))) return std::nullopt;
@@ -33,7 +36,7 @@ std::optional<Address> read_address(std::string_view text) {
     return std::nullopt;
   }
   if (host.empty()) return std::nullopt;
-  return Address{std::string{host}, std::string{text.substr(colon + 1)}, ""};
+  return Address{std::string{host}, std::string{text.substr(colon + 1)}, "", tls};
 }
 
 }  // namespace selvage::client

@@ -1,4 +1,4 @@
-// Where a daemon speaks lines of JSON: a TCP address or a Unix socket.
+// Where a daemon speaks lines of JSON: a TCP address, in clear or by TLS, or a Unix socket.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,11 @@ namespace selvage::client {
 struct Address {
   std::string host, port;  // TCP; IPv6 without brackets
   std::string path;        // of a Unix socket; empty: TCP
+  bool tls{};
 };
 
-// "127.0.0.1:7171", "localhost:7171", "[::1]:7171"; "unix:/run/selvage.sock", or any path with a slash in it.
-// Nothing when it is none of these.
+// "127.0.0.1:7171", "localhost:7171", "[::1]:7171", "tls://marker.example:7171"; "unix:/run/selvage.sock", or any path
+// with a slash in it. Nothing when it is none of these.
 [[nodiscard]] std::optional<Address> read_address(std::string_view text);
 
 }  // namespace selvage::client

@@ -31,7 +31,8 @@ enum class CallCode : int {
   kBadAddress = 1,    // the address says nowhere
   kUnreachable = 2,   // no connection, for as long as the client was to try
   kDisconnected = 3,  // the connection broke, and the call must not be sent twice: it may have been carried out
-  kEnded = 4          // the client was destroyed first
+  kEnded = 4,         // the client was destroyed first
+  kUntrusted = 5      // no TLS with that daemon: its certificate is not trusted, or it speaks none
 };
 
 struct CallError {

@@ -1,5 +1,5 @@
-// A client of selvaged: newline-delimited JSON-RPC 2.0 over TCP or a Unix socket.  Needs Boost.Asio and nlohmann-json,
-// and nothing else of Selvage.
+// A client of selvaged: newline-delimited JSON-RPC 2.0 over TCP, TLS or a Unix socket.  Needs Boost.Asio, OpenSSL and
+// nlohmann-json, and nothing else of Selvage.
 //
 //   Client client{"127.0.0.1:7171"};
 //   const Answer opened = client.call("marker.open", {{"marker", document}});
@@ -26,8 +26,9 @@
 namespace selvage::client {
 
 struct Settings {
-  std::string token{};                              // shown first on every connection; empty: the daemon wants none
-  std::chrono::milliseconds connect_for{0};         // how long to try for the first connection; 0: once
+  std::string token{};                       // shown first on every connection; empty: the daemon wants none
+  std::string trusted{};                     // a PEM file of certificates to trust with TLS; empty: those of the system
+  std::chrono::milliseconds connect_for{0};  // how long to try for the first connection; 0: once
   std::chrono::milliseconds reconnect_for{10'000};  // and for those after it
 };
 

@@ -39,8 +39,9 @@ void Conversation::begin(CallId id, OpenCall call) {
   OpenCall& begun = open_.emplace(id, std::move(call)).first->second;
   if (state_ == State::kEnded) return answer(id, CallError{CallCode::kEnded, "the client has ended", nullptr});
   if (!address_) {
-    return answer(id, CallError{CallCode::kBadAddress,
-                                "HOST:PORT or the path of a Unix socket is needed to reach a daemon", nullptr});
+    return answer(
+        id, CallError{CallCode::kBadAddress,
+                      "HOST:PORT, tls://HOST:PORT or the path of a Unix socket is needed to reach a daemon", nullptr});
   }
   if (state_ == State::kOpen) return send(begun);
   if (state_ != State::kIdle) return;
@@ -77,8 +78,9 @@ void Conversation::attempt() {
   heard_ = false;
   link_ = std::make_shared<Link>(
       io_, Link::Listener{[this] { connected(); }, [this](const std::string& line) { hear(line); },
-                          [this](const std::string& why) { state_ == State::kOpen ? broken(why) : failed(why); }});
-  link_->open(*address_);
+                          [this](const std::string& why) { state_ == State::kOpen ? broken(why) : failed(why); },
+                          [this](const std::string& why) { distrusted(why); }});
+  link_->open(*address_, settings_.trusted);
 }
 
 void Conversation::connected() {
@@ -183,6 +185,11 @@ void Conversation::failed(const std::string& why) {
   pause_.async_wait([this](const boost::system::error_code& error) {
     if (!error && state_ == State::kConnecting) attempt();
   });
+}
+
+// Trying again would not help.
+void Conversation::distrusted(const std::string& why) {
+  if (state_ == State::kConnecting) give_up({CallCode::kUntrusted, "no TLS with the daemon: " + why, nullptr});
 }
 
 void Conversation::give_up(const CallError& error) {

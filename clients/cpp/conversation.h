@@ -56,6 +56,7 @@ class Conversation {
   void note_watching(const OpenCall& call);
   void broken(const std::string& why);
   void failed(const std::string& why);
+  void distrusted(const std::string& why);
   void give_up(const CallError& error);
   void answer(CallId id, Answer answer);
   [[nodiscard]] std::optional<CallId> longest_sent() const;

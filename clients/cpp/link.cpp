@@ -6,47 +6,83 @@
 #include <boost/asio/connect.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
 #include <boost/asio/read_until.hpp>
+#include <boost/asio/ssl.hpp>
 #include <boost/asio/write.hpp>
 
 namespace selvage::client {
 
 namespace asio = boost::asio;
+namespace ssl = asio::ssl;
+
+struct Link::Tls {
+  explicit Tls(Socket& socket) : stream{socket, context} {}
+  ssl::context context{ssl::context::tls_client};
+  ssl::stream<Socket&> stream;
+};
 
 Link::Link(asio::io_context& io, Listener listener) : listener_{std::move(listener)}, resolver_{io}, socket_{io} {}
+Link::~Link() = default;
 
-void Link::open(const Address& address) {
-  if (!address.path.empty()) return connect({asio::local::stream_protocol::endpoint{address.path}}, false);
+void Link::open(const Address& address, const std::string& trusted) {
+  address_ = address;
+  trusted_ = trusted;
+  if (!address.path.empty()) return connect({asio::local::stream_protocol::endpoint{address.path}});
   resolver_.async_resolve(
       address.host, address.port,
       [this, self = shared_from_this()](const Error& error, const asio::ip::tcp::resolver::results_type& found) {
         if (error) return fail(error);
         std::vector<Socket::endpoint_type> endpoints;
         for (const auto& entry : found) endpoints.emplace_back(entry.endpoint());
-        connect(endpoints, true);
+        connect(endpoints);
       });
 }
 
-void Link::connect(const std::vector<Socket::endpoint_type>& endpoints, bool tcp) {
+void Link::connect(const std::vector<Socket::endpoint_type>& endpoints) {
   if (closed_) return;
-  asio::async_connect(socket_, endpoints, [this, self = shared_from_this(), tcp](const Error& error, const auto&) {
+  asio::async_connect(socket_, endpoints, [this, self = shared_from_this()](const Error& error, const auto&) {
     if (error) return fail(error);
     if (closed_) return;
     Error ignored;
-    if (tcp) socket_.set_option(asio::ip::tcp::no_delay{true}, ignored);
-    read();
-    listener_.connected();
+    if (address_.path.empty()) socket_.set_option(asio::ip::tcp::no_delay{true}, ignored);
+    address_.tls ? shake_hands() : connected();
   });
 }
 
+void Link::shake_hands() {
+  tls_ = std::make_unique<Tls>(socket_);
+  Error error;
+  if (trusted_.empty()) {
+    tls_->context.set_default_verify_paths(error);
+  } else {
+    tls_->context.load_verify_file(trusted_, error);
+  }
+  if (error) return distrust(error);
+  tls_->stream.set_verify_mode(ssl::verify_peer, error);
+  tls_->stream.set_verify_callback(ssl::host_name_verification{address_.host}, error);
+  // So that one address may have the certificates of many names.
+  ::SSL_set_tlsext_host_name(tls_->stream.native_handle(), address_.host.c_str());
+  tls_->stream.async_handshake(ssl::stream_base::client, [this, self = shared_from_this()](const Error& failure) {
+    if (failure) return failure.category() == asio::error::get_ssl_category() ? distrust(failure) : fail(failure);
+    if (!closed_) connected();
+  });
+}
+
+void Link::connected() {
+  read();
+  listener_.connected();
+}
+
 void Link::read() {
-  asio::async_read_until(socket_, asio::dynamic_buffer(received_), '\n',
-                         [this, self = shared_from_this()](const Error& error, std::size_t size) {
-                           if (error) return fail(error);
-                           const std::string line = received_.substr(0, size);
-                           received_.erase(0, size);
-                           listener_.heard(line);
-                           if (!closed_) read();
-                         });
+  auto heard = [this, self = shared_from_this()](const Error& error, std::size_t size) {
+    if (error) return fail(error);
+    const std::string line = received_.substr(0, size);
+    received_.erase(0, size);
+    listener_.heard(line);
+    if (!closed_) read();
+  };
+  const auto buffer = asio::dynamic_buffer(received_);
+  tls_ ? asio::async_read_until(tls_->stream, buffer, '\n', std::move(heard))
+       : asio::async_read_until(socket_, buffer, '\n', std::move(heard));
 }
 
 void Link::send(std::string_view line) {
@@ -57,12 +93,13 @@ void Link::send(std::string_view line) {
 void Link::write() {
   if (closed_) return;
   writing_ = std::exchange(unsent_, {});
-  asio::async_write(socket_, asio::buffer(writing_),
-                    [this, self = shared_from_this()](const Error& error, std::size_t) {
-                      if (error) return fail(error);
-                      writing_.clear();
-                      if (!unsent_.empty()) write();
-                    });
+  auto written = [this, self = shared_from_this()](const Error& error, std::size_t) {
+    if (error) return fail(error);
+    writing_.clear();
+    if (!unsent_.empty()) write();
+  };
+  tls_ ? asio::async_write(tls_->stream, asio::buffer(writing_), std::move(written))
+       : asio::async_write(socket_, asio::buffer(writing_), std::move(written));
 }
 
 void Link::close() {
@@ -75,7 +112,14 @@ void Link::close() {
 void Link::fail(const Error& error) {
   if (closed_) return;
   close();
-  listener_.failed(error == asio::error::eof ? "the daemon closed the connection" : error.message());
+  const bool hung_up = error == asio::error::eof || error == ssl::error::stream_truncated;
+  listener_.failed(hung_up ? "the daemon closed the connection" : error.message());
+}
+
+void Link::distrust(const Error& error) {
+  if (closed_) return;
+  close();
+  listener_.distrusted(error.message());
 }
 
 }  // namespace selvage::client

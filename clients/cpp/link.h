@@ -21,12 +21,16 @@ class Link : public std::enable_shared_from_this<Link> {
   struct Listener {
     std::function<void()> connected;
     std::function<void(const std::string& line)> heard;
-    std::function<void(const std::string& why)> failed;  // the connection could not be made, or broke
+    std::function<void(const std::string& why)> failed;      // the connection could not be made, or broke
+    std::function<void(const std::string& why)> distrusted;  // nor will it be: TLS could not be agreed upon
   };
 
   Link(boost::asio::io_context& io, Listener listener);
-  // Begins to connect, once.
-  void open(const Address& address);
+  ~Link();
+  Link(const Link&) = delete;
+  Link& operator=(const Link&) = delete;
+  // Begins to connect, once.  `trusted`: as of Settings.
+  void open(const Address& address, const std::string& trusted);
   // In order; what is sent before the connection is made is lost.
   void send(std::string_view line);
   void close();
@@ -35,14 +39,21 @@ class Link : public std::enable_shared_from_this<Link> {
   using Error = boost::system::error_code;
   using Socket = boost::asio::generic::stream_protocol::socket;
 
-  void connect(const std::vector<Socket::endpoint_type>& endpoints, bool tcp);
+  void connect(const std::vector<Socket::endpoint_type>& endpoints);
+  void shake_hands();
+  void connected();
   void read();
   void write();
   void fail(const Error& error);
+  void distrust(const Error& error);
 
   Listener listener_;
+  Address address_;
+  std::string trusted_;
   boost::asio::ip::tcp::resolver resolver_;
   Socket socket_;
+  struct Tls;
+  std::unique_ptr<Tls> tls_;  // round the socket, when the address wants it
   bool closed_{};
   std::string received_, unsent_, writing_;
 };

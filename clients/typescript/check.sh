@@ -1,6 +1,7 @@
 #!/bin/sh
 # Builds the package and runs its tests against a daemon: check.sh SELVAGED FOLDER.  The package is copied into the folder and
-# built there.  77 when node or a TypeScript compiler is not there (tsc, or what `npm ci` installs).
+# built there.  77 when node or a TypeScript compiler is not there (tsc, or what `npm ci` installs).  WebSockets are those of
+# Node, of `npm ci`, or of Debian's node-ws; without any of them the tests fail.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 export SELVAGED="$1"
@@ -17,4 +18,5 @@ ln -s "$here/../../examples/markers" "$2/examples/markers"
 [ ! -d "$here/node_modules" ] || ln -s "$here/node_modules" "$copy/node_modules"
 cd "$copy"
 "$tsc"
+export NODE_PATH=/usr/share/nodejs
 exec node --test test/*.test.mjs

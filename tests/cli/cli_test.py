@@ -317,6 +317,18 @@ class Call(CliTest):
         self.assertEqual([p["at"] for p in out["pieces"]], [p["at"] for p in result["placements"]])
         self.assertEqual([p["at"][1] for p in out["pieces"]], [60, 60])
 
+    def test_changes_by_hand(self):
+        ops = [{"op": "add", "piece": {"id": "new", "shape": "square", "at": [0, 50], "attributes": {"size": "L"}}},
+               {"op": "remove", "piece": "p1"}]
+        result = json.loads(self.call("marker.apply", {"ops": ops}, "-o", self.path("out.json")).stdout)
+        self.assertEqual((result["revision"], result["removed"], result["length"]), (2, ["p1"], 40))
+        pieces = json.loads(self.path("out.json").read_text())["pieces"]
+        self.assertEqual([(p["id"], p.get("attributes")) for p in pieces], [("p0", None), ("new", {"size": "L"})])
+        overlapping = self.call("marker.apply", {"ops": [{"op": "move", "piece": "p1", "at": [9, 0]}]}, "-o",
+                                self.path("out.json"))
+        self.assertEqual(overlapping.returncode, NOT_VALID)
+        self.assertEqual(json.loads(self.path("out.json").read_text())["pieces"][1]["at"], [9, 0])
+
     def test_a_dry_run_writes_the_marker_as_it_was(self):
         ran = self.call("motion.compact", {"commit": False, "rounds": 3}, "-o", self.path("out.json"))
         self.assertEqual(json.loads(ran.stdout)["lengthAfter"], 80)

@@ -103,6 +103,12 @@ class Twins(ServerTest):
         params = self.write({"force": [0, 1], "timing": True}, "params.json")
         dry = self.write({"commit": False}, "dry.json")
         wrong = self.write({"piece": "p9", "direction": [1, 0]}, "wrong.json")
+        by_hand = self.write({"ops": [
+            {"op": "remove", "piece": "p0"}, {"op": "setStrip", "width": 90},
+            {"op": "add", "piece": {"id": "new", "shape": "square", "at": [0, 41], "attributes": {"size": "L"}}},
+            {"op": "move", "piece": "p1", "at": [10.5, 0]}]}, "by_hand.json")
+        stranger = self.write({"ops": [{"op": "lock", "piece": "p9"}]}, "stranger.json")
+        nothing = self.write({"ops": [{"op": "move", "piece": "p1", "by": [0, 0]}]}, "nothing.json")
         every_file = ["-o", "o.json", "--svg", "o.svg", "--arrows", "--chain", "--outlines", "p.json"]
         commands = [
             ["compact", jeans, *every_file],
@@ -132,6 +138,9 @@ class Twins(ServerTest):
             ["call", "marker.get", "--marker", loose],
             ["call", "marker.check", "--marker", deep],
             ["call", "motion.compact", "--marker", loose],
+            ["call", "marker.apply", "--marker", loose, "--params", by_hand, *every_file],
+            ["call", "marker.apply", "--marker", loose, "--params", stranger],
+            ["call", "marker.apply", "--marker", loose, "--params", nothing, "-o", "o.json"],
         ]
         codes = {self.assert_twins(daemon.tcp, *command)[0] for command in commands}
         self.assertEqual(codes, {0, 1, 3, 4, 5})
@@ -146,7 +155,7 @@ class Twins(ServerTest):
 
     def test_a_daemon_that_cannot_be_reached_has_a_code_of_its_own(self):
         marker = str(MARKERS / "jeans_02g.json")
-        for server, code in ((str(self.folder / "nobody"), SERVER), ("nonsense", BAD_USAGE)):
+        for server, code in ((str(self.folder / "nobody"), SERVER), ("nonsense", BAD_USAGE), ("http://127.0.0.1:1", BAD_USAGE)):
             ran = subprocess.run([SELVAGE, "compact", marker, "--server", server, "-o", self.folder / "o.json"],
                                  capture_output=True, text=True, timeout=60)
             self.assertEqual((ran.returncode, ran.stdout), (code, ""))
@@ -161,6 +170,25 @@ class Twins(ServerTest):
                            (["--token-file", self.folder / "none"], FILE)):
             ran = subprocess.run([*command, *more], capture_output=True, text=True, timeout=60)
             self.assertEqual(ran.returncode, code, ran.stderr)
+
+
+    def test_speaks_tls_with_whom_it_trusts(self):
+        certificate, key = self.folder / "certificate.pem", self.folder / "key.pem"
+        subprocess.run(["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1", "-nodes",
+                        "-subj", "/CN=marker.example", "-addext", "subjectAltName=IP:127.0.0.1", "-out", certificate,
+                        "-keyout", key], check=True, capture_output=True)
+        daemon = self.start("--tls-cert", certificate, "--tls-key", key)
+        jeans = MARKERS / "jeans_02g.json"
+        port = daemon.tcp.split(":")[1]
+        for server, more, code in ((f"tls://127.0.0.1:{port}", ["--trust", certificate], OK),
+                                   (f"tls://127.0.0.1:{port}", [], SERVER),
+                                   (f"tls://127.0.0.1:{port}", ["--trust", self.folder / "none"], SERVER),
+                                   (f"tls://localhost:{port}", ["--trust", certificate], SERVER)):
+            with self.subTest(server=server, more=more):
+                ran = subprocess.run([SELVAGE, "compact", jeans, "--server", server, *more, "-o", self.folder / "o.json"],
+                                     capture_output=True, text=True, timeout=60)
+                self.assertEqual(ran.returncode, code, ran.stderr)
+                self.assertEqual("TLS" in ran.stderr, code != OK, ran.stderr)
 
 
 class Watch(ServerTest):

@@ -5,6 +5,8 @@ import dataclasses
 import json
 import pathlib
 import re
+import ssl
+import subprocess
 import sys
 import threading
 import unittest
@@ -206,13 +208,21 @@ class Ends(unittest.TestCase):
         with LiveDaemon(SELVAGED) as daemon:
             self.assertEqual(asyncio.run(play(daemon.address)), 2)
 
+    def test_a_marker_is_at_the_revision_that_the_drag_committed(self):
+        with LiveDaemon(SELVAGED) as daemon, selvage.Client(daemon.address) as client:
+            marker = client.open(SQUARES)
+            with marker.drag("right") as hand:
+                hand.move((60, 10))
+            self.assertEqual((marker.revision, hand.ended.revision), (2, 2))
+            self.assertEqual(marker.apply([ops.move("right", by=(7, 0))], base_rev=marker.revision).revision, 3)
+
     def test_a_dragged_piece_stays_when_the_hand_slips(self):
         with LiveDaemon(SELVAGED) as daemon, selvage.Client(daemon.address) as client:
             marker = client.open(SQUARES)
             with self.assertRaises(KeyError), marker.drag("right") as hand:
                 hand.move((60, 10))
                 raise KeyError
-            self.assertEqual(marker.check().revision, 1)
+            self.assertEqual((marker.revision, marker.check().revision), (1, 1))
 
 
 class Outlines(unittest.TestCase):
@@ -244,6 +254,46 @@ class Doors(unittest.TestCase):
                 with selvage.Client(address, token=wrong, patience=0.1) as client:
                     with self.assertRaises((errors.Unauthorised, selvage.ConnectionLost)):
                         client.info()
+
+    def test_tls_is_for_those_who_trust_the_certificate(self):
+        encrypted = LiveDaemon(SELVAGED)
+        certificate, key = encrypted.folder / "certificate.pem", encrypted.folder / "key.pem"
+        subprocess.run(["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1", "-nodes",
+                        "-subj", "/CN=localhost", "-addext", "subjectAltName=IP:127.0.0.1", "-out", certificate,
+                        "-keyout", key], check=True, capture_output=True)
+        encrypted._options = ("--tls-cert", certificate, "--tls-key", key)
+        with encrypted as daemon:
+            address = f"tls://127.0.0.1:{daemon.port}"
+            with selvage.Client(address, tls=ssl.create_default_context(cafile=certificate)) as client:
+                self.assertEqual(client.open(SQUARES).compact().length_after, 80)
+            self.assert_not_tried_again(address)
+
+    def test_a_daemon_without_tls_is_said_to_be_so(self):
+        with LiveDaemon(SELVAGED) as daemon:
+            self.assert_not_tried_again(f"tls://127.0.0.1:{daemon.port}")
+
+    def assert_not_tried_again(self, address):
+        with selvage.Client(address, patience=1e9) as client, self.assertRaises(selvage.HandshakeFailed):
+            client.info()
+
+    def test_a_daemon_without_room_is_asked_for_as_long_as_was_said(self):
+        with LiveDaemon(SELVAGED, "--max-connections", "1") as daemon, selvage.Client(daemon.address) as client:
+            client.info()
+            with selvage.Client(daemon.address, patience=0.1) as other, self.assertRaises(selvage.ConnectionLost):
+                other.info()
+            client.close()
+            with selvage.Client(daemon.address) as next_one:
+                self.assertEqual(next_one.info().name, "selvage")
+
+    def test_a_call_that_is_too_long_is_said_so(self):
+        async def play(address):
+            async with selvage.AsyncClient(address) as client:
+                others = [asyncio.create_task(client.list()) for _ in range(3)]
+                with self.assertRaises(errors.TooLarge):
+                    await client.open(SQUARES | {"name": "x" * (1 << 20)})
+                self.assertEqual(await asyncio.gather(*others), [(), (), ()])
+        with LiveDaemon(SELVAGED, "--max-body-mb", "1") as daemon:
+            asyncio.run(play(daemon.address))
 
     def test_addresses_that_are_none(self):
         for text in ("localhost", "http://localhost:1", "localhost:99999", ":80", "localhost:x"):

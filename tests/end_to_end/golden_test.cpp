@@ -1,11 +1,14 @@
-// The golden exchanges of tests/golden/rpc, each file played to a fresh daemon, over HTTP and over lines.
+// The golden exchanges of tests/golden/rpc, each file played to a fresh daemon, over HTTP, lines and a WebSocket.
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <tuple>
 
 #include "server/daemon.h"
 #include "tests/end_to_end/calls.h"
+#include "tests/server/websocket_wire.h"
 
 namespace selvage::test {
 namespace {
@@ -21,28 +24,80 @@ bool alike(const Json& expected, const Json& actual) {
   return true;
 }
 
+// A way to a daemon for one message at a time.
+class Road {
+ public:
+  Road() = default;
+  virtual ~Road() = default;
+  Road(const Road&) = delete;
+  Road& operator=(const Road&) = delete;
+  virtual void send(const std::string& request) = 0;
+  // The next message; empty when the connection has ended.
+  virtual std::string hear() = 0;
+};
+
+class Http final : public Road {
+ public:
+  explicit Http(std::uint16_t port) : wire_{port} {}
+  void send(const std::string& request) override { wire_.send(post_request(request)); }
+  std::string hear() override { return wire_.answer().value_or(HttpAnswer{}).body; }
+
+ private:
+  Wire wire_;
+};
+
+class Lines final : public Road {
+ public:
+  explicit Lines(std::uint16_t port) : wire_{port} {}
+  void send(const std::string& request) override { wire_.send(request + "\n"); }
+  std::string hear() override { return wire_.line().value_or(""); }
+
+ private:
+  Wire wire_;
+};
+
+class WebSocket final : public Road {
+ public:
+  explicit WebSocket(std::uint16_t port) : wire_{port} {}
+  void send(const std::string& request) override { wire_.send_text(request); }
+  std::string hear() override { return wire_.text().value_or(""); }
+
+ private:
+  WebSocketWire wire_;
+};
+
+std::unique_ptr<Road> road_to(const Daemon& daemon, const std::string& name) {
+  if (name == "http") return std::make_unique<Http>(daemon.port());
+  if (name == "lines") return std::make_unique<Lines>(daemon.port());
+  return std::make_unique<WebSocket>(daemon.port());
+}
+
 class GoldenExchanges : public ::testing::TestWithParam<std::tuple<const char*, const char*>> {};
 
 TEST_P(GoldenExchanges, AreWhatTheDaemonAnswers) {
-  const auto& [name, road] = GetParam();
+  const auto& [name, road_name] = GetParam();
   const Json exchanges =
       Json::parse(file_text(std::string{SELVAGE_SOURCE_DIR} + "/tests/golden/rpc/" + name + ".json"));
   ASSERT_FALSE(exchanges.empty());
-  Daemon daemon{on_free_port(1)};
-  Wire wire{daemon.port()};
+  const Daemon daemon{on_free_port(1)};
+  const auto road = road_to(daemon, road_name);
+  Json to_be_told = Json::array();
+  Json told = Json::array();
   for (const Json& exchange : exchanges) {
+    for (const Json& each : exchange.value("told", Json::array())) to_be_told.push_back(each);
     const std::string request = to_text(exchange["request"]);
-    std::string answer;
-    if (road == std::string{"http"}) {
-      answer = wire.post(request).value_or(HttpAnswer{}).body;
-    } else {
-      wire.send(request + "\n");
-      answer = wire.line().value_or("");
+    road->send(request);
+    std::string answer = road->hear();
+    // What watchers are told may come before an answer.
+    for (; !answer.empty() && Json::parse(answer).contains("method"); answer = road->hear()) {
+      told.push_back(Json::parse(answer));
     }
     ASSERT_FALSE(answer.empty()) << request;
     EXPECT_TRUE(alike(exchange["response"], Json::parse(answer)))
         << request << "\nexpected " << to_text(exchange["response"]) << "\nanswered " << answer;
   }
+  ASSERT_EQ(told.size(), to_be_told.size()) << to_text(told);
+  for (std::size_t i = 0; i < told.size(); ++i) EXPECT_TRUE(alike(to_be_told[i], told[i])) << to_text(told[i]);
 }
 
 TEST(Readme, ExplainsEveryMethodOfTheDaemon) {
@@ -56,13 +111,19 @@ TEST(Readme, ExplainsEveryMethodOfTheDaemon) {
   }
 }
 
+std::string name_of(const ::testing::TestParamInfo<GoldenExchanges::ParamType>& tested) {
+  return std::string{std::get<0>(tested.param)} + "_" + std::get<1>(tested.param);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, GoldenExchanges,
                          ::testing::Combine(::testing::Values("life_of_a_marker", "mistakes", "motions", "changes",
                                                               "dragging", "places_and_tilts"),
-                                            ::testing::Values("http", "lines")),
-                         [](const auto& tested) {
-                           return std::string{std::get<0>(tested.param)} + "_" + std::get<1>(tested.param);
-                         });
+                                            ::testing::Values("http", "lines", "websocket")),
+                         name_of);
+// Over HTTP nobody can be told anything.
+INSTANTIATE_TEST_SUITE_P(Told, GoldenExchanges,
+                         ::testing::Combine(::testing::Values("watching"), ::testing::Values("lines", "websocket")),
+                         name_of);
 
 }  // namespace
 }  // namespace selvage::test

@@ -10,12 +10,24 @@ fail() {
   echo "failed: $*" >&2
   exit 1
 }
+# the first port in a file, once it is there
+port_in() {
+  for _ in $(seq 600); do
+    [[ -s $1 ]] && break
+    sleep 0.1
+  done
+  head -n 1 "$1"
+}
 
 # The lists of packages: what building needs is among what the project needs.
 while read -r package; do
   [[ $package == \#* ]] && continue
   grep -qx "$package" "$source/packages.txt" || fail "$package is not in packages.txt"
 done < "$source/packaging/packages-build.txt"
+
+# The build that the Dockerfile runs finds what it needs, and knows every option that it is given.
+"$source/packaging/build.sh" configure "$folder/build" > "$folder/configured" 2>&1 || fail "$(< "$folder/configured")"
+! grep -q 'not used by the project' "$folder/configured" || fail "$(< "$folder/configured")"
 
 # The step that the Dockerfile runs, and what must have come of it.
 "$source/packaging/build.sh" install "$build" "$folder/usr" > /dev/null
@@ -42,24 +54,65 @@ sed -e "s|/run/secrets/selvage-token|$folder/token|; s|/var/lib/selvage|$folder|
 "$selvaged" --config "$folder/selvaged.toml" --check-config > /dev/null || fail "--check-config"
 ! "$selvaged" --config "$source/packaging/container.toml" --check-config 2> "$folder/refusal" || fail "no token was missed"
 grep -q -- '--token-file' "$folder/refusal" || fail "the refusal does not name --token-file"
+code=0
+"$selvaged" --config "$source/packaging/container.toml" 2> /dev/null || code=$?
+grep -qx "RestartPreventExitStatus=$code" "$source/packaging/selvaged.service" || fail "a bad configuration, started again"
 
 "$selvaged" --config "$folder/selvaged.toml" --port-file "$folder/port" > /dev/null 2> "$folder/log" &
 daemon=$!
-for _ in $(seq 600); do
-  [[ -s $folder/port ]] && break
-  sleep 0.1
-done
-port=$(< "$folder/port")
+port=$(port_in "$folder/port")
 healthcheck=$folder/usr/libexec/selvage/healthcheck.sh
-"$healthcheck" "$port" || fail "the healthcheck of a daemon that is ready"
+"$healthcheck" "$port" || fail "the healthcheck of a daemon that lives"
 kill -TERM "$daemon"
 wait "$daemon" || fail "exit code $? after SIGTERM: $(< "$folder/log")"
 daemon=
 ! "$healthcheck" "$port" 2> /dev/null || fail "the healthcheck of a daemon that is gone"
 
+# With TLS of its own.
+openssl req -x509 -newkey ec -pkeyopt ec_paramgen_curve:prime256v1 -nodes -subj /CN=localhost \
+  -keyout "$folder/key.pem" -out "$folder/certificate.pem" 2> /dev/null
+"$selvaged" --listen 127.0.0.1:0 --tls-cert "$folder/certificate.pem" --tls-key "$folder/key.pem" \
+  --port-file "$folder/tls-port" --log-level off > /dev/null &
+daemon=$!
+"$healthcheck" "$(port_in "$folder/tls-port")" || fail "the healthcheck of a daemon that speaks TLS"
+kill -TERM "$daemon"
+wait "$daemon" || fail "exit code $? after SIGTERM with TLS"
+daemon=
+
+# One that is busy lives; one that says anything but that it lives does not.
+python3 - "$folder/other-port" << 'EOF' &
+import http.server
+import sys
+
+
+class Busy(http.server.BaseHTTPRequestHandler):
+    alive = [200, 500]  # what is said of it, one after another
+
+    def do_GET(self):
+        self.protocol_version = "HTTP/1.1"
+        self.send_response(self.alive.pop(0) if self.path == "/healthz" else 503)
+        self.end_headers()
+
+    def log_message(self, *_):
+        pass
+
+
+server = http.server.HTTPServer(("127.0.0.1", 0), Busy)
+with open(sys.argv[1], "w") as file:
+    print(server.server_port, file=file)
+server.serve_forever()
+EOF
+daemon=$!
+port=$(port_in "$folder/other-port")
+"$healthcheck" "$port" || fail "the healthcheck of a daemon that is busy"
+! "$healthcheck" "$port" || fail "the healthcheck of what does not say that it lives"
+kill -KILL "$daemon"
+wait "$daemon" 2> /dev/null || true
+daemon=
+
 # The unit's words are those that systemd knows; its paths are those of the folder.
 if command -v systemd-analyze > /dev/null; then
-  sed "s|/usr/bin/selvaged|$selvaged|" "$source/packaging/selvaged.service" > "$folder/selvaged.service"
+  sed "s|/usr/bin/selvaged|$selvaged|; s|^#Load|Load|" "$source/packaging/selvaged.service" > "$folder/selvaged.service"
   complaints=$(systemd-analyze verify "$folder/selvaged.service" 2>&1 | grep 'selvaged.service' | grep -v 'man ' || true)
   [[ -z $complaints ]] || fail "$complaints"
 fi

@@ -1,5 +1,6 @@
 import type { Connect, Connection } from "./connection.js";
 import { CallError, Code, ConnectionLost, type ErrorData } from "./errors.js";
+import { greeted } from "./greeting.js";
 import { retriable, type Methods, type Notifications } from "./methods.js";
 import { Progress } from "./progress.js";
 
@@ -12,7 +13,7 @@ export interface CallOptions {
   signal?: AbortSignal;
 }
 export interface ClientOptions {
-  /** How often a lost connection is sought again before calls are given up; 5. */
+  /** How often a lost connection is sought again, until the daemon answers on it, before calls are given up; 5. */
   attempts?: number;
   /** Milliseconds before the second attempt, twice as long before each further one; 100. */
   patience?: number;
@@ -21,7 +22,7 @@ export interface ClientOptions {
 interface Pending {
   method: string;
   text: string;
-  again: boolean; // may be sent on another connection
+  left: number; // how often it may be sent again, on another connection
   resolve(result: unknown): void;
   reject(error: Error): void;
 }
@@ -33,16 +34,18 @@ interface Message {
   error?: { code: number; message: string; data?: ErrorData };
 }
 
+const unauthorised = (error: unknown): error is CallError => error instanceof CallError && error.code === Code.Unauthorised;
 const wait = (milliseconds: number) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 
 /**
  * Calls on one daemon. When the connection is lost it is sought again, and every unanswered call that takes an `opId` is sent
  * again under the same one, so that it is carried out once; other calls reject with ConnectionLost. Watches and drags end with
- * their connection: watch again on "reconnected".
+ * their connection: watch again on "reconnected". A daemon that does not know the token ends the client: every call rejects with
+ * what it said.
  */
 export class Client {
   private connection: Connection | undefined;
-  private closed = false;
+  private over: Error | undefined; // why nothing is called any more
   private ids = 0;
   private readonly name = Math.random().toString(36).slice(2) + Date.now().toString(36);
   private readonly pending = new Map<number, Pending>();
@@ -55,7 +58,7 @@ export class Client {
   ) {}
 
   static async open(connect: Connect, options: ClientOptions = {}): Promise<Client> {
-    const client = new Client(connect, { attempts: 5, patience: 100, ...options });
+    const client = new Client(greeted(connect), { attempts: 5, patience: 100, ...options });
     await client.join();
     return client;
   }
@@ -67,7 +70,7 @@ export class Client {
     const text = JSON.stringify({ jsonrpc: "2.0", id, method, params: named });
     const { signal } = options;
     return new Promise<Answer<M>>((resolve, reject) => {
-      if (this.closed) return reject(new ConnectionLost("the client is closed"));
+      if (this.over) return reject(this.over);
       if (signal?.aborted) return reject(new CallError(Code.Cancelled, "cancelled before it was sent"));
       const cancel = () => this.cancel(id);
       const done = () => signal?.removeEventListener("abort", cancel);
@@ -75,7 +78,7 @@ export class Client {
       this.pending.set(id, {
         method,
         text,
-        again,
+        left: again ? this.options.attempts : 0,
         resolve: (result) => (done(), resolve(result as Answer<M>)),
         reject: (error) => (done(), reject(error)),
       });
@@ -106,47 +109,54 @@ export class Client {
   }
 
   close(): void {
-    this.closed = true;
-    this.connection?.close();
-    this.giveUp(() => true, "the client was closed");
+    this.end(new ConnectionLost("the client is closed"));
   }
 
   private async join(): Promise<void> {
-    let over = false; // it may end before it is ours
+    let ended = false; // it may end before it is ours
     const connection = await this.connect({
       message: (text) => this.hear(JSON.parse(text) as Message),
       closed: (reason) => {
-        over = true;
+        ended = true;
         if (this.connection === connection) void this.lost(reason);
       },
     });
-    if (over) throw new ConnectionLost("the connection ended at once");
-    if (this.closed) return connection.close();
+    if (ended) throw new ConnectionLost("the connection ended at once");
+    if (this.over) {
+      connection.close();
+      throw this.over;
+    }
     this.connection = connection;
   }
 
   private async lost(reason: string): Promise<void> {
     this.connection = undefined;
-    this.giveUp((call) => !call.again, reason);
-    for (let k = 0; k < this.options.attempts && !this.closed; ++k) {
+    this.giveUp((call) => call.left-- === 0, (call) => new ConnectionLost(`${call.method}: ${reason}`));
+    for (let k = 0; k < this.options.attempts && !this.over; ++k) {
       if (k > 0) await wait(this.options.patience * 2 ** (k - 1));
       try {
         await this.join();
-      } catch {
+      } catch (error) {
+        if (unauthorised(error)) return this.end(error);
         continue;
       }
       for (const id of this.pending.keys()) this.send(id);
       return this.tell("reconnected", undefined);
     }
-    this.closed = true;
-    this.giveUp(() => true, reason);
+    this.end(new ConnectionLost(reason));
   }
 
-  private giveUp(which: (call: Pending) => boolean, reason: string): void {
+  private end(why: Error): void {
+    this.over ??= why;
+    this.connection?.close();
+    this.giveUp(() => true, () => why);
+  }
+
+  private giveUp(which: (call: Pending) => boolean, why: (call: Pending) => Error): void {
     for (const [id, call] of this.pending) {
       if (!which(call)) continue;
       this.pending.delete(id);
-      call.reject(new ConnectionLost(`${call.method}: ${reason}`));
+      call.reject(why(call));
     }
   }
 
@@ -168,12 +178,19 @@ export class Client {
 
   private hear(message: Message): void {
     if (message.method !== undefined) return this.tell(message.method, message.params);
-    const call = this.pending.get(message.id ?? -1);
-    if (!call) return;
-    this.pending.delete(message.id as number);
     const { error } = message;
+    const id = message.id ?? (error && this.longest());
+    const call = this.pending.get(id ?? -1);
+    if (!call) return;
+    this.pending.delete(id as number);
     if (error) call.reject(new CallError(error.code, error.message, error.data));
     else call.resolve(message.result);
+  }
+
+  /** The call that an answer without an id is about: one so long that the daemon did not read it. */
+  private longest(): number | undefined {
+    const [first] = [...this.pending].sort(([, one], [, other]) => other.text.length - one.text.length);
+    return first?.[0];
   }
 
   private tell(name: string, params: unknown): void {

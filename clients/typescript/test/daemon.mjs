@@ -1,24 +1,35 @@
 // A daemon of its own for a test, on free ports.
 import { spawn } from "node:child_process";
-import { mkdtempSync, readFileSync, existsSync, rmSync } from "node:fs";
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
 export const selvaged = process.env.SELVAGED;
 if (!selvaged) throw new Error("SELVAGED must name the daemon's program");
 
+/** What a locked daemon must be shown. */
+export const token = "correct horse battery";
+
 /** {port, stop}; `more`: further options. With a port of before it takes that one. */
-export async function startDaemon({ port = 0, more = [] } = {}) {
+export async function startDaemon({ port = 0, locked = false, more = [] } = {}) {
   const folder = mkdtempSync(join(tmpdir(), "selvage-"));
   const file = join(folder, "ports");
   const options = ["--listen", `127.0.0.1:${port}`, "--port-file", file, "--log-level", "off", ...more];
+  if (locked) {
+    writeFileSync(join(folder, "token"), `${token}\n`);
+    options.push("--token-file", join(folder, "token"));
+  }
   const child = spawn(selvaged, options, { stdio: "ignore" });
+  // A test that fails ends without it.
+  child.unref();
+  process.once("exit", () => child.kill("SIGKILL"));
   const ended = new Promise((resolve) => child.once("exit", resolve));
   while (!existsSync(file)) {
     if (child.exitCode !== null) throw new Error(`selvaged ended with ${child.exitCode}`);
     await new Promise((resolve) => setTimeout(resolve, 5));
   }
   const stop = async (signal = "SIGTERM") => {
+    child.ref();
     child.kill(signal);
     await ended;
     rmSync(folder, { recursive: true });

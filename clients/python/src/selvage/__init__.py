@@ -8,7 +8,7 @@ from .async_client import AsyncClient
 from .client import Client, Drag, Marker, Watch
 from .drag import AsyncDrag
 from .drawing import draw
-from .errors import CallError, ConnectionLost, SelvageError
+from .errors import CallError, ConnectionLost, HandshakeFailed, SelvageError
 from .marker import AsyncMarker
 from .outlines import Outline, Outlines
 from .watch import AsyncWatch
@@ -22,6 +22,7 @@ __all__ = [
     "Client",
     "ConnectionLost",
     "Drag",
+    "HandshakeFailed",
     "Marker",
     "Outline",
     "Outlines",

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from .address import Address
-from .errors import ConnectionLost, UnexpectedAnswer, call_error
+from .errors import ConnectionLost, HandshakeFailed, UnexpectedAnswer, call_error
 from .results import Progress
 from .words import read
 
@@ -50,14 +50,14 @@ class Connection:
     def __init__(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         self._reader, self._writer = reader, writer
         self._ids = itertools.count(1)
-        self._calls: dict[int, Deliver] = {}
+        self._calls: dict[int, tuple[Deliver, int]] = {}  # who waits for the answer, and how long the call is
         self._listeners: dict[str, list[Deliver]] = {}  # by marker
         self.lost: Lost | None = None
         self._reading = asyncio.create_task(self._read())
 
     @staticmethod
     async def open(address: Address, token: str | None, context: ssl.SSLContext | None) -> Connection:
-        """Raises ConnectionLost, and Unauthorised when the token is refused."""
+        """Raises ConnectionLost, HandshakeFailed, and Unauthorised when the token is refused."""
         try:
             if address.path is not None:
                 ends = await asyncio.open_unix_connection(address.path, limit=_LONGEST_LINE)
@@ -65,7 +65,10 @@ class Connection:
                 tls = (context or ssl.create_default_context()) if address.tls else None
                 ends = await asyncio.open_connection(address.host, address.port, limit=_LONGEST_LINE, ssl=tls)
         except OSError as error:
-            raise ConnectionLost(f"cannot reach {address.path or f'{address.host}:{address.port}'}: {error}") from error
+            # A handshake that is cut short may be a daemon that is full or going down.
+            final = isinstance(error, ssl.SSLError) and not isinstance(error, ssl.SSLEOFError)
+            where = address.path or f"{address.host}:{address.port}"
+            raise (HandshakeFailed if final else ConnectionLost)(f"cannot reach {where}: {error}") from error
         connection = Connection(*ends)
         if token is not None and address.path is None:
             try:
@@ -84,7 +87,7 @@ class Connection:
         if self.lost:
             deliver(self.lost)
             return number
-        self._calls[number] = deliver
+        self._calls[number] = (deliver, len(line))
         self._writer.write(line.encode() + b"\n")
         return number
 
@@ -142,21 +145,25 @@ class Connection:
     def _route(self, message: dict[str, Any]) -> None:
         method, params = message.get("method"), message.get("params", {})
         if method is None:
-            if answered := self._calls.pop(message["id"], None):
-                answered(Answer(message.get("result"), message.get("error")))
+            if call := self._calls.pop(self._longest() if message["id"] is None else message["id"], None):
+                call[0](Answer(message.get("result"), message.get("error")))
         elif method == "$/progress":
-            if told := self._calls.get(params["token"]):
-                told(read(Progress, params))
+            if call := self._calls.get(params["token"]):
+                call[0](read(Progress, params))
         else:
             for listener in list(self._listeners.get(params.get("markerId"), [])):
                 listener(Told(method, params))
+
+    def _longest(self) -> int:
+        """The call that an answer without an id is about: one so long that the daemon did not read it.  0: none is open."""
+        return max(self._calls, key=lambda number: self._calls[number][1], default=0)
 
     def _end(self, reason: str) -> None:
         if self.lost:
             return
         self.lost = Lost(reason)
         self._writer.close()
-        waiting = [*self._calls.values(), *itertools.chain.from_iterable(self._listeners.values())]
+        waiting = [*(deliver for deliver, _ in self._calls.values()), *itertools.chain.from_iterable(self._listeners.values())]
         self._calls.clear()
         self._listeners.clear()
         for deliver in waiting:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from types import TracebackType
 from typing import Any
 
@@ -18,8 +19,17 @@ class AsyncDrag:
     the end brought.  A drag ends with its connection: then the next move raises ConnectionLost.
     """
 
-    def __init__(self, link: Link, marker_id: str, piece: str, mode: str | None, base_rev: int | None) -> None:
-        self._link, self._marker_id = link, marker_id
+    def __init__(
+        self,
+        link: Link,
+        marker_id: str,
+        piece: str,
+        mode: str | None,
+        base_rev: int | None,
+        edited: Callable[[Edited], None],
+    ) -> None:
+        """`edited` hears what the end brought."""
+        self._link, self._marker_id, self._edited = link, marker_id, edited
         self._begin = named(marker_id=marker_id, piece=piece, mode=mode, base_rev=base_rev)
         self._connection: Connection | None = None
         self.held: Held | None = None
@@ -37,6 +47,7 @@ class AsyncDrag:
     async def end(self, *, commit: bool | None = None, op_id: str | None = None) -> Edited:
         answer = await self._call("drag.end", marker_id=self._marker_id, commit=commit, op_id=op_id)
         self.ended = read(Edited, answer)
+        self._edited(self.ended)
         return self.ended
 
     async def __aenter__(self) -> AsyncDrag:

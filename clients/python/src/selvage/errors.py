@@ -14,6 +14,10 @@ class ConnectionLost(SelvageError, ConnectionError):
     """The daemon cannot be reached, or went away before it answered."""
 
 
+class HandshakeFailed(SelvageError, ConnectionError):
+    """The other side's certificate is not trusted, or it does not speak TLS: trying again would not help."""
+
+
 class UnexpectedAnswer(SelvageError):
     """The daemon answered, but not in the words of the protocol."""
 

@@ -68,7 +68,7 @@ class AsyncMarker(AsyncMotions):
 
     def drag(self, piece: str, *, mode: str | None = None, base_rev: int | None = None) -> AsyncDrag:
         """A hand takes hold of a piece: a context manager."""
-        return AsyncDrag(self._link, self.id, piece, mode, base_rev)
+        return AsyncDrag(self._link, self.id, piece, mode, base_rev, self._edited)
 
     async def close(self, *, op_id: str | None = None) -> Closed:
         return read(Closed, await self._call("marker.close", op_id=op_id))
@@ -89,5 +89,8 @@ class AsyncMarker(AsyncMotions):
 
     async def _edit(self, method: str, **params: Any) -> Edited:
         edited = read(Edited, await self._call(method, **params))
-        self.revision = edited.revision
+        self._edited(edited)
         return edited
+
+    def _edited(self, edited: Edited) -> None:
+        self.revision = edited.revision
