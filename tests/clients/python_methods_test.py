@@ -74,7 +74,9 @@ class Typed(unittest.TestCase):
 
     def play(self, client, request, response):
         """1 when the call is one that Python's parameters can say."""
-        method, params = request["method"], dict(request["params"])
+        method, params = request["method"], dict(request.get("params", {}))
+        if OF_CLIENT.get(method) == "call":
+            return 0  # it has no words of its own
         if method in OF_CLIENT:
             call = getattr(client, OF_CLIENT[method])
         else:
