@@ -40,7 +40,8 @@ class Healer {
     const Coord length = scene_.pieces.length();
     Healing healing;
     auto found = find_conflicts(stop);
-    if (const auto refusal = refuse_deep(found, healing)) return *refusal;
+    const auto refusal = refuse_deep(found, healing);
+    if (refusal && !stop.stop_requested()) return *refusal;
     for (int round = 0; round < kRounds && !(found.empty() && protrusions() == 0); ++round) {
       if (!part(found, stop)) break;
       found = find_conflicts(stop);

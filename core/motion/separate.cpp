@@ -290,6 +290,7 @@ void sum_up(Separation& result, const std::vector<Vec>& home, SumCache& sums, co
   if (!result.apart) {
     auto measured = check(result.marker, sums, stop);
     result.remaining = measured ? std::move(measured->overlaps) : overlaps_unmeasured(result.marker);
+    if (!measured) result.apart = result.remaining.empty();  // nobody had looked at what was put back
   }
   for (std::size_t i = 0; i < home.size(); ++i) {
     const Vec move = result.marker.pieces[i].at - home[i];

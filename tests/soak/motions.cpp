@@ -229,6 +229,7 @@ Result<Answer> opening(const Marker& start, const Occasion& on) {
   const GapChoice choice =
       on.random.chance(50) ? GapChoice{AwayFromOutline{k}} : GapChoice{AwayFromPoint{point_inside(found[k].region)}};
   auto done = open_gap(start, choice, random_settings(on.random), regions, on.sums, on.stop, on.observer);
+  if (!done && done.error().code == ErrorCode::kStoppedEarly && on.stop.stop_requested()) return unmoved(start);
   // Parting what overlapped may have closed it.
   if (!done && done.error().code == ErrorCode::kOutOfRange && !is_valid(start)) return unmoved(start);
   const bool smaller = done && done->after.area < done->before.area;

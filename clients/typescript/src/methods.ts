@@ -250,7 +250,7 @@ export type Overlap = {
   second: string;
   /** A point of both. */
   witness: Point;
-  /** The shortest move that parts them. */
+  /** The shortest move that parts them; 0: not measured, the motion was stopped. */
   depth: number;
 };
 
