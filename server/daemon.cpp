@@ -12,8 +12,8 @@ namespace {
 
 // Reads have their own workers, so that none waits behind a motion.
 constexpr std::size_t kReadWorkers = 2;
-// Nor does a dragging hand, nor a brief change, and no hand behind one other.
-constexpr std::size_t kHandWorkers = 2, kBriefWorkers = 1, kParsingWorkers = 1;
+// Nor does a dragging hand.
+constexpr std::size_t kHandWorkers = 1, kParsingWorkers = 1;
 
 Doors doors_for(const Options& options) {
   return options.task == Options::Task::kServe ? doors_of(options) : Doors{};
@@ -31,7 +31,7 @@ Daemon::Daemon(const Options& options, Engine engine)
       methods_{store_, watchers_, sums_, options.limits, options.workers, std::move(engine), crew_},
       parsing_{options.workers == 0 ? 0 : kParsingWorkers, options.limits.waiting_reads},
       reads_{options.workers == 0 ? 0 : kReadWorkers, options.limits.waiting_reads},
-      motions_{options.workers, options.limits.waiting_motions, kBriefWorkers},
+      motions_{options.workers, options.limits.waiting_motions},
       hands_{options.workers == 0 ? 0 : kHandWorkers, options.limits.waiting_moves},
       drags_{store_, methods_, sums_, hands_},
       dispatcher_{methods_,

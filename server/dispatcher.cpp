@@ -157,25 +157,22 @@ void Dispatcher::start(const std::shared_ptr<Exchange>& exchange, const Request&
   }
   const auto call = std::make_shared<OpenCall>(exchange->session, std::move(reply));
   auto time = asked_time(request.params);
-  const bool motion = *place == Place::kMotion || *place == Place::kBriefMotion;
-  if (motion) time = std::min<Clock::duration>(time.value_or(longest_motion_), longest_motion_);
+  if (*place == Place::kMotion) time = std::min<Clock::duration>(time.value_or(longest_motion_), longest_motion_);
   if (time) OpenCall::set_deadline(call, clock_, Clock::now() + *time);
   if (request.id) calls_.add(*request.id, call);
   switch (*place) {
     case Place::kAtOnce: return call->answer(methods_.call(request.method, request.params, {*call, call->stop()}));
     case Place::kDrag: return drags_.take(request.method, request.params, call);
     // Retries of one call take turns, so that the later finds the answer of the earlier.
-    case Place::kRead: return enqueue(reads_, text_field(request.params, "opId"), false, exchange, request, call);
-    case Place::kMotion: return enqueue(motions_, marker_of(request.params), false, exchange, request, call);
-    case Place::kBriefMotion: return enqueue(motions_, marker_of(request.params), true, exchange, request, call);
+    case Place::kRead: return enqueue(reads_, text_field(request.params, "opId"), exchange, request, call);
+    case Place::kMotion: return enqueue(motions_, marker_of(request.params), exchange, request, call);
   }
 }
 
-void Dispatcher::enqueue(JobQueue& queue, std::string lane, bool brief, const std::shared_ptr<Exchange>& exchange,
+void Dispatcher::enqueue(JobQueue& queue, std::string lane, const std::shared_ptr<Exchange>& exchange,
                          const Request& request, const std::shared_ptr<OpenCall>& call) {
   Job job{.session = exchange->session->id,
           .lane = std::move(lane),
-          .brief = brief,
           .caller = call->stop(),
           .work = Work{[this, exchange, &request, call](std::stop_token stop) {
             // Nobody waits for the outcome of a call that was cancelled before its turn came.

@@ -49,8 +49,8 @@ class Dispatcher {
   void take_apart(std::string message, std::shared_ptr<Session> session, ReplyOnce<std::string> reply);
   void next(const std::shared_ptr<Exchange>& exchange);
   void start(const std::shared_ptr<Exchange>& exchange, const Request& request, ReplyOnce<Outcome> reply);
-  void enqueue(JobQueue& queue, std::string lane, bool brief, const std::shared_ptr<Exchange>& exchange,
-               const Request& request, const std::shared_ptr<OpenCall>& call);
+  void enqueue(JobQueue& queue, std::string lane, const std::shared_ptr<Exchange>& exchange, const Request& request,
+               const std::shared_ptr<OpenCall>& call);
   [[nodiscard]] Outcome cancel(const Json& params, std::uint64_t session);
 
   Methods& methods_;

@@ -154,12 +154,7 @@ void Drags::end(const Json& params, const std::shared_ptr<OpenCall>& call) {
             call->answer(finish(*drag, wanted, {*call, stop}));
           }}};
   const Admission admission = queue_.submit(job);
-  if (admission == Admission::kAccepted) return;
-  {
-    const std::lock_guard lock{mutex_};
-    drags_.emplace(drag->id, drag);  // it may be ended again
-  }
-  call->answer(refused(admission, queue_));
+  if (admission != Admission::kAccepted) call->answer(refused(admission, queue_));
 }
 
 Outcome Drags::finish(Held& drag, const DragEnd& wanted, const CallTurn& turn) {
@@ -167,11 +162,7 @@ Outcome Drags::finish(Held& drag, const DragEnd& wanted, const CallTurn& turn) {
   const Marker& latest = drag.latest ? *drag.latest : start;
   MarkerFile after = with_marker(*drag.base.file, latest);
   const Json fields = change_json(*drag.base.file, after);
-  if (!wanted.commit || latest == start) {
-    Json result = result_json(drag.marker_id, drag.base.revision, fields);
-    if (!turn.call.settle()) return result;
-    return methods_.unchanged("drag.end", drag.marker_id, wanted.op_id, std::move(result));
-  }
+  if (!wanted.commit || latest == start) return result_json(drag.marker_id, drag.base.revision, fields);
   return methods_.commit(
       {"drag.end", drag.marker_id, drag.base, std::move(after), Origin::kChange, wanted.op_id, fields}, turn);
 }

@@ -1,10 +1,6 @@
 // The worker pool: jobs in, at most `capacity` waiting, each told when to stop.
 //
-// Sessions take turns: however many jobs one of them has waiting, another's next job waits for one of each; and a
-// session that has none waiting may have one, however full the queue is of others'.
-//
-// Brief jobs have workers of their own besides, so that none waits for a long one; the other workers take them too,
-// when no long job is ready.
+// Sessions take turns: however many jobs one of them has waiting, another's next job waits for one of each.
 //
 // A job may name a lane; the jobs of one lane run one at a time, in the order they came.  A marker's id is
 // the lane of what changes it.  The queue owns every worker and every stop_source: a job is asked to stop
@@ -12,7 +8,6 @@
 // already stopped. With no workers a job runs inside submit(), for tests that want no threads.
 #pragma once
 
-#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
@@ -34,19 +29,17 @@ namespace selvage {
 using Work = std::packaged_task<void(std::stop_token)>;
 
 struct Job {
-  std::uint64_t session{};   // whose turn it takes
-  std::string lane{};        // empty: none
-  bool brief{};              // milliseconds at most, whatever the marker
-  std::stop_token caller{};  // stops when whoever asked is gone
-  Work work;                 // what it throws is logged and ends this job only
+  std::uint64_t session{};  // whose turn it takes
+  std::string lane;         // empty: none
+  std::stop_token caller;   // stops when whoever asked is gone
+  Work work;                // what it throws is logged and ends this job only
 };
 
 enum class Admission { kAccepted, kFull, kDraining };
 
 class JobQueue {
  public:
-  // `workers`: for all jobs.
-  JobQueue(std::size_t workers, std::size_t capacity, std::size_t brief_workers = 0);
+  JobQueue(std::size_t workers, std::size_t capacity);
   ~JobQueue();  // drains
   JobQueue(const JobQueue&) = delete;
   JobQueue& operator=(const JobQueue&) = delete;
@@ -59,40 +52,26 @@ class JobQueue {
 
   [[nodiscard]] std::size_t workers() const { return workers_; }
   [[nodiscard]] std::size_t capacity() const { return capacity_; }
-  // When a full queue is likely to have room again: jobs waiting times what one took of late, or has taken by now.
+  // When a full queue is likely to have room again: jobs waiting times what one took of late.
   [[nodiscard]] int retry_after_ms() const;
   [[nodiscard]] std::size_t waiting() const;
   [[nodiscard]] std::size_t running() const;
 
  private:
-  struct Running {
-    std::stop_source stop{};
-    std::chrono::steady_clock::time_point since{std::chrono::steady_clock::now()};
-    bool reserved{};  // on a worker that takes brief jobs only
-  };
-  using Place = std::list<Running>::iterator;
+  void serve();
+  void run(Job job, std::list<std::stop_source>::iterator stop);
+  void end(const std::string& lane, std::list<std::stop_source>::iterator stop, double milliseconds);
 
-  void serve(bool reserved);
-  [[nodiscard]] bool has_work(bool reserved) const { return !brief_.empty() || (!reserved && !ready_.empty()); }
-  void make_ready(Job job);
-  // Wakes a worker for a job that has become ready.
-  void wake(bool brief);
-  void run(Job job, Place place);
-  void end(const std::string& lane, Place place);
-
-  const std::size_t workers_, brief_workers_;
+  const std::size_t workers_;
   const std::size_t capacity_;
   mutable std::mutex mutex_;
-  std::condition_variable work_;                  // a job is ready, or no more will come
-  std::condition_variable brief_work_;            // the same, of brief ones, for the workers that take no others
-  std::condition_variable drained_;               // the last has ended
-  FairLine<Job> ready_, brief_;                   // long jobs, and brief ones
+  std::condition_variable work_;     // a job is ready, or no more will come
+  std::condition_variable drained_;  // the last has ended
+  FairLine<Job> ready_;
   std::map<std::string, std::deque<Job>> lanes_;  // the lanes with a job ready or running, and what waits behind it
   std::size_t behind_{};                          // jobs waiting in lanes_
-  std::map<std::uint64_t, std::size_t> waiting_;  // jobs of each session that has some
-  std::list<Running> running_;
-  std::size_t reserved_running_{};
-  double usual_ms_{100};  // a job's, of late
+  std::list<std::stop_source> stops_;             // one per running job
+  double usual_ms_{100};                          // a job's, of late
   bool draining_{};
   std::vector<std::jthread> threads_;
 };

@@ -29,15 +29,13 @@ constexpr std::array kOwnMethods{
     OwnMethod{"marker.close", Place::kRead, &Methods::marker_close},
     OwnMethod{"marker.watch", Place::kAtOnce, &Methods::marker_watch},
     OwnMethod{"marker.unwatch", Place::kAtOnce, &Methods::marker_unwatch},
-    OwnMethod{"marker.apply", Place::kBriefMotion, &Methods::marker_apply},
-    OwnMethod{"marker.undo", Place::kBriefMotion, &Methods::marker_undo},
-    OwnMethod{"marker.redo", Place::kBriefMotion, &Methods::marker_redo},
+    OwnMethod{"marker.apply", Place::kMotion, &Methods::marker_apply},
+    OwnMethod{"marker.undo", Place::kMotion, &Methods::marker_undo},
+    OwnMethod{"marker.redo", Place::kMotion, &Methods::marker_redo},
     OwnMethod{"drag.begin", Place::kDrag, nullptr},
     OwnMethod{"drag.move", Place::kDrag, nullptr},
     OwnMethod{"drag.end", Place::kDrag, nullptr},
 };
-constexpr std::array<std::string_view, 3> kBriefMotions{"motion.bump", "motion.place", "motion.relax"};
-
 const OwnMethod* find_own_method(std::string_view name) {
   const auto* const found = std::find_if(kOwnMethods.begin(), kOwnMethods.end(),
                                          [name](const OwnMethod& method) { return method.name == name; });
@@ -137,8 +135,7 @@ std::optional<Place> place_of(std::string_view method) {
   if (const OwnMethod* own = find_own_method(method)) return own->place;
   const MarkerMethod* on_marker = find_marker_method(method);
   if (!on_marker) return std::nullopt;
-  if (!on_marker->motion) return Place::kRead;
-  return std::ranges::find(kBriefMotions, method) == kBriefMotions.end() ? Place::kMotion : Place::kBriefMotion;
+  return on_marker->motion ? Place::kMotion : Place::kRead;
 }
 
 }  // namespace selvage

@@ -27,9 +27,8 @@ struct CallTurn {
 };
 
 // Where a method runs: at once on the thread that read the call, on a worker for reads, on a worker for motions in its
-// marker's lane, or where the dragging hand is served.  A brief motion builds no linear program: it waits for no other
-// marker's.
-enum class Place { kAtOnce, kRead, kMotion, kBriefMotion, kDrag };
+// marker's lane, or where the dragging hand is served.
+enum class Place { kAtOnce, kRead, kMotion, kDrag };
 // Nothing when there is no method of this name.
 [[nodiscard]] std::optional<Place> place_of(std::string_view method);
 
@@ -68,9 +67,6 @@ class Methods {
                                               std::string_view method) const;
   // Makes the change the marker's next revision, tells those who watch it, and answers.
   [[nodiscard]] Outcome commit(ReadyChange change, const CallTurn& turn);
-  // The answer to a call that changed nothing, kept when it has an opId.
-  [[nodiscard]] Outcome unchanged(std::string_view method, const std::string& marker_id,
-                                  const std::optional<std::string>& op_id, Json result);
   [[nodiscard]] const Engine& engine() const { return engine_; }
 
   [[nodiscard]] Outcome engine_info(const Json& params, const CallTurn& turn);
@@ -88,6 +84,10 @@ class Methods {
  private:
   [[nodiscard]] Outcome call_on_marker(const MarkerMethod& method, const Json& params, const CallTurn& turn);
   [[nodiscard]] Outcome way_back(std::string_view method, const Json& params, const CallTurn& turn, Origin origin);
+  // The answer to a call that changed nothing, kept when it has an opId.
+  [[nodiscard]] Outcome unchanged(std::string_view method, const std::string& marker_id,
+                                  const std::optional<std::string>& op_id, Json result);
+
   MarkerStore& store_;
   Watchers& watchers_;
   SumCache& sums_;

@@ -245,22 +245,6 @@ TEST(Dispatcher, MotionsOfDifferentKindsTakeTurns) {
   EXPECT_EQ(gate.most_at_once(), 1);
 }
 
-TEST(Dispatcher, AnEditWaitsForNoOtherMarkersSolve) {
-  Gate gate;
-  Desk desk{1, gate.engine()};
-  for (int marker = 0; marker < 2; ++marker) (void)desk.open_small();
-  auto solving = desk.send(call(1, "motion.compact", R"({"markerId":"m1"})"));
-  gate.await_arrivals(1);
-  const Json moved = desk.result("marker.apply", "{'markerId':'m2','ops':[{'op':'move','piece':'low','at':[7,1]}]}");
-  EXPECT_EQ(moved["revision"], 2) << moved;
-  EXPECT_EQ(desk.result("motion.bump", "{'markerId':'m2','piece':'low','direction':[1,0]}")["markerId"], "m2");
-  EXPECT_EQ(desk.result("marker.undo", "{'markerId':'m2'}")["markerId"], "m2");
-  auto behind = desk.send(call(2, "marker.undo", R"({"markerId":"m1"})"));
-  gate.open();
-  EXPECT_EQ(Json::parse(solving.get())["result"]["revision"], 2);
-  EXPECT_EQ(Json::parse(behind.get())["result"]["revision"], 3);  // of the solve, for which it waited
-}
-
 TEST(Dispatcher, ACallerWhoLeavesStopsItsPush) {
   Gate gate;
   Desk desk{1, gate.engine()};

@@ -103,38 +103,6 @@ TEST(Drags, TheLatestMoveWinsAndTheSupersededAreAnswered) {
   EXPECT_EQ(hand.begun, 2);
 }
 
-TEST(Drags, AnEndThatChangesNothingIsAnsweredAgain) {
-  Desk desk;
-  (void)desk.open_small();
-  for (const char* commit : {"", ",'commit':false"}) {
-    const std::string id = desk.result("drag.begin", "{'markerId':'m1','piece':'low'}")["dragId"];
-    const std::string params = "{'dragId':'" + id + "','markerId':'m1','opId':'end " + id + "'" + commit + "}";
-    const Json ended = desk.result("drag.end", params);
-    EXPECT_EQ(ended["revision"], 1) << ended;
-    EXPECT_EQ(desk.result("drag.end", params), ended);
-  }
-}
-
-TEST(Drags, AnEndThatIsRefusedAsBusyLeavesTheDragToBeEnded) {
-  SlowHand hand;
-  Limits limits;
-  limits.waiting_moves = 0;
-  Desk desk{1, hand.engine(), limits};
-  (void)desk.open_small();
-  (void)desk.result("drag.begin", "{'markerId':'m1','piece':'low'}");
-  auto moving = desk.send(call(1, "drag.move", R"({"dragId":"d1","to":[7,1]})"));
-  hand.await_begun(1);
-  // One job of this connection may wait: the end of another drag.
-  (void)desk.result("drag.begin", "{'markerId':'m1','piece':'high'}");
-  auto waiting = desk.send(call(2, "drag.end", R"({"dragId":"d2","markerId":"m1"})"));
-  const std::string end = R"({"dragId":"d1","markerId":"m1"})";
-  EXPECT_EQ(code_of(desk.ask_json(call(3, "drag.end", end))), -32010);
-  hand.let_through();
-  (void)moving.get();
-  (void)waiting.get();
-  EXPECT_EQ(desk.ask_json(call(4, "drag.end", end))["result"]["revision"], 2);
-}
-
 TEST(Drags, AMarkerThatMovedOnRefusesTheEnd) {
   Desk desk;
   (void)desk.open_small();
