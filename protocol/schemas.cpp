@@ -163,7 +163,7 @@ constexpr std::array kOverlap{
     Word{"first", "string", kRequired, "A piece's id."},
     Word{"second", "string", kRequired, "The other's."},
     Word{"witness", "Point", kRequired, "A point of both."},
-    Word{"depth", "number", kRequired, "The shortest move that parts them."},
+    Word{"depth", "number", kRequired, "The shortest move that parts them; 0: not measured, the motion was stopped."},
 };
 constexpr std::array kPieceState{
     Word{"id", "string", kRequired, "The piece's."},

@@ -39,18 +39,19 @@ class Healer {
     const std::vector<Vec> start = scene_.pieces.positions();
     const Coord length = scene_.pieces.length();
     Healing healing;
-    auto found = find_conflicts();
-    if (const auto refusal = refuse_deep(found, healing)) return *refusal;
+    auto found = find_conflicts(stop);
+    const auto refusal = refuse_deep(found, healing);
+    if (refusal && !stop.stop_requested()) return *refusal;
     for (int round = 0; round < kRounds && !(found.empty() && protrusions() == 0); ++round) {
       if (!part(found, stop)) break;
-      found = find_conflicts();
+      found = find_conflicts(stop);
     }
-    if (!found.empty() || protrusions() > 0) {
+    const bool parted =
+        stop.stop_requested() ? is_valid(scene_.pieces, scene_.marker.strip) : found.empty() && protrusions() == 0;
+    if (!parted) {
       scene_.pieces.place(start);
-      if (stop.stop_requested()) {
-        return Error{ErrorCode::kStoppedEarly, "stopped before the overlaps of the input were parted", "/pieces"};
-      }
-      return unparted(found);
+      if (!stop.stop_requested()) return unparted(found);
+      return Error{ErrorCode::kStoppedEarly, "stopped before the overlaps of the input were parted", "/pieces"};
     }
     for (std::size_t i = 0; i < start.size(); ++i) {
       const Vec move = scene_.pieces.at(i) - start[i];
@@ -61,10 +62,14 @@ class Healer {
   }
 
  private:
-  std::vector<Conflict> find_conflicts() {
+  // Asked to stop, only some.
+  std::vector<Conflict> find_conflicts(const std::stop_token& stop) {
     observer_.on_stage(Stage::kVerify);
     std::vector<Conflict> found;
-    for (const PiecePair& pair : conflicts(scene_.pieces, *observer_.crew)) found.push_back({pair, target(pair).depth});
+    for (const PiecePair& pair : conflicts(scene_.pieces, *observer_.crew, stop)) {
+      if (stop.stop_requested()) break;
+      found.push_back({pair, target(pair).depth});
+    }
     return found;
   }
   [[nodiscard]] SeparationTarget target(PiecePair pair) const {

@@ -20,10 +20,10 @@ class Opening {
           const std::stop_token& stop, const Observer& observer)
       : scene_{scene}, settings_{settings}, regions_{regions}, stop_{stop}, observer_{observer} {}
 
-  // Names the gap; false when there is none such.
+  // Names the gap; false when there is none such, or when it was asked to stop before it was found.
   bool choose(const GapChoice& choice) {
     if (const auto* outline = std::get_if<AwayFromOutline>(&choice)) {
-      auto found = unoccupied_regions(scene_.pieces, scene_.marker.strip, regions_);
+      auto found = regions();
       if (outline->region >= found.size()) return false;
       gap_ = std::move(found[outline->region]);
       inside_ = point_inside(gap_.region);
@@ -33,9 +33,9 @@ class Opening {
     inside_ = std::get<AwayFromPoint>(choice).point;
     return find_again();
   }
-  // The gap about the same point where the pieces are now; false when it has closed.
+  // The gap about the same point where the pieces are now; false when it has closed, or likewise.
   bool find_again() {
-    auto found = unoccupied_regions(scene_.pieces, scene_.marker.strip, regions_);
+    auto found = regions();
     auto holding = holds(found);
     if (!holding) return false;
     gap_ = std::move(*holding);
@@ -78,15 +78,20 @@ class Opening {
   [[nodiscard]] Vec inside() const { return inside_; }
 
  private:
+  // None when asked to stop.
+  [[nodiscard]] std::vector<UnoccupiedRegion> regions() const {
+    auto found = unoccupied_regions(scene_.pieces, scene_.marker.strip, regions_, stop_);
+    return found ? *std::move(found) : std::vector<UnoccupiedRegion>{};
+  }
   [[nodiscard]] std::optional<UnoccupiedRegion> holds(std::vector<UnoccupiedRegion>& found) const {
     const auto held = std::find_if(found.begin(), found.end(), [&](const UnoccupiedRegion& candidate) {
       return locate(inside_, candidate.region) != Location::kOutside;
     });
     return held == found.end() ? std::nullopt : std::optional{std::move(*held)};
   }
-  // The gap as it is now; false, and nothing changed, when it has not grown.
+  // The gap as it is now; false, and nothing changed, when it has not grown as far as is known.
   bool take_larger() {
-    auto found = unoccupied_regions(scene_.pieces, scene_.marker.strip, regions_);
+    auto found = regions();
     auto now = holds(found);
     if (!now || now->area <= gap_.area) return false;
     gap_ = std::move(*now);
@@ -146,6 +151,9 @@ Result<OpenedGap> open_gap(const Marker& start, const GapChoice& choice, const C
     found = opening.choose(choice);
   } else if (found && healing->farthest_move > 0) {
     found = opening.find_again();
+  }
+  if (!found && stop.stop_requested()) {
+    return Error{ErrorCode::kStoppedEarly, "stopped before the gap was found", ""};
   }
   if (!found) {
     return Error{ErrorCode::kOutOfRange,

@@ -40,8 +40,8 @@ struct OpenedGap {
 
 // Settings as for compaction (gravity is not used; least_gain is the part by which the last round enlarges the gap);
 // `regions` says what is a region.
-// Errors: those of heal; kOutOfRange for a point in no unoccupied region, or a region that is not there, or that
-// healing closed.
+// Errors: those of heal; kStoppedEarly when asked to stop before the gap was found; kOutOfRange for a point in no
+// unoccupied region, or a region that is not there, or that healing closed.
 [[nodiscard]] Result<OpenedGap> open_gap(const Marker& start, const GapChoice& choice,
                                          const CompactionSettings& settings, const UnoccupiedSettings& regions,
                                          SumCache& sums, std::stop_token stop = {}, const Observer& observer = {});

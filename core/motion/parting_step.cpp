@@ -36,10 +36,12 @@ class PartingProgram {
     }
   }
 
-  // `near`: the pairs that may come to touch.  Both sorted.
-  void add_pairs(const std::vector<PartingPair>& parting, const std::vector<PiecePair>& near) {
+  // `near`: the pairs that may come to touch.  Both sorted.  Asked to stop, only some of them.
+  void add_pairs(const std::vector<PartingPair>& parting, const std::vector<PiecePair>& near,
+                 const std::stop_token& stop) {
     auto parted = parting.begin();
     for (const PiecePair& pair : near) {
+      if (stop.stop_requested()) return;
       const bool parts = parted != parting.end() && parted->pair == pair;
       if (parts) {
         add_pair(pair, parted->target.about, parted->price);
@@ -129,7 +131,11 @@ PartingStep parting_step(const Scene& scene, const std::vector<PartingPair>& par
     observer.on_stage(Stage::kRows);
     PartingProgram program{scene, reached, settings};
     program.add_length();
-    program.add_pairs(parting, near);
+    program.add_pairs(parting, near, stop);
+    if (stop.stop_requested()) {
+      step.status = LpStatus::kStopped;
+      return step;
+    }
     program.add_stillness(home);
     observer.on_stage(Stage::kSolve);
     observer.on_program(program.program());

@@ -61,7 +61,7 @@ class Rounds {
   // Leaves the pieces parted, or where they overlap least; counts in `total`.
   Ending run(Separation& total, const std::stop_token& stop) {
     put_back(scene_, allowed_);
-    look();
+    if (!look(stop)) return {StopReason::kCancelled, false};
     const Best start{scene_.pieces.positions(), left()};
     best_ = start;
     const StopReason reason = go(total, stop);
@@ -69,8 +69,8 @@ class Rounds {
       come_home(total, stop);
       return {StopReason::kConverged, true};
     }
-    settle(start);
-    return {reason, apart()};
+    settle(start, stop);
+    return {!apart() && stop.stop_requested() ? StopReason::kCancelled : reason, apart()};
   }
 
   // The piece that holds up the rest: of those that overlap, the one whose rows weigh most [Li94 10].  Locked pieces
@@ -103,7 +103,7 @@ class Rounds {
       if (total.rounds == last) return StopReason::kWorkLimit;
       if (idle == kPatience) return StopReason::kConverged;
       if (idle > 0 && idle % kLeapAfter == 0) {
-        leap(idle / kLeapAfter);
+        if (!leap(idle / kLeapAfter, stop)) return StopReason::kCancelled;
         if (apart()) break;
       }
       const PartingStep step = parting_step(scene_, parting_, aim_, program_settings(), stop, observer_);
@@ -113,7 +113,7 @@ class Rounds {
       }
       scene_.pieces.place(step.positions);
       put_back(scene_, kLatticeLimit);
-      look();
+      if (!look(stop)) return StopReason::kCancelled;
       observer_.on_round({++total.rounds, scene_.pieces.length()});
       if (left() < kProgress * best_.left) idle = 0;
       if (left() < best_.left) best_ = {scene_.pieces.positions(), left()};
@@ -133,10 +133,8 @@ class Rounds {
     if (step.status != LpStatus::kOptimal) return;
     scene_.pieces.place(step.positions);
     put_back(scene_, kLatticeLimit);
-    look();
-    if (apart() && way_home(scene_.pieces.positions()) < way_home(parted)) return;
+    if (look(stop) && apart() && way_home(scene_.pieces.positions()) < way_home(parted)) return;
     scene_.pieces.place(parted);
-    look();
   }
   [[nodiscard]] double way_home(const std::vector<Vec>& from) const {
     double sum = 0;
@@ -148,26 +146,27 @@ class Rounds {
   }
 
   // The best of what was seen, without the length that was overdrawn; no worse than the start.
-  void settle(const Best& start) {
+  void settle(const Best& start, const std::stop_token& stop) {
     scene_.pieces.place(best_.positions);
     put_back(scene_, allowed_);
-    look();
-    if (left() <= start.left) return;
+    if (scene_.pieces.positions() == best_.positions && stop.stop_requested()) return;
+    if (look(stop) && left() <= start.left) return;
     scene_.pieces.place(start.positions);
-    look();
+    look(stop);
   }
 
   [[nodiscard]] Coord excess() const { return std::max(Coord{0}, scene_.pieces.length() - allowed_); }
-  [[nodiscard]] bool apart() const { return parting_.empty() && excess() == 0; }
+  [[nodiscard]] bool apart() const { return seen_ && parting_.empty() && excess() == 0; }
   // What is left to do; lattice units.
   [[nodiscard]] double left() const { return depth_ + static_cast<double>(excess()); }
 
-  // Finds what overlaps, exactly.
-  void look() {
+  // Finds what overlaps, exactly.  False when it was asked to stop: then not all of it was found.
+  bool look(const std::stop_token& stop) {
     observer_.on_stage(Stage::kVerify);
     parting_.clear();
     depth_ = deepest_ = 0;
-    for (const PiecePair& pair : conflicts(scene_.pieces)) {
+    for (const PiecePair& pair : conflicts(scene_.pieces, alone(), stop)) {
+      if (stop.stop_requested()) break;
       const SeparationTarget target = separation_target(scene_, pair, settings_.target);
       const auto [price, first_time] = prices_.raised.try_emplace(pair, kOverlapPrice);
       if (!first_time) price->second = std::min(kHighestPrice, kPriceGrowth * price->second);
@@ -175,20 +174,22 @@ class Rounds {
       depth_ += target.depth;
       deepest_ = std::max(deepest_, target.depth);
     }
+    return seen_ = !stop.stop_requested();
   }
 
   // Of every pair that overlaps still, the piece that has the cheaper place to go to leaps there; so does every piece
-  // that only fits by overdrawing the length.
-  void leap(int times) {
+  // that only fits by overdrawing the length.  False as of look.
+  bool leap(int times, const std::stop_token& stop) {
     observer_.on_stage(Stage::kOther);
     for (const auto& [pair, target, price] : parting_) {
+      if (stop.stop_requested()) return false;
       leap_one({pair.first, pair.second}, kLeapReach * target.depth * times);
     }
     for (std::uint32_t i = 0; i < scene_.pieces.size(); ++i) {
       const Coord beyond = scene_.pieces.box(i).high.x - allowed_;
       if (beyond > 0) leap_one({i}, kLeapReach * static_cast<double>(beyond) * times);
     }
-    look();
+    return look(stop);
   }
   void leap_one(std::initializer_list<std::uint32_t> candidates, double reach) {
     std::optional<Leap> best;
@@ -228,6 +229,7 @@ class Rounds {
   const SeparationSettings& settings_;
   const Observer& observer_;
   std::vector<PartingPair> parting_;
+  bool seen_{};  // nothing that overlaps is missing there
   OverlapPrices prices_{kOverlapPrice, {}};
   double depth_{}, deepest_{};
   Best best_;
@@ -283,9 +285,12 @@ void erase_at(std::vector<T>& list, std::uint32_t index) {
   list.erase(list.begin() + static_cast<std::ptrdiff_t>(index));
 }
 
-void sum_up(Separation& result, const std::vector<Vec>& home, SumCache& sums) {
+void sum_up(Separation& result, const std::vector<Vec>& home, SumCache& sums, const std::stop_token& stop) {
   result.length_after = length_of(result.marker);
-  if (!result.apart) result.remaining = check(result.marker, sums).overlaps;
+  if (!result.apart) {
+    auto measured = check(result.marker, sums, stop);
+    result.remaining = measured ? std::move(measured->overlaps) : overlaps_unmeasured(result.marker);
+  }
   for (std::size_t i = 0; i < home.size(); ++i) {
     const Vec move = result.marker.pieces[i].at - home[i];
     result.moved += static_cast<double>(std::abs(move.x)) + static_cast<double>(std::abs(move.y));
@@ -319,7 +324,7 @@ Result<Separation> separate(const Marker& start, const SeparationSettings& setti
     erase_at(pieces.ids, gone);
     erase_at(pieces.home, gone);
   }
-  sum_up(result, pieces.home, sums);
+  sum_up(result, pieces.home, sums, stop);
   return result;
 }
 

@@ -8,6 +8,8 @@
 // nor than the cloth.  (3) Locked pieces stay to the lattice unit.  (4) Same input and settings, same answer, whatever
 // the cache holds. (5) An answer that is not apart overlaps no more, in the sum of depths, than the input once put
 // back.
+// Asked to stop, it measures no more overlaps: it hands back the best that it has seen, which is the input put back
+// when it has seen no other.
 #pragma once
 
 #include <stop_token>
@@ -32,14 +34,14 @@ struct SeparationSettings {
 struct Separation {
   Marker marker;
   StopReason reason{};
-  bool apart{};  // everything parted: the marker is valid
+  bool apart{};  // everything parted: the marker is valid; stopped: as far as it was seen
   int rounds{};
   int programs{};         // linear programs solved
   Coord length_before{};  // of the input once what lies outside the strip is put back to its edge
   Coord length_after{};
   double moved{};                  // the sum of |dx| + |dy| over all pieces; lattice units
   Coord farthest_move{};           // the largest |dx| or |dy| of a piece; lattice units
-  std::vector<Overlap> remaining;  // pieces of `marker`; empty when apart
+  std::vector<Overlap> remaining;  // pieces of `marker`; empty when apart; stopped: perhaps not measured
   std::vector<PieceId> popped;     // pieces of the input, in the order they were popped out; not in `marker`
 };
 

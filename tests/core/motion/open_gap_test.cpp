@@ -113,12 +113,24 @@ TEST(OpenGap, ARegionsNumberIsThatOfTheMarkerAsItComes) {
   EXPECT_EQ(open_gap(marker, AwayFromOutline{0}, kStandard, kEverything, sums).error().code, ErrorCode::kOutOfRange);
 }
 
-TEST(OpenGap, StopsWhenAsked) {
+TEST(OpenGap, StoppedBeforeItFoundTheGapSaysSo) {
   SumCache sums;
   std::stop_source source;
   source.request_stop();
+  for (const GapChoice& choice : {GapChoice{AwayFromPoint{{150 * k1, 500 * k1}}}, GapChoice{AwayFromOutline{1}}}) {
+    const auto result = open_gap(walls(false).marker(), choice, kStandard, kEverything, sums, source.get_token());
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::kStoppedEarly);
+  }
+}
+
+TEST(OpenGap, StopsWhenAsked) {
+  SumCache sums;
+  std::stop_source source;
+  Observer observer;
+  observer.on_program = [&](const LinearProgram&) { source.request_stop(); };
   const Marker marker = walls(false).marker();
-  const auto result = open_gap(marker, AwayFromOutline{1}, kStandard, kEverything, sums, source.get_token());
+  const auto result = open_gap(marker, AwayFromOutline{1}, kStandard, kEverything, sums, source.get_token(), observer);
   ASSERT_TRUE(result);
   EXPECT_EQ(result->reason, StopReason::kCancelled);
   EXPECT_EQ(result->marker, marker);

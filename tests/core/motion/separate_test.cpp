@@ -161,6 +161,39 @@ TEST(Separate, CancelledGivesTheLeastOverlapSoFar) {
   EXPECT_EQ(result->reason, StopReason::kCancelled);
   EXPECT_FALSE(result->apart);
   EXPECT_EQ(result->marker, two_squares(30));
+  ASSERT_EQ(result->remaining.size(), 1U);  // told, not measured
+  EXPECT_EQ(result->remaining[0].depth, 0);
+}
+
+// A pile that takes several rounds, stopped whenever something is proved.
+TEST(Separate, NeverClaimsMoreThanItHasSeenWhenItIsStopped) {
+  Layout layout{1000};
+  const auto square = layout.shape_of(test::rectangle(250, 250));
+  for (Coord k = 0; k < 12; ++k) layout.put(square, {20 * k, 30 * k});
+  const Marker start = layout.marker();
+  SumCache sums;
+  const auto depth = [&](const Marker& marker) {
+    double sum = 0;
+    for (const Overlap& overlap : check(marker, sums).overlaps) sum += overlap.depth;
+    return sum;
+  };
+  bool ended = false;
+  for (int stop_at = 1; stop_at < 200 && !ended; ++stop_at) {
+    std::stop_source source;
+    Observer observer;
+    int proofs = 0;
+    observer.on_stage = [&](Stage stage) {
+      if (stage == Stage::kVerify && ++proofs == stop_at) source.request_stop();
+    };
+    const auto result = separate(start, {.grow = 10}, sums, source.get_token(), observer);
+    ASSERT_TRUE(result);
+    ended = proofs < stop_at;
+    EXPECT_EQ(result->apart, result->remaining.empty()) << stop_at;
+    EXPECT_TRUE(!result->apart || is_valid(result->marker)) << stop_at;
+    EXPECT_TRUE(result->apart || result->reason == StopReason::kCancelled) << stop_at;
+    EXPECT_LE(depth(result->marker), depth(start) * (1 + 1e-9)) << stop_at;
+  }
+  EXPECT_TRUE(ended);
 }
 
 // A loose marker, tightened, shaken.
