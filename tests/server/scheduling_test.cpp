@@ -160,8 +160,22 @@ TEST(FairLine, SessionsTakeTurnsAndEachKeepsItsOrder) {
   line.push(2, "b2");
   line.push(3, "c1");
   std::string order;
-  while (!line.empty()) order += line.pop() + " ";
+  const auto any = [](const std::string&) { return true; };
+  while (const auto next = line.take(any)) order += *next + " ";
   EXPECT_EQ(order, "a1 b1 c1 a2 b2 a3 a4 ");
+  EXPECT_TRUE(line.empty());
+}
+
+TEST(FairLine, WhoTakesOnlySomeThingsPassesOverTheOthers) {
+  FairLine<std::string> line;
+  for (const char* thing : {"a1", "a2!", "a3!"}) line.push(1, thing);
+  line.push(2, "b1");
+  line.push(3, "c1!");
+  const auto marked = [](const std::string& thing) { return thing.back() == '!'; };
+  std::string order;
+  while (const auto next = line.take(marked)) order += *next + " ";
+  EXPECT_EQ(order, "a2! c1! a3! ");
+  EXPECT_EQ(line.size(), 2U);
 }
 
 TEST(Fairness, OneSessionsManyMotionsDoNotKeepAnotherWaiting) {
