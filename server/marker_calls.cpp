@@ -45,7 +45,21 @@ std::optional<Json> placements_since(const Committed& now, Revision since) {
   return placements;
 }
 
+// Written in some 10 ms.
+constexpr std::size_t kManyVertices = 20'000;
+
 }  // namespace
+
+bool Methods::large(const Json& params) const {
+  const auto id = params.is_object() ? params.find("markerId") : params.end();
+  if (id == params.end() || !id->is_string()) return false;
+  const auto now = store_.current(id->get<std::string>());
+  if (!now) return false;
+  const Marker& marker = now->file->marker;
+  std::size_t vertices = 0;
+  for (const Piece& piece : marker.pieces) vertices += marker.shapes[piece.shape.value].outline.size();
+  return vertices > kManyVertices;
+}
 
 Outcome Methods::marker_open(const Json& params, const CallTurn& turn) {
   auto wanted = decode_marker_open(params);

@@ -22,6 +22,9 @@ inline RpcError limit_reached(const std::string& what, std::size_t limit) {
 inline RpcError nobody_waits() {
   return {RpcCode::kCancelled, "the caller left, or cancelled the call, before it ended", {}};
 }
+inline RpcError going_down() {
+  return {RpcCode::kDraining, "the server is going down", {}};
+}
 inline RpcError not_written() {
   return {RpcCode::kInternalError, "the store could not be written; nothing was changed", {}};
 }
