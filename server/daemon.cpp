@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -20,12 +22,22 @@ Doors doors_for(const Options& options) {
   return options.task == Options::Task::kServe ? doors_of(options) : Doors{};
 }
 
+// Null: markers live in memory only.
+std::unique_ptr<Journal> open_journal(const Options& options) {
+  if (options.store.empty()) return nullptr;
+  try {
+    return std::make_unique<Journal>(options.store, options.durability);
+  } catch (const std::exception& error) {
+    throw std::runtime_error{"--store " + options.store + ": " + error.what()};
+  }
+}
+
 }  // namespace
 
 Daemon::Daemon(const Options& options, Engine engine)
     : drain_patience_{options.drain},
       sums_{options.cache_mb << 20},
-      journal_{options.store.empty() ? nullptr : std::make_unique<Journal>(options.store, options.durability)},
+      journal_{open_journal(options)},
       store_{options.limits.open_markers, journal_.get()},
       crew_{std::max<std::size_t>(options.workers, 1) - 1,
             [this, cores = options.workers] { return idle_cores(cores); }},

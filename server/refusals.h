@@ -9,7 +9,7 @@
 namespace selvage {
 
 inline RpcError unknown_marker(const std::string& id) {
-  return {RpcCode::kUnknownMarker, "no marker '" + id + "' is open", {}};
+  return {RpcCode::kUnknownMarker, "no marker '" + id + "' is open", Json{{"field", "/markerId"}}};
 }
 inline RpcError revision_mismatch(const std::string& id, Revision wanted, Revision present) {
   return {RpcCode::kRevisionMismatch,
