@@ -24,6 +24,10 @@ std::optional<std::string> read_op_id(Fields& fields, Mistake& mistake) {
   return id;
 }
 
+std::optional<double> read_deadline(Fields& fields) {
+  return fields.maybe_number("deadlineMs", kDeadlines);
+}
+
 Json read_progress_token(Fields& fields, Mistake& mistake) {
   const Json* token = fields.maybe_any("progressToken");
   if (!token) return nullptr;

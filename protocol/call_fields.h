@@ -21,6 +21,8 @@ inline constexpr Range kDeadlines{1, 24.0 * 3'600'000};  // milliseconds
 }
 // "opId": 1 to kLongestOpId bytes.
 [[nodiscard]] std::optional<std::string> read_op_id(Fields& fields, Mistake& mistake);
+// "deadlineMs": from the call's arrival, which is the server's business.
+[[nodiscard]] std::optional<double> read_deadline(Fields& fields);
 // "progressToken": a number or a string of at most kLongestToken bytes; null when it is absent.
 [[nodiscard]] Json read_progress_token(Fields& fields, Mistake& mistake);
 

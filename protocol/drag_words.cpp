@@ -1,6 +1,7 @@
 #include "protocol/drag_words.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/marker/figures.h"
 #include "protocol/call_fields.h"
@@ -46,12 +47,17 @@ Result<DragEnd> decode_drag_end(const Json& params) {
   return end;
 }
 
-Vec within_reach(const Decimal& to, const Marker& marker) {
+Result<Vec> within_reach(const Decimal& to, const Marker& marker) {
   // Half the lattice: the piece's own extent comes on top.
   const double far = std::min(kFarthest * to_decimal(marker.strip.width, marker.resolution),
                               to_decimal(kLatticeLimit / 2, marker.resolution));
-  const auto on_lattice = [&](double value) { return to_lattice(std::clamp(value, -far, far), marker.resolution); };
-  return {on_lattice(to.x), on_lattice(to.y)};
+  for (const double coordinate : {to.x, to.y}) {
+    if (std::abs(coordinate) <= far) continue;
+    return Error{ErrorCode::kOutOfRange,
+                 number_text(coordinate) + " is too far out; up to " + number_text(far) + " either way is allowed",
+                 "/to"};
+  }
+  return Vec{to_lattice(to.x, marker.resolution), to_lattice(to.y, marker.resolution)};
 }
 
 Json drag_json(const Marker& before, const LaidOut& laid_out, const Drag& now, PieceId piece, Vec to) {

@@ -35,8 +35,9 @@ struct DragEnd {
 };
 [[nodiscard]] Result<DragEnd> decode_drag_end(const Json& params);
 
-// The lattice point nearest to where the hand is, at most as far out as any coordinate of a marker may be.
-[[nodiscard]] Vec within_reach(const Decimal& to, const Marker& marker);
+// The lattice point nearest to where the hand is.  Errors: kOutOfRange at /to when that is farther out than any
+// coordinate of a marker may be.
+[[nodiscard]] Result<Vec> within_reach(const Decimal& to, const Marker& marker);
 // {"at", "reached", "pushed", "placements": of all that moved, "length", "utilisation", "valid"}.  `to` is where the
 // piece was wanted.  REQUIRES: `laid_out` is of `before`.
 [[nodiscard]] Json drag_json(const Marker& before, const LaidOut& laid_out, const Drag& now, PieceId piece, Vec to);

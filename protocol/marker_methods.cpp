@@ -46,8 +46,8 @@ void tell_times(Json& fields, const StageTimes& times, const CacheCounts& cache)
 
 RpcCode code_of_run(const MarkerMethod& method, const Error& error) {
   constexpr int kFirstOfShapes = 1100;  // below it are the mistakes of parameters
-  const bool refused = method.motion && static_cast<int>(error.code) >= kFirstOfShapes;
-  return refused ? RpcCode::kMotionRefused : RpcCode::kInvalidParams;
+  const bool refused = method.motion() && static_cast<int>(error.code) >= kFirstOfShapes;
+  return refused || error.code == ErrorCode::kStoppedEarly ? RpcCode::kMotionRefused : RpcCode::kInvalidParams;
 }
 
 }  // namespace selvage

@@ -22,8 +22,8 @@ namespace selvage {
 // Adds "ms" and "cache", which vary from run to run.
 void tell_times(Json& fields, const StageTimes& times, const CacheCounts& cache);
 
-// What an error of the method's run is on the wire: kMotionRefused when the marker does not allow the motion,
-// else kInvalidParams.
+// What an error of the method's run is on the wire: kMotionRefused when the marker does not allow the motion, or
+// the run was stopped without an answer; else kInvalidParams.
 [[nodiscard]] RpcCode code_of_run(const MarkerMethod& method, const Error& error);
 
 }  // namespace selvage

@@ -19,6 +19,8 @@ constexpr std::array kMotionParams{
     Word{"deadlineMs", "number", kOptional, "Then the best so far is answered; 1 to 86,400,000."},
     Word{"progressToken", "ProgressToken", kOptional, "Rounds are told under it."},
     Word{"timing", "boolean", kOptional, "Answer with ms and cache, too."}};
+constexpr std::array kStudyParams{
+    Word{"deadlineMs", "number", kOptional, "Then the call is refused if it has no answer; 1 to 86,400,000."}};
 constexpr std::array kMotionResults{Word{"name", "string", kRequired, "The marker's."},
                                     Word{"pieces", "integer", kRequired, "How many there are."},
                                     Word{"lengthBefore", "number", kRequired, "Exact."},
@@ -98,10 +100,11 @@ ToldMethod told(const MarkerMethod& method) {
   append(all.params, method.words.params);
   append(all.results, kOnMarkerResults);
   append(all.results, method.words.results);
-  if (method.motion) {
+  if (method.motion()) {
     append(all.params, kMotionParams);
     append(all.results, kMotionResults);
   }
+  if (method.task == Task::kStudy) append(all.params, kStudyParams);
   return all;
 }
 

@@ -138,7 +138,7 @@ constexpr std::array kLimits{
     Word{"waitingMotions", "integer", kRequired, "In the queue."},
     Word{"waitingReads", "integer", kRequired, "In the queue."},
     Word{"waitingMoves", "integer", kRequired, "Of dragging hands, in the queue."},
-    Word{"motionMs", "integer", kRequired, "From a motion's arrival to the best it has by then."},
+    Word{"callMs", "integer", kRequired, "From the arrival of a call that may take long to the best it has by then."},
     Word{"dragsPerConnection", "integer", kRequired, "At once."},
     Word{"connections", "integer", kRequired, "At once."},
     Word{"callsPerConnection", "integer", kRequired, "Unanswered."},

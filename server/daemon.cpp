@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -10,13 +12,24 @@
 namespace selvage {
 namespace {
 
-// Reads have their own workers, so that none waits behind a motion.
-constexpr std::size_t kReadWorkers = 2;
-// Nor does a dragging hand.
-constexpr std::size_t kHandWorkers = 1, kParsingWorkers = 1;
+// Reads have their own workers, so that none waits behind a motion; one of them is for quick reads only, so that none
+// of these waits behind a long one.  Likewise one more worker is for quick changes only.
+constexpr std::size_t kReadWorkers = 1, kQuickReadWorkers = 1, kStepWorkers = 1;
+// Nor does a dragging hand wait, or one hand for another.
+constexpr std::size_t kLeastHandWorkers = 2, kParsingWorkers = 1;
 
 Doors doors_for(const Options& options) {
   return options.task == Options::Task::kServe ? doors_of(options) : Doors{};
+}
+
+// Null: markers live in memory only.
+std::unique_ptr<Journal> open_journal(const Options& options) {
+  if (options.store.empty()) return nullptr;
+  try {
+    return std::make_unique<Journal>(options.store, options.durability);
+  } catch (const std::exception& error) {
+    throw std::runtime_error{"--store " + options.store + ": " + error.what()};
+  }
 }
 
 }  // namespace
@@ -24,15 +37,15 @@ Doors doors_for(const Options& options) {
 Daemon::Daemon(const Options& options, Engine engine)
     : drain_patience_{options.drain},
       sums_{options.cache_mb << 20},
-      journal_{options.store.empty() ? nullptr : std::make_unique<Journal>(options.store, options.durability)},
+      journal_{open_journal(options)},
       store_{options.limits.open_markers, journal_.get()},
       crew_{std::max<std::size_t>(options.workers, 1) - 1,
             [this, cores = options.workers] { return idle_cores(cores); }},
       methods_{store_, watchers_, sums_, options.limits, options.workers, std::move(engine), crew_},
       parsing_{options.workers == 0 ? 0 : kParsingWorkers, options.limits.waiting_reads},
-      reads_{options.workers == 0 ? 0 : kReadWorkers, options.limits.waiting_reads},
-      motions_{options.workers, options.limits.waiting_motions},
-      hands_{options.workers == 0 ? 0 : kHandWorkers, options.limits.waiting_moves},
+      reads_{options.workers == 0 ? 0 : kReadWorkers, options.limits.waiting_reads, kQuickReadWorkers},
+      motions_{options.workers, options.limits.waiting_motions, kStepWorkers},
+      hands_{options.workers == 0 ? 0 : std::max(options.workers, kLeastHandWorkers), options.limits.waiting_moves},
       drags_{store_, methods_, sums_, hands_},
       dispatcher_{methods_,
                   drags_,

@@ -8,6 +8,7 @@
 
 #include "protocol/call_fields.h"
 #include "server/freed_memory.h"
+#include "server/refusals.h"
 
 namespace selvage {
 namespace {
@@ -23,7 +24,7 @@ RpcError internal_error() {
 }
 
 RpcError refused(Admission admission, const JobQueue& queue) {
-  if (admission == Admission::kDraining) return {RpcCode::kDraining, "the server is going down", {}};
+  if (admission == Admission::kDraining) return going_down();
   return {RpcCode::kBusy, "too many calls are waiting", Json{{"retryAfterMs", queue.retry_after_ms()}}};
 }
 
@@ -103,6 +104,7 @@ void Dispatcher::receive(std::string message, const std::shared_ptr<Session>& se
   const auto held = std::make_shared<ReplyOnce<std::string>>(std::move(once));
   Job job{.session = session->id,
           .lane = {},
+          .quick = true,
           .caller = session->gone,
           .work = Work{[this, held, session, text = std::move(message)](auto&&) mutable {
             take_apart(std::move(text), session, std::move(*held));
@@ -157,22 +159,31 @@ void Dispatcher::start(const std::shared_ptr<Exchange>& exchange, const Request&
   }
   const auto call = std::make_shared<OpenCall>(exchange->session, std::move(reply));
   auto time = asked_time(request.params);
-  if (*place == Place::kMotion) time = std::min<Clock::duration>(time.value_or(longest_motion_), longest_motion_);
+  if (*place == Place::kStudy || *place == Place::kStep || *place == Place::kMotion) {
+    time = std::min<Clock::duration>(time.value_or(longest_call_), longest_call_);
+  }
   if (time) OpenCall::set_deadline(call, clock_, Clock::now() + *time);
   if (request.id) calls_.add(*request.id, call);
+  const bool small = exchange->bytes <= kLargeMessage;
   switch (*place) {
     case Place::kAtOnce: return call->answer(methods_.call(request.method, request.params, {*call, call->stop()}));
     case Place::kDrag: return drags_.take(request.method, request.params, call);
     // Retries of one call take turns, so that the later finds the answer of the earlier.
-    case Place::kRead: return enqueue(reads_, text_field(request.params, "opId"), exchange, request, call);
-    case Place::kMotion: return enqueue(motions_, marker_of(request.params), exchange, request, call);
+    case Place::kRead: {
+      const bool quick = small && !methods_.large(request.params);
+      return enqueue(reads_, text_field(request.params, "opId"), quick, exchange, request, call);
+    }
+    case Place::kStudy: return enqueue(reads_, {}, false, exchange, request, call);
+    case Place::kStep: return enqueue(motions_, marker_of(request.params), small, exchange, request, call);
+    case Place::kMotion: return enqueue(motions_, marker_of(request.params), false, exchange, request, call);
   }
 }
 
-void Dispatcher::enqueue(JobQueue& queue, std::string lane, const std::shared_ptr<Exchange>& exchange,
+void Dispatcher::enqueue(JobQueue& queue, std::string lane, bool quick, const std::shared_ptr<Exchange>& exchange,
                          const Request& request, const std::shared_ptr<OpenCall>& call) {
   Job job{.session = exchange->session->id,
           .lane = std::move(lane),
+          .quick = quick,
           .caller = call->stop(),
           .work = Work{[this, exchange, &request, call](std::stop_token stop) {
             // Nobody waits for the outcome of a call that was cancelled before its turn came.

@@ -34,7 +34,7 @@ class Dispatcher {
         reads_{reads},
         motions_{motions},
         longest_message_{limits.transport.body_bytes},
-        longest_motion_{limits.motion},
+        longest_call_{limits.call},
         on_answered_{std::move(on_answered)} {}
 
   // Never blocks, unless the queues have no workers.
@@ -49,8 +49,8 @@ class Dispatcher {
   void take_apart(std::string message, std::shared_ptr<Session> session, ReplyOnce<std::string> reply);
   void next(const std::shared_ptr<Exchange>& exchange);
   void start(const std::shared_ptr<Exchange>& exchange, const Request& request, ReplyOnce<Outcome> reply);
-  void enqueue(JobQueue& queue, std::string lane, const std::shared_ptr<Exchange>& exchange, const Request& request,
-               const std::shared_ptr<OpenCall>& call);
+  void enqueue(JobQueue& queue, std::string lane, bool quick, const std::shared_ptr<Exchange>& exchange,
+               const Request& request, const std::shared_ptr<OpenCall>& call);
   [[nodiscard]] Outcome cancel(const Json& params, std::uint64_t session);
 
   Methods& methods_;
@@ -60,7 +60,7 @@ class Dispatcher {
   JobQueue& reads_;
   JobQueue& motions_;
   const std::size_t longest_message_;  // bytes
-  const std::chrono::milliseconds longest_motion_;
+  const std::chrono::milliseconds longest_call_;
   const OnAnswered on_answered_;
   OpenCalls calls_;
 };

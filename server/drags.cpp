@@ -29,7 +29,7 @@ RpcError unknown_drag(const std::string& id) {
 }
 
 RpcError refused(Admission admission, const JobQueue& queue) {
-  if (admission == Admission::kDraining) return {RpcCode::kDraining, "the server is going down", {}};
+  if (admission == Admission::kDraining) return going_down();
   return {RpcCode::kBusy, "too many hands are dragging", Json{{"retryAfterMs", queue.retry_after_ms()}}};
 }
 
@@ -92,7 +92,9 @@ void Drags::move(const Json& params, const std::shared_ptr<OpenCall>& call) {
   if (!wanted) return call->answer(rpc_error(wanted.error()));
   const auto drag = held(wanted->drag_id, call->session()->id);
   if (!drag) return call->answer(unknown_drag(wanted->drag_id));
-  Waiting newest{within_reach(wanted->to, drag->base.file->marker), call};
+  const auto to = within_reach(wanted->to, drag->base.file->marker);
+  if (!to) return call->answer(rpc_error(to.error()));
+  Waiting newest{*to, call};
   std::optional<Waiting> superseded;
   {
     const std::lock_guard lock{drag->mutex};
@@ -142,10 +144,6 @@ void Drags::end(const Json& params, const std::shared_ptr<OpenCall>& call) {
   if (const auto again = methods_.replay(wanted->marker_id, wanted->op_id, "drag.end")) return call->answer(*again);
   const auto drag = held(wanted->drag_id, call->session()->id);
   if (!drag || drag->marker_id != wanted->marker_id) return call->answer(unknown_drag(wanted->drag_id));
-  {
-    const std::lock_guard lock{mutex_};
-    drags_.erase(drag->id);  // takes no move from now on
-  }
   Job job{.session = call->session()->id,
           .lane = drag->id,
           .caller = call->stop(),
@@ -153,8 +151,18 @@ void Drags::end(const Json& params, const std::shared_ptr<OpenCall>& call) {
             serve(*drag, stop);  // a move that is still in the mailbox
             call->answer(finish(*drag, wanted, {*call, stop}));
           }}};
+  // Out of the list first, so that it takes no move and no other end; back into it when there is no room for the end.
+  {
+    const std::lock_guard lock{mutex_};
+    if (drags_.erase(drag->id) == 0) return call->answer(unknown_drag(drag->id));
+  }
   const Admission admission = queue_.submit(job);
-  if (admission != Admission::kAccepted) call->answer(refused(admission, queue_));
+  if (admission == Admission::kAccepted) return;
+  {
+    const std::lock_guard lock{mutex_};
+    drags_.emplace(drag->id, drag);
+  }
+  call->answer(refused(admission, queue_));
 }
 
 Outcome Drags::finish(Held& drag, const DragEnd& wanted, const CallTurn& turn) {
@@ -162,7 +170,11 @@ Outcome Drags::finish(Held& drag, const DragEnd& wanted, const CallTurn& turn) {
   const Marker& latest = drag.latest ? *drag.latest : start;
   MarkerFile after = with_marker(*drag.base.file, latest);
   const Json fields = change_json(*drag.base.file, after);
-  if (!wanted.commit || latest == start) return result_json(drag.marker_id, drag.base.revision, fields);
+  if (!wanted.commit || latest == start) {
+    if (turn.call.left().stop_requested() || !turn.call.settle()) return nobody_waits();
+    return methods_.unchanged("drag.end", drag.marker_id, wanted.op_id,
+                              result_json(drag.marker_id, drag.base.revision, fields));
+  }
   return methods_.commit(
       {"drag.end", drag.marker_id, drag.base, std::move(after), Origin::kChange, wanted.op_id, fields}, turn);
 }

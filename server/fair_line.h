@@ -2,10 +2,12 @@
 // everybody else who waits has one.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace selvage {
@@ -19,20 +21,25 @@ class FairLine {
     if (first) turns_.push_back(session);
     ++size_;
   }
-  // REQUIRES: not empty.
-  [[nodiscard]] Thing pop() {
-    const std::uint64_t session = turns_.front();
-    turns_.pop_front();
-    const auto own = by_session_.find(session);
-    Thing thing = std::move(own->second.front());
-    own->second.pop_front();
-    if (own->second.empty()) {
-      by_session_.erase(own);
-    } else {
-      turns_.push_back(session);
+  // The first thing that suits, of the first session in turn that has one; nothing when nobody has.
+  template <class Suits>
+  [[nodiscard]] std::optional<Thing> take(const Suits& suits) {
+    for (auto turn = turns_.begin(); turn != turns_.end(); ++turn) {
+      const auto own = by_session_.find(*turn);
+      const auto found = std::find_if(own->second.begin(), own->second.end(), suits);
+      if (found == own->second.end()) continue;
+      std::optional<Thing> thing{std::move(*found)};
+      own->second.erase(found);
+      if (own->second.empty()) {
+        by_session_.erase(own);
+      } else {
+        turns_.push_back(*turn);
+      }
+      turns_.erase(turn);
+      --size_;
+      return thing;
     }
-    --size_;
-    return thing;
+    return std::nullopt;
   }
   [[nodiscard]] bool empty() const { return size_ == 0; }
   [[nodiscard]] std::size_t size() const { return size_; }

@@ -3,22 +3,25 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <chrono>
 #include <exception>
+#include <optional>
 #include <utility>
 
 namespace selvage {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 constexpr double kOfLate = 0.1;                    // the weight of the last job in what is usual
 constexpr double kSoonest = 20, kLatest = 10'000;  // milliseconds until a retry
 
 }  // namespace
 
-JobQueue::JobQueue(std::size_t workers, std::size_t capacity) : workers_{workers}, capacity_{capacity} {
-  threads_.reserve(workers);
-  for (std::size_t i = 0; i < workers; ++i) threads_.emplace_back([this] { serve(); });
+JobQueue::JobQueue(std::size_t workers, std::size_t capacity, std::size_t quick_workers)
+    : workers_{workers}, capacity_{capacity} {
+  if (workers == 0) return;
+  threads_.reserve(workers + quick_workers);
+  for (std::size_t i = 0; i < workers + quick_workers; ++i) {
+    threads_.emplace_back([this, only_quick = i >= workers] { serve(only_quick); });
+  }
 }
 
 JobQueue::~JobQueue() {
@@ -29,12 +32,13 @@ Admission JobQueue::submit(Job& job) {
   std::unique_lock lock{mutex_};
   if (draining_) return Admission::kDraining;
   if (workers_ == 0) {
-    const auto stop = stops_.emplace(stops_.end());
+    const UnderWay now = running_.emplace(running_.end());
     lock.unlock();
-    run(std::move(job), stop);
+    run(std::move(job), now);
     return Admission::kAccepted;
   }
-  if (ready_.size() + behind_ >= capacity_) return Admission::kFull;
+  if (all_waiting() >= capacity_ && waiting_of_.contains(job.session)) return Admission::kFull;
+  ++waiting_of_[job.session];
   if (!job.lane.empty()) {
     const auto [lane, idle] = lanes_.try_emplace(job.lane);
     if (!idle) {
@@ -43,63 +47,79 @@ Admission JobQueue::submit(Job& job) {
       return Admission::kAccepted;
     }
   }
+  make_ready(std::move(job));
+  return Admission::kAccepted;
+}
+
+void JobQueue::make_ready(Job job) {
+  if (job.quick) quick_.notify_one();
+  work_.notify_one();
   const std::uint64_t session = job.session;
   ready_.push(session, std::move(job));
-  lock.unlock();
-  work_.notify_one();
-  return Admission::kAccepted;
+}
+
+JobQueue::UnderWay JobQueue::begin(const Job& job) {
+  const auto own = waiting_of_.find(job.session);
+  if (--own->second == 0) waiting_of_.erase(own);
+  const UnderWay now = running_.emplace(running_.end());
+  if (draining_) now->stop.request_stop();
+  return now;
 }
 
 void JobQueue::drain() {
   std::unique_lock lock{mutex_};
   draining_ = true;
   // A copy: a stop callback may run here, and must not find the mutex taken.
-  const std::vector<std::stop_source> running{stops_.begin(), stops_.end()};
+  const std::vector<Running> running{running_.begin(), running_.end()};
   lock.unlock();
   work_.notify_all();
-  for (const std::stop_source& stop : running) stop.request_stop();
+  quick_.notify_all();
+  for (const Running& job : running) job.stop.request_stop();
   lock.lock();
-  drained_.wait(lock, [this] { return ready_.empty() && behind_ == 0 && stops_.empty(); });
+  drained_.wait(lock, [this] { return all_waiting() == 0 && running_.empty(); });
 }
 
 int JobQueue::retry_after_ms() const {
   const std::lock_guard lock{mutex_};
-  const auto ahead = static_cast<double>(ready_.size() + behind_ + 1);
+  const auto ahead = static_cast<double>(all_waiting() + 1);
   const auto hands = static_cast<double>(std::max<std::size_t>(workers_, 1));
-  return static_cast<int>(std::clamp(usual_ms_ * ahead / hands, kSoonest, kLatest));
+  // What is under way may be longer than all that has ended.
+  double so_far = 0;
+  for (const Running& job : running_) so_far += job.milliseconds() / static_cast<double>(running_.size());
+  return static_cast<int>(std::clamp(std::max(usual_ms_, so_far) * ahead / hands, kSoonest, kLatest));
 }
 
 std::size_t JobQueue::waiting() const {
   const std::lock_guard lock{mutex_};
-  return ready_.size() + behind_;
+  return all_waiting();
 }
 
 std::size_t JobQueue::running() const {
   const std::lock_guard lock{mutex_};
-  return stops_.size();
+  return running_.size();
 }
 
-void JobQueue::serve() {
+void JobQueue::serve(bool only_quick) {
+  const auto suits = [only_quick](const Job& job) { return job.quick || !only_quick; };
+  std::condition_variable& news = only_quick ? quick_ : work_;
   std::unique_lock lock{mutex_};
   for (;;) {
-    work_.wait(lock, [this] { return !ready_.empty() || (draining_ && behind_ == 0); });
-    if (ready_.empty()) return;
-    Job job = ready_.pop();
-    const auto stop = stops_.emplace(stops_.end());
-    if (draining_) stop->request_stop();
+    std::optional<Job> job;
+    news.wait(lock, [&] { return (job = ready_.take(suits)).has_value() || (draining_ && behind_ == 0); });
+    if (!job) return;
+    const UnderWay now = begin(*job);
     lock.unlock();
-    run(std::move(job), stop);
+    run(*std::move(job), now);
     lock.lock();
   }
 }
 
-void JobQueue::run(Job job, std::list<std::stop_source>::iterator stop) {
+void JobQueue::run(Job job, UnderWay now) {
   const std::string lane = job.lane;
-  const Clock::time_point began = Clock::now();
   {
-    const std::stop_callback caller_gone{job.caller, [source = *stop]() mutable { source.request_stop(); }};
+    const std::stop_callback caller_gone{job.caller, [source = now->stop]() mutable { source.request_stop(); }};
     auto outcome = job.work.get_future();
-    job.work(stop->get_token());
+    job.work(now->stop.get_token());
     try {
       outcome.get();
     } catch (const std::exception& error) {
@@ -110,26 +130,26 @@ void JobQueue::run(Job job, std::list<std::stop_source>::iterator stop) {
     // The job goes before its lane moves on: what it owned, such as an unused reply, is settled first.
     job.work = {};
   }
-  end(lane, stop, std::chrono::duration<double, std::milli>{Clock::now() - began}.count());
+  end(lane, now);
 }
 
-void JobQueue::end(const std::string& lane, std::list<std::stop_source>::iterator stop, double milliseconds) {
+void JobQueue::end(const std::string& lane, UnderWay now) {
   const std::lock_guard lock{mutex_};
-  usual_ms_ += kOfLate * (milliseconds - usual_ms_);
-  stops_.erase(stop);
+  usual_ms_ += kOfLate * (now->milliseconds() - usual_ms_);
+  running_.erase(now);
   if (const auto found = lanes_.find(lane); found != lanes_.end()) {
     if (found->second.empty()) {
       lanes_.erase(found);
     } else {
-      const std::uint64_t session = found->second.front().session;
-      ready_.push(session, std::move(found->second.front()));
+      // Another may have to take it: this worker may not suit, or take another session's first.
+      make_ready(std::move(found->second.front()));
       found->second.pop_front();
       --behind_;
     }
   }
-  // This worker looks for its next job now, so nobody is woken for what the lane made ready.
   if (draining_) {
     work_.notify_all();
+    quick_.notify_all();
     drained_.notify_all();
   }
 }

@@ -13,8 +13,8 @@ struct Limits {
   std::size_t waiting_motions{64};  // beyond those that run
   std::size_t waiting_reads{256};
   std::size_t waiting_moves{256};  // of dragging hands
-  // From a motion's arrival to the best it has by then.
-  std::chrono::milliseconds motion{std::chrono::minutes{10}};
+  // From the arrival of a call that may take long to the best it has by then.
+  std::chrono::milliseconds call{std::chrono::minutes{10}};
   TransportLimits transport;
 };
 

@@ -2,12 +2,14 @@
 // Exit codes: 0 drained, or every call of the file went well; 1 could not serve, was overdue, or a call failed; 2 bad
 // command line or configuration.
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <condition_variable>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <mutex>
@@ -101,7 +103,21 @@ int serve(const Options& options) {
   return 0;
 }
 
+// Throws when there can be no such file, or it cannot be written.  Leaves all as it is.
+void check_writable(const std::string& option, const std::string& path) {
+  if (path.empty()) return;
+  const std::string named = option + " " + path + ": ";
+  const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+  if (!std::filesystem::is_directory(folder)) throw std::runtime_error{named + "there is no folder " + folder.string()};
+  if (std::filesystem::is_directory(path)) throw std::runtime_error{named + "it is a folder"};
+  const std::string written = std::filesystem::exists(path) ? path : folder.string();
+  if (access(written.c_str(), W_OK) != 0) throw std::runtime_error{named + "it cannot be written"};
+}
+
 int check_config(const Options& options) {
+  check_writable("--store", options.store);
+  check_writable("--log", options.log_file);
+  check_writable("--port-file", options.port_file);
   const Transport without_doors{{.access = options.access, .tls = options.tls}, options.limits.transport, {}};
   std::cout << "the configuration is sound\n";
   return 0;
@@ -135,7 +151,9 @@ int replay_file(const Options& options) {
 }
 
 int run(const Options& options) {
-  set_up_log(options.log_level, options.log_file);
+  // A check leaves no file behind.
+  const bool checks = options.task == Options::Task::kCheckConfig;
+  set_up_log(options.log_level, checks ? std::string{} : options.log_file);
   switch (options.task) {
     case Options::Task::kServe: return serve(options);
     case Options::Task::kCheckConfig: return check_config(options);

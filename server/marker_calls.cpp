@@ -45,7 +45,21 @@ std::optional<Json> placements_since(const Committed& now, Revision since) {
   return placements;
 }
 
+// Written in some 10 ms.
+constexpr std::size_t kManyVertices = 20'000;
+
 }  // namespace
+
+bool Methods::large(const Json& params) const {
+  const auto id = params.is_object() ? params.find("markerId") : params.end();
+  if (id == params.end() || !id->is_string()) return false;
+  const auto now = store_.current(id->get<std::string>());
+  if (!now) return false;
+  const Marker& marker = now->file->marker;
+  std::size_t vertices = 0;
+  for (const Piece& piece : marker.pieces) vertices += marker.shapes[piece.shape.value].outline.size();
+  return vertices > kManyVertices;
+}
 
 Outcome Methods::marker_open(const Json& params, const CallTurn& turn) {
   auto wanted = decode_marker_open(params);
@@ -97,9 +111,14 @@ Outcome Methods::marker_close(const Json& params, const CallTurn& turn) {
   const auto wanted = decode_marker_close(params);
   if (!wanted) return rpc_error(wanted.error());
   const std::string& id = wanted->marker_id;
-  if (const auto again = replay("", wanted->op_id, "marker.close")) return *again;
-  if (turn.call.left().stop_requested() || !turn.call.settle()) return nobody_waits();
   const auto text = std::make_shared<const std::string>(to_text(encode(MarkerClosed{id})));
+  if (const auto again = replay("", wanted->op_id, "marker.close")) {
+    const auto* kept = std::get_if<SharedText>(&*again);
+    if (!kept || **kept == *text) return *again;
+    return rpc_error(Error{ErrorCode::kOutOfRange,
+                           shortened(Json(*wanted->op_id)) + " was the opId of another marker's closing", "/opId"});
+  }
+  if (turn.call.left().stop_requested() || !turn.call.settle()) return nobody_waits();
   std::optional<KeptAnswer> answer;
   if (wanted->op_id) answer = KeptAnswer{*wanted->op_id, "marker.close", text};
   const auto tell = [&] { watchers_.tell_and_forget(id, to_text(notification("marker.closed", {{"markerId", id}}))); };

@@ -29,9 +29,9 @@ constexpr std::array kOwnMethods{
     OwnMethod{"marker.close", Place::kRead, &Methods::marker_close},
     OwnMethod{"marker.watch", Place::kAtOnce, &Methods::marker_watch},
     OwnMethod{"marker.unwatch", Place::kAtOnce, &Methods::marker_unwatch},
-    OwnMethod{"marker.apply", Place::kMotion, &Methods::marker_apply},
-    OwnMethod{"marker.undo", Place::kMotion, &Methods::marker_undo},
-    OwnMethod{"marker.redo", Place::kMotion, &Methods::marker_redo},
+    OwnMethod{"marker.apply", Place::kStep, &Methods::marker_apply},
+    OwnMethod{"marker.undo", Place::kStep, &Methods::marker_undo},
+    OwnMethod{"marker.redo", Place::kStep, &Methods::marker_redo},
     OwnMethod{"drag.begin", Place::kDrag, nullptr},
     OwnMethod{"drag.move", Place::kDrag, nullptr},
     OwnMethod{"drag.end", Place::kDrag, nullptr},
@@ -67,7 +67,7 @@ Outcome Methods::engine_info(const Json& params, const CallTurn&) {
                                {"waitingMotions", limits_.waiting_motions},
                                {"waitingReads", limits_.waiting_reads},
                                {"waitingMoves", limits_.waiting_moves},
-                               {"motionMs", limits_.motion.count()},
+                               {"callMs", limits_.call.count()},
                                {"dragsPerConnection", Drags::kMostPerSession},
                                {"connections", limits_.transport.connections},
                                {"callsPerConnection", limits_.transport.calls_per_connection}});
@@ -135,7 +135,13 @@ std::optional<Place> place_of(std::string_view method) {
   if (const OwnMethod* own = find_own_method(method)) return own->place;
   const MarkerMethod* on_marker = find_marker_method(method);
   if (!on_marker) return std::nullopt;
-  return on_marker->motion ? Place::kMotion : Place::kRead;
+  switch (on_marker->task) {
+    case Task::kTell: return Place::kRead;
+    case Task::kStudy: return Place::kStudy;
+    case Task::kStep: return Place::kStep;
+    case Task::kMove: return Place::kMotion;
+  }
+  return std::nullopt;
 }
 
 }  // namespace selvage

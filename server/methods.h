@@ -26,9 +26,10 @@ struct CallTurn {
   std::stop_token stop;  // hand back the best so far, for whatever reason
 };
 
-// Where a method runs: at once on the thread that read the call, on a worker for reads, on a worker for motions in its
-// marker's lane, or where the dragging hand is served.
-enum class Place { kAtOnce, kRead, kMotion, kDrag };
+// Where a method runs: at once on the thread that read the call; on a worker for reads, which long ones leave some of
+// to others; on a worker for motions in its marker's lane, of which long ones do likewise; or where the dragging hand
+// is served.
+enum class Place { kAtOnce, kRead, kStudy, kStep, kMotion, kDrag };
 // Nothing when there is no method of this name.
 [[nodiscard]] std::optional<Place> place_of(std::string_view method);
 
@@ -67,6 +68,11 @@ class Methods {
                                               std::string_view method) const;
   // Makes the change the marker's next revision, tells those who watch it, and answers.
   [[nodiscard]] Outcome commit(ReadyChange change, const CallTurn& turn);
+  // The answer to a call that changed nothing, kept when it has an opId.
+  [[nodiscard]] Outcome unchanged(std::string_view method, const std::string& marker_id,
+                                  const std::optional<std::string>& op_id, Json result);
+  // Is the marker that these parameters name so large that reading it may take long?
+  [[nodiscard]] bool large(const Json& params) const;
   [[nodiscard]] const Engine& engine() const { return engine_; }
 
   [[nodiscard]] Outcome engine_info(const Json& params, const CallTurn& turn);
@@ -84,9 +90,6 @@ class Methods {
  private:
   [[nodiscard]] Outcome call_on_marker(const MarkerMethod& method, const Json& params, const CallTurn& turn);
   [[nodiscard]] Outcome way_back(std::string_view method, const Json& params, const CallTurn& turn, Origin origin);
-  // The answer to a call that changed nothing, kept when it has an opId.
-  [[nodiscard]] Outcome unchanged(std::string_view method, const std::string& marker_id,
-                                  const std::optional<std::string>& op_id, Json result);
 
   MarkerStore& store_;
   Watchers& watchers_;

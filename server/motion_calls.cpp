@@ -31,6 +31,14 @@ void name_deadline(Json& fields, const OpenCall& call) {
   if (call.late() && stop != fields.end() && *stop == "cancelled") *stop = "deadline";
 }
 
+// Of a call that was stopped before it had anything to answer with, by whoever stopped it.
+RpcError without_answer(Error why, const CallTurn& turn) {
+  if (turn.call.left().stop_requested()) return nobody_waits();
+  if (!turn.call.late()) return going_down();
+  why.message = "the time is up: " + why.message;
+  return rpc_error(why, RpcCode::kMotionRefused);
+}
+
 }  // namespace
 
 Outcome Methods::call_on_marker(const MarkerMethod& method, const Json& params, const CallTurn& turn) {
@@ -52,6 +60,7 @@ Outcome Methods::call_on_marker(const MarkerMethod& method, const Json& params, 
   observer.crew = &crew_;
   observer.on_round = round_teller(about, turn.call.session(), now->file->marker.resolution);
   auto answer = call->run(*now->file, Means{engine_, sums_, turn.stop, observer, now->laid_out.get()});
+  if (!answer && answer.error().code == ErrorCode::kStoppedEarly) return without_answer(answer.error(), turn);
   if (!answer) return rpc_error(answer.error(), code_of_run(method, answer.error()));
   if (turn.call.left().stop_requested()) return nobody_waits();
 

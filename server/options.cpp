@@ -25,7 +25,7 @@ struct Words {
   TlsFiles tls;
   bool behind_proxy{}, no_token{}, check_config{};
   std::size_t body_mb{};
-  std::int64_t motion_seconds{}, drain_seconds{};
+  std::int64_t call_seconds{}, drain_seconds{};
   std::string durability{"full"};
 };
 
@@ -63,8 +63,9 @@ void declare_work(CLI::App& app, Options& options, Words& words) {
   app.add_option("--max-connections", options.limits.transport.connections, "Open at once")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
-  app.add_option("--motion-seconds", words.motion_seconds,
-                 "A motion that has taken so long, its waiting included, answers with its best")
+  app.add_option("--call-seconds", words.call_seconds,
+                 "A motion that has taken so long, its waiting included, answers with its best; a read that may take "
+                 "as long is refused")
       ->check(CLI::Range(1, 86'400))
       ->capture_default_str();
   app.add_option("--store", options.store,
@@ -145,7 +146,7 @@ Mistake settle(const Words& words, Options& options) {
   if (auto mistake = read_doors(words, options)) return mistake;
   if (auto mistake = exposed(words, options)) return mistake;
   options.limits.transport.body_bytes = words.body_mb << 20;
-  options.limits.motion = std::chrono::seconds{words.motion_seconds};
+  options.limits.call = std::chrono::seconds{words.call_seconds};
   options.drain = std::chrono::seconds{words.drain_seconds};
   if (options.store == "none") options.store.clear();
   options.durability = words.durability == "relaxed" ? Durability::kRelaxed : Durability::kFull;
@@ -168,7 +169,7 @@ std::variant<Options, Farewell> parse_options(int argc, const char* const* argv)
   options.workers = std::max(1U, std::thread::hardware_concurrency());
   Words words;
   words.body_mb = options.limits.transport.body_bytes >> 20;
-  words.motion_seconds = std::chrono::duration_cast<std::chrono::seconds>(options.limits.motion).count();
+  words.call_seconds = std::chrono::duration_cast<std::chrono::seconds>(options.limits.call).count();
   words.drain_seconds = options.drain.count();
 
   CLI::App app{"selvaged: compacts garment markers, by JSON-RPC 2.0 over HTTP, WebSocket or lines of JSON.",

@@ -9,7 +9,7 @@
 namespace selvage {
 
 inline RpcError unknown_marker(const std::string& id) {
-  return {RpcCode::kUnknownMarker, "no marker '" + id + "' is open", {}};
+  return {RpcCode::kUnknownMarker, "no marker '" + id + "' is open", Json{{"field", "/markerId"}}};
 }
 inline RpcError revision_mismatch(const std::string& id, Revision wanted, Revision present) {
   return {RpcCode::kRevisionMismatch,
@@ -21,6 +21,9 @@ inline RpcError limit_reached(const std::string& what, std::size_t limit) {
 }
 inline RpcError nobody_waits() {
   return {RpcCode::kCancelled, "the caller left, or cancelled the call, before it ended", {}};
+}
+inline RpcError going_down() {
+  return {RpcCode::kDraining, "the server is going down", {}};
 }
 inline RpcError not_written() {
   return {RpcCode::kInternalError, "the store could not be written; nothing was changed", {}};

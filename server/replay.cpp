@@ -1,5 +1,6 @@
 #include "server/replay.h"
 
+#include <algorithm>
 #include <future>
 #include <memory>
 #include <utility>
@@ -24,6 +25,16 @@ Json call(const std::string& method, Json params) {
   return {{"jsonrpc", "2.0"}, {"id", 1}, {"method", method}, {"params", std::move(params)}};
 }
 
+// Ids count up: m9, m10.
+std::string last_opened(const Json& markers) {
+  const auto older = [](const std::string& a, const std::string& b) {
+    return std::pair{a.size(), a} < std::pair{b.size(), b};
+  };
+  std::string last;
+  for (const Json& marker : markers) last = std::max(last, marker["markerId"].get<std::string>(), older);
+  return last;
+}
+
 }  // namespace
 
 Result<Replay> replay(Daemon& daemon, const std::string& text) {
@@ -46,7 +57,7 @@ Result<std::string> drawing_of_last(Daemon& daemon) {
   const Json list = Json::parse(answer_to(daemon, session, call("marker.list", Json::object())));
   const Json& markers = list["result"]["markers"];
   if (markers.empty()) return Error{ErrorCode::kFile, "no marker is open that could be drawn", {}};
-  const Json params{{"markerId", markers.back()["markerId"]}, {"format", "svg"}};
+  const Json params{{"markerId", last_opened(markers)}, {"format", "svg"}};
   const Json drawn = Json::parse(answer_to(daemon, session, call("marker.get", params)));
   return drawn["result"]["marker"].get<std::string>();
 }

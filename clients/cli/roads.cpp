@@ -71,8 +71,8 @@ std::variant<Ran, Refusal> run_there(const ServerChoice& server, const Task& tas
     return *std::move(refusal);
   }
   Json params = task.params;
-  if (task.method.motion) params["timing"] = true;
-  if (task.method.motion && progress.shown()) params["progressToken"] = 1;
+  if (task.method.motion()) params["timing"] = true;
+  if (task.method.motion() && progress.shown()) params["progressToken"] = 1;
   auto result = remote.call(task.method.name, std::move(params), stop);
   (void)progress.finish();
   if (auto* refusal = std::get_if<Refusal>(&result)) return std::move(*refusal);

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "core/motion/hold.h"
+#include "protocol/call_fields.h"
 #include "protocol/codec.h"
 #include "protocol/formats/decimal_marker.h"
 #include "protocol/methods/families.h"
@@ -12,15 +13,19 @@ namespace {
 
 constexpr std::string_view kEdgeNames[] = {"left", "right", "bottom", "top"};  // by Edge
 
-// marker.hold {"markerId"}
+// marker.hold {"markerId", "deadlineMs"?}
 struct MarkerHold {
   std::string marker_id;
+  std::optional<double> deadline_ms;  // the server's business
 };
 
 Result<MarkerHold> decode(const Json& params) {
-  auto id = decode_marker_id(params);
-  if (!id) return id.error();
-  return MarkerHold{*std::move(id)};
+  Mistake mistake;
+  Fields fields{params, "", mistake};
+  MarkerHold wanted{fields.text("markerId"), read_deadline(fields)};
+  fields.finish();
+  if (mistake) return mistake.error();
+  return wanted;
 }
 
 Json contacts_json(const Marker& marker, const std::vector<LoadedContact>& contacts) {
@@ -66,7 +71,7 @@ constexpr std::array kResults{
 };
 
 constexpr std::array kMethods{MarkerMethod{
-    "marker.hold", false, &read_reading<decode, run>, {"What holds the length of the marker.", {}, kResults}}};
+    "marker.hold", Task::kStudy, &read_reading<decode, run>, {"What holds the length of the marker.", {}, kResults}}};
 
 }  // namespace
 

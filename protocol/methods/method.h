@@ -58,9 +58,18 @@ struct MarkerCall {
   std::function<Result<MethodAnswer>(const MarkerFile&, const Means&)> run;
 };
 
+// What a method does, and whether it may take long: where it runs goes by this.
+enum class Task {
+  kTell,   // tells of the marker at hand
+  kStudy,  // tells of it what takes working out
+  kStep,   // changes it at once, by at most one piece
+  kMove,   // changes it, in rounds
+};
+
 struct MarkerMethod {
   std::string_view name;
-  bool motion{};  // may change the marker, and may take long
+  Task task{};
+  [[nodiscard]] bool motion() const { return task == Task::kStep || task == Task::kMove; }
   // Errors: 10xx, `field` pointing into the parameters.
   Result<MarkerCall> (*read)(const Json& params);
   MethodWords words{};  // its own; openrpc.h adds what every such method takes and answers

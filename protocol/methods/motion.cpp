@@ -55,7 +55,7 @@ MotionCall read_call(Fields& fields, Mistake& mistake) {
   call.commit = fields.flag_or("commit", call.commit);
   call.timing = fields.flag_or("timing", call.timing);
   call.op_id = read_op_id(fields, mistake);
-  call.deadline_ms = fields.maybe_number("deadlineMs", kDeadlines);
+  call.deadline_ms = read_deadline(fields);
   call.progress_token = read_progress_token(fields, mistake);
   return call;
 }

@@ -40,11 +40,11 @@ constexpr std::array kCheckResults{
 
 constexpr std::array kMethods{
     MarkerMethod{"marker.get",
-                 false,
+                 Task::kTell,
                  &read_reading<decode_marker_get, get>,
                  {"A marker as a document.", kGetParams, kGetResults}},
     MarkerMethod{"marker.check",
-                 false,
+                 Task::kStudy,
                  &read_reading<decode_marker_check, tell_validity>,
                  {"Is the marker valid, and where not?", {}, kCheckResults}},
 };
@@ -64,9 +64,12 @@ Result<MarkerGet> decode_marker_get(const Json& params) {
 }
 
 Result<MarkerCheck> decode_marker_check(const Json& params) {
-  auto id = decode_marker_id(params);
-  if (!id) return id.error();
-  return MarkerCheck{*std::move(id)};
+  Mistake mistake;
+  Fields fields{params, "", mistake};
+  MarkerCheck check{fields.text("markerId"), read_deadline(fields)};
+  fields.finish();
+  if (mistake) return mistake.error();
+  return check;
 }
 
 std::span<const MarkerMethod> reading_methods() {

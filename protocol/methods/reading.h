@@ -15,9 +15,10 @@ struct MarkerGet {
 };
 [[nodiscard]] Result<MarkerGet> decode_marker_get(const Json& params);
 
-// marker.check {"markerId"}
+// marker.check {"markerId", "deadlineMs"?}
 struct MarkerCheck {
   std::string marker_id;
+  std::optional<double> deadline_ms;  // the server's business
 };
 [[nodiscard]] Result<MarkerCheck> decode_marker_check(const Json& params);
 

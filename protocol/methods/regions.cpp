@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "protocol/call_fields.h"
 #include "protocol/formats/decimal_marker.h"
 #include "protocol/methods/families.h"
 #include "protocol/methods/reading.h"
@@ -11,16 +12,17 @@
 namespace selvage {
 namespace {
 
-// marker.regions {"markerId", "leastArea"?, "clearance"?}
+// marker.regions {"markerId", "leastArea"?, "clearance"?, "deadlineMs"?}
 struct MarkerRegions {
   std::string marker_id;
   RegionWish wish;
+  std::optional<double> deadline_ms;  // the server's business
 };
 
 Result<MarkerRegions> decode(const Json& params) {
   Mistake mistake;
   Fields fields{params, "", mistake};
-  MarkerRegions wanted{fields.text("markerId"), read_region_wish(fields)};
+  MarkerRegions wanted{fields.text("markerId"), read_region_wish(fields), read_deadline(fields)};
   fields.finish();
   if (mistake) return mistake.error();
   return wanted;
@@ -40,8 +42,10 @@ constexpr std::array kResults{
     Word{"regions", "Region[]", kRequired, "From left to right."},
 };
 
-constexpr std::array kMethods{MarkerMethod{
-    "marker.regions", false, &read_reading<decode, run>, {"The cloth that no piece covers.", kRegionParams, kResults}}};
+constexpr std::array kMethods{MarkerMethod{"marker.regions",
+                                           Task::kStudy,
+                                           &read_reading<decode, run>,
+                                           {"The cloth that no piece covers.", kRegionParams, kResults}}};
 
 }  // namespace
 

@@ -147,6 +147,24 @@ TEST_F(Selvaged, ChecksItsConfigurationAndServesNobody) {
   Process no_key{{SELVAGED, "--check-config", "--tls-cert", "nowhere.pem", "--tls-key", "nowhere.pem"}};
   EXPECT_NE(no_key.all_output().find("nowhere.pem"), std::string::npos);
   EXPECT_EQ(no_key.exit_code(), 2);
+  const std::string nowhere = (folder_ / "nowhere" / "file").string();
+  for (const char* option : {"--store", "--log", "--port-file"}) {
+    Process no_folder{{SELVAGED, "--check-config", option, nowhere}};
+    EXPECT_NE(no_folder.all_output().find(std::string{option} + " " + nowhere), std::string::npos) << option;
+    EXPECT_EQ(no_folder.exit_code(), 2) << option;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "nowhere")) << option;
+  }
+  const std::string store = (folder_ / "store").string();
+  Process good{{SELVAGED, "--check-config", "--store", store, "--log", (folder_ / "log").string()}};
+  EXPECT_EQ(good.exit_code(), 0);
+  EXPECT_FALSE(std::filesystem::exists(store));
+}
+
+TEST_F(Selvaged, NamesTheStoreThatItCannotOpen) {
+  const std::string nowhere = (folder_ / "nowhere" / "file").string();
+  Process selvaged{{SELVAGED, "--listen", "127.0.0.1:0", "--store", nowhere}};
+  EXPECT_NE(selvaged.all_output().find("--store " + nowhere), std::string::npos);
+  EXPECT_EQ(selvaged.exit_code(), 1);
 }
 
 TEST_F(Selvaged, AnswersTheCallsOfAFileWithoutSockets) {

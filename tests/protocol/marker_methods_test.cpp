@@ -43,7 +43,7 @@ TEST(MarkerMethods, HaveNamesOfTheirOwn) {
   for (const MarkerMethod& method : marker_methods()) {
     EXPECT_TRUE(names.insert(method.name).second) << method.name;
     EXPECT_EQ(find_marker_method(method.name), &method);
-    EXPECT_EQ(method.motion, method.name.starts_with("motion.")) << method.name;
+    EXPECT_EQ(method.motion(), method.name.starts_with("motion.")) << method.name;
   }
   EXPECT_EQ(find_marker_method("marker.open"), nullptr);
 }

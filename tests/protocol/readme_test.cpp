@@ -56,7 +56,7 @@ TEST(Readme, ExplainsEveryMotionAndItsParameters) {
   for (const MarkerMethod& method : marker_methods()) {
     const std::string name{method.name};
     EXPECT_NE(text.find("| `" + name + "` |"), std::string::npos) << name;
-    if (!method.motion) continue;
+    if (!method.motion()) continue;
     const std::string own = section(text, name) + section(text, "Motions");
     EXPECT_FALSE(section(text, name).empty()) << name;
     // The first word that is missing, then the next, until the parameters decode or are of the wrong type.

@@ -69,8 +69,8 @@ struct Desk {
         store{limits.open_markers, journal},
         methods{store, watchers, sums, limits, workers, std::move(engine)},
         parsing{workers == 0 ? 0U : 1U, limits.waiting_reads},
-        reads{workers == 0 ? 0U : 1U, limits.waiting_reads},
-        motions{workers, limits.waiting_motions},
+        reads{workers == 0 ? 0U : 1U, limits.waiting_reads, 1},
+        motions{workers, limits.waiting_motions, 1},
         hands{workers == 0 ? 0U : 1U, limits.waiting_moves} {}
 
   std::future<std::string> send(std::string message, const std::shared_ptr<Session>& session) {

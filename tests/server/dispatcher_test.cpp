@@ -46,6 +46,47 @@ TEST(Dispatcher, TellsItsLimits) {
   EXPECT_EQ(info["cache"]["limit"], 1 << 20);
 }
 
+TEST(Dispatcher, TellsEveryLimitAsItIsSet) {
+  Limits limits{.open_markers = 1,
+                .waiting_motions = 2,
+                .waiting_reads = 3,
+                .waiting_moves = 4,
+                .call = std::chrono::milliseconds{5},
+                .transport = {}};
+  limits.transport.body_bytes = 100'006;
+  limits.transport.connections = 7;
+  limits.transport.calls_per_connection = 8;
+  Desk desk{0, pushing_engine(), limits};
+  const Json told = desk.result("engine.info", "{}")["limits"];
+  const Json expected{{"requestBytes", 100'006},
+                      {"batch", 100},
+                      {"depth", kMaxDepth},
+                      {"values", most_values(100'006)},
+                      {"pieces", kMaxPieces},
+                      {"vertices", kMaxVertices},
+                      {"openMarkers", 1},
+                      {"waitingMotions", 2},
+                      {"waitingReads", 3},
+                      {"waitingMoves", 4},
+                      {"callMs", 5},
+                      {"dragsPerConnection", 16},
+                      {"connections", 7},
+                      {"callsPerConnection", 8}};
+  EXPECT_EQ(told, expected);
+}
+
+TEST(Dispatcher, ACloseIsRetriedForItsOwnMarkerOnly) {
+  Desk desk;
+  (void)desk.open_small();
+  (void)desk.open_small();
+  const Json closed = desk.result("marker.close", "{'markerId':'m2','opId':'a'}");
+  EXPECT_EQ(closed["closed"], true);
+  EXPECT_EQ(desk.result("marker.close", "{'markerId':'m2','opId':'a'}"), closed);
+  EXPECT_EQ(desk.result("marker.close", "{'markerId':'m1','opId':'a'}")["error"]["data"]["field"], "/opId");
+  EXPECT_TRUE(desk.store.current("m1"));
+  EXPECT_EQ(desk.result("marker.get", "{'markerId':'m2'}")["error"]["data"]["field"], "/markerId");
+}
+
 TEST(Dispatcher, AnotherRevisionThanTheBaseIsRefusedAndChangesNothing) {
   Desk desk;
   const std::string compact = call(1, "motion.compact", R"({"markerId":")" + desk.open_small() + R"(","baseRev":1})");

@@ -48,6 +48,34 @@ TEST(Drags, ALockedPieceStays) {
   EXPECT_EQ(desk.result("drag.move", "{'dragId':'d1','to':[7,1]}")["at"], Json::parse("[3,0]"));
 }
 
+TEST(Drags, AHandFarOutsideIsRefused) {
+  Desk desk;
+  (void)desk.open_small();
+  (void)desk.result("drag.begin", "{'markerId':'m1','piece':'low'}");
+  for (const char* far : {"[1e12,0]", "[0,-1e12]"}) {
+    const Json answer = desk.result("drag.move", std::string{"{'dragId':'d1','to':"} + far + "}");
+    EXPECT_EQ(code_of(answer), -32602) << far;
+    EXPECT_EQ(answer["error"]["data"]["field"], "/to") << far;
+  }
+  EXPECT_EQ(desk.result("drag.move", "{'dragId':'d1','to':[7,1]}")["reached"], true);
+}
+
+TEST(Drags, AnEndThatChangesNothingIsKeptForItsRetry) {
+  Desk desk;
+  (void)desk.open_small();
+  for (const char* commit : {"true", "false"}) {
+    const Json begun = desk.result("drag.begin", "{'markerId':'m1','piece':'low'}");
+    const std::string end = "{'dragId':'" + begun["dragId"].get<std::string>() + "','markerId':'m1','opId':'" + commit +
+                            "','commit':" + commit + "}";
+    if (std::string_view{commit} == "false") {
+      (void)desk.result("drag.move", "{'dragId':'" + begun["dragId"].get<std::string>() + "','to':[7,1]}");
+    }
+    const Json ended = desk.result("drag.end", end);
+    EXPECT_EQ(ended["revision"], 1);
+    EXPECT_EQ(desk.result("drag.end", end), ended) << commit;
+  }
+}
+
 // A hand whose moves wait until they are let through.
 struct SlowHand {
   Engine engine() {
@@ -101,6 +129,24 @@ TEST(Drags, TheLatestMoveWinsAndTheSupersededAreAnswered) {
   const Json ended = Json::parse(end.get());
   EXPECT_EQ(ended["result"]["placements"][0]["at"], Json::parse("[49,0]"));
   EXPECT_EQ(hand.begun, 2);
+}
+
+TEST(Drags, AnEndThatIsRefusedAsBusyMayBeSentAgain) {
+  SlowHand hand;
+  Limits limits;
+  limits.waiting_moves = 1;
+  Desk desk{1, hand.engine(), limits};
+  (void)desk.open_small();
+  (void)desk.result("drag.begin", "{'markerId':'m1','piece':'low'}");
+  (void)desk.result("drag.begin", "{'markerId':'m1','piece':'high'}");
+  auto holds_the_worker = desk.send(call(1, "drag.move", R"({"dragId":"d1","to":[0,0]})"));
+  hand.await_begun(1);
+  auto fills_the_queue = desk.send(call(2, "drag.move", R"({"dragId":"d2","to":[6,5]})"));
+  const std::string end = R"({"dragId":"d2","markerId":"m1"})";
+  EXPECT_EQ(code_of(desk.ask_json(call(3, "drag.end", end))), -32010);
+  hand.let_through();
+  EXPECT_TRUE(Json::parse(fills_the_queue.get()).contains("result"));
+  EXPECT_EQ(desk.ask_json(call(4, "drag.end", end))["result"]["placements"][0]["at"], Json::parse("[6,5]"));
 }
 
 TEST(Drags, AMarkerThatMovedOnRefusesTheEnd) {

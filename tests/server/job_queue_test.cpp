@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <latch>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace selvage {
@@ -104,6 +107,96 @@ TEST(JobQueue, RefusesWhatIsBeyondItsCapacityAndLeavesItWhole) {
   release.count_down();
   done.wait();
   EXPECT_FALSE(ran);
+}
+
+TEST(JobQueue, QuickJobsDoNotWaitForLongOnes) {
+  JobQueue queue{2, 8, 1};
+  std::latch started{2};
+  std::latch release{1};
+  std::latch quick_done{1};
+  for (const char* lane : {"m1", "m2"}) {
+    ASSERT_EQ(submit(queue, job(
+                                [&](auto) {
+                                  started.count_down();
+                                  release.wait();
+                                },
+                                lane)),
+              Admission::kAccepted);
+  }
+  started.wait();
+  bool long_ran = false;
+  ASSERT_EQ(submit(queue, job([&](auto) { long_ran = true; }, "m3")), Admission::kAccepted);
+  Job quick = job([&](auto) { quick_done.count_down(); }, "m4");
+  quick.quick = true;
+  ASSERT_EQ(queue.submit(quick), Admission::kAccepted);
+  quick_done.wait();
+  EXPECT_FALSE(long_ran);
+  release.count_down();
+  queue.drain();
+  EXPECT_TRUE(long_ran);
+}
+
+TEST(JobQueue, ALaneIsOneForQuickJobsAndLongOnes) {
+  std::vector<int> order;  // not guarded: the lane is
+  {
+    JobQueue queue{2, 64, 1};
+    std::latch first_may_end{1};
+    for (int i = 0; i < 32; ++i) {
+      Job next = job(
+          [&, i](auto) {
+            if (i == 0) first_may_end.wait();
+            order.push_back(i);
+          },
+          "m1");
+      next.quick = i % 3 == 1;
+      ASSERT_EQ(queue.submit(next), Admission::kAccepted);
+    }
+    first_may_end.count_down();
+  }
+  ASSERT_EQ(order.size(), 32U);
+  EXPECT_TRUE(std::is_sorted(order.begin(), order.end()));
+}
+
+TEST(JobQueue, AFullQueueTakesOneJobOfWhoHasNoneWaiting) {
+  JobQueue queue{1, 2};
+  std::latch release{1};
+  std::latch started{1};
+  const auto of = [&](std::uint64_t session) {
+    Job next = job([](auto) {});
+    next.session = session;
+    return queue.submit(next);
+  };
+  ASSERT_EQ(submit(queue, job([&](auto) {
+                     started.count_down();
+                     release.wait();
+                   })),
+            Admission::kAccepted);
+  started.wait();
+  EXPECT_EQ(of(1), Admission::kAccepted);
+  EXPECT_EQ(of(1), Admission::kAccepted);
+  EXPECT_EQ(of(1), Admission::kFull);
+  EXPECT_EQ(of(2), Admission::kAccepted);
+  EXPECT_EQ(of(2), Admission::kFull);
+  EXPECT_EQ(queue.waiting(), 3U);
+  release.count_down();
+}
+
+TEST(JobQueue, TellsToRetryByWhatRunsNowToo) {
+  JobQueue queue{1, 1};
+  for (int i = 0; i < 100; ++i) {  // jobs are known to be short
+    std::latch done{1};
+    ASSERT_EQ(submit(queue, job([&](auto) { done.count_down(); })), Admission::kAccepted);
+    done.wait();
+  }
+  std::latch release{1};
+  ASSERT_EQ(submit(queue, job([&](auto) { release.wait(); })), Admission::kAccepted);
+  const int at_first = queue.retry_after_ms();
+  const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds{30};
+  while (queue.retry_after_ms() <= at_first + 10 && std::chrono::steady_clock::now() < patience) {
+    std::this_thread::yield();
+  }
+  EXPECT_GT(queue.retry_after_ms(), at_first + 10);
+  release.count_down();
 }
 
 TEST(JobQueue, AJobThatThrowsEndsAloneAndDropsWhatItOwned) {

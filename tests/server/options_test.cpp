@@ -28,7 +28,7 @@ TEST(Options, Defaults) {
 
 TEST(Options, AreRead) {
   const auto parsed = parse({"--listen", "[::1]:0", "--workers", "0", "--cache-mb", "8", "--max-body-mb", "3",
-                             "--motion-seconds", "90", "--port-file", "p", "--log-level", "warn"});
+                             "--call-seconds", "90", "--port-file", "p", "--log-level", "warn"});
   const auto* options = std::get_if<Options>(&parsed);
   ASSERT_TRUE(options);
   EXPECT_EQ(options->host, "::1");
@@ -36,7 +36,7 @@ TEST(Options, AreRead) {
   EXPECT_EQ(options->workers, 0U);
   EXPECT_EQ(options->cache_mb, 8U);
   EXPECT_EQ(options->limits.transport.body_bytes, 3U << 20);
-  EXPECT_EQ(options->limits.motion, std::chrono::seconds{90});
+  EXPECT_EQ(options->limits.call, std::chrono::seconds{90});
   EXPECT_EQ(options->port_file, "p");
   EXPECT_EQ(options->log_level, "warn");
 }
@@ -156,7 +156,7 @@ TEST(Options, MistakesAreRefused) {
                                                                                      {"--listen", ":7171"},
                                                                                      {"--listen-tcp", "::1:7171"},
                                                                                      {"--drain-seconds", "-1"},
-                                                                                     {"--motion-seconds", "0"},
+                                                                                     {"--call-seconds", "0"},
                                                                                      {"--nonsense"}}) {
     const auto parsed = parse(words);
     const auto* farewell = std::get_if<Farewell>(&parsed);

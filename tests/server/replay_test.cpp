@@ -42,6 +42,17 @@ TEST(Replay, OneCallAndItsDrawing) {
   EXPECT_EQ(drawing->rfind("<svg", 0), 0U);
 }
 
+TEST(Replay, DrawsTheLastOfMoreThanNine) {
+  Daemon daemon{without_sockets(1)};
+  for (int i = 1; i <= 11; ++i) {
+    const std::string name = R"("name":"number )" + std::to_string(i) + R"(",)";
+    ASSERT_TRUE(replay(daemon, std::string{kOpen}.insert(kOpen.find(R"("strip")"), name)));
+  }
+  const auto drawing = drawing_of_last(daemon);
+  ASSERT_TRUE(drawing);
+  EXPECT_NE(drawing->find("number 11"), std::string::npos) << *drawing;
+}
+
 TEST(Replay, SaysWhenACallFailed) {
   Daemon daemon{without_sockets(1)};
   const auto replayed = replay(daemon, "[" + kCompact + R"(,{"jsonrpc":"2.0","method":"engine.info"}])");

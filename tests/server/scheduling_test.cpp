@@ -1,6 +1,8 @@
 // When calls run and how they end early: cancelled, at their deadline, in turn; and what is told meanwhile.
 #include <gtest/gtest.h>
 
+#include <semaphore>
+
 #include "server/fair_line.h"
 #include "tests/server/desk.h"
 
@@ -104,7 +106,7 @@ TEST(Deadlines, CountTheWaitingAndAreChecked) {
 TEST(Deadlines, TheServersOwnHoldsForMotionsThatAskForNoneOrForMore) {
   Gate gate;
   Limits limits;
-  limits.motion = std::chrono::milliseconds{20};
+  limits.call = std::chrono::milliseconds{20};
   Desk desk{1, gate.engine(), limits};
   (void)desk.open_small();
   for (const char* asked : {"", ",'deadlineMs':86400000"}) {
@@ -112,7 +114,71 @@ TEST(Deadlines, TheServersOwnHoldsForMotionsThatAskForNoneOrForMore) {
     EXPECT_EQ(done["stop"], "deadline") << asked;
     EXPECT_EQ(done["valid"], true) << asked;
   }
-  EXPECT_EQ(desk.result("engine.info", "{}")["limits"]["motionMs"], 20);
+  EXPECT_EQ(desk.result("engine.info", "{}")["limits"]["callMs"], 20);
+}
+
+// An engine whose checks end only when they are told to.
+struct EndlessCheck {
+  Engine engine() {
+    Engine engine = pushing_engine();
+    engine.check = [this](const Marker&, SumCache&, const std::stop_token& stop) -> Result<Validity> {
+      begun.release();
+      std::binary_semaphore stopped{0};
+      const std::stop_callback on_stop{stop, [&] { stopped.release(); }};
+      stopped.acquire();
+      ended.release();
+      return Error{ErrorCode::kStoppedEarly, "stopped on purpose", ""};
+    };
+    return engine;
+  }
+  std::counting_semaphore<> begun{0}, ended{0};
+};
+
+TEST(Reads, QuickOnesDoNotWaitForLongOnes) {
+  EndlessCheck check;
+  Desk desk{1, check.engine()};
+  (void)desk.open_small();
+  auto first = desk.send(call(7, "marker.check", R"({"markerId":"m1"})"));
+  auto second = desk.send(call(8, "marker.check", R"({"markerId":"m1"})"));
+  check.begun.acquire();
+  for (const char* read : {"marker.get", "marker.list", "engine.info"}) {
+    const std::string params = std::string_view{read} == "marker.get" ? R"({"markerId":"m1"})" : "{}";
+    EXPECT_TRUE(desk.ask_json(call(1, read, params)).contains("result")) << read;
+  }
+  EXPECT_EQ(desk.open_small(), "m2");
+  (void)desk.ask(cancel(7));
+  EXPECT_EQ(code_of(Json::parse(first.get())), -32800);
+  check.ended.acquire();  // it heard of it
+  check.begun.acquire();  // the second has its turn
+  (void)desk.ask(cancel(8));
+  EXPECT_EQ(code_of(Json::parse(second.get())), -32800);
+}
+
+TEST(Reads, LongOnesHaveADeadlineAndSaySo) {
+  EndlessCheck check;
+  Limits limits;
+  limits.call = std::chrono::milliseconds{20};
+  Desk desk{1, check.engine(), limits};
+  (void)desk.open_small();
+  for (const char* asked : {"", ",'deadlineMs':5", ",'deadlineMs':86400000"}) {
+    const Json answer = desk.result("marker.check", std::string{"{'markerId':'m1'"} + asked + "}");
+    EXPECT_EQ(code_of(answer), -32000) << asked;
+    EXPECT_EQ(answer["error"]["data"]["name"], "motion.stopped_early") << asked;
+  }
+  for (const char* method : {"marker.check", "marker.hold", "marker.regions"}) {
+    const Json answer = desk.result(method, "{'markerId':'m1','deadlineMs':0}");
+    EXPECT_EQ(answer["error"]["data"]["field"], "/deadlineMs") << method;
+  }
+}
+
+TEST(Reads, DrainingEndsLongOnes) {
+  EndlessCheck check;
+  Desk desk{1, check.engine()};
+  (void)desk.open_small();
+  auto running = desk.send(call(1, "marker.check", R"({"markerId":"m1"})"));
+  check.begun.acquire();
+  desk.reads.drain();
+  EXPECT_EQ(code_of(Json::parse(running.get())), -32014);
 }
 
 TEST(DeadlineClock, RingsEachInTurnWhateverIsForgotten) {
@@ -160,8 +226,65 @@ TEST(FairLine, SessionsTakeTurnsAndEachKeepsItsOrder) {
   line.push(2, "b2");
   line.push(3, "c1");
   std::string order;
-  while (!line.empty()) order += line.pop() + " ";
+  const auto any = [](const std::string&) { return true; };
+  while (const auto next = line.take(any)) order += *next + " ";
   EXPECT_EQ(order, "a1 b1 c1 a2 b2 a3 a4 ");
+  EXPECT_TRUE(line.empty());
+}
+
+TEST(FairLine, WhoTakesOnlySomeThingsPassesOverTheOthers) {
+  FairLine<std::string> line;
+  for (const char* thing : {"a1", "a2!", "a3!"}) line.push(1, thing);
+  line.push(2, "b1");
+  line.push(3, "c1!");
+  const auto marked = [](const std::string& thing) { return thing.back() == '!'; };
+  std::string order;
+  while (const auto next = line.take(marked)) order += *next + " ";
+  EXPECT_EQ(order, "a2! c1! a3! ");
+  EXPECT_EQ(line.size(), 2U);
+}
+
+TEST(Fairness, AnEditDoesNotWaitForOtherMarkersSolves) {
+  Gate gate;
+  Desk desk{2, gate.engine()};
+  for (int i = 0; i < 4; ++i) (void)desk.open_small();
+  std::vector<std::future<std::string>> solves;
+  for (const char* marker : {"m1", "m2", "m3"}) {  // one more than there are workers
+    solves.push_back(desk.send(call(1, "motion.compact", std::string{R"({"markerId":")"} + marker + R"("})")));
+  }
+  gate.await_arrivals(2);
+  const Json edited = desk.result("marker.apply", "{'markerId':'m4','ops':[{'op':'move','piece':'low','at':[5,0]}]}");
+  EXPECT_EQ(edited["revision"], 2);
+  EXPECT_EQ(desk.result("marker.undo", "{'markerId':'m4'}")["revision"], 3);
+  EXPECT_EQ(desk.result("marker.redo", "{'markerId':'m4'}")["revision"], 4);
+  EXPECT_EQ(desk.result("motion.bump", "{'markerId':'m4','piece':'low','direction':[-1,0]}")["revision"], 5);
+  EXPECT_EQ(desk.result("motion.place", "{'markerId':'m4','piece':'low','to':[6,0]}")["revision"], 6);
+  // Of a marker that is solved it waits: one change at a time.
+  auto behind = desk.send(call(2, "marker.apply", R"({"markerId":"m1","ops":[{"op":"lock","piece":"low"}]})"));
+  EXPECT_EQ(gate.arrived(), 2);
+  EXPECT_EQ(desk.store.current("m1")->revision, 1U);
+  gate.open();
+  EXPECT_EQ(Json::parse(behind.get())["result"]["revision"], 3);
+  for (auto& solve : solves) EXPECT_EQ(Json::parse(solve.get())["result"]["revision"], 2);
+}
+
+TEST(Fairness, OneSessionsFullQueueRefusesNobodyElse) {
+  Gate gate;
+  Limits limits;
+  limits.waiting_motions = 2;
+  Desk desk{1, gate.engine(), limits};
+  Listener other;
+  (void)desk.open_small();
+  std::vector<std::future<std::string>> calls;
+  for (int i = 0; i < 4; ++i) {
+    calls.push_back(desk.send(call(i, "motion.compact", R"({"markerId":"m1"})")));
+    if (i == 0) gate.await_arrivals(1);
+  }
+  EXPECT_EQ(code_of(Json::parse(calls.back().get())), -32010);
+  auto others =
+      desk.send(call(9, "motion.bump", R"({"markerId":"m1","piece":"low","direction":[1,0]})"), other.session());
+  gate.open();
+  EXPECT_TRUE(Json::parse(others.get()).contains("result"));
 }
 
 TEST(Fairness, OneSessionsManyMotionsDoNotKeepAnotherWaiting) {

@@ -172,8 +172,8 @@ export type Limits = {
   waitingReads: number;
   /** Of dragging hands, in the queue. */
   waitingMoves: number;
-  /** From a motion's arrival to the best it has by then. */
-  motionMs: number;
+  /** From the arrival of a call that may take long to the best it has by then. */
+  callMs: number;
   /** At once. */
   dragsPerConnection: number;
   /** At once. */
@@ -739,6 +739,8 @@ export interface Methods {
     params: {
       /** The marker's id. */
       markerId: string;
+      /** Then the call is refused if it has no answer; 1 to 86,400,000. */
+      deadlineMs?: number;
     };
     result: {
       /** The marker's id. */
@@ -758,6 +760,8 @@ export interface Methods {
     params: {
       /** The marker's id. */
       markerId: string;
+      /** Then the call is refused if it has no answer; 1 to 86,400,000. */
+      deadlineMs?: number;
     };
     result: {
       /** The marker's id. */
@@ -783,6 +787,8 @@ export interface Methods {
       leastArea?: number;
       /** How far regions stay from pieces; 2e-3 of the width when absent. */
       clearance?: number;
+      /** Then the call is refused if it has no answer; 1 to 86,400,000. */
+      deadlineMs?: number;
     };
     result: {
       /** The marker's id. */
