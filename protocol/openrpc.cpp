@@ -104,7 +104,7 @@ ToldMethod told(const MarkerMethod& method) {
     append(all.params, kMotionParams);
     append(all.results, kMotionResults);
   }
-  if (method.task == Task::kStudy) append(all.params, kStudyParams);
+  if (method.kind == MethodKind::kStudy) append(all.params, kStudyParams);
   return all;
 }
 

@@ -135,11 +135,11 @@ std::optional<Place> place_of(std::string_view method) {
   if (const OwnMethod* own = find_own_method(method)) return own->place;
   const MarkerMethod* on_marker = find_marker_method(method);
   if (!on_marker) return std::nullopt;
-  switch (on_marker->task) {
-    case Task::kTell: return Place::kRead;
-    case Task::kStudy: return Place::kStudy;
-    case Task::kStep: return Place::kStep;
-    case Task::kMove: return Place::kMotion;
+  switch (on_marker->kind) {
+    case MethodKind::kTell: return Place::kRead;
+    case MethodKind::kStudy: return Place::kStudy;
+    case MethodKind::kStep: return Place::kStep;
+    case MethodKind::kMove: return Place::kMotion;
   }
   return std::nullopt;
 }

@@ -45,11 +45,11 @@ Result<Motion> run_velocity(const Baseline& wanted, const Marker& start, const M
 
 constexpr std::array kMethods{
     MarkerMethod{"motion.oneAtATime",
-                 Task::kMove,
+                 MethodKind::kMove,
                  &read_motion<decode, run_one_at_a_time>,
                  {"A baseline: every piece bumped to the left, one after another.", kRoundsParams, kRoundsResults}},
     MarkerMethod{"motion.velocity",
-                 Task::kMove,
+                 MethodKind::kMove,
                  &read_motion<decode, run_velocity>,
                  {"A baseline: pieces pushed by a piston, time step by time step.", kRoundsParams, kRoundsResults}}};
 

@@ -40,7 +40,7 @@ constexpr std::array kResults = together(
 
 constexpr std::array kMethods{
     MarkerMethod{"motion.bump",
-                 Task::kStep,
+                 MethodKind::kStep,
                  &read_motion<decode_motion_bump, run>,
                  {"One piece slides as far as it can, all others still.", kParams, kResults}}};
 

@@ -19,7 +19,7 @@ Result<Motion> run(const MotionCompact& wanted, const Marker& start, const Means
 
 constexpr std::array kMethods{
     MarkerMethod{"motion.compact",
-                 Task::kMove,
+                 MethodKind::kMove,
                  &read_motion<decode_motion_compact, run>,
                  {"The marker made shorter, all pieces moving at once.", kEffortParams, kRoundsResults}}};
 

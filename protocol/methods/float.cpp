@@ -81,7 +81,7 @@ constexpr std::array kResults = together(
 
 constexpr std::array kMethods{
     MarkerMethod{"motion.float",
-                 Task::kMove,
+                 MethodKind::kMove,
                  &read_motion<decode_motion_float, run>,
                  {"Free space shared out among the gaps between pieces.", kParams, kResults}}};
 

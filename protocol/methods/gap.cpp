@@ -83,7 +83,7 @@ constexpr std::array kResults = together(
 
 constexpr std::array kMethods{
     MarkerMethod{"motion.openGap",
-                 Task::kMove,
+                 MethodKind::kMove,
                  &read_motion<decode, run>,
                  {"Pieces move away from a point or an unoccupied region, the length held.", kParams, kResults}}};
 

@@ -70,8 +70,10 @@ constexpr std::array kResults{
     Word{"perSpacing", "number", kRequired, "What a unit less of spacing would bring."},
 };
 
-constexpr std::array kMethods{MarkerMethod{
-    "marker.hold", Task::kStudy, &read_reading<decode, run>, {"What holds the length of the marker.", {}, kResults}}};
+constexpr std::array kMethods{MarkerMethod{"marker.hold",
+                                           MethodKind::kStudy,
+                                           &read_reading<decode, run>,
+                                           {"What holds the length of the marker.", {}, kResults}}};
 
 }  // namespace
 

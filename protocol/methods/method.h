@@ -59,7 +59,7 @@ struct MarkerCall {
 };
 
 // What a method does, and whether it may take long: where it runs goes by this.
-enum class Task {
+enum class MethodKind {
   kTell,   // tells of the marker at hand
   kStudy,  // tells of it what takes working out
   kStep,   // changes it at once, by at most one piece
@@ -68,8 +68,8 @@ enum class Task {
 
 struct MarkerMethod {
   std::string_view name;
-  Task task{};
-  [[nodiscard]] bool motion() const { return task == Task::kStep || task == Task::kMove; }
+  MethodKind kind{};
+  [[nodiscard]] bool motion() const { return kind == MethodKind::kStep || kind == MethodKind::kMove; }
   // Errors: 10xx, `field` pointing into the parameters.
   Result<MarkerCall> (*read)(const Json& params);
   MethodWords words{};  // its own; openrpc.h adds what every such method takes and answers

@@ -64,7 +64,7 @@ constexpr std::array kResults = together(
 
 constexpr std::array kMethods{
     MarkerMethod{"motion.place",
-                 Task::kStep,
+                 MethodKind::kStep,
                  &read_motion<decode, run>,
                  {"A piece dropped anywhere goes to the nearest free position.", kParams, kResults}}};
 

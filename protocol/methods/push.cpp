@@ -70,11 +70,11 @@ constexpr std::array kResults = together(
 
 constexpr std::array kMethods{
     MarkerMethod{"motion.push",
-                 Task::kMove,
+                 MethodKind::kMove,
                  &read_motion<decode_motion_push, run_push>,
                  {"Pieces follow forces, the length held.", kPushParams, kResults}},
     MarkerMethod{"motion.gravity",
-                 Task::kMove,
+                 MethodKind::kMove,
                  &read_motion<decode_motion_gravity, run_gravity>,
                  {"Every piece follows one force, the length held.", kGravityParams, kResults}}};
 

@@ -40,11 +40,11 @@ constexpr std::array kCheckResults{
 
 constexpr std::array kMethods{
     MarkerMethod{"marker.get",
-                 Task::kTell,
+                 MethodKind::kTell,
                  &read_reading<decode_marker_get, get>,
                  {"A marker as a document.", kGetParams, kGetResults}},
     MarkerMethod{"marker.check",
-                 Task::kStudy,
+                 MethodKind::kStudy,
                  &read_reading<decode_marker_check, tell_validity>,
                  {"Is the marker valid, and where not?", {}, kCheckResults}},
 };

@@ -43,7 +43,7 @@ constexpr std::array kResults{
 };
 
 constexpr std::array kMethods{MarkerMethod{"marker.regions",
-                                           Task::kStudy,
+                                           MethodKind::kStudy,
                                            &read_reading<decode, run>,
                                            {"The cloth that no piece covers.", kRegionParams, kResults}}};
 

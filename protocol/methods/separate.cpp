@@ -44,7 +44,7 @@ constexpr std::array kResults = together(
     kRoundsResults);
 
 constexpr std::array kMethods{MarkerMethod{"motion.separate",
-                                           Task::kMove,
+                                           MethodKind::kMove,
                                            &read_motion<decode_motion_separate, run>,
                                            {"Overlapping pieces parted with little motion.", kParams, kResults}}};
 

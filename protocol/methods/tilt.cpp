@@ -114,11 +114,11 @@ constexpr std::array kRelaxResults = together(
     kStopResults);
 
 constexpr std::array kMethods{MarkerMethod{"motion.tilt",
-                                           Task::kMove,
+                                           MethodKind::kMove,
                                            &read_motion<decode_tilt, run_tilt>,
                                            {"The marker made shorter with small tilts.", kTiltParams, kTiltResults}},
                               MarkerMethod{"motion.relax",
-                                           Task::kStep,
+                                           MethodKind::kStep,
                                            &read_motion<decode_relax, run_relax>,
                                            {"One piece goes to where it has most room.", kRelaxParams, kRelaxResults}}};
 
