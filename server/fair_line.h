@@ -25,17 +25,18 @@ class FairLine {
   template <class Suits>
   [[nodiscard]] std::optional<Thing> take(const Suits& suits) {
     for (auto turn = turns_.begin(); turn != turns_.end(); ++turn) {
-      const auto own = by_session_.find(*turn);
+      const std::uint64_t session = *turn;
+      const auto own = by_session_.find(session);
       const auto found = std::find_if(own->second.begin(), own->second.end(), suits);
       if (found == own->second.end()) continue;
       std::optional<Thing> thing{std::move(*found)};
       own->second.erase(found);
+      turns_.erase(turn);
       if (own->second.empty()) {
         by_session_.erase(own);
       } else {
-        turns_.push_back(*turn);
+        turns_.push_back(session);
       }
-      turns_.erase(turn);
       --size_;
       return thing;
     }

@@ -232,6 +232,19 @@ TEST(FairLine, SessionsTakeTurnsAndEachKeepsItsOrder) {
   EXPECT_TRUE(line.empty());
 }
 
+TEST(FairLine, ManySessionsTakeTurnsForLong) {
+  constexpr int kSessions = 100, kThings = 50;
+  FairLine<int> line;
+  for (int thing = 0; thing < kThings; ++thing) {
+    for (std::uint64_t session = 0; session < kSessions; ++session) line.push(session, thing);
+  }
+  const auto any = [](int) { return true; };
+  for (int thing = 0; thing < kThings; ++thing) {
+    for (int turn = 0; turn < kSessions; ++turn) ASSERT_EQ(line.take(any), thing);
+  }
+  EXPECT_TRUE(line.empty());
+}
+
 TEST(FairLine, WhoTakesOnlySomeThingsPassesOverTheOthers) {
   FairLine<std::string> line;
   for (const char* thing : {"a1", "a2!", "a3!"}) line.push(1, thing);
