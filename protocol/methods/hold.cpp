@@ -2,7 +2,6 @@
 #include <array>
 
 #include "core/motion/hold.h"
-#include "protocol/call_fields.h"
 #include "protocol/codec.h"
 #include "protocol/formats/decimal_marker.h"
 #include "protocol/methods/families.h"
@@ -12,21 +11,6 @@ namespace selvage {
 namespace {
 
 constexpr std::string_view kEdgeNames[] = {"left", "right", "bottom", "top"};  // by Edge
-
-// marker.hold {"markerId", "deadlineMs"?}
-struct MarkerHold {
-  std::string marker_id;
-  std::optional<double> deadline_ms;  // the server's business
-};
-
-Result<MarkerHold> decode(const Json& params) {
-  Mistake mistake;
-  Fields fields{params, "", mistake};
-  MarkerHold wanted{fields.text("markerId"), read_deadline(fields)};
-  fields.finish();
-  if (mistake) return mistake.error();
-  return wanted;
-}
 
 Json contacts_json(const Marker& marker, const std::vector<LoadedContact>& contacts) {
   Json list = Json::array();
@@ -53,7 +37,7 @@ Json tilts_json(const Marker& marker, const std::vector<TiltWorth>& tilts) {
   return list;
 }
 
-Result<MethodAnswer> run(const MarkerHold&, const MarkerFile& file, const Means& means) {
+Result<MethodAnswer> run(const MarkerStudy&, const MarkerFile& file, const Means& means) {
   const auto hold = what_holds(file.marker, means.sums, means.stop, means.observer);
   if (!hold) return hold.error();
   return MethodAnswer{{{"length", to_decimal(length_of(file.marker), file.marker.resolution)},
@@ -72,7 +56,7 @@ constexpr std::array kResults{
 
 constexpr std::array kMethods{MarkerMethod{"marker.hold",
                                            MethodKind::kStudy,
-                                           &read_reading<decode, run>,
+                                           &read_reading<decode_marker_study, run>,
                                            {"What holds the length of the marker.", {}, kResults}}};
 
 }  // namespace

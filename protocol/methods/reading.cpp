@@ -16,7 +16,7 @@ Result<MethodAnswer> get(const MarkerGet& wanted, const MarkerFile& file, const 
   return MethodAnswer{{{"format", name_of(wanted.format)}, {"marker", *std::move(document)}}, std::nullopt};
 }
 
-Result<MethodAnswer> tell_validity(const MarkerCheck&, const MarkerFile& file, const Means& means) {
+Result<MethodAnswer> tell_validity(const MarkerStudy&, const MarkerFile& file, const Means& means) {
   const auto validity = means.engine.check(file.marker, means.sums, means.stop);
   if (!validity) return validity.error();
   return MethodAnswer{validity_json(file.marker, *validity), std::nullopt};
@@ -45,7 +45,7 @@ constexpr std::array kMethods{
                  {"A marker as a document.", kGetParams, kGetResults}},
     MarkerMethod{"marker.check",
                  MethodKind::kStudy,
-                 &read_reading<decode_marker_check, tell_validity>,
+                 &read_reading<decode_marker_study, tell_validity>,
                  {"Is the marker valid, and where not?", {}, kCheckResults}},
 };
 
@@ -63,13 +63,13 @@ Result<MarkerGet> decode_marker_get(const Json& params) {
   return get;
 }
 
-Result<MarkerCheck> decode_marker_check(const Json& params) {
+Result<MarkerStudy> decode_marker_study(const Json& params) {
   Mistake mistake;
   Fields fields{params, "", mistake};
-  MarkerCheck check{fields.text("markerId"), read_deadline(fields)};
+  MarkerStudy study{fields.text("markerId"), read_deadline(fields)};
   fields.finish();
   if (mistake) return mistake.error();
-  return check;
+  return study;
 }
 
 std::span<const MarkerMethod> reading_methods() {

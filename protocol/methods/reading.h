@@ -15,12 +15,12 @@ struct MarkerGet {
 };
 [[nodiscard]] Result<MarkerGet> decode_marker_get(const Json& params);
 
-// marker.check {"markerId", "deadlineMs"?}
-struct MarkerCheck {
+// marker.check and marker.hold {"markerId", "deadlineMs"?}
+struct MarkerStudy {
   std::string marker_id;
   std::optional<double> deadline_ms;  // the server's business
 };
-[[nodiscard]] Result<MarkerCheck> decode_marker_check(const Json& params);
+[[nodiscard]] Result<MarkerStudy> decode_marker_study(const Json& params);
 
 // The `read` of such a method: `decode` makes its typed parameters, with a `marker_id`, of JSON; `work` runs it.
 template <auto decode, auto work>

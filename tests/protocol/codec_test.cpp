@@ -55,7 +55,7 @@ TEST(Codec, DecodesACompaction) {
 TEST(Codec, RefusesUnknownParametersOfEveryMethod) {
   const Json params{{"markerId", "m1"}, {"extra", 1}};
   EXPECT_EQ(decode_marker_get(params).error().field, "/extra");
-  EXPECT_EQ(decode_marker_check(params).error().field, "/extra");
+  EXPECT_EQ(decode_marker_study(params).error().field, "/extra");
   EXPECT_EQ(decode_marker_close(params).error().field, "/extra");
   EXPECT_EQ(decode_motion_compact(params).error().field, "/extra");
   Json bump = params;
