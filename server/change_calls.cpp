@@ -29,30 +29,33 @@ Outcome Methods::marker_apply(const Json& params, const CallTurn& turn) {
   return commit({"marker.apply", id, *now, *std::move(after), Origin::kChange, wanted->call.op_id, fields}, turn);
 }
 
-Outcome Methods::way_back(std::string_view method, const Json& params, const CallTurn& turn, Origin origin) {
+Outcome Methods::way_back(std::string_view method, const Json& params, const CallTurn& turn, Way way) {
   const auto wanted = decode_change(params);
   if (!wanted) return rpc_error(wanted.error());
   const std::string& id = wanted->marker_id;
   if (const auto again = replay(id, wanted->op_id, method)) return *again;
-  auto way = store_.way_back(id, origin);
-  if (!way) return unknown_marker(id);
-  if (const auto& base = wanted->base_revision; base && *base != way->from.revision) {
-    return revision_mismatch(id, *base, way->from.revision);
+  auto back = store_.way_back(id, way);
+  if (!back) return unknown_marker(id);
+  if (const auto& base = wanted->base_revision; base && *base != back->from.revision) {
+    return revision_mismatch(id, *base, back->from.revision);
   }
-  if (!way->file) {
-    const std::string what = origin == Origin::kUndo ? "nothing to undo" : "nothing to redo";
+  const bool undo = way == Way::kUndo;
+  if (!back->file) {
+    const std::string what = undo ? "nothing to undo" : "nothing to redo";
     return rpc_error(Error{ErrorCode::kNothingToUndo, what, ""}, RpcCode::kMotionRefused);
   }
-  const Json fields = change_json(*way->from.file, *way->file);
-  return commit({method, id, way->from, *std::move(way->file), origin, wanted->op_id, fields}, turn);
+  const Json fields = change_json(*back->from.file, *back->file);
+  return commit(
+      {method, id, back->from, *std::move(back->file), undo ? Origin::kUndo : Origin::kRedo, wanted->op_id, fields},
+      turn);
 }
 
 Outcome Methods::marker_undo(const Json& params, const CallTurn& turn) {
-  return way_back("marker.undo", params, turn, Origin::kUndo);
+  return way_back("marker.undo", params, turn, Way::kUndo);
 }
 
 Outcome Methods::marker_redo(const Json& params, const CallTurn& turn) {
-  return way_back("marker.redo", params, turn, Origin::kRedo);
+  return way_back("marker.redo", params, turn, Way::kRedo);
 }
 
 }  // namespace selvage

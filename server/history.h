@@ -1,17 +1,26 @@
 // What can be taken back of one marker's changes, and made again: at most kMostSteps of either, and no more than
 // kMostBytes of both; the oldest are forgotten first.  A step is the moves that lead back, or, when more than moves is
 // needed, the whole marker as it was (which is shared, not copied).
+//
+// Copies of a history share their steps: what a change would make of it can be written down before the change is made.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <memory>
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "protocol/moves.h"
 
 namespace selvage {
+
+// Where a revision comes from.
+enum class Origin { kChange, kUndo, kRedo };
+// Where a step leads: to before the last change, or to after the one that was taken back last.
+enum class Way { kUndo, kRedo };
 
 class History {
  public:
@@ -19,33 +28,49 @@ class History {
   static constexpr std::size_t kMostBytes = std::size_t{32} << 20;
 
   using File = std::shared_ptr<const MarkerFile>;
+  using Back = std::variant<Moves, File>;
+  struct Step {
+    std::uint64_t serial{};  // larger than those of all steps before it
+    Back back;
+  };
 
-  // A change was made: what had been taken back can no longer be made again.  `moves` lead from `before` to what came
-  // after; nothing when moves do not.
-  void changed(const File& before, const std::optional<Moves>& moves);
-  // The file that taking back, or making again, leads to; nothing when there is nothing to.
-  [[nodiscard]] std::optional<MarkerFile> undone(const MarkerFile& current) const { return after(undo_, current); }
-  [[nodiscard]] std::optional<MarkerFile> redone(const MarkerFile& current) const { return after(redo_, current); }
-  // It was done, `moves` leading from `before` to what undone(*before) or redone(*before) gave.
-  void undid(const File& before, const std::optional<Moves>& moves);
-  void redid(const File& before, const std::optional<Moves>& moves);
+  History() = default;
+  // Of steps that were written down, the oldest first.  REQUIRES: serials grow along each.
+  History(std::vector<Step> undo, std::vector<Step> redo);
 
-  [[nodiscard]] std::size_t undo_steps() const { return undo_.size(); }
-  [[nodiscard]] std::size_t redo_steps() const { return redo_.size(); }
+  // A revision was made.  `moves` lead from `before` to what came after, which for kUndo and kRedo is what
+  // after(kUndo, *before) and after(kRedo, *before) gave; nothing when moves do not.  What had been taken back cannot
+  // be made again after kChange.  The step that it left, and the serials of those that are gone.
+  struct Recorded {
+    Way way{};
+    std::shared_ptr<const Step> step;
+    std::vector<std::uint64_t> forgotten;
+  };
+  [[nodiscard]] Recorded record(Origin origin, const File& before, const std::optional<Moves>& moves);
+
+  // The file that a way leads to; nothing when it leads nowhere.
+  [[nodiscard]] std::optional<MarkerFile> after(Way way, const MarkerFile& current) const;
+  [[nodiscard]] std::size_t steps(Way way) const { return of(way).size(); }
 
  private:
-  struct Step {
-    std::variant<Moves, File> back;
+  struct Kept {
+    std::shared_ptr<const Step> step;
     std::size_t bytes{};
   };
-  using Steps = std::deque<Step>;
+  using Kepts = std::deque<Kept>;  // the newest at the back
 
-  [[nodiscard]] static std::optional<MarkerFile> after(const Steps& steps, const MarkerFile& current);
-  void push(Steps& onto, const File& before, const std::optional<Moves>& moves);
-  void pop(Steps& steps);
+  [[nodiscard]] const Kepts& of(Way way) const { return way == Way::kUndo ? undo_ : redo_; }
+  [[nodiscard]] Kepts& of(Way way) { return way == Way::kUndo ? undo_ : redo_; }
+  void push(Way way, std::shared_ptr<const Step> step);
+  [[nodiscard]] std::uint64_t pop_newest(Way way);
+  [[nodiscard]] std::uint64_t pop_oldest(Way way);
 
-  Steps undo_, redo_;  // the newest at the back
+  Kepts undo_, redo_;
   std::size_t bytes_{};
+  std::uint64_t last_serial_{};
 };
+
+// The marker that a step leads to from `current`.
+[[nodiscard]] MarkerFile taken(const History::Back& back, MarkerFile current);
 
 }  // namespace selvage

@@ -15,7 +15,7 @@
 namespace selvage {
 namespace {
 
-constexpr int kSchema = 1;
+constexpr int kSchema = 2;
 constexpr std::size_t kLeastSnapshot = std::size_t{64} << 10;  // bytes of steps that never make a new snapshot
 
 // The answers of marker "" are those to calls that opened and closed markers.
@@ -29,6 +29,11 @@ constexpr const char* kTables = R"(
                       method TEXT NOT NULL, result TEXT NOT NULL);
   CREATE INDEX answers_of_a_marker ON answer(marker, serial);
 )";
+// A step is moves, when it has no format, or a document.  Stores of schema 1 had no such table.
+constexpr const char* kHistoryTable = R"(
+  CREATE TABLE history(marker TEXT NOT NULL, serial INTEGER NOT NULL, way INTEGER NOT NULL, format TEXT NOT NULL,
+                       step TEXT NOT NULL, PRIMARY KEY(marker, serial)) WITHOUT ROWID;
+)";
 
 std::int64_t number_of(Database& database, const char* sql) {
   Statement statement{database.handle(), sql};
@@ -41,11 +46,12 @@ void set_up(Database& database, Durability durability) {
   database.run(durability == Durability::kFull ? "PRAGMA synchronous = FULL" : "PRAGMA synchronous = NORMAL");
   Transaction transaction{database};  // takes the file for this process
   const std::int64_t schema = number_of(database, "PRAGMA user_version");
-  if (schema == 0 && number_of(database, "SELECT count(*) FROM sqlite_master") == 0) {
-    database.run(kTables);
+  const bool empty = schema == 0 && number_of(database, "SELECT count(*) FROM sqlite_master") == 0;
+  if (!empty && schema != 1 && schema != kSchema) throw std::runtime_error{"not a store of this version of selvaged"};
+  if (empty) database.run(kTables);
+  if (schema < kSchema) {
+    database.run(kHistoryTable);
     database.run("PRAGMA user_version = " + std::to_string(kSchema));
-  } else if (schema != kSchema) {
-    throw std::runtime_error{"not a store of this version of selvaged"};
   }
   transaction.keep();
   Statement check{database.handle(), "PRAGMA quick_check(1)"};
@@ -57,10 +63,39 @@ struct Ledger : Database {
   Ledger(const std::string& path, Durability durability) : Database{path} { set_up(*this, durability); }
 };
 
-std::optional<Format> format_named(const std::string& name) {
+Result<Format> format_named(const std::string& name) {
   const auto* const found = std::find(std::begin(kFormatNames), std::end(kFormatNames), name);
-  if (found == std::end(kFormatNames)) return std::nullopt;
+  if (found == std::end(kFormatNames)) return Error{ErrorCode::kWrongType, "a format of no name", ""};
   return static_cast<Format>(found - std::begin(kFormatNames));
+}
+
+std::int64_t number_of(Way way) {
+  return way == Way::kUndo ? 0 : 1;
+}
+
+// A document as the journal wrote it.
+Result<MarkerFile> read_document(const std::string& format, const std::string& document) {
+  auto file = read_marker(document);
+  if (!file) return file;
+  const auto form = format_named(format);
+  if (!form) return form.error();
+  file->format = *form;
+  file->notes.clear();
+  return file;
+}
+
+// `marker`: what the step leads away from.
+Result<History::Back> read_back(const std::string& format, const std::string& text, const Marker& marker) {
+  if (!format.empty()) {
+    auto file = read_document(format, text);
+    if (!file) return file.error();
+    return History::Back{std::make_shared<const MarkerFile>(*std::move(file))};
+  }
+  const auto list = parse(text);
+  if (!list) return list.error();
+  auto moves = read_moves(*list, marker);
+  if (!moves) return moves.error();
+  return History::Back{*std::move(moves)};
 }
 
 }  // namespace
@@ -108,18 +143,15 @@ struct Journal::Inside {
 
   std::optional<RestoredMarker> marker_of(const std::string& id, Revision revision, const std::string& format,
                                           const std::string& document) {
-    auto file = read_marker(document);
-    const auto form = format_named(format);
-    if (!file || !form) {
-      spdlog::error("the store: marker {} cannot be read and is left out: {}", id,
-                    file ? "a format of no name" : file.error().message);
+    auto file = read_document(format, document);
+    if (!file) {
+      spdlog::error("the store: marker {} cannot be read and is left out: {}", id, file.error().message);
       return std::nullopt;
     }
-    file->format = *form;
-    file->notes.clear();
     RestoredMarker marker{id, revision, *std::move(file), answers_of(id)};
     room[id] = std::max(document.size(), kLeastSnapshot);
     replay(marker);
+    marker.history = {steps_of(marker, Way::kUndo), steps_of(marker, Way::kRedo)};
     return marker;
   }
 
@@ -146,6 +178,40 @@ struct Journal::Inside {
                  marker.revision, reason);
     read_steps.with(marker.id, marker.revision);
     forget_steps_after.with(marker.id, marker.revision).run();
+    forget_history.with(marker.id).run();  // it leads back from the revisions that were cut off
+  }
+
+  void record(const std::string& id, const Marker& after, const History::Recorded& recorded) {
+    const auto& [serial, back] = *recorded.step;
+    if (const auto* moves = std::get_if<Moves>(&back)) {
+      put_back.with(id, serial, number_of(recorded.way), "", to_text(moves_json(after, *moves))).run();
+    } else {
+      const MarkerFile& file = *std::get<History::File>(back);
+      put_back.with(id, serial, number_of(recorded.way), name_of(file.format), to_text(native_document(file))).run();
+    }
+    for (const std::uint64_t forgotten : recorded.forgotten) forget_back.with(id, forgotten).run();
+  }
+
+  // The oldest first.  Each is read as seen from where the next newer one leads to.
+  std::vector<History::Step> steps_of(const RestoredMarker& marker, Way way) {
+    std::vector<History::Step> steps;
+    MarkerFile at = marker.file;
+    read_history.with(marker.id, number_of(way));
+    while (read_history.step()) {
+      const auto serial = static_cast<std::uint64_t>(read_history.integer(0));
+      auto back = read_back(read_history.text(1), read_history.text(2), at.marker);
+      if (!back) {
+        spdlog::warn("the store: {} steps of marker {} beyond the last {} cannot be read and were cut off: {}",
+                     way == Way::kUndo ? "undo" : "redo", marker.id, steps.size(), back.error().message);
+        read_history.with(marker.id, number_of(way));
+        forget_history_before.with(marker.id, number_of(way), serial).run();
+        break;
+      }
+      at = taken(*back, std::move(at));
+      steps.push_back({serial, *std::move(back)});
+    }
+    std::reverse(steps.begin(), steps.end());
+    return steps;
   }
 
   // True when the steps have outgrown the snapshot.
@@ -166,6 +232,13 @@ struct Journal::Inside {
   Statement forget_snapshot{database.handle(), "DELETE FROM snapshot WHERE marker = ?"};
   Statement forget_steps{database.handle(), "DELETE FROM step WHERE marker = ?"};
   Statement forget_steps_after{database.handle(), "DELETE FROM step WHERE marker = ? AND revision > ?"};
+  Statement put_back{database.handle(), "INSERT INTO history VALUES(?, ?, ?, ?, ?)"};
+  Statement forget_back{database.handle(), "DELETE FROM history WHERE marker = ? AND serial = ?"};
+  Statement forget_history{database.handle(), "DELETE FROM history WHERE marker = ?"};
+  Statement forget_history_before{database.handle(),
+                                  "DELETE FROM history WHERE marker = ? AND way = ? AND serial <= ?"};
+  Statement read_history{database.handle(),
+                         "SELECT serial, format, step FROM history WHERE marker = ? AND way = ? ORDER BY serial DESC"};
   Statement forget_answers{database.handle(), "DELETE FROM answer WHERE marker = ?"};
   Statement trim_answers{database.handle(),
                          "DELETE FROM answer WHERE marker = ? AND serial NOT IN "
@@ -206,11 +279,12 @@ bool Journal::opened(const std::string& id, std::uint64_t number, const MarkerFi
   });
 }
 
-bool Journal::changed(const std::string& id, Revision revision, const std::optional<Moves>& moves,
-                      const MarkerFile& after, const std::optional<KeptAnswer>& answer) {
+bool Journal::changed(const std::string& id, const ChangeEntry& entry) {
+  const auto& [revision, moves, after, recorded, answer] = entry;
   const std::string text = moves ? to_text(moves_json(after.marker, *moves)) : std::string{};
   return inside_->write("a revision", [&] {
     inside_->keep(id, answer);
+    inside_->record(id, after.marker, recorded);
     if (moves && !inside_->use_room(id, text.size())) {
       inside_->put_step.with(id, revision, text).run();
     } else {
@@ -223,6 +297,7 @@ bool Journal::closed(const std::string& id, const std::optional<KeptAnswer>& ans
   return inside_->write("a marker that was closed", [&] {
     inside_->forget_snapshot.with(id).run();
     inside_->forget_steps.with(id).run();
+    inside_->forget_history.with(id).run();
     inside_->forget_answers.with(id).run();
     inside_->keep("", answer);
     inside_->trim_answers.with("", "", std::uint64_t{KeptAnswers::kMost}).run();

@@ -1,9 +1,10 @@
-// The journal: every revision of every open marker, on disk before it is acknowledged, and the answers kept for
-// retries.
+// The journal: every revision of every open marker, on disk before it is acknowledged, with what can be undone and
+// redone of it, and the answers kept for retries.
 //
 // One SQLite file in WAL mode.  A marker is a snapshot (its native document) and the steps since (moves); a change that
-// is more than moves is a new snapshot, and so is the step with which the steps would outgrow the snapshot.  Each
-// function that writes is one transaction, synced to disk before it returns.  All may be called from any thread.
+// is more than moves is a new snapshot, and so is the step with which the steps would outgrow the snapshot.  Beside it
+// lies its history (server/history.h), step by step.  Each function that writes is one transaction, synced to disk
+// before it returns.  All may be called from any thread.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +15,7 @@
 
 #include "protocol/messages.h"
 #include "protocol/moves.h"
+#include "server/history.h"
 #include "server/kept_answers.h"
 
 namespace selvage {
@@ -27,12 +29,22 @@ struct RestoredMarker {
   std::string id;
   Revision revision{};
   MarkerFile file;
-  std::vector<KeptAnswer> answers;  // oldest first
+  std::vector<KeptAnswer> answers{};  // oldest first
+  History history{};
 };
 struct Restored {
   std::uint64_t opened{};  // how many markers were ever opened
   std::vector<RestoredMarker> markers;
   std::vector<KeptAnswer> answers;  // to calls that opened and closed markers
+};
+
+// What a change leaves behind; lent for the call.
+struct ChangeEntry {
+  Revision revision{};
+  const std::optional<Moves>& moves;  // from the revision before; nothing when moves do not lead to it
+  const MarkerFile& after;
+  const History::Recorded& recorded;
+  const std::optional<KeptAnswer>& answer;
 };
 
 class Journal {
@@ -44,15 +56,14 @@ class Journal {
   Journal& operator=(const Journal&) = delete;
 
   // What the file holds.  A step that cannot be read, and all of that marker's after it, are cut off; a marker whose
-  // snapshot cannot be read is left out.  The log says so.
+  // snapshot cannot be read is left out.  What was to be undone or redone is cut off where it cannot be read, and all
+  // of it when the marker's tail is.  The log says so.
   [[nodiscard]] Restored restore();
 
   // Each returns false when it could not be written, and the log says why; then the file is as it was.
   [[nodiscard]] bool opened(const std::string& id, std::uint64_t number, const MarkerFile& file,
                             const std::optional<KeptAnswer>& answer);
-  // `moves` lead to `after` from the revision before; nothing when moves do not.
-  [[nodiscard]] bool changed(const std::string& id, Revision revision, const std::optional<Moves>& moves,
-                             const MarkerFile& after, const std::optional<KeptAnswer>& answer);
+  [[nodiscard]] bool changed(const std::string& id, const ChangeEntry& entry);
   [[nodiscard]] bool closed(const std::string& id, const std::optional<KeptAnswer>& answer);
   // An answer of a call that changed nothing.
   [[nodiscard]] bool answered(const std::string& id, const KeptAnswer& answer);

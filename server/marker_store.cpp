@@ -34,6 +34,7 @@ MarkerStore::MarkerStore(std::size_t limit, Journal* journal) : limit_{limit}, j
     auto held = std::make_shared<Held>();
     Stamps stamps = all_new(marker.revision, marker.file);
     held->current = committed(marker.revision, std::move(marker.file), std::move(stamps));
+    held->history = std::move(marker.history);
     for (KeptAnswer& answer : marker.answers) held->answers.keep(std::move(answer));
     markers_.emplace(std::move(marker.id), std::move(held));
   }
@@ -93,16 +94,14 @@ Commit MarkerStore::commit(const std::string& id, Revision base, NextRevision ne
   if (before.revision != base) return {Commit::Outcome::kMismatch, before.revision};
   const auto moves = moves_between(*before.file, next.file);
   const Revision revision = base + 1;
-  if (journal_ && !journal_->changed(id, revision, moves, next.file, next.answer)) {
+  History history = held->history;
+  const History::Recorded recorded = history.record(next.origin, before.file, moves);
+  if (journal_ && !journal_->changed(id, {revision, moves, next.file, recorded, next.answer})) {
     return {Commit::Outcome::kNotWritten, base};
   }
   Stamps stamps = stamps_after(*before.stamps, revision, moves, next.file);
   const Committed after = committed(revision, std::move(next.file), std::move(stamps));
-  switch (next.origin) {
-    case Origin::kChange: held->history.changed(before.file, moves); break;
-    case Origin::kUndo: held->history.undid(before.file, moves); break;
-    case Origin::kRedo: held->history.redid(before.file, moves); break;
-  }
+  held->history = std::move(history);
   {
     const std::lock_guard lock{mutex_};
     held->current = after;
@@ -112,14 +111,13 @@ Commit MarkerStore::commit(const std::string& id, Revision base, NextRevision ne
   return {Commit::Outcome::kDone, revision};
 }
 
-std::optional<MarkerStore::Return> MarkerStore::way_back(const std::string& id, Origin origin) const {
+std::optional<MarkerStore::Return> MarkerStore::way_back(const std::string& id, Way way) const {
   const auto held = this->held(id);
   if (!held) return std::nullopt;
   const std::lock_guard writing{held->writing};
   const History& history = held->history;
   const MarkerFile& now = *held->current.file;
-  return Return{held->current, origin == Origin::kUndo ? history.undone(now) : history.redone(now),
-                history.undo_steps(), history.redo_steps()};
+  return Return{held->current, history.after(way, now), history.steps(Way::kUndo), history.steps(Way::kRedo)};
 }
 
 bool MarkerStore::close(const std::string& id, const std::optional<KeptAnswer>& answer,

@@ -47,9 +47,6 @@ struct OpenMarker {
 // Why none was opened: as many as may be are open, or the journal failed.
 enum class NotOpened { kLimit, kNotWritten };
 
-// Where a revision comes from.
-enum class Origin { kChange, kUndo, kRedo };
-
 struct NextRevision {
   MarkerFile file;
   Origin origin{};
@@ -85,7 +82,7 @@ class MarkerStore {
     std::optional<MarkerFile> file;
     std::size_t undo_steps{}, redo_steps{};  // before it
   };
-  [[nodiscard]] std::optional<Return> way_back(const std::string& id, Origin origin) const;
+  [[nodiscard]] std::optional<Return> way_back(const std::string& id, Way way) const;
   // False when no such marker is open.  `tell` as of NextRevision.
   [[nodiscard]] bool close(const std::string& id, const std::optional<KeptAnswer>& answer = {},
                            const std::function<void()>& tell = {});

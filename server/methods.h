@@ -89,7 +89,7 @@ class Methods {
 
  private:
   [[nodiscard]] Outcome call_on_marker(const MarkerMethod& method, const Json& params, const CallTurn& turn);
-  [[nodiscard]] Outcome way_back(std::string_view method, const Json& params, const CallTurn& turn, Origin origin);
+  [[nodiscard]] Outcome way_back(std::string_view method, const Json& params, const CallTurn& turn, Way way);
 
   MarkerStore& store_;
   Watchers& watchers_;

@@ -22,10 +22,12 @@ namespace {
 constexpr std::string_view kRunsFrom = "SELVAGE_KILLS";  // the environment's number of runs, in place of these
 constexpr int kRuns = 20;
 constexpr std::size_t kWriters = 3;
+constexpr std::uint64_t kMostUndone = 256;  // the server's History
 
 // A marker as its writer knows it: the answers it got, by revision.
 struct Story {
   std::string id;
+  Json opened;  // as it was then
   std::uint64_t acknowledged{1};
   std::string last_answer{}, last_call{};  // of the revision that was acknowledged last
 };
@@ -93,6 +95,15 @@ void expect_told(Wire& wire, const Story& story) {
   }
 }
 
+// Everything taken back, one change after the other, it is the marker that was opened.
+void expect_undone(Wire& wire, const Story& story) {
+  if (story.acknowledged > kMostUndone) return;
+  std::string undone;
+  do undone = post_call(wire, "marker.undo", id_params(story.id));
+  while (!undone.empty() && code_of(undone) == 0);
+  EXPECT_EQ(result_of(post_call(wire, "marker.get", id_params(story.id)))["marker"], story.opened);
+}
+
 class Killed : public ::testing::Test {
  protected:
   Killed() {
@@ -138,10 +149,16 @@ TEST_F(Killed, LosesNothingThatWasAcknowledged) {
     for (const Story& story : stories) expect_told(wire, story);
     const Json list = result_of(post_call(wire, "marker.list"))["markers"];
     EXPECT_EQ(list.size(), stories.size());
-    for (const Story& story : stories) (void)result_of(post_call(wire, "marker.close", id_params(story.id)));
+    for (const Story& story : stories) {
+      expect_undone(wire, story);
+      (void)result_of(post_call(wire, "marker.close", id_params(story.id)));
+    }
 
     stories.clear();
-    for (std::size_t k = 0; k < kWriters; ++k) stories.push_back({open_marker(wire, kSmallMarker)});
+    for (std::size_t k = 0; k < kWriters; ++k) {
+      const std::string id = open_marker(wire, kSmallMarker);
+      stories.push_back({id, result_of(post_call(wire, "marker.get", id_params(id)))["marker"]});
+    }
     {
       std::vector<std::jthread> writers;
       for (Story& story : stories)

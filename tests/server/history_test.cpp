@@ -20,16 +20,18 @@ Coord x_of(const std::optional<MarkerFile>& file) {
 TEST(History, RemembersSoManySteps) {
   History history;
   const Coord last = 3 * static_cast<Coord>(History::kMostSteps);
-  for (Coord x = 0; x < last; ++x) history.changed(state(x), moves_between(*state(x), *state(x + 1)));
-  EXPECT_EQ(history.undo_steps(), History::kMostSteps);
+  for (Coord x = 0; x < last; ++x) {
+    (void)history.record(Origin::kChange, state(x), moves_between(*state(x), *state(x + 1)));
+  }
+  EXPECT_EQ(history.steps(Way::kUndo), History::kMostSteps);
   Coord x = last;
-  for (auto now = state(x); const auto back = history.undone(*now); now = state(x)) {
+  for (auto now = state(x); const auto back = history.after(Way::kUndo, *now); now = state(x)) {
     ASSERT_EQ(x_of(back), x - 1);
-    history.undid(now, moves_between(*now, *back));
+    (void)history.record(Origin::kUndo, now, moves_between(*now, *back));
     --x;
   }
   EXPECT_EQ(x, last - static_cast<Coord>(History::kMostSteps));
-  EXPECT_EQ(x_of(history.redone(*state(x))), x + 1);
+  EXPECT_EQ(x_of(history.after(Way::kRedo, *state(x))), x + 1);
 }
 
 TEST(History, KeepsWholeMarkersOnlyWhenMovesDoNotDoAndWithinItsMemory) {
@@ -39,11 +41,11 @@ TEST(History, KeepsWholeMarkersOnlyWhenMovesDoNotDoAndWithinItsMemory) {
     const auto before = state(0, kPieces + extra);
     const auto moves = moves_between(*before, *state(0, kPieces + extra + 1));
     EXPECT_FALSE(moves);
-    history.changed(before, moves);
+    (void)history.record(Origin::kChange, before, moves);
   }
-  EXPECT_GT(history.undo_steps(), 3U);
-  EXPECT_LT(history.undo_steps() * kPieces * sizeof(Piece), History::kMostBytes);
-  EXPECT_EQ(history.undone(*state(0, kPieces + 40))->marker.pieces.size(), kPieces + 39);
+  EXPECT_GT(history.steps(Way::kUndo), 3U);
+  EXPECT_LT(history.steps(Way::kUndo) * kPieces * sizeof(Piece), History::kMostBytes);
+  EXPECT_EQ(history.after(Way::kUndo, *state(0, kPieces + 40))->marker.pieces.size(), kPieces + 39);
 }
 
 }  // namespace

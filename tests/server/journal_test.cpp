@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <random>
 
 #include "server/journal_database.h"
 #include "tests/server/desk.h"
@@ -59,6 +60,99 @@ TEST_F(JournalTest, EverythingIsThereAgain) {
   EXPECT_EQ(desk.open_small(), "m4");  // m2 is never used twice
 }
 
+// One desk is left alone, the other's daemon ends and starts again every few calls.
+TEST_F(JournalTest, WhatCanBeUndoneAndRedoneIsThereAgain) {
+  std::mt19937 random{20'26};
+  const auto some_call = [&random](int number) -> std::pair<std::string, std::string> {
+    const std::string n = std::to_string(number);
+    switch (random() % 8) {
+      case 0:
+      case 1:
+      case 2: return {"marker.undo", "{'markerId':'m1'}"};
+      case 3: return {"marker.redo", "{'markerId':'m1'}"};
+      case 4:
+        return {"marker.apply", "{'markerId':'m1','ops':[{'op':'add','piece':{'id':'n" + n + "','shape':'t" + n +
+                                    "','at':[5,5]},'shape':{'id':'t" + n + "','outline':[[0,0],[1,0],[0,1]]}}]}"};
+      case 5: return {"motion.compact", "{'markerId':'m1'}"};
+      default: return {"marker.apply", "{'markerId':'m1','ops':[{'op':'move','piece':'low','at':[" + n + ".25,0]}]}"};
+    }
+  };
+  Desk steady;
+  (void)steady.open_small();
+  {
+    Journal journal{path(), Durability::kRelaxed};
+    Desk desk{0, pushing_engine(), {}, &journal};
+    (void)desk.open_small();
+  }
+  for (int start = 0; start < 60; ++start) {
+    Journal journal{path(), Durability::kRelaxed};
+    Desk desk{0, pushing_engine(), {}, &journal};
+    for (int k = 0; k < 5; ++k) {
+      const auto [method, params] = some_call(5 * start + k);
+      ASSERT_EQ(desk.result(method, params), steady.result(method, params)) << method << params;
+    }
+    ASSERT_EQ(all_of(desk), all_of(steady));
+  }
+}
+
+TEST_F(JournalTest, AHistoryKeepsItsBounds) {
+  {
+    Journal journal{path(), Durability::kRelaxed};
+    Desk desk{0, pushing_engine(), {}, &journal};
+    (void)desk.open_small();
+    for (std::size_t i = 0; i < History::kMostSteps + 50; ++i) {
+      (void)desk.result("marker.apply",
+                        "{'markerId':'m1','ops':[{'op':'move','piece':'low','at':[" + std::to_string(i) + ".25,0]}]}");
+    }
+  }
+  Journal journal{path(), Durability::kRelaxed};
+  Desk desk{0, pushing_engine(), {}, &journal};
+  std::size_t undone = 0;
+  while (desk.result("marker.undo", "{'markerId':'m1'}").contains("revision")) ++undone;
+  EXPECT_EQ(undone, History::kMostSteps);
+}
+
+TEST_F(JournalTest, AHistoryThatCannotBeReadIsCutOffThere) {
+  {
+    Journal journal{path(), Durability::kFull};
+    Desk desk{0, pushing_engine(), {}, &journal};
+    (void)desk.open_small();
+    for (int x = 1; x <= 4; ++x) {
+      (void)desk.result("marker.apply",
+                        "{'markerId':'m1','ops':[{'op':'move','piece':'low','at':[" + std::to_string(x) + ",0]}]}");
+    }
+    (void)desk.result("marker.undo", "{'markerId':'m1'}");
+  }
+  Database{path()}.run("UPDATE history SET step = substr(step, 1, 20) WHERE way = 0 AND serial = 2");
+  for (int start = 0; start < 2; ++start) {  // the second start finds nothing to cut
+    Journal journal{path(), Durability::kFull};
+    Desk desk{0, pushing_engine(), {}, &journal};
+    const auto way_back = desk.store.way_back("m1", Way::kUndo);
+    EXPECT_EQ(way_back->undo_steps, 1U);
+    EXPECT_EQ(way_back->redo_steps, 1U);
+  }
+}
+
+TEST_F(JournalTest, AStoreThatKeptNoHistoryIsTakenOver) {
+  std::string before;
+  {
+    Journal journal{path(), Durability::kFull};
+    Desk desk{0, pushing_engine(), {}, &journal};
+    (void)desk.open_small();
+    (void)desk.result("motion.compact", "{'markerId':'m1'}");
+    before = all_of(desk);
+  }
+  Database{path()}.run("DROP TABLE history; PRAGMA user_version = 1");
+  for (std::size_t start = 0; start < 2; ++start) {
+    Journal journal{path(), Durability::kFull};
+    Desk desk{0, pushing_engine(), {}, &journal};
+    EXPECT_EQ(desk.store.way_back("m1", Way::kUndo)->undo_steps, start);
+    if (start > 0) break;
+    EXPECT_EQ(all_of(desk), before);
+    (void)desk.result("motion.compact", "{'markerId':'m1'}");
+  }
+}
+
 TEST_F(JournalTest, ManyStepsAndSnapshotsReplayToTheSame) {
   std::string before;
   {
@@ -96,6 +190,7 @@ TEST_F(JournalTest, WhatDoesNotFollowIsCutOff) {
     Desk desk{0, pushing_engine(), {}, &journal};
     EXPECT_EQ(desk.store.current("m1")->revision, 2U);
     EXPECT_EQ(desk.result("marker.check", "{'markerId':'m1'}")["valid"], true);
+    EXPECT_EQ(code_of(desk.result("marker.undo", "{'markerId':'m1'}")), -32000);
   }
   Journal journal{path(), Durability::kFull};
   Desk desk{0, pushing_engine(), {}, &journal};
@@ -143,7 +238,9 @@ TEST_F(JournalTest, AStoreThatCannotBeWrittenChangesNothing) {
   // A revision that is there already is what the store cannot write.
   {
     Committed now = *desk.store.current("m1");
-    ASSERT_TRUE(journal.changed("m1", 2, Moves{{0, now.file->marker.pieces[0]}}, *now.file, {}));
+    const std::optional<Moves> moves = Moves{{0, now.file->marker.pieces[0]}};
+    const auto recorded = History{}.record(Origin::kChange, now.file, moves);
+    ASSERT_TRUE(journal.changed("m1", {2, moves, *now.file, recorded, std::nullopt}));
   }
   EXPECT_EQ(code_of(desk.result("motion.compact", "{'markerId':'m1'}")), -32603);
   EXPECT_EQ(desk.store.current("m1")->revision, 1U);
