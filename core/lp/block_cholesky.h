@@ -6,14 +6,15 @@
 // Blocks are stored column by column.  Invariant: block columns are in the order of elimination.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include <Eigen/Core>
+
 namespace selvage {
 
-using Block = std::array<double, 4>;  // (0,0) (1,0) (0,1) (1,1)
+using Block = Eigen::Matrix2d;  // column by column
 
 // Which blocks above the diagonal there are: those of block column k at start[k] up to start[k + 1], by ascending row.
 struct BlockPattern {
@@ -40,7 +41,7 @@ class BlockCholesky {
   std::vector<int> column_start_, column_;  // the block rows of each column, ascending, no diagonal
   std::vector<Block> below_;                // the factor's blocks, column by column
   std::vector<Block> diagonal_;             // its diagonal blocks: 1/(0,0) (1,0) - 1/(1,1)
-  std::vector<Block> work_;                 // a row of the factor on its way, transposed
+  std::vector<Block> work_;                 // a row of the factor on its way, transposed; 0 between rows
   std::vector<int> filled_;                 // how many blocks of each column are done
 };
 

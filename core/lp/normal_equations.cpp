@@ -170,8 +170,8 @@ NormalEquations::~NormalEquations() = default;
 bool NormalEquations::factorise(std::span<const double> weight, double rho) {
   Parts& p = *parts_;
   const auto above = p.matrix.begin() + static_cast<std::ptrdiff_t>(p.blocks);
-  std::fill(p.matrix.begin(), above, Block{rho, 0, 0, rho});
-  std::fill(above, p.matrix.end(), Block{});
+  std::fill(p.matrix.begin(), above, rho * Block::Identity());
+  std::fill(above, p.matrix.end(), Block::Zero());
   double* matrix = p.matrix.front().data();
   const int* position = p.position.data();
   for (const RowRuns::Run& run : p.rows.runs) {

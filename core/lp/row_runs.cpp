@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <Eigen/Core>
+
 namespace selvage {
 namespace {
 
@@ -141,14 +143,10 @@ void multiply_transposed(const RowRuns& rows, std::span<const double> y, std::sp
         result[static_cast<std::size_t>(at.minus)] -= force;
       };
       if constexpr (std::is_same_v<decltype(width), std::integral_constant<int, 2>>) {
-        double first = 0;
-        double second = 0;
-        for (int r = 0; r < run.rows; ++r) {
-          first += value[2 * r] * in[r];
-          second += value[2 * r + 1] * in[r];
-        }
-        press(of[0], first);
-        press(of[1], second);
+        Eigen::Array2d force = Eigen::Array2d::Zero();
+        for (int r = 0; r < run.rows; ++r) force += Eigen::Map<const Eigen::Array2d>{value + 2 * r} * in[r];
+        press(of[0], force[0]);
+        press(of[1], force[1]);
       } else {
         for (int k = 0; k < width; ++k) {
           double force = 0;

@@ -12,6 +12,7 @@ namespace {
 constexpr double kTrustAhead = 2;     // next round's trust, as a multiple of the last one's farthest move
 constexpr double kLeastTrust = 0.05;  // as a part of the first round's trust
 constexpr double kLongFrom = 10;      // widths
+constexpr double kLittle = 2e-5;      // of the width: no round gains so little but the last, or one of a fine search
 
 StopReason reason_of(StepEnd end) {
   return end == StepEnd::kSolverFailed ? StopReason::kSolverFailed : StopReason::kConverged;
@@ -61,6 +62,7 @@ Progress improve(Scene& scene, const Goal& goal, const CompactionSettings& setti
   // What is worth another round of a long marker is measured by its length.
   const double widths = static_cast<double>(scene.pieces.length()) / static_cast<double>(scene.marker.strip.width);
   const double least_gain = settings.least_gain * (goal.shorten > 0 ? std::max(1.0, widths / kLongFrom) : 1.0);
+  step_settings.worth = std::min(settings.least_gain, kLittle);
   while (progress.rounds < settings.rounds) {
     const PositionStep step = position_step(scene, goal, step_settings, stop, observer);
     progress.programs += step.programs;

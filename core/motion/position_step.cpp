@@ -74,11 +74,20 @@ class Attempt {
         return step;
       }
       observer_.on_stage(Stage::kVerify);
-      const auto moves = model_->displacements(solution.x);
+      auto moves = model_->displacements(solution.x);
       step.end = StepEnd::kNoGain;
       const bool gains = -solution.objective >= kLeastGain;
-      const bool broken = gains && add_broken_limits(moves, model_->length_change(solution.x));
-      if (reach_pressed(solution) || broken) continue;
+      bool again = false;
+      if (gains) {
+        const double length_change = model_->length_change(solution.x);
+        const Broken broken = broken_by(moves, length_change);
+        if (!held() && -solution.objective < settings_.worth * kUnitsAcross) {
+          shorten(moves, part_within(broken, moves, length_change));
+        } else {
+          again = add(broken);
+        }
+      }
+      if (reach_pressed(solution) || again) continue;
       if (!gains) return step;
       const auto conflict = try_moves(moves, step);
       if (conflict.empty()) return step;
@@ -226,7 +235,7 @@ class Attempt {
     if (!held()) {
       model_->add_length(goal_.shorten, static_cast<double>(length), kSpare * unit());
       for (std::size_t i = 0; i < scene_.pieces.size(); ++i) {
-        if (static_cast<double>(length - scene_.pieces.box(i).high.x) <= 2 * trust_ || whole())
+        if (static_cast<double>(length) - right_of(i) <= 2 * trust_ || whole())
           model_->add_right_wall(i);
       }
     }
@@ -252,59 +261,82 @@ class Attempt {
     limit(model_->y_column(halt.piece), halt.at.y);
   }
 
-  void add(const PairRow& row) {
-    rows_.push_back(row);
-    add_to_model(rows_.size() - 1);
-  }
   // With the length held, forces are right about where pieces are: no near pair goes beyond the reach.
   void append_limits(PiecePair pair) {
     for (const auto& [nx, ny] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
       rows_.push_back({pair, static_cast<double>(nx), static_cast<double>(ny), -reach()});
     }
   }
-  // Those of them that moving by so much breaks.
-  void add_limits(PiecePair pair, Displacement by) {
+  // Rows that were left out and that moves break: of near pairs that moved beyond the reach, and of pieces beyond the
+  // new end.
+  struct Broken {
+    std::vector<PairRow> rows;
+    std::vector<std::size_t> right_walls;
+  };
+  [[nodiscard]] Broken broken_by(const std::vector<Displacement>& moves, double length_change) const {
+    Broken broken;
+    for (std::size_t k = 0; k < near_.size(); ++k) {
+      const Displacement by = apart(near_[k], moves);
+      const double far = std::max(std::abs(by.x), std::abs(by.y));
+      if (far <= reach(near_[k]) * (1 + 1e-6)) continue;
+      if (held()) {
+        append_broken_limits(near_[k], by, broken.rows);
+      } else {
+        append_broken(near_[k], of_near_[k], by, far, broken.rows);
+      }
+    }
+    if (held()) return broken;
+    const double end = static_cast<double>(scene_.pieces.length()) + length_change;
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+      if (!model_->has_right_wall(i) && right_of(i) + moves[i].x > end) broken.right_walls.push_back(i);
+    }
+    return broken;
+  }
+  void append_broken_limits(PiecePair pair, Displacement by, std::vector<PairRow>& rows) const {
     const auto limit_axis = [&](double way, double nx, double ny) {
-      if (std::abs(way) > reach()) add({pair, way > 0 ? -nx : nx, way > 0 ? -ny : ny, -reach()});
+      if (std::abs(way) > reach()) rows.push_back({pair, way > 0 ? -nx : nx, way > 0 ? -ny : ny, -reach()});
     };
     limit_axis(by.x, 1, 0);
     limit_axis(by.y, 0, 1);
   }
-
-  // Adds the rows that were left out and are broken: of near pairs that moved beyond the reach, of pieces beyond the
-  // new end.
-  bool add_broken_limits(const std::vector<Displacement>& moves, double length_change) {
-    bool any = false;
-    for (std::size_t k = 0; k < near_.size(); ++k) {
-      const auto [p, q] = near_[k];
-      const Displacement by{moves[q].x - moves[p].x, moves[q].y - moves[p].y};
-      const double far = std::max(std::abs(by.x), std::abs(by.y));
-      if (far <= reach(near_[k]) * (1 + 1e-6)) continue;
-      if (held()) {
-        add_limits(near_[k], by);
-        any = true;
-      } else if (add_broken(near_[k], of_near_[k], by, far)) {
-        any = true;
-      }
-    }
-    if (held()) return any;
-    const double end = static_cast<double>(scene_.pieces.length()) + length_change;
-    for (std::size_t i = 0; i < moves.size(); ++i) {
-      if (model_->has_right_wall(i) || static_cast<double>(scene_.pieces.box(i).high.x) + moves[i].x <= end) continue;
-      model_->add_right_wall(i);
-      any = true;
-    }
-    return any;
+  // Of the rows of a pair up to `reach`.
+  void append_broken(PiecePair pair, const Obstacle& obstacle, Displacement by, double reach,
+                     std::vector<PairRow>& rows) const {
+    std::vector<PairRow> all;
+    append_rows(pair, obstacle, reach, all);
+    std::copy_if(all.begin(), all.end(), std::back_inserter(rows),
+                 [&](const PairRow& row) { return along(row, by) < row.bound - kBroken; });
   }
-
-  // Adds the rows of a pair, up to `reach`, that its moving by so much breaks.
-  bool add_broken(PiecePair pair, const Obstacle& obstacle, Displacement by, double reach) {
-    std::vector<PairRow> rows;
-    append_rows(pair, obstacle, reach, rows);
-    std::erase_if(rows, [&](const PairRow& row) { return !(row.nx * by.x + row.ny * by.y < row.bound - kBroken); });
-    for (const PairRow& row : rows) add(row);
-    return !rows.empty();
+  // False when there is nothing to add.
+  bool add(const Broken& broken) {
+    for (const PairRow& row : broken.rows) {
+      rows_.push_back(row);
+      add_to_model(rows_.size() - 1);
+    }
+    for (const std::size_t i : broken.right_walls) model_->add_right_wall(i);
+    return !broken.rows.empty() || !broken.right_walls.empty();
   }
+  // How much of the moves the rows they break allow; all other rows allow any part, as they do all and nothing.
+  [[nodiscard]] double part_within(const Broken& broken, const std::vector<Displacement>& moves,
+                                   double length_change) const {
+    double part = 1;
+    for (const PairRow& row : broken.rows) part = std::min(part, row.bound / along(row, apart(row.pair, moves)));
+    const auto length = static_cast<double>(scene_.pieces.length());
+    for (const std::size_t i : broken.right_walls) {
+      part = std::min(part, (length - right_of(i)) / (moves[i].x - length_change));
+    }
+    return std::max(0.0, part);
+  }
+  static Displacement apart(PiecePair pair, const std::vector<Displacement>& moves) {
+    const Displacement& p = moves[pair.first];
+    const Displacement& q = moves[pair.second];
+    return {q.x - p.x, q.y - p.y};
+  }
+  static double along(const PairRow& row, Displacement by) { return row.nx * by.x + row.ny * by.y; }
+  static void shorten(std::vector<Displacement>& moves, double part) {
+    for (Displacement& d : moves) d = {d.x * part, d.y * part};
+  }
+  [[nodiscard]] double right_of(std::size_t i) const { return static_cast<double>(scene_.pieces.box(i).high.x); }
 
   // Rounds and proves the moves; shortens them a little when rounding breaks something.  Returns what collides all the
   // same; moves that collide nowhere become the step's when they serve the goal.
@@ -312,7 +344,7 @@ class Attempt {
     std::vector<PiecePair> first_conflict;
     for (const double part : {1.0, 1 - 1e-6, 1 - 1e-3, 0.5}) {
       std::vector<Displacement> scaled = moves;
-      for (Displacement& d : scaled) d = {d.x * part, d.y * part};
+      shorten(scaled, part);
       PlacedPieces moved = scene_.pieces;
       std::vector<Vec> positions = snapped(scaled);
       for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + scene_.pieces.at(i);
@@ -345,8 +377,9 @@ class Attempt {
   }
   [[nodiscard]] double farthest(const std::vector<Displacement>& moves) const {
     double most = 0;
-    for (const auto& [p, q] : near_) {
-      most = std::max({most, std::abs(moves[q].x - moves[p].x), std::abs(moves[q].y - moves[p].y)});
+    for (const PiecePair& pair : near_) {
+      const Displacement by = apart(pair, moves);
+      most = std::max({most, std::abs(by.x), std::abs(by.y)});
     }
     return most / static_cast<double>(scene_.marker.strip.width);
   }

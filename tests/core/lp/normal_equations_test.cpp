@@ -143,14 +143,14 @@ TEST(BlockCholesky, RefusesWhatIsNotPositiveDefiniteAndGoesOn) {
   pattern.start = {0, 0, 1};
   pattern.row = {0};
   BlockCholesky factor{pattern};
-  const std::vector<Block> above{{1, 0, 0, 1}};
-  const Block one{1, 0, 0, 1};
+  const Block one = Block::Identity();
+  const std::vector<Block> above{one};
   EXPECT_FALSE(factor.factorise(std::vector<Block>{one, one}, above));           // singular
-  EXPECT_FALSE(factor.factorise(std::vector<Block>{{1, 2, 0, 1}, one}, above));  // indefinite within a block
-  EXPECT_FALSE(factor.factorise(std::vector<Block>{{-1, 0, 0, 1}, one}, above));
+  EXPECT_FALSE(factor.factorise(std::vector<Block>{Block{{1, 0}, {2, 1}}, one}, above));  // indefinite within a block
+  EXPECT_FALSE(factor.factorise(std::vector<Block>{Block{{-1, 0}, {0, 1}}, one}, above));
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(factor.factorise(std::vector<Block>{{nan, 0, 0, 1}, one}, above));
-  ASSERT_TRUE(factor.factorise(std::vector<Block>{one, {2, 0, 0, 2}}, above));
+  EXPECT_FALSE(factor.factorise(std::vector<Block>{Block{{nan, 0}, {0, 1}}, one}, above));
+  ASSERT_TRUE(factor.factorise(std::vector<Block>{one, 2 * one}, above));
   std::vector<double> v{3, 4, 5, 6};  // (1 1; 1 2) (x; y) twice over
   factor.solve(v);
   EXPECT_NEAR(v[0], 1, 1e-14);
