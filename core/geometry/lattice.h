@@ -55,6 +55,11 @@ struct Box {
     return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y;
   }
 };
+// The smallest box over both.
+[[nodiscard]] constexpr Box united(const Box& a, const Box& b) {
+  return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
+          {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
+}
 // REQUIRES: at least one point.
 [[nodiscard]] Box box_of(std::span<const Vec> points);
 

@@ -14,12 +14,11 @@ double nearest_parameter(double ax, double ay, double dx, double dy) {
 
 NearestEdges::NearestEdges(const MinkowskiSum& sum, Vec from, double reach)
     : sum_{sum}, from_{from}, squared_reach_{reach * reach} {
-  heap_.reserve(32);
-  if (!sum.edges().empty()) push(static_cast<std::uint32_t>(sum.tree().size()), 0);
+  if (!sum.edges().empty()) push(static_cast<std::uint32_t>(sum.tree().levels()), 0);
 }
 
 void NearestEdges::push(std::uint32_t level, std::size_t index) {
-  const double d = level == 0 ? squared_distance(sum_.edges()[index]) : squared_distance(sum_.tree()[level - 1][index]);
+  const double d = level == 0 ? squared_distance(sum_.edges()[index]) : squared_distance(sum_.tree().box(level, index));
   if (d > squared_reach_) return;
   heap_.push_back({d, level, static_cast<std::uint32_t>(index)});
   std::push_heap(heap_.begin(), heap_.end(), farther);

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <vector>
+
+#include <boost/container/small_vector.hpp>
 
 #include "core/minkowski/sum.h"
 
@@ -25,9 +26,11 @@ class NearestEdges {
   std::optional<Near> next(Skip skip);
 
  private:
+  static constexpr std::size_t kUsual = 32;  // nodes: few sums have more at a time
+
   struct Node {
     double squared_distance{};
-    std::uint32_t level{};  // 0: an edge; k: a box of tree()[k - 1]
+    std::uint32_t level{};  // 0: an edge; k: a box on level k
     std::uint32_t index{};
   };
   static bool farther(const Node& a, const Node& b) {
@@ -41,7 +44,7 @@ class NearestEdges {
   const MinkowskiSum& sum_;
   Vec from_;
   double squared_reach_;
-  std::vector<Node> heap_;
+  boost::container::small_vector<Node, kUsual> heap_;
 };
 
 // The nearest point of the sum's boundary, and its distance; infinitely far, without an edge, when the sum shows none.
@@ -59,11 +62,10 @@ std::optional<NearestEdges::Near> NearestEdges::next(Skip skip) {
     const Node node = heap_.back();
     heap_.pop_back();
     if (node.level == 0) return Near{&sum_.edges()[node.index], node.squared_distance};
-    const auto tree = sum_.tree();
-    if (skip(tree[node.level - 1][node.index])) continue;
-    const std::size_t below = node.level == 1 ? sum_.edges().size() : tree[node.level - 2].size();
-    const std::size_t first = node.index * MinkowskiSum::kFan;
-    for (std::size_t k = first; k < std::min(below, first + MinkowskiSum::kFan); ++k) push(node.level - 1, k);
+    const BoxTree& tree = sum_.tree();
+    if (skip(tree.box(node.level, node.index))) continue;
+    const std::size_t end = tree.end_of_run(node.level - 1, node.index);
+    for (std::size_t k = node.index * BoxTree::kFan; k < end; ++k) push(node.level - 1, k);
   }
   return std::nullopt;
 }

@@ -22,11 +22,6 @@ Box box_of_edges(std::span<const SumEdge> edges) {
   return box;
 }
 
-Box united(const Box& a, const Box& b) {
-  return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
-          {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
-}
-
 Real2 real(Vec v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y)};
 }
@@ -60,8 +55,7 @@ class Visibility {
   void append_visible(std::size_t own, const SumEdge& edge, std::vector<SumEdge>& visible) {
     const Real2 a = real(edge.from);
     const Real2 b = real(edge.to);
-    const Box box{{std::min(edge.from.x, edge.to.x), std::min(edge.from.y, edge.to.y)},
-                  {std::max(edge.from.x, edge.to.x), std::max(edge.from.y, edge.to.y)}};
+    const Box box = box_of(edge);
     const double least = 2 * kHidden / std::hypot(b.x - a.x, b.y - a.y);  // shorter stretches are rounding
     shown_ = {{0.0, 1.0}};
     // What hid the last edge hides this one, its neighbour, as a rule.
@@ -107,34 +101,15 @@ class Visibility {
   Stretches shown_, hidden_, rest_;
 };
 
-std::vector<std::vector<Box>> tree_over(std::span<const SumEdge> edges) {
-  std::vector<std::vector<Box>> levels;
-  std::vector<Box> level;
-  for (const SumEdge& e : edges) {
-    level.push_back({{std::min(e.from.x, e.to.x), std::min(e.from.y, e.to.y)},
-                     {std::max(e.from.x, e.to.x), std::max(e.from.y, e.to.y)}});
-  }
-  do {
-    std::vector<Box> above;
-    for (std::size_t k = 0; k < level.size(); k += MinkowskiSum::kFan) {
-      Box box = level[k];
-      for (std::size_t m = k + 1; m < std::min(level.size(), k + MinkowskiSum::kFan); ++m) box = united(box, level[m]);
-      above.push_back(box);
-    }
-    levels.push_back(above);
-    level = std::move(above);
-  } while (level.size() > 1);
-  return levels;
-}
-
 }  // namespace
 
 MinkowskiSum::MinkowskiSum(std::vector<StarSum> rings) : rings_{std::move(rings)} {
+  ring_boxes_.reserve(rings_.size());
   for (const StarSum& s : rings_) ring_boxes_.push_back(box_of_edges(s.edges));
   if (rings_.size() > 1) visible_ = Visibility{rings_, ring_boxes_}.visible_edges();
   box_ = ring_boxes_.front();
   for (const Box& b : ring_boxes_) box_ = united(box_, b);
-  tree_ = tree_over(edges());
+  tree_ = BoxTree{edges()};
 }
 
 bool MinkowskiSum::contains(Real2 point) const {
@@ -150,9 +125,9 @@ bool MinkowskiSum::contains(Real2 point) const {
 }
 
 std::size_t MinkowskiSum::bytes() const {
-  std::size_t total = sizeof *this + visible_.capacity() * sizeof(SumEdge) + ring_boxes_.capacity() * sizeof(Box);
+  std::size_t total = sizeof *this + visible_.capacity() * sizeof(SumEdge) + ring_boxes_.capacity() * sizeof(Box) +
+                      tree_.bytes();
   for (const StarSum& s : rings_) total += sizeof s + s.edges.capacity() * sizeof(SumEdge);
-  for (const auto& level : tree_) total += sizeof(std::vector<Box>) + level.capacity() * sizeof(Box);
   return total;
 }
 

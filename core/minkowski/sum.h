@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/geometry/outline.h"
+#include "core/minkowski/box_tree.h"
 #include "core/minkowski/star_sum.h"
 
 namespace selvage {
@@ -27,15 +28,14 @@ class MinkowskiSum {
   [[nodiscard]] bool contains(Real2 point) const;
   [[nodiscard]] std::size_t bytes() const;
 
-  // Boxes over runs of kFan edges, then over runs of kFan boxes, and so on up to a single run: the levels of a tree.
-  static constexpr std::size_t kFan = 4;
-  [[nodiscard]] std::span<const std::vector<Box>> tree() const { return tree_; }
+  // Boxes over runs of kFan edges, then over runs of kFan boxes, and so on up to a single run.
+  [[nodiscard]] const BoxTree& tree() const { return tree_; }
 
  private:
   std::vector<StarSum> rings_;
   std::vector<Box> ring_boxes_;
   std::vector<SumEdge> visible_;  // only when there are several rings
-  std::vector<std::vector<Box>> tree_;
+  BoxTree tree_;
   Box box_;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <boost/container/small_vector.hpp>
+
 #include "core/geometry/pseudo_angle.h"
 #include "core/minkowski/nearest_edges.h"
 
@@ -43,15 +45,13 @@ Side side_of_plane(const HalfPlane& plane, Vec r) {
   return {dy / length, -dx / length, slack_of(plane, r)};
 }
 
-constexpr std::size_t kMany = 16;  // sides: few regions have more
+constexpr std::size_t kMany = 16;   // sides: few regions have more
+constexpr std::size_t kAtOnce = 8;  // edges equally near: few corners have more
 
 // The cell so far.
 class Cell {
  public:
-  explicit Cell(Vec r) : r_{r} {
-    planes_.reserve(kMany);
-    sides_.reserve(kMany);
-  }
+  explicit Cell(Vec r) : r_{r} { planes_.reserve(kMany); }
 
   void cut(const HalfPlane& plane) {
     planes_.push_back(plane);
@@ -89,7 +89,7 @@ class Cell {
  private:
   Vec r_;
   std::vector<HalfPlane> planes_;
-  std::vector<Side> sides_;
+  boost::container::small_vector<Side, kMany> sides_;
 };
 
 // Nearest facing edge first.  Edges equally near share a corner: either line would do [Li94 4.1.2].  The one whose line
@@ -117,7 +117,8 @@ class GreedyRegion {
  private:
   void cut_tied() {
     for (;;) {
-      std::erase_if(tied_, [&](const SumEdge* e) { return cell_.excludes(*e); });
+      const auto excluded = [&](const SumEdge* edge) { return cell_.excludes(*edge); };
+      tied_.erase(std::remove_if(tied_.begin(), tied_.end(), excluded), tied_.end());
       if (tied_.empty()) return;
       const auto best = std::max_element(tied_.begin(), tied_.end(),
                                          [&](const SumEdge* a, const SumEdge* b) { return merit(*a) < merit(*b); });
@@ -136,7 +137,7 @@ class GreedyRegion {
   const RegionSettings& settings_;
   Cell cell_;
   NearestEdges edges_;
-  std::vector<const SumEdge*> tied_;
+  boost::container::small_vector<const SumEdge*, kAtOnce> tied_;
 };
 
 // The thesis' walk about one star sum.
