@@ -123,7 +123,7 @@ void BlockCholesky::solve(std::span<double> right_side) const {
     const int* const end = column_.data() + column_start_[k + 1];
     const Block* below = below_.data() + column_start_[k];
     for (; column != end; ++column, ++below) {
-      Place{v + 2 * *column} -= below->col(0) * known[0] + below->col(1) * known[1];
+      Place{v + 2 ** column} -= below->col(0) * known[0] + below->col(1) * known[1];
     }
   }
   for (std::size_t k = size; k-- > 0;) {

@@ -43,7 +43,7 @@ class BoxTree {
   }
 
   std::size_t edges_{};
-  std::vector<Box> boxes_;                  // level by level, from the first up
+  std::vector<Box> boxes_;                   // level by level, from the first up
   std::vector<std::size_t> level_start_{0};  // and one past the last
 };
 

@@ -32,10 +32,13 @@ struct Runs {
   std::vector<std::size_t> starts;
 };
 
+constexpr std::size_t kUsualRuns = 16;
+
 // Follows the chains; cuts them where they pass the x axis.
 Runs runs_of(std::span<const Candidate> candidates) {
   Runs runs;
-  runs.stretches.reserve(candidates.size() + 8);
+  runs.stretches.reserve(candidates.size() + kUsualRuns);
+  runs.starts.reserve(kUsualRuns);
   std::vector<char> done(candidates.size());
   const auto follow = [&](std::uint32_t c) {
     runs.starts.push_back(runs.stretches.size());
@@ -197,6 +200,8 @@ class Merge {
 std::vector<Stretch> polar_envelope(std::span<const Candidate> candidates) {
   Runs runs = runs_of(candidates);
   Runs merged;
+  merged.stretches.reserve(runs.stretches.size());
+  merged.starts.reserve(runs.starts.size());
   while (runs.starts.size() > 2) {
     merged.stretches.clear();
     merged.starts.clear();

@@ -125,8 +125,8 @@ bool MinkowskiSum::contains(Real2 point) const {
 }
 
 std::size_t MinkowskiSum::bytes() const {
-  std::size_t total = sizeof *this + visible_.capacity() * sizeof(SumEdge) + ring_boxes_.capacity() * sizeof(Box) +
-                      tree_.bytes();
+  std::size_t total =
+      sizeof *this + visible_.capacity() * sizeof(SumEdge) + ring_boxes_.capacity() * sizeof(Box) + tree_.bytes();
   for (const StarSum& s : rings_) total += sizeof s + s.edges.capacity() * sizeof(SumEdge);
   return total;
 }

@@ -4,8 +4,9 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <set>
 #include <span>
+
+#include <boost/container/flat_set.hpp>
 
 #include "core/marker/validity.h"
 #include "core/model/snap.h"
@@ -104,9 +105,9 @@ class Attempt {
     const std::size_t known = near_.size();
     for (const PiecePair& pair : within_trust_) {
       if (!reached_.holds_any(pair) || reached_.ties().joined(pair.first, pair.second)) continue;
-      if (!modelled_.insert(pair).second) continue;
-      near_.push_back(pair);
+      if (!modelled_.contains(pair)) near_.push_back(pair);
     }
+    modelled_.insert(near_.begin() + static_cast<std::ptrdiff_t>(known), near_.end());
     for (std::size_t done = known; done < near_.size(); done += kHearing) {
       if (stop_.stop_requested()) {
         near_.resize(done);
@@ -157,9 +158,11 @@ class Attempt {
     if (held()) {
       for (const PiecePair& pair : near_) append_limits(pair);
     }
+    std::vector<PiecePair> all;
     for (std::uint32_t p = 0; p < scene_.pieces.size(); ++p) {
-      for (std::uint32_t q = p + 1; q < scene_.pieces.size(); ++q) append_far({p, q});
+      for (std::uint32_t q = p + 1; q < scene_.pieces.size(); ++q) all.push_back({p, q});
     }
+    append_far(all);
   }
 
   // Models what may move from now on.
@@ -235,8 +238,7 @@ class Attempt {
     if (!held()) {
       model_->add_length(goal_.shorten, static_cast<double>(length), kSpare * unit());
       for (std::size_t i = 0; i < scene_.pieces.size(); ++i) {
-        if (static_cast<double>(length) - right_of(i) <= 2 * trust_ || whole())
-          model_->add_right_wall(i);
+        if (static_cast<double>(length) - right_of(i) <= 2 * trust_ || whole()) model_->add_right_wall(i);
       }
     }
     if (goal_.halt) add_halt(*goal_.halt);
@@ -390,19 +392,21 @@ class Attempt {
     return true;
   }
 
-  // Models pairs that were not near and collide.
+  // Models pairs that were not near and collide.  False when all are modelled already.
   bool add_colliding(const std::vector<PiecePair>& conflict) {
     const std::size_t before = rows_.size();
-    bool any = false;
-    for (const PiecePair& pair : conflict) any = append_far(pair) || any;
+    const bool any = append_far(conflict);
     for (std::size_t k = before; k < rows_.size(); ++k) add_to_model(k);
     return any;
   }
-  // The rows of a pair that was not near.  False when it is modelled already.
-  bool append_far(PiecePair pair) {
-    if (!modelled_.insert(pair).second) return false;
-    append_rows(pair, obstacles_.of(pair), static_cast<double>(kLatticeLimit), rows_);
-    return true;
+  // All rows of those of the pairs that are not modelled.  False when all are.
+  bool append_far(const std::vector<PiecePair>& pairs) {
+    std::vector<PiecePair> far;
+    std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(far),
+                 [&](const PiecePair& pair) { return !modelled_.contains(pair); });
+    for (const PiecePair& pair : far) append_rows(pair, obstacles_.of(pair), static_cast<double>(kLatticeLimit), rows_);
+    modelled_.insert(far.begin(), far.end());
+    return !far.empty();
   }
 
   // Pieces that rounding keeps breaking apart move as one: what fits now still fits then.
@@ -425,7 +429,7 @@ class Attempt {
   TightRows tight_{TightRows::kRestore};
   std::vector<PairRow> rows_;
   std::vector<std::pair<int, std::size_t>> row_of_;  // of the program, and its place in rows_
-  std::set<PiecePair> modelled_;
+  boost::container::flat_set<PiecePair> modelled_;
   std::optional<PositionModel> model_;
 };
 

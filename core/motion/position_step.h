@@ -44,8 +44,8 @@ struct StepSettings {
   std::vector<Vec> last_moves{};
   double tolerance{};  // of programs that shorten the marker (core/lp/solve.h); with the length held they are solved as
                        // well as can be, for what presses on what is read from their prices
-  double worth{};      // a program that shortens the marker, gains less than this part of the width and breaks rows that
-                       // were left out is not solved again: its moves are shortened until they keep them
+  double worth{};  // a program that shortens the marker, gains less than this part of the width and breaks rows that
+                   // were left out is not solved again: its moves are shortened until they keep them
 };
 
 enum class StepEnd {

@@ -145,7 +145,7 @@ TEST(BlockCholesky, RefusesWhatIsNotPositiveDefiniteAndGoesOn) {
   BlockCholesky factor{pattern};
   const Block one = Block::Identity();
   const std::vector<Block> above{one};
-  EXPECT_FALSE(factor.factorise(std::vector<Block>{one, one}, above));           // singular
+  EXPECT_FALSE(factor.factorise(std::vector<Block>{one, one}, above));                    // singular
   EXPECT_FALSE(factor.factorise(std::vector<Block>{Block{{1, 0}, {2, 1}}, one}, above));  // indefinite within a block
   EXPECT_FALSE(factor.factorise(std::vector<Block>{Block{{-1, 0}, {0, 1}}, one}, above));
   const double nan = std::numeric_limits<double>::quiet_NaN();
