@@ -280,15 +280,14 @@ bool Journal::opened(const std::string& id, std::uint64_t number, const MarkerFi
 }
 
 bool Journal::changed(const std::string& id, const ChangeEntry& entry) {
-  const auto& [revision, moves, after, recorded, answer] = entry;
-  const std::string text = moves ? to_text(moves_json(after.marker, *moves)) : std::string{};
+  const std::string text = entry.moves ? to_text(moves_json(entry.after.marker, *entry.moves)) : std::string{};
   return inside_->write("a revision", [&] {
-    inside_->keep(id, answer);
-    inside_->record(id, after.marker, recorded);
-    if (moves && !inside_->use_room(id, text.size())) {
-      inside_->put_step.with(id, revision, text).run();
+    inside_->keep(id, entry.answer);
+    inside_->record(id, entry.after.marker, entry.recorded);
+    if (entry.moves && !inside_->use_room(id, text.size())) {
+      inside_->put_step.with(id, entry.revision, text).run();
     } else {
-      inside_->snapshot(id, revision, after);
+      inside_->snapshot(id, entry.revision, entry.after);
     }
   });
 }
