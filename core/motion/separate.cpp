@@ -111,7 +111,7 @@ class Rounds {
       if (step.status != LpStatus::kOptimal) {
         return step.status == LpStatus::kStopped ? StopReason::kCancelled : StopReason::kSolverFailed;
       }
-      scene_.pieces.place(step.positions);
+      place(step.positions);
       put_back(scene_, kLatticeLimit);
       if (!look(stop)) return StopReason::kCancelled;
       observer_.on_round({++total.rounds, scene_.pieces.length()});
@@ -131,10 +131,10 @@ class Rounds {
     const PartingStep step = parting_step(scene_, parting_, home_, settings, stop, observer_);
     total.programs += step.programs;
     if (step.status != LpStatus::kOptimal) return;
-    scene_.pieces.place(step.positions);
+    place(step.positions);
     put_back(scene_, kLatticeLimit);
     if (look(stop) && apart() && way_home(scene_.pieces.positions()) < way_home(parted)) return;
-    scene_.pieces.place(parted);
+    place(parted);
   }
   [[nodiscard]] double way_home(const std::vector<Vec>& from) const {
     double sum = 0;
@@ -147,11 +147,11 @@ class Rounds {
 
   // The best of what was seen, without the length that was overdrawn; no worse than the start.
   void settle(const Best& start, const std::stop_token& stop) {
-    scene_.pieces.place(best_.positions);
+    place(best_.positions);
     put_back(scene_, allowed_);
     if (scene_.pieces.positions() == best_.positions && stop.stop_requested()) return;
     if (look(stop) && left() <= start.left) return;
-    scene_.pieces.place(start.positions);
+    place(start.positions);
     look(stop);
   }
 
@@ -160,6 +160,11 @@ class Rounds {
   // What is left to do; lattice units.
   [[nodiscard]] double left() const { return depth_ + static_cast<double>(excess()); }
 
+  // Whatever was seen was seen elsewhere.
+  void place(std::vector<Vec> positions) {
+    scene_.pieces.place(std::move(positions));
+    seen_ = false;
+  }
   // Finds what overlaps, exactly.  False when it was asked to stop: then not all of it was found.
   bool look(const std::stop_token& stop) {
     observer_.on_stage(Stage::kVerify);
@@ -204,7 +209,7 @@ class Rounds {
     if (!best) return;
     std::vector<Vec> positions = scene_.pieces.positions();
     positions[leaping] = best->to;
-    scene_.pieces.place(std::move(positions));
+    place(std::move(positions));
     aim_[leaping] = best->to;
   }
 
@@ -229,7 +234,7 @@ class Rounds {
   const SeparationSettings& settings_;
   const Observer& observer_;
   std::vector<PartingPair> parting_;
-  bool seen_{};  // nothing that overlaps is missing there
+  bool seen_{};  // that is all that overlaps where the pieces are now
   OverlapPrices prices_{kOverlapPrice, {}};
   double depth_{}, deepest_{};
   Best best_;

@@ -196,6 +196,33 @@ TEST(Separate, NeverClaimsMoreThanItHasSeenWhenItIsStopped) {
   EXPECT_TRUE(ended);
 }
 
+// Two squares in a strip as wide as they are, apart only while one of them sticks out: whoever stops then gets them as
+// they were, and is told that they overlap.
+TEST(Separate, StoppedBetweenRoundsSpeaksOfWhatItHandsBack) {
+  Layout narrow{200};
+  const auto square = narrow.shape_of(test::rectangle(200, 200));
+  narrow.put(square, {0, 0}).put(square, {170, 0});
+  SumCache sums;
+  for (const Marker& start : {narrow.marker(), overfull(), two_squares(30)}) {
+    bool ended = false;
+    for (int stop_at = 1; stop_at < 200 && !ended; ++stop_at) {
+      std::stop_source source;
+      Observer observer;
+      int rounds = 0;
+      observer.on_round = [&](const Round&) {
+        if (++rounds == stop_at) source.request_stop();
+      };
+      const auto result = separate(start, {}, sums, source.get_token(), observer);
+      ASSERT_TRUE(result);
+      ended = rounds < stop_at;
+      EXPECT_EQ(result->apart, is_valid(result->marker)) << stop_at;
+      EXPECT_EQ(result->apart, result->remaining.empty()) << stop_at;
+      EXPECT_TRUE(ended || result->apart || result->reason == StopReason::kCancelled) << stop_at;
+    }
+    EXPECT_TRUE(ended);
+  }
+}
+
 // A loose marker, tightened, shaken.
 Marker shaken_marker() {
   const auto seed = *rc::gen::arbitrary<std::uint32_t>();
