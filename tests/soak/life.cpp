@@ -79,12 +79,15 @@ bool refuses_to_mend(ErrorCode code) {
          code == ErrorCode::kStoppedEarly;
 }
 
-// Asks to stop after so many stages and programs.
+constexpr int kImpatient = 15;  // per cent of the motions are asked to stop
+
+// Asks to stop after so many stages, programs and rounds.
 class Impatience {
  public:
   explicit Impatience(std::size_t patience) : left_{patience} {
     observer_.on_stage = [this](Stage) { wait(); };
     observer_.on_program = [this](const LinearProgram&) { wait(); };
+    observer_.on_round = [this](const Round&) { wait(); };
   }
   Impatience(const Impatience&) = delete;
   Impatience& operator=(const Impatience&) = delete;
@@ -125,7 +128,7 @@ class Living {
     if (judge_.length_of(given) != length_of(given)) return "length_of is wrong about the marker it was given";
     const Marker kept = given;
     const Random same_chance = random_;
-    Impatience impatience{random_.chance(15) ? random_.below(30) + 1 : 0};
+    Impatience impatience{random_.chance(kImpatient) ? random_.below(30) + 1 : 0};
     auto answer = motion.run(given, {random_, sums_, impatience.stop(), impatience.observer()});
     if (given != kept) return "changed the marker it was given";
     if (!answer) {
@@ -150,7 +153,7 @@ class Living {
 
   static bool repeats(const NamedMotion& motion, const Marker& given, Random chance, const Marker& expected) {
     SumCache fresh{1};
-    Impatience impatience{chance.chance(15) ? chance.below(30) + 1 : 0};
+    Impatience impatience{chance.chance(kImpatient) ? chance.below(30) + 1 : 0};
     const auto again = motion.run(given, {chance, fresh, impatience.stop(), impatience.observer()});
     return again && again->marker == expected;
   }
