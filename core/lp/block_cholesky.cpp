@@ -20,6 +20,11 @@ void solve_upper(const Block& diagonal, double& v0, double& v1) {
   v0 = (v0 - diagonal(1, 0) * v1) * diagonal(0, 0);
 }
 
+// Where the entries of a block column lie in a vector.
+std::ptrdiff_t place_of(int block_column) {
+  return 2 * static_cast<std::ptrdiff_t>(block_column);
+}
+
 // Turns a symmetric block, of which the lower triangle is read, into its factor.
 bool factorise_block(Block& block) {
   if (!(block(0, 0) > 0)) return false;
@@ -44,7 +49,8 @@ BlockCholesky::BlockCholesky(BlockPattern pattern) : pattern_{std::move(pattern)
   for (std::size_t k = 0; k < size; ++k) {
     for (int t = row_start_[k]; t < row_start_[k + 1]; ++t) {
       const auto i = static_cast<std::size_t>(row_[static_cast<std::size_t>(t)]);
-      column_[static_cast<std::size_t>(column_start_[i] + filled_[i]++)] = static_cast<int>(k);
+      column_[static_cast<std::size_t>(column_start_[i]) + static_cast<std::size_t>(filled_[i]++)] =
+          static_cast<int>(k);
     }
   }
   below_.resize(row_.size());
@@ -123,7 +129,7 @@ void BlockCholesky::solve(std::span<double> right_side) const {
     const int* const end = column_.data() + column_start_[k + 1];
     const Block* below = below_.data() + column_start_[k];
     for (; column != end; ++column, ++below) {
-      Place{v + 2 ** column} -= below->col(0) * known[0] + below->col(1) * known[1];
+      Place{v + place_of(*column)} -= below->col(0) * known[0] + below->col(1) * known[1];
     }
   }
   for (std::size_t k = size; k-- > 0;) {
@@ -133,7 +139,7 @@ void BlockCholesky::solve(std::span<double> right_side) const {
     const int* const end = column_.data() + column_start_[k + 1];
     const Block* below = below_.data() + column_start_[k];
     for (; column != end; ++column, ++below) {
-      left -= below->transpose() * Place{v + 2 * *column};
+      left -= below->transpose() * Place{v + place_of(*column)};
     }
     solve_upper(diagonal_[k], left[0], left[1]);
     own = left;

@@ -190,7 +190,9 @@ bool NormalEquations::factorise(std::span<const double> weight, double rho) {
 void NormalEquations::solve(std::span<double> right_side) {
   Parts& p = *parts_;
   std::fill(p.ordered.begin(), p.ordered.end(), 0.0);
-  const auto place = [&](std::size_t j) { return static_cast<std::size_t>(2 * p.seats[j].block + p.seats[j].slot); };
+  const auto place = [&](std::size_t j) {
+    return 2 * static_cast<std::size_t>(p.seats[j].block) + static_cast<std::size_t>(p.seats[j].slot);
+  };
   const auto columns = static_cast<std::size_t>(p.rows.columns);
   for (std::size_t j = 0; j < columns; ++j) p.ordered[place(j)] = right_side[j];
   p.factor->solve(p.ordered);

@@ -144,7 +144,7 @@ void multiply_transposed(const RowRuns& rows, std::span<const double> y, std::sp
       };
       if constexpr (std::is_same_v<decltype(width), std::integral_constant<int, 2>>) {
         Eigen::Array2d force = Eigen::Array2d::Zero();
-        for (int r = 0; r < run.rows; ++r) force += Eigen::Map<const Eigen::Array2d>{value + 2 * r} * in[r];
+        for (int r = 0; r < run.rows; ++r, value += 2) force += Eigen::Map<const Eigen::Array2d>{value} * in[r];
         press(of[0], force[0]);
         press(of[1], force[1]);
       } else {
