@@ -1,9 +1,23 @@
 // selvage: compacts, bumps, separates, floats, tilts, checks, shows and converts markers from the command line, here or
 // on a daemon.
+#include <iostream>
 #include <string>
 
 #include "clients/cli/commands.h"
 #include "clients/cli/server_option.h"
+
+namespace {
+
+// Says which word stands where a subcommand belongs.
+void tell_subcommands(const CLI::App& app, const std::string& word) {
+  std::cerr << "selvage: " << word << " is no subcommand; these are:";
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    std::cerr << ' ' << command->get_name();
+  }
+  std::cerr << "\nRun with --help for more information.\n";
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app{"Selvage shortens garment markers: exactly, fast, and never with an overlap."};
@@ -26,6 +40,12 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    const auto words = app.remaining();
+    const bool none_found = app.get_subcommands().empty() && !words.empty() && words.front().front() != '-';
+    if (error.get_name() == "RequiredError" && none_found) {
+      tell_subcommands(app, words.front());
+      return static_cast<int>(selvage::ExitCode::kBadUsage);
+    }
     const bool asked_for_help = app.exit(error) == 0;
     code = asked_for_help ? selvage::ExitCode::kOk : selvage::ExitCode::kBadUsage;
   }

@@ -70,6 +70,11 @@ class Compact(CliTest):
         for wrong in ("0", "257", "many"):
             self.assertEqual(run("compact", MARKERS / "jeans_06g.json", "--threads", wrong).returncode, BAD_USAGE)
 
+    def test_a_word_that_is_no_subcommand_is_named(self):
+        ran = run("compakt", MARKERS / "jeans_06g.json")
+        self.assertEqual(ran.returncode, BAD_USAGE)
+        self.assertIn("compakt is no subcommand; these are: compact ", ran.stderr)
+
     def test_keeps_the_form_of_the_input_unless_told(self):
         run("compact", MARKERS / "jeans_02g.json", "-o", self.path("same.json"))
         same = json.loads(self.path("same.json").read_text())
