@@ -38,14 +38,15 @@ class History {
   // Of steps that were written down, the oldest first.  REQUIRES: serials grow along each.
   History(std::vector<Step> undo, std::vector<Step> redo);
 
-  // A revision was made.  `moves` lead from `before` to what came after, which for kUndo and kRedo is what
-  // after(kUndo, *before) and after(kRedo, *before) gave; nothing when moves do not.  What had been taken back cannot
-  // be made again after kChange.  The step that it left, and the serials of those that are gone.
+  // What a revision did to the history.
   struct Recorded {
-    Way way{};
+    Way way{};  // that got a step more
     std::shared_ptr<const Step> step;
-    std::vector<std::uint64_t> forgotten;
+    std::vector<std::uint64_t> forgotten;  // the serials of steps that are gone
   };
+  // A revision was made.  `moves` lead from `before` to what came after; nothing when moves do not.  After kChange what
+  // had been taken back cannot be made again.  REQUIRES: of kUndo and kRedo, that what came after is what
+  // after(kUndo, *before) or after(kRedo, *before) gave.
   [[nodiscard]] Recorded record(Origin origin, const File& before, const std::optional<Moves>& moves);
 
   // The file that a way leads to; nothing when it leads nowhere.
@@ -57,15 +58,15 @@ class History {
     std::shared_ptr<const Step> step;
     std::size_t bytes{};
   };
-  using Kepts = std::deque<Kept>;  // the newest at the back
+  using Stack = std::deque<Kept>;  // the newest at the back
 
-  [[nodiscard]] const Kepts& of(Way way) const { return way == Way::kUndo ? undo_ : redo_; }
-  [[nodiscard]] Kepts& of(Way way) { return way == Way::kUndo ? undo_ : redo_; }
+  [[nodiscard]] const Stack& of(Way way) const { return way == Way::kUndo ? undo_ : redo_; }
+  [[nodiscard]] Stack& of(Way way) { return way == Way::kUndo ? undo_ : redo_; }
   void push(Way way, std::shared_ptr<const Step> step);
   [[nodiscard]] std::uint64_t pop_newest(Way way);
   [[nodiscard]] std::uint64_t pop_oldest(Way way);
 
-  Kepts undo_, redo_;
+  Stack undo_, redo_;
   std::size_t bytes_{};
   std::uint64_t last_serial_{};
 };

@@ -1,6 +1,7 @@
 #include "core/minkowski/box_tree.h"
 
 namespace selvage {
+
 BoxTree::BoxTree(std::span<const SumEdge> edges) : edges_{edges.size()} {
   if (edges.empty()) return;
   std::size_t below = edges.size();

@@ -28,7 +28,7 @@ class MinkowskiSum {
   [[nodiscard]] bool contains(Real2 point) const;
   [[nodiscard]] std::size_t bytes() const;
 
-  // Boxes over runs of kFan edges, then over runs of kFan boxes, and so on up to a single run.
+  // Over edges().
   [[nodiscard]] const BoxTree& tree() const { return tree_; }
 
  private:

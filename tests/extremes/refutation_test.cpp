@@ -244,16 +244,25 @@ LinearProgram random_infeasible(Random& random, double by) {
   return program;
 }
 
-TEST(ExtremePrograms, InfeasibleAtRandom) {
-  Random random{6};
+// The least that refuting a random program comes to, of many.
+template <class Refute>
+double least_at_random(std::uint32_t seed, const Refute& refute) {
+  Random random{seed};
   double least = kInfinity;
   constexpr int kPrograms = 1000 / test::kSlowdown;
   for (int trial = 0; trial < kPrograms; ++trial) {
     SCOPED_TRACE(trial);
-    const double by = std::pow(10.0, -static_cast<double>(random.between(0, 5)));
-    least = std::min(least, expect_infeasible(random_infeasible(random, by)));
+    least = std::min(least, refute(random));
   }
   reached("programs", kPrograms);
+  return least;
+}
+
+TEST(ExtremePrograms, InfeasibleAtRandom) {
+  const double least = least_at_random(6, [](Random& random) {
+    const double by = std::pow(10.0, -static_cast<double>(random.between(0, 5)));
+    return expect_infeasible(random_infeasible(random, by));
+  });
   reached("infeasible by, the least", least);
 }
 
@@ -281,14 +290,7 @@ LinearProgram random_unbounded(Random& random) {
 }
 
 TEST(ExtremePrograms, UnboundedAtRandom) {
-  Random random{7};
-  double least = kInfinity;
-  constexpr int kPrograms = 1000 / test::kSlowdown;
-  for (int trial = 0; trial < kPrograms; ++trial) {
-    SCOPED_TRACE(trial);
-    least = std::min(least, expect_unbounded(random_unbounded(random)));
-  }
-  reached("programs", kPrograms);
+  const double least = least_at_random(7, [](Random& random) { return expect_unbounded(random_unbounded(random)); });
   reached("cost falls by, the least", least);
 }
 
