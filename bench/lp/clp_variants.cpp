@@ -5,14 +5,14 @@
 #include <CoinPackedMatrix.hpp>
 #include <CoinPackedVector.hpp>
 
-#include "core/lp/inequality_form.h"
+#include "core/lp/interior_point/inequality_form.h"
 
 namespace selvage::bench {
 namespace {
 
 constexpr double kTolerance = 1e-9;
 
-void load(ClpSimplex& clp, const LinearProgram& program) {
+void load(ClpSimplex& clp, const lp::LinearProgram& program) {
   CoinPackedMatrix matrix{false, 0, 0};
   matrix.setDimensions(0, program.columns());
   for (int r = 0; r < program.rows(); ++r) {
@@ -30,8 +30,8 @@ void load(ClpSimplex& clp, const LinearProgram& program) {
 
 // The dual written out: minimise -bound . z subject to A^T z = cost, z >= 0; its rows' prices are the columns' values.
 // (Clp's own dualOfModel throws on columns with a finite bound.)
-LpSolution solve_dualised(const LinearProgram& program) {
-  const auto form = inequality_form(program, kTolerance);
+lp::LpSolution solve_dualised(const lp::LinearProgram& program) {
+  const auto form = lp::interior_point::inequality_form(program, kTolerance);
   if (!form) return {};
   CoinPackedMatrix matrix{true, 0, 0};  // a column of the dual is a row of the form
   matrix.setDimensions(form->columns(), 0);
@@ -47,9 +47,9 @@ LpSolution solve_dualised(const LinearProgram& program) {
   clp.setPrimalTolerance(kTolerance);
   clp.setDualTolerance(kTolerance);
   clp.dual();
-  LpSolution solution{.iterations = clp.numberIterations()};
+  lp::LpSolution solution{.iterations = clp.numberIterations()};
   if (clp.status() != 0) return solution;
-  solution.status = LpStatus::kOptimal;
+  solution.status = lp::LpStatus::kOptimal;
   solution.x = program.lower;  // of columns that cannot move
   const double* price = clp.dualRowSolution();
   for (std::size_t k = 0; k < form->cost.size(); ++k) {
@@ -75,14 +75,14 @@ void solve(ClpSimplex& clp, ClpVariant variant) {
 
 }  // namespace
 
-LpSolution solve_by_clp(const LinearProgram& program, ClpVariant variant) {
+lp::LpSolution solve_by_clp(const lp::LinearProgram& program, ClpVariant variant) {
   if (variant == ClpVariant::kDualised) return solve_dualised(program);
   ClpSimplex clp;
   load(clp, program);
   solve(clp, variant);
-  LpSolution solution{.iterations = clp.numberIterations()};
+  lp::LpSolution solution{.iterations = clp.numberIterations()};
   if (clp.status() != 0) return solution;
-  solution.status = LpStatus::kOptimal;
+  solution.status = lp::LpStatus::kOptimal;
   const double* x = clp.primalColumnSolution();
   solution.x.assign(x, x + program.columns());
   solution.objective = clp.objectiveValue();

@@ -16,6 +16,6 @@ enum class ClpVariant {
 };
 
 // Feasible to 1e-9, as in core/lp/clp.cpp.  No duals.
-[[nodiscard]] LpSolution solve_by_clp(const LinearProgram& program, ClpVariant variant);
+[[nodiscard]] lp::LpSolution solve_by_clp(const lp::LinearProgram& program, ClpVariant variant);
 
 }  // namespace selvage::bench

@@ -1,30 +1,30 @@
 // The two solvers on programs shaped like a compaction's, by number of points (two columns each, some 16 rows).
 #include <benchmark/benchmark.h>
 
-#include "core/lp/clp.h"
-#include "core/lp/interior_point.h"
+#include "core/lp/interior_point/interior_point.h"
+#include "core/lp/solver/clp.h"
 #include "tests/core/lp/compaction_models.h"
 
-namespace selvage {
+namespace selvage::bench {
 namespace {
 
-void count(benchmark::State& state, const LinearProgram& program, const LpSolution& solution) {
+void count(benchmark::State& state, const lp::LinearProgram& program, const lp::LpSolution& solution) {
   state.counters["columns"] = program.columns();
   state.counters["rows"] = program.rows();
   state.counters["iterations"] = solution.iterations;
 }
 
 void simplex(benchmark::State& state) {
-  const LinearProgram program = compaction_program({.points = static_cast<int>(state.range(0))});
-  LpSolution solution;
-  for (auto _ : state) solution = solve_by_simplex(program, 1'000'000);
+  const lp::LinearProgram program = lp::compaction_program({.points = static_cast<int>(state.range(0))});
+  lp::LpSolution solution;
+  for (auto _ : state) solution = lp::solver::solve_by_simplex(program, 1'000'000);
   count(state, program, solution);
 }
 
 void interior_point(benchmark::State& state) {
-  const LinearProgram program = compaction_program({.points = static_cast<int>(state.range(0))});
-  LpSolution solution;
-  for (auto _ : state) solution = solve_by_interior_point(program);
+  const lp::LinearProgram program = lp::compaction_program({.points = static_cast<int>(state.range(0))});
+  lp::LpSolution solution;
+  for (auto _ : state) solution = lp::interior_point::solve_by_interior_point(program);
   count(state, program, solution);
 }
 
@@ -40,6 +40,6 @@ BENCHMARK(interior_point)
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace
-}  // namespace selvage
+}  // namespace selvage::bench
 
 BENCHMARK_MAIN();

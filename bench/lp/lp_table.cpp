@@ -17,10 +17,10 @@
 #include <string>
 
 #include "bench/lp/clp_variants.h"
-#include "bench/marker_file.h"
-#include "bench/quantile.h"
-#include "core/lp/interior_point.h"
-#include "core/motion/compact.h"
+#include "bench/support/marker_file.h"
+#include "bench/support/quantile.h"
+#include "core/lp/interior_point/interior_point.h"
+#include "core/motion/compaction/compact.h"
 
 namespace selvage::bench {
 namespace {
@@ -29,18 +29,20 @@ constexpr double kPatience = 5e3;  // milliseconds of the processor for one prog
 
 struct Way {
   const char* name;
-  std::function<LpSolution(const LinearProgram&)> solve;
+  std::function<lp::LpSolution(const lp::LinearProgram&)> solve;
 };
 
 std::vector<Way> ways() {
   const auto clp = [](ClpVariant variant) {
-    return [variant](const LinearProgram& program) { return solve_by_clp(program, variant); };
+    return [variant](const lp::LinearProgram& program) { return solve_by_clp(program, variant); };
   };
-  return {{"interior point (ours)", [](const LinearProgram& program) { return solve_by_interior_point(program); }},
+  return {{"interior point (ours)",
+           [](const lp::LinearProgram& program) { return lp::interior_point::solve_by_interior_point(program); }},
           {"interior point (ours), standard's tolerance",
-           [](const LinearProgram& program) {
-             return solve_by_interior_point(program,
-                                            settled_within(compaction_settings(Accuracy::kStandard).solver_tolerance));
+           [](const lp::LinearProgram& program) {
+             return solve_by_interior_point(
+                 program, lp::interior_point::settled_within(
+                              compaction_settings(motion::compaction::Accuracy::kStandard).solver_tolerance));
            }},
           {"Clp dual, presolve", clp(ClpVariant::kDualPresolved)},
           {"Clp dual", clp(ClpVariant::kDual)},
@@ -51,12 +53,12 @@ std::vector<Way> ways() {
           {"Clp barrier, crossover", clp(ClpVariant::kBarrier)}};
 }
 
-std::vector<LinearProgram> programs_of(const Marker& marker) {
-  std::vector<LinearProgram> programs;
-  Observer observer;
-  observer.on_program = [&](const LinearProgram& program) { programs.push_back(program); };
+std::vector<lp::LinearProgram> programs_of(const Marker& marker) {
+  std::vector<lp::LinearProgram> programs;
+  scene::Observer observer;
+  observer.on_program = [&](const lp::LinearProgram& program) { programs.push_back(program); };
   SumCache sums;
-  (void)compact(marker, compaction_settings(Accuracy::kStandard), sums, {}, observer);
+  (void)compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums, {}, observer);
   return programs;
 }
 
@@ -70,12 +72,12 @@ struct Row {
   int unsolved{};
 };
 
-Row row_of(const Way& way, const std::vector<LinearProgram>& programs, const std::vector<double>& objectives,
+Row row_of(const Way& way, const std::vector<lp::LinearProgram>& programs, const std::vector<double>& objectives,
            int repetitions) {
   Row row;
   for (std::size_t k = 0; k < programs.size(); ++k) {
     std::vector<double> times;
-    LpSolution solution;
+    lp::LpSolution solution;
     while (times.size() < static_cast<std::size_t>(repetitions) && (times.empty() || times.back() < 1000)) {
       const double start = milliseconds();
       solution = way.solve(programs[k]);
@@ -83,7 +85,7 @@ Row row_of(const Way& way, const std::vector<LinearProgram>& programs, const std
     }
     row.time += quantile(times, 0.5);
     row.iterations += solution.iterations;
-    if (solution.status != LpStatus::kOptimal) {
+    if (solution.status != lp::LpStatus::kOptimal) {
       ++row.unsolved;
     } else {
       const double difference = std::abs(solution.objective - objectives[k]) / (1 + std::abs(objectives[k]));
@@ -99,10 +101,10 @@ Row row_of(const Way& way, const std::vector<LinearProgram>& programs, const std
 }
 
 void print_rows(const std::string& path, int repetitions) {
-  const std::vector<LinearProgram> programs = programs_of(marker_in(path));
+  const std::vector<lp::LinearProgram> programs = programs_of(marker_in(path));
   std::vector<double> objectives;
   std::vector<double> rows;
-  for (const LinearProgram& program : programs) {
+  for (const lp::LinearProgram& program : programs) {
     objectives.push_back(solve_by_clp(program, ClpVariant::kDualPresolved).objective);
     rows.push_back(program.rows());
   }

@@ -13,11 +13,11 @@
 #include <string>
 #include <vector>
 
-#include "bench/marker_file.h"
 #include "bench/nest/libnest2d_nester.h"
+#include "bench/support/marker_file.h"
 #include "core/marker/validity.h"
 #include "core/minkowski/inner_fit.h"
-#include "core/motion/compact.h"
+#include "core/motion/compaction/compact.h"
 
 namespace selvage::bench {
 namespace {
@@ -52,7 +52,7 @@ std::optional<Marker> nested(const Marker& marker) {
         *std::min_element(rotations.begin(), rotations.end(), [&](double a, double b) { return off(a) < off(b); });
     piece.orientation = {piece.orientation.flip, {rotation}, {}};
     const Polygon outline = oriented(marker.shapes[piece.shape.value].outline, piece.orientation);
-    const Box fit = inner_fit(box_of(outline), marker.strip.room(length));
+    const Box fit = minkowski::inner_fit(box_of(outline), marker.strip.room(length));
     const auto [x, y] = nest_of[i].at;
     piece.at = {std::clamp(x * unit, fit.low.x, fit.high.x), std::clamp(y * unit, fit.low.y, fit.high.y)};
   }
@@ -75,7 +75,7 @@ void print_row(const std::string& path, const std::string& outlines) {
   }
   SumCache sums;
   const double since = milliseconds();
-  const auto done = compact(*nest, compaction_settings(Accuracy::kStandard), sums);
+  const auto done = compact(*nest, compaction_settings(motion::compaction::Accuracy::kStandard), sums);
   const double compacting = milliseconds() - since;
   if (!done) {
     std::printf("| %s | %zu | %.1f s | refused: %s |\n", name.c_str(), nest->pieces.size(), nesting / 1000,
@@ -86,7 +86,7 @@ void print_row(const std::string& path, const std::string& outlines) {
   const double saved = 100 * (1 - static_cast<double>(done->length_after) / static_cast<double>(done->length_before));
   std::printf("| %s | %zu | %.1f s | %.6g | %.2f %% | %zu | %.6g | %.2f %% | %.2f %% | %.1f ms | %s |\n", name.c_str(),
               nest->pieces.size(), nesting / 1000, length(done->length_before), 100 * done->utilisation_before,
-              done->healing.pairs, length(done->length_after), 100 * done->utilisation_after, saved, compacting,
+              done->repair.pairs, length(done->length_after), 100 * done->utilisation_after, saved, compacting,
               is_valid(done->marker) ? "yes" : "NO");
   std::fflush(stdout);
   if (!outlines.empty() && !write_outlines(outlines + "/" + name + ".json", done->marker)) {

@@ -7,14 +7,14 @@
 #include <span>
 #include <vector>
 
-#include "core/geometry/outline.h"
+#include "core/outline/outline.h"
 #include "tests/support/exact.h"
 
 namespace selvage::bench {
 
 // P, and Q as it stands to P: the sum is that of P and -(Q under `relative`).
 struct OutlinePair {
-  std::shared_ptr<const Outline> p, q;
+  std::shared_ptr<const outline::Outline> p, q;
   Symmetry relative;
   [[nodiscard]] Polygon mirrored_q() const { return transformed(q->polygon, Symmetry{false, 2}.after(relative)); }
   [[nodiscard]] std::size_t vertices() const { return p->polygon.size() + q->polygon.size(); }

@@ -10,14 +10,14 @@ namespace {
 class SelvageSum final : public PairSum {
  public:
   explicit SelvageSum(OutlinePair pair) : pair_{std::move(pair)} {}
-  void make() override { sum_.emplace(obstacle_sum(*pair_.p, *pair_.q, pair_.relative)); }
+  void make() override { sum_.emplace(minkowski::obstacle_sum(*pair_.p, *pair_.q, pair_.relative)); }
   [[nodiscard]] test::Difference difference(const test::ExactSum& exact) const override {
     return exact.difference(*sum_);
   }
 
  private:
   OutlinePair pair_;
-  std::optional<MinkowskiSum> sum_;
+  std::optional<minkowski::MinkowskiSum> sum_;
 };
 
 }  // namespace

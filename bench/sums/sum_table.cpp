@@ -16,10 +16,10 @@
 #include <map>
 #include <string>
 
-#include "bench/marker_file.h"
-#include "bench/quantile.h"
 #include "bench/sums/outline_pairs.h"
 #include "bench/sums/pair_sum.h"
+#include "bench/support/marker_file.h"
+#include "bench/support/quantile.h"
 
 namespace selvage::bench {
 namespace {

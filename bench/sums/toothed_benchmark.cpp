@@ -4,8 +4,8 @@
 // leave them out with --benchmark_filter='/(25|50|100|200)$'.
 #include <benchmark/benchmark.h>
 
-#include "core/geometry/outline.h"
 #include "core/minkowski/sum.h"
+#include "core/outline/outline.h"
 #include "tests/support/polygons.h"
 
 namespace selvage::bench {
@@ -16,9 +16,9 @@ enum class Lie { kUpsideDown, kAlike };
 
 void obstacle(benchmark::State& state, const Polygon& toothed, Lie lie) {
   const Symmetry mirrored{false, 2};
-  const auto p = make_outline(toothed);
-  const auto minus_q = make_outline(lie == Lie::kAlike ? transformed(toothed, mirrored) : toothed);
-  for (auto _ : state) benchmark::DoNotOptimize(minkowski_sum(p->parts, minus_q->parts));
+  const auto p = outline::make_outline(toothed);
+  const auto minus_q = outline::make_outline(lie == Lie::kAlike ? transformed(toothed, mirrored) : toothed);
+  for (auto _ : state) benchmark::DoNotOptimize(minkowski::minkowski_sum(p->parts, minus_q->parts));
   state.counters["parts"] = static_cast<double>(p->parts.size());
   state.SetComplexityN(state.range(0));
 }

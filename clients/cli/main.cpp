@@ -3,8 +3,8 @@
 #include <iostream>
 #include <string>
 
-#include "clients/cli/commands.h"
-#include "clients/cli/server_option.h"
+#include "clients/cli/commands/commands.h"
+#include "clients/cli/run/server_option.h"
 
 namespace {
 
@@ -24,19 +24,19 @@ int main(int argc, char** argv) {
   app.name("selvage");
   app.set_version_flag("--version", std::string{"selvage "} + SELVAGE_VERSION);
   app.require_subcommand(1);
-  app.footer(selvage::kExitCodesHelp);
-  selvage::add_server_options(app);
-  selvage::ExitCode code = selvage::ExitCode::kOk;
-  selvage::add_compact_command(app, code);
-  selvage::add_bump_command(app, code);
-  selvage::add_separate_command(app, code);
-  selvage::add_float_command(app, code);
-  selvage::add_tilt_command(app, code);
-  selvage::add_check_command(app, code);
-  selvage::add_show_command(app, code);
-  selvage::add_convert_command(app, code);
-  selvage::add_call_command(app, code);
-  selvage::add_watch_command(app, code);
+  app.footer(selvage::cli::terminal::kExitCodesHelp);
+  selvage::cli::run::add_server_options(app);
+  selvage::cli::terminal::ExitCode code = selvage::cli::terminal::ExitCode::kOk;
+  selvage::cli::commands::add_compact_command(app, code);
+  selvage::cli::commands::add_bump_command(app, code);
+  selvage::cli::commands::add_separate_command(app, code);
+  selvage::cli::commands::add_float_command(app, code);
+  selvage::cli::commands::add_tilt_command(app, code);
+  selvage::cli::commands::add_check_command(app, code);
+  selvage::cli::commands::add_show_command(app, code);
+  selvage::cli::commands::add_convert_command(app, code);
+  selvage::cli::commands::add_call_command(app, code);
+  selvage::cli::commands::add_watch_command(app, code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -44,10 +44,10 @@ int main(int argc, char** argv) {
     const bool none_found = app.get_subcommands().empty() && !words.empty() && words.front().front() != '-';
     if (error.get_name() == "RequiredError" && none_found) {
       tell_subcommands(app, words.front());
-      return static_cast<int>(selvage::ExitCode::kBadUsage);
+      return static_cast<int>(selvage::cli::terminal::ExitCode::kBadUsage);
     }
     const bool asked_for_help = app.exit(error) == 0;
-    code = asked_for_help ? selvage::ExitCode::kOk : selvage::ExitCode::kBadUsage;
+    code = asked_for_help ? selvage::cli::terminal::ExitCode::kOk : selvage::cli::terminal::ExitCode::kBadUsage;
   }
   return static_cast<int>(code);
 }

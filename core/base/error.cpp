@@ -26,7 +26,7 @@ std::string_view wire_name(ErrorCode code) {
     case ErrorCode::kMarkerOverlaps: return "marker.overlaps";
     case ErrorCode::kTooManyPieces: return "marker.too_many_pieces";
     case ErrorCode::kOrientationNotAllowed: return "marker.orientation_not_allowed";
-    case ErrorCode::kHealingFailed: return "motion.healing_failed";
+    case ErrorCode::kRepairFailed: return "motion.healing_failed";
     case ErrorCode::kStoppedEarly: return "motion.stopped_early";
     case ErrorCode::kNothingToUndo: return "history.nothing_to_undo";
   }

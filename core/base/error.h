@@ -34,8 +34,8 @@ enum class ErrorCode : int {
   kTooManyPieces = 1207,          // more pieces than the limit
   kOrientationNotAllowed = 1208,  // a piece in an orientation its shape does not allow
 
-  kHealingFailed = 1301,  // small overlaps could not be parted
-  kStoppedEarly = 1302,   // asked to stop before there was an answer, or any valid marker, to hand back
+  kRepairFailed = 1301,  // small overlaps could not be parted
+  kStoppedEarly = 1302,  // asked to stop before there was an answer, or any valid marker, to hand back
 
   kNothingToUndo = 1401,  // no change to take back, or none to make again
 };

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-namespace selvage {
+namespace selvage::geometry {
 namespace {
 
 struct Edge {
@@ -74,4 +74,4 @@ Coord whole_distance_within(const PlacedPolygon& p, const PlacedPolygon& q, Coor
   return whole;
 }
 
-}  // namespace selvage
+}  // namespace selvage::geometry

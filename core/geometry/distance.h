@@ -3,7 +3,7 @@
 
 #include "core/geometry/overlap.h"
 
-namespace selvage {
+namespace selvage::geometry {
 
 // The distance of p and q, but never more than `reach`; 0 when they touch or overlap.  Made of exact integer products,
 // each rounded once: off by a few units in the last place of a double.
@@ -13,4 +13,4 @@ namespace selvage {
 // closer than it, and closer than one more.
 [[nodiscard]] Coord whole_distance_within(const PlacedPolygon& p, const PlacedPolygon& q, Coord reach);
 
-}  // namespace selvage
+}  // namespace selvage::geometry

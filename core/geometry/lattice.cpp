@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace selvage {
+namespace selvage::geometry {
 namespace {
 
 constexpr double kFinestWidth = 1 << 28;  // units that a strip is at least wide, where the lattice allows it
@@ -69,4 +69,4 @@ double to_decimal(Coord coord, Resolution resolution) {
                                   : exact * power_of_ten(resolution.exponent);
 }
 
-}  // namespace selvage
+}  // namespace selvage::geometry

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <span>
 
-namespace selvage {
+namespace selvage::geometry {
 
 using Coord = std::int64_t;           // lattice units
 __extension__ using Wide = __int128;  // products of two coordinates
@@ -86,4 +86,14 @@ inline constexpr int kCoarsestExponent = 6;
 // The double whose shortest text is exactly the coordinate as a decimal.
 [[nodiscard]] double to_decimal(Coord coord, Resolution resolution);
 
+}  // namespace selvage::geometry
+
+// Vocabulary: named in selvage itself as well, so that every room may use it unqualified.
+namespace selvage {
+using geometry::Box;
+using geometry::Coord;
+using geometry::kLatticeLimit;
+using geometry::Resolution;
+using geometry::Vec;
+using geometry::Wide;
 }  // namespace selvage

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace selvage {
+namespace selvage::geometry {
 
 Polygon transformed(const Polygon& polygon, Symmetry symmetry) {
   Polygon image(polygon.size());
@@ -43,4 +43,4 @@ Polygon oriented(const Polygon& polygon, const Orientation& orientation) {
   return transformed(turned(polygon, parts.turn), parts.symmetry);
 }
 
-}  // namespace selvage
+}  // namespace selvage::geometry

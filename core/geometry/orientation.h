@@ -10,7 +10,7 @@
 
 #include "core/geometry/polygon.h"
 
-namespace selvage {
+namespace selvage::geometry {
 
 // Degrees, counter-clockwise.
 struct Angle {
@@ -78,4 +78,11 @@ struct SplitOrientation {
 // The whole: flip, rotation, tilt.
 [[nodiscard]] Polygon oriented(const Polygon& polygon, const Orientation& orientation);
 
+}  // namespace selvage::geometry
+
+// Vocabulary: named in selvage itself as well, so that every room may use it unqualified.
+namespace selvage {
+using geometry::Angle;
+using geometry::Orientation;
+using geometry::Symmetry;
 }  // namespace selvage

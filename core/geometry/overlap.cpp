@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace selvage {
+namespace selvage::geometry {
 namespace {
 
 // An edge of one polygon in the frame of the pair, with its neighbours' far ends: what a cone test needs.
@@ -282,4 +282,4 @@ Witness nearest_point(const PlacedPolygon& p, const PlacedPolygon& q) {
   return middle;
 }
 
-}  // namespace selvage
+}  // namespace selvage::geometry

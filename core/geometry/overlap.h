@@ -10,7 +10,7 @@
 #include "core/geometry/lattice.h"
 #include "core/geometry/polygon.h"
 
-namespace selvage {
+namespace selvage::geometry {
 
 // A polygon with its box, moved by `at`.
 struct PlacedPolygon {
@@ -38,4 +38,4 @@ struct Witness {
 // The midpoint of a shortest line between the two boundaries, rounded; for reports only.
 [[nodiscard]] Witness nearest_point(const PlacedPolygon& p, const PlacedPolygon& q);
 
-}  // namespace selvage
+}  // namespace selvage::geometry

@@ -3,7 +3,7 @@
 #include <numeric>
 #include <string>
 
-namespace selvage {
+namespace selvage::geometry {
 namespace {
 
 std::string name(Vec v) {
@@ -153,4 +153,4 @@ Result<CleanPolygon> clean_polygon(std::span<const Vec> vertices) {
   return clean;
 }
 
-}  // namespace selvage
+}  // namespace selvage::geometry

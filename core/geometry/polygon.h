@@ -7,7 +7,7 @@
 #include "core/base/result.h"
 #include "core/geometry/lattice.h"
 
-namespace selvage {
+namespace selvage::geometry {
 
 // The vertices of a simple polygon in counter-clockwise order, no vertex repeated, none in the middle of a straight
 // edge.  Coordinates in lattice units.
@@ -38,4 +38,9 @@ struct CleanPolygon {
 // Errors: kTooManyVertices (before repair), kTooFewVertices, kZeroArea, kSelfIntersecting (names the two edges).
 [[nodiscard]] Result<CleanPolygon> clean_polygon(std::span<const Vec> vertices);
 
+}  // namespace selvage::geometry
+
+// Vocabulary: named in selvage itself as well, so that every room may use it unqualified.
+namespace selvage {
+using geometry::Polygon;
 }  // namespace selvage

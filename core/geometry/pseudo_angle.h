@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace selvage {
+namespace selvage::geometry {
 
 inline constexpr double kFullTurn = 4;
 
@@ -14,4 +14,4 @@ inline constexpr double kFullTurn = 4;
   return y < 0 ? kFullTurn + part : part;
 }
 
-}  // namespace selvage
+}  // namespace selvage::geometry

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace selvage {
+namespace selvage::lp {
 
 Certificate certificate_of(const LinearProgram& program, const LpSolution& solution) {
   Certificate found{.primal = infeasibility(program, solution.x)};
@@ -31,4 +31,4 @@ Certificate certificate_of(const LinearProgram& program, const LpSolution& solut
   return found;
 }
 
-}  // namespace selvage
+}  // namespace selvage::lp

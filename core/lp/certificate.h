@@ -5,7 +5,7 @@
 
 #include "core/lp/linear_program.h"
 
-namespace selvage {
+namespace selvage::lp {
 
 struct Certificate {
   double primal{};  // the most by which a row or a column bound is broken
@@ -19,4 +19,4 @@ struct Certificate {
 // REQUIRES: `x` and `dual` have an entry per column and row.
 [[nodiscard]] Certificate certificate_of(const LinearProgram& program, const LpSolution& solution);
 
-}  // namespace selvage
+}  // namespace selvage::lp

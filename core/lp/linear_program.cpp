@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace selvage {
+namespace selvage::lp {
 
 double infeasibility(const LinearProgram& program, std::span<const double> x) {
   double worst = 0;
@@ -17,4 +17,4 @@ double infeasibility(const LinearProgram& program, std::span<const double> x) {
   return worst;
 }
 
-}  // namespace selvage
+}  // namespace selvage::lp

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace selvage {
+namespace selvage::lp {
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -57,4 +57,4 @@ struct LpSolution {
 // The most by which x breaks a row or a column bound; 0 when it breaks none.
 [[nodiscard]] double infeasibility(const LinearProgram& program, std::span<const double> x);
 
-}  // namespace selvage
+}  // namespace selvage::lp

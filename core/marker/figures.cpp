@@ -9,7 +9,7 @@
 
 #include "core/marker/validity.h"
 
-namespace selvage {
+namespace selvage::marker {
 namespace {
 
 // So few pieces are looked for one by one among the others; more by a sweep over all.
@@ -96,4 +96,4 @@ double utilisation_at(const Marker& marker, Coord length) {
   return cloth > 0 ? static_cast<double>(doubled) / 2 / cloth : 0;
 }
 
-}  // namespace selvage
+}  // namespace selvage::marker

@@ -5,7 +5,7 @@
 #include "core/marker/marker.h"
 #include "core/marker/placed_pieces.h"
 
-namespace selvage {
+namespace selvage::marker {
 
 struct Figures {
   Coord length{};        // where the rightmost piece ends; lattice units
@@ -22,4 +22,4 @@ struct Figures {
 // The utilisation of a marker whose length is known.
 [[nodiscard]] double utilisation_at(const Marker& marker, Coord length);
 
-}  // namespace selvage
+}  // namespace selvage::marker

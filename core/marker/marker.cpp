@@ -9,7 +9,7 @@
 #include "core/geometry/orientation.h"
 #include "core/marker/figures.h"
 
-namespace selvage {
+namespace selvage::marker {
 namespace {
 
 std::string at_index(const char* list, std::size_t index) {
@@ -156,4 +156,4 @@ double utilisation_of(const Marker& marker) {
   return utilisation_at(marker, length_of(marker));
 }
 
-}  // namespace selvage
+}  // namespace selvage::marker

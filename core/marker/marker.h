@@ -15,7 +15,7 @@
 #include "core/geometry/orientation.h"
 #include "core/geometry/polygon.h"
 
-namespace selvage {
+namespace selvage::marker {
 
 struct Strip {
   Coord width{};                   // across, along y
@@ -93,4 +93,13 @@ inline constexpr std::size_t kMaxPieces = 20'000;
 // The pieces' area over width times length, 0..1.
 [[nodiscard]] double utilisation_of(const Marker& marker);
 
+}  // namespace selvage::marker
+
+// Vocabulary: named in selvage itself as well, so that every room may use it unqualified.
+namespace selvage {
+using marker::Locks;
+using marker::Marker;
+using marker::Piece;
+using marker::Shape;
+using marker::Strip;
 }  // namespace selvage

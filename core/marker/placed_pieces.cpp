@@ -4,7 +4,7 @@
 #include <map>
 #include <numeric>
 
-namespace selvage {
+namespace selvage::marker {
 namespace {
 
 constexpr std::size_t kBlock = 512;  // pairs that one hand proves in a row
@@ -74,15 +74,15 @@ std::vector<PiecePair> pairs_within(const PlacedPieces& pieces, Coord distance) 
 }
 
 bool conflict(const PlacedPieces& pieces, PiecePair pair) {
-  const PlacedPolygon p = pieces[pair.first];
-  const PlacedPolygon q = pieces[pair.second];
+  const geometry::PlacedPolygon p = pieces[pair.first];
+  const geometry::PlacedPolygon q = pieces[pair.second];
   const Coord spacing = pieces.spacing(pair);
   return spacing > 0 ? closer_than(p, q, spacing) : overlap(p, q);
 }
 
-std::vector<PiecePair> conflicts(const PlacedPieces& pieces, const Crew& crew, const std::stop_token& stop) {
+std::vector<PiecePair> conflicts(const PlacedPieces& pieces, const Executor& executor, const std::stop_token& stop) {
   const std::vector<PiecePair> near = pairs_within(pieces, pieces.widest_spacing());
-  return gathered<PiecePair>(crew, near.size(), kBlock, [&](std::size_t k, std::vector<PiecePair>& found) {
+  return gathered<PiecePair>(executor, near.size(), kBlock, [&](std::size_t k, std::vector<PiecePair>& found) {
     if (!stop.stop_requested() && conflict(pieces, near[k])) found.push_back(near[k]);
   });
 }
@@ -93,4 +93,4 @@ bool any_conflict(const PlacedPieces& pieces) {
   return found;
 }
 
-}  // namespace selvage
+}  // namespace selvage::marker

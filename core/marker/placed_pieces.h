@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/crew.h"
+#include "core/base/executor.h"
 #include "core/geometry/overlap.h"
 #include "core/marker/marker.h"
 
-namespace selvage {
+namespace selvage::marker {
 
 // A polygon that several pieces share, with its box.
 struct SharedPolygon {
@@ -28,7 +28,7 @@ class PlacedPieces {
   explicit PlacedPieces(const Marker& marker);
 
   [[nodiscard]] std::size_t size() const { return at_.size(); }
-  [[nodiscard]] PlacedPolygon operator[](std::size_t piece) const {
+  [[nodiscard]] geometry::PlacedPolygon operator[](std::size_t piece) const {
     const SharedPolygon& polygon = *polygons_[piece];
     return {polygon.vertices, polygon.box, at_[piece]};
   }
@@ -62,9 +62,9 @@ class PlacedPieces {
 
 // All pairs of which that is true, sorted.  Asked to stop, only some: whoever may stop it looks at the token
 // afterwards.
-[[nodiscard]] std::vector<PiecePair> conflicts(const PlacedPieces& pieces, const Crew& crew = alone(),
+[[nodiscard]] std::vector<PiecePair> conflicts(const PlacedPieces& pieces, const Executor& executor = serial(),
                                                const std::stop_token& stop = {});
 // Is there one?
 [[nodiscard]] bool any_conflict(const PlacedPieces& pieces);
 
-}  // namespace selvage
+}  // namespace selvage::marker

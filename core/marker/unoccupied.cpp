@@ -5,7 +5,7 @@
 #include <map>
 #include <optional>
 
-namespace selvage {
+namespace selvage::marker {
 namespace {
 
 constexpr double kLeastArea = 1e-4;  // of the width squared
@@ -69,7 +69,7 @@ class Side {
   Point along_;
 };
 
-std::vector<Side> sides_of(const Region& region) {
+std::vector<Side> sides_of(const outline::Region& region) {
   std::vector<Side> sides;
   const auto append = [&sides](const Polygon& ring) {
     for (std::size_t k = 0; k < ring.size(); ++k) sides.emplace_back(ring[k], ring[(k + 1) % ring.size()]);
@@ -80,7 +80,7 @@ std::vector<Side> sides_of(const Region& region) {
 }
 
 // Adds to `sum` what the piece is to the region's side; false when it does not border on it.
-bool border_on(const Side& side, const PlacedPolygon& piece, Coord reach, Bordering& sum) {
+bool border_on(const Side& side, const geometry::PlacedPolygon& piece, Coord reach, Bordering& sum) {
   bool any = false;
   const Box near = side.box().grown(reach);
   Vec c = piece.vertices.back() + piece.at;
@@ -112,7 +112,7 @@ class Neighbours {
   }
 
   // By piece; asked to stop, only some.
-  [[nodiscard]] std::vector<Bordering> around(const Region& region, const std::stop_token& stop) const {
+  [[nodiscard]] std::vector<Bordering> around(const outline::Region& region, const std::stop_token& stop) const {
     std::map<std::uint32_t, Bordering> found;
     for (const Side& side : sides_of(region)) {
       if (stop.stop_requested()) break;
@@ -151,9 +151,9 @@ std::vector<Polygon> taken_by(const PlacedPieces& pieces, Coord clearance, const
   std::map<const Vec*, std::vector<Polygon>> grown_polygons;
   std::vector<Polygon> taken;
   for (std::size_t i = 0; i < pieces.size() && !stop.stop_requested(); ++i) {
-    const PlacedPolygon piece = pieces[i];
+    const geometry::PlacedPolygon piece = pieces[i];
     auto& rings = grown_polygons[piece.vertices.data()];
-    if (rings.empty()) rings = grown(piece.vertices, clearance);
+    if (rings.empty()) rings = outline::grown(piece.vertices, clearance);
     for (Polygon ring : rings) {
       for (Vec& v : ring) v = v + piece.at;
       taken.push_back(std::move(ring));
@@ -183,7 +183,7 @@ Result<std::vector<UnoccupiedRegion>> unoccupied_regions(const PlacedPieces& pie
   if (stop.stop_requested()) return stopped_early();
   std::vector<UnoccupiedRegion> found;
   const Neighbours neighbours{pieces, clearance};
-  for (Region& region : left_over(cloth, taken)) {
+  for (outline::Region& region : outline::left_over(cloth, taken)) {
     const double area = area_of(region);
     if (area < least) continue;
     auto beside = neighbours.around(region, stop);
@@ -207,4 +207,4 @@ std::vector<UnoccupiedRegion> unoccupied_regions(const Marker& marker, const Uno
   return unoccupied_regions(PlacedPieces{marker}, marker.strip, settings);
 }
 
-}  // namespace selvage
+}  // namespace selvage::marker

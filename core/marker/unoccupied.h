@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/geometry/set_operations.h"
 #include "core/marker/placed_pieces.h"
+#include "core/outline/set_operations.h"
 
-namespace selvage {
+namespace selvage::marker {
 
 // Passages no wider than rounding would be neither open nor shut.
 inline constexpr Coord kLeastClearance = 2;
@@ -34,7 +34,7 @@ struct Bordering {
 };
 
 struct UnoccupiedRegion {
-  Region region;
+  outline::Region region;
   double area{};
   std::vector<Bordering> around;  // by piece
   friend bool operator==(const UnoccupiedRegion&, const UnoccupiedRegion&) = default;
@@ -54,4 +54,4 @@ struct UnoccupiedRegion {
                                                                        const UnoccupiedSettings& settings,
                                                                        const std::stop_token& stop);
 
-}  // namespace selvage
+}  // namespace selvage::marker

@@ -2,21 +2,21 @@
 
 #include <algorithm>
 
-#include "core/geometry/outline.h"
 #include "core/marker/placed_pieces.h"
 #include "core/minkowski/cache.h"
 #include "core/minkowski/nearest_edges.h"
+#include "core/outline/outline.h"
 
-namespace selvage {
+namespace selvage::marker {
 namespace {
 
 Overlap measured(PiecePair pair, const PlacedPieces& pieces, const Marker& marker, SumCache& sums) {
   const auto [first, second] = pair;
-  const PlacedPolygon p = pieces[first];
-  const PlacedPolygon q = pieces[second];
+  const geometry::PlacedPolygon p = pieces[first];
+  const geometry::PlacedPolygon q = pieces[second];
   const auto inside_both = common_point(p, q);
-  const Witness witness = inside_both ? *inside_both : nearest_point(p, q);
-  const Obstacle obstacle =
+  const geometry::Witness witness = inside_both ? *inside_both : nearest_point(p, q);
+  const minkowski::Obstacle obstacle =
       sums.obstacle(oriented_outline(marker, PieceId{first}, sums), oriented_outline(marker, PieceId{second}, sums));
   const double distance = nearest_boundary_point(obstacle.sum(), obstacle.to_frame(q.at - p.at)).distance;
   const double depth = static_cast<double>(pieces.spacing(pair)) + (inside_both ? distance : -distance);
@@ -38,9 +38,9 @@ Coord protrusion_of(const Box& box, const Strip& strip) {
   return std::max({room.low.x - box.low.x, room.low.y - box.low.y, box.high.x - room.high.x, box.high.y - room.high.y});
 }
 
-OrientedOutline oriented_outline(const Marker& marker, PieceId id, SumCache& sums) {
+outline::OrientedOutline oriented_outline(const Marker& marker, PieceId id, SumCache& sums) {
   const Piece& piece = marker.pieces[id.value];
-  const SplitOrientation parts = split(piece.orientation);
+  const geometry::SplitOrientation parts = split(piece.orientation);
   return {sums.outline(turned(marker.shapes[piece.shape.value].outline, parts.turn)), parts.symmetry};
 }
 
@@ -51,7 +51,7 @@ Validity check(const Marker& marker, SumCache& sums) {
 Result<Validity> check(const Marker& marker, SumCache& sums, const std::stop_token& stop) {
   Validity validity;
   const PlacedPieces pieces{marker};
-  for (const PiecePair& pair : conflicts(pieces, alone(), stop)) {
+  for (const PiecePair& pair : conflicts(pieces, serial(), stop)) {
     if (stop.stop_requested()) break;
     validity.overlaps.push_back(measured(pair, pieces, marker, sums));
   }
@@ -84,4 +84,4 @@ bool is_valid(const PlacedPieces& pieces, const Strip& strip) {
   return !any_conflict(pieces);
 }
 
-}  // namespace selvage
+}  // namespace selvage::marker

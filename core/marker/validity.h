@@ -9,13 +9,16 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/geometry/outline.h"
 #include "core/marker/marker.h"
+#include "core/outline/outline.h"
 
-namespace selvage {
+namespace selvage::minkowski {
+class SumCache;
+}
+
+namespace selvage::marker {
 
 class PlacedPieces;
-class SumCache;
 
 // Two pieces that overlap, or are closer than their spacing.
 struct Overlap {
@@ -39,12 +42,12 @@ struct Validity {
 [[nodiscard]] Coord protrusion_of(const Box& box, const Strip& strip);
 
 // A piece as the cache of sums knows it.
-[[nodiscard]] OrientedOutline oriented_outline(const Marker& marker, PieceId piece, SumCache& sums);
+[[nodiscard]] outline::OrientedOutline oriented_outline(const Marker& marker, PieceId piece, minkowski::SumCache& sums);
 
 // The whole answer, with depths (which need Minkowski sums, taken from the cache).
-[[nodiscard]] Validity check(const Marker& marker, SumCache& sums);
+[[nodiscard]] Validity check(const Marker& marker, minkowski::SumCache& sums);
 // The same for whoever may ask to stop.  Errors: kStoppedEarly.
-[[nodiscard]] Result<Validity> check(const Marker& marker, SumCache& sums, const std::stop_token& stop);
+[[nodiscard]] Result<Validity> check(const Marker& marker, minkowski::SumCache& sums, const std::stop_token& stop);
 // All that overlap, found exactly but not measured, which is what takes long: depths are 0, and a witness is the middle
 // of what the two boxes share.
 [[nodiscard]] std::vector<Overlap> overlaps_unmeasured(const Marker& marker);
@@ -52,4 +55,4 @@ struct Validity {
 [[nodiscard]] bool is_valid(const Marker& marker);
 [[nodiscard]] bool is_valid(const PlacedPieces& pieces, const Strip& strip);
 
-}  // namespace selvage
+}  // namespace selvage::marker

@@ -1,8 +1,8 @@
 #include "core/minkowski/box_tree.h"
 
-namespace selvage {
+namespace selvage::minkowski {
 
-BoxTree::BoxTree(std::span<const SumEdge> edges) : edges_{edges.size()} {
+BoxTree::BoxTree(std::span<const convolution::SumEdge> edges) : edges_{edges.size()} {
   if (edges.empty()) return;
   std::size_t below = edges.size();
   do {
@@ -20,4 +20,4 @@ BoxTree::BoxTree(std::span<const SumEdge> edges) : edges_{edges.size()} {
   }
 }
 
-}  // namespace selvage
+}  // namespace selvage::minkowski

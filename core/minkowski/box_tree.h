@@ -7,11 +7,11 @@
 #include <span>
 #include <vector>
 
-#include "core/minkowski/star_sum.h"
+#include "core/minkowski/convolution/star_sum.h"
 
-namespace selvage {
+namespace selvage::minkowski {
 
-[[nodiscard]] constexpr Box box_of(const SumEdge& edge) {
+[[nodiscard]] constexpr Box box_of(const convolution::SumEdge& edge) {
   return {{std::min(edge.from.x, edge.to.x), std::min(edge.from.y, edge.to.y)},
           {std::max(edge.from.x, edge.to.x), std::max(edge.from.y, edge.to.y)}};
 }
@@ -21,7 +21,7 @@ class BoxTree {
   static constexpr std::size_t kFan = 4;
 
   BoxTree() = default;
-  explicit BoxTree(std::span<const SumEdge> edges);
+  explicit BoxTree(std::span<const convolution::SumEdge> edges);
 
   // Level 0 is the edges themselves, on the highest level is one box: of all; without edges there is level 0 only.
   [[nodiscard]] std::size_t levels() const { return level_start_.size() - 1; }
@@ -47,4 +47,4 @@ class BoxTree {
   std::vector<std::size_t> level_start_{0};  // and one past the last
 };
 
-}  // namespace selvage
+}  // namespace selvage::minkowski

@@ -5,14 +5,14 @@
 #include <mutex>
 #include <unordered_map>
 
-#include "core/geometry/outward.h"
+#include "core/outline/outward.h"
 
-namespace selvage {
+namespace selvage::minkowski {
 namespace {
 
 // Relative orientation and the outlines themselves: equal keys have equal sums.
 struct Key {
-  std::shared_ptr<const Outline> p, q;
+  std::shared_ptr<const outline::Outline> p, q;
   Symmetry relative;
 
   friend bool operator==(const Key& a, const Key& b) {
@@ -29,9 +29,9 @@ struct KeyHash {
 };
 
 // True when the pair (p, q) is kept as (q, p): so that both orders share one entry.
-bool kept_swapped(const OrientedOutline& p, const OrientedOutline& q) {
-  const Outline& a = *p.outline;
-  const Outline& b = *q.outline;
+bool kept_swapped(const outline::OrientedOutline& p, const outline::OrientedOutline& q) {
+  const outline::Outline& a = *p.outline;
+  const outline::Outline& b = *q.outline;
   if (a.hash != b.hash) return a.hash > b.hash;
   if (a.polygon != b.polygon) return a.polygon > b.polygon;
   const Symmetry forth = p.symmetry.inverse().after(q.symmetry);
@@ -44,10 +44,10 @@ struct Kept {
   Symmetry frame;
   bool swapped{};
 };
-Kept kept_as(const OrientedOutline& p, const OrientedOutline& q) {
+Kept kept_as(const outline::OrientedOutline& p, const outline::OrientedOutline& q) {
   const bool swapped = kept_swapped(p, q);
-  const OrientedOutline& first = swapped ? q : p;
-  const OrientedOutline& second = swapped ? p : q;
+  const outline::OrientedOutline& first = swapped ? q : p;
+  const outline::OrientedOutline& second = swapped ? p : q;
   return {{first.outline, second.outline, first.symmetry.inverse().after(second.symmetry)}, first.symmetry, swapped};
 }
 
@@ -70,11 +70,11 @@ struct SumCache::Store {
   // What an outline was simplified to, as long as somebody keeps that.
   struct Grown {
     Coord tolerance{};
-    std::weak_ptr<const Outline> outline;
+    std::weak_ptr<const outline::Outline> outline;
   };
   static constexpr std::size_t kGrown = 4;  // tolerances that one outline remembers
   struct Known {
-    std::shared_ptr<const Outline> outline;
+    std::shared_ptr<const outline::Outline> outline;
     std::size_t bytes{};
     std::uint64_t used{};  // that of its last use, or its sums': they are forgotten before it
     std::vector<Grown> grown{};
@@ -118,14 +118,14 @@ struct SumCache::Store {
   }
 
   // The outline of the polygon when it is known.
-  std::shared_ptr<const Outline> find(const Polygon& polygon, std::uint64_t hash) {
+  std::shared_ptr<const outline::Outline> find(const Polygon& polygon, std::uint64_t hash) {
     const std::lock_guard lock{mutex};
     const auto known = use(polygon, hash);
     return known == outlines.end() ? nullptr : known->outline;
   }
 
   // What the outline was simplified to, when that is remembered.
-  std::shared_ptr<const Outline> find_grown(const Outline& outline, Coord tolerance) {
+  std::shared_ptr<const outline::Outline> find_grown(const outline::Outline& outline, Coord tolerance) {
     const std::lock_guard lock{mutex};
     const auto known = use(outline.polygon, outline.hash);
     if (known == outlines.end()) return nullptr;
@@ -135,7 +135,8 @@ struct SumCache::Store {
     return nullptr;
   }
   // Remembers it as long as the outline is known.
-  void keep_grown(const Outline& outline, Coord tolerance, const std::shared_ptr<const Outline>& simplified) {
+  void keep_grown(const outline::Outline& outline, Coord tolerance,
+                  const std::shared_ptr<const outline::Outline>& simplified) {
     const std::lock_guard lock{mutex};
     const auto known = use(outline.polygon, outline.hash);
     if (known == outlines.end()) return;
@@ -146,7 +147,7 @@ struct SumCache::Store {
   }
 
   // The outline, or that of another thread that was faster.
-  std::shared_ptr<const Outline> keep(const std::shared_ptr<const Outline>& made) {
+  std::shared_ptr<const outline::Outline> keep(const std::shared_ptr<const outline::Outline>& made) {
     const std::lock_guard lock{mutex};
     if (const auto known = use(made->polygon, made->hash); known != outlines.end()) return known->outline;
     outlines.push_front({made, made->bytes(), ++uses});
@@ -196,14 +197,15 @@ struct SumCache::Store {
   }
 };
 
-std::shared_ptr<const Outline> SumCache::outline(const Polygon& polygon) {
-  if (auto known = store_->find(polygon, hash_of(polygon))) return known;
-  return store_->keep(make_outline(polygon));
+std::shared_ptr<const outline::Outline> SumCache::outline(const Polygon& polygon) {
+  if (auto known = store_->find(polygon, outline::hash_of(polygon))) return known;
+  return store_->keep(outline::make_outline(polygon));
 }
 
-std::shared_ptr<const Outline> SumCache::grown(const std::shared_ptr<const Outline>& outline, Coord tolerance) {
+std::shared_ptr<const outline::Outline> SumCache::grown(const std::shared_ptr<const outline::Outline>& outline,
+                                                        Coord tolerance) {
   if (auto known = store_->find_grown(*outline, tolerance)) return known;
-  Polygon simplified = simplified_outward(outline->polygon, tolerance);
+  Polygon simplified = outline::simplified_outward(outline->polygon, tolerance);
   auto made = simplified.size() == outline->polygon.size() ? outline : this->outline(simplified);
   store_->keep_grown(*outline, tolerance, made);
   return made;
@@ -214,7 +216,7 @@ SumCache::SumCache(std::size_t limit_bytes) : store_{std::make_unique<Store>()} 
 }
 SumCache::~SumCache() = default;
 
-Obstacle SumCache::obstacle(const OrientedOutline& p, const OrientedOutline& q) {
+Obstacle SumCache::obstacle(const outline::OrientedOutline& p, const outline::OrientedOutline& q) {
   const Kept kept = kept_as(p, q);
   Sum sum = store_->find(kept.key);
   store_->count(sum ? 1 : 0, sum ? 0 : 1);
@@ -225,7 +227,7 @@ Obstacle SumCache::obstacle(const OrientedOutline& p, const OrientedOutline& q) 
   return {std::move(sum), kept.frame, kept.swapped};
 }
 
-std::vector<Obstacle> SumCache::obstacles(std::span<const OutlinePair> pairs, const Crew& crew) {
+std::vector<Obstacle> SumCache::obstacles(std::span<const OutlinePair> pairs, const Executor& executor) {
   std::vector<Kept> kept;
   std::vector<Sum> sums;
   kept.reserve(pairs.size());
@@ -239,7 +241,7 @@ std::vector<Obstacle> SumCache::obstacles(std::span<const OutlinePair> pairs, co
   }
   store_->count(pairs.size() - missing.size(), missing.size());
 
-  const auto made = gathered<Sum>(crew, missing.size(), kBlock,
+  const auto made = gathered<Sum>(executor, missing.size(), kBlock,
                                   [&](std::size_t k, std::vector<Sum>& out) { out.push_back(make(missing[k])); });
   for (std::size_t k = 0; k < missing.size(); ++k) store_->keep(missing[k], made[k]);
 
@@ -260,4 +262,4 @@ CacheCounts SumCache::counts() const {
   return counts;
 }
 
-}  // namespace selvage
+}  // namespace selvage::minkowski

@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/crew.h"
-#include "core/geometry/outline.h"
+#include "core/base/executor.h"
 #include "core/minkowski/sum.h"
+#include "core/outline/outline.h"
 
-namespace selvage {
+namespace selvage::minkowski {
 
 struct CacheCounts {
   std::uint64_t hits{}, misses{};
@@ -49,7 +49,8 @@ class Obstacle {
   bool mirrored_;  // the sum is that of P relative to Q: -(P (+) -Q)
 };
 
-using OutlinePair = std::pair<const OrientedOutline*, const OrientedOutline*>;  // P and Q, neither null
+using OutlinePair =
+    std::pair<const outline::OrientedOutline*, const outline::OrientedOutline*>;  // P and Q, neither null
 
 class SumCache {
  public:
@@ -60,16 +61,17 @@ class SumCache {
   SumCache& operator=(const SumCache&) = delete;
 
   // Finds or makes the outline of a polygon.  It is forgotten like a sum.
-  [[nodiscard]] std::shared_ptr<const Outline> outline(const Polygon& polygon);
+  [[nodiscard]] std::shared_ptr<const outline::Outline> outline(const Polygon& polygon);
 
   // Finds or makes the outline of what simplified_outward (core/geometry/outward.h) makes of the polygon: the very same
   // one when that is nothing else.
-  [[nodiscard]] std::shared_ptr<const Outline> grown(const std::shared_ptr<const Outline>& outline, Coord tolerance);
+  [[nodiscard]] std::shared_ptr<const outline::Outline> grown(const std::shared_ptr<const outline::Outline>& outline,
+                                                              Coord tolerance);
 
   // Finds or makes the sum.  The least recently used entries go when the limit is passed; whoever holds one keeps it.
-  [[nodiscard]] Obstacle obstacle(const OrientedOutline& p, const OrientedOutline& q);
+  [[nodiscard]] Obstacle obstacle(const outline::OrientedOutline& p, const outline::OrientedOutline& q);
   // One to each pair.  Sums that are not there yet are made by the crew, each of them once.
-  [[nodiscard]] std::vector<Obstacle> obstacles(std::span<const OutlinePair> pairs, const Crew& crew);
+  [[nodiscard]] std::vector<Obstacle> obstacles(std::span<const OutlinePair> pairs, const Executor& executor);
 
   [[nodiscard]] CacheCounts counts() const;
 
@@ -78,4 +80,9 @@ class SumCache {
   std::unique_ptr<Store> store_;
 };
 
+}  // namespace selvage::minkowski
+
+// Vocabulary: named in selvage itself as well, so that every room may use it unqualified.
+namespace selvage {
+using minkowski::SumCache;
 }  // namespace selvage

@@ -3,7 +3,7 @@
 
 #include "core/minkowski/sum.h"
 
-namespace selvage {
+namespace selvage::minkowski {
 
 // Calls visit(edge) for every edge whose box touches `window`; in the order of the edges.
 template <class Visit>
@@ -22,4 +22,4 @@ void for_each_edge_near(const MinkowskiSum& sum, const Box& window, Visit visit)
   if (!edges.empty()) descend(descend, tree.levels(), 0);
 }
 
-}  // namespace selvage
+}  // namespace selvage::minkowski

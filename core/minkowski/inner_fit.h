@@ -3,11 +3,11 @@
 
 #include "core/geometry/lattice.h"
 
-namespace selvage {
+namespace selvage::minkowski {
 
 // Positions of a piece with box `piece` that keep it within `room`; empty (high < low) when it does not fit.
 [[nodiscard]] constexpr Box inner_fit(const Box& piece, const Box& room) {
   return {room.low - piece.low, room.high - piece.high};
 }
 
-}  // namespace selvage
+}  // namespace selvage::minkowski

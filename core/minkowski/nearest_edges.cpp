@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace selvage {
+namespace selvage::minkowski {
 namespace {
 
 // The nearest point of the segment to the origin of (ax, ay), as a parameter along it.
@@ -30,7 +30,7 @@ double NearestEdges::squared_distance(const Box& box) const {
   return dx * dx + dy * dy;
 }
 
-double NearestEdges::squared_distance(const SumEdge& edge) const {
+double NearestEdges::squared_distance(const convolution::SumEdge& edge) const {
   const auto ax = static_cast<double>(edge.from.x - from_.x);
   const auto ay = static_cast<double>(edge.from.y - from_.y);
   const auto dx = static_cast<double>(edge.to.x - edge.from.x);
@@ -45,7 +45,7 @@ BoundaryPoint nearest_boundary_point(const MinkowskiSum& sum, Vec from) {
   NearestEdges edges{sum, from, std::numeric_limits<double>::infinity()};
   const auto nearest = edges.next([](const Box&) { return false; });
   if (!nearest) return {{}, std::numeric_limits<double>::infinity(), nullptr};  // a sum of nothing but rounding
-  const SumEdge& e = *nearest->edge;
+  const convolution::SumEdge& e = *nearest->edge;
   const auto dx = static_cast<double>(e.to.x - e.from.x);
   const auto dy = static_cast<double>(e.to.y - e.from.y);
   const double t =
@@ -55,4 +55,4 @@ BoundaryPoint nearest_boundary_point(const MinkowskiSum& sum, Vec from) {
           &e};
 }
 
-}  // namespace selvage
+}  // namespace selvage::minkowski

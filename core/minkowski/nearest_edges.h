@@ -9,12 +9,12 @@
 
 #include "core/minkowski/sum.h"
 
-namespace selvage {
+namespace selvage::minkowski {
 
 class NearestEdges {
  public:
   struct Near {
-    const SumEdge* edge{};
+    const convolution::SumEdge* edge{};
     double squared_distance{};  // from the point to the edge; lattice units squared
   };
 
@@ -39,7 +39,7 @@ class NearestEdges {
   }
   void push(std::uint32_t level, std::size_t index);
   [[nodiscard]] double squared_distance(const Box& box) const;
-  [[nodiscard]] double squared_distance(const SumEdge& edge) const;
+  [[nodiscard]] double squared_distance(const convolution::SumEdge& edge) const;
 
   const MinkowskiSum& sum_;
   Vec from_;
@@ -49,9 +49,9 @@ class NearestEdges {
 
 // The nearest point of the sum's boundary, and its distance; infinitely far, without an edge, when the sum shows none.
 struct BoundaryPoint {
-  Real2 at;
+  outline::Real2 at;
   double distance{};
-  const SumEdge* edge{};
+  const convolution::SumEdge* edge{};
 };
 [[nodiscard]] BoundaryPoint nearest_boundary_point(const MinkowskiSum& sum, Vec from);
 
@@ -70,4 +70,4 @@ std::optional<NearestEdges::Near> NearestEdges::next(Skip skip) {
   return std::nullopt;
 }
 
-}  // namespace selvage
+}  // namespace selvage::minkowski

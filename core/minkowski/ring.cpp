@@ -5,15 +5,15 @@
 
 #include "core/geometry/pseudo_angle.h"
 
-namespace selvage {
+namespace selvage::minkowski {
 namespace {
 
 double angle_of(double x, double y) {
-  return x == 0 && y == 0 ? 0 : pseudo_angle(x, y);
+  return x == 0 && y == 0 ? 0 : geometry::pseudo_angle(x, y);
 }
 
 // Both on one exact line, in one direction.
-bool run_along(const SumEdge& e, const SumEdge& f) {
+bool run_along(const convolution::SumEdge& e, const convolution::SumEdge& f) {
   const Vec along = e.line_to - e.line_from;
   const Vec other = f.line_to - f.line_from;
   return cross(along, other) == 0 && cross(along, f.line_from - e.line_from) == 0 && dot(along, other) > 0;
@@ -21,9 +21,9 @@ bool run_along(const SumEdge& e, const SumEdge& f) {
 
 }  // namespace
 
-Ring::Ring(const StarSum& sum) : centre_{sum.centre} {
+Ring::Ring(const convolution::StarSum& sum) : centre_{sum.centre} {
   corners_.reserve(sum.edges.size());
-  for (const SumEdge& e : sum.edges) {
+  for (const convolution::SumEdge& e : sum.edges) {
     const double x = static_cast<double>(e.from.x) - centre_.x;
     const double y = static_cast<double>(e.from.y) - centre_.y;
     const auto dx = static_cast<double>(e.line_to.x - e.line_from.x);
@@ -42,13 +42,13 @@ std::size_t Ring::corner_before(double angle) const {
   return after == corners_.begin() ? corners_.size() - 1 : static_cast<std::size_t>(after - corners_.begin()) - 1;
 }
 
-bool Ring::holds(Real2 point, double margin) const {
+bool Ring::holds(outline::Real2 point, double margin) const {
   const double x = point.x - centre_.x;
   const double y = point.y - centre_.y;
   return depth(corners_[corner_before(angle_of(x, y))], x, y) > margin;
 }
 
-void Ring::append_inside(const SumEdge& edge, double margin, bool own_edges, Stretches& stretches) const {
+void Ring::append_inside(const convolution::SumEdge& edge, double margin, bool own_edges, Stretches& stretches) const {
   Question question{static_cast<double>(edge.from.x) - centre_.x,
                     static_cast<double>(edge.from.y) - centre_.y,
                     static_cast<double>(edge.to.x) - centre_.x,
@@ -99,8 +99,8 @@ void Ring::append_turning(const Question& question, Stretches& stretches) const 
   for (std::size_t step = 0; step <= n && t < 1; ++step, k = k + 1 == n ? 0 : k + 1) {
     const Corner& next = corners_[k + 1 == n ? 0 : k + 1];
     // How far along the segment the next corner's ray is, if the segment gets there.
-    const double to_end = end >= left ? end - left : end - left + kFullTurn;
-    const double to_next = next.angle > left ? next.angle - left : next.angle - left + kFullTurn;
+    const double to_end = end >= left ? end - left : end - left + geometry::kFullTurn;
+    const double to_next = next.angle > left ? next.angle - left : next.angle - left + geometry::kFullTurn;
     double t_next = 1;
     if (to_next < to_end) {
       const double across = next.x * dy - next.y * dx;
@@ -144,4 +144,4 @@ void Ring::append_radial(const Question& question, Stretches& stretches) const {
   }
 }
 
-}  // namespace selvage
+}  // namespace selvage::minkowski

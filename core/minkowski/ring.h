@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/minkowski/star_sum.h"
+#include "core/minkowski/convolution/star_sum.h"
 
-namespace selvage {
+namespace selvage::minkowski {
 
 using Stretches = std::vector<std::pair<double, double>>;
 
@@ -14,21 +14,21 @@ using Stretches = std::vector<std::pair<double, double>>;
 class Ring {
  public:
   // `sum` must outlive it.
-  explicit Ring(const StarSum& sum);
+  explicit Ring(const convolution::StarSum& sum);
 
   // Inside by more than `margin` lattice units, measured from the edge that faces the point.
-  [[nodiscard]] bool holds(Real2 point, double margin) const;
+  [[nodiscard]] bool holds(outline::Real2 point, double margin) const;
 
   // The stretches [t0, t1] of another ring's edge (t = 0 where it begins, 1 where it ends) that lie inside by more than
   // `margin`; appended, not sorted.  Stretches that run along one of the ring's own edges, on the same exact line and
   // in its direction, count as inside with `own_edges`, and else as outside.
-  void append_inside(const SumEdge& edge, double margin, bool own_edges, Stretches& stretches) const;
+  void append_inside(const convolution::SumEdge& edge, double margin, bool own_edges, Stretches& stretches) const;
 
  private:
   struct Corner {
     double angle{}, x{}, y{};  // where an edge begins, relative to the centre
     double dx{}, dy{};         // the edge's unit direction, that of its exact line
-    const SumEdge* edge{};
+    const convolution::SumEdge* edge{};
   };
   [[nodiscard]] std::size_t corner_before(double angle) const;
   [[nodiscard]] double depth(const Corner& corner, double x, double y) const {
@@ -37,7 +37,7 @@ class Ring {
   // A segment in the ring's frame, with what append_inside was asked.
   struct Question {
     double ax{}, ay{}, bx{}, by{};
-    const SumEdge* edge{};
+    const convolution::SumEdge* edge{};
     double margin{};
     bool own_edges{};
     bool reversed{};  // a and b were exchanged
@@ -46,8 +46,8 @@ class Ring {
   void append_turning(const Question& question, Stretches& stretches) const;
   void append_radial(const Question& question, Stretches& stretches) const;
 
-  Real2 centre_;
+  outline::Real2 centre_;
   std::vector<Corner> corners_;
 };
 
-}  // namespace selvage
+}  // namespace selvage::minkowski

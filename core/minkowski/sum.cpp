@@ -4,34 +4,34 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/minkowski/convex_sum.h"
+#include "core/minkowski/convolution/convex_sum.h"
 #include "core/minkowski/ring.h"
 
-namespace selvage {
+namespace selvage::minkowski {
 namespace {
 
 // Edges within this many units of another ring's boundary are kept: rounded ends cannot say which side they are on.
 constexpr double kHidden = 1.0;
 
-Box box_of_edges(std::span<const SumEdge> edges) {
+Box box_of_edges(std::span<const convolution::SumEdge> edges) {
   Box box{edges.front().from, edges.front().from};
-  for (const SumEdge& e : edges) {
+  for (const convolution::SumEdge& e : edges) {
     box.low = {std::min(box.low.x, e.from.x), std::min(box.low.y, e.from.y)};
     box.high = {std::max(box.high.x, e.from.x), std::max(box.high.y, e.from.y)};
   }
   return box;
 }
 
-Real2 real(Vec v) {
+outline::Real2 real(Vec v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y)};
 }
 
 // Takes the stretches inside other rings out of each edge.
 class Visibility {
  public:
-  Visibility(std::span<const StarSum> rings, std::span<const Box> boxes) : sums_{rings}, boxes_{boxes} {
+  Visibility(std::span<const convolution::StarSum> rings, std::span<const Box> boxes) : sums_{rings}, boxes_{boxes} {
     rings_.reserve(rings.size());
-    for (const StarSum& s : rings) rings_.emplace_back(s);
+    for (const convolution::StarSum& s : rings) rings_.emplace_back(s);
     // Large rings hide most: ask them first.
     order_.resize(rings.size());
     std::iota(order_.begin(), order_.end(), std::size_t{0});
@@ -41,10 +41,10 @@ class Visibility {
     std::stable_sort(order_.begin(), order_.end(), [&](auto a, auto b) { return size(a) > size(b); });
   }
 
-  std::vector<SumEdge> visible_edges() {
-    std::vector<SumEdge> visible;
+  std::vector<convolution::SumEdge> visible_edges() {
+    std::vector<convolution::SumEdge> visible;
     for (std::size_t r = 0; r < sums_.size(); ++r) {
-      for (const SumEdge& e : sums_[r].edges) {
+      for (const convolution::SumEdge& e : sums_[r].edges) {
         if (!e.inner) append_visible(r, e, visible);
       }
     }
@@ -52,9 +52,9 @@ class Visibility {
   }
 
  private:
-  void append_visible(std::size_t own, const SumEdge& edge, std::vector<SumEdge>& visible) {
-    const Real2 a = real(edge.from);
-    const Real2 b = real(edge.to);
+  void append_visible(std::size_t own, const convolution::SumEdge& edge, std::vector<convolution::SumEdge>& visible) {
+    const outline::Real2 a = real(edge.from);
+    const outline::Real2 b = real(edge.to);
     const Box box = box_of(edge);
     const double least = 2 * kHidden / std::hypot(b.x - a.x, b.y - a.y);  // shorter stretches are rounding
     shown_ = {{0.0, 1.0}};
@@ -70,7 +70,7 @@ class Visibility {
       const auto at = [&](double t) {
         return Vec{std::llround(a.x + t * (b.x - a.x)), std::llround(a.y + t * (b.y - a.y))};
       };
-      SumEdge part = edge;
+      convolution::SumEdge part = edge;
       if (from > 0) part.from = at(from);
       if (to < 1) part.to = at(to);
       visible.push_back(part);
@@ -79,7 +79,7 @@ class Visibility {
 
   // Takes what ring r hides of the edge out of shown_.  Of several edges along one line, the first ring's
   // shows.
-  void hide_behind(std::size_t r, std::size_t own, const SumEdge& edge, const Box& box, double least) {
+  void hide_behind(std::size_t r, std::size_t own, const convolution::SumEdge& edge, const Box& box, double least) {
     if (!boxes_[r].touches(box)) return;
     hidden_.clear();
     rings_[r].append_inside(edge, kHidden, r < own, hidden_);
@@ -93,7 +93,7 @@ class Visibility {
     }
   }
 
-  std::span<const StarSum> sums_;
+  std::span<const convolution::StarSum> sums_;
   std::span<const Box> boxes_;
   std::vector<Ring> rings_;
   std::size_t last_hider_{};
@@ -103,16 +103,16 @@ class Visibility {
 
 }  // namespace
 
-MinkowskiSum::MinkowskiSum(std::vector<StarSum> rings) : rings_{std::move(rings)} {
+MinkowskiSum::MinkowskiSum(std::vector<convolution::StarSum> rings) : rings_{std::move(rings)} {
   ring_boxes_.reserve(rings_.size());
-  for (const StarSum& s : rings_) ring_boxes_.push_back(box_of_edges(s.edges));
+  for (const convolution::StarSum& s : rings_) ring_boxes_.push_back(box_of_edges(s.edges));
   if (rings_.size() > 1) visible_ = Visibility{rings_, ring_boxes_}.visible_edges();
   box_ = ring_boxes_.front();
   for (const Box& b : ring_boxes_) box_ = united(box_, b);
   tree_ = BoxTree{edges()};
 }
 
-bool MinkowskiSum::contains(Real2 point) const {
+bool MinkowskiSum::contains(outline::Real2 point) const {
   for (std::size_t r = 0; r < rings_.size(); ++r) {
     const Box& b = ring_boxes_[r];
     if (point.x <= static_cast<double>(b.low.x) || point.x >= static_cast<double>(b.high.x) ||
@@ -125,30 +125,30 @@ bool MinkowskiSum::contains(Real2 point) const {
 }
 
 std::size_t MinkowskiSum::bytes() const {
-  std::size_t total =
-      sizeof *this + visible_.capacity() * sizeof(SumEdge) + ring_boxes_.capacity() * sizeof(Box) + tree_.bytes();
-  for (const StarSum& s : rings_) total += sizeof s + s.edges.capacity() * sizeof(SumEdge);
+  std::size_t total = sizeof *this + visible_.capacity() * sizeof(convolution::SumEdge) +
+                      ring_boxes_.capacity() * sizeof(Box) + tree_.bytes();
+  for (const convolution::StarSum& s : rings_) total += sizeof s + s.edges.capacity() * sizeof(convolution::SumEdge);
   return total;
 }
 
-MinkowskiSum minkowski_sum(std::span<const StarPart> first, std::span<const StarPart> second) {
-  std::vector<StarSum> rings;
+MinkowskiSum minkowski_sum(std::span<const outline::StarPart> first, std::span<const outline::StarPart> second) {
+  std::vector<convolution::StarSum> rings;
   rings.reserve(first.size() * second.size());
-  for (const StarPart& a : first) {
+  for (const outline::StarPart& a : first) {
     const bool a_convex = is_convex(a.vertices);
-    for (const StarPart& b : second) {
-      rings.push_back(a_convex && is_convex(b.vertices) ? convex_sum(a, b) : star_sum(a, b));
+    for (const outline::StarPart& b : second) {
+      rings.push_back(a_convex && is_convex(b.vertices) ? convolution::convex_sum(a, b) : convolution::star_sum(a, b));
     }
   }
   return MinkowskiSum{std::move(rings)};
 }
 
-MinkowskiSum obstacle_sum(const Outline& p, const Outline& q, Symmetry relative) {
+MinkowskiSum obstacle_sum(const outline::Outline& p, const outline::Outline& q, Symmetry relative) {
   const Symmetry mirrored = Symmetry{false, 2}.after(relative);
-  std::vector<StarPart> moved;
+  std::vector<outline::StarPart> moved;
   moved.reserve(q.parts.size());
-  for (const StarPart& part : q.parts) moved.push_back(transformed(part, mirrored));
+  for (const outline::StarPart& part : q.parts) moved.push_back(transformed(part, mirrored));
   return minkowski_sum(p.parts, moved);
 }
 
-}  // namespace selvage
+}  // namespace selvage::minkowski

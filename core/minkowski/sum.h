@@ -9,39 +9,42 @@
 #include <span>
 #include <vector>
 
-#include "core/geometry/outline.h"
 #include "core/minkowski/box_tree.h"
-#include "core/minkowski/star_sum.h"
+#include "core/minkowski/convolution/star_sum.h"
+#include "core/outline/outline.h"
 
-namespace selvage {
+namespace selvage::minkowski {
 
 class MinkowskiSum {
  public:
-  explicit MinkowskiSum(std::vector<StarSum> rings);
+  explicit MinkowskiSum(std::vector<convolution::StarSum> rings);
 
   // The edges of the union's boundary; those of one ring follow each other.  Edges inside another ring are left out.
-  [[nodiscard]] std::span<const SumEdge> edges() const { return rings_.size() == 1 ? rings_[0].edges : visible_; }
+  [[nodiscard]] std::span<const convolution::SumEdge> edges() const {
+    return rings_.size() == 1 ? rings_[0].edges : visible_;
+  }
   // The star sums whose union this is.
-  [[nodiscard]] std::span<const StarSum> rings() const { return rings_; }
+  [[nodiscard]] std::span<const convolution::StarSum> rings() const { return rings_; }
   [[nodiscard]] const Box& box() const { return box_; }
   // True when the point lies inside by more than rounding.
-  [[nodiscard]] bool contains(Real2 point) const;
+  [[nodiscard]] bool contains(outline::Real2 point) const;
   [[nodiscard]] std::size_t bytes() const;
 
   // Over edges().
   [[nodiscard]] const BoxTree& tree() const { return tree_; }
 
  private:
-  std::vector<StarSum> rings_;
+  std::vector<convolution::StarSum> rings_;
   std::vector<Box> ring_boxes_;
-  std::vector<SumEdge> visible_;  // only when there are several rings
+  std::vector<convolution::SumEdge> visible_;  // only when there are several rings
   BoxTree tree_;
   Box box_;
 };
 
 // P (+) Q.
-[[nodiscard]] MinkowskiSum minkowski_sum(std::span<const StarPart> first, std::span<const StarPart> second);
+[[nodiscard]] MinkowskiSum minkowski_sum(std::span<const outline::StarPart> first,
+                                         std::span<const outline::StarPart> second);
 // P (+) -(Q under `relative`): what the relative position of Q to P must stay out of.
-[[nodiscard]] MinkowskiSum obstacle_sum(const Outline& p, const Outline& q, Symmetry relative);
+[[nodiscard]] MinkowskiSum obstacle_sum(const outline::Outline& p, const outline::Outline& q, Symmetry relative);
 
-}  // namespace selvage
+}  // namespace selvage::minkowski

@@ -8,7 +8,7 @@
 #include "core/geometry/pseudo_angle.h"
 #include "core/minkowski/nearest_edges.h"
 
-namespace selvage {
+namespace selvage::model {
 namespace {
 
 // Rounded ends of edges may lie this far on the wrong side of a neighbour's line; lattice units.
@@ -16,13 +16,13 @@ constexpr double kRounding = 1.5;
 // Positions may lie this deep behind an edge's line and still be taken to face it.
 constexpr double kFacing = 3.0;
 
-HalfPlane side_along(const SumEdge& edge) {
+HalfPlane side_along(const minkowski::convolution::SumEdge& edge) {
   return {edge.line_from, edge.line_to - edge.line_from};
 }
 
 // The half-plane that cuts an edge off: its own line, or, when that passes too near for the spacing, the line through
 // its nearest point to r, square to the way there.
-HalfPlane cut_before(const SumEdge& edge, Vec r, Coord spacing) {
+HalfPlane cut_before(const minkowski::convolution::SumEdge& edge, Vec r, Coord spacing) {
   const HalfPlane along = side_along(edge);
   if (spacing == 0 || slack_of(along, r) >= static_cast<double>(spacing)) return along;
   const Wide past_from = dot(r - edge.from, edge.to - edge.from);
@@ -58,7 +58,7 @@ class Cell {
     sides_.push_back(side_of_plane(plane, r_));
   }
   // True when no part of the edge lies inside by more than rounding.
-  [[nodiscard]] bool excludes(const SumEdge& edge) const {
+  [[nodiscard]] bool excludes(const minkowski::convolution::SumEdge& edge) const {
     const auto ax = static_cast<double>(edge.from.x - r_.x);
     const auto ay = static_cast<double>(edge.from.y - r_.y);
     const auto bx = static_cast<double>(edge.to.x - r_.x);
@@ -97,7 +97,7 @@ class Cell {
 // better.
 class GreedyRegion {
  public:
-  GreedyRegion(const MinkowskiSum& sum, Vec r, const RegionSettings& settings)
+  GreedyRegion(const minkowski::MinkowskiSum& sum, Vec r, const RegionSettings& settings)
       : r_{r}, settings_{settings}, cell_{r}, edges_{sum, r, settings.reach} {}
 
   std::vector<HalfPlane> run() {
@@ -117,16 +117,19 @@ class GreedyRegion {
  private:
   void cut_tied() {
     for (;;) {
-      const auto excluded = [&](const SumEdge* edge) { return cell_.excludes(*edge); };
+      const auto excluded = [&](const minkowski::convolution::SumEdge* edge) { return cell_.excludes(*edge); };
       tied_.erase(std::remove_if(tied_.begin(), tied_.end(), excluded), tied_.end());
       if (tied_.empty()) return;
-      const auto best = std::max_element(tied_.begin(), tied_.end(),
-                                         [&](const SumEdge* a, const SumEdge* b) { return merit(*a) < merit(*b); });
+      const auto best =
+          std::max_element(tied_.begin(), tied_.end(),
+                           [&](const minkowski::convolution::SumEdge* a, const minkowski::convolution::SumEdge* b) {
+                             return merit(*a) < merit(*b);
+                           });
       cell_.cut(cut_before(**best, r_, settings_.spacing));
       tied_.erase(best);
     }
   }
-  [[nodiscard]] double merit(const SumEdge& edge) const {
+  [[nodiscard]] double merit(const minkowski::convolution::SumEdge& edge) const {
     const HalfPlane line = side_along(edge);
     if (settings_.towards_x == 0 && settings_.towards_y == 0) return slack_of(line, r_);
     const Side side = side_of_plane(line, r_);
@@ -136,14 +139,14 @@ class GreedyRegion {
   Vec r_;
   const RegionSettings& settings_;
   Cell cell_;
-  NearestEdges edges_;
-  boost::container::small_vector<const SumEdge*, kAtOnce> tied_;
+  minkowski::NearestEdges edges_;
+  boost::container::small_vector<const minkowski::convolution::SumEdge*, kAtOnce> tied_;
 };
 
 // The thesis' walk about one star sum.
 class Walk {
  public:
-  Walk(const StarSum& ring, Vec r) : ring_{ring}, r_{r} {}
+  Walk(const minkowski::convolution::StarSum& ring, Vec r) : ring_{ring}, r_{r} {}
 
   std::vector<HalfPlane> run() {
     const std::size_t start = facing_edge();
@@ -161,14 +164,15 @@ class Walk {
     const double x = static_cast<double>(r_.x) - ring_.centre.x;
     const double y = static_cast<double>(r_.y) - ring_.centre.y;
     if (x == 0 && y == 0) return 0;
-    const double angle = pseudo_angle(x, y);
+    const double angle = geometry::pseudo_angle(x, y);
     std::size_t best = 0;
-    double least = kFullTurn;
+    double least = geometry::kFullTurn;
     for (std::size_t k = 0; k < size(); ++k) {
       const Vec from = ring_.edges[k].from;
       const double fx = static_cast<double>(from.x) - ring_.centre.x;
       const double fy = static_cast<double>(from.y) - ring_.centre.y;
-      const double behind = std::fmod(angle - pseudo_angle(fx, fy) + kFullTurn, kFullTurn);
+      const double behind =
+          std::fmod(angle - geometry::pseudo_angle(fx, fy) + geometry::kFullTurn, geometry::kFullTurn);
       if (behind < least) {
         least = behind;
         best = k;
@@ -188,7 +192,7 @@ class Walk {
     const Vec start = current.direction;
     for (std::size_t step = 1; step < size(); ++step) {
       k = counter_clockwise ? (k + 1) % size() : (k + size() - 1) % size();
-      const SumEdge& edge = ring_.edges[k];
+      const minkowski::convolution::SumEdge& edge = ring_.edges[k];
       if (slack_of(current, counter_clockwise ? edge.to : edge.from) <= kRounding) continue;
       if (!ahead(current, edge, counter_clockwise) || !take(k)) continue;
       current = side_along(edge);
@@ -196,7 +200,8 @@ class Walk {
     }
   }
   // The edge comes over the line on the side that the walk goes to.
-  [[nodiscard]] bool ahead(const HalfPlane& line, const SumEdge& edge, bool counter_clockwise) const {
+  [[nodiscard]] bool ahead(const HalfPlane& line, const minkowski::convolution::SumEdge& edge,
+                           bool counter_clockwise) const {
     const Vec to = (counter_clockwise ? edge.to : edge.from) - r_;
     const Wide along = dot(to, line.direction);
     return counter_clockwise ? along > 0 : along < 0;
@@ -206,14 +211,14 @@ class Walk {
     return counter_clockwise ? turn > 0 : turn < 0;  // outward turns are the other way
   }
 
-  const StarSum& ring_;
+  const minkowski::convolution::StarSum& ring_;
   Vec r_;
   std::vector<HalfPlane> planes_;
 };
 
-std::vector<HalfPlane> walk_region(const MinkowskiSum& sum, Vec r) {
+std::vector<HalfPlane> walk_region(const minkowski::MinkowskiSum& sum, Vec r) {
   std::vector<HalfPlane> planes;
-  for (const StarSum& ring : sum.rings()) {
+  for (const minkowski::convolution::StarSum& ring : sum.rings()) {
     const auto about_ring = Walk{ring, r}.run();
     planes.insert(planes.end(), about_ring.begin(), about_ring.end());
   }
@@ -228,7 +233,7 @@ double slack_of(const HalfPlane& side, Vec r) {
   return -static_cast<double>(cross(side.direction, r - side.anchor)) / std::sqrt(dx * dx + dy * dy);
 }
 
-std::vector<HalfPlane> free_region(const Obstacle& obstacle, Vec r, const RegionSettings& settings) {
+std::vector<HalfPlane> free_region(const minkowski::Obstacle& obstacle, Vec r, const RegionSettings& settings) {
   const Vec at = obstacle.to_frame(r);
   std::vector<HalfPlane> planes;
   if (settings.rule == RegionRule::kWalk && settings.spacing == 0) {
@@ -248,4 +253,4 @@ std::vector<HalfPlane> free_region(const Obstacle& obstacle, Vec r, const Region
   return planes;
 }
 
-}  // namespace selvage
+}  // namespace selvage::model

@@ -6,7 +6,7 @@
 
 #include "core/minkowski/cache.h"
 
-namespace selvage {
+namespace selvage::model {
 
 // How a region is chosen.
 enum class RegionRule {
@@ -35,6 +35,7 @@ struct RegionSettings {
 // to the way there [Li94 7.2 moves lines only], which r keeps its distance from whenever the pieces do; the walk knows
 // no such lines and gives way to the greedy rule. Edges that r is behind by no more than rounding count as facing it:
 // the half-planes then ask for r to come out.
-[[nodiscard]] std::vector<HalfPlane> free_region(const Obstacle& obstacle, Vec r, const RegionSettings& settings);
+[[nodiscard]] std::vector<HalfPlane> free_region(const minkowski::Obstacle& obstacle, Vec r,
+                                                 const RegionSettings& settings);
 
-}  // namespace selvage
+}  // namespace selvage::model

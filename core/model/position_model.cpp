@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace selvage {
+namespace selvage::model {
 namespace {
 
 constexpr double kUnitsAcross = 1000;     // column units in a strip's width
@@ -12,7 +12,7 @@ constexpr double kSolverResidual = 1e-9;  // column units by which a solver may 
 
 }  // namespace
 
-PairRow row_of(PiecePair pair, const HalfPlane& side, Vec r, Coord spacing, double unit, TightRows tight) {
+PairRow row_of(marker::PiecePair pair, const HalfPlane& side, Vec r, Coord spacing, double unit, TightRows tight) {
   const auto dx = static_cast<double>(side.direction.x);
   const auto dy = static_cast<double>(side.direction.y);
   const double length = std::sqrt(dx * dx + dy * dy);
@@ -25,7 +25,7 @@ PairRow row_of(PiecePair pair, const HalfPlane& side, Vec r, Coord spacing, doub
   return row;
 }
 
-PositionModel::PositionModel(const PlacedPieces& pieces, const Strip& strip, const Ties& ties)
+PositionModel::PositionModel(const marker::PlacedPieces& pieces, const Strip& strip, const Ties& ties)
     : pieces_{pieces},
       unit_{static_cast<double>(strip.width) / kUnitsAcross},
       length_{pieces.length()},
@@ -39,7 +39,7 @@ PositionModel::PositionModel(const PlacedPieces& pieces, const Strip& strip, con
     const Box box = pieces.box(i);
     const auto way = [&](Coord from, Coord to) { return static_cast<double>(to - from) / unit_; };
     if (ties.x[i] != Ties::kFixed) {
-      bound(x_of[ties.x[i]], way(box.low.x, room.low.x), strip.longest ? way(box.high.x, room.high.x) : kInfinity);
+      bound(x_of[ties.x[i]], way(box.low.x, room.low.x), strip.longest ? way(box.high.x, room.high.x) : lp::kInfinity);
       x_[i] = x_of[ties.x[i]];
     }
     if (ties.y[i] != Ties::kFixed) {
@@ -89,7 +89,7 @@ void PositionModel::add_length(double cost, double shorten, double lengthen) {
 void PositionModel::add_right_wall(std::size_t piece) {
   const double room = static_cast<double>(length_ - pieces_.box(piece).high.x) / unit_;
   if (x_[piece] != kNone) {
-    const std::array<LinearProgram::Entry, 2> entries{{{length_column_, 1}, {x_[piece], -1}}};
+    const std::array<lp::LinearProgram::Entry, 2> entries{{{length_column_, 1}, {x_[piece], -1}}};
     wall_row_[piece] = program_.add_row(entries, -room);
   } else {
     wall_row_[piece] = kWallIsBound;
@@ -107,7 +107,7 @@ void PositionModel::add_cost(std::size_t piece, double x, double y) {
   if (y_[piece] != kNone) program_.cost[static_cast<std::size_t>(y_[piece])] += y;
 }
 
-void PositionModel::add_stillness(double cost, std::span<const Vec> home) {
+void PositionModel::add_displacement_penalty(double cost, std::span<const Vec> home) {
   std::vector<char> counted(program_.cost.size());  // tied pieces once
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const Vec away = home.empty() ? Vec{} : pieces_.at(i) - home[i];
@@ -116,9 +116,9 @@ void PositionModel::add_stillness(double cost, std::span<const Vec> home) {
       counted[static_cast<std::size_t>(column)] = 1;
       // |away + d| is the least t with t >= away + d and t >= -(away + d).
       const double bound = static_cast<double>(offset) / unit_;
-      const int magnitude = program_.add_column(cost, 0, kInfinity);
-      program_.add_row(std::array<LinearProgram::Entry, 2>{{{magnitude, 1}, {column, -1}}}, bound);
-      program_.add_row(std::array<LinearProgram::Entry, 2>{{{magnitude, 1}, {column, 1}}}, -bound);
+      const int magnitude = program_.add_column(cost, 0, lp::kInfinity);
+      program_.add_row(std::array<lp::LinearProgram::Entry, 2>{{{magnitude, 1}, {column, -1}}}, bound);
+      program_.add_row(std::array<lp::LinearProgram::Entry, 2>{{{magnitude, 1}, {column, 1}}}, -bound);
     }
   }
 }
@@ -136,4 +136,4 @@ double PositionModel::length_change(std::span<const double> x) const {
   return length_column_ < 0 ? 0 : x[static_cast<std::size_t>(length_column_)] * unit_;
 }
 
-}  // namespace selvage
+}  // namespace selvage::model

@@ -17,11 +17,11 @@
 #include "core/model/free_region.h"
 #include "core/model/ties.h"
 
-namespace selvage {
+namespace selvage::model {
 
 // normal . (displacement of pair.second - displacement of pair.first) >= bound, lattice units.
 struct PairRow {
-  PiecePair pair;
+  marker::PiecePair pair;
   double nx{}, ny{};
   double bound{};
 };
@@ -34,7 +34,8 @@ enum class TightRows {
 
 // The row that keeps q - p inside a half-plane moved outwards by the spacing.  A slanted row asks for a margin that
 // covers the rounding of displacements to the lattice and of the solver; rows along the axes need none.
-[[nodiscard]] PairRow row_of(PiecePair pair, const HalfPlane& side, Vec r, Coord spacing, double unit, TightRows tight);
+[[nodiscard]] PairRow row_of(marker::PiecePair pair, const HalfPlane& side, Vec r, Coord spacing, double unit,
+                             TightRows tight);
 
 struct Displacement {
   double x{}, y{};  // lattice units
@@ -42,17 +43,17 @@ struct Displacement {
 
 // The entries of a row on a pair: at most two columns of each piece, and one more.
 struct Terms {
-  std::array<LinearProgram::Entry, 5> entries{};
+  std::array<lp::LinearProgram::Entry, 5> entries{};
   std::size_t count{};
   void add(int column, double value) { entries[count++] = {column, value}; }
-  [[nodiscard]] std::span<const LinearProgram::Entry> all() const { return std::span{entries}.first(count); }
+  [[nodiscard]] std::span<const lp::LinearProgram::Entry> all() const { return std::span{entries}.first(count); }
 };
 
 class PositionModel {
  public:
   // The strip's edges become bounds of the columns [Li94 4.1.3]; pieces that leave the strip now are asked to come
   // back.
-  PositionModel(const PlacedPieces& pieces, const Strip& strip, const Ties& ties);
+  PositionModel(const marker::PlacedPieces& pieces, const Strip& strip, const Ties& ties);
 
   // Lattice units in one unit of a column.
   [[nodiscard]] double unit() const { return unit_; }
@@ -71,10 +72,10 @@ class PositionModel {
   void add_cost(std::size_t piece, double x, double y);
   // Costs per unit of |x| and |y| of every displacement: one column and two rows for each.  With `home`, one position
   // per piece, what costs is the distance of each piece from its home; of tied ones, that of the first.
-  void add_stillness(double cost, std::span<const Vec> home = {});
+  void add_displacement_penalty(double cost, std::span<const Vec> home = {});
 
-  [[nodiscard]] const LinearProgram& program() const { return program_; }
-  [[nodiscard]] LinearProgram& program() { return program_; }
+  [[nodiscard]] const lp::LinearProgram& program() const { return program_; }
+  [[nodiscard]] lp::LinearProgram& program() { return program_; }
   // A piece's columns, or nothing where it is fixed.
   [[nodiscard]] std::optional<int> x_column(std::size_t piece) const { return some(x_[piece]); }
   [[nodiscard]] std::optional<int> y_column(std::size_t piece) const { return some(y_[piece]); }
@@ -90,7 +91,7 @@ class PositionModel {
   }
   void bound(int& column, double low, double high);
 
-  const PlacedPieces& pieces_;
+  const marker::PlacedPieces& pieces_;
   double unit_;
   Coord length_;
   std::vector<int> x_, y_;  // each piece's columns; kNone where it is fixed
@@ -98,7 +99,7 @@ class PositionModel {
   static constexpr int kWallIsBound = -1;
   std::vector<int> wall_row_;  // of each piece, or one of the two above
   int length_column_{-1};
-  LinearProgram program_;
+  lp::LinearProgram program_;
 };
 
-}  // namespace selvage
+}  // namespace selvage::model

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace selvage {
+namespace selvage::model {
 namespace {
 
 // The shift t in [0, 1] for which no value's fraction comes near a whole number.  0 is one of the values: what does not
@@ -42,4 +42,4 @@ std::vector<Vec> snapped(std::span<const Displacement> displacements) {
   return moves;
 }
 
-}  // namespace selvage
+}  // namespace selvage::model

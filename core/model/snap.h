@@ -12,8 +12,8 @@
 #include "core/geometry/lattice.h"
 #include "core/model/position_model.h"
 
-namespace selvage {
+namespace selvage::model {
 
 [[nodiscard]] std::vector<Vec> snapped(std::span<const Displacement> displacements);
 
-}  // namespace selvage
+}  // namespace selvage::model

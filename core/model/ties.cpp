@@ -4,7 +4,7 @@
 #include <map>
 #include <string_view>
 
-namespace selvage {
+namespace selvage::model {
 namespace {
 
 void join_on(std::vector<std::uint32_t>& axis, std::size_t p, std::size_t q) {
@@ -43,4 +43,4 @@ Ties ties_of(const Marker& marker) {
   return ties;
 }
 
-}  // namespace selvage
+}  // namespace selvage::model

@@ -8,7 +8,7 @@
 
 #include "core/marker/marker.h"
 
-namespace selvage {
+namespace selvage::model {
 
 struct Ties {
   static constexpr std::uint32_t kFixed = UINT32_MAX;
@@ -27,4 +27,4 @@ struct Ties {
 // A piece locked on an axis is fixed there, and with it its group.
 [[nodiscard]] Ties ties_of(const Marker& marker);
 
-}  // namespace selvage
+}  // namespace selvage::model

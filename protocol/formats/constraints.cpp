@@ -4,13 +4,13 @@
 #include <array>
 #include <iterator>
 
-namespace selvage {
+namespace selvage::protocol::formats {
 namespace {
 
-void lock_one(const Json& name, Locks& locks, const std::string& at, Mistake& mistake) {
+void lock_one(const Json& name, Locks& locks, const std::string& at, json::Mistake& mistake) {
   const auto* const word = std::find(std::begin(kLockNames), std::end(kLockNames), name);
   if (word == std::end(kLockNames)) {
-    mistake.add(ErrorCode::kOutOfRange, shortened(name) + " cannot be locked; x, y and tilt can", at);
+    mistake.add(ErrorCode::kOutOfRange, json::shortened(name) + " cannot be locked; x, y and tilt can", at);
     return;
   }
   const std::array<bool*, 3> flags{&locks.x, &locks.y, &locks.tilt};
@@ -19,12 +19,12 @@ void lock_one(const Json& name, Locks& locks, const std::string& at, Mistake& mi
 
 }  // namespace
 
-Locks locks_from(const Json& value, const std::string& at, Mistake& mistake) {
+Locks locks_from(const Json& value, const std::string& at, json::Mistake& mistake) {
   if (value.is_boolean()) return Locks{value.get<bool>()};
   Locks locks;
   if (!value.is_array()) {
     mistake.add(ErrorCode::kWrongType,
-                shortened(value) + R"( where true, false or a list of "x", "y", "tilt" is required)", at);
+                json::shortened(value) + R"( where true, false or a list of "x", "y", "tilt" is required)", at);
     return locks;
   }
   for (std::size_t k = 0; k < value.size() && !mistake; ++k)
@@ -42,7 +42,7 @@ Json locks_json(const Locks& locks) {
   return names;
 }
 
-void read_constraints(Fields& fields, Mistake& mistake, DecimalPiece& piece) {
+void read_constraints(json::Fields& fields, json::Mistake& mistake, DecimalPiece& piece) {
   if (const Json* locked = fields.maybe_any("locked")) {
     piece.piece.locked = locks_from(*locked, fields.pointer("locked"), mistake);
   }
@@ -56,4 +56,4 @@ void write_constraints(Json& json, const Marker& marker, const Piece& piece) {
   if (piece.buffer > 0) json["buffer"] = to_decimal(piece.buffer, marker.resolution);
 }
 
-}  // namespace selvage
+}  // namespace selvage::protocol::formats

@@ -3,21 +3,21 @@
 //   "locked": true, or the list of what is: "x", "y", "tilt"; "group": a name; "buffer": a length.
 #pragma once
 
-#include "protocol/fields.h"
 #include "protocol/formats/decimal_marker.h"
+#include "protocol/json/fields.h"
 
-namespace selvage {
+namespace selvage::protocol::formats {
 
 inline constexpr std::string_view kLockNames[] = {"x", "y", "tilt"};
 
 // Absent words leave the piece free.
-void read_constraints(Fields& fields, Mistake& mistake, DecimalPiece& piece);
+void read_constraints(json::Fields& fields, json::Mistake& mistake, DecimalPiece& piece);
 // Only what is not the default.
 void write_constraints(Json& json, const Marker& marker, const Piece& piece);
 
 // A value of "locked".
-[[nodiscard]] Locks locks_from(const Json& value, const std::string& at, Mistake& mistake);
+[[nodiscard]] Locks locks_from(const Json& value, const std::string& at, json::Mistake& mistake);
 // The shortest value of "locked" that says the same.
 [[nodiscard]] Json locks_json(const Locks& locks);
 
-}  // namespace selvage
+}  // namespace selvage::protocol::formats

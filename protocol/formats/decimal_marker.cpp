@@ -5,7 +5,7 @@
 #include <numbers>
 #include <unordered_map>
 
-namespace selvage {
+namespace selvage::protocol::formats {
 namespace {
 
 std::string indexed(std::string_view list, std::size_t index, std::string_view field = "") {
@@ -19,7 +19,7 @@ struct Survey {
   std::string farthest;
 
   void add(double value, const std::string& at) {
-    decimals = std::max(decimals, decimals_of(value));
+    decimals = std::max(decimals, geometry::decimals_of(value));
     reach(std::abs(value), at);
   }
   void reach(double distance, const std::string& at) {
@@ -53,13 +53,13 @@ Result<ShapeIndex> index_shapes(const DecimalMarker& written) {
   for (std::size_t i = 0; i < written.shapes.size(); ++i) {
     const std::string& id = written.shapes[i].shape.id;
     if (!index.emplace(id, i).second) {
-      return Error{ErrorCode::kDuplicateId, shortened(Json(id)) + " is the id of two shapes; ids must differ",
+      return Error{ErrorCode::kDuplicateId, json::shortened(Json(id)) + " is the id of two shapes; ids must differ",
                    indexed("/shapes/", i, "/id")};
     }
   }
   for (std::size_t i = 0; i < written.pieces.size(); ++i) {
     if (index.contains(written.pieces[i].shape)) continue;
-    return Error{ErrorCode::kUnknownShape, shortened(Json(written.pieces[i].shape)) + " is the id of no shape",
+    return Error{ErrorCode::kUnknownShape, json::shortened(Json(written.pieces[i].shape)) + " is the id of no shape",
                  indexed("/pieces/", i, "/shape")};
   }
   return index;
@@ -74,7 +74,7 @@ Survey survey(const DecimalMarker& written, const ShapeIndex& shapes) {
   for (std::size_t i = 0; i < written.shapes.size(); ++i) {
     const std::string at = indexed("/shapes/", i, "/outline");
     for (const Decimal& p : written.shapes[i].outline) {
-      all.decimals = std::max({all.decimals, decimals_of(p.x), decimals_of(p.y)});
+      all.decimals = std::max({all.decimals, geometry::decimals_of(p.x), geometry::decimals_of(p.y)});
       all.reach(largest(p), at);
     }
   }
@@ -94,15 +94,15 @@ Result<Resolution> settle_resolution(const DecimalMarker& written, const Survey&
   const double far = kFarthest * written.width;
   if (!(all.extent <= far)) {
     return Error{ErrorCode::kBeyondLattice,
-                 "reaches " + number_text(all.extent) + "; coordinates up to " + number_text(far) +
+                 "reaches " + json::number_text(all.extent) + "; coordinates up to " + json::number_text(far) +
                      " (100,000 strip widths) are allowed",
                  all.farthest};
   }
-  if (!written.resolution) return choose_resolution(all.decimals, all.extent, written.width);
+  if (!written.resolution) return geometry::choose_resolution(all.decimals, all.extent, written.width);
   if (!fits_lattice(all.extent, *written.resolution)) {
     return Error{ErrorCode::kBeyondLattice,
-                 "reaches " + number_text(all.extent) + "; with this resolution coordinates below " +
-                     number_text(to_decimal(kLatticeLimit, *written.resolution)) + " are allowed",
+                 "reaches " + json::number_text(all.extent) + "; with this resolution coordinates below " +
+                     json::number_text(to_decimal(kLatticeLimit, *written.resolution)) + " are allowed",
                  all.farthest};
   }
   return *written.resolution;
@@ -116,7 +116,7 @@ std::string count_of(std::size_t number, const std::string& one, const std::stri
   return std::to_string(number) + " " + (number == 1 ? one : many);
 }
 
-void note_repairs(std::vector<Note>& notes, const std::string& at, const Repairs& repairs) {
+void note_repairs(std::vector<Note>& notes, const std::string& at, const geometry::Repairs& repairs) {
   if (repairs.duplicate_vertices) {
     notes.push_back({at, count_of(repairs.duplicate_vertices, "repeated vertex", "repeated vertices") + " left out"});
   }
@@ -135,7 +135,7 @@ Result<Shape> shape_on_lattice(const DecimalShape& written, std::size_t index, R
   vertices.reserve(written.outline.size());
   for (const Decimal& p : written.outline) vertices.push_back(rounded(p, resolution));
   auto clean = clean_polygon(vertices);
-  if (!clean) return within(at, clean.error());
+  if (!clean) return json::within(at, clean.error());
   note_repairs(notes, at, clean->repairs);
   if (written.holes) {
     notes.push_back(
@@ -150,13 +150,13 @@ namespace {
 
 void note_rounding(std::vector<Note>& notes, const Survey& all, const Marker& marker) {
   if (all.decimals <= -marker.resolution.exponent) return;
-  notes.push_back({"", "coordinates are rounded to multiples of " + number_text(to_decimal(1, marker.resolution)) +
-                           " " + marker.unit});
+  notes.push_back({"", "coordinates are rounded to multiples of " +
+                           json::number_text(to_decimal(1, marker.resolution)) + " " + marker.unit});
 }
 
 }  // namespace
 
-Result<MarkerFile> on_lattice(const DecimalMarker& written, Attributes attributes, Format format) {
+Result<MarkerFile> on_lattice(const DecimalMarker& written, document::Attributes attributes, Format format) {
   const auto shapes = index_shapes(written);
   if (!shapes) return shapes.error();
   const Survey all = survey(written, *shapes);
@@ -191,24 +191,24 @@ Result<MarkerFile> on_lattice(const DecimalMarker& written, Attributes attribute
   return file;
 }
 
-Decimal read_point(const Json& value, const std::string& at, Mistake& mistake) {
+Decimal read_point(const Json& value, const std::string& at, json::Mistake& mistake) {
   if (!value.is_array() || value.size() != 2) {
-    mistake.add(ErrorCode::kWrongType, shortened(value) + " where a point [x, y] is required", at);
+    mistake.add(ErrorCode::kWrongType, json::shortened(value) + " where a point [x, y] is required", at);
     return {};
   }
   if (!value[0].is_number() || !value[1].is_number()) {
     const std::size_t bad = value[0].is_number() ? 1 : 0;
-    mistake.add(ErrorCode::kWrongType, shortened(value[bad]) + " where a number is required",
+    mistake.add(ErrorCode::kWrongType, json::shortened(value[bad]) + " where a number is required",
                 at + "/" + std::to_string(bad));
     return {};
   }
   return {value[0].get<double>(), value[1].get<double>()};
 }
 
-std::vector<Decimal> read_points(const Json& array, const std::string& at, Mistake& mistake) {
+std::vector<Decimal> read_points(const Json& array, const std::string& at, json::Mistake& mistake) {
   std::vector<Decimal> points;
   if (!array.is_array()) {
-    mistake.add(ErrorCode::kWrongType, shortened(array) + " where an array of points [x, y] is required", at);
+    mistake.add(ErrorCode::kWrongType, json::shortened(array) + " where an array of points [x, y] is required", at);
     return points;
   }
   points.reserve(array.size());
@@ -248,4 +248,4 @@ std::optional<Angle> matching_rotation(double degrees, const std::vector<Angle>&
   return std::nullopt;
 }
 
-}  // namespace selvage
+}  // namespace selvage::protocol::formats

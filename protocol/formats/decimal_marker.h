@@ -11,10 +11,10 @@
 
 #include "core/base/result.h"
 #include "core/marker/marker.h"
-#include "protocol/fields.h"
 #include "protocol/formats/format.h"
+#include "protocol/json/fields.h"
 
-namespace selvage {
+namespace selvage::protocol::formats {
 
 struct Decimal {
   double x{}, y{};
@@ -42,13 +42,14 @@ struct DecimalMarker {
   std::vector<DecimalPiece> pieces;
 };
 
-inline constexpr Range kStripWidths{1e-6, 1e9};
+inline constexpr json::Range kStripWidths{1e-6, 1e9};
 // A coordinate may lie this many strip widths from the origin: far beyond any cloth, and the lattice is still
 // fine.
 inline constexpr double kFarthest = 1e5;
 
 // Errors: kBeyondLattice, kDuplicateId, kUnknownShape, those of clean_polygon and make_marker.
-[[nodiscard]] Result<MarkerFile> on_lattice(const DecimalMarker& written, Attributes attributes, Format format);
+[[nodiscard]] Result<MarkerFile> on_lattice(const DecimalMarker& written, document::Attributes attributes,
+                                            Format format);
 
 // One shape, with what was mended added to the notes.  REQUIRES: its coordinates fit the lattice.
 // Errors: those of clean_polygon, below "/shapes/<index>/outline".
@@ -56,8 +57,8 @@ inline constexpr double kFarthest = 1e5;
                                              std::vector<Note>& notes);
 
 // The elements of an array of [x, y].  A mistake for anything else.
-[[nodiscard]] std::vector<Decimal> read_points(const Json& array, const std::string& at, Mistake& mistake);
-[[nodiscard]] Decimal read_point(const Json& value, const std::string& at, Mistake& mistake);
+[[nodiscard]] std::vector<Decimal> read_points(const Json& array, const std::string& at, json::Mistake& mistake);
+[[nodiscard]] Decimal read_point(const Json& value, const std::string& at, json::Mistake& mistake);
 
 // The least distance that is at least `spacing` on the lattice: rounded up, so that it holds.
 [[nodiscard]] Coord spacing_on_lattice(double spacing, Resolution resolution);
@@ -71,4 +72,4 @@ inline constexpr double kFarthest = 1e5;
 // The angle out of `allowed` that equals `degrees` up to whole turns and `slack`; none when there is none.
 [[nodiscard]] std::optional<Angle> matching_rotation(double degrees, const std::vector<Angle>& allowed, double slack);
 
-}  // namespace selvage
+}  // namespace selvage::protocol::formats

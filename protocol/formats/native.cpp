@@ -2,27 +2,27 @@
 
 #include <unordered_map>
 
-#include "protocol/fields.h"
 #include "protocol/formats/constraints.h"
 #include "protocol/formats/decimal_marker.h"
+#include "protocol/json/fields.h"
 
-namespace selvage {
+namespace selvage::protocol::formats {
 namespace {
 
-constexpr Range kDegrees{-360, 360};
-constexpr Range kTiltLimits{0, 45};
+constexpr json::Range kDegrees{-360, 360};
+constexpr json::Range kTiltLimits{0, 45};
 
-Json read_attributes(Fields& fields) {
+Json read_attributes(json::Fields& fields) {
   const Json* attributes = fields.maybe_object("attributes");
   return attributes ? *attributes : Json::object();
 }
 
-std::vector<Angle> read_rotations(Fields& fields, Mistake& mistake) {
+std::vector<Angle> read_rotations(json::Fields& fields, json::Mistake& mistake) {
   const Json* value = fields.maybe_any("rotations");
   if (!value) return {Angle{}};
   if (value->is_string() && value->get_ref<const std::string&>() == "any") return {};
   if (!value->is_array() || value->empty()) {
-    mistake.add(ErrorCode::kWrongType, shortened(*value) + R"( where a list of degrees or "any" is required)",
+    mistake.add(ErrorCode::kWrongType, json::shortened(*value) + R"( where a list of degrees or "any" is required)",
                 fields.pointer("rotations"));
     return {};
   }
@@ -35,8 +35,8 @@ std::vector<Angle> read_rotations(Fields& fields, Mistake& mistake) {
   return rotations;
 }
 
-DecimalShape read_shape(const Json& value, const std::string& at, Mistake& mistake, Json& attributes) {
-  Fields fields{value, at, mistake};
+DecimalShape read_shape(const Json& value, const std::string& at, json::Mistake& mistake, Json& attributes) {
+  json::Fields fields{value, at, mistake};
   DecimalShape shape;
   shape.shape.id = fields.id("id");
   shape.outline = read_points(fields.array("outline"), fields.pointer("outline"), mistake);
@@ -56,8 +56,8 @@ DecimalShape read_shape(const Json& value, const std::string& at, Mistake& mista
   return shape;
 }
 
-DecimalPiece read_piece(const Json& value, const std::string& at, Mistake& mistake, Json& attributes) {
-  Fields fields{value, at, mistake};
+DecimalPiece read_piece(const Json& value, const std::string& at, json::Mistake& mistake, Json& attributes) {
+  json::Fields fields{value, at, mistake};
   DecimalPiece piece;
   piece.piece.id = fields.id("id");
   piece.shape = fields.id("shape");
@@ -72,18 +72,18 @@ DecimalPiece read_piece(const Json& value, const std::string& at, Mistake& mista
 }
 
 // A resolution is a power of ten that a lattice can have.
-std::optional<Resolution> read_resolution(Fields& fields, Mistake& mistake) {
+std::optional<Resolution> read_resolution(json::Fields& fields, json::Mistake& mistake) {
   const auto value = fields.maybe_number("resolution");
   if (!value) return std::nullopt;
-  for (int exponent = kFinestExponent; exponent <= kCoarsestExponent; ++exponent) {
+  for (int exponent = geometry::kFinestExponent; exponent <= geometry::kCoarsestExponent; ++exponent) {
     if (to_decimal(1, Resolution{exponent}) == *value) return Resolution{exponent};
   }
-  mistake.add(ErrorCode::kOutOfRange, number_text(*value) + " is no power of ten between 1e-22 and 1e6",
+  mistake.add(ErrorCode::kOutOfRange, json::number_text(*value) + " is no power of ten between 1e-22 and 1e6",
               fields.pointer("resolution"));
   return std::nullopt;
 }
 
-void read_heading(Fields& fields, Mistake& mistake) {
+void read_heading(json::Fields& fields, json::Mistake& mistake) {
   constexpr std::string_view kNames[] = {kNativeName};
   if (!fields.has("format")) (void)fields.text("format");
   (void)fields.word_or("format", 0, kNames);
@@ -92,8 +92,8 @@ void read_heading(Fields& fields, Mistake& mistake) {
   }
 }
 
-void read_strip(Fields& fields, Mistake& mistake, DecimalMarker& marker) {
-  Fields strip{fields.object("strip"), fields.pointer("strip"), mistake};
+void read_strip(json::Fields& fields, json::Mistake& mistake, DecimalMarker& marker) {
+  json::Fields strip{fields.object("strip"), fields.pointer("strip"), mistake};
   marker.width = strip.number("width", kStripWidths);
   marker.longest = strip.maybe_number("longest", {0, std::numeric_limits<double>::max()});
   marker.margin = strip.number_or("margin", 0, {0, kStripWidths.most});
@@ -115,10 +115,10 @@ void settle_rotations(DecimalMarker& marker) {
 }  // namespace
 
 Result<MarkerFile> read_native(const Json& document) {
-  Mistake mistake;
+  json::Mistake mistake;
   DecimalMarker marker;
-  Attributes attributes;
-  Fields fields{document, "", mistake};
+  document::Attributes attributes;
+  json::Fields fields{document, "", mistake};
   read_heading(fields, mistake);
   marker.name = fields.text_or("name", "");
   marker.unit = fields.text_or("unit", "mm");
@@ -196,11 +196,11 @@ Json native_document(const MarkerFile& file) {
   return document;
 }
 
-DecimalShape read_native_shape(const Json& value, const std::string& at, Mistake& mistake, Json& attributes) {
+DecimalShape read_native_shape(const Json& value, const std::string& at, json::Mistake& mistake, Json& attributes) {
   return read_shape(value, at, mistake, attributes);
 }
 
-DecimalPiece read_native_piece(const Json& value, const std::string& at, Mistake& mistake, Json& attributes) {
+DecimalPiece read_native_piece(const Json& value, const std::string& at, json::Mistake& mistake, Json& attributes) {
   return read_piece(value, at, mistake, attributes);
 }
 
@@ -208,4 +208,4 @@ Json native_piece(const Marker& marker, const Piece& piece, const Json& attribut
   return piece_json(marker, piece, attributes);
 }
 
-}  // namespace selvage
+}  // namespace selvage::protocol::formats

@@ -8,7 +8,7 @@
 #include "protocol/formats/decimal_marker.h"
 #include "protocol/formats/format.h"
 
-namespace selvage {
+namespace selvage::protocol::formats {
 
 inline constexpr std::string_view kNativeName = "selvage-marker";
 inline constexpr int kNativeVersion = 1;
@@ -18,10 +18,10 @@ inline constexpr int kNativeVersion = 1;
 
 // One shape and one piece of such a document, for those who write and read markers in parts.  `at` is the JSON pointer
 // of the value; what it says in "attributes" goes there.
-[[nodiscard]] DecimalShape read_native_shape(const Json& value, const std::string& at, Mistake& mistake,
+[[nodiscard]] DecimalShape read_native_shape(const Json& value, const std::string& at, json::Mistake& mistake,
                                              Json& attributes);
-[[nodiscard]] DecimalPiece read_native_piece(const Json& value, const std::string& at, Mistake& mistake,
+[[nodiscard]] DecimalPiece read_native_piece(const Json& value, const std::string& at, json::Mistake& mistake,
                                              Json& attributes);
 [[nodiscard]] Json native_piece(const Marker& marker, const Piece& piece, const Json& attributes);
 
-}  // namespace selvage
+}  // namespace selvage::protocol::formats

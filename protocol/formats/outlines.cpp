@@ -2,7 +2,7 @@
 
 #include "protocol/formats/decimal_marker.h"
 
-namespace selvage {
+namespace selvage::protocol::formats {
 
 Json outlines_document(const Marker& marker) {
   Json pieces = Json::array();
@@ -15,4 +15,4 @@ Json outlines_document(const Marker& marker) {
           {"pieces", std::move(pieces)}};
 }
 
-}  // namespace selvage
+}  // namespace selvage::protocol::formats

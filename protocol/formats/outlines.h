@@ -6,10 +6,10 @@
 #pragma once
 
 #include "core/marker/marker.h"
-#include "protocol/json_text.h"
+#include "protocol/json/json_text.h"
 
-namespace selvage {
+namespace selvage::protocol::formats {
 
 [[nodiscard]] Json outlines_document(const Marker& marker);
 
-}  // namespace selvage
+}  // namespace selvage::protocol::formats

@@ -7,16 +7,16 @@
 #include <unordered_map>
 #include <utility>
 
-#include "protocol/fields.h"
 #include "protocol/formats/constraints.h"
 #include "protocol/formats/decimal_marker.h"
+#include "protocol/json/fields.h"
 
-namespace selvage {
+namespace selvage::protocol::formats {
 namespace {
 
-constexpr Range kPermissions{-360, 360};  // degrees
-constexpr Range kTurns{-1e6, 1e6};        // degrees or radians, any number of turns
-constexpr double kAngleSlack = 1e-3;      // degrees; what single precision makes of a quarter turn is far closer
+constexpr json::Range kPermissions{-360, 360};  // degrees
+constexpr json::Range kTurns{-1e6, 1e6};        // degrees or radians, any number of turns
+constexpr double kAngleSlack = 1e-3;            // degrees; what single precision makes of a quarter turn is far closer
 
 // A pointer into the native form as one into this form.  `filled`: the shapes written as {outer, inner}.
 std::string renamed(std::string pointer, const std::vector<bool>& filled) {
@@ -44,30 +44,30 @@ std::string renamed(std::string pointer, const std::vector<bool>& filled) {
 
 struct Reading {
   DecimalMarker marker;
-  Attributes attributes;
+  document::Attributes attributes;
   std::vector<bool> filled;  // per item: its shape is written as {outer, inner}
   std::vector<Note> notes;
-  Mistake mistake;
+  json::Mistake mistake;
 };
 
 void read_outline(const Json& value, const std::string& at, DecimalShape& shape, Reading& reading) {
-  Fields fields{value, at, reading.mistake};
+  json::Fields fields{value, at, reading.mistake};
   const std::string type = fields.text("type");
   reading.filled.push_back(type == "polygon");
   if (type == "simple_polygon") {
     shape.outline = read_points(fields.array("data"), fields.pointer("data"), reading.mistake);
   } else if (type == "polygon") {
-    Fields polygon{fields.object("data"), fields.pointer("data"), reading.mistake};
+    json::Fields polygon{fields.object("data"), fields.pointer("data"), reading.mistake};
     shape.outline = read_points(polygon.array("outer"), polygon.pointer("outer"), reading.mistake);
     if (const Json* inner = polygon.maybe_array("inner")) shape.holes = inner->size();
   } else {
     reading.mistake.add(ErrorCode::kOutOfRange,
-                        shortened(Json(type)) + " is not read; one of simple_polygon, polygon is allowed",
+                        json::shortened(Json(type)) + " is not read; one of simple_polygon, polygon is allowed",
                         fields.pointer("type"));
   }
 }
 
-std::vector<Angle> read_orientations(Fields& fields, Mistake& mistake) {
+std::vector<Angle> read_orientations(json::Fields& fields, json::Mistake& mistake) {
   const Json* list = fields.maybe_array("allowed_orientations");
   if (!list) return {};  // any
   std::vector<Angle> rotations;
@@ -81,7 +81,7 @@ std::vector<Angle> read_orientations(Fields& fields, Mistake& mistake) {
 }
 
 void read_item(const Json& value, const std::string& at, Reading& reading) {
-  Fields fields{value, at, reading.mistake};
+  json::Fields fields{value, at, reading.mistake};
   DecimalShape shape;
   shape.shape.id = fields.id("id");
   if (fields.has("orientation")) {
@@ -97,26 +97,26 @@ void read_item(const Json& value, const std::string& at, Reading& reading) {
 }
 
 void read_placed(const Json& value, const std::string& at, Reading& reading) {
-  Fields fields{value, at, reading.mistake};
+  json::Fields fields{value, at, reading.mistake};
   DecimalPiece piece;
   piece.shape = fields.id("item_id");
   piece.piece.id = fields.has("id") ? fields.id("id") : std::to_string(reading.marker.pieces.size());
   read_constraints(fields, reading.mistake, piece);
-  Fields transformation{fields.object("transformation"), fields.pointer("transformation"), reading.mistake};
+  json::Fields transformation{fields.object("transformation"), fields.pointer("transformation"), reading.mistake};
   piece.piece.orientation.rotation = Angle::of_degrees(transformation.number("rotation", kTurns));
   piece.at = read_point(transformation.array("translation"), transformation.pointer("translation"), reading.mistake);
   reading.attributes.pieces.push_back(fields.rest());
   reading.marker.pieces.push_back(std::move(piece));
 }
 
-void read_solution(Fields& fields, Reading& reading) {
+void read_solution(json::Fields& fields, Reading& reading) {
   if (!fields.has("solution")) {
     reading.mistake.add(ErrorCode::kMissingField, "nothing is placed: the instance comes without a solution",
                         fields.pointer("solution"));
     return;
   }
-  Fields solution{fields.object("solution"), fields.pointer("solution"), reading.mistake};
-  Fields layout{solution.object("layout"), solution.pointer("layout"), reading.mistake};
+  json::Fields solution{fields.object("solution"), fields.pointer("solution"), reading.mistake};
+  json::Fields layout{solution.object("layout"), solution.pointer("layout"), reading.mistake};
   for (const Json& placed : layout.array("placed_items")) {
     if (reading.mistake) return;
     read_placed(placed, layout.pointer("placed_items") + "/" + std::to_string(reading.marker.pieces.size()), reading);
@@ -179,7 +179,7 @@ void settle_rotations(Reading& reading) {
 Result<MarkerFile> read_sparrow(const Json& document) {
   Reading reading;
   DecimalMarker& marker = reading.marker;
-  Fields fields{document, "", reading.mistake};
+  json::Fields fields{document, "", reading.mistake};
   marker.name = fields.text_or("name", "");
   marker.unit = fields.text_or("units", "mm");
   for (const Json& value : fields.array("items")) {
@@ -297,4 +297,4 @@ Result<Json> sparrow_document(const MarkerFile& file) {
   return document;
 }
 
-}  // namespace selvage
+}  // namespace selvage::protocol::formats

@@ -14,10 +14,10 @@
 #include "core/base/result.h"
 #include "protocol/formats/format.h"
 
-namespace selvage {
+namespace selvage::protocol::formats {
 
 [[nodiscard]] Result<MarkerFile> read_sparrow(const Json& document);
 // Errors: kOrientationNotAllowed for a flipped piece.
 [[nodiscard]] Result<Json> sparrow_document(const MarkerFile& file);
 
-}  // namespace selvage
+}  // namespace selvage::protocol::formats

@@ -11,7 +11,7 @@
 #include <system_error>
 #include <utility>
 
-namespace selvage {
+namespace selvage::server::transport {
 namespace {
 
 namespace asio = boost::asio;
@@ -20,7 +20,7 @@ using Unix = asio::local::stream_protocol;
 using Error = boost::system::error_code;
 using Accepting = asio::basic_socket_acceptor<asio::generic::stream_protocol>;
 
-Accepting listen_on_tcp(asio::io_context& io, Listener& listener) {
+Accepting listen_on_tcp(asio::io_context& io, access::Listener& listener) {
   tcp::acceptor acceptor{io, {asio::ip::make_address(listener.host), listener.port}};
   listener.port = acceptor.local_endpoint().port();
   return acceptor;
@@ -38,7 +38,7 @@ void remove_stale(asio::io_context& io, const std::string& path) {
   ::unlink(path.c_str());
 }
 
-Accepting listen_on_unix(asio::io_context& io, const Listener& listener) {
+Accepting listen_on_unix(asio::io_context& io, const access::Listener& listener) {
   remove_stale(io, listener.path);
   Unix::acceptor acceptor{io};
   acceptor.open();
@@ -51,11 +51,11 @@ Accepting listen_on_unix(asio::io_context& io, const Listener& listener) {
   return acceptor;
 }
 
-std::string name_of(const Listener& listener) {
+std::string name_of(const access::Listener& listener) {
   return listener.path.empty() ? listener.host + " port " + std::to_string(listener.port) : listener.path;
 }
 
-Accepting listen(asio::io_context& io, Listener& listener) {
+Accepting listen(asio::io_context& io, access::Listener& listener) {
   try {
     return listener.path.empty() ? listen_on_tcp(io, listener) : listen_on_unix(io, listener);
   } catch (const std::exception& error) {
@@ -65,14 +65,14 @@ Accepting listen(asio::io_context& io, Listener& listener) {
 
 }  // namespace
 
-Acceptor::Acceptor(asio::io_context& io, Listener listener)
+Acceptor::Acceptor(asio::io_context& io, access::Listener listener)
     : listener_{std::move(listener)}, acceptor_{listen(io, listener_)}, pause_{io} {}
 
 Acceptor::~Acceptor() {
   close();
 }
 
-asio::awaitable<Socket> Acceptor::accept(Error& error) {
+asio::awaitable<connections::Socket> Acceptor::accept(Error& error) {
   co_return co_await acceptor_.async_accept(asio::redirect_error(asio::use_awaitable, error));
 }
 
@@ -90,4 +90,4 @@ void Acceptor::close() {
   if (!listener_.path.empty()) ::unlink(listener_.path.c_str());
 }
 
-}  // namespace selvage
+}  // namespace selvage::server::transport

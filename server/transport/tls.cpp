@@ -13,7 +13,7 @@
 #include <string>
 #include <utility>
 
-namespace selvage {
+namespace selvage::server::transport {
 namespace {
 
 namespace asio = boost::asio;
@@ -23,7 +23,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds kClosePatience{2};
 
-ssl::context make_context(const TlsFiles& files) {
+ssl::context make_context(const access::TlsFiles& files) {
   ssl::context context{ssl::context::tls_server};
   Error error;
   context.set_options(ssl::context::default_workarounds | ssl::context::no_tlsv1 | ssl::context::no_tlsv1_1 |
@@ -38,7 +38,8 @@ ssl::context make_context(const TlsFiles& files) {
 // One connection's two halves.
 class Tunnel : public std::enable_shared_from_this<Tunnel> {
  public:
-  Tunnel(Socket outside, Socket inside, ssl::context& context, std::chrono::milliseconds patience)
+  Tunnel(connections::Socket outside, connections::Socket inside, ssl::context& context,
+         std::chrono::milliseconds patience)
       : outside_{std::move(outside), context},
         inside_{std::move(inside)},
         watchdog_{inside_.get_executor()},
@@ -78,7 +79,7 @@ class Tunnel : public std::enable_shared_from_this<Tunnel> {
     Error ignored;
     // Without close_notify the end may be anybody's doing: then the connection is broken.
     if (error == asio::error::eof) {
-      self->inside_.shutdown(Socket::shutdown_send, ignored);
+      self->inside_.shutdown(connections::Socket::shutdown_send, ignored);
     } else {
       self->cut();
     }
@@ -103,7 +104,7 @@ class Tunnel : public std::enable_shared_from_this<Tunnel> {
 
   // Notices a connection that breaks while nothing is read from it.
   void watch() {
-    outside_.lowest_layer().async_wait(Socket::wait_error, [self = shared_from_this()](Error error) {
+    outside_.lowest_layer().async_wait(connections::Socket::wait_error, [self = shared_from_this()](Error error) {
       if (!error) self->cut();
     });
   }
@@ -116,8 +117,8 @@ class Tunnel : public std::enable_shared_from_this<Tunnel> {
   }
   void disarm() { watchdog_.expires_at(Clock::time_point::max()); }
 
-  ssl::stream<Socket> outside_;
-  Socket inside_;
+  ssl::stream<connections::Socket> outside_;
+  connections::Socket inside_;
   asio::steady_timer watchdog_;
   const std::chrono::milliseconds patience_;
 };
@@ -131,12 +132,12 @@ struct Tls::Inside {
   std::set<std::shared_ptr<Tunnel>> tunnels{};
 };
 
-Tls::Tls(const TlsFiles& files, const TransportLimits& limits, std::function<void()> changed)
+Tls::Tls(const access::TlsFiles& files, const access::TransportLimits& limits, std::function<void()> changed)
     : inside_{std::make_shared<Inside>(Inside{make_context(files), limits.write, std::move(changed)})} {}
 
 Tls::~Tls() = default;
 
-Socket Tls::unwrap(Socket outside) {
+connections::Socket Tls::unwrap(connections::Socket outside) {
   const auto executor = outside.get_executor();
   asio::local::stream_protocol::socket mine{executor};
   asio::local::stream_protocol::socket theirs{executor};
@@ -162,4 +163,4 @@ void Tls::cut() {
   for (const auto& tunnel : inside_->tunnels) tunnel->cut();
 }
 
-}  // namespace selvage
+}  // namespace selvage::server::transport

@@ -8,21 +8,21 @@
 #include <functional>
 #include <memory>
 
-#include "server/transport/connection.h"
-#include "server/transport/listener.h"
+#include "server/transport/access/listener.h"
+#include "server/transport/connections/connection.h"
 
-namespace selvage {
+namespace selvage::server::transport {
 
 class Tls {
  public:
   // Throws a std::exception that names the file when one cannot be used.  `changed`: called when a tunnel has ended.
-  Tls(const TlsFiles& files, const TransportLimits& limits, std::function<void()> changed);
+  Tls(const access::TlsFiles& files, const access::TransportLimits& limits, std::function<void()> changed);
   ~Tls();
   Tls(const Tls&) = delete;
   Tls& operator=(const Tls&) = delete;
 
   // Gives the plain side of `outside`; the handshake goes on meanwhile, and in vain closes both.
-  [[nodiscard]] Socket unwrap(Socket outside);
+  [[nodiscard]] connections::Socket unwrap(connections::Socket outside);
   // No tunnel is open: everything has been sent.
   [[nodiscard]] bool idle() const;
   // Ends all of them now.
@@ -33,4 +33,4 @@ class Tls {
   const std::shared_ptr<Inside> inside_;
 };
 
-}  // namespace selvage
+}  // namespace selvage::server::transport

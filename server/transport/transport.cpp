@@ -1,7 +1,7 @@
 #include "server/transport/transport.h"
 
 #include "server/transport/acceptor.h"
-#include "server/transport/connection.h"
+#include "server/transport/connections/connection.h"
 #include "server/transport/tls.h"
 
 #include <spdlog/spdlog.h>
@@ -21,14 +21,15 @@
 #include <utility>
 #include <vector>
 
-namespace selvage {
+namespace selvage::server::transport {
 namespace {
 
 namespace asio = boost::asio;
 using Error = boost::system::error_code;
 
 // Reads until a byte that is not blank: that byte and what came with it, or nothing when there is none.
-asio::awaitable<std::string> first_bytes(std::shared_ptr<Connection> connection, std::chrono::milliseconds patience) {
+asio::awaitable<std::string> first_bytes(std::shared_ptr<connections::Connection> connection,
+                                         std::chrono::milliseconds patience) {
   connection->arm(connection->read_watchdog, patience);
   std::array<char, 4096> chunk{};
   Error error;
@@ -39,15 +40,16 @@ asio::awaitable<std::string> first_bytes(std::shared_ptr<Connection> connection,
     received = {chunk.data(), count};
     received.remove_prefix(std::min(received.find_first_not_of(" \t\r\n"), received.size()));
   }
-  Connection::disarm(connection->read_watchdog);
+  connections::Connection::disarm(connection->read_watchdog);
   co_return std::string{received};
 }
 
-asio::awaitable<void> serve(std::shared_ptr<Connection> connection, const Terms& terms, Listener::Speaks speaks) {
+asio::awaitable<void> serve(std::shared_ptr<connections::Connection> connection,
+                            const connections::ConnectionTerms& terms, access::Listener::Speaks speaks) {
   connection->watch();
   std::string received = co_await first_bytes(connection, terms.limits.idle);
   if (received.empty()) co_return;
-  if (speaks == Listener::Speaks::kLines || received.front() == '{' || received.front() == '[') {
+  if (speaks == access::Listener::Speaks::kLines || received.front() == '{' || received.front() == '[') {
     co_await serve_lines(connection, terms, std::move(received));
   } else {
     co_await serve_http(connection, terms, std::move(received));
@@ -67,10 +69,10 @@ void log_exception(std::string_view where, const std::exception_ptr& thrown) {
 }  // namespace
 
 struct Transport::Inside {
-  Inside(const Doors& doors, const TransportLimits& with, Service answering)
+  Inside(const access::Doors& doors, const access::TransportLimits& with, access::Service answering)
       : limits{with}, service{std::move(answering)}, access{doors.access} {
     if (doors.tls) tls.emplace(*doors.tls, limits, [this] { end_when_empty(); });
-    for (const Listener& listener : doors.listeners) {
+    for (const access::Listener& listener : doors.listeners) {
       acceptors.push_back(std::make_unique<Acceptor>(io, listener));
       listeners.push_back(acceptors.back()->listener());
     }
@@ -96,7 +98,7 @@ struct Transport::Inside {
   asio::awaitable<void> accept(Acceptor& acceptor) {
     while (acceptor.is_open()) {
       Error error;
-      Socket socket = co_await acceptor.accept(error);
+      connections::Socket socket = co_await acceptor.accept(error);
       if (error == asio::error::operation_aborted) co_return;
       if (error) {
         spdlog::warn("accepting failed: {}", error.message());
@@ -111,12 +113,13 @@ struct Transport::Inside {
     }
   }
 
-  void open(Socket socket, const Listener& listener) {
+  void open(connections::Socket socket, const access::Listener& listener) {
     const bool tcp = listener.path.empty();
     Error ignored;
     if (tcp) socket.set_option(asio::ip::tcp::no_delay{true}, ignored);
     if (tcp && tls) socket = tls->unwrap(std::move(socket));
-    const auto connection = std::make_shared<Connection>(std::move(socket), ++sessions, tcp && !access.token.empty());
+    const auto connection =
+        std::make_shared<connections::Connection>(std::move(socket), ++sessions, tcp && !access.token.empty());
     connections.insert(connection);
     asio::co_spawn(io, serve(connection, terms, listener.speaks), [this, connection](const std::exception_ptr& thrown) {
       log_exception("a connection", thrown);
@@ -149,30 +152,30 @@ struct Transport::Inside {
     work.reset();
   }
 
-  const TransportLimits limits;
-  const Service service;
-  const Access access;
-  const Terms terms{service, limits, access};
+  const access::TransportLimits limits;
+  const access::Service service;
+  const access::Access access;
+  const connections::ConnectionTerms terms{service, limits, access};
   asio::io_context io{1};
   asio::executor_work_guard<asio::io_context::executor_type> work{io.get_executor()};
   asio::steady_timer patience{io};
   std::optional<Tls> tls;
   std::vector<std::unique_ptr<Acceptor>> acceptors;
-  std::vector<Listener> listeners;
-  std::set<std::shared_ptr<Connection>> connections;
+  std::vector<access::Listener> listeners;
+  std::set<std::shared_ptr<connections::Connection>> connections;
   std::uint64_t sessions{};  // begun so far
   bool finishing{};
   std::jthread thread;
 };
 
-Transport::Transport(const Doors& doors, const TransportLimits& limits, Service service)
+Transport::Transport(const access::Doors& doors, const access::TransportLimits& limits, access::Service service)
     : inside_{std::make_unique<Inside>(doors, limits, std::move(service))} {}
 
 Transport::~Transport() {
   finish(std::chrono::milliseconds{0});
 }
 
-const std::vector<Listener>& Transport::listeners() const {
+const std::vector<access::Listener>& Transport::listeners() const {
   return inside_->listeners;
 }
 
@@ -186,4 +189,4 @@ void Transport::finish(std::chrono::milliseconds patience) {
   inside_->thread.join();
 }
 
-}  // namespace selvage
+}  // namespace selvage::server::transport

@@ -8,21 +8,21 @@
 #include <memory>
 #include <vector>
 
-#include "server/transport/listener.h"
-#include "server/transport/service.h"
+#include "server/transport/access/listener.h"
+#include "server/transport/access/service.h"
 
-namespace selvage {
+namespace selvage::server::transport {
 
 class Transport {
  public:
   // Listens at once.  Throws a std::exception when an address cannot be taken or a TLS file not be used.
-  Transport(const Doors& doors, const TransportLimits& limits, Service service);
+  Transport(const access::Doors& doors, const access::TransportLimits& limits, access::Service service);
   ~Transport();  // finish() without patience
   Transport(const Transport&) = delete;
   Transport& operator=(const Transport&) = delete;
 
   // Where it listens, in the order given, with the ports that were taken.
-  [[nodiscard]] const std::vector<Listener>& listeners() const;
+  [[nodiscard]] const std::vector<access::Listener>& listeners() const;
 
   // Takes no new connection and reads nothing more from those there are.
   void stop_reading();
@@ -35,4 +35,4 @@ class Transport {
   std::unique_ptr<Inside> inside_;
 };
 
-}  // namespace selvage
+}  // namespace selvage::server::transport

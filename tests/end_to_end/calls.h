@@ -7,15 +7,15 @@
 #include <sstream>
 #include <string>
 
-#include "protocol/json_text.h"
-#include "server/options.h"
-#include "tests/server/stub_engine.h"
-#include "tests/server/wire.h"
+#include "protocol/json/json_text.h"
+#include "server/app/options.h"
+#include "tests/server/dispatch/stub_engine.h"
+#include "tests/server/wire/wire.h"
 
 namespace selvage::test {
 
-inline Options on_free_port(std::size_t workers) {
-  Options options;
+inline server::app::Options on_free_port(std::size_t workers) {
+  server::app::Options options;
   options.port = 0;
   options.workers = workers;
   return options;

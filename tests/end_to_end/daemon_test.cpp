@@ -1,5 +1,5 @@
 // A whole daemon over real sockets, with an engine that waits at a gate: what happens while a motion runs.
-#include "server/daemon.h"
+#include "server/app/daemon.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace {
 
 TEST(Daemon, ReadsAndInfoAreAnsweredWhileEveryMotionWorkerIsBusy) {
   Gate gate;
-  Daemon daemon{on_free_port(1), gate.engine()};
+  server::app::Daemon daemon{on_free_port(1), gate.engine()};
   Wire wire{daemon.port()};
   const std::string id = open_marker(wire, kSmallMarker);
   Wire busy{daemon.port()};
@@ -33,23 +33,24 @@ TEST(Daemon, ReadsAndInfoAreAnsweredWhileEveryMotionWorkerIsBusy) {
 }
 
 // Waits until a motion may work with so many hands; false when that does not come.
-bool await_hands(const Crew& crew, std::size_t hands) {
+bool await_hands(const Executor& executor, std::size_t parallelism) {
   const auto end = std::chrono::steady_clock::now() + kPatience;
-  while (crew.hands() != hands && std::chrono::steady_clock::now() < end) std::this_thread::yield();
-  return crew.hands() == hands;
+  while (executor.parallelism() != parallelism && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+  return executor.parallelism() == parallelism;
 }
 
 TEST(Daemon, LendsAMotionTheCoresThatNoJobIsOn) {
   Gate gate;
-  Engine engine = gate.engine();
+  protocol::calls::Engine engine = gate.engine();
   std::atomic<std::size_t> motions{};
-  engine.compact = [&, compact = engine.compact](const Marker& start, const CompactionSettings& settings,
-                                                 SumCache& sums, std::stop_token stop, const Observer& observer) {
+  engine.compact = [&, compact = engine.compact](const Marker& start,
+                                                 const motion::compaction::CompactionSettings& settings, SumCache& sums,
+                                                 std::stop_token stop, const scene::Observer& observer) {
     // Three workers: the first motion has them all, the second those that the first is not on.
-    EXPECT_TRUE(await_hands(*observer.crew, 3 - motions++)) << observer.crew->hands();
+    EXPECT_TRUE(await_hands(*observer.executor, 3 - motions++)) << observer.executor->parallelism();
     return compact(start, settings, sums, std::move(stop), observer);
   };
-  Daemon daemon{on_free_port(3), engine};
+  server::app::Daemon daemon{on_free_port(3), engine};
   Wire wire{daemon.port()};
   Wire lines{daemon.port()};
   for (int motion = 1; motion <= 3; ++motion) {
@@ -62,7 +63,7 @@ TEST(Daemon, LendsAMotionTheCoresThatNoJobIsOn) {
 }
 
 TEST(Daemon, DescribesEveryMethodThatItHas) {
-  Daemon daemon{on_free_port(1)};
+  server::app::Daemon daemon{on_free_port(1)};
   Wire wire{daemon.port()};
   const Json told = result_of(post_call(wire, "rpc.discover"));
   std::set<Json> names;
@@ -71,12 +72,12 @@ TEST(Daemon, DescribesEveryMethodThatItHas) {
   const Json listed = result_of(post_call(wire, "engine.info"))["methods"];
   EXPECT_EQ(names, std::set<Json>(listed.begin(), listed.end()));
   wire.send("GET /openrpc.json HTTP/1.1\r\nHost: localhost\r\n\r\n");
-  EXPECT_EQ(wire.answer().value_or(HttpAnswer{}).body, to_text(told));
+  EXPECT_EQ(wire.answer().value_or(HttpAnswer{}).body, protocol::json::to_text(told));
 }
 
 TEST(Daemon, AClosedConnectionStopsItsMotion) {
   Gate gate;
-  Daemon daemon{on_free_port(1), gate.engine()};
+  server::app::Daemon daemon{on_free_port(1), gate.engine()};
   Wire wire{daemon.port()};
   const std::string id = open_marker(wire, kSmallMarker);
   Wire http{daemon.port()};
@@ -96,9 +97,9 @@ TEST(Daemon, AClosedConnectionStopsItsMotion) {
 
 TEST(Daemon, AFullQueueIsBusyAndRecovers) {
   Gate gate;
-  Options options = on_free_port(1);
+  server::app::Options options = on_free_port(1);
   options.limits.waiting_motions = 1;
-  Daemon daemon{options, gate.engine()};
+  server::app::Daemon daemon{options, gate.engine()};
   Wire wire{daemon.port()};
   const std::string id = open_marker(wire, kSmallMarker);
   Wire lines{daemon.port()};
@@ -117,7 +118,7 @@ TEST(Daemon, AFullQueueIsBusyAndRecovers) {
 
 TEST(Daemon, DrainsWithEveryAnswerSent) {
   Gate gate;
-  Daemon daemon{on_free_port(2), gate.engine()};
+  server::app::Daemon daemon{on_free_port(2), gate.engine()};
   Wire wire{daemon.port()};
   Wire lines{daemon.port()};
   for (int i = 0; i < 3; ++i) {
@@ -139,7 +140,7 @@ TEST(Daemon, DrainsWithEveryAnswerSent) {
 TEST(Daemon, AnswersEveryCallOfManyClientsExactlyOnce) {
   Gate gate;
   gate.open();
-  Daemon daemon{on_free_port(2), gate.engine()};
+  server::app::Daemon daemon{on_free_port(2), gate.engine()};
   constexpr int kClients = 8;
   constexpr int kCalls = 200;
   std::vector<std::jthread> clients;
@@ -166,16 +167,16 @@ TEST(Daemon, AnswersEveryCallOfManyClientsExactlyOnce) {
 TEST(Daemon, WithoutWorkersServesInline) {
   Gate gate;
   gate.open();
-  Daemon daemon{on_free_port(0), gate.engine()};
+  server::app::Daemon daemon{on_free_port(0), gate.engine()};
   Wire wire{daemon.port()};
   const std::string id = open_marker(wire, kSmallMarker);
   EXPECT_EQ(result_of(post_call(wire, "motion.compact", id_params(id)))["revision"], 2);
 }
 
 TEST(Daemon, ABodyBeyondTheLimitIsRefusedOnBothRoads) {
-  Options options = on_free_port(1);
+  server::app::Options options = on_free_port(1);
   options.limits.transport.body_bytes = 1000;
-  Daemon daemon{options};
+  server::app::Daemon daemon{options};
   const std::string large = call(1, "engine.info", R"({"x":")" + std::string(1000, 'x') + "\"}");
   Wire http{daemon.port()};
   http.send(post_request(large));

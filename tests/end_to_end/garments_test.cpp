@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "server/daemon.h"
+#include "server/app/daemon.h"
 #include "tests/end_to_end/calls.h"
 
 namespace selvage::test {
@@ -16,7 +16,7 @@ namespace {
 class Garments : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Garments, OpenCompactCheckGetClose) {
-  Daemon daemon{on_free_port(1)};
+  server::app::Daemon daemon{on_free_port(1)};
   Wire wire{daemon.port()};
   const Json opened = result_of(post_call(wire, "marker.open", open_params(garment(GetParam()))));
   ASSERT_FALSE(opened.is_null());
@@ -70,7 +70,7 @@ std::string without_id(std::string answer) {
 
 // A garment marker pulled apart by hand, gathered again: every motion leaves it valid and never longer.
 TEST(Motions, OnAGarmentMarkerThroughTheDaemon) {
-  Daemon daemon{on_free_port(1)};
+  server::app::Daemon daemon{on_free_port(1)};
   Wire wire{daemon.port()};
   const std::string id = open_marker(wire, garment("jeans_06g"));
   const Json compacted = result_of(post_call(wire, "motion.compact", id_params(id)));
@@ -97,7 +97,7 @@ TEST(SameBytes, OnAnyNumberOfWorkersAndEveryRun) {
   std::set<Seen> different;
   for (int run = 0; run < 10; ++run) {
     for (const std::size_t workers : {1U, 2U}) {
-      Daemon daemon{on_free_port(workers)};
+      server::app::Daemon daemon{on_free_port(workers)};
       Seen first;
       Seen second;
       {
@@ -115,12 +115,12 @@ TEST(SameBytes, OnAnyNumberOfWorkersAndEveryRun) {
 }
 
 TEST(Sums, AreSharedByAllMarkers) {
-  Daemon daemon{on_free_port(1)};
+  server::app::Daemon daemon{on_free_port(1)};
   (void)seen(daemon.port(), garment("jeans_02g"));
-  const CacheCounts cold = daemon.sums().counts();
+  const minkowski::CacheCounts cold = daemon.sums().counts();
   EXPECT_GT(cold.misses, 0U);
   (void)seen(daemon.port(), garment("jeans_02g"));
-  const CacheCounts warm = daemon.sums().counts();
+  const minkowski::CacheCounts warm = daemon.sums().counts();
   EXPECT_EQ(warm.misses, cold.misses);
   EXPECT_GT(warm.hits, cold.hits);
 }

@@ -6,9 +6,9 @@
 #include <string>
 #include <tuple>
 
-#include "server/daemon.h"
+#include "server/app/daemon.h"
 #include "tests/end_to_end/calls.h"
-#include "tests/server/websocket_wire.h"
+#include "tests/server/wire/websocket_wire.h"
 
 namespace selvage::test {
 namespace {
@@ -66,7 +66,7 @@ class WebSocket final : public Road {
   WebSocketWire wire_;
 };
 
-std::unique_ptr<Road> road_to(const Daemon& daemon, const std::string& name) {
+std::unique_ptr<Road> road_to(const server::app::Daemon& daemon, const std::string& name) {
   if (name == "http") return std::make_unique<Http>(daemon.port());
   if (name == "lines") return std::make_unique<Lines>(daemon.port());
   return std::make_unique<WebSocket>(daemon.port());
@@ -79,13 +79,13 @@ TEST_P(GoldenExchanges, AreWhatTheDaemonAnswers) {
   const Json exchanges =
       Json::parse(file_text(std::string{SELVAGE_SOURCE_DIR} + "/tests/golden/rpc/" + name + ".json"));
   ASSERT_FALSE(exchanges.empty());
-  const Daemon daemon{on_free_port(1)};
+  const server::app::Daemon daemon{on_free_port(1)};
   const auto road = road_to(daemon, road_name);
   Json to_be_told = Json::array();
   Json told = Json::array();
   for (const Json& exchange : exchanges) {
     for (const Json& each : exchange.value("told", Json::array())) to_be_told.push_back(each);
-    const std::string request = to_text(exchange["request"]);
+    const std::string request = protocol::json::to_text(exchange["request"]);
     road->send(request);
     std::string answer = road->hear();
     // What watchers are told may come before an answer.
@@ -94,15 +94,16 @@ TEST_P(GoldenExchanges, AreWhatTheDaemonAnswers) {
     }
     ASSERT_FALSE(answer.empty()) << request;
     EXPECT_TRUE(alike(exchange["response"], Json::parse(answer)))
-        << request << "\nexpected " << to_text(exchange["response"]) << "\nanswered " << answer;
+        << request << "\nexpected " << protocol::json::to_text(exchange["response"]) << "\nanswered " << answer;
   }
-  ASSERT_EQ(told.size(), to_be_told.size()) << to_text(told);
-  for (std::size_t i = 0; i < told.size(); ++i) EXPECT_TRUE(alike(to_be_told[i], told[i])) << to_text(told[i]);
+  ASSERT_EQ(told.size(), to_be_told.size()) << protocol::json::to_text(told);
+  for (std::size_t i = 0; i < told.size(); ++i)
+    EXPECT_TRUE(alike(to_be_told[i], told[i])) << protocol::json::to_text(told[i]);
 }
 
 TEST(Readme, ExplainsEveryMethodOfTheDaemon) {
   const std::string text = file_text(std::string{SELVAGE_SOURCE_DIR} + "/protocol/README.md");
-  Daemon daemon{on_free_port(1)};
+  server::app::Daemon daemon{on_free_port(1)};
   Wire wire{daemon.port()};
   const Json info = result_of(post_call(wire, "engine.info"));
   ASSERT_GT(info["methods"].size(), 20U);

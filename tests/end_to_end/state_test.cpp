@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-#include "server/daemon.h"
+#include "server/app/daemon.h"
 #include "tests/end_to_end/calls.h"
 
 namespace selvage::test {
@@ -19,7 +19,7 @@ Json ask_line(Wire& wire, const std::string& message) {
 }
 
 TEST(State, TwoScreensShowTheSame) {
-  Daemon daemon{on_free_port(2)};
+  server::app::Daemon daemon{on_free_port(2)};
   Wire first{daemon.port()};
   Wire second{daemon.port()};
   Wire post{daemon.port()};
@@ -40,7 +40,7 @@ TEST(State, TwoScreensShowTheSame) {
 }
 
 TEST(State, ALongMotionIsCancelledOrEndsAtItsDeadlineAndTellsItsRounds) {
-  Daemon daemon{on_free_port(1)};
+  server::app::Daemon daemon{on_free_port(1)};
   Wire post{daemon.port()};
   const std::string id = open_marker(post, garment("jeans_22g"));
   Wire line{daemon.port()};
@@ -65,7 +65,7 @@ TEST(State, ALongMotionIsCancelledOrEndsAtItsDeadlineAndTellsItsRounds) {
 }
 
 TEST(State, AHandDragsOverAGarmentAndItStaysValid) {
-  Daemon daemon{on_free_port(1)};
+  server::app::Daemon daemon{on_free_port(1)};
   Wire line{daemon.port()};
   const Json opened = ask_line(line, call(1, "marker.open", open_params(garment("jeans_02g"))));
   const std::string id = opened["result"]["markerId"];
@@ -88,18 +88,18 @@ TEST(State, AHandDragsOverAGarmentAndItStaysValid) {
 TEST(State, AStoreSurvivesAnOrderlyEnd) {
   std::string name = (std::filesystem::temp_directory_path() / "selvage-daemon-XXXXXX").string();
   const std::filesystem::path folder = ::mkdtemp(name.data());
-  Options options = on_free_port(1);
+  server::app::Options options = on_free_port(1);
   options.store = (folder / "store.db").string();
   std::string before;
   {
-    Daemon daemon{options};
+    server::app::Daemon daemon{options};
     Wire post{daemon.port()};
     const std::string id = open_marker(post, garment("jeans_02g"));
     (void)result_of(post_call(post, "motion.compact", id_params(id)));
     before = post_call(post, "marker.get", id_params(id));
   }
   {
-    Daemon daemon{options};
+    server::app::Daemon daemon{options};
     Wire post{daemon.port()};
     EXPECT_EQ(post_call(post, "marker.get", id_params("m1")), before);
   }

@@ -15,7 +15,7 @@
 #include "tests/support/garment.h"
 #include "tests/support/polygons.h"
 
-namespace selvage {
+namespace selvage::test {
 namespace {
 
 using test::Random;
@@ -27,7 +27,7 @@ Json document_of(const Marker& marker) {
   file.marker = marker;
   file.attributes.shapes.assign(marker.shapes.size(), Json::object());
   file.attributes.pieces.assign(marker.pieces.size(), Json::object());
-  return native_document(file);
+  return protocol::formats::native_document(file);
 }
 
 // Times 10^exponent, as decimals are: the digits stay.
@@ -81,13 +81,13 @@ Json in_units_of(int exponent, const Json& document) {
 void expect_the_same_in_units(const Marker& marker, std::span<const int> exponents, double compacts_to) {
   const Json document = document_of(marker);
   const double width = to_decimal(marker.strip.width, marker.resolution);
-  std::optional<Compaction> first;
+  std::optional<motion::compaction::Compaction> first;
   for (const int exponent : exponents) {
     SCOPED_TRACE(exponent);
-    const auto read = read_document(in_units_of(exponent, document));
+    const auto read = protocol::formats::read_document(in_units_of(exponent, document));
     ASSERT_TRUE(read) << read.error().field << read.error().message;
     EXPECT_EQ(shifted(to_decimal(read->marker.strip.width, read->marker.resolution), -exponent), width);
-    const Compaction result = soundly_compacted(read->marker);
+    const motion::compaction::Compaction result = soundly_compacted(read->marker);
     if (!first) first = result;
     EXPECT_EQ(positions(result.marker), positions(first->marker));
     EXPECT_EQ(result.length_after, first->length_after);
@@ -129,7 +129,7 @@ TEST(ExtremeCoordinates, FromTheNarrowestStripToTheWidest) {
   EXPECT_LE(least, 1e-9);
   EXPECT_GE(most, 1e9);
   for (const int exponent : {-10, 7}) {  // ten times less, ten times more
-    const auto refused = read_document(in_units_of(exponent, document));
+    const auto refused = protocol::formats::read_document(in_units_of(exponent, document));
     ASSERT_FALSE(refused) << exponent;
     EXPECT_EQ(refused.error().code, ErrorCode::kOutOfRange);
     EXPECT_EQ(refused.error().field, "/strip/width");
@@ -142,12 +142,12 @@ TEST(ExtremeCoordinates, FromTheNarrowestStripToTheWidest) {
 TEST(ExtremeCoordinates, UnitsWithoutCommonMeasureGiveTheSameLength) {
   const Json document = document_of(test::garment("jeans_02g"));
   const auto ratio = [&](double factor) {
-    const auto read = read_document(with_lengths(document, [&](double x) { return x * factor; }));
+    const auto read = protocol::formats::read_document(with_lengths(document, [&](double x) { return x * factor; }));
     if (!read) {
       ADD_FAILURE() << read.error().message;
       return 0.0;
     }
-    const Compaction result = soundly_compacted(read->marker);
+    const motion::compaction::Compaction result = soundly_compacted(read->marker);
     return static_cast<double>(result.length_after) / static_cast<double>(result.length_before);
   };
   const double plain = ratio(1);
@@ -173,11 +173,11 @@ Marker squares(Resolution resolution, Coord side, std::size_t columns) {
 }
 
 TEST(ExtremeCoordinates, TheCoarsestAndTheFinestLattice) {
-  for (const int exponent : {kFinestExponent, kCoarsestExponent}) {
+  for (const int exponent : {geometry::kFinestExponent, geometry::kCoarsestExponent}) {
     // As wide as a lattice allows to be long, and two units wide: squares of a single unit.
     for (const Coord side : {kLatticeLimit / 4 - 1, Coord{1}}) {
       const Marker marker = squares({exponent}, side, 3);
-      const Compaction result = soundly_compacted(marker);
+      const motion::compaction::Compaction result = soundly_compacted(marker);
       EXPECT_EQ(result.length_after, 3 * side) << exponent << ' ' << side;
       for (const Piece& piece : result.marker.pieces) {
         EXPECT_EQ(to_lattice(to_decimal(piece.at.x, marker.resolution), marker.resolution), piece.at.x);
@@ -217,7 +217,7 @@ TEST(ExtremeCoordinates, AThousandTimesLongerThanWide) {
   const double aspect = static_cast<double>(length_of(marker)) / static_cast<double>(marker.strip.width);
   reached("length over width", aspect);
   ASSERT_GE(aspect, 1000);
-  const Compaction result = soundly_compacted(marker);
+  const motion::compaction::Compaction result = soundly_compacted(marker);
   reached("length over width, compacted",
           static_cast<double>(result.length_after) / static_cast<double>(marker.strip.width));
   EXPECT_GE(result.length_after, 1000 * marker.strip.width);
@@ -231,7 +231,7 @@ TEST(ExtremeCoordinates, AThousandTimesWiderThanLong) {
   const Coord end = box_of(column.back()).high.y;
   for (Polygon& outline : column) outline = test::moved(outline, {(Coord{1} << 29) - box_of(outline).low.x, 0});
   const Marker marker = as_drawn(column, end);
-  const Compaction result = soundly_compacted(marker);
+  const motion::compaction::Compaction result = soundly_compacted(marker);
   const double aspect = static_cast<double>(marker.strip.width) / static_cast<double>(result.length_after);
   reached("width over length", aspect);
   EXPECT_GE(aspect, 1000);
@@ -245,7 +245,7 @@ TEST(ExtremeCoordinates, BeyondTheEdgesIsRefusedByName) {
     SCOPED_TRACE(testing::Message() << pointer << ' ' << value);
     Json changed = document;
     changed[Json::json_pointer{pointer}] = value;
-    const auto read = read_document(changed);
+    const auto read = protocol::formats::read_document(changed);
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().code, code);
     EXPECT_EQ(read.error().field, field);
@@ -265,4 +265,4 @@ TEST(ExtremeCoordinates, BeyondTheEdgesIsRefusedByName) {
 }
 
 }  // namespace
-}  // namespace selvage
+}  // namespace selvage::test

@@ -7,21 +7,21 @@
 
 #include "core/marker/unoccupied.h"
 #include "core/marker/validity.h"
-#include "core/motion/bump.h"
-#include "core/motion/drag.h"
-#include "core/motion/float_apart.h"
-#include "core/motion/open_gap.h"
-#include "core/motion/place.h"
-#include "core/motion/push.h"
-#include "core/motion/relax.h"
-#include "core/motion/separate.h"
-#include "core/motion/tilt.h"
+#include "core/motion/compaction/open_gap.h"
+#include "core/motion/compaction/push.h"
+#include "core/motion/dragging/drag.h"
+#include "core/motion/floating/float_apart.h"
+#include "core/motion/piece/bump.h"
+#include "core/motion/piece/relax.h"
+#include "core/motion/placing/place.h"
+#include "core/motion/separation/separate.h"
+#include "core/motion/tilting/tilt.h"
 #include "tests/core/motion/markers.h"
 #include "tests/extremes/reached.h"
 #include "tests/extremes/soundness.h"
 #include "tests/support/random.h"
 
-namespace selvage {
+namespace selvage::test {
 namespace {
 
 using test::Random;
@@ -65,20 +65,24 @@ class Motions {
 
   std::optional<Marker> bumped(const Marker& marker) {
     const double angle = random_.part() * 2 * std::numbers::pi;
-    return marker_of(heal_and_bump(marker, any_piece(marker), std::cos(angle), std::sin(angle), sums_));
+    return marker_of(
+        motion::piece::repair_and_bump(marker, any_piece(marker), std::cos(angle), std::sin(angle), sums_));
   }
   std::optional<Marker> dragged(const Marker& marker) {
-    const DragMode mode = random_.chance(80) ? DragMode::kPlace : DragMode::kPush;
+    const motion::dragging::DragMode mode =
+        random_.chance(80) ? motion::dragging::DragMode::kPlace : motion::dragging::DragMode::kPush;
     return drag(marker, any_piece(marker), any_place(marker), mode, sums_).marker;
   }
   std::optional<Marker> placed(const Marker& marker) {
-    return marker_of(heal_and_place(marker, any_piece(marker), any_place(marker), {.may_grow = true}, sums_));
+    return marker_of(
+        motion::placing::heal_and_place(marker, any_piece(marker), any_place(marker), {.may_grow = true}, sums_));
   }
   std::optional<Marker> relaxed(const Marker& marker) {
     const std::uint32_t piece = any_piece(marker).value;
-    const Scene scene{marker, sums_};
+    const scene::Scene scene{marker, sums_};
     Marker relaxed = marker;
-    relaxed.pieces[piece] = (random_.chance(50) ? relax(scene, piece) : relax_tilted(scene, piece, 3)).piece;
+    relaxed.pieces[piece] =
+        (random_.chance(50) ? motion::piece::relax(scene, piece) : motion::piece::relax_tilted(scene, piece, 3)).piece;
     return relaxed;
   }
   // Shaken so that pieces overlap a little, and parted again.
@@ -89,35 +93,37 @@ class Motions {
       if (!piece.locked.x) piece.at.x += random_.between(-most, most);
       if (!piece.locked.y) piece.at.y += random_.between(-most, most);
     }
-    auto done = separate(shaken, {.grow = 0.05}, sums_);
+    auto done = motion::separation::separate(shaken, {.grow = 0.05}, sums_);
     if (!done || !done->apart) return std::nullopt;
     return std::move(done->marker);
   }
   // By a force on each piece, or by gravity.
   std::optional<Marker> pushed(const Marker& marker) {
     const double x = random_.part() - 0.5;
-    std::vector<Force> forces = gravity(marker, x, random_.part() - 0.5);
+    std::vector<motion::compaction::Force> forces = motion::compaction::gravity(marker, x, random_.part() - 0.5);
     if (random_.chance(50)) {
-      for (Force& force : forces) force = {force.piece, random_.part() - 0.5, random_.part() - 0.5};
+      for (motion::compaction::Force& force : forces) force = {force.piece, random_.part() - 0.5, random_.part() - 0.5};
     }
-    return marker_of(push(marker, forces, compaction_settings(Accuracy::kDraft), sums_));
+    return marker_of(push(marker, forces, compaction_settings(motion::compaction::Accuracy::kDraft), sums_));
   }
   std::optional<Marker> compacted(const Marker& marker) {
-    return marker_of(compact(marker, compaction_settings(Accuracy::kDraft), sums_));
+    return marker_of(compact(marker, compaction_settings(motion::compaction::Accuracy::kDraft), sums_));
   }
   std::optional<Marker> floated(const Marker& marker) {
-    return marker_of(float_apart(marker, float_settings(FloatMode::kLargestMinimum, 5000), sums_));
+    return marker_of(float_apart(marker, float_settings(motion::floating::FloatMode::kLargestMinimum, 5000), sums_));
   }
   // One of its gaps made larger.
   std::optional<Marker> opened(const Marker& marker) {
-    const UnoccupiedSettings regions = unoccupied_settings(marker.strip);
+    const marker::UnoccupiedSettings regions = unoccupied_settings(marker.strip);
     const auto found = unoccupied_regions(marker, regions);
     if (found.empty()) return marker;
-    const GapChoice choice = AwayFromOutline{random_.below(found.size())};
-    return marker_of(open_gap(marker, choice, compaction_settings(Accuracy::kDraft), regions, sums_));
+    const motion::compaction::GapChoice choice = motion::compaction::AwayFromOutline{random_.below(found.size())};
+    return marker_of(
+        open_gap(marker, choice, compaction_settings(motion::compaction::Accuracy::kDraft), regions, sums_));
   }
   std::optional<Marker> tilted(const Marker& marker) {
-    TiltSettings settings = tilt_settings(TiltMethod::kLinearisation, Accuracy::kDraft);
+    motion::tilting::TiltSettings settings =
+        tilt_settings(motion::tilting::TiltMethod::kLinearisation, motion::compaction::Accuracy::kDraft);
     settings.rounds = 1;
     return marker_of(tilt(marker, settings, sums_));
   }
@@ -182,8 +188,9 @@ TEST(ExtremeEndurance, AHundredTiltsOneAfterAnother) {
   SumCache sums;
   double largest = 0;
   for (int k = 0; k < kTilts; ++k) {
-    const TiltMethod method = k % 2 == 0 ? TiltMethod::kLinearisation : TiltMethod::kRelaxation;
-    const auto tilted = tilt(now, tilt_settings(method, Accuracy::kDraft), sums);
+    const motion::tilting::TiltMethod method =
+        k % 2 == 0 ? motion::tilting::TiltMethod::kLinearisation : motion::tilting::TiltMethod::kRelaxation;
+    const auto tilted = tilt(now, tilt_settings(method, motion::compaction::Accuracy::kDraft), sums);
     ASSERT_TRUE(tilted) << k;
     now = tilted->marker;
     ASSERT_TRUE(is_valid(now)) << k;
@@ -191,7 +198,7 @@ TEST(ExtremeEndurance, AHundredTiltsOneAfterAnother) {
     largest = std::max(largest, tilted->farthest_tilt.degrees);
     // Apart again, for the next to have something to do.
     for (std::uint32_t i = 0; i < now.pieces.size(); ++i) {
-      const auto away = heal_and_bump(now, PieceId{i}, random.part() - 0.2, random.part() - 0.5, sums);
+      const auto away = motion::piece::repair_and_bump(now, PieceId{i}, random.part() - 0.2, random.part() - 0.5, sums);
       ASSERT_TRUE(away) << k;
       now = away->marker;
     }
@@ -218,4 +225,4 @@ TEST(ExtremeEndurance, AHundredTiltsOneAfterAnother) {
 }
 
 }  // namespace
-}  // namespace selvage
+}  // namespace selvage::test

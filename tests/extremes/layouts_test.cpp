@@ -10,7 +10,7 @@
 #include "tests/extremes/reached.h"
 #include "tests/extremes/soundness.h"
 
-namespace selvage {
+namespace selvage::test {
 namespace {
 
 using test::Layout;
@@ -19,10 +19,10 @@ using test::soundly_compacted;
 
 // Nothing to gain, nothing lost: it ends, says so, and the marker is as long as it was.
 void expect_full(const Marker& marker) {
-  const Compaction result = soundly_compacted(marker);
-  EXPECT_EQ(result.reason, StopReason::kConverged);
+  const motion::compaction::Compaction result = soundly_compacted(marker);
+  EXPECT_EQ(result.reason, scene::StopReason::kConverged);
   EXPECT_EQ(result.length_after, result.length_before);
-  EXPECT_EQ(result.healing.pairs, 0U);
+  EXPECT_EQ(result.repair.pairs, 0U);
   reached("pieces without room", static_cast<double>(marker.pieces.size()));
   reached("utilisation", result.utilisation_after);
 }
@@ -38,7 +38,7 @@ TEST(ExtremeLayouts, Bricks) {
     if (offset > 0) layout.put(half, {0, row * kHigh}).put(half, {41 * kWide, row * kHigh});
     for (Coord k = 0; k < (offset > 0 ? 20 : 21); ++k) layout.put(brick, {offset + 2 * kWide * k, row * kHigh});
   }
-  EXPECT_DOUBLE_EQ(utilisation_of(layout.marker()), 1);
+  EXPECT_DOUBLE_EQ(marker::utilisation_of(layout.marker()), 1);
   expect_full(layout.marker());
 }
 
@@ -102,30 +102,30 @@ std::string jigsaw_in_thirds(int grid, bool local, bool dovetailed) {
 }
 
 TEST(ExtremeLayouts, AJigsawWhoseCornersAreThirds) {
-  const auto read = read_marker(jigsaw_in_thirds(10, false, true));
+  const auto read = protocol::formats::read_marker(jigsaw_in_thirds(10, false, true));
   ASSERT_TRUE(read) << read.error().field << ' ' << read.error().message;
   expect_full(read->marker);
 }
 
 // Outlines and places rounded each for itself: pieces overlap by a unit, and the marker has to grow by units.
 TEST(ExtremeLayouts, AJigsawWhosePlacesAreThirdsTooIsHealed) {
-  const auto read = read_marker(jigsaw_in_thirds(10, true, false));
+  const auto read = protocol::formats::read_marker(jigsaw_in_thirds(10, true, false));
   ASSERT_TRUE(read) << read.error().field << ' ' << read.error().message;
   const Marker& marker = read->marker;
   EXPECT_FALSE(is_valid(marker));
-  const Compaction result = soundly_compacted(marker);
-  reached("overlapping pairs", static_cast<double>(result.healing.pairs));
-  reached("lengthened, lattice units", static_cast<double>(result.healing.lengthened));
-  EXPECT_LE(result.healing.lengthened, 40);
+  const motion::compaction::Compaction result = soundly_compacted(marker);
+  reached("overlapping pairs", static_cast<double>(result.repair.pairs));
+  reached("lengthened, lattice units", static_cast<double>(result.repair.lengthened));
+  EXPECT_LE(result.repair.lengthened, 40);
 }
 
 // A dovetail that is a unit too large for its slot can only be parted by drawing it out: refused, with that depth.
 TEST(ExtremeLayouts, DovetailsAUnitTooLargeAreRefusedByName) {
-  const auto read = read_marker(jigsaw_in_thirds(10, true, true));
+  const auto read = protocol::formats::read_marker(jigsaw_in_thirds(10, true, true));
   ASSERT_TRUE(read) << read.error().field << ' ' << read.error().message;
   const Marker before = read->marker;
   SumCache sums;
-  const auto refused = compact(read->marker, compaction_settings(Accuracy::kStandard), sums);
+  const auto refused = compact(read->marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums);
   ASSERT_FALSE(refused);
   EXPECT_EQ(read->marker, before);
   EXPECT_EQ(refused.error().code, ErrorCode::kMarkerOverlaps);
@@ -144,7 +144,7 @@ TEST(ExtremeLayouts, TenThousandPiecesInOneChain) {
   Layout layout{kSide};
   const auto square = layout.shape_of(test::rectangle(kSide, kSide));
   for (Coord k = 0; k < kPieces; ++k) layout.put(square, {k * (kSide + kGap), 0});
-  const Compaction result = soundly_compacted(layout.marker());
+  const motion::compaction::Compaction result = soundly_compacted(layout.marker());
   EXPECT_EQ(result.length_after, kPieces * kSide);
   reached("pieces", static_cast<double>(kPieces));
   reached("rounds", result.rounds);
@@ -158,7 +158,7 @@ TEST(ExtremeLayouts, AThousandSlantedPiecesInOneChain) {
   Layout layout{kSide};
   const auto slanted = layout.shape_of({{0, 0}, {kSide, 0}, {kSide + kLean, kSide}, {kLean, kSide}});
   for (Coord k = 0; k < kPieces; ++k) layout.put(slanted, {k * (kSide + 1'234), 0});
-  const Compaction result = soundly_compacted(layout.marker());
+  const motion::compaction::Compaction result = soundly_compacted(layout.marker());
   const Coord lost = result.length_after - (kPieces * kSide + kLean);
   reached("lattice units lost a contact", static_cast<double>(lost) / kPieces);
   EXPECT_GE(lost, 0);
@@ -169,7 +169,7 @@ TEST(ExtremeLayouts, OnePiece) {
   for (const Coord size : {Coord{1}, Coord{1} << 39}) {
     Layout layout{size};
     layout.put(layout.shape_of(test::rectangle(size, size)), {size / 3, 0});  // exactly as wide as the strip
-    const Compaction result = soundly_compacted(layout.marker());
+    const motion::compaction::Compaction result = soundly_compacted(layout.marker());
     EXPECT_EQ(result.length_after, size);
     EXPECT_EQ(result.utilisation_after, 1);
   }
@@ -186,7 +186,7 @@ TEST(ExtremeLayouts, PiecesExactlyAsWideAsTheStrip) {
     layout.put(wedge, {k * 2'000'000'000 + 100'000'000, 0})
         .put(wedge, {k * 2'000'000'000 + 1'500'000'000, kWidth}, 180);
   }
-  const Compaction result = soundly_compacted(layout.marker());
+  const motion::compaction::Compaction result = soundly_compacted(layout.marker());
   const double ratio = static_cast<double>(result.length_after) / static_cast<double>(result.length_before);
   reached("after / before", ratio);
   EXPECT_LE(ratio, 0.1316);
@@ -201,4 +201,4 @@ TEST(ExtremeLayouts, PiecesExactlyAsWideAsTheStrip) {
 }
 
 }  // namespace
-}  // namespace selvage
+}  // namespace selvage::test

@@ -1,17 +1,17 @@
 // Locks that leave nothing to do, and locks that contradict each other.
 #include <gtest/gtest.h>
 
-#include "core/motion/bump.h"
-#include "core/motion/drag.h"
-#include "core/motion/float_apart.h"
-#include "core/motion/separate.h"
-#include "core/motion/tilt.h"
+#include "core/motion/dragging/drag.h"
+#include "core/motion/floating/float_apart.h"
+#include "core/motion/piece/bump.h"
+#include "core/motion/separation/separate.h"
+#include "core/motion/tilting/tilt.h"
 #include "tests/core/motion/markers.h"
 #include "tests/extremes/reached.h"
 #include "tests/extremes/soundness.h"
 #include "tests/support/garment.h"
 
-namespace selvage {
+namespace selvage::test {
 namespace {
 
 using test::reached;
@@ -21,19 +21,21 @@ TEST(ExtremeLocks, EverythingLockedStaysToTheLastBit) {
   for (Piece& piece : marker.pieces) piece.locked = true;
   EXPECT_EQ(test::soundly_compacted(marker).marker, marker);
   SumCache sums;
-  const auto tilted = tilt(marker, tilt_settings(TiltMethod::kLinearisation, Accuracy::kStandard), sums);
+  const auto tilted =
+      tilt(marker, tilt_settings(motion::tilting::TiltMethod::kLinearisation, motion::compaction::Accuracy::kStandard),
+           sums);
   ASSERT_TRUE(tilted);
   EXPECT_EQ(tilted->marker.pieces, marker.pieces);
-  const auto floated = float_apart(marker, float_settings(FloatMode::kTwoStep, 1000), sums);
+  const auto floated = float_apart(marker, float_settings(motion::floating::FloatMode::kTwoStep, 1000), sums);
   ASSERT_TRUE(floated);
   EXPECT_EQ(floated->marker, marker);
-  const auto separated = separate(marker, {}, sums);
+  const auto separated = motion::separation::separate(marker, {}, sums);
   ASSERT_TRUE(separated);
   EXPECT_EQ(separated->marker, marker);
-  const auto bumped = heal_and_bump(marker, PieceId{0}, -1, 0, sums);
+  const auto bumped = motion::piece::repair_and_bump(marker, PieceId{0}, -1, 0, sums);
   ASSERT_TRUE(bumped);
   EXPECT_EQ(bumped->marker, marker);
-  EXPECT_EQ(drag(marker, PieceId{0}, {0, 0}, DragMode::kPush, sums).marker, marker);
+  EXPECT_EQ(drag(marker, PieceId{0}, {0, 0}, motion::dragging::DragMode::kPush, sums).marker, marker);
   reached("locked pieces", static_cast<double>(marker.pieces.size()));
 }
 
@@ -41,7 +43,7 @@ TEST(ExtremeLocks, EverythingLockedStaysToTheLastBit) {
 TEST(ExtremeLocks, EveryPieceLockedOnOneAxis) {
   Marker marker = test::garment("jeans_06g");
   for (std::size_t k = 0; k < marker.pieces.size(); ++k) marker.pieces[k].locked = {k % 2 == 0, k % 2 == 1, false};
-  const Compaction result = test::soundly_compacted(marker);
+  const motion::compaction::Compaction result = test::soundly_compacted(marker);
   const double ratio = static_cast<double>(result.length_after) / static_cast<double>(result.length_before);
   reached("after / before", ratio);
   EXPECT_LE(ratio, 0.99993);
@@ -62,15 +64,15 @@ TEST(ExtremeLocks, LockedPiecesThatOverlapAreRefusedByName) {
     const Marker marker = contradiction(overlap);
     const Marker before = marker;
     SumCache sums;
-    const auto result = compact(marker, compaction_settings(Accuracy::kStandard), sums);
+    const auto result = compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums);
     ASSERT_FALSE(result);
-    EXPECT_TRUE(result.error().code == ErrorCode::kHealingFailed || result.error().code == ErrorCode::kMarkerOverlaps);
+    EXPECT_TRUE(result.error().code == ErrorCode::kRepairFailed || result.error().code == ErrorCode::kMarkerOverlaps);
     EXPECT_NE(result.error().message.find("p0"), std::string::npos) << result.error().message;
     EXPECT_NE(result.error().message.find("p1"), std::string::npos) << result.error().message;
     EXPECT_EQ(marker, before);
     reached(std::to_string(overlap) + " units", result.error().message);
 
-    const auto separated = separate(marker, {}, sums);  // which says what it cannot part
+    const auto separated = motion::separation::separate(marker, {}, sums);  // which says what it cannot part
     ASSERT_TRUE(separated);
     EXPECT_FALSE(separated->apart);
     ASSERT_EQ(separated->remaining.size(), 1U);
@@ -85,16 +87,16 @@ TEST(ExtremeLocks, ALockedPieceAUnitOutsideTheStripIsRefusedByName) {
   Marker marker = contradiction(0);
   marker.pieces[0].at = {0, -1};
   SumCache sums;
-  const auto result = compact(marker, compaction_settings(Accuracy::kStandard), sums);
+  const auto result = compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums);
   ASSERT_FALSE(result);
   reached("a unit outside", result.error().message);
-  EXPECT_EQ(result.error().code, ErrorCode::kHealingFailed);
+  EXPECT_EQ(result.error().code, ErrorCode::kRepairFailed);
   EXPECT_EQ(result.error().field, "/pieces/0/at");
   EXPECT_NE(result.error().message.find("\"p0\" leaves the strip by 0.001 mm"), std::string::npos);
-  const auto separated = separate(marker, {}, sums);
+  const auto separated = motion::separation::separate(marker, {}, sums);
   ASSERT_FALSE(separated);
   EXPECT_EQ(separated.error().code, ErrorCode::kOutsideStrip);
 }
 
 }  // namespace
-}  // namespace selvage
+}  // namespace selvage::test

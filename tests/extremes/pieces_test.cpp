@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "core/geometry/outline.h"
 #include "core/minkowski/sum.h"
+#include "core/outline/outline.h"
 #include "tests/core/motion/markers.h"
 #include "tests/extremes/nasty_pieces.h"
 #include "tests/extremes/reached.h"
@@ -12,7 +12,7 @@
 #include "tests/support/exact.h"
 #include "tests/support/polygons.h"
 
-namespace selvage {
+namespace selvage::test {
 namespace {
 
 using test::NastyPiece;
@@ -29,9 +29,9 @@ std::string name_of(const testing::TestParamInfo<NastyPiece>& tested) {
 TEST_P(ExtremePieces, PartsCoverItExactly) {
   const Polygon& outline = GetParam().outline;
   ASSERT_TRUE(test::is_simple_exactly(outline));
-  const auto parts = make_outline(outline)->parts;
+  const auto parts = outline::make_outline(outline)->parts;
   Wide area = 0;
-  for (const StarPart& part : parts) area += doubled_area(part.vertices);
+  for (const outline::StarPart& part : parts) area += doubled_area(part.vertices);
   EXPECT_TRUE(area == doubled_area(outline));
   reached(GetParam().name + ": star parts", static_cast<double>(parts.size()));
 }
@@ -41,10 +41,11 @@ TEST_P(ExtremeSums, AreWhatCgalFinds) {
   const Polygon& p = GetParam().outline;
   const Polygon triangle{{0, 0}, {1000, 300}, {200, 900}};
   for (const auto& [other, q] : {std::pair{"itself", p}, {"a triangle", triangle}}) {
-    const auto first = make_outline(p);
-    const auto second = make_outline(q);
+    const auto first = outline::make_outline(p);
+    const auto second = outline::make_outline(q);
     const test::ExactSum exact{p, q, test::ExactSum::Method::kDecomposition};
-    const double apart = exact.difference(minkowski_sum(first->parts, second->parts)).area / exact.perimeter();
+    const double apart =
+        exact.difference(minkowski::minkowski_sum(first->parts, second->parts)).area / exact.perimeter();
     reached(GetParam().name + ": units off along the boundary of its sum with " + other, apart);
     EXPECT_LE(apart, 1);
   }
@@ -78,7 +79,7 @@ Marker with_blocks(const Polygon& outline) {
 }
 
 TEST_P(ExtremePieces, SomeOfThemCompact) {
-  const Compaction result =
+  const motion::compaction::Compaction result =
       test::soundly_compacted(GetParam().many_parts ? with_blocks(GetParam().outline) : four_of(GetParam()));
   const double ratio = static_cast<double>(result.length_after) / static_cast<double>(result.length_before);
   reached(GetParam().name + ": after / before", ratio);
@@ -90,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(Nasty, ExtremePieces, testing::ValuesIn(test::nasty_pie
 INSTANTIATE_TEST_SUITE_P(Nasty, ExtremeSums, testing::ValuesIn(test::pieces_with_judged_sums()), name_of);
 
 TEST(ExtremeOutlines, ASpiralHasThirtyStarParts) {
-  EXPECT_GE(make_outline(test::spiral(70, Coord{1} << 28))->parts.size(), 30U);
+  EXPECT_GE(outline::make_outline(test::spiral(70, Coord{1} << 28))->parts.size(), 30U);
 }
 
 TEST(ExtremeOutlines, TenThousandVerticesAreRefusedHoweverFewAreMeant) {
@@ -104,12 +105,12 @@ TEST(ExtremeOutlines, TenThousandVerticesAreRefusedHoweverFewAreMeant) {
   EXPECT_NE(refused.error().message.find("2000"), std::string::npos) << refused.error().message;
 
   repeated.clear();
-  for (const Vec corner : corners) repeated.insert(repeated.end(), kMaxVertices / 4, corner);
+  for (const Vec corner : corners) repeated.insert(repeated.end(), geometry::kMaxVertices / 4, corner);
   const auto mended = clean_polygon(repeated);
   ASSERT_TRUE(mended);
   EXPECT_EQ(mended->polygon, corners);
-  EXPECT_EQ(mended->repairs.duplicate_vertices, kMaxVertices - 4);
-  reached("duplicates left out", static_cast<double>(kMaxVertices - 4));
+  EXPECT_EQ(mended->repairs.duplicate_vertices, geometry::kMaxVertices - 4);
+  reached("duplicates left out", static_cast<double>(geometry::kMaxVertices - 4));
 }
 
 // Back and forth along one line: spikes of no width, and vertices a unit off it.
@@ -129,4 +130,4 @@ TEST(ExtremeOutlines, RunsThatAreAllButStraight) {
 }
 
 }  // namespace
-}  // namespace selvage
+}  // namespace selvage::test

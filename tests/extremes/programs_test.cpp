@@ -6,15 +6,15 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/lp/clp.h"
-#include "core/lp/interior_point.h"
+#include "core/lp/interior_point/interior_point.h"
+#include "core/lp/solver/clp.h"
 #include "tests/core/lp/compaction_models.h"
-#include "tests/extremes/exact_certificate.h"
+#include "tests/extremes/certificates/exact_certificate.h"
 #include "tests/extremes/reached.h"
 #include "tests/extremes/row_of_points.h"
 #include "tests/support/random.h"
 
-namespace selvage {
+namespace selvage::test {
 namespace {
 
 using test::exact_certificate;
@@ -22,7 +22,7 @@ using test::ExactCertificate;
 using test::Random;
 using test::reached;
 using test::row_of_points;
-using Entry = LinearProgram::Entry;
+using Entry = lp::LinearProgram::Entry;
 
 constexpr int kPivots = 1'000'000;
 
@@ -31,13 +31,13 @@ struct Worst {
   double primal{}, dual{}, gap{}, apart{};
 
   // `scale`: the size of the numbers that the objective is made of.
-  void look_at(const LinearProgram& program, double scale = 1) {
-    const LpSolution simplex = solve_by_simplex(program, kPivots);
-    const LpSolution interior = solve_by_interior_point(program);
-    ASSERT_EQ(simplex.status, LpStatus::kOptimal);
-    ASSERT_EQ(interior.status, LpStatus::kOptimal);
+  void look_at(const lp::LinearProgram& program, double scale = 1) {
+    const lp::LpSolution simplex = lp::solver::solve_by_simplex(program, kPivots);
+    const lp::LpSolution interior = lp::interior_point::solve_by_interior_point(program);
+    ASSERT_EQ(simplex.status, lp::LpStatus::kOptimal);
+    ASSERT_EQ(interior.status, lp::LpStatus::kOptimal);
     apart = std::max(apart, std::abs(simplex.objective - interior.objective) / scale);
-    for (const LpSolution* solution : {&simplex, &interior}) {
+    for (const lp::LpSolution* solution : {&simplex, &interior}) {
       const ExactCertificate exact = exact_certificate(program, *solution);
       primal = std::max(primal, exact.primal);
       dual = std::max(dual, exact.dual);
@@ -58,11 +58,11 @@ struct Worst {
 };
 
 // The largest square between so many lines in whole degrees: cosines of right angles leave dust of 6e-17 in the rows.
-LinearProgram square_between_lines(Random& random, int lines) {
-  LinearProgram program;
+lp::LinearProgram square_between_lines(Random& random, int lines) {
+  lp::LinearProgram program;
   program.add_column(0, -1, 1);
   program.add_column(0, -1, 1);
-  program.add_column(-1, -kInfinity, 1);
+  program.add_column(-1, -lp::kInfinity, 1);
   for (int k = 0; k < lines; ++k) {
     const double angle = static_cast<double>(random.between(0, 359)) * std::numbers::pi / 180;
     const double room = static_cast<double>(random.between(-20, 199)) / 150;
@@ -88,8 +88,8 @@ TEST(ExtremePrograms, AThousandRowsThroughOneVertex) {
   Worst worst;
   for (int trial = 0; trial < 5; ++trial) {
     constexpr int kColumns = 12;
-    LinearProgram program;
-    for (int j = 0; j < kColumns; ++j) program.add_column(0, -kInfinity, kInfinity);
+    lp::LinearProgram program;
+    for (int j = 0; j < kColumns; ++j) program.add_column(0, -lp::kInfinity, lp::kInfinity);
     for (int r = 0; r < 1000; ++r) {
       std::vector<Entry> row;
       double at_vertex = 0;
@@ -108,21 +108,21 @@ TEST(ExtremePrograms, AThousandRowsThroughOneVertex) {
 
 // Beale's program, on which the textbook's simplex method goes round in a circle.
 TEST(ExtremePrograms, WherePivotsGoRoundInACircle) {
-  LinearProgram program;
-  for (const double cost : {-0.75, 150.0, -0.02, 6.0}) program.add_column(cost, 0, kInfinity);
+  lp::LinearProgram program;
+  for (const double cost : {-0.75, 150.0, -0.02, 6.0}) program.add_column(cost, 0, lp::kInfinity);
   program.add_row(std::vector<Entry>{{0, -0.25}, {1, 60}, {2, 0.04}, {3, -9}}, 0);
   program.add_row(std::vector<Entry>{{0, -0.5}, {1, 90}, {2, 0.02}, {3, -3}}, 0);
   program.add_row(std::vector<Entry>{{2, -1}}, -1);
   Worst worst;
   worst.look_at(program);
   worst.expect_closed();
-  EXPECT_NEAR(solve_by_simplex(program, kPivots).objective, -0.05, 1e-9);
+  EXPECT_NEAR(lp::solver::solve_by_simplex(program, kPivots).objective, -0.05, 1e-9);
 }
 
 // The rows of a Hilbert matrix: all but parallel, at a condition of 1e10.
 TEST(ExtremePrograms, RowsAllButParallel) {
   constexpr int kSize = 8;
-  LinearProgram program;
+  lp::LinearProgram program;
   for (int j = 0; j < kSize; ++j) program.add_column(1, 0, 10);
   for (int r = 0; r < kSize; ++r) {
     std::vector<Entry> row;
@@ -140,9 +140,9 @@ TEST(ExtremePrograms, RowsAllButParallel) {
 
 TEST(ExtremePrograms, ColumnsThatNothingHolds) {
   Worst worst;
-  LinearProgram program = row_of_points(50, 10);
+  lp::LinearProgram program = row_of_points(50, 10);
   for (int k = 0; k < 1000; ++k) {  // free, without cost: some in no row, some in a row that never binds
-    const int loose = program.add_column(0, -kInfinity, kInfinity);
+    const int loose = program.add_column(0, -lp::kInfinity, lp::kInfinity);
     if (k % 2 == 0) program.add_row(std::vector<Entry>{{loose, 1}, {k % 50, 1}}, -1);
   }
   worst.look_at(program);
@@ -154,7 +154,7 @@ TEST(ExtremePrograms, RowsInUnitsAMillionApart) {
   Random random{3};
   Worst worst;
   for (const int points : {5, 20}) {
-    LinearProgram program = compaction_program({.points = points});
+    lp::LinearProgram program = lp::compaction_program({.points = points});
     for (int r = 0; r < program.rows(); ++r) {
       const double unit = std::pow(10.0, static_cast<double>(random.between(-3, 3)));
       const auto k = static_cast<std::size_t>(r);
@@ -170,8 +170,8 @@ TEST(ExtremePrograms, RowsInUnitsAMillionApart) {
 TEST(ExtremePrograms, FiftyThousandRows) {
   Random random{4};
   constexpr int kColumns = 12;
-  LinearProgram program;
-  for (int j = 0; j < kColumns; ++j) program.add_column(random.part() * 2 - 1, -kInfinity, kInfinity);
+  lp::LinearProgram program;
+  for (int j = 0; j < kColumns; ++j) program.add_column(random.part() * 2 - 1, -lp::kInfinity, lp::kInfinity);
   for (int r = 0; r < 50'000; ++r) {
     std::vector<Entry> row;
     double square = 0;
@@ -191,10 +191,10 @@ TEST(ExtremePrograms, FiftyThousandRows) {
 // As many rows shaped like a compaction's.  Simplex takes 40,000 pivots and a minute to come to the same objective, so
 // it is not asked here: feasibility, prices and what these promise prove the answer best without it.
 TEST(ExtremePrograms, FiftyThousandRowsOfACompaction) {
-  const LinearProgram program = compaction_program({.points = 3300});
+  const lp::LinearProgram program = lp::compaction_program({.points = 3300});
   ASSERT_GE(program.rows(), 50'000);
-  const LpSolution solution = solve_by_interior_point(program);
-  ASSERT_EQ(solution.status, LpStatus::kOptimal);
+  const lp::LpSolution solution = lp::interior_point::solve_by_interior_point(program);
+  ASSERT_EQ(solution.status, lp::LpStatus::kOptimal);
   const ExactCertificate exact = exact_certificate(program, solution);
   const double gap = std::abs(exact.gap / exact.objective);
   reached("rows", program.rows());
@@ -208,4 +208,4 @@ TEST(ExtremePrograms, FiftyThousandRowsOfACompaction) {
 }
 
 }  // namespace
-}  // namespace selvage
+}  // namespace selvage::test

@@ -11,11 +11,11 @@ namespace selvage::test {
 inline constexpr double kLatticeUnit = 1000.0 / (1 << 28);
 
 // Points one apart, which the strip leaves `spare` lattice units in all.
-inline LinearProgram row_of_points(int points, double spare) {
-  using Row = std::vector<LinearProgram::Entry>;
-  LinearProgram program;
-  program.add_column(1, 0, kInfinity);
-  for (int j = 1; j < points; ++j) program.add_column(0, -kInfinity, kInfinity);
+inline lp::LinearProgram row_of_points(int points, double spare) {
+  using Row = std::vector<lp::LinearProgram::Entry>;
+  lp::LinearProgram program;
+  program.add_column(1, 0, lp::kInfinity);
+  for (int j = 1; j < points; ++j) program.add_column(0, -lp::kInfinity, lp::kInfinity);
   for (int j = 1; j < points; ++j) program.add_row(Row{{j, 1}, {j - 1, -1}}, 1);
   program.add_row(Row{{points - 1, -1}}, 1 - points - spare * kLatticeUnit);
   return program;

@@ -29,7 +29,7 @@ void keep_for_another_judge(const Marker& marker) {
   const char* folder = std::getenv("SELVAGE_OUTLINES");
   if (folder == nullptr) return;
   std::ofstream out{free_path_in(folder)};
-  out << to_text(outlines_document(marker)) << "\n";
+  out << protocol::json::to_text(protocol::formats::outlines_document(marker)) << "\n";
   EXPECT_TRUE(out.good()) << folder;
 }
 
@@ -105,15 +105,15 @@ void expect_sound(const Marker& before, const Marker& after, Coord lengthened) {
   }
 }
 
-Compaction soundly_compacted(const Marker& marker) {
+motion::compaction::Compaction soundly_compacted(const Marker& marker) {
   SumCache sums;
-  auto result = compact(marker, compaction_settings(Accuracy::kStandard), sums);
+  auto result = compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums);
   if (!result) {
     ADD_FAILURE() << result.error().message;
     return {};
   }
-  EXPECT_TRUE(result->reason == StopReason::kConverged || result->reason == StopReason::kWorkLimit);
-  expect_sound(marker, result->marker, result->healing.lengthened);
+  EXPECT_TRUE(result->reason == scene::StopReason::kConverged || result->reason == scene::StopReason::kWorkLimit);
+  expect_sound(marker, result->marker, result->repair.lengthened);
   return std::move(*result);
 }
 

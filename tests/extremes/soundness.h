@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/marker/marker.h"
-#include "core/motion/compact.h"
+#include "core/motion/compaction/compact.h"
 
 namespace selvage::test {
 
@@ -20,6 +20,6 @@ std::size_t expect_valid_where_moved(const Marker& before, const Marker& after);
 void expect_sound(const Marker& before, const Marker& after, Coord lengthened = 0);
 
 // Compacted at standard accuracy and found sound; an empty marker, and a failure, when it is refused.
-Compaction soundly_compacted(const Marker& marker);
+motion::compaction::Compaction soundly_compacted(const Marker& marker);
 
 }  // namespace selvage::test

@@ -6,17 +6,17 @@
 #include <numbers>
 
 #include "core/marker/validity.h"
-#include "core/motion/bump.h"
-#include "core/motion/drag.h"
-#include "core/motion/float_apart.h"
-#include "core/motion/separate.h"
-#include "core/motion/tilt.h"
+#include "core/motion/dragging/drag.h"
+#include "core/motion/floating/float_apart.h"
+#include "core/motion/piece/bump.h"
+#include "core/motion/separation/separate.h"
+#include "core/motion/tilting/tilt.h"
 #include "tests/core/motion/markers.h"
 #include "tests/extremes/reached.h"
 #include "tests/extremes/soundness.h"
 #include "tests/support/garment.h"
 
-namespace selvage {
+namespace selvage::test {
 namespace {
 
 using test::reached;
@@ -49,16 +49,17 @@ TEST(ExtremeTilts, LimitsHoldToTheLastBit) {
   for (const double limit : {std::numeric_limits<double>::denorm_min(), 1e-9, 0.1, 3.0, 45.0}) {
     SCOPED_TRACE(limit);
     const Marker marker = tilting_marker(limit);
-    for (const TiltMethod method : {TiltMethod::kLinearisation, TiltMethod::kRelaxation}) {
+    for (const motion::tilting::TiltMethod method :
+         {motion::tilting::TiltMethod::kLinearisation, motion::tilting::TiltMethod::kRelaxation}) {
       SumCache sums;
-      const auto result = tilt(marker, tilt_settings(method, Accuracy::kStandard), sums);
+      const auto result = tilt(marker, tilt_settings(method, motion::compaction::Accuracy::kStandard), sums);
       ASSERT_TRUE(result) << result.error().message;
       test::expect_valid_twice(result->marker);
       EXPECT_LE(result->length_after, result->length_compacted);
       EXPECT_LE(result->farthest_tilt.degrees, limit);
       for (const Piece& piece : result->marker.pieces) EXPECT_LE(std::abs(piece.orientation.tilt.degrees), limit);
       EXPECT_TRUE(make_marker(result->marker));
-      if (method == TiltMethod::kLinearisation) {
+      if (method == motion::tilting::TiltMethod::kLinearisation) {
         char name[64];
         std::snprintf(name, sizeof name, "limit %g: farthest tilt", limit);
         reached(name, result->farthest_tilt.degrees);
@@ -89,7 +90,9 @@ TEST(ExtremeTilts, PiecesThatComeAtTheLimitTiltNoFarther) {
     Marker marker = tilting_marker(3);
     for (Piece& piece : marker.pieces) piece.orientation.tilt = Angle::of_degrees(came);
     SumCache sums;
-    const auto result = tilt(marker, tilt_settings(TiltMethod::kLinearisation, Accuracy::kStandard), sums);
+    const auto result =
+        tilt(marker,
+             tilt_settings(motion::tilting::TiltMethod::kLinearisation, motion::compaction::Accuracy::kStandard), sums);
     ASSERT_TRUE(result) << result.error().message;
     test::expect_valid_twice(result->marker);
     for (const Piece& piece : result->marker.pieces) {
@@ -109,19 +112,20 @@ Marker tilted_marker(double limit, double tilt) {
 }
 
 void expect_motions_from(const Marker& marker) {
-  const Compaction compaction = test::soundly_compacted(marker);  // orientations to the last bit
+  const motion::compaction::Compaction compaction = test::soundly_compacted(marker);  // orientations to the last bit
   EXPECT_LT(compaction.length_after, compaction.length_before);
   SumCache sums;
-  const auto floated = float_apart(compaction.marker, float_settings(FloatMode::kLargestMinimum, Coord{1} << 30), sums);
+  const auto floated = float_apart(compaction.marker,
+                                   float_settings(motion::floating::FloatMode::kLargestMinimum, Coord{1} << 30), sums);
   ASSERT_TRUE(floated) << floated.error().message;
   test::expect_sound(compaction.marker, floated->marker);
-  const auto bumped = heal_and_bump(marker, PieceId{5}, -1, 0.1, sums);
+  const auto bumped = motion::piece::repair_and_bump(marker, PieceId{5}, -1, 0.1, sums);
   ASSERT_TRUE(bumped) << bumped.error().message;
   test::expect_sound(marker, bumped->marker);
-  test::expect_sound(marker, drag(marker, PieceId{5}, {0, 0}, DragMode::kPush, sums).marker);
+  test::expect_sound(marker, drag(marker, PieceId{5}, {0, 0}, motion::dragging::DragMode::kPush, sums).marker);
   Marker overlapping = marker;
   overlapping.pieces[2].at.x -= Coord{1} << 34;
-  const auto separated = separate(overlapping, {}, sums);
+  const auto separated = motion::separation::separate(overlapping, {}, sums);
   ASSERT_TRUE(separated) << separated.error().message;
   ASSERT_TRUE(separated->apart);
   test::expect_sound(overlapping, separated->marker);
@@ -138,9 +142,10 @@ TEST(ExtremeTilts, MotionsFromPiecesThatLieTilted) {
     ASSERT_TRUE(make_marker(marker));
     EXPECT_NE(placed_outline(marker, PieceId{0}), placed_outline(tilted_marker(limit, 0), PieceId{0}));
     expect_motions_from(marker);
-    for (const TiltMethod method : {TiltMethod::kLinearisation, TiltMethod::kRelaxation}) {
+    for (const motion::tilting::TiltMethod method :
+         {motion::tilting::TiltMethod::kLinearisation, motion::tilting::TiltMethod::kRelaxation}) {
       SumCache sums;
-      const auto result = tilt(marker, tilt_settings(method, Accuracy::kDraft), sums);
+      const auto result = tilt(marker, tilt_settings(method, motion::compaction::Accuracy::kDraft), sums);
       ASSERT_TRUE(result) << result.error().message;
       test::expect_valid_twice(result->marker);
       EXPECT_LE(result->length_after, result->length_compacted);
@@ -156,7 +161,8 @@ TEST(ExtremeTilts, LimitsOutsideTheRangeAreRefused) {
   SumCache sums;
   for (const double limit : {-std::numeric_limits<double>::denorm_min(), std::nextafter(45.0, 90.0), std::nan(""),
                              std::numeric_limits<double>::infinity()}) {
-    TiltSettings settings = tilt_settings(TiltMethod::kLinearisation, Accuracy::kStandard);
+    motion::tilting::TiltSettings settings =
+        tilt_settings(motion::tilting::TiltMethod::kLinearisation, motion::compaction::Accuracy::kStandard);
     settings.limit = Angle::of_degrees(limit);
     const auto refused = tilt(marker, settings, sums);
     ASSERT_FALSE(refused) << limit;
@@ -166,4 +172,4 @@ TEST(ExtremeTilts, LimitsOutsideTheRangeAreRefused) {
 }
 
 }  // namespace
-}  // namespace selvage
+}  // namespace selvage::test

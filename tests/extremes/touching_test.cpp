@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "core/motion/bump.h"
+#include "core/motion/piece/bump.h"
 #include "tests/core/motion/markers.h"
 #include "tests/extremes/nasty_pieces.h"
 #include "tests/extremes/reached.h"
@@ -12,7 +12,7 @@
 #include "tests/support/placed.h"
 #include "tests/support/polygons.h"
 
-namespace selvage {
+namespace selvage::test {
 namespace {
 
 using test::Random;
@@ -66,7 +66,7 @@ TEST(ExtremeContacts, WhereBumpsBringRandomPiecesTogether) {
     layout.put(layout.shape_of(p), -box_of(p).low, 0, true);
     layout.put(layout.shape_of(q), Vec{2 * extent, 0} - box_of(q).low);
     SumCache sums;
-    const auto result = heal_and_bump(layout.marker(), PieceId{1}, -1, -1e-3, sums);
+    const auto result = motion::piece::repair_and_bump(layout.marker(), PieceId{1}, -1, -1e-3, sums);
     ASSERT_TRUE(result);
     const Polygon obstacle = placed_outline(result->marker, PieceId{0});
     const Polygon bumped = placed_outline(result->marker, PieceId{1});
@@ -80,7 +80,7 @@ TEST(ExtremeContacts, WhereBumpsBringRandomPiecesTogether) {
 }
 
 // A bar in a slot `play` units wider than it, drawn in to the slot's floor.
-Compaction drawn_into_slot(Coord size, Coord play) {
+motion::compaction::Compaction drawn_into_slot(Coord size, Coord play) {
   test::Layout layout{3 * size + play};
   layout.put(layout.shape_of({{0, 0},
                               {4 * size, 0},
@@ -108,7 +108,7 @@ TEST(ExtremeContacts, ABarInATighterSlotStopsShortButSound) {
   constexpr Coord kSize = Coord{1} << 36;
   constexpr std::array<double, 4> kLeft{0.5, 2, 0.5, 0.5};
   for (const Coord play : {0, 1, 2, 3}) {
-    const Compaction result = drawn_into_slot(kSize, play);
+    const motion::compaction::Compaction result = drawn_into_slot(kSize, play);
     const double left = static_cast<double>(result.length_after - 4 * kSize) / static_cast<double>(kSize);
     reached("play of " + std::to_string(play) + " units: left of a way of 2", left);
     EXPECT_LE(left, kLeft[static_cast<std::size_t>(play)] + 1e-6);
@@ -116,4 +116,4 @@ TEST(ExtremeContacts, ABarInATighterSlotStopsShortButSound) {
 }
 
 }  // namespace
-}  // namespace selvage
+}  // namespace selvage::test

@@ -8,10 +8,10 @@
 namespace selvage::test {
 
 void demand_sound_reading(std::string_view text, const std::function<Result<MarkerFile>(const Json&)>& read) {
-  const auto document = parse(text);
+  const auto document = protocol::json::parse(text);
   demand(document || !document.error().message.empty(), "text refused without a word");
   if (!document) return;
-  const auto again = parse(to_text(*document));
+  const auto again = protocol::json::parse(protocol::json::to_text(*document));
   demand(again && *again == *document, "JSON that does not read back");
   const auto file = read(*document);
   if (!file) {
@@ -22,11 +22,11 @@ void demand_sound_reading(std::string_view text, const std::function<Result<Mark
   demand(static_cast<bool>(make_marker(marker)), "a marker that is none was read");
   demand(Judge{}.fault_of(marker).empty() == is_valid(marker), "is_valid is wrong");
   for (const Format format : {Format::kNative, Format::kSparrow, Format::kOutlines, Format::kSvg}) {
-    const auto written = write_marker(*file, format);
+    const auto written = protocol::formats::write_marker(*file, format);
     demand(written || (format == Format::kSparrow && written.error().code == ErrorCode::kOrientationNotAllowed),
            "a marker that cannot be written");
     if (format != Format::kNative) continue;
-    const auto back = read_marker(*written);
+    const auto back = protocol::formats::read_marker(*written);
     demand(static_cast<bool>(back), "native form that is refused");
     demand(back->marker == marker, "native form that reads back as another marker");
     demand(back->attributes.pieces == file->attributes.pieces && back->attributes.shapes == file->attributes.shapes,

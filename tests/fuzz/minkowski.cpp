@@ -26,7 +26,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   const Polygon p = test::scaled(test::any_polygon(random, random.between(4, 32)), factor);
   const Polygon q =
       transformed(test::scaled(test::any_polygon(random, random.between(2, 24)), factor), random.symmetry());
-  const auto sum = minkowski_sum(make_outline(p)->parts, make_outline(q)->parts);
+  const auto sum = minkowski::minkowski_sum(outline::make_outline(p)->parts, outline::make_outline(q)->parts);
   const std::string broken = test::broken_law({p, q, {}}, sum);
   test::demand(broken.empty(), broken);
   return 0;

@@ -5,10 +5,10 @@
 #include <numeric>
 
 #include "core/geometry/orientation.h"
-#include "core/geometry/outline.h"
-#include "core/geometry/outward.h"
-#include "core/geometry/star.h"
-#include "core/geometry/triangulation.h"
+#include "core/outline/outline.h"
+#include "core/outline/outward.h"
+#include "core/outline/star.h"
+#include "core/outline/triangulation.h"
 #include "tests/fuzz/any_polygon.h"
 #include "tests/fuzz/entry.h"
 #include "tests/soak/exact_pairs.h"
@@ -23,34 +23,36 @@ void judge_polygon(const Polygon& polygon, const std::vector<Vec>& vertices) {
     const Vec a = polygon[k];
     const Vec b = polygon[(k + 1) % n];
     const Vec c = polygon[(k + 2) % n];
-    demand(a != b && cross({b.x - a.x, b.y - a.y}, {c.x - b.x, c.y - b.y}) != 0, "an idle vertex");
+    demand(a != b && geometry::cross({b.x - a.x, b.y - a.y}, {c.x - b.x, c.y - b.y}) != 0, "an idle vertex");
     demand(std::find(vertices.begin(), vertices.end(), a) != vertices.end(), "a vertex that nobody gave");
-    demand(locate(a, polygon) == Location::kBoundary, "a vertex that is not on the boundary");
+    demand(locate(a, polygon) == geometry::Location::kBoundary, "a vertex that is not on the boundary");
   }
   demand(!touches_itself(polygon), "a polygon that touches itself");
   demand(doubled_area(polygon) > 0, "a clockwise polygon");
   const auto again = clean_polygon(polygon);
-  demand(again && again->polygon == polygon && again->repairs == Repairs{}, "a clean polygon that is mended");
+  demand(again && again->polygon == polygon && again->repairs == geometry::Repairs{}, "a clean polygon that is mended");
 }
 
-Wide area_of_parts(const std::vector<StarPart>& parts) {
+Wide area_of_parts(const std::vector<outline::StarPart>& parts) {
   return std::accumulate(parts.begin(), parts.end(), Wide{},
-                         [](Wide sum, const StarPart& part) { return sum + doubled_area(part.vertices); });
+                         [](Wide sum, const outline::StarPart& part) { return sum + doubled_area(part.vertices); });
 }
 
 void judge_outline(const Polygon& polygon) {
-  const auto outline = make_outline(polygon);
+  const auto outline = outline::make_outline(polygon);
   demand(outline->convex == is_convex(polygon), "convex or not");
   demand(area_of_parts(outline->parts) == doubled_area(polygon), "star parts that are not the polygon");
 }
 
 void judge_simplified(const Polygon& polygon, Coord tolerance) {
-  const Polygon grown = simplified_outward(polygon, tolerance);
+  const Polygon grown = outline::simplified_outward(polygon, tolerance);
   const auto again = clean_polygon(grown);
-  demand(again && again->polygon == grown && again->repairs == Repairs{}, "a simplified polygon that is mended");
+  demand(again && again->polygon == grown && again->repairs == geometry::Repairs{},
+         "a simplified polygon that is mended");
   demand(grown.size() <= polygon.size(), "a simplified polygon of more vertices");
   demand(doubled_area(grown) >= doubled_area(polygon), "a simplified polygon that is smaller");
-  for (const Vec v : polygon) demand(locate(v, grown) != Location::kOutside, "a vertex outside the simplified polygon");
+  for (const Vec v : polygon)
+    demand(locate(v, grown) != geometry::Location::kOutside, "a vertex outside the simplified polygon");
 }
 
 }  // namespace

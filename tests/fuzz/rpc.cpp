@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "server/dispatcher.h"
+#include "server/dispatch/dispatcher.h"
 #include "tests/fuzz/entry.h"
 
 namespace selvage::test {
@@ -20,12 +20,13 @@ bool small(const Marker& marker) {
 }
 
 // The core, but for what takes long: that is not what is looked at here.
-Engine quick_engine() {
-  Engine engine;
-  engine.refine = [](const Marker& start, const RefineSettings&, SumCache& sums, std::stop_token stop,
-                     const Observer& observer) -> Result<Compaction> {
-    if (!small(start)) return Error{ErrorCode::kHealingFailed, "too large for this test", {}};
-    return refine(start, {.other_ways = 4, .effort = 20, .tilts = false, .seed = 1}, sums, std::move(stop), observer);
+protocol::calls::Engine quick_engine() {
+  protocol::calls::Engine engine;
+  engine.refine = [](const Marker& start, const search::RefineSettings&, SumCache& sums, std::stop_token stop,
+                     const scene::Observer& observer) -> Result<motion::compaction::Compaction> {
+    if (!small(start)) return Error{ErrorCode::kRepairFailed, "too large for this test", {}};
+    return search::refine(start, {.other_ways = 4, .effort = 20, .tilts = false, .seed = 1}, sums, std::move(stop),
+                          observer);
   };
   return engine;
 }
@@ -33,13 +34,14 @@ Engine quick_engine() {
 // Every answer is JSON-RPC; none says that the daemon is at fault.
 void judge(const std::string& text) {
   if (text.empty()) return;  // to notifications
-  const auto answer = parse(text);
+  const auto answer = protocol::json::parse(text);
   demand(static_cast<bool>(answer), "an answer that is not JSON");
   const Json answers = answer->is_array() ? *answer : Json::array({*answer});
   for (const Json& one : answers) {
     demand(one.value("jsonrpc", "") == "2.0", "an answer that is not JSON-RPC");
     const auto error = one.find("error");
-    const bool internal = error != one.end() && (*error)["code"] == static_cast<int>(RpcCode::kInternalError);
+    const bool internal =
+        error != one.end() && (*error)["code"] == static_cast<int>(protocol::rpc::RpcCode::kInternalError);
     demand(!internal, "internal error: " + text);
   }
 }
@@ -58,18 +60,19 @@ class Desk {
   }
 
  private:
-  const Limits limits_{.open_markers = 8, .transport = {.body_bytes = std::size_t{1} << 20}};
+  const server::calls::Limits limits_{.open_markers = 8, .transport = {.body_bytes = std::size_t{1} << 20}};
   SumCache sums_{std::size_t{1} << 20};
-  MarkerStore store_{limits_.open_markers, nullptr};
-  Watchers watchers_;
-  Methods methods_{store_, watchers_, sums_, limits_, 0, quick_engine()};
-  DeadlineClock clock_;
-  std::shared_ptr<Session> session_ =
-      std::make_shared<Session>(Session{.id = 1, .notify = [](const std::string& text) { judge(text); }, .gone = {}});
-  JobQueue parsing_{0, limits_.waiting_reads}, reads_{0, limits_.waiting_reads}, motions_{0, limits_.waiting_motions},
-      hands_{0, limits_.waiting_moves};
-  Drags drags_{store_, methods_, sums_, hands_};
-  Dispatcher dispatcher_{methods_, drags_, clock_, parsing_, reads_, motions_, limits_, [](const AnsweredRequest&) {}};
+  server::store::MarkerStore store_{limits_.open_markers, nullptr};
+  server::methods::Watchers watchers_;
+  server::methods::Methods methods_{store_, watchers_, sums_, limits_, 0, quick_engine()};
+  server::jobs::DeadlineClock clock_;
+  std::shared_ptr<server::transport::access::Session> session_ = std::make_shared<server::transport::access::Session>(
+      server::transport::access::Session{.id = 1, .notify = [](const std::string& text) { judge(text); }, .gone = {}});
+  server::jobs::JobQueue parsing_{0, limits_.waiting_reads}, reads_{0, limits_.waiting_reads},
+      motions_{0, limits_.waiting_motions}, hands_{0, limits_.waiting_moves};
+  server::methods::Drags drags_{store_, methods_, sums_, hands_};
+  server::dispatch::Dispatcher dispatcher_{methods_, drags_,   clock_,  parsing_,
+                                           reads_,   motions_, limits_, [](const server::ops::AnsweredRequest&) {}};
 };
 
 }  // namespace

@@ -6,6 +6,6 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const std::string text{bytes, bytes + size};
-  selvage::test::demand_sound_reading(text, selvage::read_sparrow);
+  selvage::test::demand_sound_reading(text, selvage::protocol::formats::read_sparrow);
   return 0;
 }

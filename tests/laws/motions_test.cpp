@@ -7,16 +7,16 @@
 #include <string>
 
 #include "core/marker/validity.h"
-#include "core/motion/bump.h"
-#include "core/motion/compact.h"
-#include "core/motion/float_apart.h"
-#include "core/motion/open_gap.h"
-#include "core/motion/push.h"
-#include "core/motion/separate.h"
+#include "core/motion/compaction/compact.h"
+#include "core/motion/compaction/open_gap.h"
+#include "core/motion/compaction/push.h"
+#include "core/motion/floating/float_apart.h"
+#include "core/motion/piece/bump.h"
+#include "core/motion/separation/separate.h"
 #include "tests/laws/random_marker.h"
 #include "tests/laws/random_settings.h"
 
-namespace selvage {
+namespace selvage::test {
 namespace {
 
 using test::kSlowdown;
@@ -48,7 +48,7 @@ TEST(MotionLaws, Compaction) {
     const auto result = compact(marker, settings, sums);
     ASSERT_TRUE(result) << trial << ' ' << result.error().message;
     ASSERT_EQ(broken_law(marker, result->marker), "") << trial;
-    ASSERT_EQ(result->healing.pairs, 0U) << trial;
+    ASSERT_EQ(result->repair.pairs, 0U) << trial;
     ASSERT_EQ(result->length_after, length_of(result->marker)) << trial;
     ASSERT_GE(result->utilisation_after, result->utilisation_before) << trial;
   }
@@ -58,7 +58,7 @@ TEST(MotionLaws, Pushing) {
   Random random{102};
   for (int trial = 0; trial < 1500 / kSlowdown; ++trial) {
     const Marker marker = test::random_marker(random);
-    std::vector<Force> forces;
+    std::vector<motion::compaction::Force> forces;
     double largest = 0;
     for (std::uint32_t i = 0; i < marker.pieces.size(); ++i) {
       if (random.chance(50)) continue;
@@ -71,7 +71,7 @@ TEST(MotionLaws, Pushing) {
     ASSERT_EQ(broken_law(marker, result->marker), "") << trial;
     ASSERT_GE(result->gain, 0) << trial;
     double gain = 0;
-    for (const Force& force : forces) {
+    for (const motion::compaction::Force& force : forces) {
       const Vec by = result->marker.pieces[force.piece.value].at - marker.pieces[force.piece.value].at;
       gain += (force.x * static_cast<double>(by.x) + force.y * static_cast<double>(by.y)) / largest;
     }
@@ -86,8 +86,8 @@ TEST(MotionLaws, Bumping) {
     const auto piece = static_cast<std::uint32_t>(random.below(marker.pieces.size()));
     const double angle = 2 * std::numbers::pi * random.part();
     SumCache sums;
-    const Scene scene{marker, sums};
-    const Bump result = bump(scene, piece, std::cos(angle), std::sin(angle));
+    const scene::Scene scene{marker, sums};
+    const motion::piece::Bump result = motion::piece::bump(scene, piece, std::cos(angle), std::sin(angle));
     Marker moved = marker;
     moved.pieces[piece].at = result.at;
     ASSERT_EQ(broken_law(marker, moved), "") << trial;
@@ -105,9 +105,9 @@ TEST(MotionLaws, Separation) {
   const int trials = 1500 / kSlowdown;
   for (int trial = 0; trial < trials; ++trial) {
     const Marker marker = test::shaken(random, test::random_marker(random), 0.1 * random.part());
-    SeparationSettings settings;
+    motion::separation::SeparationSettings settings;
     settings.grow = random.chance(50) ? 0.05 : 0;
-    settings.target = random.chance(20) ? TargetRule::kKernelRay : TargetRule::kNearest;
+    settings.target = random.chance(20) ? motion::repair::TargetRule::kKernelRay : motion::repair::TargetRule::kNearest;
     SumCache sums;
     const auto result = separate(marker, settings, sums);
     ASSERT_TRUE(result) << trial << ' ' << result.error().message;
@@ -132,8 +132,9 @@ TEST(MotionLaws, Floating) {
   Random random{105};
   for (int trial = 0; trial < 1000 / kSlowdown; ++trial) {
     const Marker marker = test::random_marker(random);
-    constexpr std::array kModes{FloatMode::kLargestMinimum, FloatMode::kGivenDistance, FloatMode::kLargestTotal,
-                                FloatMode::kUniform, FloatMode::kTwoStep};
+    constexpr std::array kModes{motion::floating::FloatMode::kLargestMinimum,
+                                motion::floating::FloatMode::kGivenDistance, motion::floating::FloatMode::kLargestTotal,
+                                motion::floating::FloatMode::kUniform, motion::floating::FloatMode::kTwoStep};
     const auto settings =
         float_settings(kModes[random.below(kModes.size())], marker.strip.width / random.between(5, 200) + 1);
     SumCache sums;
@@ -150,12 +151,14 @@ TEST(MotionLaws, OpeningAGap) {
   const int trials = 500 / kSlowdown;
   for (int trial = 0; trial < trials; ++trial) {
     const Marker marker = test::random_marker(random);
-    const UnoccupiedSettings regions{1e-3, marker.strip.width / random.between(50, 2000)};
+    const marker::UnoccupiedSettings regions{1e-3, marker.strip.width / random.between(50, 2000)};
     const auto found = unoccupied_regions(marker, regions);
     if (found.empty()) continue;
     const std::size_t k = random.below(found.size());
-    const GapChoice choice =
-        random.chance(50) ? GapChoice{AwayFromOutline{k}} : GapChoice{AwayFromPoint{point_inside(found[k].region)}};
+    const motion::compaction::GapChoice choice =
+        random.chance(50)
+            ? motion::compaction::GapChoice{motion::compaction::AwayFromOutline{k}}
+            : motion::compaction::GapChoice{motion::compaction::AwayFromPoint{point_inside(found[k].region)}};
     SumCache sums;
     const auto result = open_gap(marker, choice, random_settings(random), regions, sums);
     ASSERT_TRUE(result) << trial << ' ' << result.error().message;
@@ -169,4 +172,4 @@ TEST(MotionLaws, OpeningAGap) {
 }
 
 }  // namespace
-}  // namespace selvage
+}  // namespace selvage::test

@@ -4,10 +4,11 @@
 
 namespace selvage::test {
 
-CompactionSettings random_settings(Random& random) {
-  auto settings = compaction_settings(random.chance(50) ? Accuracy::kDraft : Accuracy::kStandard);
-  settings.region = random.chance(20) ? RegionRule::kWalk : RegionRule::kGreedy;
-  settings.solver = random.chance(20) ? SolverChoice::kSimplex : SolverChoice::kAutomatic;
+motion::compaction::CompactionSettings random_settings(Random& random) {
+  auto settings = compaction_settings(random.chance(50) ? motion::compaction::Accuracy::kDraft
+                                                        : motion::compaction::Accuracy::kStandard);
+  settings.region = random.chance(20) ? model::RegionRule::kWalk : model::RegionRule::kGreedy;
+  settings.solver = random.chance(20) ? lp::solver::SolverChoice::kSimplex : lp::solver::SolverChoice::kAutomatic;
   constexpr std::array kTrusts{0.02, 0.1, 1.0};
   settings.trust = kTrusts[random.below(kTrusts.size())];
   constexpr std::array kSimplifications{0.0, 1e-4, 1e-2};

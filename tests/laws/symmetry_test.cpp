@@ -6,20 +6,20 @@
 #include <numbers>
 
 #include "core/marker/validity.h"
-#include "core/motion/bump.h"
-#include "core/motion/compact.h"
-#include "core/motion/push.h"
+#include "core/motion/compaction/compact.h"
+#include "core/motion/compaction/push.h"
+#include "core/motion/piece/bump.h"
 #include "tests/laws/random_marker.h"
 
-namespace selvage {
+namespace selvage::test {
 namespace {
 
 using test::kSlowdown;
 using test::Random;
 
-Bump bumped(const Marker& marker, std::uint32_t piece, double dx, double dy) {
+motion::piece::Bump bumped(const Marker& marker, std::uint32_t piece, double dx, double dy) {
   SumCache sums;
-  return bump(Scene{marker, sums}, piece, dx, dy);
+  return motion::piece::bump(scene::Scene{marker, sums}, piece, dx, dy);
 }
 
 // Along an axis now and then.
@@ -47,8 +47,8 @@ TEST(SymmetryLaws, AMirroredBumpGivesTheMirroredAnswer) {
     ASSERT_TRUE(is_valid(reflection)) << trial;
     const auto piece = static_cast<std::uint32_t>(random.below(marker.pieces.size()));
     const double angle = random_angle(random);
-    const Bump straight = bumped(marker, piece, std::cos(angle), std::sin(angle));
-    const Bump reflected = bumped(reflection, piece, std::cos(angle), -std::sin(angle));
+    const motion::piece::Bump straight = bumped(marker, piece, std::cos(angle), std::sin(angle));
+    const motion::piece::Bump reflected = bumped(reflection, piece, std::cos(angle), -std::sin(angle));
     ASSERT_EQ(straight.at.x, reflected.at.x) << trial;
     ASSERT_EQ(straight.at.y, marker.strip.width - reflected.at.y) << trial;
     ASSERT_EQ(straight.touching, reflected.touching) << trial;
@@ -64,8 +64,8 @@ TEST(SymmetryLaws, TenTimesTheNumbersAreTheSameMarker) {
     const double in_mm = static_cast<double>(hundredths) / 100;
     const double in_tenths = static_cast<double>(hundredths) / 10;
     const double extent = in_mm * static_cast<double>(random.between(1, 50));
-    const Resolution coarse = choose_resolution(2, extent, in_mm);
-    const Resolution fine = choose_resolution(1, 10 * extent, in_tenths);
+    const Resolution coarse = geometry::choose_resolution(2, extent, in_mm);
+    const Resolution fine = geometry::choose_resolution(1, 10 * extent, in_tenths);
     ASSERT_EQ(fine.exponent, coarse.exponent + 1) << trial;
     ASSERT_EQ(to_lattice(in_mm, coarse), to_lattice(in_tenths, fine)) << trial;
     const Coord coordinate = random.between(0, to_lattice(in_mm, coarse));
@@ -80,7 +80,7 @@ TEST(SymmetryLaws, TheUnitsLengthChangesNothing) {
     const Marker marker = test::random_marker(random);
     Marker other = marker;
     other.resolution.exponent += 1;
-    const auto settings = compaction_settings(Accuracy::kStandard);
+    const auto settings = compaction_settings(motion::compaction::Accuracy::kStandard);
     SumCache sums;
     auto compacted = compact(marker, settings, sums);
     auto same = compact(other, settings, sums);
@@ -101,8 +101,8 @@ TEST(SymmetryLaws, AFinerLatticeGivesTheSameBumpUpToRounding) {
     const Marker marker = test::random_marker(random);
     const auto piece = static_cast<std::uint32_t>(random.below(marker.pieces.size()));
     const double angle = random_angle(random);
-    const Bump coarse = bumped(marker, piece, std::cos(angle), std::sin(angle));
-    const Bump fine = bumped(test::on_finer_lattice(marker), piece, std::cos(angle), std::sin(angle));
+    const motion::piece::Bump coarse = bumped(marker, piece, std::cos(angle), std::sin(angle));
+    const motion::piece::Bump fine = bumped(test::on_finer_lattice(marker), piece, std::cos(angle), std::sin(angle));
     const Vec off{10 * coarse.at.x - fine.at.x, 10 * coarse.at.y - fine.at.y};
     same += std::max(std::abs(off.x), std::abs(off.y)) <= 40 ? 1 : 0;
   }
@@ -123,8 +123,8 @@ TEST(SymmetryLaws, AFinerLatticeGivesRectanglesTheSameBump) {
     const auto towards = Symmetry{false, static_cast<int>(random.below(4))}.apply({1, 0});
     const auto dx = static_cast<double>(towards.x);
     const auto dy = static_cast<double>(towards.y);
-    const Bump coarse = bumped(marker, piece, dx, dy);
-    const Bump fine = bumped(test::on_finer_lattice(marker), piece, dx, dy);
+    const motion::piece::Bump coarse = bumped(marker, piece, dx, dy);
+    const motion::piece::Bump fine = bumped(test::on_finer_lattice(marker), piece, dx, dy);
     const Vec off{10 * coarse.at.x - fine.at.x, 10 * coarse.at.y - fine.at.y};
     ASSERT_LT(std::abs(off.x), 20) << trial;
     ASSERT_LT(std::abs(off.y), 20) << trial;
@@ -132,4 +132,4 @@ TEST(SymmetryLaws, AFinerLatticeGivesRectanglesTheSameBump) {
 }
 
 }  // namespace
-}  // namespace selvage
+}  // namespace selvage::test

@@ -28,13 +28,13 @@ ALLOWED = {
 }
 # Libraries that only one place may see.
 ONLY_IN = {
-    "Clp": "core/lp/clp.cpp",
-    ("clipper", "polyclipping/"): "core/geometry/set_operations.cpp",
+    "Clp": "core/lp/solver/clp.cpp",
+    ("clipper", "polyclipping/"): "core/outline/set_operations.cpp",
     "boost/asio": ("server/", "clients/cpp/"),
-    "boost/beast": ("server/transport/http_connection.cpp", "server/transport/websocket_connection."),
+    "boost/beast": ("server/transport/connections/http_connection.cpp", "server/transport/websocket_connection."),
     "openssl/": "server/transport/",
     "nlohmann/": ("protocol/", "clients/cpp/"),
-    "sqlite3": "server/journal_database.cpp",
+    "sqlite3": "server/store/journal_database.cpp",
     "spdlog/": "server/",
     "CLI/": ("server/", "clients/cli/"),
     "CGAL/": (),
@@ -43,7 +43,7 @@ ONLY_IN = {
 # looks like.  Healing, which comes before them where pieces overlap, is a motion of its own.
 WITHOUT_PROGRAMS = ["bump", "gap", "leap", "place", "relax", "slide"]
 MAY_KNOW = "core/lp/linear_program.h"
-HEALING = "core/motion/heal.cpp"
+HEALING = "core/motion/repair/repair.cpp"
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
 
@@ -103,24 +103,24 @@ def self_test():
     """A planted fault of each kind is found."""
     planted = {
         "core/geometry/a.h": '#include "core/marker/marker.h"\n',
-        "core/motion/b.cpp": '#include "protocol/codec.h"\n',
+        "core/motion/b.cpp": '#include "protocol/calls/codec.h"\n',
         "core/lp/c.cpp": "#include <ClpSimplex.hpp>\n",
         "core/marker/d.cpp": "#include <polyclipping/clipper.hpp>\n",
-        "protocol/d.cpp": '#include "server/log.h"\n',
+        "protocol/d.cpp": '#include "server/ops/log.h"\n',
         "server/e.cpp": '#include "clients/cli/f.h"\n',
-        "server/crew/e.cpp": '#include "server/job_queue.h"\n',
-        "clients/cli/e.cpp": '#include "server/log.h"\n',
-        "clients/cpp/f.cpp": '#include "protocol/json_text.h"\n',
+        "server/crew/e.cpp": '#include "server/jobs/job_queue.h"\n',
+        "clients/cli/e.cpp": '#include "server/ops/log.h"\n',
+        "clients/cpp/f.cpp": '#include "protocol/json/json_text.h"\n',
         "core/base/g.h": "#include <nlohmann/json.hpp>\n",
-        "server/journal.cpp": "#include <sqlite3.h>\n",
+        "server/store/journal.cpp": "#include <sqlite3.h>\n",
         "elsewhere/h.h": "",
     }
     reaching = {f"core/motion/{motion}.cpp": "" for motion in WITHOUT_PROGRAMS if motion != "slide"} | {
-        "core/motion/bump.cpp": '#include "core/motion/scene.h"\n#include "core/motion/heal.h"\n',
-        "core/motion/heal.cpp": '#include "core/lp/interior_point.h"\n',
-        "core/motion/place.cpp": '#include "core/motion/heal.h"\n#include "core/lp/linear_program.h"\n',
-        "core/motion/scene.h": "",
-        "core/motion/scene.cpp": '#include "core/lp/solve.h"\n',
+        "core/motion/piece/bump.cpp": '#include "core/scene/scene.h"\n#include "core/motion/repair/repair.h"\n',
+        "core/motion/repair/repair.cpp": '#include "core/lp/interior_point/interior_point.h"\n',
+        "core/motion/placing/place.cpp": '#include "core/motion/repair/repair.h"\n#include "core/lp/linear_program.h"\n',
+        "core/scene/scene.h": "",
+        "core/scene/scene.cpp": '#include "core/lp/solver/solve.h"\n',
     }
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)
@@ -133,8 +133,8 @@ def self_test():
             expected = 0 if name.startswith("elsewhere") else 1
             assert sum(f.startswith(name + ":") for f in found) == expected, (name, found)
         assert programs_reached(root) == [
-            "core/motion/bump.cpp: solves no program, but reaches core/lp/solve.h through core/motion/scene.cpp",
-            "core/motion/slide.cpp: is not where it was",
+            "core/motion/piece/bump.cpp: solves no program, but reaches core/lp/solver/solve.h through core/scene/scene.cpp",
+            "core/motion/piece/slide.cpp: is not where it was",
         ], programs_reached(root)
 
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/marker/validity.h"
-#include "core/motion/heal.h"
+#include "core/motion/repair/repair.h"
 #include "tests/laws/random_marker.h"
 #include "tests/soak/judge.h"
 #include "tests/soak/motions.h"
@@ -67,7 +67,7 @@ void edit(Random& random, Marker& marker) {
 
 // Some pieces off by what other programs' rounding may leave, within what is healed.
 Marker nudged(Random& random, Marker marker) {
-  const auto most = static_cast<Coord>(0.4 * kHealingLimit * static_cast<double>(marker.strip.width));
+  const auto most = static_cast<Coord>(0.4 * motion::repair::kHealingLimit * static_cast<double>(marker.strip.width));
   for (Piece& piece : marker.pieces) {
     if (random.chance(40)) piece.at = piece.at + random.point(-most, most);
   }
@@ -75,7 +75,7 @@ Marker nudged(Random& random, Marker marker) {
 }
 
 bool refuses_to_mend(ErrorCode code) {
-  return code == ErrorCode::kMarkerOverlaps || code == ErrorCode::kOutsideStrip || code == ErrorCode::kHealingFailed ||
+  return code == ErrorCode::kMarkerOverlaps || code == ErrorCode::kOutsideStrip || code == ErrorCode::kRepairFailed ||
          code == ErrorCode::kStoppedEarly;
 }
 
@@ -85,13 +85,13 @@ constexpr int kImpatient = 15;  // per cent of the motions are asked to stop
 class Impatience {
  public:
   explicit Impatience(std::size_t patience) : left_{patience} {
-    observer_.on_stage = [this](Stage) { wait(); };
-    observer_.on_program = [this](const LinearProgram&) { wait(); };
-    observer_.on_round = [this](const Round&) { wait(); };
+    observer_.on_stage = [this](scene::Stage) { wait(); };
+    observer_.on_program = [this](const lp::LinearProgram&) { wait(); };
+    observer_.on_round = [this](const scene::Round&) { wait(); };
   }
   Impatience(const Impatience&) = delete;
   Impatience& operator=(const Impatience&) = delete;
-  [[nodiscard]] const Observer& observer() const { return observer_; }
+  [[nodiscard]] const scene::Observer& observer() const { return observer_; }
   [[nodiscard]] std::stop_token stop() const { return source_.get_token(); }
 
  private:
@@ -100,7 +100,7 @@ class Impatience {
   }
   std::size_t left_;  // 0: for ever
   std::stop_source source_;
-  Observer observer_;
+  scene::Observer observer_;
 };
 
 class Living {

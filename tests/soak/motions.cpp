@@ -9,21 +9,21 @@
 #include <vector>
 
 #include "core/marker/validity.h"
-#include "core/motion/bump.h"
-#include "core/motion/compact.h"
-#include "core/motion/drag.h"
-#include "core/motion/exchange.h"
-#include "core/motion/float_apart.h"
-#include "core/motion/hold.h"
-#include "core/motion/one_at_a_time.h"
-#include "core/motion/open_gap.h"
-#include "core/motion/place.h"
-#include "core/motion/push.h"
-#include "core/motion/refine.h"
-#include "core/motion/relax.h"
-#include "core/motion/separate.h"
-#include "core/motion/tilt.h"
-#include "core/motion/velocity.h"
+#include "core/motion/baseline/one_at_a_time.h"
+#include "core/motion/baseline/velocity.h"
+#include "core/motion/compaction/compact.h"
+#include "core/motion/compaction/critical_path.h"
+#include "core/motion/compaction/open_gap.h"
+#include "core/motion/compaction/push.h"
+#include "core/motion/dragging/drag.h"
+#include "core/motion/floating/float_apart.h"
+#include "core/motion/piece/bump.h"
+#include "core/motion/piece/relax.h"
+#include "core/motion/placing/place.h"
+#include "core/motion/separation/separate.h"
+#include "core/motion/tilting/tilt.h"
+#include "core/search/refine.h"
+#include "core/search/swap.h"
 #include "tests/laws/random_settings.h"
 
 namespace selvage::test {
@@ -36,11 +36,11 @@ constexpr std::uint64_t kLittleEffort = 60;  // of refinement
 template <class Done>
 Result<Answer> answer(Result<Done> done, Leave leave = {}) {
   if (!done) return done.error();
-  leave.longest = done->length_before + done->healing.lengthened;
+  leave.longest = done->length_before + done->repair.lengthened;
   Answer answer{.marker = std::move(done->marker), .leave = leave};
   if (done->length_after != length_of(answer.marker)) answer.contradiction = "tells another length";
-  const Healing& healing = done->healing;
-  if (healing.pairs + healing.protruding == 0 && (healing.lengthened > 0 || healing.farthest_move > 0)) {
+  const motion::repair::Repair& repair = done->repair;
+  if (repair.pairs + repair.protruding == 0 && (repair.lengthened > 0 || repair.farthest_move > 0)) {
     answer.contradiction = "heals what is valid";
   }
   return answer;
@@ -79,35 +79,35 @@ Result<Answer> compaction(const Marker& start, const Occasion& on) {
 }
 
 Result<Answer> sweeps(const Marker& start, const Occasion& on) {
-  const SweepSettings settings{.sweeps = static_cast<int>(on.random.between(1, 20))};
+  const motion::baseline::SweepSettings settings{.sweeps = static_cast<int>(on.random.between(1, 20))};
   return answer(compact_one_at_a_time(start, settings, on.sums, on.stop, on.observer));
 }
 
 Result<Answer> velocities(const Marker& start, const Occasion& on) {
-  VelocitySettings settings;
+  motion::baseline::VelocitySettings settings;
   settings.steps = kFewSteps;
   return answer(compact_by_velocities(start, settings, on.sums, on.stop, on.observer));
 }
 
 Result<Answer> refinement(const Marker& start, const Occasion& on) {
-  const RefineSettings settings{.other_ways = static_cast<int>(on.random.chance(30) ? on.random.below(5) : 0),
-                                .effort = kLittleEffort,
-                                .tilts = on.random.chance(50),
-                                .seed = static_cast<std::uint32_t>(on.random.below(1000))};
+  const search::RefineSettings settings{.other_ways = static_cast<int>(on.random.chance(30) ? on.random.below(5) : 0),
+                                        .effort = kLittleEffort,
+                                        .tilts = on.random.chance(50),
+                                        .seed = static_cast<std::uint32_t>(on.random.below(1000))};
   return answer(refine(start, settings, on.sums, on.stop, on.observer), {.tilts = true, .turns = true});
 }
 
 Result<Answer> exchanging(const Marker& start, const Occasion& on) {
   std::mt19937 random{static_cast<std::uint32_t>(on.random.below(1000))};
-  const auto drawn = draw_exchange(start, random);
-  const CompactionSettings settings = random_settings(on.random);
-  auto done = drawn ? exchange(*drawn, settings, on.sums, on.stop) : Exchanged{};
+  const auto drawn = search::draw_exchange(start, random);
+  const motion::compaction::CompactionSettings settings = random_settings(on.random);
+  auto done = drawn ? exchange(*drawn, settings, on.sums, on.stop) : search::Exchanged{};
   const Leave leave{.longest = kAnyLength, .turns = true};
   return Answer{.marker = done.marker ? std::move(*done.marker) : start, .leave = leave};
 }
 
 Result<Answer> pushing(const Marker& start, const Occasion& on) {
-  std::vector<Force> forces;
+  std::vector<motion::compaction::Force> forces;
   for (std::uint32_t i = 0; i < start.pieces.size(); ++i) {
     if (on.random.chance(50)) continue;
     const double x = 2 * on.random.part() - 1;
@@ -118,24 +118,26 @@ Result<Answer> pushing(const Marker& start, const Occasion& on) {
 
 Result<Answer> falling(const Marker& start, const Occasion& on) {
   const auto [x, y] = any_direction(on.random);
-  return answer(push(start, gravity(start, x, y), random_settings(on.random), on.sums, on.stop, on.observer));
+  return answer(
+      push(start, motion::compaction::gravity(start, x, y), random_settings(on.random), on.sums, on.stop, on.observer));
 }
 
 Result<Answer> bumping(const Marker& start, const Occasion& on) {
   const PieceId piece = any_piece(on.random, start);
   const auto [x, y] = any_direction(on.random);
-  auto done = heal_and_bump(start, piece, x, y, on.sums, on.stop, on.observer);
+  auto done = motion::piece::repair_and_bump(start, piece, x, y, on.sums, on.stop, on.observer);
   if (!done) return done.error();
-  Answer answer{.marker = std::move(done->marker), .leave = {.longest = open_end(start) + done->healing.lengthened}};
+  Answer answer{.marker = std::move(done->marker), .leave = {.longest = open_end(start) + done->repair.lengthened}};
   if (done->bump.gain < 0) answer.contradiction = "went backwards";
   if (answer.marker.pieces[piece.value].at != done->bump.at) answer.contradiction = "tells another place";
   return answer;
 }
 
-Answer placed_answer(PlacedMarker done, PieceId piece, const PlaceSettings& settings, const Marker& start) {
+Answer placed_answer(motion::placing::PlacedMarker done, PieceId piece, const motion::placing::PlaceSettings& settings,
+                     const Marker& start) {
   // No free position: the piece is where it was, on top of others or beyond the cloth's end as it may be.
   const Coord end = done.place ? open_end(start) : std::max(open_end(start), length_of(start));
-  const Coord longest = settings.may_grow ? kAnyLength : end + done.healing.lengthened;
+  const Coord longest = settings.may_grow ? kAnyLength : end + done.repair.lengthened;
   Answer answer{.marker = std::move(done.marker), .leave = {.longest = longest}};
   if (!done.place) answer.apart = is_valid(answer.marker);
   if (done.place && answer.marker.pieces[piece.value].at != done.place->at)
@@ -145,7 +147,7 @@ Answer placed_answer(PlacedMarker done, PieceId piece, const PlaceSettings& sett
 
 Result<Answer> placing(const Marker& start, const Occasion& on) {
   const PieceId piece = any_piece(on.random, start);
-  const PlaceSettings settings{on.random.chance(50)};
+  const motion::placing::PlaceSettings settings{on.random.chance(50)};
   const Vec wanted = any_place(on.random, start);
   auto done = heal_and_place(start, piece, wanted, settings, on.sums, on.stop, on.observer);
   if (!done) return done.error();
@@ -163,7 +165,7 @@ Result<Answer> turning_and_placing(const Marker& start, const Occasion& on) {
                        Angle::of_degrees((2 * on.random.part() - 1) * limit.degrees)};
   if (on.random.chance(30)) moved.orientation.rotation.degrees += static_cast<double>(on.random.between(0, 900)) / 10;
   if (!make_marker(turned)) return unmoved(start);
-  const PlaceSettings settings{true};
+  const motion::placing::PlaceSettings settings{true};
   auto done = heal_and_place(turned, piece, any_place(on.random, start), settings, on.sums, on.stop, on.observer);
   if (!done) return done.error();
   if (!done->place) return unmoved(start);
@@ -174,10 +176,12 @@ Result<Answer> turning_and_placing(const Marker& start, const Occasion& on) {
 
 Result<Answer> dragging(const Marker& start, const Occasion& on) {
   const PieceId piece = any_piece(on.random, start);
-  const DragMode mode = on.random.chance(50) ? DragMode::kPlace : DragMode::kPush;
-  const Drag done = drag(start, piece, any_place(on.random, start), mode, on.sums, on.stop);
+  const motion::dragging::DragMode mode =
+      on.random.chance(50) ? motion::dragging::DragMode::kPlace : motion::dragging::DragMode::kPush;
+  const motion::dragging::Drag done = drag(start, piece, any_place(on.random, start), mode, on.sums, on.stop);
   Answer answer{.marker = done.marker, .leave = {.longest = kAnyLength}};
-  if (done.pushed && mode == DragMode::kPlace) answer.contradiction = "pushed others, who were to stay";
+  if (done.pushed && mode == motion::dragging::DragMode::kPlace)
+    answer.contradiction = "pushed others, who were to stay";
   return answer;
 }
 
@@ -192,9 +196,10 @@ Result<Answer> separation(const Marker& start, const Occasion& on) {
   for (std::size_t k = 0; k < start.pieces.size(); ++k) {
     if (!start.pieces[k].group.empty()) overlapping.pieces[k].at = start.pieces[k].at;
   }
-  SeparationSettings settings;
+  motion::separation::SeparationSettings settings;
   settings.grow = on.random.chance(50) ? 0.1 * on.random.part() : 0;
-  settings.target = on.random.chance(20) ? TargetRule::kKernelRay : TargetRule::kNearest;
+  settings.target =
+      on.random.chance(20) ? motion::repair::TargetRule::kKernelRay : motion::repair::TargetRule::kNearest;
   auto done = separate(overlapping, settings, on.sums, on.stop, on.observer);
   // A locked piece that was shaken off the strip cannot be put back.
   if (!done && done.error().code == ErrorCode::kOutsideStrip && !is_valid(overlapping)) return unmoved(start);
@@ -209,10 +214,11 @@ Result<Answer> separation(const Marker& start, const Occasion& on) {
 }
 
 Result<Answer> floating(const Marker& start, const Occasion& on) {
-  constexpr std::array kModes{FloatMode::kLargestMinimum, FloatMode::kGivenDistance, FloatMode::kLargestTotal,
-                              FloatMode::kUniform, FloatMode::kTwoStep};
+  constexpr std::array kModes{motion::floating::FloatMode::kLargestMinimum, motion::floating::FloatMode::kGivenDistance,
+                              motion::floating::FloatMode::kLargestTotal, motion::floating::FloatMode::kUniform,
+                              motion::floating::FloatMode::kTwoStep};
   const auto distance = start.strip.width / on.random.between(5, 400) + 1;
-  FloatSettings settings = float_settings(kModes[on.random.below(kModes.size())], distance);
+  motion::floating::FloatSettings settings = float_settings(kModes[on.random.below(kModes.size())], distance);
   settings.edges = on.random.chance(50);
   auto done = float_apart(start, settings, on.sums, on.stop, on.observer);
   const bool narrower = done && done->least_after < done->least_before;
@@ -222,12 +228,14 @@ Result<Answer> floating(const Marker& start, const Occasion& on) {
 }
 
 Result<Answer> opening(const Marker& start, const Occasion& on) {
-  const UnoccupiedSettings regions{1e-3, start.strip.width / on.random.between(50, 2000)};
+  const marker::UnoccupiedSettings regions{1e-3, start.strip.width / on.random.between(50, 2000)};
   const auto found = unoccupied_regions(start, regions);
   if (found.empty()) return unmoved(start);
   const std::size_t k = on.random.below(found.size());
-  const GapChoice choice =
-      on.random.chance(50) ? GapChoice{AwayFromOutline{k}} : GapChoice{AwayFromPoint{point_inside(found[k].region)}};
+  const motion::compaction::GapChoice choice =
+      on.random.chance(50)
+          ? motion::compaction::GapChoice{motion::compaction::AwayFromOutline{k}}
+          : motion::compaction::GapChoice{motion::compaction::AwayFromPoint{point_inside(found[k].region)}};
   auto done = open_gap(start, choice, random_settings(on.random), regions, on.sums, on.stop, on.observer);
   if (!done && done.error().code == ErrorCode::kStoppedEarly && on.stop.stop_requested()) return unmoved(start);
   // Parting what overlapped may have closed it.
@@ -239,10 +247,11 @@ Result<Answer> opening(const Marker& start, const Occasion& on) {
 }
 
 Result<Answer> tilting(const Marker& start, const Occasion& on) {
-  const TiltMethod method = on.random.chance(50) ? TiltMethod::kLinearisation : TiltMethod::kRelaxation;
-  TiltSettings settings = tilt_settings(method, Accuracy::kDraft);
+  const motion::tilting::TiltMethod method =
+      on.random.chance(50) ? motion::tilting::TiltMethod::kLinearisation : motion::tilting::TiltMethod::kRelaxation;
+  motion::tilting::TiltSettings settings = tilt_settings(method, motion::compaction::Accuracy::kDraft);
   settings.rounds = static_cast<int>(on.random.between(1, 4));
-  settings.shakes = on.random.chance(20) ? 1 : 0;
+  settings.perturbations = on.random.chance(20) ? 1 : 0;
   if (on.random.chance(50)) settings.limit = any_limit(on.random);
   auto done = tilt(start, settings, on.sums, on.stop, on.observer);
   return answer(std::move(done), {.tilts = true, .tilt_limit = settings.limit});
@@ -250,9 +259,10 @@ Result<Answer> tilting(const Marker& start, const Occasion& on) {
 
 Result<Answer> relaxing(const Marker& start, const Occasion& on) {
   const PieceId piece = any_piece(on.random, start);
-  const Scene scene{start, on.sums};
+  const scene::Scene scene{start, on.sums};
   const auto tilts = static_cast<int>(on.random.between(1, 7));
-  const Relaxation done = on.random.chance(50) ? relax(scene, piece.value) : relax_tilted(scene, piece.value, tilts);
+  const motion::piece::Relaxation done = on.random.chance(50) ? motion::piece::relax(scene, piece.value)
+                                                              : motion::piece::relax_tilted(scene, piece.value, tilts);
   Answer answer{.marker = start, .leave = {.longest = length_of(start), .tilts = true}};
   answer.marker.pieces[piece.value] = done.piece;
   return answer;
@@ -260,10 +270,10 @@ Result<Answer> relaxing(const Marker& start, const Occasion& on) {
 
 // Moves nothing.
 Result<Answer> asking_what_holds(const Marker& start, const Occasion& on) {
-  const auto hold = what_holds(start, on.sums, on.stop);
+  const auto hold = motion::compaction::what_holds(start, on.sums, on.stop);
   if (!hold) return hold.error();
   Answer answer{.marker = start, .leave = {.longest = length_of(start)}};
-  for (const LoadedContact& contact : hold->contacts) {
+  for (const motion::compaction::LoadedContact& contact : hold->contacts) {
     if (!(contact.worth > 0)) answer.contradiction = "a contact that is worth nothing";
   }
   if (!check(start, on.sums).valid()) answer.contradiction = "holds what is not valid";
@@ -273,31 +283,35 @@ Result<Answer> asking_what_holds(const Marker& start, const Occasion& on) {
 // What must be refused, and leave the marker alone.
 Result<Answer> nonsense(const Marker& start, const Occasion& on) {
   const auto refused = [&](const auto& result) { return !result && result.error().code == ErrorCode::kOutOfRange; };
-  const CompactionSettings settings = random_settings(on.random);
+  const motion::compaction::CompactionSettings settings = random_settings(on.random);
   const auto beyond = PieceId{static_cast<std::uint32_t>(start.pieces.size())};
-  const UnoccupiedSettings regions = unoccupied_settings(start.strip);
+  const marker::UnoccupiedSettings regions = unoccupied_settings(start.strip);
   bool well{};
   switch (on.random.below(6)) {
-    case 0: well = refused(push(start, std::array{Force{beyond, 1, 0}}, settings, on.sums)); break;
+    case 0: well = refused(push(start, std::array{motion::compaction::Force{beyond, 1, 0}}, settings, on.sums)); break;
     case 1: {
-      const Force force{any_piece(on.random, start), std::numeric_limits<double>::quiet_NaN(), 0};
+      const motion::compaction::Force force{any_piece(on.random, start), std::numeric_limits<double>::quiet_NaN(), 0};
       well = refused(push(start, std::array{force}, settings, on.sums));
       break;
     }
-    case 2: well = refused(float_apart(start, float_settings(FloatMode::kLargestMinimum, 0), on.sums)); break;
+    case 2:
+      well = refused(float_apart(start, float_settings(motion::floating::FloatMode::kLargestMinimum, 0), on.sums));
+      break;
     case 3: {
-      TiltSettings wrong = tilt_settings(TiltMethod::kRelaxation, Accuracy::kDraft);
+      motion::tilting::TiltSettings wrong =
+          tilt_settings(motion::tilting::TiltMethod::kRelaxation, motion::compaction::Accuracy::kDraft);
       wrong.limit = Angle::of_degrees(46);
       well = refused(tilt(start, wrong, on.sums));
       break;
     }
     case 4: {
-      const GapChoice none = AwayFromOutline{unoccupied_regions(start, regions).size()};
+      const motion::compaction::GapChoice none =
+          motion::compaction::AwayFromOutline{unoccupied_regions(start, regions).size()};
       well = refused(open_gap(start, none, settings, regions, on.sums));
       break;
     }
     default: {
-      SeparationSettings wrong;
+      motion::separation::SeparationSettings wrong;
       wrong.grow = -0.1;
       well = refused(separate(start, wrong, on.sums));
     }

@@ -9,7 +9,7 @@
 
 #include "core/base/result.h"
 #include "core/minkowski/cache.h"
-#include "core/motion/observer.h"
+#include "core/scene/observer.h"
 #include "tests/soak/judge.h"
 #include "tests/support/random.h"
 
@@ -20,7 +20,7 @@ struct Occasion {
   Random& random;
   SumCache& sums;
   std::stop_token stop;
-  const Observer& observer;
+  const scene::Observer& observer;
 };
 
 struct Answer {

@@ -41,7 +41,7 @@ std::vector<Marker> garments(const std::string& folder) {
   for (const auto& path : paths) {
     std::stringstream text;
     text << std::ifstream{path}.rdbuf();
-    auto read = read_marker(text.str());
+    auto read = protocol::formats::read_marker(text.str());
     if (read && is_valid(read->marker) && read->marker.pieces.size() <= kSmallEnough) {
       markers.push_back(std::move(read->marker));
     }
@@ -89,7 +89,7 @@ class Soak {
     file.marker = fault.before;
     file.attributes.shapes.assign(fault.before.shapes.size(), Json::object());
     file.attributes.pieces.assign(fault.before.pieces.size(), Json::object());
-    if (const auto text = write_marker(file, Format::kNative)) {
+    if (const auto text = protocol::formats::write_marker(file, Format::kNative)) {
       const std::string path = "soak-" + std::to_string(seed) + ".json";
       std::ofstream{path} << *text;
       std::cout << "  what the motion was given: " << path << std::endl;

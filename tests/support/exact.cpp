@@ -25,10 +25,10 @@ using Set = CGAL::Polygon_set_2<Kernel>;
 Point point(Vec v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y)};
 }
-Point point(Real2 v) {
+Point point(outline::Real2 v) {
   return {v.x, v.y};
 }
-Real2 rounded(const Point& p) {
+outline::Real2 rounded(const Point& p) {
   return {CGAL::to_double(p.x()), CGAL::to_double(p.y())};
 }
 
@@ -38,9 +38,9 @@ Outer polygon_of(std::span<const Vec> vertices) {
   return polygon;
 }
 
-Location location(CGAL::Bounded_side side) {
-  if (side == CGAL::ON_BOUNDARY) return Location::kBoundary;
-  return side == CGAL::ON_BOUNDED_SIDE ? Location::kInside : Location::kOutside;
+geometry::Location location(CGAL::Bounded_side side) {
+  if (side == CGAL::ON_BOUNDARY) return geometry::Location::kBoundary;
+  return side == CGAL::ON_BOUNDED_SIDE ? geometry::Location::kInside : geometry::Location::kOutside;
 }
 
 double area_of(const WithHoles& region) {
@@ -56,14 +56,14 @@ WithHoles sum_of(const Outer& p, const Outer& q, ExactSum::Method method) {
 
 // The region that a ring of a star sum encloses.  Rounding may cross a ring's edges over by a unit: then it
 // is the union of the triangles that its edges make with its centre.
-void append_region(const StarSum& ring, std::vector<Outer>& regions) {
+void append_region(const minkowski::convolution::StarSum& ring, std::vector<Outer>& regions) {
   Outer whole;
-  for (const SumEdge& e : ring.edges) whole.push_back(point(e.from));
+  for (const minkowski::convolution::SumEdge& e : ring.edges) whole.push_back(point(e.from));
   if (whole.is_simple() && whole.orientation() == CGAL::COUNTERCLOCKWISE) {
     regions.push_back(whole);
     return;
   }
-  for (const SumEdge& e : ring.edges) {
+  for (const minkowski::convolution::SumEdge& e : ring.edges) {
     Outer triangle;
     for (const Point& corner : {point(ring.centre), point(e.from), point(e.to)}) triangle.push_back(corner);
     if (triangle.is_simple() && triangle.orientation() == CGAL::COUNTERCLOCKWISE) regions.push_back(triangle);
@@ -86,7 +86,7 @@ std::vector<Polygon> loops_of(const Polygon& ring) {
   return loops;
 }
 
-double distance_to(std::span<const Segment> boundary, Real2 point) {
+double distance_to(std::span<const Segment> boundary, outline::Real2 point) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& [a, b] : boundary) {
     const double dx = b.x - a.x;
@@ -104,7 +104,7 @@ bool is_simple_exactly(std::span<const Vec> vertices) {
   return polygon_of(vertices).is_simple();
 }
 
-Location locate_exactly(Real2 at, const Polygon& polygon) {
+geometry::Location locate_exactly(outline::Real2 at, const Polygon& polygon) {
   return location(polygon_of(polygon).bounded_side(point(at)));
 }
 
@@ -177,16 +177,16 @@ std::size_t ExactSum::holes() const {
   return region_->sum.number_of_holes();
 }
 
-Location ExactSum::locate(Real2 at) const {
+geometry::Location ExactSum::locate(outline::Real2 at) const {
   const Point p = point(at);
-  const Location outer = location(region_->sum.outer_boundary().bounded_side(p));
-  if (outer != Location::kInside) return outer;
+  const geometry::Location outer = location(region_->sum.outer_boundary().bounded_side(p));
+  if (outer != geometry::Location::kInside) return outer;
   for (const Outer& hole : region_->sum.holes()) {
-    const Location in_hole = location(hole.bounded_side(p));
-    if (in_hole == Location::kBoundary) return Location::kBoundary;
-    if (in_hole == Location::kInside) return Location::kOutside;
+    const geometry::Location in_hole = location(hole.bounded_side(p));
+    if (in_hole == geometry::Location::kBoundary) return geometry::Location::kBoundary;
+    if (in_hole == geometry::Location::kInside) return geometry::Location::kOutside;
   }
-  return Location::kInside;
+  return geometry::Location::kInside;
 }
 
 Difference ExactSum::Region::difference_of(const std::vector<Outer>& outlines, const std::vector<Outer>& holes,
@@ -207,9 +207,9 @@ Difference ExactSum::Region::difference_of(const std::vector<Outer>& outlines, c
   return difference;
 }
 
-Difference ExactSum::difference(const MinkowskiSum& other) const {
+Difference ExactSum::difference(const minkowski::MinkowskiSum& other) const {
   std::vector<Outer> regions;
-  for (const StarSum& ring : other.rings()) append_region(ring, regions);
+  for (const minkowski::convolution::StarSum& ring : other.rings()) append_region(ring, regions);
   return region_->difference_of(regions, {}, boundary_);
 }
 

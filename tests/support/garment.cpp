@@ -11,7 +11,7 @@ Marker garment(const std::string& name) {
   std::ifstream file{std::string{SELVAGE_SOURCE_DIR} + "/examples/markers/" + name + ".json"};
   std::stringstream text;
   text << file.rdbuf();
-  auto read = read_marker(text.str());
+  auto read = protocol::formats::read_marker(text.str());
   EXPECT_TRUE(read) << name;
   return read ? std::move(read->marker) : Marker{};
 }

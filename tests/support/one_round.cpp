@@ -8,19 +8,19 @@
 #include <string>
 #include <vector>
 
-#include "core/motion/bump.h"
-#include "core/motion/drag.h"
-#include "core/motion/float_apart.h"
-#include "core/motion/heal.h"
-#include "core/motion/hold.h"
-#include "core/motion/one_at_a_time.h"
-#include "core/motion/open_gap.h"
-#include "core/motion/place.h"
-#include "core/motion/push.h"
-#include "core/motion/relax.h"
-#include "core/motion/separate.h"
-#include "core/motion/tilt.h"
-#include "core/motion/velocity.h"
+#include "core/motion/baseline/one_at_a_time.h"
+#include "core/motion/baseline/velocity.h"
+#include "core/motion/compaction/critical_path.h"
+#include "core/motion/compaction/open_gap.h"
+#include "core/motion/compaction/push.h"
+#include "core/motion/dragging/drag.h"
+#include "core/motion/floating/float_apart.h"
+#include "core/motion/piece/bump.h"
+#include "core/motion/piece/relax.h"
+#include "core/motion/placing/place.h"
+#include "core/motion/repair/repair.h"
+#include "core/motion/separation/separate.h"
+#include "core/motion/tilting/tilt.h"
 
 namespace selvage::test {
 namespace {
@@ -42,122 +42,125 @@ Vec beside_middle(const Marker& marker, double part) {
   return {at.x + std::llround(part * static_cast<double>(marker.strip.width)), at.y};
 }
 
-CompactionSettings one_round(Extent extent) {
-  CompactionSettings settings = compaction_settings(Accuracy::kStandard);
+motion::compaction::CompactionSettings one_round(model::Extent extent) {
+  motion::compaction::CompactionSettings settings = compaction_settings(motion::compaction::Accuracy::kStandard);
   settings.rounds = 1;
   settings.extent = extent;
   return settings;
 }
 
-template <Extent kExtent>
-void compact_once(const Marker& marker, SumCache& sums, const Observer& observer) {
+template <model::Extent kExtent>
+void compact_once(const Marker& marker, SumCache& sums, const scene::Observer& observer) {
   require(compact(marker, one_round(kExtent), sums, {}, observer));
 }
 
 // `kAcross`: towards the strip's edge, else along the marker.
-template <bool kAcross, Extent kExtent>
-void push_once(const Marker& marker, SumCache& sums, const Observer& observer) {
-  const Force force{middle_of(marker), kAcross ? 0.0 : 1.0, kAcross ? 1.0 : 0.0};
+template <bool kAcross, model::Extent kExtent>
+void push_once(const Marker& marker, SumCache& sums, const scene::Observer& observer) {
+  const motion::compaction::Force force{middle_of(marker), kAcross ? 0.0 : 1.0, kAcross ? 1.0 : 0.0};
   require(push(marker, {&force, 1}, one_round(kExtent), sums, {}, observer));
 }
 
 // Every piece to the left, the length held.
-void pull_left_once(const Marker& marker, SumCache& sums, const Observer& observer) {
-  std::vector<Force> forces;
+void pull_left_once(const Marker& marker, SumCache& sums, const scene::Observer& observer) {
+  std::vector<motion::compaction::Force> forces;
   for (std::uint32_t piece = 0; piece < marker.pieces.size(); ++piece) forces.push_back({PieceId{piece}, -1, 0});
-  require(push(marker, forces, one_round(Extent::kReached), sums, {}, observer));
+  require(push(marker, forces, one_round(model::Extent::kReached), sums, {}, observer));
 }
 
-template <Extent kExtent>
-void open_once(const Marker& marker, SumCache& sums, const Observer& observer) {
-  const UnoccupiedSettings regions = unoccupied_settings(marker.strip);
+template <model::Extent kExtent>
+void open_once(const Marker& marker, SumCache& sums, const scene::Observer& observer) {
+  const marker::UnoccupiedSettings regions = unoccupied_settings(marker.strip);
   const std::size_t middle = unoccupied_regions(marker, regions).size() / 2;
-  require(open_gap(marker, AwayFromOutline{middle}, one_round(kExtent), regions, sums, {}, observer));
+  require(
+      open_gap(marker, motion::compaction::AwayFromOutline{middle}, one_round(kExtent), regions, sums, {}, observer));
 }
 
-template <FloatMode kMode>
-void float_once(const Marker& marker, SumCache& sums, const Observer& observer) {
-  FloatSettings settings = float_settings(kMode, marker.strip.width / 500);
+template <motion::floating::FloatMode kMode>
+void float_once(const Marker& marker, SumCache& sums, const scene::Observer& observer) {
+  motion::floating::FloatSettings settings = float_settings(kMode, marker.strip.width / 500);
   settings.rounds = 1;
   require(float_apart(marker, settings, sums, {}, observer));
 }
 
 // The middle piece lies in its neighbour by a hundredth of the width.
-void separate_once(const Marker& marker, SumCache& sums, const Observer& observer) {
+void separate_once(const Marker& marker, SumCache& sums, const scene::Observer& observer) {
   Marker overlapping = marker;
   overlapping.pieces[middle_of(marker).value].at = beside_middle(marker, 0.01);
-  SeparationSettings settings;
+  motion::separation::SeparationSettings settings;
   settings.rounds = 1;
   settings.grow = 0.02;
   require(separate(overlapping, settings, sums, {}, observer));
 }
 
 // The middle piece, bumped to the right, lies in what it met there by half of what is healed.
-void heal_once(const Marker& marker, SumCache& sums, const Observer& observer) {
+void heal_once(const Marker& marker, SumCache& sums, const scene::Observer& observer) {
   Marker overlapping = marker;
   Vec& at = overlapping.pieces[middle_of(marker).value].at;
   SumCache others;
-  at = bump(Scene{marker, others}, middle_of(marker).value, 1, 0).at;
-  at = beside_middle(overlapping, kHealingLimit / 2);
-  Scene scene{overlapping, sums};
-  require(heal(scene, {}, observer));
+  at = motion::piece::bump(scene::Scene{marker, others}, middle_of(marker).value, 1, 0).at;
+  at = beside_middle(overlapping, motion::repair::kHealingLimit / 2);
+  scene::Scene scene{overlapping, sums};
+  require(motion::repair::repair_overlaps(scene, {}, observer));
 }
 
-void tilt_once(const Marker& marker, SumCache& sums, const Observer& observer) {
-  TiltSettings settings = tilt_settings(TiltMethod::kLinearisation, Accuracy::kStandard);
+void tilt_once(const Marker& marker, SumCache& sums, const scene::Observer& observer) {
+  motion::tilting::TiltSettings settings =
+      tilt_settings(motion::tilting::TiltMethod::kLinearisation, motion::compaction::Accuracy::kStandard);
   settings.rounds = 1;
-  settings.compaction = one_round(Extent::kReached);
+  settings.compaction = one_round(model::Extent::kReached);
   require(tilt(marker, settings, sums, {}, observer));
 }
 
-void bump_once(const Marker& marker, SumCache& sums, const Observer& /*solves nothing*/) {
-  (void)bump(Scene{marker, sums}, middle_of(marker).value, -1, 0);
+void bump_once(const Marker& marker, SumCache& sums, const scene::Observer& /*solves nothing*/) {
+  (void)motion::piece::bump(scene::Scene{marker, sums}, middle_of(marker).value, -1, 0);
 }
-void sweep_once(const Marker& marker, SumCache& sums, const Observer& observer) {
-  SweepSettings settings;
+void sweep_once(const Marker& marker, SumCache& sums, const scene::Observer& observer) {
+  motion::baseline::SweepSettings settings;
   settings.sweeps = 1;
   require(compact_one_at_a_time(marker, settings, sums, {}, observer));
 }
-void step_once(const Marker& marker, SumCache& sums, const Observer& observer) {
-  VelocitySettings settings;
+void step_once(const Marker& marker, SumCache& sums, const scene::Observer& observer) {
+  motion::baseline::VelocitySettings settings;
   settings.steps = 1;
   require(compact_by_velocities(marker, settings, sums, {}, observer));
 }
-void ask_what_holds(const Marker& marker, SumCache& sums, const Observer& observer) {
-  require(what_holds(marker, sums, {}, observer));
+void ask_what_holds(const Marker& marker, SumCache& sums, const scene::Observer& observer) {
+  require(motion::compaction::what_holds(marker, sums, {}, observer));
 }
-void relax_once(const Marker& marker, SumCache& sums, const Observer& /*solves nothing*/) {
-  (void)relax(Scene{marker, sums}, middle_of(marker).value);
+void relax_once(const Marker& marker, SumCache& sums, const scene::Observer& /*solves nothing*/) {
+  (void)motion::piece::relax(scene::Scene{marker, sums}, middle_of(marker).value);
 }
-void place_once(const Marker& marker, SumCache& sums, const Observer& observer) {
-  require(heal_and_place(marker, middle_of(marker), beside_middle(marker, 0.1), {}, sums, {}, observer));
+void place_once(const Marker& marker, SumCache& sums, const scene::Observer& observer) {
+  require(
+      motion::placing::heal_and_place(marker, middle_of(marker), beside_middle(marker, 0.1), {}, sums, {}, observer));
 }
-template <DragMode kMode>
-void drag_once(const Marker& marker, SumCache& sums, const Observer& observer) {
+template <motion::dragging::DragMode kMode>
+void drag_once(const Marker& marker, SumCache& sums, const scene::Observer& observer) {
   (void)drag(marker, middle_of(marker), beside_middle(marker, 0.02), kMode, sums, {}, observer);
 }
 
 constexpr std::array kRounds{
     OneRound{"bump", kAny, bump_once},
-    OneRound{"compact", kAny, compact_once<Extent::kReached>},
-    OneRound{"compact, whole", 440, compact_once<Extent::kWhole>},
-    OneRound{"drag, place", kAny, drag_once<DragMode::kPlace>},
-    OneRound{"drag, push", kAny, drag_once<DragMode::kPush>},
-    OneRound{"float, given distance", kAny, float_once<FloatMode::kGivenDistance>},
-    OneRound{"float, largest minimum", kAny, float_once<FloatMode::kLargestMinimum>},
-    OneRound{"float, largest total", kAny, float_once<FloatMode::kLargestTotal>},
-    OneRound{"float, two steps", kAny, float_once<FloatMode::kTwoStep>},
-    OneRound{"float, uniform", kAny, float_once<FloatMode::kUniform>},
-    OneRound{"gap", kAny, open_once<Extent::kReached>},
-    OneRound{"gap, whole", 440, open_once<Extent::kWhole>},
+    OneRound{"compact", kAny, compact_once<model::Extent::kReached>},
+    OneRound{"compact, whole", 440, compact_once<model::Extent::kWhole>},
+    OneRound{"drag, place", kAny, drag_once<motion::dragging::DragMode::kPlace>},
+    OneRound{"drag, push", kAny, drag_once<motion::dragging::DragMode::kPush>},
+    OneRound{"float, given distance", kAny, float_once<motion::floating::FloatMode::kGivenDistance>},
+    OneRound{"float, largest minimum", kAny, float_once<motion::floating::FloatMode::kLargestMinimum>},
+    OneRound{"float, largest total", kAny, float_once<motion::floating::FloatMode::kLargestTotal>},
+    OneRound{"float, two steps", kAny, float_once<motion::floating::FloatMode::kTwoStep>},
+    OneRound{"float, uniform", kAny, float_once<motion::floating::FloatMode::kUniform>},
+    OneRound{"gap", kAny, open_once<model::Extent::kReached>},
+    OneRound{"gap, whole", 440, open_once<model::Extent::kWhole>},
     OneRound{"gravity", kAny, pull_left_once},
     OneRound{"heal one", kAny, heal_once},
     OneRound{"one at a time", kAny, sweep_once},
     OneRound{"place", kAny, place_once},
-    OneRound{"push one across", kAny, push_once<true, Extent::kReached>},
-    OneRound{"push one across, whole", 440, push_once<true, Extent::kWhole>},
-    OneRound{"push one along", kAny, push_once<false, Extent::kReached>},
-    OneRound{"push one along, whole", 440, push_once<false, Extent::kWhole>},
+    OneRound{"push one across", kAny, push_once<true, model::Extent::kReached>},
+    OneRound{"push one across, whole", 440, push_once<true, model::Extent::kWhole>},
+    OneRound{"push one along", kAny, push_once<false, model::Extent::kReached>},
+    OneRound{"push one along, whole", 440, push_once<false, model::Extent::kWhole>},
     OneRound{"relax", kAny, relax_once},
     OneRound{"separate one", kAny, separate_once},
     OneRound{"tilt", kAny, tilt_once},
@@ -174,9 +177,9 @@ std::span<const OneRound> one_round_of_each() {
 Work work_of(const OneRound& round, const Marker& marker) {
   Work work;
   SumCache sums;
-  Observer observer;
-  observer.on_program = [&](const LinearProgram& program) {
-    const ProgramSize size = size_of(program);
+  scene::Observer observer;
+  observer.on_program = [&](const lp::LinearProgram& program) {
+    const scene::ProgramSize size = scene::size_of(program);
     ++work.programs;
     work.largest.columns = std::max(work.largest.columns, size.columns);
     work.largest.rows = std::max(work.largest.rows, size.rows);

@@ -7,14 +7,14 @@
 
 #include "core/marker/marker.h"
 #include "core/minkowski/cache.h"
-#include "core/motion/observer.h"
+#include "core/scene/observer.h"
 
 namespace selvage::test {
 
 struct OneRound {
   const char* motion;
   std::size_t pieces;  // of markers with more it takes too long to be waited for
-  void (*run)(const Marker& marker, SumCache& sums, const Observer& observer);
+  void (*run)(const Marker& marker, SumCache& sums, const scene::Observer& observer);
 };
 // By name.  Those of one piece take the one in the middle of the list; "whole" is the naive model: every piece, pair
 // and row at once.
@@ -22,8 +22,8 @@ struct OneRound {
 
 struct Work {
   int programs{};
-  ProgramSize largest;   // each figure on its own
-  std::uint64_t sums{};  // asked for, in the cache or not
+  scene::ProgramSize largest;  // each figure on its own
+  std::uint64_t sums{};        // asked for, in the cache or not
 };
 // Starts from an empty cache.
 [[nodiscard]] Work work_of(const OneRound& round, const Marker& marker);

@@ -7,9 +7,9 @@
 namespace selvage::test {
 
 // `polygon` must outlive what is returned.
-[[nodiscard]] inline PlacedPolygon placed(const Polygon& polygon, Vec at = {}) {
+[[nodiscard]] inline geometry::PlacedPolygon placed(const Polygon& polygon, Vec at = {}) {
   return {polygon, box_of(polygon), at};
 }
-PlacedPolygon placed(Polygon&& polygon, Vec at = {}) = delete;
+geometry::PlacedPolygon placed(Polygon&& polygon, Vec at = {}) = delete;
 
 }  // namespace selvage::test

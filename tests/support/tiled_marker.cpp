@@ -7,20 +7,20 @@
 
 #include "core/marker/placed_pieces.h"
 #include "core/marker/validity.h"
-#include "core/motion/separate.h"
+#include "core/motion/separation/separate.h"
 
 namespace selvage::test {
 
 Marker loosened(const Marker& marker, double slack) {
   Marker loose = marker;
   loose.strip.longest.reset();
-  const PlacedPieces pieces{marker};
+  const marker::PlacedPieces pieces{marker};
   for (std::size_t i = 0; i < loose.pieces.size(); ++i) {
     loose.pieces[i].at.x += std::llround(slack * static_cast<double>(pieces.box(i).low.x));
   }
   if (is_valid(loose)) return loose;
   SumCache sums;
-  SeparationSettings settings;
+  motion::separation::SeparationSettings settings;
   settings.grow = slack;
   auto separation = separate(loose, settings, sums);
   if (!separation || !separation->apart) throw std::runtime_error{"a marker that cannot be loosened"};
@@ -31,7 +31,7 @@ Marker tiled(const Marker& marker, std::size_t pieces) {
   Marker tiles = marker;
   tiles.pieces.clear();
   tiles.strip.longest.reset();
-  const PlacedPieces placed{marker};
+  const marker::PlacedPieces placed{marker};
   std::vector<std::size_t> order(marker.pieces.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(),

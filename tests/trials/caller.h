@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
-#include "protocol/json_text.h"
-#include "tests/server/websocket_wire.h"
-#include "tests/server/wire.h"
+#include "protocol/json/json_text.h"
+#include "tests/server/wire/websocket_wire.h"
+#include "tests/server/wire/wire.h"
 #include "tests/trials/live_daemon.h"
 
 namespace selvage::trials {

@@ -193,9 +193,9 @@ void drags(std::size_t count, Faults& faults) {
     others.emplace_back([&](const std::stop_token& stop) {
       faults.guard("who compacts", [&] { solves = compact_on(stop, daemon, solved.id); });
     });
-    std::vector<std::jthread> hands;
+    std::vector<std::jthread> parallelism;
     for (std::size_t k = 0; k < kHands; ++k) {
-      hands.emplace_back([&, k] {
+      parallelism.emplace_back([&, k] {
         faults.guard("a hand", [&] {
           Hand hand{daemon, static_cast<Door>(k % kDoors), markers[k % kMarkers], k, tally, faults};
           for (std::size_t drag = k; drag < count; drag += kHands) hand.drag();

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tests/end_to_end/process.h"
-#include "tests/server/temporary_folder.h"
+#include "tests/server/store/temporary_folder.h"
 
 namespace selvage::trials {
 

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/clients/cpp/live_daemon.h"
-#include "tests/server/certificate.h"
-#include "tests/server/temporary_folder.h"
+#include "tests/server/store/temporary_folder.h"
+#include "tests/server/wire/certificate.h"
 
 namespace selvage::test {
 namespace {
@@ -20,7 +20,7 @@ class Encrypted : public ::testing::Test {
   }
 
   TemporaryFolder folder_;
-  TlsFiles files_{write_certificate(folder_.path())};
+  server::transport::access::TlsFiles files_{write_certificate(folder_.path())};
   LiveDaemon daemon_{{"--tls-cert", files_.certificate, "--tls-key", files_.key}};
 };
 

@@ -14,7 +14,8 @@ rc::Gen<Coord> coords() {
   return rc::gen::inRange<Coord>(-kLatticeLimit + 1, kLatticeLimit);
 }
 rc::Gen<Resolution> resolutions() {
-  return rc::gen::map(rc::gen::inRange(kFinestExponent, kCoarsestExponent + 1), [](int e) { return Resolution{e}; });
+  return rc::gen::map(rc::gen::inRange(geometry::kFinestExponent, geometry::kCoarsestExponent + 1),
+                      [](int e) { return Resolution{e}; });
 }
 
 // The decimal text of coord * 10^exponent, made of its digits alone.
@@ -29,17 +30,17 @@ std::string shortest_text(double value) {
 }
 
 TEST(Decimals, OfShortestTexts) {
-  EXPECT_EQ(decimals_of(0), 0);
-  EXPECT_EQ(decimals_of(100), 0);
-  EXPECT_EQ(decimals_of(12.5), 1);
-  EXPECT_EQ(decimals_of(-12.5), 1);
-  EXPECT_EQ(decimals_of(0.1), 1);
-  EXPECT_EQ(decimals_of(0.30000000000000004), 17);
-  EXPECT_EQ(decimals_of(1e-7), 7);
-  EXPECT_EQ(decimals_of(1.25e-7), 9);
-  EXPECT_EQ(decimals_of(1e22), 0);
-  EXPECT_EQ(decimals_of(1.5e300), 0);
-  EXPECT_EQ(decimals_of(5e-324), 324);
+  EXPECT_EQ(geometry::decimals_of(0), 0);
+  EXPECT_EQ(geometry::decimals_of(100), 0);
+  EXPECT_EQ(geometry::decimals_of(12.5), 1);
+  EXPECT_EQ(geometry::decimals_of(-12.5), 1);
+  EXPECT_EQ(geometry::decimals_of(0.1), 1);
+  EXPECT_EQ(geometry::decimals_of(0.30000000000000004), 17);
+  EXPECT_EQ(geometry::decimals_of(1e-7), 7);
+  EXPECT_EQ(geometry::decimals_of(1.25e-7), 9);
+  EXPECT_EQ(geometry::decimals_of(1e22), 0);
+  EXPECT_EQ(geometry::decimals_of(1.5e300), 0);
+  EXPECT_EQ(geometry::decimals_of(5e-324), 324);
 }
 
 RC_GTEST_PROP(Decimals, AreAsManyAsWritten, ()) {
@@ -47,7 +48,7 @@ RC_GTEST_PROP(Decimals, AreAsManyAsWritten, ()) {
   const int decimals = *rc::gen::inRange(1, 9);
   RC_PRE(whole % 10 != 0);
   const double value = std::strtod(decimal_text(whole, -decimals).c_str(), nullptr);
-  RC_ASSERT(decimals_of(value) == decimals);
+  RC_ASSERT(geometry::decimals_of(value) == decimals);
 }
 
 RC_GTEST_PROP(Lattice, CoordinatesSurviveTheirText, ()) {
@@ -67,7 +68,7 @@ RC_GTEST_PROP(Lattice, DecimalTextIsExact, ()) {
   RC_ASSERT(to_lattice(written, resolution) == coord);
   RC_ASSERT(to_decimal(coord, resolution) == written);
   // The shortest text has no decimal that the lattice does not have.
-  RC_ASSERT(decimals_of(to_decimal(coord, resolution)) <= std::max(0, -resolution.exponent));
+  RC_ASSERT(geometry::decimals_of(to_decimal(coord, resolution)) <= std::max(0, -resolution.exponent));
 }
 
 TEST(Lattice, RoundsToTheNearest) {
@@ -92,22 +93,22 @@ RC_GTEST_PROP(ChosenResolution, KeepsDecimalsWhereTheLatticeAllows, ()) {
   const int decimals = *rc::gen::inRange(0, 25);
   const double extent = *rc::gen::map(rc::gen::inRange(0, 12'000), [](int k) { return std::pow(10.0, k / 1000.0); });
   const double width = extent / *rc::gen::inRange(1, 1000);
-  const Resolution chosen = choose_resolution(decimals, extent, width);
+  const Resolution chosen = geometry::choose_resolution(decimals, extent, width);
   RC_ASSERT(fits_lattice(extent, chosen));
   const Resolution finer{chosen.exponent - 1};
   // Coarser than the decimals, or than 2^28 units across, only where a finer one would not hold the extent.
   const bool exact = chosen.exponent <= -decimals;
   const bool fine = width / std::pow(10.0, chosen.exponent) >= (1 << 28);
   if (!exact || !fine) {
-    RC_ASSERT(chosen.exponent == kFinestExponent || !fits_lattice(extent, finer));
+    RC_ASSERT(chosen.exponent == geometry::kFinestExponent || !fits_lattice(extent, finer));
   }
 }
 
 TEST(ChosenResolution, OfUsualMarkers) {
-  EXPECT_EQ(choose_resolution(3, 9000, 1500), (Resolution{-6}));  // 1.5e9 units wide
-  EXPECT_EQ(choose_resolution(14, 100, 60), (Resolution{-10}));   // as fine as the lattice allows
-  EXPECT_EQ(choose_resolution(0, 1e15, 1e15), (Resolution{3}));
-  EXPECT_EQ(choose_resolution(8, 10, 0), (Resolution{-8}));  // no strip: the decimals alone
+  EXPECT_EQ(geometry::choose_resolution(3, 9000, 1500), (Resolution{-6}));  // 1.5e9 units wide
+  EXPECT_EQ(geometry::choose_resolution(14, 100, 60), (Resolution{-10}));   // as fine as the lattice allows
+  EXPECT_EQ(geometry::choose_resolution(0, 1e15, 1e15), (Resolution{3}));
+  EXPECT_EQ(geometry::choose_resolution(8, 10, 0), (Resolution{-8}));  // no strip: the decimals alone
 }
 
 TEST(Boxes, OverlapOnlyWithTheirInsides) {

@@ -69,14 +69,14 @@ TEST(Transformed, KeepsSenseAndArea) {
   }
 }
 
-SplitOrientation split_of(bool flip, double rotation, double tilt) {
-  return split({flip, Angle::of_degrees(rotation), Angle::of_degrees(tilt)});
+geometry::SplitOrientation split_of(bool flip, double rotation, double tilt) {
+  return geometry::split({flip, Angle::of_degrees(rotation), Angle::of_degrees(tilt)});
 }
 
 TEST(Split, MultiplesOfNinetyAreExact) {
   for (const bool flip : {false, true}) {
     for (int q = -9; q <= 9; ++q) {
-      const SplitOrientation parts = split_of(flip, 90.0 * q, 0);
+      const geometry::SplitOrientation parts = split_of(flip, 90.0 * q, 0);
       EXPECT_EQ(parts.turn.degrees, 0);
       EXPECT_EQ(parts.symmetry, Symmetry(flip, q));
     }
@@ -87,7 +87,7 @@ RC_GTEST_PROP(Split, PutsItselfTogetherAgain, ()) {
   const bool flip = *rc::gen::arbitrary<bool>();
   const double rotation = *rc::gen::inRange(-7200, 7201) / 10.0;
   const double tilt = *rc::gen::inRange(-500, 501) / 100.0;
-  const SplitOrientation parts = split_of(flip, rotation, tilt);
+  const geometry::SplitOrientation parts = split_of(flip, rotation, tilt);
   RC_ASSERT(std::abs(parts.turn.degrees) <= 45.0 + 1e-9);
   RC_ASSERT(parts.symmetry.flips() == flip);
   const double turned_by = (flip ? -parts.turn.degrees : parts.turn.degrees) + 90.0 * parts.symmetry.quarter_turns();
@@ -134,7 +134,7 @@ TEST(Turned, IsStillAPolygonWhenRoundingStraightensIt) {
     const Polygon image = turned(flat, Angle::of_degrees(random.part() * 45));
     const auto clean = clean_polygon(image);
     ASSERT_TRUE(clean);
-    EXPECT_EQ(clean->repairs, Repairs{});
+    EXPECT_EQ(clean->repairs, geometry::Repairs{});
   }
 }
 

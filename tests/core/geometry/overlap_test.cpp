@@ -56,9 +56,9 @@ void judge(const Polygon& p, const Polygon& q, Tally& tally) {
   const auto point = common_point(placed(p), placed(q));
   ASSERT_EQ(point.has_value(), expected) << pair;
   if (!point) return;
-  ASSERT_EQ(locate_exactly({point->x, point->y}, p), Location::kInside)
+  ASSERT_EQ(locate_exactly({point->x, point->y}, p), geometry::Location::kInside)
       << pair << " at " << point->x << ", " << point->y;
-  ASSERT_EQ(locate_exactly({point->x, point->y}, q), Location::kInside)
+  ASSERT_EQ(locate_exactly({point->x, point->y}, q), geometry::Location::kInside)
       << pair << " at " << point->x << ", " << point->y;
 }
 

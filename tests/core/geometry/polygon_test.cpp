@@ -22,21 +22,21 @@ TEST(CleanPolygon, LeavesAPolygonAlone) {
   const auto clean = clean_polygon(kSquare);
   ASSERT_TRUE(clean);
   EXPECT_EQ(clean->polygon, kSquare);
-  EXPECT_EQ(clean->repairs, Repairs{});
+  EXPECT_EQ(clean->repairs, geometry::Repairs{});
 }
 
 TEST(CleanPolygon, AcceptsTheFirstVertexAgainAtTheEnd) {
   const auto clean = clean_polygon(std::vector<Vec>{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}});
   ASSERT_TRUE(clean);
   EXPECT_EQ(clean->polygon, kSquare);
-  EXPECT_EQ(clean->repairs, Repairs{});
+  EXPECT_EQ(clean->repairs, geometry::Repairs{});
 }
 
 TEST(CleanPolygon, TurnsClockwiseOnes) {
   const auto clean = clean_polygon(std::vector<Vec>{{0, 0}, {0, 4}, {4, 4}, {4, 0}});
   ASSERT_TRUE(clean);
   EXPECT_EQ(clean->polygon, kSquare);
-  EXPECT_EQ(clean->repairs, (Repairs{.reversed = true}));
+  EXPECT_EQ(clean->repairs, (geometry::Repairs{.reversed = true}));
 }
 
 TEST(CleanPolygon, DropsDuplicates) {
@@ -44,7 +44,7 @@ TEST(CleanPolygon, DropsDuplicates) {
       clean_polygon(std::vector<Vec>{{0, 0}, {0, 0}, {4, 0}, {4, 4}, {4, 4}, {4, 4}, {0, 4}, {0, 0}, {0, 0}});
   ASSERT_TRUE(clean);
   EXPECT_EQ(clean->polygon, kSquare);
-  EXPECT_EQ(clean->repairs, (Repairs{.duplicate_vertices = 4}));
+  EXPECT_EQ(clean->repairs, (geometry::Repairs{.duplicate_vertices = 4}));
 }
 
 TEST(CleanPolygon, StraightensRuns) {
@@ -52,7 +52,7 @@ TEST(CleanPolygon, StraightensRuns) {
       clean_polygon(std::vector<Vec>{{2, 0}, {3, 0}, {4, 0}, {4, 1}, {4, 4}, {0, 4}, {0, 2}, {0, 0}, {1, 0}});
   ASSERT_TRUE(clean);
   EXPECT_EQ(clean->polygon, (Polygon{{4, 0}, {4, 4}, {0, 4}, {0, 0}}));
-  EXPECT_EQ(clean->repairs, (Repairs{.collinear_vertices = 5}));
+  EXPECT_EQ(clean->repairs, (geometry::Repairs{.collinear_vertices = 5}));
 }
 
 TEST(CleanPolygon, CutsSpikes) {
@@ -116,13 +116,13 @@ std::vector<Vec> saw(std::size_t n) {
 }
 
 TEST(CleanPolygon, TakesNoMoreThanTheLimit) {
-  EXPECT_EQ(error_of(saw(kMaxVertices + 1)), ErrorCode::kTooManyVertices);
-  const auto clean = clean_polygon(saw(kMaxVertices));
+  EXPECT_EQ(error_of(saw(geometry::kMaxVertices + 1)), ErrorCode::kTooManyVertices);
+  const auto clean = clean_polygon(saw(geometry::kMaxVertices));
   ASSERT_TRUE(clean) << clean.error().message;
-  EXPECT_EQ(clean->polygon.size(), kMaxVertices);
+  EXPECT_EQ(clean->polygon.size(), geometry::kMaxVertices);
   // Counted before repair, but without the first vertex again at the end.
-  EXPECT_EQ(error_of(std::vector<Vec>(kMaxVertices + 1, Vec{1, 1})), ErrorCode::kTooFewVertices);
-  EXPECT_EQ(error_of(std::vector<Vec>(kMaxVertices + 2, Vec{1, 1})), ErrorCode::kTooManyVertices);
+  EXPECT_EQ(error_of(std::vector<Vec>(geometry::kMaxVertices + 1, Vec{1, 1})), ErrorCode::kTooFewVertices);
+  EXPECT_EQ(error_of(std::vector<Vec>(geometry::kMaxVertices + 2, Vec{1, 1})), ErrorCode::kTooManyVertices);
 }
 
 // Whatever comes in, what comes out is a Polygon; what is refused as touching itself is not simple.
@@ -187,8 +187,8 @@ TEST(Locate, AgreesWithExactSide) {
     const Polygon polygon = random_polygon(random, random.chance(50) ? 8 : 30);
     for (int k = 0; k < 40; ++k) {
       const Vec p = random.point(-1, 31);
-      const Location ours = locate(p, polygon);
-      const Real2 at{static_cast<double>(p.x), static_cast<double>(p.y)};
+      const geometry::Location ours = locate(p, polygon);
+      const outline::Real2 at{static_cast<double>(p.x), static_cast<double>(p.y)};
       ASSERT_EQ(ours, locate_exactly(at, polygon)) << text_of({p}) << " in " << text_of(polygon);
       ++counts[static_cast<int>(ours)];
     }
@@ -200,11 +200,11 @@ TEST(Locate, IsExactOnLargeLattices) {
   // One unit off the long diagonal of a triangle as large as the lattice.
   const Coord far = kLatticeLimit - 1;
   const Polygon triangle{{-far, -far}, {far, far - 1}, {-far, far}};
-  EXPECT_EQ(locate({-far, -far}, triangle), Location::kBoundary);
-  EXPECT_EQ(locate({0, 0}, triangle), Location::kInside);
-  EXPECT_EQ(locate({0, -1}, triangle), Location::kOutside);
-  EXPECT_EQ(locate({far - 1, far - 2}, triangle), Location::kOutside);
-  EXPECT_EQ(locate({far - 1, far - 1}, triangle), Location::kInside);
+  EXPECT_EQ(locate({-far, -far}, triangle), geometry::Location::kBoundary);
+  EXPECT_EQ(locate({0, 0}, triangle), geometry::Location::kInside);
+  EXPECT_EQ(locate({0, -1}, triangle), geometry::Location::kOutside);
+  EXPECT_EQ(locate({far - 1, far - 2}, triangle), geometry::Location::kOutside);
+  EXPECT_EQ(locate({far - 1, far - 1}, triangle), geometry::Location::kInside);
 }
 
 TEST(Convexity, OfRandomPolygons) {

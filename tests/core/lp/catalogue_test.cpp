@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "core/lp/clp.h"
-#include "core/lp/interior_point.h"
-#include "core/lp/solve.h"
+#include "core/lp/interior_point/interior_point.h"
+#include "core/lp/solver/clp.h"
+#include "core/lp/solver/solve.h"
 
-namespace selvage {
+namespace selvage::lp {
 namespace {
 
 using Row = std::pair<std::vector<LinearProgram::Entry>, double>;
@@ -127,7 +127,7 @@ void expect_certificate(const LinearProgram& program, const LpSolution& solution
   for (const double price : solution.dual) EXPECT_GE(price, 0);
 }
 
-class EverySolver : public testing::TestWithParam<SolverChoice> {};
+class EverySolver : public testing::TestWithParam<solver::SolverChoice> {};
 
 TEST_P(EverySolver, PassesTheCatalogue) {
   for (const Case& c : catalogue()) {
@@ -148,12 +148,12 @@ TEST_P(EverySolver, StopsBeforeItStarts) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Choices, EverySolver,
-                         testing::Values(SolverChoice::kAutomatic, SolverChoice::kSimplex,
-                                         SolverChoice::kInteriorPoint),
+                         testing::Values(solver::SolverChoice::kAutomatic, solver::SolverChoice::kSimplex,
+                                         solver::SolverChoice::kInteriorPoint),
                          [](const auto& param) {
                            switch (param.param) {
-                             case SolverChoice::kSimplex: return "Simplex";
-                             case SolverChoice::kInteriorPoint: return "InteriorPoint";
+                             case solver::SolverChoice::kSimplex: return "Simplex";
+                             case solver::SolverChoice::kInteriorPoint: return "InteriorPoint";
                              default: return "Automatic";
                            }
                          });
@@ -167,8 +167,8 @@ TEST(Simplex, SaysWhenItsPivotsAreUsedUp) {
     for (int j = r % 5; j < 40; j += 1 + r % 4) row.push_back({j, 1.0 + (r * j) % 7});
     program.add_row(row, 10 + r);
   }
-  EXPECT_EQ(solve_by_simplex(program, 1).status, LpStatus::kWorkLimit);
-  EXPECT_EQ(solve_by_simplex(program, 10'000).status, LpStatus::kOptimal);
+  EXPECT_EQ(solver::solve_by_simplex(program, 1).status, LpStatus::kWorkLimit);
+  EXPECT_EQ(solver::solve_by_simplex(program, 10'000).status, LpStatus::kOptimal);
 }
 
 TEST(Infeasibility, IsTheWorstOfRowsAndBounds) {
@@ -179,4 +179,4 @@ TEST(Infeasibility, IsTheWorstOfRowsAndBounds) {
 }
 
 }  // namespace
-}  // namespace selvage
+}  // namespace selvage::lp

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace selvage {
+namespace selvage::lp {
 namespace {
 
 // Minimise x + y with x + 2 y >= 4 and 3 x + y >= 6: best at (1.6, 1.2), with prices 0.4 and 0.2.
@@ -56,4 +56,4 @@ TEST(Certificate, TakesABoundThatPaysForAColumn) {  // minimise -x up to 5: no r
 }
 
 }  // namespace
-}  // namespace selvage
+}  // namespace selvage::lp

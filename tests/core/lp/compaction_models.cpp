@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace selvage {
+namespace selvage::lp {
 namespace {
 
 constexpr double kWidth = 1000;
@@ -80,4 +80,4 @@ LinearProgram compaction_program(const CompactionModel& model) {
   return program;
 }
 
-}  // namespace selvage
+}  // namespace selvage::lp

@@ -9,7 +9,7 @@
 
 #include "core/lp/linear_program.h"
 
-namespace selvage {
+namespace selvage::lp {
 
 struct CompactionModel {
   int points{};
@@ -22,4 +22,4 @@ struct CompactionModel {
 
 [[nodiscard]] LinearProgram compaction_program(const CompactionModel& model);
 
-}  // namespace selvage
+}  // namespace selvage::lp

@@ -7,11 +7,11 @@
 #include <thread>
 
 #include "core/lp/certificate.h"
-#include "core/lp/clp.h"
-#include "core/lp/interior_point.h"
-#include "core/lp/solve.h"
+#include "core/lp/interior_point/interior_point.h"
+#include "core/lp/solver/clp.h"
+#include "core/lp/solver/solve.h"
 
-namespace selvage {
+namespace selvage::lp {
 namespace {
 
 void expect_optimal(const LinearProgram& program, const LpSolution& solution) {
@@ -37,8 +37,8 @@ TEST_P(CompactionModels, BothSolversFindTheSameOptimum) {
   for (std::uint64_t seed = 1; seed <= (large ? 1U : 6U); ++seed) {
     for (const double tight : large ? std::vector{0.2} : std::vector{0.0, 0.2, 0.6}) {
       const LinearProgram program = compaction_program({.points = GetParam(), .tight = tight, .seed = seed});
-      const LpSolution simplex = solve_by_simplex(program, 1'000'000);
-      const LpSolution interior = solve_by_interior_point(program);
+      const LpSolution simplex = solver::solve_by_simplex(program, 1'000'000);
+      const LpSolution interior = interior_point::solve_by_interior_point(program);
       SCOPED_TRACE(testing::Message() << "seed " << seed << ", tight " << tight << ", iterations "
                                       << interior.iterations);
       ASSERT_EQ(interior.status, LpStatus::kOptimal);
@@ -52,23 +52,23 @@ TEST_P(CompactionModels, BothSolversFindTheSameOptimum) {
 
 TEST_P(CompactionModels, TheSameProgramGivesTheSameBytes) {
   const LinearProgram program = compaction_program({.points = GetParam()});
-  EXPECT_EQ(solve_by_interior_point(program).x, solve_by_interior_point(program).x);
-  EXPECT_EQ(solve_by_simplex(program, 1'000'000).x, solve_by_simplex(program, 1'000'000).x);
+  EXPECT_EQ(interior_point::solve_by_interior_point(program).x, interior_point::solve_by_interior_point(program).x);
+  EXPECT_EQ(solver::solve_by_simplex(program, 1'000'000).x, solver::solve_by_simplex(program, 1'000'000).x);
 }
 
 TEST_P(CompactionModels, WithoutGravityTheInteriorPointMethodStillEnds) {  // free columns without cost
   const LinearProgram program = compaction_program({.points = GetParam(), .gravity = 0});
-  const LpSolution solution = solve(program, SolverChoice::kInteriorPoint);
+  const LpSolution solution = solve(program, solver::SolverChoice::kInteriorPoint);
   expect_optimal(program, solution);
 }
 
 TEST_P(CompactionModels, ATolerancePaysForFewerIterations) {
   const LinearProgram program = compaction_program({.points = GetParam()});
-  const LpSolution best = solve(program, SolverChoice::kInteriorPoint);
+  const LpSolution best = solve(program, solver::SolverChoice::kInteriorPoint);
   ASSERT_EQ(best.status, LpStatus::kOptimal);
   int last = best.iterations;
   for (const double tolerance : {1e-6, 1e-3, 1e-1}) {
-    const LpSolution solution = solve(program, SolverChoice::kInteriorPoint, {.tolerance = tolerance});
+    const LpSolution solution = solve(program, solver::SolverChoice::kInteriorPoint, {.tolerance = tolerance});
     SCOPED_TRACE(testing::Message() << "tolerance " << tolerance);
     ASSERT_EQ(solution.status, LpStatus::kOptimal);
     const double scale = 1 + std::abs(best.objective);
@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(Points, CompactionModels, testing::Values(3, 50, 200, 7
 TEST(CompactionModel, StopsWhileItIsAtWork) {
   // Big enough to take many pivots and factorisations; a second thread asks it to stop.
   const LinearProgram program = compaction_program({.points = 3000, .tight = 0.6});
-  for (const SolverChoice choice : {SolverChoice::kSimplex, SolverChoice::kInteriorPoint}) {
+  for (const solver::SolverChoice choice : {solver::SolverChoice::kSimplex, solver::SolverChoice::kInteriorPoint}) {
     std::stop_source source;
     std::jthread asking{[&] { source.request_stop(); }};
     const LpStatus status = solve(program, choice, {}, source.get_token()).status;
@@ -95,4 +95,4 @@ TEST(CompactionModel, StopsWhileItIsAtWork) {
 }
 
 }  // namespace
-}  // namespace selvage
+}  // namespace selvage::lp

@@ -8,7 +8,7 @@
 namespace selvage::test {
 namespace {
 
-void expect_same(const Figures& a, const Figures& b) {
+void expect_same(const marker::Figures& a, const marker::Figures& b) {
   EXPECT_EQ(a.length, b.length);
   EXPECT_EQ(a.utilisation, b.utilisation);
   EXPECT_EQ(a.valid, b.valid);
@@ -16,7 +16,7 @@ void expect_same(const Figures& a, const Figures& b) {
 
 TEST(Figures, AreThoseOfTheMarker) {
   const Marker marker = squares({{0, 0}, {10, 0}, {10, 90}});
-  const Figures figures = figures_of(marker);
+  const marker::Figures figures = figures_of(marker);
   EXPECT_EQ(figures.length, length_of(marker));
   EXPECT_EQ(figures.utilisation, utilisation_of(marker));
   EXPECT_DOUBLE_EQ(figures.utilisation, 300.0 / (20 * 100));
@@ -32,7 +32,7 @@ TEST(Figures, AfterAChangeAreThoseOfTheWhole) {
     for (Coord y = -5; y <= 95; y += 5) {
       Marker after = before;
       after.pieces[1].at = {x, y};
-      const Figures figures = figures_after(before, PlacedPieces{before}, after);
+      const marker::Figures figures = figures_after(before, marker::PlacedPieces{before}, after);
       expect_same(figures, figures_of(after));
       valid += figures.valid;
     }
@@ -45,15 +45,15 @@ TEST(Figures, AfterAChangeOfTheStripOrTheSpacingAreProvedAnew) {
   const Marker before = squares({{0, 0}, {10, 0}, {30, 90}});
   Marker narrower = before;
   narrower.strip.width = 95;
-  EXPECT_FALSE(figures_after(before, PlacedPieces{before}, narrower).valid);
+  EXPECT_FALSE(figures_after(before, marker::PlacedPieces{before}, narrower).valid);
   Marker spaced = before;
   spaced.spacing = 1;
-  EXPECT_FALSE(figures_after(before, PlacedPieces{before}, spaced).valid);
+  EXPECT_FALSE(figures_after(before, marker::PlacedPieces{before}, spaced).valid);
   Marker other = before;
   other.shapes[0].outline = kTriangle;
-  EXPECT_FALSE(figures_after(before, PlacedPieces{before}, other).valid);
+  EXPECT_FALSE(figures_after(before, marker::PlacedPieces{before}, other).valid);
   Marker more = squares({{0, 0}, {10, 0}, {30, 90}, {30, 85}});
-  EXPECT_FALSE(figures_after(before, PlacedPieces{before}, more).valid);
+  EXPECT_FALSE(figures_after(before, marker::PlacedPieces{before}, more).valid);
 }
 
 TEST(Figures, AfterATiltSeeTheTiltedPiece) {
@@ -61,8 +61,8 @@ TEST(Figures, AfterATiltSeeTheTiltedPiece) {
   Marker tilted = before;
   tilted.pieces[0].orientation.tilt = Angle::of_degrees(5);
   tilted.pieces[0].at = {1, 0};
-  expect_same(figures_after(before, PlacedPieces{before}, tilted), figures_of(tilted));
-  EXPECT_FALSE(figures_after(before, PlacedPieces{before}, tilted).valid);
+  expect_same(figures_after(before, marker::PlacedPieces{before}, tilted), figures_of(tilted));
+  EXPECT_FALSE(figures_after(before, marker::PlacedPieces{before}, tilted).valid);
 }
 
 }  // namespace

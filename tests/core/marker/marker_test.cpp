@@ -40,8 +40,8 @@ TEST(MakeMarker, RefusesStripsAndSpacings) {
 
 TEST(MakeMarker, RefusesNoneAndTooManyPieces) {
   EXPECT_EQ(error_of(squares({})), Found(ErrorCode::kEmptyMarker, "/pieces"));
-  EXPECT_EQ(error_of(squares(std::vector<Vec>(kMaxPieces + 1))), Found(ErrorCode::kTooManyPieces, "/pieces"));
-  EXPECT_EQ(error_of(squares(std::vector<Vec>(kMaxPieces))), Found());
+  EXPECT_EQ(error_of(squares(std::vector<Vec>(marker::kMaxPieces + 1))), Found(ErrorCode::kTooManyPieces, "/pieces"));
+  EXPECT_EQ(error_of(squares(std::vector<Vec>(marker::kMaxPieces))), Found());
 }
 
 TEST(MakeMarker, RefusesIdsThatAreNoIds) {

@@ -29,12 +29,12 @@ Marker random_marker(Random& random, std::size_t pieces, Coord extent) {
 TEST(PlacedPieces, AreTheMarkersOutlines) {
   Random random{201};
   const Marker marker = random_marker(random, 50, 1000);
-  const PlacedPieces pieces{marker};
+  const marker::PlacedPieces pieces{marker};
   ASSERT_EQ(pieces.size(), 50U);
   EXPECT_EQ(pieces.length(), length_of(marker));
   for (std::uint32_t i = 0; i < 50; ++i) {
     const Polygon outline = placed_outline(marker, {i});
-    const PlacedPolygon piece = pieces[i];
+    const geometry::PlacedPolygon piece = pieces[i];
     ASSERT_EQ(moved({piece.vertices.begin(), piece.vertices.end()}, piece.at), outline);
     ASSERT_EQ(pieces.box(i), box_of(outline));
     ASSERT_EQ(piece.placed_box(), box_of(outline));
@@ -42,7 +42,7 @@ TEST(PlacedPieces, AreTheMarkersOutlines) {
 }
 
 TEST(PlacedPieces, MayBePlacedAnew) {
-  PlacedPieces pieces{squares({{0, 0}, {20, 0}})};
+  marker::PlacedPieces pieces{squares({{0, 0}, {20, 0}})};
   pieces.place({{5, 5}, {1, 80}});
   EXPECT_EQ(pieces.at(1), (Vec{1, 80}));
   EXPECT_EQ(pieces.length(), 15);
@@ -52,9 +52,9 @@ TEST(PairsWithin, AreThoseOfBruteForce) {
   Random random{202};
   for (int trial = 0; trial < 200 / kSlowdown; ++trial) {
     const Marker marker = random_marker(random, 40, random.between(10, 800));
-    const PlacedPieces pieces{marker};
+    const marker::PlacedPieces pieces{marker};
     const Coord distance = random.chance(30) ? 0 : random.between(1, 100);
-    std::vector<PiecePair> expected;
+    std::vector<marker::PiecePair> expected;
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
       for (std::uint32_t j = i + 1; j < pieces.size(); ++j) {
         if (pieces.box(i).grown(distance).overlaps(pieces.box(j))) expected.emplace_back(i, j);
@@ -65,10 +65,10 @@ TEST(PairsWithin, AreThoseOfBruteForce) {
 }
 
 TEST(PairsWithin, AreOpenAtTheDistance) {
-  const PlacedPieces pieces{squares({{0, 0}, {15, 0}, {10, 10}})};
-  EXPECT_EQ(pairs_within(pieces, 0), (std::vector<PiecePair>{}));
-  EXPECT_EQ(pairs_within(pieces, 5), (std::vector<PiecePair>{{0, 2}, {1, 2}}));
-  EXPECT_EQ(pairs_within(pieces, 6), (std::vector<PiecePair>{{0, 1}, {0, 2}, {1, 2}}));
+  const marker::PlacedPieces pieces{squares({{0, 0}, {15, 0}, {10, 10}})};
+  EXPECT_EQ(pairs_within(pieces, 0), (std::vector<marker::PiecePair>{}));
+  EXPECT_EQ(pairs_within(pieces, 5), (std::vector<marker::PiecePair>{{0, 2}, {1, 2}}));
+  EXPECT_EQ(pairs_within(pieces, 6), (std::vector<marker::PiecePair>{{0, 1}, {0, 2}, {1, 2}}));
 }
 
 TEST(Conflicts, AreThoseOfBruteForce) {
@@ -79,8 +79,8 @@ TEST(Conflicts, AreThoseOfBruteForce) {
     if (random.chance(50)) {
       for (Piece& piece : marker.pieces) piece.buffer = random.between(0, 30);
     }
-    const PlacedPieces pieces{marker};
-    std::vector<PiecePair> expected;
+    const marker::PlacedPieces pieces{marker};
+    std::vector<marker::PiecePair> expected;
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
       for (std::uint32_t j = i + 1; j < pieces.size(); ++j) {
         const Coord spacing = std::max(marker.spacing, marker.pieces[i].buffer + marker.pieces[j].buffer);
@@ -96,7 +96,7 @@ TEST(Conflicts, AreThoseOfBruteForce) {
 TEST(PlacedPieces, OneCanBeReplaced) {
   Random random{204};
   Marker marker = random_marker(random, 6, 1000);
-  PlacedPieces pieces{marker};
+  marker::PlacedPieces pieces{marker};
   const Vec far{5000, 7};
   const Polygon square{{0, 0}, {30, 0}, {30, 30}, {0, 30}};
   pieces.replace(2, square, far);

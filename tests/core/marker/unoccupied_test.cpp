@@ -11,7 +11,7 @@
 #include "tests/support/exact.h"
 #include "tests/support/garment.h"
 
-namespace selvage {
+namespace selvage::marker {
 namespace {
 
 constexpr UnoccupiedSettings kEverything{0, 0};
@@ -133,7 +133,7 @@ TEST_P(GarmentRegions, HaveTheExactAreas) {
   const UnoccupiedSettings settings{0, unoccupied_settings(marker.strip).clearance};
   std::vector<Polygon> outlines;
   for (std::uint32_t i = 0; i < marker.pieces.size(); ++i) {
-    const auto rings = grown(placed_outline(marker, PieceId{i}), settings.clearance);
+    const auto rings = outline::grown(placed_outline(marker, PieceId{i}), settings.clearance);
     ASSERT_EQ(rings.size(), 1U);
     outlines.push_back(rings.front());
   }
@@ -157,10 +157,10 @@ TEST_P(GarmentRegions, KeepTheirClearance) {
   for (const UnoccupiedRegion& region : regions) {
     EXPECT_GE(region.area, settings.least_area * width * width);
     EXPECT_GE(region.around.size(), 1U);
-    EXPECT_EQ(locate(point_inside(region.region), region.region), Location::kInside);
+    EXPECT_EQ(locate(point_inside(region.region), region.region), geometry::Location::kInside);
     for (const Vec v : region.region.outline) {
       const Polygon speck{v, {v.x + 1, v.y}, {v.x, v.y + 1}};
-      const PlacedPolygon placed{speck, box_of(speck), {}};
+      const geometry::PlacedPolygon placed{speck, box_of(speck), {}};
       for (std::size_t i = 0; i < pieces.size(); ++i) {
         if (!pieces.box(i).grown(settings.clearance).touches(placed.box)) continue;
         ASSERT_FALSE(closer_than(placed, pieces[i], settings.clearance - 4)) << v.x << ' ' << v.y << ' ' << i;
@@ -173,4 +173,4 @@ TEST_P(GarmentRegions, KeepTheirClearance) {
 INSTANTIATE_TEST_SUITE_P(All, GarmentRegions, test::kGarments, test::garment_name);
 
 }  // namespace
-}  // namespace selvage
+}  // namespace selvage::marker

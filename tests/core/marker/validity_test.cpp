@@ -14,9 +14,9 @@
 namespace selvage::test {
 namespace {
 
-Validity checked(const Marker& marker) {
+marker::Validity checked(const Marker& marker) {
   SumCache sums;
-  Validity validity = check(marker, sums);
+  marker::Validity validity = check(marker, sums);
   EXPECT_EQ(validity.valid(), is_valid(marker));
   return validity;
 }
@@ -26,9 +26,9 @@ TEST(Validity, TouchingIsValid) {
 }
 
 TEST(Validity, SaysWhichOverlapWhereAndHowDeep) {
-  const Validity validity = checked(squares({{0, 0}, {50, 50}, {7, 2}}));
+  const marker::Validity validity = checked(squares({{0, 0}, {50, 50}, {7, 2}}));
   ASSERT_EQ(validity.overlaps.size(), 1U);
-  const Overlap& overlap = validity.overlaps[0];
+  const marker::Overlap& overlap = validity.overlaps[0];
   EXPECT_EQ(overlap.first, PieceId{0});
   EXPECT_EQ(overlap.second, PieceId{2});
   EXPECT_NEAR(overlap.depth, 3, 1e-9);  // to the right, by what they share
@@ -68,21 +68,21 @@ TEST(Validity, DepthIsTheShortestMoveInAnyDirection) {
   Marker marker = squares({{0, 0}, {7, 7}});
   marker.shapes.push_back({.id = "triangle", .outline = kTriangle, .tilt_limit = {}});
   marker.pieces[0].shape.value = 1;
-  const Validity validity = checked(marker);
+  const marker::Validity validity = checked(marker);
   ASSERT_EQ(validity.overlaps.size(), 1U);
   EXPECT_NEAR(validity.overlaps[0].depth, 6 / std::sqrt(2.0), 1e-9);
 }
 
 TEST(Validity, OverlapsComeInOrder) {
-  const Validity validity = checked(squares({{0, 0}, {5, 5}, {9, 9}, {60, 0}, {0, 1}}));
+  const marker::Validity validity = checked(squares({{0, 0}, {5, 5}, {9, 9}, {60, 0}, {0, 1}}));
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  for (const Overlap& o : validity.overlaps) pairs.emplace_back(o.first.value, o.second.value);
+  for (const marker::Overlap& o : validity.overlaps) pairs.emplace_back(o.first.value, o.second.value);
   EXPECT_EQ(pairs,
             (std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0, 1}, {0, 2}, {0, 4}, {1, 2}, {1, 4}, {2, 4}}));
 }
 
 TEST(Validity, OfPiecesOnTopOfEachOther) {
-  const Validity validity = checked(squares({{30, 30}, {30, 30}}));
+  const marker::Validity validity = checked(squares({{30, 30}, {30, 30}}));
   ASSERT_EQ(validity.overlaps.size(), 1U);
   EXPECT_NEAR(validity.overlaps[0].depth, 10, 1e-9);
 }
@@ -92,7 +92,7 @@ TEST(Validity, SpacingIsKeptAtTheDistanceItself) {
   marker.spacing = 5;
   EXPECT_TRUE(checked(marker).valid());
   marker.spacing = 6;
-  const Validity validity = checked(marker);
+  const marker::Validity validity = checked(marker);
   ASSERT_EQ(validity.overlaps.size(), 1U);
   EXPECT_NEAR(validity.overlaps[0].depth, 1, 1e-9);
   EXPECT_NEAR(validity.overlaps[0].witness_x, 12.5, 1e-9);  // between the two
@@ -118,7 +118,7 @@ TEST(Validity, SaysByHowMuchAPieceLeavesTheStrip) {
   const auto by = [](Vec at, std::optional<Coord> longest = {}) {
     Marker marker = squares({{40, 40}, at});
     marker.strip.longest = longest;
-    const Validity validity = checked(marker);
+    const marker::Validity validity = checked(marker);
     EXPECT_TRUE(validity.overlaps.empty());
     if (validity.protrusions.empty()) return Coord{0};
     EXPECT_EQ(validity.protrusions.size(), 1U);
@@ -160,7 +160,7 @@ TEST(Validity, DepthPartsAndNoLessDoes) {
     marker.shapes = {{.id = "p", .outline = p, .tilt_limit = {}}, {.id = "q", .outline = q, .tilt_limit = {}}};
     marker.pieces[1].shape.value = 1;
     SumCache sums;
-    const Validity validity = check(marker, sums);
+    const marker::Validity validity = check(marker, sums);
     ASSERT_EQ(validity.overlaps.size(), 1U);
     const double depth = validity.overlaps[0].depth;
     for (int degrees = 0; degrees < 360; ++degrees) {
@@ -169,8 +169,9 @@ TEST(Validity, DepthPartsAndNoLessDoes) {
       const Vec there = r + Vec{std::llround(by * std::cos(angle)), std::llround(by * std::sin(angle))};
       ASSERT_TRUE(overlap(placed(p), placed(q, there))) << text_of(p) << "; " << text_of(q) << " at " << text_of({r});
     }
-    const Obstacle obstacle = sums.obstacle(oriented_outline(marker, {0}, sums), oriented_outline(marker, {1}, sums));
-    const BoundaryPoint nearest = nearest_boundary_point(obstacle.sum(), obstacle.to_frame(r));
+    const minkowski::Obstacle obstacle =
+        sums.obstacle(oriented_outline(marker, {0}, sums), oriented_outline(marker, {1}, sums));
+    const minkowski::BoundaryPoint nearest = nearest_boundary_point(obstacle.sum(), obstacle.to_frame(r));
     ASSERT_NEAR(nearest.distance, depth, 1e-6);
     const Vec there = obstacle.from_frame({std::llround(nearest.at.x), std::llround(nearest.at.y)});
     ASSERT_FALSE(deep_inside(p, q, there)) << text_of(p) << "; " << text_of(q) << " at " << text_of({r});
@@ -188,7 +189,7 @@ TEST(OrientedOutlines, AreThePieces) {
     for (const double rotation : {0.0, 90.0, 180.0, 270.0}) {
       for (const bool flip : {false, true}) {
         marker.pieces[0].orientation = {flip, {rotation}, {tilt}};
-        const OrientedOutline piece = oriented_outline(marker, {0}, sums);
+        const outline::OrientedOutline piece = oriented_outline(marker, {0}, sums);
         EXPECT_EQ(moved(transformed(piece.outline->polygon, piece.symmetry), {3, 4}), placed_outline(marker, {0}));
       }
     }

@@ -4,11 +4,11 @@
 
 #include <vector>
 
-namespace selvage {
+namespace selvage::minkowski {
 namespace {
 
-std::vector<SumEdge> edges(std::size_t count) {
-  std::vector<SumEdge> made(count);
+std::vector<convolution::SumEdge> edges(std::size_t count) {
+  std::vector<convolution::SumEdge> made(count);
   for (std::size_t k = 0; k < count; ++k) {
     const auto x = static_cast<Coord>(k);
     made[k].from = {x, x * x % 17};
@@ -48,4 +48,4 @@ TEST(BoxTree, EachBoxIsOverItsRunAndTheLastOverAll) {
 }
 
 }  // namespace
-}  // namespace selvage
+}  // namespace selvage::minkowski

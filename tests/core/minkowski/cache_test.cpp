@@ -20,14 +20,14 @@ std::vector<Symmetry> all_symmetries() {
 }
 
 // The obstacle's edges where the marker sees them.
-std::vector<std::pair<Vec, Vec>> edges_of(const Obstacle& obstacle) {
+std::vector<std::pair<Vec, Vec>> edges_of(const minkowski::Obstacle& obstacle) {
   std::vector<std::pair<Vec, Vec>> edges;
-  for (const SumEdge& e : obstacle.sum().edges())
+  for (const minkowski::convolution::SumEdge& e : obstacle.sum().edges())
     edges.emplace_back(obstacle.from_frame(e.from), obstacle.from_frame(e.to));
   return edges;
 }
 
-Real2 real(Vec v) {
+outline::Real2 real(Vec v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y)};
 }
 
@@ -37,10 +37,10 @@ TEST(Cache, CountsHitsAndMisses) {
   const auto q = sums.outline({{0, 0}, {20, 0}, {20, 20}, {0, 20}});
   EXPECT_EQ(sums.counts().entries, 0U);
   EXPECT_EQ(sums.counts().limit, SumCache::kDefaultLimit);
-  const Obstacle first = sums.obstacle({p, {}}, {q, {}});
+  const minkowski::Obstacle first = sums.obstacle({p, {}}, {q, {}});
   EXPECT_EQ(sums.counts().misses, 1U);
   EXPECT_EQ(sums.counts().bytes, p->bytes() + q->bytes() + first.sum().bytes());
-  const Obstacle again = sums.obstacle({p, {}}, {q, {}});
+  const minkowski::Obstacle again = sums.obstacle({p, {}}, {q, {}});
   EXPECT_EQ(&again.sum(), &first.sum());
   EXPECT_EQ(sums.counts().hits, 1U);
   EXPECT_EQ(sums.counts().misses, 1U);
@@ -80,15 +80,15 @@ TEST(Cache, KnowsOutlinesByTheirPolygon) {
   // Outlines that were made elsewhere are the same by value.
   const auto mine = sums.outline(polygon);
   (void)sums.obstacle({mine, {}}, {mine, {}});
-  (void)sums.obstacle({make_outline(polygon), {}}, {make_outline(polygon), {}});
+  (void)sums.obstacle({outline::make_outline(polygon), {}}, {outline::make_outline(polygon), {}});
   EXPECT_EQ(sums.counts().entries, 1U);
   EXPECT_EQ(sums.counts().hits, 1U);
 }
 
 TEST(Cache, ForgetsTheLeastRecentlyUsed) {
   Random random{141};
-  std::vector<std::shared_ptr<const Outline>> outlines;
-  for (int k = 0; k < 4; ++k) outlines.push_back(make_outline(random_convex(random, 20, 1'000'000)));
+  std::vector<std::shared_ptr<const outline::Outline>> outlines;
+  for (int k = 0; k < 4; ++k) outlines.push_back(outline::make_outline(random_convex(random, 20, 1'000'000)));
   const auto sum_with = [&](SumCache& sums, std::size_t k) {
     return sums.obstacle({outlines[0], {}}, {outlines[k], {}});
   };
@@ -100,7 +100,7 @@ TEST(Cache, ForgetsTheLeastRecentlyUsed) {
     EXPECT_EQ(roomy.counts().entries, 3U);
   }
   SumCache sums{bytes - 1};  // room for any two of the three
-  const Obstacle kept = sum_with(sums, 1);
+  const minkowski::Obstacle kept = sum_with(sums, 1);
   (void)sum_with(sums, 2);
   (void)sum_with(sums, 1);
   (void)sum_with(sums, 3);  // 2 goes: 1 was used since
@@ -116,12 +116,12 @@ TEST(Cache, ForgetsTheLeastRecentlyUsed) {
 
 TEST(Cache, CountsOutlinesWithinItsLimit) {
   const auto rectangle = [](Coord width) { return Polygon{{0, 0}, {width, 0}, {width, 30}, {0, 30}}; };
-  const std::size_t bytes = make_outline(rectangle(1))->bytes();
+  const std::size_t bytes = outline::make_outline(rectangle(1))->bytes();
   SumCache sums{10 * bytes};
   for (Coord width = 1; width <= 1000; ++width) (void)sums.outline(rectangle(width));
   EXPECT_EQ(sums.counts().bytes, 10 * bytes);
-  const std::weak_ptr<const Outline> first = sums.outline(rectangle(991));
-  const std::weak_ptr<const Outline> second = sums.outline(rectangle(992));
+  const std::weak_ptr<const outline::Outline> first = sums.outline(rectangle(991));
+  const std::weak_ptr<const outline::Outline> second = sums.outline(rectangle(992));
   EXPECT_FALSE(first.expired());  // the cache holds it
   (void)sums.outline(rectangle(991));
   for (Coord width = 1; width <= 9; ++width) (void)sums.outline(rectangle(width));
@@ -131,8 +131,8 @@ TEST(Cache, CountsOutlinesWithinItsLimit) {
 
 TEST(Cache, ForgetsWhatOutlinesGrewTo) {
   const Polygon notched{{0, 0}, {50, 3}, {100, 0}, {100, 100}, {0, 100}};
-  SumCache sums{4 * make_outline(notched)->bytes()};
-  const std::weak_ptr<const Outline> first = sums.grown(sums.outline(notched), 10);
+  SumCache sums{4 * outline::make_outline(notched)->bytes()};
+  const std::weak_ptr<const outline::Outline> first = sums.grown(sums.outline(notched), 10);
   EXPECT_FALSE(first.expired());  // the cache holds it
   for (Coord width = 1; width <= 9; ++width) (void)sums.outline({{0, 0}, {width, 0}, {width, 30}, {0, 30}});
   EXPECT_TRUE(first.expired());
@@ -146,7 +146,7 @@ TEST(Cache, KeepsOutlinesAsLongAsTheirSums) {
   (void)roomy.obstacle({roomy.outline(p), {}}, {roomy.outline(q), {}});
   const std::size_t bytes = roomy.counts().bytes;
   SumCache sums{bytes};
-  const std::weak_ptr<const Outline> outline = sums.outline(p);
+  const std::weak_ptr<const outline::Outline> outline = sums.outline(p);
   (void)sums.obstacle({sums.outline(p), {}}, {sums.outline(q), {}});
   EXPECT_EQ(sums.counts().bytes, bytes);
   (void)sums.outline({{0, 0}, {40, 0}, {0, 30}});
@@ -157,8 +157,8 @@ TEST(Cache, KeepsOutlinesAsLongAsTheirSums) {
 TEST(Cache, OfNoRoomKeepsNothingAndStillAnswers) {
   SumCache sums{0};
   const auto p = sums.outline({{0, 0}, {40, 0}, {0, 30}});
-  const Obstacle first = sums.obstacle({p, {}}, {p, {}});
-  const Obstacle second = sums.obstacle({p, {}}, {p, {}});
+  const minkowski::Obstacle first = sums.obstacle({p, {}}, {p, {}});
+  const minkowski::Obstacle second = sums.obstacle({p, {}}, {p, {}});
   EXPECT_EQ(sums.counts().entries, 0U);
   EXPECT_EQ(sums.counts().bytes, 0U);
   EXPECT_EQ(sums.counts().misses, 2U);
@@ -192,23 +192,23 @@ TEST(Cache, AnswersDoNotDependOnWhatItHolds) {
 // Many at once are what they are one by one, and the cache is the same for it; a sum asked for twice is made once.
 TEST(Cache, AnswersManyAtOnceAsOneByOne) {
   Random random{146};
-  std::vector<OrientedOutline> pieces;
+  std::vector<outline::OrientedOutline> pieces;
   for (int k = 0; k < 12; ++k) {
-    const auto outline = make_outline(random_polygon(random, 100'000));
+    const auto outline = outline::make_outline(random_polygon(random, 100'000));
     pieces.push_back({outline, random.symmetry()});
     pieces.push_back({outline, random.symmetry()});
   }
-  std::vector<OutlinePair> pairs;
+  std::vector<minkowski::OutlinePair> pairs;
   for (int k = 0; k < 300; ++k) {
-    const OrientedOutline& p = pieces[random.below(pieces.size())];
+    const outline::OrientedOutline& p = pieces[random.below(pieces.size())];
     pairs.emplace_back(&p, &pieces[random.below(pieces.size())]);
   }
   SumCache one_by_one;
   SumCache at_once;
   for (const std::size_t known : {0U, 40U, 300U}) {
-    const std::span<const OutlinePair> asked = std::span{pairs}.first(known);
-    (void)at_once.obstacles(asked, alone());
-    const auto found = at_once.obstacles(pairs, alone());
+    const std::span<const minkowski::OutlinePair> asked = std::span{pairs}.first(known);
+    (void)at_once.obstacles(asked, serial());
+    const auto found = at_once.obstacles(pairs, serial());
     ASSERT_EQ(found.size(), pairs.size());
     for (const auto& [p, q] : asked) (void)one_by_one.obstacle(*p, *q);
     for (std::size_t k = 0; k < pairs.size(); ++k) {
@@ -220,7 +220,7 @@ TEST(Cache, AnswersManyAtOnceAsOneByOne) {
     EXPECT_EQ(at_once.counts().bytes, one_by_one.counts().bytes);
   }
   SumCache none{0};
-  const auto found = none.obstacles(pairs, alone());
+  const auto found = none.obstacles(pairs, serial());
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     ASSERT_EQ(edges_of(found[k]), edges_of(one_by_one.obstacle(*pairs[k].first, *pairs[k].second)));
   }
@@ -237,7 +237,7 @@ TEST(Obstacle, TellsOverlapInEveryOrientation) {
     const Polygon q = random_polygon(random, 10'000);
     for (const Symmetry a : all_symmetries()) {
       for (const Symmetry b : all_symmetries()) {
-        const Obstacle obstacle = sums.obstacle({sums.outline(p), a}, {sums.outline(q), b});
+        const minkowski::Obstacle obstacle = sums.obstacle({sums.outline(p), a}, {sums.outline(q), b});
         const Polygon p_image = transformed(p, a);
         const Polygon q_image = transformed(q, b);
         for (int k = 0; k < 20; ++k) {
@@ -277,10 +277,10 @@ TEST(Obstacle, IsExactWhereItsVerticesAre) {
     const Polygon q = random_polygon(random, 100'000);
     const Symmetry a = random.symmetry();
     const Symmetry b = random.symmetry();
-    const Obstacle obstacle = sums.obstacle({sums.outline(p), a}, {sums.outline(q), b});
+    const minkowski::Obstacle obstacle = sums.obstacle({sums.outline(p), a}, {sums.outline(q), b});
     const Polygon p_image = transformed(p, a);
     const Polygon q_image = transformed(q, b);
-    for (const SumEdge& e : obstacle.sum().edges()) {
+    for (const minkowski::convolution::SumEdge& e : obstacle.sum().edges()) {
       if (e.from != e.line_from || e.to != e.line_to) continue;
       ++corners;
       for (const Vec end : {e.from, e.to}) {
@@ -306,7 +306,7 @@ TEST(Cache, IsSharedByThreads) {
       const auto p = sums.outline(polygons[mine.below(polygons.size())]);
       const auto q = sums.outline(polygons[mine.below(polygons.size())]);
       const Symmetry a = mine.symmetry();
-      const Obstacle obstacle = sums.obstacle({p, a}, {q, mine.symmetry()});
+      const minkowski::Obstacle obstacle = sums.obstacle({p, a}, {q, mine.symmetry()});
       ASSERT_FALSE(obstacle.sum().edges().empty());
     }
   };
@@ -314,7 +314,7 @@ TEST(Cache, IsSharedByThreads) {
   std::thread second{hammer, 2};
   first.join();
   second.join();
-  const CacheCounts counts = sums.counts();
+  const minkowski::CacheCounts counts = sums.counts();
   EXPECT_EQ(counts.hits + counts.misses, 3000U);
   EXPECT_LE(counts.bytes, counts.limit);
   EXPECT_GT(counts.entries, 0U);

@@ -40,7 +40,7 @@ TEST_P(Garments, SumsKeepTheLaws) {
   ASSERT_GT(pairs.size(), 500U);
   for (std::size_t k = 0; k < pairs.size(); k += kSlowdown) {
     const auto& [p, q, relative] = pairs[k];
-    const auto sum = obstacle_sum(*make_outline(p), *make_outline(q), relative);
+    const auto sum = minkowski::obstacle_sum(*outline::make_outline(p), *outline::make_outline(q), relative);
     const Summands summands{p, q, Symmetry{false, 2}.after(relative)};
     ASSERT_EQ(broken_law(summands, sum), "");
   }

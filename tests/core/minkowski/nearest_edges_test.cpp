@@ -12,7 +12,7 @@
 namespace selvage::test {
 namespace {
 
-double distance_to(const SumEdge& e, Vec p) {
+double distance_to(const minkowski::convolution::SumEdge& e, Vec p) {
   const auto dx = static_cast<double>(e.to.x - e.from.x);
   const auto dy = static_cast<double>(e.to.y - e.from.y);
   const auto x = static_cast<double>(p.x - e.from.x);
@@ -21,9 +21,9 @@ double distance_to(const SumEdge& e, Vec p) {
   return std::hypot(x - t * dx, y - t * dy);
 }
 
-MinkowskiSum random_sum(Random& random) {
+minkowski::MinkowskiSum random_sum(Random& random) {
   const Polygon p = random_polygon(random, 10'000);
-  return minkowski_sum(star_parts(p), star_parts(random_polygon(random, 10'000)));
+  return minkowski::minkowski_sum(outline::star_parts(p), outline::star_parts(random_polygon(random, 10'000)));
 }
 
 Vec near(const Box& box, Random& random) {
@@ -35,11 +35,11 @@ constexpr auto kNothing = [](const Box&) { return false; };
 TEST(NearestEdges, ComeInOrderAndAllWithinReach) {
   Random random{131};
   for (int trial = 0; trial < 500 / kSlowdown; ++trial) {
-    const MinkowskiSum sum = random_sum(random);
+    const minkowski::MinkowskiSum sum = random_sum(random);
     const Vec from = near(sum.box(), random);
     const double reach = random.chance(30) ? std::numeric_limits<double>::infinity() : random.part() * 10'000;
-    NearestEdges edges{sum, from, reach};
-    std::set<const SumEdge*> seen;
+    minkowski::NearestEdges edges{sum, from, reach};
+    std::set<const minkowski::convolution::SumEdge*> seen;
     double last = 0;
     while (const auto next = edges.next(kNothing)) {
       const double distance = distance_to(*next->edge, from);
@@ -48,7 +48,7 @@ TEST(NearestEdges, ComeInOrderAndAllWithinReach) {
       ASSERT_TRUE(seen.insert(next->edge).second);
       last = distance;
     }
-    for (const SumEdge& e : sum.edges()) {
+    for (const minkowski::convolution::SumEdge& e : sum.edges()) {
       if (std::abs(distance_to(e, from) - reach) < 1e-6) continue;
       ASSERT_EQ(seen.contains(&e), distance_to(e, from) < reach);
     }
@@ -58,13 +58,13 @@ TEST(NearestEdges, ComeInOrderAndAllWithinReach) {
 TEST(NearestEdges, LeaveOutSkippedBoxesOnly) {
   Random random{132};
   for (int trial = 0; trial < 300 / kSlowdown; ++trial) {
-    const MinkowskiSum sum = random_sum(random);
+    const minkowski::MinkowskiSum sum = random_sum(random);
     const Vec from = near(sum.box(), random);
     const Coord line = near(sum.box(), random).x;
-    NearestEdges edges{sum, from, std::numeric_limits<double>::infinity()};
-    std::set<const SumEdge*> seen;
+    minkowski::NearestEdges edges{sum, from, std::numeric_limits<double>::infinity()};
+    std::set<const minkowski::convolution::SumEdge*> seen;
     while (const auto next = edges.next([&](const Box& box) { return box.high.x < line; })) seen.insert(next->edge);
-    for (const SumEdge& e : sum.edges()) {
+    for (const minkowski::convolution::SumEdge& e : sum.edges()) {
       ASSERT_TRUE(std::max(e.from.x, e.to.x) < line || seen.contains(&e));
     }
   }
@@ -73,11 +73,11 @@ TEST(NearestEdges, LeaveOutSkippedBoxesOnly) {
 TEST(NearestBoundaryPoint, IsNoFartherThanAnyEdge) {
   Random random{133};
   for (int trial = 0; trial < 1000 / kSlowdown; ++trial) {
-    const MinkowskiSum sum = random_sum(random);
+    const minkowski::MinkowskiSum sum = random_sum(random);
     const Vec from = near(sum.box(), random);
-    const BoundaryPoint nearest = nearest_boundary_point(sum, from);
+    const minkowski::BoundaryPoint nearest = nearest_boundary_point(sum, from);
     double least = std::numeric_limits<double>::infinity();
-    for (const SumEdge& e : sum.edges()) least = std::min(least, distance_to(e, from));
+    for (const minkowski::convolution::SumEdge& e : sum.edges()) least = std::min(least, distance_to(e, from));
     ASSERT_NEAR(nearest.distance, least, 1e-6);
     ASSERT_NEAR(std::hypot(nearest.at.x - static_cast<double>(from.x), nearest.at.y - static_cast<double>(from.y)),
                 least, 1e-6);
@@ -90,7 +90,8 @@ TEST(NearestBoundaryPoint, OfTheSmallestSums) {
   Random random{134};
   for (int trial = 0; trial < 4000 / kSlowdown; ++trial) {
     const Polygon p = random_simple(random, 12, random.between(1, 6));
-    const MinkowskiSum sum = minkowski_sum(star_parts(p), star_parts(random_simple(random, 12, random.between(1, 6))));
+    const minkowski::MinkowskiSum sum = minkowski::minkowski_sum(
+        outline::star_parts(p), outline::star_parts(random_simple(random, 12, random.between(1, 6))));
     ASSERT_FALSE(sum.edges().empty()) << text_of(p);
     EXPECT_LT(nearest_boundary_point(sum, {0, 0}).distance, 20);
   }
@@ -103,13 +104,13 @@ TEST(Contains, AgreesWithTheExactSumAwayFromTheBoundary) {
   for (int trial = 0; trial < 300 / kSlowdown; ++trial) {
     const Polygon p = random_polygon(random, 10'000);
     const Polygon q = random_polygon(random, 10'000);
-    const MinkowskiSum sum = minkowski_sum(star_parts(p), star_parts(q));
+    const minkowski::MinkowskiSum sum = minkowski::minkowski_sum(outline::star_parts(p), outline::star_parts(q));
     const ExactSum exact{p, q, ExactSum::Method::kConvolution};
     for (int k = 0; k < 40; ++k) {
       const Vec v = near(sum.box(), random);
       if (nearest_boundary_point(sum, v).distance < 3) continue;
-      const Real2 at{static_cast<double>(v.x), static_cast<double>(v.y)};
-      ASSERT_EQ(sum.contains(at), exact.locate(at) == Location::kInside)
+      const outline::Real2 at{static_cast<double>(v.x), static_cast<double>(v.y)};
+      ASSERT_EQ(sum.contains(at), exact.locate(at) == geometry::Location::kInside)
           << text_of(p) << "; " << text_of(q) << " at " << text_of({v});
       ++(sum.contains(at) ? inside : outside);
     }

@@ -8,7 +8,7 @@ namespace selvage::test {
 namespace {
 
 void judge(const Polygon& p, const Polygon& q) {
-  const auto sum = minkowski_sum(make_outline(p)->parts, make_outline(q)->parts);
+  const auto sum = minkowski::minkowski_sum(outline::make_outline(p)->parts, outline::make_outline(q)->parts);
   EXPECT_EQ(broken_law({p, q, {}}, sum), "");
 }
 

@@ -11,35 +11,35 @@ namespace {
 
 constexpr double kRounding = 2;  // lattice units: two rounded ends, and stretches so short that they are left out
 
-Real2 real(Vec v) {
+outline::Real2 real(Vec v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y)};
 }
-Real2 along(const Segment& s, double t) {
+outline::Real2 along(const Segment& s, double t) {
   return {s.first.x + t * (s.second.x - s.first.x), s.first.y + t * (s.second.y - s.first.y)};
 }
 double length_of(const Segment& s) {
   return std::hypot(s.second.x - s.first.x, s.second.y - s.first.y);
 }
-Segment segment_of(const SumEdge& e) {
+Segment segment_of(const minkowski::convolution::SumEdge& e) {
   return {real(e.from), real(e.to)};
 }
 
-double distance(Real2 p, const Segment& s) {
+double distance(outline::Real2 p, const Segment& s) {
   const double dx = s.second.x - s.first.x;
   const double dy = s.second.y - s.first.y;
   const double squared = dx * dx + dy * dy;
   const double t = squared == 0 ? 0 : std::clamp(((p.x - s.first.x) * dx + (p.y - s.first.y) * dy) / squared, 0.0, 1.0);
-  const Real2 nearest = along(s, t);
+  const outline::Real2 nearest = along(s, t);
   return std::hypot(p.x - nearest.x, p.y - nearest.y);
 }
 
-double nearest_of(Real2 p, const std::vector<Segment>& segments) {
+double nearest_of(outline::Real2 p, const std::vector<Segment>& segments) {
   double least = std::numeric_limits<double>::infinity();
   for (const Segment& s : segments) least = std::min(least, distance(p, s));
   return least;
 }
 
-std::string text_of(Real2 p) {
+std::string text_of(outline::Real2 p) {
   return "(" + std::to_string(p.x) + ", " + std::to_string(p.y) + ")";
 }
 
@@ -50,8 +50,8 @@ constexpr double kSamples[] = {0.05, 0.35, 0.5, 0.8, 0.95};
 // Laws (2), (3), (4) and (7) for one sum.
 class Boundary {
  public:
-  Boundary(const MinkowskiSum& sum, const ExactSum& exact) : sum_{sum}, exact_{exact} {
-    for (const SumEdge& e : sum.edges()) ours_.push_back(segment_of(e));
+  Boundary(const minkowski::MinkowskiSum& sum, const ExactSum& exact) : sum_{sum}, exact_{exact} {
+    for (const minkowski::convolution::SumEdge& e : sum.edges()) ours_.push_back(segment_of(e));
   }
 
   [[nodiscard]] std::string broken_law() const {
@@ -70,16 +70,16 @@ class Boundary {
  private:
   [[nodiscard]] std::string broken_length() const {
     double whole = 0;
-    double alone = 0;
+    double serial = 0;
     for (std::size_t e = 0; e < ours_.size(); ++e) {
       whole += length_of(ours_[e]);
-      if (!accompanied(e)) alone += length_of(ours_[e]);
+      if (!accompanied(e)) serial += length_of(ours_[e]);
     }
     const double exact = exact_.perimeter();
     const double rounding = 1e-6 * exact + 2 * kRounding * static_cast<double>(ours_.size() + exact_.boundary().size());
-    if (whole >= exact - rounding && alone <= exact + rounding) return {};
+    if (whole >= exact - rounding && serial <= exact + rounding) return {};
     return "the boundary is " + std::to_string(exact) + " long, the edges " + std::to_string(whole) + ", single ones " +
-           std::to_string(alone);
+           std::to_string(serial);
   }
 
   [[nodiscard]] std::string broken_by(std::size_t e) const {
@@ -91,14 +91,14 @@ class Boundary {
     for (std::size_t k = 0; k < e; ++k) {
       if (twice(sum_.edges()[e], sum_.edges()[k])) return "a stretch twice at " + text_of(along(edge, 0.5));
     }
-    const Real2 middle = along(edge, 0.5);
+    const outline::Real2 middle = along(edge, 0.5);
     if (length < kLongEnough || neighbour_within(10, middle, e)) return {};  // too near to tell sides by a sample
     const double reach = 3 / length;
-    const Real2 left{-(edge.second.y - edge.first.y) * reach, (edge.second.x - edge.first.x) * reach};
-    if (exact_.locate({middle.x + left.x, middle.y + left.y}) != Location::kInside) {
+    const outline::Real2 left{-(edge.second.y - edge.first.y) * reach, (edge.second.x - edge.first.x) * reach};
+    if (exact_.locate({middle.x + left.x, middle.y + left.y}) != geometry::Location::kInside) {
       return "outside on the left of the edge at " + text_of(middle);
     }
-    if (exact_.locate({middle.x - left.x, middle.y - left.y}) != Location::kOutside) {
+    if (exact_.locate({middle.x - left.x, middle.y - left.y}) != geometry::Location::kOutside) {
       return "inside on the right of the edge at " + text_of(middle);
     }
     return {};
@@ -106,10 +106,12 @@ class Boundary {
 
   // True when the point lies inside a ring by more than rounding, measured from the ring's edge that faces
   // it.
-  [[nodiscard]] bool hidden(Real2 p) const {
-    return std::any_of(sum_.rings().begin(), sum_.rings().end(), [&](const StarSum& ring) {
-      const auto side = [](Real2 a, Real2 b, Real2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); };
-      return std::any_of(ring.edges.begin(), ring.edges.end(), [&](const SumEdge& e) {
+  [[nodiscard]] bool hidden(outline::Real2 p) const {
+    return std::any_of(sum_.rings().begin(), sum_.rings().end(), [&](const minkowski::convolution::StarSum& ring) {
+      const auto side = [](outline::Real2 a, outline::Real2 b, outline::Real2 c) {
+        return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+      };
+      return std::any_of(ring.edges.begin(), ring.edges.end(), [&](const minkowski::convolution::SumEdge& e) {
         const auto [a, b] = segment_of(e);
         return side(ring.centre, a, p) >= 0 && side(ring.centre, b, p) < 0 &&
                side(a, b, p) > 2 * kRounding * length_of({a, b});
@@ -117,7 +119,7 @@ class Boundary {
     });
   }
   // True when both lie on one line, in one direction, and share more than rounding.
-  static bool twice(const SumEdge& e, const SumEdge& f) {
+  static bool twice(const minkowski::convolution::SumEdge& e, const minkowski::convolution::SumEdge& f) {
     const Vec d = e.line_to - e.line_from;
     const Vec other = f.line_to - f.line_from;
     if (cross(d, other) != 0 || cross(d, f.line_from - e.line_from) != 0 || dot(d, other) < 0) return false;
@@ -127,7 +129,7 @@ class Boundary {
     // Where lines cross at small angles, rounding moves the ends of what shows by more than a few units.
     return shared > 100 && shared > 0.5 * std::min(at(e.to) - at(e.from), at(f.to) - at(f.from));
   }
-  [[nodiscard]] bool neighbour_within(double reach, Real2 p, std::size_t e) const {
+  [[nodiscard]] bool neighbour_within(double reach, outline::Real2 p, std::size_t e) const {
     for (std::size_t k = 0; k < ours_.size(); ++k) {
       if (k != e && distance(p, ours_[k]) <= reach) return true;
     }
@@ -141,19 +143,19 @@ class Boundary {
            beside(1 - by_the_end);
   }
 
-  const MinkowskiSum& sum_;
+  const minkowski::MinkowskiSum& sum_;
   const ExactSum& exact_;
   std::vector<Segment> ours_;
 };
 
-bool near_line(Vec p, const SumEdge& e) {
+bool near_line(Vec p, const minkowski::convolution::SumEdge& e) {
   const Vec d = e.line_to - e.line_from;
   const auto off = static_cast<double>(cross(d, p - e.line_from));
   return std::abs(off) <= 1.5 * std::hypot(static_cast<double>(d.x), static_cast<double>(d.y));
 }
 
 // Laws (1) to (4) and (7).
-std::string difference_from(const ExactSum& exact, const MinkowskiSum& sum) {
+std::string difference_from(const ExactSum& exact, const minkowski::MinkowskiSum& sum) {
   const double difference = exact.difference(sum).area;
   if (difference > exact.perimeter()) {
     return "the area differs by " + std::to_string(difference / exact.perimeter()) + " units along the boundary";
@@ -167,7 +169,7 @@ std::string with(const Summands& summands, const std::string& broken) {
 }
 
 // Whether the edge's line is the source's vertex plus its edge.
-bool source_makes(const SumEdge& e, const Summands& s) {
+bool source_makes(const minkowski::convolution::SumEdge& e, const Summands& s) {
   const Polygon& whole = e.source.vertex_of_first ? s.second : s.first;
   const Symmetry of_edge = e.source.vertex_of_first ? s.of_second : Symmetry{};
   const Vec vertex = e.source.vertex_of_first ? s.first[e.source.vertex] : s.of_second.apply(s.second[e.source.vertex]);
@@ -178,8 +180,8 @@ bool source_makes(const SumEdge& e, const Summands& s) {
 
 }  // namespace
 
-std::string broken_source(const Summands& summands, const MinkowskiSum& sum) {
-  for (const SumEdge& e : sum.edges()) {
+std::string broken_source(const Summands& summands, const minkowski::MinkowskiSum& sum) {
+  for (const minkowski::convolution::SumEdge& e : sum.edges()) {
     const std::string where = " of the edge at " + text_of(along(segment_of(e), 0.5));
     if (e.from == e.to || e.line_from == e.line_to) return with(summands, "no length" + where);
     if (!near_line(e.from, e) || !near_line(e.to, e)) return with(summands, "an end off the line" + where);
@@ -190,7 +192,7 @@ std::string broken_source(const Summands& summands, const MinkowskiSum& sum) {
   return {};
 }
 
-std::string broken_law(const Summands& summands, const MinkowskiSum& sum) {
+std::string broken_law(const Summands& summands, const minkowski::MinkowskiSum& sum) {
   if (auto broken = broken_source(summands, sum); !broken.empty()) return broken;
   const Polygon second = summands.second_image();
   if (difference_from(ExactSum{summands.first, second, ExactSum::Method::kConvolution}, sum).empty()) return {};

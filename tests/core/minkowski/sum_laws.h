@@ -26,9 +26,9 @@ struct Summands {
 //  (5) Every edge's ends lie within a unit and a half of its exact line, in its direction.
 //  (6) An edge's line is made by the vertex and the edge that its source names.
 //  (7) The sum is on the left of every edge and not on its right.
-[[nodiscard]] std::string broken_law(const Summands& summands, const MinkowskiSum& sum);
+[[nodiscard]] std::string broken_law(const Summands& summands, const minkowski::MinkowskiSum& sum);
 
 // The laws of single edges, which need no exact sum: (5) and (6).
-[[nodiscard]] std::string broken_source(const Summands& summands, const MinkowskiSum& sum);
+[[nodiscard]] std::string broken_source(const Summands& summands, const minkowski::MinkowskiSum& sum);
 
 }  // namespace selvage::test

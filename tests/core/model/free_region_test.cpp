@@ -8,18 +8,18 @@
 #include "core/geometry/overlap.h"
 #include "tests/core/motion/markers.h"
 
-namespace selvage {
+namespace selvage::model {
 namespace {
 
 struct Pair {
-  OrientedOutline p, q;
+  outline::OrientedOutline p, q;
   Polygon p_polygon, q_polygon;
 
   [[nodiscard]] bool overlaps_at(Vec r) const {
-    return overlap({p_polygon, box_of(p_polygon), {0, 0}}, {q_polygon, box_of(q_polygon), r});
+    return geometry::overlap({p_polygon, box_of(p_polygon), {0, 0}}, {q_polygon, box_of(q_polygon), r});
   }
   [[nodiscard]] bool closer_at(Vec r, Coord distance) const {
-    return closer_than({p_polygon, box_of(p_polygon), {0, 0}}, {q_polygon, box_of(q_polygon), r}, distance);
+    return geometry::closer_than({p_polygon, box_of(p_polygon), {0, 0}}, {q_polygon, box_of(q_polygon), r}, distance);
   }
 };
 
@@ -51,7 +51,7 @@ Pair random_pair(std::mt19937& random) {
   const auto clean = [](const Polygon& outline) { return clean_polygon(outline)->polygon; };
   const Symmetry a{random() % 2 == 0, static_cast<int>(random() % 4)};
   const Symmetry b{random() % 2 == 0, static_cast<int>(random() % 4)};
-  Pair pair{{make_outline(clean(polygon())), a}, {make_outline(clean(polygon())), b}, {}, {}};
+  Pair pair{{outline::make_outline(clean(polygon())), a}, {outline::make_outline(clean(polygon())), b}, {}, {}};
   pair.p_polygon = transformed(pair.p.outline->polygon, a);
   pair.q_polygon = transformed(pair.q.outline->polygon, b);
   return pair;
@@ -110,7 +110,7 @@ TEST_P(FreeRegion, WithASpacingHoldsNoPositionCloserThanIt) {
 }
 
 TEST_P(FreeRegion, AtAConvexCornerOneSideIsEnough) {
-  const auto square = make_outline(test::rectangle(1000, 1000));
+  const auto square = outline::make_outline(test::rectangle(1000, 1000));
   SumCache sums;
   const auto sides = free_region(sums.obstacle({square, {}}, {square, {}}), {1500, 1200}, {GetParam(), 1e6, 0});
   EXPECT_EQ(sides.size(), 1U);
@@ -119,8 +119,8 @@ TEST_P(FreeRegion, AtAConvexCornerOneSideIsEnough) {
 TEST_P(FreeRegion, InANotchItIsTheNotch) {
   // A square in the notch of a cup: the cup's three inner sides.
   const auto cup =
-      make_outline({{0, 0}, {900, 0}, {900, 100}, {100, 100}, {100, 900}, {900, 900}, {900, 1000}, {0, 1000}});
-  const auto square = make_outline(test::rectangle(300, 300));
+      outline::make_outline({{0, 0}, {900, 0}, {900, 100}, {100, 100}, {100, 900}, {900, 900}, {900, 1000}, {0, 1000}});
+  const auto square = outline::make_outline(test::rectangle(300, 300));
   SumCache sums;
   const auto sides = free_region(sums.obstacle({cup, {}}, {square, {}}), {200, 350}, {GetParam(), 1e6, 0});
   EXPECT_EQ(sides.size(), 3U);
@@ -131,4 +131,4 @@ INSTANTIATE_TEST_SUITE_P(Rules, FreeRegion, testing::Values(RegionRule::kGreedy,
                          [](const auto& param) { return param.param == RegionRule::kGreedy ? "Greedy" : "Walk"; });
 
 }  // namespace
-}  // namespace selvage
+}  // namespace selvage::model

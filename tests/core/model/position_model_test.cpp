@@ -4,7 +4,7 @@
 
 #include "tests/core/motion/markers.h"
 
-namespace selvage {
+namespace selvage::model {
 namespace {
 
 using test::Layout;
@@ -31,7 +31,7 @@ TEST(PositionModel, BuildsOnlyWhatTheSceneNeeds) {
   Layout layout{1000};
   const auto square = layout.shape_of(test::rectangle(100, 100));
   layout.put(square, {0, 0}).put(square, {200, 0}).put(square, {400, 0}, 0, true);
-  const PlacedPieces pieces{layout.marker()};
+  const marker::PlacedPieces pieces{layout.marker()};
   const Ties ties{{0, 0, Ties::kFixed}, {0, 0, Ties::kFixed}};
   PositionModel model{pieces, layout.marker().strip, ties};
   EXPECT_EQ(model.program().columns(), 2);  // two pieces of one group, one fixed
@@ -57,7 +57,7 @@ TEST(PositionModel, OfAPieceLockedOnAnAxisHasOnlyTheOtherColumn) {
   layout.put(square, {0, 0}).put(square, {200, 0});
   Marker marker = layout.marker();
   marker.pieces[0].locked = {true, false, false};
-  const PlacedPieces pieces{marker};
+  const marker::PlacedPieces pieces{marker};
   PositionModel model{pieces, marker.strip, ties_of(marker)};
   EXPECT_EQ(model.program().columns(), 3);
   EXPECT_FALSE(model.x_column(0));
@@ -77,11 +77,11 @@ TEST(PositionModel, KeepsTheMargins) {
   Marker marker = layout.marker();
   marker.strip.margin = 20;
   marker.strip.longest = 400;
-  const PlacedPieces pieces{marker};
+  const marker::PlacedPieces pieces{marker};
   PositionModel model{pieces, marker.strip, ties_of(marker)};
   EXPECT_EQ(model.program().lower, (std::vector<double>{-30, -40}));
   EXPECT_EQ(model.program().upper, (std::vector<double>{230, 820}));
 }
 
 }  // namespace
-}  // namespace selvage
+}  // namespace selvage::model

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace selvage {
+namespace selvage::model {
 namespace {
 
 TEST(Snap, KeepsWholeDifferencesInSpiteOfSolverNoise) {
@@ -47,4 +47,4 @@ TEST(Snap, LeavesWhatDoesNotMoveAndMovesLessThanAUnitFromTheTruth) {
 }
 
 }  // namespace
-}  // namespace selvage
+}  // namespace selvage::model

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace selvage {
+namespace selvage::model {
 namespace {
 
 using Numbers = std::vector<std::uint32_t>;
@@ -55,4 +55,4 @@ TEST(Ties, JoinWhatIsTiedToEither) {
 }
 
 }  // namespace
-}  // namespace selvage
+}  // namespace selvage::model

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "core/marker/validity.h"
-#include "core/motion/compact.h"
+#include "core/motion/compaction/compact.h"
 #include "tests/core/motion/markers.h"
 
-namespace selvage {
+namespace selvage::motion {
 namespace {
 
 Marker random_marker() {
@@ -35,17 +35,17 @@ RC_GTEST_PROP(CompactLaws, ValidNeverLongerLocksHold, ()) {
   Marker marker = random_marker();
   const auto every = *rc::gen::inRange<std::size_t>(2, 9);
   for (std::size_t k = 0; k < marker.pieces.size(); k += every) marker.pieces[k].locked = k % 2 == 1;
-  CompactionSettings settings =
-      compaction_settings(*rc::gen::element(Accuracy::kDraft, Accuracy::kStandard, Accuracy::kFine));
-  settings.region = *rc::gen::element(RegionRule::kGreedy, RegionRule::kWalk);
-  settings.solver = *rc::gen::element(SolverChoice::kAutomatic, SolverChoice::kSimplex);
+  compaction::CompactionSettings settings = compaction_settings(
+      *rc::gen::element(compaction::Accuracy::kDraft, compaction::Accuracy::kStandard, compaction::Accuracy::kFine));
+  settings.region = *rc::gen::element(model::RegionRule::kGreedy, model::RegionRule::kWalk);
+  settings.solver = *rc::gen::element(lp::solver::SolverChoice::kAutomatic, lp::solver::SolverChoice::kSimplex);
   settings.trust = *rc::gen::element(0.01, 0.1, 1.0);
   SumCache sums;
   const auto result = compact(marker, settings, sums);
   RC_ASSERT(static_cast<bool>(result));
   RC_ASSERT(is_valid(result->marker));
   RC_ASSERT(result->length_after <= result->length_before);
-  RC_ASSERT(result->healing.pairs == 0U);
+  RC_ASSERT(result->repair.pairs == 0U);
   for (std::size_t k = 0; k < marker.pieces.size(); ++k) {
     if (marker.pieces[k].locked) RC_ASSERT(result->marker.pieces[k].at == marker.pieces[k].at);
     RC_ASSERT(result->marker.pieces[k].orientation == marker.pieces[k].orientation);
@@ -58,11 +58,11 @@ RC_GTEST_PROP(CompactLaws, SpacingHolds, ()) {
   marker.spacing = marker.strip.width / *rc::gen::inRange<Coord>(1000, 5000) + 1;
   RC_PRE(is_valid(marker));
   SumCache sums;
-  const auto result = compact(marker, compaction_settings(Accuracy::kStandard), sums);
+  const auto result = compact(marker, compaction_settings(compaction::Accuracy::kStandard), sums);
   RC_ASSERT(static_cast<bool>(result));
   RC_ASSERT(is_valid(result->marker));
   RC_ASSERT(result->length_after <= result->length_before);
 }
 
 }  // namespace
-}  // namespace selvage
+}  // namespace selvage::motion

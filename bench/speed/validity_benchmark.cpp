@@ -1,0 +1,52 @@
+// How long the proof that a marker is valid takes: in the core, from a marker as a value with nothing worked out, and
+// as the method marker.check, from its parameters as text to its result as text.
+#include <benchmark/benchmark.h>
+
+#include "bench/support/marker_file.h"
+#include "core/marker/validity.h"
+#include "protocol/methods/marker_methods.h"
+
+namespace selvage::bench {
+namespace {
+
+std::string path_of(const std::string& name) {
+  return std::string{SELVAGE_SOURCE_DIR} + "/examples/markers/" + name + ".json";
+}
+
+void prove(benchmark::State& state, const std::string& name) {
+  const Marker marker = marker_in(path_of(name));
+  for (auto _ : state) {
+    if (!is_valid(marker)) state.SkipWithError("not valid");
+  }
+}
+
+void check_method(benchmark::State& state, const std::string& name) {
+  const MarkerFile file{.marker = marker_in(path_of(name)), .format = Format::kNative, .notes = {}, .attributes = {}};
+  const protocol::calls::MarkerMethod& method = *protocol::methods::find_marker_method("marker.check");
+  const protocol::calls::Engine engine;
+  const scene::Observer observer;
+  for (auto _ : state) {
+    SumCache sums;
+    const auto call = method.read(*protocol::json::parse(R"({"markerId":"m1"})"));
+    const auto answer = call->run(file, protocol::calls::MethodContext{engine, sums, {}, observer});
+    if (!answer->fields.at("valid").get<bool>()) state.SkipWithError("not valid");
+    benchmark::DoNotOptimize(protocol::json::to_text(protocol::methods::result_json("m1", 1, answer->fields)));
+  }
+}
+
+void register_all() {
+  for (const char* name : {"jeans_02g", "charlie_04g", "simon_06g", "jeans_06g", "jeans_22g"}) {
+    const std::string label = name;
+    benchmark::RegisterBenchmark((label + "/proof").c_str(), prove, label)->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark((label + "/marker.check").c_str(), check_method, label)->Unit(benchmark::kMillisecond);
+  }
+}
+
+}  // namespace
+}  // namespace selvage::bench
+
+int main(int argc, char** argv) {
+  selvage::bench::register_all();
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}

@@ -1,0 +1,78 @@
+#include "clients/cli/terminal/files.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+
+#include "protocol/json/json_text.h"
+
+namespace selvage::cli::terminal {
+namespace {
+
+Error file_error(const std::string& path, const std::string& what) {
+  const std::string reason = errno != 0 ? std::string{": "} + std::strerror(errno) : "";
+  return {ErrorCode::kFile, path + " cannot be " + what + reason, ""};
+}
+
+// Up to one byte beyond the limit, so that parse can say that it is too long.
+bool read_all(std::istream& stream, std::string& text) {
+  constexpr std::size_t kChunk = std::size_t{1} << 16;
+  while (text.size() <= protocol::json::kMaxFileBytes && stream) {
+    const std::size_t had = text.size();
+    text.resize(had + kChunk);
+    stream.read(text.data() + had, static_cast<std::streamsize>(kChunk));
+    text.resize(had + static_cast<std::size_t>(stream.gcount()));
+  }
+  return !stream.bad();
+}
+
+}  // namespace
+
+Result<std::string> read_text(const std::string& path) {
+  std::string text;
+  errno = 0;
+  if (path == kStandardStream) {
+    if (!read_all(std::cin, text)) return file_error("standard input", "read");
+    return text;
+  }
+  std::ifstream file{path, std::ios::binary};
+  if (!file || !read_all(file, text)) return file_error(path, "read");
+  return text;
+}
+
+std::optional<Error> write_text(const std::string& path, std::string_view text) {
+  errno = 0;
+  if (path == kStandardStream) {
+    std::cout << text << std::flush;
+    if (!std::cout) return file_error("standard output", "written");
+    return std::nullopt;
+  }
+  std::ofstream file{path, std::ios::binary | std::ios::trunc};
+  file << text << std::flush;
+  if (!file) return file_error(path, "written");
+  return std::nullopt;
+}
+
+Result<MarkerFile> load_marker(const std::string& path) {
+  const auto text = read_text(path);
+  if (!text) return text.error();
+  return protocol::formats::read_marker(*text);
+}
+
+std::optional<Error> save_marker(const std::string& path, const MarkerFile& file, Format format) {
+  const auto text = protocol::formats::write_marker(file, format);
+  if (!text) return text.error();
+  return write_text(path, *text);
+}
+
+void tell_notes(const std::vector<Note>& notes) {
+  constexpr std::size_t kTold = 5;
+  for (std::size_t i = 0; i < std::min(kTold, notes.size()); ++i) {
+    std::cerr << "note: " << (notes[i].field.empty() ? "" : notes[i].field + ": ") << notes[i].text << "\n";
+  }
+  if (notes.size() > kTold) std::cerr << "note: and " << notes.size() - kTold << " more of this kind\n";
+}
+
+}  // namespace selvage::cli::terminal

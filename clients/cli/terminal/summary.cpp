@@ -1,0 +1,150 @@
+#include "clients/cli/terminal/summary.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "protocol/formats/decimal_marker.h"
+#include "protocol/json/json_text.h"
+
+namespace selvage::cli::terminal {
+namespace {
+
+// `value` with so many decimals, for reading only.
+std::string rounded(double value, int decimals) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+std::string per_cent(double part) {
+  return rounded(100 * part, 4) + " %";
+}
+std::string significant(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+double to_microsecond(double ms) {
+  return std::round(ms * 1000) / 1000;
+}
+
+std::string counted(std::size_t number, const std::string& one) {
+  return std::to_string(number) + " " + one + (number == 1 ? "" : "s");
+}
+
+// "lengthBefore" is "length_before".
+std::string snake_case(std::string_view name) {
+  std::string out;
+  for (const char c : name) {
+    if (c >= 'A' && c <= 'Z') {
+      out += '_';
+      out += static_cast<char>(c - 'A' + 'a');
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+Json in_snake_case(const Json& value) {
+  if (!value.is_object()) return value;
+  Json named = Json::object();
+  for (const auto& [key, field] : value.items()) named[snake_case(key)] = in_snake_case(field);
+  return named;
+}
+
+std::string healed_line(const Json& healed, const std::string& unit) {
+  const std::size_t pairs = healed["pairs"];
+  const std::size_t protruding = healed["protruding"];
+  if (pairs == 0 && protruding == 0) return {};
+  return "  healed       " + counted(pairs, "overlap") + ", " + counted(protruding, "protrusion") + ", deepest " +
+         significant(healed["deepest"]) + unit + ", moves up to " + significant(healed["farthestMove"]) + unit + "\n";
+}
+
+// Where a bumped piece ended up, and what holds it there.
+std::string place_line(const Json& fields, const std::string& unit) {
+  const Json& at = fields["at"];
+  std::string out =
+      "  lies at      " + protocol::json::number_text(at[0]) + ", " + protocol::json::number_text(at[1]) + unit;
+  std::string by;
+  for (const Json& id : fields["touching"]) by += (by.empty() ? ", held by " : ", ") + id.get<std::string>();
+  return out + by + "\n";
+}
+
+// What a separation left, and left out.
+std::string parting_lines(const Json& fields, const std::string& unit) {
+  std::string out = "  moved        " + significant(fields["moved"]) + unit + " in all, " +
+                    significant(fields["farthestMove"]) + unit + " at most\n";
+  for (const Json& pair : fields["remaining"]) {
+    out += "  overlapping  " + pair["first"].get<std::string>() + " and " + pair["second"].get<std::string>() + " by " +
+           significant(pair["depth"]) + unit + "\n";
+  }
+  for (const Json& id : fields["popped"]) out += "  popped out   " + id.get<std::string>() + "\n";
+  return out;
+}
+
+}  // namespace
+
+std::string json_line(const Json& fields, const protocol::execution::StageTimes& times,
+                      const minkowski::CacheCounts& cache) {
+  Json line = in_snake_case(fields);
+  line.erase("placements");
+  line["ms"] = {{"sums", to_microsecond(times.sums)},
+                {"rows", to_microsecond(times.rows)},
+                {"solve", to_microsecond(times.solve)},
+                {"verify", to_microsecond(times.verify)},
+                {"total", to_microsecond(times.total)}};
+  line["cache"] = {{"hits", cache.hits}, {"misses", cache.misses}, {"entries", cache.entries}, {"bytes", cache.bytes}};
+  return protocol::json::to_text(line) + "\n";
+}
+
+std::string plain_summary(const Json& f, const protocol::execution::StageTimes& times, const Marker& marker) {
+  const std::string unit = " " + marker.unit;
+  const double before = f["lengthBefore"];
+  const double after = f["lengthAfter"];
+  std::string out = (marker.name.empty() ? "marker" : marker.name) + ": " + counted(f["pieces"], "piece") + "\n";
+  out += healed_line(f["healed"], unit);
+  if (f.contains("at")) out += place_line(f, unit);
+  if (f.contains("remaining")) out += parting_lines(f, unit);
+  if (f.contains("leastAfter")) {
+    out += "  least gap    " + significant(f["leastBefore"]) + " -> " + significant(f["leastAfter"]) + unit + "\n";
+  }
+  if (f.contains("gain")) out += "  gain         " + significant(f["gain"]) + unit + "\n";
+  out += "  length       " + protocol::json::number_text(before) + " -> " + protocol::json::number_text(after) + unit +
+         "  (" + rounded(100 * (after / before - 1), 3) + " %)\n";
+  out += "  utilisation  " + per_cent(f["utilisationBefore"]) + " -> " + per_cent(f["utilisationAfter"]) + "\n  ";
+  if (f.contains("rounds")) {
+    out += f["stop"].get<std::string>() + " after " + counted(f["rounds"], "round") + ", ";
+  }
+  out += rounded(times.total, 1) + " ms; " + (f["valid"] == true ? "valid" : "NOT VALID") + "\n";
+  return out;
+}
+
+std::string plain_figures(const Marker& marker) {
+  return (marker.name.empty() ? "marker" : marker.name) + ": " + counted(marker.pieces.size(), "piece") + ", length " +
+         protocol::json::number_text(to_decimal(length_of(marker), marker.resolution)) + " " + marker.unit +
+         ", utilisation " + per_cent(utilisation_of(marker));
+}
+
+std::string plain_faults(const Marker& marker, const Json& validity) {
+  const std::string unit = " " + marker.unit;
+  std::string out;
+  for (const Json& overlap : validity["overlaps"]) {
+    out += "  pieces " + overlap["first"].get<std::string>() + " and " + overlap["second"].get<std::string>() +
+           (marker.spacing > 0 ? " are too close or overlap" : " overlap") + " by " + significant(overlap["depth"]) +
+           unit + " near (" + significant(overlap["witness"][0]) + ", " + significant(overlap["witness"][1]) + ")\n";
+  }
+  for (const Json& protrusion : validity["protrusions"]) {
+    out += "  piece " + protrusion["piece"].get<std::string>() + " leaves the strip by " +
+           significant(protrusion["by"]) + unit + "\n";
+  }
+  return out;
+}
+
+std::string plain_change(const Json& figures) {
+  const std::string by = figures.value("by", "");
+  return "revision " + protocol::json::to_text(figures["revision"]) + ": length " +
+         protocol::json::number_text(figures["length"]) + ", utilisation " + per_cent(figures["utilisation"]) + ", " +
+         (figures["valid"] == true ? "valid" : "NOT valid") + (by.empty() ? "" : "; " + by);
+}
+
+}  // namespace selvage::cli::terminal

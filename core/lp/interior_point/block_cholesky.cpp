@@ -1,0 +1,149 @@
+#include "core/lp/interior_point/block_cholesky.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace selvage::lp::interior_point {
+namespace {
+
+using Pair = Eigen::Vector2d;
+
+// The inverse of the lower triangle of a factor's diagonal block, times v.
+void solve_lower(const Block& diagonal, double& v0, double& v1) {
+  v0 *= diagonal(0, 0);
+  v1 = (v1 - diagonal(1, 0) * v0) * diagonal(1, 1);
+}
+// The same for its transpose.
+void solve_upper(const Block& diagonal, double& v0, double& v1) {
+  v1 *= diagonal(1, 1);
+  v0 = (v0 - diagonal(1, 0) * v1) * diagonal(0, 0);
+}
+
+// Where the entries of a block column lie in a vector.
+std::ptrdiff_t place_of(int block_column) {
+  return 2 * static_cast<std::ptrdiff_t>(block_column);
+}
+
+// Turns a symmetric block, of which the lower triangle is read, into its factor.
+bool factorise_block(Block& block) {
+  if (!(block(0, 0) > 0)) return false;
+  const double first = 1 / std::sqrt(block(0, 0));
+  const double below = block(1, 0) * first;
+  const double left = block(1, 1) - below * below;
+  if (!(left > 0)) return false;
+  block << first, 0, below, 1 / std::sqrt(left);
+  return true;
+}
+
+}  // namespace
+
+BlockCholesky::BlockCholesky(BlockPattern pattern) : pattern_{std::move(pattern)} {
+  find_rows();
+  const std::size_t size = pattern_.columns();
+  column_start_.assign(size + 1, 0);
+  for (const int i : row_) ++column_start_[static_cast<std::size_t>(i) + 1];
+  for (std::size_t k = 0; k < size; ++k) column_start_[k + 1] += column_start_[k];
+  column_.resize(row_.size());
+  filled_.assign(size, 0);
+  for (std::size_t k = 0; k < size; ++k) {
+    for (int t = row_start_[k]; t < row_start_[k + 1]; ++t) {
+      const auto i = static_cast<std::size_t>(row_[static_cast<std::size_t>(t)]);
+      column_[static_cast<std::size_t>(column_start_[i]) + static_cast<std::size_t>(filled_[i]++)] =
+          static_cast<int>(k);
+    }
+  }
+  below_.resize(row_.size());
+  diagonal_.resize(size);
+  work_.assign(size, Block::Zero());
+}
+
+// The pattern of each row of the factor: from the entries of the matrix's row up the elimination tree [Dav06 4].
+void BlockCholesky::find_rows() {
+  constexpr int kNone = -1;
+  const std::size_t size = pattern_.columns();
+  std::vector<int> parent(size, kNone);
+  std::vector<int> seen(size, kNone);
+  row_start_.assign(1, 0);
+  for (std::size_t k = 0; k < size; ++k) {
+    const int row = static_cast<int>(k);
+    seen[k] = row;
+    for (int t = pattern_.start[k]; t < pattern_.start[k + 1]; ++t) {
+      auto i = static_cast<std::size_t>(pattern_.row[static_cast<std::size_t>(t)]);
+      while (seen[i] != row) {
+        if (parent[i] == kNone) parent[i] = row;
+        seen[i] = row;
+        row_.push_back(static_cast<int>(i));
+        i = static_cast<std::size_t>(parent[i]);
+      }
+    }
+    std::sort(row_.begin() + row_start_.back(), row_.end());
+    row_start_.push_back(static_cast<int>(row_.size()));
+  }
+}
+
+bool BlockCholesky::factorise(std::span<const Block> diagonal, std::span<const Block> above) {
+  std::fill(filled_.begin(), filled_.end(), 0);
+  Block* const work = work_.data();
+  for (std::size_t k = 0; k < diagonal.size(); ++k) {
+    for (int t = pattern_.start[k]; t < pattern_.start[k + 1]; ++t) {
+      const auto e = static_cast<std::size_t>(t);
+      work[pattern_.row[e]] = above[e];
+    }
+    Block own = diagonal[k];
+    for (int t = row_start_[k]; t < row_start_[k + 1]; ++t) {
+      const auto i = static_cast<std::size_t>(row_[static_cast<std::size_t>(t)]);
+      Block part = std::exchange(work[i], Block::Zero());  // becomes the transpose of the factor's block (k, i)
+      solve_lower(diagonal_[i], part(0, 0), part(1, 0));
+      solve_lower(diagonal_[i], part(0, 1), part(1, 1));
+      const int* column = column_.data() + column_start_[i];
+      const int* const end = column + filled_[i]++;
+      Block* below = below_.data() + column_start_[i];
+      for (; column != end; ++column, ++below) {
+        Block& to = work[*column];
+        const Pair first = below->col(0);
+        const Pair second = below->col(1);
+        to.col(0) -= first * part(0, 0) + second * part(1, 0);
+        to.col(1) -= first * part(0, 1) + second * part(1, 1);
+      }
+      own(0, 0) -= part(0, 0) * part(0, 0) + part(1, 0) * part(1, 0);
+      own(1, 0) -= part(0, 1) * part(0, 0) + part(1, 1) * part(1, 0);
+      own(1, 1) -= part(0, 1) * part(0, 1) + part(1, 1) * part(1, 1);
+      *below = part.transpose();
+    }
+    if (!factorise_block(own)) return false;
+    diagonal_[k] = own;
+  }
+  return true;
+}
+
+void BlockCholesky::solve(std::span<double> right_side) const {
+  using Place = Eigen::Map<Pair>;
+  double* const v = right_side.data();
+  const std::size_t size = pattern_.columns();
+  for (std::size_t k = 0; k < size; ++k) {
+    Place own{v + 2 * k};
+    solve_lower(diagonal_[k], own[0], own[1]);
+    const Pair known = own;
+    const int* column = column_.data() + column_start_[k];
+    const int* const end = column_.data() + column_start_[k + 1];
+    const Block* below = below_.data() + column_start_[k];
+    for (; column != end; ++column, ++below) {
+      Place{v + place_of(*column)} -= below->col(0) * known[0] + below->col(1) * known[1];
+    }
+  }
+  for (std::size_t k = size; k-- > 0;) {
+    Place own{v + 2 * k};
+    Pair left = own;
+    const int* column = column_.data() + column_start_[k];
+    const int* const end = column_.data() + column_start_[k + 1];
+    const Block* below = below_.data() + column_start_[k];
+    for (; column != end; ++column, ++below) {
+      left -= below->transpose() * Place{v + place_of(*column)};
+    }
+    solve_upper(diagonal_[k], left[0], left[1]);
+    own = left;
+  }
+}
+
+}  // namespace selvage::lp::interior_point

@@ -1,0 +1,28 @@
+// The normal equations of an inequality form: (A^T W A + rho I) x = r for a positive diagonal W, over and over with the
+// same A.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "core/lp/interior_point/row_runs.h"
+
+namespace selvage::lp::interior_point {
+
+class NormalEquations {
+ public:
+  // Finds the pattern, the order that fills in least, and where each run's products fall.  Keeps a reference to `rows`.
+  explicit NormalEquations(const RowRuns& rows);
+  ~NormalEquations();
+
+  // False when the matrix is not positive definite in floating point.
+  [[nodiscard]] bool factorise(std::span<const double> weight, double rho);
+  // Solves in place; what comes after the last column is left alone.
+  void solve(std::span<double> right_side);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace selvage::lp::interior_point

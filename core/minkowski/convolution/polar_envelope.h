@@ -1,0 +1,23 @@
+// The outer envelope, seen from the origin, of chains of segments that turn counter-clockwise about it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/minkowski/convolution/reduced_convolution.h"
+
+namespace selvage::minkowski::convolution {
+
+// A stretch of one candidate that is seen from the centre: from (x0, y0) to (x1, y1), relative to the centre, over the
+// angles [angle0, angle1] (a monotone stand-in, 0..4 for a full turn from the x axis).
+struct Stretch {
+  double angle0{}, angle1{};
+  double x0{}, y0{}, x1{}, y1{};
+  std::uint32_t candidate{};
+};
+
+// The outermost stretches in counter-clockwise order from the x axis.  They leave no gap when the centre is inside.
+[[nodiscard]] std::vector<Stretch> polar_envelope(std::span<const Candidate> candidates);
+
+}  // namespace selvage::minkowski::convolution

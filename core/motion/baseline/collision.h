@@ -1,0 +1,31 @@
+// Collision detection for two translating pieces [Li94 2.2], in the space of their relative position: a point moves
+// along a ray, and collides where the ray meets their Minkowski sum.
+//
+// Each edge of the sum is one vertex against one edge of the pieces, and a supporting pair [Li94 2.6]; so this is the
+// thesis' loop over vertices and edges without the pairs that cannot collide.  Lengths are lattice units; a velocity is
+// lattice units per unit of time.
+#pragma once
+
+#include "core/minkowski/cache.h"
+#include "core/model/position_model.h"
+
+namespace selvage::motion::baseline {
+
+// A position beside the lattice: nearest lattice point, and what is left.
+struct FinePosition {
+  Vec at;
+  model::Displacement rest;
+};
+
+struct CollisionSettings {
+  double clearance{};  // they collide when they come this close
+  double touching{};   // edges nearer than this now are contacts: their non-penetration rows answer for them
+  double horizon{};    // looks no farther ahead than this time
+};
+
+// The time until `r`, moving with `velocity`, comes within the clearance of the obstacle; the horizon when it does not.
+// REQUIRES: clearance < touching.
+[[nodiscard]] double collision_time(const minkowski::Obstacle& obstacle, const FinePosition& r,
+                                    const model::Displacement& velocity, const CollisionSettings& settings);
+
+}  // namespace selvage::motion::baseline

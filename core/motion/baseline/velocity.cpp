@@ -1,0 +1,285 @@
+#include "core/motion/baseline/velocity.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "core/lp/solver/solve.h"
+#include "core/marker/validity.h"
+#include "core/model/free_region.h"
+#include "core/model/snap.h"
+#include "core/motion/baseline/collision.h"
+
+namespace selvage::motion::baseline {
+namespace {
+
+constexpr double kClearance = 3;        // lattice units: room for rounding, kept between slanted edges
+constexpr double kLeastTouching = 0.5;  // lattice units beyond the clearance
+constexpr double kRestoring = 1e5;      // units of time in which a contact gets its clearance back
+constexpr double kFastest = 1;          // lattice units per unit of time, on each axis [Li94 2.5]
+
+// Two pieces that may meet within the horizon.
+struct Near {
+  marker::PiecePair pair;
+  minkowski::Obstacle obstacle;
+};
+
+// n . (velocity of the second - velocity of the first) >= bound  [Li94 (2.1), (2.2)]
+struct ContactRow {
+  marker::PiecePair pair;
+  double nx{}, ny{}, bound{};
+};
+
+class Simulation {
+ public:
+  Simulation(scene::Scene& scene, const VelocitySettings& settings, const scene::Observer& observer)
+      : scene_{scene},
+        settings_{settings},
+        observer_{observer},
+        horizon_{settings.horizon * static_cast<double>(scene.marker.strip.width)},
+        touching_{std::max(kLeastTouching, settings.touching * static_cast<double>(scene.marker.strip.width))},
+        start_{scene.pieces.positions()},
+        moved_(start_.size()),
+        longest_{scene.pieces.length()},
+        piston_{static_cast<double>(longest_)},
+        x_(start_.size(), kNone),
+        y_(start_.size(), kNone),
+        best_{start_},
+        best_length_{longest_} {}
+
+  // The scene is left as short as it got.
+  scene::StopReason run(const std::stop_token& stop, int& steps, int& programs) {
+    const scene::StopReason reason = simulate(stop, steps, programs);
+    scene_.pieces.place(best_);
+    return reason;
+  }
+
+ private:
+  scene::StopReason simulate(const std::stop_token& stop, int& steps, int& programs) {
+    int short_steps = 0;
+    while (steps < settings_.steps) {
+      if (stop.stop_requested()) return scene::StopReason::kCancelled;
+      find_near();
+      const auto velocity = solve_velocities(stop, programs);
+      if (stop.stop_requested()) return scene::StopReason::kCancelled;
+      if (!velocity) return scene::StopReason::kSolverFailed;
+      if (-piston_velocity_ < settings_.least_speed) return scene::StopReason::kConverged;
+      observer_.on_stage(scene::Stage::kOther);
+      const double time = next_collision(*velocity);
+      if (!advance(*velocity, time)) return scene::StopReason::kConverged;
+      ++steps;
+      observer_.on_round({steps, scene_.pieces.length()});
+      short_steps = time < settings_.least_time * static_cast<double>(scene_.marker.strip.width) ? short_steps + 1 : 0;
+      if (short_steps >= settings_.patience) return scene::StopReason::kConverged;
+    }
+    return scene::StopReason::kWorkLimit;
+  }
+
+  void find_near() {
+    observer_.on_stage(scene::Stage::kSums);
+    near_.clear();
+    for (const marker::PiecePair& pair :
+         pairs_within(scene_.pieces, std::llround(2 * horizon_) + scene_.pieces.widest_spacing())) {
+      if (!scene_.ties.joined(pair.first, pair.second)) near_.push_back({pair, scene_.obstacle(pair)});
+    }
+  }
+
+  [[nodiscard]] double clearance(marker::PiecePair pair) const {
+    return static_cast<double>(scene_.pieces.spacing(pair)) + kClearance;
+  }
+  [[nodiscard]] FinePosition relative(marker::PiecePair pair) const {
+    const double x = moved_[pair.second].x - moved_[pair.first].x;
+    const double y = moved_[pair.second].y - moved_[pair.first].y;
+    const Vec whole{std::llround(x), std::llround(y)};
+    return {start_[pair.second] - start_[pair.first] + whole,
+            {x - static_cast<double>(whole.x), y - static_cast<double>(whole.y)}};
+  }
+
+  // The touching pairs [Li94 2.3, 2.6], of which a free region that looks no farther keeps those that matter.
+  [[nodiscard]] std::vector<ContactRow> contact_rows() const {
+    std::vector<ContactRow> rows;
+    for (const Near& near : near_) {
+      const Coord spacing = scene_.pieces.spacing(near.pair);
+      const model::RegionSettings region{model::RegionRule::kGreedy, clearance(near.pair) + touching_ + kLeastTouching,
+                                         spacing};
+      const FinePosition r = relative(near.pair);
+      for (const model::HalfPlane& side : free_region(near.obstacle, r.at, region)) {
+        const model::PairRow row = row_of(near.pair, side, r.at, spacing, 0, model::TightRows::kKeep);
+        const double slack =
+            slack_of(side, r.at) + row.nx * r.rest.x + row.ny * r.rest.y - static_cast<double>(spacing);
+        if (slack > kClearance + touching_ + kLeastTouching) continue;
+        const bool slanted = side.direction.x != 0 && side.direction.y != 0;
+        const double lost = slanted ? std::max(0.0, kClearance - slack) : 0;
+        rows.push_back({near.pair, row.nx, row.ny, lost / kRestoring});
+      }
+    }
+    return rows;
+  }
+
+  std::optional<std::vector<model::Displacement>> solve_velocities(const std::stop_token& stop, int& programs) {
+    observer_.on_stage(scene::Stage::kRows);
+    const std::vector<ContactRow> rows = contact_rows();
+    for (const double restoring : {1.0, 0.0}) {  // without room for the clearance, at least what there is stays
+      observer_.on_stage(scene::Stage::kSolve);
+      const lp::LinearProgram program = velocity_program(rows, restoring);
+      observer_.on_program(program);
+      const lp::LpSolution solution = solve(program, settings_.solver, {}, stop);
+      ++programs;
+      if (solution.status == lp::LpStatus::kStopped) return std::nullopt;
+      if (solution.status != lp::LpStatus::kOptimal) continue;
+      std::vector<model::Displacement> velocity(start_.size());
+      for (std::size_t i = 0; i < velocity.size(); ++i) {
+        const auto speed = [&](int column) { return column < 0 ? 0 : solution.x[static_cast<std::size_t>(column)]; };
+        velocity[i] = {speed(x_[i]), speed(y_[i])};
+      }
+      piston_velocity_ = solution.x.back();
+      return velocity;
+    }
+    return std::nullopt;
+  }
+
+  // Columns: the velocities of pieces that are free to have them, x and y, and last the piston's.
+  [[nodiscard]] lp::LinearProgram velocity_program(const std::vector<ContactRow>& rows, double restoring) {
+    lp::LinearProgram program;
+    add_pieces(program);
+    const int piston = program.add_column(1, -kFastest, 0);
+    for (std::size_t i = 0; i < start_.size(); ++i) {
+      if (walls(i).right > touching_) continue;
+      const std::array<lp::LinearProgram::Entry, 2> entries{{{piston, 1}, {x_[i], -1}}};
+      program.add_row(std::span{entries}.first(x_[i] < 0 ? 1 : 2), 0);
+    }
+    for (const ContactRow& row : rows) {
+      std::array<lp::LinearProgram::Entry, 4> entries{};
+      std::size_t count = 0;
+      const auto put = [&](const std::vector<int>& columns, double n) {
+        const int p = columns[row.pair.first];
+        const int q = columns[row.pair.second];
+        if (p == q || n == 0) return;
+        if (p >= 0) entries[count++] = {p, -n};
+        if (q >= 0) entries[count++] = {q, n};
+      };
+      put(x_, row.nx);
+      put(y_, row.ny);
+      program.add_row(std::span{entries}.first(count), restoring * row.bound);
+    }
+    return program;
+  }
+  // Pieces tied to each other share a column; at an edge of the strip there is no way but back.
+  void add_pieces(lp::LinearProgram& program) {
+    const double gravity = settings_.gravity / static_cast<double>(start_.size());
+    std::vector<int> x_of(start_.size(), kNone);  // by tie
+    std::vector<int> y_of(start_.size(), kNone);
+    const auto add = [&](int& column, double cost, bool at_low, bool at_high) {
+      if (column == kNone) column = program.add_column(0, -kFastest, kFastest);
+      const auto c = static_cast<std::size_t>(column);
+      program.cost[c] += cost;
+      if (at_low) program.lower[c] = 0;
+      if (at_high) program.upper[c] = 0;
+      return column;
+    };
+    for (std::size_t i = 0; i < start_.size(); ++i) {
+      const Walls room = walls(i);
+      const std::uint32_t x = scene_.ties.x[i];
+      const std::uint32_t y = scene_.ties.y[i];
+      x_[i] = x == model::Ties::kFixed ? kNone : add(x_of[x], gravity, room.left <= touching_, false);
+      y_[i] = y == model::Ties::kFixed ? kNone : add(y_of[y], 0, room.bottom <= touching_, room.top <= touching_);
+    }
+  }
+
+  // How far a piece is from the strip's edges and the piston.
+  struct Walls {
+    double left{}, right{}, bottom{}, top{};
+  };
+  [[nodiscard]] Walls walls(std::size_t i) const {
+    const Box box = scene_.pieces[i].box.moved(start_[i]);
+    const Box room = scene_.marker.strip.room(longest_);
+    const auto way = [](Coord from, Coord to) { return static_cast<double>(to - from); };
+    return {way(room.low.x, box.low.x) + moved_[i].x, piston_ - static_cast<double>(box.high.x) - moved_[i].x,
+            way(room.low.y, box.low.y) + moved_[i].y, way(box.high.y, room.high.y) - moved_[i].y};
+  }
+
+  // [Li94 2.2.2]
+  [[nodiscard]] double next_collision(const std::vector<model::Displacement>& velocity) const {
+    double time = horizon_;
+    for (const Near& near : near_) {
+      const double reach = clearance(near.pair);
+      const auto& [p, q] = near.pair;
+      const model::Displacement towards{velocity[q].x - velocity[p].x, velocity[q].y - velocity[p].y};
+      time = collision_time(near.obstacle, relative(near.pair), towards, {reach, reach + touching_, time});
+    }
+    const auto meet = [&](double room, double speed) {
+      if (room > touching_ && speed > 0) time = std::min(time, room / speed);
+    };
+    for (std::size_t i = 0; i < start_.size(); ++i) {
+      const Walls room = walls(i);
+      meet(room.left, -velocity[i].x);
+      meet(room.bottom, -velocity[i].y);
+      meet(room.top, velocity[i].y);
+      meet(room.right, velocity[i].x - piston_velocity_);
+    }
+    return time;
+  }
+
+  // Lets the time pass, or most of it when rounding to the lattice breaks something at its end.
+  bool advance(const std::vector<model::Displacement>& velocity, double time) {
+    observer_.on_stage(scene::Stage::kVerify);
+    for (const double part : {1.0, 1 - 1e-3, 0.5, 0.1}) {
+      std::vector<model::Displacement> moved = moved_;
+      for (std::size_t i = 0; i < moved.size(); ++i) {
+        moved[i] = {moved[i].x + part * time * velocity[i].x, moved[i].y + part * time * velocity[i].y};
+      }
+      if (!proved(moved)) continue;
+      moved_ = std::move(moved);
+      piston_ += part * time * piston_velocity_;
+      return true;
+    }
+    return false;
+  }
+  bool proved(const std::vector<model::Displacement>& moved) {
+    marker::PlacedPieces pieces = scene_.pieces;
+    std::vector<Vec> positions = snapped(moved);
+    for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + start_[i];
+    pieces.place(std::move(positions));
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      if (protrusion_of(pieces.box(i), scene_.marker.strip) > 0) return false;
+    }
+    if (pieces.length() > longest_ || !conflicts(pieces).empty()) return false;
+    scene_.pieces = std::move(pieces);
+    if (scene_.pieces.length() < best_length_) {
+      best_length_ = scene_.pieces.length();
+      best_ = scene_.pieces.positions();
+    }
+    return true;
+  }
+
+  scene::Scene& scene_;
+  const VelocitySettings& settings_;
+  const scene::Observer& observer_;
+  double horizon_;                          // units of time, at kFastest as many lattice units
+  double touching_;                         // lattice units beyond the clearance; nearer is contact
+  std::vector<Vec> start_;                  // where the pieces were,
+  std::vector<model::Displacement> moved_;  // and how far they have come since; not rounded
+  Coord longest_;
+  double piston_;  // where it stands
+  double piston_velocity_{};
+  static constexpr int kNone = -1;
+  std::vector<int> x_, y_;  // the columns of each piece; kNone when it cannot move that way
+  std::vector<Near> near_;
+  std::vector<Vec> best_;
+  Coord best_length_;
+};
+
+}  // namespace
+
+Result<compaction::Compaction> compact_by_velocities(const Marker& start, const VelocitySettings& settings,
+                                                     SumCache& sums, std::stop_token stop,
+                                                     const scene::Observer& observer) {
+  return compaction::repaired_and(start, sums, stop, observer, [&](scene::Scene& scene) {
+    compaction::Progress progress;
+    progress.reason = Simulation{scene, settings, observer}.run(stop, progress.rounds, progress.programs);
+    return progress;
+  });
+}
+
+}  // namespace selvage::motion::baseline

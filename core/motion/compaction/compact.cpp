@@ -1,0 +1,119 @@
+#include "core/motion/compaction/compact.h"
+
+#include <algorithm>
+
+#include "core/marker/figures.h"
+#include "core/motion/step/position_step.h"
+#include "core/scene/scene.h"
+
+namespace selvage::motion::compaction {
+namespace {
+
+constexpr double kTrustAhead = 2;     // next round's trust, as a multiple of the last one's farthest move
+constexpr double kLeastTrust = 0.05;  // as a part of the first round's trust
+constexpr double kLongFrom = 10;      // widths
+constexpr double kLittle = 2e-5;      // of the width: no round gains so little but the last, or one of a fine search
+
+scene::StopReason reason_of(step::StepEnd end) {
+  return end == step::StepEnd::kSolverFailed ? scene::StopReason::kSolverFailed : scene::StopReason::kConverged;
+}
+
+}  // namespace
+
+// Figures behind these choices: docs/measurements.md.
+CompactionSettings compaction_settings(Accuracy accuracy) {
+  switch (accuracy) {
+    case Accuracy::kDraft:
+      return {.rounds = 2,
+              .least_gain = 0.05,
+              .trust = 0.1,
+              .gravity = 0.003,
+              .region = model::RegionRule::kGreedy,
+              .solver = lp::solver::SolverChoice::kAutomatic,
+              .solver_tolerance = 1e-4};
+    case Accuracy::kStandard:
+      return {.rounds = 60,
+              .least_gain = 2e-5,
+              .trust = 0.1,
+              .gravity = 0.003,
+              .region = model::RegionRule::kGreedy,
+              .solver = lp::solver::SolverChoice::kAutomatic,
+              .solver_tolerance = 1e-4};
+    case Accuracy::kFine: break;
+  }
+  return {.rounds = 400,
+          .least_gain = 1e-8,
+          .trust = 0.3,
+          .gravity = 0.003,
+          .region = model::RegionRule::kGreedy,
+          .solver = lp::solver::SolverChoice::kAutomatic};
+}
+
+Progress improve(scene::Scene& scene, const step::Goal& goal, const CompactionSettings& settings,
+                 const std::stop_token& stop, const scene::Observer& observer) {
+  Progress progress;
+  progress.reason = scene::StopReason::kWorkLimit;
+  step::StepSettings step_settings{.trust = settings.trust,
+                                   .region = settings.region,
+                                   .solver = settings.solver,
+                                   .extent = settings.extent,
+                                   .simplification = settings.simplification,
+                                   .tolerance = settings.solver_tolerance};
+  // What is worth another round of a long marker is measured by its length.
+  const double widths = static_cast<double>(scene.pieces.length()) / static_cast<double>(scene.marker.strip.width);
+  const double least_gain = settings.least_gain * (goal.shorten > 0 ? std::max(1.0, widths / kLongFrom) : 1.0);
+  step_settings.worth = std::min(settings.least_gain, kLittle);
+  while (progress.rounds < settings.rounds) {
+    const step::PositionStep step = position_step(scene, goal, step_settings, stop, observer);
+    progress.programs += step.programs;
+    observer.on_stage(scene::Stage::kOther);
+    if (step.end != step::StepEnd::kMoved || stop.stop_requested()) {
+      progress.reason = stop.stop_requested() ? scene::StopReason::kCancelled : reason_of(step.end);
+      break;
+    }
+    step_settings.last_moves.resize(scene.pieces.size());
+    for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
+      step_settings.last_moves[i] = step.positions[i] - scene.pieces.at(i);
+    }
+    scene.pieces.place(step.positions);
+    // Rounds move pieces less and less: look only as far as the next may go.
+    step_settings.trust = std::clamp(kTrustAhead * step.farthest, kLeastTrust * settings.trust, settings.trust);
+    progress.gain += step.gain * static_cast<double>(scene.marker.strip.width);
+    ++progress.rounds;
+    observer.on_round({progress.rounds, scene.pieces.length()});
+    if (step.gain < least_gain) {
+      progress.reason = scene::StopReason::kConverged;
+      break;
+    }
+  }
+  return progress;
+}
+
+Result<Compaction> repaired_and(const Marker& start, SumCache& sums, const std::stop_token& stop,
+                                const scene::Observer& observer, const std::function<Progress(scene::Scene&)>& work) {
+  observer.on_stage(scene::Stage::kOther);
+  scene::Scene scene{start, sums};
+  Compaction best;
+  best.length_before = scene.pieces.length();
+  best.utilisation_before = utilisation_at(start, best.length_before);
+  const auto repair = repair::repair_overlaps(scene, stop, observer);
+  if (!repair) return repair.error();
+  best.repair = *repair;
+  const Progress progress = work(scene);
+  best.reason = progress.reason;
+  best.rounds = progress.rounds;
+  best.programs = progress.programs;
+  best.marker = scene.result();
+  best.length_after = scene.pieces.length();
+  best.utilisation_after = utilisation_at(best.marker, best.length_after);
+  return best;
+}
+
+Result<Compaction> compact(const Marker& start, const CompactionSettings& settings, SumCache& sums,
+                           std::stop_token stop, const scene::Observer& observer) {
+  return repaired_and(start, sums, stop, observer, [&](scene::Scene& scene) {
+    return improve(scene, step::leftward_goal(scene, settings.gravity), settings, stop, observer);
+  });
+}
+
+}  // namespace selvage::motion::compaction

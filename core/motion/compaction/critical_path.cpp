@@ -1,0 +1,178 @@
+#include "core/motion/compaction/critical_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "core/lp/solver/solve.h"
+#include "core/marker/validity.h"
+#include "core/model/position_model.h"
+#include "core/scene/scene.h"
+
+namespace selvage::motion::compaction {
+namespace {
+
+constexpr double kReach = 0.005;      // of the width: contacts are looked for this near
+constexpr double kLeastWorth = 1e-6;  // loads below this are the solver's noise
+constexpr double kSpare = 1e-2;       // column units the length may grow by, for rows' margins
+
+// The loads that one solution puts on rows and bounds.
+class Loads {
+ public:
+  Loads(const Marker& marker, SumCache& sums) : scene_{marker, sums} {}
+
+  Result<Hold> run(const std::stop_token& stop, const scene::Observer& observer) {
+    const lp::LpSolution solution = solve_model(stop, observer);
+    if (stop.stop_requested()) {
+      return Error{ErrorCode::kStoppedEarly, "stopped before it was known what holds the length", ""};
+    }
+    Hold hold;
+    if (solution.status != lp::LpStatus::kOptimal) return hold;  // nothing is known
+    for (std::size_t k = 0; k < rows_.size(); ++k) add_pair(rows_[k], solution.dual[k], hold);
+    add_edges(solution, hold);
+    merge(hold);
+    for (const auto& [piece, per_degree] : tilts_) hold.tilts.push_back({PieceId{piece}, per_degree});
+    std::stable_sort(hold.tilts.begin(), hold.tilts.end(), [](const TiltWorth& a, const TiltWorth& b) {
+      return std::abs(a.per_degree) > std::abs(b.per_degree);
+    });
+    return hold;
+  }
+
+ private:
+  lp::LpSolution solve_model(const std::stop_token& stop, const scene::Observer& observer) {
+    observer.on_stage(scene::Stage::kRows);
+    const Strip& strip = scene_.marker.strip;
+    const double reach = kReach * static_cast<double>(strip.width);
+    model_.emplace(scene_.pieces, strip, scene_.ties);
+    for (const marker::PiecePair& pair :
+         pairs_within(scene_.pieces, std::llround(reach) + scene_.pieces.widest_spacing())) {
+      if (stop.stop_requested()) return {};
+      const Vec r = scene_.relative_position(pair);
+      if (scene_.ties.joined(pair.first, pair.second)) continue;
+      const Coord spacing = scene_.pieces.spacing(pair);
+      const model::RegionSettings region{model::RegionRule::kGreedy, reach + static_cast<double>(spacing), spacing, 0,
+                                         0};
+      for (const model::HalfPlane& side : free_region(scene_.obstacle(pair), r, region)) {
+        rows_.push_back(row_of(pair, side, r, spacing, model_->unit(), model::TightRows::kRestore));
+        model_->add(rows_.back());
+      }
+    }
+    const auto length = static_cast<double>(scene_.pieces.length());
+    model_->add_length(1, length, kSpare * model_->unit());
+    for (std::size_t i = 0; i < scene_.pieces.size(); ++i) model_->add_right_wall(i);
+    observer.on_stage(scene::Stage::kSolve);
+    observer.on_program(model_->program());
+    return solve(model_->program(), lp::solver::SolverChoice::kSimplex, {}, stop);
+  }
+
+  void add_pair(const model::PairRow& row, double worth, Hold& hold) {
+    if (worth < kLeastWorth) return;
+    const auto [p, q] = row.pair;
+    const geometry::Witness at = nearest_point(scene_.pieces[p], scene_.pieces[q]);
+    hold.contacts.push_back({PieceId{p}, PieceId{q}, {}, worth, at});
+    hold.per_spacing += worth;
+    turn(q, worth, row.nx, row.ny, at);
+    turn(p, worth, -row.nx, -row.ny, at);
+  }
+
+  // Turning a piece about its position by a small angle moves its touching point square to its lever; what that opens
+  // along the normal of the contact, which points at the piece, is room.
+  void turn(std::uint32_t piece, double worth, double nx, double ny, geometry::Witness at) {
+    if (scene_.fixed(piece)) return;
+    const Vec pivot = scene_.pieces.at(piece);
+    const double lever_x = at.x - static_cast<double>(pivot.x);
+    const double lever_y = at.y - static_cast<double>(pivot.y);
+    tilts_[piece] += worth * (ny * lever_x - nx * lever_y) * std::numbers::pi / 180;
+  }
+
+  // The strip's edges are rows (right) or bounds of columns (the others): a bound's load is its column's reduced cost.
+  void add_edges(const lp::LpSolution& solution, Hold& hold) {
+    const lp::LinearProgram& program = model_->program();
+    std::vector<double> reduced = program.cost;
+    for (int r = 0; r < program.rows(); ++r) {
+      for (const auto& [column, value] : program.row(r)) {
+        reduced[static_cast<std::size_t>(column)] -= value * solution.dual[static_cast<std::size_t>(r)];
+      }
+    }
+    for (std::uint32_t i = 0; i < scene_.pieces.size(); ++i) {
+      const Box room = scene_.marker.strip.room(0);
+      const Box box = scene_.pieces.box(i);
+      if (const auto x = model_->x_column(i); x && bounds(program.lower, *x, room.low.x - box.low.x)) {
+        add_edge(i, Edge::kLeft, reduced[static_cast<std::size_t>(*x)], 1, 0, hold);
+      }
+      if (const auto y = model_->y_column(i)) {
+        const double load = reduced[static_cast<std::size_t>(*y)];
+        if (bounds(program.lower, *y, room.low.y - box.low.y)) add_edge(i, Edge::kBottom, load, 0, 1, hold);
+        if (bounds(program.upper, *y, room.high.y - box.high.y)) add_edge(i, Edge::kTop, -load, 0, -1, hold);
+      }
+      if (const auto wall = model_->right_wall_row(i)) {
+        add_edge(i, Edge::kRight, solution.dual[static_cast<std::size_t>(*wall)], -1, 0, hold);
+      }
+    }
+  }
+  // Is it this piece, of those tied together, whose room sets the column's bound?
+  [[nodiscard]] bool bounds(const std::vector<double>& limits, int column, Coord room) const {
+    return std::abs(limits[static_cast<std::size_t>(column)] * model_->unit() - static_cast<double>(room)) < 0.5;
+  }
+  // `(nx, ny)`: from the edge into the strip.
+  void add_edge(std::uint32_t piece, Edge edge, double worth, int nx, int ny, Hold& hold) {
+    if (worth < kLeastWorth) return;
+    const geometry::Witness at = touching_point(piece, nx, ny);
+    hold.contacts.push_back({PieceId{piece}, std::nullopt, edge, worth, at});
+    turn(piece, worth, nx, ny, at);
+  }
+  // The middle of the vertices that lie farthest against the direction.
+  [[nodiscard]] geometry::Witness touching_point(std::uint32_t piece, int nx, int ny) const {
+    const geometry::PlacedPolygon polygon = scene_.pieces[piece];
+    const auto along = [&](Vec v) { return nx * v.x + ny * v.y; };
+    Coord least = along(polygon.vertices.front());
+    for (const Vec v : polygon.vertices) least = std::min(least, along(v));
+    geometry::Witness sum;
+    double count = 0;
+    for (const Vec v : polygon.vertices) {
+      if (along(v) != least) continue;
+      sum.x += static_cast<double>(v.x + polygon.at.x);
+      sum.y += static_cast<double>(v.y + polygon.at.y);
+      count += 1;
+    }
+    return {sum.x / count, sum.y / count};
+  }
+
+  // A pair that touches along several lines is one contact; contacts in reading order.
+  static void merge(Hold& hold) {
+    auto& contacts = hold.contacts;
+    std::stable_sort(contacts.begin(), contacts.end(), [](const LoadedContact& a, const LoadedContact& b) {
+      return std::tuple{a.at.x, a.at.y, a.first} < std::tuple{b.at.x, b.at.y, b.first};
+    });
+    std::vector<LoadedContact> merged;
+    for (const LoadedContact& c : contacts) {
+      const auto same = std::find_if(merged.begin(), merged.end(), [&](const LoadedContact& m) {
+        return c.second && m.first == c.first && m.second == c.second;
+      });
+      if (same == merged.end()) {
+        merged.push_back(c);
+      } else {
+        same->worth += c.worth;
+      }
+    }
+    contacts = std::move(merged);
+  }
+
+  scene::Scene scene_;
+  std::vector<model::PairRow> rows_;
+  std::optional<model::PositionModel> model_;
+  std::map<std::uint32_t, double> tilts_;
+};
+
+}  // namespace
+
+Result<Hold> what_holds(const Marker& marker, SumCache& sums, std::stop_token stop, const scene::Observer& observer) {
+  observer.on_stage(scene::Stage::kVerify);
+  if (!is_valid(marker)) {
+    return Error{ErrorCode::kMarkerOverlaps, "the marker is not valid: compact or part it first", "/pieces"};
+  }
+  return Loads{marker, sums}.run(stop, observer);
+}
+
+}  // namespace selvage::motion::compaction

@@ -1,0 +1,177 @@
+#include "core/motion/compaction/open_gap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "core/motion/compaction/push.h"
+#include "core/scene/scene.h"
+
+namespace selvage::motion::compaction {
+namespace {
+
+constexpr int kTries = 4;       // steps that gain nothing, each shorter than the last, before the end
+constexpr double kShorter = 4;  // times
+
+class Opening {
+ public:
+  Opening(scene::Scene& scene, const CompactionSettings& settings, const marker::UnoccupiedSettings& regions,
+          const std::stop_token& stop, const scene::Observer& observer)
+      : scene_{scene}, settings_{settings}, regions_{regions}, stop_{stop}, observer_{observer} {}
+
+  // Names the gap; false when there is none such, or when it was asked to stop before it was found.
+  bool choose(const GapChoice& choice) {
+    if (const auto* outline = std::get_if<AwayFromOutline>(&choice)) {
+      auto found = regions();
+      if (outline->region >= found.size()) return false;
+      gap_ = std::move(found[outline->region]);
+      inside_ = point_inside(gap_.region);
+      return true;
+    }
+    from_point_ = true;
+    inside_ = std::get<AwayFromPoint>(choice).point;
+    return find_again();
+  }
+  // The gap about the same point where the pieces are now; false when it has closed, or likewise.
+  bool find_again() {
+    auto found = regions();
+    auto holding = holds(found);
+    if (!holding) return false;
+    gap_ = std::move(*holding);
+    return true;
+  }
+
+  void run() {
+    CompactionSettings one_round = settings_;
+    one_round.rounds = 1;
+    one_round.least_gain = 0;
+    progress_.reason = scene::StopReason::kWorkLimit;
+    for (int tries = 0; progress_.rounds < settings_.rounds;) {
+      const std::vector<Vec> before = scene_.pieces.positions();
+      const double area = gap_.area;
+      const Progress step = improve(scene_, goal(), one_round, stop_, silent());
+      progress_.programs += step.programs;
+      const bool larger = step.rounds > 0 && take_larger();
+      if (!larger) scene_.pieces.place(before);
+      if (step.reason == scene::StopReason::kCancelled || step.reason == scene::StopReason::kSolverFailed) {
+        progress_.reason = step.reason;
+        return;
+      }
+      if (larger) {
+        ++progress_.rounds;
+        observer_.on_round({progress_.rounds, scene_.pieces.length()});
+      }
+      // Forces follow the area to first order only: a long step may overshoot where a short one gains.
+      if (!larger || gap_.area - area < settings_.least_gain * area) {
+        if (step.rounds == 0 || ++tries == kTries) {
+          progress_.reason = scene::StopReason::kConverged;
+          return;
+        }
+        one_round.trust /= kShorter;
+      }
+    }
+  }
+
+  [[nodiscard]] const Progress& progress() const { return progress_; }
+  [[nodiscard]] const marker::UnoccupiedRegion& gap() const { return gap_; }
+  [[nodiscard]] Vec inside() const { return inside_; }
+
+ private:
+  // None when asked to stop.
+  [[nodiscard]] std::vector<marker::UnoccupiedRegion> regions() const {
+    auto found = unoccupied_regions(scene_.pieces, scene_.marker.strip, regions_, stop_);
+    return found ? *std::move(found) : std::vector<marker::UnoccupiedRegion>{};
+  }
+  [[nodiscard]] std::optional<marker::UnoccupiedRegion> holds(std::vector<marker::UnoccupiedRegion>& found) const {
+    const auto held = std::find_if(found.begin(), found.end(), [&](const marker::UnoccupiedRegion& candidate) {
+      return locate(inside_, candidate.region) != geometry::Location::kOutside;
+    });
+    return held == found.end() ? std::nullopt : std::optional{std::move(*held)};
+  }
+  // The gap as it is now; false, and nothing changed, when it has not grown as far as is known.
+  bool take_larger() {
+    auto found = regions();
+    auto now = holds(found);
+    if (!now || now->area <= gap_.area) return false;
+    gap_ = std::move(*now);
+    return true;
+  }
+  [[nodiscard]] scene::Observer silent() const {
+    scene::Observer observer = observer_;
+    observer.on_round = [](const scene::Round&) {};
+    return observer;
+  }
+  [[nodiscard]] step::Goal goal() const { return *pushing_goal(forces(), scene_.pieces.size()); }
+  [[nodiscard]] std::vector<Force> forces() const {
+    std::vector<Force> forces;
+    for (const marker::Bordering& beside : gap_.around) {
+      if (scene_.fixed(beside.piece.value)) continue;
+      if (!from_point_) {
+        forces.push_back({beside.piece, beside.x, beside.y});
+        continue;
+      }
+      const Box box = scene_.pieces.box(beside.piece.value);
+      const double x = static_cast<double>(box.low.x + box.high.x) / 2 - static_cast<double>(inside_.x);
+      const double y = static_cast<double>(box.low.y + box.high.y) / 2 - static_cast<double>(inside_.y);
+      const double length = std::hypot(x, y);
+      if (length > 0) forces.push_back({beside.piece, x / length, y / length});
+    }
+    return forces;
+  }
+
+  scene::Scene& scene_;
+  const CompactionSettings& settings_;
+  const marker::UnoccupiedSettings& regions_;
+  const std::stop_token& stop_;
+  const scene::Observer& observer_;
+  bool from_point_{};
+  Vec inside_;
+  marker::UnoccupiedRegion gap_;
+  Progress progress_;
+};
+
+}  // namespace
+
+Result<OpenedGap> open_gap(const Marker& start, const GapChoice& choice, const CompactionSettings& settings,
+                           const marker::UnoccupiedSettings& regions, SumCache& sums, std::stop_token stop,
+                           const scene::Observer& observer) {
+  observer.on_stage(scene::Stage::kOther);
+  scene::Scene scene{start, sums};
+  OpenedGap opened;
+  opened.length_before = scene.pieces.length();
+  Opening opening{scene, settings, regions, stop, observer};
+  // A region's number is its place in the list of the marker as it came; healing may change the list.
+  const bool by_number = std::holds_alternative<AwayFromOutline>(choice);
+  bool found = by_number && opening.choose(choice);
+  const auto repair = repair::repair_overlaps(scene, stop, observer);
+  if (!repair) return repair.error();
+  opened.repair = *repair;
+  if (!by_number) {
+    found = opening.choose(choice);
+  } else if (found && repair->farthest_move > 0) {
+    found = opening.find_again();
+  }
+  if (!found && stop.stop_requested()) {
+    return Error{ErrorCode::kStoppedEarly, "stopped before the gap was found", ""};
+  }
+  if (!found) {
+    return Error{ErrorCode::kOutOfRange,
+                 by_number ? "region number " + std::to_string(std::get<AwayFromOutline>(choice).region) +
+                                 " is not among the unoccupied regions"
+                           : "the point lies in no unoccupied region large enough to count",
+                 by_number ? "/region" : "/point"};
+  }
+  opened.before = opening.gap();
+  opening.run();
+  opened.reason = opening.progress().reason;
+  opened.rounds = opening.progress().rounds;
+  opened.programs = opening.progress().programs;
+  opened.inside = opening.inside();
+  opened.after = opening.gap();
+  opened.marker = scene.result();
+  opened.length_after = scene.pieces.length();
+  return opened;
+}
+
+}  // namespace selvage::motion::compaction

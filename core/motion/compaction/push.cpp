@@ -1,0 +1,68 @@
+#include "core/motion/compaction/push.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/motion/step/position_step.h"
+#include "core/scene/scene.h"
+
+namespace selvage::motion::compaction {
+namespace {
+
+constexpr double kStillness = 1e-4;  // of the largest force
+
+}  // namespace
+
+Result<step::Goal> pushing_goal(std::span<const Force> forces, std::size_t pieces) {
+  step::Goal goal{std::vector<model::Displacement>(pieces), 0, kStillness};
+  double largest = 0;
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    const Force& force = forces[k];
+    const std::string field = "/forces/" + std::to_string(k);
+    if (force.piece.value >= pieces) {
+      return Error{ErrorCode::kOutOfRange,
+                   "force on piece number " + std::to_string(force.piece.value) + " of " + std::to_string(pieces),
+                   field};
+    }
+    if (!std::isfinite(force.x) || !std::isfinite(force.y)) {
+      return Error{ErrorCode::kOutOfRange, "a force must be finite", field};
+    }
+    model::Displacement& sum = goal.force[force.piece.value];
+    sum = {sum.x + force.x, sum.y + force.y};
+    largest = std::max({largest, std::abs(sum.x), std::abs(sum.y)});
+  }
+  if (largest > 0) {
+    for (model::Displacement& force : goal.force) force = {force.x / largest, force.y / largest};
+  }
+  return goal;
+}
+
+Result<Push> push(const Marker& start, std::span<const Force> forces, const CompactionSettings& settings,
+                  SumCache& sums, std::stop_token stop, const scene::Observer& observer) {
+  observer.on_stage(scene::Stage::kOther);
+  const auto goal = pushing_goal(forces, start.pieces.size());
+  if (!goal) return goal.error();
+  scene::Scene scene{start, sums};
+  Push best;
+  best.length_before = scene.pieces.length();
+  const auto repair = repair::repair_overlaps(scene, stop, observer);
+  if (!repair) return repair.error();
+  best.repair = *repair;
+  const auto progress = improve(scene, *goal, settings, stop, observer);
+  best.reason = progress.reason;
+  best.rounds = progress.rounds;
+  best.programs = progress.programs;
+  best.gain = progress.gain;
+  best.marker = scene.result();
+  best.length_after = scene.pieces.length();
+  return best;
+}
+
+std::vector<Force> gravity(const Marker& marker, double x, double y) {
+  std::vector<Force> forces;
+  for (std::uint32_t i = 0; i < marker.pieces.size(); ++i) forces.push_back({PieceId{i}, x, y});
+  return forces;
+}
+
+}  // namespace selvage::motion::compaction

@@ -1,0 +1,196 @@
+#include "core/motion/floating/float_apart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+
+#include "core/motion/floating/float_step.h"
+
+namespace selvage::motion::floating {
+namespace {
+
+constexpr double kTrustAhead = 2;     // next round's trust, as a multiple of the last one's farthest move
+constexpr double kLeastTrust = 0.05;  // as a part of the first round's trust
+constexpr double kLoaded = 1e-6;      // loads below this are a solver's rounding; all loads on the minimum add up to 1
+constexpr Coord kRounding = 4;        // lattice units that a critical gap may lose while others widen
+
+class Floater {
+ public:
+  Floater(scene::Scene& scene, const FloatSettings& settings, const scene::Observer& observer)
+      : scene_{scene},
+        settings_{settings},
+        observer_{observer},
+        most_{std::max(settings.distance, scene.pieces.widest_spacing())},
+        aim_{settings.mode, static_cast<double>(most_), scene.marker.strip.room(scene.pieces.length()),
+             scene.pieces.positions()} {
+    const auto gaps = gaps_within(scene, most_, aim_.strip, settings.edges);
+    start_gaps_ = {gaps.begin(), gaps.end()};
+    least_ = least_width();
+  }
+
+  // The narrowest gap, in whole units.
+  [[nodiscard]] Coord least_width() const {
+    Coord least = most_;
+    for (const Gap& gap : gaps_within(scene_, most_, aim_.strip, settings_.edges)) {
+      least = std::min(least, whole_width_within(gap, scene_.pieces, aim_.strip, least));
+    }
+    return least;
+  }
+
+  void run(const std::stop_token& stop, Floating& best) {
+    const int stages = settings_.mode == FloatMode::kTwoStep ? settings_.stages : 1;
+    for (int stage = 0; stage < stages; ++stage) {
+      best.reason = improve(stop, best);
+      if (!add_critical_set(best) || best.reason == scene::StopReason::kCancelled) return;
+    }
+  }
+
+  [[nodiscard]] std::vector<GapWidths> widths(const scene::Scene& start) const {
+    std::set<Gap> near = start_gaps_;
+    const auto now = gaps_within(scene_, most_, aim_.strip, settings_.edges);
+    near.insert(now.begin(), now.end());
+    std::vector<GapWidths> widths;
+    const auto anywhere = static_cast<double>(kLatticeLimit);
+    for (const Gap& gap : near) {
+      const GapWidths w{gap, width_within(gap, start.pieces, aim_.strip, anywhere),
+                        width_within(gap, scene_.pieces, aim_.strip, anywhere)};
+      if (std::min(w.before, w.after) < aim_.most) widths.push_back(w);
+    }
+    return widths;
+  }
+
+ private:
+  scene::StopReason improve(const std::stop_token& stop, Floating& best) {
+    const auto width = static_cast<double>(scene_.marker.strip.width);
+    const double widest_trust = settings_.trust * width;
+    double trust = widest_trust;
+    for (int round = 0; round < settings_.rounds; ++round) {
+      observer_.on_stage(scene::Stage::kSums);
+      gaps_ = gaps_near(trust);
+      FloatStep step = float_step(scene_, aim_, gaps_, trust, solver(), stop, observer_);
+      observer_.on_stage(scene::Stage::kOther);
+      best.programs += step.programs;
+      loads_ = std::move(step.loads);
+      if (stop.stop_requested() || step.end == step::StepEnd::kStopped) return scene::StopReason::kCancelled;
+      if (step.end == step::StepEnd::kSolverFailed) return scene::StopReason::kSolverFailed;
+      if (step.end == step::StepEnd::kNoGain) return scene::StopReason::kConverged;
+      scene_.pieces.place(std::move(step.positions));
+      trust = std::clamp(kTrustAhead * step.farthest, kLeastTrust * widest_trust, widest_trust);
+      ++best.rounds;
+      observer_.on_round({best.rounds, scene_.pieces.length()});
+      if (step.gain < settings_.least_gain * width) return scene::StopReason::kConverged;
+    }
+    return scene::StopReason::kWorkLimit;
+  }
+
+  [[nodiscard]] bool asks_for_minimum() const {
+    return settings_.mode == FloatMode::kLargestMinimum || settings_.mode == FloatMode::kTwoStep;
+  }
+  // A critical set is what carries load: all of it does in the middle of the optimal face, at a vertex perhaps a part.
+  [[nodiscard]] lp::solver::SolverChoice solver() const {
+    const bool any = settings_.solver == lp::solver::SolverChoice::kAutomatic;
+    return any && asks_for_minimum() ? lp::solver::SolverChoice::kInteriorPoint : settings_.solver;
+  }
+
+  // Every gap that a round can make narrower than what counts.
+  [[nodiscard]] std::vector<FloatGap> gaps_near(double trust) const {
+    const Coord reach = most_ + static_cast<Coord>(std::ceil(2 * trust)) + 2;
+    std::vector<FloatGap> near;
+    for (const Gap& gap : gaps_within(scene_, reach, aim_.strip, settings_.edges)) {
+      FloatGap now{gap, width_within(gap, scene_.pieces, aim_.strip, aim_.most), least_, false, aim_.most};
+      // What is uniform is the widths of the gaps there were; no other gap is to become one.
+      if (settings_.mode == FloatMode::kUniform) now.held = !start_gaps_.contains(gap);
+      if (const auto critical = critical_.find(gap); critical != critical_.end()) {
+        now.held = true;
+        now.keep = static_cast<double>(critical->second);
+        now.least = std::max(least_, critical->second - kRounding);
+      }
+      near.push_back(now);
+    }
+    return near;
+  }
+
+  // Sets aside what holds the minimum now.  False when nothing does: no gap that is left can be wider, or none is
+  // narrow.
+  bool add_critical_set(Floating& best) {
+    double least = aim_.most;
+    for (FloatGap& gap : gaps_) {
+      gap.now = width_within(gap.gap, scene_.pieces, aim_.strip, aim_.most);
+      if (!gap.held) least = std::min(least, gap.now);
+    }
+    if (least >= aim_.most) return false;
+    CriticalSet set{least, holding(least)};
+    for (const Gap& gap : set.gaps) critical_.emplace(gap, static_cast<Coord>(least));
+    best.critical.push_back(std::move(set));
+    return true;
+  }
+
+  // The gaps that carry load in the last program, if it asked for the minimum; else, or when none does, those that have
+  // it.
+  [[nodiscard]] std::vector<Gap> holding(double least) const {
+    std::vector<Gap> loaded;
+    std::vector<Gap> narrowest;
+    for (std::size_t k = 0; k < gaps_.size(); ++k) {
+      if (gaps_[k].held) continue;
+      if (k < loads_.size() && loads_[k] > kLoaded) loaded.push_back(gaps_[k].gap);
+      if (gaps_[k].now <= least + 1) narrowest.push_back(gaps_[k].gap);
+    }
+    return asks_for_minimum() && !loaded.empty() ? loaded : narrowest;
+  }
+
+  scene::Scene& scene_;
+  const FloatSettings& settings_;
+  const scene::Observer& observer_;
+  Coord most_;
+  FloatAim aim_;
+  std::set<Gap> start_gaps_;
+  Coord least_{};
+  std::map<Gap, Coord> critical_;  // what holds a stage's minimum, and that minimum
+  std::vector<FloatGap> gaps_;     // of the last round
+  std::vector<double> loads_;      // and what they carried
+};
+
+}  // namespace
+
+// Figures behind these choices: docs/measurements.md.
+FloatSettings float_settings(FloatMode mode, Coord distance) {
+  return {.mode = mode,
+          .distance = distance,
+          .edges = false,
+          .rounds = 30,
+          .stages = 6,
+          .least_gain = 1e-5,
+          .trust = 0.03,
+          .solver = lp::solver::SolverChoice::kAutomatic};
+}
+
+Result<Floating> float_apart(const Marker& start, const FloatSettings& settings, SumCache& sums, std::stop_token stop,
+                             const scene::Observer& observer) {
+  observer.on_stage(scene::Stage::kOther);
+  if (settings.distance <= 0 || settings.distance >= kLatticeLimit) {
+    return Error{ErrorCode::kOutOfRange,
+                 "the distance is " + std::to_string(settings.distance) +
+                     " lattice units; it must be positive and less than 2^40",
+                 "/distance"};
+  }
+  scene::Scene scene{start, sums};
+  Floating best;
+  best.length_before = scene.pieces.length();
+  const auto repair = repair::repair_overlaps(scene, stop, observer);
+  if (!repair) return repair.error();
+  best.repair = *repair;
+  const scene::Scene healed = scene;
+  Floater floater{scene, settings, observer};
+  best.least_before = floater.least_width();
+  floater.run(stop, best);
+  best.marker = scene.result();
+  best.length_after = scene.pieces.length();
+  best.least_after = floater.least_width();
+  best.reached = best.least_after >= settings.distance;
+  best.gaps = floater.widths(healed);
+  return best;
+}
+
+}  // namespace selvage::motion::floating

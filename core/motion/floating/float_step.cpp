@@ -1,0 +1,118 @@
+#include "core/motion/floating/float_step.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/distance.h"
+#include "core/model/snap.h"
+
+namespace selvage::motion::floating {
+namespace {
+
+constexpr int kAttempts = 24;  // programs in one round, as pieces are tied together
+
+class Attempt {
+ public:
+  Attempt(const scene::Scene& scene, const FloatAim& aim, std::span<const FloatGap> gaps, double trust,
+          const scene::Observer& observer)
+      : scene_{scene}, aim_{aim}, gaps_{gaps}, trust_{trust}, observer_{observer}, ties_{scene.ties} {
+    observer_.on_stage(scene::Stage::kRows);
+    rows_ = width_rows(scene, aim, gaps, trust);
+    std::vector<double> widths;
+    for (const FloatGap& gap : gaps) widths.push_back(gap.now);
+    worth_ = worth_of(aim, gaps, widths, scene.pieces);
+  }
+
+  FloatStep run(lp::solver::SolverChoice solver, const std::stop_token& stop) {
+    FloatStep step;
+    step.end = step::StepEnd::kNoGain;
+    while (step.programs < kAttempts) {
+      observer_.on_stage(scene::Stage::kRows);
+      const FloatProgram program{scene_, ties_, aim_, gaps_, rows_, trust_};
+      observer_.on_stage(scene::Stage::kSolve);
+      observer_.on_program(program.program());
+      const lp::LpSolution solution = solve(program.program(), solver, {}, stop);
+      ++step.programs;
+      if (solution.status != lp::LpStatus::kOptimal) {
+        step.end = solution.status == lp::LpStatus::kStopped ? step::StepEnd::kStopped : step::StepEnd::kSolverFailed;
+        return step;
+      }
+      if (step.programs == 1) step.loads = program.loads(solution);
+      if (program.promised(solution) <= worth_) return step;
+      observer_.on_stage(scene::Stage::kVerify);
+      auto broken = try_moves(program.displacements(solution), step);
+      if (broken.empty()) return step;
+      if (step.programs > 1) {  // rounding will break others next time: tie all that it may
+        for (const std::size_t k : program.uncertain(solution)) {
+          if (other_piece(gaps_[k].gap)) broken.push_back(pair_of(gaps_[k].gap));
+        }
+      }
+      tie(broken);
+    }
+    return step;
+  }
+
+ private:
+  // Rounds and proves the moves.  Returns the pairs that rounding brings too near; without any, moves of more worth
+  // become the step's.
+  std::vector<marker::PiecePair> try_moves(const std::vector<model::Displacement>& moves, FloatStep& step) const {
+    std::vector<Vec> positions = snapped(moves);
+    for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + scene_.pieces.at(i);
+    marker::PlacedPieces moved = scene_.pieces;
+    moved.place(std::move(positions));
+    auto broken = conflicts(moved);
+    std::vector<double> widths;
+    for (const FloatGap& gap : gaps_) {
+      widths.push_back(width_within(gap.gap, moved, aim_.strip, aim_.most));
+      const PieceId* other = other_piece(gap.gap);
+      if (!other) continue;
+      const marker::PiecePair pair = pair_of(gap.gap);
+      if (gap.least <= moved.spacing(pair)) continue;
+      if (closer_than(moved[pair.first], moved[pair.second], gap.least)) broken.push_back(pair);
+    }
+    if (!broken.empty()) return broken;
+    const double gain = worth_of(aim_, gaps_, widths, moved) - worth_;
+    if (gain <= 0 || !inside(moved)) return {};
+    step.end = step::StepEnd::kMoved;
+    step.gain = gain;
+    for (const model::Displacement& d : moves) step.farthest = std::max({step.farthest, std::abs(d.x), std::abs(d.y)});
+    step.positions = moved.positions();
+    return {};
+  }
+  [[nodiscard]] bool inside(const marker::PlacedPieces& moved) const {
+    const Box& strip = aim_.strip;
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+      const Box box = moved.box(i);
+      if (box.low.x < strip.low.x || box.low.y < strip.low.y || box.high.x > strip.high.x ||
+          box.high.y > strip.high.y) {
+        return false;
+      }
+    }
+    return std::all_of(gaps_.begin(), gaps_.end(), [&](const FloatGap& gap) {
+      return other_piece(gap.gap) || whole_width_within(gap.gap, moved, strip, gap.least) >= gap.least;
+    });
+  }
+
+  // Pieces that rounding brings too near to each other move as one: what fits now still fits then.
+  void tie(const std::vector<marker::PiecePair>& broken) {
+    for (const auto& [p, q] : broken) ties_.join(p, q);
+  }
+
+  const scene::Scene& scene_;
+  const FloatAim& aim_;
+  std::span<const FloatGap> gaps_;
+  double trust_;
+  const scene::Observer& observer_;
+  model::Ties ties_;
+  std::vector<WidthRow> rows_;
+  double worth_{};
+};
+
+}  // namespace
+
+FloatStep float_step(const scene::Scene& scene, const FloatAim& aim, std::span<const FloatGap> gaps, double trust,
+                     lp::solver::SolverChoice solver, const std::stop_token& stop, const scene::Observer& observer) {
+  return Attempt{scene, aim, gaps, trust, observer}.run(solver, stop);
+}
+
+}  // namespace selvage::motion::floating

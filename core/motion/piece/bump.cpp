@@ -1,0 +1,304 @@
+#include "core/motion/piece/bump.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "core/minkowski/inner_fit.h"
+#include "core/model/free_region.h"
+#include "core/motion/piece/slide.h"
+
+namespace selvage::motion::piece {
+namespace {
+
+constexpr int kSteps = 400;           // cells that one bump may pass through
+constexpr double kFirstReach = 0.02;  // of the strip's width: how far the first cell looks
+constexpr std::size_t kWays = 40;     // ways round corners that are tried before a bump ends
+constexpr double kContact = 4;        // lattice units: sides nearer than this are touched
+constexpr double kLeastGain = 2;      // lattice units; less is rounding
+constexpr double kRounding = 1e-6;    // lattice units; of a slack
+constexpr double kNarrowest = 1e-6;   // of a corner: one and the cosine between its sides' normals
+
+// Lattice units of room that a corner's sides are given until a lattice point fits: within 0.71 of any point there is
+// one, so that it takes more only where a third side is near.
+constexpr std::array kBacks{0.0, 0.25, 0.5, 0.71, 1.0, 2.0, 4.0, 16.0, 64.0};
+
+// Directions slanting off the wanted one, as (cosine, sine) of 25, 50, 75 and 89 degrees, to one side and to the other.
+constexpr std::array<std::pair<double, double>, 8> kSlants{{{0.906, 0.423},
+                                                            {0.906, -0.423},
+                                                            {0.643, 0.766},
+                                                            {0.643, -0.766},
+                                                            {0.259, 0.966},
+                                                            {0.259, -0.966},
+                                                            {0.017, 1.0},
+                                                            {0.017, -1.0}}};
+
+// One side of the cell, and whose it is.
+struct Bound {
+  model::HalfPlane side;  // of the relative position; unused for the strip's edges
+  std::uint32_t piece{};  // kEdge for the strip's edges and the cell's reach
+  Vec offset;             // from the bumped piece to the one of its body that has the bound
+};
+constexpr std::uint32_t kEdge = UINT32_MAX;
+
+// The obstacle that a still piece is to one of the body.
+struct Met {
+  std::uint32_t other{}, member{};
+  minkowski::Obstacle obstacle;
+};
+
+// A piece that moves: the bumped one, or another of its group.
+struct Member {
+  std::uint32_t piece{};
+  Vec offset;  // from the bumped one, which never changes
+};
+
+class Bumper {
+ public:
+  Bumper(const scene::Scene& scene, std::uint32_t piece, double ux, double uy)
+      : scene_{scene},
+        piece_{piece},
+        ux_{ux},
+        uy_{uy},
+        at_{scene.pieces.at(piece)},
+        reach_{kFirstReach * static_cast<double>(scene.marker.strip.width)} {
+    moves_.resize(scene.pieces.size());
+    const Box room = scene.marker.strip.room(scene.marker.strip.last().value_or(scene.pieces.length()));
+    for (std::uint32_t i = 0; i < scene.pieces.size(); ++i) {
+      if (!scene.ties.joined(i, piece)) continue;
+      moves_[i] = 1;
+      body_.push_back({i, scene.pieces.at(i) - at_});
+      const Box fit = minkowski::inner_fit(scene.pieces[i].box, room).moved(-body_.back().offset);
+      fit_.low = {std::max(fit_.low.x, fit.low.x), std::max(fit_.low.y, fit.low.y)};
+      fit_.high = {std::min(fit_.high.x, fit.high.x), std::min(fit_.high.y, fit.high.y)};
+    }
+    if (scene.ties.x[piece] == model::Ties::kFixed) fit_.low.x = fit_.high.x = at_.x;
+    if (scene.ties.y[piece] == model::Ties::kFixed) fit_.low.y = fit_.high.y = at_.y;
+  }
+
+  Bump run() {
+    int step = 0;
+    while (step < kSteps && (advance(ux_, uy_) || advance_round_corners())) ++step;
+    const scene::StopReason reason = step < kSteps ? scene::StopReason::kConverged : scene::StopReason::kWorkLimit;
+    return {reason, at_, gain(at_ - scene_.pieces.at(piece_)), touching()};
+  }
+
+ private:
+  [[nodiscard]] double gain(Vec by) const { return ux_ * static_cast<double>(by.x) + uy_ * static_cast<double>(by.y); }
+
+  // At a corner either side of a neighbour may be taken; the cell took the ones least in the direct way.  A way out, if
+  // there is one, borders on a way along some contact: try the cells that leave those ways open, and some slanting ways
+  // to see the contacts behind corners.
+  bool advance_round_corners() {
+    std::vector<std::pair<double, double>> ways;
+    const double side = first_side();
+    for (const auto& [c, s] : kSlants) ways.emplace_back(c * ux_ - side * s * uy_, side * s * ux_ + c * uy_);
+    for (std::size_t k = 0; k < ways.size() && k < kWays; ++k) {
+      if (advance(ways[k].first, ways[k].second)) return true;
+      for (const CellSide& met : cell_) {
+        if (met.slack > kContact) continue;
+        const double ahead = -met.ny * ux_ + met.nx * uy_;
+        const std::pair along{ahead > 0 ? -met.ny : met.ny, ahead > 0 ? met.nx : -met.nx};
+        const bool known = std::any_of(ways.begin(), ways.end(), [&](const auto& way) {
+          return std::abs(way.first * along.second - way.second * along.first) < 1e-9;
+        });
+        if (!known && ahead != 0) ways.push_back(along);
+      }
+    }
+    return false;
+  }
+
+  // The side that is tried first, +1 for the left of the wanted direction: leftwards in the strip, and for a bump along
+  // the strip to where there is more room.  So that a mirrored marker gives the mirrored answer.
+  [[nodiscard]] double first_side() const {
+    if (uy_ != 0) return uy_ > 0 ? 1 : -1;
+    return (fit_.high.y - at_.y >= at_.y - fit_.low.y) == (ux_ > 0) ? 1 : -1;
+  }
+
+  // Builds the cell about the present position, slides in it and takes what is proved.  False when that gains nothing.
+  bool advance(double towards_x, double towards_y) {
+    build_cell(towards_x, towards_y);
+    last_ = slide(cell_, ux_, uy_);
+    if (ux_ * last_.to.x + uy_ * last_.to.y < kLeastGain) return false;
+    for (double part = 1; part > 1e-3; part /= 4) {
+      const auto target = lattice_point(last_.to.x * part, last_.to.y * part);
+      if (!target || gain(*target - at_) < kLeastGain || !valid(*target)) continue;
+      const bool reached_limit = std::any_of(last_.blocking.begin(), last_.blocking.end(),
+                                             [&](std::size_t k) { return k >= cell_.size() - 4; });
+      if (reached_limit) reach_ *= 4;  // nothing else was in the way: look farther next time
+      at_ = *target;
+      return true;
+    }
+    return false;
+  }
+
+  void build_cell(double towards_x, double towards_y) {
+    cell_.clear();
+    bounds_.clear();
+    for (const Member& member : body_) add_neighbours(member, towards_x, towards_y);
+    const auto room = [](Coord from, Coord to) { return static_cast<double>(std::max(Coord{0}, to - from)); };
+    add_edge(1, 0, room(fit_.low.x, at_.x));
+    add_edge(-1, 0, room(at_.x, fit_.high.x));
+    add_edge(0, 1, room(fit_.low.y, at_.y));
+    add_edge(0, -1, room(at_.y, fit_.high.y));
+    for (const auto& [nx, ny] : {std::pair{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}) add_edge(nx, ny, reach_);
+  }
+  void add_neighbours(const Member& member, double towards_x, double towards_y) {
+    const Vec at = at_ + member.offset;
+    const Box own = scene_.pieces[member.piece].box.moved(at).grown(std::llround(reach_) + spacing_);
+    for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
+      if (moves_[other] != 0 || !own.overlaps(scene_.pieces.box(other))) continue;
+      const Coord spacing = scene_.pieces.spacing({member.piece, other});
+      const Vec r = at - scene_.pieces.at(other);
+      const minkowski::Obstacle& obstacle = obstacle_of(other, member.piece);
+      const model::RegionSettings region{model::RegionRule::kGreedy, 1.5 * reach_ + static_cast<double>(spacing),
+                                         spacing, towards_x, towards_y};
+      for (const model::HalfPlane& side : free_region(obstacle, r, region)) {
+        const model::PairRow row = row_of({0, 1}, side, r, spacing, 0, model::TightRows::kKeep);
+        const double slack = std::max(0.0, slack_of(side, r) - static_cast<double>(spacing));
+        cell_.push_back({row.nx, row.ny, slack});
+        bounds_.push_back({side, other, member.offset});
+      }
+    }
+  }
+  // Asked for in every cell: the cache of sums would be locked each time.
+  const minkowski::Obstacle& obstacle_of(std::uint32_t other, std::uint32_t member) {
+    for (const Met& met : met_) {
+      if (met.other == other && met.member == member) return met.obstacle;
+    }
+    met_.push_back({other, member, scene_.sums.obstacle(scene_.outlines[other], scene_.outlines[member])});
+    return met_.back().obstacle;
+  }
+  void add_edge(double nx, double ny, double slack) {
+    cell_.push_back({nx, ny, slack});
+    bounds_.push_back({{}, kEdge, {}});
+  }
+
+  // The best lattice position near the cell's point that every half-plane admits.
+  [[nodiscard]] std::optional<Vec> lattice_point(double x, double y) const {
+    const auto about = [](double v) {
+      return std::pair{static_cast<Coord>(std::floor(v)), static_cast<Coord>(std::ceil(v))};
+    };
+    const model::Displacement into = into_cell();
+    for (const double back : kBacks) {
+      const auto [low_x, high_x] = about(x + back * into.x);
+      const auto [low_y, high_y] = about(y + back * into.y);
+      std::optional<Vec> best;
+      for (const Vec by : {Vec{low_x, low_y}, {high_x, low_y}, {low_x, high_y}, {high_x, high_y}}) {
+        if (admitted(at_ + by) && (!best || preferred(by, *best))) best = by;
+      }
+      if (best) return at_ + *best;
+    }
+    return std::nullopt;
+  }
+  // The way from a point that the blocking sides hold by which each of them gets one unit of room per unit.
+  [[nodiscard]] model::Displacement into_cell() const {
+    if (last_.blocking.empty()) return {-ux_, -uy_};
+    const CellSide& first = cell_[last_.blocking.front()];
+    const CellSide& last = cell_[last_.blocking.back()];
+    const double room = std::max(kNarrowest, 1 + first.nx * last.nx + first.ny * last.ny);
+    return {(first.nx + last.nx) / room, (first.ny + last.ny) / room};
+  }
+  // Farther in the direction; of moves equally far the shorter one.
+  [[nodiscard]] bool preferred(Vec a, Vec b) const {
+    const auto rank = [&](Vec by) { return std::tuple{-gain(by), std::abs(by.x) + std::abs(by.y), std::abs(by.y)}; };
+    return rank(a) < rank(b);
+  }
+  [[nodiscard]] bool admitted(Vec candidate) const {
+    if (candidate.x < fit_.low.x || candidate.x > fit_.high.x || candidate.y < fit_.low.y ||
+        candidate.y > fit_.high.y) {
+      return false;
+    }
+    for (std::size_t k = 0; k < bounds_.size(); ++k) {
+      const Bound& bound = bounds_[k];
+      if (bound.piece == kEdge) continue;
+      const Vec by = candidate - at_;
+      const double room =
+          cell_[k].slack + cell_[k].nx * static_cast<double>(by.x) + cell_[k].ny * static_cast<double>(by.y);
+      if (spacing_ > 0) {  // nearly: the proof decides
+        if (room < -kRounding) return false;
+      } else if (cross(bound.side.direction,
+                       candidate + bound.offset - scene_.pieces.at(bound.piece) - bound.side.anchor) > 0) {
+        return false;
+      }
+    }
+    return true;
+  }
+  // The proof: against every piece, in integers.
+  [[nodiscard]] bool valid(Vec candidate) const {
+    return std::all_of(body_.begin(), body_.end(), [&](const Member& member) {
+      geometry::PlacedPolygon moved = scene_.pieces[member.piece];
+      moved.at = candidate + member.offset;
+      return clear_of_others(moved, member.piece);
+    });
+  }
+  [[nodiscard]] bool clear_of_others(const geometry::PlacedPolygon& moved, std::uint32_t piece) const {
+    const Box box = moved.placed_box().grown(spacing_);
+    for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
+      if (moves_[other] != 0 || !box.overlaps(scene_.pieces.box(other))) continue;
+      const geometry::PlacedPolygon still = scene_.pieces[other];
+      const Coord spacing = scene_.pieces.spacing({piece, other});
+      if (spacing > 0 ? closer_than(moved, still, spacing) : overlap(moved, still)) return false;
+    }
+    return true;
+  }
+
+  [[nodiscard]] std::vector<std::uint32_t> touching() const {
+    std::vector<std::uint32_t> pieces;
+    for (const std::size_t k : last_.blocking) {
+      if (bounds_[k].piece != kEdge) pieces.push_back(bounds_[k].piece);
+    }
+    std::sort(pieces.begin(), pieces.end());
+    pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
+    return pieces;
+  }
+
+  const scene::Scene& scene_;
+  std::uint32_t piece_;
+  double ux_, uy_;
+  Coord spacing_{scene_.pieces.widest_spacing()};
+  std::vector<Member> body_;
+  std::vector<char> moves_;                                                    // is it of the body?
+  Box fit_{{-kLatticeLimit, -kLatticeLimit}, {kLatticeLimit, kLatticeLimit}};  // positions within the strip
+  Vec at_;
+  double reach_;
+  std::vector<Met> met_;
+  std::vector<CellSide> cell_;
+  std::vector<Bound> bounds_;
+  Slide last_;
+};
+
+}  // namespace
+
+Bump bump(const scene::Scene& scene, std::uint32_t piece, double dx, double dy) {
+  const double length = std::hypot(dx, dy);
+  if (scene.fixed(piece) || !(length > 0)) return {scene::StopReason::kConverged, scene.pieces.at(piece), 0, {}};
+  return Bumper{scene, piece, dx / length, dy / length}.run();
+}
+
+Result<BumpedMarker> repair_and_bump(const Marker& start, PieceId piece, double dx, double dy, SumCache& sums,
+                                     std::stop_token stop, const scene::Observer& observer) {
+  return repair_and_bump(start, scene::LaidOut{start, sums}, piece, dx, dy, sums, std::move(stop), observer);
+}
+
+Result<BumpedMarker> repair_and_bump(const Marker& start, const scene::LaidOut& laid_out, PieceId piece, double dx,
+                                     double dy, SumCache& sums, std::stop_token stop, const scene::Observer& observer) {
+  observer.on_stage(scene::Stage::kOther);
+  scene::Scene scene{start, laid_out, sums};
+  repair::Repair repair;
+  if (!laid_out.figures.valid) {
+    const auto healed = repair::repair_overlaps(scene, std::move(stop), observer);
+    if (!healed) return healed.error();
+    repair = *healed;
+  }
+  observer.on_stage(scene::Stage::kSolve);
+  const Bump bumped = bump(scene, piece.value, dx, dy);
+  scene.shift(piece.value, bumped.at - scene.pieces.at(piece.value));
+  observer.on_stage(scene::Stage::kOther);
+  return BumpedMarker{scene.result(), bumped, repair};
+}
+
+}  // namespace selvage::motion::piece

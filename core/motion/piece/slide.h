@@ -1,0 +1,26 @@
+// Sliding a point in a convex cell as far as possible in a direction: the two-variable program of a bump, without a
+// solver.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/model/position_model.h"
+
+namespace selvage::motion::piece {
+
+// x * nx + y * ny >= -slack, with unit (nx, ny); slack >= 0: the origin is inside.
+struct CellSide {
+  double nx{}, ny{}, slack{};
+};
+
+struct Slide {
+  model::Displacement to;             // the farthest point
+  std::vector<std::size_t> blocking;  // the one or two sides that hold it there
+};
+
+// From the origin straight towards (ux, uy), then along the sides met, until no way along them leads farther.  In a
+// convex cell that is the optimum.  REQUIRES: (ux, uy) a unit vector, the cell bounded that way.
+[[nodiscard]] Slide slide(std::span<const CellSide> cell, double ux, double uy);
+
+}  // namespace selvage::motion::piece

@@ -1,0 +1,116 @@
+#include "core/motion/placing/border.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace selvage::motion::placing {
+namespace {
+
+constexpr double kRounding = 2;  // lattice units that lines are taken to be longer than they are
+
+void append_edge_and_edge(const BorderLine& p, const BorderLine& q, std::vector<outline::Real2>& points) {
+  const double px = p.b.x - p.a.x;
+  const double py = p.b.y - p.a.y;
+  const double qx = q.b.x - q.a.x;
+  const double qy = q.b.y - q.a.y;
+  const double turn = px * qy - py * qx;
+  const double p_length = std::hypot(px, py);
+  const double q_length = std::hypot(qx, qy);
+  if (std::abs(turn) <= 1e-12 * p_length * q_length) return;
+  const double sx = q.a.x - p.a.x;
+  const double sy = q.a.y - p.a.y;
+  const double t = (sx * qy - sy * qx) / turn;
+  const double u = (sx * py - sy * px) / turn;
+  if (t * p_length < -kRounding || (t - 1) * p_length > kRounding) return;
+  if (u * q_length < -kRounding || (u - 1) * q_length > kRounding) return;
+  points.push_back({p.a.x + t * px, p.a.y + t * py});
+}
+
+void append_edge_and_arc(const BorderLine& edge, const BorderLine& arc, std::vector<outline::Real2>& points) {
+  const double length = std::hypot(edge.b.x - edge.a.x, edge.b.y - edge.a.y);
+  const double ux = (edge.b.x - edge.a.x) / length;
+  const double uy = (edge.b.y - edge.a.y) / length;
+  const double along = (arc.a.x - edge.a.x) * ux + (arc.a.y - edge.a.y) * uy;
+  const double off = (arc.a.x - edge.a.x) * uy - (arc.a.y - edge.a.y) * ux;
+  const double square = arc.radius * arc.radius - off * off;
+  if (square < 0) return;
+  for (const double t : {along - std::sqrt(square), along + std::sqrt(square)}) {
+    if (t >= -kRounding && t <= length + kRounding) points.push_back({edge.a.x + t * ux, edge.a.y + t * uy});
+  }
+}
+
+void append_arc_and_arc(const BorderLine& p, const BorderLine& q, std::vector<outline::Real2>& points) {
+  const double dx = q.a.x - p.a.x;
+  const double dy = q.a.y - p.a.y;
+  const double square = dx * dx + dy * dy;
+  if (square == 0) return;
+  const double t = 0.5 + (p.radius * p.radius - q.radius * q.radius) / (2 * square);
+  const double across = p.radius * p.radius / square - t * t;
+  if (across < 0) return;
+  for (const double u : {-std::sqrt(across), std::sqrt(across)}) {
+    points.push_back({p.a.x + t * dx - u * dy, p.a.y + t * dy + u * dx});
+  }
+}
+
+}  // namespace
+
+outline::Real2 RealBox::nearest_to(outline::Real2 point) const {
+  return {std::clamp(point.x, low.x, high.x), std::clamp(point.y, low.y, high.y)};
+}
+bool RealBox::holds(outline::Real2 point, double margin) const {
+  return point.x >= low.x - margin && point.x <= high.x + margin && point.y >= low.y - margin &&
+         point.y <= high.y + margin;
+}
+
+double squared_distance(outline::Real2 p, outline::Real2 q) {
+  return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y);
+}
+
+outline::Real2 nearest_on(const BorderLine& line, outline::Real2 point) {
+  if (line.arc()) {
+    const outline::Real2 out = outwards(line, point);
+    return {line.a.x + line.radius * out.x, line.a.y + line.radius * out.y};
+  }
+  const double dx = line.b.x - line.a.x;
+  const double dy = line.b.y - line.a.y;
+  const double square = dx * dx + dy * dy;
+  const double along = (point.x - line.a.x) * dx + (point.y - line.a.y) * dy;
+  const double t = square > 0 ? std::clamp(along / square, 0.0, 1.0) : 0;
+  return {line.a.x + t * dx, line.a.y + t * dy};
+}
+
+bool enters(const BorderLine& line, const RealBox& box) {
+  if (line.arc()) {
+    const double nearest = squared_distance(box.nearest_to(line.a), line.a);
+    const double x = std::max(std::abs(box.low.x - line.a.x), std::abs(box.high.x - line.a.x)) + kRounding;
+    const double y = std::max(std::abs(box.low.y - line.a.y), std::abs(box.high.y - line.a.y)) + kRounding;
+    const double reach = line.radius + kRounding;
+    return nearest <= reach * reach && x * x + y * y >= line.radius * line.radius;
+  }
+  if (std::max(line.a.x, line.b.x) < box.low.x - kRounding || std::min(line.a.x, line.b.x) > box.high.x + kRounding ||
+      std::max(line.a.y, line.b.y) < box.low.y - kRounding || std::min(line.a.y, line.b.y) > box.high.y + kRounding) {
+    return false;
+  }
+  const double dx = line.b.x - line.a.x;
+  const double dy = line.b.y - line.a.y;
+  const double middle = dx * ((box.low.y + box.high.y) / 2 - line.a.y) - dy * ((box.low.x + box.high.x) / 2 - line.a.x);
+  const double half = std::abs(dx) * ((box.high.y - box.low.y) / 2 + kRounding) +
+                      std::abs(dy) * ((box.high.x - box.low.x) / 2 + kRounding);
+  return std::abs(middle) <= half;
+}
+
+void append_crossings(const BorderLine& p, const BorderLine& q, std::vector<outline::Real2>& points) {
+  if (p.arc() && q.arc()) return append_arc_and_arc(p, q, points);
+  if (p.arc()) return append_edge_and_arc(q, p, points);
+  if (q.arc()) return append_edge_and_arc(p, q, points);
+  append_edge_and_edge(p, q, points);
+}
+
+outline::Real2 outwards(const BorderLine& line, outline::Real2 at) {
+  const double x = line.arc() ? at.x - line.a.x : line.b.y - line.a.y;
+  const double y = line.arc() ? at.y - line.a.y : line.a.x - line.b.x;
+  const double length = std::hypot(x, y);
+  return length > 0 ? outline::Real2{x / length, y / length} : outline::Real2{1, 0};
+}
+
+}  // namespace selvage::motion::placing

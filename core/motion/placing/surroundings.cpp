@@ -1,0 +1,134 @@
+#include "core/motion/placing/surroundings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/minkowski/edges_near.h"
+#include "core/minkowski/inner_fit.h"
+#include "core/minkowski/nearest_edges.h"
+
+namespace selvage::motion::placing {
+namespace {
+
+// Which side of the sum's border the point is on, by the edges that a ray from it crosses.
+bool inside(const minkowski::MinkowskiSum& sum, Vec point) {
+  const Box& all = sum.box();
+  if (point.x <= all.low.x || point.x >= all.high.x || point.y <= all.low.y || point.y >= all.high.y) return false;
+  bool odd = false;
+  for_each_edge_near(sum, {point, {all.high.x, point.y}}, [&](const minkowski::convolution::SumEdge& edge) {
+    if ((edge.from.y <= point.y) == (edge.to.y <= point.y)) return;
+    const bool upwards = edge.to.y > edge.from.y;
+    if (side_of(edge.from, edge.to, point) == (upwards ? 1 : -1)) odd = !odd;
+  });
+  return odd;
+}
+
+// An edge where the obstacle lies.
+struct PlacedEdge {
+  Vec from, to, line_from, line_to;
+};
+PlacedEdge placed(const minkowski::convolution::SumEdge& edge, const minkowski::Obstacle& obstacle, Vec at) {
+  PlacedEdge e{obstacle.from_frame(edge.from) + at, obstacle.from_frame(edge.to) + at,
+               obstacle.from_frame(edge.line_from) + at, obstacle.from_frame(edge.line_to) + at};
+  if (obstacle.flips()) {
+    std::swap(e.from, e.to);
+    std::swap(e.line_from, e.line_to);
+  }
+  return e;
+}
+
+}  // namespace
+
+Body::Body(const scene::Scene& scene, std::uint32_t piece)
+    : at{scene.pieces.at(piece)},
+      fixed_x{scene.ties.x[piece] == model::Ties::kFixed},
+      fixed_y{scene.ties.y[piece] == model::Ties::kFixed} {
+  for (std::uint32_t i = 0; i < scene.pieces.size(); ++i) {
+    if (i == piece || scene.ties.joined(i, piece)) members.push_back({i, scene.pieces.at(i) - at});
+  }
+}
+
+Box Body::fit(const scene::Scene& scene, Coord end) const {
+  const Box room = scene.marker.strip.room(end);
+  Box all{{-kLatticeLimit, -kLatticeLimit}, {kLatticeLimit, kLatticeLimit}};
+  for (const Member& member : members) {
+    const Box one = minkowski::inner_fit(scene.pieces[member.piece].box, room).moved(-member.offset);
+    all.low = {std::max(all.low.x, one.low.x), std::max(all.low.y, one.low.y)};
+    all.high = {std::min(all.high.x, one.high.x), std::min(all.high.y, one.high.y)};
+  }
+  if (fixed_x) all.low.x = all.high.x = at.x;
+  if (fixed_y) all.low.y = all.high.y = at.y;
+  return all;
+}
+
+bool Body::holds(std::uint32_t piece) const {
+  return std::any_of(members.begin(), members.end(), [&](const Member& member) { return member.piece == piece; });
+}
+
+Surroundings::Surroundings(const scene::Scene& scene, const Body& body, const Box& window, Vec origin)
+    : scene_{scene}, origin_{origin} {
+  for (const Body::Member& member : body.members) append_near(body, member, window);
+  first_line_.push_back(static_cast<std::uint32_t>(lines_.size()));
+}
+
+void Surroundings::append_near(const Body& body, const Body::Member& member, const Box& window) {
+  const Box own = scene_.pieces[member.piece].box.moved(member.offset);
+  const Box swept = Box{window.low + own.low, window.high + own.high}.grown(scene_.pieces.widest_spacing() + 1);
+  for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
+    if (!swept.touches(scene_.pieces.box(other)) || body.holds(other)) continue;
+    near_.push_back({member.piece, other, member.offset, scene_.pieces.spacing({member.piece, other}),
+                     scene_.sums.obstacle(scene_.outlines[other], scene_.outlines[member.piece])});
+    first_line_.push_back(static_cast<std::uint32_t>(lines_.size()));
+    append_lines(near_.back(), window);
+  }
+}
+
+void Surroundings::append_lines(const Near& near, const Box& window) {
+  const Vec at = scene_.pieces.at(near.other) - near.offset;
+  const Vec a = near.obstacle.to_frame(window.low - at);
+  const Vec b = near.obstacle.to_frame(window.high - at);
+  const Box in_frame = Box{{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+  const auto index = static_cast<std::uint32_t>(near_.size() - 1);
+  const auto moved = static_cast<double>(near.spacing);
+  std::optional<Vec> last_end;
+  for_each_edge_near(
+      near.obstacle.sum(), in_frame.grown(near.spacing + 2), [&](const minkowski::convolution::SumEdge& edge) {
+        const PlacedEdge e = placed(edge, near.obstacle, at);
+        BorderLine line{real(e.from), real(e.to), 0, index, e.line_from - origin_, e.line_to - e.line_from};
+        if (near.spacing > 0) {
+          const outline::Real2 out = outwards(line, line.a);
+          const auto shifted = [&](outline::Real2 p) {
+            return outline::Real2{p.x + moved * out.x, p.y + moved * out.y};
+          };
+          for (const Vec corner : {e.from, e.to}) {
+            if (corner != last_end) lines_.push_back({real(corner), real(corner), moved, index, {}, {}});
+            last_end = corner;
+          }
+          line = {shifted(line.a), shifted(line.b), 0, index, {}, {}};
+        }
+        lines_.push_back(line);
+      });
+}
+
+bool Surroundings::forbids(std::size_t obstacle, outline::Real2 point) const {
+  const Near& near = near_[obstacle];
+  const Vec position{origin_.x + std::llround(point.x), origin_.y + std::llround(point.y)};
+  const Vec r = near.obstacle.to_frame(position + near.offset - scene_.pieces.at(near.other));
+  if (inside(near.obstacle.sum(), r)) return true;
+  if (near.spacing == 0) return false;
+  minkowski::NearestEdges edges{near.obstacle.sum(), r, static_cast<double>(near.spacing)};
+  return edges.next([](const Box&) { return false; }).has_value();
+}
+
+bool Surroundings::free(Vec position) const {
+  return std::none_of(near_.begin(), near_.end(), [&](const Near& near) {
+    geometry::PlacedPolygon moved = scene_.pieces[near.member];
+    moved.at = position + near.offset;
+    const geometry::PlacedPolygon still = scene_.pieces[near.other];
+    if (!moved.placed_box().grown(near.spacing).overlaps(still.placed_box())) return false;
+    return near.spacing > 0 ? closer_than(moved, still, near.spacing) : overlap(moved, still);
+  });
+}
+
+}  // namespace selvage::motion::placing

@@ -1,0 +1,61 @@
+// What a piece, with all that is tied to it, may not enter near some place: the Minkowski sums with the other pieces,
+// and their borders within a window of positions.
+#pragma once
+
+#include <vector>
+
+#include "core/motion/placing/border.h"
+#include "core/scene/scene.h"
+
+namespace selvage::motion::placing {
+
+// A piece and what moves with it.
+struct Body {
+  struct Member {
+    std::uint32_t piece{};
+    Vec offset;  // from the piece that names the body
+  };
+  Body(const scene::Scene& scene, std::uint32_t piece);
+  // Positions of the naming piece within the strip up to `end`, and where its locks allow.
+  [[nodiscard]] Box fit(const scene::Scene& scene, Coord end) const;
+  [[nodiscard]] bool holds(std::uint32_t piece) const;
+  std::vector<Member> members;
+  Vec at;  // of the naming piece
+  bool fixed_x{}, fixed_y{};
+};
+
+class Surroundings {
+ public:
+  // All that matters to the body while its position stays inside `window`.  Real coordinates are relative to `origin`.
+  Surroundings(const scene::Scene& scene, const Body& body, const Box& window, Vec origin);
+
+  [[nodiscard]] const std::vector<BorderLine>& lines() const { return lines_; }
+  [[nodiscard]] std::size_t obstacles() const { return near_.size(); }
+  // The lines of an obstacle are those from here up to where the next one's begin.
+  [[nodiscard]] std::uint32_t first_line(std::size_t obstacle) const { return first_line_[obstacle]; }
+  // True when the obstacle forbids the point; within a few units of its border either answer may come.
+  [[nodiscard]] bool forbids(std::size_t obstacle, outline::Real2 point) const;
+  // Free of everything?  In integers, the strip aside.
+  [[nodiscard]] bool free(Vec position) const;
+
+ private:
+  struct Near {
+    std::uint32_t member{}, other{};
+    Vec offset;  // of the member
+    Coord spacing{};
+    minkowski::Obstacle obstacle;
+  };
+  void append_near(const Body& body, const Body::Member& member, const Box& window);
+  void append_lines(const Near& near, const Box& window);
+  [[nodiscard]] outline::Real2 real(Vec position) const {
+    return {static_cast<double>(position.x - origin_.x), static_cast<double>(position.y - origin_.y)};
+  }
+
+  const scene::Scene& scene_;
+  Vec origin_;
+  std::vector<Near> near_;
+  std::vector<BorderLine> lines_;
+  std::vector<std::uint32_t> first_line_;  // one more than obstacles
+};
+
+}  // namespace selvage::motion::placing

@@ -1,0 +1,69 @@
+#include "core/motion/separation/leap.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/minkowski/inner_fit.h"
+#include "core/minkowski/nearest_edges.h"
+
+namespace selvage::motion::separation {
+namespace {
+
+constexpr int kSteps = 8;  // of the grid, from the present position to either side
+
+// Another piece near enough to be met.
+struct Neighbour {
+  marker::PiecePair pair;
+  minkowski::Obstacle obstacle;
+  Vec at;
+  double price{};
+};
+
+std::vector<Neighbour> neighbours_of(const scene::Scene& scene, std::uint32_t piece, double reach,
+                                     const OverlapPrices& prices) {
+  const Box box = scene.pieces.box(piece).grown(std::llround(reach) + scene.pieces.widest_spacing());
+  std::vector<Neighbour> found;
+  for (std::uint32_t other = 0; other < scene.pieces.size(); ++other) {
+    if (other == piece || !box.overlaps(scene.pieces.box(other))) continue;
+    const marker::PiecePair pair = std::minmax(piece, other);
+    found.push_back({pair, scene.obstacle(pair), scene.pieces.at(other), prices.of(pair)});
+  }
+  return found;
+}
+
+// How far the pieces would have to part.
+double depth_at(const minkowski::Obstacle& obstacle, Vec r, Coord spacing) {
+  const Vec at = obstacle.to_frame(r);
+  if (!obstacle.sum().box().grown(spacing).touches({at, at})) return 0;
+  const bool inside = obstacle.sum().contains({static_cast<double>(at.x), static_cast<double>(at.y)});
+  if (!inside && spacing == 0) return 0;
+  const double distance = nearest_boundary_point(obstacle.sum(), at).distance;
+  return std::max(0.0, static_cast<double>(spacing) + (inside ? distance : -distance));
+}
+
+}  // namespace
+
+Leap cheapest_leap(const scene::Scene& scene, std::uint32_t piece, double reach, Coord length,
+                   const OverlapPrices& prices) {
+  const Vec from = scene.pieces.at(piece);
+  const Box fit = minkowski::inner_fit(scene.pieces[piece].box, scene.marker.strip.room(length));
+  const std::vector<Neighbour> neighbours = neighbours_of(scene, piece, reach, prices);
+  Leap best{from, std::numeric_limits<double>::infinity()};
+  const auto step = [&](int k) { return static_cast<Coord>(std::llround(reach * k / kSteps)); };
+  for (int row = -kSteps; row <= kSteps; ++row) {
+    for (int column = -kSteps; column <= kSteps; ++column) {
+      const Vec to{std::clamp(from.x + step(column), fit.low.x, std::max(fit.low.x, fit.high.x)),
+                   std::clamp(from.y + step(row), fit.low.y, fit.high.y)};
+      double cost = static_cast<double>(std::abs(to.x - from.x) + std::abs(to.y - from.y));
+      for (const Neighbour& neighbour : neighbours) {
+        if (cost >= best.cost) break;
+        const Vec r = neighbour.pair.first == piece ? neighbour.at - to : to - neighbour.at;
+        cost += neighbour.price * depth_at(neighbour.obstacle, r, scene.pieces.spacing(neighbour.pair));
+      }
+      if (cost < best.cost) best = {to, cost};
+    }
+  }
+  return best;
+}
+
+}  // namespace selvage::motion::separation

@@ -1,0 +1,337 @@
+#include "core/motion/separation/separate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <optional>
+#include <string>
+
+#include "core/minkowski/inner_fit.h"
+#include "core/motion/separation/leap.h"
+#include "core/motion/separation/separation_step.h"
+
+namespace selvage::motion::separation {
+namespace {
+
+// Prices are per lattice unit, beside a piece moving by one.
+constexpr double kOverlapPrice = 100;  // of overlap that stays
+constexpr double kPriceGrowth = 1.4;   // of a pair's overlap, every round that it stays
+constexpr double kHighestPrice = 1e5;
+constexpr double kLengthPrice = 10;   // of the marker growing
+constexpr double kExcessPrice = 50;   // of it growing beyond what is allowed, for the time being
+constexpr double kReach = 2;          // pairs within so many times the deepest overlap are modelled,
+constexpr double kLeastReach = 1e-3;  // but at least so far,
+constexpr double kMostReach = 0.25;   // and at most; parts of the width
+constexpr int kLeapAfter = 2;         // rounds without progress
+constexpr double kLeapReach = 1.5;    // first leaps go so many times the depth, second ones twice as far, ...
+constexpr int kPatience = 30;         // rounds without progress
+constexpr double kProgress = 0.95;    // progress leaves at most this part of what was left
+
+struct Ending {
+  scene::StopReason reason{};
+  bool apart{};
+};
+
+// Puts pieces that lie outside a strip as long as `length` back to its edge: the least that any separation must move
+// them.
+void put_back(scene::Scene& scene, Coord length) {
+  for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
+    if (scene.fixed(i)) continue;
+    const Box fit = minkowski::inner_fit(scene.pieces[i].box, scene.marker.strip.room(length));
+    const auto way_in = [](Coord value, Coord low, Coord high) { return std::max(low, std::min(value, high)) - value; };
+    const Vec at = scene.pieces.at(i);
+    const Vec by{way_in(at.x, fit.low.x, fit.high.x), way_in(at.y, fit.low.y, fit.high.y)};
+    if (by != Vec{}) scene.shift(i, by);
+  }
+}
+
+// The rounds on one set of pieces.
+class Rounds {
+ public:
+  Rounds(scene::Scene& scene, const std::vector<Vec>& home, Coord free, Coord allowed,
+         const SeparationSettings& settings, const scene::Observer& observer)
+      : scene_{scene},
+        home_{home},
+        aim_{home},
+        free_{free},
+        allowed_{allowed},
+        settings_{settings},
+        observer_{observer} {}
+
+  // Leaves the pieces parted, or where they overlap least; counts in `total`.
+  Ending run(Separation& total, const std::stop_token& stop) {
+    put_back(scene_, allowed_);
+    if (!look(stop)) return {scene::StopReason::kCancelled, false};
+    const Best start{scene_.pieces.positions(), left()};
+    best_ = start;
+    const scene::StopReason reason = go(total, stop);
+    if (apart()) {
+      come_home(total, stop);
+      return {scene::StopReason::kConverged, true};
+    }
+    settle(start, stop);
+    return {!apart() && stop.stop_requested() ? scene::StopReason::kCancelled : reason, apart()};
+  }
+
+  // The piece that holds up the rest: of those that overlap, the one whose rows weigh most [Li94 10].  Locked pieces
+  // only when there is no other.  REQUIRES: not apart.
+  std::uint32_t holding_up(Separation& total, const std::stop_token& stop) const {
+    const SeparationStep step = separation_step(scene_, parting_, home_, program_settings(), stop, observer_);
+    total.programs += step.programs;
+    std::vector<std::uint32_t> candidates;
+    for (const PartingPair& parting : parting_)
+      candidates.insert(candidates.end(), {parting.pair.first, parting.pair.second});
+    if (candidates.empty()) candidates.push_back(rightmost());
+    const auto weight = [&](std::uint32_t piece) {
+      return std::pair{!scene_.fixed(piece), step.pressure.empty() ? 0.0 : step.pressure[piece]};
+    };
+    return *std::max_element(candidates.begin(), candidates.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return weight(a) != weight(b) ? weight(a) < weight(b) : a > b;
+    });
+  }
+
+ private:
+  struct Best {
+    std::vector<Vec> positions;
+    double left{};
+  };
+
+  scene::StopReason go(Separation& total, const std::stop_token& stop) {
+    const int last = total.rounds + settings_.rounds;
+    for (int idle = 0; !apart(); ++idle) {
+      if (stop.stop_requested()) return scene::StopReason::kCancelled;
+      if (total.rounds == last) return scene::StopReason::kWorkLimit;
+      if (idle == kPatience) return scene::StopReason::kConverged;
+      if (idle > 0 && idle % kLeapAfter == 0) {
+        if (!leap(idle / kLeapAfter, stop)) return scene::StopReason::kCancelled;
+        if (apart()) break;
+      }
+      const SeparationStep step = separation_step(scene_, parting_, aim_, program_settings(), stop, observer_);
+      total.programs += step.programs;
+      if (step.status != lp::LpStatus::kOptimal) {
+        return step.status == lp::LpStatus::kStopped ? scene::StopReason::kCancelled : scene::StopReason::kSolverFailed;
+      }
+      place(step.positions);
+      put_back(scene_, kLatticeLimit);
+      if (!look(stop)) return scene::StopReason::kCancelled;
+      observer_.on_round({++total.rounds, scene_.pieces.length()});
+      if (left() < kProgress * best_.left) idle = 0;
+      if (left() < best_.left) best_ = {scene_.pieces.positions(), left()};
+    }
+    return scene::StopReason::kConverged;
+  }
+
+  // Pieces that leapt aimed at where they landed: once all are apart, they come as near to where they were as they can.
+  void come_home(Separation& total, const std::stop_token& stop) {
+    if (aim_ == home_) return;
+    const std::vector<Vec> parted = scene_.pieces.positions();
+    const auto width = static_cast<double>(scene_.marker.strip.width);
+    PartingSettings settings = program_settings();
+    settings.reach = kMostReach * width;
+    const SeparationStep step = separation_step(scene_, parting_, home_, settings, stop, observer_);
+    total.programs += step.programs;
+    if (step.status != lp::LpStatus::kOptimal) return;
+    place(step.positions);
+    put_back(scene_, kLatticeLimit);
+    if (look(stop) && apart() && way_home(scene_.pieces.positions()) < way_home(parted)) return;
+    place(parted);
+  }
+  [[nodiscard]] double way_home(const std::vector<Vec>& from) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      const Vec way = home_[i] - from[i];
+      sum += static_cast<double>(std::abs(way.x)) + static_cast<double>(std::abs(way.y));
+    }
+    return sum;
+  }
+
+  // The best of what was seen, without the length that was overdrawn; no worse than the start.
+  void settle(const Best& start, const std::stop_token& stop) {
+    place(best_.positions);
+    put_back(scene_, allowed_);
+    if (scene_.pieces.positions() == best_.positions && stop.stop_requested()) return;
+    if (look(stop) && left() <= start.left) return;
+    place(start.positions);
+    look(stop);
+  }
+
+  [[nodiscard]] Coord excess() const { return std::max(Coord{0}, scene_.pieces.length() - allowed_); }
+  [[nodiscard]] bool apart() const { return seen_ && parting_.empty() && excess() == 0; }
+  // What is left to do; lattice units.
+  [[nodiscard]] double left() const { return depth_ + static_cast<double>(excess()); }
+
+  // Whatever was seen was seen elsewhere.
+  void place(std::vector<Vec> positions) {
+    scene_.pieces.place(std::move(positions));
+    seen_ = false;
+  }
+  // Finds what overlaps, exactly.  False when it was asked to stop: then not all of it was found.
+  bool look(const std::stop_token& stop) {
+    observer_.on_stage(scene::Stage::kVerify);
+    parting_.clear();
+    depth_ = deepest_ = 0;
+    for (const marker::PiecePair& pair : conflicts(scene_.pieces, serial(), stop)) {
+      if (stop.stop_requested()) break;
+      const repair::SeparationTarget target = separation_target(scene_, pair, settings_.target);
+      const auto [price, first_time] = prices_.raised.try_emplace(pair, kOverlapPrice);
+      if (!first_time) price->second = std::min(kHighestPrice, kPriceGrowth * price->second);
+      parting_.push_back({pair, target, price->second});
+      depth_ += target.depth;
+      deepest_ = std::max(deepest_, target.depth);
+    }
+    return seen_ = !stop.stop_requested();
+  }
+
+  // Of every pair that overlaps still, the piece that has the cheaper place to go to leaps there; so does every piece
+  // that only fits by overdrawing the length.  False as of look.
+  bool leap(int times, const std::stop_token& stop) {
+    observer_.on_stage(scene::Stage::kOther);
+    for (const auto& [pair, target, price] : parting_) {
+      if (stop.stop_requested()) return false;
+      leap_one({pair.first, pair.second}, kLeapReach * target.depth * times);
+    }
+    for (std::uint32_t i = 0; i < scene_.pieces.size(); ++i) {
+      const Coord beyond = scene_.pieces.box(i).high.x - allowed_;
+      if (beyond > 0) leap_one({i}, kLeapReach * static_cast<double>(beyond) * times);
+    }
+    return look(stop);
+  }
+  void leap_one(std::initializer_list<std::uint32_t> candidates, double reach) {
+    std::optional<Leap> best;
+    std::uint32_t leaping{};
+    for (const std::uint32_t piece : candidates) {
+      if (!scene_.ties.free(piece)) continue;
+      const Leap found = cheapest_leap(scene_, piece, reach, allowed_, prices_);
+      if (best && best->cost <= found.cost) continue;
+      best = found;
+      leaping = piece;
+    }
+    if (!best) return;
+    std::vector<Vec> positions = scene_.pieces.positions();
+    positions[leaping] = best->to;
+    place(std::move(positions));
+    aim_[leaping] = best->to;
+  }
+
+  [[nodiscard]] PartingSettings program_settings() const {
+    const auto width = static_cast<double>(scene_.marker.strip.width);
+    const double farthest = std::max(deepest_, static_cast<double>(excess()));
+    const double reach = std::clamp(kReach * farthest, kLeastReach * width, kMostReach * width);
+    return {reach, kOverlapPrice, {free_, allowed_, kLengthPrice, kExcessPrice}, settings_.solver};
+  }
+  [[nodiscard]] std::uint32_t rightmost() const {
+    std::uint32_t most = 0;
+    for (std::uint32_t i = 1; i < scene_.pieces.size(); ++i) {
+      if (scene_.pieces.box(i).high.x > scene_.pieces.box(most).high.x) most = i;
+    }
+    return most;
+  }
+
+  scene::Scene& scene_;
+  const std::vector<Vec>& home_;  // where the pieces were
+  std::vector<Vec> aim_;          // where they would best be: there, or where they leapt to
+  Coord free_, allowed_;
+  const SeparationSettings& settings_;
+  const scene::Observer& observer_;
+  std::vector<PartingPair> parting_;
+  bool seen_{};  // that is all that overlaps where the pieces are now
+  OverlapPrices prices_{kOverlapPrice, {}};
+  double depth_{}, deepest_{};
+  Best best_;
+};
+
+std::optional<Error> refuse(const Marker& start, const SeparationSettings& settings) {
+  if (!(settings.grow >= 0 && std::isfinite(settings.grow))) {
+    return Error{ErrorCode::kOutOfRange, "grow is " + std::to_string(settings.grow) + "; it must be 0 or more",
+                 "/grow"};
+  }
+  const marker::PlacedPieces pieces{start};
+  const model::Ties ties = model::ties_of(start);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const Box box = pieces.box(i);
+    const Box room = start.strip.room(start.strip.last().value_or(box.high.x));
+    const bool outside_x = box.low.x < room.low.x || box.high.x > room.high.x;
+    const bool outside_y = box.low.y < room.low.y || box.high.y > room.high.y;
+    if (!(ties.x[i] == model::Ties::kFixed && outside_x) && !(ties.y[i] == model::Ties::kFixed && outside_y)) continue;
+    return Error{ErrorCode::kOutsideStrip, "piece \"" + start.pieces[i].id + "\" is locked outside the strip",
+                 "/pieces/" + std::to_string(i) + "/at"};
+  }
+  return std::nullopt;
+}
+
+Coord allowed_length(const Marker& start, Coord length, double grow) {
+  const double more = std::min(grow * static_cast<double>(length), static_cast<double>(kLatticeLimit - length));
+  const Coord allowed = length + static_cast<Coord>(more);
+  return std::min(allowed, start.strip.last().value_or(allowed));
+}
+
+Coord length_put_back(const Marker& start, SumCache& sums) {
+  scene::Scene scene{start, sums};
+  put_back(scene, start.strip.last().value_or(kLatticeLimit));
+  return scene.pieces.length();
+}
+
+// The pieces still in the marker, as they were in the input.
+struct Original {
+  std::vector<PieceId> ids;
+  std::vector<Vec> home;
+};
+Original original(const Marker& start) {
+  Original pieces;
+  for (std::uint32_t i = 0; i < start.pieces.size(); ++i) {
+    pieces.ids.push_back(PieceId{i});
+    pieces.home.push_back(start.pieces[i].at);
+  }
+  return pieces;
+}
+
+template <class T>
+void erase_at(std::vector<T>& list, std::uint32_t index) {
+  list.erase(list.begin() + static_cast<std::ptrdiff_t>(index));
+}
+
+void sum_up(Separation& result, const std::vector<Vec>& home, SumCache& sums, const std::stop_token& stop) {
+  result.length_after = length_of(result.marker);
+  if (!result.apart) {
+    auto measured = check(result.marker, sums, stop);
+    result.remaining = measured ? std::move(measured->overlaps) : overlaps_unmeasured(result.marker);
+    if (!measured) result.apart = result.remaining.empty();  // nobody had looked at what was put back
+  }
+  for (std::size_t i = 0; i < home.size(); ++i) {
+    const Vec move = result.marker.pieces[i].at - home[i];
+    result.moved += static_cast<double>(std::abs(move.x)) + static_cast<double>(std::abs(move.y));
+    result.farthest_move = std::max({result.farthest_move, std::abs(move.x), std::abs(move.y)});
+  }
+}
+
+}  // namespace
+
+Result<Separation> separate(const Marker& start, const SeparationSettings& settings, SumCache& sums,
+                            std::stop_token stop, const scene::Observer& observer) {
+  observer.on_stage(scene::Stage::kOther);
+  if (const auto refusal = refuse(start, settings)) return *refusal;
+  Separation result;
+  result.marker = start;
+  result.length_before = length_put_back(start, sums);
+  const Coord allowed = allowed_length(start, result.length_before, settings.grow);
+  Original pieces = original(start);
+  for (;;) {
+    const Marker present = result.marker;
+    scene::Scene scene{present, sums};
+    Rounds rounds{scene, pieces.home, std::min(allowed, result.length_before), allowed, settings, observer};
+    const Ending ending = rounds.run(result, stop);
+    result.marker = scene.result();
+    result.reason = ending.reason;
+    result.apart = ending.apart;
+    if (ending.apart || !settings.pop_out || ending.reason == scene::StopReason::kCancelled) break;
+    const std::uint32_t gone = rounds.holding_up(result, stop);
+    result.popped.push_back(pieces.ids[gone]);
+    erase_at(result.marker.pieces, gone);
+    erase_at(pieces.ids, gone);
+    erase_at(pieces.home, gone);
+  }
+  sum_up(result, pieces.home, sums, stop);
+  return result;
+}
+
+}  // namespace selvage::motion::separation

@@ -1,0 +1,157 @@
+#include "core/motion/separation/separation_step.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/model/position_model.h"
+#include "core/model/snap.h"
+
+namespace selvage::motion::separation {
+namespace {
+
+constexpr double kStillness = 1;  // of a unit of a piece's motion
+
+class PartingProgram {
+ public:
+  PartingProgram(const scene::Scene& scene, const model::ActiveSet& reached, const PartingSettings& settings)
+      : scene_{scene},
+        reached_{reached},
+        settings_{settings},
+        length_{scene.pieces.length()},
+        model_{scene.pieces, scene.marker.strip.ending({}), reached.with_others_fixed()} {}
+
+  void add_length() {
+    const LengthAllowance& allowance = settings_.length;
+    const Coord shorten = std::max(Coord{0}, length_ - allowance.free);
+    model_.add_length(allowance.price, static_cast<double>(shorten), lp::kInfinity);
+    const int length_column = model_.program().columns() - 1;
+    const int excess = model_.program().add_column(allowance.excess_price, 0, lp::kInfinity);
+    // excess >= length - allowed
+    const double room = static_cast<double>(allowance.allowed - length_) / model_.unit();
+    model_.program().add_row(std::array<lp::LinearProgram::Entry, 2>{{{excess, 1}, {length_column, -1}}}, -room);
+    const double watched = static_cast<double>(length_ - shorten) - 2 * settings_.reach;
+    for (std::size_t i = 0; i < scene_.pieces.size(); ++i) {
+      if (static_cast<double>(scene_.pieces.box(i).high.x) >= watched) model_.add_right_wall(i);
+    }
+  }
+
+  // `near`: the pairs that may come to touch.  Both sorted.  Asked to stop, only some of them.
+  void add_pairs(const std::vector<PartingPair>& parting, const std::vector<marker::PiecePair>& near,
+                 const std::stop_token& stop) {
+    auto parted = parting.begin();
+    for (const marker::PiecePair& pair : near) {
+      if (stop.stop_requested()) return;
+      const bool parts = parted != parting.end() && parted->pair == pair;
+      if (parts) {
+        add_pair(pair, parted->target.about, parted->price);
+        ++parted;
+      } else if (reached_.holds_any(pair)) {
+        add_pair(pair, scene_.relative_position(pair), settings_.price);
+      }
+    }
+  }
+
+  void add_displacement_penalty(const std::vector<Vec>& home) { model_.add_displacement_penalty(kStillness, home); }
+
+  [[nodiscard]] lp::LpSolution solved(const std::stop_token& stop) const {
+    return solve(model_.program(), settings_.solver, {}, stop);
+  }
+  // The pieces without columns that would move in the solution if they had some.
+  [[nodiscard]] std::vector<std::uint32_t> missed(const lp::LpSolution& solution) const {
+    model::Pressure pressure{scene_.pieces.size()};
+    for (const auto& [row, pair_row] : rows_) pressure.add(pair_row, solution.dual[static_cast<std::size_t>(row)]);
+    const Box room = scene_.marker.strip.room(scene_.marker.strip.last().value_or(kLatticeLimit));
+    return reached_.missed(scene_.pieces, pressure.load(), kStillness, room);
+  }
+  void take(const lp::LpSolution& solution, SeparationStep& step) const {
+    step.positions = snapped(model_.displacements(solution.x));
+    for (std::size_t i = 0; i < step.positions.size(); ++i) step.positions[i] = step.positions[i] + scene_.pieces.at(i);
+    step.pressure.assign(scene_.pieces.size(), 0);
+    for (const auto& [row, pair_row] : rows_) {
+      step.pressure[pair_row.pair.first] += solution.dual[static_cast<std::size_t>(row)];
+      step.pressure[pair_row.pair.second] += solution.dual[static_cast<std::size_t>(row)];
+    }
+  }
+
+  [[nodiscard]] const lp::LinearProgram& program() const { return model_.program(); }
+
+ private:
+  // The rows of one pair; all that its present position breaks may stay broken by the same amount.
+  void add_pair(marker::PiecePair pair, Vec about, double price) {
+    if (scene_.ties.joined(pair.first, pair.second)) return;
+    const Coord spacing = scene_.pieces.spacing(pair);
+    const Vec r = scene_.relative_position(pair);
+    const model::RegionSettings region{model::RegionRule::kGreedy, settings_.reach + static_cast<double>(spacing),
+                                       spacing};
+    std::vector<model::PairRow> rows;
+    for (const model::HalfPlane& side : free_region(scene_.obstacle(pair), about, region)) {
+      rows.push_back(row_of(pair, side, r, spacing, model_.unit(), model::TightRows::kKeep));
+    }
+    std::optional<int> give;
+    if (std::any_of(rows.begin(), rows.end(), [](const model::PairRow& row) { return row.bound > 0; })) {
+      give = model_.program().add_column(price, 0, lp::kInfinity);
+    }
+    for (const model::PairRow& row : rows) {
+      if (const auto added = model_.add(row, row.bound > 0 ? give : std::nullopt)) rows_.emplace_back(*added, row);
+    }
+  }
+
+  const scene::Scene& scene_;
+  const model::ActiveSet& reached_;
+  const PartingSettings& settings_;
+  Coord length_;
+  model::PositionModel model_;
+  std::vector<std::pair<int, model::PairRow>> rows_;  // of the program, and what they say
+};
+
+// What wants to move of itself.
+model::ActiveSet moving(const scene::Scene& scene, const std::vector<PartingPair>& parting,
+                        const std::vector<Vec>& home, const PartingSettings& settings) {
+  model::ActiveSet reached{scene.ties};
+  for (const PartingPair& parted : parting) {
+    reached.add(parted.pair.first);
+    reached.add(parted.pair.second);
+  }
+  for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
+    const bool beyond = scene.pieces.box(i).high.x > settings.length.free;
+    if (beyond || scene.pieces.at(i) != home[i]) reached.add(i);
+  }
+  if (settings.extent == model::Extent::kWhole) reached.add_all();
+  return reached;
+}
+
+}  // namespace
+
+SeparationStep separation_step(const scene::Scene& scene, const std::vector<PartingPair>& parting,
+                               const std::vector<Vec>& home, const PartingSettings& settings,
+                               const std::stop_token& stop, const scene::Observer& observer) {
+  const auto near = pairs_within(scene.pieces, std::llround(settings.reach) + scene.pieces.widest_spacing());
+  model::ActiveSet reached = moving(scene, parting, home, settings);
+  SeparationStep step;
+  for (;;) {
+    observer.on_stage(scene::Stage::kRows);
+    PartingProgram program{scene, reached, settings};
+    program.add_length();
+    program.add_pairs(parting, near, stop);
+    if (stop.stop_requested()) {
+      step.status = lp::LpStatus::kStopped;
+      return step;
+    }
+    program.add_displacement_penalty(home);
+    observer.on_stage(scene::Stage::kSolve);
+    observer.on_program(program.program());
+    const lp::LpSolution solution = program.solved(stop);
+    ++step.programs;
+    step.status = solution.status;
+    if (solution.status != lp::LpStatus::kOptimal) return step;
+    const auto missed = program.missed(solution);
+    if (missed.empty()) {
+      program.take(solution, step);
+      return step;
+    }
+    reached.grow(missed, near);
+  }
+}
+
+}  // namespace selvage::motion::separation

@@ -1,0 +1,247 @@
+#include "core/motion/tilting/tilt.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <string>
+
+#include "core/marker/validity.h"
+#include "core/motion/piece/relax.h"
+#include "core/motion/separation/separate.h"
+#include "core/motion/tilting/tilt_step.h"
+
+namespace selvage::motion::tilting {
+namespace {
+
+constexpr double kMostTilt = 45;         // degrees
+constexpr double kLeastPart = 1.0 / 8;   // of the first step: smaller ones are not tried
+constexpr int kCorrections = 3;          // of one step's errors of second order,
+constexpr double kCorrectionTurn = 0.1;  // each turning at most so much of what the one before did
+constexpr int kPartingRounds = 20;       // of separation, when corrections leave overlaps
+constexpr double kPartingGrowth = 5e-3;  // of the length, for that
+
+constexpr std::array<double, 3> kPerturbations{1, 3, 0.5};  // of a step: how far shakes go, in turn
+constexpr double kTwist = 0.3;                              // of a shake: torques beside forces
+
+scene::Observer stages_of(const scene::Observer& observer) {
+  scene::Observer stages;
+  stages.on_stage = observer.on_stage;
+  stages.on_program = observer.on_program;
+  stages.executor = observer.executor;
+  return stages;
+}
+
+class Tilter {
+ public:
+  Tilter(const TiltSettings& settings, SumCache& sums, const std::stop_token& stop, const scene::Observer& observer,
+         Tilting& total)
+      : settings_{settings},
+        sums_{sums},
+        stop_{stop},
+        observer_{observer},
+        stages_{stages_of(observer)},
+        total_{total} {}
+
+  // Rounds from the compacted marker, and from what shakes make of the best; leaves that in `total`.
+  void run() {
+    total_.length_after = total_.length_compacted;
+    descend(total_.marker);
+    for (int shake = 1; shake <= settings_.perturbations && total_.reason == scene::StopReason::kConverged; ++shake) {
+      if (auto shaken_marker = shaken(total_.marker, static_cast<std::uint32_t>(shake))) descend(*shaken_marker);
+    }
+  }
+
+ private:
+  // Rounds until they gain no more.
+  void descend(Marker current) {
+    Coord length = length_of(current);
+    const bool by_steps = settings_.method == TiltMethod::kLinearisation;
+    const double least_gain = settings_.least_gain * static_cast<double>(current.strip.width);
+    total_.reason = scene::StopReason::kConverged;
+    for (double part = 1; part >= kLeastPart;) {
+      if (total_.rounds == settings_.rounds) total_.reason = scene::StopReason::kWorkLimit;
+      if (stop_.stop_requested()) total_.reason = scene::StopReason::kCancelled;
+      if (total_.reason != scene::StopReason::kConverged) return;
+      auto next = by_steps ? stepped(current, leftwards(current), {}, part) : relaxed(current);
+      if (next) next = compacted(*next);
+      ++total_.rounds;
+      const Coord gain = next ? length - length_of(*next) : 0;
+      if (gain > 0) {
+        current = std::move(*next);
+        length -= gain;
+        keep(current, length);
+      }
+      observer_.on_round({total_.rounds, total_.length_after});
+      if (static_cast<double>(gain) > least_gain) continue;
+      if (!by_steps) return;
+      part /= 2;
+    }
+  }
+  void keep(const Marker& marker, Coord length) {
+    if (length >= total_.length_after) return;
+    total_.marker = marker;
+    total_.length_after = length;
+  }
+
+  [[nodiscard]] step::Goal leftwards(const Marker& marker) const {
+    const auto count = static_cast<double>(marker.pieces.size());
+    return {std::vector<model::Displacement>(marker.pieces.size(), {-settings_.compaction.gravity / count, 0}), 1, 0};
+  }
+
+  // A step of all pieces at once, made valid; nothing when that fails.
+  std::optional<Marker> stepped(const Marker& start, const step::Goal& goal, const std::vector<double>& torque,
+                                double part) {
+    Marker next = start;
+    TiltStepSettings step_settings{Angle::of_degrees(settings_.step.degrees * part), settings_.trust * part,
+                                   settings_.compaction.solver};
+    for (int correction = 0; correction <= kCorrections; ++correction) {
+      const scene::Scene scene{next, sums_};
+      // Corrections have nothing but overlaps, and length, in view.
+      const TiltStep step = correction == 0 ? tilt_step(scene, goal, torque, step_settings, stop_, observer_)
+                                            : tilt_step(scene, leftwards(start), {}, step_settings, stop_, observer_);
+      ++total_.programs;
+      if (step.status != lp::LpStatus::kOptimal) return std::nullopt;
+      if (stop_.stop_requested()) return std::nullopt;
+      next.pieces = step.pieces;
+      observer_.on_stage(scene::Stage::kVerify);
+      if (is_valid(next)) return next;
+      step_settings.turn.degrees *= kCorrectionTurn;
+      if (correction > 0) step_settings.trust *= kCorrectionTurn;
+    }
+    if (auto healed = mended(next)) return healed;
+    return parted(next, length_of(start));
+  }
+  std::optional<Marker> mended(const Marker& marker) {
+    scene::Scene scene{marker, sums_};
+    if (!repair::repair_overlaps(scene, stop_, stages_)) return std::nullopt;
+    return scene.result();
+  }
+  // Separated by translations, a little longer than `length` if need be: compaction may win that back.
+  std::optional<Marker> parted(const Marker& marker, Coord length) {
+    const double allowed = (1 + kPartingGrowth) * static_cast<double>(length);
+    const double grow = allowed / static_cast<double>(length_of(marker)) - 1;
+    separation::SeparationSettings settings;
+    settings.rounds = kPartingRounds;
+    settings.grow = std::max(0.0, grow);
+    settings.solver = settings_.compaction.solver;
+    auto separation = separate(marker, settings, sums_, stop_, stages_);
+    if (!separation || !separation->apart) return std::nullopt;
+    return std::move(separation->marker);
+  }
+
+  // Every piece to where it has most room, from left to right.
+  std::optional<Marker> relaxed(const Marker& start) {
+    Marker next = start;
+    scene::Scene scene{next, sums_};
+    std::vector<std::uint32_t> order(next.pieces.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return scene.pieces.box(a).low.x < scene.pieces.box(b).low.x;
+    });
+    observer_.on_stage(scene::Stage::kSolve);
+    for (const std::uint32_t i : order) {
+      if (stop_.stop_requested()) break;
+      if (!scene.ties.free(i)) continue;
+      Piece& piece = next.pieces[i];
+      piece = piece::relax_tilted(scene, i, settings_.tilts).piece;
+      scene.outlines[i] = oriented_outline(next, PieceId{i}, sums_);
+      scene.pieces.replace(i, oriented(next.shapes[piece.shape.value].outline, piece.orientation), piece.at);
+    }
+    return next;
+  }
+
+  std::optional<Marker> compacted(const Marker& marker) {
+    auto compaction = compact(marker, settings_.compaction, sums_, stop_, stages_);
+    if (!compaction) return std::nullopt;
+    total_.programs += compaction->programs;
+    return std::move(compaction->marker);
+  }
+
+  // Pushed and turned at random, the length held but for what mending adds.
+  std::optional<Marker> shaken(const Marker& marker, std::uint32_t seed) {
+    std::mt19937 random{seed};
+    const auto even = [&] { return 2 * static_cast<double>(random()) / 4294967296.0 - 1; };
+    step::Goal goal;
+    std::vector<double> torque;
+    for (std::size_t i = 0; i < marker.pieces.size(); ++i) {
+      const double x = even();
+      goal.force.push_back({x, even()});
+      torque.push_back(kTwist * even());
+    }
+    return stepped(marker, goal, torque, kPerturbations[(seed - 1) % kPerturbations.size()]);
+  }
+
+  const TiltSettings& settings_;
+  SumCache& sums_;
+  const std::stop_token& stop_;
+  const scene::Observer& observer_;
+  scene::Observer stages_;  // for the motions within a round, whose rounds are not ours
+  Tilting& total_;
+};
+
+// The limit on every shape.  Pieces that are tilted farther already are no reason for others to be.
+Marker limited(Marker marker, const std::optional<Angle>& limit) {
+  if (!limit) return marker;
+  for (Shape& shape : marker.shapes) shape.tilt_limit = *limit;
+  return marker;
+}
+// Shapes allow what pieces that came so still have.
+void allow_present_tilts(Marker& marker) {
+  for (const Piece& piece : marker.pieces) {
+    Angle& limit = marker.shapes[piece.shape.value].tilt_limit;
+    limit.degrees = std::max(limit.degrees, std::abs(piece.orientation.tilt.degrees));
+  }
+}
+
+Angle farthest_tilt(const Marker& marker) {
+  Angle most;
+  for (const Piece& piece : marker.pieces) {
+    most.degrees = std::max(most.degrees, std::abs(piece.orientation.tilt.degrees));
+  }
+  return most;
+}
+
+}  // namespace
+
+// Figures behind these choices: docs/measurements-tilt.md.
+TiltSettings tilt_settings(TiltMethod method, compaction::Accuracy accuracy) {
+  TiltSettings settings;
+  settings.method = method;
+  settings.rounds = accuracy == compaction::Accuracy::kDraft      ? 8
+                    : accuracy == compaction::Accuracy::kStandard ? 60
+                                                                  : 400;
+  settings.least_gain = accuracy == compaction::Accuracy::kFine ? 1e-6 : 2e-5;
+  settings.step = Angle::of_degrees(1);
+  settings.trust = 0.02;
+  settings.perturbations = accuracy == compaction::Accuracy::kFine ? 10 : 0;
+  settings.tilts = accuracy == compaction::Accuracy::kFine ? 25 : 13;
+  settings.compaction = compaction_settings(accuracy);
+  return settings;
+}
+
+Result<Tilting> tilt(const Marker& start, const TiltSettings& settings, SumCache& sums, std::stop_token stop,
+                     const scene::Observer& observer) {
+  if (settings.limit && !(settings.limit->degrees >= 0 && settings.limit->degrees <= kMostTilt)) {
+    return Error{ErrorCode::kOutOfRange,
+                 "the tilt limit is " + std::to_string(settings.limit->degrees) + " degrees; it must be from 0 to 45",
+                 "/limit"};
+  }
+  auto compaction = compact(limited(start, settings.limit), settings.compaction, sums, stop, stages_of(observer));
+  if (!compaction) return compaction.error();
+  Tilting tilting;
+  tilting.marker = std::move(compaction->marker);
+  tilting.programs = compaction->programs;
+  tilting.length_before = compaction->length_before;
+  tilting.length_compacted = compaction->length_after;
+  tilting.utilisation_before = compaction->utilisation_before;
+  tilting.repair = compaction->repair;
+  Tilter{settings, sums, stop, observer, tilting}.run();
+  if (settings.limit) allow_present_tilts(tilting.marker);
+  tilting.utilisation_after = utilisation_of(tilting.marker);
+  tilting.farthest_tilt = farthest_tilt(tilting.marker);
+  return tilting;
+}
+
+}  // namespace selvage::motion::tilting

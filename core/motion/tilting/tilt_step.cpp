@@ -1,0 +1,181 @@
+#include "core/motion/tilting/tilt_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/minkowski/inner_fit.h"
+#include "core/model/snap.h"
+#include "core/motion/piece/tilted_piece.h"
+#include "core/motion/repair/separation_target.h"
+
+namespace selvage::motion::tilting {
+namespace {
+
+constexpr double kRadian = 180 / std::numbers::pi;  // degrees
+constexpr double kOverlapPrice = 100;               // of a unit of overlap that stays, beside a unit of length
+constexpr double kClearance = 1e-7;   // parts of the width that pieces are kept apart by, for what is not linear,
+constexpr Coord kLeastClearance = 3;  // and lattice units, for rounded outlines
+constexpr double kLeastArc = 1;       // lattice units: a smaller turn changes nothing but rounding
+constexpr std::size_t kBlock = 16;    // near pairs whose rows one hand finds in a row
+constexpr std::size_t kCancelCheckInterval = 512;  // near pairs between two looks at whether to stop
+constexpr double kLengthSpare = 1e-2;  // column units the length may grow by in a program, for rows' margins
+
+class Program {
+ public:
+  Program(const scene::Scene& scene, const TiltStepSettings& settings)
+      : scene_{scene},
+        farthest_{settings.trust * static_cast<double>(scene.marker.strip.width)},
+        turn_{settings.turn.degrees / kRadian},
+        turns_{ranges(scene, turn_)},
+        model_{scene.pieces, scene.marker.strip, scene.ties, turns_, farthest_} {}
+
+  void add_goal(const step::Goal& goal, std::span<const double> torque) {
+    for (std::size_t i = 0; i < scene_.pieces.size(); ++i) {
+      model_.positions().add_cost(i, -goal.force[i].x, -goal.force[i].y);
+      const auto turn = model_.turn_column(i);
+      if (turn && !torque.empty()) model_.positions().program().cost[static_cast<std::size_t>(*turn)] = -torque[i];
+    }
+    if (goal.shorten == 0) {
+      model_.hold_length();
+    } else {
+      const double shorten = std::min(static_cast<double>(scene_.pieces.length()), 2 * farthest_);
+      model_.add_length(goal.shorten, shorten, kLengthSpare * model_.positions().unit());
+    }
+  }
+
+  // False when it was asked to stop meanwhile: turned pieces need new sums, which takes long in long markers.
+  bool add_pairs(const scene::Observer& observer, const std::stop_token& stop) {
+    observer.on_stage(scene::Stage::kSums);
+    const double most_swing = turn_ * widest_radius();
+    const double reach = 2 * (farthest_ + most_swing);
+    const std::vector<marker::PiecePair> overlapping = conflicts(scene_.pieces, *observer.executor);
+    auto near = pairs_within(scene_.pieces, std::llround(reach) + scene_.pieces.widest_spacing());
+    std::erase_if(near, [&](const marker::PiecePair& pair) { return scene_.ties.joined(pair.first, pair.second); });
+    for (std::size_t done = 0; done < near.size(); done += kCancelCheckInterval) {
+      if (stop.stop_requested()) return false;
+      add_rows(std::span{near}.subspan(done, std::min(kCancelCheckInterval, near.size() - done)), overlapping, reach,
+               observer);
+    }
+    return true;
+  }
+
+  void add_rows(std::span<const marker::PiecePair> near, const std::vector<marker::PiecePair>& overlapping,
+                double reach, const scene::Observer& observer) {
+    const auto obstacles = scene_.obstacles(near, *observer.executor);
+    using Rows = std::vector<model::tilting::TiltRow>;
+    const auto found =
+        gathered<Rows>(*observer.executor, near.size(), kBlock, [&](std::size_t k, std::vector<Rows>& out) {
+          const bool overlaps = std::binary_search(overlapping.begin(), overlapping.end(), near[k]);
+          out.push_back(rows_of(near[k], obstacles[k], overlaps, reach));
+        });
+    for (const Rows& rows : found) {
+      std::optional<int> give;
+      if (std::any_of(rows.begin(), rows.end(),
+                      [](const model::tilting::TiltRow& made) { return made.row.bound > 0; })) {
+        give = model_.positions().program().add_column(kOverlapPrice, 0, lp::kInfinity);
+      }
+      for (const model::tilting::TiltRow& made : rows) model_.add(made, made.row.bound > 0 ? give : std::nullopt);
+    }
+  }
+
+  [[nodiscard]] std::vector<model::tilting::TiltRow> rows_of(marker::PiecePair pair,
+                                                             const minkowski::Obstacle& obstacle, bool overlaps,
+                                                             double reach) const {
+    const Coord spacing = scene_.pieces.spacing(pair);
+    repair::SeparationTarget target{0, scene_.relative_position(pair)};
+    if (overlaps) target = separation_target(scene_, pair, repair::TargetRule::kNearest);
+    const model::RegionSettings region{model::RegionRule::kGreedy, 1.5 * reach + static_cast<double>(spacing), spacing};
+    const auto sides = free_region(obstacle, target.about, region);
+    const model::tilting::TiltRowSettings row{turn_, 1.5 * reach, overlaps ? 2 * target.depth : 0,
+                                              spacing + clearance(), model_.positions().unit()};
+    return tilt_rows(pair, scene_.pieces[pair.first], scene_.pieces[pair.second], sides, row);
+  }
+
+  [[nodiscard]] TiltStep solved(lp::solver::SolverChoice solver, const std::stop_token& stop) const {
+    const lp::LpSolution solution = solve(model_.program(), solver, {}, stop);
+    TiltStep step;
+    step.status = solution.status;
+    if (solution.status != lp::LpStatus::kOptimal) return step;
+    step.promise = -solution.objective * static_cast<double>(scene_.marker.strip.width) / 1000;
+    step.pieces = moved(solution.x);
+    return step;
+  }
+
+  [[nodiscard]] const lp::LinearProgram& program() const { return model_.program(); }
+
+ private:
+  static std::vector<model::tilting::TurnRange> ranges(const scene::Scene& scene, double turn) {
+    std::vector<model::tilting::TurnRange> turns(scene.pieces.size());
+    for (std::uint32_t i = 0; i < turns.size(); ++i) {
+      const piece::TiltRange range = piece::tilt_range(scene.marker, PieceId{i});
+      const double now = scene.marker.pieces[i].orientation.tilt.degrees;
+      turns[i].least = std::clamp((range.least.degrees - now) / kRadian, -turn, 0.0);
+      turns[i].most = std::clamp((range.most.degrees - now) / kRadian, 0.0, turn);
+    }
+    return turns;
+  }
+  [[nodiscard]] Coord clearance() const {
+    return kLeastClearance + std::llround(kClearance * static_cast<double>(scene_.marker.strip.width));
+  }
+  [[nodiscard]] double widest_radius() const {
+    double most = 0;
+    for (std::size_t i = 0; i < turns_.size(); ++i) {
+      if (!turns_[i].empty()) most = std::max(most, model::tilting::radius_of(scene_.pieces[i]));
+    }
+    return most;
+  }
+
+  [[nodiscard]] std::vector<Piece> moved(std::span<const double> x) const {
+    std::vector<Piece> pieces = scene_.marker.pieces;
+    std::vector<model::Displacement> moves = model_.positions().displacements(x);
+    const std::vector<double> turns = model_.turns(x);
+    for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+      pieces[i].at = scene_.pieces.at(i);
+      if (std::abs(turns[i]) * model::tilting::radius_of(scene_.pieces[i]) < kLeastArc) continue;
+      Piece turned_piece = pieces[i];
+      double& tilt = turned_piece.orientation.tilt.degrees;
+      const double before = tilt;
+      const piece::TiltRange range = piece::tilt_range(scene_.marker, PieceId{i});
+      tilt = std::clamp(tilt + turns[i] * kRadian, range.least.degrees, range.most.degrees);
+      if (!piece::is_cuttable(scene_.marker, turned_piece)) continue;
+      const model::Displacement held = piece::held_pivot(scene_.pieces[i], Angle::of_degrees(tilt - before));
+      moves[i] = {moves[i].x + held.x, moves[i].y + held.y};
+      pieces[i] = turned_piece;
+    }
+    const std::vector<Vec> by = snapped(moves);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      pieces[i].at = pieces[i].at + by[i];
+      if (!turns_[i].empty()) put_inside(pieces[i]);
+    }
+    return pieces;
+  }
+  // What a turn's second order puts outside the strip comes back to its edge.
+  void put_inside(Piece& piece) const {
+    const Marker& marker = scene_.marker;
+    const Box box = box_of(oriented(marker.shapes[piece.shape.value].outline, piece.orientation));
+    const Box fit = minkowski::inner_fit(box, marker.strip.room(0));
+    piece.at.x = std::max(piece.at.x, fit.low.x);
+    piece.at.y = std::max(fit.low.y, std::min(piece.at.y, fit.high.y));
+  }
+
+  const scene::Scene& scene_;
+  double farthest_;
+  double turn_;
+  std::vector<model::tilting::TurnRange> turns_;
+  model::tilting::TiltModel model_;
+};
+
+}  // namespace
+
+TiltStep tilt_step(const scene::Scene& scene, const step::Goal& goal, std::span<const double> torque,
+                   const TiltStepSettings& settings, const std::stop_token& stop, const scene::Observer& observer) {
+  Program program{scene, settings};
+  program.add_goal(goal, torque);
+  if (!program.add_pairs(observer, stop)) return {lp::LpStatus::kStopped, 0, {}};
+  observer.on_stage(scene::Stage::kSolve);
+  observer.on_program(program.program());
+  return program.solved(settings.solver, stop);
+}
+
+}  // namespace selvage::motion::tilting

@@ -1,0 +1,35 @@
+// One round of tilt by linearisation [Li94 6.2.4]: all pieces move and turn at once, by the answer of one linear
+// program.  What comes back is not proved: turns are linearised, so that pieces may overlap a little afterwards.
+#pragma once
+
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/lp/solver/solve.h"
+#include "core/model/tilting/tilt_model.h"
+#include "core/motion/step/position_step.h"
+#include "core/scene/observer.h"
+#include "core/scene/scene.h"
+
+namespace selvage::motion::tilting {
+
+struct TiltStepSettings {
+  Angle turn;      // no piece turns farther
+  double trust{};  // no pivot moves farther on an axis than this part of the strip's width
+  lp::solver::SolverChoice solver{};
+};
+
+struct TiltStep {
+  lp::LpStatus status{};
+  double promise{};           // what the goal gains to first order; lattice units
+  std::vector<Piece> pieces;  // the scene's, moved and tilted; within their limits to the last bit
+};
+
+// `torque[i]`: what a unit of arc of piece i's farthest vertex, counter-clockwise, is worth, beside the goal's forces;
+// none: nothing.
+[[nodiscard]] TiltStep tilt_step(const scene::Scene& scene, const step::Goal& goal, std::span<const double> torque,
+                                 const TiltStepSettings& settings, const std::stop_token& stop,
+                                 const scene::Observer& observer);
+
+}  // namespace selvage::motion::tilting

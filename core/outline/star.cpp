@@ -1,0 +1,242 @@
+#include "core/outline/star.h"
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "core/outline/triangulation.h"
+
+namespace selvage::outline {
+namespace {
+
+// The part of the convex polygon `cell` to the left of the line through `at` along `along`.
+void clip(std::vector<Real2>& cell, Real2 at, Real2 along, std::vector<Real2>& scratch) {
+  scratch.clear();
+  const std::size_t n = cell.size();
+  const auto left_by = [&](Real2 p) { return along.x * (p.y - at.y) - along.y * (p.x - at.x); };
+  double here = n == 0 ? 0 : left_by(cell[0]);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Real2 a = cell[i];
+    const Real2 b = cell[i + 1 == n ? 0 : i + 1];
+    const double next = left_by(b);
+    if (here >= 0) scratch.push_back(a);
+    if ((here > 0 && next < 0) || (here < 0 && next > 0)) {
+      const double t = here / (here - next);
+      scratch.push_back({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
+    }
+    here = next;
+  }
+  cell.swap(scratch);
+}
+
+Real2 centroid(const std::vector<Real2>& cell) {
+  double area = 0;
+  Real2 sum;
+  for (std::size_t i = 1; i + 1 < cell.size(); ++i) {
+    const double ux = cell[i].x - cell[0].x;
+    const double uy = cell[i].y - cell[0].y;
+    const double vx = cell[i + 1].x - cell[0].x;
+    const double vy = cell[i + 1].y - cell[0].y;
+    const double a = ux * vy - uy * vx;
+    area += a;
+    sum.x += a * (ux + vx);
+    sum.y += a * (uy + vy);
+  }
+  if (!(area > 0)) return cell[0];
+  return {cell[0].x + sum.x / (3 * area), cell[0].y + sum.y / (3 * area)};
+}
+
+// The kernel by cutting the box with every edge's line, in coordinates about `centre` to keep rounding small.
+std::vector<Real2> kernel_cell(const Polygon& polygon, const Box& box, Vec centre) {
+  const auto x = [&](Coord c) { return static_cast<double>(c - centre.x); };
+  const auto y = [&](Coord c) { return static_cast<double>(c - centre.y); };
+  std::vector<Real2> cell{{x(box.low.x), y(box.low.y)},
+                          {x(box.high.x), y(box.low.y)},
+                          {x(box.high.x), y(box.high.y)},
+                          {x(box.low.x), y(box.high.y)}};
+  std::vector<Real2> scratch;
+  for (std::size_t i = 0; i < polygon.size() && !cell.empty(); ++i) {
+    const Vec a = polygon[i];
+    const Vec b = polygon[i + 1 == polygon.size() ? 0 : i + 1];
+    clip(cell, {x(a.x), y(a.y)}, {static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y)}, scratch);
+  }
+  return cell;
+}
+
+// The least distance at which an edge's line passes `point` on the left; negative when one passes on the right.
+double depth_of(Real2 point, const Polygon& polygon, Vec centre) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec a = polygon[i] - centre;
+    const Vec along = polygon[i + 1 == polygon.size() ? 0 : i + 1] - polygon[i];
+    const auto dx = static_cast<double>(along.x);
+    const auto dy = static_cast<double>(along.y);
+    const double area = dx * (point.y - static_cast<double>(a.y)) - dy * (point.x - static_cast<double>(a.x));
+    least = std::min(least, area / std::hypot(dx, dy));
+  }
+  return least;
+}
+
+Real2 middle_of(const Polygon& polygon) {
+  Real2 sum;
+  for (const Vec v : polygon) {
+    sum.x += static_cast<double>(v.x);
+    sum.y += static_cast<double>(v.y);
+  }
+  const auto n = static_cast<double>(polygon.size());
+  return {sum.x / n, sum.y / n};
+}
+
+// Triangles grown together while their union stays star-shaped.
+class Growth {
+ public:
+  explicit Growth(const Polygon& polygon) : polygon_{polygon}, triangles_{triangulate(polygon)} {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> seen;
+    next_to_.resize(triangles_.size());
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::pair<std::uint32_t, std::uint32_t> edge = std::minmax(triangles_[t][k], triangles_[t][(k + 1) % 3]);
+        if (const auto [at, fresh] = seen.emplace(edge, t); !fresh) {
+          next_to_[t].push_back(at->second);
+          next_to_[at->second].push_back(t);
+        }
+      }
+    }
+    taken_.resize(triangles_.size());
+  }
+
+  std::vector<StarPart> run() {
+    std::vector<StarPart> parts;
+    std::size_t left = triangles_.size();
+    while (left > 0) {
+      const auto [members, part] = largest_part();
+      for (const std::size_t t : members) taken_[t] = true;
+      left -= members.size();
+      parts.push_back(part);
+    }
+    return parts;
+  }
+
+ private:
+  using Members = std::vector<std::size_t>;
+
+  [[nodiscard]] Wide doubled_area_of(std::size_t t) const {
+    const auto [i, j, k] = triangles_[t];
+    return cross(polygon_[j] - polygon_[i], polygon_[k] - polygon_[i]);
+  }
+
+  // Grown from the largest few free triangles; the part of the largest area wins.
+  [[nodiscard]] std::pair<Members, StarPart> largest_part() const {
+    constexpr std::size_t kSeeds = 6;
+    Members seeds;
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      if (!taken_[t]) seeds.push_back(t);
+    }
+    const std::size_t tries = std::min(kSeeds, seeds.size());
+    std::partial_sort(seeds.begin(), seeds.begin() + static_cast<std::ptrdiff_t>(tries), seeds.end(),
+                      [&](std::size_t a, std::size_t b) {
+                        const Wide x = doubled_area_of(a);
+                        const Wide y = doubled_area_of(b);
+                        return x != y ? x > y : a < b;
+                      });
+    std::pair<Members, StarPart> best;
+    Wide largest = 0;
+    for (std::size_t k = 0; k < tries; ++k) {
+      auto grown = grow(seeds[k]);
+      if (const Wide area = doubled_area(grown.second.vertices); area > largest) {
+        largest = area;
+        best = std::move(grown);
+      }
+    }
+    return best;
+  }
+
+  [[nodiscard]] std::pair<Members, StarPart> grow(std::size_t seed) const {
+    Members members{seed};
+    StarPart part = part_of(members);
+    const auto kernel = kernel_point(part.vertices);
+    part.kernel = kernel ? *kernel : middle_of(part.vertices);
+    if (!kernel) return {members, part};  // a sliver: alone
+    std::vector<bool> tried = taken_;
+    tried[seed] = true;
+    for (std::size_t m = 0; m < members.size(); ++m) {
+      for (const std::size_t t : next_to_[members[m]]) {
+        if (tried[t]) continue;
+        tried[t] = true;
+        members.push_back(t);
+        StarPart wider = part_of(members);
+        if (const auto deep = kernel_point(wider.vertices)) {
+          wider.kernel = *deep;
+          part = std::move(wider);
+        } else {
+          members.pop_back();
+        }
+      }
+    }
+    return {members, part};
+  }
+
+  // The triangles hang together along cuts, so their union's vertices are theirs in the polygon's own order.
+  [[nodiscard]] StarPart part_of(const Members& members) const {
+    StarPart part;
+    for (const std::size_t t : members)
+      part.origin.insert(part.origin.end(), triangles_[t].begin(), triangles_[t].end());
+    std::sort(part.origin.begin(), part.origin.end());
+    part.origin.erase(std::unique(part.origin.begin(), part.origin.end()), part.origin.end());
+    const std::size_t n = polygon_.size();
+    for (const std::uint32_t i : part.origin) {
+      part.vertices.push_back(polygon_[i]);
+      part.turns.push_back(
+          {polygon_[i] - polygon_[i == 0 ? n - 1 : i - 1], polygon_[i + 1 == n ? 0 : i + 1] - polygon_[i]});
+    }
+    return part;
+  }
+
+  const Polygon& polygon_;
+  std::vector<Triangle> triangles_;
+  std::vector<std::vector<std::size_t>> next_to_;
+  std::vector<bool> taken_;
+};
+
+}  // namespace
+
+std::optional<Real2> kernel_point(const Polygon& polygon) {
+  const Box box = box_of(polygon);
+  const Vec centre{box.low.x + box.width() / 2, box.low.y + box.height() / 2};
+  const std::vector<Real2> cell = kernel_cell(polygon, box, centre);
+  if (cell.size() < 3) return std::nullopt;
+  const Real2 point = centroid(cell);
+  if (depth_of(point, polygon, centre) < kKernelDepth) return std::nullopt;
+  return Real2{point.x + static_cast<double>(centre.x), point.y + static_cast<double>(centre.y)};
+}
+
+StarPart transformed(const StarPart& part, Symmetry symmetry) {
+  StarPart image{transformed(part.vertices, symmetry), {}, part.origin, part.turns};
+  for (Turn& turn : image.turns) turn = {symmetry.apply(turn.in), symmetry.apply(turn.out)};
+  if (symmetry.flips()) {
+    std::reverse(image.origin.begin() + 1, image.origin.end());
+    for (Turn& turn : image.turns) turn = {-turn.out, -turn.in};
+    if (!image.turns.empty()) std::reverse(image.turns.begin() + 1, image.turns.end());
+  }
+  double x = part.kernel.x;
+  double y = symmetry.flips() ? -part.kernel.y : part.kernel.y;
+  for (int k = 0; k < symmetry.quarter_turns(); ++k) {
+    const double turned_x = -y;
+    y = x;
+    x = turned_x;
+  }
+  image.kernel = {x, y};
+  return image;
+}
+
+std::vector<StarPart> star_parts(const Polygon& polygon) {
+  if (const auto kernel = kernel_point(polygon)) {
+    StarPart whole{polygon, *kernel, std::vector<std::uint32_t>(polygon.size())};
+    std::iota(whole.origin.begin(), whole.origin.end(), 0U);
+    return {std::move(whole)};
+  }
+  return Growth{polygon}.run();
+}
+
+}  // namespace selvage::outline

@@ -1,0 +1,33 @@
+#include "core/scene/laid_out.h"
+
+#include <map>
+
+#include "core/marker/validity.h"
+
+namespace selvage::scene {
+
+LaidOut::LaidOut(const Marker& marker, SumCache& sums)
+    : pieces{marker},
+      outlines{outlines_of(marker, sums)},
+      ties{model::ties_of(marker)},
+      figures{figures_of(marker, pieces)} {}
+
+// The cache, which compares whole polygons, is asked once for all pieces that lie alike.
+std::vector<outline::OrientedOutline> outlines_of(const Marker& marker, SumCache& sums) {
+  std::map<std::pair<ShapeId, Orientation>, outline::OrientedOutline> known;
+  std::vector<outline::OrientedOutline> outlines;
+  outlines.reserve(marker.pieces.size());
+  for (std::uint32_t i = 0; i < marker.pieces.size(); ++i) {
+    const Piece& piece = marker.pieces[i];
+    const auto [at, fresh] = known.try_emplace({piece.shape, piece.orientation});
+    if (fresh) at->second = oriented_outline(marker, PieceId{i}, sums);
+    outlines.push_back(at->second);
+  }
+  return outlines;
+}
+
+marker::Figures figures_after(const Marker& before, const LaidOut& laid_out, const Marker& after) {
+  return laid_out.figures.valid ? figures_after(before, laid_out.pieces, after) : figures_of(after);
+}
+
+}  // namespace selvage::scene

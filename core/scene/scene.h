@@ -1,0 +1,43 @@
+// What every motion of a marker works on: its pieces where they lie now, their outlines, and which may move with
+// which.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/marker/placed_pieces.h"
+#include "core/minkowski/cache.h"
+#include "core/model/ties.h"
+#include "core/scene/laid_out.h"
+
+namespace selvage::scene {
+
+struct Scene {
+  Scene(const Marker& start, SumCache& sum_cache);
+  // REQUIRES: `laid_out` is of this marker, or of one that differs from it in its strip alone.
+  Scene(const Marker& start, const LaidOut& laid_out, SumCache& sum_cache);
+
+  [[nodiscard]] bool fixed(std::size_t piece) const { return ties.fixed(piece); }
+  // Moves a piece as far as its ties allow, and with it what is tied to it.
+  void shift(std::size_t piece, Vec by);
+  // The obstacle that the pair's first piece is to its second.
+  [[nodiscard]] minkowski::Obstacle obstacle(marker::PiecePair pair) const {
+    return sums.obstacle(outlines[pair.first], outlines[pair.second]);
+  }
+  [[nodiscard]] std::vector<minkowski::Obstacle> obstacles(std::span<const marker::PiecePair> pairs,
+                                                           const Executor& executor) const;
+  [[nodiscard]] Vec relative_position(marker::PiecePair pair) const {
+    return pieces.at(pair.second) - pieces.at(pair.first);
+  }
+  // The marker with the pieces where they are now.
+  [[nodiscard]] Marker result() const;
+
+  const Marker& marker;
+  SumCache& sums;
+  marker::PlacedPieces pieces;
+  std::vector<outline::OrientedOutline> outlines;
+  model::Ties ties;
+};
+
+}  // namespace selvage::scene

@@ -1,0 +1,103 @@
+#include "core/search/swap.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
+#include "core/motion/separation/separate.h"
+
+namespace selvage::search {
+namespace {
+
+constexpr unsigned kTurnsOneIn = 5;     // trials turn a piece, the others exchange two
+constexpr std::size_t kPartners = 8;    // of a piece: so many of those that fit its place best
+constexpr double kFarness = 0.02;       // what distance weighs beside a difference in size
+constexpr int kPartingRounds = 12;      // of separation
+constexpr double kPartingGrowth = 0.1;  // of the strip's width, that separation may lengthen the marker by
+
+Coord differences(const Box& a, const Box& b) {
+  return std::abs((a.high.x - a.low.x) - (b.high.x - b.low.x)) + std::abs((a.high.y - a.low.y) - (b.high.y - b.low.y));
+}
+Vec centre_of(const Box& box) {
+  return {(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2};
+}
+
+bool alike(const Piece& a, const Piece& b) {
+  return a.shape == b.shape && a.orientation == b.orientation && a.buffer == b.buffer;
+}
+
+// One of the pieces that differ from piece i and would fit its place best.
+std::optional<std::uint32_t> partner_of(std::uint32_t i, const Marker& marker, const marker::PlacedPieces& pieces,
+                                        const std::vector<std::uint32_t>& free, std::mt19937& random) {
+  std::vector<std::pair<double, std::uint32_t>> partners;
+  for (const std::uint32_t j : free) {
+    if (j == i || alike(marker.pieces[i], marker.pieces[j])) continue;
+    const Vec way = centre_of(pieces.box(j)) - centre_of(pieces.box(i));
+    const double misfit = static_cast<double>(differences(pieces.box(i), pieces.box(j)));
+    partners.emplace_back(misfit + kFarness * static_cast<double>(std::abs(way.x)), j);
+  }
+  if (partners.empty()) return std::nullopt;
+  const std::size_t best = std::min(kPartners, partners.size());
+  std::partial_sort(partners.begin(), partners.begin() + static_cast<std::ptrdiff_t>(best), partners.end());
+  return partners[random() % best].second;
+}
+
+// Turns the piece to another rotation that its shape allows, about the middle of its box; false when there is none or
+// its tilt is locked, and with it how it lies.
+bool turn(Piece& piece, const Shape& shape, const Box& box, std::mt19937& random) {
+  if (piece.locked.tilt) return false;
+  std::vector<Angle> others;
+  for (const Angle rotation : shape.rotations) {
+    if (rotation != piece.orientation.rotation) others.push_back(rotation);
+  }
+  if (others.empty()) return false;
+  piece.orientation.rotation = others[random() % others.size()];
+  piece.at = centre_of(box) - centre_of(box_of(oriented(shape.outline, piece.orientation)));
+  return true;
+}
+
+}  // namespace
+
+std::optional<DrawnExchange> draw_exchange(const Marker& start, std::mt19937& random) {
+  const model::Ties ties = model::ties_of(start);
+  std::vector<std::uint32_t> free;
+  for (std::uint32_t i = 0; i < start.pieces.size(); ++i) {
+    if (ties.free(i)) free.push_back(i);
+  }
+  if (free.empty()) return std::nullopt;
+  const marker::PlacedPieces pieces{start};
+  Marker next = start;
+  const std::uint32_t i = free[random() % free.size()];
+  Piece& piece = next.pieces[i];
+  if (random() % kTurnsOneIn == 0) {
+    if (!turn(piece, start.shapes[piece.shape.value], pieces.box(i), random)) return std::nullopt;
+  } else {
+    const auto j = partner_of(i, start, pieces, free, random);
+    if (!j) return std::nullopt;
+    const Vec way = centre_of(pieces.box(*j)) - centre_of(pieces.box(i));
+    piece.at = piece.at + way;
+    next.pieces[*j].at = next.pieces[*j].at - way;
+  }
+  return DrawnExchange{std::move(next), pieces.length()};
+}
+
+Exchanged exchange(const DrawnExchange& drawn, const motion::compaction::CompactionSettings& settings, SumCache& sums,
+                   const std::stop_token& stop) {
+  const double length = static_cast<double>(std::max<Coord>(1, drawn.length));
+  motion::separation::SeparationSettings parting;
+  parting.rounds = kPartingRounds;
+  parting.grow = kPartingGrowth * static_cast<double>(drawn.marker.strip.width) / length;
+  parting.solver = settings.solver;
+  auto separation = separate(drawn.marker, parting, sums, stop);
+  if (!separation) return {};
+  Exchanged done{.marker = {}, .programs = separation->programs};
+  if (!separation->apart) return done;
+  auto compaction = compact(separation->marker, settings, sums, stop);
+  if (!compaction) return done;
+  done.programs += compaction->programs;
+  done.marker = std::move(compaction->marker);
+  return done;
+}
+
+}  // namespace selvage::search

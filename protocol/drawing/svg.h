@@ -1,0 +1,32 @@
+// A drawing of a marker that a person likes to look at.  Written only; pure: the same marker, the same text.
+//
+// The strip lies along x with y upwards; pieces are coloured by shape (mirror images share a hue, neighbours
+// do not), each named in its middle where there is room; a ruler runs along the length, the caption says
+// length and utilisation. Coordinates are rounded to a hundredth of a pixel: for exact ones there is
+// outlines.h.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/marker/marker.h"
+#include "protocol/document/marker_file.h"
+#include "protocol/drawing/svg_overlay.h"
+
+namespace selvage::protocol::drawing {
+
+struct SvgOptions {
+  std::vector<std::string> labels;     // one per piece; empty: the pieces' ids
+  std::optional<Coord> length_before;  // where the marker ended before a motion: a second, dashed line
+  double height = 400;                 // of the strip, in pixels
+  SvgOverlay overlay;                  // what happened, and why it went no farther
+};
+
+[[nodiscard]] std::string to_svg(const Marker& marker, const SvgOptions& options = {});
+
+// The options that suit a file: pieces are labelled by the id, together with the "name" their shape has, if
+// any.
+[[nodiscard]] SvgOptions svg_options(const MarkerFile& file);
+
+}  // namespace selvage::protocol::drawing

@@ -1,0 +1,182 @@
+// selvaged: serves until it is told to stop (SIGTERM, SIGINT), then drains; or answers the calls of a file.
+// Exit codes: 0 drained, or every call of the file went well; 1 could not serve, was overdue, or a call failed; 2 bad
+// command line or configuration.
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <condition_variable>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <mutex>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <variant>
+
+#include "protocol/json/fields.h"
+#include "server/app/addresses.h"
+#include "server/app/daemon.h"
+#include "server/app/options.h"
+#include "server/app/replay.h"
+#include "server/calls/version.h"
+#include "server/ops/freed_memory.h"
+#include "server/ops/log.h"
+
+namespace selvage::server::app {
+namespace {
+
+// Blocked in every thread, so that only wait_to_stop takes them.
+sigset_t block_signals() {
+  std::signal(SIGPIPE, SIG_IGN);
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP}) sigaddset(&signals, signal);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  return signals;
+}
+
+// The signal to stop.
+int wait_to_stop(const sigset_t& signals, const Options& options) {
+  for (;;) {
+    int signal{};
+    if (sigwait(&signals, &signal) != 0) continue;
+    if (signal != SIGHUP) return signal;
+    ops::reopen_log(options.log_file);
+  }
+}
+
+std::string name_of(const transport::access::Listener& listener) {
+  return listener.path.empty() ? address_text({listener.host, listener.port}) : listener.path;
+}
+
+// In one step, so that whoever waits for the file never reads half of it.
+void write_ports(const std::string& path, const Daemon& daemon) {
+  const std::string beside = path + ".new";
+  std::ofstream file{beside};
+  for (const transport::access::Listener& listener : daemon.listeners()) {
+    if (listener.path.empty()) file << listener.port << '\n';
+  }
+  file.close();
+  if (!file || std::rename(beside.c_str(), path.c_str()) != 0) {
+    throw std::runtime_error{"cannot write --port-file " + path};
+  }
+}
+
+// Ends the process when it is not gone by then: a call that cannot be stopped must not keep it for ever.
+class Overdue {
+ public:
+  explicit Overdue(std::chrono::seconds patience)
+      : thread_{[this, patience](const std::stop_token& gone) {
+          std::unique_lock lock{mutex_};
+          if (wake_.wait_for(lock, gone, patience, [&gone] { return gone.stop_requested(); })) return;
+          if (gone.stop_requested()) return;
+          spdlog::error("not drained after {} s: ending without the rest", patience.count());
+          std::_Exit(1);
+        }} {}
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable_any wake_;
+  std::jthread thread_;
+};
+
+int serve(const Options& options) {
+  ops::bound_freed_memory();
+  const sigset_t signals = block_signals();
+  Daemon daemon{options};
+  if (!options.port_file.empty()) write_ports(options.port_file, daemon);
+  for (const transport::access::Listener& listener : daemon.listeners()) {
+    std::cout << "listening on " << name_of(listener) << std::endl;
+    spdlog::info("selvaged {} listening on {}, {} workers", calls::kVersion, name_of(listener), options.workers);
+  }
+  const int signal = wait_to_stop(signals, options);
+  spdlog::info("draining: signal {}", signal);
+  const Overdue overdue{options.drain + std::chrono::seconds{1}};
+  daemon.drain();
+  spdlog::info("drained");
+  return 0;
+}
+
+// Throws when there can be no such file, or it cannot be written.  Leaves all as it is.
+void check_writable(const std::string& option, const std::string& path) {
+  if (path.empty()) return;
+  const std::string named = option + " " + path + ": ";
+  const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+  if (!std::filesystem::is_directory(folder)) throw std::runtime_error{named + "there is no folder " + folder.string()};
+  if (std::filesystem::is_directory(path)) throw std::runtime_error{named + "it is a folder"};
+  const std::string written = std::filesystem::exists(path) ? path : folder.string();
+  if (access(written.c_str(), W_OK) != 0) throw std::runtime_error{named + "it cannot be written"};
+}
+
+int check_config(const Options& options) {
+  check_writable("--store", options.store);
+  check_writable("--log", options.log_file);
+  check_writable("--port-file", options.port_file);
+  const transport::Transport without_doors{
+      {.access = options.access, .tls = options.tls}, options.limits.transport, {}};
+  std::cout << "the configuration is sound\n";
+  return 0;
+}
+
+std::string text_of_file(const std::string& path) {
+  std::ifstream file{path};
+  if (!file) throw std::runtime_error{"cannot read " + path};
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+template <class Value>
+Value or_throw(Result<Value> result, const std::string& about) {
+  if (!result) throw std::runtime_error{about + ": " + protocol::json::describe(result.error())};
+  return *std::move(result);
+}
+
+int replay_file(const Options& options) {
+  Daemon daemon{options};
+  const Replay replayed = or_throw(replay(daemon, text_of_file(options.replay_file)), options.replay_file);
+  for (const std::string& answer : replayed.answers) std::cout << answer << '\n';
+  if (!options.replay_svg.empty()) {
+    std::ofstream file{options.replay_svg};
+    file << or_throw(drawing_of_last(daemon), "--svg");
+    file.close();
+    if (!file) throw std::runtime_error{"cannot write " + options.replay_svg};
+  }
+  return replayed.went_well ? 0 : 1;
+}
+
+int run(const Options& options) {
+  // A check leaves no file behind.
+  const bool checks = options.task == Options::Task::kCheckConfig;
+  ops::set_up_log(options.log_level, checks ? std::string{} : options.log_file);
+  switch (options.task) {
+    case Options::Task::kServe: return serve(options);
+    case Options::Task::kCheckConfig: return check_config(options);
+    case Options::Task::kReplay: return replay_file(options);
+  }
+  return 2;
+}
+
+}  // namespace
+}  // namespace selvage::server::app
+
+int main(int argc, char** argv) {
+  const auto parsed = selvage::server::app::parse_options(argc, argv);
+  if (const auto* farewell = std::get_if<selvage::server::app::Farewell>(&parsed)) {
+    (farewell->exit_code == 0 ? std::cout : std::cerr) << farewell->text;
+    return farewell->exit_code;
+  }
+  const auto& options = std::get<selvage::server::app::Options>(parsed);
+  try {
+    return selvage::server::app::run(options);
+  } catch (const std::exception& error) {
+    std::cerr << "selvaged: " << error.what() << "\n";
+    return options.task == selvage::server::app::Options::Task::kCheckConfig ? 2 : 1;
+  }
+}

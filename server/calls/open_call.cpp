@@ -1,0 +1,78 @@
+#include "server/calls/open_call.h"
+
+namespace selvage::server::calls {
+
+OpenCall::OpenCall(std::shared_ptr<transport::access::Session> session, jobs::ReplyOnce<Outcome> reply)
+    : session_{std::move(session)}, reply_{std::move(reply)}, gone_{session_->gone, [this] {
+                                                                      left_.request_stop();
+                                                                      stop_.request_stop();
+                                                                    }} {}
+
+bool OpenCall::settle() {
+  Fate fate = Fate::kOpen;
+  return fate_.compare_exchange_strong(fate, Fate::kSettled) || fate == Fate::kSettled;
+}
+
+void OpenCall::answer(Outcome outcome) {
+  if (settle()) std::move(reply_)(std::move(outcome));
+}
+
+bool OpenCall::cancel() {
+  Fate fate = Fate::kOpen;
+  if (!fate_.compare_exchange_strong(fate, Fate::kCancelled)) return false;
+  left_.request_stop();
+  stop_.request_stop();
+  std::move(reply_)(protocol::rpc::RpcError{protocol::rpc::RpcCode::kCancelled, "the call was cancelled", {}});
+  return true;
+}
+
+void OpenCall::set_deadline(const std::shared_ptr<OpenCall>& call, jobs::DeadlineClock& clock,
+                            jobs::DeadlineClock::Time time) {
+  call->deadline_ = clock.at(time, [weak = std::weak_ptr{call}] {
+    const auto still = weak.lock();
+    if (!still) return;
+    still->late_ = true;
+    still->stop_.request_stop();
+  });
+}
+
+// Takes its call off the list, unless a later one has the place.
+struct OpenCalls::Listing {
+  std::shared_ptr<List> list;
+  Key key;
+  const OpenCall* which{};
+
+  Listing(std::shared_ptr<List> listed_in, Key listed_as, const OpenCall* call)
+      : list{std::move(listed_in)}, key{std::move(listed_as)}, which{call} {}
+  ~Listing() {
+    const std::lock_guard lock{list->mutex};
+    const auto found = list->calls.find(key);
+    if (found != list->calls.end() && found->second.which == which) list->calls.erase(found);
+  }
+  Listing(const Listing&) = delete;
+  Listing& operator=(const Listing&) = delete;
+};
+
+void OpenCalls::add(const Json& id, const std::shared_ptr<OpenCall>& call) {
+  const Key key{call->session()->id, protocol::json::to_text(id)};
+  call->listing_ = std::make_shared<const Listing>(list_, key, call.get());
+  const std::lock_guard lock{list_->mutex};
+  list_->calls.insert_or_assign(key, Entry{call.get(), call});
+}
+
+std::size_t OpenCalls::count() const {
+  const std::lock_guard lock{list_->mutex};
+  return list_->calls.size();
+}
+
+bool OpenCalls::cancel(const Json& id, std::uint64_t session) {
+  std::shared_ptr<OpenCall> call;
+  {
+    const std::lock_guard lock{list_->mutex};
+    const auto found = list_->calls.find(Key{session, protocol::json::to_text(id)});
+    if (found != list_->calls.end()) call = found->second.call.lock();
+  }
+  return call && call->cancel();
+}
+
+}  // namespace selvage::server::calls

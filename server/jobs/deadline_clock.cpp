@@ -1,0 +1,42 @@
+#include "server/jobs/deadline_clock.h"
+
+namespace selvage::server::jobs {
+
+DeadlineClock::DeadlineClock() : thread_{[this](const std::stop_token& stop) { tick(stop); }} {}
+
+DeadlineClock::Alarm DeadlineClock::at(Time time, std::function<void()> ring) {
+  const std::lock_guard lock{mutex_};
+  const Alarm::Key key{time, ++set_};
+  alarms_.emplace(key, std::move(ring));
+  if (time < wakes_at_) changed_.notify_all();
+  return Alarm{*this, key};
+}
+
+void DeadlineClock::forget(const Alarm::Key& key) {
+  const std::lock_guard lock{mutex_};
+  alarms_.erase(key);
+}
+
+void DeadlineClock::tick(const std::stop_token& stop) {
+  std::unique_lock lock{mutex_};
+  while (!stop.stop_requested()) {
+    const Time next = alarms_.empty() ? Time::max() : alarms_.begin()->first.first;
+    if (std::chrono::steady_clock::now() < next) {
+      wakes_at_ = next;
+      const auto earlier = [&] { return !alarms_.empty() && alarms_.begin()->first.first < next; };
+      if (next == Time::max()) {
+        changed_.wait(lock, stop, earlier);  // a wait until the end of time overflows
+      } else {
+        changed_.wait_until(lock, stop, next, earlier);
+      }
+      continue;
+    }
+    const auto ring = std::move(alarms_.begin()->second);
+    alarms_.erase(alarms_.begin());
+    lock.unlock();
+    ring();
+    lock.lock();
+  }
+}
+
+}  // namespace selvage::server::jobs

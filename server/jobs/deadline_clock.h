@@ -1,0 +1,60 @@
+// The clock that deadlines are kept by: one thread that sleeps until the next of them.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+namespace selvage::server::jobs {
+
+class DeadlineClock {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+
+  // A deadline that is waited for as long as this lives.
+  class Alarm {
+   public:
+    Alarm() = default;
+    Alarm(Alarm&& other) noexcept : clock_{std::exchange(other.clock_, nullptr)}, key_{std::move(other.key_)} {}
+    Alarm& operator=(Alarm&& other) noexcept {
+      std::swap(clock_, other.clock_);
+      std::swap(key_, other.key_);
+      return *this;
+    }
+    ~Alarm() {
+      if (clock_) clock_->forget(key_);
+    }
+
+   private:
+    friend class DeadlineClock;
+    using Key = std::pair<Time, std::uint64_t>;
+    Alarm(DeadlineClock& clock, Key key) : clock_{&clock}, key_{key} {}
+    DeadlineClock* clock_{};
+    Key key_{};
+  };
+
+  DeadlineClock();
+
+  // Calls `ring` at that time, on the clock's thread; it must not block.  REQUIRES: the clock outlives the alarm.
+  [[nodiscard]] Alarm at(Time time, std::function<void()> ring);
+
+ private:
+  void forget(const Alarm::Key& key);
+  void tick(const std::stop_token& stop);
+
+  std::mutex mutex_;
+  std::condition_variable_any changed_;
+  std::uint64_t set_{};
+  std::map<Alarm::Key, std::function<void()>> alarms_;
+  // When the thread looks next.  A forgotten alarm leaves it as it is: one needless look costs less than waking the
+  // thread for every call that ends in time.
+  Time wakes_at_{Time::max()};
+  std::jthread thread_;  // last: it uses all the rest
+};
+
+}  // namespace selvage::server::jobs

@@ -1,0 +1,31 @@
+// The right to answer one call, exactly once.  Move-only; when it is destroyed without having been used - a
+// job threw, a queue dropped it - it answers `if_lost`, so that no caller ever waits for nothing.
+#pragma once
+
+#include <functional>
+#include <utility>
+
+namespace selvage::server::jobs {
+
+template <class Answer>
+class ReplyOnce {
+ public:
+  using Send = std::function<void(Answer)>;
+
+  ReplyOnce(Send send, Answer if_lost) : send_{std::move(send)}, if_lost_{std::move(if_lost)} {}
+  ReplyOnce(ReplyOnce&& other) noexcept
+      : send_{std::exchange(other.send_, nullptr)}, if_lost_{std::move(other.if_lost_)} {}
+  ReplyOnce& operator=(ReplyOnce&&) = delete;
+  ~ReplyOnce() {
+    if (send_) send_(std::move(if_lost_));
+  }
+
+  // Using it spends it: std::move(reply)(answer).
+  void operator()(Answer answer) && { std::exchange(send_, nullptr)(std::move(answer)); }
+
+ private:
+  Send send_;
+  Answer if_lost_;
+};
+
+}  // namespace selvage::server::jobs

@@ -1,0 +1,19 @@
+#include "server/ops/freed_memory.h"
+
+#include <malloc.h>
+
+namespace selvage::server::ops {
+
+void bound_freed_memory() {
+  // Small next to what a thread works with, large next to what it frees and takes again all the time.
+  constexpr int kMostKept = 1 << 20, kLargeBuffer = 1 << 20;  // bytes
+  ::mallopt(M_TRIM_THRESHOLD, kMostKept);
+  ::mallopt(M_MMAP_THRESHOLD, kLargeBuffer);
+}
+
+FreedMemory::~FreedMemory() {
+  constexpr std::size_t kLarge = std::size_t{1} << 20;  // bytes
+  if (message_bytes_ >= kLarge) ::malloc_trim(0);
+}
+
+}  // namespace selvage::server::ops

@@ -1,0 +1,83 @@
+// SQLite as the journal uses it: the one place that sees its C API.  What SQLite itself has to say (that it recovered
+// what an unclean end left behind, say) goes to the log.
+//
+// Everything here throws std::runtime_error with SQLite's own words when it fails.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace selvage::server::store {
+
+// A statement that is prepared once and run often.
+class Statement {
+ public:
+  Statement(sqlite3* database, std::string_view sql);
+  ~Statement();
+  Statement(const Statement&) = delete;
+  Statement& operator=(const Statement&) = delete;
+
+  // Starts over with these parameters, in order.
+  template <class... Parameters>
+  Statement& with(const Parameters&... parameters) {
+    reset();
+    int position = 0;
+    (bind(++position, parameters), ...);
+    return *this;
+  }
+  // True when there is a row to read.
+  bool step();
+  void run() {
+    while (step()) {
+    }
+    reset();
+  }
+  [[nodiscard]] std::int64_t integer(int column) const;
+  [[nodiscard]] std::string text(int column) const;
+
+ private:
+  void reset();
+  void bind(int position, std::int64_t value);
+  void bind(int position, std::uint64_t value) { bind(position, static_cast<std::int64_t>(value)); }
+  void bind(int position, std::string_view value);
+
+  sqlite3* const database_;
+  sqlite3_stmt* statement_{};
+};
+
+class Database {
+ public:
+  // Opens or creates the file, for this process alone.
+  explicit Database(const std::string& path);
+  ~Database();
+  Database(const Database&) = delete;
+  Database& operator=(const Database&) = delete;
+
+  // One or several statements without parameters.
+  void run(const std::string& sql);
+  [[nodiscard]] sqlite3* handle() const { return database_; }
+
+ private:
+  sqlite3* database_{};
+};
+
+// Takes back everything since it began unless it was kept.
+class Transaction {
+ public:
+  explicit Transaction(Database& database) : database_{database} { database_.run("BEGIN IMMEDIATE"); }
+  ~Transaction();
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+  void keep();
+
+ private:
+  Database& database_;
+  bool kept_{};
+};
+
+}  // namespace selvage::server::store

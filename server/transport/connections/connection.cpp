@@ -1,0 +1,78 @@
+#include "server/transport/connections/connection.h"
+
+#include <boost/asio/buffer.hpp>
+
+#include <array>
+#include <cstddef>
+
+namespace selvage::server::transport::connections {
+
+using Clock = std::chrono::steady_clock;
+
+Connection::Connection(Socket connected, std::uint64_t id, bool must_show_token)
+    : socket{std::move(connected)},
+      read_watchdog{socket.get_executor()},
+      write_watchdog{socket.get_executor()},
+      session{std::make_shared<access::Session>(access::Session{.id = id, .notify = {}, .gone = gone.get_token()})},
+      needs_token{must_show_token} {}
+
+void Connection::watch() {
+  socket.async_wait(Socket::wait_error, [self = shared_from_this()](boost::system::error_code error) {
+    if (!error) self->gone.request_stop();
+  });
+}
+
+void Connection::watch_for_end() {
+  if (std::exchange(watching_for_end_, true)) return;
+  socket.async_wait(Socket::wait_read, [self = shared_from_this()](boost::system::error_code error) {
+    self->watching_for_end_ = false;
+    if (error || self->draining) return;
+    char next{};
+    boost::system::error_code state;
+    self->socket.non_blocking(true, state);
+    self->socket.receive(boost::asio::buffer(&next, 1), Socket::message_peek, state);
+    // Bytes to read are another request, sent ahead: its turn comes.
+    if (state && state != boost::asio::error::would_block) self->gone.request_stop();
+  });
+}
+
+void Connection::arm(boost::asio::steady_timer& watchdog, std::chrono::milliseconds time) {
+  watchdog.expires_after(time);
+  watchdog.async_wait([self = shared_from_this(), &watchdog](boost::system::error_code error) {
+    if (!error && watchdog.expiry() <= Clock::now()) self->cut();
+  });
+}
+
+void Connection::disarm(boost::asio::steady_timer& watchdog) {
+  watchdog.expires_at(Clock::time_point::max());
+}
+
+void Connection::drain() {
+  draining = true;
+  if (on_drain) return on_drain();
+  boost::system::error_code ignored;
+  socket.shutdown(Socket::shutdown_receive,
+                  ignored);  // a read under way ends as if the other side had closed
+}
+
+void Connection::cut() {
+  gone.request_stop();
+  boost::system::error_code ignored;
+  socket.close(ignored);
+  read_watchdog.cancel();
+  write_watchdog.cancel();
+}
+
+boost::asio::awaitable<void> Connection::linger() {
+  constexpr std::chrono::seconds kPatience{2};
+  boost::system::error_code error;
+  socket.shutdown(Socket::shutdown_send, error);
+  arm(read_watchdog, kPatience);
+  std::array<char, 16384> dropped{};
+  while (!error && !draining) {
+    co_await socket.async_read_some(boost::asio::buffer(dropped),
+                                    boost::asio::redirect_error(boost::asio::use_awaitable, error));
+  }
+}
+
+}  // namespace selvage::server::transport::connections

@@ -1,0 +1,75 @@
+#include "server/transport/connections/conversation.h"
+
+#include <boost/asio/post.hpp>
+
+#include <utility>
+
+namespace selvage::server::transport::connections {
+
+namespace asio = boost::asio;
+
+Conversation::Conversation(std::shared_ptr<Connection> connection, const ConnectionTerms& terms)
+    : connection_{std::move(connection)}, terms_{terms}, changed_{connection_->socket.get_executor()} {}
+
+void Conversation::let_notify() {
+  const auto executor = connection_->socket.get_executor();
+  connection_->session->notify = [executor, weak = weak_from_this()](std::string message) {
+    asio::post(executor, [weak, held = std::move(message)]() mutable {
+      const auto self = weak.lock();
+      if (!self) return;
+      self->send(std::move(held));
+      if (self->unsent_bytes_ > 2 * self->terms_.limits.backlog_bytes) self->connection_->cut();
+    });
+  };
+}
+
+asio::awaitable<void> Conversation::wait_for_room() {
+  while (crowded()) co_await changed_.wait();
+}
+
+void Conversation::call(std::string message) {
+  ++unanswered_;
+  const auto executor = connection_->socket.get_executor();
+  access::Reply reply = [executor, self = shared_from_this()](std::string answer) {
+    asio::post(executor, [self, held = std::move(answer)]() mutable {
+      --self->unanswered_;
+      self->send(std::move(held));
+      self->changed_.notify();
+    });
+  };
+  terms_.service.call(std::move(message), connection_->session, std::move(reply));
+}
+
+void Conversation::send(std::string text) {
+  if (text.empty() || !connection_->socket.is_open()) return;
+  unsent_bytes_ += text.size();
+  unsent_.push_back(std::move(text));
+  if (writing_bytes_ == 0) write_next();
+}
+
+asio::awaitable<void> Conversation::settle() {
+  while (unanswered_ != 0 || unsent_bytes_ != 0) co_await changed_.wait();
+}
+
+void Conversation::write_next() {
+  connection_->arm(connection_->write_watchdog, terms_.limits.write);
+  writing_bytes_ = write(unsent_);
+}
+
+void Conversation::written(boost::system::error_code error) {
+  Connection::disarm(connection_->write_watchdog);
+  unsent_bytes_ -= std::exchange(writing_bytes_, 0);
+  if (error) {
+    unsent_.clear();
+    unsent_bytes_ = 0;
+    connection_->cut();
+  }
+  if (!unsent_.empty()) write_next();
+  changed_.notify();
+}
+
+bool Conversation::crowded() const {
+  return unanswered_ >= terms_.limits.calls_per_connection || unsent_bytes_ >= terms_.limits.backlog_bytes;
+}
+
+}  // namespace selvage::server::transport::connections

@@ -1,0 +1,124 @@
+// Newline-delimited JSON on one connection: a message per line.  When the other side has sent its last (half-closed),
+// what it asked is still answered before the connection closes; only a connection that breaks stops its calls.
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/write.hpp>
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "server/transport/connections/conversation.h"
+#include "server/transport/connections/line_splitter.h"
+
+namespace selvage::server::transport::connections {
+namespace {
+
+namespace asio = boost::asio;
+using Error = boost::system::error_code;
+
+class LineConnection final : public Conversation {
+ public:
+  LineConnection(std::shared_ptr<Connection> connection, const ConnectionTerms& terms)
+      : Conversation{std::move(connection), terms}, splitter_{terms.limits.body_bytes} {}
+
+  asio::awaitable<void> serve(std::string received) {
+    if (connection_->needs_token && !co_await enter(received)) {
+      co_await settle();
+      co_return co_await connection_->linger();
+    }
+    let_notify();
+    std::vector<Line> lines = splitter_.feed(received);
+    co_await take(std::move(lines));
+    co_await read_to_end();
+    Connection::disarm(connection_->read_watchdog);
+    co_await settle();
+  }
+
+ private:
+  // The first line must show the token; what comes behind it is left in `received`.
+  asio::awaitable<bool> enter(std::string& received) {
+    std::array<char, 4096> chunk{};
+    Error error;
+    connection_->arm(connection_->read_watchdog, terms_.limits.request);
+    while (!error && received.find('\n') == std::string::npos && received.size() < terms_.limits.header_bytes) {
+      const std::size_t count = co_await connection_->socket.async_read_some(
+          asio::buffer(chunk), asio::redirect_error(asio::use_awaitable, error));
+      received.append(chunk.data(), count);
+    }
+    Connection::disarm(connection_->read_watchdog);
+    const std::size_t end = received.find('\n');
+    if (end == std::string::npos || !terms_.service.enter) co_return false;
+    access::Entry entry = terms_.service.enter(std::string_view{received}.substr(0, end), terms_.access);
+    received.erase(0, end + 1);
+    send(std::move(entry.answer));
+    co_return entry.granted;
+  }
+
+  asio::awaitable<void> read_to_end() {
+    std::array<char, 65536> chunk{};
+    Error error;
+    for (;;) {
+      if (connection_->draining || !connection_->socket.is_open()) co_return;
+      guard_partial_line();
+      const std::size_t count = co_await connection_->socket.async_read_some(
+          asio::buffer(chunk), asio::redirect_error(asio::use_awaitable, error));
+      if (connection_->draining) co_return;
+      if (error && error != asio::error::eof) co_return connection_->cut();
+      // Named: g++ 12.2 destroys twice a temporary of a conditional inside a co_await expression.
+      std::vector<Line> lines = error ? splitter_.finish() : splitter_.feed({chunk.data(), count});
+      co_await take(std::move(lines));
+      if (error) co_return;
+    }
+  }
+
+  // A line that has begun must end in time; between lines there is no hurry: a front end stays for hours.
+  void guard_partial_line() {
+    if (splitter_.within_line() == guarding_) return;
+    guarding_ = !guarding_;
+    if (guarding_) {
+      connection_->arm(connection_->read_watchdog, terms_.limits.request);
+    } else {
+      Connection::disarm(connection_->read_watchdog);
+    }
+  }
+
+  asio::awaitable<void> take(std::vector<Line> lines) {
+    for (Line& line : lines) {
+      co_await wait_for_room();
+      if (line.too_long) {
+        send(terms_.service.line_too_long);
+      } else {
+        call(std::move(line.text));
+      }
+    }
+  }
+
+  std::size_t write(std::deque<std::string>& unsent) override {
+    writing_.clear();
+    std::size_t bytes{};
+    for (const std::string& text : std::exchange(unsent, {})) {
+      bytes += text.size();
+      writing_.append(text).push_back('\n');
+    }
+    asio::async_write(connection_->socket, asio::buffer(writing_),
+                      [this, self = shared_from_this()](Error error, std::size_t) { written(error); });
+    return bytes;
+  }
+
+  LineSplitter splitter_;
+  std::string writing_;
+  bool guarding_{};
+};
+
+}  // namespace
+
+asio::awaitable<void> serve_lines(std::shared_ptr<Connection> connection, const ConnectionTerms& terms,
+                                  std::string received) {
+  const Counted counted{terms.service.counts->lines};
+  const auto lines = std::make_shared<LineConnection>(std::move(connection), terms);
+  co_await lines->serve(std::move(received));
+}
+
+}  // namespace selvage::server::transport::connections

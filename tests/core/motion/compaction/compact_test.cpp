@@ -1,0 +1,225 @@
+#include "core/motion/compaction/compact.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/marker/validity.h"
+#include "tests/core/motion/markers.h"
+
+namespace selvage::motion::compaction {
+namespace {
+
+using test::Layout;
+
+const CompactionSettings kStandard = compaction_settings(Accuracy::kStandard);
+
+Compaction compacted(const Marker& marker, const CompactionSettings& settings = kStandard) {
+  SumCache sums;
+  const auto result = compact(marker, settings, sums);
+  EXPECT_TRUE(result) << (result ? "" : result.error().message);
+  if (!result) return {};
+  EXPECT_TRUE(is_valid(result->marker));
+  EXPECT_LE(result->length_after, result->length_before + result->repair.lengthened);
+  EXPECT_EQ(result->length_after, length_of(result->marker));
+  return *result;
+}
+
+TEST(Compact, SlidesOnePieceToTheLeftEdge) {
+  Layout layout{1000};
+  layout.put(layout.shape_of(test::rectangle(300, 200)), {5000, 400});
+  const auto result = compacted(layout.marker());
+  EXPECT_EQ(result.length_after, 300);
+  EXPECT_EQ(result.marker.pieces[0].at.x, 0);
+  EXPECT_EQ(result.reason, scene::StopReason::kConverged);
+}
+
+TEST(Compact, ClosesGapsBetweenRectanglesExactly) {
+  Layout layout{1000};
+  const auto tall = layout.shape_of(test::rectangle(100, 1000));
+  for (int k = 0; k < 5; ++k) layout.put(tall, {k * 137, 0});
+  EXPECT_EQ(compacted(layout.marker()).length_after, 500);
+}
+
+TEST(Compact, MovesAPieceAsideToLetAnotherPass) {  // no single piece can gain: [Li94 1.2.2]
+  Layout layout{200};
+  const auto square = layout.shape_of(test::rectangle(100, 100));
+  const auto wedge = layout.shape_of({{0, 50}, {100, 0}, {100, 100}});
+  layout.put(square, {0, 0}).put(square, {0, 100}).put(wedge, {90 + 10, 50});
+  layout.put(square, {200, 50});
+  const auto result = compacted(layout.marker());
+  EXPECT_EQ(result.length_after, result.length_before);  // a wedge cannot split two squares held by the edges
+}
+
+TEST(Compact, KeepsLockedPiecesToTheUnit) {
+  Marker marker = test::loose_marker(7);
+  for (std::size_t k : {3U, 8U, 12U}) marker.pieces[k].locked = true;
+  const auto result = compacted(marker);
+  for (std::size_t k : {3U, 8U, 12U}) EXPECT_EQ(result.marker.pieces[k].at, marker.pieces[k].at);
+  EXPECT_LT(result.length_after, result.length_before);
+}
+
+TEST(Compact, LeavesAMarkerOfLockedPiecesAlone) {
+  Marker marker = test::loose_marker(7);
+  for (Piece& piece : marker.pieces) piece.locked = true;
+  const auto result = compacted(marker);
+  EXPECT_EQ(result.marker, marker);
+  EXPECT_EQ(result.rounds, 0);
+}
+
+TEST(Compact, HoldsTheSpacingExactly) {
+  for (const Coord spacing : {Coord{1}, Coord{1000}, Coord{20'000}}) {
+    Marker marker = test::loose_marker(11);
+    marker.spacing = spacing;
+    for (std::size_t k = 0; k < marker.pieces.size(); ++k) marker.pieces[k].at.x += 30'000 * static_cast<Coord>(k / 3);
+    marker.strip.width += 4 * 30'000;
+    for (std::size_t k = 0; k < marker.pieces.size(); ++k) marker.pieces[k].at.y += 30'000 * static_cast<Coord>(k % 3);
+    const auto result = compacted(marker);
+    EXPECT_LT(result.length_after, result.length_before);
+    EXPECT_TRUE(is_valid(result.marker));
+  }
+}
+
+TEST(Compact, FindsNothingInBricksWithoutSlack) {
+  Layout layout{400};
+  const auto brick = layout.shape_of(test::rectangle(200, 100));
+  for (int row = 0; row < 4; ++row) {
+    for (int k = 0; k < 10; ++k) layout.put(brick, {k * 200 + (row % 2) * 100, row * 100});
+  }
+  const auto half = layout.shape_of(test::rectangle(100, 100));
+  layout.put(half, {0, 100}).put(half, {0, 300});
+  const auto result = compacted(layout.marker());
+  EXPECT_EQ(result.length_after, 2100);
+}
+
+TEST(Compact, FindsNothingInInterlockedChevrons) {
+  Layout layout{10'000};
+  const auto band = layout.shape_of(test::chevron(7001, 1000, 333));
+  for (int row = 0; row < 9; ++row) layout.put(band, {0, row * 1000});
+  const auto result = compacted(layout.marker());
+  EXPECT_EQ(result.length_after, 7001);
+}
+
+TEST(Compact, TakesTheSlackOutOfChevronsThatFillTheStrip) {
+  Layout layout{3 * 1000 + 333};
+  const auto band = layout.shape_of(test::chevron(7001, 1000, 333));
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) layout.put(band, {column * 7101, row * 1000});
+  }
+  EXPECT_EQ(compacted(layout.marker()).length_after, 3 * 7001);
+}
+
+TEST(Compact, TakesPiecesExactlyAsWideAsTheStrip) {
+  Layout layout{1000};
+  const auto diamond = layout.shape_of({{0, 500}, {300, 0}, {600, 500}, {300, 1000}});
+  for (int k = 0; k < 6; ++k) layout.put(diamond, {k * 700, 0});
+  // Diamonds of full width meet corner to corner; each of the five slanted contacts keeps its margin of a few units.
+  const auto after = compacted(layout.marker()).length_after;
+  EXPECT_GE(after, 6 * 600);
+  EXPECT_LE(after, 6 * 600 + 5 * 4);
+}
+
+TEST(Compact, RespectsTheClothsEnd) {
+  Marker marker = test::loose_marker(3);
+  marker.strip.longest = length_of(marker);
+  EXPECT_LT(compacted(marker).length_after, *marker.strip.longest);
+}
+
+TEST(Compact, NoRoundIsLongerThanTheOneBefore) {
+  SumCache sums;
+  Coord last = length_of(test::loose_marker(5));
+  int rounds = 0;
+  scene::Observer observer;
+  observer.on_round = [&](const scene::Round& round) {
+    EXPECT_EQ(round.number, ++rounds);
+    EXPECT_LE(round.length, last);
+    last = round.length;
+  };
+  const auto result = compact(test::loose_marker(5), kStandard, sums, {}, observer);
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->rounds, rounds);
+  EXPECT_EQ(result->length_after, last);
+  EXPECT_LT(result->length_after, result->length_before);
+}
+
+TEST(Compact, StopsAtTheWorkLimit) {
+  CompactionSettings settings = kStandard;
+  settings.rounds = 1;
+  const auto result = compacted(test::loose_marker(5), settings);
+  EXPECT_EQ(result.rounds, 1);
+  EXPECT_EQ(result.reason, scene::StopReason::kWorkLimit);
+  settings.rounds = 0;
+  EXPECT_EQ(compacted(test::loose_marker(5), settings).marker, test::loose_marker(5));
+}
+
+TEST(Compact, ReturnsTheBestSoFarWhenCancelled) {
+  std::stop_source source;
+  SumCache sums;
+  scene::Observer observer;
+  observer.on_round = [&](const scene::Round& round) {
+    if (round.number == 1) source.request_stop();
+  };
+  const auto result = compact(test::loose_marker(5), kStandard, sums, source.get_token(), observer);
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->reason, scene::StopReason::kCancelled);
+  EXPECT_EQ(result->rounds, 1);
+  EXPECT_TRUE(is_valid(result->marker));
+  EXPECT_LT(result->length_after, result->length_before);
+}
+
+TEST(Compact, ReturnsTheInputWhenCancelledBeforeItStarts) {
+  std::stop_source source;
+  source.request_stop();
+  SumCache sums;
+  const auto result = compact(test::loose_marker(5), kStandard, sums, source.get_token());
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->reason, scene::StopReason::kCancelled);
+  EXPECT_EQ(result->marker, test::loose_marker(5));
+}
+
+TEST(Compact, GivesTheSameAnswerWithAColdAndAWarmCache) {
+  SumCache warm;
+  SumCache tiny{1};
+  const Marker marker = test::loose_marker(9);
+  const auto first = compact(marker, kStandard, warm);
+  const auto second = compact(marker, kStandard, warm);
+  const auto third = compact(marker, kStandard, tiny);
+  ASSERT_TRUE(first && second && third);
+  EXPECT_EQ(first->marker, second->marker);
+  EXPECT_EQ(first->marker, third->marker);
+  EXPECT_EQ(warm.counts().misses, warm.counts().entries);
+}
+
+TEST(Compact, EveryRuleAndSolverGivesAValidShorterMarker) {
+  for (const model::RegionRule rule : {model::RegionRule::kGreedy, model::RegionRule::kWalk}) {
+    for (const lp::solver::SolverChoice solver :
+         {lp::solver::SolverChoice::kSimplex, lp::solver::SolverChoice::kInteriorPoint}) {
+      CompactionSettings settings = kStandard;
+      settings.region = rule;
+      settings.solver = solver;
+      const auto result = compacted(test::loose_marker(13), settings);
+      EXPECT_LT(static_cast<double>(result.length_after), 0.97 * static_cast<double>(result.length_before));
+    }
+  }
+}
+
+TEST(Compact, CompactingAgainGainsNothingMore) {
+  const auto once = compacted(test::loose_marker(21));
+  const auto twice = compacted(once.marker);
+  EXPECT_LE(static_cast<double>(once.length_after - twice.length_after),
+            1e-5 * static_cast<double>(once.marker.strip.width));
+}
+
+TEST(Compact, PiecesOfOneShapeWithinAnothersBoxAreNoNeighboursOfTrouble) {
+  // A frame open to the right holds a small square; both can move.
+  Layout layout{1000};
+  const auto cup =
+      layout.shape_of({{0, 0}, {900, 0}, {900, 100}, {100, 100}, {100, 900}, {900, 900}, {900, 1000}, {0, 1000}});
+  const auto square = layout.shape_of(test::rectangle(300, 300));
+  layout.put(cup, {500, 0}).put(square, {900, 350});
+  const auto result = compacted(layout.marker());
+  EXPECT_EQ(result.length_after, 900);
+}
+
+}  // namespace
+}  // namespace selvage::motion::compaction

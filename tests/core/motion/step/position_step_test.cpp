@@ -1,0 +1,45 @@
+// One round of any motion of many pieces at once.
+#include "core/motion/step/position_step.h"
+
+#include <gtest/gtest.h>
+
+#include "core/marker/validity.h"
+#include "tests/support/garment.h"
+#include "tests/support/tiled_marker.h"
+
+namespace selvage::motion::step {
+namespace {
+
+class PositionStepOfGarments : public ::testing::TestWithParam<const char*> {};
+
+// So little trust that moves break rows that were left out.
+constexpr double kTrust = 0.01;
+
+TEST_P(PositionStepOfGarments, AProgramThatIsNotWorthSolvingAgainHasItsMovesShortened) {
+  const Marker marker = test::loosened(test::garment(GetParam()), 0.05);
+  SumCache sums;
+  const scene::Scene scene{marker, sums};
+  const Goal goal = leftward_goal(scene, 0.003);
+  const PositionStep best = position_step(scene, goal, {.trust = kTrust}, {}, {});
+  ASSERT_EQ(best.end, StepEnd::kMoved);
+  ASSERT_GT(best.programs, 1);
+  const PositionStep once = position_step(scene, goal, {.trust = kTrust, .worth = 1}, {}, {});
+  ASSERT_EQ(once.end, StepEnd::kMoved);
+  EXPECT_LT(once.programs, best.programs);
+  EXPECT_GT(once.gain, 0);
+  EXPECT_LE(once.gain, best.gain * (1 + 1e-6));
+  marker::PlacedPieces moved = scene.pieces;
+  moved.place(once.positions);
+  EXPECT_TRUE(conflicts(moved).empty());
+  EXPECT_LT(moved.length(), scene.pieces.length());
+  // What gains more than that is worth solving again.
+  const PositionStep again = position_step(scene, goal, {.trust = kTrust, .worth = 1e-6}, {}, {});
+  EXPECT_EQ(again.programs, best.programs);
+  EXPECT_EQ(again.positions, best.positions);
+}
+
+INSTANTIATE_TEST_SUITE_P(Garments, PositionStepOfGarments, ::testing::Values("jeans_02g", "simon_06g", "jeans_06g"),
+                         test::garment_name);
+
+}  // namespace
+}  // namespace selvage::motion::step

@@ -1,0 +1,111 @@
+#include "core/outline/set_operations.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/support/exact.h"
+#include "tests/support/placed.h"
+#include "tests/support/polygons.h"
+
+namespace selvage::outline {
+namespace {
+
+using test::Random;
+
+Polygon square(Vec at, Coord side) {
+  return {at, {at.x + side, at.y}, {at.x + side, at.y + side}, {at.x, at.y + side}};
+}
+
+TEST(LeftOver, OfAnEmptyBoxIsTheBox) {
+  const auto regions = left_over({{0, 0}, {30, 20}}, {});
+  ASSERT_EQ(regions.size(), 1U);
+  EXPECT_EQ(regions[0].outline, (Polygon{{0, 0}, {30, 0}, {30, 20}, {0, 20}}));
+}
+
+TEST(LeftOver, KnowsHolesAndIslands) {  // a frame lying in the box: a ring about it, an island in it
+  const std::vector<Polygon> frame{square({10, 10}, 20), {{15, 15}, {15, 25}, {25, 25}, {25, 15}}};
+  const auto regions = left_over({{0, 0}, {40, 40}}, frame);
+  ASSERT_EQ(regions.size(), 2U);
+  EXPECT_EQ(area_of(regions[0]), 1600 - 400);
+  ASSERT_EQ(regions[0].holes.size(), 1U);
+  EXPECT_LT(doubled_area(regions[0].holes[0]), 0);
+  EXPECT_EQ(regions[1], (Region{square({15, 15}, 10), {}}));
+}
+
+TEST(LeftOver, DoesNotDependOnTheOrder) {
+  Random random{5};
+  std::vector<Polygon> taken;
+  for (int k = 0; k < 12; ++k) {
+    taken.push_back(test::random_polygon(random, 400));
+    const Vec by = random.point(0, 800);
+    for (Vec& v : taken.back()) v = v + by;
+  }
+  const auto regions = left_over({{0, 0}, {1000, 1000}}, taken);
+  std::reverse(taken.begin(), taken.end());
+  const auto again = left_over({{0, 0}, {1000, 1000}}, taken);
+  EXPECT_TRUE(std::is_sorted(regions.begin(), regions.end()));
+  ASSERT_EQ(regions.size(), again.size());
+  for (std::size_t k = 0; k < regions.size(); ++k) EXPECT_NEAR(area_of(regions[k]), area_of(again[k]), 2000);
+}
+
+// Corners are rounded to the lattice: every one costs at most about its edges' length in area.
+TEST(LeftOver, HasTheExactArea) {
+  Random random{7};
+  for (int trial = 0; trial < 600 / test::kSlowdown; ++trial) {
+    const Coord extent = Coord{1} << random.between(10, 38);
+    const Box box{{0, 0}, {4 * extent, 3 * extent}};
+    std::vector<Polygon> taken;
+    double perimeter = 14 * static_cast<double>(extent);
+    for (int k = 0; k < 8; ++k) {
+      taken.push_back(test::random_polygon(random, extent));
+      const Vec by = random.point(-extent / 2, 3 * extent);
+      Vec previous = taken.back().back() + by;
+      for (Vec& v : taken.back()) {
+        v = v + by;
+        perimeter += std::hypot(static_cast<double>(v.x - previous.x), static_cast<double>(v.y - previous.y));
+        previous = v;
+      }
+    }
+    double area = 0;
+    for (const Region& region : left_over(box, taken)) area += area_of(region);
+    const auto exact = test::areas_left_over(box, taken);
+    double exact_area = 0;
+    for (const double part : exact) exact_area += part;
+    const double rounding = 2 * perimeter + 1e-12 * exact_area;
+    ASSERT_NEAR(area, exact_area, rounding) << "trial " << trial << " extent " << extent;
+  }
+}
+
+TEST(Grown, HoldsAllPointsThatNear) {
+  Random random{11};
+  for (int trial = 0; trial < 2000 / test::kSlowdown; ++trial) {
+    const Coord extent = Coord{1} << random.between(8, 38);
+    const Polygon polygon = test::random_polygon(random, extent);
+    const Coord distance = extent / random.between(20, 200) + 3;
+    const auto rings = grown(polygon, distance);
+    ASSERT_FALSE(rings.empty());
+    // No ring comes nearer than the distance, but for rounding; none goes farther than a mitred corner.
+    for (const Polygon& ring : rings) {
+      Vec a = ring.back();
+      for (const Vec b : ring) {
+        const Vec middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
+        a = b;
+        for (const Vec v : {b, middle}) {
+          const Polygon speck{v, {v.x + 1, v.y}, {v.x, v.y + 1}};
+          ASSERT_FALSE(closer_than(test::placed(polygon), test::placed(speck), distance - 3)) << trial;
+        }
+        const Polygon speck{b, {b.x + 1, b.y}, {b.x, b.y + 1}};
+        ASSERT_TRUE(closer_than(test::placed(polygon), test::placed(speck), 2 * distance + 4)) << trial;
+      }
+    }
+  }
+}
+
+TEST(Grown, ByNothingIsThePolygon) {
+  EXPECT_EQ(grown(square({3, 4}, 5), 0), (std::vector<Polygon>{square({3, 4}, 5)}));
+}
+
+}  // namespace
+}  // namespace selvage::outline

@@ -1,0 +1,214 @@
+// The same request gives the same bytes with any number of threads.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/marker/validity.h"
+#include "core/motion/compaction/push.h"
+#include "core/motion/tilting/tilt.h"
+#include "core/search/refine.h"
+#include "protocol/execution/thread_pool.h"
+#include "tests/laws/random_marker.h"
+#include "tests/laws/random_settings.h"
+#include "tests/support/garment.h"
+#include "tests/support/tiled_marker.h"
+
+namespace selvage::test {
+namespace {
+
+using test::kSlowdown;
+using test::Random;
+
+// What a motion came to, and all that is told of it.
+struct Story {
+  Marker marker;
+  scene::StopReason reason{};
+  int rounds{}, programs{};
+  std::vector<Coord> lengths;           // after each round
+  std::array<std::uint64_t, 4> sums{};  // the cache's: hits, misses, entries, bytes
+  friend bool operator==(const Story&, const Story&) = default;
+};
+
+// Of motion(sums, stop, observer), from an empty cache.
+template <class Motion>
+Story story_of(const Executor& executor, const Motion& motion, std::stop_source stop = {}) {
+  Story story;
+  SumCache sums;
+  scene::Observer observer;
+  observer.executor = &executor;
+  observer.on_round = [&](const scene::Round& round) { story.lengths.push_back(round.length); };
+  auto done = motion(sums, stop.get_token(), observer);
+  if (!done) throw std::runtime_error{done.error().message};
+  story.marker = std::move(done->marker);
+  story.reason = done->reason;
+  story.rounds = done->rounds;
+  story.programs = done->programs;
+  const minkowski::CacheCounts counts = sums.counts();
+  story.sums = {counts.hits, counts.misses, counts.entries, counts.bytes};
+  return story;
+}
+
+template <class Motion>
+void expect_one_story(const Motion& motion, const std::string& about) {
+  const Story alone_told = story_of(serial(), motion);
+  EXPECT_TRUE(is_valid(alone_told.marker)) << about;
+  for (const std::size_t threads : {1U, 2U, 4U, 7U}) {
+    EXPECT_TRUE(story_of(protocol::execution::ThreadPool{threads - 1}, motion) == alone_told)
+        << about << ", " << threads << " threads";
+  }
+}
+
+auto compaction(const Marker& marker, const motion::compaction::CompactionSettings& settings) {
+  return [&marker, settings](SumCache& sums, const std::stop_token& stop, const scene::Observer& observer) {
+    return compact(marker, settings, sums, stop, observer);
+  };
+}
+auto standard(const Marker& marker) {
+  return compaction(marker, compaction_settings(motion::compaction::Accuracy::kStandard));
+}
+
+class GarmentCrews : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(All, GarmentCrews, test::kGarments, test::garment_name);
+
+TEST_P(GarmentCrews, Compact) {
+  const Marker marker = test::garment(GetParam());
+  expect_one_story(standard(marker), GetParam());
+  motion::compaction::CompactionSettings walking = compaction_settings(motion::compaction::Accuracy::kDraft);
+  walking.region = model::RegionRule::kWalk;
+  expect_one_story(compaction(marker, walking), GetParam());
+}
+
+TEST_P(GarmentCrews, HealAndPush) {
+  Random random{161};
+  Marker marker = test::garment(GetParam());
+  marker = test::shaken(random, marker, 2e-5);
+  ASSERT_FALSE(is_valid(marker));
+  const std::vector<motion::compaction::Force> forces{{PieceId{1}, 1, 0}, {PieceId{4}, 0.5, 1}};
+  expect_one_story(
+      [&](SumCache& sums, const std::stop_token& stop, const scene::Observer& observer) {
+        return push(marker, forces, compaction_settings(motion::compaction::Accuracy::kDraft), sums, stop, observer);
+      },
+      GetParam());
+}
+
+TEST(Crews, CompactLongMarkers) {
+  const Marker marker = test::tiled(test::garment("jeans_02g"), 1200 / kSlowdown);
+  const Marker loose = test::loosened(marker, 0.05);
+  expect_one_story(standard(loose), "1200 pieces");
+}
+
+TEST(Crews, CompactRandomMarkers) {
+  Random random{162};
+  for (int trial = 0; trial < 60 / kSlowdown; ++trial) {
+    const Marker marker = test::tiled(test::random_marker(random), 70);
+    expect_one_story(compaction(marker, random_settings(random)), std::to_string(trial));
+  }
+}
+
+TEST(Crews, Tilt) {
+  for (const char* name : {"jeans_02g", "charlie_04g"}) {
+    const Marker marker = test::garment(name);
+    for (const motion::tilting::TiltMethod method :
+         {motion::tilting::TiltMethod::kLinearisation, motion::tilting::TiltMethod::kRelaxation}) {
+      motion::tilting::TiltSettings settings = tilt_settings(method, motion::compaction::Accuracy::kDraft);
+      settings.rounds = 2;
+      settings.perturbations = 0;
+      expect_one_story([&](SumCache& sums, const std::stop_token& stop,
+                           const scene::Observer& observer) { return tilt(marker, settings, sums, stop, observer); },
+                       name);
+    }
+  }
+}
+
+// The answer, not the cache: exchanges that are tried for nothing look up sums, too.
+TEST(Crews, Refine) {
+  for (const char* name : {"jeans_02g", "charlie_04g"}) {
+    const Marker marker = test::garment(name);
+    search::RefineSettings settings = search::refine_settings();
+    settings.effort = 6'000 / kSlowdown;
+    expect_one_story(
+        [&](SumCache&, const std::stop_token& stop, const scene::Observer& observer) {
+          SumCache own;
+          return refine(marker, settings, own, stop, observer);
+        },
+        name);
+  }
+}
+
+// Lets another crew work, and does something of its own before one of the parts.
+class Interrupted final : public Executor {
+ public:
+  Interrupted(const Executor& executor, int part, std::function<void()> act)
+      : executor_{executor}, left_{part}, act_{std::move(act)} {}
+  [[nodiscard]] std::size_t parallelism() const override { return executor_.parallelism(); }
+  void for_each(std::size_t count, const Part& part) const override {
+    executor_.for_each(count, [&](std::size_t k) {
+      if (left_-- == 0) act_();
+      part(k);
+    });
+  }
+
+ private:
+  const Executor& executor_;
+  mutable std::atomic<int> left_;
+  std::function<void()> act_;
+};
+
+TEST(Crews, AnswerWithTheBestSoFarWhenStoppedInAPart) {
+  const Marker marker = test::garment("jeans_06g");
+  const protocol::execution::ThreadPool executor{2};
+  for (const int part : {0, 5, 20, 35}) {
+    std::stop_source stop;
+    const Interrupted interrupted{executor, part, [&] { stop.request_stop(); }};
+    const Story story = story_of(interrupted, standard(marker), stop);
+    EXPECT_EQ(story.reason, scene::StopReason::kCancelled) << part;
+    EXPECT_TRUE(is_valid(story.marker)) << part;
+    EXPECT_LE(length_of(story.marker), length_of(marker)) << part;
+  }
+}
+
+TEST(Crews, RefineAnswersWithTheBestSoFarWhenStoppedInAPart) {
+  const Marker marker = test::garment("jeans_02g");
+  const protocol::execution::ThreadPool executor{2};
+  for (const int part : {3, 12, 17, 30}) {
+    std::stop_source stop;
+    const Interrupted interrupted{executor, part, [&] { stop.request_stop(); }};
+    const Story story = story_of(
+        interrupted,
+        [&](SumCache& sums, const std::stop_token& token, const scene::Observer& observer) {
+          return refine(marker, search::refine_settings(), sums, token, observer);
+        },
+        stop);
+    EXPECT_EQ(story.reason, scene::StopReason::kCancelled) << part;
+    EXPECT_TRUE(is_valid(story.marker)) << part;
+    EXPECT_LE(length_of(story.marker), length_of(marker)) << part;
+    if (story.rounds == 0) continue;  // in the compaction that comes first
+    ASSERT_FALSE(story.lengths.empty()) << part;
+    EXPECT_EQ(story.lengths.back(), length_of(story.marker)) << part;
+  }
+}
+
+TEST(Crews, ThrowWhatAPartThrowsAndWorkOn) {
+  const Marker marker = test::garment("jeans_06g");
+  const protocol::execution::ThreadPool executor{2};
+  const Story expected = story_of(executor, standard(marker));
+  SumCache sums;
+  for (const int part : {0, 5, 20}) {
+    const Interrupted interrupted{executor, part, [] { throw std::runtime_error{"a bug"}; }};
+    scene::Observer observer;
+    observer.executor = &interrupted;
+    EXPECT_THROW(
+        (void)compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums, {}, observer),
+        std::runtime_error);
+  }
+  EXPECT_EQ(compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums)->marker,
+            expected.marker);
+  EXPECT_TRUE(story_of(executor, standard(marker)) == expected);
+}
+
+}  // namespace
+}  // namespace selvage::test

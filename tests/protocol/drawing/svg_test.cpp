@@ -1,0 +1,94 @@
+#include "protocol/drawing/svg.h"
+
+#include <gtest/gtest.h>
+
+#include "protocol/drawing/label_spot.h"
+#include "protocol/drawing/palette.h"
+#include "tests/protocol/formats/samples.h"
+
+namespace selvage::protocol::drawing {
+namespace {
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+TEST(Svg, DrawsEveryPieceWithItsId) {
+  const MarkerFile file = test::read(test::native_squares());
+  const std::string svg = to_svg(file.marker);
+  EXPECT_EQ(count(svg, "<path class=\"piece\""), 2u);
+  EXPECT_EQ(count(svg, ">left</text>"), 1u);
+  EXPECT_EQ(count(svg, ">right</text>"), 1u);
+  EXPECT_EQ(svg, to_svg(file.marker));
+}
+
+TEST(Svg, SaysLengthAndUtilisationAndWhatTheyWere) {
+  const MarkerFile file = test::read(test::native_squares());
+  EXPECT_NE(to_svg(file.marker).find("length 90 mm  \u00b7  utilisation 35.556 %"), std::string::npos);
+  SvgOptions options;
+  options.length_before = to_lattice(100, file.marker.resolution);
+  const std::string svg = to_svg(file.marker, options);
+  EXPECT_NE(svg.find("100 \u2192 90 mm (\u221210.000 %)"), std::string::npos);
+  EXPECT_EQ(count(svg, "class=\"before\""), 1u);
+}
+
+TEST(Svg, HasYUpwards) {
+  Json document = test::native_squares();
+  document["pieces"].erase(1);
+  SvgOptions options;
+  options.height = 100;  // a pixel per unit
+  const std::string svg = to_svg(test::read(document).marker, options);
+  // The square lies on the strip's lower edge: 60 to 100 pixels below the upper one, which is at 52.
+  EXPECT_NE(svg.find("M46 152L86 152L86 112L46 112Z"), std::string::npos) << svg;
+}
+
+TEST(Svg, EscapesNames) {
+  Json document = test::native_squares();
+  document["name"] = "<script>&\"";
+  document["pieces"][0]["id"] = "a<b";
+  const std::string svg = to_svg(test::read(document).marker);
+  EXPECT_EQ(svg.find("<script>"), std::string::npos);
+  EXPECT_EQ(svg.find("a<b"), std::string::npos);
+  EXPECT_NE(svg.find("&lt;script&gt;&amp;&quot;"), std::string::npos);
+}
+
+TEST(LabelSpot, LiesInsideTheRoomiestPart) {
+  // An L: the middle of its box is outside, the foot is wider than the stem.
+  const Polygon l{{0, 0}, {1000, 0}, {1000, 300}, {100, 300}, {100, 1000}, {0, 1000}};
+  const LabelSpot spot = find_label_spot(l, 3, 50);
+  EXPECT_EQ(locate({static_cast<Coord>(spot.x), static_cast<Coord>(spot.y)}, l), geometry::Location::kInside);
+  EXPECT_LT(spot.y, 300);
+  EXPECT_FALSE(spot.upright);
+  EXPECT_GT(spot.half_height, 25);
+}
+
+TEST(LabelSpot, TurnsTheTextInANarrowUprightPiece) {
+  const Polygon tall{{0, 0}, {100, 0}, {100, 2000}, {0, 2000}};
+  EXPECT_TRUE(find_label_spot(tall, 6, 100).upright);
+}
+
+TEST(Palette, MirrorImagesShareAHueAndNeighboursDoNot) {
+  Json document = test::native_squares();
+  document["shapes"] = test::json(R"([
+    {"id": "l", "outline": [[0,0],[30,0],[30,10],[10,10],[10,30],[0,30]]},
+    {"id": "r", "outline": [[0,0],[30,0],[30,30],[20,30],[20,10],[0,10]]},
+    {"id": "square", "outline": [[0,0],[40,0],[40,40],[0,40]]}])");
+  document["pieces"] = test::json(R"([
+    {"id": "a", "shape": "l", "at": [0,0]}, {"id": "b", "shape": "r", "at": [30,0]},
+    {"id": "c", "shape": "square", "at": [60,0]}])");
+  const Marker marker = test::read(document).marker;
+  std::vector<Polygon> placed;
+  for (std::uint32_t i = 0; i < 3; ++i) placed.push_back(placed_outline(marker, PieceId{i}));
+  const auto colours = shape_colours(marker, placed);
+  ASSERT_EQ(colours.size(), 3u);
+  EXPECT_NE(colours[0], colours[2]);
+  EXPECT_NE(colours[1], colours[2]);
+  EXPECT_NE(colours[0], colours[1]);  // a shade apart
+  const auto red = [](const std::string& c) { return std::stoi(c.substr(1, 2), nullptr, 16); };
+  EXPECT_NEAR(red(colours[1]), 0.9 * red(colours[0]), 1);
+}
+
+}  // namespace
+}  // namespace selvage::protocol::drawing

@@ -1,0 +1,154 @@
+// Operations on a marker, and the moves that two of its states differ by.
+#include "protocol/edits/edits.h"
+
+#include <gtest/gtest.h>
+
+#include "protocol/edits/changes.h"
+#include "protocol/edits/moves.h"
+#include "tests/protocol/formats/samples.h"
+
+namespace selvage::protocol::edits {
+namespace {
+
+Result<MarkerFile> edited(const MarkerFile& file, std::string ops) {
+  std::replace(ops.begin(), ops.end(), '\'', '"');
+  const auto wanted = decode_marker_apply({{"markerId", "m1"}, {"ops", test::json("[" + ops + "]")}});
+  if (!wanted) return wanted.error();
+  return apply_edits(file, wanted->edits);
+}
+
+// A marker whose pieces may lie in any way.
+MarkerFile loose() {
+  Json document = test::native_squares();
+  document["shapes"][0]["rotations"] = "any";
+  document["shapes"][0]["flip"] = true;
+  document["shapes"][0]["tilt_limit"] = 5;
+  document["pieces"][0]["attributes"] = {{"bundle", 7}};
+  return test::read(document);
+}
+
+void expect_error(const MarkerFile& file, const std::string& ops, ErrorCode code, const std::string& field) {
+  const auto after = edited(file, ops);
+  ASSERT_FALSE(after) << ops;
+  EXPECT_EQ(after.error().code, code) << ops << " " << after.error().message;
+  EXPECT_EQ(after.error().field, field) << ops;
+}
+
+TEST(Edits, EachDoesWhatItSays) {
+  const auto after = edited(loose(), R"({'op':'move','piece':'left','by':[1.5,2]},
+      {'op':'rotate','piece':'left','to':80},{'op':'rotate','piece':'left','by':10},
+      {'op':'flip','piece':'left'},{'op':'flip','piece':'right','flip':false},
+      {'op':'tilt','piece':'left','to':1},{'op':'tilt','piece':'left','by':-3},
+      {'op':'lock','piece':'right'},{'op':'setStrip','width':90,'longest':300},{'op':'setSpacing','spacing':0.25},
+      {'op':'group','piece':'left','group':'bundle'},{'op':'buffer','piece':'left','buffer':0.75},
+      {'op':'lock','piece':'left','locked':['x','tilt']},{'op':'setStrip','margin':2})");
+  ASSERT_TRUE(after) << after.error().message << after.error().field;
+  const Marker& marker = after->marker;
+  EXPECT_EQ(formats::point_json(marker.pieces[0].at, marker.resolution), test::json("[1.5,2]"));
+  EXPECT_EQ(marker.pieces[0].orientation, (Orientation{true, Angle{90}, Angle{-2}}));
+  EXPECT_FALSE(marker.pieces[1].orientation.flip);
+  EXPECT_EQ(marker.pieces[1].locked, Locks{true});
+  EXPECT_EQ(marker.pieces[0].locked, (Locks{true, false, true}));
+  EXPECT_EQ(marker.pieces[0].group, "bundle");
+  EXPECT_EQ(to_decimal(marker.pieces[0].buffer, marker.resolution), 0.75);
+  EXPECT_EQ(to_decimal(marker.strip.margin, marker.resolution), 2);
+  EXPECT_EQ(placement_json(marker, marker.pieces[0])["locked"], test::json(R"(["x","tilt"])"));
+  EXPECT_EQ(to_decimal(marker.strip.width, marker.resolution), 90);
+  EXPECT_EQ(to_decimal(*marker.strip.longest, marker.resolution), 300);
+  EXPECT_EQ(to_decimal(marker.spacing, marker.resolution), 0.25);
+  EXPECT_FALSE(edited(*after, "{'op':'setStrip','longest':null}")->marker.strip.longest);
+}
+
+TEST(Edits, PiecesComeAndGoWithTheirShapesAndAttributes) {
+  const auto after = edited(loose(), R"({'op':'remove','piece':'right'},
+      {'op':'add','piece':{'id':'right','shape':'tri','at':[9,9],'attributes':{'size':42}},
+       'shape':{'id':'tri','outline':[[0,0],[0,1],[1,0]],'attributes':{'cut':'twice'}}},
+      {'op':'add','piece':{'id':'more','shape':'tri','at':[20,0]}},{'op':'remove','piece':'left'})");
+  ASSERT_TRUE(after) << after.error().message;
+  ASSERT_EQ(after->marker.pieces.size(), 2U);
+  EXPECT_EQ(after->marker.pieces[0].id, "right");
+  EXPECT_EQ(after->attributes.pieces[0]["size"], 42);
+  EXPECT_TRUE(after->attributes.pieces[1].empty());
+  EXPECT_EQ(after->attributes.shapes[1]["cut"], "twice");
+  ASSERT_EQ(after->notes.size(), 1U);  // clockwise
+  EXPECT_EQ(after->notes[0].field, "/ops/1/shape/outline");
+}
+
+TEST(Edits, MistakesAreNamedByTheirOperation) {
+  const MarkerFile file = loose();
+  using enum ErrorCode;
+  expect_error(file, "{'op':'remove','piece':'left'},{'op':'move','piece':'left','at':[0,0]}", kOutOfRange,
+               "/ops/1/piece");
+  expect_error(file, "{'op':'tilt','piece':'left','to':5},{'op':'tilt','piece':'left','by':1}", kOrientationNotAllowed,
+               "/ops/1");
+  expect_error(file, "{'op':'setStrip','width':30}", kPieceTooWide, "/ops/0");
+  expect_error(file, "{'op':'setSpacing','spacing':500}", kOutOfRange, "/ops/0/spacing");
+  expect_error(file, "{'op':'remove','piece':'left'},{'op':'remove','piece':'right'}", kEmptyMarker, "/ops");
+  expect_error(file, "{'op':'add','piece':{'id':'left','shape':'square','at':[0,0]}}", kDuplicateId, "/ops/0/piece/id");
+  expect_error(file, "{'op':'add','piece':{'id':'x','shape':'round','at':[0,0]}}", kUnknownShape, "/ops/0/piece/shape");
+  expect_error(
+      file, "{'op':'add','piece':{'id':'x','shape':'l','at':[0,0]},'shape':{'id':'l','outline':[[0,0],[1,1],[2,2]]}}",
+      kZeroArea, "/ops/0/shape/outline");
+  expect_error(file, "{'op':'move','piece':'left','at':[1e300,0]}", kBeyondLattice, "/ops/0/at");
+  expect_error(file, "{'op':'move','piece':'left'}", kMissingField, "/ops/0/at");
+  expect_error(file, "{'op':'rotate','piece':'left','to':1e9}", kOutOfRange, "/ops/0/to");
+  expect_error(file, "{'op':'setStrip'}", kMissingField, "/ops/0");
+  expect_error(file, "{'op':'lock','piece':'left','until':3}", kUnknownField, "/ops/0/until");
+  expect_error(file, "{'piece':'left'}", kMissingField, "/ops/0/op");
+  expect_error(file, "7", kWrongType, "/ops/0");
+}
+
+TEST(Edits, MovesThatAddUpBeyondTheLatticeAreRefused) {
+  std::string ops = "{'op':'move','piece':'left','at':[0,0]}";
+  for (int i = 0; i < 2000; ++i) ops += ",{'op':'move','piece':'left','by':[1e4,0]}";
+  const auto after = edited(loose(), ops);
+  ASSERT_FALSE(after);
+  EXPECT_EQ(after.error().code, ErrorCode::kBeyondLattice);
+}
+
+TEST(Moves, LeadFromOneStateToTheOtherAndAreExactAsText) {
+  const MarkerFile before = loose();
+  const auto after = edited(before, R"({'op':'move','piece':'right','at':[61.0625,3]},
+      {'op':'rotate','piece':'right','to':12.34},{'op':'lock','piece':'right','locked':['y']},
+      {'op':'buffer','piece':'right','buffer':0.125},{'op':'group','piece':'right','group':'g'},{'op':'tilt','piece':'right','to':-1})");
+  ASSERT_TRUE(after);
+  const auto moves = moves_between(before, *after);
+  ASSERT_TRUE(moves);
+  ASSERT_EQ(moves->size(), 1U);
+  EXPECT_EQ(moved(before, *moves).marker, after->marker);
+  const auto again = read_moves(test::json(json::to_text(moves_json(after->marker, *moves))), before.marker);
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_EQ(moved(before, *again).marker, after->marker);
+  EXPECT_TRUE(moves_between(before, before)->empty());
+}
+
+TEST(Moves, AreNotEnoughForAnythingElse) {
+  const MarkerFile before = loose();
+  for (const char* ops :
+       {"{'op':'remove','piece':'left'}", "{'op':'setStrip','longest':500}", "{'op':'setSpacing','spacing':1}",
+        "{'op':'remove','piece':'left'},{'op':'add','piece':{'id':'left','shape':'square','at':[0,0]}}"}) {
+    EXPECT_FALSE(moves_between(before, *edited(before, ops))) << ops;
+  }
+}
+
+TEST(Moves, OfAnotherMarkerAreRefused) {
+  const MarkerFile file = loose();
+  for (const char* text :
+       {"7", "[7]", "[[9,{}]]", R"([[0,{"id":"right","shape":"square","at":[0,0]}]])",
+        R"([[0,{"id":"left","shape":"round","at":[0,0]}]])", R"([[0,{"id":"left","shape":"square","at":[1e30,0]}]])"}) {
+    EXPECT_FALSE(read_moves(test::json(text), file.marker)) << text;
+  }
+}
+
+TEST(Changes, AMarkerThatLostPiecesKeepsTheAttributesOfTheOthers) {
+  const MarkerFile before = loose();
+  Marker less = before.marker;
+  less.pieces.erase(less.pieces.begin());
+  EXPECT_TRUE(with_marker(before, less).attributes.pieces.at(0).empty());
+  less = before.marker;
+  less.pieces.pop_back();
+  EXPECT_EQ(with_marker(before, less).attributes.pieces.at(0)["bundle"], 7);
+}
+
+}  // namespace
+}  // namespace selvage::protocol::edits

@@ -1,0 +1,142 @@
+#include "protocol/formats/native.h"
+
+#include <gtest/gtest.h>
+
+#include "core/marker/validity.h"
+#include "tests/protocol/formats/samples.h"
+
+namespace selvage::protocol::formats {
+namespace {
+
+using test::json;
+using test::native_squares;
+
+TEST(Native, ReadsAMarker) {
+  const MarkerFile file = test::read(native_squares());
+  EXPECT_EQ(file.format, Format::kNative);
+  EXPECT_EQ(file.marker.name, "two squares");
+  EXPECT_EQ(file.marker.unit, "mm");
+  EXPECT_EQ(to_decimal(file.marker.strip.width, file.marker.resolution), 100);
+  ASSERT_EQ(file.marker.pieces.size(), 2u);
+  EXPECT_EQ(file.marker.pieces[1].id, "right");
+  EXPECT_EQ(to_decimal(file.marker.pieces[1].at.x, file.marker.resolution), 50);
+  EXPECT_EQ(file.marker.shapes[0].rotations, std::vector{Angle{}});
+  EXPECT_TRUE(file.notes.empty());
+}
+
+TEST(Native, RoundTripsEverything) {
+  Json document = native_squares();
+  document["unit"] = "in";
+  document["resolution"] = 1e-7;
+  document["strip"]["longest"] = 400.5;
+  document["spacing"] = 0.25;
+  document["attributes"] = json(R"({"customer": {"no": 17}})");
+  document["shapes"][0]["rotations"] = json("[0,90,180.5]");
+  document["shapes"][0]["flip"] = true;
+  document["shapes"][0]["tilt_limit"] = 3;
+  document["shapes"][0]["attributes"] = json(R"({"name": "pocket", "size": 1.10})");
+  document["pieces"][1]["rotation"] = 90;
+  document["pieces"][1]["flip"] = true;
+  document["pieces"][1]["tilt"] = -1.5;
+  document["pieces"][0]["locked"] = json(R"(["x", "tilt"])");
+  document["pieces"][0]["group"] = "pair";
+  document["pieces"][0]["buffer"] = 0.125;
+  document["strip"]["margin"] = 0.5;
+  document["pieces"][1]["locked"] = true;
+  document["pieces"][1]["at"] = json("[91.0000001, 50]");
+  document["pieces"][1]["attributes"] = json(R"({"bundle": "A"})");
+  const MarkerFile once = test::read(document);
+  EXPECT_EQ(once.marker.resolution, Resolution{-7});
+  EXPECT_TRUE(once.marker.pieces[1].locked);
+  EXPECT_EQ(once.marker.pieces[0].locked, (Locks{true, false, true}));
+  EXPECT_EQ(to_decimal(once.marker.pieces[0].buffer, once.marker.resolution), 0.125);
+  EXPECT_EQ(to_decimal(once.marker.strip.margin, once.marker.resolution), 0.5);
+
+  const Json written = native_document(once);
+  const MarkerFile twice = test::read(written);
+  EXPECT_EQ(once.marker, twice.marker);
+  EXPECT_EQ(json::to_text(written), json::to_text(native_document(twice)));
+  EXPECT_EQ(json::to_text(written["pieces"][1]["at"]), "[91.0000001,50]");
+  EXPECT_EQ(json::to_text(written["pieces"][0]["locked"]), R"(["x","tilt"])");
+  EXPECT_EQ(written["pieces"][0]["group"], "pair");
+  EXPECT_EQ(json::to_text(written["attributes"]), R"({"customer":{"no":17}})");
+}
+
+TEST(Native, ReadsWholeNumbersAsIds) {
+  Json document = native_squares();
+  document["shapes"][0]["id"] = 4;
+  document["pieces"][0]["shape"] = 4;
+  document["pieces"][1]["shape"] = "4";
+  document["pieces"][0]["id"] = 17;
+  const MarkerFile file = test::read(document);
+  EXPECT_EQ(file.marker.shapes[0].id, "4");
+  EXPECT_EQ(file.marker.pieces[0].id, "17");
+}
+
+TEST(Native, TakesARotationForTheAllowedOneItEquals) {
+  Json document = native_squares();
+  document["shapes"][0]["rotations"] = json("[0, 270]");
+  document["pieces"][1]["rotation"] = -90;
+  document["pieces"][1]["at"] = json("[50, 50]");
+  EXPECT_EQ(test::read(document).marker.pieces[1].orientation.rotation, Angle::of_degrees(270));
+  document["shapes"][0]["rotations"] = "any";
+  document["pieces"][1]["rotation"] = 90;
+  document["pieces"][1]["at"] = json("[90, 50]");
+  EXPECT_TRUE(test::read(document).marker.shapes[0].rotations.empty());
+}
+
+TEST(Native, ChoosesAResolutionThatHoldsEveryDecimal) {
+  Json document = native_squares();
+  document["pieces"][1]["at"] = json("[50.123456789, 10]");
+  const MarkerFile file = test::read(document);
+  EXPECT_LE(file.marker.resolution.exponent, -9);
+  EXPECT_EQ(to_decimal(file.marker.pieces[1].at.x, file.marker.resolution), 50.123456789);
+  EXPECT_TRUE(file.notes.empty());
+}
+
+TEST(Native, SaysWhenDecimalsAreRounded) {
+  Json document = native_squares();
+  document["resolution"] = 0.01;
+  document["pieces"][1]["at"] = json("[50.123, 10]");
+  const MarkerFile file = test::read(document);
+  EXPECT_EQ(to_decimal(file.marker.pieces[1].at.x, file.marker.resolution), 50.12);
+  ASSERT_EQ(file.notes.size(), 1u);
+  EXPECT_EQ(file.notes[0].text, "coordinates are rounded to multiples of 0.01 mm");
+}
+
+TEST(Native, MendsOutlinesAndSaysSo) {
+  Json document = native_squares();
+  // Clockwise, a repeated vertex, one on a straight edge, closed; and a hole.
+  document["shapes"][0]["outline"] = json("[[0,0],[0,40],[0,40],[20,40],[40,40],[40,0],[0,0]]");
+  document["shapes"][0]["holes"] = json("[[[10,10],[20,10],[20,20]]]");
+  const MarkerFile file = test::read(document);
+  EXPECT_EQ(file.marker.shapes[0].outline.size(), 4u);
+  EXPECT_GT(doubled_area(file.marker.shapes[0].outline), 0);
+  const std::vector<Note> expected{{"/shapes/0/outline", "1 repeated vertex left out"},
+                                   {"/shapes/0/outline", "1 vertex on a straight edge left out"},
+                                   {"/shapes/0/outline", "clockwise; turned round"},
+                                   {"/shapes/0/holes", "1 hole is treated as filled"}};
+  EXPECT_EQ(file.notes, expected);
+}
+
+TEST(Native, ReadsOverlappingAndProtrudingPiecesForOthersToJudge) {
+  Json document = native_squares();
+  document["pieces"][1]["at"] = json("[20, 80]");
+  EXPECT_FALSE(is_valid(test::read(document).marker));
+}
+
+TEST(Spacing, IsRoundedUpSoThatItHolds) {
+  const auto file = with_spacing(test::read(native_squares()), 1.0 / 3.0);
+  ASSERT_TRUE(file);
+  EXPECT_GE(to_decimal(file->marker.spacing, file->marker.resolution), 1.0 / 3.0);
+  ASSERT_EQ(file->notes.size(), 1u);
+  for (const double bad : {-1.0, 101.0, std::numeric_limits<double>::quiet_NaN(), 1e308}) {
+    const auto refused = with_spacing(test::read(native_squares()), bad);
+    ASSERT_FALSE(refused) << bad;
+    EXPECT_EQ(refused.error().code, ErrorCode::kOutOfRange);
+    EXPECT_EQ(refused.error().field, "/spacing");
+  }
+}
+
+}  // namespace
+}  // namespace selvage::protocol::formats

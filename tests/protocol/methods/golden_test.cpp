@@ -1,0 +1,120 @@
+// The golden exchanges against the codec: their requests decode, their errors are the decoder's own, and
+// their results have exactly the fields that the encoder writes.  (The server's tests play them over a
+// socket.)
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+#include <set>
+
+#include "protocol/calls/codec.h"
+#include "protocol/methods/marker_methods.h"
+#include "protocol/rpc/json_rpc.h"
+#include "tests/protocol/formats/samples.h"
+
+namespace selvage::protocol::methods {
+namespace {
+
+std::set<std::string> fields_of(const Json& object) {
+  std::set<std::string> names;
+  for (const auto& [key, value] : object.items()) names.insert(key);
+  return names;
+}
+
+template <class T>
+std::optional<Error> error_of(const Result<T>& result) {
+  if (result) return std::nullopt;
+  return result.error();
+}
+
+struct Method {
+  std::function<std::optional<Error>(const Json&)> decode;
+  std::function<Json(const Json&)> result;  // of parameters that decode: one with all its fields
+};
+
+// A method on a marker, run on the two squares that the golden exchanges are about.
+Method on_squares(const calls::MarkerMethod& method) {
+  return {[&method](const Json& params) { return error_of(method.read(params)); },
+          [&method](const Json& params) {
+            const MarkerFile file = test::read(test::native_squares());
+            const calls::Engine engine;
+            SumCache sums;
+            const auto call = method.read(params);
+            const auto answer = call->run(file, calls::MethodContext{engine, sums, {}, {}});
+            return answer ? result_json("m1", 1, answer->fields) : Json::object();
+          }};
+}
+
+std::map<std::string, Method> methods() {
+  std::map<std::string, Method> all{{"engine.info",
+                                     {[](const Json& p) { return error_of(calls::decode_no_params(p)); },
+                                      [](auto&&) { return calls::encode(calls::EngineInfo{}); }}},
+                                    {"marker.open",
+                                     {[](const Json& p) { return error_of(calls::decode_marker_open(p)); },
+                                      [](auto&&) { return calls::encode(calls::MarkerOpened{}); }}},
+                                    {"marker.close",
+                                     {[](const Json& p) { return error_of(calls::decode_marker_close(p)); },
+                                      [](auto&&) { return calls::encode(calls::MarkerClosed{}); }}}};
+  for (const calls::MarkerMethod& method : marker_methods()) all.emplace(method.name, on_squares(method));
+  return all;
+}
+
+void expect_alike(const Json& expected, const Json& actual) {
+  if (expected == "$any") return;
+  if (!expected.is_object() || !actual.is_object()) {
+    EXPECT_EQ(expected, actual);
+    return;
+  }
+  EXPECT_EQ(fields_of(expected), fields_of(actual)) << json::to_text(actual);
+  for (const auto& [key, value] : expected.items()) {
+    if (actual.contains(key)) expect_alike(value, actual[key]);
+  }
+}
+
+// Only the marker shows that a piece is not one of its own.
+bool names_a_stranger(const Json& response) {
+  return response["error"]["message"].get<std::string>().find("is no piece of this marker") != std::string::npos;
+}
+
+void replay(const Json& exchange) {
+  const Json& expected = exchange["response"];
+  const rpc::Incoming in = rpc::parse_incoming(json::to_text(exchange["request"]), 1 << 20);
+  ASSERT_EQ(in.calls.size(), 1u);
+  if (const auto* bad = std::get_if<rpc::BadRequest>(&in.calls[0])) {
+    expect_alike(expected, error_response(bad->id, bad->error));
+    return;
+  }
+  const auto& request = std::get<rpc::Request>(in.calls[0]);
+  const auto known = methods();
+  const auto method = known.find(request.method);
+  if (method == known.end()) {
+    EXPECT_EQ(expected["error"]["code"], static_cast<int>(rpc::RpcCode::kMethodNotFound));
+    return;
+  }
+  const auto error = method->second.decode(request.params);
+  if (error) {
+    expect_alike(expected, rpc::error_response(*request.id, rpc::rpc_error(*error)));
+  } else if (expected.contains("result")) {
+    EXPECT_EQ(fields_of(expected["result"]), fields_of(method->second.result(request.params)));
+  } else if (!names_a_stranger(expected)) {
+    EXPECT_NE(expected["error"]["code"], static_cast<int>(rpc::RpcCode::kInvalidParams))
+        << "decoded: " << json::to_text(expected);
+  }
+}
+
+class Golden : public testing::TestWithParam<const char*> {};
+
+TEST_P(Golden, AgreesWithTheCodec) {
+  const Json exchanges = test::json(test::file_text("tests/golden/rpc/" + std::string{GetParam()} + ".json"));
+  ASSERT_FALSE(exchanges.empty());
+  for (const Json& exchange : exchanges) {
+    SCOPED_TRACE(json::to_text(exchange["request"]));
+    replay(exchange);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Golden, testing::Values("life_of_a_marker", "mistakes", "motions"),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace selvage::protocol::methods

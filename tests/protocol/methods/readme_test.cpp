@@ -1,0 +1,101 @@
+// protocol/README.md tells the truth: its examples work, its codes are the ones there are.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "protocol/calls/codec.h"
+#include "protocol/methods/marker_methods.h"
+#include "protocol/rpc/json_rpc.h"
+#include "tests/protocol/formats/samples.h"
+
+namespace selvage::protocol::methods {
+namespace {
+
+// The documents of the fenced json blocks, in order.
+std::vector<Json> examples(const std::string& text) {
+  constexpr std::string_view kOpen = "```json\n", kClose = "```";
+  std::vector<Json> found;
+  for (std::size_t at = text.find(kOpen); at != std::string::npos; at = text.find(kOpen, at)) {
+    at += kOpen.size();
+    const std::size_t end = text.find(kClose, at);
+    found.push_back(test::json(text.substr(at, end - at)));
+    at = end + kClose.size();
+  }
+  return found;
+}
+
+TEST(Readme, ItsExamplesWork) {
+  const auto found = examples(test::file_text("protocol/README.md"));
+  ASSERT_EQ(found.size(), 3u);
+  const Json& marker = found[0];
+
+  const rpc::Incoming in = rpc::parse_incoming(json::to_text(found[1]), 1000);
+  const MarkerFile file = test::read(marker);
+  const calls::Engine engine;
+  SumCache sums;
+  const auto call = find_marker_method("motion.compact")->read(std::get<rpc::Request>(in.calls.at(0)).params);
+  ASSERT_TRUE(call);
+  const auto answer = call->run(file, calls::MethodContext{engine, sums, {}, {}});
+  ASSERT_TRUE(answer);
+  Json result = result_json("m1", 2, answer->fields);
+  Json shown = found[2]["result"];
+  for (Json* each : {&result, &shown}) (*each)["placements"][0].erase("at");  // any place of the same length will do
+  EXPECT_EQ(json::to_text(result), json::to_text(shown));
+}
+
+// The section below this heading, up to the next.
+std::string section(const std::string& text, const std::string& heading) {
+  const std::size_t at = text.find("\n### " + heading + "\n");
+  return at == std::string::npos ? "" : text.substr(at + 1, text.find("\n#", at + 1) - at);
+}
+
+TEST(Readme, ExplainsEveryMotionAndItsParameters) {
+  const std::string text = test::file_text("protocol/README.md");
+  for (const calls::MarkerMethod& method : marker_methods()) {
+    const std::string name{method.name};
+    EXPECT_NE(text.find("| `" + name + "` |"), std::string::npos) << name;
+    if (!method.motion()) continue;
+    const std::string own = section(text, name) + section(text, "Motions");
+    EXPECT_FALSE(section(text, name).empty()) << name;
+    // The first word that is missing, then the next, until the parameters decode or are of the wrong type.
+    Json params{{"markerId", "m1"}};
+    for (auto call = method.read(params); !call && call.error().code == ErrorCode::kMissingField;
+         call = method.read(params)) {
+      const std::string field = call.error().field.substr(1);
+      EXPECT_TRUE(own.find("| `" + field + "` |") != std::string::npos ||
+                  own.find("| `" + field + "[]` |") != std::string::npos)
+          << name << " " << field;
+      params[field] = 1;
+    }
+  }
+}
+
+TEST(Readme, ListsEveryErrorCode) {
+  using enum ErrorCode;
+  constexpr std::array kCodes{
+      kSyntax,          kDepth,          kMissingField,   kUnknownField,          kWrongType,   kOutOfRange,
+      kUnknownFormat,   kFile,           kDuplicateField, kTooFewVertices,        kZeroArea,    kSelfIntersecting,
+      kTooManyVertices, kBeyondLattice,  kEmptyMarker,    kUnknownShape,          kDuplicateId, kPieceTooWide,
+      kOutsideStrip,    kMarkerOverlaps, kTooManyPieces,  kOrientationNotAllowed, kRepairFailed};
+  const std::string text = test::file_text("protocol/README.md");
+  for (const ErrorCode code : kCodes) {
+    const std::string row =
+        "| " + std::to_string(static_cast<int>(code)) + " | `" + std::string{wire_name(code)} + "` |";
+    EXPECT_NE(text.find(row), std::string::npos) << row;
+  }
+}
+
+TEST(Readme, ListsEveryRpcCode) {
+  using enum rpc::RpcCode;
+  const std::string text = test::file_text("protocol/README.md");
+  for (const rpc::RpcCode code :
+       {kParseError, kInvalidRequest, kMethodNotFound, kInvalidParams, kInternalError, kMotionRefused, kBusy, kTooLarge,
+        kUnknownMarker, kLimit, kDraining, kUnauthorised, kCancelled, kRevisionMismatch, kSuperseded}) {
+    EXPECT_NE(text.find("| " + std::to_string(static_cast<int>(code)) + " |"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace selvage::protocol::methods

@@ -1,0 +1,40 @@
+#include "server/app/entry.h"
+
+#include <gtest/gtest.h>
+
+#include "protocol/json/json_text.h"
+
+namespace selvage::server::app {
+namespace {
+
+const transport::access::Access kAccess{.token = "correct horse"};
+
+TEST(Entry, TheTokenLetsIn) {
+  const transport::access::Entry entry =
+      judge_first_message(R"({"jsonrpc":"2.0","id":7,"method":"auth","params":{"token":"correct horse"}})", kAccess);
+  EXPECT_TRUE(entry.granted);
+  EXPECT_EQ(entry.answer, R"({"jsonrpc":"2.0","id":7,"result":{"authorised":true}})");
+  const transport::access::Entry silent =
+      judge_first_message(R"({"jsonrpc":"2.0","method":"auth","params":{"token":"correct horse"}})", kAccess);
+  EXPECT_TRUE(silent.granted);
+  EXPECT_EQ(silent.answer, "");
+}
+
+TEST(Entry, AnythingElseDoesNot) {
+  for (const auto* line : {"", "{", "null", "correct horse", R"({"jsonrpc":"2.0","id":1,"method":"engine.info"})",
+                           R"({"jsonrpc":"2.0","id":1,"method":"auth"})",
+                           R"({"jsonrpc":"2.0","id":1,"method":"auth","params":["correct horse"]})",
+                           R"({"jsonrpc":"2.0","id":1,"method":"auth","params":{"token":1}})",
+                           R"({"jsonrpc":"2.0","id":1,"method":"auth","params":{"token":""}})",
+                           R"({"jsonrpc":"2.0","id":1,"method":"auth","params":{"token":"correct"}})",
+                           R"({"jsonrpc":"2.0","id":1,"method":"auth","params":{"token":"correct horse","more":1}})",
+                           R"([{"jsonrpc":"2.0","id":1,"method":"auth","params":{"token":"correct horse"}}])"}) {
+    const transport::access::Entry entry = judge_first_message(line, kAccess);
+    EXPECT_FALSE(entry.granted) << line;
+    EXPECT_EQ(Json::parse(entry.answer)["error"]["code"], -32015) << line;
+    EXPECT_EQ(entry.answer.find("horse"), std::string::npos) << entry.answer;
+  }
+}
+
+}  // namespace
+}  // namespace selvage::server::app

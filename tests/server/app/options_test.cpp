@@ -1,0 +1,178 @@
+#include "server/app/options.h"
+
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "tests/server/store/temporary_folder.h"
+
+namespace selvage::server::app {
+namespace {
+
+std::variant<Options, Farewell> parse(std::initializer_list<const char*> words) {
+  std::vector<const char*> argv{"selvaged"};
+  argv.insert(argv.end(), words);
+  return parse_options(static_cast<int>(argv.size()), argv.data());
+}
+
+TEST(Options, Defaults) {
+  const auto parsed = parse({});
+  const auto* options = std::get_if<Options>(&parsed);
+  ASSERT_TRUE(options);
+  EXPECT_EQ(options->host, "127.0.0.1");
+  EXPECT_EQ(options->port, 7171);
+  EXPECT_GE(options->workers, 1U);
+}
+
+TEST(Options, AreRead) {
+  const auto parsed = parse({"--listen", "[::1]:0", "--workers", "0", "--cache-mb", "8", "--max-body-mb", "3",
+                             "--call-seconds", "90", "--port-file", "p", "--log-level", "warn"});
+  const auto* options = std::get_if<Options>(&parsed);
+  ASSERT_TRUE(options);
+  EXPECT_EQ(options->host, "::1");
+  EXPECT_EQ(options->port, 0);
+  EXPECT_EQ(options->workers, 0U);
+  EXPECT_EQ(options->cache_mb, 8U);
+  EXPECT_EQ(options->limits.transport.body_bytes, 3U << 20);
+  EXPECT_EQ(options->limits.call, std::chrono::seconds{90});
+  EXPECT_EQ(options->port_file, "p");
+  EXPECT_EQ(options->log_level, "warn");
+}
+
+// The text with which these options are refused.
+std::string refusal(std::initializer_list<const char*> words) {
+  const auto parsed = parse(words);
+  const auto* farewell = std::get_if<Farewell>(&parsed);
+  if (farewell == nullptr) return "not refused";
+  EXPECT_EQ(farewell->exit_code, 2);
+  return farewell->text;
+}
+
+class ExposedOptions : public ::testing::Test {
+ protected:
+  const test::TemporaryFolder folder_;
+  const std::string token_{folder_.write("token", "correct horse battery\nsecond line\n")};
+};
+
+TEST_F(ExposedOptions, NameWhatIsMissing) {
+  const char* token = token_.c_str();
+  const auto misses = [](const std::string& text, const std::string& option) {
+    return text.find("is reached by other machines: " + option) != std::string::npos;
+  };
+  for (const auto* address : {"0.0.0.0:7171", "192.168.1.2:80", "[::]:7171"}) {
+    EXPECT_TRUE(misses(refusal({"--listen", address}), "--token-file is missing")) << address;
+    EXPECT_TRUE(misses(refusal({"--listen-tcp", address}), "--token-file is missing")) << address;
+    EXPECT_TRUE(misses(refusal({"--listen", address, "--token-file", token}), "--tls-cert and --tls-key are missing"));
+    EXPECT_TRUE(misses(refusal({"--listen", address, "--behind-proxy"}), "--token-file is missing"));
+  }
+  EXPECT_NE(refusal({"--tls-cert", "c"}).find("--tls-key"), std::string::npos);
+  EXPECT_NE(refusal({"--tls-key", "k"}).find("--tls-cert"), std::string::npos);
+  EXPECT_NE(refusal({"--no-token"}).find("--behind-proxy"), std::string::npos);
+  EXPECT_NE(refusal({"--no-token", "--behind-proxy", "--token-file", token}).find("exclude"), std::string::npos);
+}
+
+TEST_F(ExposedOptions, AreTakenWhenAllIsThere) {
+  for (const auto& words : std::initializer_list<std::initializer_list<const char*>>{
+           {"--listen", "0.0.0.0:0", "--token-file", token_.c_str(), "--tls-cert", "c", "--tls-key", "k"},
+           {"--listen", "0.0.0.0:0", "--token-file", token_.c_str(), "--behind-proxy"},
+           {"--listen", "0.0.0.0:0", "--no-token", "--behind-proxy"},
+           {"--listen", "127.0.0.5:0"}}) {
+    const auto parsed = parse(words);
+    const auto* options = std::get_if<Options>(&parsed);
+    ASSERT_TRUE(options) << *(words.begin() + 1);
+  }
+  const auto parsed = parse({"--token-file", token_.c_str()});
+  EXPECT_EQ(std::get<Options>(parsed).access.token, "correct horse battery");
+}
+
+TEST_F(ExposedOptions, ATokenMustBeThereAndLongEnough) {
+  EXPECT_NE(refusal({"--token-file", folder_.file("none").c_str()}).find("cannot read"), std::string::npos);
+  EXPECT_NE(refusal({"--token-file", folder_.write("short", "123\n").c_str()}).find("too short"), std::string::npos);
+  EXPECT_NE(refusal({"--token-file", folder_.write("empty", "").c_str()}).find("cannot read"), std::string::npos);
+}
+
+TEST(Options, DoorsAreListedHttpFirst) {
+  const auto parsed = parse({"--listen-unix", "/run/s", "--listen-tcp", "127.0.0.1:1", "--listen-tcp", "[::1]:2"});
+  const auto* options = std::get_if<Options>(&parsed);
+  ASSERT_TRUE(options);
+  const transport::access::Doors doors = doors_of(*options);
+  ASSERT_EQ(doors.listeners.size(), 4U);
+  EXPECT_EQ(doors.listeners[0].speaks, transport::access::Listener::Speaks::kHttp);
+  EXPECT_EQ(doors.listeners[0].port, 7171);
+  EXPECT_EQ(doors.listeners[1].port, 1);
+  EXPECT_EQ(doors.listeners[2].host, "::1");
+  EXPECT_EQ(doors.listeners[3].path, "/run/s");
+}
+
+TEST(Options, ComeFromAFileAndTheCommandLineComesFirst) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.write("selvaged.toml",
+                                        "# how this machine serves\n"
+                                        "listen = \"127.0.0.1:9000\"\n"
+                                        "listen-tcp = [\"127.0.0.1:1\", \"127.0.0.1:2\"]\n"
+                                        "workers = 3\n"
+                                        "behind-proxy = true\n"
+                                        "no-token = true\n"
+                                        "log-level = \"warn\"\n");
+  const auto parsed = parse({"--config", file.c_str(), "--workers", "2"});
+  const auto* options = std::get_if<Options>(&parsed);
+  ASSERT_TRUE(options) << std::get<Farewell>(parsed).text;
+  EXPECT_EQ(options->port, 9000);
+  EXPECT_EQ(options->listeners.size(), 2U);
+  EXPECT_EQ(options->workers, 2U);
+  EXPECT_EQ(options->log_level, "warn");
+}
+
+TEST(Options, AFileWithMistakesIsRefused) {
+  const test::TemporaryFolder folder;
+  for (const auto* text : {"nonsense = 1\n", "workers = many\n", "listen = \"0.0.0.0:1\"\n", "check = \"x.json\"\n"}) {
+    EXPECT_NE(refusal({"--config", folder.write("f", text).c_str()}), "not refused") << text;
+  }
+  EXPECT_NE(refusal({"--config", folder.file("missing").c_str()}), "not refused");
+}
+
+TEST(Options, Tasks) {
+  EXPECT_EQ(std::get<Options>(parse({})).task, Options::Task::kServe);
+  EXPECT_EQ(std::get<Options>(parse({"--check-config"})).task, Options::Task::kCheckConfig);
+  const Options replay = std::get<Options>(parse({"--check", "calls.json", "--svg", "out.svg"}));
+  EXPECT_EQ(replay.task, Options::Task::kReplay);
+  EXPECT_EQ(replay.replay_file, "calls.json");
+  EXPECT_EQ(replay.replay_svg, "out.svg");
+  EXPECT_NE(refusal({"--svg", "out.svg"}), "not refused");
+}
+
+TEST(Options, MistakesAreRefused) {
+  for (const auto& words : std::initializer_list<std::initializer_list<const char*>>{{"--listen", "127.0.0.1"},
+                                                                                     {"--listen", "127.0.0.1:"},
+                                                                                     {"--listen", "127.0.0.1:65536"},
+                                                                                     {"--listen", "127.0.0.1:80x"},
+                                                                                     {"--workers", "-1"},
+                                                                                     {"--workers", "many"},
+                                                                                     {"--cache-mb", "0"},
+                                                                                     {"--log-level", "loud"},
+                                                                                     {"--listen", "example.com:80"},
+                                                                                     {"--listen", ":7171"},
+                                                                                     {"--listen-tcp", "::1:7171"},
+                                                                                     {"--drain-seconds", "-1"},
+                                                                                     {"--call-seconds", "0"},
+                                                                                     {"--nonsense"}}) {
+    const auto parsed = parse(words);
+    const auto* farewell = std::get_if<Farewell>(&parsed);
+    ASSERT_TRUE(farewell) << *words.begin();
+    EXPECT_EQ(farewell->exit_code, 2);
+    EXPECT_FALSE(farewell->text.empty());
+  }
+}
+
+TEST(Options, VersionIsNoMistake) {
+  const auto parsed = parse({"--version"});
+  const auto* farewell = std::get_if<Farewell>(&parsed);
+  ASSERT_TRUE(farewell);
+  EXPECT_EQ(farewell->exit_code, 0);
+  EXPECT_EQ(farewell->text.rfind("selvaged ", 0), 0U);
+}
+
+}  // namespace
+}  // namespace selvage::server::app

@@ -1,0 +1,278 @@
+// Every race is staged with latches; nothing sleeps.
+#include "server/jobs/job_queue.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <latch>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace selvage::server::jobs {
+namespace {
+
+Job job(std::function<void(std::stop_token)> work, std::string lane = {}, std::stop_token caller = {}) {
+  return {.lane = std::move(lane), .caller = std::move(caller), .work = Work{std::move(work)}};
+}
+
+Admission submit(JobQueue& queue, Job work) {
+  return queue.submit(work);
+}
+
+// Blocks until its token stops.
+void wait_for_stop(const std::stop_token& stop) {
+  std::latch stopped{1};
+  const std::stop_callback on_stop{stop, [&] { stopped.count_down(); }};
+  stopped.wait();
+}
+
+TEST(JobQueue, WithoutWorkersRunsInline) {
+  JobQueue queue{0, 1};
+  const auto here = std::this_thread::get_id();
+  std::thread::id there;
+  EXPECT_EQ(submit(queue, job([&](auto) { there = std::this_thread::get_id(); })), Admission::kAccepted);
+  EXPECT_EQ(here, there);
+}
+
+TEST(JobQueue, RunsJobsAtTheSameTime) {
+  JobQueue queue{2, 8};
+  std::latch both{2};
+  std::latch done{2};
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_EQ(submit(queue, job([&](auto) {
+                       both.arrive_and_wait();  // ends only when both jobs are in
+                       done.count_down();
+                     })),
+              Admission::kAccepted);
+  }
+  done.wait();
+}
+
+TEST(JobQueue, RunsALaneInOrderAndOneAtATime) {
+  std::vector<int> order;  // not guarded: the lane is
+  {
+    JobQueue queue{4, 64};
+    std::latch first_may_end{1};
+    for (int i = 0; i < 32; ++i) {
+      ASSERT_EQ(submit(queue, job(
+                                  [&, i](auto) {
+                                    if (i == 0) first_may_end.wait();
+                                    order.push_back(i);
+                                  },
+                                  "m1")),
+                Admission::kAccepted);
+    }
+    first_may_end.count_down();
+  }
+  std::vector<int> expected(32);
+  for (int i = 0; i < 32; ++i) expected[static_cast<std::size_t>(i)] = i;
+  EXPECT_EQ(order, expected);
+}
+
+TEST(JobQueue, ABusyLaneHoldsUpNoOther) {
+  JobQueue queue{2, 8};
+  std::latch release{1};
+  std::latch other_done{1};
+  ASSERT_EQ(submit(queue, job([&](auto) { release.wait(); }, "m1")), Admission::kAccepted);
+  ASSERT_EQ(submit(queue, job([&](auto) {}, "m1")), Admission::kAccepted);
+  ASSERT_EQ(submit(queue, job([&](auto) { other_done.count_down(); }, "m2")), Admission::kAccepted);
+  other_done.wait();
+  release.count_down();
+}
+
+TEST(JobQueue, RefusesWhatIsBeyondItsCapacityAndLeavesItWhole) {
+  JobQueue queue{1, 2};
+  std::latch started{1};
+  std::latch release{1};
+  std::latch done{3};
+  const auto count = [&](auto) { done.count_down(); };
+  ASSERT_EQ(submit(queue, job([&](auto) {
+                     started.count_down();
+                     release.wait();
+                     done.count_down();
+                   })),
+            Admission::kAccepted);
+  started.wait();
+  ASSERT_EQ(submit(queue, job(count, "m1")), Admission::kAccepted);
+  ASSERT_EQ(submit(queue, job(count, "m1")), Admission::kAccepted);  // behind in its lane: it counts too
+  EXPECT_EQ(queue.waiting(), 2U);
+  bool ran = false;
+  Job refused = job([&](auto) { ran = true; });
+  EXPECT_EQ(queue.submit(refused), Admission::kFull);
+  EXPECT_TRUE(refused.work.valid());
+  release.count_down();
+  done.wait();
+  EXPECT_FALSE(ran);
+}
+
+TEST(JobQueue, QuickJobsDoNotWaitForLongOnes) {
+  JobQueue queue{2, 8, 1};
+  std::latch started{2};
+  std::latch release{1};
+  std::latch quick_done{1};
+  for (const char* lane : {"m1", "m2"}) {
+    ASSERT_EQ(submit(queue, job(
+                                [&](auto) {
+                                  started.count_down();
+                                  release.wait();
+                                },
+                                lane)),
+              Admission::kAccepted);
+  }
+  started.wait();
+  bool long_ran = false;
+  ASSERT_EQ(submit(queue, job([&](auto) { long_ran = true; }, "m3")), Admission::kAccepted);
+  Job quick = job([&](auto) { quick_done.count_down(); }, "m4");
+  quick.quick = true;
+  ASSERT_EQ(queue.submit(quick), Admission::kAccepted);
+  quick_done.wait();
+  EXPECT_FALSE(long_ran);
+  release.count_down();
+  queue.drain();
+  EXPECT_TRUE(long_ran);
+}
+
+TEST(JobQueue, ALaneIsOneForQuickJobsAndLongOnes) {
+  std::vector<int> order;  // not guarded: the lane is
+  {
+    JobQueue queue{2, 64, 1};
+    std::latch first_may_end{1};
+    for (int i = 0; i < 32; ++i) {
+      Job next = job(
+          [&, i](auto) {
+            if (i == 0) first_may_end.wait();
+            order.push_back(i);
+          },
+          "m1");
+      next.quick = i % 3 == 1;
+      ASSERT_EQ(queue.submit(next), Admission::kAccepted);
+    }
+    first_may_end.count_down();
+  }
+  ASSERT_EQ(order.size(), 32U);
+  EXPECT_TRUE(std::is_sorted(order.begin(), order.end()));
+}
+
+TEST(JobQueue, AFullQueueTakesOneJobOfWhoHasNoneWaiting) {
+  JobQueue queue{1, 2};
+  std::latch release{1};
+  std::latch started{1};
+  const auto of = [&](std::uint64_t session) {
+    Job next = job([](auto) {});
+    next.session = session;
+    return queue.submit(next);
+  };
+  ASSERT_EQ(submit(queue, job([&](auto) {
+                     started.count_down();
+                     release.wait();
+                   })),
+            Admission::kAccepted);
+  started.wait();
+  EXPECT_EQ(of(1), Admission::kAccepted);
+  EXPECT_EQ(of(1), Admission::kAccepted);
+  EXPECT_EQ(of(1), Admission::kFull);
+  EXPECT_EQ(of(2), Admission::kAccepted);
+  EXPECT_EQ(of(2), Admission::kFull);
+  EXPECT_EQ(queue.waiting(), 3U);
+  release.count_down();
+}
+
+TEST(JobQueue, TellsToRetryByWhatRunsNowToo) {
+  JobQueue queue{1, 1};
+  for (int i = 0; i < 100; ++i) {  // jobs are known to be short
+    std::latch done{1};
+    ASSERT_EQ(submit(queue, job([&](auto) { done.count_down(); })), Admission::kAccepted);
+    done.wait();
+  }
+  std::latch release{1};
+  ASSERT_EQ(submit(queue, job([&](auto) { release.wait(); })), Admission::kAccepted);
+  const int at_first = queue.retry_after_ms();
+  const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds{30};
+  while (queue.retry_after_ms() <= at_first + 10 && std::chrono::steady_clock::now() < patience) {
+    std::this_thread::yield();
+  }
+  EXPECT_GT(queue.retry_after_ms(), at_first + 10);
+  release.count_down();
+}
+
+TEST(JobQueue, AJobThatThrowsEndsAloneAndDropsWhatItOwned) {
+  JobQueue queue{1, 8};
+  std::latch dropped{1};
+  std::latch next_ran{1};
+  const auto owned = std::shared_ptr<int>{new int{}, [&](const int* held) {
+                                            delete held;
+                                            dropped.count_down();
+                                          }};
+  ASSERT_EQ(submit(queue, job([held = owned](auto) { throw std::runtime_error{"on purpose"}; }, "m1")),
+            Admission::kAccepted);
+  ASSERT_EQ(submit(queue, job([&](auto) { next_ran.count_down(); }, "m1")), Admission::kAccepted);
+  next_ran.wait();
+  EXPECT_EQ(owned.use_count(), 1);
+}
+
+TEST(JobQueue, StopsARunningJobWhoseCallerIsGone) {
+  JobQueue queue{1, 8};
+  std::stop_source caller;
+  std::latch started{1};
+  std::latch ended{1};
+  ASSERT_EQ(submit(queue, job(
+                              [&](const std::stop_token& stop) {
+                                started.count_down();
+                                wait_for_stop(stop);
+                                ended.count_down();
+                              },
+                              {}, caller.get_token())),
+            Admission::kAccepted);
+  started.wait();
+  caller.request_stop();
+  ended.wait();
+}
+
+TEST(JobQueue, AJobWhoseCallerWentWhileItWaitedStartsStopped) {
+  JobQueue queue{1, 8};
+  std::stop_source caller;
+  std::latch release{1};
+  std::latch ended{1};
+  bool stopped = false;
+  ASSERT_EQ(submit(queue, job([&](auto) { release.wait(); })), Admission::kAccepted);
+  ASSERT_EQ(submit(queue, job(
+                              [&](const std::stop_token& stop) {
+                                stopped = stop.stop_requested();
+                                ended.count_down();
+                              },
+                              {}, caller.get_token())),
+            Admission::kAccepted);
+  caller.request_stop();
+  release.count_down();
+  ended.wait();
+  EXPECT_TRUE(stopped);
+}
+
+TEST(JobQueue, DrainStopsWhatRunsAndWaitsForAllThatWasAccepted) {
+  JobQueue queue{1, 8};
+  std::latch started{1};
+  std::vector<bool> stopped;
+  const auto record = [&](const std::stop_token& stop) { stopped.push_back(stop.stop_requested()); };
+  ASSERT_EQ(submit(queue, job(
+                              [&](const std::stop_token& stop) {
+                                started.count_down();
+                                wait_for_stop(stop);
+                                record(stop);
+                              },
+                              "m1")),
+            Admission::kAccepted);
+  ASSERT_EQ(submit(queue, job(record, "m1")), Admission::kAccepted);
+  ASSERT_EQ(submit(queue, job(record)), Admission::kAccepted);
+  started.wait();
+  queue.drain();
+  EXPECT_EQ(stopped, (std::vector<bool>{true, true, true}));
+  EXPECT_EQ(submit(queue, job(record)), Admission::kDraining);
+  EXPECT_EQ(stopped.size(), 3U);
+}
+
+}  // namespace
+}  // namespace selvage::server::jobs

@@ -1,0 +1,44 @@
+#include "server/transport/access/access.h"
+
+#include <gtest/gtest.h>
+
+namespace selvage::server::transport {
+namespace {
+
+TEST(Access, WithoutATokenAnythingFits) {
+  const access::Access access;
+  EXPECT_TRUE(token_fits(access, ""));
+  EXPECT_TRUE(authorization_fits(access, ""));
+  EXPECT_TRUE(authorization_fits(access, "Basic abc"));
+}
+
+TEST(Access, ATokenMustBeTheWholeOfIt) {
+  const access::Access access{.token = "correct horse"};
+  EXPECT_TRUE(token_fits(access, "correct horse"));
+  for (const auto* token : {"", "correct", "correct horse ", "correct hors\xff", "Correct horse"}) {
+    EXPECT_FALSE(token_fits(access, token)) << token;
+  }
+  EXPECT_TRUE(authorization_fits(access, "Bearer correct horse"));
+  EXPECT_TRUE(authorization_fits(access, "bEARER  correct horse"));
+  for (const auto* value : {"", "Bearer", "Bearer ", "Bearercorrect horse", "correct horse", "Basic correct horse"}) {
+    EXPECT_FALSE(authorization_fits(access, value)) << value;
+  }
+}
+
+TEST(Access, AnyHostWithATokenNamedOnesWithout) {
+  EXPECT_TRUE(access::host_may_be({.token = "correct horse"}, "anywhere.example"));
+  const access::Access named{.hosts = {"marker.example"}};
+  EXPECT_TRUE(host_may_be(named, "localhost:7171"));
+  EXPECT_TRUE(host_may_be(named, "marker.example:80"));
+  EXPECT_FALSE(host_may_be(named, "anywhere.example"));
+}
+
+TEST(Access, OriginsAreJudgedWithATokenToo) {
+  const access::Access access{.token = "correct horse", .origins = {"https://front.example"}};
+  EXPECT_TRUE(origin_may_be(access, "https://front.example"));
+  EXPECT_TRUE(origin_may_be(access, "http://127.0.0.1:8080"));
+  EXPECT_FALSE(origin_may_be(access, "https://anywhere.example"));
+}
+
+}  // namespace
+}  // namespace selvage::server::transport

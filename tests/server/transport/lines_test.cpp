@@ -1,0 +1,174 @@
+// Newline-delimited JSON over a real socket.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/server/transport/staged_server.h"
+
+namespace selvage::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+TEST(Lines, AreToldFromHttpByTheFirstByteThatIsNotBlank) {
+  StagedServer server;
+  for (const auto* first : {"{\"n\":1}", "[1]", " \r\n\t\n  {\"n\":1}"}) {
+    Wire wire{server.port()};
+    wire.send(std::string{first} + "\n");
+    const std::string text{first};
+    EXPECT_EQ(wire.line(), text.substr(text.find_first_of("[{")));
+  }
+  Wire http{server.port()};
+  http.send("\r\n" + post_request("x"));
+  EXPECT_EQ(http.answer().value_or(HttpAnswer{}).status, 200);
+}
+
+TEST(Lines, ComeSplitOverWritesAndManyInOne) {
+  StagedServer server;
+  Wire wire{server.port()};
+  for (const char byte : std::string{"{\"n\":1}\r\n"}) wire.send({&byte, 1});
+  EXPECT_EQ(wire.line(), "{\"n\":1}");
+  wire.send("{\"n\":2}\n\n  \n{\"n\":3}\n{\"n\":");
+  EXPECT_EQ(wire.line(), "{\"n\":2}");
+  EXPECT_EQ(wire.line(), "{\"n\":3}");
+  wire.send("4}\n");
+  EXPECT_EQ(wire.line(), "{\"n\":4}");
+}
+
+TEST(Lines, AreAnsweredInTheOrderTheyAreDone) {
+  StagedServer server;
+  Wire wire{server.port()};
+  wire.send("{\"hold\":1}\n{\"hold\":2}\n{\"quick\":3}\n");
+  EXPECT_EQ(wire.line(), "{\"quick\":3}");
+  const HeldCall first = server.next_held();
+  const HeldCall second = server.next_held();
+  second.reply("two");
+  EXPECT_EQ(wire.line(), "two");
+  first.reply("one");
+  EXPECT_EQ(wire.line(), "one");
+}
+
+TEST(Lines, NotificationsGetNoLine) {
+  StagedServer server;
+  Wire wire{server.port()};
+  wire.send("{\"silent\":1}\n{\"n\":2}\n");
+  EXPECT_EQ(wire.line(), "{\"n\":2}");
+}
+
+TEST(Lines, ALineBeyondTheLimitIsToldOfAndTheNextIsServed) {
+  server::transport::access::TransportLimits limits;
+  limits.body_bytes = 1000;
+  StagedServer server{limits};
+  Wire wire{server.port()};
+  wire.send("{" + std::string(1 << 22, 'x') + "\n{\"n\":1}\n");
+  EXPECT_EQ(wire.line(), "too long");
+  EXPECT_EQ(wire.line(), "{\"n\":1}");
+}
+
+TEST(Lines, AHalfClosedConnectionStillGetsAllItsAnswers) {
+  StagedServer server;
+  Wire wire{server.port()};
+  wire.send("{\"hold\":1}\n{\"hold\":2}\n{\"last\":\"without an end\"}");
+  wire.half_close();
+  EXPECT_EQ(wire.line(), "{\"last\":\"without an end\"}");
+  const HeldCall first = server.next_held();
+  const HeldCall second = server.next_held();
+  EXPECT_FALSE(first.caller.stop_requested());
+  first.reply("one");
+  EXPECT_EQ(wire.line(), "one");
+  second.reply("two");
+  EXPECT_EQ(wire.rest(), "two\n");
+}
+
+TEST(Lines, ABrokenConnectionStopsItsCalls) {
+  StagedServer server;
+  for (const bool half_closed_before : {false, true}) {
+    Wire wire{server.port()};
+    wire.send("{\"hold\":1}\n{\"hold\":2}\n");
+    const HeldCall first = server.next_held();
+    const HeldCall second = server.next_held();
+    if (half_closed_before) wire.half_close();
+    wire.reset();
+    EXPECT_TRUE(stops(first.caller));
+    EXPECT_TRUE(stops(second.caller));
+    first.reply("nobody reads this");
+    second.reply("nor this");
+  }
+  EXPECT_TRUE(Wire{server.port()}.post("{}"));
+}
+
+TEST(Lines, AreNotReadWhileTooManyCallsAreUnanswered) {
+  server::transport::access::TransportLimits limits;
+  limits.calls_per_connection = 3;
+  StagedServer server{limits};
+  Wire wire{server.port()};
+  std::string all;
+  for (int i = 0; i < 10; ++i) all += "{\"hold\":" + std::to_string(i) + "}\n";
+  wire.send(all);
+  std::vector<HeldCall> held;
+  for (int i = 0; i < 3; ++i) held.push_back(server.next_held());
+  ASSERT_TRUE(Wire{server.port()}.post("{}"));  // the I/O thread has gone round, and
+  EXPECT_EQ(server.held(), 0U);                 // the fourth has not been taken
+  for (int i = 0; i < 10; ++i) {
+    held[static_cast<std::size_t>(i)].reply(std::to_string(i));
+    EXPECT_EQ(wire.line(), std::to_string(i));
+    if (i < 7) held.push_back(server.next_held());
+  }
+}
+
+TEST(Lines, ALineThatDoesNotEndIsCutOffAndASilentConnectionIsNot) {
+  server::transport::access::TransportLimits limits;
+  limits.request = 50ms;
+  StagedServer server{limits};
+  Wire silent{server.port()};
+  silent.send("{\"n\":1}\n");
+  EXPECT_EQ(silent.line(), "{\"n\":1}");
+  Wire slow{server.port()};
+  slow.send("{\"n\":");
+  EXPECT_EQ(slow.rest(), "");  // cut off, after longer than `request`
+  silent.send("{\"n\":2}\n");
+  EXPECT_EQ(silent.line(), "{\"n\":2}");
+}
+
+TEST(Lines, AnswersAreWholeLinesWhateverTheirSize) {
+  StagedServer server;
+  Wire wire{server.port()};
+  std::set<std::string> sent;
+  for (const std::size_t size : {1, 1000, 100'000, 3'000'000}) {
+    sent.insert("{\"" + std::string(size, 'a') + "\":0}");
+  }
+  for (const std::string& text : sent) wire.send(text + "\n");
+  std::set<std::string> received;
+  for (std::size_t i = 0; i < sent.size(); ++i) received.insert(wire.line().value_or(""));
+  EXPECT_EQ(received, sent);
+}
+
+TEST(LinesDrain, CallsUnderWayAreAnsweredAndNothingMoreIsRead) {
+  StagedServer server;
+  Wire wire{server.port()};
+  wire.send("{\"hold\":1}\n");
+  const HeldCall held = server.next_held();
+  server.transport().stop_reading();
+  EXPECT_THROW(
+      {
+        for (;;) Wire{server.port()};  // until the door is shut, which is done on the I/O thread
+      },
+      std::system_error);
+  held.reply("done");
+  server.transport().finish(kPatience);
+  EXPECT_EQ(wire.rest(), "done\n");
+}
+
+TEST(LinesDrain, FinishingHasAnEndWhenAnAnswerIsNotTaken) {
+  StagedServer server;
+  Wire wire{server.port()};
+  wire.send("{\"hold\":1}\n");
+  server.next_held().reply(std::string(64 << 20, 'x'));
+  server.transport().finish(50ms);  // returns
+}
+
+}  // namespace
+}  // namespace selvage::test

@@ -1,0 +1,275 @@
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <mutex>
+#include <set>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "tests/trials/caller.h"
+#include "tests/trials/latencies.h"
+#include "tests/trials/live_daemon.h"
+#include "tests/trials/malformed/malformed_http.h"
+#include "tests/trials/malformed/malformed_messages.h"
+#include "tests/trials/trials.h"
+
+namespace selvage::trials {
+namespace {
+
+constexpr std::size_t kBatch = 16;            // messages between two sound calls
+constexpr std::size_t kPerExtreme = 100'000;  // of all requests, one round of the large ones
+constexpr std::size_t kSweepAt = 300;         // open markers
+constexpr double kGoalMs = 100;
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr double kMostGrownMb = 4096;  // a sanitiser's own books grow, too
+#else
+constexpr double kMostGrownMb = 64;
+#endif
+
+struct Tally {
+  std::atomic<std::size_t> sent{}, answered{}, closed{};
+};
+
+// The markers that one of the attackers works on: none else may close them.
+class InUse {
+ public:
+  void exchange(const std::string& old, const std::string& fresh) {
+    const std::lock_guard lock{mutex_};
+    ids_.erase(old);
+    ids_.insert(fresh);
+  }
+  [[nodiscard]] bool has(const std::string& id) const {
+    const std::lock_guard lock{mutex_};
+    return ids_.contains(id);
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::set<std::string> ids_;
+};
+
+// A well-behaved client beside an attack: its calls are what must be answered whatever else comes.
+class SoundCaller {
+ public:
+  SoundCaller(const LiveDaemon& daemon, InUse& in_use) : caller_{daemon, Door::kTcp}, in_use_{in_use} {}
+
+  // One call, timed.  Opens the marker of the attack anew when a request that was sound after all has closed it.
+  void call() {
+    const Json answer = latencies.time([&] { return caller_.ask("marker.get", {{"markerId", marker_id_}}); });
+    if (code_of(answer) != 0) open();
+    if (++calls_ % 50 == 0) sweep(kSweepAt);
+  }
+  // Closes markers that requests which were sound after all have opened, when there are more than so many.
+  void sweep(std::size_t most) {
+    const Json markers = caller_.result("marker.list")["markers"];
+    if (markers.size() <= most) return;
+    for (const Json& marker : markers) {
+      if (!in_use_.has(marker["markerId"])) (void)caller_.ask("marker.close", {{"markerId", marker["markerId"]}});
+    }
+  }
+  [[nodiscard]] const std::string& marker_id() const { return marker_id_; }
+
+  Latencies latencies;
+
+ private:
+  void open() {
+    const std::string id = caller_.result("marker.open", {{"marker", Json::parse(R"({
+      "format": "selvage-marker", "version": 1, "name": "two squares", "strip": {"width": 100},
+      "shapes": [{"id": "square", "outline": [[0, 0], [40, 0], [40, 40], [0, 40]]}],
+      "pieces": [{"id": "left", "shape": "square", "at": [0, 0]}, {"id": "right", "shape": "square", "at": [50, 10]}]
+    })")}})["markerId"];
+    in_use_.exchange(std::exchange(marker_id_, id), id);
+  }
+
+  Caller caller_;
+  InUse& in_use_;
+  std::string marker_id_;
+  std::size_t calls_{};
+};
+
+// Attacks one door with its part of the requests.
+class Attack {
+ public:
+  Attack(const LiveDaemon& daemon, std::uint64_t seed, InUse& in_use, Tally& tally)
+      : sound{daemon, in_use}, daemon_{daemon}, messages_{seed}, random_{seed}, tally_{tally} {
+    sound.call();
+  }
+  virtual ~Attack() = default;
+  Attack(const Attack&) = delete;
+  Attack& operator=(const Attack&) = delete;
+
+  void run(std::size_t count, std::size_t extreme_rounds) {
+    for (std::size_t sent = 0; sent < count;) {
+      const std::size_t now = std::min(kBatch, count - sent);
+      std::vector<std::string> batch;
+      for (std::size_t k = 0; k < now; ++k) batch.push_back(messages_.next(sound.marker_id()));
+      send(batch);
+      sound.call();
+      sent += now;
+      if (sent / kBatch % 8 == 0) {
+        send_raw();
+        sound.call();
+      }
+    }
+    const std::size_t limit = Caller{daemon_, Door::kTcp}.result("engine.info")["limits"]["requestBytes"];
+    for (std::size_t round = 0; round < extreme_rounds; ++round) {
+      for (std::size_t which = 0; which < kExtremes; ++which) {
+        send({extreme_message(which, limit)});
+        sound.call();
+      }
+    }
+  }
+
+  SoundCaller sound;
+
+ protected:
+  // Sends the messages and waits until each is answered, or the connection closed.
+  virtual void send(const std::vector<std::string>& batch) = 0;
+  // Sends bytes that need not end anywhere on a connection of their own, and waits until that is closed.
+  virtual void send_raw() = 0;
+
+  void await_close(test::Wire& wire, const std::string& bytes) {
+    ++tally_.sent;
+    if (wire.try_send(bytes)) wire.half_close();
+    ++(wire.rest().empty() ? tally_.closed : tally_.answered);
+  }
+
+  const LiveDaemon& daemon_;
+  MalformedMessages messages_;
+  test::Random random_;
+  Tally& tally_;
+};
+
+class HttpAttack final : public Attack {
+ public:
+  using Attack::Attack;
+
+ private:
+  void send(const std::vector<std::string>& batch) override {
+    for (const std::string& message : batch) {
+      if (!wire_) wire_ = std::make_unique<test::Wire>(daemon_.port());
+      ++tally_.sent;
+      (void)wire_->try_send(test::post_request(message));  // may be refused, and closed, before all is read
+      const auto answer = wire_->answer();
+      ++(answer ? tally_.answered : tally_.closed);
+      if (!answer || answer->says("Connection: close")) wire_.reset();
+    }
+  }
+  void send_raw() override {
+    test::Wire wire{daemon_.port()};
+    await_close(wire, malformed_http(random_));
+  }
+
+  std::unique_ptr<test::Wire> wire_;
+};
+
+class LineAttack final : public Attack {
+ public:
+  LineAttack(Door door, const LiveDaemon& daemon, std::uint64_t seed, InUse& in_use, Tally& tally)
+      : Attack{daemon, seed, in_use, tally}, door_{door}, caller_{daemon, door} {}
+
+ private:
+  void send(const std::vector<std::string>& batch) override {
+    for (const std::string& message : batch) caller_.send_text(message);
+    tally_.sent += batch.size();
+    for (std::size_t answers = 0; answers < batch.size(); answers += one_answer() ? 1 : 0) {
+    }
+  }
+  // False when what came is a notification.
+  bool one_answer() {
+    const auto text = caller_.next_text();
+    if (!text) throw std::runtime_error{"a line connection has ended"};
+    const Json message = Json::parse(*text);
+    if (message.is_object() && !message.contains("id")) return false;
+    ++tally_.answered;
+    return true;
+  }
+  void send_raw() override {
+    Caller other{daemon_, door_};
+    std::string bytes(1 + random_.below(20'000), ' ');
+    for (char& byte : bytes) byte = static_cast<char>(random_.below(256));
+    await_close(other.wire(), bytes);
+  }
+
+  Door door_;
+  Caller caller_;
+};
+
+class WebSocketAttack final : public Attack {
+ public:
+  using Attack::Attack;
+
+ private:
+  void send(const std::vector<std::string>& batch) override {
+    for (const std::string& message : batch) {
+      if (!socket_) socket_ = std::make_unique<test::WebSocketWire>(daemon_.port());
+      ++tally_.sent;
+      if (is_answered(message)) {
+        ++tally_.answered;
+      } else {
+        ++tally_.closed;
+        socket_.reset();
+      }
+    }
+  }
+  bool is_answered(const std::string& message) {
+    if (!socket_->wire().try_send(test::frame_bytes({test::Opcode::kText, message}))) return false;
+    for (;;) {
+      const auto text = socket_->text();
+      if (!text) return false;
+      const Json answer = Json::parse(*text);
+      if (!answer.is_object() || answer.contains("id")) return true;
+    }
+  }
+  void send_raw() override {
+    test::WebSocketWire socket{daemon_.port()};
+    await_close(socket.wire(), malformed_frames(random_));
+  }
+
+  std::unique_ptr<test::WebSocketWire> socket_;
+};
+
+}  // namespace
+
+void malformed(std::size_t count, Faults& faults) {
+  LiveDaemon daemon;
+  InUse in_use;
+  Tally tally;
+  std::vector<std::unique_ptr<Attack>> attacks;
+  attacks.push_back(std::make_unique<HttpAttack>(daemon, 1, in_use, tally));
+  attacks.push_back(std::make_unique<WebSocketAttack>(daemon, 2, in_use, tally));
+  attacks.push_back(std::make_unique<LineAttack>(Door::kTcp, daemon, 3, in_use, tally));
+  attacks.push_back(std::make_unique<LineAttack>(Door::kUnix, daemon, 4, in_use, tally));
+  const Resources before = daemon.resources();
+  const auto began = std::chrono::steady_clock::now();
+  {
+    std::vector<std::jthread> threads;
+    for (const auto& attack : attacks) {
+      threads.emplace_back([&, one = attack.get()] {
+        faults.guard("an attack", [&] { one->run(count / attacks.size(), count / kPerExtreme + 1); });
+      });
+    }
+  }
+  const double seconds = std::chrono::duration<double>{std::chrono::steady_clock::now() - began}.count();
+  attacks.front()->sound.sweep(0);
+  std::this_thread::sleep_for(std::chrono::seconds{1});  // what was answered last is being freed
+  const Resources after = daemon.resources();
+  Latencies sound;
+  for (const auto& attack : attacks) sound.join(attack->sound.latencies);
+  std::printf("%zu malformed requests on HTTP, WebSocket, TCP and Unix in %.1f s: %zu answered, %zu closed\n",
+              tally.sent.load(), seconds, tally.answered.load(), tally.closed.load());
+  std::printf("the next sound call: %s (goal: below %.0f)\n", sound.text().c_str(), kGoalMs);
+  std::printf("resident %.1f MB before, %.1f after, %.1f at most\n", before.resident_mb, after.resident_mb,
+              after.peak_mb);
+  faults.expect(tally.sent == tally.answered + tally.closed, "some were neither answered nor closed");
+  faults.expect(after.resident_mb - before.resident_mb < kMostGrownMb, "resident memory has grown");
+  attacks.clear();
+  faults.expect(daemon.end() == 0, "selvaged did not end well");
+}
+
+}  // namespace selvage::trials
