@@ -14,18 +14,18 @@ std::string name(Vec v) {
 Polygon without_redundant_vertices(std::span<const Vec> vertices, Repairs& repairs) {
   Polygon kept;
   kept.reserve(vertices.size());
-  const auto tail_is_redundant =
-      [&kept, &repairs](Vec next) {  // true when the last kept vertex is redundant before `next`; counts the repair
-        if (kept.back() == next) {
-          ++repairs.duplicate_vertices;
-          return true;
-        }
-        if (kept.size() >= 2 && side_of(kept[kept.size() - 2], kept.back(), next) == 0) {
-          ++repairs.collinear_vertices;
-          return true;
-        }
-        return false;
-      };
+  // True when the last kept vertex is redundant before `next`; counts the repair.
+  const auto tail_is_redundant = [&kept, &repairs](Vec next) {
+    if (kept.back() == next) {
+      ++repairs.duplicate_vertices;
+      return true;
+    }
+    if (kept.size() >= 2 && side_of(kept[kept.size() - 2], kept.back(), next) == 0) {
+      ++repairs.collinear_vertices;
+      return true;
+    }
+    return false;
+  };
   for (const Vec v : vertices) {
     while (!kept.empty() && tail_is_redundant(v)) kept.pop_back();
     kept.push_back(v);
