@@ -10,7 +10,7 @@
 namespace selvage::outline {
 namespace {
 
-// The part of the convex polygon `cell` to the left of the line through `at` along `along`.
+// Clips the convex polygon `cell` to the left side of the line through `at` with direction `along`.
 void clip(std::vector<Real2>& cell, Real2 at, Real2 along, std::vector<Real2>& scratch) {
   scratch.clear();
   const std::size_t n = cell.size();
@@ -47,7 +47,8 @@ Real2 centroid(const std::vector<Real2>& cell) {
   return {cell[0].x + sum.x / (3 * area), cell[0].y + sum.y / (3 * area)};
 }
 
-// The kernel by cutting the box with every edge's line, in coordinates about `centre` to keep rounding small.
+// The kernel, computed by clipping the box with the line of every edge, in coordinates relative to `centre` to keep
+// rounding small.
 std::vector<Real2> kernel_cell(const Polygon& polygon, const Box& box, Vec centre) {
   const auto x = [&](Coord c) { return static_cast<double>(c - centre.x); };
   const auto y = [&](Coord c) { return static_cast<double>(c - centre.y); };
@@ -64,7 +65,7 @@ std::vector<Real2> kernel_cell(const Polygon& polygon, const Box& box, Vec centr
   return cell;
 }
 
-// The least distance at which an edge's line passes `point` on the left; negative when one passes on the right.
+// The smallest distance from `point` to the line of an edge; negative when the point is to the right of one.
 double depth_of(Real2 point, const Polygon& polygon, Vec centre) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -88,10 +89,10 @@ Real2 middle_of(const Polygon& polygon) {
   return {sum.x / n, sum.y / n};
 }
 
-// Triangles grown together while their union stays star-shaped.
-class Growth {
+// Merges triangles greedily while their union stays star-shaped.
+class TriangleMerging {
  public:
-  explicit Growth(const Polygon& polygon) : polygon_{polygon}, triangles_{triangulate(polygon)} {
+  explicit TriangleMerging(const Polygon& polygon) : polygon_{polygon}, triangles_{triangulate(polygon)} {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> seen;
     next_to_.resize(triangles_.size());
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
@@ -126,7 +127,7 @@ class Growth {
     return cross(polygon_[j] - polygon_[i], polygon_[k] - polygon_[i]);
   }
 
-  // Grown from the largest few free triangles; the part of the largest area wins.
+  // Starts from each of the few largest free triangles, and returns the resulting part with the largest area.
   [[nodiscard]] std::pair<Members, StarPart> largest_part() const {
     constexpr std::size_t kSeeds = 6;
     Members seeds;
@@ -157,7 +158,7 @@ class Growth {
     StarPart part = part_of(members);
     const auto kernel = kernel_point(part.vertices);
     part.kernel = kernel ? *kernel : middle_of(part.vertices);
-    if (!kernel) return {members, part};  // a sliver: alone
+    if (!kernel) return {members, part};  // too thin to have a kernel point: a part of its own
     std::vector<bool> tried = taken_;
     tried[seed] = true;
     for (std::size_t m = 0; m < members.size(); ++m) {
@@ -177,7 +178,7 @@ class Growth {
     return {members, part};
   }
 
-  // The triangles hang together along cuts, so their union's vertices are theirs in the polygon's own order.
+  // The triangles are connected along cuts, so the vertices of their union are theirs in the order of the polygon.
   [[nodiscard]] StarPart part_of(const Members& members) const {
     StarPart part;
     for (const std::size_t t : members)
@@ -236,7 +237,7 @@ std::vector<StarPart> star_parts(const Polygon& polygon) {
     std::iota(whole.origin.begin(), whole.origin.end(), 0U);
     return {std::move(whole)};
   }
-  return Growth{polygon}.run();
+  return TriangleMerging{polygon}.run();
 }
 
 }  // namespace selvage::outline

@@ -6,10 +6,10 @@
 namespace selvage::outline {
 namespace {
 
-// The part of the polygon not yet cut off, as a ring of vertex indices.
-class Ring {
+// The part of the polygon that has not been cut off yet, as a ring of vertex indices.
+class RemainingRing {
  public:
-  explicit Ring(const Polygon& polygon) : polygon_{polygon}, live_(polygon.size()) {
+  explicit RemainingRing(const Polygon& polygon) : polygon_{polygon}, live_(polygon.size()) {
     std::iota(live_.begin(), live_.end(), 0U);
   }
   [[nodiscard]] std::size_t size() const { return live_.size(); }
@@ -17,7 +17,7 @@ class Ring {
     const std::size_t n = live_.size();
     return {live_[(k + n - 1) % n], live_[k], live_[(k + 1) % n]};
   }
-  // A strictly convex corner whose closed triangle holds no other vertex.
+  // True for a strictly convex corner whose closed triangle contains no other vertex.
   [[nodiscard]] bool is_ear(std::size_t k) const {
     const auto [i, j, l] = corner(k);
     const Vec a = polygon_[i];
@@ -33,7 +33,7 @@ class Ring {
     }
     return true;
   }
-  // How long the cut would be: short cuts leave fat rests.
+  // The squared length of the cut at this corner; short cuts leave remainders that are not thin.
   [[nodiscard]] double cut_length(std::size_t k) const {
     const auto [i, j, l] = corner(k);
     const Vec cut = polygon_[l] - polygon_[i];
@@ -46,8 +46,8 @@ class Ring {
   std::vector<std::uint32_t> live_;
 };
 
-// The ear with the shortest cut among the first few from `start` on: a compromise between shape and time.
-std::size_t next_ear(const Ring& ring, std::size_t start) {
+// The ear with the shortest cut among the first few ears from `start` on: a compromise between good triangles and time.
+std::size_t next_ear(const RemainingRing& ring, std::size_t start) {
   constexpr int kEnough = 8;
   std::size_t best = ring.size();
   double shortest = std::numeric_limits<double>::infinity();
@@ -67,7 +67,7 @@ std::size_t next_ear(const Ring& ring, std::size_t start) {
 std::vector<Triangle> triangulate(const Polygon& polygon) {
   std::vector<Triangle> triangles;
   triangles.reserve(polygon.size());
-  Ring ring{polygon};
+  RemainingRing ring{polygon};
   std::size_t start = 0;
   while (ring.size() > 3) {
     const std::size_t ear = next_ear(ring, start);

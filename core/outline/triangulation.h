@@ -1,4 +1,4 @@
-// Triangulation of a simple polygon by cutting ears; exact.
+// Exact triangulation of a simple polygon by ear clipping.
 #pragma once
 
 #include <array>
@@ -9,9 +9,9 @@
 
 namespace selvage::outline {
 
-// Vertex indices, counter-clockwise.
+// Three vertex indices in counter-clockwise order.
 using Triangle = std::array<std::uint32_t, 3>;
-// n - 2 triangles whose union is the polygon; none has zero area.
+// The n - 2 triangles of a polygon with n vertices; their union is the polygon and none has zero area.
 [[nodiscard]] std::vector<Triangle> triangulate(const Polygon& polygon);
 
 }  // namespace selvage::outline
