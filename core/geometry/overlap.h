@@ -9,6 +9,7 @@
 
 #include "core/geometry/lattice.h"
 #include "core/geometry/polygon.h"
+#include "core/geometry/real_vec.h"
 
 namespace selvage::geometry {
 
@@ -30,12 +31,9 @@ struct PlacedPolygon {
 [[nodiscard]] bool closer_than(const PlacedPolygon& p, const PlacedPolygon& q, Coord distance);
 
 // A point inside both, rounded to doubles, when they overlap; for reports only.
-struct Witness {
-  double x{}, y{};
-};
-[[nodiscard]] std::optional<Witness> common_point(const PlacedPolygon& p, const PlacedPolygon& q);
+[[nodiscard]] std::optional<RealVec> common_point(const PlacedPolygon& p, const PlacedPolygon& q);
 
 // The midpoint of a shortest line between the two boundaries, rounded; for reports only.
-[[nodiscard]] Witness nearest_point(const PlacedPolygon& p, const PlacedPolygon& q);
+[[nodiscard]] RealVec nearest_point(const PlacedPolygon& p, const PlacedPolygon& q);
 
 }  // namespace selvage::geometry

@@ -49,7 +49,7 @@ class NearestEdges {
 
 // The nearest point of the sum's boundary, and its distance; infinitely far, without an edge, when the sum shows none.
 struct BoundaryPoint {
-  outline::Real2 at;
+  RealVec at;
   double distance{};
   const convolution::SumEdge* edge{};
 };

@@ -17,7 +17,7 @@ class Ring {
   explicit Ring(const convolution::StarSum& sum);
 
   // Inside by more than `margin` lattice units, measured from the edge that faces the point.
-  [[nodiscard]] bool holds(outline::Real2 point, double margin) const;
+  [[nodiscard]] bool holds(RealVec point, double margin) const;
 
   // The stretches [t0, t1] of another ring's edge (t = 0 where it begins, 1 where it ends) that lie inside by more than
   // `margin`; appended, not sorted.  Stretches that run along one of the ring's own edges, on the same exact line and
@@ -46,7 +46,7 @@ class Ring {
   void append_turning(const Question& question, Stretches& stretches) const;
   void append_radial(const Question& question, Stretches& stretches) const;
 
-  outline::Real2 centre_;
+  RealVec centre_;
   std::vector<Corner> corners_;
 };
 

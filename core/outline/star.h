@@ -7,18 +7,14 @@
 
 #include "core/geometry/orientation.h"
 #include "core/geometry/polygon.h"
+#include "core/geometry/real_vec.h"
 
 namespace selvage::outline {
-
-// A point between lattice points, in lattice units.
-struct Real2 {
-  double x{}, y{};
-};
 
 // A point well inside the kernel: every edge's line passes it on the left at a distance of at least kKernelDepth.
 // Nothing when the polygon is not star-shaped, or only just.
 inline constexpr double kKernelDepth = 1.0 / 64;  // lattice units
-[[nodiscard]] std::optional<Real2> kernel_point(const Polygon& polygon);
+[[nodiscard]] std::optional<RealVec> kernel_point(const Polygon& polygon);
 
 // A polygon's edges into and out of one of its vertices.
 struct Turn {
@@ -27,7 +23,7 @@ struct Turn {
 // One star-shaped part of a polygon.
 struct StarPart {
   Polygon vertices;
-  Real2 kernel;
+  RealVec kernel;
   std::vector<std::uint32_t> origin;  // each vertex's index in the whole polygon
   std::vector<Turn> turns{};          // the whole polygon's at each vertex; empty when the part is the whole
 };

@@ -16,7 +16,7 @@ namespace selvage::test {
 // Of any closed vertex list.
 [[nodiscard]] bool is_simple_exactly(std::span<const Vec> vertices);
 // Where a point between lattice points lies; the double is taken as the number it is.
-[[nodiscard]] geometry::Location locate_exactly(outline::Real2 point, const Polygon& polygon);
+[[nodiscard]] geometry::Location locate_exactly(RealVec point, const Polygon& polygon);
 // True when the intersection of the two has an area.
 [[nodiscard]] bool interiors_meet(const Polygon& p, const Polygon& q);
 // True when no part of `inner` that has an area lies outside `outer`.
@@ -28,7 +28,7 @@ namespace selvage::test {
 // The areas of the connected regions of the box that no polygon covers, largest first.
 [[nodiscard]] std::vector<double> areas_left_over(const Box& box, std::span<const Polygon> polygons);
 
-using Segment = std::pair<outline::Real2, outline::Real2>;
+using Segment = std::pair<RealVec, RealVec>;
 
 // Where a region is not the exact one.
 struct Difference {
@@ -52,7 +52,7 @@ class ExactSum {
   [[nodiscard]] const std::vector<Segment>& boundary() const { return boundary_; }
   [[nodiscard]] double perimeter() const;
   [[nodiscard]] std::size_t holes() const;
-  [[nodiscard]] geometry::Location locate(outline::Real2 point) const;
+  [[nodiscard]] geometry::Location locate(RealVec point) const;
   // Where the union of the other's rings differs from this.
   [[nodiscard]] Difference difference(const minkowski::MinkowskiSum& other) const;
   // Where a region does, given as rings: outlines counter-clockwise, holes clockwise.

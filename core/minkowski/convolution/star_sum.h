@@ -33,7 +33,7 @@ struct SumEdge {
 // The sum of two star-shaped parts: edges in counter-clockwise order about the centre, each beginning where the one
 // before ends, up to rounding.
 struct StarSum {
-  outline::Real2 centre;
+  RealVec centre;
   std::vector<SumEdge> edges;
 };
 
