@@ -11,14 +11,14 @@ namespace selvage::outline {
 namespace {
 
 // Clips the convex polygon `cell` to the left side of the line through `at` with direction `along`.
-void clip(std::vector<Real2>& cell, Real2 at, Real2 along, std::vector<Real2>& scratch) {
+void clip(std::vector<RealVec>& cell, RealVec at, RealVec along, std::vector<RealVec>& scratch) {
   scratch.clear();
   const std::size_t n = cell.size();
-  const auto left_by = [&](Real2 p) { return along.x * (p.y - at.y) - along.y * (p.x - at.x); };
+  const auto left_by = [&](RealVec p) { return along.x * (p.y - at.y) - along.y * (p.x - at.x); };
   double here = n == 0 ? 0 : left_by(cell[0]);
   for (std::size_t i = 0; i < n; ++i) {
-    const Real2 a = cell[i];
-    const Real2 b = cell[i + 1 == n ? 0 : i + 1];
+    const RealVec a = cell[i];
+    const RealVec b = cell[i + 1 == n ? 0 : i + 1];
     const double next = left_by(b);
     if (here >= 0) scratch.push_back(a);
     if ((here > 0 && next < 0) || (here < 0 && next > 0)) {
@@ -30,9 +30,9 @@ void clip(std::vector<Real2>& cell, Real2 at, Real2 along, std::vector<Real2>& s
   cell.swap(scratch);
 }
 
-Real2 centroid(const std::vector<Real2>& cell) {
+RealVec centroid(const std::vector<RealVec>& cell) {
   double area = 0;
-  Real2 sum;
+  RealVec sum;
   for (std::size_t i = 1; i + 1 < cell.size(); ++i) {
     const double ux = cell[i].x - cell[0].x;
     const double uy = cell[i].y - cell[0].y;
@@ -49,14 +49,14 @@ Real2 centroid(const std::vector<Real2>& cell) {
 
 // The kernel, computed by clipping the box with the line of every edge, in coordinates relative to `centre` to keep
 // rounding small.
-std::vector<Real2> kernel_cell(const Polygon& polygon, const Box& box, Vec centre) {
+std::vector<RealVec> kernel_cell(const Polygon& polygon, const Box& box, Vec centre) {
   const auto x = [&](Coord c) { return static_cast<double>(c - centre.x); };
   const auto y = [&](Coord c) { return static_cast<double>(c - centre.y); };
-  std::vector<Real2> cell{{x(box.low.x), y(box.low.y)},
-                          {x(box.high.x), y(box.low.y)},
-                          {x(box.high.x), y(box.high.y)},
-                          {x(box.low.x), y(box.high.y)}};
-  std::vector<Real2> scratch;
+  std::vector<RealVec> cell{{x(box.low.x), y(box.low.y)},
+                            {x(box.high.x), y(box.low.y)},
+                            {x(box.high.x), y(box.high.y)},
+                            {x(box.low.x), y(box.high.y)}};
+  std::vector<RealVec> scratch;
   for (std::size_t i = 0; i < polygon.size() && !cell.empty(); ++i) {
     const Vec a = polygon[i];
     const Vec b = polygon[i + 1 == polygon.size() ? 0 : i + 1];
@@ -66,7 +66,7 @@ std::vector<Real2> kernel_cell(const Polygon& polygon, const Box& box, Vec centr
 }
 
 // The smallest distance from `point` to the line of an edge; negative when the point is to the right of one.
-double depth_of(Real2 point, const Polygon& polygon, Vec centre) {
+double depth_of(RealVec point, const Polygon& polygon, Vec centre) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec a = polygon[i] - centre;
@@ -79,8 +79,8 @@ double depth_of(Real2 point, const Polygon& polygon, Vec centre) {
   return least;
 }
 
-Real2 middle_of(const Polygon& polygon) {
-  Real2 sum;
+RealVec middle_of(const Polygon& polygon) {
+  RealVec sum;
   for (const Vec v : polygon) {
     sum.x += static_cast<double>(v.x);
     sum.y += static_cast<double>(v.y);
@@ -202,14 +202,14 @@ class TriangleMerging {
 
 }  // namespace
 
-std::optional<Real2> kernel_point(const Polygon& polygon) {
+std::optional<RealVec> kernel_point(const Polygon& polygon) {
   const Box box = box_of(polygon);
   const Vec centre{box.low.x + box.width() / 2, box.low.y + box.height() / 2};
-  const std::vector<Real2> cell = kernel_cell(polygon, box, centre);
+  const std::vector<RealVec> cell = kernel_cell(polygon, box, centre);
   if (cell.size() < 3) return std::nullopt;
-  const Real2 point = centroid(cell);
+  const RealVec point = centroid(cell);
   if (depth_of(point, polygon, centre) < kKernelDepth) return std::nullopt;
-  return Real2{point.x + static_cast<double>(centre.x), point.y + static_cast<double>(centre.y)};
+  return RealVec{point.x + static_cast<double>(centre.x), point.y + static_cast<double>(centre.y)};
 }
 
 StarPart transformed(const StarPart& part, Symmetry symmetry) {
