@@ -9,7 +9,7 @@
 #include "core/outline/outline.h"
 #include "core/outline/outward.h"
 #include "core/outline/star.h"
-#include "core/outline/triangulation.h"
+#include "core/outline/decomposition/triangulation.h"
 #include "tests/fuzz/any_polygon.h"
 #include "tests/fuzz/entry.h"
 #include "tests/soak/exact_pairs.h"
