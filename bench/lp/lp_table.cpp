@@ -41,7 +41,7 @@ std::vector<Way> ways() {
           {"interior point (ours), standard's tolerance",
            [](const lp::LinearProgram& program) {
              return solve_by_interior_point(
-                 program, lp::interior_point::settled_within(
+                 program, lp::interior_point::settings_for_tolerance(
                               compaction_settings(motion::compaction::Accuracy::kStandard).solver_tolerance));
            }},
           {"Clp dual, presolve", clp(ClpVariant::kDualPresolved)},

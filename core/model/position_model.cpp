@@ -123,8 +123,8 @@ void PositionModel::add_displacement_penalty(double cost, std::span<const Vec> h
   }
 }
 
-std::vector<Displacement> PositionModel::displacements(std::span<const double> x) const {
-  std::vector<Displacement> moves(pieces_.size());
+std::vector<RealVec> PositionModel::displacements(std::span<const double> x) const {
+  std::vector<RealVec> moves(pieces_.size());
   for (std::size_t i = 0; i < moves.size(); ++i) {
     if (x_[i] != kNone) moves[i].x = x[static_cast<std::size_t>(x_[i])] * unit_;
     if (y_[i] != kNone) moves[i].y = x[static_cast<std::size_t>(y_[i])] * unit_;

@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry/real_vec.h"
 #include "core/lp/linear_program.h"
 #include "core/marker/placed_pieces.h"
 #include "core/model/free_region.h"
@@ -36,10 +37,6 @@ enum class TightRows {
 // covers the rounding of displacements to the lattice and of the solver; rows along the axes need none.
 [[nodiscard]] PairRow row_of(marker::PiecePair pair, const HalfPlane& side, Vec r, Coord spacing, double unit,
                              TightRows tight);
-
-struct Displacement {
-  double x{}, y{};  // lattice units
-};
 
 // The entries of a row on a pair: at most two columns of each piece, and one more.
 struct Terms {
@@ -81,7 +78,7 @@ class PositionModel {
   [[nodiscard]] std::optional<int> y_column(std::size_t piece) const { return some(y_[piece]); }
   // (nx, ny) . (displacement of q - displacement of p) as a row's entries; without p, the displacement of q alone.
   [[nodiscard]] Terms terms(std::size_t q, std::optional<std::size_t> p, double nx, double ny) const;
-  [[nodiscard]] std::vector<Displacement> displacements(std::span<const double> x) const;
+  [[nodiscard]] std::vector<RealVec> displacements(std::span<const double> x) const;
   [[nodiscard]] double length_change(std::span<const double> x) const;  // lattice units
 
  private:

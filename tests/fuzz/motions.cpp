@@ -1,4 +1,5 @@
-// Motions on a marker, both made of the bytes: a soak that looks for ways through the code.
+// Fuzz target: random motions on a random marker, both derived from the fuzzer's bytes.  It is the soak test guided by
+// code coverage.
 #include "tests/fuzz/entry.h"
 #include "tests/soak/life.h"
 

@@ -14,14 +14,14 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry/real_vec.h"
 #include "core/marker/placed_pieces.h"
 #include "core/model/position_model.h"
-#include "core/outline/star.h"
 
 namespace selvage::model::tilting {
 
 // What a piece turns about: the middle of its box where it lies.
-[[nodiscard]] outline::Real2 pivot_of(const geometry::PlacedPolygon& piece);
+[[nodiscard]] RealVec pivot_of(const geometry::PlacedPolygon& piece);
 // The distance of its farthest vertex from there.
 [[nodiscard]] double radius_of(const geometry::PlacedPolygon& piece);
 

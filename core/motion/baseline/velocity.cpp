@@ -117,7 +117,7 @@ class Simulation {
     return rows;
   }
 
-  std::optional<std::vector<model::Displacement>> solve_velocities(int& programs) {
+  std::optional<std::vector<RealVec>> solve_velocities(int& programs) {
     run_.observer.on_stage(scene::Stage::kRows);
     const std::vector<ContactRow> rows = contact_rows();
     for (const double restoring : {1.0, 0.0}) {  // without room for the clearance, at least what there is stays
@@ -128,7 +128,7 @@ class Simulation {
       ++programs;
       if (solution.status == lp::LpStatus::kStopped) return std::nullopt;
       if (solution.status != lp::LpStatus::kOptimal) continue;
-      std::vector<model::Displacement> velocity(start_.size());
+      std::vector<RealVec> velocity(start_.size());
       for (std::size_t i = 0; i < velocity.size(); ++i) {
         const auto speed = [&](int column) { return column < 0 ? 0 : solution.x[static_cast<std::size_t>(column)]; };
         velocity[i] = {speed(x_[i]), speed(y_[i])};
@@ -200,12 +200,12 @@ class Simulation {
   }
 
   // [Li94 2.2.2]
-  [[nodiscard]] double next_collision(const std::vector<model::Displacement>& velocity) const {
+  [[nodiscard]] double next_collision(const std::vector<RealVec>& velocity) const {
     double time = horizon_;
     for (const Near& near : near_) {
       const double reach = clearance(near.pair);
       const auto& [p, q] = near.pair;
-      const model::Displacement towards{velocity[q].x - velocity[p].x, velocity[q].y - velocity[p].y};
+      const RealVec towards{velocity[q].x - velocity[p].x, velocity[q].y - velocity[p].y};
       time = collision_time(near.obstacle, relative(near.pair), towards, {reach, reach + touching_, time});
     }
     const auto meet = [&](double room, double speed) {
@@ -222,10 +222,10 @@ class Simulation {
   }
 
   // Lets the time pass, or most of it when rounding to the lattice breaks something at its end.
-  bool advance(const std::vector<model::Displacement>& velocity, double time) {
+  bool advance(const std::vector<RealVec>& velocity, double time) {
     run_.observer.on_stage(scene::Stage::kVerify);
     for (const double part : {1.0, 1 - 1e-3, 0.5, 0.1}) {
-      std::vector<model::Displacement> moved = moved_;
+      std::vector<RealVec> moved = moved_;
       for (std::size_t i = 0; i < moved.size(); ++i) {
         moved[i] = {moved[i].x + part * time * velocity[i].x, moved[i].y + part * time * velocity[i].y};
       }
@@ -236,9 +236,9 @@ class Simulation {
     }
     return false;
   }
-  bool proved(const std::vector<model::Displacement>& moved) {
+  bool proved(const std::vector<RealVec>& moved) {
     marker::PlacedPieces pieces = scene_.pieces;
-    std::vector<Vec> positions = snapped(moved);
+    std::vector<Vec> positions = model::snapped(moved);
     for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + start_[i];
     pieces.place(std::move(positions));
     for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -256,10 +256,10 @@ class Simulation {
   scene::Scene& scene_;
   const VelocitySettings& settings_;
   const scene::Run& run_;
-  double horizon_;                          // units of time, at kFastest as many lattice units
-  double touching_;                         // lattice units beyond the clearance; nearer is contact
-  std::vector<Vec> start_;                  // where the pieces were,
-  std::vector<model::Displacement> moved_;  // and how far they have come since; not rounded
+  double horizon_;              // units of time, at kFastest as many lattice units
+  double touching_;             // lattice units beyond the clearance; nearer is contact
+  std::vector<Vec> start_;      // where the pieces were,
+  std::vector<RealVec> moved_;  // and how far they have come since; not rounded
   Coord longest_;
   double piston_;  // where it stands
   double piston_velocity_{};

@@ -69,7 +69,7 @@ class Loads {
   void add_pair(const model::PairRow& row, double worth, Hold& hold) {
     if (worth < kLeastWorth) return;
     const auto [p, q] = row.pair;
-    const geometry::Witness at = nearest_point(scene_.pieces[p], scene_.pieces[q]);
+    const RealVec at = nearest_point(scene_.pieces[p], scene_.pieces[q]);
     hold.contacts.push_back({PieceId{p}, PieceId{q}, {}, worth, at});
     hold.per_spacing += worth;
     turn(q, worth, row.nx, row.ny, at);
@@ -78,7 +78,7 @@ class Loads {
 
   // Turning a piece about its position by a small angle moves its touching point square to its lever; what that opens
   // along the normal of the contact, which points at the piece, is room.
-  void turn(std::uint32_t piece, double worth, double nx, double ny, geometry::Witness at) {
+  void turn(std::uint32_t piece, double worth, double nx, double ny, RealVec at) {
     if (scene_.fixed(piece)) return;
     const Vec pivot = scene_.pieces.at(piece);
     const double lever_x = at.x - static_cast<double>(pivot.x);
@@ -118,17 +118,17 @@ class Loads {
   // `(nx, ny)`: from the edge into the strip.
   void add_edge(std::uint32_t piece, Edge edge, double worth, int nx, int ny, Hold& hold) {
     if (worth < kLeastWorth) return;
-    const geometry::Witness at = touching_point(piece, nx, ny);
+    const RealVec at = touching_point(piece, nx, ny);
     hold.contacts.push_back({PieceId{piece}, std::nullopt, edge, worth, at});
     turn(piece, worth, nx, ny, at);
   }
   // The middle of the vertices that lie farthest against the direction.
-  [[nodiscard]] geometry::Witness touching_point(std::uint32_t piece, int nx, int ny) const {
+  [[nodiscard]] RealVec touching_point(std::uint32_t piece, int nx, int ny) const {
     const geometry::PlacedPolygon polygon = scene_.pieces[piece];
     const auto along = [&](Vec v) { return nx * v.x + ny * v.y; };
     Coord least = along(polygon.vertices.front());
     for (const Vec v : polygon.vertices) least = std::min(least, along(v));
-    geometry::Witness sum;
+    RealVec sum;
     double count = 0;
     for (const Vec v : polygon.vertices) {
       if (along(v) != least) continue;

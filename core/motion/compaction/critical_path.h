@@ -25,7 +25,7 @@ struct LoadedContact {
   std::optional<PieceId> second;  // or an edge of the strip
   Edge edge{};                    // meaningful without `second`
   double worth{};                 // length per unit of room in this contact; > 0
-  geometry::Witness at;           // where they touch; lattice units
+  RealVec at;                     // where they touch; lattice units
 };
 // What tilting one piece about its position would bring, its shape's tilt limit aside.
 struct TiltWorth {

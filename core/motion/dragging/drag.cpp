@@ -153,7 +153,7 @@ class Hand {
       const auto x = static_cast<double>(left.x), y = static_cast<double>(left.y);
       const double far = std::max(std::abs(x), std::abs(y));
       if (far <= kThere) return;
-      step::Goal goal{std::vector<model::Displacement>(scene.pieces.size()), 0, kStillness, step::Halt{0, {x, y}}};
+      step::Goal goal{std::vector<RealVec>(scene.pieces.size()), 0, kStillness, step::Halt{0, {x, y}}};
       goal.force[0] = {x / far, y / far};
       const step::StepSettings settings{std::clamp(far / width, kLeastTrust, kMostTrust), {}, {}};
       const step::PositionStep step = position_step(scene, goal, settings, run_);

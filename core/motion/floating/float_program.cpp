@@ -32,7 +32,7 @@ WidthRow edge_row(std::size_t index, StripEdge edge, double width) {
   return {index, 0, -1, width, 0};
 }
 
-outline::Real2 between_centres(const Box& from, const Box& to) {
+RealVec between_centres(const Box& from, const Box& to) {
   return {static_cast<double>(to.low.x + to.high.x - from.low.x - from.high.x),
           static_cast<double>(to.low.y + to.high.y - from.low.y - from.high.y)};
 }
@@ -81,7 +81,7 @@ std::vector<WidthRow> width_rows(const scene::Scene& scene, const FloatAim& aim,
     }
     const marker::PiecePair pair = pair_of(gap.gap);
     const Vec r = scene.relative_position(pair);
-    const outline::Real2 apart = between_centres(scene.pieces.box(pair.first), scene.pieces.box(pair.second));
+    const RealVec apart = between_centres(scene.pieces.box(pair.first), scene.pieces.box(pair.second));
     const model::RegionSettings region{model::RegionRule::kGreedy, 3 * trust + aim.most, static_cast<Coord>(gap.now),
                                        apart.x, apart.y};
     for (const model::HalfPlane& side : free_region(scene.obstacle(pair), r, region)) {

@@ -182,7 +182,7 @@ class Bumper {
     const auto about = [](double v) {
       return std::pair{static_cast<Coord>(std::floor(v)), static_cast<Coord>(std::ceil(v))};
     };
-    const model::Displacement into = into_cell();
+    const RealVec into = into_cell();
     for (const double back : kBacks) {
       const auto [low_x, high_x] = about(x + back * into.x);
       const auto [low_y, high_y] = about(y + back * into.y);
@@ -195,7 +195,7 @@ class Bumper {
     return std::nullopt;
   }
   // The way from a point that the blocking sides hold by which each of them gets one unit of room per unit.
-  [[nodiscard]] model::Displacement into_cell() const {
+  [[nodiscard]] RealVec into_cell() const {
     if (last_.blocking.empty()) return {-ux_, -uy_};
     const CellSide& first = cell_[last_.blocking.front()];
     const CellSide& last = cell_[last_.blocking.back()];

@@ -198,8 +198,8 @@ class Healer {
     }
   }
 
-  void take(const std::vector<model::Displacement>& displacements) {
-    std::vector<Vec> positions = snapped(displacements);
+  void take(const std::vector<RealVec>& displacements) {
+    std::vector<Vec> positions = model::snapped(displacements);
     for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + scene_.pieces.at(i);
     scene_.pieces.place(std::move(positions));
   }

@@ -65,7 +65,7 @@ class PartingProgram {
     return reached_.missed(scene_.pieces, pressure.load(), kStillness, room);
   }
   void take(const lp::LpSolution& solution, SeparationStep& step) const {
-    step.positions = snapped(model_.displacements(solution.x));
+    step.positions = model::snapped(model_.displacements(solution.x));
     for (std::size_t i = 0; i < step.positions.size(); ++i) step.positions[i] = step.positions[i] + scene_.pieces.at(i);
     step.pressure.assign(scene_.pieces.size(), 0);
     for (const auto& [row, pair_row] : rows_) {

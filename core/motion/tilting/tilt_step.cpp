@@ -127,7 +127,7 @@ class Program {
 
   [[nodiscard]] std::vector<Piece> moved(std::span<const double> x) const {
     std::vector<Piece> pieces = scene_.marker.pieces;
-    std::vector<model::Displacement> moves = model_.positions().displacements(x);
+    std::vector<RealVec> moves = model_.positions().displacements(x);
     const std::vector<double> turns = model_.turns(x);
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
       pieces[i].at = scene_.pieces.at(i);
@@ -138,11 +138,11 @@ class Program {
       const piece::TiltRange range = piece::tilt_range(scene_.marker, PieceId{i});
       tilt = std::clamp(tilt + turns[i] * kRadian, range.least.degrees, range.most.degrees);
       if (!piece::is_cuttable(scene_.marker, turned_piece)) continue;
-      const model::Displacement held = piece::held_pivot(scene_.pieces[i], Angle::of_degrees(tilt - before));
+      const RealVec held = piece::held_pivot(scene_.pieces[i], Angle::of_degrees(tilt - before));
       moves[i] = {moves[i].x + held.x, moves[i].y + held.y};
       pieces[i] = turned_piece;
     }
-    const std::vector<Vec> by = snapped(moves);
+    const std::vector<Vec> by = model::snapped(moves);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       pieces[i].at = pieces[i].at + by[i];
       if (!turns_[i].empty()) put_inside(pieces[i]);

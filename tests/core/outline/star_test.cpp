@@ -20,7 +20,7 @@ Integer in_parts(double value) {
 }
 
 // True when every edge's line passes the point strictly on the left.  Exact.
-bool sees_every_edge(outline::Real2 point, const Polygon& polygon) {
+bool sees_every_edge(RealVec point, const Polygon& polygon) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec a = polygon[i];
     const Vec d = polygon[(i + 1) % polygon.size()] - a;
