@@ -52,7 +52,8 @@ class PairRows {
   }
 
   void add(const HalfPlane& side, RealVec contact) {
-    const PairRow row = row_of(pair_, side, q_.at - p_.at, settings_.spacing, settings_.unit, TightRows::kKeep);
+    const PairRow row =
+        row_of(pair_, side_at(side, q_.at - p_.at, settings_.spacing), settings_.unit, TightRows::kKeep);
     if (-row.bound > settings_.reach) return;
     const TiltRow made{row, -lever(row.nx, row.ny, contact, pivot_p_), lever(row.nx, row.ny, contact, pivot_q_)};
     if (std::find(rows_.begin(), rows_.end(), made) == rows_.end()) rows_.push_back(made);

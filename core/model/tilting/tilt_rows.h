@@ -16,7 +16,7 @@
 
 #include "core/geometry/real_vec.h"
 #include "core/marker/placed_pieces.h"
-#include "core/model/position_model.h"
+#include "core/model/pair_rows.h"
 
 namespace selvage::model::tilting {
 
@@ -37,7 +37,7 @@ struct TiltRowSettings {
   double reach{};   // rows that have more room than this are left out
   double behind{};  // vertices may lie this far behind the edge that they are to be kept before: the pair overlaps
   Coord spacing{};
-  double unit{};  // of the model's columns, as for row_of
+  ModelUnit unit;
 };
 
 // The rows of one pair: every half-plane of its free region at the vertex that made it, and the vertices near the same

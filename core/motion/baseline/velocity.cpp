@@ -7,7 +7,7 @@
 
 #include "core/lp/solver/solve.h"
 #include "core/marker/validity.h"
-#include "core/model/free_region.h"
+#include "core/model/pair_rows.h"
 #include "core/model/snap.h"
 #include "core/motion/baseline/collision.h"
 
@@ -104,14 +104,12 @@ class Simulation {
       const model::RegionSettings region{model::RegionRule::kGreedy, clearance(near.pair) + touching_ + kLeastTouching,
                                          spacing};
       const FinePosition r = relative(near.pair);
-      for (const model::HalfPlane& side : free_region(near.obstacle, r.at, region)) {
-        const model::PairRow row = row_of(near.pair, side, r.at, spacing, 0, model::TightRows::kKeep);
-        const double slack =
-            slack_of(side, r.at) + row.nx * r.rest.x + row.ny * r.rest.y - static_cast<double>(spacing);
+      for (const model::FreeSide& side : model::free_sides({near.obstacle, r.at, r.at, 0}, region)) {
+        const auto [nx, ny] = side.normal;
+        const double slack = side.slack + nx * r.rest.x + ny * r.rest.y - static_cast<double>(spacing);
         if (slack > kClearance + touching_ + kLeastTouching) continue;
-        const bool slanted = side.direction.x != 0 && side.direction.y != 0;
-        const double lost = slanted ? std::max(0.0, kClearance - slack) : 0;
-        rows.push_back({near.pair, row.nx, row.ny, lost / kRestoring});
+        const double lost = side.slanted() ? std::max(0.0, kClearance - slack) : 0;
+        rows.push_back({near.pair, nx, ny, lost / kRestoring});
       }
     }
     return rows;

@@ -51,15 +51,15 @@ class Loads {
       const Vec r = scene_.relative_position(pair);
       if (scene_.ties.joined(pair.first, pair.second)) continue;
       const Coord spacing = scene_.pieces.spacing(pair);
-      const model::RegionSettings region{model::RegionRule::kGreedy, reach + static_cast<double>(spacing), spacing, 0,
-                                         0};
-      for (const model::HalfPlane& side : free_region(scene_.obstacle(pair), r, region)) {
-        rows_.push_back(row_of(pair, side, r, spacing, model_->unit(), model::TightRows::kRestore));
-        model_->add(rows_.back());
+      const minkowski::Obstacle obstacle = scene_.obstacle(pair);
+      for (const model::PairRow& row :
+           pair_rows(pair, {obstacle, r, r, spacing}, model::region_within(reach, spacing), {model_->unit()})) {
+        rows_.push_back(row);
+        model_->add(row);
       }
     }
     const auto length = static_cast<double>(scene_.pieces.length());
-    model_->add_length(1, length, kSpare * model_->unit());
+    model_->add_length(1, length, model_->unit().to_lattice(kSpare));
     for (std::size_t i = 0; i < scene_.pieces.size(); ++i) model_->add_right_wall(i);
     run.observer.on_stage(scene::Stage::kSolve);
     run.observer.on_program(model_->program());
@@ -113,7 +113,8 @@ class Loads {
   }
   // Is it this piece, of those tied together, whose room sets the column's bound?
   [[nodiscard]] bool bounds(const std::vector<double>& limits, int column, Coord room) const {
-    return std::abs(limits[static_cast<std::size_t>(column)] * model_->unit() - static_cast<double>(room)) < 0.5;
+    return std::abs(model_->unit().to_lattice(limits[static_cast<std::size_t>(column)]) - static_cast<double>(room)) <
+           0.5;
   }
   // `(nx, ny)`: from the edge into the strip.
   void add_edge(std::uint32_t piece, Edge edge, double worth, int nx, int ny, Hold& hold) {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/minkowski/inner_fit.h"
-#include "core/model/free_region.h"
+#include "core/model/pair_rows.h"
 #include "core/motion/piece/slide.h"
 
 namespace selvage::motion::piece {
@@ -154,13 +154,10 @@ class Bumper {
       const Coord spacing = scene_.pieces.spacing({member.piece, other});
       const Vec r = at - scene_.pieces.at(other);
       const minkowski::Obstacle& obstacle = obstacle_of(other, member.piece);
-      const model::RegionSettings region{model::RegionRule::kGreedy, 1.5 * reach_ + static_cast<double>(spacing),
-                                         spacing, towards_x, towards_y};
-      for (const model::HalfPlane& side : free_region(obstacle, r, region)) {
-        const model::PairRow row = row_of({0, 1}, side, r, spacing, 0, model::TightRows::kKeep);
-        const double slack = std::max(0.0, slack_of(side, r) - static_cast<double>(spacing));
-        cell_.push_back({row.nx, row.ny, slack});
-        bounds_.push_back({side, other, member.offset});
+      const auto region = model::region_within(1.5 * reach_, spacing, {towards_x, towards_y});
+      for (const model::FreeSide& side : model::free_sides({obstacle, r, r, spacing}, region)) {
+        cell_.push_back({side.normal.x, side.normal.y, std::max(0.0, side.slack)});
+        bounds_.push_back({side.line, other, member.offset});
       }
     }
   }

@@ -17,7 +17,6 @@ namespace {
 
 constexpr int kAttempts = 24;            // programs in one round, as rows enter when they are broken
 constexpr std::size_t kSmall = 64;       // pieces: the one program of so few is quicker than those of a growing set
-constexpr double kUnitsAcross = 1000;    // column units in a strip's width
 constexpr double kLeastGain = 1e-5;      // of the goal, in column units: less is not worth proving
 constexpr double kBroken = 1e-2;         // lattice units: by less no row is broken
 constexpr double kPairAhead = 8;         // a pair's reach, as a multiple of what it moved in the last round
@@ -80,7 +79,7 @@ class Attempt {
       if (gains) {
         const double length_change = model_->length_change(solution.x);
         const Broken broken = broken_by(moves, length_change);
-        if (!held() && -solution.objective < settings_.worth * kUnitsAcross) {
+        if (!held() && -solution.objective < model::ModelUnit::of_width(settings_.worth)) {
           shorten(moves, part_within(broken, moves, length_change));
         } else {
           again = add(broken);
@@ -202,13 +201,13 @@ class Attempt {
     const Coord spacing = scene_.pieces.spacing(pair);
     const RealVec& p_force = goal_.force[pair.first];
     const RealVec& q_force = goal_.force[pair.second];
-    const model::RegionSettings region{settings_.region, 1.5 * reach + static_cast<double>(spacing), spacing,
-                                       q_force.x - p_force.x, q_force.y - p_force.y};
-    for (const model::HalfPlane& side : free_region(obstacle, r, region)) {
-      const model::PairRow row = row_of(pair, side, r, spacing, unit(), tight_);
-      // While |d_q - d_p| <= reach on each axis, rows farther away cannot be broken.
-      if (whole() || -row.bound <= reach * (std::abs(row.nx) + std::abs(row.ny))) rows.push_back(row);
-    }
+    const model::RegionSettings region{settings_.region,
+                                       1.5 * reach + static_cast<double>(spacing),
+                                       spacing,
+                                       {q_force.x - p_force.x, q_force.y - p_force.y}};
+    model::RowSettings row{model::ModelUnit{scene_.marker.strip}, tight_};
+    if (!whole()) row.motion = reach;
+    append_pair_rows(pair, {obstacle, r, r, spacing}, region, row, rows);
   }
   [[nodiscard]] bool held() const { return goal_.shorten == 0; }
   [[nodiscard]] bool many_move() const {
@@ -226,7 +225,7 @@ class Attempt {
     return std::clamp(kPairAhead * moved, kLeastPairReach * reach(), reach());
   }
   [[nodiscard]] bool whole() const { return settings_.extent == model::Extent::kWhole; }
-  [[nodiscard]] double unit() const { return static_cast<double>(scene_.marker.strip.width) / kUnitsAcross; }
+  [[nodiscard]] double unit() const { return model::ModelUnit{scene_.marker.strip}.lattice_units(); }
 
   void build() {
     const Coord length = scene_.pieces.length();

@@ -40,7 +40,7 @@ class Program {
       model_.hold_length();
     } else {
       const double shorten = std::min(static_cast<double>(scene_.pieces.length()), 2 * farthest_);
-      model_.add_length(goal.shorten, shorten, kLengthSpare * model_.positions().unit());
+      model_.add_length(goal.shorten, shorten, model_.positions().unit().to_lattice(kLengthSpare));
     }
   }
 
@@ -84,8 +84,7 @@ class Program {
     const Coord spacing = scene_.pieces.spacing(pair);
     repair::SeparationTarget target{0, scene_.relative_position(pair)};
     if (overlaps) target = separation_target(scene_, pair, repair::TargetRule::kNearest);
-    const model::RegionSettings region{model::RegionRule::kGreedy, 1.5 * reach + static_cast<double>(spacing), spacing};
-    const auto sides = free_region(obstacle, target.about, region);
+    const auto sides = free_region(obstacle, target.about, model::region_within(1.5 * reach, spacing));
     const model::tilting::TiltRowSettings row{turn_, 1.5 * reach, overlaps ? 2 * target.depth : 0,
                                               spacing + clearance(), model_.positions().unit()};
     return tilt_rows(pair, scene_.pieces[pair.first], scene_.pieces[pair.second], sides, row);
@@ -96,7 +95,6 @@ class Program {
     TiltStep step;
     step.status = solution.status;
     if (solution.status != lp::LpStatus::kOptimal) return step;
-    step.promise = -solution.objective * static_cast<double>(scene_.marker.strip.width) / 1000;
     step.pieces = moved(solution.x);
     return step;
   }
@@ -171,7 +169,7 @@ TiltStep tilt_step(const scene::Scene& scene, const step::Goal& goal, std::span<
                    const TiltStepSettings& settings, const scene::Run& run) {
   Program program{scene, settings};
   program.add_goal(goal, torque);
-  if (!program.add_pairs(run)) return {lp::LpStatus::kStopped, 0, {}};
+  if (!program.add_pairs(run)) return {lp::LpStatus::kStopped, {}};
   run.observer.on_stage(scene::Stage::kSolve);
   run.observer.on_program(program.program());
   return program.solved(settings.solver, run.stop);

@@ -24,7 +24,7 @@ std::vector<TiltRow> rows_of(const Marker& marker, double turn = 0.01) {
       sums.obstacle(oriented_outline(marker, PieceId{0}, sums), oriented_outline(marker, PieceId{1}, sums));
   const RegionSettings region{RegionRule::kGreedy, 1e6, marker.spacing};
   const auto sides = free_region(obstacle, pieces.at(1) - pieces.at(0), region);
-  return tilt_rows({0, 1}, pieces[0], pieces[1], sides, {turn, 1e6, 0, marker.spacing, 1000});
+  return tilt_rows({0, 1}, pieces[0], pieces[1], sides, {turn, 1e6, 0, marker.spacing, ModelUnit::of(1000)});
 }
 
 // A vertex turned about a pivot.
