@@ -133,7 +133,7 @@ void measured(const std::string& name, const std::vector<std::pair<std::string, 
     done = run(sums);
   });
   for (const auto& [knob, value] : same) {
-    protocol::describe::told(name, knob, value, time, ratio_of(done), done.programs, is_valid(done.marker));
+    told(name, knob, value, time, ratio_of(done), done.programs, is_valid(done.marker));
   }
 }
 template <class Run>
@@ -192,9 +192,8 @@ void knobs_of_starts(const std::string& name, const Marker& marker) {
     best = std::min(best, ratio_of(done));
     programs += done.programs;
     valid = valid && is_valid(done.marker);
-    protocol::describe::told(name, "seeds", std::to_string(settings.seed), time, best, programs, valid);
-    if (settings.seed == 1)
-      protocol::describe::told(name, "exchanges", std::to_string(settings.effort), time, best, programs, valid);
+    told(name, "seeds", std::to_string(settings.seed), time, best, programs, valid);
+    if (settings.seed == 1) told(name, "exchanges", std::to_string(settings.effort), time, best, programs, valid);
   }
   settings = preset;
   if (may_tilt(marker)) measured(name, "accuracy", "fine", refined(settings));
@@ -280,8 +279,8 @@ void anytime(const std::vector<std::string>& paths) {
         const motion::compaction::Compaction done =
             fine ? *refine(marker, search::refine_settings(), sums, limit.token())
                  : *compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums, limit.token());
-        protocol::describe::told(name_of(path), fine ? "fine" : "standard", std::to_string(deadline),
-                                 own_time() - start, ratio_of(done), done.programs, is_valid(done.marker));
+        told(name_of(path), fine ? "fine" : "standard", std::to_string(deadline), own_time() - start, ratio_of(done),
+             done.programs, is_valid(done.marker));
       }
     }
   }
@@ -464,7 +463,7 @@ void cores(const std::vector<std::string>& paths) {
       << "|---|---|---|---|---|---|---|---|---|---|\n"
       << std::fixed << std::setprecision(2);
   const auto tell = [&](const std::vector<CoreCase>& cases) {
-    for (const CoreCase& wanted : cases) protocol::describe::told(wanted, two);
+    for (const CoreCase& wanted : cases) told(wanted, two);
   };
   for (const std::string& path : paths) tell(core_cases(name_of(path), marker_in(path), kMany));
   const std::string& first = paths.front();
@@ -480,17 +479,17 @@ int main(int argc, char** argv) {
   const std::string what = argc > 2 ? argv[1] : "";
   const std::vector<std::string> paths(argv + std::min(argc, 2), argv + argc);
   if (what == "knobs") {
-    selvage::knobs(paths);
+    selvage::bench::knobs(paths);
   } else if (what == "digitised") {
-    selvage::digitised(paths);
+    selvage::bench::digitised(paths);
   } else if (what == "anytime") {
-    selvage::anytime(paths);
+    selvage::bench::anytime(paths);
   } else if (what == "scene") {
-    selvage::scene(paths.front());
+    selvage::bench::scene(paths.front());
   } else if (what == "growth") {
-    selvage::growth(paths);
+    selvage::bench::growth(paths);
   } else if (what == "cores") {
-    selvage::cores(paths);
+    selvage::bench::cores(paths);
   } else {
     std::cerr << "usage: measure knobs|digitised|anytime|scene|growth|cores MARKER...\n";
     return 2;

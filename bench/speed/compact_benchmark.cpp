@@ -54,7 +54,7 @@ void register_all() {
 }  // namespace selvage::bench
 
 int main(int argc, char** argv) {
-  selvage::register_all();
+  selvage::bench::register_all();
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }

@@ -51,8 +51,8 @@ class BoostSum final : public PairSum {
   }
 
  private:
-  template <class minkowski::Ring>
-  [[nodiscard]] Polygon ring_of(const minkowski::Ring& from) const {
+  template <class Ring>
+  [[nodiscard]] Polygon ring_of(const Ring& from) const {
     Polygon ring;
     for (const auto& v : from) ring.push_back(p_middle_ + q_middle_ + Vec{v.x(), v.y()});
     if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();

@@ -57,8 +57,8 @@ struct Timed {
   }
 };
 // Exits when the answer is no answer: a table of wrong ones is worth nothing.
-template <class protocol::calls::Motion>
-Timed timed(protocol::calls::Motion motion) {
+template <class Motion>
+Timed timed(Motion motion) {
   std::optional<Timed> best;
   for (int run = 0; run < 3 && (!best || best->milliseconds < 2000); ++run) {
     const auto begin = std::chrono::steady_clock::now();
@@ -124,7 +124,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: baseline_table [--velocity FILE...] [--one-at-a-time FILE...]\n");
     return 2;
   }
-  if (!velocity.empty() && !selvage::compare(velocity, true)) return 1;
+  if (!velocity.empty() && !selvage::bench::compare(velocity, true)) return 1;
   if (!velocity.empty() && !one_at_a_time.empty()) std::printf("\n");
-  if (!one_at_a_time.empty() && !selvage::compare(one_at_a_time, false)) return 1;
+  if (!one_at_a_time.empty() && !selvage::bench::compare(one_at_a_time, false)) return 1;
 }

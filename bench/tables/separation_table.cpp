@@ -155,7 +155,7 @@ int table(std::span<const std::string> files, const Options& options) {
 
 int main(int argc, char** argv) {
   std::vector<std::string> files{argv + 1, argv + argc};
-  Options options;
+  selvage::bench::Options options;
   while (files.size() >= 2 && files[0].starts_with("--")) {
     if (files[0] == "--seeds") options.seeds = static_cast<std::uint32_t>(std::stoul(files[1]));
     if (files[0] == "--outlines") options.outlines = files[1];
@@ -165,5 +165,5 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: separation_table [--seeds N] [--outlines FOLDER] FILE...\n");
     return 2;
   }
-  return selvage::table(files, options);
+  return selvage::bench::table(files, options);
 }

@@ -114,7 +114,7 @@ int table(const Options& options) {
 }  // namespace selvage::bench
 
 int main(int argc, char** argv) {
-  Options options;
+  selvage::bench::Options options;
   std::vector<std::string> words{argv + 1, argv + argc};
   while (words.size() >= 2 && words[0].starts_with("--")) {
     if (words[0] == "--limit") options.limit = std::stod(words[1]);
@@ -127,5 +127,5 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: tilt_table [--limit DEGREES] [--shakes N] [--outlines FOLDER] FILE...\n");
     return 2;
   }
-  return selvage::table(options);
+  return selvage::bench::table(options);
 }
