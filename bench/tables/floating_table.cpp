@@ -1,6 +1,9 @@
-// What floating does to compacted markers, as the Markdown table of docs/measurements.md: each of the garment markers
-// compacted at standard accuracy, then floated in each mode.  Arguments: the distance, in the marker's unit (default
-// 5), and the one marker to look at (default: all).
+// Floats compacted markers and prints the Markdown table of docs/measurements-floating.md: each garment marker is
+// compacted at standard accuracy and then floated in each mode.
+//
+// usage: floating_table [DISTANCE [MARKER]]
+//
+// DISTANCE is in the marker's unit (default 5); MARKER selects one marker (default: all).
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -26,7 +29,8 @@ Marker marker_named(const std::string& name) {
 struct Means {
   double before{}, after{};
 };
-// Over the gaps that were narrower than the distance, each counting as no wider than it.
+// The mean widths, before and after, of the gaps that were narrower than the distance; a gap counts as no wider than
+// the distance.
 Means means_of(const motion::floating::Floating& floating, double distance) {
   Means sum;
   double count = 0;
