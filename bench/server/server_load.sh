@@ -4,7 +4,7 @@
 #
 # usage: server_load.sh DIRECTORY_OF_PROGRAMS [SECONDS]
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 bin=${1:?usage: server_load.sh DIRECTORY_OF_PROGRAMS [SECONDS]}
 seconds=${2:-5}
 folder=$(mktemp -d)
