@@ -1,4 +1,5 @@
-#include "core/outline/decomposition/triangulation.h"
+// Tests of core/outline/triangulation.h: the triangles of random and difficult polygons form a partition.
+#include "core/outline/triangulation.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +10,8 @@
 namespace selvage::test {
 namespace {
 
-void judge(const Polygon& polygon) {
-  const auto triangles = outline::decomposition::triangulate(polygon);
+void expect_partition(const Polygon& polygon) {
+  const auto triangles = outline::triangulate(polygon);
   ASSERT_EQ(triangles.size(), polygon.size() - 2) << text_of(polygon);
   Wide total = 0;
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> directed;
@@ -20,8 +21,8 @@ void judge(const Polygon& polygon) {
     total += doubled_area(corners);
     for (std::size_t k = 0; k < 3; ++k) ++directed[{t[k], t[(k + 1) % 3]}];
   }
-  // The areas add up, and every side is an edge of the polygon or a cut with a triangle on either side: so
-  // they are a partition of it.
+  // The areas add up, and every side is an edge of the polygon or a cut with a triangle on either side, so the
+  // triangles are a partition.
   ASSERT_EQ(total, doubled_area(polygon)) << text_of(polygon);
   const auto n = static_cast<std::uint32_t>(polygon.size());
   for (const auto& [side, count] : directed) {
@@ -31,40 +32,40 @@ void judge(const Polygon& polygon) {
   }
 }
 
-TEST(Triangulation, OfRandomPolygons) {
+TEST(Triangulation, PartitionsRandomPolygons) {
   Random random{61};
   for (int trial = 0; trial < 3000 / kSlowdown; ++trial) {
-    judge(random_polygon(random, random.chance(50) ? 10 : 1'000'000));
+    expect_partition(random_polygon(random, random.chance(50) ? 10 : 1'000'000));
     if (HasFatalFailure()) return;
   }
 }
 
-TEST(Triangulation, OfNastyPolygons) {
+TEST(Triangulation, PartitionsDifficultPolygons) {
   Random random{62};
   for (int trial = 0; trial < 200 / kSlowdown; ++trial) {
-    judge(random_comb(random, 30, 300, trial % 2 == 0));
-    judge(spiral(static_cast<std::size_t>(random.between(9, 60)), 2000));
-    judge(random_needle(random, kLatticeLimit / 2));
-    judge(random_simple(random, 60, 40));
-    judge(broken_ring(random.between(40, 90), random.between(1, 9), random.between(1, 9)));
+    expect_partition(random_comb(random, 30, 300, trial % 2 == 0));
+    expect_partition(spiral(static_cast<std::size_t>(random.between(9, 60)), 2000));
+    expect_partition(random_needle(random, kLatticeLimit / 2));
+    expect_partition(random_simple(random, 60, 40));
+    expect_partition(broken_ring(random.between(40, 90), random.between(1, 9), random.between(1, 9)));
     if (HasFatalFailure()) return;
   }
 }
 
-// Vertices one unit off a straight line as long as the lattice: doubles could not tell the ears.
-TEST(Triangulation, OfNearlyFlatChains) {
+// Vertices one unit off a straight line as long as the lattice, which doubles could not decide correctly.
+TEST(Triangulation, IsExactOnNearlyFlatChains) {
   const Coord far = kLatticeLimit / 2;
   Polygon sag{{far, 3}, {-far, 3}};
   for (Coord k = -9; k <= 9; ++k) sag.push_back({k * (far / 10), k % 2 == 0 ? 0 : 1});
   const auto clean = clean_polygon(sag);
   ASSERT_TRUE(clean);
-  judge(clean->polygon);
+  expect_partition(clean->polygon);
 }
 
-TEST(Triangulation, OfLargePolygons) {
+TEST(Triangulation, PartitionsLargePolygons) {
   Random random{63};
-  judge(random_star(random, geometry::kMaxVertices, kLatticeLimit / 2));
-  judge(spiral(geometry::kMaxVertices / 2 - 1, kLatticeLimit / 4));
+  expect_partition(random_star(random, geometry::kMaxVertices, kLatticeLimit / 2));
+  expect_partition(spiral(geometry::kMaxVertices / 2 - 1, kLatticeLimit / 4));
 }
 
 }  // namespace
