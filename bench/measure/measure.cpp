@@ -135,7 +135,7 @@ void measured(const std::string& name, const std::vector<std::pair<std::string, 
     done = run(sums);
   });
   for (const auto& [setting, value] : same) {
-    print_line(name, setting, value, time, ratio_of(done), done.programs, is_valid(done.marker));
+    print_line(name, setting, value, time, ratio_of(done), done.programs, marker::is_valid(done.marker));
   }
 }
 template <class Run>
@@ -193,7 +193,7 @@ void measure_refinement_settings(const std::string& name, const Marker& marker) 
     time += own_time() - start;
     best = std::min(best, ratio_of(done));
     programs += done.programs;
-    valid = valid && is_valid(done.marker);
+    valid = valid && marker::is_valid(done.marker);
     print_line(name, "seeds", std::to_string(settings.seed), time, best, programs, valid);
     if (settings.seed == 1) print_line(name, "swaps", std::to_string(settings.effort), time, best, programs, valid);
   }
@@ -216,7 +216,7 @@ void settings(const std::vector<std::string>& paths) {
     const Marker marker = marker_in(path);
     for (const Variant& variant : variants()) {
       measured(name, variant.setting, variant.value,
-               [&](SumCache& sums) { return *compact(marker, variant.settings, sums); });
+               [&](SumCache& sums) { return *compact(marker, variant.settings, {sums}); });
     }
     measure_refinement_settings(name, marker);
     if (may_tilt(marker)) measure_tilt_settings(name, marker);
@@ -279,10 +279,11 @@ void anytime(const std::vector<std::string>& paths) {
         SumCache sums;
         const WorkDeadline limit{static_cast<double>(deadline)};
         const motion::compaction::Compaction done =
-            fine ? *refine(marker, search::refine_settings(), sums, limit.token())
-                 : *compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums, limit.token());
+            fine
+                ? *refine(marker, search::refine_settings(), {sums, limit.token()})
+                : *compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums, limit.token()});
         print_line(name_of(path), fine ? "fine" : "standard", std::to_string(deadline), own_time() - start,
-                   ratio_of(done), done.programs, is_valid(done.marker));
+                   ratio_of(done), done.programs, marker::is_valid(done.marker));
       }
     }
   }
@@ -430,7 +431,7 @@ double possible_speed_up(const Executor& two) {
 // Prints a row of the table.  Runs with one thread and with two alternate, so that both see the same load.
 void print_row(const CoreCase& wanted, const Executor& two) {
   SumCache kept;
-  if (wanted.warm) wanted.run(kept, {});
+  if (wanted.warm) wanted.run({kept});
   std::vector<double> one_thread, two_threads, ratio, possible, simulated_ratio;
   const auto time_with = [&](const Executor& executor) {
     SumCache own;

@@ -85,7 +85,7 @@ Runs run(const std::string& name, const Marker& marker, double noise, motion::re
   const motion::separation::SeparationSettings settings{.grow = kGrow, .target = rule};
   for (std::uint32_t seed = 1; seed <= options.seeds; ++seed) {
     const Marker start = perturbed(marker, noise, seed);
-    (void)separate(start, settings, sums);  // fills the cache
+    (void)separate(start, settings, {sums});  // fills the cache
     const std::clock_t begin = std::clock();
     const auto result = separate(start, settings, {sums});
     const double took = 1000.0 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;

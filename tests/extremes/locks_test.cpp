@@ -73,7 +73,7 @@ TEST(ExtremeLocks, LockedPiecesThatOverlapAreRefusedByName) {
     reached(std::to_string(overlap) + " units", result.error().message);
 
     const auto separated =
-        motion::separation::separate(marker, {}, sums);  // which reports the overlaps that it cannot remove
+        motion::separation::separate(marker, {}, {sums});  // which reports the overlaps that it cannot remove
     ASSERT_TRUE(separated);
     EXPECT_FALSE(separated->apart);
     ASSERT_EQ(separated->remaining.size(), 1U);

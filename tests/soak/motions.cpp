@@ -199,7 +199,7 @@ Result<Answer> separation(const Marker& start, const Occasion& on) {
   settings.grow = on.random.chance(50) ? 0.1 * on.random.part() : 0;
   settings.target =
       on.random.chance(20) ? motion::repair::TargetRule::kKernelRay : motion::repair::TargetRule::kNearest;
-  auto done = separate(overlapping, settings, on.sums, on.stop, on.observer);
+  auto done = separate(overlapping, settings, on.run);
   // A locked piece that was moved out of the strip cannot be put back.
   if (!done && done.error().code == ErrorCode::kOutsideStrip && !is_valid(overlapping)) return unmoved(start);
   if (!done) return done.error();
@@ -235,8 +235,8 @@ Result<Answer> opening(const Marker& start, const Occasion& on) {
       on.random.chance(50)
           ? motion::compaction::GapChoice{motion::compaction::AwayFromOutline{k}}
           : motion::compaction::GapChoice{motion::compaction::AwayFromPoint{point_inside(found[k].region)}};
-  auto done = open_gap(start, choice, random_settings(on.random), regions, on.sums, on.stop, on.observer);
-  if (!done && done.error().code == ErrorCode::kStoppedEarly && on.stop.stop_requested()) return unmoved(start);
+  auto done = open_gap(start, choice, random_settings(on.random), regions, on.run);
+  if (!done && done.error().code == ErrorCode::kStoppedEarly && on.run.stopped()) return unmoved(start);
   // Repairing overlaps may have closed the gap.
   if (!done && done.error().code == ErrorCode::kOutOfRange && !is_valid(start)) return unmoved(start);
   const bool smaller = done && done->after.area < done->before.area;
@@ -269,13 +269,13 @@ Result<Answer> relaxing(const Marker& start, const Occasion& on) {
 
 // Reads the critical path and moves nothing.
 Result<Answer> critical_path(const Marker& start, const Occasion& on) {
-  const auto hold = motion::compaction::what_holds(start, on.sums, on.stop);
+  const auto hold = motion::compaction::what_holds(start, {on.run.sums, on.run.stop});
   if (!hold) return hold.error();
   Answer answer{.marker = start, .leave = {.longest = length_of(start)}};
   for (const motion::compaction::LoadedContact& contact : hold->contacts) {
     if (!(contact.worth > 0)) answer.contradiction = "reports a contact without value";
   }
-  if (!check(start, on.sums).valid()) answer.contradiction = "reports a critical path for an invalid marker";
+  if (!check(start, on.run.sums).valid()) answer.contradiction = "reports a critical path for an invalid marker";
   return answer;
 }
 

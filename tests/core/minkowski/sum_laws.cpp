@@ -58,8 +58,7 @@ class Boundary {
     }
     for (const Segment& s : exact_.boundary()) {
       for (const double t : kSamples) {
-        if (nearest_of(along(s, t), ours_) > kRounding)
-          return "no edge covers the boundary at " + text_of(along(s, t));
+        if (nearest_of(along(s, t), ours_) > kRounding) return "no edge covers the boundary at " + text_of(along(s, t));
       }
     }
     return broken_length();
@@ -89,7 +88,7 @@ class Boundary {
     for (std::size_t k = 0; k < e; ++k) {
       if (twice(sum_.edges()[e], sum_.edges()[k])) return "part of a line occurs twice at " + text_of(along(edge, 0.5));
     }
-    const outline::Real2 middle = along(edge, 0.5);
+    const RealVec middle = along(edge, 0.5);
     if (length < kLongEnough || neighbour_within(10, middle, e))
       return {};  // another edge is too near to test the sides by a sample
     const double reach = 3 / length;
@@ -104,7 +103,7 @@ class Boundary {
   }
 
   // True when the point lies inside a ring by more than rounding, measured from the ring's edge that faces it.
-  [[nodiscard]] bool hidden(outline::Real2 p) const {
+  [[nodiscard]] bool hidden(RealVec p) const {
     return std::any_of(sum_.rings().begin(), sum_.rings().end(), [&](const minkowski::convolution::StarSum& ring) {
       const auto side = [](RealVec a, RealVec b, RealVec c) {
         return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
