@@ -274,7 +274,7 @@ class Simulation {
 
 Result<compaction::Compaction> compact_by_velocities(const Marker& start, const VelocitySettings& settings,
                                                      const scene::Run& run) {
-  return compaction::repaired_and(start, run, [&](scene::Scene& scene) {
+  return compaction::shortened(start, run, [&](scene::Scene& scene) {
     compaction::Progress progress;
     progress.reason = Simulation{scene, settings, run}.run(progress.rounds, progress.programs);
     return progress;

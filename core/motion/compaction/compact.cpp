@@ -89,28 +89,24 @@ Progress improve(scene::Scene& scene, const step::Goal& goal, const CompactionSe
   return progress;
 }
 
-Result<Compaction> repaired_and(const Marker& start, const scene::Run& run,
-                                const std::function<Progress(scene::Scene&)>& work) {
-  run.observer.on_stage(scene::Stage::kOther);
-  scene::Scene scene{start, run.sums};
-  Compaction best;
-  best.length_before = scene.pieces.length();
-  best.utilisation_before = utilisation_at(start, best.length_before);
-  const auto repair = repair::repair_overlaps(scene, run);
-  if (!repair) return repair.error();
-  best.repair = *repair;
-  const Progress progress = work(scene);
-  best.reason = progress.reason;
-  best.rounds = progress.rounds;
-  best.programs = progress.programs;
-  best.marker = scene.result();
-  best.length_after = scene.pieces.length();
-  best.utilisation_after = utilisation_at(best.marker, best.length_after);
-  return best;
+void record(const Progress& progress, repair::MotionResult& result) {
+  result.reason = progress.reason;
+  result.rounds = progress.rounds;
+  result.programs = progress.programs;
+}
+
+Result<Compaction> shortened(const Marker& start, const scene::Run& run,
+                             const std::function<Progress(scene::Scene&)>& work) {
+  auto done = repair::repaired_and<Compaction>(
+      start, run, [&](scene::Scene& scene, Compaction& compaction) { record(work(scene), compaction); });
+  if (!done) return done;
+  done->utilisation_before = utilisation_at(start, done->length_before);
+  done->utilisation_after = utilisation_at(done->marker, done->length_after);
+  return done;
 }
 
 Result<Compaction> compact(const Marker& start, const CompactionSettings& settings, const scene::Run& run) {
-  return repaired_and(start, run, [&](scene::Scene& scene) {
+  return shortened(start, run, [&](scene::Scene& scene) {
     return improve(scene, step::leftward_goal(scene, settings.gravity), settings, run);
   });
 }

@@ -10,7 +10,6 @@
 #pragma once
 
 #include <cstddef>
-#include <stop_token>
 #include <variant>
 
 #include "core/marker/unoccupied.h"
@@ -27,15 +26,10 @@ struct AwayFromOutline {
 };
 using GapChoice = std::variant<AwayFromPoint, AwayFromOutline>;
 
-struct OpenedGap {
-  Marker marker;
-  scene::StopReason reason{};
-  int rounds{};
-  int programs{};                          // linear programs solved
-  Coord length_before{}, length_after{};   // never longer
+// The marker never becomes longer.
+struct OpenedGap : repair::MotionResult {
   Vec inside;                              // a point of the gap, before and after
   marker::UnoccupiedRegion before, after;  // the region that holds that point
-  repair::Repair repair;
 };
 
 // Settings as for compaction (gravity is not used; least_gain is the part by which the last round enlarges the gap);

@@ -86,7 +86,7 @@ class Hand {
   [[nodiscard]] Vec nearest_found() const {
     Marker reached = start_;
     reached.strip = start_.strip.ending(room_.high.x);
-    const auto found = placing::place(scene::Scene{reached, laid_out_, run_.sums}, piece_, wanted_);
+    const auto found = placing::place(scene::Scene{std::move(reached), laid_out_, run_.sums}, piece_, wanted_);
     return found ? found->at : from_;
   }
 

@@ -167,29 +167,21 @@ FloatSettings float_settings(FloatMode mode, Coord distance) {
 }
 
 Result<Floating> float_apart(const Marker& start, const FloatSettings& settings, const scene::Run& run) {
-  run.observer.on_stage(scene::Stage::kOther);
   if (settings.distance <= 0 || settings.distance >= kLatticeLimit) {
     return Error{ErrorCode::kOutOfRange,
                  "the distance is " + std::to_string(settings.distance) +
                      " lattice units; it must be positive and less than 2^40",
                  "/distance"};
   }
-  scene::Scene scene{start, run.sums};
-  Floating best;
-  best.length_before = scene.pieces.length();
-  const auto repair = repair::repair_overlaps(scene, run);
-  if (!repair) return repair.error();
-  best.repair = *repair;
-  const scene::Scene healed = scene;
-  Floater floater{scene, settings, run};
-  best.least_before = floater.least_width();
-  floater.run(best);
-  best.marker = scene.result();
-  best.length_after = scene.pieces.length();
-  best.least_after = floater.least_width();
-  best.reached = best.least_after >= settings.distance;
-  best.gaps = floater.widths(healed);
-  return best;
+  return repair::repaired_and<Floating>(start, run, [&](scene::Scene& scene, Floating& floating) {
+    const scene::Scene repaired = scene;
+    Floater floater{scene, settings, run};
+    floating.least_before = floater.least_width();
+    floater.run(floating);
+    floating.least_after = floater.least_width();
+    floating.reached = floating.least_after >= settings.distance;
+    floating.gaps = floater.widths(repaired);
+  });
 }
 
 }  // namespace selvage::motion::floating

@@ -287,17 +287,16 @@ Result<BumpedMarker> repair_and_bump(const Marker& start, const scene::LaidOut& 
                                      double dy, const scene::Run& run) {
   run.observer.on_stage(scene::Stage::kOther);
   scene::Scene scene{start, laid_out, run.sums};
-  repair::Repair repair;
-  if (!laid_out.figures.valid) {
-    const auto healed = repair::repair_overlaps(scene, run);
-    if (!healed) return healed.error();
-    repair = *healed;
-  }
-  run.observer.on_stage(scene::Stage::kSolve);
-  const Bump bumped = bump(scene, piece.value, dx, dy);
-  scene.shift(piece.value, bumped.at - scene.pieces.at(piece.value));
-  run.observer.on_stage(scene::Stage::kOther);
-  return BumpedMarker{scene.result(), bumped, repair};
+  const auto repairing = [&] {
+    return laid_out.figures.valid ? Result<repair::Repair>{repair::Repair{}} : repair::repair_overlaps(scene, run);
+  };
+  return repair::repaired_and<BumpedMarker>(scene, repairing, [&](BumpedMarker& bumped) {
+    run.observer.on_stage(scene::Stage::kSolve);
+    bumped.bump = bump(scene, piece.value, dx, dy);
+    bumped.reason = bumped.bump.reason;
+    scene.shift(piece.value, bumped.bump.at - scene.pieces.at(piece.value));
+    run.observer.on_stage(scene::Stage::kOther);
+  });
 }
 
 }  // namespace selvage::motion::piece

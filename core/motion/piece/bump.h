@@ -2,12 +2,8 @@
 // meets, while everything else stays [Li94 4.2.3].  Two variables: no linear program, only half-planes.
 #pragma once
 
-#include <stop_token>
-
 #include "core/base/result.h"
-#include "core/motion/repair/repair.h"
-#include "core/scene/scene.h"
-#include "core/scene/stop_reason.h"
+#include "core/motion/repair/motion_result.h"
 
 namespace selvage::motion::piece {
 
@@ -25,10 +21,8 @@ struct Bump {
 // pass a corner on either side. REQUIRES: the scene's pieces are valid.
 [[nodiscard]] Bump bump(const scene::Scene& scene, std::uint32_t piece, double dx, double dy);
 
-struct BumpedMarker {
-  Marker marker;
+struct BumpedMarker : repair::MotionResult {
   Bump bump;
-  repair::Repair repair;
 };
 // The same for a marker as it comes: small overlaps are healed first (core/motion/heal.h).
 // REQUIRES: the piece is one of the marker's, dx and dy are finite.  Errors: those of heal.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/minkowski/inner_fit.h"
 #include "core/model/free_region.h"
@@ -134,6 +135,13 @@ Relaxation relax_tilted(const scene::Scene& scene, std::uint32_t index, int tilt
     if (relaxed && relaxed->freedom > best.freedom) best = *relaxed;
   }
   return best;
+}
+
+Result<RelaxedMarker> repair_and_relax(const Marker& start, PieceId piece, int tilts, const scene::Run& run) {
+  return repair::repaired_and<RelaxedMarker>(start, run, [&](scene::Scene& scene, RelaxedMarker& relaxed) {
+    relaxed.relaxation = tilts > 0 ? relax_tilted(scene, piece.value, tilts) : relax(scene, piece.value);
+    scene.reorient(piece.value, relaxed.relaxation.piece.orientation, relaxed.relaxation.piece.at);
+  });
 }
 
 }  // namespace selvage::motion::piece

@@ -275,45 +275,35 @@ std::optional<Place> place(const scene::Scene& scene, std::uint32_t piece, Vec w
 
 namespace {
 
-// Heals all but one piece; where it lies does not count.
-Result<repair::Repair> heal_others(Marker& marker, PieceId piece, const scene::Run& run) {
-  Marker others = marker;
-  others.pieces.erase(others.pieces.begin() + piece.value);
+// Repairs the overlaps of all pieces but one; where that one lies does not matter.
+Result<repair::Repair> repair_others(scene::Scene& scene, std::uint32_t piece, const scene::Run& run) {
+  Marker others = scene.result();
+  others.pieces.erase(others.pieces.begin() + piece);
   if (others.pieces.empty()) return repair::Repair{};
-  scene::Scene scene{others, run.sums};
-  auto repair = repair::repair_overlaps(scene, run);
-  for (std::size_t i = 0; i < others.pieces.size(); ++i) {
-    marker.pieces[i < piece.value ? i : i + 1].at = scene.pieces.at(i);
-  }
+  scene::Scene rest{std::move(others), run.sums};
+  auto repair = repair::repair_overlaps(rest, run);
+  std::vector<Vec> positions = rest.pieces.positions();
+  positions.insert(positions.begin() + piece, scene.pieces.at(piece));
+  scene.pieces.place(std::move(positions));
   return repair;
 }
 
 }  // namespace
 
-Result<PlacedMarker> heal_and_place(const Marker& start, PieceId piece, Vec wanted, const PlaceSettings& settings,
-                                    const scene::Run& run) {
+Result<PlacedMarker> repair_and_place(const Marker& start, PieceId piece, Vec wanted, const PlaceSettings& settings,
+                                      const scene::Run& run) {
   run.observer.on_stage(scene::Stage::kOther);
-  PlacedMarker answer{start, std::nullopt, {}};
-  const bool alone = model::ties_of(start).free(piece.value);
-  if (alone) {
-    const auto repair = heal_others(answer.marker, piece, run);
-    if (!repair) return repair.error();
-    answer.repair = *repair;
-  } else {
-    scene::Scene whole{start, run.sums};
-    const auto repair = repair::repair_overlaps(whole, run);
-    if (!repair) return repair.error();
-    answer.repair = *repair;
-    answer.marker = whole.result();
-  }
-  run.observer.on_stage(scene::Stage::kSolve);
-  const Marker healed = answer.marker;
-  scene::Scene scene{healed, run.sums};
-  answer.place = place(scene, piece.value, wanted, settings);
-  run.observer.on_stage(scene::Stage::kOther);
-  if (answer.place) scene.shift(piece.value, answer.place->at - scene.pieces.at(piece.value));
-  answer.marker = scene.result();
-  return answer;
+  scene::Scene scene{start, run.sums};
+  const auto repairing = [&] {
+    const bool alone = scene.ties.free(piece.value);
+    return alone ? repair_others(scene, piece.value, run) : repair::repair_overlaps(scene, run);
+  };
+  return repair::repaired_and<PlacedMarker>(scene, repairing, [&](PlacedMarker& placed) {
+    run.observer.on_stage(scene::Stage::kSolve);
+    placed.place = place(scene, piece.value, wanted, settings);
+    run.observer.on_stage(scene::Stage::kOther);
+    if (placed.place) scene.shift(piece.value, placed.place->at - scene.pieces.at(piece.value));
+  });
 }
 
 }  // namespace selvage::motion::placing

@@ -12,12 +12,12 @@
 // when it has seen no other.
 #pragma once
 
-#include <stop_token>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/lp/solver/solve.h"
 #include "core/marker/validity.h"
-#include "core/motion/compaction/compact.h"
+#include "core/motion/repair/motion_result.h"
 #include "core/motion/repair/separation_target.h"
 
 namespace selvage::motion::separation {
@@ -31,16 +31,12 @@ struct SeparationSettings {
   friend bool operator==(const SeparationSettings&, const SeparationSettings&) = default;
 };
 
-struct Separation {
-  Marker marker;
-  scene::StopReason reason{};
-  bool apart{};  // everything parted: the marker is valid; stopped: as far as it was seen
-  int rounds{};
-  int programs{};         // linear programs solved
-  Coord length_before{};  // of the input once what lies outside the strip is put back to its edge
-  Coord length_after{};
-  double moved{};                          // the sum of |dx| + |dy| over all pieces; lattice units
-  Coord farthest_move{};                   // the largest |dx| or |dy| of a piece; lattice units
+// `length_before` is that of the input once what lies outside the strip is put back to its edge; nothing is repaired
+// beforehand.
+struct Separation : repair::MotionResult {
+  bool apart{};           // all pieces are separated: the marker is valid; cancelled: as far as it was checked
+  double moved{};         // the sum of |dx| + |dy| over all pieces; lattice units
+  Coord farthest_move{};  // the largest |dx| or |dy| of a piece; lattice units
   std::vector<marker::Overlap> remaining;  // pieces of `marker`; empty when apart; stopped: perhaps not measured
   std::vector<PieceId> popped;             // pieces of the input, in the order they were popped out; not in `marker`
 };

@@ -119,9 +119,8 @@ class Tilter {
 
   // Every piece to where it has most room, from left to right.
   std::optional<Marker> relaxed(const Marker& start) {
-    Marker next = start;
-    scene::Scene scene{next, run_.sums};
-    std::vector<std::uint32_t> order(next.pieces.size());
+    scene::Scene scene{start, run_.sums};
+    std::vector<std::uint32_t> order(scene.pieces.size());
     std::iota(order.begin(), order.end(), 0U);
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
       return scene.pieces.box(a).low.x < scene.pieces.box(b).low.x;
@@ -130,12 +129,10 @@ class Tilter {
     for (const std::uint32_t i : order) {
       if (run_.stopped()) break;
       if (!scene.ties.free(i)) continue;
-      Piece& piece = next.pieces[i];
-      piece = piece::relax_tilted(scene, i, settings_.tilts).piece;
-      scene.outlines[i] = oriented_outline(next, PieceId{i}, run_.sums);
-      scene.pieces.replace(i, oriented(next.shapes[piece.shape.value].outline, piece.orientation), piece.at);
+      const Piece relaxed = piece::relax_tilted(scene, i, settings_.tilts).piece;
+      scene.reorient(i, relaxed.orientation, relaxed.at);
     }
-    return next;
+    return scene.result();
   }
 
   std::optional<Marker> compacted(const Marker& marker) {
@@ -213,13 +210,9 @@ Result<Tilting> tilt(const Marker& start, const TiltSettings& settings, const sc
   }
   auto compaction = compact(limited(start, settings.limit), settings.compaction, run.quiet());
   if (!compaction) return compaction.error();
-  Tilting tilting;
-  tilting.marker = std::move(compaction->marker);
-  tilting.programs = compaction->programs;
-  tilting.length_before = compaction->length_before;
-  tilting.length_compacted = compaction->length_after;
-  tilting.utilisation_before = compaction->utilisation_before;
-  tilting.repair = compaction->repair;
+  Tilting tilting{*std::move(compaction)};
+  tilting.rounds = 0;  // those of compaction are not counted
+  tilting.length_compacted = tilting.length_after;
   Tilter{settings, run, tilting}.run();
   if (settings.limit) allow_present_tilts(tilting.marker);
   tilting.utilisation_after = utilisation_of(tilting.marker);
