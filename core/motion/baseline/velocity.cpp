@@ -14,11 +14,6 @@
 namespace selvage::motion::baseline {
 namespace {
 
-constexpr double kClearance = 3;        // lattice units: room for rounding, kept between slanted edges
-constexpr double kLeastTouching = 0.5;  // lattice units beyond the clearance
-constexpr double kRestoring = 1e5;      // units of time in which a contact gets its clearance back
-constexpr double kFastest = 1;          // lattice units per unit of time, on each axis [Li94 2.5]
-
 // Two pieces that may meet within the horizon.
 struct Near {
   marker::PiecePair pair;
@@ -38,7 +33,8 @@ class Simulation {
         settings_{settings},
         run_{run},
         horizon_{settings.horizon * static_cast<double>(scene.marker.strip.width)},
-        touching_{std::max(kLeastTouching, settings.touching * static_cast<double>(scene.marker.strip.width))},
+        touching_{std::max(settings.tuning.least_touching,
+                           settings.touching * static_cast<double>(scene.marker.strip.width))},
         start_{scene.pieces.positions()},
         moved_(start_.size()),
         longest_{scene.pieces.length()},
@@ -85,8 +81,9 @@ class Simulation {
     }
   }
 
+  [[nodiscard]] const VelocityTuning& tuning() const { return settings_.tuning; }
   [[nodiscard]] double clearance(marker::PiecePair pair) const {
-    return static_cast<double>(scene_.pieces.spacing(pair)) + kClearance;
+    return static_cast<double>(scene_.pieces.spacing(pair)) + tuning().clearance;
   }
   [[nodiscard]] FinePosition relative(marker::PiecePair pair) const {
     const double x = moved_[pair.second].x - moved_[pair.first].x;
@@ -101,17 +98,17 @@ class Simulation {
     std::vector<ContactRow> rows;
     for (const Near& near : near_) {
       const Coord spacing = scene_.pieces.spacing(near.pair);
-      const model::RegionSettings region{model::RegionRule::kGreedy, clearance(near.pair) + touching_ + kLeastTouching,
-                                         spacing};
+      const model::RegionSettings region{model::RegionRule::kGreedy,
+                                         clearance(near.pair) + touching_ + tuning().least_touching, spacing};
       const FinePosition r = relative(near.pair);
       for (const model::HalfPlane& side : free_region(near.obstacle, r.at, region)) {
         const model::PairRow row = row_of(near.pair, side, r.at, spacing, 0, model::TightRows::kKeep);
         const double slack =
             slack_of(side, r.at) + row.nx * r.rest.x + row.ny * r.rest.y - static_cast<double>(spacing);
-        if (slack > kClearance + touching_ + kLeastTouching) continue;
+        if (slack > tuning().clearance + touching_ + tuning().least_touching) continue;
         const bool slanted = side.direction.x != 0 && side.direction.y != 0;
-        const double lost = slanted ? std::max(0.0, kClearance - slack) : 0;
-        rows.push_back({near.pair, row.nx, row.ny, lost / kRestoring});
+        const double lost = slanted ? std::max(0.0, tuning().clearance - slack) : 0;
+        rows.push_back({near.pair, row.nx, row.ny, lost / tuning().restoring});
       }
     }
     return rows;
@@ -143,7 +140,7 @@ class Simulation {
   [[nodiscard]] lp::LinearProgram velocity_program(const std::vector<ContactRow>& rows, double restoring) {
     lp::LinearProgram program;
     add_pieces(program);
-    const int piston = program.add_column(1, -kFastest, 0);
+    const int piston = program.add_column(1, -tuning().fastest, 0);
     for (std::size_t i = 0; i < start_.size(); ++i) {
       if (walls(i).right > touching_) continue;
       const std::array<lp::LinearProgram::Entry, 2> entries{{{piston, 1}, {x_[i], -1}}};
@@ -171,7 +168,7 @@ class Simulation {
     std::vector<int> x_of(start_.size(), kNone);  // by tie
     std::vector<int> y_of(start_.size(), kNone);
     const auto add = [&](int& column, double cost, bool at_low, bool at_high) {
-      if (column == kNone) column = program.add_column(0, -kFastest, kFastest);
+      if (column == kNone) column = program.add_column(0, -tuning().fastest, tuning().fastest);
       const auto c = static_cast<std::size_t>(column);
       program.cost[c] += cost;
       if (at_low) program.lower[c] = 0;
@@ -256,7 +253,7 @@ class Simulation {
   scene::Scene& scene_;
   const VelocitySettings& settings_;
   const scene::Run& run_;
-  double horizon_;                          // units of time, at kFastest as many lattice units
+  double horizon_;                          // units of time, at tuning().fastest as many lattice units
   double touching_;                         // lattice units beyond the clearance; nearer is contact
   std::vector<Vec> start_;                  // where the pieces were,
   std::vector<model::Displacement> moved_;  // and how far they have come since; not rounded

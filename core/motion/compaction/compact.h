@@ -13,6 +13,7 @@
 #include "core/marker/marker.h"
 #include "core/minkowski/cache.h"
 #include "core/model/free_region.h"
+#include "core/motion/compaction/tuning.h"
 #include "core/motion/repair/motion_result.h"
 #include "core/motion/step/position_step.h"
 #include "core/scene/run.h"
@@ -35,6 +36,7 @@ struct CompactionSettings {
                             // nearer than that (obstacles.h); 0: of their own
   double solver_tolerance{};  // of 1 + what a round gains (thousandths of the width): by so much its program may miss
                               // the best; what one round misses the next may gain
+  CompactionTuning tuning{};
   friend bool operator==(const CompactionSettings&, const CompactionSettings&) = default;
 };
 [[nodiscard]] CompactionSettings compaction_settings(Accuracy accuracy);

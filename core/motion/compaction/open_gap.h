@@ -38,6 +38,6 @@ struct OpenedGap : repair::MotionResult {
 // unoccupied region, or a region that is not there, or that healing closed.
 [[nodiscard]] Result<OpenedGap> open_gap(const Marker& start, const GapChoice& choice,
                                          const CompactionSettings& settings, const marker::UnoccupiedSettings& regions,
-                                         const scene::Run& run);
+                                         const scene::Run& run, const GapTuning& tuning = {});
 
 }  // namespace selvage::motion::compaction

@@ -8,14 +8,10 @@
 #include "core/scene/scene.h"
 
 namespace selvage::motion::compaction {
-namespace {
-
-constexpr double kStillness = 1e-4;  // of the largest force
-
-}  // namespace
+namespace {}  // namespace
 
 Result<step::Goal> pushing_goal(std::span<const Force> forces, std::size_t pieces) {
-  step::Goal goal{std::vector<model::Displacement>(pieces), 0, kStillness};
+  step::Goal goal{std::vector<model::Displacement>(pieces), 0, kPushPenalty};
   double largest = 0;
   for (std::size_t k = 0; k < forces.size(); ++k) {
     const Force& force = forces[k];

@@ -12,6 +12,7 @@
 #include "core/base/result.h"
 #include "core/lp/solver/solve.h"
 #include "core/motion/floating/float_program.h"
+#include "core/motion/floating/tuning.h"
 #include "core/motion/repair/motion_result.h"
 
 namespace selvage::motion::floating {
@@ -26,6 +27,7 @@ struct FloatSettings {
   double least_gain{};  // the last round is the one that gains less than this part of the width
   double trust{};       // no piece moves farther in a round than this part of the width, on either axis
   lp::solver::SolverChoice solver{};
+  FloatTuning tuning{};
   friend bool operator==(const FloatSettings&, const FloatSettings&) = default;
 };
 // With the distance given, the rest as it should be.

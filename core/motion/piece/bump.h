@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/motion/piece/tuning.h"
 #include "core/motion/repair/motion_result.h"
 
 namespace selvage::motion::piece {
@@ -19,7 +20,8 @@ struct Bump {
 // strip's right edge is the marker's present end, or the cloth's when it has one.  A marker mirrored across the strip
 // gives the mirrored answer to the lattice unit, unless the piece goes along the very middle of the strip and could
 // pass a corner on either side. REQUIRES: the scene's pieces are valid.
-[[nodiscard]] Bump bump(const scene::Scene& scene, std::uint32_t piece, double dx, double dy);
+[[nodiscard]] Bump bump(const scene::Scene& scene, std::uint32_t piece, double dx, double dy,
+                        const BumpTuning& tuning = {});
 
 struct BumpedMarker : repair::MotionResult {
   Bump bump;

@@ -2,6 +2,7 @@
 // which its position may be chosen freely.  Three variables: no linear program (core/motion/largest_square.h).
 #pragma once
 
+#include "core/motion/piece/tuning.h"
 #include "core/motion/repair/motion_result.h"
 
 namespace selvage::motion::piece {
@@ -14,11 +15,12 @@ struct Relaxation {
 // Translational relaxation [Li94 6.1.1], from where the piece lies.  The strip ends where the marker does.  A local
 // optimum: the free regions are chosen anew about each better place.
 // REQUIRES: the scene's pieces are valid.  A piece locked in any way, or of a group, stays.
-[[nodiscard]] Relaxation relax(const scene::Scene& scene, std::uint32_t piece);
+[[nodiscard]] Relaxation relax(const scene::Scene& scene, std::uint32_t piece, const RelaxTuning& tuning = {});
 
 // Rotational relaxation [Li94 6.1.2]: of `tilts` tilts evenly spaced over the piece's range, and its present one, the
 // one with most freedom.  Never less than it has now, up to rounding.
-[[nodiscard]] Relaxation relax_tilted(const scene::Scene& scene, std::uint32_t piece, int tilts);
+[[nodiscard]] Relaxation relax_tilted(const scene::Scene& scene, std::uint32_t piece, int tilts,
+                                      const RelaxTuning& tuning = {});
 
 struct RelaxedMarker : repair::MotionResult {
   Relaxation relaxation;

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "core/base/result.h"
+#include "core/motion/placing/tuning.h"
 #include "core/motion/repair/motion_result.h"
 
 namespace selvage::motion::placing {
@@ -17,6 +18,7 @@ namespace selvage::motion::placing {
 struct PlaceSettings {
   bool may_grow{};  // when no position within the marker's length is free, take the nearest beyond it; not beyond the
                     // cloth's end
+  PlaceTuning tuning{};
 };
 struct Place {
   Vec at;             // free

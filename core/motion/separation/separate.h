@@ -19,6 +19,7 @@
 #include "core/marker/validity.h"
 #include "core/motion/repair/motion_result.h"
 #include "core/motion/repair/separation_target.h"
+#include "core/motion/separation/tuning.h"
 
 namespace selvage::motion::separation {
 
@@ -28,6 +29,7 @@ struct SeparationSettings {
   repair::TargetRule target{repair::TargetRule::kNearest};
   bool pop_out{};  // leave out the pieces that hold up the rest
   lp::solver::SolverChoice solver{lp::solver::SolverChoice::kAutomatic};
+  SeparationTuning tuning{};
   friend bool operator==(const SeparationSettings&, const SeparationSettings&) = default;
 };
 

@@ -17,6 +17,7 @@
 
 #include "core/base/result.h"
 #include "core/motion/compaction/compact.h"
+#include "core/motion/tilting/tuning.h"
 
 namespace selvage::motion::tilting {
 
@@ -35,6 +36,7 @@ struct TiltSettings {
   int tilts{};                   // relaxation: so many tilts are tried, evenly spaced from limit to limit
   int perturbations{};           // so often the pieces are shaken
   compaction::CompactionSettings compaction{};
+  TiltTuning tuning{};
   friend bool operator==(const TiltSettings&, const TiltSettings&) = default;
 };
 [[nodiscard]] TiltSettings tilt_settings(TiltMethod method, compaction::Accuracy accuracy);
