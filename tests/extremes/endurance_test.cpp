@@ -75,7 +75,7 @@ class Motions {
   }
   std::optional<Marker> placed(const Marker& marker) {
     return marker_of(
-        motion::placing::heal_and_place(marker, any_piece(marker), any_place(marker), {.may_grow = true}, {sums_}));
+        motion::placing::repair_and_place(marker, any_piece(marker), any_place(marker), {.may_grow = true}, {sums_}));
   }
   std::optional<Marker> relaxed(const Marker& marker) {
     const std::uint32_t piece = any_piece(marker).value;

@@ -149,7 +149,7 @@ Result<Answer> placing(const Marker& start, const Occasion& on) {
   const PieceId piece = any_piece(on.random, start);
   const motion::placing::PlaceSettings settings{on.random.chance(50)};
   const Vec wanted = any_place(on.random, start);
-  auto done = heal_and_place(start, piece, wanted, settings, on.run);
+  auto done = repair_and_place(start, piece, wanted, settings, on.run);
   if (!done) return done.error();
   return placed_answer(*std::move(done), piece, settings, start);
 }
@@ -166,7 +166,7 @@ Result<Answer> turning_and_placing(const Marker& start, const Occasion& on) {
   if (on.random.chance(30)) moved.orientation.rotation.degrees += static_cast<double>(on.random.between(0, 900)) / 10;
   if (!make_marker(turned)) return unmoved(start);
   const motion::placing::PlaceSettings settings{true};
-  auto done = heal_and_place(turned, piece, any_place(on.random, start), settings, on.run);
+  auto done = repair_and_place(turned, piece, any_place(on.random, start), settings, on.run);
   if (!done) return done.error();
   if (!done->place) return unmoved(start);
   Answer answer = placed_answer(*std::move(done), piece, settings, turned);

@@ -132,7 +132,7 @@ void relax_once(const Marker& marker, const scene::Run& run) {
   (void)motion::piece::relax(scene::Scene{marker, run.sums}, middle_of(marker).value);
 }
 void place_once(const Marker& marker, const scene::Run& run) {
-  require(motion::placing::heal_and_place(marker, middle_of(marker), right_of_middle(marker, 0.1), {}, run));
+  require(motion::placing::repair_and_place(marker, middle_of(marker), right_of_middle(marker, 0.1), {}, run));
 }
 template <motion::dragging::DragMode kMode>
 void drag_once(const Marker& marker, const scene::Run& run) {

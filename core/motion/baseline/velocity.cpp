@@ -14,11 +14,6 @@
 namespace selvage::motion::baseline {
 namespace {
 
-constexpr double kClearance = 3;        // lattice units: room for rounding, kept between slanted edges
-constexpr double kLeastTouching = 0.5;  // lattice units beyond the clearance
-constexpr double kRestoring = 1e5;      // units of time in which a contact gets its clearance back
-constexpr double kFastest = 1;          // lattice units per unit of time, on each axis [Li94 2.5]
-
 // Two pieces that may meet within the horizon.
 struct Near {
   marker::PiecePair pair;
@@ -38,7 +33,8 @@ class Simulation {
         settings_{settings},
         run_{run},
         horizon_{settings.horizon * static_cast<double>(scene.marker.strip.width)},
-        touching_{std::max(kLeastTouching, settings.touching * static_cast<double>(scene.marker.strip.width))},
+        touching_{std::max(settings.tuning.least_touching,
+                           settings.touching * static_cast<double>(scene.marker.strip.width))},
         start_{scene.pieces.positions()},
         moved_(start_.size()),
         longest_{scene.pieces.length()},
@@ -85,8 +81,9 @@ class Simulation {
     }
   }
 
+  [[nodiscard]] const VelocityTuning& tuning() const { return settings_.tuning; }
   [[nodiscard]] double clearance(marker::PiecePair pair) const {
-    return static_cast<double>(scene_.pieces.spacing(pair)) + kClearance;
+    return static_cast<double>(scene_.pieces.spacing(pair)) + tuning().clearance;
   }
   [[nodiscard]] FinePosition relative(marker::PiecePair pair) const {
     const double x = moved_[pair.second].x - moved_[pair.first].x;
@@ -101,15 +98,15 @@ class Simulation {
     std::vector<ContactRow> rows;
     for (const Near& near : near_) {
       const Coord spacing = scene_.pieces.spacing(near.pair);
-      const model::RegionSettings region{model::RegionRule::kGreedy, clearance(near.pair) + touching_ + kLeastTouching,
-                                         spacing};
+      const model::RegionSettings region{model::RegionRule::kGreedy,
+                                         clearance(near.pair) + touching_ + tuning().least_touching, spacing};
       const FinePosition r = relative(near.pair);
       for (const model::FreeSide& side : model::free_sides({near.obstacle, r.at, r.at, 0}, region)) {
         const auto [nx, ny] = side.normal;
         const double slack = side.slack + nx * r.rest.x + ny * r.rest.y - static_cast<double>(spacing);
-        if (slack > kClearance + touching_ + kLeastTouching) continue;
-        const double lost = side.slanted() ? std::max(0.0, kClearance - slack) : 0;
-        rows.push_back({near.pair, nx, ny, lost / kRestoring});
+        if (slack > tuning().clearance + touching_ + tuning().least_touching) continue;
+        const double lost = side.slanted() ? std::max(0.0, tuning().clearance - slack) : 0;
+        rows.push_back({near.pair, nx, ny, lost / tuning().restoring});
       }
     }
     return rows;
@@ -141,7 +138,7 @@ class Simulation {
   [[nodiscard]] lp::LinearProgram velocity_program(const std::vector<ContactRow>& rows, double restoring) {
     lp::LinearProgram program;
     add_pieces(program);
-    const int piston = program.add_column(1, -kFastest, 0);
+    const int piston = program.add_column(1, -tuning().fastest, 0);
     for (std::size_t i = 0; i < start_.size(); ++i) {
       if (walls(i).right > touching_) continue;
       const std::array<lp::LinearProgram::Entry, 2> entries{{{piston, 1}, {x_[i], -1}}};
@@ -169,7 +166,7 @@ class Simulation {
     std::vector<int> x_of(start_.size(), kNone);  // by tie
     std::vector<int> y_of(start_.size(), kNone);
     const auto add = [&](int& column, double cost, bool at_low, bool at_high) {
-      if (column == kNone) column = program.add_column(0, -kFastest, kFastest);
+      if (column == kNone) column = program.add_column(0, -tuning().fastest, tuning().fastest);
       const auto c = static_cast<std::size_t>(column);
       program.cost[c] += cost;
       if (at_low) program.lower[c] = 0;
@@ -254,7 +251,7 @@ class Simulation {
   scene::Scene& scene_;
   const VelocitySettings& settings_;
   const scene::Run& run_;
-  double horizon_;              // units of time, at kFastest as many lattice units
+  double horizon_;              // units of time, at tuning().fastest as many lattice units
   double touching_;             // lattice units beyond the clearance; nearer is contact
   std::vector<Vec> start_;      // where the pieces were,
   std::vector<RealVec> moved_;  // and how far they have come since; not rounded
@@ -272,7 +269,7 @@ class Simulation {
 
 Result<compaction::Compaction> compact_by_velocities(const Marker& start, const VelocitySettings& settings,
                                                      const scene::Run& run) {
-  return compaction::repaired_and(start, run, [&](scene::Scene& scene) {
+  return compaction::shortened(start, run, [&](scene::Scene& scene) {
     compaction::Progress progress;
     progress.reason = Simulation{scene, settings, run}.run(progress.rounds, progress.programs);
     return progress;

@@ -13,14 +13,11 @@
 namespace selvage::motion::compaction {
 namespace {
 
-constexpr double kReach = 0.005;      // of the width: contacts are looked for this near
-constexpr double kLeastWorth = 1e-6;  // loads below this are the solver's noise
-constexpr double kSpare = 1e-2;       // column units the length may grow by, for rows' margins
-
 // The loads that one solution puts on rows and bounds.
 class Loads {
  public:
-  Loads(const Marker& marker, SumCache& sums) : scene_{marker, sums} {}
+  Loads(const Marker& marker, const CriticalPathTuning& tuning, SumCache& sums)
+      : scene_{marker, sums}, tuning_{tuning} {}
 
   Result<Hold> run(const scene::Run& run) {
     const lp::LpSolution solution = solve_model(run);
@@ -43,7 +40,7 @@ class Loads {
   lp::LpSolution solve_model(const scene::Run& run) {
     run.observer.on_stage(scene::Stage::kRows);
     const Strip& strip = scene_.marker.strip;
-    const double reach = kReach * static_cast<double>(strip.width);
+    const double reach = tuning_.reach * static_cast<double>(strip.width);
     model_.emplace(scene_.pieces, strip, scene_.ties);
     for (const marker::PiecePair& pair :
          pairs_within(scene_.pieces, std::llround(reach) + scene_.pieces.widest_spacing())) {
@@ -59,7 +56,7 @@ class Loads {
       }
     }
     const auto length = static_cast<double>(scene_.pieces.length());
-    model_->add_length(1, length, model_->unit().to_lattice(kSpare));
+    model_->add_length(1, length, model_->unit().to_lattice(tuning_.spare));
     for (std::size_t i = 0; i < scene_.pieces.size(); ++i) model_->add_right_wall(i);
     run.observer.on_stage(scene::Stage::kSolve);
     run.observer.on_program(model_->program());
@@ -67,7 +64,7 @@ class Loads {
   }
 
   void add_pair(const model::PairRow& row, double worth, Hold& hold) {
-    if (worth < kLeastWorth) return;
+    if (worth < tuning_.least_worth) return;
     const auto [p, q] = row.pair;
     const RealVec at = nearest_point(scene_.pieces[p], scene_.pieces[q]);
     hold.contacts.push_back({PieceId{p}, PieceId{q}, {}, worth, at});
@@ -118,7 +115,7 @@ class Loads {
   }
   // `(nx, ny)`: from the edge into the strip.
   void add_edge(std::uint32_t piece, Edge edge, double worth, int nx, int ny, Hold& hold) {
-    if (worth < kLeastWorth) return;
+    if (worth < tuning_.least_worth) return;
     const RealVec at = touching_point(piece, nx, ny);
     hold.contacts.push_back({PieceId{piece}, std::nullopt, edge, worth, at});
     turn(piece, worth, nx, ny, at);
@@ -161,6 +158,7 @@ class Loads {
   }
 
   scene::Scene scene_;
+  const CriticalPathTuning& tuning_;
   std::vector<model::PairRow> rows_;
   std::optional<model::PositionModel> model_;
   std::map<std::uint32_t, double> tilts_;
@@ -168,12 +166,12 @@ class Loads {
 
 }  // namespace
 
-Result<Hold> what_holds(const Marker& marker, const scene::Run& run) {
+Result<Hold> what_holds(const Marker& marker, const scene::Run& run, const CriticalPathTuning& tuning) {
   run.observer.on_stage(scene::Stage::kVerify);
   if (!is_valid(marker)) {
     return Error{ErrorCode::kMarkerOverlaps, "the marker is not valid: compact or part it first", "/pieces"};
   }
-  return Loads{marker, run.sums}.run(run);
+  return Loads{marker, tuning, run.sums}.run(run);
 }
 
 }  // namespace selvage::motion::compaction

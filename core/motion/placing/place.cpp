@@ -10,13 +10,6 @@
 namespace selvage::motion::placing {
 namespace {
 
-constexpr double kFirstReach = 1.0 / 32;  // of the strip's width: how far the first search looks
-constexpr double kFarther = 4;            // times as far each time
-constexpr std::size_t kFewLines = 6;      // a cell of so few is searched, a larger one divided
-constexpr double kSmall = 64;             // lattice units: so is a cell of this size
-constexpr double kClear = 3;              // lattice units: what is deeper inside an obstacle is not worth proving
-constexpr int kProofs = 12;               // lattice positions that are proved about one point
-
 double distance_between(Vec a, Vec b) {
   return std::hypot(static_cast<double>(a.x - b.x), static_cast<double>(a.y - b.y));
 }
@@ -37,8 +30,9 @@ struct Cell {
 class WindowSearch {
  public:
   WindowSearch(const scene::Scene& scene, const Body& body, const Box& window, Vec wanted, Vec origin,
-               std::optional<Vec> best)
-      : around_{scene, body, window, origin},
+               std::optional<Vec> best, const PlaceTuning& tuning)
+      : tuning_{tuning},
+        around_{scene, body, window, origin},
         window_{window},
         wanted_{wanted},
         origin_{origin},
@@ -54,7 +48,7 @@ class WindowSearch {
       heap_.pop_back();
       if (std::sqrt(cell.squared_distance) >= least_) break;
       const double size = std::max(cell.box.high.x - cell.box.low.x, cell.box.high.y - cell.box.low.y);
-      if (cell.lines.size() <= kFewLines || size <= kSmall) {
+      if (cell.lines.size() <= tuning_.few_lines || size <= tuning_.small) {
         search(cell);
       } else {
         divide(cell);
@@ -173,7 +167,7 @@ class WindowSearch {
         const BorderLine& line = lines[cell.lines[k]];
         nearest = std::min(nearest, squared_distance(nearest_on(line, candidate.at), candidate.at));
       }
-      if (nearest > kClear * kClear && around_.forbids(obstacle, candidate.at)) return true;
+      if (nearest > tuning_.clear * tuning_.clear && around_.forbids(obstacle, candidate.at)) return true;
     }
     return false;
   }
@@ -193,7 +187,7 @@ class WindowSearch {
       if (back > 0 && candidate.on[0] == nullptr) return;
       for (const Vec& position : lattice_about({candidate.at.x + back * out.x, candidate.at.y + back * out.y})) {
         if (distance_between(position, wanted_) >= least_ || !admitted(position, candidate)) continue;
-        if (++proofs > kProofs) return;
+        if (++proofs > tuning_.proofs) return;
         if (!around_.free(position)) continue;
         best_ = position;
         least_ = distance_between(position, wanted_);
@@ -217,6 +211,7 @@ class WindowSearch {
            });
   }
 
+  const PlaceTuning& tuning_;
   Surroundings around_;
   Box window_;  // of positions, inside the strip
   Vec wanted_, origin_;
@@ -230,17 +225,17 @@ class WindowSearch {
 
 // Of the positions in `fit`; `present`: a free one, when it is known.
 std::optional<Vec> nearest_free(const scene::Scene& scene, const Body& body, Vec wanted, const Box& fit,
-                                std::optional<Vec> present) {
+                                std::optional<Vec> present, const PlaceTuning& tuning) {
   if (fit.high.x < fit.low.x || fit.high.y < fit.low.y) return std::nullopt;
   const Vec origin{std::clamp(wanted.x, fit.low.x, fit.high.x), std::clamp(wanted.y, fit.low.y, fit.high.y)};
   std::optional<Vec> best = present;
-  for (double reach = kFirstReach * static_cast<double>(scene.marker.strip.width);; reach *= kFarther) {
+  for (double reach = tuning.first_reach * static_cast<double>(scene.marker.strip.width);; reach *= tuning.farther) {
     const double enough = best ? std::min(reach, distance_between(*best, wanted) + 1) : reach;
     const Box about =
         Box{origin, origin}.grown(std::llround(std::min(enough, 4.0 * static_cast<double>(kLatticeLimit))));
     const Box window{{std::max(about.low.x, fit.low.x), std::max(about.low.y, fit.low.y)},
                      {std::min(about.high.x, fit.high.x), std::min(about.high.y, fit.high.y)}};
-    best = WindowSearch{scene, body, window, wanted, origin, best}.run();
+    best = WindowSearch{scene, body, window, wanted, origin, best, tuning}.run();
     // Outside the window everything is farther from the origin than it reaches, and no nearer to the wanted position.
     const bool final = best && distance_between(*best, wanted) <= std::hypot(enough, distance_between(origin, wanted));
     if (final || window == fit) return best;
@@ -257,7 +252,8 @@ std::optional<Place> place(const scene::Scene& scene, std::uint32_t piece, Vec w
   const Box fit = body.fit(scene, end);
   const auto free = [&](Vec at) { return within(fit, at) && Surroundings{scene, body, {at, at}, at}.free(at); };
   if (free(wanted)) return Place{wanted, 0, false};
-  const auto found = nearest_free(scene, body, wanted, fit, free(body.at) ? std::optional{body.at} : std::nullopt);
+  const auto found =
+      nearest_free(scene, body, wanted, fit, free(body.at) ? std::optional{body.at} : std::nullopt, settings.tuning);
   if (found) return Place{*found, distance_between(*found, wanted), false};
   if (!settings.may_grow || strip.longest) return std::nullopt;
   Coord reach = 0;  // of the body, from its naming piece's position
@@ -266,52 +262,42 @@ std::optional<Place> place(const scene::Scene& scene, std::uint32_t piece, Vec w
     reach = std::max({reach, std::abs(box.low.x), std::abs(box.high.x)});
   }
   const Box longer = body.fit(scene, end + 2 * reach + scene.pieces.widest_spacing());
-  const auto beyond = nearest_free(scene, body, wanted, longer, std::nullopt);
+  const auto beyond = nearest_free(scene, body, wanted, longer, std::nullopt, settings.tuning);
   if (!beyond) return std::nullopt;
   return Place{*beyond, distance_between(*beyond, wanted), true};
 }
 
 namespace {
 
-// Heals all but one piece; where it lies does not count.
-Result<repair::Repair> heal_others(Marker& marker, PieceId piece, const scene::Run& run) {
-  Marker others = marker;
-  others.pieces.erase(others.pieces.begin() + piece.value);
+// Repairs the overlaps of all pieces but one; where that one lies does not matter.
+Result<repair::Repair> repair_others(scene::Scene& scene, std::uint32_t piece, const scene::Run& run) {
+  Marker others = scene.result();
+  others.pieces.erase(others.pieces.begin() + piece);
   if (others.pieces.empty()) return repair::Repair{};
-  scene::Scene scene{others, run.sums};
-  auto repair = repair::repair_overlaps(scene, run);
-  for (std::size_t i = 0; i < others.pieces.size(); ++i) {
-    marker.pieces[i < piece.value ? i : i + 1].at = scene.pieces.at(i);
-  }
+  scene::Scene rest{std::move(others), run.sums};
+  auto repair = repair::repair_overlaps(rest, run);
+  std::vector<Vec> positions = rest.pieces.positions();
+  positions.insert(positions.begin() + piece, scene.pieces.at(piece));
+  scene.pieces.place(std::move(positions));
   return repair;
 }
 
 }  // namespace
 
-Result<PlacedMarker> heal_and_place(const Marker& start, PieceId piece, Vec wanted, const PlaceSettings& settings,
-                                    const scene::Run& run) {
+Result<PlacedMarker> repair_and_place(const Marker& start, PieceId piece, Vec wanted, const PlaceSettings& settings,
+                                      const scene::Run& run) {
   run.observer.on_stage(scene::Stage::kOther);
-  PlacedMarker answer{start, std::nullopt, {}};
-  const bool alone = model::ties_of(start).free(piece.value);
-  if (alone) {
-    const auto repair = heal_others(answer.marker, piece, run);
-    if (!repair) return repair.error();
-    answer.repair = *repair;
-  } else {
-    scene::Scene whole{start, run.sums};
-    const auto repair = repair::repair_overlaps(whole, run);
-    if (!repair) return repair.error();
-    answer.repair = *repair;
-    answer.marker = whole.result();
-  }
-  run.observer.on_stage(scene::Stage::kSolve);
-  const Marker healed = answer.marker;
-  scene::Scene scene{healed, run.sums};
-  answer.place = place(scene, piece.value, wanted, settings);
-  run.observer.on_stage(scene::Stage::kOther);
-  if (answer.place) scene.shift(piece.value, answer.place->at - scene.pieces.at(piece.value));
-  answer.marker = scene.result();
-  return answer;
+  scene::Scene scene{start, run.sums};
+  const auto repairing = [&] {
+    const bool alone = scene.ties.free(piece.value);
+    return alone ? repair_others(scene, piece.value, run) : repair::repair_overlaps(scene, run);
+  };
+  return repair::repaired_and<PlacedMarker>(scene, repairing, [&](PlacedMarker& placed) {
+    run.observer.on_stage(scene::Stage::kSolve);
+    placed.place = place(scene, piece.value, wanted, settings);
+    run.observer.on_stage(scene::Stage::kOther);
+    if (placed.place) scene.shift(piece.value, placed.place->at - scene.pieces.at(piece.value));
+  });
 }
 
 }  // namespace selvage::motion::placing

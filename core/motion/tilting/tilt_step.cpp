@@ -13,18 +13,14 @@ namespace selvage::motion::tilting {
 namespace {
 
 constexpr double kRadian = 180 / std::numbers::pi;  // degrees
-constexpr double kOverlapPrice = 100;               // of a unit of overlap that stays, beside a unit of length
-constexpr double kClearance = 1e-7;   // parts of the width that pieces are kept apart by, for what is not linear,
-constexpr Coord kLeastClearance = 3;  // and lattice units, for rounded outlines
-constexpr double kLeastArc = 1;       // lattice units: a smaller turn changes nothing but rounding
-constexpr std::size_t kBlock = 16;    // near pairs whose rows one hand finds in a row
-constexpr std::size_t kCancelCheckInterval = 512;  // near pairs between two looks at whether to stop
-constexpr double kLengthSpare = 1e-2;  // column units the length may grow by in a program, for rows' margins
+constexpr std::size_t kBlock = 16;                  // near pairs whose rows one hand finds in a row
+constexpr std::size_t kCancelCheckInterval = 512;   // near pairs between two looks at whether to stop
 
 class Program {
  public:
   Program(const scene::Scene& scene, const TiltStepSettings& settings)
       : scene_{scene},
+        tuning_{settings.tuning},
         farthest_{settings.trust * static_cast<double>(scene.marker.strip.width)},
         turn_{settings.turn.degrees / kRadian},
         turns_{ranges(scene, turn_)},
@@ -40,7 +36,7 @@ class Program {
       model_.hold_length();
     } else {
       const double shorten = std::min(static_cast<double>(scene_.pieces.length()), 2 * farthest_);
-      model_.add_length(goal.shorten, shorten, model_.positions().unit().to_lattice(kLengthSpare));
+      model_.add_length(goal.shorten, shorten, model_.positions().unit().to_lattice(tuning_.length_spare));
     }
   }
 
@@ -72,7 +68,7 @@ class Program {
       std::optional<int> give;
       if (std::any_of(rows.begin(), rows.end(),
                       [](const model::tilting::TiltRow& made) { return made.row.bound > 0; })) {
-        give = model_.positions().program().add_column(kOverlapPrice, 0, lp::kInfinity);
+        give = model_.positions().program().add_column(tuning_.overlap_price, 0, lp::kInfinity);
       }
       for (const model::tilting::TiltRow& made : rows) model_.add(made, made.row.bound > 0 ? give : std::nullopt);
     }
@@ -113,7 +109,7 @@ class Program {
     return turns;
   }
   [[nodiscard]] Coord clearance() const {
-    return kLeastClearance + std::llround(kClearance * static_cast<double>(scene_.marker.strip.width));
+    return tuning_.least_clearance + std::llround(tuning_.clearance * static_cast<double>(scene_.marker.strip.width));
   }
   [[nodiscard]] double widest_radius() const {
     double most = 0;
@@ -129,7 +125,7 @@ class Program {
     const std::vector<double> turns = model_.turns(x);
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
       pieces[i].at = scene_.pieces.at(i);
-      if (std::abs(turns[i]) * model::tilting::radius_of(scene_.pieces[i]) < kLeastArc) continue;
+      if (std::abs(turns[i]) * model::tilting::radius_of(scene_.pieces[i]) < tuning_.least_arc) continue;
       Piece turned_piece = pieces[i];
       double& tilt = turned_piece.orientation.tilt.degrees;
       const double before = tilt;
@@ -157,6 +153,7 @@ class Program {
   }
 
   const scene::Scene& scene_;
+  const TiltStepTuning& tuning_;
   double farthest_;
   double turn_;
   std::vector<model::tilting::TurnRange> turns_;

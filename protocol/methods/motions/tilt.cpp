@@ -70,21 +70,14 @@ Result<MotionRelax> decode_relax(const Json& params) {
 Result<calls::Motion> run_relax(const MotionRelax& wanted, const Marker& start, const calls::MethodContext& context) {
   const auto piece = calls::piece_of(start, wanted.piece, "/piece");
   if (!piece) return piece.error();
-  scene::Scene scene{start, context.run.sums};
-  const auto repair = motion::repair::repair_overlaps(scene, context.run);
-  if (!repair) return repair.error();
-  const Marker healed = scene.result();
-  const scene::Scene still{healed, context.run.sums};
-  const motion::piece::Relaxation done = wanted.tilts > 0
-                                             ? motion::piece::relax_tilted(still, piece->value, wanted.tilts)
-                                             : motion::piece::relax(still, piece->value);
-  calls::Motion motion{healed, {}, *repair};
-  motion.marker.pieces[piece->value] = done.piece;
-  motion.figures = {{"at", formats::point_json(done.piece.at, start.resolution)},
-                    {"tilt", done.piece.orientation.tilt.degrees},
-                    {"freedom", formats::in_unit(done.freedom, start.resolution)},
-                    {"stop", calls::name_of(scene::StopReason::kConverged)}};
-  return motion;
+  auto done = motion::piece::repair_and_relax(start, *piece, wanted.tilts, context.run);
+  if (!done) return done.error();
+  const auto& [relaxed, freedom] = done->relaxation;
+  Json figures{{"at", formats::point_json(relaxed.at, start.resolution)},
+               {"tilt", relaxed.orientation.tilt.degrees},
+               {"freedom", formats::in_unit(freedom, start.resolution)},
+               {"stop", calls::name_of(done->reason)}};
+  return calls::Motion{std::move(done->marker), std::move(figures), done->repair};
 }
 
 constexpr std::array kTiltParams = together(
