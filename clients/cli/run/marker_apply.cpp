@@ -1,4 +1,4 @@
-#include "clients/cli/run/by_hand.h"
+#include "clients/cli/run/marker_apply.h"
 
 #include <utility>
 
@@ -24,17 +24,20 @@ const protocol::calls::MarkerMethod& apply_method() {
   return method;
 }
 
-std::variant<Ran, Refusal> apply_here(const Task& task) {
-  const auto wanted = protocol::edits::decode_marker_apply(task.params);
-  if (!wanted) return refusal_of(wanted.error());
-  auto after = apply_edits(task.file, wanted->edits);
-  if (!after) return refusal_of(after.error());
-  Json fields = protocol::edits::change_json(task.file, *after);
+std::variant<Outcome, terminal::Failure> apply_locally(const Invocation& invocation) {
+  const auto wanted = protocol::edits::decode_marker_apply(invocation.params);
+  if (!wanted) return terminal::failure_of(wanted.error());
+  auto after = apply_edits(invocation.file, wanted->edits);
+  if (!after) return terminal::failure_of(after.error());
+  Json fields = protocol::edits::change_json(invocation.file, *after);
   if (!after->notes.empty()) fields["notes"] = protocol::calls::encode(after->notes);
   const bool changed = !fields["placements"].empty() || !fields["removed"].empty() || fields.contains("whole");
-  return Ran{task.call.about.marker_id, changed ? kFirstRevision + 1 : kFirstRevision,
-             std::move(fields),         protocol::execution::StageTimes{},
-             minkowski::CacheCounts{},  *std::move(after)};
+  return Outcome{invocation.call.about.marker_id,
+                 changed ? kFirstRevision + 1 : kFirstRevision,
+                 std::move(fields),
+                 protocol::execution::StageTimes{},
+                 minkowski::CacheCounts{},
+                 *std::move(after)};
 }
 
 }  // namespace selvage::cli::run

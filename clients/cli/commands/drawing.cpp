@@ -1,9 +1,9 @@
-#include "clients/cli/run/drawing.h"
+#include "clients/cli/commands/drawing.h"
 
-namespace selvage::cli::run {
+namespace selvage::cli::commands {
 namespace {
 
-// The forces that the parameters of motion.push, motion.gravity and motion.bump name, at the middles of their pieces.
+// The forces in the parameters of motion.push, motion.gravity and motion.bump, each drawn at the centre of its piece.
 std::vector<protocol::drawing::SvgArrow> forces_of(const Marker& marker, const Json& params) {
   std::vector<protocol::drawing::SvgArrow> forces;
   const auto add = [&](std::uint32_t i, const Json& force) {
@@ -24,15 +24,15 @@ std::vector<protocol::drawing::SvgArrow> forces_of(const Marker& marker, const J
 
 }  // namespace
 
-protocol::drawing::SvgOptions drawing_of(const MarkerFile& end, const Marker& start, const Json& params,
-                                         const DrawingWish& wish) {
+protocol::drawing::SvgOptions result_drawing(const MarkerFile& end, const Marker& start, const Json& params,
+                                             const Overlays& overlays) {
   protocol::drawing::SvgOptions drawing = protocol::drawing::svg_options(end);
   drawing.length_before = length_of(start);
-  if (wish.arrows) {
+  if (overlays.arrows) {
     drawing.overlay.moves = protocol::drawing::moves_between(start, end.marker);
     drawing.overlay.forces = forces_of(start, params);
   }
-  if (wish.chain) {
+  if (overlays.critical_path) {
     SumCache sums;
     if (const auto hold = motion::compaction::what_holds(end.marker, sums))
       drawing.overlay.chain = protocol::drawing::chain_of(end.marker, *hold);
@@ -40,4 +40,4 @@ protocol::drawing::SvgOptions drawing_of(const MarkerFile& end, const Marker& st
   return drawing;
 }
 
-}  // namespace selvage::cli::run
+}  // namespace selvage::cli::commands
