@@ -1,5 +1,5 @@
-// One connection to a daemon: lines out, lines in.  It never outlives its use: once close() was called, or the
-// connection broke, it says nothing more.
+// One connection to a daemon, which carries lines of text in both directions.  After close(), or once the connection
+// has failed, the listener is not called again.
 #pragma once
 
 #include <functional>
@@ -16,22 +16,22 @@
 
 namespace selvage::client {
 
-class Link : public std::enable_shared_from_this<Link> {
+class Connection : public std::enable_shared_from_this<Connection> {
  public:
   struct Listener {
     std::function<void()> connected;
-    std::function<void(const std::string& line)> heard;
-    std::function<void(const std::string& why)> failed;      // the connection could not be made, or broke
-    std::function<void(const std::string& why)> distrusted;  // nor will it be: TLS could not be agreed upon
+    std::function<void(const std::string& line)> received;
+    std::function<void(const std::string& why)> failed;     // it could not be established, or it broke
+    std::function<void(const std::string& why)> untrusted;  // the TLS handshake failed; trying again will not help
   };
 
-  Link(boost::asio::io_context& io, Listener listener);
-  ~Link();
-  Link(const Link&) = delete;
-  Link& operator=(const Link&) = delete;
-  // Begins to connect, once.  `trusted`: as of Settings.
+  Connection(boost::asio::io_context& io, Listener listener);
+  ~Connection();
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+  // Starts to connect.  `trusted`: see Settings.  REQUIRES: called once.
   void open(const Address& address, const std::string& trusted);
-  // In order; what is sent before the connection is made is lost.
+  // Lines are sent in order.  REQUIRES: the connection is established; earlier lines are lost.
   void send(std::string_view line);
   void close();
 
@@ -40,12 +40,12 @@ class Link : public std::enable_shared_from_this<Link> {
   using Socket = boost::asio::generic::stream_protocol::socket;
 
   void connect(const std::vector<Socket::endpoint_type>& endpoints);
-  void shake_hands();
+  void start_tls();
   void connected();
   void read();
   void write();
   void fail(const Error& error);
-  void distrust(const Error& error);
+  void fail_untrusted(const Error& error);
 
   Listener listener_;
   Address address_;
@@ -53,7 +53,7 @@ class Link : public std::enable_shared_from_this<Link> {
   boost::asio::ip::tcp::resolver resolver_;
   Socket socket_;
   struct Tls;
-  std::unique_ptr<Tls> tls_;  // round the socket, when the address wants it
+  std::unique_ptr<Tls> tls_;  // around the socket; null without TLS
   bool closed_{};
   std::string received_, unsent_, writing_;
 };

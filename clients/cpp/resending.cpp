@@ -1,4 +1,4 @@
-#include "clients/cpp/repeating.h"
+#include "clients/cpp/resending.h"
 
 #include <algorithm>
 #include <array>
@@ -17,11 +17,11 @@ bool takes_op_id(std::string_view method) {
   return method.starts_with("motion.") || std::find(kChanges.begin(), kChanges.end(), method) != kChanges.end();
 }
 
-bool may_repeat(std::string_view method) {
+bool may_resend(std::string_view method) {
   return takes_op_id(method) || std::find(kReadings.begin(), kReadings.end(), method) != kReadings.end();
 }
 
-void name_operation(std::string_view method, Json& params, const std::string& op_id) {
+void add_op_id(std::string_view method, Json& params, const std::string& op_id) {
   if (params.is_object() && !params.contains("opId") && takes_op_id(method)) params["opId"] = op_id;
 }
 
