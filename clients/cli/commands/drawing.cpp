@@ -34,7 +34,7 @@ protocol::drawing::SvgOptions result_drawing(const MarkerFile& end, const Marker
   }
   if (overlays.critical_path) {
     SumCache sums;
-    if (const auto hold = motion::compaction::what_holds(end.marker, sums))
+    if (const auto hold = motion::compaction::what_holds(end.marker, {sums}))
       drawing.overlay.chain = protocol::drawing::chain_of(end.marker, *hold);
   }
   return drawing;

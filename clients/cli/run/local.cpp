@@ -20,9 +20,8 @@ std::variant<Outcome, terminal::Failure> run_locally(const Invocation& invocatio
                                                      const std::stop_token& stop, terminal::ProgressLine& progress) {
   const protocol::calls::Engine engine;
   SumCache sums;
-  scene::Observer observer = progress.observer();
-  observer.executor = &executor;
-  auto answer = invocation.call.run(invocation.file, protocol::calls::MethodContext{engine, sums, stop, observer});
+  const scene::Run run{sums, stop, progress.observer(), &executor};
+  auto answer = invocation.call.run(invocation.file, protocol::calls::MethodContext{engine, run});
   const protocol::execution::StageTimes times = progress.finish();
   if (!answer) return failure_of_run(invocation.method, answer.error());
   const bool changed = answer->next.has_value();
