@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "core/minkowski/cache.h"
 #include "protocol/calls/method.h"
 #include "protocol/execution/stage_times.h"
 #include "protocol/rpc/json_rpc.h"

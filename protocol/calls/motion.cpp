@@ -18,7 +18,7 @@ MotionBefore figures_of(const Marker& start, const MotionEnd& end, const marker:
 }  // namespace
 
 std::shared_ptr<const scene::LaidOut> laid_out(const Marker& marker, const MethodContext& context) {
-  const auto make = [&] { return scene::LaidOut{marker, context.sums}; };
+  const auto make = [&] { return scene::LaidOut{marker, context.run.sums}; };
   return context.laid_out ? context.laid_out->get(make) : std::make_shared<const scene::LaidOut>(make());
 }
 
@@ -35,10 +35,10 @@ motion::compaction::CompactionSettings settings_of(const Effort& effort) {
 }
 
 MethodAnswer answer_of(const Marker& start, MotionEnd end, const Json& own, bool commit, const MethodContext& context) {
-  context.observer.on_stage(scene::Stage::kVerify);
+  context.run.observer.on_stage(scene::Stage::kVerify);
   const marker::Figures after =
       end.before ? figures_after(start, *end.before, end.marker) : marker::figures_of(end.marker);
-  context.observer.on_stage(scene::Stage::kOther);
+  context.run.observer.on_stage(scene::Stage::kOther);
   MotionAfter proved{.valid = after.valid,
                      .healed = healing_of(end.repair, end.marker.resolution),
                      .placements = changed_placements(start, end.marker),

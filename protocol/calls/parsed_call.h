@@ -8,20 +8,17 @@
 #include <string>
 #include <string_view>
 
-#include "core/minkowski/cache.h"
 #include "core/scene/laid_out.h"
-#include "core/scene/observer.h"
+#include "core/scene/run.h"
 #include "protocol/calls/params.h"
 #include "protocol/execution/made_once.h"
 #include "protocol/formats/format.h"
 
 namespace selvage::protocol::calls {
 
-// What a method works with in addition to the marker.  REQUIRES: everything outlives the run.
+// What a method works with besides the marker.  REQUIRES: everything outlives the call.
 struct MethodContext {
-  SumCache& sums;
-  std::stop_token stop;
-  const scene::Observer& observer;
+  const scene::Run& run;
   // The marker laid out, kept for later calls; null: nobody keeps it.
   const execution::MadeOnce<scene::LaidOut>* laid_out{};
   // Whether the run was stopped by its deadline, rather than by its caller.

@@ -23,8 +23,8 @@ Result<calls::Motion<calls::RoundsResult>> run(const CompactParams& params, cons
   const calls::Effort& effort = params.effort;
   const bool search =
       effort.accuracy == motion::compaction::Accuracy::kFine && !effort.rounds && !effort.simplification;
-  auto done = search ? search::refine(start, search::refine_settings(), context.sums, context.stop, context.observer)
-                     : compact(start, settings_of(effort), context.sums, context.stop, context.observer);
+  auto done = search ? search::refine(start, search::refine_settings(), context.run)
+                     : compact(start, settings_of(effort), context.run);
   if (!done) return done.error();
   return calls::Motion<calls::RoundsResult>{{std::move(done->marker), done->repair},
                                             {done->rounds, stop_cause(done->reason, context)}};

@@ -118,7 +118,7 @@ Result<calls::Motion<FloatResult>> run(const FloatParams& params, const Marker& 
   motion::floating::FloatSettings settings = float_settings(params.mode, distance);
   settings.edges = params.edges;
   settings.rounds = params.rounds.value_or(settings.rounds);
-  auto done = float_apart(start, settings, context.sums, context.stop, context.observer);
+  auto done = float_apart(start, settings, context.run);
   if (!done) return done.error();
   FloatResult result{.least_before = to_decimal(done->least_before, start.resolution),
                      .least_after = to_decimal(done->least_after, start.resolution),

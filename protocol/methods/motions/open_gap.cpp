@@ -63,8 +63,7 @@ Result<calls::Motion<OpenGapResult>> run(const OpenGapParams& params, const Mark
                                          const calls::MethodContext& context) {
   const auto choice = choice_of(params, start.resolution);
   if (!choice) return choice.error();
-  auto done = open_gap(start, *choice, settings_of(params.effort), settings_of(params.regions, start), context.sums,
-                       context.stop, context.observer);
+  auto done = open_gap(start, *choice, settings_of(params.effort), settings_of(params.regions, start), context.run);
   if (!done) return done.error();
   OpenGapResult result{.area_before = readings::area_in_unit(done->before.area, start.resolution),
                        .area_after = readings::area_in_unit(done->after.area, start.resolution),

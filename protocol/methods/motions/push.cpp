@@ -51,8 +51,7 @@ Result<calls::Motion<PushResult>> run(const PushParams& params, const Marker& st
 Result<calls::Motion<PushResult>> follow_forces(const std::vector<motion::compaction::Force>& forces,
                                                 const calls::Effort& effort, const Marker& start,
                                                 const calls::MethodContext& context) {
-  auto done =
-      motion::compaction::push(start, forces, settings_of(effort), context.sums, context.stop, context.observer);
+  auto done = motion::compaction::push(start, forces, settings_of(effort), context.run);
   if (!done) return done.error();
   const PushResult result{formats::in_unit(done->gain, start.resolution),
                           {done->rounds, stop_cause(done->reason, context)}};

@@ -46,7 +46,7 @@ struct SeparateResult {
 
 Result<calls::Motion<SeparateResult>> run(const SeparateParams& params, const Marker& start,
                                           const calls::MethodContext& context) {
-  auto done = separate(start, params.settings, context.sums, context.stop, context.observer);
+  auto done = separate(start, params.settings, context.run);
   if (!done) return done.error();
   SeparateResult result{.apart = done->apart,
                         .moved = formats::in_unit(done->moved, start.resolution),

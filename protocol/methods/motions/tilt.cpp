@@ -53,7 +53,7 @@ motion::tilting::TiltSettings settings_of(const TiltParams& params) {
 
 Result<calls::Motion<TiltResult>> run(const TiltParams& params, const Marker& start,
                                       const calls::MethodContext& context) {
-  auto done = tilt(start, settings_of(params), context.sums, context.stop, context.observer);
+  auto done = tilt(start, settings_of(params), context.run);
   if (!done) return done.error();
   const TiltResult result{.length_compacted = to_decimal(done->length_compacted, start.resolution),
                           .farthest_tilt = done->farthest_tilt.degrees,

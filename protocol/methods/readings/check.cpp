@@ -19,7 +19,7 @@ struct CheckResult {
 };
 
 Result<CheckResult> run(const AnalysisParams&, const MarkerFile& file, const calls::MethodContext& context) {
-  const auto validity = marker::check(file.marker, context.sums, context.stop);
+  const auto validity = marker::check(file.marker, context.run.sums, context.run.stop);
   if (!validity) return validity.error();
   return CheckResult{.valid = validity->valid(),
                      .overlaps = calls::overlaps_of(file.marker, validity->overlaps),

@@ -65,7 +65,7 @@ LoadedContact contact_of(const Marker& marker, const motion::compaction::LoadedC
 
 Result<HoldResult> run(const AnalysisParams&, const MarkerFile& file, const calls::MethodContext& context) {
   const Marker& marker = file.marker;
-  const auto hold = motion::compaction::what_holds(marker, context.sums, context.stop, context.observer);
+  const auto hold = motion::compaction::what_holds(marker, context.run);
   if (!hold) return hold.error();
   HoldResult result{.length = to_decimal(length_of(marker), marker.resolution),
                     .contacts = {},

@@ -34,7 +34,7 @@ std::vector<calls::Point> points_of(const Polygon& outline, Resolution resolutio
 }
 
 Result<RegionsResult> run(const RegionsParams& params, const MarkerFile& file, const calls::MethodContext& context) {
-  const auto regions = unoccupied_regions(file.marker, settings_of(params.regions, file.marker), context.stop);
+  const auto regions = unoccupied_regions(file.marker, settings_of(params.regions, file.marker), context.run.stop);
   if (!regions) return regions.error();
   RegionsResult result;
   for (const marker::UnoccupiedRegion& region : *regions) result.regions.push_back(region_of(file.marker, region));

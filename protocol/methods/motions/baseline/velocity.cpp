@@ -10,7 +10,7 @@ Result<calls::Motion<calls::RoundsResult>> run(const BaselineParams& params, con
                                                const calls::MethodContext& context) {
   motion::baseline::VelocitySettings settings;
   settings.steps = params.rounds.value_or(settings.steps);
-  return motion_of(compact_by_velocities(start, settings, context.sums, context.stop, context.observer), context);
+  return motion_of(compact_by_velocities(start, settings, context.run), context);
 }
 
 }  // namespace

@@ -40,8 +40,8 @@ Result<calls::Motion<BumpResult>> run(const BumpParams& params, const Marker& st
   const auto piece = calls::piece_of(start, params.piece.text, "/piece");
   if (!piece) return piece.error();
   auto before = laid_out(start, context);
-  auto done = motion::piece::repair_and_bump(start, *before, *piece, params.direction.x, params.direction.y,
-                                             context.sums, context.stop, context.observer);
+  auto done =
+      motion::piece::repair_and_bump(start, *before, *piece, params.direction.x, params.direction.y, context.run);
   if (!done) return done.error();
   BumpResult result{.at = calls::point_of(done->bump.at, start.resolution),
                     .gain = formats::in_unit(done->bump.gain, start.resolution),

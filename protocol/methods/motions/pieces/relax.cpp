@@ -40,11 +40,11 @@ Result<calls::Motion<RelaxResult>> run(const RelaxParams& params, const Marker& 
                                        const calls::MethodContext& context) {
   const auto piece = calls::piece_of(start, params.piece.text, "/piece");
   if (!piece) return piece.error();
-  scene::Scene scene{start, context.sums};
-  const auto repair = motion::repair::repair_overlaps(scene, context.stop, context.observer);
+  scene::Scene scene{start, context.run.sums};
+  const auto repair = motion::repair::repair_overlaps(scene, context.run);
   if (!repair) return repair.error();
   Marker repaired = scene.result();
-  const scene::Scene still{repaired, context.sums};
+  const scene::Scene still{repaired, context.run.sums};
   const motion::piece::Relaxation done = params.tilts > 0
                                              ? motion::piece::relax_tilted(still, piece->value, params.tilts)
                                              : motion::piece::relax(still, piece->value);
