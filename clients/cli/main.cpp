@@ -1,7 +1,24 @@
 // selvage: works on markers from the command line, in this process or on a daemon.
+#include <vector>
+
 #include "clients/cli/command_line/parse.h"
 #include "clients/cli/commands/commands.h"
 #include "clients/cli/commands/shared_options.h"
+
+namespace {
+
+// In the order of --help.
+std::vector<selvage::cli::command_line::Command> all_commands() {
+  namespace commands = selvage::cli::commands;
+  std::vector<selvage::cli::command_line::Command> all = commands::motion_commands();
+  for (auto command : {&commands::check_command, &commands::show_command, &commands::convert_command,
+                       &commands::call_command, &commands::watch_command}) {
+    all.push_back(command());
+  }
+  return all;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   namespace cli = selvage::cli;
@@ -11,7 +28,7 @@ int main(int argc, char** argv) {
       .version = SELVAGE_VERSION,
       .footer = cli::terminal::kExitCodesHelp,
       .options = cli::commands::server_options(),
-      .commands = cli::commands::all_commands()};
+      .commands = all_commands()};
   const cli::command_line::Parsed parsed = cli::command_line::parse(program, argc, argv);
   if (parsed.command == nullptr) return static_cast<int>(parsed.exit_code);
   return static_cast<int>(parsed.command->run(parsed.values));

@@ -5,17 +5,18 @@
 
 #include "clients/cli/commands/commands.h"
 #include "clients/cli/commands/marker_run.h"
-#include "clients/cli/run/marker_apply.h"
+#include "clients/cli/run/local.h"
 #include "clients/cli/terminal/files.h"
-#include "protocol/methods/marker_methods.h"
+#include "protocol/methods/method_table.h"
 
 namespace selvage::cli::commands {
 namespace {
 
 std::vector<std::string> method_names() {
-  std::vector<std::string> names{std::string{run::apply_method().name}};
-  for (const protocol::calls::MarkerMethod& method : protocol::methods::marker_methods())
-    names.emplace_back(method.name);
+  std::vector<std::string> names{std::string{run::kApply}};
+  for (const protocol::calls::Method& method : protocol::methods::method_table().all()) {
+    if (method.on_marker) names.emplace_back(method.name);
+  }
   return names;
 }
 

@@ -4,10 +4,11 @@
 
 #include "clients/cli/commands/commands.h"
 #include "clients/cli/commands/shared_options.h"
+#include "clients/cli/run/local.h"
 #include "clients/cli/run/remote.h"
 #include "clients/cli/terminal/files.h"
 #include "clients/cli/terminal/summary.h"
-#include "protocol/calls/codec.h"
+#include "protocol/formats/decimal_marker.h"
 
 namespace selvage::cli::commands {
 namespace {
@@ -15,8 +16,7 @@ namespace {
 // The fields of marker.check's result.
 std::variant<Json, terminal::Failure> validity_of(const MarkerFile& file, const run::ServerChoice& server) {
   if (server) return run::check_remotely(server, file);
-  SumCache sums;
-  return protocol::calls::validity_json(file.marker, check(file.marker, sums));
+  return run::check_locally(file);
 }
 
 terminal::ExitCode run_check(const command_line::Values& values) {

@@ -15,7 +15,4 @@ namespace selvage::cli::commands {
 [[nodiscard]] command_line::Command call_command();
 [[nodiscard]] command_line::Command watch_command();
 
-// All of them, in the order of --help.
-[[nodiscard]] std::vector<command_line::Command> all_commands();
-
 }  // namespace selvage::cli::commands

@@ -6,14 +6,14 @@
 #include <utility>
 
 #include "clients/cli/run/local.h"
-#include "clients/cli/run/marker_apply.h"
 #include "clients/cli/run/remote.h"
 #include "clients/cli/terminal/files.h"
 #include "clients/cli/terminal/interrupt.h"
 #include "clients/cli/terminal/summary.h"
-#include "protocol/calls/motion.h"
+#include "protocol/calls/answer.h"
+#include "protocol/calls/choices.h"
 #include "protocol/execution/thread_pool.h"
-#include "protocol/methods/marker_methods.h"
+#include "protocol/methods/method_table.h"
 
 namespace selvage::cli::commands {
 namespace {
@@ -39,20 +39,14 @@ std::optional<Error> save(const MarkerFiles& files, const MarkerFile& file, cons
   return terminal::write_text(files.svg, to_svg(file.marker, result_drawing(file, start, params, files.overlays)));
 }
 
-const protocol::calls::MarkerMethod& method_named(std::string_view name) {
-  const protocol::calls::MarkerMethod* const found = protocol::methods::find_marker_method(name);
-  return found != nullptr ? *found : run::apply_method();
-}
-
 std::variant<Outcome, terminal::Failure> run_invocation(const Invocation& invocation, const MarkerFiles& files,
                                                         const std::stop_token& stop, terminal::ProgressLine& progress) {
   if (files.server) return run::run_remotely(files.server, invocation, stop, progress);
-  if (&invocation.method == &run::apply_method()) return run::apply_locally(invocation);
   return run::run_locally(invocation, protocol::execution::ThreadPool{files.threads - 1}, stop, progress);
 }
 
 // Decodes the call as a daemon does that has just opened the marker.
-Result<protocol::calls::MarkerCall> decode_call(const protocol::calls::MarkerMethod& method, Json& params) {
+Result<protocol::calls::ParsedCall> decode_call(const protocol::calls::Method& method, Json& params) {
   if (params.is_object() && !params.contains("markerId")) params["markerId"] = run::kMarkerId;
   auto call = method.read(params);
   if (!call) return call;
@@ -68,20 +62,21 @@ std::string report_text(const Outcome& outcome, bool timing, const Marker& marke
   if (report == Report::kJsonLine) return terminal::json_line(outcome.fields, outcome.times, outcome.cache);
   if (report == Report::kSummary) return terminal::plain_summary(outcome.fields, outcome.times, marker);
   Json fields = outcome.fields;
-  if (timing) protocol::methods::tell_times(fields, outcome.times, outcome.cache);
-  return protocol::json::to_text(protocol::methods::result_json(outcome.marker_id, outcome.revision, fields)) + "\n";
+  if (timing) protocol::calls::add_times(fields, outcome.times, outcome.cache);
+  return protocol::json::to_text(protocol::calls::result_json(outcome.marker_id, outcome.revision, fields)) + "\n";
 }
 
 ExitCode exit_code_of(const Outcome& outcome) {
   if (!outcome.fields.value("valid", true)) return ExitCode::kNotValid;
-  const bool cancelled = outcome.fields.value("stop", "") == protocol::calls::name_of(scene::StopReason::kCancelled);
+  const bool cancelled =
+      outcome.fields.value("stop", "") == protocol::schema::word_of(protocol::calls::StopCause::kCancelled);
   return cancelled ? ExitCode::kCancelled : ExitCode::kOk;
 }
 
 }  // namespace
 
 ExitCode run_on_marker(std::string_view name, Json params, const MarkerFiles& files, Report report) {
-  const protocol::calls::MarkerMethod& method = method_named(name);
+  const protocol::calls::Method& method = *protocol::methods::find_method(name);
   const auto call = decode_call(method, params);
   if (!call) return terminal::report(call.error());
   const auto file = load(files);

@@ -18,8 +18,8 @@ enum class Report {
 };
 
 // Runs the method like a daemon that has just opened the marker: as "m1", at revision 1.  A marker that is not proved
-// valid is not written, unless the call asks for it.  REQUIRES: the method is in the table of marker_methods.h, or it
-// is marker.apply.
+// valid is not written, unless the call asks for it.  REQUIRES: the method table has the method; it works on one
+// marker, or it is marker.apply.
 [[nodiscard]] terminal::ExitCode run_on_marker(std::string_view method, Json params, const MarkerFiles& files,
                                                Report report);
 

@@ -16,9 +16,9 @@ inline constexpr Revision kFirstRevision = 1;
 
 // REQUIRES: what it refers to outlives it, and `call` was decoded from `params`.
 struct Invocation {
-  const protocol::calls::MarkerMethod& method;
+  const protocol::calls::Method& method;
   const Json& params;
-  const protocol::calls::MarkerCall& call;
+  const protocol::calls::ParsedCall& call;
   const MarkerFile& file;
 };
 

@@ -44,8 +44,8 @@ std::variant<Outcome, terminal::Failure> run_remotely(const ServerChoice& server
   const auto on_round = [&](int round, double length) { progress.show_round(round, length); };
   if (auto failure = remote.open(server, invocation.file, on_round)) return *std::move(failure);
   Json params = invocation.params;
-  if (invocation.method.motion()) params["timing"] = true;
-  if (invocation.method.motion() && progress.shown()) params["progressToken"] = 1;
+  if (invocation.method.motion) params["timing"] = true;
+  if (invocation.method.motion && progress.shown()) params["progressToken"] = 1;
   auto result = remote.call(invocation.method.name, std::move(params), stop);
   (void)progress.finish();
   if (auto* failure = std::get_if<terminal::Failure>(&result)) return std::move(*failure);
