@@ -9,7 +9,7 @@
 
 #include "protocol/json/json_text.h"
 #include "server/app/options.h"
-#include "tests/server/dispatch/stub_engine.h"
+#include "tests/server/dispatch/stub_methods.h"
 #include "tests/server/wire/wire.h"
 
 namespace selvage::test {

@@ -17,7 +17,7 @@ namespace {
 
 TEST(Daemon, ReadsAndInfoAreAnsweredWhileEveryMotionWorkerIsBusy) {
   Gate gate;
-  server::app::Daemon daemon{on_free_port(1), gate.engine()};
+  server::app::Daemon daemon{on_free_port(1), gate.methods()};
   Wire wire{daemon.port()};
   const std::string id = open_marker(wire, kSmallMarker);
   Wire busy{daemon.port()};
@@ -41,7 +41,7 @@ bool await_hands(const Executor& executor, std::size_t parallelism) {
 
 TEST(Daemon, LendsAMotionTheCoresThatNoJobIsOn) {
   Gate gate;
-  protocol::calls::Engine engine = gate.engine();
+  protocol::calls::Engine engine = gate.methods();
   std::atomic<std::size_t> motions{};
   engine.compact = [&, compact = engine.compact](const Marker& start,
                                                  const motion::compaction::CompactionSettings& settings, SumCache& sums,
@@ -77,7 +77,7 @@ TEST(Daemon, DescribesEveryMethodThatItHas) {
 
 TEST(Daemon, AClosedConnectionStopsItsMotion) {
   Gate gate;
-  server::app::Daemon daemon{on_free_port(1), gate.engine()};
+  server::app::Daemon daemon{on_free_port(1), gate.methods()};
   Wire wire{daemon.port()};
   const std::string id = open_marker(wire, kSmallMarker);
   Wire http{daemon.port()};
@@ -99,7 +99,7 @@ TEST(Daemon, AFullQueueIsBusyAndRecovers) {
   Gate gate;
   server::app::Options options = on_free_port(1);
   options.limits.waiting_motions = 1;
-  server::app::Daemon daemon{options, gate.engine()};
+  server::app::Daemon daemon{options, gate.methods()};
   Wire wire{daemon.port()};
   const std::string id = open_marker(wire, kSmallMarker);
   Wire lines{daemon.port()};
@@ -118,7 +118,7 @@ TEST(Daemon, AFullQueueIsBusyAndRecovers) {
 
 TEST(Daemon, DrainsWithEveryAnswerSent) {
   Gate gate;
-  server::app::Daemon daemon{on_free_port(2), gate.engine()};
+  server::app::Daemon daemon{on_free_port(2), gate.methods()};
   Wire wire{daemon.port()};
   Wire lines{daemon.port()};
   for (int i = 0; i < 3; ++i) {
@@ -140,7 +140,7 @@ TEST(Daemon, DrainsWithEveryAnswerSent) {
 TEST(Daemon, AnswersEveryCallOfManyClientsExactlyOnce) {
   Gate gate;
   gate.open();
-  server::app::Daemon daemon{on_free_port(2), gate.engine()};
+  server::app::Daemon daemon{on_free_port(2), gate.methods()};
   constexpr int kClients = 8;
   constexpr int kCalls = 200;
   std::vector<std::jthread> clients;
@@ -167,7 +167,7 @@ TEST(Daemon, AnswersEveryCallOfManyClientsExactlyOnce) {
 TEST(Daemon, WithoutWorkersServesInline) {
   Gate gate;
   gate.open();
-  server::app::Daemon daemon{on_free_port(0), gate.engine()};
+  server::app::Daemon daemon{on_free_port(0), gate.methods()};
   Wire wire{daemon.port()};
   const std::string id = open_marker(wire, kSmallMarker);
   EXPECT_EQ(result_of(post_call(wire, "motion.compact", id_params(id)))["revision"], 2);

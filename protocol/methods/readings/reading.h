@@ -29,6 +29,7 @@ Result<calls::MarkerCall> read_reading(const Json& params) {
   if (!wanted) return wanted.error();
   calls::MarkerCall call;
   call.about.marker_id = wanted->marker_id;
+  if constexpr (requires { wanted->deadline_ms; }) call.about.deadline_ms = wanted->deadline_ms;
   call.run = [wanted = *std::move(wanted)](const MarkerFile& file, const calls::MethodContext& context) {
     return work(wanted, file, context);
   };

@@ -97,13 +97,13 @@ TEST(Options, DoorsAreListedHttpFirst) {
   const auto parsed = parse({"--listen-unix", "/run/s", "--listen-tcp", "127.0.0.1:1", "--listen-tcp", "[::1]:2"});
   const auto* options = std::get_if<Options>(&parsed);
   ASSERT_TRUE(options);
-  const transport::access::Doors doors = doors_of(*options);
-  ASSERT_EQ(doors.listeners.size(), 4U);
-  EXPECT_EQ(doors.listeners[0].speaks, transport::access::Listener::Speaks::kHttp);
-  EXPECT_EQ(doors.listeners[0].port, 7171);
-  EXPECT_EQ(doors.listeners[1].port, 1);
-  EXPECT_EQ(doors.listeners[2].host, "::1");
-  EXPECT_EQ(doors.listeners[3].path, "/run/s");
+  const transport::access::ListenSettings listen = listen_settings(*options);
+  ASSERT_EQ(listen.listeners.size(), 4U);
+  EXPECT_EQ(listen.listeners[0].speaks, transport::access::Listener::Speaks::kHttp);
+  EXPECT_EQ(listen.listeners[0].port, 7171);
+  EXPECT_EQ(listen.listeners[1].port, 1);
+  EXPECT_EQ(listen.listeners[2].host, "::1");
+  EXPECT_EQ(listen.listeners[3].path, "/run/s");
 }
 
 TEST(Options, ComeFromAFileAndTheCommandLineComesFirst) {

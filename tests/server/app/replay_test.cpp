@@ -26,7 +26,7 @@ TEST(Replay, AnswersEachCallBeforeTheNextBegins) {
     EXPECT_TRUE(daemon.listeners().empty());
     const auto replayed = replay(daemon, "[" + kOpen + "," + kCompact + "]");
     ASSERT_TRUE(replayed);
-    EXPECT_TRUE(replayed->went_well);
+    EXPECT_TRUE(replayed->succeeded);
     ASSERT_EQ(replayed->answers.size(), 2U);
     EXPECT_EQ(Json::parse(replayed->answers[0])["result"]["markerId"], "m1");
     EXPECT_LT(Json::parse(replayed->answers[1])["result"]["lengthAfter"].get<double>(), 90);
@@ -35,9 +35,9 @@ TEST(Replay, AnswersEachCallBeforeTheNextBegins) {
 
 TEST(Replay, OneCallAndItsDrawing) {
   Daemon daemon{without_sockets(1)};
-  EXPECT_FALSE(drawing_of_last(daemon));
+  EXPECT_FALSE(draw_last_marker(daemon));
   ASSERT_TRUE(replay(daemon, kOpen));
-  const auto drawing = drawing_of_last(daemon);
+  const auto drawing = draw_last_marker(daemon);
   ASSERT_TRUE(drawing);
   EXPECT_EQ(drawing->rfind("<svg", 0), 0U);
 }
@@ -48,7 +48,7 @@ TEST(Replay, DrawsTheLastOfMoreThanNine) {
     const std::string name = R"("name":"number )" + std::to_string(i) + R"(",)";
     ASSERT_TRUE(replay(daemon, std::string{kOpen}.insert(kOpen.find(R"("strip")"), name)));
   }
-  const auto drawing = drawing_of_last(daemon);
+  const auto drawing = draw_last_marker(daemon);
   ASSERT_TRUE(drawing);
   EXPECT_NE(drawing->find("number 11"), std::string::npos) << *drawing;
 }
@@ -57,7 +57,7 @@ TEST(Replay, SaysWhenACallFailed) {
   Daemon daemon{without_sockets(1)};
   const auto replayed = replay(daemon, "[" + kCompact + R"(,{"jsonrpc":"2.0","method":"engine.info"}])");
   ASSERT_TRUE(replayed);
-  EXPECT_FALSE(replayed->went_well);
+  EXPECT_FALSE(replayed->succeeded);
   EXPECT_EQ(replayed->answers.size(), 1U);  // none for the notification
   EXPECT_FALSE(replay(daemon, "{"));
 }

@@ -1,19 +1,19 @@
 // Changes by hand through the dispatcher: apply, undo, redo; retries by opId; those who watch.
 #include <gtest/gtest.h>
 
-#include "tests/server/dispatch/desk.h"
+#include "tests/server/dispatch/local_server.h"
 
 namespace selvage::test {
 namespace {
 
-Json at_of(Desk& desk, std::size_t piece) {
-  return desk.result("marker.get", "{'markerId':'m1'}")["marker"]["pieces"][piece]["at"];
+Json at_of(LocalServer& local, std::size_t piece) {
+  return local.result("marker.get", "{'markerId':'m1'}")["marker"]["pieces"][piece]["at"];
 }
 
 TEST(Changes, AnApplyIsOneRevisionAndTellsWhatItDid) {
-  Desk desk;
-  (void)desk.open_small();
-  const Json done = desk.result("marker.apply", R"({'markerId':'m1','baseRev':1,'ops':[
+  LocalServer local;
+  (void)local.open_small();
+  const Json done = local.result("marker.apply", R"({'markerId':'m1','baseRev':1,'ops':[
       {'op':'move','piece':'low','at':[0,1]},{'op':'move','piece':'low','by':[0.5,0]},
       {'op':'add','piece':{'id':'third','shape':'square','at':[7,7]}},{'op':'remove','piece':'high'}]})");
   EXPECT_EQ(done["revision"], 2);
@@ -28,79 +28,79 @@ TEST(Changes, AnApplyIsOneRevisionAndTellsWhatItDid) {
 }
 
 TEST(Changes, AnEditMayMakePiecesOverlapAndSaysSo) {
-  Desk desk;
-  (void)desk.open_small();
-  const Json done = desk.result("marker.apply", "{'markerId':'m1','ops':[{'op':'move','piece':'low','at':[3,3]}]}");
+  LocalServer local;
+  (void)local.open_small();
+  const Json done = local.result("marker.apply", "{'markerId':'m1','ops':[{'op':'move','piece':'low','at':[3,3]}]}");
   EXPECT_EQ(done["valid"], false);
   EXPECT_EQ(done["revision"], 2);
 }
 
 TEST(Changes, AMistakeInOneOperationUndoesThemAll) {
-  Desk desk;
-  (void)desk.open_small();
-  const Json refused = desk.result("marker.apply", R"({'markerId':'m1','ops':[
+  LocalServer local;
+  (void)local.open_small();
+  const Json refused = local.result("marker.apply", R"({'markerId':'m1','ops':[
       {'op':'move','piece':'low','at':[0,0]},{'op':'rotate','piece':'high','to':30}]})");
   EXPECT_EQ(code_of(refused), -32602);
   EXPECT_EQ(refused["error"]["data"]["name"], "marker.orientation_not_allowed");
   EXPECT_EQ(refused["error"]["data"]["field"], "/ops/1");
-  EXPECT_EQ(at_of(desk, 0), Json::parse("[3,0]"));
-  EXPECT_EQ(desk.store.current("m1")->revision, 1U);
+  EXPECT_EQ(at_of(local, 0), Json::parse("[3,0]"));
+  EXPECT_EQ(local.store().current("m1")->revision, 1U);
 }
 
 TEST(Changes, UndoAndRedoGoBackAndForthAndAreRevisionsThemselves) {
-  Desk desk;
-  (void)desk.open_small();
-  const std::string first = desk.ask(call(1, "marker.get", R"({"markerId":"m1"})"));
-  (void)desk.result("marker.apply", "{'markerId':'m1','ops':[{'op':'move','piece':'low','at':[1,0]}]}");
-  (void)desk.result("marker.apply", "{'markerId':'m1','ops':[{'op':'remove','piece':'low'}]}");
-  EXPECT_EQ(desk.result("marker.undo", "{'markerId':'m1'}")["placements"][0]["id"], "low");
-  EXPECT_EQ(at_of(desk, 0), Json::parse("[1,0]"));
-  const Json undone = desk.result("marker.undo", "{'markerId':'m1'}");
+  LocalServer local;
+  (void)local.open_small();
+  const std::string first = local.ask(call(1, "marker.get", R"({"markerId":"m1"})"));
+  (void)local.result("marker.apply", "{'markerId':'m1','ops':[{'op':'move','piece':'low','at':[1,0]}]}");
+  (void)local.result("marker.apply", "{'markerId':'m1','ops':[{'op':'remove','piece':'low'}]}");
+  EXPECT_EQ(local.result("marker.undo", "{'markerId':'m1'}")["placements"][0]["id"], "low");
+  EXPECT_EQ(at_of(local, 0), Json::parse("[1,0]"));
+  const Json undone = local.result("marker.undo", "{'markerId':'m1'}");
   EXPECT_EQ(undone["revision"], 5);
-  EXPECT_EQ(at_of(desk, 0), Json::parse("[3,0]"));
-  std::string again = desk.ask(call(1, "marker.get", R"({"markerId":"m1"})"));
+  EXPECT_EQ(at_of(local, 0), Json::parse("[3,0]"));
+  std::string again = local.ask(call(1, "marker.get", R"({"markerId":"m1"})"));
   again.replace(again.find(R"("revision":5)"), 12, R"("revision":1)");
   EXPECT_EQ(again, first);  // but for the revision, the same bytes
-  EXPECT_EQ(code_of(desk.result("marker.undo", "{'markerId':'m1'}")), -32000);
-  (void)desk.result("marker.redo", "{'markerId':'m1'}");
-  EXPECT_EQ(desk.result("marker.redo", "{'markerId':'m1'}")["removed"], Json::parse(R"(["low"])"));
-  EXPECT_EQ(desk.result("marker.redo", "{'markerId':'m1'}")["error"]["data"]["name"], "history.nothing_to_undo");
+  EXPECT_EQ(code_of(local.result("marker.undo", "{'markerId':'m1'}")), -32000);
+  (void)local.result("marker.redo", "{'markerId':'m1'}");
+  EXPECT_EQ(local.result("marker.redo", "{'markerId':'m1'}")["removed"], Json::parse(R"(["low"])"));
+  EXPECT_EQ(local.result("marker.redo", "{'markerId':'m1'}")["error"]["data"]["name"], "history.nothing_to_undo");
 }
 
 TEST(Changes, AMotionCanBeUndoneAndANewChangeEndsRedoing) {
-  Desk desk;
-  (void)desk.open_small();
-  (void)desk.result("motion.compact", "{'markerId':'m1'}");
-  EXPECT_EQ(at_of(desk, 0), Json::parse("[2,0]"));
-  (void)desk.result("marker.undo", "{'markerId':'m1'}");
-  EXPECT_EQ(at_of(desk, 0), Json::parse("[3,0]"));
-  (void)desk.result("marker.apply", "{'markerId':'m1','ops':[{'op':'lock','piece':'low'}]}");
-  EXPECT_EQ(code_of(desk.result("marker.redo", "{'markerId':'m1'}")), -32000);
+  LocalServer local;
+  (void)local.open_small();
+  (void)local.result("motion.compact", "{'markerId':'m1'}");
+  EXPECT_EQ(at_of(local, 0), Json::parse("[2,0]"));
+  (void)local.result("marker.undo", "{'markerId':'m1'}");
+  EXPECT_EQ(at_of(local, 0), Json::parse("[3,0]"));
+  (void)local.result("marker.apply", "{'markerId':'m1','ops':[{'op':'lock','piece':'low'}]}");
+  EXPECT_EQ(code_of(local.result("marker.redo", "{'markerId':'m1'}")), -32000);
 }
 
 TEST(Changes, SinceTellsOnlyWhatMoved) {
-  Desk desk;
-  (void)desk.open_small();
-  (void)desk.result("marker.apply", "{'markerId':'m1','ops':[{'op':'move','piece':'low','at':[1,0]}]}");
-  (void)desk.result("marker.apply", "{'markerId':'m1','ops':[{'op':'move','piece':'high','at':[1,4]}]}");
-  const Json last = desk.result("marker.get", "{'markerId':'m1','since':2}");
+  LocalServer local;
+  (void)local.open_small();
+  (void)local.result("marker.apply", "{'markerId':'m1','ops':[{'op':'move','piece':'low','at':[1,0]}]}");
+  (void)local.result("marker.apply", "{'markerId':'m1','ops':[{'op':'move','piece':'high','at':[1,4]}]}");
+  const Json last = local.result("marker.get", "{'markerId':'m1','since':2}");
   EXPECT_FALSE(last.contains("marker"));
   ASSERT_EQ(last["placements"].size(), 1U);
   EXPECT_EQ(last["placements"][0]["id"], "high");
-  EXPECT_EQ(desk.result("marker.get", "{'markerId':'m1','since':1}")["placements"].size(), 2U);
-  EXPECT_EQ(desk.result("marker.get", "{'markerId':'m1','since':3}")["placements"].size(), 0U);
-  (void)desk.result("marker.apply", "{'markerId':'m1','ops':[{'op':'setSpacing','spacing':1}]}");
-  EXPECT_TRUE(desk.result("marker.get", "{'markerId':'m1','since':3}").contains("marker"));  // more than moves
-  EXPECT_TRUE(desk.result("marker.get", "{'markerId':'m1','since':99}").contains("marker"));
+  EXPECT_EQ(local.result("marker.get", "{'markerId':'m1','since':1}")["placements"].size(), 2U);
+  EXPECT_EQ(local.result("marker.get", "{'markerId':'m1','since':3}")["placements"].size(), 0U);
+  (void)local.result("marker.apply", "{'markerId':'m1','ops':[{'op':'setSpacing','spacing':1}]}");
+  EXPECT_TRUE(local.result("marker.get", "{'markerId':'m1','since':3}").contains("marker"));  // more than moves
+  EXPECT_TRUE(local.result("marker.get", "{'markerId':'m1','since':99}").contains("marker"));
 }
 
 TEST(Changes, ListsWhatIsOpen) {
-  Desk desk;
-  EXPECT_EQ(desk.result("marker.list", "{}")["markers"].size(), 0U);
-  (void)desk.open_small();
-  (void)desk.open_small();
-  (void)desk.result("motion.compact", "{'markerId':'m2'}");
-  const Json list = desk.result("marker.list", "{}")["markers"];
+  LocalServer local;
+  EXPECT_EQ(local.result("marker.list", "{}")["markers"].size(), 0U);
+  (void)local.open_small();
+  (void)local.open_small();
+  (void)local.result("motion.compact", "{'markerId':'m2'}");
+  const Json list = local.result("marker.list", "{}")["markers"];
   ASSERT_EQ(list.size(), 2U);
   EXPECT_EQ(list[1]["markerId"], "m2");
   EXPECT_EQ(list[1]["revision"], 2);
@@ -109,8 +109,8 @@ TEST(Changes, ListsWhatIsOpen) {
 }
 
 TEST(Retries, GetTheSameAnswerAndDoNothingTwice) {
-  Desk desk;
-  (void)desk.open_small();
+  LocalServer local;
+  (void)local.open_small();
   const std::vector<std::pair<std::string, std::string>> calls{
       {"marker.apply", R"({"markerId":"m1","opId":"a","ops":[{"op":"move","piece":"low","by":[-1,0]}]})"},
       {"motion.compact", R"({"markerId":"m1","opId":"b"})"},
@@ -119,32 +119,32 @@ TEST(Retries, GetTheSameAnswerAndDoNothingTwice) {
       {"motion.bump", R"({"markerId":"m1","opId":"e","piece":"low","direction":[0,1]})"},
       {"marker.close", R"({"markerId":"m1","opId":"f"})"}};
   for (const auto& [method, params] : calls) {
-    const std::string first = desk.ask(call(1, method, params));
+    const std::string first = local.ask(call(1, method, params));
     EXPECT_EQ(Json::parse(first).count("result"), 1U) << first;
-    const auto revision = desk.store.current("m1").value_or(server::store::Committed{}).revision;
-    EXPECT_EQ(desk.ask(call(1, method, params)), first);
-    EXPECT_EQ(desk.store.current("m1").value_or(server::store::Committed{}).revision, revision) << method;
+    const auto revision = local.store().current("m1").value_or(server::store::Committed{}).revision;
+    EXPECT_EQ(local.ask(call(1, method, params)), first);
+    EXPECT_EQ(local.store().current("m1").value_or(server::store::Committed{}).revision, revision) << method;
   }
   const std::string open = call(1, "marker.open", R"({"opId":"o","marker":)" + kSmallMarker + "}");
-  EXPECT_EQ(desk.ask(open), desk.ask(open));
-  EXPECT_EQ(desk.store.count(), 1U);
+  EXPECT_EQ(local.ask(open), local.ask(open));
+  EXPECT_EQ(local.store().count(), 1U);
 }
 
 TEST(Retries, AnOpIdBelongsToOneMethodAndOneMarker) {
-  Desk desk;
-  (void)desk.open_small();
-  (void)desk.open_small();
-  (void)desk.result("motion.compact", "{'markerId':'m1','opId':'a'}");
-  const Json other = desk.result("marker.undo", "{'markerId':'m1','opId':'a'}");
+  LocalServer local;
+  (void)local.open_small();
+  (void)local.open_small();
+  (void)local.result("motion.compact", "{'markerId':'m1','opId':'a'}");
+  const Json other = local.result("marker.undo", "{'markerId':'m1','opId':'a'}");
   EXPECT_EQ(other["error"]["data"]["field"], "/opId");
-  EXPECT_EQ(desk.result("motion.compact", "{'markerId':'m2','opId':'a'}")["revision"], 2);
+  EXPECT_EQ(local.result("motion.compact", "{'markerId':'m2','opId':'a'}")["revision"], 2);
 }
 
 TEST(Retries, ARefusedCallMayBeTriedAgain) {
-  Desk desk;
-  (void)desk.open_small();
-  EXPECT_EQ(code_of(desk.result("motion.compact", "{'markerId':'m1','opId':'a','baseRev':7}")), -32801);
-  EXPECT_EQ(desk.result("motion.compact", "{'markerId':'m1','opId':'a','baseRev':1}")["revision"], 2);
+  LocalServer local;
+  (void)local.open_small();
+  EXPECT_EQ(code_of(local.result("motion.compact", "{'markerId':'m1','opId':'a','baseRev':7}")), -32801);
+  EXPECT_EQ(local.result("motion.compact", "{'markerId':'m1','opId':'a','baseRev':1}")["revision"], 2);
 }
 
 TEST(Retries, OnlyTheLastAnswersAreKept) {
@@ -158,53 +158,53 @@ TEST(Retries, OnlyTheLastAnswersAreKept) {
 }
 
 TEST(Watching, EveryWatcherHearsOfEveryRevisionInOrder) {
-  Desk desk;
-  Listener other;
-  (void)desk.open_small();
-  EXPECT_EQ(desk.result("marker.watch", "{'markerId':'m1'}")["revision"], 1);
-  (void)desk.ask(call(1, "marker.watch", R"({"markerId":"m1"})"), other.session());
-  (void)desk.result("marker.apply", "{'markerId':'m1','ops':[{'op':'move','piece':'low','at':[1,0]}]}");
-  (void)desk.result("motion.compact", "{'markerId':'m1'}");
-  (void)desk.result("marker.undo", "{'markerId':'m1'}");
-  for (Listener* listener : {&desk.usual, &other}) {
-    const Json applied = listener->next();
+  LocalServer local;
+  Client other;
+  (void)local.open_small();
+  EXPECT_EQ(local.result("marker.watch", "{'markerId':'m1'}")["revision"], 1);
+  (void)local.ask(call(1, "marker.watch", R"({"markerId":"m1"})"), other.session());
+  (void)local.result("marker.apply", "{'markerId':'m1','ops':[{'op':'move','piece':'low','at':[1,0]}]}");
+  (void)local.result("motion.compact", "{'markerId':'m1'}");
+  (void)local.result("marker.undo", "{'markerId':'m1'}");
+  for (Client* client : {&local.client, &other}) {
+    const Json applied = client->next();
     EXPECT_EQ(applied["method"], "marker.changed");
     EXPECT_FALSE(applied.contains("id"));
     EXPECT_EQ(applied["params"]["revision"], 2);
     EXPECT_EQ(applied["params"]["by"], "marker.apply");
     EXPECT_EQ(applied["params"]["placements"][0]["at"], Json::parse("[1,0]"));
-    const Json moved = listener->next();
+    const Json moved = client->next();
     EXPECT_EQ(moved["params"]["revision"], 3);
     EXPECT_EQ(moved["params"]["by"], "motion.compact");
     EXPECT_EQ(moved["params"]["length"], 4);
-    EXPECT_EQ(listener->next()["params"]["by"], "marker.undo");
+    EXPECT_EQ(client->next()["params"]["by"], "marker.undo");
   }
-  (void)desk.result("marker.close", "{'markerId':'m1'}");
+  (void)local.result("marker.close", "{'markerId':'m1'}");
   EXPECT_EQ(other.next()["method"], "marker.closed");
-  EXPECT_EQ(desk.usual.next()["params"]["markerId"], "m1");
+  EXPECT_EQ(local.client.next()["params"]["markerId"], "m1");
 }
 
 TEST(Watching, EndsWhenItIsNoLongerWantedOrNobodyIsThere) {
-  Desk desk;
-  Listener leaving;
-  (void)desk.open_small();
-  (void)desk.result("marker.watch", "{'markerId':'m1'}");
-  (void)desk.ask(call(1, "marker.watch", R"({"markerId":"m1"})"), leaving.session());
-  leaving.leave();
-  EXPECT_EQ(desk.result("marker.unwatch", "{'markerId':'m1'}")["watched"], true);
-  EXPECT_EQ(desk.result("marker.unwatch", "{'markerId':'m1'}")["watched"], false);
-  (void)desk.result("motion.compact", "{'markerId':'m1'}");
-  EXPECT_EQ(desk.usual.heard(), 0U);
-  EXPECT_EQ(leaving.heard(), 0U);
+  LocalServer local;
+  Client leaving;
+  (void)local.open_small();
+  (void)local.result("marker.watch", "{'markerId':'m1'}");
+  (void)local.ask(call(1, "marker.watch", R"({"markerId":"m1"})"), leaving.session());
+  leaving.disconnect();
+  EXPECT_EQ(local.result("marker.unwatch", "{'markerId':'m1'}")["watched"], true);
+  EXPECT_EQ(local.result("marker.unwatch", "{'markerId':'m1'}")["watched"], false);
+  (void)local.result("motion.compact", "{'markerId':'m1'}");
+  EXPECT_EQ(local.client.pending(), 0U);
+  EXPECT_EQ(leaving.pending(), 0U);
 }
 
 TEST(Watching, NeedsAConnectionThatCanBeNotified) {
-  Desk desk;
-  Listener deaf{false};
-  (void)desk.open_small();
-  const Json answer = Json::parse(desk.ask(call(1, "marker.watch", R"({"markerId":"m1"})"), deaf.session()));
+  LocalServer local;
+  Client deaf{false};
+  (void)local.open_small();
+  const Json answer = Json::parse(local.ask(call(1, "marker.watch", R"({"markerId":"m1"})"), deaf.session()));
   EXPECT_EQ(code_of(answer), -32600);
-  EXPECT_EQ(code_of(desk.result("marker.watch", "{'markerId':'m9'}")), -32012);
+  EXPECT_EQ(code_of(local.result("marker.watch", "{'markerId':'m9'}")), -32012);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
-// Who watches which marker.  A watcher is told of every revision from the next one on, in order, until it stops
-// watching, its connection ends or the marker is closed.
+// Which sessions watch which marker.
+//
+// A watching session is notified of every revision from the next one on, in order, until it stops watching, its
+// connection ends or the marker is closed.  Every function may be called from any thread.
 #pragma once
 
 #include <cstdint>
@@ -10,19 +12,19 @@
 
 #include "server/transport/access/service.h"
 
-namespace selvage::server::methods {
+namespace selvage::server::changes {
 
 class Watchers {
  public:
   // REQUIRES: the session can be notified.
   void watch(const std::string& marker, const std::shared_ptr<transport::access::Session>& session);
-  // False when it did not watch.
+  // Returns false if the session did not watch the marker.
   bool unwatch(const std::string& marker, std::uint64_t session);
-  // True when somebody is there to be told.
+  // Returns true if at least one session watches the marker.
   [[nodiscard]] bool any(const std::string& marker) const;
-  void tell(const std::string& marker, const std::string& message);
-  // Tells a last time.
-  void tell_and_forget(const std::string& marker, const std::string& message);
+  void notify(const std::string& marker, const std::string& message);
+  // Sends the last notification about a marker and removes its watchers.
+  void notify_and_remove(const std::string& marker, const std::string& message);
 
  private:
   using Sessions = std::map<std::uint64_t, std::weak_ptr<transport::access::Session>>;
@@ -32,4 +34,4 @@ class Watchers {
   std::map<std::string, Sessions> watched_;
 };
 
-}  // namespace selvage::server::methods
+}  // namespace selvage::server::changes

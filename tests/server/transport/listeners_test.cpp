@@ -1,4 +1,4 @@
-// Where the server listens: several doors at once, Unix sockets, tokens and TLS.
+// Where the server listens: several listen at once, Unix sockets, tokens and TLS.
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -28,12 +28,12 @@ server::transport::access::Listener unix_socket(const std::string& path) {
   return {.speaks = server::transport::access::Listener::Speaks::kLines, .path = path};
 }
 
-server::transport::access::Doors with_token() {
-  server::transport::access::Doors doors;
-  doors.listeners = {tcp(server::transport::access::Listener::Speaks::kHttp),
+server::transport::access::ListenSettings with_token() {
+  server::transport::access::ListenSettings listen;
+  listen.listeners = {tcp(server::transport::access::Listener::Speaks::kHttp),
                      tcp(server::transport::access::Listener::Speaks::kLines)};
-  doors.access.token = kToken;
-  return doors;
+  listen.access.token = kToken;
+  return listen;
 }
 std::uint16_t port_of_lines(StagedServer& server) {
   return server.transport().listeners().at(1).port;
@@ -51,10 +51,10 @@ void leave_stale_socket(const std::string& path) {
 
 TEST(Doors, SeveralAreOpenAtOnceAndALinesDoorSpeaksNoHttp) {
   const TemporaryFolder folder;
-  server::transport::access::Doors doors;
-  doors.listeners = {tcp(server::transport::access::Listener::Speaks::kHttp),
+  server::transport::access::ListenSettings listen;
+  listen.listeners = {tcp(server::transport::access::Listener::Speaks::kHttp),
                      tcp(server::transport::access::Listener::Speaks::kLines), unix_socket(folder.file("s"))};
-  StagedServer server{doors};
+  StagedServer server{listen};
   EXPECT_TRUE(Wire{server.port()}.post("{}"));
   Wire lines{port_of_lines(server)};
   lines.send("GET /healthz HTTP/1.1\n");
@@ -68,15 +68,15 @@ TEST(Doors, SeveralAreOpenAtOnceAndALinesDoorSpeaksNoHttp) {
 TEST(UnixSocket, IsOpenToItsOwnerOnlyAndGoneInTheEnd) {
   const TemporaryFolder folder;
   const std::string path = folder.file("s");
-  server::transport::access::Doors doors;
-  doors.listeners = {tcp(server::transport::access::Listener::Speaks::kHttp), unix_socket(path)};
+  server::transport::access::ListenSettings listen;
+  listen.listeners = {tcp(server::transport::access::Listener::Speaks::kHttp), unix_socket(path)};
   {
-    StagedServer server{doors};
+    StagedServer server{listen};
     struct stat found {};
     ASSERT_EQ(::lstat(path.c_str(), &found), 0);
     EXPECT_TRUE(S_ISSOCK(found.st_mode));
     EXPECT_EQ(found.st_mode & 0777, 0600U);
-    EXPECT_THROW(StagedServer{doors}, std::exception);  // taken
+    EXPECT_THROW(StagedServer{listen}, std::exception);  // taken
     EXPECT_EQ(::lstat(path.c_str(), &found), 0);        // and left alone
   }
   EXPECT_FALSE(std::filesystem::exists(path));
@@ -86,24 +86,24 @@ TEST(UnixSocket, ReplacesOneThatNobodyListensOnButNoFile) {
   const TemporaryFolder folder;
   const std::string path = folder.file("s");
   leave_stale_socket(path);
-  server::transport::access::Doors doors;
-  doors.listeners = {tcp(server::transport::access::Listener::Speaks::kHttp), unix_socket(path)};
+  server::transport::access::ListenSettings listen;
+  listen.listeners = {tcp(server::transport::access::Listener::Speaks::kHttp), unix_socket(path)};
   {
-    StagedServer server{doors};
+    StagedServer server{listen};
     Wire wire{path};
     wire.send("{}\n");
     EXPECT_EQ(wire.line(), "{}");
   }
   (void)folder.write("s", "precious");
-  EXPECT_THROW(StagedServer{doors}, std::exception);
+  EXPECT_THROW(StagedServer{listen}, std::exception);
   EXPECT_EQ(std::filesystem::file_size(path), 8U);
 }
 
 TEST(UnixSocket, AClientThatClosesStopsItsCalls) {
   const TemporaryFolder folder;
-  server::transport::access::Doors doors;
-  doors.listeners = {tcp(server::transport::access::Listener::Speaks::kHttp), unix_socket(folder.file("s"))};
-  StagedServer server{doors};
+  server::transport::access::ListenSettings listen;
+  listen.listeners = {tcp(server::transport::access::Listener::Speaks::kHttp), unix_socket(folder.file("s"))};
+  StagedServer server{listen};
   Wire wire{folder.file("s")};
   wire.send("hold\n");
   const HeldCall held = server.next_held();
@@ -207,19 +207,19 @@ TEST(Token, AStrangerHasLittleTime) {
 
 TEST(Token, AUnixSocketNeedsNone) {
   const TemporaryFolder folder;
-  server::transport::access::Doors doors = with_token();
-  doors.listeners.push_back(unix_socket(folder.file("s")));
-  StagedServer server{doors};
+  server::transport::access::ListenSettings listen = with_token();
+  listen.listeners.push_back(unix_socket(folder.file("s")));
+  StagedServer server{listen};
   Wire wire{folder.file("s")};
   wire.send("{\"n\":1}\n");
   EXPECT_EQ(wire.line(), "{\"n\":1}");
 }
 
 TEST(Hosts, AndOriginsThatWereNamedMayCall) {
-  server::transport::access::Doors doors;
-  doors.access.hosts = {"marker.example"};
-  doors.access.origins = {"https://front.example"};
-  StagedServer server{doors};
+  server::transport::access::ListenSettings listen;
+  listen.access.hosts = {"marker.example"};
+  listen.access.origins = {"https://front.example"};
+  StagedServer server{listen};
   const auto status = [&](const std::string& host, const std::string& origin) {
     Wire wire{server.port()};
     wire.send("GET /healthz HTTP/1.1\r\nHost: " + host + "\r\nOrigin: " + origin + "\r\n\r\n");
@@ -234,18 +234,18 @@ TEST(Hosts, AndOriginsThatWereNamedMayCall) {
 
 class WithTls : public ::testing::Test {
  protected:
-  [[nodiscard]] server::transport::access::Doors doors() const {
-    server::transport::access::Doors doors;
-    doors.listeners = {tcp(server::transport::access::Listener::Speaks::kHttp),
+  [[nodiscard]] server::transport::access::ListenSettings listen() const {
+    server::transport::access::ListenSettings listen;
+    listen.listeners = {tcp(server::transport::access::Listener::Speaks::kHttp),
                        tcp(server::transport::access::Listener::Speaks::kLines)};
-    doors.tls = write_certificate(folder_.path());
-    return doors;
+    listen.tls = write_certificate(folder_.path());
+    return listen;
   }
   const TemporaryFolder folder_;
 };
 
 TEST_F(WithTls, HttpAndLinesAreEncrypted) {
-  StagedServer server{doors()};
+  StagedServer server{listen()};
   Wire http{server.port()};
   ASSERT_TRUE(http.begin_tls());
   EXPECT_EQ(http.post("{\"n\":1}").value_or(HttpAnswer{}).body, "{\"n\":1}");
@@ -258,7 +258,7 @@ TEST_F(WithTls, HttpAndLinesAreEncrypted) {
 }
 
 TEST_F(WithTls, AHalfClosedConnectionStillGetsItsAnswers) {
-  StagedServer server{doors()};
+  StagedServer server{listen()};
   Wire lines{port_of_lines(server)};
   ASSERT_TRUE(lines.begin_tls());
   lines.send("hold\n");
@@ -269,7 +269,7 @@ TEST_F(WithTls, AHalfClosedConnectionStillGetsItsAnswers) {
 }
 
 TEST_F(WithTls, AClientThatBreaksStopsItsCalls) {
-  StagedServer server{doors()};
+  StagedServer server{listen()};
   for (const std::uint16_t port : {server.port(), port_of_lines(server)}) {
     Wire wire{port};
     ASSERT_TRUE(wire.begin_tls());
@@ -282,7 +282,7 @@ TEST_F(WithTls, AClientThatBreaksStopsItsCalls) {
 }
 
 TEST_F(WithTls, ClearTextGetsNoAnswer) {
-  StagedServer server{doors()};
+  StagedServer server{listen()};
   Wire wire{server.port()};
   wire.send(post_request("hold"));
   EXPECT_EQ(wire.rest().find("HTTP/"), std::string::npos);
@@ -292,7 +292,7 @@ TEST_F(WithTls, ClearTextGetsNoAnswer) {
 }
 
 TEST_F(WithTls, DrainingSendsWhatWasAnswered) {
-  StagedServer server{doors()};
+  StagedServer server{listen()};
   Wire wire{server.port()};
   ASSERT_TRUE(wire.begin_tls());
   wire.send(post_request("hold"));
@@ -305,7 +305,7 @@ TEST_F(WithTls, DrainingSendsWhatWasAnswered) {
 }
 
 TEST_F(WithTls, FilesThatCannotBeUsedAreNamed) {
-  server::transport::access::Doors wrong = doors();
+  server::transport::access::ListenSettings wrong = listen();
   wrong.tls->key = folder_.file("missing.pem");
   try {
     const StagedServer server{wrong};

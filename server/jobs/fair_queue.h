@@ -1,5 +1,5 @@
-// A line in which sessions take turns: what one of them has put in comes out in its order, but between two of its own
-// everybody else who waits has one.
+// A queue that serves sessions round-robin.  Elements of one session come out in the order in which they were pushed;
+// between two of them, every other session that has one comes first.
 #pragma once
 
 #include <algorithm>
@@ -12,24 +12,24 @@
 
 namespace selvage::server::jobs {
 
-template <class Thing>
-class FairLine {
+template <class Element>
+class FairQueue {
  public:
-  void push(std::uint64_t session, Thing thing) {
+  void push(std::uint64_t session, Element element) {
     const auto [own, first] = by_session_.try_emplace(session);
-    own->second.push_back(std::move(thing));
+    own->second.push_back(std::move(element));
     if (first) turns_.push_back(session);
     ++size_;
   }
-  // The first thing that suits, of the first session in turn that has one; nothing when nobody has.
-  template <class Suits>
-  [[nodiscard]] std::optional<Thing> take(const Suits& suits) {
+  // Takes the first acceptable element of the first session in turn that has one; nothing if no session has one.
+  template <class Accepts>
+  [[nodiscard]] std::optional<Element> take(const Accepts& accepts) {
     for (auto turn = turns_.begin(); turn != turns_.end(); ++turn) {
       const std::uint64_t session = *turn;
       const auto own = by_session_.find(session);
-      const auto found = std::find_if(own->second.begin(), own->second.end(), suits);
+      const auto found = std::find_if(own->second.begin(), own->second.end(), accepts);
       if (found == own->second.end()) continue;
-      std::optional<Thing> thing{std::move(*found)};
+      std::optional<Element> element{std::move(*found)};
       own->second.erase(found);
       turns_.erase(turn);
       if (own->second.empty()) {
@@ -38,7 +38,7 @@ class FairLine {
         turns_.push_back(session);
       }
       --size_;
-      return thing;
+      return element;
     }
     return std::nullopt;
   }
@@ -46,8 +46,8 @@ class FairLine {
   [[nodiscard]] std::size_t size() const { return size_; }
 
  private:
-  std::map<std::uint64_t, std::deque<Thing>> by_session_;  // those with something in the line
-  std::deque<std::uint64_t> turns_;                        // the same, in turn
+  std::map<std::uint64_t, std::deque<Element>> by_session_;  // sessions that have at least one element
+  std::deque<std::uint64_t> turns_;                          // the same sessions, in turn
   std::size_t size_{};
 };
 

@@ -1,4 +1,4 @@
-#include "server/app/entry.h"
+#include "server/app/authentication.h"
 
 #include <string>
 #include <variant>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kLongest = 8192;
 
-// Empty when the call says none.
+// Empty if the call contains no token.
 std::string token_in(const protocol::rpc::Request& request) {
   if (request.method != "auth" || !request.params.is_object()) return {};
   protocol::json::Mistake mistake;
@@ -23,14 +23,15 @@ std::string token_in(const protocol::rpc::Request& request) {
 
 }  // namespace
 
-transport::access::Entry judge_first_message(std::string_view message, const transport::access::Access& access) {
+transport::access::Authentication authenticate_first_message(std::string_view message,
+                                                             const transport::access::Access& access) {
   const protocol::rpc::Incoming incoming = protocol::rpc::parse_incoming(message, kLongest);
   const auto* request =
       incoming.batch || incoming.calls.empty() ? nullptr : std::get_if<protocol::rpc::Request>(&incoming.calls[0]);
   const bool notification = request == nullptr || !request->id;
   const Json id = notification ? Json() : *request->id;
   const std::string token = request != nullptr ? token_in(*request) : std::string{};
-  if (!token.empty() && token_fits(access, token)) {
+  if (!token.empty() && token_matches(access, token)) {
     return {true, notification ? std::string{}
                                : protocol::json::to_text(protocol::rpc::response(id, Json{{"authorised", true}}))};
   }

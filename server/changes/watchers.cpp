@@ -1,11 +1,11 @@
-#include "server/methods/watchers.h"
+#include "server/changes/watchers.h"
 
 #include <utility>
 
-namespace selvage::server::methods {
+namespace selvage::server::changes {
 namespace {
 
-bool listens(const std::shared_ptr<transport::access::Session>& session) {
+bool is_connected(const std::shared_ptr<transport::access::Session>& session) {
   return session && !session->gone.stop_requested();
 }
 
@@ -14,7 +14,7 @@ bool listens(const std::shared_ptr<transport::access::Session>& session) {
 void Watchers::watch(const std::string& marker, const std::shared_ptr<transport::access::Session>& session) {
   const std::lock_guard lock{mutex_};
   Sessions& sessions = watched_[marker];
-  std::erase_if(sessions, [](const auto& entry) { return !listens(entry.second.lock()); });
+  std::erase_if(sessions, [](const auto& entry) { return !is_connected(entry.second.lock()); });
   sessions.insert_or_assign(session->id, session);
 }
 
@@ -22,9 +22,9 @@ bool Watchers::unwatch(const std::string& marker, std::uint64_t session) {
   const std::lock_guard lock{mutex_};
   const auto found = watched_.find(marker);
   if (found == watched_.end()) return false;
-  const bool did = found->second.erase(session) > 0;
+  const bool watched = found->second.erase(session) > 0;
   if (found->second.empty()) watched_.erase(found);
-  return did;
+  return watched;
 }
 
 bool Watchers::any(const std::string& marker) const {
@@ -32,20 +32,20 @@ bool Watchers::any(const std::string& marker) const {
   return watched_.contains(marker);
 }
 
-void Watchers::tell(const std::string& marker, const std::string& message) {
+void Watchers::notify(const std::string& marker, const std::string& message) {
   Sessions sessions;
   {
     const std::lock_guard lock{mutex_};
     const auto found = watched_.find(marker);
     if (found == watched_.end()) return;
-    std::erase_if(found->second, [](const auto& entry) { return !listens(entry.second.lock()); });
+    std::erase_if(found->second, [](const auto& entry) { return !is_connected(entry.second.lock()); });
     sessions = found->second;
     if (sessions.empty()) watched_.erase(found);
   }
   send(sessions, message);
 }
 
-void Watchers::tell_and_forget(const std::string& marker, const std::string& message) {
+void Watchers::notify_and_remove(const std::string& marker, const std::string& message) {
   Sessions sessions;
   {
     const std::lock_guard lock{mutex_};
@@ -60,8 +60,8 @@ void Watchers::tell_and_forget(const std::string& marker, const std::string& mes
 void Watchers::send(const Sessions& sessions, const std::string& message) {
   for (const auto& [id, weak] : sessions) {
     const auto session = weak.lock();
-    if (listens(session)) session->notify(message);
+    if (is_connected(session)) session->notify(message);
   }
 }
 
-}  // namespace selvage::server::methods
+}  // namespace selvage::server::changes

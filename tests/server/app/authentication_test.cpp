@@ -1,4 +1,4 @@
-#include "server/app/entry.h"
+#include "server/app/authentication.h"
 
 #include <gtest/gtest.h>
 
@@ -10,12 +10,12 @@ namespace {
 const transport::access::Access kAccess{.token = "correct horse"};
 
 TEST(Entry, TheTokenLetsIn) {
-  const transport::access::Entry entry =
-      judge_first_message(R"({"jsonrpc":"2.0","id":7,"method":"auth","params":{"token":"correct horse"}})", kAccess);
-  EXPECT_TRUE(entry.granted);
-  EXPECT_EQ(entry.answer, R"({"jsonrpc":"2.0","id":7,"result":{"authorised":true}})");
-  const transport::access::Entry silent =
-      judge_first_message(R"({"jsonrpc":"2.0","method":"auth","params":{"token":"correct horse"}})", kAccess);
+  const transport::access::Authentication result =
+      authenticate_first_message(R"({"jsonrpc":"2.0","id":7,"method":"auth","params":{"token":"correct horse"}})", kAccess);
+  EXPECT_TRUE(result.granted);
+  EXPECT_EQ(result.answer, R"({"jsonrpc":"2.0","id":7,"result":{"authorised":true}})");
+  const transport::access::Authentication silent =
+      authenticate_first_message(R"({"jsonrpc":"2.0","method":"auth","params":{"token":"correct horse"}})", kAccess);
   EXPECT_TRUE(silent.granted);
   EXPECT_EQ(silent.answer, "");
 }
@@ -29,10 +29,10 @@ TEST(Entry, AnythingElseDoesNot) {
                            R"({"jsonrpc":"2.0","id":1,"method":"auth","params":{"token":"correct"}})",
                            R"({"jsonrpc":"2.0","id":1,"method":"auth","params":{"token":"correct horse","more":1}})",
                            R"([{"jsonrpc":"2.0","id":1,"method":"auth","params":{"token":"correct horse"}}])"}) {
-    const transport::access::Entry entry = judge_first_message(line, kAccess);
-    EXPECT_FALSE(entry.granted) << line;
-    EXPECT_EQ(Json::parse(entry.answer)["error"]["code"], -32015) << line;
-    EXPECT_EQ(entry.answer.find("horse"), std::string::npos) << entry.answer;
+    const transport::access::Authentication result = authenticate_first_message(line, kAccess);
+    EXPECT_FALSE(result.granted) << line;
+    EXPECT_EQ(Json::parse(result.answer)["error"]["code"], -32015) << line;
+    EXPECT_EQ(result.answer.find("horse"), std::string::npos) << result.answer;
   }
 }
 
