@@ -133,7 +133,7 @@ void measured(const std::string& name, const std::vector<std::pair<std::string, 
     done = run(sums);
   });
   for (const auto& [knob, value] : same) {
-    protocol::describe::told(name, knob, value, time, ratio_of(done), done.programs, is_valid(done.marker));
+    told(name, knob, value, time, ratio_of(done), done.programs, is_valid(done.marker));
   }
 }
 template <class Run>
@@ -150,13 +150,13 @@ void knobs_of_tilts(const std::string& name, const Marker& marker) {
     motion::tilting::TiltSettings settings =
         tilt_settings(motion::tilting::TiltMethod::kLinearisation, motion::compaction::Accuracy::kStandard);
     settings.step = Angle::of_degrees(std::stod(degrees));
-    measured(name, "tilt step", degrees, [&](SumCache& sums) { return *tilt(marker, settings, sums); });
+    measured(name, "tilt step", degrees, [&](SumCache& sums) { return *tilt(marker, settings, {sums}); });
   }
   for (const char* tilts : {"3", "7", "13", "25", "49"}) {
     motion::tilting::TiltSettings settings =
         tilt_settings(motion::tilting::TiltMethod::kRelaxation, motion::compaction::Accuracy::kStandard);
     settings.tilts = std::stoi(tilts);
-    measured(name, "tilts", tilts, [&](SumCache& sums) { return *tilt(marker, settings, sums); });
+    measured(name, "tilts", tilts, [&](SumCache& sums) { return *tilt(marker, settings, {sums}); });
   }
 }
 
@@ -164,7 +164,7 @@ void knobs_of_tilts(const std::string& name, const Marker& marker) {
 // best kept; and the presets that are refinement.
 void knobs_of_starts(const std::string& name, const Marker& marker) {
   const auto refined = [&](const search::RefineSettings& settings) {
-    return [&marker, settings](SumCache& sums) { return *refine(marker, settings, sums); };
+    return [&marker, settings](SumCache& sums) { return *refine(marker, settings, {sums}); };
   };
   const search::RefineSettings preset = search::refine_settings();
   search::RefineSettings settings = preset;
@@ -192,9 +192,8 @@ void knobs_of_starts(const std::string& name, const Marker& marker) {
     best = std::min(best, ratio_of(done));
     programs += done.programs;
     valid = valid && is_valid(done.marker);
-    protocol::describe::told(name, "seeds", std::to_string(settings.seed), time, best, programs, valid);
-    if (settings.seed == 1)
-      protocol::describe::told(name, "exchanges", std::to_string(settings.effort), time, best, programs, valid);
+    told(name, "seeds", std::to_string(settings.seed), time, best, programs, valid);
+    if (settings.seed == 1) told(name, "exchanges", std::to_string(settings.effort), time, best, programs, valid);
   }
   settings = preset;
   if (may_tilt(marker)) measured(name, "accuracy", "fine", refined(settings));
@@ -215,7 +214,7 @@ void knobs(const std::vector<std::string>& paths) {
     const Marker marker = marker_in(path);
     for (const Variant& variant : variants()) {
       measured(name, variant.knob, variant.value,
-               [&](SumCache& sums) { return *compact(marker, variant.settings, sums); });
+               [&](SumCache& sums) { return *compact(marker, variant.settings, {sums}); });
     }
     knobs_of_starts(name, marker);
     if (may_tilt(marker)) knobs_of_tilts(name, marker);
@@ -239,10 +238,10 @@ void digitised(const std::vector<std::string>& paths) {
         SumCache full;
         const double cold = median_time([&] {
           SumCache sums;
-          done = *compact(marker, settings, sums);
+          done = *compact(marker, settings, {sums});
         });
-        done = *compact(marker, settings, full);
-        const double warm = median_time([&] { done = *compact(marker, settings, full); });
+        done = *compact(marker, settings, {full});
+        const double warm = median_time([&] { done = *compact(marker, settings, {full}); });
         std::cout << name_of(path) << ',' << pitch << ',' << vertices / marker.shapes.size() << ',' << part << ','
                   << cold << ',' << warm << ',' << full.counts().entries << ',' << ratio_of(done) << ','
                   << (is_valid(done.marker) ? "valid" : "INVALID") << std::endl;
@@ -278,10 +277,11 @@ void anytime(const std::vector<std::string>& paths) {
         SumCache sums;
         const WorkDeadline limit{static_cast<double>(deadline)};
         const motion::compaction::Compaction done =
-            fine ? *refine(marker, search::refine_settings(), sums, limit.token())
-                 : *compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums, limit.token());
-        protocol::describe::told(name_of(path), fine ? "fine" : "standard", std::to_string(deadline),
-                                 own_time() - start, ratio_of(done), done.programs, is_valid(done.marker));
+            fine
+                ? *refine(marker, search::refine_settings(), {sums, limit.token()})
+                : *compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums, limit.token()});
+        told(name_of(path), fine ? "fine" : "standard", std::to_string(deadline), own_time() - start, ratio_of(done),
+             done.programs, is_valid(done.marker));
       }
     }
   }
@@ -331,11 +331,11 @@ Staged staged(const Marker& marker) {
     last = now;
     at = next;
   };
-  scene::Observer observer;
-  observer.on_stage = [&](scene::Stage stage) { enter(static_cast<std::size_t>(stage)); };
   SumCache sums;
+  scene::Run run{sums};
+  run.observer.on_stage = [&](scene::Stage stage) { enter(static_cast<std::size_t>(stage)); };
   motion::compaction::Compaction done =
-      *compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums, {}, observer);
+      *compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), run);
   enter(0);
   return {std::move(done), stages};
 }
@@ -371,26 +371,26 @@ struct CoreCase {
   std::string marker, motion;
   bool warm{};
   std::size_t repetitions{};
-  std::function<void(SumCache&, const scene::Observer&)> run;
+  std::function<void(const scene::Run&)> run;
 };
 
 std::vector<CoreCase> core_cases(const std::string& name, const Marker& marker, std::size_t repetitions) {
-  const auto compaction = [marker](SumCache& sums, const scene::Observer& observer) {
-    (void)compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums, {}, observer);
+  const auto compaction = [marker](const scene::Run& run) {
+    (void)compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), run);
   };
   return {{name, "compact", false, repetitions, compaction}, {name, "compact", true, repetitions, compaction}};
 }
 std::vector<CoreCase> long_core_cases(const std::string& name, const Marker& marker) {
   constexpr std::size_t kFew = 5;
-  const auto tilting = [marker](SumCache& sums, const scene::Observer& observer) {
+  const auto tilting = [marker](const scene::Run& run) {
     (void)tilt(marker,
                tilt_settings(motion::tilting::TiltMethod::kLinearisation, motion::compaction::Accuracy::kStandard),
-               sums, {}, observer);
+               run);
   };
-  const auto refining = [marker](SumCache& sums, const scene::Observer& observer) {
+  const auto refining = [marker](const scene::Run& run) {
     search::RefineSettings settings = search::refine_settings();
     settings.tilts = false;
-    (void)refine(marker, settings, sums, {}, observer);
+    (void)refine(marker, settings, run);
   };
   return {{name, "tilt", false, kFew, tilting}, {name, "compact, fine, no tilts", false, kFew, refining}};
 }
@@ -428,14 +428,12 @@ double twice_as_fast(const Executor& two) {
 // One hand and two in turn, so that both see the same load.
 void told(const CoreCase& wanted, const Executor& two) {
   SumCache kept;
-  if (wanted.warm) wanted.run(kept, {});
+  if (wanted.warm) wanted.run({kept});
   std::vector<double> one_hand, two_hands, ratio, possible, on_paper;
   const auto time_with = [&](const Executor& executor) {
-    scene::Observer observer;
-    observer.executor = &executor;
     SumCache own;
     const double start = wall_time();
-    wanted.run(wanted.warm ? kept : own, observer);
+    wanted.run({wanted.warm ? kept : own, {}, {}, &executor});
     return wall_time() - start;
   };
   for (std::size_t k = 0; k < wanted.repetitions; ++k) {
@@ -464,7 +462,7 @@ void cores(const std::vector<std::string>& paths) {
       << "|---|---|---|---|---|---|---|---|---|---|\n"
       << std::fixed << std::setprecision(2);
   const auto tell = [&](const std::vector<CoreCase>& cases) {
-    for (const CoreCase& wanted : cases) protocol::describe::told(wanted, two);
+    for (const CoreCase& wanted : cases) told(wanted, two);
   };
   for (const std::string& path : paths) tell(core_cases(name_of(path), marker_in(path), kMany));
   const std::string& first = paths.front();
@@ -480,17 +478,17 @@ int main(int argc, char** argv) {
   const std::string what = argc > 2 ? argv[1] : "";
   const std::vector<std::string> paths(argv + std::min(argc, 2), argv + argc);
   if (what == "knobs") {
-    selvage::knobs(paths);
+    selvage::bench::knobs(paths);
   } else if (what == "digitised") {
-    selvage::digitised(paths);
+    selvage::bench::digitised(paths);
   } else if (what == "anytime") {
-    selvage::anytime(paths);
+    selvage::bench::anytime(paths);
   } else if (what == "scene") {
-    selvage::scene(paths.front());
+    selvage::bench::scene(paths.front());
   } else if (what == "growth") {
-    selvage::growth(paths);
+    selvage::bench::growth(paths);
   } else if (what == "cores") {
-    selvage::cores(paths);
+    selvage::bench::cores(paths);
   } else {
     std::cerr << "usage: measure knobs|digitised|anytime|scene|growth|cores MARKER...\n";
     return 2;

@@ -130,7 +130,7 @@ int measure(const std::vector<std::string>& words) {
 
 int main(int argc, char** argv) {
   try {
-    return selvage::measure({argv + 1, argv + argc});
+    return selvage::bench::measure({argv + 1, argv + argc});
   } catch (const std::exception& error) {
     std::fprintf(
         stderr, "server_load: %s\nusage: server_load PORT MARKER get|bump|compact|place|push [CONNECTIONS] [SECONDS]\n",

@@ -31,7 +31,7 @@ Marker marker_named(const std::string& name, bool tight) {
   text << in.rdbuf();
   Marker marker = protocol::formats::read_marker(text.str())->marker;
   SumCache sums;
-  if (tight) marker = compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums)->marker;
+  if (tight) marker = compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums})->marker;
   return marker;
 }
 
@@ -43,8 +43,8 @@ double thread_microseconds() {
 }
 
 // Calls motion(piece, k) for all pieces and k < calls, over and over, and reports what one call took.
-template <class protocol::calls::Motion>
-void measure(benchmark::State& state, std::size_t pieces, int calls, protocol::calls::Motion motion) {
+template <class Motion>
+void measure(benchmark::State& state, std::size_t pieces, int calls, Motion motion) {
   std::vector<double> microseconds;
   for (auto _ : state) {
     for (std::uint32_t piece = 0; piece < pieces; ++piece) {
@@ -116,7 +116,7 @@ void register_all() {
 }  // namespace selvage::bench
 
 int main(int argc, char** argv) {
-  selvage::register_all();
+  selvage::bench::register_all();
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }

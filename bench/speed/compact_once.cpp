@@ -11,10 +11,10 @@ namespace selvage::bench {
 
 // Found by name: neither inlined nor merged into one.
 [[gnu::noinline, gnu::noipa]] Coord compact_cold(const Marker& marker, SumCache& sums) {
-  return compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums)->length_after;
+  return compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums})->length_after;
 }
 [[gnu::noinline, gnu::noipa]] Coord compact_warm(const Marker& marker, SumCache& sums) {
-  return compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums)->length_after;
+  return compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums})->length_after;
 }
 
 }  // namespace selvage::bench

@@ -39,7 +39,7 @@ std::optional<Marker> healed_marker(const std::string& path, SumCache& sums) {
   auto file = protocol::formats::read_marker(text.str());
   if (!file) return std::fprintf(stderr, "%s: %s\n", path.c_str(), file.error().message.c_str()), std::nullopt;
   scene::Scene scene{file->marker, sums};
-  const auto repair = motion::repair::repair_overlaps(scene, {}, {});
+  const auto repair = motion::repair::repair_overlaps(scene, {sums});
   if (!repair) return std::fprintf(stderr, "%s: %s\n", path.c_str(), repair.error().message.c_str()), std::nullopt;
   return scene.result();
 }
@@ -57,8 +57,8 @@ struct Timed {
   }
 };
 // Exits when the answer is no answer: a table of wrong ones is worth nothing.
-template <class protocol::calls::Motion>
-Timed timed(protocol::calls::Motion motion) {
+template <class Motion>
+Timed timed(Motion motion) {
   std::optional<Timed> best;
   for (int run = 0; run < 3 && (!best || best->milliseconds < 2000); ++run) {
     const auto begin = std::chrono::steady_clock::now();
@@ -84,12 +84,12 @@ bool compare(const std::vector<std::string>& paths, bool velocity) {
     SumCache sums;
     const auto marker = healed_marker(path, sums);
     if (!marker) return false;
-    (void)compact(*marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums);  // fills the cache
+    (void)compact(*marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums});  // fills the cache
     const Timed all =
-        timed([&] { return compact(*marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums); });
+        timed([&] { return compact(*marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums}); });
     const Timed base = timed([&] {
-      return velocity ? motion::baseline::compact_by_velocities(*marker, {}, sums)
-                      : motion::baseline::compact_one_at_a_time(*marker, {}, sums);
+      return velocity ? motion::baseline::compact_by_velocities(*marker, {}, {sums})
+                      : motion::baseline::compact_one_at_a_time(*marker, {}, {sums});
     });
     std::printf("| %s | %zu | %.6f |", name_of(path).c_str(), marker->pieces.size(), all.ratio());
     if (velocity) std::printf(" %d |", all.result.programs);
@@ -124,7 +124,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: baseline_table [--velocity FILE...] [--one-at-a-time FILE...]\n");
     return 2;
   }
-  if (!velocity.empty() && !selvage::compare(velocity, true)) return 1;
+  if (!velocity.empty() && !selvage::bench::compare(velocity, true)) return 1;
   if (!velocity.empty() && !one_at_a_time.empty()) std::printf("\n");
-  if (!one_at_a_time.empty() && !selvage::compare(one_at_a_time, false)) return 1;
+  if (!one_at_a_time.empty() && !selvage::bench::compare(one_at_a_time, false)) return 1;
 }

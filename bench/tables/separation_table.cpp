@@ -84,9 +84,9 @@ Runs run(const std::string& name, const Marker& marker, double noise, motion::re
   const motion::separation::SeparationSettings settings{.grow = kGrow, .target = rule};
   for (std::uint32_t seed = 1; seed <= options.seeds; ++seed) {
     const Marker start = shaken(marker, noise, seed);
-    (void)separate(start, settings, sums);  // fills the cache
+    (void)separate(start, settings, {sums});  // fills the cache
     const std::clock_t begin = std::clock();
-    const auto result = separate(start, settings, sums);
+    const auto result = separate(start, settings, {sums});
     const double took = 1000.0 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     ++runs.all;
     runs.milliseconds.push_back(took);
@@ -98,7 +98,7 @@ Runs run(const std::string& name, const Marker& marker, double noise, motion::re
       if (!bench::write_outlines(path, result->marker)) std::fprintf(stderr, "%s: cannot be written\n", path.c_str());
     }
     runs.rounds.push_back(result->rounds);
-    const auto shorter = compact(result->marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums);
+    const auto shorter = compact(result->marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums});
     if (shorter)
       runs.ratio.push_back(static_cast<double>(shorter->length_after) / static_cast<double>(length_of(marker)));
   }
@@ -126,7 +126,7 @@ int table(std::span<const std::string> files, const Options& options) {
     auto file = protocol::formats::read_marker(text.str());
     if (!file) return std::fprintf(stderr, "%s: %s\n", path.c_str(), file.error().message.c_str()), 1;
     scene::Scene scene{file->marker, sums};
-    if (const auto repair = motion::repair::repair_overlaps(scene, {}, {}); !repair) {
+    if (const auto repair = motion::repair::repair_overlaps(scene, {sums}); !repair) {
       return std::fprintf(stderr, "%s: %s\n", path.c_str(), repair.error().message.c_str()), 1;
     }
     const std::string name = path.substr(path.find_last_of('/') + 1);
@@ -155,7 +155,7 @@ int table(std::span<const std::string> files, const Options& options) {
 
 int main(int argc, char** argv) {
   std::vector<std::string> files{argv + 1, argv + argc};
-  Options options;
+  selvage::bench::Options options;
   while (files.size() >= 2 && files[0].starts_with("--")) {
     if (files[0] == "--seeds") options.seeds = static_cast<std::uint32_t>(std::stoul(files[1]));
     if (files[0] == "--outlines") options.outlines = files[1];
@@ -165,5 +165,5 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: separation_table [--seeds N] [--outlines FOLDER] FILE...\n");
     return 2;
   }
-  return selvage::table(files, options);
+  return selvage::bench::table(files, options);
 }

@@ -63,7 +63,7 @@ bool print_row(const Options& options, const std::string& name, MarkerFile file,
   }
   SumCache sums;
   const std::clock_t begin = std::clock();
-  const auto result = tilt(file.marker, settings, sums);
+  const auto result = tilt(file.marker, settings, {sums});
   const double milliseconds = 1000.0 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   if (!result) {
     std::printf("| %s | %s | %s |\n", name.c_str(), method.name, result.error().message.c_str());
@@ -114,7 +114,7 @@ int table(const Options& options) {
 }  // namespace selvage::bench
 
 int main(int argc, char** argv) {
-  Options options;
+  selvage::bench::Options options;
   std::vector<std::string> words{argv + 1, argv + argc};
   while (words.size() >= 2 && words[0].starts_with("--")) {
     if (words[0] == "--limit") options.limit = std::stod(words[1]);
@@ -127,5 +127,5 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: tilt_table [--limit DEGREES] [--shakes N] [--outlines FOLDER] FILE...\n");
     return 2;
   }
-  return selvage::table(options);
+  return selvage::bench::table(options);
 }

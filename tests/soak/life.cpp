@@ -91,8 +91,7 @@ class Impatience {
   }
   Impatience(const Impatience&) = delete;
   Impatience& operator=(const Impatience&) = delete;
-  [[nodiscard]] const scene::Observer& observer() const { return observer_; }
-  [[nodiscard]] std::stop_token stop() const { return source_.get_token(); }
+  [[nodiscard]] scene::Run run(SumCache& sums) const { return {sums, source_.get_token(), observer_}; }
 
  private:
   void wait() {
@@ -129,7 +128,7 @@ class Living {
     const Marker kept = given;
     const Random same_chance = random_;
     Impatience impatience{random_.chance(kImpatient) ? random_.below(30) + 1 : 0};
-    auto answer = motion.run(given, {random_, sums_, impatience.stop(), impatience.observer()});
+    auto answer = motion.run(given, {random_, impatience.run(sums_)});
     if (given != kept) return "changed the marker it was given";
     if (!answer) {
       ++life_.refused;
@@ -154,7 +153,7 @@ class Living {
   static bool repeats(const NamedMotion& motion, const Marker& given, Random chance, const Marker& expected) {
     SumCache fresh{1};
     Impatience impatience{chance.chance(kImpatient) ? chance.below(30) + 1 : 0};
-    const auto again = motion.run(given, {chance, fresh, impatience.stop(), impatience.observer()});
+    const auto again = motion.run(given, {chance, impatience.run(fresh)});
     return again && again->marker == expected;
   }
 

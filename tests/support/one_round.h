@@ -7,14 +7,14 @@
 
 #include "core/marker/marker.h"
 #include "core/minkowski/cache.h"
-#include "core/scene/observer.h"
+#include "core/scene/run.h"
 
 namespace selvage::test {
 
 struct OneRound {
   const char* motion;
   std::size_t pieces;  // of markers with more it takes too long to be waited for
-  void (*run)(const Marker& marker, SumCache& sums, const scene::Observer& observer);
+  void (*run)(const Marker& marker, const scene::Run& run);
 };
 // By name.  Those of one piece take the one in the middle of the list; "whole" is the naive model: every piece, pair
 // and row at once.

@@ -33,10 +33,10 @@ struct ContactRow {
 
 class Simulation {
  public:
-  Simulation(scene::Scene& scene, const VelocitySettings& settings, const scene::Observer& observer)
+  Simulation(scene::Scene& scene, const VelocitySettings& settings, const scene::Run& run)
       : scene_{scene},
         settings_{settings},
-        observer_{observer},
+        run_{run},
         horizon_{settings.horizon * static_cast<double>(scene.marker.strip.width)},
         touching_{std::max(kLeastTouching, settings.touching * static_cast<double>(scene.marker.strip.width))},
         start_{scene.pieces.positions()},
@@ -49,27 +49,27 @@ class Simulation {
         best_length_{longest_} {}
 
   // The scene is left as short as it got.
-  scene::StopReason run(const std::stop_token& stop, int& steps, int& programs) {
-    const scene::StopReason reason = simulate(stop, steps, programs);
+  scene::StopReason run(int& steps, int& programs) {
+    const scene::StopReason reason = simulate(steps, programs);
     scene_.pieces.place(best_);
     return reason;
   }
 
  private:
-  scene::StopReason simulate(const std::stop_token& stop, int& steps, int& programs) {
+  scene::StopReason simulate(int& steps, int& programs) {
     int short_steps = 0;
     while (steps < settings_.steps) {
-      if (stop.stop_requested()) return scene::StopReason::kCancelled;
+      if (run_.stopped()) return scene::StopReason::kCancelled;
       find_near();
-      const auto velocity = solve_velocities(stop, programs);
-      if (stop.stop_requested()) return scene::StopReason::kCancelled;
+      const auto velocity = solve_velocities(programs);
+      if (run_.stopped()) return scene::StopReason::kCancelled;
       if (!velocity) return scene::StopReason::kSolverFailed;
       if (-piston_velocity_ < settings_.least_speed) return scene::StopReason::kConverged;
-      observer_.on_stage(scene::Stage::kOther);
+      run_.observer.on_stage(scene::Stage::kOther);
       const double time = next_collision(*velocity);
       if (!advance(*velocity, time)) return scene::StopReason::kConverged;
       ++steps;
-      observer_.on_round({steps, scene_.pieces.length()});
+      run_.observer.on_round({steps, scene_.pieces.length()});
       short_steps = time < settings_.least_time * static_cast<double>(scene_.marker.strip.width) ? short_steps + 1 : 0;
       if (short_steps >= settings_.patience) return scene::StopReason::kConverged;
     }
@@ -77,7 +77,7 @@ class Simulation {
   }
 
   void find_near() {
-    observer_.on_stage(scene::Stage::kSums);
+    run_.observer.on_stage(scene::Stage::kSums);
     near_.clear();
     for (const marker::PiecePair& pair :
          pairs_within(scene_.pieces, std::llround(2 * horizon_) + scene_.pieces.widest_spacing())) {
@@ -117,14 +117,14 @@ class Simulation {
     return rows;
   }
 
-  std::optional<std::vector<model::Displacement>> solve_velocities(const std::stop_token& stop, int& programs) {
-    observer_.on_stage(scene::Stage::kRows);
+  std::optional<std::vector<model::Displacement>> solve_velocities(int& programs) {
+    run_.observer.on_stage(scene::Stage::kRows);
     const std::vector<ContactRow> rows = contact_rows();
     for (const double restoring : {1.0, 0.0}) {  // without room for the clearance, at least what there is stays
-      observer_.on_stage(scene::Stage::kSolve);
+      run_.observer.on_stage(scene::Stage::kSolve);
       const lp::LinearProgram program = velocity_program(rows, restoring);
-      observer_.on_program(program);
-      const lp::LpSolution solution = solve(program, settings_.solver, {}, stop);
+      run_.observer.on_program(program);
+      const lp::LpSolution solution = solve(program, settings_.solver, {}, run_.stop);
       ++programs;
       if (solution.status == lp::LpStatus::kStopped) return std::nullopt;
       if (solution.status != lp::LpStatus::kOptimal) continue;
@@ -223,7 +223,7 @@ class Simulation {
 
   // Lets the time pass, or most of it when rounding to the lattice breaks something at its end.
   bool advance(const std::vector<model::Displacement>& velocity, double time) {
-    observer_.on_stage(scene::Stage::kVerify);
+    run_.observer.on_stage(scene::Stage::kVerify);
     for (const double part : {1.0, 1 - 1e-3, 0.5, 0.1}) {
       std::vector<model::Displacement> moved = moved_;
       for (std::size_t i = 0; i < moved.size(); ++i) {
@@ -255,7 +255,7 @@ class Simulation {
 
   scene::Scene& scene_;
   const VelocitySettings& settings_;
-  const scene::Observer& observer_;
+  const scene::Run& run_;
   double horizon_;                          // units of time, at kFastest as many lattice units
   double touching_;                         // lattice units beyond the clearance; nearer is contact
   std::vector<Vec> start_;                  // where the pieces were,
@@ -273,11 +273,10 @@ class Simulation {
 }  // namespace
 
 Result<compaction::Compaction> compact_by_velocities(const Marker& start, const VelocitySettings& settings,
-                                                     SumCache& sums, std::stop_token stop,
-                                                     const scene::Observer& observer) {
-  return compaction::repaired_and(start, sums, stop, observer, [&](scene::Scene& scene) {
+                                                     const scene::Run& run) {
+  return compaction::repaired_and(start, run, [&](scene::Scene& scene) {
     compaction::Progress progress;
-    progress.reason = Simulation{scene, settings, observer}.run(stop, progress.rounds, progress.programs);
+    progress.reason = Simulation{scene, settings, run}.run(progress.rounds, progress.programs);
     return progress;
   });
 }

@@ -22,9 +22,9 @@ class Loads {
  public:
   Loads(const Marker& marker, SumCache& sums) : scene_{marker, sums} {}
 
-  Result<Hold> run(const std::stop_token& stop, const scene::Observer& observer) {
-    const lp::LpSolution solution = solve_model(stop, observer);
-    if (stop.stop_requested()) {
+  Result<Hold> run(const scene::Run& run) {
+    const lp::LpSolution solution = solve_model(run);
+    if (run.stopped()) {
       return Error{ErrorCode::kStoppedEarly, "stopped before it was known what holds the length", ""};
     }
     Hold hold;
@@ -40,14 +40,14 @@ class Loads {
   }
 
  private:
-  lp::LpSolution solve_model(const std::stop_token& stop, const scene::Observer& observer) {
-    observer.on_stage(scene::Stage::kRows);
+  lp::LpSolution solve_model(const scene::Run& run) {
+    run.observer.on_stage(scene::Stage::kRows);
     const Strip& strip = scene_.marker.strip;
     const double reach = kReach * static_cast<double>(strip.width);
     model_.emplace(scene_.pieces, strip, scene_.ties);
     for (const marker::PiecePair& pair :
          pairs_within(scene_.pieces, std::llround(reach) + scene_.pieces.widest_spacing())) {
-      if (stop.stop_requested()) return {};
+      if (run.stopped()) return {};
       const Vec r = scene_.relative_position(pair);
       if (scene_.ties.joined(pair.first, pair.second)) continue;
       const Coord spacing = scene_.pieces.spacing(pair);
@@ -61,9 +61,9 @@ class Loads {
     const auto length = static_cast<double>(scene_.pieces.length());
     model_->add_length(1, length, kSpare * model_->unit());
     for (std::size_t i = 0; i < scene_.pieces.size(); ++i) model_->add_right_wall(i);
-    observer.on_stage(scene::Stage::kSolve);
-    observer.on_program(model_->program());
-    return solve(model_->program(), lp::solver::SolverChoice::kSimplex, {}, stop);
+    run.observer.on_stage(scene::Stage::kSolve);
+    run.observer.on_program(model_->program());
+    return solve(model_->program(), lp::solver::SolverChoice::kSimplex, {}, run.stop);
   }
 
   void add_pair(const model::PairRow& row, double worth, Hold& hold) {
@@ -167,12 +167,12 @@ class Loads {
 
 }  // namespace
 
-Result<Hold> what_holds(const Marker& marker, SumCache& sums, std::stop_token stop, const scene::Observer& observer) {
-  observer.on_stage(scene::Stage::kVerify);
+Result<Hold> what_holds(const Marker& marker, const scene::Run& run) {
+  run.observer.on_stage(scene::Stage::kVerify);
   if (!is_valid(marker)) {
     return Error{ErrorCode::kMarkerOverlaps, "the marker is not valid: compact or part it first", "/pieces"};
   }
-  return Loads{marker, sums}.run(stop, observer);
+  return Loads{marker, run.sums}.run(run);
 }
 
 }  // namespace selvage::motion::compaction

@@ -39,17 +39,17 @@ Result<step::Goal> pushing_goal(std::span<const Force> forces, std::size_t piece
 }
 
 Result<Push> push(const Marker& start, std::span<const Force> forces, const CompactionSettings& settings,
-                  SumCache& sums, std::stop_token stop, const scene::Observer& observer) {
-  observer.on_stage(scene::Stage::kOther);
+                  const scene::Run& run) {
+  run.observer.on_stage(scene::Stage::kOther);
   const auto goal = pushing_goal(forces, start.pieces.size());
   if (!goal) return goal.error();
-  scene::Scene scene{start, sums};
+  scene::Scene scene{start, run.sums};
   Push best;
   best.length_before = scene.pieces.length();
-  const auto repair = repair::repair_overlaps(scene, stop, observer);
+  const auto repair = repair::repair_overlaps(scene, run);
   if (!repair) return repair.error();
   best.repair = *repair;
-  const auto progress = improve(scene, *goal, settings, stop, observer);
+  const auto progress = improve(scene, *goal, settings, run);
   best.reason = progress.reason;
   best.rounds = progress.rounds;
   best.programs = progress.programs;

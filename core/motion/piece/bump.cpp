@@ -279,25 +279,24 @@ Bump bump(const scene::Scene& scene, std::uint32_t piece, double dx, double dy) 
   return Bumper{scene, piece, dx / length, dy / length}.run();
 }
 
-Result<BumpedMarker> repair_and_bump(const Marker& start, PieceId piece, double dx, double dy, SumCache& sums,
-                                     std::stop_token stop, const scene::Observer& observer) {
-  return repair_and_bump(start, scene::LaidOut{start, sums}, piece, dx, dy, sums, std::move(stop), observer);
+Result<BumpedMarker> repair_and_bump(const Marker& start, PieceId piece, double dx, double dy, const scene::Run& run) {
+  return repair_and_bump(start, scene::LaidOut{start, run.sums}, piece, dx, dy, run);
 }
 
 Result<BumpedMarker> repair_and_bump(const Marker& start, const scene::LaidOut& laid_out, PieceId piece, double dx,
-                                     double dy, SumCache& sums, std::stop_token stop, const scene::Observer& observer) {
-  observer.on_stage(scene::Stage::kOther);
-  scene::Scene scene{start, laid_out, sums};
+                                     double dy, const scene::Run& run) {
+  run.observer.on_stage(scene::Stage::kOther);
+  scene::Scene scene{start, laid_out, run.sums};
   repair::Repair repair;
   if (!laid_out.figures.valid) {
-    const auto healed = repair::repair_overlaps(scene, std::move(stop), observer);
+    const auto healed = repair::repair_overlaps(scene, run);
     if (!healed) return healed.error();
     repair = *healed;
   }
-  observer.on_stage(scene::Stage::kSolve);
+  run.observer.on_stage(scene::Stage::kSolve);
   const Bump bumped = bump(scene, piece.value, dx, dy);
   scene.shift(piece.value, bumped.at - scene.pieces.at(piece.value));
-  observer.on_stage(scene::Stage::kOther);
+  run.observer.on_stage(scene::Stage::kOther);
   return BumpedMarker{scene.result(), bumped, repair};
 }
 

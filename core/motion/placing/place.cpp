@@ -276,13 +276,12 @@ std::optional<Place> place(const scene::Scene& scene, std::uint32_t piece, Vec w
 namespace {
 
 // Heals all but one piece; where it lies does not count.
-Result<repair::Repair> heal_others(Marker& marker, PieceId piece, SumCache& sums, std::stop_token stop,
-                                   const scene::Observer& observer) {
+Result<repair::Repair> heal_others(Marker& marker, PieceId piece, const scene::Run& run) {
   Marker others = marker;
   others.pieces.erase(others.pieces.begin() + piece.value);
   if (others.pieces.empty()) return repair::Repair{};
-  scene::Scene scene{others, sums};
-  auto repair = repair::repair_overlaps(scene, std::move(stop), observer);
+  scene::Scene scene{others, run.sums};
+  auto repair = repair::repair_overlaps(scene, run);
   for (std::size_t i = 0; i < others.pieces.size(); ++i) {
     marker.pieces[i < piece.value ? i : i + 1].at = scene.pieces.at(i);
   }
@@ -292,26 +291,26 @@ Result<repair::Repair> heal_others(Marker& marker, PieceId piece, SumCache& sums
 }  // namespace
 
 Result<PlacedMarker> heal_and_place(const Marker& start, PieceId piece, Vec wanted, const PlaceSettings& settings,
-                                    SumCache& sums, std::stop_token stop, const scene::Observer& observer) {
-  observer.on_stage(scene::Stage::kOther);
+                                    const scene::Run& run) {
+  run.observer.on_stage(scene::Stage::kOther);
   PlacedMarker answer{start, std::nullopt, {}};
   const bool alone = model::ties_of(start).free(piece.value);
   if (alone) {
-    const auto repair = heal_others(answer.marker, piece, sums, std::move(stop), observer);
+    const auto repair = heal_others(answer.marker, piece, run);
     if (!repair) return repair.error();
     answer.repair = *repair;
   } else {
-    scene::Scene whole{start, sums};
-    const auto repair = repair::repair_overlaps(whole, std::move(stop), observer);
+    scene::Scene whole{start, run.sums};
+    const auto repair = repair::repair_overlaps(whole, run);
     if (!repair) return repair.error();
     answer.repair = *repair;
     answer.marker = whole.result();
   }
-  observer.on_stage(scene::Stage::kSolve);
+  run.observer.on_stage(scene::Stage::kSolve);
   const Marker healed = answer.marker;
-  scene::Scene scene{healed, sums};
+  scene::Scene scene{healed, run.sums};
   answer.place = place(scene, piece.value, wanted, settings);
-  observer.on_stage(scene::Stage::kOther);
+  run.observer.on_stage(scene::Stage::kOther);
   if (answer.place) scene.shift(piece.value, answer.place->at - scene.pieces.at(piece.value));
   answer.marker = scene.result();
   return answer;

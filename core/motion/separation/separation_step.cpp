@@ -124,24 +124,23 @@ model::ActiveSet moving(const scene::Scene& scene, const std::vector<PartingPair
 }  // namespace
 
 SeparationStep separation_step(const scene::Scene& scene, const std::vector<PartingPair>& parting,
-                               const std::vector<Vec>& home, const PartingSettings& settings,
-                               const std::stop_token& stop, const scene::Observer& observer) {
+                               const std::vector<Vec>& home, const PartingSettings& settings, const scene::Run& run) {
   const auto near = pairs_within(scene.pieces, std::llround(settings.reach) + scene.pieces.widest_spacing());
   model::ActiveSet reached = moving(scene, parting, home, settings);
   SeparationStep step;
   for (;;) {
-    observer.on_stage(scene::Stage::kRows);
+    run.observer.on_stage(scene::Stage::kRows);
     PartingProgram program{scene, reached, settings};
     program.add_length();
-    program.add_pairs(parting, near, stop);
-    if (stop.stop_requested()) {
+    program.add_pairs(parting, near, run.stop);
+    if (run.stopped()) {
       step.status = lp::LpStatus::kStopped;
       return step;
     }
     program.add_displacement_penalty(home);
-    observer.on_stage(scene::Stage::kSolve);
-    observer.on_program(program.program());
-    const lp::LpSolution solution = program.solved(stop);
+    run.observer.on_stage(scene::Stage::kSolve);
+    run.observer.on_program(program.program());
+    const lp::LpSolution solution = program.solved(run.stop);
     ++step.programs;
     step.status = solution.status;
     if (solution.status != lp::LpStatus::kOptimal) return step;

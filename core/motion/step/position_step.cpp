@@ -29,13 +29,11 @@ constexpr double kSpare = 1e-2;  // column units the length may grow by in a pro
 // The growing model of one round.
 class Attempt {
  public:
-  Attempt(const scene::Scene& scene, const Goal& goal, const StepSettings& settings, const std::stop_token& stop,
-          const scene::Observer& observer)
+  Attempt(const scene::Scene& scene, const Goal& goal, const StepSettings& settings, const scene::Run& run)
       : scene_{scene},
         goal_{goal},
         settings_{settings},
-        stop_{stop},
-        observer_{observer},
+        run_{run},
         obstacles_{scene, settings.simplification},
         trust_{settings.trust * static_cast<double>(scene.marker.strip.width)},
         reached_{scene.ties},
@@ -56,13 +54,13 @@ class Attempt {
     lp::solver::LpLimits limits;
     if (!held()) limits.tolerance = settings_.tolerance;
     while (step.programs < kAttempts) {
-      if (stop_.stop_requested()) {
+      if (run_.stopped()) {
         step.end = StepEnd::kStopped;
         return step;
       }
-      observer_.on_stage(scene::Stage::kSolve);
-      observer_.on_program(model_->program());
-      const lp::LpSolution solution = solve(model_->program(), settings_.solver, limits, stop_);
+      run_.observer.on_stage(scene::Stage::kSolve);
+      run_.observer.on_program(model_->program());
+      const lp::LpSolution solution = solve(model_->program(), settings_.solver, limits, run_.stop);
       ++step.programs;
       if (solution.status == lp::LpStatus::kInfeasible && tight_ == model::TightRows::kRestore) {
         if (reach_neighbours()) continue;
@@ -74,7 +72,7 @@ class Attempt {
         step.end = solution.status == lp::LpStatus::kStopped ? StepEnd::kStopped : StepEnd::kSolverFailed;
         return step;
       }
-      observer_.on_stage(scene::Stage::kVerify);
+      run_.observer.on_stage(scene::Stage::kVerify);
       auto moves = model_->displacements(solution.x);
       step.end = StepEnd::kNoGain;
       const bool gains = -solution.objective >= kLeastGain;
@@ -101,7 +99,7 @@ class Attempt {
   // Looks up the sums of pairs that have come to matter, unless asked to stop: where pieces were turned they are new,
   // and many in long markers.  Returns how many were known before.
   std::size_t know_near() {
-    observer_.on_stage(scene::Stage::kSums);
+    run_.observer.on_stage(scene::Stage::kSums);
     const std::size_t known = near_.size();
     for (const marker::PiecePair& pair : within_trust_) {
       if (!reached_.holds_any(pair) || reached_.ties().joined(pair.first, pair.second)) continue;
@@ -109,18 +107,18 @@ class Attempt {
     }
     modelled_.insert(near_.begin() + static_cast<std::ptrdiff_t>(known), near_.end());
     for (std::size_t done = known; done < near_.size(); done += kCancelCheckInterval) {
-      if (stop_.stop_requested()) {
+      if (run_.stopped()) {
         near_.resize(done);
         break;
       }
       auto obstacles = obstacles_.of(
-          std::span{near_}.subspan(done, std::min(kCancelCheckInterval, near_.size() - done)), *observer_.executor);
+          std::span{near_}.subspan(done, std::min(kCancelCheckInterval, near_.size() - done)), *run_.executor);
       std::move(obstacles.begin(), obstacles.end(), std::back_inserter(of_near_));
     }
     return known;
   }
   void model_near() {
-    observer_.on_stage(scene::Stage::kRows);
+    run_.observer.on_stage(scene::Stage::kRows);
     rows_.clear();
     modelled_ = {near_.begin(), near_.end()};
     append_near_rows(0);
@@ -148,7 +146,7 @@ class Attempt {
   }
   void append_near_rows(std::size_t from) {
     const auto rows = gathered<model::PairRow>(
-        *observer_.executor, near_.size() - from, kBlock, [&](std::size_t k, std::vector<model::PairRow>& out) {
+        *run_.executor, near_.size() - from, kBlock, [&](std::size_t k, std::vector<model::PairRow>& out) {
           append_rows(near_[from + k], of_near_[from + k], reach(near_[from + k]), out);
         });
     rows_.insert(rows_.end(), rows.begin(), rows.end());
@@ -168,7 +166,7 @@ class Attempt {
   // Models what may move from now on.
   void model_reached() {
     const std::size_t known = know_near();
-    observer_.on_stage(scene::Stage::kRows);
+    run_.observer.on_stage(scene::Stage::kRows);
     append_near_rows(known);
     build();
   }
@@ -352,7 +350,7 @@ class Attempt {
       std::vector<Vec> positions = snapped(scaled);
       for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + scene_.pieces.at(i);
       moved.place(std::move(positions));
-      auto conflict = conflicts(moved, *observer_.executor);
+      auto conflict = conflicts(moved, *run_.executor);
       if (conflict.empty()) {
         if (moved.length() <= scene_.pieces.length() && inside(moved) && gain(moved) > 0) {
           step.end = StepEnd::kMoved;
@@ -420,8 +418,7 @@ class Attempt {
   const scene::Scene& scene_;
   const Goal& goal_;
   const StepSettings& settings_;
-  const std::stop_token& stop_;
-  const scene::Observer& observer_;
+  const scene::Run& run_;
   Obstacles obstacles_;
   double trust_;
   model::ActiveSet reached_;
@@ -443,8 +440,8 @@ Goal leftward_goal(const scene::Scene& scene, double gravity) {
 }
 
 PositionStep position_step(const scene::Scene& scene, const Goal& goal, const StepSettings& settings,
-                           const std::stop_token& stop, const scene::Observer& observer) {
-  return Attempt{scene, goal, settings, stop, observer}.run();
+                           const scene::Run& run) {
+  return Attempt{scene, goal, settings, run}.run();
 }
 
 }  // namespace selvage::motion::step

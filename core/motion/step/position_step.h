@@ -9,7 +9,7 @@
 #include "core/model/active_set.h"
 #include "core/model/free_region.h"
 #include "core/model/position_model.h"
-#include "core/scene/observer.h"
+#include "core/scene/run.h"
 #include "core/scene/scene.h"
 
 namespace selvage::motion::step {
@@ -68,6 +68,6 @@ struct PositionStep {
 // collide; of a goal with stillness that holds the length, pieces only when they are reached (core/model/reached.h).
 // REQUIRES: the scene's pieces are valid.
 [[nodiscard]] PositionStep position_step(const scene::Scene& scene, const Goal& goal, const StepSettings& settings,
-                                         const std::stop_token& stop, const scene::Observer& observer);
+                                         const scene::Run& run);
 
 }  // namespace selvage::motion::step

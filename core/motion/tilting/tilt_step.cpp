@@ -45,30 +45,29 @@ class Program {
   }
 
   // False when it was asked to stop meanwhile: turned pieces need new sums, which takes long in long markers.
-  bool add_pairs(const scene::Observer& observer, const std::stop_token& stop) {
-    observer.on_stage(scene::Stage::kSums);
+  bool add_pairs(const scene::Run& run) {
+    run.observer.on_stage(scene::Stage::kSums);
     const double most_swing = turn_ * widest_radius();
     const double reach = 2 * (farthest_ + most_swing);
-    const std::vector<marker::PiecePair> overlapping = conflicts(scene_.pieces, *observer.executor);
+    const std::vector<marker::PiecePair> overlapping = conflicts(scene_.pieces, *run.executor);
     auto near = pairs_within(scene_.pieces, std::llround(reach) + scene_.pieces.widest_spacing());
     std::erase_if(near, [&](const marker::PiecePair& pair) { return scene_.ties.joined(pair.first, pair.second); });
     for (std::size_t done = 0; done < near.size(); done += kCancelCheckInterval) {
-      if (stop.stop_requested()) return false;
+      if (run.stopped()) return false;
       add_rows(std::span{near}.subspan(done, std::min(kCancelCheckInterval, near.size() - done)), overlapping, reach,
-               observer);
+               run);
     }
     return true;
   }
 
   void add_rows(std::span<const marker::PiecePair> near, const std::vector<marker::PiecePair>& overlapping,
-                double reach, const scene::Observer& observer) {
-    const auto obstacles = scene_.obstacles(near, *observer.executor);
+                double reach, const scene::Run& run) {
+    const auto obstacles = scene_.obstacles(near, *run.executor);
     using Rows = std::vector<model::tilting::TiltRow>;
-    const auto found =
-        gathered<Rows>(*observer.executor, near.size(), kBlock, [&](std::size_t k, std::vector<Rows>& out) {
-          const bool overlaps = std::binary_search(overlapping.begin(), overlapping.end(), near[k]);
-          out.push_back(rows_of(near[k], obstacles[k], overlaps, reach));
-        });
+    const auto found = gathered<Rows>(*run.executor, near.size(), kBlock, [&](std::size_t k, std::vector<Rows>& out) {
+      const bool overlaps = std::binary_search(overlapping.begin(), overlapping.end(), near[k]);
+      out.push_back(rows_of(near[k], obstacles[k], overlaps, reach));
+    });
     for (const Rows& rows : found) {
       std::optional<int> give;
       if (std::any_of(rows.begin(), rows.end(),
@@ -169,13 +168,13 @@ class Program {
 }  // namespace
 
 TiltStep tilt_step(const scene::Scene& scene, const step::Goal& goal, std::span<const double> torque,
-                   const TiltStepSettings& settings, const std::stop_token& stop, const scene::Observer& observer) {
+                   const TiltStepSettings& settings, const scene::Run& run) {
   Program program{scene, settings};
   program.add_goal(goal, torque);
-  if (!program.add_pairs(observer, stop)) return {lp::LpStatus::kStopped, 0, {}};
-  observer.on_stage(scene::Stage::kSolve);
-  observer.on_program(program.program());
-  return program.solved(settings.solver, stop);
+  if (!program.add_pairs(run)) return {lp::LpStatus::kStopped, 0, {}};
+  run.observer.on_stage(scene::Stage::kSolve);
+  run.observer.on_program(program.program());
+  return program.solved(settings.solver, run.stop);
 }
 
 }  // namespace selvage::motion::tilting
