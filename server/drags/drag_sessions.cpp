@@ -34,10 +34,7 @@ protocol::rpc::RpcError unknown_drag(const std::string& id) {
 }  // namespace
 
 DragFunction drag_function() {
-  return [](const Marker& marker, const scene::LaidOut& laid_out, PieceId piece, Vec to,
-            motion::dragging::DragMode mode, SumCache& sums, std::stop_token stop) {
-    return motion::dragging::drag(marker, laid_out, piece, to, mode, sums, std::move(stop), {});
-  };
+  return [](auto&&... given) { return motion::dragging::drag(std::forward<decltype(given)>(given)...); };
 }
 
 std::size_t DragSessions::count() const {
@@ -129,7 +126,7 @@ void DragSessions::execute_waiting_move(Drag& drag, const std::stop_token& stop)
   if (!move || (move->call->abandoned() && !move->call->settle())) return;
   const Marker& start = drag.base.file->marker;
   const auto laid_out = drag.base.laid_out->get([&] { return scene::LaidOut{start, sums_}; });
-  motion::dragging::Drag moved = drag_(start, *laid_out, drag.piece, move->to, drag.mode, sums_, stop);
+  motion::dragging::Drag moved = drag_(start, *laid_out, drag.piece, move->to, drag.mode, {sums_, stop, {}});
   Json answer{{"dragId", drag.id}};
   answer.update(protocol::methods::readings::drag_json(start, *laid_out, moved, drag.piece, move->to));
   // A move that was cancelled has no effect.

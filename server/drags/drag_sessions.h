@@ -26,7 +26,7 @@ namespace selvage::server::drags {
 
 // What one move of a drag computes; tests replace it.
 using DragFunction = std::function<motion::dragging::Drag(const Marker&, const scene::LaidOut&, PieceId, Vec to,
-                                                          motion::dragging::DragMode, SumCache&, std::stop_token)>;
+                                                          motion::dragging::DragMode, const scene::Run&)>;
 [[nodiscard]] DragFunction drag_function();
 
 class DragSessions {

@@ -47,8 +47,8 @@ void name_stop_cause(Json& fields, calls::StopCause cause) {
   if (stopped && cause == calls::StopCause::kDeadline) *stop = "deadline";
 }
 
-calls::Outcome run(const MarkerMethod& method, const MarkerCall& request, const ServerContext& server,
-                   calls::OpenCall& call) {
+calls::Outcome execute(const MarkerMethod& method, const MarkerCall& request, const ServerContext& server,
+                       calls::OpenCall& call) {
   const protocol::calls::MotionCall& about = request.about;
   const std::string& id = about.marker_id;
   if (const auto earlier = server.committer.earlier_answer(id, about.op_id, method.name)) return *earlier;
@@ -60,13 +60,11 @@ calls::Outcome run(const MarkerMethod& method, const MarkerCall& request, const 
   if (call.abandoned()) return calls::abandoned();
 
   protocol::execution::StageTimer timer{now_ms()};
-  scene::Observer observer;
-  observer.on_stage = [&timer](scene::Stage stage) { timer.enter(stage, now_ms()); };
-  observer.executor = &server.executor;
-  observer.on_round = progress_sender(about, call.session(), now->file->marker.resolution);
+  scene::Run run{server.sums, call.stop(), {}, &server.executor};
+  run.observer.on_stage = [&timer](scene::Stage stage) { timer.enter(stage, now_ms()); };
+  run.observer.on_round = progress_sender(about, call.session(), now->file->marker.resolution);
   static const protocol::calls::Engine kEngine;
-  auto answer = request.run(
-      *now->file, protocol::calls::MethodContext{kEngine, server.sums, call.stop(), observer, now->laid_out.get()});
+  auto answer = request.run(*now->file, protocol::calls::MethodContext{kEngine, run, now->laid_out.get()});
   const calls::StopCause cause = call.stop_cause();
   if (!answer && answer.error().code == ErrorCode::kStoppedEarly) return stopped_without_result(answer.error(), cause);
   if (!answer) return rpc_error(answer.error(), protocol::methods::code_of_run(method, answer.error()));
@@ -111,7 +109,7 @@ Method method_on_marker(const MarkerMethod& method, ReadMarkerCall read) {
     call.op_id = decoded->about.op_id.value_or("");
     call.deadline_ms = decoded->about.deadline_ms;
     call.run = [&method, request = *std::move(decoded), &server](const std::shared_ptr<calls::OpenCall>& open) {
-      open->answer(run(method, request, server, *open));
+      open->answer(execute(method, request, server, *open));
     };
     return call;
   };

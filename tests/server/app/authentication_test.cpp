@@ -9,9 +9,9 @@ namespace {
 
 const transport::access::Access kAccess{.token = "correct horse"};
 
-TEST(Entry, TheTokenLetsIn) {
-  const transport::access::Authentication result =
-      authenticate_first_message(R"({"jsonrpc":"2.0","id":7,"method":"auth","params":{"token":"correct horse"}})", kAccess);
+TEST(Authentication, TheTokenIsAccepted) {
+  const transport::access::Authentication result = authenticate_first_message(
+      R"({"jsonrpc":"2.0","id":7,"method":"auth","params":{"token":"correct horse"}})", kAccess);
   EXPECT_TRUE(result.granted);
   EXPECT_EQ(result.answer, R"({"jsonrpc":"2.0","id":7,"result":{"authorised":true}})");
   const transport::access::Authentication silent =
@@ -20,7 +20,7 @@ TEST(Entry, TheTokenLetsIn) {
   EXPECT_EQ(silent.answer, "");
 }
 
-TEST(Entry, AnythingElseDoesNot) {
+TEST(Authentication, AnythingElseIsRefused) {
   for (const auto* line : {"", "{", "null", "correct horse", R"({"jsonrpc":"2.0","id":1,"method":"engine.info"})",
                            R"({"jsonrpc":"2.0","id":1,"method":"auth"})",
                            R"({"jsonrpc":"2.0","id":1,"method":"auth","params":["correct horse"]})",

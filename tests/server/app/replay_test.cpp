@@ -20,7 +20,7 @@ const std::string kOpen = R"({"jsonrpc":"2.0","id":1,"method":"marker.open","par
   "pieces":[{"id":"a","shape":"square","at":[0,0]},{"id":"b","shape":"square","at":[50,10]}]}}})";
 const std::string kCompact = R"({"jsonrpc":"2.0","id":2,"method":"motion.compact","params":{"markerId":"m1"}})";
 
-TEST(Replay, AnswersEachCallBeforeTheNextBegins) {
+TEST(Replay, AnswersEachCallBeforeTheNextStarts) {
   for (const std::size_t workers : {0, 2}) {
     Daemon daemon{without_sockets(workers)};
     EXPECT_TRUE(daemon.listeners().empty());
@@ -33,7 +33,7 @@ TEST(Replay, AnswersEachCallBeforeTheNextBegins) {
   }
 }
 
-TEST(Replay, OneCallAndItsDrawing) {
+TEST(Replay, AnswersOneCallAndDrawsTheMarker) {
   Daemon daemon{without_sockets(1)};
   EXPECT_FALSE(draw_last_marker(daemon));
   ASSERT_TRUE(replay(daemon, kOpen));
@@ -42,7 +42,7 @@ TEST(Replay, OneCallAndItsDrawing) {
   EXPECT_EQ(drawing->rfind("<svg", 0), 0U);
 }
 
-TEST(Replay, DrawsTheLastOfMoreThanNine) {
+TEST(Replay, DrawsTheLastOfMoreThanNineMarkers) {
   Daemon daemon{without_sockets(1)};
   for (int i = 1; i <= 11; ++i) {
     const std::string name = R"("name":"number )" + std::to_string(i) + R"(",)";
@@ -53,7 +53,7 @@ TEST(Replay, DrawsTheLastOfMoreThanNine) {
   EXPECT_NE(drawing->find("number 11"), std::string::npos) << *drawing;
 }
 
-TEST(Replay, SaysWhenACallFailed) {
+TEST(Replay, ReportsThatACallFailed) {
   Daemon daemon{without_sockets(1)};
   const auto replayed = replay(daemon, "[" + kCompact + R"(,{"jsonrpc":"2.0","method":"engine.info"}])");
   ASSERT_TRUE(replayed);

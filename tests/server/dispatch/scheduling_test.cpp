@@ -1,4 +1,4 @@
-// When calls run and how they end early: cancelled, at their deadline, in turn; and what is told meanwhile.
+// How calls are scheduled, cancelled and ended at their deadline, and how they report progress.
 #include <gtest/gtest.h>
 
 #include <semaphore>
@@ -13,23 +13,24 @@ std::string cancel(int id) {
   return R"({"jsonrpc":"2.0","method":"$/cancelRequest","params":{"id":)" + std::to_string(id) + "}}";
 }
 
-TEST(Cancelling, AnswersAtOnceWhateverTheSolverDoesAndNothingIsCommitted) {
-  // A solver that does not hear its token.
+TEST(Cancelling, AnswersImmediatelyAndNothingIsCommitted) {
+  // A motion that does not react to its stop token.
   std::promise<void> release;
   auto released = release.get_future().share();
   std::promise<void> arrived;
-  protocol::calls::Engine engine;
-  engine.compact = [&](const Marker& start, auto&&...) -> Result<motion::compaction::Compaction> {
-    arrived.set_value();
-    released.wait();
-    return push_left(start);
-  };
-  LocalServer local{1, engine};
+  LocalServer local{
+      1, methods_with({"motion.compact"},
+                      [&](const protocol::calls::MotionCall& about, const MarkerFile& file,
+                          const protocol::calls::MethodContext& context) -> Result<protocol::calls::MethodAnswer> {
+                        arrived.set_value();
+                        released.wait();
+                        return motion_answer(about, file.marker, push_left(file.marker), context);
+                      })};
   (void)local.open_small();
   auto running = local.send(call(7, "motion.compact", R"({"markerId":"m1","opId":"a"})"));
   arrived.get_future().wait();
   EXPECT_EQ(local.ask(cancel(7)), "");
-  const Json answer = Json::parse(running.get());  // the solver still holds on
+  const Json answer = Json::parse(running.get());  // the motion is still running
   EXPECT_EQ(code_of(answer), -32800);
   EXPECT_EQ(answer["id"], 7);
   release.set_value();
@@ -38,7 +39,7 @@ TEST(Cancelling, AnswersAtOnceWhateverTheSolverDoesAndNothingIsCommitted) {
   EXPECT_FALSE(local.store().answer("m1", "a"));
 }
 
-TEST(Cancelling, StopsTheSolverAndWhatWaitsNeverBegins) {
+TEST(Cancelling, StopsARunningMotionAndAWaitingOneNeverStarts) {
   Gate gate;
   LocalServer local{1, gate.methods()};
   (void)local.open_small();
@@ -53,7 +54,7 @@ TEST(Cancelling, StopsTheSolverAndWhatWaitsNeverBegins) {
   EXPECT_EQ(gate.arrived(), 1);
 }
 
-TEST(Cancelling, ReachesOnlyTheCallsOfOneConnectionThatAreUnderWay) {
+TEST(Cancelling, AffectsOnlyCallsInProgressOfTheSameConnection) {
   Gate gate;
   LocalServer local{1, gate.methods()};
   Client other;
@@ -68,7 +69,7 @@ TEST(Cancelling, ReachesOnlyTheCallsOfOneConnectionThatAreUnderWay) {
   EXPECT_EQ(code_of(local.ask_json(call(3, "$/cancelRequest"))), -32602);
 }
 
-TEST(Cancelling, KeepsNothingOfCallsThatHaveEnded) {
+TEST(Cancelling, CallsThatHaveEndedAreForgotten) {
   LocalServer local{0, pushing_methods()};
   (void)local.open_small();
   for (int id = 1; id <= 10; ++id) {
@@ -78,7 +79,7 @@ TEST(Cancelling, KeepsNothingOfCallsThatHaveEnded) {
   EXPECT_EQ(local.backend.open_calls(), 0U);
 }
 
-TEST(Deadlines, GiveTheBestSoFarAndSaySo) {
+TEST(Deadlines, ReturnTheBestResultSoFarAndSaySo) {
   Gate gate;  // never opened: only the deadline ends the motion
   LocalServer local{1, gate.methods()};
   (void)local.open_small();
@@ -89,7 +90,7 @@ TEST(Deadlines, GiveTheBestSoFarAndSaySo) {
   EXPECT_EQ(done["valid"], true);
 }
 
-TEST(Deadlines, CountTheWaitingAndAreChecked) {
+TEST(Deadlines, IncludeTheWaitingTimeAndAreChecked) {
   Gate gate;
   LocalServer local{1, gate.methods()};
   (void)local.open_small();
@@ -103,7 +104,7 @@ TEST(Deadlines, CountTheWaitingAndAreChecked) {
   }
 }
 
-TEST(Deadlines, TheServersOwnHoldsForMotionsThatAskForNoneOrForMore) {
+TEST(Deadlines, TheServersLimitAppliesToMotionsWithoutOrWithALongerDeadline) {
   Gate gate;
   server::calls::Limits limits;
   limits.call = std::chrono::milliseconds{20};
@@ -117,26 +118,26 @@ TEST(Deadlines, TheServersOwnHoldsForMotionsThatAskForNoneOrForMore) {
   EXPECT_EQ(local.result("engine.info", "{}")["limits"]["callMs"], 20);
 }
 
-// An engine whose checks end only when they are told to.
+// A marker.check that ends only when it is stopped.
 struct EndlessCheck {
-  protocol::calls::Engine engine() {
-    protocol::calls::Engine engine = pushing_methods();
-    engine.check = [this](const Marker&, SumCache&, const std::stop_token& stop) -> Result<marker::Validity> {
-      begun.release();
-      std::binary_semaphore stopped{0};
-      const std::stop_callback on_stop{stop, [&] { stopped.release(); }};
-      stopped.acquire();
-      ended.release();
-      return Error{ErrorCode::kStoppedEarly, "stopped on purpose", ""};
-    };
-    return engine;
+  server::methods::MethodTable methods() {
+    return methods_with({"marker.check"},
+                        [this](const protocol::calls::MotionCall&, const MarkerFile&,
+                               const protocol::calls::MethodContext& context) -> Result<protocol::calls::MethodAnswer> {
+                          begun.release();
+                          std::binary_semaphore stopped{0};
+                          const std::stop_callback on_stop{context.run.stop, [&] { stopped.release(); }};
+                          stopped.acquire();
+                          ended.release();
+                          return Error{ErrorCode::kStoppedEarly, "stopped on purpose", ""};
+                        });
   }
   std::counting_semaphore<> begun{0}, ended{0};
 };
 
 TEST(Reads, QuickOnesDoNotWaitForLongOnes) {
   EndlessCheck check;
-  LocalServer local{1, check.engine()};
+  LocalServer local{1, check.methods()};
   (void)local.open_small();
   auto first = local.send(call(7, "marker.check", R"({"markerId":"m1"})"));
   auto second = local.send(call(8, "marker.check", R"({"markerId":"m1"})"));
@@ -148,17 +149,17 @@ TEST(Reads, QuickOnesDoNotWaitForLongOnes) {
   EXPECT_EQ(local.open_small(), "m2");
   (void)local.ask(cancel(7));
   EXPECT_EQ(code_of(Json::parse(first.get())), -32800);
-  check.ended.acquire();  // it heard of it
-  check.begun.acquire();  // the second has its turn
+  check.ended.acquire();  // it has been stopped
+  check.begun.acquire();  // now the second one starts
   (void)local.ask(cancel(8));
   EXPECT_EQ(code_of(Json::parse(second.get())), -32800);
 }
 
-TEST(Reads, LongOnesHaveADeadlineAndSaySo) {
+TEST(Reads, LongOnesFailAtTheirDeadlineAndSaySo) {
   EndlessCheck check;
   server::calls::Limits limits;
   limits.call = std::chrono::milliseconds{20};
-  LocalServer local{1, check.engine(), limits};
+  LocalServer local{1, check.methods(), limits};
   (void)local.open_small();
   for (const char* asked : {"", ",'deadlineMs':5", ",'deadlineMs':86400000"}) {
     const Json answer = local.result("marker.check", std::string{"{'markerId':'m1'"} + asked + "}");
@@ -171,9 +172,9 @@ TEST(Reads, LongOnesHaveADeadlineAndSaySo) {
   }
 }
 
-TEST(Reads, DrainingEndsLongOnes) {
+TEST(Reads, DrainingStopsLongOnes) {
   EndlessCheck check;
-  LocalServer local{1, check.engine()};
+  LocalServer local{1, check.methods()};
   (void)local.open_small();
   auto running = local.send(call(1, "marker.check", R"({"markerId":"m1"})"));
   check.begun.acquire();
@@ -181,29 +182,16 @@ TEST(Reads, DrainingEndsLongOnes) {
   EXPECT_EQ(code_of(Json::parse(running.get())), -32014);
 }
 
-TEST(DeadlineClock, RingsEachInTurnWhateverIsForgotten) {
-  using namespace std::chrono_literals;
-  server::jobs::DeadlineClock clock;
-  const auto now = std::chrono::steady_clock::now();
-  std::promise<void> first;
-  std::promise<void> last;
-  const auto far = clock.at(now + 1h, [] { ADD_FAILURE() << "an hour has not passed"; });
-  (void)clock.at(now + 1ms, [] {});  // forgotten at once: the thread may look for it in vain
-  const auto late = clock.at(now + 40ms, [&] { last.set_value(); });
-  const auto soon = clock.at(now + 10ms, [&] { first.set_value(); });
-  ASSERT_EQ(first.get_future().wait_for(kPatience), std::future_status::ready);
-  ASSERT_EQ(last.get_future().wait_for(kPatience), std::future_status::ready);
-}
-
-TEST(Progress, TellsEachRoundUnderItsToken) {
-  protocol::calls::Engine engine;
-  engine.compact = [](const Marker& start, const motion::compaction::CompactionSettings&,
-                      const scene::Run& run) -> Result<motion::compaction::Compaction> {
-    run.observer.on_round({1, to_lattice(4.5, start.resolution)});
-    run.observer.on_round({2, to_lattice(4, start.resolution)});
-    return push_left(start);
-  };
-  LocalServer local{0, engine};
+TEST(Progress, EachRoundIsReportedWithItsToken) {
+  LocalServer local{
+      0, methods_with({"motion.compact"},
+                      [](const protocol::calls::MotionCall& about, const MarkerFile& file,
+                         const protocol::calls::MethodContext& context) -> Result<protocol::calls::MethodAnswer> {
+                        const Resolution resolution = file.marker.resolution;
+                        context.run.observer.on_round({1, to_lattice(4.5, resolution)});
+                        context.run.observer.on_round({2, to_lattice(4, resolution)});
+                        return motion_answer(about, file.marker, push_left(file.marker), context);
+                      })};
   (void)local.open_small();
   (void)local.result("motion.compact", "{'markerId':'m1','progressToken':'mine'}");
   ASSERT_EQ(local.client.pending(), 2U);
@@ -217,111 +205,6 @@ TEST(Progress, TellsEachRoundUnderItsToken) {
   EXPECT_EQ(local.client.pending(), 0U);
   EXPECT_EQ(local.result("motion.compact", "{'markerId':'m1','progressToken':[1]}")["error"]["data"]["field"],
             "/progressToken");
-}
-
-TEST(FairQueue, SessionsTakeTurnsAndEachKeepsItsOrder) {
-  server::jobs::FairQueue<std::string> line;
-  for (const char* thing : {"a1", "a2", "a3", "a4"}) line.push(1, thing);
-  line.push(2, "b1");
-  line.push(2, "b2");
-  line.push(3, "c1");
-  std::string order;
-  const auto any = [](const std::string&) { return true; };
-  while (const auto next = line.take(any)) order += *next + " ";
-  EXPECT_EQ(order, "a1 b1 c1 a2 b2 a3 a4 ");
-  EXPECT_TRUE(line.empty());
-}
-
-TEST(FairQueue, ManySessionsTakeTurnsForLong) {
-  constexpr int kSessions = 100, kThings = 50;
-  server::jobs::FairQueue<int> line;
-  for (int thing = 0; thing < kThings; ++thing) {
-    for (std::uint64_t session = 0; session < kSessions; ++session) line.push(session, thing);
-  }
-  const auto any = [](int) { return true; };
-  for (int thing = 0; thing < kThings; ++thing) {
-    for (int turn = 0; turn < kSessions; ++turn) ASSERT_EQ(line.take(any), thing);
-  }
-  EXPECT_TRUE(line.empty());
-}
-
-TEST(FairQueue, WhoTakesOnlySomeThingsPassesOverTheOthers) {
-  server::jobs::FairQueue<std::string> line;
-  for (const char* thing : {"a1", "a2!", "a3!"}) line.push(1, thing);
-  line.push(2, "b1");
-  line.push(3, "c1!");
-  const auto marked = [](const std::string& thing) { return thing.back() == '!'; };
-  std::string order;
-  while (const auto next = line.take(marked)) order += *next + " ";
-  EXPECT_EQ(order, "a2! c1! a3! ");
-  EXPECT_EQ(line.size(), 2U);
-}
-
-TEST(Fairness, AnEditDoesNotWaitForOtherMarkersSolves) {
-  Gate gate;
-  LocalServer local{2, gate.methods()};
-  for (int i = 0; i < 4; ++i) (void)local.open_small();
-  std::vector<std::future<std::string>> solves;
-  for (const char* marker : {"m1", "m2", "m3"}) {  // one more than there are workers
-    solves.push_back(local.send(call(1, "motion.compact", std::string{R"({"markerId":")"} + marker + R"("})")));
-  }
-  gate.await_arrivals(2);
-  const Json edited = local.result("marker.apply", "{'markerId':'m4','ops':[{'op':'move','piece':'low','at':[5,0]}]}");
-  EXPECT_EQ(edited["revision"], 2);
-  EXPECT_EQ(local.result("marker.undo", "{'markerId':'m4'}")["revision"], 3);
-  EXPECT_EQ(local.result("marker.redo", "{'markerId':'m4'}")["revision"], 4);
-  EXPECT_EQ(local.result("motion.bump", "{'markerId':'m4','piece':'low','direction':[-1,0]}")["revision"], 5);
-  EXPECT_EQ(local.result("motion.place", "{'markerId':'m4','piece':'low','to':[6,0]}")["revision"], 6);
-  // Of a marker that is solved it waits: one change at a time.
-  auto behind = local.send(call(2, "marker.apply", R"({"markerId":"m1","ops":[{"op":"lock","piece":"low"}]})"));
-  EXPECT_EQ(gate.arrived(), 2);
-  EXPECT_EQ(local.store().current("m1")->revision, 1U);
-  gate.open();
-  EXPECT_EQ(Json::parse(behind.get())["result"]["revision"], 3);
-  for (auto& solve : solves) EXPECT_EQ(Json::parse(solve.get())["result"]["revision"], 2);
-}
-
-TEST(Fairness, OneSessionsFullQueueRefusesNobodyElse) {
-  Gate gate;
-  server::calls::Limits limits;
-  limits.waiting_motions = 2;
-  LocalServer local{1, gate.methods(), limits};
-  Client other;
-  (void)local.open_small();
-  std::vector<std::future<std::string>> calls;
-  for (int i = 0; i < 4; ++i) {
-    calls.push_back(local.send(call(i, "motion.compact", R"({"markerId":"m1"})")));
-    if (i == 0) gate.await_arrivals(1);
-  }
-  EXPECT_EQ(code_of(Json::parse(calls.back().get())), -32010);
-  auto others =
-      local.send(call(9, "motion.bump", R"({"markerId":"m1","piece":"low","direction":[1,0]})"), other.session());
-  gate.open();
-  EXPECT_TRUE(Json::parse(others.get()).contains("result"));
-}
-
-TEST(Fairness, OneSessionsManyMotionsDoNotKeepAnotherWaiting) {
-  Gate gate;
-  LocalServer local{1, gate.methods()};
-  Client other;
-  std::mutex mutex;
-  std::vector<int> order;  // of the answers
-  constexpr int kMany = 20, kOther = 100;
-  const auto compact = [&](int number, const std::shared_ptr<server::transport::access::Session>& session) {
-    local.backend.receive(call(number, "motion.compact", R"({"markerId":")" + local.open_small() + R"("})"), session,
-                            [&](const std::string& answer) {
-                              const std::lock_guard lock{mutex};
-                              order.push_back(Json::parse(answer)["id"]);
-                            });
-  };
-  compact(0, local.client.session());
-  gate.await_arrivals(1);
-  for (int i = 1; i < kMany; ++i) compact(i, local.client.session());
-  compact(kOther, other.session());
-  gate.open();
-  local.backend.queues().motions.drain();
-  ASSERT_EQ(order.size(), std::size_t{kMany + 1});
-  EXPECT_EQ(std::vector<int>(order.begin(), order.begin() + 4), (std::vector{0, 1, kOther, 2}));
 }
 
 }  // namespace

@@ -37,8 +37,7 @@ inline server::methods::MethodTable methods_with(std::initializer_list<const cha
     const auto read = [&method, stub](const Json& params) {
       auto call = method.read(params);
       if (call) {
-        call->run = [stub, about = call->about](const MarkerFile& file,
-                                                const protocol::calls::MethodContext& context) {
+        call->run = [stub, about = call->about](const MarkerFile& file, const protocol::calls::MethodContext& context) {
           return stub(about, file, context);
         };
       }
@@ -73,7 +72,7 @@ inline server::methods::MethodTable pushing_methods() {
   return methods_with({"motion.compact"},
                       [](const protocol::calls::MotionCall& about, const MarkerFile& file,
                          const protocol::calls::MethodContext& context) -> Result<protocol::calls::MethodAnswer> {
-                        context.observer.on_stage(scene::Stage::kSolve);
+                        context.run.observer.on_stage(scene::Stage::kSolve);
                         return motion_answer(about, file.marker, push_left(file.marker), context);
                       });
 }
@@ -84,15 +83,14 @@ class Gate {
   // All methods of the server, of which compaction and gravity wait here.  One that is stopped reports that, and has
   // moved the pieces nevertheless.
   [[nodiscard]] server::methods::MethodTable methods() {
-    return methods_with(
-        {"motion.compact", "motion.gravity"},
-        [this](const protocol::calls::MotionCall& about, const MarkerFile& file,
-               const protocol::calls::MethodContext& context) { return run(about, file, context); });
+    return methods_with({"motion.compact", "motion.gravity"},
+                        [this](const protocol::calls::MotionCall& about, const MarkerFile& file,
+                               const protocol::calls::MethodContext& context) { return run(about, file, context); });
   }
   [[nodiscard]] Result<protocol::calls::MethodAnswer> run(const protocol::calls::MotionCall& about,
                                                           const MarkerFile& file,
                                                           const protocol::calls::MethodContext& context) {
-    const auto reason = pass(context.stop) ? scene::StopReason::kConverged : scene::StopReason::kCancelled;
+    const auto reason = pass(context.run.stop) ? scene::StopReason::kConverged : scene::StopReason::kCancelled;
     return motion_answer(about, file.marker, push_left(file.marker), context, reason);
   }
 

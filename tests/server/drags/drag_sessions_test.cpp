@@ -1,4 +1,4 @@
-// The dragging hand, through the dispatcher.
+// Drag sessions through the server.
 #include <gtest/gtest.h>
 
 #include "tests/server/dispatch/local_server.h"
@@ -6,7 +6,7 @@
 namespace selvage::test {
 namespace {
 
-TEST(Drags, FollowTheHandAndCommitOnceAtTheEnd) {
+TEST(DragSessions, FollowThePointerAndCommitOnceAtTheEnd) {
   LocalServer local;
   (void)local.open_small();
   const Json begun = local.result("drag.begin", "{'markerId':'m1','piece':'low'}");
@@ -26,7 +26,7 @@ TEST(Drags, FollowTheHandAndCommitOnceAtTheEnd) {
   EXPECT_EQ(local.result("drag.move", "{'dragId':'d1','to':[7,1]}")["error"]["data"]["field"], "/dragId");
 }
 
-TEST(Drags, PushTheOthersOutOfTheWay) {
+TEST(DragSessions, PushOtherPiecesAside) {
   LocalServer local;
   (void)local.open_small();
   (void)local.result("drag.begin", "{'markerId':'m1','piece':'low','mode':'push'}");
@@ -40,7 +40,7 @@ TEST(Drags, PushTheOthersOutOfTheWay) {
   EXPECT_EQ(local.store().current("m1")->revision, 1U);
 }
 
-TEST(Drags, ALockedPieceStays) {
+TEST(DragSessions, ALockedPieceStays) {
   LocalServer local;
   (void)local.open_small();
   (void)local.result("marker.apply", "{'markerId':'m1','ops':[{'op':'lock','piece':'low'}]}");
@@ -48,7 +48,7 @@ TEST(Drags, ALockedPieceStays) {
   EXPECT_EQ(local.result("drag.move", "{'dragId':'d1','to':[7,1]}")["at"], Json::parse("[3,0]"));
 }
 
-TEST(Drags, AHandFarOutsideIsRefused) {
+TEST(DragSessions, ATargetFarOutsideIsRefused) {
   LocalServer local;
   (void)local.open_small();
   (void)local.result("drag.begin", "{'markerId':'m1','piece':'low'}");
@@ -60,7 +60,7 @@ TEST(Drags, AHandFarOutsideIsRefused) {
   EXPECT_EQ(local.result("drag.move", "{'dragId':'d1','to':[7,1]}")["reached"], true);
 }
 
-TEST(Drags, AnEndThatChangesNothingIsKeptForItsRetry) {
+TEST(DragSessions, AnEndThatChangesNothingIsKeptForRetries) {
   LocalServer local;
   (void)local.open_small();
   for (const char* commit : {"true", "false"}) {
@@ -76,12 +76,12 @@ TEST(Drags, AnEndThatChangesNothingIsKeptForItsRetry) {
   }
 }
 
-// A hand whose moves wait until they are let through.
-struct SlowHand {
-  protocol::calls::Engine engine() {
-    protocol::calls::Engine engine;
-    engine.drag = [this](const Marker& start, const scene::LaidOut&, PieceId piece, Vec to, motion::dragging::DragMode,
-                         SumCache&, const std::stop_token&, const scene::Observer&) {
+// Drag moves that wait until the test lets them through.
+struct SlowDrag {
+  [[nodiscard]] server::dispatch::BackendSettings settings(const server::calls::Limits& limits = {}) {
+    server::dispatch::BackendSettings settings{.workers = 1, .limits = limits};
+    settings.drag = [this](const Marker& start, const scene::LaidOut&, PieceId piece, Vec to,
+                           motion::dragging::DragMode, const scene::Run&) {
       {
         const std::lock_guard lock{mutex};
         ++begun;
@@ -93,7 +93,7 @@ struct SlowHand {
       moved.marker.pieces[piece.value].at = to;
       return moved;
     };
-    return engine;
+    return settings;
   }
   void await_begun(int count) {
     std::unique_lock lock{mutex};
@@ -110,46 +110,48 @@ struct SlowHand {
   int begun{};
 };
 
-TEST(Drags, TheLatestMoveWinsAndTheSupersededAreAnswered) {
-  SlowHand hand;
-  LocalServer local{1, hand.engine()};
+TEST(DragSessions, TheLatestMoveIsExecutedAndSupersededOnesAreAnswered) {
+  SlowDrag slow;
+  LocalServer local{slow.settings()};
   (void)local.open_small();
   (void)local.result("drag.begin", "{'markerId':'m1','piece':'low'}");
   std::vector<std::future<std::string>> moves;
   moves.push_back(local.send(call(0, "drag.move", R"({"dragId":"d1","to":[0,0]})")));
-  hand.await_begun(1);
+  slow.await_begun(1);
   for (int i = 1; i < 50; ++i) {
     moves.push_back(local.send(call(i, "drag.move", R"({"dragId":"d1","to":[)" + std::to_string(i) + ",0]}")));
   }
   for (std::size_t i = 1; i < 49; ++i) EXPECT_EQ(code_of(Json::parse(moves[i].get())), -32802);
   auto end = local.send(call(50, "drag.end", R"({"dragId":"d1","markerId":"m1"})"));
-  hand.let_through();
+  slow.let_through();
   EXPECT_EQ(Json::parse(moves[0].get())["result"]["at"], Json::parse("[0,0]"));
   EXPECT_EQ(Json::parse(moves[49].get())["result"]["at"], Json::parse("[49,0]"));
   const Json ended = Json::parse(end.get());
   EXPECT_EQ(ended["result"]["placements"][0]["at"], Json::parse("[49,0]"));
-  EXPECT_EQ(hand.begun, 2);
+  EXPECT_EQ(slow.begun, 2);
 }
 
-TEST(Drags, AnEndThatIsRefusedAsBusyMayBeSentAgain) {
-  SlowHand hand;
+TEST(DragSessions, AnEndThatIsRefusedAsBusyCanBeSentAgain) {
+  SlowDrag slow;
   server::calls::Limits limits;
   limits.waiting_moves = 1;
-  LocalServer local{1, hand.engine(), limits};
+  LocalServer local{slow.settings(limits)};
   (void)local.open_small();
-  (void)local.result("drag.begin", "{'markerId':'m1','piece':'low'}");
-  (void)local.result("drag.begin", "{'markerId':'m1','piece':'high'}");
-  auto holds_the_worker = local.send(call(1, "drag.move", R"({"dragId":"d1","to":[0,0]})"));
-  hand.await_begun(1);
-  auto fills_the_queue = local.send(call(2, "drag.move", R"({"dragId":"d2","to":[6,5]})"));
-  const std::string end = R"({"dragId":"d2","markerId":"m1"})";
-  EXPECT_EQ(code_of(local.ask_json(call(3, "drag.end", end))), -32010);
-  hand.let_through();
+  for (const char* piece : {"low", "low", "high"}) {  // one drag more than there are workers for drags
+    (void)local.result("drag.begin", std::string{"{'markerId':'m1','piece':'"} + piece + "'}");
+  }
+  auto first = local.send(call(1, "drag.move", R"({"dragId":"d1","to":[0,0]})"));
+  auto second = local.send(call(2, "drag.move", R"({"dragId":"d2","to":[0,0]})"));
+  slow.await_begun(2);  // both workers are busy
+  auto fills_the_queue = local.send(call(3, "drag.move", R"({"dragId":"d3","to":[6,5]})"));
+  const std::string end = R"({"dragId":"d3","markerId":"m1"})";
+  EXPECT_EQ(code_of(local.ask_json(call(4, "drag.end", end))), -32010);
+  slow.let_through();
   EXPECT_TRUE(Json::parse(fills_the_queue.get()).contains("result"));
-  EXPECT_EQ(local.ask_json(call(4, "drag.end", end))["result"]["placements"][0]["at"], Json::parse("[6,5]"));
+  EXPECT_EQ(local.ask_json(call(5, "drag.end", end))["result"]["placements"][0]["at"], Json::parse("[6,5]"));
 }
 
-TEST(Drags, AMarkerThatMovedOnRefusesTheEnd) {
+TEST(DragSessions, TheEndIsRefusedIfTheMarkerHasChanged) {
   LocalServer local;
   (void)local.open_small();
   (void)local.result("drag.begin", "{'markerId':'m1','piece':'low','baseRev':1}");
@@ -159,7 +161,7 @@ TEST(Drags, AMarkerThatMovedOnRefusesTheEnd) {
   EXPECT_EQ(code_of(local.result("drag.begin", "{'markerId':'m1','piece':'low','baseRev':1}")), -32801);
 }
 
-TEST(Drags, BelongToTheirConnectionAndEndWithIt) {
+TEST(DragSessions, BelongToTheirConnectionAndEndWithIt) {
   LocalServer local;
   Client other;
   (void)local.open_small();
@@ -170,7 +172,8 @@ TEST(Drags, BelongToTheirConnectionAndEndWithIt) {
   for (std::size_t i = 0; i < server::drags::DragSessions::kMaxPerConnection; ++i) {
     EXPECT_TRUE(local.result("drag.begin", "{'markerId':'m1','piece':'high'}").contains("dragId"));
   }
-  EXPECT_EQ(local.backend.drags().count(), server::drags::DragSessions::kMaxPerConnection);  // the one that was left is gone
+  EXPECT_EQ(local.backend.drags().count(),
+            server::drags::DragSessions::kMaxPerConnection);  // that of the disconnected client is removed
   EXPECT_EQ(code_of(local.result("drag.begin", "{'markerId':'m1','piece':'high'}")), -32013);
 }
 

@@ -1,4 +1,4 @@
-// The journal: what was acknowledged comes back; what is torn is cut off.
+// The journal restores what was acknowledged and removes what cannot be read.
 #include "server/store/journal.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ class JournalTest : public ::testing::Test {
   }
   ~JournalTest() override { std::filesystem::remove_all(folder_); }
   [[nodiscard]] std::string path() const { return (folder_ / "store.db").string(); }
-  // Everything that can be asked of all markers, as text.
+  // The content of all open markers, as text.
   static std::string all_of(LocalServer& local) {
     std::string text = local.ask(call(1, "marker.list"));
     const Json list = Json::parse(text);
@@ -35,7 +35,7 @@ class JournalTest : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
-TEST_F(JournalTest, EverythingIsThereAgain) {
+TEST_F(JournalTest, RestoresEverything) {
   std::string before;
   std::string answered;
   const std::string retry = call(1, "motion.compact", R"({"markerId":"m1","opId":"mine"})");
@@ -60,8 +60,8 @@ TEST_F(JournalTest, EverythingIsThereAgain) {
   EXPECT_EQ(local.open_small(), "m4");  // m2 is never used twice
 }
 
-// One local is left alone, the other's daemon ends and starts again every few calls.
-TEST_F(JournalTest, WhatCanBeUndoneAndRedoneIsThereAgain) {
+// Two servers get the same calls; one of them is restarted every few calls.
+TEST_F(JournalTest, RestoresTheUndoAndRedoHistory) {
   std::mt19937 random{20'26};
   const auto some_call = [&random](int number) -> std::pair<std::string, std::string> {
     const std::string n = std::to_string(number);
@@ -95,14 +95,14 @@ TEST_F(JournalTest, WhatCanBeUndoneAndRedoneIsThereAgain) {
   }
 }
 
-TEST_F(JournalTest, AHistoryKeepsItsBounds) {
+TEST_F(JournalTest, ARestoredHistoryKeepsItsLimits) {
   {
     server::store::Journal journal{path(), server::store::Durability::kRelaxed};
     LocalServer local{0, pushing_methods(), {}, &journal};
     (void)local.open_small();
     for (std::size_t i = 0; i < server::store::History::kMostSteps + 50; ++i) {
       (void)local.result("marker.apply",
-                        "{'markerId':'m1','ops':[{'op':'move','piece':'low','at':[" + std::to_string(i) + ".25,0]}]}");
+                         "{'markerId':'m1','ops':[{'op':'move','piece':'low','at':[" + std::to_string(i) + ".25,0]}]}");
     }
   }
   server::store::Journal journal{path(), server::store::Durability::kRelaxed};
@@ -112,28 +112,28 @@ TEST_F(JournalTest, AHistoryKeepsItsBounds) {
   EXPECT_EQ(undone, server::store::History::kMostSteps);
 }
 
-TEST_F(JournalTest, AHistoryThatCannotBeReadIsCutOffThere) {
+TEST_F(JournalTest, AHistoryIsCutOffWhereItCannotBeRead) {
   {
     server::store::Journal journal{path(), server::store::Durability::kFull};
     LocalServer local{0, pushing_methods(), {}, &journal};
     (void)local.open_small();
     for (int x = 1; x <= 4; ++x) {
       (void)local.result("marker.apply",
-                        "{'markerId':'m1','ops':[{'op':'move','piece':'low','at':[" + std::to_string(x) + ",0]}]}");
+                         "{'markerId':'m1','ops':[{'op':'move','piece':'low','at':[" + std::to_string(x) + ",0]}]}");
     }
     (void)local.result("marker.undo", "{'markerId':'m1'}");
   }
   server::store::Database{path()}.run("UPDATE history SET step = substr(step, 1, 20) WHERE way = 0 AND serial = 2");
-  for (int start = 0; start < 2; ++start) {  // the second start finds nothing to cut
+  for (int start = 0; start < 2; ++start) {  // the second start finds nothing to remove
     server::store::Journal journal{path(), server::store::Durability::kFull};
     LocalServer local{0, pushing_methods(), {}, &journal};
-    const auto way_back = local.store.way_back("m1", server::store::Way::kUndo);
-    EXPECT_EQ(way_back->undo_steps, 1U);
-    EXPECT_EQ(way_back->redo_steps, 1U);
+    const auto undo = local.store().peek("m1", server::store::UndoDirection::kUndo);
+    EXPECT_EQ(undo->undo_steps, 1U);
+    EXPECT_EQ(undo->redo_steps, 1U);
   }
 }
 
-TEST_F(JournalTest, AStoreThatKeptNoHistoryIsTakenOver) {
+TEST_F(JournalTest, AStoreWithoutHistoryIsUpgraded) {
   std::string before;
   {
     server::store::Journal journal{path(), server::store::Durability::kFull};
@@ -146,14 +146,14 @@ TEST_F(JournalTest, AStoreThatKeptNoHistoryIsTakenOver) {
   for (std::size_t start = 0; start < 2; ++start) {
     server::store::Journal journal{path(), server::store::Durability::kFull};
     LocalServer local{0, pushing_methods(), {}, &journal};
-    EXPECT_EQ(local.store.way_back("m1", server::store::Way::kUndo)->undo_steps, start);
+    EXPECT_EQ(local.store().peek("m1", server::store::UndoDirection::kUndo)->undo_steps, start);
     if (start > 0) break;
     EXPECT_EQ(all_of(local), before);
     (void)local.result("motion.compact", "{'markerId':'m1'}");
   }
 }
 
-TEST_F(JournalTest, ManyStepsAndSnapshotsReplayToTheSame) {
+TEST_F(JournalTest, ManyStepsAndSnapshotsRestoreTheSameMarker) {
   std::string before;
   {
     server::store::Journal journal{path(), server::store::Durability::kRelaxed};
@@ -161,12 +161,12 @@ TEST_F(JournalTest, ManyStepsAndSnapshotsReplayToTheSame) {
     (void)local.open_small();
     for (int i = 0; i < 1500; ++i) {
       (void)local.result("marker.apply", "{'markerId':'m1','opId':'" + std::to_string(i) +
-                                            "','ops':[{'op':'move','piece':'low','at':[" + std::to_string(i % 77) +
-                                            ".25,0]}]}");
+                                             "','ops':[{'op':'move','piece':'low','at':[" + std::to_string(i % 77) +
+                                             ".25,0]}]}");
     }
     before = all_of(local);
   }
-  EXPECT_LT(std::filesystem::file_size(path()), 4U << 20);  // snapshots take the place of steps
+  EXPECT_LT(std::filesystem::file_size(path()), 4U << 20);  // snapshots replace steps
   server::store::Journal journal{path(), server::store::Durability::kRelaxed};
   LocalServer local{0, pushing_methods(), {}, &journal};
   EXPECT_EQ(all_of(local), before);
@@ -174,7 +174,7 @@ TEST_F(JournalTest, ManyStepsAndSnapshotsReplayToTheSame) {
   EXPECT_TRUE(local.store().answer("m1", "1499"));
 }
 
-TEST_F(JournalTest, WhatDoesNotFollowIsCutOff) {
+TEST_F(JournalTest, StepsAfterAMissingRevisionAreRemoved) {
   {
     server::store::Journal journal{path(), server::store::Durability::kFull};
     LocalServer local{0, pushing_methods(), {}, &journal};
@@ -185,7 +185,7 @@ TEST_F(JournalTest, WhatDoesNotFollowIsCutOff) {
     server::store::Database database{path()};
     database.run("UPDATE step SET moves = substr(moves, 1, 20) WHERE revision = 3");
   }
-  for (int start = 0; start < 2; ++start) {  // the second start finds nothing to cut
+  for (int start = 0; start < 2; ++start) {  // the second start finds nothing to remove
     server::store::Journal journal{path(), server::store::Durability::kFull};
     LocalServer local{0, pushing_methods(), {}, &journal};
     EXPECT_EQ(local.store().current("m1")->revision, 2U);
@@ -197,27 +197,27 @@ TEST_F(JournalTest, WhatDoesNotFollowIsCutOff) {
   EXPECT_EQ(local.result("motion.compact", "{'markerId':'m1'}")["revision"], 3);
 }
 
-TEST_F(JournalTest, ATornTailOfTheFileIsLeftOut) {
+TEST_F(JournalTest, AnIncompleteEndOfTheFileIsIgnored) {
   const std::string log = path() + "-wal";
-  const std::string torn = (folder_ / "torn.db").string();
+  const std::string incomplete = (folder_ / "incomplete.db").string();
   {
     server::store::Journal journal{path(), server::store::Durability::kFull};
     LocalServer local{0, pushing_methods(), {}, &journal};
     (void)local.open_small();
     (void)local.result("motion.compact", "{'markerId':'m1'}");
     (void)local.result("motion.compact", "{'markerId':'m1'}");
-    // As a crash would leave it, the last write half done.
-    std::filesystem::copy(path(), torn);
-    std::filesystem::copy(log, torn + "-wal");
+    // As after a crash in the middle of the last write.
+    std::filesystem::copy(path(), incomplete);
+    std::filesystem::copy(log, incomplete + "-wal");
   }
-  std::filesystem::resize_file(torn + "-wal", std::filesystem::file_size(torn + "-wal") - 100);
-  server::store::Journal journal{torn, server::store::Durability::kFull};
+  std::filesystem::resize_file(incomplete + "-wal", std::filesystem::file_size(incomplete + "-wal") - 100);
+  server::store::Journal journal{incomplete, server::store::Durability::kFull};
   LocalServer local{0, pushing_methods(), {}, &journal};
   EXPECT_EQ(local.store().current("m1")->revision, 2U);
   EXPECT_EQ(local.result("motion.compact", "{'markerId':'m1'}")["revision"], 3);
 }
 
-TEST_F(JournalTest, RefusesWhatIsNotItsOwn) {
+TEST_F(JournalTest, RefusesFilesThatAreNotStores) {
   std::ofstream{path()} << "this is no database, and is long enough to be seen as none";
   EXPECT_THROW(server::store::Journal(path(), server::store::Durability::kFull), std::runtime_error);
   EXPECT_THROW(server::store::Journal((folder_ / "no" / "where").string(), server::store::Durability::kFull),
@@ -237,7 +237,7 @@ TEST_F(JournalTest, AStoreThatCannotBeWrittenChangesNothing) {
   (void)local.open_small();
   Listener watching;
   (void)local.ask(call(1, "marker.watch", R"({"markerId":"m1"})"), watching.session());
-  // A revision that is there already is what the store cannot write.
+  // The store cannot write a revision that it already contains.
   {
     server::store::Committed now = *local.store().current("m1");
     const std::optional<protocol::edits::Moves> moves = protocol::edits::Moves{{0, now.file->marker.pieces[0]}};

@@ -5,14 +5,14 @@
 namespace selvage::server::transport {
 namespace {
 
-TEST(Access, WithoutATokenAnythingFits) {
+TEST(Access, WithoutATokenAnyValueMatches) {
   const access::Access access;
   EXPECT_TRUE(token_matches(access, ""));
   EXPECT_TRUE(authorization_matches(access, ""));
   EXPECT_TRUE(authorization_matches(access, "Basic abc"));
 }
 
-TEST(Access, ATokenMustBeTheWholeOfIt) {
+TEST(Access, ATokenMustMatchCompletely) {
   const access::Access access{.token = "correct horse"};
   EXPECT_TRUE(token_matches(access, "correct horse"));
   for (const auto* token : {"", "correct", "correct horse ", "correct hors\xff", "Correct horse"}) {
@@ -25,7 +25,7 @@ TEST(Access, ATokenMustBeTheWholeOfIt) {
   }
 }
 
-TEST(Access, AnyHostWithATokenNamedOnesWithout) {
+TEST(Access, HostsAreCheckedOnlyWithoutAToken) {
   EXPECT_TRUE(access::host_allowed({.token = "correct horse"}, "anywhere.example"));
   const access::Access named{.hosts = {"marker.example"}};
   EXPECT_TRUE(host_allowed(named, "localhost:7171"));
@@ -33,7 +33,7 @@ TEST(Access, AnyHostWithATokenNamedOnesWithout) {
   EXPECT_FALSE(host_allowed(named, "anywhere.example"));
 }
 
-TEST(Access, OriginsAreJudgedWithATokenToo) {
+TEST(Access, OriginsAreCheckedWithATokenToo) {
   const access::Access access{.token = "correct horse", .origins = {"https://front.example"}};
   EXPECT_TRUE(origin_allowed(access, "https://front.example"));
   EXPECT_TRUE(origin_allowed(access, "http://127.0.0.1:8080"));

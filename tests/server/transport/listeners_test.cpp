@@ -1,4 +1,4 @@
-// Where the server listens: several listen at once, Unix sockets, tokens and TLS.
+// Listeners: several at the same time, Unix sockets, tokens and TLS.
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -31,7 +31,7 @@ server::transport::access::Listener unix_socket(const std::string& path) {
 server::transport::access::ListenSettings with_token() {
   server::transport::access::ListenSettings listen;
   listen.listeners = {tcp(server::transport::access::Listener::Speaks::kHttp),
-                     tcp(server::transport::access::Listener::Speaks::kLines)};
+                      tcp(server::transport::access::Listener::Speaks::kLines)};
   listen.access.token = kToken;
   return listen;
 }
@@ -39,7 +39,7 @@ std::uint16_t port_of_lines(StagedServer& server) {
   return server.transport().listeners().at(1).port;
 }
 
-// A socket in the file system that nobody listens on.
+// Leaves a socket in the file system on which nobody listens.
 void leave_stale_socket(const std::string& path) {
   const int socket = ::socket(AF_UNIX, SOCK_STREAM, 0);
   sockaddr_un address{};
@@ -49,11 +49,11 @@ void leave_stale_socket(const std::string& path) {
   ::close(socket);
 }
 
-TEST(Doors, SeveralAreOpenAtOnceAndALinesDoorSpeaksNoHttp) {
+TEST(Listeners, SeveralAreOpenAtTheSameTimeAndALineListenerRejectsHttp) {
   const TemporaryFolder folder;
   server::transport::access::ListenSettings listen;
   listen.listeners = {tcp(server::transport::access::Listener::Speaks::kHttp),
-                     tcp(server::transport::access::Listener::Speaks::kLines), unix_socket(folder.file("s"))};
+                      tcp(server::transport::access::Listener::Speaks::kLines), unix_socket(folder.file("s"))};
   StagedServer server{listen};
   EXPECT_TRUE(Wire{server.port()}.post("{}"));
   Wire lines{port_of_lines(server)};
@@ -65,7 +65,7 @@ TEST(Doors, SeveralAreOpenAtOnceAndALinesDoorSpeaksNoHttp) {
   EXPECT_EQ(server.counts().lines, 2U);
 }
 
-TEST(UnixSocket, IsOpenToItsOwnerOnlyAndGoneInTheEnd) {
+TEST(UnixSocket, IsOpenToItsOwnerOnlyAndRemovedAtTheEnd) {
   const TemporaryFolder folder;
   const std::string path = folder.file("s");
   server::transport::access::ListenSettings listen;
@@ -76,13 +76,13 @@ TEST(UnixSocket, IsOpenToItsOwnerOnlyAndGoneInTheEnd) {
     ASSERT_EQ(::lstat(path.c_str(), &found), 0);
     EXPECT_TRUE(S_ISSOCK(found.st_mode));
     EXPECT_EQ(found.st_mode & 0777, 0600U);
-    EXPECT_THROW(StagedServer{listen}, std::exception);  // taken
-    EXPECT_EQ(::lstat(path.c_str(), &found), 0);        // and left alone
+    EXPECT_THROW(StagedServer{listen}, std::exception);  // in use
+    EXPECT_EQ(::lstat(path.c_str(), &found), 0);         // and unchanged
   }
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
-TEST(UnixSocket, ReplacesOneThatNobodyListensOnButNoFile) {
+TEST(UnixSocket, ReplacesAStaleSocketButNoOtherFile) {
   const TemporaryFolder folder;
   const std::string path = folder.file("s");
   leave_stale_socket(path);
@@ -99,7 +99,7 @@ TEST(UnixSocket, ReplacesOneThatNobodyListensOnButNoFile) {
   EXPECT_EQ(std::filesystem::file_size(path), 8U);
 }
 
-TEST(UnixSocket, AClientThatClosesStopsItsCalls) {
+TEST(UnixSocket, ClosingStopsTheCallsInProgress) {
   const TemporaryFolder folder;
   server::transport::access::ListenSettings listen;
   listen.listeners = {tcp(server::transport::access::Listener::Speaks::kHttp), unix_socket(folder.file("s"))};
@@ -112,7 +112,7 @@ TEST(UnixSocket, AClientThatClosesStopsItsCalls) {
   held.reply("nobody reads this");
 }
 
-TEST(Token, HttpNeedsItExceptForProbes) {
+TEST(Token, HttpRequiresItExceptForHealthProbes) {
   StagedServer server{with_token()};
   const auto status = [&](const std::string& request) {
     Wire wire{server.port()};
@@ -133,7 +133,7 @@ TEST(Token, HttpNeedsItExceptForProbes) {
   EXPECT_EQ(status("GET /metrics HTTP/1.1\r\nHost: localhost\r\n\r\n"), 401);
   EXPECT_EQ(status("GET /metrics HTTP/1.1\r\nHost: localhost\r\n" + right + "\r\n"), 200);
   EXPECT_EQ(status("GET /secret HTTP/1.1\r\nHost: localhost\r\n\r\n"), 401);
-  // A page of a foreign site knows no token, so any name will do; its origin is judged all the same.
+  // A page of a foreign site does not know the token, so the host is not checked; the origin is checked nevertheless.
   EXPECT_EQ(status("GET /metrics HTTP/1.1\r\nHost: marker.example\r\n" + right + "\r\n"), 200);
   EXPECT_EQ(status(post_request("{}", right + "Origin: http://example.com\r\n")), 403);
 }
@@ -146,7 +146,7 @@ TEST(Token, ARefusalSaysWhatToSend) {
   EXPECT_TRUE(answer->says("Connection: close"));
 }
 
-TEST(Token, AWebSocketNeedsItToBegin) {
+TEST(Token, AWebSocketUpgradeWithAWrongTokenIsRefused) {
   StagedServer server{with_token()};
   EXPECT_EQ((WebSocketWire{server.port(), "Authorization: Bearer correct horse batterz\r\n"}.status()), 401);
   WebSocketWire socket{server.port(), "Authorization: Bearer " + std::string{kToken} + "\r\n"};
@@ -155,8 +155,8 @@ TEST(Token, AWebSocketNeedsItToBegin) {
   EXPECT_EQ(socket.text(), "{}");
 }
 
-// A page cannot add a header to an upgrade.
-TEST(Token, AWebSocketMayShowItInItsFirstMessage) {
+// A web page cannot add a header to an upgrade request.
+TEST(Token, AWebSocketMaySendItInItsFirstMessage) {
   StagedServer server{with_token()};
   WebSocketWire known{server.port()};
   EXPECT_EQ(known.status(), 101);
@@ -178,7 +178,7 @@ TEST(Token, AWebSocketMayShowItInItsFirstMessage) {
   EXPECT_EQ(server.held(), 0U);
 }
 
-TEST(Token, LinesMustBeginWithIt) {
+TEST(Token, ALineConnectionMustBeginWithIt) {
   StagedServer server{with_token()};
   Wire known{port_of_lines(server)};
   known.send(std::string{kToken} + "\n{\"n\":1}\n");
@@ -196,7 +196,7 @@ TEST(Token, LinesMustBeginWithIt) {
   EXPECT_EQ(server.held(), 0U);
 }
 
-TEST(Token, AStrangerHasLittleTime) {
+TEST(Token, TheTimeToSendItIsLimited) {
   server::transport::access::TransportLimits limits;
   limits.request = 50ms;
   StagedServer server{with_token(), limits};
@@ -205,7 +205,7 @@ TEST(Token, AStrangerHasLittleTime) {
   EXPECT_EQ(wire.rest(), "");
 }
 
-TEST(Token, AUnixSocketNeedsNone) {
+TEST(Token, AUnixSocketRequiresNone) {
   const TemporaryFolder folder;
   server::transport::access::ListenSettings listen = with_token();
   listen.listeners.push_back(unix_socket(folder.file("s")));
@@ -215,7 +215,7 @@ TEST(Token, AUnixSocketNeedsNone) {
   EXPECT_EQ(wire.line(), "{\"n\":1}");
 }
 
-TEST(Hosts, AndOriginsThatWereNamedMayCall) {
+TEST(Access, ConfiguredHostsAndOriginsMayCall) {
   server::transport::access::ListenSettings listen;
   listen.access.hosts = {"marker.example"};
   listen.access.origins = {"https://front.example"};
@@ -237,7 +237,7 @@ class WithTls : public ::testing::Test {
   [[nodiscard]] server::transport::access::ListenSettings listen() const {
     server::transport::access::ListenSettings listen;
     listen.listeners = {tcp(server::transport::access::Listener::Speaks::kHttp),
-                       tcp(server::transport::access::Listener::Speaks::kLines)};
+                        tcp(server::transport::access::Listener::Speaks::kLines)};
     listen.tls = write_certificate(folder_.path());
     return listen;
   }
@@ -268,7 +268,7 @@ TEST_F(WithTls, AHalfClosedConnectionStillGetsItsAnswers) {
   EXPECT_EQ(lines.rest(), "done\n");
 }
 
-TEST_F(WithTls, AClientThatBreaksStopsItsCalls) {
+TEST_F(WithTls, ABrokenConnectionStopsItsCalls) {
   StagedServer server{listen()};
   for (const std::uint16_t port : {server.port(), port_of_lines(server)}) {
     Wire wire{port};
@@ -291,7 +291,7 @@ TEST_F(WithTls, ClearTextGetsNoAnswer) {
   EXPECT_TRUE(other.begin_tls());
 }
 
-TEST_F(WithTls, DrainingSendsWhatWasAnswered) {
+TEST_F(WithTls, DrainingSendsAllAnswers) {
   StagedServer server{listen()};
   Wire wire{server.port()};
   ASSERT_TRUE(wire.begin_tls());
@@ -304,12 +304,12 @@ TEST_F(WithTls, DrainingSendsWhatWasAnswered) {
   EXPECT_EQ(wire.rest(), "");
 }
 
-TEST_F(WithTls, FilesThatCannotBeUsedAreNamed) {
+TEST_F(WithTls, TheErrorNamesAFileThatCannotBeUsed) {
   server::transport::access::ListenSettings wrong = listen();
   wrong.tls->key = folder_.file("missing.pem");
   try {
     const StagedServer server{wrong};
-    ADD_FAILURE() << "a key that is not there was taken";
+    ADD_FAILURE() << "a missing key was accepted";
   } catch (const std::exception& error) {
     EXPECT_NE(std::string{error.what()}.find("missing.pem"), std::string::npos) << error.what();
   }

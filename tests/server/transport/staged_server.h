@@ -1,6 +1,6 @@
-// A transport with a service that tests hold in their hand: messages that contain "hold" wait until the test
-// answers them, those that contain "silent" get no answer, those that contain "throw" make the service throw;
-// all others come back as they are.
+// A transport whose service the test controls: messages that contain "hold" wait until the test answers them, those that
+// contain "silent" get no answer, those that contain "throw" make the service throw an exception; all others are sent
+// back unchanged.
 #pragma once
 
 #include <condition_variable>
@@ -24,7 +24,7 @@ struct HeldCall {
   server::transport::access::Reply reply;
 };
 
-// Blocks until the token stops; false when it does not in time.
+// Blocks until the token stops.  Returns false if that does not happen in time.
 inline bool stops(const std::stop_token& token) {
   std::mutex mutex;
   std::condition_variable_any changed;
@@ -37,7 +37,7 @@ class StagedServer {
  public:
   explicit StagedServer(const server::transport::access::TransportLimits& limits = {})
       : StagedServer{server::transport::access::ListenSettings{}, limits} {}
-  // With a TCP listener for HTTP when the listen have none.
+  // Adds a TCP listener for HTTP if there are no listeners.
   explicit StagedServer(server::transport::access::ListenSettings listen,
                         const server::transport::access::TransportLimits& limits = {})
       : transport_{
@@ -67,7 +67,7 @@ class StagedServer {
     why_not_ready_ = std::move(why);
   }
 
-  // The next held call, once it is there.
+  // Waits for the next held call.
   [[nodiscard]] HeldCall next_held() {
     std::unique_lock lock{mutex_};
     if (!changed_.wait_for(lock, kPatience, [this] { return !held_.empty(); })) {
