@@ -29,13 +29,13 @@ std::unique_ptr<store::Journal> open_journal(const Options& options) {
 
 }  // namespace
 
-Daemon::Daemon(const Options& options, methods::MethodTable methods)
+Daemon::Daemon(const Options& options, protocol::methods::MethodTable methods)
     : drain_time_{options.drain},
       journal_{open_journal(options)},
       backend_{backend_settings(options, std::move(methods))},
       transport_{listening_for(options), options.limits.transport, service(options)} {}
 
-dispatch::BackendSettings Daemon::backend_settings(const Options& options, methods::MethodTable methods) {
+dispatch::BackendSettings Daemon::backend_settings(const Options& options, protocol::methods::MethodTable methods) {
   return {.workers = options.workers,
           .cache_bytes = options.cache_mb << 20,
           .limits = options.limits,
@@ -53,7 +53,7 @@ transport::access::Service Daemon::service(const Options& options) {
           .health = [] { return std::string{"{\"status\":\"ok\"}"}; },
           .ready = [this] { return why_not_ready(); },
           .metrics = [this] { return metrics_text(); },
-          .openrpc = methods::openrpc_text,
+          .openrpc = server::methods::openrpc_text,
           .authenticate = authenticate_first_message,
           .line_too_long = dispatch::Dispatcher::too_long(options.limits.transport.body_bytes),
           .counts = connections_};

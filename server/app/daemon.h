@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "protocol/methods/method_table.h"
 #include "server/app/options.h"
 #include "server/dispatch/backend.h"
-#include "server/methods/method_table.h"
 #include "server/ops/metrics.h"
 #include "server/store/journal.h"
 #include "server/transport/transport.h"
@@ -21,7 +21,7 @@ class Daemon {
  public:
   // Listens immediately, unless the options ask for a replay, which only uses call().  Throws a std::exception if an
   // address or a file cannot be used.
-  explicit Daemon(const Options& options, methods::MethodTable methods = {});
+  explicit Daemon(const Options& options, protocol::methods::MethodTable methods = protocol::methods::method_table());
   ~Daemon();  // drains
   Daemon(const Daemon&) = delete;
   Daemon& operator=(const Daemon&) = delete;
@@ -42,7 +42,8 @@ class Daemon {
   [[nodiscard]] std::string metrics_text() const;
 
  private:
-  [[nodiscard]] dispatch::BackendSettings backend_settings(const Options& options, methods::MethodTable methods);
+  [[nodiscard]] dispatch::BackendSettings backend_settings(const Options& options,
+                                                           protocol::methods::MethodTable methods);
   [[nodiscard]] transport::access::Service service(const Options& options);
 
   const std::chrono::seconds drain_time_;

@@ -4,16 +4,16 @@
 #include <utility>
 
 #include "protocol/edits/changes.h"
-#include "protocol/methods/marker_methods.h"
 #include "server/calls/errors.h"
 
 namespace selvage::server::changes {
 namespace {
 
 std::string changed_message(const ReadyChange& change, const MarkerFile& before, const store::Committed& after) {
-  Json params{{"markerId", change.marker_id}, {"revision", after.revision}, {"by", change.method}};
-  params.update(protocol::edits::change_json(before, *after.file));
-  return protocol::json::to_text(protocol::rpc::notification("marker.changed", std::move(params)));
+  const protocol::edits::ChangedNotification params{{change.marker_id, after.revision},
+                                                    std::string{change.method},
+                                                    protocol::edits::change_between(before, *after.file)};
+  return protocol::json::to_text(protocol::rpc::notification("marker.changed", protocol::schema::encode(params)));
 }
 
 }  // namespace
@@ -32,8 +32,7 @@ std::optional<calls::Outcome> Committer::earlier_answer(const std::string& marke
 
 calls::Outcome Committer::commit(ReadyChange change, calls::OpenCall& call) {
   const Revision base = change.before.revision;
-  const auto text = std::make_shared<const std::string>(
-      protocol::json::to_text(protocol::methods::result_json(change.marker_id, base + 1, change.fields)));
+  const auto text = std::make_shared<const std::string>(protocol::json::to_text(change.result));
   store::NextRevision next{std::move(change.after), change.origin, {}, {}};
   if (change.op_id) next.answer = store::KeptAnswer{*change.op_id, std::string{change.method}, text};
   next.on_committed = [&](const store::Committed& after) {

@@ -25,7 +25,7 @@ struct ReadyChange {
   MarkerFile after;
   store::Origin origin{};
   const std::optional<std::string>& op_id;
-  const Json& fields;  // of the answer: all but `markerId` and `revision`
+  Json result;  // of the call, with the revision after `before`
 };
 
 class Committer {

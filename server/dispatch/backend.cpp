@@ -9,7 +9,7 @@ Backend::Backend(BackendSettings settings)
     : limits_{settings.limits},
       sums_{settings.cache_bytes},
       store_{limits_.open_markers, settings.journal},
-      methods_{std::move(settings.methods)},
+      methods_{settings.methods},
       executor_{std::max<std::size_t>(settings.workers, 1) - 1,
                 [this, cores = settings.workers] { return idle_cores(cores); }},
       queues_{settings.workers, limits_},

@@ -8,6 +8,7 @@
 
 #include "core/minkowski/cache.h"
 #include "protocol/execution/thread_pool.h"
+#include "protocol/methods/method_table.h"
 #include "server/calls/limits.h"
 #include "server/changes/committer.h"
 #include "server/changes/watchers.h"
@@ -16,7 +17,7 @@
 #include "server/drags/drag_sessions.h"
 #include "server/jobs/deadline_clock.h"
 #include "server/methods/context.h"
-#include "server/methods/method_table.h"
+#include "server/methods/handler_table.h"
 #include "server/store/journal.h"
 #include "server/store/marker_store.h"
 
@@ -27,7 +28,7 @@ struct BackendSettings {
   std::size_t cache_bytes{std::size_t{1} << 20};  // for Minkowski sums
   calls::Limits limits{};
   store::Journal* journal{};  // null: markers live in memory only
-  methods::MethodTable methods{};
+  protocol::methods::MethodTable methods = protocol::methods::method_table();
   drags::DragFunction drag = drags::drag_function();
   ops::OnAnswered on_answered = ops::log_request;
 };
@@ -60,7 +61,7 @@ class Backend {
   store::MarkerStore store_;
   changes::Watchers watchers_;
   changes::Committer committer_{store_, watchers_};
-  const methods::MethodTable methods_;
+  const methods::HandlerTable methods_;
   protocol::execution::ThreadPool executor_;
   jobs::DeadlineClock clock_;
   WorkQueues queues_;

@@ -9,13 +9,14 @@
 #include <utility>
 #include <vector>
 
-#include "protocol/json/fields.h"
+#include "protocol/methods/daemon/engine.h"
 #include "server/calls/errors.h"
 
 namespace selvage::server::dispatch {
 namespace {
 
-using methods::Schedule;
+using protocol::calls::MethodKind;
+using protocol::calls::ParsedCall;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kSmallMessage = std::size_t{16} << 10;   // bytes; parsed in a fraction of a millisecond
@@ -31,15 +32,24 @@ protocol::rpc::RpcError unknown_method(const std::string& name) {
   return {protocol::rpc::RpcCode::kMethodNotFound, "there is no method '" + name + "'", {}};
 }
 
-// How long the call may take: as long as it asks for and, if its method may take long, no longer than the limit.
-std::optional<Clock::duration> time_limit(Schedule schedule, const methods::ParsedCall& call,
-                                          std::chrono::milliseconds limit) {
+// How long the call may take: as long as it asks for and, if it may take long, no longer than the limit.
+std::optional<Clock::duration> time_limit(const ParsedCall& call, std::chrono::milliseconds limit) {
   std::optional<Clock::duration> time;
-  if (call.deadline_ms) {
-    time = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double, std::milli>{*call.deadline_ms});
+  if (const auto& asked = call.about.deadline_ms) {
+    time = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double, std::milli>{*asked});
   }
-  const bool unlimited = schedule == Schedule::kInline || schedule == Schedule::kRead;
-  return unlimited ? time : std::min<Clock::duration>(time.value_or(limit), limit);
+  return call.bounded() ? std::min<Clock::duration>(time.value_or(limit), limit) : time;
+}
+
+// Whether the marker is open and so large that writing it takes about 10 ms or more.
+bool is_large(const store::MarkerStore& store, const std::string& marker_id) {
+  constexpr std::size_t kManyVertices = 20'000;
+  const auto now = store.current(marker_id);
+  if (!now) return false;
+  const Marker& marker = now->file->marker;
+  std::size_t vertices = 0;
+  for (const Piece& piece : marker.pieces) vertices += marker.shapes[piece.shape.value].outline.size();
+  return vertices > kManyVertices;
 }
 
 }  // namespace
@@ -106,49 +116,50 @@ void Dispatcher::execute_next(const std::shared_ptr<Exchange>& exchange) {
 void Dispatcher::start(const std::shared_ptr<Exchange>& exchange, const protocol::rpc::Request& request,
                        jobs::ReplyOnce<calls::Outcome> reply) {
   if (request.method == kCancel) return std::move(reply)(cancel(request.params, exchange->session->id));
-  const methods::Method* method = server_.methods.find(request.method);
-  if (!method) return std::move(reply)(unknown_method(request.method));
-  auto parsed = method->decode(request.params, server_);
+  const auto* row = server_.methods.find(request.method);
+  if (!row) return std::move(reply)(unknown_method(request.method));
+  auto parsed = row->method.read(request.params);
   if (!parsed) return std::move(reply)(protocol::rpc::rpc_error(parsed.error()));
 
-  exchange->marker_id = parsed->marker_id;
+  exchange->marker_id = parsed->about.marker_id;
   const auto call = std::make_shared<calls::OpenCall>(exchange->session, std::move(reply));
-  if (const auto time = time_limit(method->schedule, *parsed, server_.limits.call)) {
+  if (const auto time = time_limit(*parsed, server_.limits.call)) {
     calls::OpenCall::set_deadline(call, clock_, Clock::now() + *time);
   }
   if (request.id) calls_.add(*request.id, call);
-  schedule(method->schedule, *std::move(parsed), exchange, call);
+  schedule(*std::move(parsed), row->handle, exchange, call);
 }
 
-void Dispatcher::schedule(Schedule schedule, methods::ParsedCall parsed, const std::shared_ptr<Exchange>& exchange,
+void Dispatcher::schedule(ParsedCall parsed, const methods::Handler& handle, const std::shared_ptr<Exchange>& exchange,
                           const std::shared_ptr<calls::OpenCall>& call) {
-  if (schedule == Schedule::kInline) return parsed.run(call);
-  const bool is_read = schedule == Schedule::kRead || schedule == Schedule::kLongRead;
-  const bool small = exchange->bytes <= kLargeMessage && !parsed.on_large_marker;
-  jobs::JobQueue& queue = is_read ? queues_.reads : queues_.motions;
+  const MethodKind kind = parsed.kind;
+  // Drag sessions have a queue of their own.
+  if (kind == MethodKind::kImmediate || kind == MethodKind::kDrag) return handle(std::move(parsed), server_, call);
+  const bool small = exchange->bytes <= kLargeMessage;
+  const bool quick = small && (kind == MethodKind::kStep ||
+                               (kind == MethodKind::kRead && !is_large(server_.store, parsed.about.marker_id)));
+  const bool is_change = kind == MethodKind::kStep || kind == MethodKind::kMotion;
+  jobs::JobQueue& queue = is_change ? queues_.motions : queues_.reads;
+  std::string lane = parsed.lane();
   jobs::Job job{.session = exchange->session->id,
-                // Retries of a read share a lane, so that the later one finds the answer of the earlier one.
-                .lane = is_read ? parsed.op_id : parsed.marker_id,
-                .quick = small && (schedule == Schedule::kRead || schedule == Schedule::kChange),
+                .lane = std::move(lane),
+                .quick = quick,
                 .caller = call->stop(),
-                .work = jobs::Work{[exchange, run = std::move(parsed.run), call](const std::stop_token& stop) {
-                  // Nobody waits for the outcome of a call that was cancelled before its turn came.
-                  if (call->abandoned() && !call->settle()) return;
-                  const std::stop_callback on_drain{stop, [&call] { call->drain(); }};
-                  run(call);
-                }}};
+                .work = jobs::Work{
+                    [this, exchange, &handle, held = std::move(parsed), call](const std::stop_token& stop) mutable {
+                      // Nobody waits for the outcome of a call that was cancelled before its turn came.
+                      if (call->abandoned() && !call->settle()) return;
+                      const std::stop_callback on_drain{stop, [&call] { call->drain(); }};
+                      handle(std::move(held), server_, call);
+                    }}};
   const jobs::Admission admission = queue.submit(job);
   if (admission != jobs::Admission::kAccepted) call->answer(calls::not_admitted(admission, queue, kBusy));
 }
 
 calls::Outcome Dispatcher::cancel(const Json& params, std::uint64_t session) {
-  protocol::json::Mistake mistake;
-  protocol::json::Fields fields{params, "", mistake};
-  const Json* id = fields.maybe_any("id");
-  fields.finish();
-  if (!id) mistake.add(ErrorCode::kMissingField, "the field is missing; it is required", "/id");
-  if (mistake) return protocol::rpc::rpc_error(mistake.error());
-  return Json{{"cancelled", calls_.cancel(*id, session)}};
+  const auto cancel = protocol::schema::decode<protocol::methods::daemon::CancelParams>(params);
+  if (!cancel) return protocol::rpc::rpc_error(cancel.error());
+  return protocol::schema::encode(protocol::methods::daemon::CancelResult{calls_.cancel(cancel->id.value, session)});
 }
 
 }  // namespace selvage::server::dispatch

@@ -15,7 +15,7 @@
 #include "server/jobs/deadline_clock.h"
 #include "server/jobs/reply_once.h"
 #include "server/methods/context.h"
-#include "server/methods/method_table.h"
+#include "server/methods/handler_table.h"
 #include "server/ops/log.h"
 #include "server/transport/access/service.h"
 
@@ -42,8 +42,8 @@ class Dispatcher {
   void execute_next(const std::shared_ptr<Exchange>& exchange);
   void start(const std::shared_ptr<Exchange>& exchange, const protocol::rpc::Request& request,
              jobs::ReplyOnce<calls::Outcome> reply);
-  void schedule(methods::Schedule schedule, methods::ParsedCall parsed, const std::shared_ptr<Exchange>& exchange,
-                const std::shared_ptr<calls::OpenCall>& call);
+  void schedule(protocol::calls::ParsedCall parsed, const methods::Handler& handle,
+                const std::shared_ptr<Exchange>& exchange, const std::shared_ptr<calls::OpenCall>& call);
   [[nodiscard]] calls::Outcome cancel(const Json& params, std::uint64_t session);
 
   const methods::ServerContext& server_;

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "protocol/calls/motion.h"
+#include "protocol/calls/values.h"
 #include "protocol/edits/changes.h"
-#include "protocol/methods/marker_methods.h"
 #include "server/calls/errors.h"
 
 namespace selvage::server::drags {
@@ -48,15 +47,15 @@ std::shared_ptr<DragSessions::Drag> DragSessions::find(const std::string& id, st
   return found == drags_.end() || found->second->session->id != session ? nullptr : found->second;
 }
 
-calls::Outcome DragSessions::begin(const protocol::methods::readings::DragBegin& request,
+calls::Outcome DragSessions::begin(const protocol::methods::dragging::BeginParams& params,
                                    const std::shared_ptr<transport::access::Session>& session) {
-  auto base = store_.current(request.marker_id);
-  if (!base) return calls::unknown_marker(request.marker_id);
-  if (request.base_revision && *request.base_revision != base->revision) {
-    return calls::revision_mismatch(request.marker_id, *request.base_revision, base->revision);
+  auto base = store_.current(params.marker_id);
+  if (!base) return calls::unknown_marker(params.marker_id);
+  if (params.base_revision && *params.base_revision != base->revision) {
+    return calls::revision_mismatch(params.marker_id, *params.base_revision, base->revision);
   }
   const Marker& marker = base->file->marker;
-  const auto piece = protocol::calls::piece_of(marker, request.piece, "/piece");
+  const auto piece = protocol::calls::piece_of(marker, params.piece.text, "/piece");
   if (!piece) return protocol::rpc::rpc_error(piece.error());
   const Vec at = marker.pieces[piece->value].at;
 
@@ -68,27 +67,24 @@ calls::Outcome DragSessions::begin(const protocol::methods::readings::DragBegin&
     return calls::limit_reached("too many drags", kMaxPerConnection);
   }
   std::string id = "d" + std::to_string(++begun_);
-  const Json answer{{"dragId", id},
-                    {"markerId", request.marker_id},
-                    {"revision", base->revision},
-                    {"piece", request.piece},
-                    {"at", protocol::formats::point_json(at, marker.resolution)}};
+  const protocol::methods::dragging::BeginResult result{
+      id, {params.marker_id, base->revision}, params.piece.text, protocol::calls::point_of(at, marker.resolution)};
   auto drag = std::make_shared<Drag>();
   drag->id = id;
-  drag->marker_id = request.marker_id;
+  drag->marker_id = params.marker_id;
   drag->session = session;
   drag->base = *std::move(base);
   drag->piece = *piece;
-  drag->mode = request.mode;
+  drag->mode = params.mode;
   drags_.emplace(std::move(id), std::move(drag));
-  return answer;
+  return protocol::schema::encode(result);
 }
 
-void DragSessions::move(const protocol::methods::readings::DragMove& request,
+void DragSessions::move(const protocol::methods::dragging::MoveParams& params,
                         const std::shared_ptr<calls::OpenCall>& call) {
-  const auto drag = find(request.drag_id, call->session()->id);
-  if (!drag) return call->answer(unknown_drag(request.drag_id));
-  const auto to = protocol::methods::readings::within_reach(request.to, drag->base.file->marker);
+  const auto drag = find(params.drag_id, call->session()->id);
+  if (!drag) return call->answer(unknown_drag(params.drag_id));
+  const auto to = protocol::methods::dragging::within_reach(params.to, drag->base.file->marker);
   if (!to) return call->answer(protocol::rpc::rpc_error(to.error()));
   WaitingMove newest{*to, call};
   std::optional<WaitingMove> superseded;
@@ -127,27 +123,26 @@ void DragSessions::execute_waiting_move(Drag& drag, const std::stop_token& stop)
   const Marker& start = drag.base.file->marker;
   const auto laid_out = drag.base.laid_out->get([&] { return scene::LaidOut{start, sums_}; });
   motion::dragging::Drag moved = drag_(start, *laid_out, drag.piece, move->to, drag.mode, {sums_, stop, {}});
-  Json answer{{"dragId", drag.id}};
-  answer.update(protocol::methods::readings::drag_json(start, *laid_out, moved, drag.piece, move->to));
+  const auto result = protocol::methods::dragging::moved(drag.id, start, *laid_out, moved, drag.piece, move->to);
   // A move that was cancelled has no effect.
   if (!move->call->settle()) return;
   drag.latest = std::move(moved.marker);
-  move->call->answer(std::move(answer));
+  move->call->answer(protocol::schema::encode(result));
 }
 
-void DragSessions::end(const protocol::methods::readings::DragEnd& request,
+void DragSessions::end(const protocol::methods::dragging::EndParams& params,
                        const std::shared_ptr<calls::OpenCall>& call) {
-  if (const auto earlier = committer_.earlier_answer(request.marker_id, request.op_id, "drag.end")) {
+  if (const auto earlier = committer_.earlier_answer(params.marker_id, params.op_id, "drag.end")) {
     return call->answer(*earlier);
   }
-  const auto drag = find(request.drag_id, call->session()->id);
-  if (!drag || drag->marker_id != request.marker_id) return call->answer(unknown_drag(request.drag_id));
+  const auto drag = find(params.drag_id, call->session()->id);
+  if (!drag || drag->marker_id != params.marker_id) return call->answer(unknown_drag(params.drag_id));
   jobs::Job job{.session = call->session()->id,
                 .lane = drag->id,
                 .caller = call->stop(),
-                .work = jobs::Work{[this, drag, call, request](const std::stop_token& stop) {
+                .work = jobs::Work{[this, drag, call, params](const std::stop_token& stop) {
                   execute_waiting_move(*drag, stop);
-                  call->answer(finish(*drag, request, *call));
+                  call->answer(finish(*drag, params, *call));
                 }}};
   // Removed first, so that the drag accepts no move and no second end.  Restored if the queue has no room for the end.
   {
@@ -163,19 +158,21 @@ void DragSessions::end(const protocol::methods::readings::DragEnd& request,
   call->answer(calls::not_admitted(admission, queue_, kBusy));
 }
 
-calls::Outcome DragSessions::finish(Drag& drag, const protocol::methods::readings::DragEnd& request,
+calls::Outcome DragSessions::finish(Drag& drag, const protocol::methods::dragging::EndParams& params,
                                     calls::OpenCall& call) {
   const Marker& start = drag.base.file->marker;
   const Marker& latest = drag.latest ? *drag.latest : start;
   MarkerFile after = protocol::edits::with_marker(*drag.base.file, latest);
-  const Json fields = protocol::edits::change_json(*drag.base.file, after);
-  if (!request.commit || latest == start) {
+  protocol::edits::CommittedChange result{{drag.marker_id, drag.base.revision},
+                                          protocol::edits::change_between(*drag.base.file, after)};
+  if (!params.commit || latest == start) {
     if (call.abandoned() || !call.settle()) return calls::abandoned();
-    return committer_.keep_unchanged("drag.end", drag.marker_id, request.op_id,
-                                     protocol::methods::result_json(drag.marker_id, drag.base.revision, fields));
+    return committer_.keep_unchanged("drag.end", drag.marker_id, params.op_id, protocol::schema::encode(result));
   }
-  return committer_.commit(
-      {"drag.end", drag.marker_id, drag.base, std::move(after), store::Origin::kChange, request.op_id, fields}, call);
+  ++result.at.revision;
+  return committer_.commit({"drag.end", drag.marker_id, drag.base, std::move(after), store::Origin::kChange,
+                            params.op_id, protocol::schema::encode(result)},
+                           call);
 }
 
 }  // namespace selvage::server::drags

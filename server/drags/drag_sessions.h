@@ -16,7 +16,7 @@
 #include <string>
 
 #include "core/motion/dragging/drag.h"
-#include "protocol/methods/readings/drag_messages.h"
+#include "protocol/methods/dragging/drag_messages.h"
 #include "server/calls/open_call.h"
 #include "server/changes/committer.h"
 #include "server/jobs/job_queue.h"
@@ -38,11 +38,11 @@ class DragSessions {
                DragFunction drag = drag_function())
       : store_{store}, committer_{committer}, sums_{sums}, queue_{queue}, drag_{std::move(drag)} {}
 
-  [[nodiscard]] calls::Outcome begin(const protocol::methods::readings::DragBegin& request,
+  [[nodiscard]] calls::Outcome begin(const protocol::methods::dragging::BeginParams& params,
                                      const std::shared_ptr<transport::access::Session>& session);
   // These two answer the call, immediately or when the drag's turn comes.
-  void move(const protocol::methods::readings::DragMove& request, const std::shared_ptr<calls::OpenCall>& call);
-  void end(const protocol::methods::readings::DragEnd& request, const std::shared_ptr<calls::OpenCall>& call);
+  void move(const protocol::methods::dragging::MoveParams& params, const std::shared_ptr<calls::OpenCall>& call);
+  void end(const protocol::methods::dragging::EndParams& params, const std::shared_ptr<calls::OpenCall>& call);
   [[nodiscard]] std::size_t count() const;
 
  private:
@@ -56,7 +56,7 @@ class DragSessions {
   [[nodiscard]] std::shared_ptr<Drag> find(const std::string& id, std::uint64_t session) const;
   void schedule(const std::shared_ptr<Drag>& drag);
   void execute_waiting_move(Drag& drag, const std::stop_token& stop);
-  [[nodiscard]] calls::Outcome finish(Drag& drag, const protocol::methods::readings::DragEnd& request,
+  [[nodiscard]] calls::Outcome finish(Drag& drag, const protocol::methods::dragging::EndParams& params,
                                       calls::OpenCall& call);
 
   store::MarkerStore& store_;

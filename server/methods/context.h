@@ -13,7 +13,7 @@
 
 namespace selvage::server::methods {
 
-class MethodTable;
+class HandlerTable;
 
 // REQUIRES: all references outlive every call.
 struct ServerContext {
@@ -25,7 +25,7 @@ struct ServerContext {
   const Executor& executor;  // on which motions run parts of their work in parallel
   const calls::Limits& limits;
   std::size_t workers{};  // for motions
-  const MethodTable& methods;
+  const HandlerTable& methods;
 };
 
 }  // namespace selvage::server::methods

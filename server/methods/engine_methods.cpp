@@ -1,38 +1,34 @@
 // The methods about the server itself: engine.info and rpc.discover.
-#include <utility>
-
-#include "protocol/calls/codec.h"
-#include "protocol/describe/daemon_methods.h"
 #include "protocol/describe/openrpc.h"
-#include "protocol/methods/marker_methods.h"
+#include "protocol/methods/daemon/engine.h"
+#include "server/methods/handler_table.h"
 #include "server/methods/method_groups.h"
-#include "server/methods/method_table.h"
 #include "server/ops/version.h"
 
 namespace selvage::server::methods {
 namespace {
 
-calls::Outcome info(const protocol::calls::NoParams&, const ServerContext& server, const calls::OpenCall&) {
-  protocol::calls::EngineInfo info;
+using namespace protocol::methods::daemon;
+
+calls::Outcome info(const NoParams&, const ServerContext& server, const calls::OpenCall&) {
+  EngineInfo info = engine_info(server.limits.transport.body_bytes);
   info.version = ops::kVersion;
-  info.workers = static_cast<int>(server.workers);
+  for (const HandlerTable::Row& row : server.methods.rows()) info.methods.push_back(row.method.name);
+  info.workers = server.workers;
   info.markers = server.store.count();
-  info.max_request_bytes = server.limits.transport.body_bytes;
-  info.cache = server.sums.counts();
-  for (const Method& method : server.methods.methods()) info.methods.push_back(method.name);
-  Json result = protocol::calls::encode(info);
-  result["limits"].update(Json{{"openMarkers", server.limits.open_markers},
-                               {"waitingMotions", server.limits.waiting_motions},
-                               {"waitingReads", server.limits.waiting_reads},
-                               {"waitingMoves", server.limits.waiting_moves},
-                               {"callMs", server.limits.call.count()},
-                               {"dragsPerConnection", drags::DragSessions::kMaxPerConnection},
-                               {"connections", server.limits.transport.connections},
-                               {"callsPerConnection", server.limits.transport.calls_per_connection}});
-  return result;
+  info.cache = protocol::calls::cache_counts_of(server.sums.counts());
+  info.limits.open_markers = server.limits.open_markers;
+  info.limits.waiting_motions = server.limits.waiting_motions;
+  info.limits.waiting_reads = server.limits.waiting_reads;
+  info.limits.waiting_moves = server.limits.waiting_moves;
+  info.limits.call_ms = server.limits.call.count();
+  info.limits.drags_per_connection = drags::DragSessions::kMaxPerConnection;
+  info.limits.connections = server.limits.transport.connections;
+  info.limits.calls_per_connection = server.limits.transport.calls_per_connection;
+  return protocol::schema::encode(info);
 }
 
-calls::Outcome discover(const protocol::calls::NoParams&, const ServerContext&, const calls::OpenCall&) {
+calls::Outcome discover(const NoParams&, const ServerContext&, const calls::OpenCall&) {
   static const store::SharedText kText = std::make_shared<const std::string>(openrpc_text());
   return kText;
 }
@@ -40,18 +36,11 @@ calls::Outcome discover(const protocol::calls::NoParams&, const ServerContext&, 
 }  // namespace
 
 std::string openrpc_text() {
-  std::vector<protocol::describe::ToldMethod> methods;
-  for (const protocol::describe::NamedWords& own : protocol::describe::daemon_words())
-    methods.push_back(protocol::describe::told(own.name, own.words));
-  for (const protocol::calls::MarkerMethod& method : protocol::methods::marker_methods())
-    methods.push_back(protocol::describe::told(method));
-  return protocol::json::to_text(openrpc_document(ops::kVersion, methods));
+  return protocol::json::to_text(protocol::describe::openrpc_document(ops::kVersion));
 }
 
-std::vector<Method> engine_methods() {
-  using protocol::calls::decode_no_params;
-  return {{"engine.info", Schedule::kInline, decode_and_run<decode_no_params, info>},
-          {"rpc.discover", Schedule::kInline, decode_and_run<decode_no_params, discover>}};
+std::vector<HandledMethod> engine_methods() {
+  return {{"engine.info", handle_with<NoParams, info>}, {"rpc.discover", handle_with<NoParams, discover>}};
 }
 
 }  // namespace selvage::server::methods

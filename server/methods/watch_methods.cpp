@@ -1,14 +1,15 @@
 // The methods that start and stop change notifications: marker.watch and marker.unwatch.
-#include <string>
-
-#include "protocol/calls/codec.h"
+#include "protocol/methods/daemon/markers.h"
 #include "server/calls/errors.h"
 #include "server/methods/method_groups.h"
 
 namespace selvage::server::methods {
 namespace {
 
-calls::Outcome watch(const std::string& id, const ServerContext& server, const calls::OpenCall& call) {
+using namespace protocol::methods::daemon;
+
+calls::Outcome watch(const MarkerIdParams& params, const ServerContext& server, const calls::OpenCall& call) {
+  const std::string& id = params.marker_id;
   const auto& session = call.session();
   if (!session->notify) return calls::no_notifications();
   if (!server.store.current(id)) return calls::unknown_marker(id);
@@ -19,20 +20,19 @@ calls::Outcome watch(const std::string& id, const ServerContext& server, const c
     (void)server.watchers.unwatch(id, session->id);
     return calls::unknown_marker(id);
   }
-  return Json{{"markerId", id}, {"revision", now->revision}, {"watching", true}};
+  return protocol::schema::encode(WatchResult{{id, now->revision}});
 }
 
-calls::Outcome unwatch(const std::string& id, const ServerContext& server, const calls::OpenCall& call) {
-  const bool watched = server.watchers.unwatch(id, call.session()->id);
-  return Json{{"markerId", id}, {"watching", false}, {"watched", watched}};
+calls::Outcome unwatch(const MarkerIdParams& params, const ServerContext& server, const calls::OpenCall& call) {
+  const bool watched = server.watchers.unwatch(params.marker_id, call.session()->id);
+  return protocol::schema::encode(UnwatchResult{params.marker_id, false, watched});
 }
 
 }  // namespace
 
-std::vector<Method> watch_methods() {
-  using protocol::calls::decode_marker_id;
-  return {{"marker.watch", Schedule::kInline, decode_and_run<decode_marker_id, watch>},
-          {"marker.unwatch", Schedule::kInline, decode_and_run<decode_marker_id, unwatch>}};
+std::vector<HandledMethod> watch_methods() {
+  return {{"marker.watch", handle_with<MarkerIdParams, watch>},
+          {"marker.unwatch", handle_with<MarkerIdParams, unwatch>}};
 }
 
 }  // namespace selvage::server::methods

@@ -42,8 +42,7 @@ bool await_parallelism(const Executor& executor, std::size_t parallelism) {
 TEST(Daemon, AMotionMayUseTheCoresThatNoJobUses) {
   Gate gate;
   std::atomic<std::size_t> motions{};
-  const auto stub = [&](const protocol::calls::MotionCall& about, const MarkerFile& file,
-                        const protocol::calls::MethodContext& context) {
+  const auto stub = [&](const CommonParams& about, const MarkerFile& file, const MethodContext& context) {
     // Three workers: the first motion may use all of them, the second those that the first does not occupy.
     const Executor& executor = *context.run.executor;
     EXPECT_TRUE(await_parallelism(executor, 3 - motions++)) << executor.parallelism();

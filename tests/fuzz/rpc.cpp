@@ -5,9 +5,8 @@
 
 #include "core/search/refine.h"
 #include "protocol/calls/motion.h"
-#include "protocol/methods/marker_methods.h"
+#include "protocol/methods/method_table.h"
 #include "server/dispatch/backend.h"
-#include "server/methods/method_groups.h"
 #include "tests/fuzz/entry.h"
 
 namespace selvage::test {
@@ -24,10 +23,11 @@ bool small(const Marker& marker) {
 }
 
 // All methods, except that compaction at accuracy "fine", which would take too long here, searches only briefly.
-server::methods::MethodTable quick_methods() {
-  static const protocol::calls::MarkerMethod& compact = *protocol::methods::find_marker_method("motion.compact");
-  const auto read = [](const Json& params) {
-    auto call = compact.read(params);
+protocol::methods::MethodTable quick_methods() {
+  protocol::methods::MethodTable methods = protocol::methods::method_table();
+  protocol::calls::Method compact = *methods.find("motion.compact");
+  compact.read = [read = compact.read](const Json& params) {
+    auto call = read(params);
     if (!call || params.value("accuracy", "") != "fine") return call;
     call->run = [commit = call->about.commit](
                     const MarkerFile& file,
@@ -35,14 +35,13 @@ server::methods::MethodTable quick_methods() {
       if (!small(file.marker)) return Error{ErrorCode::kRepairFailed, "too large for this test", {}};
       auto done = search::refine(file.marker, {.other_ways = 4, .effort = 20, .tilts = false, .seed = 1}, context.run);
       if (!done) return done.error();
-      protocol::calls::Motion motion{std::move(done->marker), protocol::calls::rounds_json(done->rounds, done->reason),
-                                     done->repair};
-      return answer_of(file.marker, std::move(motion), commit, context);
+      const protocol::calls::RoundsResult own{done->rounds, stop_cause(done->reason, context)};
+      return answer_of(file.marker, {.marker = std::move(done->marker), .repair = done->repair},
+                       protocol::schema::encode(own), commit, context);
     };
     return call;
   };
-  server::methods::MethodTable methods;
-  methods.replace(method_on_marker(compact, read));
+  methods.replace(std::move(compact));
   return methods;
 }
 

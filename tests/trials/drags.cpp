@@ -47,7 +47,7 @@ struct Tally {
 class DragClient {
  public:
   DragClient(const LiveDaemon& daemon, Endpoint endpoint, const OpenedMarker& marker, std::uint64_t seed, Tally& tally,
-       Faults& faults)
+             Faults& faults)
       : caller_{daemon, endpoint}, marker_{marker}, random_{seed}, tally_{tally}, faults_{faults} {}
 
   void drag() {
@@ -207,14 +207,16 @@ void drags(std::size_t count, Faults& faults) {
   const double seconds = std::chrono::duration<double>{std::chrono::steady_clock::now() - began}.count();
   for (std::size_t k = 1; k < kReaders; ++k) reads[0].join(reads[k]);
   faults.expect(tally.begun == count, "not every drag session was executed");
-  faults.expect(tally.superseded > 0 && tally.cancelled > 0 && tally.moved > 0, "the trial did not exercise everything");
+  faults.expect(tally.superseded > 0 && tally.cancelled > 0 && tally.moved > 0,
+                "the trial did not exercise everything");
   std::printf("%zu drags from %zu connections in %.1f s: %zu requests, each answered once\n", count, kDraggers, seconds,
               tally.requests.load());
   std::printf("moves executed %zu, superseded %zu; calls cancelled %zu; ends executed %zu, too late %zu\n",
               tally.moved.load(), tally.superseded.load(), tally.cancelled.load(), tally.committed.load(),
               tally.late.load());
   std::printf("markers checked %zu times; %zu compactions of jeans_22g meanwhile\n", tally.checked.load(), solves);
-  std::printf("marker.get by %zu other clients: %s (goal: p99 below %.0f)\n", kReaders, reads[0].text().c_str(), kReadGoalMs);
+  std::printf("marker.get by %zu other clients: %s (goal: p99 below %.0f)\n", kReaders, reads[0].text().c_str(),
+              kReadGoalMs);
   faults.expect(daemon.end() == 0, "selvaged did not exit with code 0");
 }
 

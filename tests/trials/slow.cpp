@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kSlowWriters = 500, kSlowReaders = 50;
-constexpr auto kPeriod = 3s;               // with and without slow clients, alternating
+constexpr auto kPeriod = 3s;                // with and without slow clients, alternating
 constexpr std::size_t kUnreadAnswers = 40;  // that a slow reader leaves unread: about 3 MB
 
 // Sends one byte of a request now and then; reconnects when it is disconnected.

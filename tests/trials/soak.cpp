@@ -22,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 using test::Random;
 
 constexpr std::size_t kClients = 64;
-constexpr double kWarmUp = 0.2;  // the fraction of the time that is not evaluated
+constexpr double kWarmUp = 0.2;   // the fraction of the time that is not evaluated
 constexpr auto kMaxPause = 40ms;  // between two calls of a client
 constexpr int kBusy = -32010, kUnknownMarker = -32012, kMoved = -32801, kRefused = -32000;
 

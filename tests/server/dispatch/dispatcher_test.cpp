@@ -118,9 +118,10 @@ TEST(Dispatcher, InvalidMessagesAreRefused) {
 }
 
 TEST(Dispatcher, ADecoderThatThrowsFailsItsCallOnly) {
-  server::methods::MethodTable methods;
-  methods.replace({"engine.info", server::methods::Schedule::kInline,
-                   [](auto&&...) -> Result<server::methods::ParsedCall> { throw std::runtime_error{"on purpose"}; }});
+  MethodTable methods = protocol::methods::method_table();
+  protocol::calls::Method throwing = *methods.find("engine.info");
+  throwing.read = [](const Json&) -> Result<protocol::calls::ParsedCall> { throw std::runtime_error{"on purpose"}; };
+  methods.replace(std::move(throwing));
   LocalServer local{0, methods};
   const Json answers = local.ask_json("[" + call(1, "engine.info") + "," + call(2, "marker.list") + "]");
   ASSERT_EQ(answers.size(), 2U);
@@ -146,9 +147,11 @@ TEST(Dispatcher, EngineInfoListsEveryMethod) {
   std::set<std::string> expected{"engine.info", "marker.open", "marker.close", "marker.list",    "marker.apply",
                                  "marker.undo", "marker.redo", "marker.watch", "marker.unwatch", "drag.begin",
                                  "drag.move",   "drag.end",    "rpc.discover"};
-  for (const protocol::calls::MarkerMethod& method : protocol::methods::marker_methods()) expected.emplace(method.name);
+  for (const protocol::calls::Method& method : protocol::methods::method_table().all()) {
+    if (method.on_marker) expected.emplace(method.name);
+  }
   EXPECT_EQ(told, expected);
-  for (const std::string& name : told) EXPECT_TRUE(server::methods::MethodTable{}.find(name)) << name;
+  for (const std::string& name : told) EXPECT_TRUE(protocol::methods::find_method(name)) << name;
 }
 
 TEST(Dispatcher, AFullQueueSaysWhenToRetry) {

@@ -57,7 +57,7 @@ class Client {
 
 class LocalServer {
  public:
-  explicit LocalServer(std::size_t workers = 0, server::methods::MethodTable methods = pushing_methods(),
+  explicit LocalServer(std::size_t workers = 0, MethodTable methods = pushing_methods(),
                        const server::calls::Limits& limits = {}, server::store::Journal* journal = nullptr)
       : LocalServer{server::dispatch::BackendSettings{
             .workers = workers, .limits = limits, .journal = journal, .methods = std::move(methods)}} {}

@@ -18,14 +18,13 @@ TEST(Cancelling, AnswersImmediatelyAndNothingIsCommitted) {
   std::promise<void> release;
   auto released = release.get_future().share();
   std::promise<void> arrived;
-  LocalServer local{
-      1, methods_with({"motion.compact"},
-                      [&](const protocol::calls::MotionCall& about, const MarkerFile& file,
-                          const protocol::calls::MethodContext& context) -> Result<protocol::calls::MethodAnswer> {
-                        arrived.set_value();
-                        released.wait();
-                        return motion_answer(about, file.marker, push_left(file.marker), context);
-                      })};
+  LocalServer local{1, methods_with({"motion.compact"},
+                                    [&](const CommonParams& about, const MarkerFile& file,
+                                        const MethodContext& context) -> Result<MethodAnswer> {
+                                      arrived.set_value();
+                                      released.wait();
+                                      return motion_answer(about, file.marker, push_left(file.marker), context);
+                                    })};
   (void)local.open_small();
   auto running = local.send(call(7, "motion.compact", R"({"markerId":"m1","opId":"a"})"));
   arrived.get_future().wait();
@@ -120,17 +119,17 @@ TEST(Deadlines, TheServersLimitAppliesToMotionsWithoutOrWithALongerDeadline) {
 
 // A marker.check that ends only when it is stopped.
 struct EndlessCheck {
-  server::methods::MethodTable methods() {
-    return methods_with({"marker.check"},
-                        [this](const protocol::calls::MotionCall&, const MarkerFile&,
-                               const protocol::calls::MethodContext& context) -> Result<protocol::calls::MethodAnswer> {
-                          begun.release();
-                          std::binary_semaphore stopped{0};
-                          const std::stop_callback on_stop{context.run.stop, [&] { stopped.release(); }};
-                          stopped.acquire();
-                          ended.release();
-                          return Error{ErrorCode::kStoppedEarly, "stopped on purpose", ""};
-                        });
+  MethodTable methods() {
+    return methods_with(
+        {"marker.check"},
+        [this](const CommonParams&, const MarkerFile&, const MethodContext& context) -> Result<MethodAnswer> {
+          begun.release();
+          std::binary_semaphore stopped{0};
+          const std::stop_callback on_stop{context.run.stop, [&] { stopped.release(); }};
+          stopped.acquire();
+          ended.release();
+          return Error{ErrorCode::kStoppedEarly, "stopped on purpose", ""};
+        });
   }
   std::counting_semaphore<> begun{0}, ended{0};
 };
@@ -183,15 +182,14 @@ TEST(Reads, DrainingStopsLongOnes) {
 }
 
 TEST(Progress, EachRoundIsReportedWithItsToken) {
-  LocalServer local{
-      0, methods_with({"motion.compact"},
-                      [](const protocol::calls::MotionCall& about, const MarkerFile& file,
-                         const protocol::calls::MethodContext& context) -> Result<protocol::calls::MethodAnswer> {
-                        const Resolution resolution = file.marker.resolution;
-                        context.run.observer.on_round({1, to_lattice(4.5, resolution)});
-                        context.run.observer.on_round({2, to_lattice(4, resolution)});
-                        return motion_answer(about, file.marker, push_left(file.marker), context);
-                      })};
+  LocalServer local{0, methods_with({"motion.compact"},
+                                    [](const CommonParams& about, const MarkerFile& file,
+                                       const MethodContext& context) -> Result<MethodAnswer> {
+                                      const Resolution resolution = file.marker.resolution;
+                                      context.run.observer.on_round({1, to_lattice(4.5, resolution)});
+                                      context.run.observer.on_round({2, to_lattice(4, resolution)});
+                                      return motion_answer(about, file.marker, push_left(file.marker), context);
+                                    })};
   (void)local.open_small();
   (void)local.result("motion.compact", "{'markerId':'m1','progressToken':'mine'}");
   ASSERT_EQ(local.client.pending(), 2U);

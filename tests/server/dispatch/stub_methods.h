@@ -1,5 +1,5 @@
 // Motions that take a single step and that tests can hold, break and count, and a small marker for them.  They replace
-// rows of the server's method table.
+// rows of the method table.
 #pragma once
 
 #include <algorithm>
@@ -12,9 +12,7 @@
 #include <utility>
 
 #include "protocol/calls/motion.h"
-#include "protocol/methods/marker_methods.h"
-#include "server/methods/method_groups.h"
-#include "server/methods/method_table.h"
+#include "protocol/methods/method_table.h"
 #include "tests/server/wire/wire.h"
 
 namespace selvage::test {
@@ -25,25 +23,30 @@ inline const std::string kSmallMarker =
     R"("shapes":[{"id":"square","outline":[[0,0],[2,0],[2,2],[0,2]]}],)"
     R"("pieces":[{"id":"low","shape":"square","at":[3,0]},{"id":"high","shape":"square","at":[3,4]}]})";
 
-// What a method does with a marker after its parameters have been decoded.
-using StubRun = std::function<Result<protocol::calls::MethodAnswer>(
-    const protocol::calls::MotionCall& about, const MarkerFile& file, const protocol::calls::MethodContext& context)>;
+using protocol::calls::CommonParams;
+using protocol::calls::MethodAnswer;
+using protocol::calls::MethodContext;
+using protocol::methods::MethodTable;
 
-// All methods of the server, of which those of these names run the stub instead.
-inline server::methods::MethodTable methods_with(std::initializer_list<const char*> names, const StubRun& stub) {
-  server::methods::MethodTable table;
+// What a method does with a marker after its parameters have been decoded.
+using StubRun =
+    std::function<Result<MethodAnswer>(const CommonParams&, const MarkerFile& file, const MethodContext& context)>;
+
+// The table of all methods, of which those of these names run the stub instead.
+inline MethodTable methods_with(std::initializer_list<const char*> names, const StubRun& stub) {
+  MethodTable table = protocol::methods::method_table();
   for (const char* name : names) {
-    const protocol::calls::MarkerMethod& method = *protocol::methods::find_marker_method(name);
-    const auto read = [&method, stub](const Json& params) {
-      auto call = method.read(params);
+    protocol::calls::Method method = *table.find(name);
+    method.read = [read = method.read, stub](const Json& params) {
+      auto call = read(params);
       if (call) {
-        call->run = [stub, about = call->about](const MarkerFile& file, const protocol::calls::MethodContext& context) {
+        call->run = [stub, about = call->about](const MarkerFile& file, const MethodContext& context) {
           return stub(about, file, context);
         };
       }
       return call;
     };
-    table.replace(method_on_marker(method, read));
+    table.replace(std::move(method));
   }
   return table;
 }
@@ -58,23 +61,21 @@ inline Marker push_left(const Marker& start) {
 }
 
 // The answer of a motion that ended with this marker after one round.
-inline protocol::calls::MethodAnswer motion_answer(const protocol::calls::MotionCall& about, const Marker& start,
-                                                   Marker end, const protocol::calls::MethodContext& context,
-                                                   scene::StopReason reason = scene::StopReason::kConverged) {
-  protocol::calls::Motion motion;
-  motion.marker = std::move(end);
-  motion.figures = protocol::calls::rounds_json(1, reason);
-  return protocol::calls::answer_of(start, std::move(motion), about.commit, context);
+inline MethodAnswer motion_answer(const CommonParams& about, const Marker& start, Marker end,
+                                  const MethodContext& context,
+                                  scene::StopReason reason = scene::StopReason::kConverged) {
+  const protocol::calls::RoundsResult own{1, stop_cause(reason, context)};
+  return answer_of(start, {.marker = std::move(end)}, protocol::schema::encode(own), about.commit, context);
 }
 
 // All methods of the server, with compactions that push every piece 1 mm to the left.
-inline server::methods::MethodTable pushing_methods() {
-  return methods_with({"motion.compact"},
-                      [](const protocol::calls::MotionCall& about, const MarkerFile& file,
-                         const protocol::calls::MethodContext& context) -> Result<protocol::calls::MethodAnswer> {
-                        context.run.observer.on_stage(scene::Stage::kSolve);
-                        return motion_answer(about, file.marker, push_left(file.marker), context);
-                      });
+inline MethodTable pushing_methods() {
+  return methods_with(
+      {"motion.compact"},
+      [](const CommonParams& about, const MarkerFile& file, const MethodContext& context) -> Result<MethodAnswer> {
+        context.run.observer.on_stage(scene::Stage::kSolve);
+        return motion_answer(about, file.marker, push_left(file.marker), context);
+      });
 }
 
 // A gate at which motions wait until the test opens it or their token stops.
@@ -82,14 +83,14 @@ class Gate {
  public:
   // All methods of the server, of which compaction and gravity wait here.  One that is stopped reports that, and has
   // moved the pieces nevertheless.
-  [[nodiscard]] server::methods::MethodTable methods() {
+  [[nodiscard]] MethodTable methods() {
     return methods_with({"motion.compact", "motion.gravity"},
-                        [this](const protocol::calls::MotionCall& about, const MarkerFile& file,
-                               const protocol::calls::MethodContext& context) { return run(about, file, context); });
+                        [this](const CommonParams& about, const MarkerFile& file, const MethodContext& context) {
+                          return run(about, file, context);
+                        });
   }
-  [[nodiscard]] Result<protocol::calls::MethodAnswer> run(const protocol::calls::MotionCall& about,
-                                                          const MarkerFile& file,
-                                                          const protocol::calls::MethodContext& context) {
+  [[nodiscard]] Result<MethodAnswer> run(const CommonParams& about, const MarkerFile& file,
+                                         const MethodContext& context) {
     const auto reason = pass(context.run.stop) ? scene::StopReason::kConverged : scene::StopReason::kCancelled;
     return motion_answer(about, file.marker, push_left(file.marker), context, reason);
   }

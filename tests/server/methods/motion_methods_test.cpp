@@ -58,9 +58,8 @@ TEST(MotionMethods, TimesAreReportedOnRequestOnly) {
 }
 
 TEST(MotionMethods, AMotionThatThrowsFailsItsCallOnly) {
-  const auto throwing = methods_with({"motion.compact"}, [](auto&&...) -> Result<protocol::calls::MethodAnswer> {
-    throw std::runtime_error{"on purpose"};
-  });
+  const auto throwing = methods_with({"motion.compact"},
+                                     [](auto&&...) -> Result<MethodAnswer> { throw std::runtime_error{"on purpose"}; });
   for (const std::size_t workers : {0U, 1U}) {
     LocalServer local{workers, throwing};
     const std::string id = local.open_small();
@@ -72,7 +71,7 @@ TEST(MotionMethods, AMotionThatThrowsFailsItsCallOnly) {
 }
 
 TEST(MotionMethods, TheErrorOfARefusedMotionSaysWhy) {
-  LocalServer local{0, methods_with({"motion.compact"}, [](auto&&...) -> Result<protocol::calls::MethodAnswer> {
+  LocalServer local{0, methods_with({"motion.compact"}, [](auto&&...) -> Result<MethodAnswer> {
                       return Error{ErrorCode::kMarkerOverlaps, "pieces low and high overlap", "/pieces/0"};
                     })};
   const std::string id = local.open_small();

@@ -1,6 +1,6 @@
-// A transport whose service the test controls: messages that contain "hold" wait until the test answers them, those that
-// contain "silent" get no answer, those that contain "throw" make the service throw an exception; all others are sent
-// back unchanged.
+// A transport whose service the test controls: messages that contain "hold" wait until the test answers them, those
+// that contain "silent" get no answer, those that contain "throw" make the service throw an exception; all others are
+// sent back unchanged.
 #pragma once
 
 #include <condition_variable>

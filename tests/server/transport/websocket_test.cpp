@@ -149,9 +149,10 @@ TEST(WebSocket, ClosesWithTheCodeOfTheError) {
                        frame_bytes({Opcode::kContinuation, std::string(600, 'x')})),
             1009);
   EXPECT_EQ(code_after(frame_bytes({Opcode::kText, "\xff\xfe"})), 1007);
-  EXPECT_EQ(code_after(frame_bytes({Opcode::kText, "{}"}, false)), 1002);            // unmasked
-  EXPECT_EQ(code_after(frame_bytes({Opcode::kContinuation, "{}"})), 1002);           // continues no message
-  EXPECT_EQ(code_after(frame_bytes({Opcode::kPing, std::string(126, 'x')})), 1002);  // a control frame has at most 125 bytes
+  EXPECT_EQ(code_after(frame_bytes({Opcode::kText, "{}"}, false)), 1002);   // unmasked
+  EXPECT_EQ(code_after(frame_bytes({Opcode::kContinuation, "{}"})), 1002);  // continues no message
+  EXPECT_EQ(code_after(frame_bytes({Opcode::kPing, std::string(126, 'x')})),
+            1002);  // a control frame has at most 125 bytes
   EXPECT_EQ(code_after(frame_bytes({static_cast<Opcode>(3), "{}"})), 1002);
   EXPECT_EQ(code_after(frame_bytes({Opcode::kText, std::string(1000, 'x')}) +
                        frame_bytes({Opcode::kClose, std::string{"\x03\xe8", 2}})),

@@ -58,7 +58,8 @@ class SoundCaller {
  public:
   SoundCaller(const LiveDaemon& daemon, InUse& in_use) : caller_{daemon, Endpoint::kTcp}, in_use_{in_use} {}
 
-  // Makes one call and records its duration.  Reopens the marker of the attack if a request that was valid has closed it.
+  // Makes one call and records its duration.  Reopens the marker of the attack if a request that was valid has closed
+  // it.
   void call() {
     const Json answer = latencies.time([&] { return caller_.ask("marker.get", {{"markerId", marker_id_}}); });
     if (code_of(answer) != 0) open();
@@ -266,7 +267,8 @@ void malformed(std::size_t count, Faults& faults) {
   std::printf("the next valid call: %s (goal: below %.0f)\n", sound.text().c_str(), kGoalMs);
   std::printf("resident %.1f MB before, %.1f after, %.1f at most\n", before.resident_mb, after.resident_mb,
               after.peak_mb);
-  faults.expect(tally.sent == tally.answered + tally.closed, "some requests were neither answered nor followed by closing the connection");
+  faults.expect(tally.sent == tally.answered + tally.closed,
+                "some requests were neither answered nor followed by closing the connection");
   faults.expect(after.resident_mb - before.resident_mb < kMostGrownMb, "resident memory has grown");
   attacks.clear();
   faults.expect(daemon.end() == 0, "selvaged did not exit with code 0");

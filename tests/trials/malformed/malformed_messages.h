@@ -13,9 +13,9 @@ class MalformedMessages {
  public:
   explicit MalformedMessages(std::uint64_t seed);
 
-  // The next message, as one line.  Golden requests about "m1" are changed to name the marker `marker_id`, so that those
-  // with small errors are processed far.  Each message gets exactly one answer; those that would get none, because they
-  // are notifications or blank, are skipped.  A few turn out to be valid.
+  // The next message, as one line.  Golden requests about "m1" are changed to name the marker `marker_id`, so that
+  // those with small errors are processed far.  Each message gets exactly one answer; those that would get none,
+  // because they are notifications or blank, are skipped.  A few turn out to be valid.
   [[nodiscard]] std::string next(const std::string& marker_id);
 
  private:
@@ -28,8 +28,8 @@ class MalformedMessages {
   std::vector<Json> golden_;
 };
 
-// The large messages: nested up to 10^7 deep, and as long as the daemon accepts (`limit` bytes) or longer.  They are made
-// one at a time, because together they would not fit into memory.
+// The large messages: nested up to 10^7 deep, and as long as the daemon accepts (`limit` bytes) or longer.  They are
+// made one at a time, because together they would not fit into memory.
 inline constexpr std::size_t kExtremes = 11;
 [[nodiscard]] std::string extreme_message(std::size_t which, std::size_t limit);
 
