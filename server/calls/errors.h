@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "protocol/calls/messages.h"
+#include "protocol/calls/params.h"
 #include "server/calls/outcome.h"
 #include "server/jobs/job_queue.h"
 

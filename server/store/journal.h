@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/calls/messages.h"
+#include "protocol/calls/params.h"
 #include "protocol/edits/moves.h"
 #include "server/store/history.h"
 #include "server/store/kept_answers.h"

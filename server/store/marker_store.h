@@ -18,7 +18,9 @@
 #include <variant>
 #include <vector>
 
-#include "protocol/calls/messages.h"
+#include "core/scene/laid_out.h"
+#include "protocol/calls/params.h"
+#include "protocol/execution/made_once.h"
 #include "server/store/history.h"
 #include "server/store/journal.h"
 #include "server/store/kept_answers.h"

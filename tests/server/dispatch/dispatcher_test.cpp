@@ -151,7 +151,7 @@ TEST(Dispatcher, EngineInfoListsEveryMethod) {
     if (method.on_marker) expected.emplace(method.name);
   }
   EXPECT_EQ(told, expected);
-  for (const std::string& name : told) EXPECT_TRUE(protocol::methods::find_method(name)) << name;
+  for (const std::string& name : told) EXPECT_TRUE(server::methods::HandlerTable{}.find(name)) << name;
 }
 
 TEST(Dispatcher, AFullQueueSaysWhenToRetry) {
