@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <memory>
-#include <stop_token>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include "core/base/executor.h"
 #include "core/geometry/overlap.h"
 #include "core/marker/marker.h"
 
@@ -36,6 +36,8 @@ class PlacedPieces {
   [[nodiscard]] Vec at(std::size_t piece) const { return at_[piece]; }
   [[nodiscard]] const std::vector<Vec>& positions() const { return at_; }
   void place(std::vector<Vec> positions) { at_ = std::move(positions); }
+  // Moves every piece, each by a vector of its own.
+  void move_by(std::span<const Vec> by);
   // Gives one piece another polygon: it was tilted.
   void replace(std::size_t piece, Polygon polygon, Vec at);
   // The least distance the two must keep: the marker's spacing, or their buffers.
@@ -56,15 +58,8 @@ class PlacedPieces {
 
 // All pairs whose boxes come closer than `distance` on both axes (0: whose boxes overlap), sorted.
 [[nodiscard]] std::vector<PiecePair> pairs_within(const PlacedPieces& pieces, Coord distance);
-
-// True when the two overlap or are closer than their spacing.  Exact.
-[[nodiscard]] bool conflict(const PlacedPieces& pieces, PiecePair pair);
-
-// All pairs of which that is true, sorted.  Asked to stop, only some: whoever may stop it looks at the token
-// afterwards.
-[[nodiscard]] std::vector<PiecePair> conflicts(const PlacedPieces& pieces, const Executor& executor = serial(),
-                                               const std::stop_token& stop = {});
-// Is there one?
-[[nodiscard]] bool any_conflict(const PlacedPieces& pieces);
+// True when one of these pairs passes the test.
+[[nodiscard]] bool any_pair_within(const PlacedPieces& pieces, Coord distance,
+                                   const std::function<bool(PiecePair)>& test);
 
 }  // namespace selvage::marker

@@ -18,8 +18,6 @@ class SumCache;
 
 namespace selvage::marker {
 
-class PlacedPieces;
-
 // Two pieces that overlap, or are closer than their spacing.
 struct Overlap {
   PieceId first, second;  // first < second
@@ -38,9 +36,6 @@ struct Validity {
   [[nodiscard]] bool valid() const { return overlaps.empty() && protrusions.empty(); }
 };
 
-// The largest distance by which a box leaves the strip or enters its margins; 0 or less when it does neither.
-[[nodiscard]] Coord protrusion_of(const Box& box, const Strip& strip);
-
 // A piece as the cache of sums knows it.
 [[nodiscard]] outline::OrientedOutline oriented_outline(const Marker& marker, PieceId piece, minkowski::SumCache& sums);
 
@@ -53,6 +48,5 @@ struct Validity {
 [[nodiscard]] std::vector<Overlap> overlaps_unmeasured(const Marker& marker);
 // Only yes or no.
 [[nodiscard]] bool is_valid(const Marker& marker);
-[[nodiscard]] bool is_valid(const PlacedPieces& pieces, const Strip& strip);
 
 }  // namespace selvage::marker

@@ -67,7 +67,7 @@ void edit(Random& random, Marker& marker) {
 
 // Some pieces off by what other programs' rounding may leave, within what is healed.
 Marker nudged(Random& random, Marker marker) {
-  const auto most = static_cast<Coord>(0.4 * motion::repair::kHealingLimit * static_cast<double>(marker.strip.width));
+  const auto most = static_cast<Coord>(0.4 * motion::repair::kRepairLimit * static_cast<double>(marker.strip.width));
   for (Piece& piece : marker.pieces) {
     if (random.chance(40)) piece.at = piece.at + random.point(-most, most);
   }

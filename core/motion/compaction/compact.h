@@ -32,11 +32,12 @@ struct CompactionSettings {
   double gravity{};  // weight of the mean leftward motion beside the length
   model::RegionRule region{};
   lp::solver::SolverChoice solver{};
-  model::Extent extent{model::Extent::kReached};
+  model::Extent extent{model::Extent::kActiveSet};
   double simplification{};  // programs are made of outlines grown by up to this part of the width, where pieces are not
                             // nearer than that (obstacles.h); 0: of their own
   double solver_tolerance{};  // of 1 + what a round gains (thousandths of the width): by so much its program may miss
                               // the best; what one round misses the next may gain
+  step::StepTuning tuning{};
   friend bool operator==(const CompactionSettings&, const CompactionSettings&) = default;
 };
 [[nodiscard]] CompactionSettings compaction_settings(Accuracy accuracy);
