@@ -65,7 +65,7 @@ void push_once(const Marker& marker, const scene::Run& run) {
 void pull_left_once(const Marker& marker, const scene::Run& run) {
   std::vector<motion::compaction::Force> forces;
   for (std::uint32_t piece = 0; piece < marker.pieces.size(); ++piece) forces.push_back({PieceId{piece}, -1, 0});
-  require(push(marker, forces, one_round(model::Extent::kReached), run));
+  require(push(marker, forces, one_round(model::Extent::kActiveSet), run));
 }
 
 template <model::Extent kExtent>
@@ -99,7 +99,7 @@ void repair_once(const Marker& marker, const scene::Run& run) {
   Vec& at = overlapping.pieces[middle_of(marker).value].at;
   SumCache others;
   at = motion::piece::bump(scene::Scene{marker, others}, middle_of(marker).value, 1, 0).at;
-  at = right_of_middle(overlapping, motion::repair::kHealingLimit / 2);
+  at = right_of_middle(overlapping, motion::repair::kRepairLimit / 2);
   scene::Scene scene{overlapping, run.sums};
   require(motion::repair::repair_overlaps(scene, run));
 }
@@ -108,7 +108,7 @@ void tilt_once(const Marker& marker, const scene::Run& run) {
   motion::tilting::TiltSettings settings =
       tilt_settings(motion::tilting::TiltMethod::kLinearisation, motion::compaction::Accuracy::kStandard);
   settings.rounds = 1;
-  settings.compaction = one_round(model::Extent::kReached);
+  settings.compaction = one_round(model::Extent::kActiveSet);
   require(tilt(marker, settings, run));
 }
 
@@ -141,7 +141,7 @@ void drag_once(const Marker& marker, const scene::Run& run) {
 
 constexpr std::array kRounds{
     OneRound{"bump", kAny, bump_once},
-    OneRound{"compact", kAny, compact_once<model::Extent::kReached>},
+    OneRound{"compact", kAny, compact_once<model::Extent::kActiveSet>},
     OneRound{"compact, whole", 440, compact_once<model::Extent::kWhole>},
     OneRound{"critical path", kAny, critical_path_once},
     OneRound{"drag, place", kAny, drag_once<motion::dragging::DragMode::kPlace>},
@@ -151,14 +151,14 @@ constexpr std::array kRounds{
     OneRound{"float, largest total", kAny, float_once<motion::floating::FloatMode::kLargestTotal>},
     OneRound{"float, two steps", kAny, float_once<motion::floating::FloatMode::kTwoStep>},
     OneRound{"float, uniform", kAny, float_once<motion::floating::FloatMode::kUniform>},
-    OneRound{"gap", kAny, open_once<model::Extent::kReached>},
+    OneRound{"gap", kAny, open_once<model::Extent::kActiveSet>},
     OneRound{"gap, whole", 440, open_once<model::Extent::kWhole>},
     OneRound{"gravity", kAny, pull_left_once},
     OneRound{"one at a time", kAny, sweep_once},
     OneRound{"place", kAny, place_once},
-    OneRound{"push one across", kAny, push_once<true, model::Extent::kReached>},
+    OneRound{"push one across", kAny, push_once<true, model::Extent::kActiveSet>},
     OneRound{"push one across, whole", 440, push_once<true, model::Extent::kWhole>},
-    OneRound{"push one along", kAny, push_once<false, model::Extent::kReached>},
+    OneRound{"push one along", kAny, push_once<false, model::Extent::kActiveSet>},
     OneRound{"push one along, whole", 440, push_once<false, model::Extent::kWhole>},
     OneRound{"relax", kAny, relax_once},
     OneRound{"repair one", kAny, repair_once},

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/lp/solver/solve.h"
-#include "core/marker/validity.h"
+#include "core/marker/clearance.h"
 #include "core/model/pair_rows.h"
 #include "core/model/snap.h"
 #include "core/motion/baseline/collision.h"
@@ -236,10 +236,7 @@ class Simulation {
     std::vector<Vec> positions = model::snapped(moved);
     for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + start_[i];
     pieces.place(std::move(positions));
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-      if (protrusion_of(pieces.box(i), scene_.marker.strip) > 0) return false;
-    }
-    if (pieces.length() > longest_ || !conflicts(pieces).empty()) return false;
+    if (pieces.length() > longest_ || !all_clear(pieces, scene_.marker.strip)) return false;
     scene_.pieces = std::move(pieces);
     if (scene_.pieces.length() < best_length_) {
       best_length_ = scene_.pieces.length();

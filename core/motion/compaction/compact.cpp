@@ -53,7 +53,8 @@ Progress improve(scene::Scene& scene, const step::Goal& goal, const CompactionSe
                                    .solver = settings.solver,
                                    .extent = settings.extent,
                                    .simplification = settings.simplification,
-                                   .tolerance = settings.solver_tolerance};
+                                   .tolerance = settings.solver_tolerance,
+                                   .tuning = settings.tuning.step};
   // What is worth another round of a long marker is measured by its length.
   const double widths = static_cast<double>(scene.pieces.length()) / static_cast<double>(scene.marker.strip.width);
   const double least_gain =

@@ -31,7 +31,7 @@ struct CompactionSettings {
   double gravity{};  // weight of the mean leftward motion beside the length
   model::RegionRule region{};
   lp::solver::SolverChoice solver{};
-  model::Extent extent{model::Extent::kReached};
+  model::Extent extent{model::Extent::kActiveSet};
   double simplification{};  // programs are made of outlines grown by up to this part of the width, where pieces are not
                             // nearer than that (obstacles.h); 0: of their own
   double solver_tolerance{};  // of 1 + what a round gains (thousandths of the width): by so much its program may miss

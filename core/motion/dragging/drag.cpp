@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/marker/clearance.h"
 #include "core/minkowski/inner_fit.h"
 #include "core/motion/piece/bump.h"
 #include "core/motion/placing/place.h"
@@ -17,14 +18,6 @@ namespace {
 
 double distance(Vec a, Vec b) {
   return std::hypot(static_cast<double>(a.x - b.x), static_cast<double>(a.y - b.y));
-}
-
-bool meet(const geometry::PlacedPolygon& p, const geometry::PlacedPolygon& q, Coord spacing) {
-  return spacing > 0 ? closer_than(p, q, spacing) : overlap(p, q);
-}
-
-bool holds(const Box& room, const Box& box) {
-  return box.low.x >= room.low.x && box.low.y >= room.low.y && box.high.x <= room.high.x && box.high.y <= room.high.y;
 }
 
 class Hand {
@@ -81,21 +74,9 @@ class Hand {
   [[nodiscard]] bool free_at(Vec at) const {
     const Vec by = at - scene_.pieces.at(piece_);
     for (std::uint32_t i = 0; i < scene_.pieces.size(); ++i) {
-      if (in_hand_[i] && !clear(i, by)) return false;
+      if (in_hand_[i] && !room_.contains(scene_.pieces.box(i).moved(by))) return false;
     }
-    return true;
-  }
-  // A piece in the hand may be moved by this much.
-  [[nodiscard]] bool clear(std::uint32_t piece, Vec by) const {
-    geometry::PlacedPolygon moved = scene_.pieces[piece];
-    moved.at = moved.at + by;
-    if (!holds(room_, moved.placed_box())) return false;
-    const Box box = moved.placed_box().grown(scene_.pieces.widest_spacing());
-    for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
-      if (in_hand_[other] || !box.overlaps(scene_.pieces.box(other))) continue;
-      if (meet(moved, scene_.pieces[other], scene_.pieces.spacing({piece, other}))) return false;
-    }
-    return true;
+    return are_clear(scene_.pieces, in_hand_, by);
   }
 
   // Where a piece comes that is moved straight to the wanted place and, from where that ends, along what is in the way.
@@ -192,15 +173,13 @@ class Hand {
   // No piece that moved meets another.  (The rounds have proved it of the pieces they knew.)
   [[nodiscard]] bool proved(const Marker& marker) const {
     const marker::PlacedPieces pieces{marker};
-    const auto changed = [&](std::uint32_t piece) { return marker.pieces[piece].at != start_.pieces[piece].at; };
+    std::vector<std::uint32_t> changed;
     for (std::uint32_t piece = 0; piece < pieces.size(); ++piece) {
-      if (changed(piece) && !holds(room_, pieces.box(piece))) return false;
+      if (marker.pieces[piece].at == start_.pieces[piece].at) continue;
+      if (!room_.contains(pieces.box(piece))) return false;
+      changed.push_back(piece);
     }
-    for (const marker::PiecePair& pair : pairs_within(pieces, pieces.widest_spacing())) {
-      const auto& [first, second] = pair;
-      if ((changed(first) || changed(second)) && conflict(pieces, pair)) return false;
-    }
-    return true;
+    return are_clear(pieces, changed);
   }
 
   const DragTuning& tuning_;

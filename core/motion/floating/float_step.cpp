@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/geometry/distance.h"
+#include "core/marker/clearance.h"
 #include "core/model/snap.h"
 
 namespace selvage::motion::floating {
@@ -56,10 +57,8 @@ class Attempt {
   // Rounds and proves the moves.  Returns the pairs that rounding brings too near; without any, moves of more worth
   // become the step's.
   std::vector<marker::PiecePair> try_moves(const std::vector<RealVec>& moves, FloatStep& step) const {
-    std::vector<Vec> positions = model::snapped(moves);
-    for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + scene_.pieces.at(i);
     marker::PlacedPieces moved = scene_.pieces;
-    moved.place(std::move(positions));
+    moved.move_by(model::snapped(moves));
     auto broken = conflicts(moved);
     std::vector<double> widths;
     for (const FloatGap& gap : gaps_) {
@@ -80,17 +79,10 @@ class Attempt {
     return {};
   }
   [[nodiscard]] bool inside(const marker::PlacedPieces& moved) const {
-    const Box& strip = aim_.strip;
-    for (std::size_t i = 0; i < moved.size(); ++i) {
-      const Box box = moved.box(i);
-      if (box.low.x < strip.low.x || box.low.y < strip.low.y || box.high.x > strip.high.x ||
-          box.high.y > strip.high.y) {
-        return false;
-      }
-    }
-    return std::all_of(gaps_.begin(), gaps_.end(), [&](const FloatGap& gap) {
-      return other_piece(gap.gap) || whole_width_within(gap.gap, moved, strip, gap.least) >= gap.least;
-    });
+    const auto wide_enough = [&](const FloatGap& gap) {
+      return other_piece(gap.gap) || whole_width_within(gap.gap, moved, aim_.strip, gap.least) >= gap.least;
+    };
+    return are_inside(moved, aim_.strip) && std::all_of(gaps_.begin(), gaps_.end(), wide_enough);
   }
 
   // Pieces that rounding brings too near to each other move as one: what fits now still fits then.

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/marker/clearance.h"
 #include "core/minkowski/inner_fit.h"
 #include "core/model/pair_rows.h"
 #include "core/motion/piece/slide.h"
@@ -65,7 +66,7 @@ class Bumper {
     const Box room = scene.marker.strip.room(scene.marker.strip.last().value_or(scene.pieces.length()));
     for (std::uint32_t i = 0; i < scene.pieces.size(); ++i) {
       if (!scene.ties.joined(i, piece)) continue;
-      moves_[i] = 1;
+      moves_[i] = true;
       body_.push_back({i, scene.pieces.at(i) - at_});
       const Box fit = minkowski::inner_fit(scene.pieces[i].box, room).moved(-body_.back().offset);
       fit_.low = {std::max(fit_.low.x, fit.low.x), std::max(fit_.low.y, fit.low.y)};
@@ -122,7 +123,10 @@ class Bumper {
     if (ux_ * last_.to.x + uy_ * last_.to.y < tuning_.least_gain) return false;
     for (double part = 1; part > 1e-3; part /= 4) {
       const auto target = lattice_point(last_.to.x * part, last_.to.y * part);
-      if (!target || gain(*target - at_) < tuning_.least_gain || !valid(*target)) continue;
+      if (!target || gain(*target - at_) < tuning_.least_gain ||
+          !are_clear(scene_.pieces, moves_, *target - scene_.pieces.at(piece_))) {
+        continue;
+      }
       const bool reached_limit = std::any_of(last_.blocking.begin(), last_.blocking.end(),
                                              [&](std::size_t k) { return k >= cell_.size() - 4; });
       if (reached_limit) reach_ *= 4;  // nothing else was in the way: look farther next time
@@ -147,7 +151,7 @@ class Bumper {
     const Vec at = at_ + member.offset;
     const Box own = scene_.pieces[member.piece].box.moved(at).grown(std::llround(reach_) + spacing_);
     for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
-      if (moves_[other] != 0 || !own.overlaps(scene_.pieces.box(other))) continue;
+      if (moves_[other] || !own.overlaps(scene_.pieces.box(other))) continue;
       const Coord spacing = scene_.pieces.spacing({member.piece, other});
       const Vec r = at - scene_.pieces.at(other);
       const minkowski::Obstacle& obstacle = obstacle_of(other, member.piece);
@@ -221,25 +225,6 @@ class Bumper {
     }
     return true;
   }
-  // The proof: against every piece, in integers.
-  [[nodiscard]] bool valid(Vec candidate) const {
-    return std::all_of(body_.begin(), body_.end(), [&](const Member& member) {
-      geometry::PlacedPolygon moved = scene_.pieces[member.piece];
-      moved.at = candidate + member.offset;
-      return clear_of_others(moved, member.piece);
-    });
-  }
-  [[nodiscard]] bool clear_of_others(const geometry::PlacedPolygon& moved, std::uint32_t piece) const {
-    const Box box = moved.placed_box().grown(spacing_);
-    for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
-      if (moves_[other] != 0 || !box.overlaps(scene_.pieces.box(other))) continue;
-      const geometry::PlacedPolygon still = scene_.pieces[other];
-      const Coord spacing = scene_.pieces.spacing({piece, other});
-      if (spacing > 0 ? closer_than(moved, still, spacing) : overlap(moved, still)) return false;
-    }
-    return true;
-  }
-
   [[nodiscard]] std::vector<std::uint32_t> touching() const {
     std::vector<std::uint32_t> pieces;
     for (const std::size_t k : last_.blocking) {
@@ -256,7 +241,7 @@ class Bumper {
   double ux_, uy_;
   Coord spacing_{scene_.pieces.widest_spacing()};
   std::vector<Member> body_;
-  std::vector<char> moves_;                                                    // is it of the body?
+  std::vector<bool> moves_;                                                    // whether a piece is of the body
   Box fit_{{-kLatticeLimit, -kLatticeLimit}, {kLatticeLimit, kLatticeLimit}};  // positions within the strip
   Vec at_;
   double reach_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/marker/clearance.h"
 #include "core/minkowski/inner_fit.h"
 #include "core/model/pair_rows.h"
 #include "core/motion/piece/largest_square.h"
@@ -78,14 +79,7 @@ class Relaxer {
   [[nodiscard]] bool valid() const {
     const Vec at = piece_.at;
     if (at.x < fit_.low.x || at.x > fit_.high.x || at.y < fit_.low.y || at.y > fit_.high.y) return false;
-    const Box near = box_.moved(at).grown(scene_.pieces.widest_spacing());
-    for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
-      if (other == index_ || !near.overlaps(scene_.pieces.box(other))) continue;
-      const geometry::PlacedPolygon still = scene_.pieces[other];
-      const Coord spacing = scene_.pieces.spacing({index_, other});
-      if (spacing > 0 ? closer_than(placed(), still, spacing) : overlap(placed(), still)) return false;
-    }
-    return true;
+    return is_clear(scene_.pieces, index_, placed());
   }
 
   const scene::Scene& scene_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/marker/clearance.h"
 #include "core/minkowski/edges_near.h"
 #include "core/minkowski/inner_fit.h"
 #include "core/minkowski/nearest_edges.h"
@@ -124,8 +125,8 @@ bool Surroundings::free(Vec position) const {
     geometry::PlacedPolygon moved = scene_.pieces[near.member];
     moved.at = position + near.offset;
     const geometry::PlacedPolygon still = scene_.pieces[near.other];
-    if (!moved.placed_box().grown(near.spacing).overlaps(still.placed_box())) return false;
-    return near.spacing > 0 ? closer_than(moved, still, near.spacing) : overlap(moved, still);
+    return moved.placed_box().grown(near.spacing).overlaps(still.placed_box()) &&
+           marker::collide(moved, still, near.spacing);
   });
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/marker/clearance.h"
 #include "core/minkowski/inner_fit.h"
 #include "core/motion/separation/leap.h"
 #include "core/motion/separation/separation_step.h"

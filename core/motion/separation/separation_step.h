@@ -1,6 +1,6 @@
 // One round of separation: the linear program that parts overlapping pieces with the least motion [Li94 5.2], with rows
 // that may be broken at a price [Li94 7.9], so that it always has an answer.  It has columns for the pieces that
-// overlap, are away from home or beyond the length, and for those that these press upon (core/model/reached.h).
+// overlap, are away from home or beyond the length, and for those that these press upon (core/model/active_set.h).
 #pragma once
 
 #include <stop_token>
@@ -34,7 +34,7 @@ struct PartingSettings {
   double price{};  // for rows of pairs that do not overlap and have no room for their margins
   LengthAllowance length;
   lp::solver::SolverChoice solver{};
-  model::Extent extent{model::Extent::kReached};  // kWhole: of all pieces; pairs and rows as the reach says
+  model::Extent extent{model::Extent::kActiveSet};  // kWhole: of all pieces; pairs and rows as the reach says
 };
 
 struct SeparationStep {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/marker/clearance.h"
 #include "core/minkowski/inner_fit.h"
 #include "core/model/snap.h"
 #include "core/motion/piece/tilted_piece.h"
@@ -33,7 +34,7 @@ class Program {
       if (turn && !torque.empty()) model_.positions().program().cost[static_cast<std::size_t>(*turn)] = -torque[i];
     }
     if (goal.shorten == 0) {
-      model_.hold_length();
+      model_.fix_length();
     } else {
       const double shorten = std::min(static_cast<double>(scene_.pieces.length()), 2 * farthest_);
       model_.add_length(goal.shorten, shorten, model_.positions().unit().to_lattice(tuning_.length_spare));
