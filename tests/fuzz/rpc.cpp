@@ -25,7 +25,7 @@ protocol::calls::Engine quick_engine() {
   engine.refine = [](const Marker& start, const search::RefineSettings&,
                      const scene::Run& run) -> Result<motion::compaction::Compaction> {
     if (!small(start)) return Error{ErrorCode::kRepairFailed, "too large for this test", {}};
-    return search::refine(start, {.other_ways = 4, .effort = 20, .tilts = false, .seed = 1}, run);
+    return search::refine(start, {.variants = 4, .effort = 20, .tilts = false, .seed = 1}, run);
   };
   return engine;
 }

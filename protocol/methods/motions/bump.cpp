@@ -15,7 +15,7 @@ Result<calls::Motion> run(const MotionBump& wanted, const Marker& start, const c
   auto done = context.engine.bump(start, *before, *piece, wanted.direction.x, wanted.direction.y, context.run);
   if (!done) return done.error();
   Json touching = Json::array();
-  for (const std::uint32_t other : done->bump.touching) touching.push_back(start.pieces[other].id);
+  for (const PieceId other : done->bump.touching) touching.push_back(start.pieces[other.value].id);
   Json figures{{"at", formats::point_json(done->bump.at, start.resolution)},
                {"gain", formats::in_unit(done->bump.gain, start.resolution)},
                {"touching", std::move(touching)},

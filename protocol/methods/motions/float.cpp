@@ -17,7 +17,7 @@ Json gap_json(const Marker& marker, const motion::floating::Gap& gap) {
   if (const PieceId* other = other_piece(gap)) {
     named["other"] = marker.pieces[other->value].id;
   } else {
-    named["edge"] = kEdgeNames[static_cast<std::size_t>(std::get<motion::floating::StripEdge>(gap.opposite))];
+    named["edge"] = kEdgeNames[static_cast<std::size_t>(std::get<StripEdge>(gap.opposite))];
   }
   return named;
 }

@@ -39,12 +39,12 @@ Json tilts_json(const Marker& marker, const std::vector<motion::compaction::Tilt
 }
 
 Result<calls::MethodAnswer> run(const MarkerStudy&, const MarkerFile& file, const calls::MethodContext& context) {
-  const auto hold = motion::compaction::what_holds(file.marker, context.run);
-  if (!hold) return hold.error();
+  const auto path = motion::compaction::critical_path(file.marker, context.run);
+  if (!path) return path.error();
   return calls::MethodAnswer{{{"length", to_decimal(length_of(file.marker), file.marker.resolution)},
-                              {"contacts", contacts_json(file.marker, hold->contacts)},
-                              {"tilts", tilts_json(file.marker, hold->tilts)},
-                              {"perSpacing", hold->per_spacing}},
+                              {"contacts", contacts_json(file.marker, path->contacts)},
+                              {"tilts", tilts_json(file.marker, path->tilts)},
+                              {"perSpacing", path->per_spacing}},
                              std::nullopt};
 }
 
