@@ -7,7 +7,7 @@
 
 #include "core/lp/solver/solve.h"
 #include "core/marker/validity.h"
-#include "core/model/free_region.h"
+#include "core/model/pair_rows.h"
 #include "core/model/snap.h"
 #include "core/motion/baseline/collision.h"
 
@@ -101,20 +101,18 @@ class Simulation {
       const model::RegionSettings region{model::RegionRule::kGreedy,
                                          clearance(near.pair) + touching_ + tuning().least_touching, spacing};
       const FinePosition r = relative(near.pair);
-      for (const model::HalfPlane& side : free_region(near.obstacle, r.at, region)) {
-        const model::PairRow row = row_of(near.pair, side, r.at, spacing, 0, model::TightRows::kKeep);
-        const double slack =
-            slack_of(side, r.at) + row.nx * r.rest.x + row.ny * r.rest.y - static_cast<double>(spacing);
+      for (const model::FreeSide& side : model::free_sides({near.obstacle, r.at, r.at, 0}, region)) {
+        const auto [nx, ny] = side.normal;
+        const double slack = side.slack + nx * r.rest.x + ny * r.rest.y - static_cast<double>(spacing);
         if (slack > tuning().clearance + touching_ + tuning().least_touching) continue;
-        const bool slanted = side.direction.x != 0 && side.direction.y != 0;
-        const double lost = slanted ? std::max(0.0, tuning().clearance - slack) : 0;
-        rows.push_back({near.pair, row.nx, row.ny, lost / tuning().restoring});
+        const double lost = side.slanted() ? std::max(0.0, tuning().clearance - slack) : 0;
+        rows.push_back({near.pair, nx, ny, lost / tuning().restoring});
       }
     }
     return rows;
   }
 
-  std::optional<std::vector<model::Displacement>> solve_velocities(int& programs) {
+  std::optional<std::vector<RealVec>> solve_velocities(int& programs) {
     run_.observer.on_stage(scene::Stage::kRows);
     const std::vector<ContactRow> rows = contact_rows();
     for (const double restoring : {1.0, 0.0}) {  // if there is no room for the clearance, at least keep the present one
@@ -125,7 +123,7 @@ class Simulation {
       ++programs;
       if (solution.status == lp::LpStatus::kStopped) return std::nullopt;
       if (solution.status != lp::LpStatus::kOptimal) continue;
-      std::vector<model::Displacement> velocity(start_.size());
+      std::vector<RealVec> velocity(start_.size());
       for (std::size_t i = 0; i < velocity.size(); ++i) {
         const auto speed = [&](int column) { return column < 0 ? 0 : solution.x[static_cast<std::size_t>(column)]; };
         velocity[i] = {speed(x_[i]), speed(y_[i])};
@@ -197,12 +195,12 @@ class Simulation {
   }
 
   // [Li94 2.2.2]
-  [[nodiscard]] double next_collision(const std::vector<model::Displacement>& velocity) const {
+  [[nodiscard]] double next_collision(const std::vector<RealVec>& velocity) const {
     double time = horizon_;
     for (const Near& near : near_) {
       const double reach = clearance(near.pair);
       const auto& [p, q] = near.pair;
-      const model::Displacement towards{velocity[q].x - velocity[p].x, velocity[q].y - velocity[p].y};
+      const RealVec towards{velocity[q].x - velocity[p].x, velocity[q].y - velocity[p].y};
       time = collision_time(near.obstacle, relative(near.pair), towards, {reach, reach + touching_, time});
     }
     const auto meet = [&](double room, double speed) {
@@ -219,10 +217,10 @@ class Simulation {
   }
 
   // Advances by this time, or by most of it when rounding to the lattice makes its end invalid.
-  bool advance(const std::vector<model::Displacement>& velocity, double time) {
+  bool advance(const std::vector<RealVec>& velocity, double time) {
     run_.observer.on_stage(scene::Stage::kVerify);
     for (const double part : {1.0, 1 - 1e-3, 0.5, 0.1}) {
-      std::vector<model::Displacement> moved = moved_;
+      std::vector<RealVec> moved = moved_;
       for (std::size_t i = 0; i < moved.size(); ++i) {
         moved[i] = {moved[i].x + part * time * velocity[i].x, moved[i].y + part * time * velocity[i].y};
       }
@@ -233,9 +231,9 @@ class Simulation {
     }
     return false;
   }
-  bool proved(const std::vector<model::Displacement>& moved) {
+  bool proved(const std::vector<RealVec>& moved) {
     marker::PlacedPieces pieces = scene_.pieces;
-    std::vector<Vec> positions = snapped(moved);
+    std::vector<Vec> positions = model::snapped(moved);
     for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + start_[i];
     pieces.place(std::move(positions));
     for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -253,10 +251,10 @@ class Simulation {
   scene::Scene& scene_;
   const VelocitySettings& settings_;
   const scene::Run& run_;
-  double horizon_;                          // units of time, at tuning().fastest as many lattice units
-  double touching_;                         // lattice units beyond the clearance; nearer is contact
-  std::vector<Vec> start_;                  // positions of the pieces at the start,
-  std::vector<model::Displacement> moved_;  // and their displacements since then; not rounded
+  double horizon_;              // units of time, at tuning().fastest as many lattice units
+  double touching_;             // lattice units beyond the clearance; nearer is contact
+  std::vector<Vec> start_;      // positions of the pieces at the start,
+  std::vector<RealVec> moved_;  // and their displacements since then; not rounded
   Coord longest_;
   double piston_;  // its position
   double piston_velocity_{};

@@ -48,15 +48,15 @@ class Loads {
       const Vec r = scene_.relative_position(pair);
       if (scene_.ties.joined(pair.first, pair.second)) continue;
       const Coord spacing = scene_.pieces.spacing(pair);
-      const model::RegionSettings region{model::RegionRule::kGreedy, reach + static_cast<double>(spacing), spacing, 0,
-                                         0};
-      for (const model::HalfPlane& side : free_region(scene_.obstacle(pair), r, region)) {
-        rows_.push_back(row_of(pair, side, r, spacing, model_->unit(), model::TightRows::kRestore));
-        model_->add(rows_.back());
+      const minkowski::Obstacle obstacle = scene_.obstacle(pair);
+      for (const model::PairRow& row :
+           pair_rows(pair, {obstacle, r, r, spacing}, model::region_within(reach, spacing), {model_->unit()})) {
+        rows_.push_back(row);
+        model_->add(row);
       }
     }
     const auto length = static_cast<double>(scene_.pieces.length());
-    model_->add_length(1, length, tuning_.spare * model_->unit());
+    model_->add_length(1, length, model_->unit().to_lattice(tuning_.spare));
     for (std::size_t i = 0; i < scene_.pieces.size(); ++i) model_->add_right_wall(i);
     run.observer.on_stage(scene::Stage::kSolve);
     run.observer.on_program(model_->program());
@@ -66,7 +66,7 @@ class Loads {
   void add_pair(const model::PairRow& row, double worth, CriticalPath& path) {
     if (worth < tuning_.least_worth) return;
     const auto [p, q] = row.pair;
-    const geometry::Witness at = nearest_point(scene_.pieces[p], scene_.pieces[q]);
+    const RealVec at = nearest_point(scene_.pieces[p], scene_.pieces[q]);
     path.contacts.push_back({PieceId{p}, PieceId{q}, {}, worth, at});
     path.per_spacing += worth;
     turn(q, worth, row.nx, row.ny, at);
@@ -75,7 +75,7 @@ class Loads {
 
   // A small turn of a piece about its position moves the touching point perpendicular to the lever arm; its component
   // along the normal of the contact, which points at the piece, is the room gained.
-  void turn(std::uint32_t piece, double worth, double nx, double ny, geometry::Witness at) {
+  void turn(std::uint32_t piece, double worth, double nx, double ny, RealVec at) {
     if (scene_.fixed(piece)) return;
     const Vec pivot = scene_.pieces.at(piece);
     const double lever_x = at.x - static_cast<double>(pivot.x);
@@ -110,22 +110,23 @@ class Loads {
   }
   // True when this piece, of those tied together, is the one whose room sets the column's bound.
   [[nodiscard]] bool bounds(const std::vector<double>& limits, int column, Coord room) const {
-    return std::abs(limits[static_cast<std::size_t>(column)] * model_->unit() - static_cast<double>(room)) < 0.5;
+    return std::abs(model_->unit().to_lattice(limits[static_cast<std::size_t>(column)]) - static_cast<double>(room)) <
+           0.5;
   }
   // `(nx, ny)`: from the edge into the strip.
   void add_edge(std::uint32_t piece, StripEdge edge, double worth, int nx, int ny, CriticalPath& path) {
     if (worth < tuning_.least_worth) return;
-    const geometry::Witness at = touching_point(piece, nx, ny);
+    const RealVec at = touching_point(piece, nx, ny);
     path.contacts.push_back({PieceId{piece}, std::nullopt, edge, worth, at});
     turn(piece, worth, nx, ny, at);
   }
   // The mean of the vertices that lie farthest against the direction.
-  [[nodiscard]] geometry::Witness touching_point(std::uint32_t piece, int nx, int ny) const {
+  [[nodiscard]] RealVec touching_point(std::uint32_t piece, int nx, int ny) const {
     const geometry::PlacedPolygon polygon = scene_.pieces[piece];
     const auto along = [&](Vec v) { return nx * v.x + ny * v.y; };
     Coord least = along(polygon.vertices.front());
     for (const Vec v : polygon.vertices) least = std::min(least, along(v));
-    geometry::Witness sum;
+    RealVec sum;
     double count = 0;
     for (const Vec v : polygon.vertices) {
       if (along(v) != least) continue;

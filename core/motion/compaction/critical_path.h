@@ -24,7 +24,7 @@ struct LoadedContact {
   std::optional<PieceId> second;  // none: an edge of the strip
   StripEdge edge{};               // meaningful without `second`
   double worth{};                 // length per unit of room in this contact; > 0
-  geometry::Witness at;           // where they touch; lattice units
+  RealVec at;                     // where they touch; lattice units
 };
 // What tilting one piece about its position would save, regardless of its shape's tilt limit.
 struct TiltWorth {

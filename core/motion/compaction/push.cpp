@@ -8,10 +8,8 @@
 #include "core/scene/scene.h"
 
 namespace selvage::motion::compaction {
-namespace {}  // namespace
-
 Result<step::Goal> pushing_goal(std::span<const Force> forces, std::size_t pieces) {
-  step::Goal goal{std::vector<model::Displacement>(pieces), 0, kPushPenalty};
+  step::Goal goal{std::vector<RealVec>(pieces), 0, kPushPenalty};
   double largest = 0;
   for (std::size_t k = 0; k < forces.size(); ++k) {
     const Force& force = forces[k];
@@ -24,12 +22,12 @@ Result<step::Goal> pushing_goal(std::span<const Force> forces, std::size_t piece
     if (!std::isfinite(force.x) || !std::isfinite(force.y)) {
       return Error{ErrorCode::kOutOfRange, "a force must be finite", field};
     }
-    model::Displacement& sum = goal.force[force.piece.value];
+    RealVec& sum = goal.force[force.piece.value];
     sum = {sum.x + force.x, sum.y + force.y};
     largest = std::max({largest, std::abs(sum.x), std::abs(sum.y)});
   }
   if (largest > 0) {
-    for (model::Displacement& force : goal.force) force = {force.x / largest, force.y / largest};
+    for (RealVec& force : goal.force) force = {force.x / largest, force.y / largest};
   }
   return goal;
 }

@@ -142,7 +142,7 @@ class Dragger {
       const auto x = static_cast<double>(left.x), y = static_cast<double>(left.y);
       const double far = std::max(std::abs(x), std::abs(y));
       if (far <= static_cast<double>(tuning_.there)) return;
-      step::Goal goal{std::vector<model::Displacement>(scene.pieces.size()), 0, tuning_.penalty, step::Halt{0, {x, y}}};
+      step::Goal goal{std::vector<RealVec>(scene.pieces.size()), 0, tuning_.penalty, step::Halt{0, {x, y}}};
       goal.force[0] = {x / far, y / far};
       const step::StepSettings settings{std::clamp(far / width, tuning_.least_trust, tuning_.most_trust), {}, {}};
       const step::PositionStep step = position_step(scene, goal, settings, run_);

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/minkowski/inner_fit.h"
-#include "core/model/free_region.h"
+#include "core/model/pair_rows.h"
 #include "core/motion/piece/slide.h"
 
 namespace selvage::motion::piece {
@@ -153,13 +153,10 @@ class Bumper {
       const Coord spacing = scene_.pieces.spacing({member.piece, other});
       const Vec r = at - scene_.pieces.at(other);
       const minkowski::Obstacle& obstacle = obstacle_of(other, member.piece);
-      const model::RegionSettings region{model::RegionRule::kGreedy, 1.5 * reach_ + static_cast<double>(spacing),
-                                         spacing, towards_x, towards_y};
-      for (const model::HalfPlane& side : free_region(obstacle, r, region)) {
-        const model::PairRow row = row_of({0, 1}, side, r, spacing, 0, model::TightRows::kKeep);
-        const double slack = std::max(0.0, slack_of(side, r) - static_cast<double>(spacing));
-        cell_.push_back({row.nx, row.ny, slack});
-        bounds_.push_back({side, other, member.offset});
+      const auto region = model::region_within(1.5 * reach_, spacing, {towards_x, towards_y});
+      for (const model::FreeSide& side : model::free_sides({obstacle, r, r, spacing}, region)) {
+        cell_.push_back({side.normal.x, side.normal.y, std::max(0.0, side.slack)});
+        bounds_.push_back({side.line, other, member.offset});
       }
     }
   }
@@ -181,7 +178,7 @@ class Bumper {
     const auto about = [](double v) {
       return std::pair{static_cast<Coord>(std::floor(v)), static_cast<Coord>(std::ceil(v))};
     };
-    const model::Displacement into = into_cell();
+    const RealVec into = into_cell();
     for (const double back : kBacks) {
       const auto [low_x, high_x] = about(x + back * into.x);
       const auto [low_y, high_y] = about(y + back * into.y);
@@ -194,7 +191,7 @@ class Bumper {
     return std::nullopt;
   }
   // The direction away from a point on the blocking sides in which each of them gains one unit of room per unit.
-  [[nodiscard]] model::Displacement into_cell() const {
+  [[nodiscard]] RealVec into_cell() const {
     if (last_.blocking.empty()) return {-ux_, -uy_};
     const CellSide& first = cell_[last_.blocking.front()];
     const CellSide& last = cell_[last_.blocking.back()];

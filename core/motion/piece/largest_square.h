@@ -10,8 +10,8 @@
 namespace selvage::motion::piece {
 
 struct Square {
-  model::Displacement centre;  // from the origin
-  double half{};  // of its side; negative when the cell is empty: the sides would have to move outwards by as much
+  RealVec centre;  // from the origin
+  double half{};   // of its side; negative when the cell is empty: the sides would have to move outwards by as much
 };
 
 // Here the slack of a side may be negative: the origin need not be inside.  Only centres with |x|, |y| <= reach are

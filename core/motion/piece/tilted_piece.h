@@ -19,6 +19,6 @@ struct TiltRange {
 // True when the piece's outline, rounded in its orientation, is still a polygon and not wider than the strip's room.
 [[nodiscard]] bool is_cuttable(const Marker& marker, const Piece& piece);
 // The displacement of a piece's position that keeps its pivot (core/model/tilting/tilt_rows.h) in place when it turns.
-[[nodiscard]] model::Displacement held_pivot(const geometry::PlacedPolygon& piece, Angle turn);
+[[nodiscard]] RealVec held_pivot(const geometry::PlacedPolygon& piece, Angle turn);
 
 }  // namespace selvage::motion::piece

@@ -35,7 +35,7 @@ class Surroundings {
   // The index of an obstacle's first line; its last one comes just before the first line of the next obstacle.
   [[nodiscard]] std::uint32_t first_line(std::size_t obstacle) const { return first_line_[obstacle]; }
   // True when the obstacle forbids the point; within a few units of the border either answer is possible.
-  [[nodiscard]] bool forbids(std::size_t obstacle, outline::Real2 point) const;
+  [[nodiscard]] bool forbids(std::size_t obstacle, RealVec point) const;
   // True when the position is free of all obstacles, exactly; the strip is not considered.
   [[nodiscard]] bool free(Vec position) const;
 
@@ -48,7 +48,7 @@ class Surroundings {
   };
   void append_near(const Body& body, const Body::Member& member, const Box& window);
   void append_lines(const Near& near, const Box& window);
-  [[nodiscard]] outline::Real2 real(Vec position) const {
+  [[nodiscard]] RealVec real(Vec position) const {
     return {static_cast<double>(position.x - origin_.x), static_cast<double>(position.y - origin_.y)};
   }
 

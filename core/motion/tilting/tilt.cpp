@@ -67,7 +67,7 @@ class Tilter {
 
   [[nodiscard]] step::Goal leftwards(const Marker& marker) const {
     const auto count = static_cast<double>(marker.pieces.size());
-    return {std::vector<model::Displacement>(marker.pieces.size(), {-settings_.compaction.gravity / count, 0}), 1, 0};
+    return {std::vector<RealVec>(marker.pieces.size(), {-settings_.compaction.gravity / count, 0}), 1, 0};
   }
 
   // A step of all pieces at once, made valid; none if that fails.

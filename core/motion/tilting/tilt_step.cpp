@@ -36,7 +36,7 @@ class Program {
       model_.hold_length();
     } else {
       const double shorten = std::min(static_cast<double>(scene_.pieces.length()), 2 * farthest_);
-      model_.add_length(goal.shorten, shorten, tuning_.length_spare * model_.positions().unit());
+      model_.add_length(goal.shorten, shorten, model_.positions().unit().to_lattice(tuning_.length_spare));
     }
   }
 
@@ -80,8 +80,7 @@ class Program {
     const Coord spacing = scene_.pieces.spacing(pair);
     repair::SeparationTarget target{0, scene_.relative_position(pair)};
     if (overlaps) target = separation_target(scene_, pair, repair::TargetRule::kNearest);
-    const model::RegionSettings region{model::RegionRule::kGreedy, 1.5 * reach + static_cast<double>(spacing), spacing};
-    const auto sides = free_region(obstacle, target.about, region);
+    const auto sides = free_region(obstacle, target.about, model::region_within(1.5 * reach, spacing));
     const model::tilting::TiltRowSettings row{turn_, 1.5 * reach, overlaps ? 2 * target.depth : 0,
                                               spacing + clearance(), model_.positions().unit()};
     return tilt_rows(pair, scene_.pieces[pair.first], scene_.pieces[pair.second], sides, row);
@@ -92,7 +91,6 @@ class Program {
     TiltStep step;
     step.status = solution.status;
     if (solution.status != lp::LpStatus::kOptimal) return step;
-    step.promise = -solution.objective * static_cast<double>(scene_.marker.strip.width) / 1000;
     step.pieces = moved(solution.x);
     return step;
   }
@@ -123,7 +121,7 @@ class Program {
 
   [[nodiscard]] std::vector<Piece> moved(std::span<const double> x) const {
     std::vector<Piece> pieces = scene_.marker.pieces;
-    std::vector<model::Displacement> moves = model_.positions().displacements(x);
+    std::vector<RealVec> moves = model_.positions().displacements(x);
     const std::vector<double> turns = model_.turns(x);
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
       pieces[i].at = scene_.pieces.at(i);
@@ -134,11 +132,11 @@ class Program {
       const piece::TiltRange range = piece::tilt_range(scene_.marker, PieceId{i});
       tilt = std::clamp(tilt + turns[i] * kRadian, range.least.degrees, range.most.degrees);
       if (!piece::is_cuttable(scene_.marker, turned_piece)) continue;
-      const model::Displacement held = piece::held_pivot(scene_.pieces[i], Angle::of_degrees(tilt - before));
+      const RealVec held = piece::held_pivot(scene_.pieces[i], Angle::of_degrees(tilt - before));
       moves[i] = {moves[i].x + held.x, moves[i].y + held.y};
       pieces[i] = turned_piece;
     }
-    const std::vector<Vec> by = snapped(moves);
+    const std::vector<Vec> by = model::snapped(moves);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       pieces[i].at = pieces[i].at + by[i];
       if (!turns_[i].empty()) put_inside(pieces[i]);
@@ -168,7 +166,7 @@ TiltStep tilt_step(const scene::Scene& scene, const step::Goal& goal, std::span<
                    const TiltStepSettings& settings, const scene::Run& run) {
   Program program{scene, settings};
   program.add_goal(goal, torque);
-  if (!program.add_pairs(run)) return {lp::LpStatus::kStopped, 0, {}};
+  if (!program.add_pairs(run)) return {lp::LpStatus::kStopped, {}};
   run.observer.on_stage(scene::Stage::kSolve);
   run.observer.on_program(program.program());
   return program.solved(settings.solver, run.stop);

@@ -24,7 +24,6 @@ struct TiltStepSettings {
 
 struct TiltStep {
   lp::LpStatus status{};
-  double promise{};           // what the goal gains to first order; lattice units
   std::vector<Piece> pieces;  // the scene's, moved and tilted; within their limits to the last bit
 };
 
