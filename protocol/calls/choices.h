@@ -53,7 +53,7 @@ struct Choices<motion::floating::FloatMode> {
 };
 
 template <>
-struct Choices<motion::floating::StripEdge> {
+struct Choices<scene::StripEdge> {
   static constexpr std::string_view kName = "StripEdge";
   static constexpr std::string_view kMeaning = "An edge of the strip.";
   static constexpr std::string_view kWords[] = {"left", "right", "bottom", "top"};

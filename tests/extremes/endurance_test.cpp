@@ -78,10 +78,10 @@ class Motions {
         motion::placing::repair_and_place(marker, any_piece(marker), any_place(marker), {.may_grow = true}, {sums_}));
   }
   std::optional<Marker> relaxed(const Marker& marker) {
-    const std::uint32_t piece = any_piece(marker).value;
+    const PieceId piece = any_piece(marker);
     const scene::Scene scene{marker, sums_};
     Marker relaxed = marker;
-    relaxed.pieces[piece] =
+    relaxed.pieces[piece.value] =
         (random_.chance(50) ? motion::piece::relax(scene, piece) : motion::piece::relax_tilted(scene, piece, 3)).piece;
     return relaxed;
   }

@@ -33,7 +33,7 @@ protocol::methods::MethodTable quick_methods() {
                     const MarkerFile& file,
                     const protocol::calls::MethodContext& context) -> Result<protocol::calls::MethodAnswer> {
       if (!small(file.marker)) return Error{ErrorCode::kRepairFailed, "too large for this test", {}};
-      auto done = search::refine(file.marker, {.other_ways = 4, .effort = 20, .tilts = false, .seed = 1}, context.run);
+      auto done = search::refine(file.marker, {.variants = 4, .effort = 20, .tilts = false, .seed = 1}, context.run);
       if (!done) return done.error();
       const protocol::calls::RoundsResult own{done->rounds, stop_cause(done->reason, context)};
       return answer_of(file.marker, {.marker = std::move(done->marker), .repair = done->repair},

@@ -88,7 +88,7 @@ TEST(MotionLaws, Bumping) {
     const double angle = 2 * std::numbers::pi * random.part();
     SumCache sums;
     const scene::Scene scene{marker, sums};
-    const motion::piece::Bump result = motion::piece::bump(scene, piece, std::cos(angle), std::sin(angle));
+    const motion::piece::Bump result = motion::piece::bump(scene, PieceId{piece}, std::cos(angle), std::sin(angle));
     Marker moved = marker;
     moved.pieces[piece].at = result.at;
     ASSERT_EQ(broken_law(marker, moved), "") << trial;

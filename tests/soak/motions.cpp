@@ -90,7 +90,7 @@ Result<Answer> velocities(const Marker& start, const Occasion& on) {
 }
 
 Result<Answer> refinement(const Marker& start, const Occasion& on) {
-  const search::RefineSettings settings{.other_ways = static_cast<int>(on.random.chance(30) ? on.random.below(5) : 0),
+  const search::RefineSettings settings{.variants = static_cast<int>(on.random.chance(30) ? on.random.below(5) : 0),
                                         .effort = kLittleEffort,
                                         .tilts = on.random.chance(50),
                                         .seed = static_cast<std::uint32_t>(on.random.below(1000))};
@@ -99,9 +99,9 @@ Result<Answer> refinement(const Marker& start, const Occasion& on) {
 
 Result<Answer> swapping(const Marker& start, const Occasion& on) {
   std::mt19937 random{static_cast<std::uint32_t>(on.random.below(1000))};
-  const auto drawn = search::draw_exchange(start, random);
+  const auto drawn = search::draw_swap(start, random);
   const motion::compaction::CompactionSettings settings = random_settings(on.random);
-  auto done = drawn ? exchange(*drawn, settings, {on.run.sums, on.run.stop}) : search::Exchanged{};
+  auto done = drawn ? complete_swap(*drawn, settings, {on.run.sums, on.run.stop}) : search::SwapOutcome{};
   const Leave leave{.longest = kAnyLength, .turns = true};
   return Answer{.marker = done.marker ? std::move(*done.marker) : start, .leave = leave};
 }
@@ -260,8 +260,8 @@ Result<Answer> relaxing(const Marker& start, const Occasion& on) {
   const PieceId piece = any_piece(on.random, start);
   const scene::Scene scene{start, on.run.sums};
   const auto tilts = static_cast<int>(on.random.between(1, 7));
-  const motion::piece::Relaxation done = on.random.chance(50) ? motion::piece::relax(scene, piece.value)
-                                                              : motion::piece::relax_tilted(scene, piece.value, tilts);
+  const motion::piece::Relaxation done =
+      on.random.chance(50) ? motion::piece::relax(scene, piece) : motion::piece::relax_tilted(scene, piece, tilts);
   Answer answer{.marker = start, .leave = {.longest = length_of(start), .tilts = true}};
   answer.marker.pieces[piece.value] = done.piece;
   return answer;
@@ -269,7 +269,7 @@ Result<Answer> relaxing(const Marker& start, const Occasion& on) {
 
 // Reads the critical path and moves nothing.
 Result<Answer> critical_path(const Marker& start, const Occasion& on) {
-  const auto hold = motion::compaction::what_holds(start, {on.run.sums, on.run.stop});
+  const auto hold = motion::compaction::critical_path(start, {on.run.sums, on.run.stop});
   if (!hold) return hold.error();
   Answer answer{.marker = start, .leave = {.longest = length_of(start)}};
   for (const motion::compaction::LoadedContact& contact : hold->contacts) {

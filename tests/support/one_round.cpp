@@ -98,7 +98,7 @@ void repair_once(const Marker& marker, const scene::Run& run) {
   Marker overlapping = marker;
   Vec& at = overlapping.pieces[middle_of(marker).value].at;
   SumCache others;
-  at = motion::piece::bump(scene::Scene{marker, others}, middle_of(marker).value, 1, 0).at;
+  at = motion::piece::bump(scene::Scene{marker, others}, middle_of(marker), 1, 0).at;
   at = right_of_middle(overlapping, motion::repair::kRepairLimit / 2);
   scene::Scene scene{overlapping, run.sums};
   require(motion::repair::repair_overlaps(scene, run));
@@ -113,7 +113,7 @@ void tilt_once(const Marker& marker, const scene::Run& run) {
 }
 
 void bump_once(const Marker& marker, const scene::Run& run) {
-  (void)motion::piece::bump(scene::Scene{marker, run.sums}, middle_of(marker).value, -1, 0);
+  (void)motion::piece::bump(scene::Scene{marker, run.sums}, middle_of(marker), -1, 0);
 }
 void sweep_once(const Marker& marker, const scene::Run& run) {
   motion::baseline::SweepSettings settings;
@@ -126,10 +126,10 @@ void step_once(const Marker& marker, const scene::Run& run) {
   require(compact_by_velocities(marker, settings, run));
 }
 void critical_path_once(const Marker& marker, const scene::Run& run) {
-  require(motion::compaction::what_holds(marker, run));
+  require(motion::compaction::critical_path(marker, run));
 }
 void relax_once(const Marker& marker, const scene::Run& run) {
-  (void)motion::piece::relax(scene::Scene{marker, run.sums}, middle_of(marker).value);
+  (void)motion::piece::relax(scene::Scene{marker, run.sums}, middle_of(marker));
 }
 void place_once(const Marker& marker, const scene::Run& run) {
   require(motion::placing::repair_and_place(marker, middle_of(marker), right_of_middle(marker, 0.1), {}, run));

@@ -14,8 +14,8 @@ namespace selvage::motion::tilting {
 namespace {
 
 constexpr double kRadian = 180 / std::numbers::pi;  // degrees
-constexpr std::size_t kBlock = 16;                  // near pairs whose rows one hand finds in a row
-constexpr std::size_t kCancelCheckInterval = 512;   // near pairs between two looks at whether to stop
+constexpr std::size_t kBlock = 16;                  // near pairs whose rows one task finds
+constexpr std::size_t kCancelCheckInterval = 512;   // near pairs between two checks for cancellation
 
 class Program {
  public:
@@ -41,7 +41,7 @@ class Program {
     }
   }
 
-  // False when it was asked to stop meanwhile: turned pieces need new sums, which takes long in long markers.
+  // False when cancelled: turned pieces need new sums, which takes long in long markers.
   bool add_pairs(const scene::Run& run) {
     run.observer.on_stage(scene::Stage::kSums);
     const double most_swing = turn_ * widest_radius();
@@ -144,7 +144,7 @@ class Program {
     }
     return pieces;
   }
-  // What a turn's second order puts outside the strip comes back to its edge.
+  // Moves a piece that second-order effects of its turn put outside the strip back to its edge.
   void put_inside(Piece& piece) const {
     const Marker& marker = scene_.marker;
     const Box box = box_of(oriented(marker.shapes[piece.shape.value].outline, piece.orientation));

@@ -30,14 +30,15 @@ constexpr std::size_t kPieces = 80;
 double way_apart(const Marker& marker, Coord length, model::Extent extent) {
   SumCache sums;
   const scene::Scene scene{marker, sums};
-  std::vector<separation::PartingPair> parting;
+  std::vector<separation::OverlappingPair> overlapping;
   for (const marker::PiecePair& pair : conflicts(scene.pieces)) {
-    parting.push_back({pair, separation_target(scene, pair, repair::TargetRule::kNearest), 100});
+    overlapping.push_back({pair, separation_target(scene, pair, repair::TargetRule::kNearest), 100});
   }
   const double reach = 0.05 * static_cast<double>(marker.strip.width);
-  const separation::PartingSettings settings{
+  const separation::SeparationStepSettings settings{
       reach, 100, {length, length, 10, 50}, lp::solver::SolverChoice::kAutomatic, extent};
-  const separation::SeparationStep step = separation_step(scene, parting, scene.pieces.positions(), settings, {sums});
+  const separation::SeparationStep step =
+      separation_step(scene, overlapping, scene.pieces.positions(), settings, {sums});
   EXPECT_EQ(step.status, lp::LpStatus::kOptimal);
   double sum = 0;
   for (std::size_t i = 0; i < step.positions.size(); ++i) {
