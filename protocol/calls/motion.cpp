@@ -1,33 +1,18 @@
 #include "protocol/calls/motion.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/marker/figures.h"
-#include "protocol/calls/call_fields.h"
-#include "protocol/calls/codec.h"
-#include "protocol/formats/decimal_marker.h"
 
 namespace selvage::protocol::calls {
 namespace {
 
-// The figures of every motion.
-Json motion_fields(const Marker& start, const Motion& motion, const marker::Figures& after) {
-  const Marker& end = motion.marker;
-  const Coord length_before = motion.before ? motion.before->figures.length : length_of(start);
-  const double utilisation_before =
-      motion.before ? motion.before->figures.utilisation : utilisation_at(start, length_before);
-  Json fields{{"name", end.name},
-              {"pieces", end.pieces.size()},
-              {"lengthBefore", to_decimal(length_before, start.resolution)},
-              {"lengthAfter", to_decimal(after.length, end.resolution)},
-              {"utilisationBefore", utilisation_before},
-              {"utilisationAfter", after.utilisation}};
-  fields.update(motion.figures);
-  fields.update(Json{{"valid", after.valid},
-                     {"healed", repair_json(motion.repair, end.resolution)},
-                     {"placements", changed_placements(start, end)}});
-  return fields;
+MotionBefore figures_of(const Marker& start, const MotionEnd& end, const marker::Figures& after) {
+  const Coord length_before = end.before ? end.before->figures.length : length_of(start);
+  return {.name = end.marker.name,
+          .pieces = end.marker.pieces.size(),
+          .length_before = to_decimal(length_before, start.resolution),
+          .length_after = to_decimal(after.length, end.marker.resolution),
+          .utilisation_before = end.before ? end.before->figures.utilisation : utilisation_at(start, length_before),
+          .utilisation_after = after.utilisation};
 }
 
 }  // namespace
@@ -37,8 +22,9 @@ std::shared_ptr<const scene::LaidOut> laid_out(const Marker& marker, const Metho
   return context.laid_out ? context.laid_out->get(make) : std::make_shared<const scene::LaidOut>(make());
 }
 
-std::string_view name_of(scene::StopReason reason) {
-  return kStopNames[static_cast<std::size_t>(reason)];
+StopCause stop_cause(scene::StopReason reason, const MethodContext& context) {
+  if (reason == scene::StopReason::kCancelled && context.past_deadline()) return StopCause::kDeadline;
+  return static_cast<StopCause>(reason);
 }
 
 motion::compaction::CompactionSettings settings_of(const Effort& effort) {
@@ -48,75 +34,21 @@ motion::compaction::CompactionSettings settings_of(const Effort& effort) {
   return settings;
 }
 
-MotionCall read_call(json::Fields& fields, json::Mistake& mistake) {
-  MotionCall call;
-  call.marker_id = fields.text("markerId");
-  call.base_revision = read_base_revision(fields);
-  call.commit = fields.flag_or("commit", call.commit);
-  call.timing = fields.flag_or("timing", call.timing);
-  call.op_id = read_op_id(fields, mistake);
-  call.deadline_ms = read_deadline(fields);
-  call.progress_token = read_progress_token(fields, mistake);
-  return call;
-}
-
-std::optional<int> read_rounds(json::Fields& fields) {
-  const auto rounds = fields.maybe_integer("rounds", 0, kMaxRounds);
-  if (!rounds) return std::nullopt;
-  return static_cast<int>(*rounds);
-}
-
-Effort read_effort(json::Fields& fields) {
-  Effort effort;
-  effort.accuracy = static_cast<motion::compaction::Accuracy>(
-      fields.word_or("accuracy", static_cast<std::size_t>(effort.accuracy), kAccuracyNames));
-  effort.rounds = read_rounds(fields);
-  effort.simplification = fields.maybe_number("simplification", {0, kMostSimplification});
-  return effort;
-}
-
-Direction read_direction(json::Fields& fields, std::string_view key, json::Mistake& mistake) {
-  const std::string at = fields.pointer(key);
-  const Json& value = fields.array(key);
-  if (mistake) return {};
-  if (value.size() != 2) {
-    mistake.add(ErrorCode::kWrongType, json::shortened(value) + " where [x, y] is required", at);
-    return {};
-  }
-  constexpr json::Range kAllowed{-kLargestForce, kLargestForce};
-  const Direction read{checked_number(value[0], kAllowed, mistake, at + "/0"),
-                       checked_number(value[1], kAllowed, mistake, at + "/1")};
-  if (std::max(std::abs(read.x), std::abs(read.y)) < kLeastForce) {
-    mistake.add(ErrorCode::kOutOfRange,
-                json::shortened(value) + " leads nowhere; [x, y] with x or y of at least " +
-                    json::number_text(kLeastForce) + " either way is allowed",
-                at);
-  }
-  return read;
-}
-
-Result<PieceId> piece_of(const Marker& marker, const std::string& id, const std::string& field) {
-  for (std::uint32_t i = 0; i < marker.pieces.size(); ++i) {
-    if (marker.pieces[i].id == id) return PieceId{i};
-  }
-  return Error{ErrorCode::kOutOfRange,
-               json::shortened(Json(id)) + " is no piece of this marker; the id of one of its " +
-                   std::to_string(marker.pieces.size()) + " pieces is allowed",
-               field};
-}
-
-Json rounds_json(int rounds, scene::StopReason reason) {
-  return {{"rounds", rounds}, {"stop", name_of(reason)}};
-}
-
-MethodAnswer answer_of(const Marker& start, Motion motion, bool commit, const MethodContext& context) {
+MethodAnswer answer_of(const Marker& start, MotionEnd end, const Json& own, bool commit, const MethodContext& context) {
   context.run.observer.on_stage(scene::Stage::kVerify);
   const marker::Figures after =
-      motion.before ? figures_after(start, *motion.before, motion.marker) : figures_of(motion.marker);
+      end.before ? figures_after(start, *end.before, end.marker) : marker::figures_of(end.marker);
   context.run.observer.on_stage(scene::Stage::kOther);
-  MethodAnswer answer{motion_fields(start, motion, after), std::nullopt};
-  const bool changed = !answer.fields["placements"].empty() || motion.marker.pieces.size() != start.pieces.size();
-  if (commit && changed && (after.valid || motion.keep_invalid)) answer.next = std::move(motion.marker);
+  MotionAfter proved{.valid = after.valid,
+                     .healed = healing_of(end.repair, end.marker.resolution),
+                     .placements = changed_placements(start, end.marker),
+                     .ms = {},
+                     .cache = {}};
+  const bool changed = !proved.placements.empty() || end.marker.pieces.size() != start.pieces.size();
+  MethodAnswer answer{schema::encode(figures_of(start, end, after)), std::nullopt};
+  answer.fields.update(own);
+  answer.fields.update(schema::encode(proved));
+  if (commit && changed && (after.valid || end.keep_invalid)) answer.next = std::move(end.marker);
   return answer;
 }
 

@@ -1,75 +1,123 @@
-// What all motions on the wire have in common: the parameters that every one of them takes, the figures that every one
-// answers with, and how one of them becomes a MarkerMethod.
+// What all motions have in common: the figures that every one of them answers with, and how one becomes a Method.
+//
+// A motion on the wire is one file: its parameters and its result, each with a descriptor, a function that runs it, and
+// one call of motion_method.
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "core/motion/compaction/compact.h"
+#include "core/motion/repair/repair.h"
 #include "protocol/calls/method.h"
-#include "protocol/json/fields.h"
+#include "protocol/calls/results.h"
 
 namespace selvage::protocol::calls {
 
-inline constexpr int kMaxRounds = 100'000;
-inline constexpr double kMostSimplification = 1;
-inline constexpr double kLargestForce = 1e9, kLeastForce = 1e-9;  // of either coordinate; of the larger one
-inline constexpr std::string_view kAccuracyNames[] = {"draft", "standard", "fine"};  // by Accuracy
-inline constexpr std::string_view kStopNames[] = {"converged", "work_limit", "cancelled",
-                                                  "solver_failed"};  // by StopReason
-[[nodiscard]] std::string_view name_of(scene::StopReason reason);
+// The result of every motion in rounds, after its own fields.
+struct RoundsResult {
+  static constexpr std::string_view kGroup = "rounds";
+  int rounds{};
+  StopCause stop{};
 
-// What every motion in rounds takes: {"accuracy"?, "rounds"?, "simplification"?}
-struct Effort {
-  motion::compaction::Accuracy accuracy{motion::compaction::Accuracy::kStandard};
-  std::optional<int> rounds;             // instead of the accuracy's own limit
-  std::optional<double> simplification;  // instead of the accuracy's own; a part of the strip's width
+  static void describe(auto& v, auto& self) {
+    v.required("rounds", self.rounds, "Number of rounds done.");
+    v.required("stop", self.stop, kStopMeaning);
+  }
 };
-[[nodiscard]] motion::compaction::CompactionSettings settings_of(const Effort& effort);
-
-// [x, y]: where to, never (0, 0).
-struct Direction {
-  double x{}, y{};
-};
-
-// Readers of the parameters above.
-[[nodiscard]] MotionCall read_call(json::Fields& fields, json::Mistake& mistake);
-[[nodiscard]] Effort read_effort(json::Fields& fields);
-[[nodiscard]] std::optional<int> read_rounds(json::Fields& fields);
-[[nodiscard]] Direction read_direction(json::Fields& fields, std::string_view key, json::Mistake& mistake);
-
-// The marker's piece of this id; `field` is the parameter that names it.
-[[nodiscard]] Result<PieceId> piece_of(const Marker& marker, const std::string& id, const std::string& field);
 
 // What a motion comes to.
-struct Motion {
+struct MotionEnd {
   Marker marker;
-  Json figures;  // the motion's own
-  motion::repair::Repair repair;
-  bool keep_invalid{};                             // what is not valid is kept, too: the caller asked for it
-  std::shared_ptr<const scene::LaidOut> before{};  // the marker it began with, when it laid that out as a whole
+  motion::repair::Repair repair{};
+  bool keep_invalid{};                             // commit even an invalid marker: the caller asked for it
+  std::shared_ptr<const scene::LaidOut> before{};  // the marker it began with, when the motion laid that out
 };
-// {"rounds", "stop"}
-[[nodiscard]] Json rounds_json(int rounds, scene::StopReason reason);
-// Proves the motion's marker valid and puts the answer together.
-[[nodiscard]] MethodAnswer answer_of(const Marker& start, Motion motion, bool commit, const MethodContext& context);
+template <class Own>
+struct Motion {
+  MotionEnd end;
+  Own result;  // the motion's own fields
+};
+template <class Params, class Own>
+using MotionFunction = Result<Motion<Own>> (*)(const Params&, const Marker&, const MethodContext&);
 
-// The `read` of a motion: `decode` makes its typed parameters, with a MotionCall `call`, of JSON; `work` runs it.
-template <auto decode, auto work>
-Result<MarkerCall> read_motion(const Json& params) {
-  auto wanted = decode(params);
-  if (!wanted) return wanted.error();
-  MarkerCall call;
-  call.about = wanted->call;
-  call.run = [wanted = *std::move(wanted)](const MarkerFile& file,
-                                           const MethodContext& context) -> Result<MethodAnswer> {
-    Result<Motion> done = work(wanted, file.marker, context);
-    if (!done) return done.error();
-    return answer_of(file.marker, *std::move(done), wanted.call.commit, context);
+// The fields of every motion's result around its own.
+struct MotionBefore {
+  static constexpr std::string_view kGroup = "motion";
+  std::string name;
+  std::size_t pieces{};
+  double length_before{}, length_after{}, utilisation_before{}, utilisation_after{};
+
+  static void describe(auto& v, auto& self) {
+    v.required("name", self.name, kNameMeaning);
+    v.required("pieces", self.pieces, kPiecesMeaning);
+    v.required("lengthBefore", self.length_before, "The marker's length before the motion; exact.");
+    v.required("lengthAfter", self.length_after, "Its length after the motion; exact.");
+    v.required("utilisationBefore", self.utilisation_before, "0 to 1.");
+    v.required("utilisationAfter", self.utilisation_after, "0 to 1.");
+  }
+};
+struct MotionAfter {
+  static constexpr std::string_view kGroup = "motion";
+  bool valid{};
+  Healing healed;
+  std::vector<Placement> placements;
+  std::optional<StageTimes> ms;
+  std::optional<CacheCounts> cache;
+
+  static void describe(auto& v, auto& self) {
+    v.required("valid", self.valid, "Whether the result is valid, proved in integers.");
+    v.required("healed", self.healed, "The repair of small overlaps in the input.");
+    v.required("placements", self.placements, "Of the pieces that moved.");
+    v.optional("ms", self.ms, "Milliseconds by stage; only with timing.");
+    v.optional("cache", self.cache, "The cache of Minkowski sums; only with timing.");
+  }
+};
+template <class Own>
+struct MotionResult {
+  AtRevision at;
+  MotionBefore before;
+  Own own;
+  MotionAfter after;
+
+  static void describe(auto& v, auto& self) {
+    v.part(self.at);
+    v.part(self.before);
+    v.part(self.own);
+    v.part(self.after);
+  }
+};
+
+// Proves the motion's marker valid and puts the answer together; `own` are the motion's own fields.
+[[nodiscard]] MethodAnswer answer_of(const Marker& start, MotionEnd end, const Json& own, bool commit,
+                                     const MethodContext& context);
+
+// The method of a motion.  REQUIRES: Params has a CommonParams `call`.
+template <class Params, class Own>
+[[nodiscard]] Method motion_method(std::string_view name, MethodKind kind, std::string_view summary,
+                                   MotionFunction<Params, Own> work) {
+  const auto read = [name, kind, work](const Json& json) -> Result<ParsedCall> {
+    Result<Params> wanted = schema::decode<Params>(json);
+    if (!wanted) return wanted.error();
+    const auto params = std::make_shared<const Params>(*std::move(wanted));
+    const auto run = [params, work](const MarkerFile& file, const MethodContext& context) -> Result<MethodAnswer> {
+      Result<Motion<Own>> done = work(*params, file.marker, context);
+      if (!done) return done.error();
+      return answer_of(file.marker, std::move(done->end), schema::encode(done->result), params->call.commit, context);
+    };
+    return ParsedCall{name, kind, params->call, params, run};
   };
-  return call;
+  return {name,
+          summary,
+          kind,
+          read,
+          &schema::describe<Params>,
+          &schema::describe<MotionResult<Own>>,
+          &canonical_params<Params>,
+          true,
+          true};
 }
 
 }  // namespace selvage::protocol::calls

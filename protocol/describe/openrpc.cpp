@@ -1,54 +1,55 @@
 #include "protocol/describe/openrpc.h"
 
-#include <array>
+#include <map>
 #include <string>
+#include <vector>
 
-#include "protocol/describe/daemon_methods.h"
-#include "protocol/describe/schemas.h"
+#include "protocol/methods/method_table.h"
 
 namespace selvage::protocol::describe {
 namespace {
 
-constexpr std::array kOnMarkerParams{calls::Word{"markerId", "string", calls::kRequired, "The marker's id."}};
-constexpr std::array kOnMarkerResults{calls::Word{"markerId", "string", calls::kRequired, "The marker's id."},
-                                      calls::Word{"revision", "integer", calls::kRequired, "The marker's revision."}};
-constexpr std::array kMotionParams{
-    calls::Word{"baseRev", "integer", calls::kOptional, "Refuse when the marker is at another revision."},
-    calls::Word{"commit", "boolean", calls::kOptional, "False: answer, but leave the marker as it is."},
-    calls::Word{"opId", "string", calls::kOptional, "A name for this call: a retry of it gets the same answer."},
-    calls::Word{"deadlineMs", "number", calls::kOptional, "Then the best so far is answered; 1 to 86,400,000."},
-    calls::Word{"progressToken", "ProgressToken", calls::kOptional, "Rounds are told under it."},
-    calls::Word{"timing", "boolean", calls::kOptional, "Answer with ms and cache, too."}};
-constexpr std::array kStudyParams{calls::Word{"deadlineMs", "number", calls::kOptional,
-                                              "Then the call is refused if it has no answer; 1 to 86,400,000."}};
-constexpr std::array kMotionResults{
-    calls::Word{"name", "string", calls::kRequired, "The marker's."},
-    calls::Word{"pieces", "integer", calls::kRequired, "How many there are."},
-    calls::Word{"lengthBefore", "number", calls::kRequired, "Exact."},
-    calls::Word{"lengthAfter", "number", calls::kRequired, "Exact."},
-    calls::Word{"utilisationBefore", "number", calls::kRequired, "0 to 1."},
-    calls::Word{"utilisationAfter", "number", calls::kRequired, "0 to 1."},
-    calls::Word{"valid", "boolean", calls::kRequired, "Of the result, proved anew."},
-    calls::Word{"healed", "Healing", calls::kRequired, "Small overlaps that were parted first."},
-    calls::Word{"placements", "Placement[]", calls::kRequired, "Of the pieces that moved."},
-    calls::Word{"ms", "StageTimes", calls::kOptional, "With timing."},
-    calls::Word{"cache", "CacheCounts", calls::kOptional, "With timing."}};
+using schema::FieldDescription;
+using Kind = schema::Type::Kind;
 
-void append(std::vector<calls::Word>& all, std::span<const calls::Word> more) {
-  all.insert(all.end(), more.begin(), more.end());
+// The named types that a document refers to, by name.
+class Components {
+ public:
+  void add_all(const std::vector<FieldDescription>& fields) {
+    for (const FieldDescription& field : fields) add(field.type);
+  }
+  [[nodiscard]] const std::map<std::string_view, const schema::Component*>& all() const { return all_; }
+
+ private:
+  void add(const schema::Type& type) {
+    for (const schema::Type& part : type.parts) add(part);
+    if (type.kind != Kind::kNamed) return;
+    const schema::Component& component = type.component();
+    if (!all_.emplace(component.name, &component).second) return;
+    add_all(component.fields);
+    if (component.same_as) add(*component.same_as);
+  }
+
+  std::map<std::string_view, const schema::Component*> all_;
+};
+
+Json either_schema(const schema::Type& type) {
+  Json alternatives = Json::array();
+  for (const schema::Type& part : type.parts) {
+    // Alternatives within alternatives become one list.
+    Json inner = type_schema(part);
+    for (Json& each : inner.contains("anyOf") ? inner["anyOf"] : Json::array({inner}))
+      alternatives.push_back(std::move(each));
+  }
+  return {{"anyOf", std::move(alternatives)}};
 }
 
-bool is_primitive(std::string_view type) {
-  constexpr std::array<std::string_view, 6> kPrimitives{"string", "integer", "number", "boolean", "object", "null"};
-  return std::find(kPrimitives.begin(), kPrimitives.end(), type) != kPrimitives.end();
-}
-
-Json object_schema(std::span<const calls::Word> fields) {
+Json object_schema(const std::vector<FieldDescription>& fields) {
   Json properties = Json::object();
   Json required = Json::array();
-  for (const calls::Word& field : fields) {
+  for (const FieldDescription& field : fields) {
     Json schema = type_schema(field.type);
-    // Beside a reference other words would not be read.
+    // Other members of an object with a reference would be ignored.
     if (schema.contains("$ref")) schema = Json{{"allOf", Json::array({std::move(schema)})}};
     schema["description"] = field.meaning;
     properties[std::string{field.name}] = std::move(schema);
@@ -57,95 +58,80 @@ Json object_schema(std::span<const calls::Word> fields) {
   return {{"type", "object"}, {"properties", std::move(properties)}, {"required", std::move(required)}};
 }
 
-Json schemas() {
-  Json all = Json::object();
-  const auto add = [&all](std::string_view name, std::string_view meaning, Json schema) {
-    schema["description"] = meaning;
-    all[std::string{name}] = std::move(schema);
-  };
-  for (const ChoiceType& choice : choice_types()) {
-    add(choice.name, choice.meaning, {{"type", "string"}, {"enum", choice.words}});
+Json component_schema(const schema::Component& component) {
+  Json schema;
+  if (!component.words.empty()) {
+    schema = {{"type", "string"}, {"enum", component.words}};
+  } else if (component.same_as) {
+    schema = type_schema(*component.same_as);
+  } else {
+    schema = object_schema(component.fields);
   }
-  for (const NamedType& named : named_types()) add(named.name, named.meaning, type_schema(named.type));
-  for (const ObjectType& object : object_types()) add(object.name, object.meaning, object_schema(object.fields));
-  return all;
+  schema["description"] = component.meaning;
+  return schema;
 }
 
-Json params_json(std::span<const calls::Word> params) {
+Json params_json(const std::vector<FieldDescription>& params) {
   Json list = Json::array();
   for (const bool required : {true, false}) {  // OpenRPC wants the required ones first
-    for (const calls::Word& word : params) {
-      if (word.required != required) continue;
-      list.push_back({{"name", word.name},
-                      {"description", word.meaning},
-                      {"required", word.required},
-                      {"schema", type_schema(word.type)}});
+    for (const FieldDescription& param : params) {
+      if (param.required != required) continue;
+      list.push_back({{"name", param.name},
+                      {"description", param.meaning},
+                      {"required", param.required},
+                      {"schema", type_schema(param.type)}});
     }
   }
   return list;
 }
 
-Json method_json(const ToldMethod& method) {
-  return {{"name", method.name},
-          {"summary", method.summary},
-          {"paramStructure", "by-name"},
-          {"params", params_json(method.params)},
-          {"result", {{"name", "result"}, {"schema", object_schema(method.results)}}}};
-}
-
 }  // namespace
 
-ToldMethod told(const calls::MarkerMethod& method) {
-  ToldMethod all{method.name, method.words.summary, {}, {}};
-  append(all.params, kOnMarkerParams);
-  append(all.params, method.words.params);
-  append(all.results, kOnMarkerResults);
-  append(all.results, method.words.results);
-  if (method.motion()) {
-    append(all.params, kMotionParams);
-    append(all.results, kMotionResults);
+Json type_schema(const schema::Type& type) {
+  switch (type.kind) {
+    case Kind::kString: return {{"type", "string"}};
+    case Kind::kInteger: return {{"type", "integer"}};
+    case Kind::kNumber: return {{"type", "number"}};
+    case Kind::kBoolean: return {{"type", "boolean"}};
+    case Kind::kNull: return {{"type", "null"}};
+    case Kind::kObject: return {{"type", "object"}};
+    case Kind::kConstant: return {{"const", type.text}};
+    case Kind::kNamed: return {{"$ref", "#/components/schemas/" + std::string{type.component().name}}};
+    case Kind::kList: return {{"type", "array"}, {"items", type_schema(type.parts[0])}};
+    case Kind::kPair:
+      return {{"type", "array"}, {"items", type_schema(type.parts[0])}, {"minItems", 2}, {"maxItems", 2}};
+    case Kind::kEither: return either_schema(type);
   }
-  if (method.kind == calls::MethodKind::kStudy) append(all.params, kStudyParams);
-  return all;
+  return {};
 }
 
-ToldMethod told(std::string_view name, const calls::MethodWords& words) {
-  ToldMethod all{name, words.summary, {}, {}};
-  append(all.params, words.params);
-  append(all.results, words.results);
-  return all;
-}
-
-Json type_schema(std::string_view type) {
-  if (const std::size_t bar = type.find('|'); bar != std::string_view::npos) {
-    Json either = Json::array({type_schema(type.substr(0, bar))});
-    Json rest = type_schema(type.substr(bar + 1));
-    for (const Json& other : rest.contains("anyOf") ? rest["anyOf"] : Json::array({rest})) either.push_back(other);
-    return {{"anyOf", std::move(either)}};
+Json openrpc_document(std::string_view version) {
+  Components components;
+  Json methods = Json::array();
+  for (const calls::Method& method : methods::method_table().all()) {
+    const auto params = method.params();
+    const auto results = method.results();
+    components.add_all(params);
+    components.add_all(results);
+    methods.push_back({{"name", method.name},
+                       {"summary", method.summary},
+                       {"paramStructure", "by-name"},
+                       {"params", params_json(params)},
+                       {"result", {{"name", "result"}, {"schema", object_schema(results)}}}});
   }
-  if (type.ends_with("[2]")) {
-    return {
-        {"type", "array"}, {"items", type_schema(type.substr(0, type.size() - 3))}, {"minItems", 2}, {"maxItems", 2}};
-  }
-  if (type.ends_with("[]")) return {{"type", "array"}, {"items", type_schema(type.substr(0, type.size() - 2))}};
-  if (type.starts_with('\'')) return {{"const", type.substr(1, type.size() - 2)}};
-  if (is_primitive(type)) return {{"type", type}};
-  return {{"$ref", "#/components/schemas/" + std::string{type}}};
-}
-
-Json openrpc_document(std::string_view version, std::span<const ToldMethod> methods) {
-  Json list = Json::array();
-  for (const ToldMethod& method : methods) list.push_back(method_json(method));
   Json notifications = Json::array();
-  for (const NamedWords& notification : notification_words()) {
+  for (const methods::Notification& notification : methods::notifications()) {
+    components.add_all(notification.params());
     notifications.push_back({{"name", notification.name},
-                             {"summary", notification.words.summary},
-                             {"params", params_json(notification.words.params)}});
+                             {"summary", notification.summary},
+                             {"params", params_json(notification.params())}});
   }
+  Json schemas = Json::object();
+  for (const auto& [name, component] : components.all()) schemas[std::string{name}] = component_schema(*component);
   return {{"openrpc", "1.2.6"},
           {"info", {{"title", "Selvage"}, {"version", version}}},
-          {"methods", std::move(list)},
-          {"components", {{"schemas", schemas()}}},
+          {"methods", std::move(methods)},
+          {"components", {{"schemas", std::move(schemas)}}},
           {"x-notifications", std::move(notifications)}};
 }
 

@@ -1,32 +1,21 @@
-// The description of all methods that machines read: an OpenRPC 1.2.6 document (https://spec.open-rpc.org), made of
-// the words that stand beside the decoders.
+// The machine-readable description of all methods: an OpenRPC 1.2.6 document (https://spec.open-rpc.org), made of the
+// descriptors of their parameters and results.
 //
-// A method's result is an object; its schema's properties are the words of its results.  What the daemon sends unasked
-// is under "x-notifications": name, summary, params, as of a method.
+// A method's result is an object, whose schema's properties are the fields of the result.  What the daemon sends
+// without being asked is under "x-notifications": name, summary and params, as of a method.
 #pragma once
 
-#include <span>
 #include <string_view>
-#include <vector>
 
-#include "protocol/calls/method.h"
 #include "protocol/json/json_text.h"
+#include "protocol/schema/description.h"
 
 namespace selvage::protocol::describe {
 
-struct ToldMethod {
-  std::string_view name;
-  std::string_view summary;
-  std::vector<calls::Word> params, results;
-};
+// JSON Schema (draft 7) of a type.
+[[nodiscard]] Json type_schema(const schema::Type& type);
 
-// With what every method on a marker takes and answers, and every motion.
-[[nodiscard]] ToldMethod told(const calls::MarkerMethod& method);
-[[nodiscard]] ToldMethod told(std::string_view name, const calls::MethodWords& words);
-
-// JSON Schema (draft 7) of a type of words.h.  REQUIRES: its names are those of words.h and schemas.h.
-[[nodiscard]] Json type_schema(std::string_view type);
-
-[[nodiscard]] Json openrpc_document(std::string_view version, std::span<const ToldMethod> methods);
+// Of all methods of the table.
+[[nodiscard]] Json openrpc_document(std::string_view version);
 
 }  // namespace selvage::protocol::describe

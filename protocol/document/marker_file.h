@@ -13,6 +13,7 @@ namespace selvage::protocol::document {
 
 enum class Format { kNative, kSparrow, kOutlines, kSvg };
 inline constexpr std::string_view kFormatNames[] = {"native", "sparrow", "outlines", "svg"};  // by Format
+inline constexpr Format kReadableFormats[] = {Format::kNative, Format::kSparrow};             // all are written
 [[nodiscard]] std::string_view name_of(Format format);
 
 // Something a reader mended, rounded or took differently than written, worth saying.

@@ -3,19 +3,10 @@
 #include <unordered_map>
 
 #include "core/marker/figures.h"
-#include "protocol/calls/call_fields.h"
-#include "protocol/formats/constraints.h"
+#include "protocol/calls/method.h"
 
 namespace selvage::protocol::edits {
 namespace {
-
-ChangeCall read_change(json::Fields& fields, json::Mistake& mistake) {
-  ChangeCall call;
-  call.marker_id = fields.text("markerId");
-  call.base_revision = calls::read_base_revision(fields);
-  call.op_id = calls::read_op_id(fields, mistake);
-  return call;
-}
 
 // True when nothing but pieces differs.
 bool same_frame(const MarkerFile& before, const MarkerFile& after) {
@@ -25,26 +16,6 @@ bool same_frame(const MarkerFile& before, const MarkerFile& after) {
 }
 
 }  // namespace
-
-Result<MarkerApply> decode_marker_apply(const Json& params) {
-  json::Mistake mistake;
-  json::Fields fields{params, "", mistake};
-  MarkerApply apply;
-  apply.call = read_change(fields, mistake);
-  apply.edits = read_edits(fields, mistake);
-  fields.finish();
-  if (mistake) return mistake.error();
-  return apply;
-}
-
-Result<ChangeCall> decode_change(const Json& params) {
-  json::Mistake mistake;
-  json::Fields fields{params, "", mistake};
-  ChangeCall call = read_change(fields, mistake);
-  fields.finish();
-  if (mistake) return mistake.error();
-  return call;
-}
 
 MarkerFile with_marker(const MarkerFile& file, Marker next) {
   MarkerFile after{.marker = {}, .format = file.format, .notes = {}, .attributes = {}};
@@ -60,44 +31,42 @@ MarkerFile with_marker(const MarkerFile& file, Marker next) {
   return after;
 }
 
-Json placement_json(const Marker& marker, const Piece& piece) {
-  Json json{{"id", piece.id},
-            {"shape", marker.shapes[piece.shape.value].id},
-            {"at", formats::point_json(piece.at, marker.resolution)},
-            {"rotation", piece.orientation.rotation.degrees},
-            {"flip", piece.orientation.flip},
-            {"tilt", piece.orientation.tilt.degrees},
-            {"locked", false}};
-  formats::write_constraints(json, marker, piece);
-  return json;
-}
-
-Json figures_json(const Marker& marker) {
-  const marker::Figures figures = figures_of(marker);
-  return {{"name", marker.name},
-          {"pieces", marker.pieces.size()},
-          {"length", to_decimal(figures.length, marker.resolution)},
-          {"utilisation", figures.utilisation},
-          {"valid", figures.valid}};
-}
-
-Json change_json(const MarkerFile& before, const MarkerFile& after) {
+Change change_between(const MarkerFile& before, const MarkerFile& after) {
   std::unordered_map<std::string_view, const Piece*> gone;
   for (const Piece& piece : before.marker.pieces) gone.emplace(piece.id, &piece);
-  Json placements = Json::array();
+  Change change;
   for (const Piece& piece : after.marker.pieces) {
     const auto found = gone.find(piece.id);
-    if (found == gone.end() || *found->second != piece) placements.push_back(placement_json(after.marker, piece));
+    if (found == gone.end() || *found->second != piece)
+      change.placements.push_back(calls::state_of(after.marker, piece));
     if (found != gone.end()) gone.erase(found);
   }
-  Json removed = Json::array();
   for (const Piece& piece : before.marker.pieces) {
-    if (gone.contains(piece.id)) removed.push_back(piece.id);
+    if (gone.contains(piece.id)) change.removed.push_back(piece.id);
   }
-  Json change{{"placements", std::move(placements)}, {"removed", std::move(removed)}};
-  if (!same_frame(before, after)) change["whole"] = true;
-  change.update(figures_json(after.marker));
+  if (!same_frame(before, after)) change.whole = true;
+  const marker::Figures figures = figures_of(after.marker);
+  change.name = after.marker.name;
+  change.pieces = after.marker.pieces.size();
+  change.length = to_decimal(figures.length, after.marker.resolution);
+  change.utilisation = figures.utilisation;
+  change.valid = figures.valid;
   return change;
+}
+
+calls::Method apply_method() {
+  return calls::served_method<ApplyParams, ApplyResult>("marker.apply", calls::MethodKind::kStep,
+                                                        "Applies operations to the marker, all or none.");
+}
+
+calls::Method undo_method() {
+  return calls::served_method<ChangeParams, CommittedChange>("marker.undo", calls::MethodKind::kStep,
+                                                             "Undoes the last change.");
+}
+
+calls::Method redo_method() {
+  return calls::served_method<ChangeParams, CommittedChange>("marker.redo", calls::MethodKind::kStep,
+                                                             "Redoes the last undone change.");
 }
 
 }  // namespace selvage::protocol::edits

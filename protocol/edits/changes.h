@@ -1,43 +1,103 @@
-// Calls that change a marker by hand: apply, undo, redo; and what is told of any change, to its author and to those who
-// watch the marker.
+// Calls that change a marker by hand: apply, undo and redo; and what its author and those who watch the marker learn of
+// any change.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
-#include "protocol/calls/messages.h"
+#include "protocol/calls/piece_state.h"
+#include "protocol/calls/results.h"
 #include "protocol/edits/edits.h"
 
 namespace selvage::protocol::edits {
 
-// What every such call takes: {"markerId", "baseRev"?, "opId"?}
-struct ChangeCall {
+// What marker.undo and marker.redo take, and marker.apply too.
+struct ChangeParams {
+  static constexpr std::string_view kGroup = "call";
   std::string marker_id;
   std::optional<Revision> base_revision;  // refuse when the marker is at another
-  std::optional<std::string> op_id;       // the client's name for the call: a retry of it gets the same answer
+  std::optional<std::string> op_id;       // the client's name for the call
+
+  static void describe(auto& v, auto& self) {
+    v.required("markerId", self.marker_id, calls::kMarkerIdMeaning);
+    v.optional("baseRev", self.base_revision, calls::kBaseRevisionMeaning, calls::kRevisions);
+    v.optional("opId", self.op_id, calls::kOpIdMeaning, calls::kOpIds);
+  }
 };
 
-// marker.apply {"ops": [...]}
-struct MarkerApply {
-  ChangeCall call;
+struct ApplyParams {
+  ChangeParams call;
   std::vector<Edit> edits;
-};
-[[nodiscard]] Result<MarkerApply> decode_marker_apply(const Json& params);
 
-// marker.undo, marker.redo
-[[nodiscard]] Result<ChangeCall> decode_change(const Json& params);
+  static void describe(auto& v, auto& self) {
+    v.part(self.call);
+    v.required("ops", self.edits, "1 to 100,000 operations, applied in order, all or none.",
+               {.entries = {{1, kMaxEdits}}, .entries_are = "operations"});
+  }
+};
+
+// A change of a marker, as its author and those who watch the marker get it.
+struct Change {
+  std::vector<calls::PieceState> placements;
+  std::vector<std::string> removed;
+  std::optional<bool> whole;  // true or absent
+  std::string name;
+  std::size_t pieces{};
+  double length{}, utilisation{};
+  bool valid{};
+
+  // Nothing differs.
+  [[nodiscard]] bool none() const { return placements.empty() && removed.empty() && !whole; }
+  static void describe(auto& v, auto& self) {
+    v.required("placements", self.placements, "Of the pieces that are new, or whose placement or lock changed.");
+    v.required("removed", self.removed, "Ids of the pieces that were removed.");
+    v.optional("whole", self.whole,
+               "True: something else changed too, such as the strip, the spacing or shapes; absent otherwise.");
+    v.required("name", self.name, calls::kNameMeaning);
+    v.required("pieces", self.pieces, calls::kPiecesMeaning);
+    v.required("length", self.length, calls::kLengthMeaning);
+    v.required("utilisation", self.utilisation, calls::kUtilisationMeaning);
+    v.required("valid", self.valid, calls::kValidMeaning);
+  }
+};
+[[nodiscard]] Change change_between(const MarkerFile& before, const MarkerFile& after);
+
+// The result of every call that changes a marker by hand.
+struct CommittedChange {
+  calls::AtRevision at;
+  Change change;
+
+  static void describe(auto& v, auto& self) {
+    v.part(self.at);
+    v.part(self.change);
+  }
+};
+struct ApplyResult {
+  CommittedChange committed;
+  std::optional<std::vector<calls::Note>> notes;
+
+  static void describe(auto& v, auto& self) {
+    v.part(self.committed);
+    v.optional("notes", self.notes, "Repairs made to the shapes that were added.");
+  }
+};
+// The parameters of the notification marker.changed.
+struct ChangedNotification {
+  calls::AtRevision at;
+  std::string by;
+  Change change;
+
+  static void describe(auto& v, auto& self) {
+    v.part(self.at);
+    v.required("by", self.by, "The method that changed it.");
+    v.part(self.change);
+  }
+};
 
 // The file with its marker's next state, which may have lost pieces: each that stays keeps its attributes.
 [[nodiscard]] MarkerFile with_marker(const MarkerFile& file, Marker next);
-
-// {"id", "shape", "at", "rotation", "flip", "tilt", "locked", "group"?, "buffer"?}
-[[nodiscard]] Json placement_json(const Marker& marker, const Piece& piece);
-// {"name", "pieces", "length", "utilisation", "valid"}
-[[nodiscard]] Json figures_json(const Marker& marker);
-// {"placements": of pieces that are new or lie or are locked otherwise, "removed": [ids], "whole": true when more than
-// that changed, figures...}
-[[nodiscard]] Json change_json(const MarkerFile& before, const MarkerFile& after);
 
 }  // namespace selvage::protocol::edits

@@ -67,42 +67,43 @@ class Editor {
 
   void apply(const AddPiece& add) {
     if (add.shape) add_shape(add);
-    const auto shape = shapes_.find(add.piece.shape);
+    const auto shape = shapes_.find(add.piece.piece.shape);
     if (shape == shapes_.end()) {
-      mistake_.add(ErrorCode::kUnknownShape, json::shortened(Json(add.piece.shape)) + " is the id of no shape",
+      mistake_.add(ErrorCode::kUnknownShape, json::shortened(Json(add.piece.piece.shape)) + " is the id of no shape",
                    pointer_of(edit_, "/piece/shape"));
     }
-    if (by_id_.contains(add.piece.piece.id)) {
-      mistake_.add(ErrorCode::kDuplicateId, json::shortened(Json(add.piece.piece.id)) + " is the id of a piece already",
+    if (by_id_.contains(add.piece.piece.piece.id)) {
+      mistake_.add(ErrorCode::kDuplicateId,
+                   json::shortened(Json(add.piece.piece.piece.id)) + " is the id of a piece already",
                    pointer_of(edit_, "/piece/id"));
     }
     if (mistake_) return;
-    Piece piece = add.piece.piece;
+    Piece piece = add.piece.piece.piece;
     piece.shape = ShapeId{shape->second};
-    piece.at = {coordinate(add.piece.at.x, "/piece/at"), coordinate(add.piece.at.y, "/piece/at")};
-    piece.buffer = clearance(add.piece.buffer, "/piece/buffer");
+    piece.at = {coordinate(add.piece.piece.at.x, "/piece/at"), coordinate(add.piece.piece.at.y, "/piece/at")};
+    piece.buffer = clearance(add.piece.piece.buffer, "/piece/buffer");
     settle(piece);
     by_id_.emplace(piece.id, static_cast<std::uint32_t>(file_.marker.pieces.size()));
     file_.marker.pieces.push_back(std::move(piece));
-    file_.attributes.pieces.push_back(add.attributes);
+    file_.attributes.pieces.push_back(add.piece.attributes);
     removed_.push_back(false);
     edited_by_.push_back(edit_);
   }
 
   void add_shape(const AddPiece& add) {
-    const std::string& id = add.shape->shape.id;
+    const std::string& id = add.shape->shape.shape.id;
     if (shapes_.contains(id)) {
       mistake_.add(ErrorCode::kDuplicateId,
                    json::shortened(Json(id)) + " is the id of a shape already; leave the shape out",
                    pointer_of(edit_, "/shape/id"));
     }
-    for (const formats::Decimal& point : add.shape->outline) {
+    for (const formats::Decimal& point : add.shape->shape.outline) {
       (void)coordinate(point.x, "/shape/outline");
       (void)coordinate(point.y, "/shape/outline");
     }
     if (mistake_) return;
     std::vector<Note> notes;
-    auto shape = shape_on_lattice(*add.shape, 0, resolution(), notes);
+    auto shape = shape_on_lattice(add.shape->shape, 0, resolution(), notes);
     const std::string at = pointer_of(edit_, "/shape");
     constexpr std::string_view kWritten = "/shapes/0";
     if (!shape) {
@@ -113,7 +114,7 @@ class Editor {
     for (const Note& note : notes) file_.notes.push_back({at + note.field.substr(kWritten.size()), note.text});
     shapes_.emplace(id, static_cast<std::uint32_t>(file_.marker.shapes.size()));
     file_.marker.shapes.push_back(*std::move(shape));
-    file_.attributes.shapes.push_back(add.shape_attributes);
+    file_.attributes.shapes.push_back(add.shape->attributes);
     shaped_by_.push_back(edit_);
   }
 
@@ -126,45 +127,46 @@ class Editor {
   }
 
   void apply(const RemovePiece& remove) {
-    if (!piece_of(remove.piece)) return;
-    const auto found = by_id_.find(remove.piece);
+    if (!piece_of(remove.piece.text)) return;
+    const auto found = by_id_.find(remove.piece.text);
     removed_[found->second] = true;
     by_id_.erase(found);
   }
   void apply(const MovePiece& move) {
-    Piece* piece = piece_of(move.piece);
+    Piece* piece = piece_of(move.piece.text);
     if (!piece) return;
     const std::string_view field = move.by ? "/by" : "/at";
-    const Vec to{coordinate(move.to.x, field), coordinate(move.to.y, field)};
+    const calls::Point& given = move.by ? *move.by : *move.at;
+    const Vec to{coordinate(given.x, field), coordinate(given.y, field)};
     piece->at = move.by ? piece->at + to : to;
   }
   void apply(const RotatePiece& rotate) {
-    Piece* piece = piece_of(rotate.piece);
+    Piece* piece = piece_of(rotate.piece.text);
     if (!piece) return;
     Angle& rotation = piece->orientation.rotation;
-    rotation.degrees = rotate.by ? rotation.degrees + rotate.degrees : rotate.degrees;
+    rotation.degrees = rotate.by ? rotation.degrees + *rotate.by : *rotate.to;
     settle(*piece);
   }
   void apply(const FlipPiece& flip) {
-    Piece* piece = piece_of(flip.piece);
+    Piece* piece = piece_of(flip.piece.text);
     if (piece) piece->orientation.flip = flip.flip.value_or(!piece->orientation.flip);
   }
   void apply(const TiltPiece& tilt) {
-    Piece* piece = piece_of(tilt.piece);
+    Piece* piece = piece_of(tilt.piece.text);
     if (!piece) return;
     Angle& angle = piece->orientation.tilt;
-    angle.degrees = tilt.by ? angle.degrees + tilt.degrees : tilt.degrees;
+    angle.degrees = tilt.by ? angle.degrees + *tilt.by : *tilt.to;
   }
   void apply(const LockPiece& lock) {
-    Piece* piece = piece_of(lock.piece);
+    Piece* piece = piece_of(lock.piece.text);
     if (piece) piece->locked = lock.locks;
   }
   void apply(const GroupPiece& group) {
-    Piece* piece = piece_of(group.piece);
-    if (piece) piece->group = group.group;
+    Piece* piece = piece_of(group.piece.text);
+    if (piece) piece->group = group.group ? group.group->text : std::string{};
   }
   void apply(const BufferPiece& buffer) {
-    Piece* piece = piece_of(buffer.piece);
+    Piece* piece = piece_of(buffer.piece.text);
     if (piece) piece->buffer = clearance(buffer.buffer, "/buffer");
   }
   void apply(const SetStrip& strip) {
@@ -178,7 +180,7 @@ class Editor {
     if (strip.width) mine.width = length(*strip.width, "/width");
     if (strip.margin) mine.margin = clearance(*strip.margin, "/margin");
     if (strip.longest) mine.longest.reset();
-    if (strip.longest && *strip.longest) mine.longest = length(**strip.longest, "/longest");
+    if (strip.longest && strip.longest->value) mine.longest = length(*strip.longest->value, "/longest");
     strip_by_ = edit_;
   }
   void apply(const SetSpacing& spacing) {

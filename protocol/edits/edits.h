@@ -1,94 +1,229 @@
-// Edits: the operations of marker.apply, one after another, all or none.
+// Edits: the operations of marker.apply, applied in order, all or none.
 //
-// Words and numbers are checked when they are read, what they do to a marker when they are applied.  An edit may leave
-// pieces overlapping or outside the strip: that is for motions to mend; what it leaves is always a well-formed marker.
+// Words and numbers are checked when they are read; what they do to a marker is checked when they are applied.  An edit
+// may leave pieces overlapping or outside the strip, which motions then repair; the marker is always well formed.
 // Coordinates are rounded to the marker's lattice, whose resolution stays.
 #pragma once
 
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 #include "core/base/result.h"
+#include "protocol/calls/piece_state.h"
 #include "protocol/formats/decimal_marker.h"
-#include "protocol/json/fields.h"
+#include "protocol/schema/visitors.h"
 
 namespace selvage::protocol::edits {
 
-// {"op": "add", "piece": native piece, "shape"?: native shape, when the marker has none of that id}
-struct AddPiece {
+inline constexpr std::string_view kOpMeaning = "The operation.";
+inline constexpr std::string_view kPieceMeaning = "The piece's id.";
+inline constexpr schema::Limits kDegrees{.range = {{-360, 360}}}, kTilts{.range = {{-45, 45}}};
+inline constexpr schema::Limits kLengths{.range = {{0, formats::kStripWidths.most}}};
+
+// A piece and a shape as in a native document.
+struct NativePiece {
   formats::DecimalPiece piece;
   Json attributes;
-  std::optional<formats::DecimalShape> shape;
-  Json shape_attributes = Json::object();
 };
-// {"op": "remove", "piece"}
+struct NativeShape {
+  formats::DecimalShape shape;
+  Json attributes = Json::object();
+};
+// A length, or null.
+struct NullableLength {
+  std::optional<double> value;
+};
+
+// Of two fields exactly one is required.
+inline auto one_of(std::string_view set, std::string_view add) {
+  return [set, add](json::Fields& op, json::Mistake& mistake) {
+    if (op.has(set) && op.has(add)) {
+      mistake.add(ErrorCode::kUnknownField, "either " + std::string{set} + " or " + std::string{add} + " is allowed",
+                  op.pointer(add));
+    } else if (!op.has(set) && !op.has(add)) {
+      (void)op.required_any(set);
+    }
+  };
+}
+
+struct AddPiece {
+  static constexpr std::string_view kOp = "add", kName = "AddEdit", kMeaning = "Adds a piece after the other pieces.";
+  NativePiece piece;
+  std::optional<NativeShape> shape;
+
+  static void describe(auto& v, auto& self) {
+    v.constant("op", kOp, kOpMeaning);
+    v.required("piece", self.piece, "As in a native document.");
+    v.optional("shape", self.shape, "As in a native document, when the marker has no shape with this id.");
+  }
+};
 struct RemovePiece {
-  std::string piece;
+  static constexpr std::string_view kOp = "remove", kName = "RemoveEdit",
+                                    kMeaning = "Removes a piece; its shape stays.";
+  calls::Id piece;
+
+  static void describe(auto& v, auto& self) {
+    v.constant("op", kOp, kOpMeaning);
+    v.required("piece", self.piece, kPieceMeaning);
+  }
 };
-// {"op": "move", "piece", "at": [x, y]}, or "by"
 struct MovePiece {
-  std::string piece;
-  formats::Decimal to;
-  bool by{};
+  static constexpr std::string_view kOp = "move", kName = "MoveEdit",
+                                    kMeaning = "Moves a piece to a position or by a distance: at or by is required.";
+  calls::Id piece;
+  std::optional<calls::Point> at, by;
+
+  static void describe(auto& v, auto& self) {
+    v.constant("op", kOp, kOpMeaning);
+    v.required("piece", self.piece, kPieceMeaning);
+    v.optional("at", self.at, "The new position of its origin.");
+    v.optional("by", self.by, "The displacement.");
+    v.check(one_of("at", "by"));
+  }
 };
-// {"op": "rotate", "piece", "to": degrees}, or "by"; about the shape's origin
 struct RotatePiece {
-  std::string piece;
-  double degrees{};
-  bool by{};
+  static constexpr std::string_view kOp = "rotate", kName = "RotateEdit",
+                                    kMeaning =
+                                        "Rotates a piece about its shape's origin, to a rotation that the shape "
+                                        "allows: to or by is required.";
+  calls::Id piece;
+  std::optional<double> to, by;  // degrees
+
+  static void describe(auto& v, auto& self) {
+    v.constant("op", kOp, kOpMeaning);
+    v.required("piece", self.piece, kPieceMeaning);
+    v.optional("to", self.to, "The new rotation in degrees.", kDegrees);
+    v.optional("by", self.by, "Degrees added to the rotation.", kDegrees);
+    v.check(one_of("to", "by"));
+  }
 };
-// {"op": "flip", "piece", "flip"?}; without "flip": the other way
 struct FlipPiece {
-  std::string piece;
+  static constexpr std::string_view kOp = "flip", kName = "FlipEdit", kMeaning = "Mirrors a piece.";
+  calls::Id piece;
   std::optional<bool> flip;
+
+  static void describe(auto& v, auto& self) {
+    v.constant("op", kOp, kOpMeaning);
+    v.required("piece", self.piece, kPieceMeaning);
+    v.optional("flip", self.flip, "Whether the piece is mirrored afterwards; absent: toggles.");
+  }
 };
-// {"op": "tilt", "piece", "to": degrees}, or "by"
 struct TiltPiece {
-  std::string piece;
-  double degrees{};
-  bool by{};
+  static constexpr std::string_view kOp = "tilt", kName = "TiltEdit",
+                                    kMeaning = "Tilts a piece within its shape's tilt limit: to or by is required.";
+  calls::Id piece;
+  std::optional<double> to, by;  // degrees
+
+  static void describe(auto& v, auto& self) {
+    v.constant("op", kOp, kOpMeaning);
+    v.required("piece", self.piece, kPieceMeaning);
+    v.optional("to", self.to, "The new tilt in degrees.", kTilts);
+    v.optional("by", self.by, "Degrees added to the tilt.", kTilts);
+    v.check(one_of("to", "by"));
+  }
 };
-// {"op": "lock", "piece", "locked"?: true, false or a list of "x", "y", "tilt"}
 struct LockPiece {
-  std::string piece;
+  static constexpr std::string_view kOp = "lock", kName = "LockEdit",
+                                    kMeaning = "Locks a piece, so that no motion moves it, or unlocks it.";
+  calls::Id piece;
   Locks locks{true};
+
+  static void describe(auto& v, auto& self) {
+    v.constant("op", kOp, kOpMeaning);
+    v.required("piece", self.piece, kPieceMeaning);
+    v.optional("locked", self.locks, "What of it is locked; absent: the whole piece.");
+  }
 };
-// {"op": "group", "piece", "group"?}; without "group": of none
 struct GroupPiece {
-  std::string piece, group;
+  static constexpr std::string_view kOp = "group", kName = "GroupEdit",
+                                    kMeaning = "Puts a piece into a group; the pieces of a group move as one.";
+  calls::Id piece;
+  std::optional<calls::Id> group;
+
+  static void describe(auto& v, auto& self) {
+    v.constant("op", kOp, kOpMeaning);
+    v.required("piece", self.piece, kPieceMeaning);
+    v.optional("group", self.group, "The group; absent: removes the piece from its group.");
+  }
 };
-// {"op": "buffer", "piece", "buffer"}
 struct BufferPiece {
-  std::string piece;
+  static constexpr std::string_view kOp = "buffer", kName = "BufferEdit",
+                                    kMeaning = "Sets the clearance around a piece.";
+  calls::Id piece;
   double buffer{};
+
+  static void describe(auto& v, auto& self) {
+    v.constant("op", kOp, kOpMeaning);
+    v.required("piece", self.piece, kPieceMeaning);
+    v.required("buffer", self.buffer, "A length.", kLengths);
+  }
 };
-// {"op": "setStrip", "width"?, "longest"?: number or null, "margin"?}
 struct SetStrip {
-  std::optional<double> width, margin;
-  std::optional<std::optional<double>> longest;  // a null takes the cloth's end away
+  static constexpr std::string_view kOp = "setStrip", kName = "StripEdit",
+                                    kMeaning = "Changes the strip; at least one of its fields is required.";
+  std::optional<double> width;
+  std::optional<NullableLength> longest;  // null: the cloth has no end
+  std::optional<double> margin;
+
+  static void describe(auto& v, auto& self) {
+    v.constant("op", kOp, kOpMeaning);
+    v.optional("width", self.width, "The width of the strip.", {.range = formats::kStripWidths});
+    v.optional("longest", self.longest, "The x coordinate where the cloth ends; null: it has no end.", kLengths);
+    v.optional("margin", self.margin, "The distance that pieces keep from the strip's edges.", kLengths);
+    v.check([](const json::Fields& op, json::Mistake& mistake) {
+      if (op.has("width") || op.has("longest") || op.has("margin")) return;
+      mistake.add(ErrorCode::kMissingField, "width, longest or margin is required", op.pointer());
+    });
+  }
 };
-// {"op": "setSpacing", "spacing"}
 struct SetSpacing {
+  static constexpr std::string_view kOp = "setSpacing", kName = "SpacingEdit",
+                                    kMeaning = "Sets the least distance between two pieces.";
   double spacing{};
+
+  static void describe(auto& v, auto& self) {
+    v.constant("op", kOp, kOpMeaning);
+    v.required("spacing", self.spacing, "A length.", kLengths);
+  }
 };
 
 using Edit = std::variant<AddPiece, RemovePiece, MovePiece, RotatePiece, FlipPiece, TiltPiece, LockPiece, GroupPiece,
                           BufferPiece, SetStrip, SetSpacing>;
 
 inline constexpr std::size_t kMaxEdits = 100'000;
-inline constexpr std::string_view kEditNames[] = {
-    "add",  "remove", "move",   "rotate",   "flip",      "tilt",
-    "lock", "group",  "buffer", "setStrip", "setSpacing"};  // by Edit's index
 
-// The field "ops" of a call: 1 to kMaxEdits edits.
-[[nodiscard]] std::vector<Edit> read_edits(json::Fields& fields, json::Mistake& mistake);
-
-// The file after all edits; its notes say what was mended in shapes that were added, `field` pointing into the
-// parameters ("/ops/3/shape/outline").  Errors: those of make_marker, kOutOfRange for a piece that is not there,
+// The file after all edits; its notes list the repairs of shapes that were added, `field` pointing into the parameters
+// ("/ops/3/shape/outline").  Errors: those of make_marker, kOutOfRange for a piece that the marker does not have,
 // kBeyondLattice; `field` points at the operation, or into it.
 [[nodiscard]] Result<MarkerFile> apply_edits(MarkerFile file, std::span<const Edit> edits);
 
 }  // namespace selvage::protocol::edits
+
+namespace selvage::protocol::schema {
+
+template <>
+struct Wire<edits::NativePiece> {
+  static Type type() { return {Type::Kind::kObject}; }
+  static void read(const FieldAt& at, edits::NativePiece& value);
+};
+template <>
+struct Wire<edits::NativeShape> {
+  static Type type() { return {Type::Kind::kObject}; }
+  static void read(const FieldAt& at, edits::NativeShape& value);
+};
+template <>
+struct Wire<edits::NullableLength> {
+  static Type type() { return either({{Type::Kind::kNumber}, {Type::Kind::kNull}}); }
+  static void read(const FieldAt& at, edits::NullableLength& value);
+};
+template <>
+struct Wire<edits::Edit> {
+  static Type type();
+  static edits::Edit read_entry(const Json& value, const std::string& at, json::Mistake& mistake);
+};
+
+}  // namespace selvage::protocol::schema

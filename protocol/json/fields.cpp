@@ -168,6 +168,10 @@ const Json& Fields::object(std::string_view key) {
   return value ? *value : nothing();
 }
 
+const Json* Fields::required_any(std::string_view key) {
+  return require(key);
+}
+
 const Json* Fields::maybe_array(std::string_view key) {
   const Json* value = find(key);
   return typed(value, value && value->is_array(), key, "an array");

@@ -58,6 +58,7 @@ class Fields {
   [[nodiscard]] std::string id(std::string_view key);  // a string, or an integer read as its digits
   [[nodiscard]] const Json& array(std::string_view key);
   [[nodiscard]] const Json& object(std::string_view key);
+  [[nodiscard]] const Json* required_any(std::string_view key);  // of any type; null when absent
 
   // Optional fields: the fallback when absent.
   [[nodiscard]] double number_or(std::string_view key, double fallback, Range allowed = {});

@@ -1,4 +1,4 @@
-// The golden exchanges of tests/golden/rpc, each file played to a fresh daemon, over HTTP, lines and a WebSocket.
+// The golden exchanges of tests/golden/rpc, each file sent to a new daemon over HTTP, lines and a WebSocket.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 namespace selvage::test {
 namespace {
 
-// Equal but for "$any", and exactly the same fields.
+// Equal except for "$any", with exactly the same fields.
 bool alike(const Json& expected, const Json& actual) {
   if (expected == "$any") return true;
   if (!expected.is_object() || !actual.is_object()) return expected == actual;
@@ -24,7 +24,7 @@ bool alike(const Json& expected, const Json& actual) {
   return true;
 }
 
-// A way to a daemon for one message at a time.
+// A connection to a daemon that sends one message at a time.
 class Road {
  public:
   Road() = default;
@@ -32,7 +32,7 @@ class Road {
   Road(const Road&) = delete;
   Road& operator=(const Road&) = delete;
   virtual void send(const std::string& request) = 0;
-  // The next message; empty when the connection has ended.
+  // The next message; empty if the connection has ended.
   virtual std::string hear() = 0;
 };
 
@@ -74,7 +74,7 @@ std::unique_ptr<Road> road_to(const server::app::Daemon& daemon, const std::stri
 
 class GoldenExchanges : public ::testing::TestWithParam<std::tuple<const char*, const char*>> {};
 
-TEST_P(GoldenExchanges, AreWhatTheDaemonAnswers) {
+TEST_P(GoldenExchanges, MatchTheDaemonsAnswers) {
   const auto& [name, road_name] = GetParam();
   const Json exchanges =
       Json::parse(file_text(std::string{SELVAGE_SOURCE_DIR} + "/tests/golden/rpc/" + name + ".json"));
@@ -88,7 +88,7 @@ TEST_P(GoldenExchanges, AreWhatTheDaemonAnswers) {
     const std::string request = protocol::json::to_text(exchange["request"]);
     road->send(request);
     std::string answer = road->hear();
-    // What watchers are told may come before an answer.
+    // Notifications may arrive before an answer.
     for (; !answer.empty() && Json::parse(answer).contains("method"); answer = road->hear()) {
       told.push_back(Json::parse(answer));
     }
@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(All, GoldenExchanges,
                                                               "dragging", "places_and_tilts"),
                                             ::testing::Values("http", "lines", "websocket")),
                          name_of);
-// Over HTTP nobody can be told anything.
+// Over HTTP there are no notifications.
 INSTANTIATE_TEST_SUITE_P(Told, GoldenExchanges,
                          ::testing::Combine(::testing::Values("watching"), ::testing::Values("lines", "websocket")),
                          name_of);

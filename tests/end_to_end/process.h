@@ -1,4 +1,4 @@
-// A program that a test starts, talks to by signals and reads the output of.
+// A program that a test starts, sends signals to and reads the output of.
 #pragma once
 
 #include <fcntl.h>
@@ -15,7 +15,7 @@
 
 namespace selvage::test {
 
-// A child process whose stdout and stderr are read as one.
+// A child process whose stdout and stderr are read together.
 class Process {
  public:
   explicit Process(std::vector<std::string> words) {
@@ -45,13 +45,13 @@ class Process {
 
   [[nodiscard]] pid_t id() const { return id_; }
   void signal(int number) const { ::kill(id_, number); }
-  // Waits for its end.
+  // Waits until it has ended.
   int exit_code() {
     int status{};
     ::waitpid(std::exchange(id_, -1), &status, 0);
     return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
   }
-  // Reads output until it holds `text`, or ends.
+  // Reads output until it contains `text` or ends.
   std::string output_until(const std::string& text) {
     std::array<char, 4096> chunk{};
     while (seen_.find(text) == std::string::npos) {

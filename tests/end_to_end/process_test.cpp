@@ -1,4 +1,4 @@
-// The program itself: started, told to stop, and used by the curl example.
+// The program itself: start, shutdown, configuration, and the curl example.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -25,7 +25,7 @@ class Selvaged : public ::testing::Test {
   }
   ~Selvaged() override { std::filesystem::remove_all(folder_); }
 
-  // Started with these options on a free port; port_ is told when it listens.
+  // Starts it with these options on a free port and waits until it listens.
   std::vector<std::string> words(std::vector<std::string> more = {}) const {
     std::vector<std::string> all{SELVAGED, "--listen", "127.0.0.1:0", "--port-file", port_file()};
     all.insert(all.end(), more.begin(), more.end());
@@ -40,7 +40,7 @@ class Selvaged : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
-TEST_F(Selvaged, SaysWhereItListensAndEndsInOrderOnBothSignals) {
+TEST_F(Selvaged, PrintsItsAddressesAndShutsDownOnBothSignals) {
   for (const int signal : {SIGTERM, SIGINT}) {
     Process selvaged{words()};
     const std::uint16_t port = port_of(selvaged);
@@ -56,7 +56,7 @@ TEST_F(Selvaged, SaysWhereItListensAndEndsInOrderOnBothSignals) {
   }
 }
 
-TEST_F(Selvaged, StoppedInTheMiddleOfMotionsAnswersThemAll) {
+TEST_F(Selvaged, AnswersAllMotionsWhenItIsStopped) {
   Process selvaged{words({"--workers", "1"})};
   const std::uint16_t port = port_of(selvaged);
   Wire wire{port};
@@ -68,7 +68,7 @@ TEST_F(Selvaged, StoppedInTheMiddleOfMotionsAnswersThemAll) {
   }
   lines.send(calls);
   lines.send(call(20, "engine.info") + "\n");
-  // Answered at once, and read after the motions: they are all accepted by now, and cannot all be done.
+  // This call is answered immediately and was read after the motions: all of them are accepted by now, but not done.
   std::vector<std::string> answers;
   do {
     answers.push_back(lines.line().value_or(R"({"id":20,"error":{"code":0}})"));
@@ -87,7 +87,7 @@ TEST_F(Selvaged, StoppedInTheMiddleOfMotionsAnswersThemAll) {
   EXPECT_EQ(Json::parse(answers.back())["result"]["stop"], "cancelled");
 }
 
-TEST_F(Selvaged, RefusesAForeignAddressAndATakenPort) {
+TEST_F(Selvaged, RefusesAForeignAddressAndAPortInUse) {
   Process foreign{{SELVAGED, "--listen", "0.0.0.0:0"}};
   EXPECT_NE(foreign.all_output().find("--token-file is missing"), std::string::npos);
   EXPECT_EQ(foreign.exit_code(), 2);
@@ -98,7 +98,7 @@ TEST_F(Selvaged, RefusesAForeignAddressAndATakenPort) {
   EXPECT_EQ(second.exit_code(), 1);
 }
 
-TEST_F(Selvaged, ListensWhereItIsToldAndSaysSo) {
+TEST_F(Selvaged, ListensOnTheGivenAddressesAndPrintsThem) {
   const std::string path = (folder_ / "socket").string();
   Process selvaged{words({"--listen-tcp", "127.0.0.1:0", "--listen-unix", path})};
   EXPECT_NE(selvaged.output_until("listening on " + path).find("listening on " + path), std::string::npos);
@@ -123,7 +123,7 @@ TEST_F(Selvaged, ListensWhereItIsToldAndSaysSo) {
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
-TEST_F(Selvaged, OpensItsLogAnewOnSighup) {
+TEST_F(Selvaged, ReopensItsLogOnSighup) {
   const std::string log = (folder_ / "log").string();
   Process selvaged{words({"--log", log})};
   Wire wire{port_of(selvaged)};
@@ -141,7 +141,7 @@ TEST_F(Selvaged, OpensItsLogAnewOnSighup) {
   EXPECT_NE(file_text(log).find("drained"), std::string::npos);
 }
 
-TEST_F(Selvaged, ChecksItsConfigurationAndServesNobody) {
+TEST_F(Selvaged, ChecksItsConfigurationWithoutServing) {
   Process sound{{SELVAGED, "--check-config"}};
   EXPECT_EQ(sound.exit_code(), 0);
   Process no_key{{SELVAGED, "--check-config", "--tls-cert", "nowhere.pem", "--tls-key", "nowhere.pem"}};

@@ -1,44 +1,40 @@
-#include "protocol/methods/motions/compact.h"
+// motion.compact: shortens the marker [Li94 4.1].
+#include "core/motion/compaction/compact.h"
 
-#include <array>
-
-#include "protocol/methods/motions/families.h"
+#include "core/search/refine.h"
+#include "protocol/calls/motion.h"
 
 namespace selvage::protocol::methods::motions {
 namespace {
 
-Result<calls::Motion> run(const MotionCompact& wanted, const Marker& start, const calls::MethodContext& context) {
-  // Whoever says how to go about a compaction asks for that alone.
-  const calls::Effort& effort = wanted.effort;
+struct CompactParams {
+  calls::CommonParams call;
+  calls::Effort effort;
+
+  static void describe(auto& v, auto& self) {
+    v.part(self.call);
+    v.part(self.effort);
+  }
+};
+
+Result<calls::Motion<calls::RoundsResult>> run(const CompactParams& params, const Marker& start,
+                                               const calls::MethodContext& context) {
+  // A limit on the rounds or a simplification asks for a compaction alone.
+  const calls::Effort& effort = params.effort;
   const bool search =
       effort.accuracy == motion::compaction::Accuracy::kFine && !effort.rounds && !effort.simplification;
-  auto done = search ? context.engine.refine(start, search::refine_settings(), context.run)
-                     : context.engine.compact(start, settings_of(effort), context.run);
+  auto done = search ? search::refine(start, search::refine_settings(), context.run)
+                     : compact(start, settings_of(effort), context.run);
   if (!done) return done.error();
-  return calls::Motion{std::move(done->marker), calls::rounds_json(done->rounds, done->reason), done->repair};
+  return calls::Motion<calls::RoundsResult>{{std::move(done->marker), done->repair},
+                                            {done->rounds, stop_cause(done->reason, context)}};
 }
-
-constexpr std::array kMethods{calls::MarkerMethod{
-    "motion.compact",
-    calls::MethodKind::kMove,
-    &calls::read_motion<decode_motion_compact, run>,
-    {"The marker made shorter, all pieces moving at once.", calls::kEffortParams, calls::kRoundsResults}}};
 
 }  // namespace
 
-Result<MotionCompact> decode_motion_compact(const Json& params) {
-  json::Mistake mistake;
-  json::Fields fields{params, "", mistake};
-  MotionCompact compact;
-  compact.call = calls::read_call(fields, mistake);
-  compact.effort = calls::read_effort(fields);
-  fields.finish();
-  if (mistake) return mistake.error();
-  return compact;
-}
-
-std::span<const calls::MarkerMethod> compaction_methods() {
-  return kMethods;
+calls::Method compact_method() {
+  return calls::motion_method("motion.compact", calls::MethodKind::kMotion,
+                              "Shortens the marker, moving all pieces at once.", run);
 }
 
 }  // namespace selvage::protocol::methods::motions

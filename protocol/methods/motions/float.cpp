@@ -1,111 +1,139 @@
-#include "protocol/methods/motions/float.h"
-
+// motion.float: free space is distributed among the gaps between pieces [Li94 7].
 #include <algorithm>
-#include <array>
 
+#include "core/motion/floating/float_apart.h"
+#include "protocol/calls/motion.h"
 #include "protocol/formats/decimal_marker.h"
-#include "protocol/methods/motions/families.h"
 
 namespace selvage::protocol::methods::motions {
 namespace {
 
-constexpr std::string_view kEdgeNames[] = {"left", "right", "bottom", "top"};  // by StripEdge
+constexpr schema::Limits kDistances{.range = {{1e-9, 1e9}}};  // in the marker's unit; the lattice may allow less
 
-// {"piece", "other"} or {"piece", "edge"}
-Json gap_json(const Marker& marker, const motion::floating::Gap& gap) {
-  Json named{{"piece", marker.pieces[gap.piece.value].id}};
+struct FloatParams {
+  calls::CommonParams call;
+  double distance{};
+  motion::floating::FloatMode mode{};
+  bool edges{};
+  std::optional<int> rounds;
+
+  static void describe(auto& v, auto& self) {
+    v.part(self.call);
+    v.required("distance", self.distance,
+               "Wider gaps count as this wide; with given_distance, the target gap. 1e-9 to 1e9.", kDistances);
+    v.optional("mode", self.mode, "The objective; largest_minimum when absent.");
+    v.optional("edges", self.edges, "Whether gaps to the strip's edges count too.");
+    v.optional("rounds", self.rounds, calls::Effort::kRoundsMeaning, calls::kRoundLimits);
+  }
+};
+
+// Which gap: its piece, and the piece or the edge on the other side.
+struct Gap {
+  static constexpr std::string_view kName = "Gap", kMeaning = "A gap between two pieces, or a piece and an edge.";
+  std::string piece;
+  std::optional<std::string> other;
+  std::optional<StripEdge> edge;
+
+  static void describe(auto& v, auto& self) {
+    v.required("piece", self.piece, calls::kPieceMeaning);
+    v.optional("other", self.other, "The id of the adjacent piece.");
+    v.optional("edge", self.edge, "Or the adjacent edge.");
+  }
+};
+struct GapWidths {
+  static constexpr std::string_view kName = "GapWidths", kMeaning = "A gap and its width.";
+  Gap gap;
+  double before{}, after{};
+
+  static void describe(auto& v, auto& self) {
+    v.part(self.gap);
+    v.required("before", self.before, "Its width before the motion.");
+    v.required("after", self.after, "Its width after the motion.");
+  }
+};
+struct CriticalSet {
+  static constexpr std::string_view kName = "CriticalSet", kMeaning = "Gaps that determine a minimum.";
+  double distance{};
+  std::vector<Gap> gaps;
+
+  static void describe(auto& v, auto& self) {
+    v.required("distance", self.distance, "The minimum.");
+    v.required("gaps", self.gaps, "The gaps that determine it.");
+  }
+};
+
+struct FloatResult {
+  double least_before{}, least_after{};
+  bool reached{};
+  std::vector<GapWidths> gaps;
+  std::vector<CriticalSet> critical;
+  calls::RoundsResult rounds;
+
+  static void describe(auto& v, auto& self) {
+    v.required("leastBefore", self.least_before, "The narrowest gap before the motion, at most the distance.");
+    v.required("leastAfter", self.least_after, "The narrowest gap after the motion; proved.");
+    v.required("reached", self.reached, "Whether the narrowest gap has the distance.");
+    v.required("gaps", self.gaps, "The gaps narrower than the distance before or after.");
+    v.required("critical", self.critical, "Sets of gaps that determine a minimum.");
+    v.part(self.rounds);
+  }
+};
+
+Gap gap_of(const Marker& marker, const motion::floating::Gap& gap) {
+  Gap named{.piece = marker.pieces[gap.piece.value].id, .other = {}, .edge = {}};
   if (const PieceId* other = other_piece(gap)) {
-    named["other"] = marker.pieces[other->value].id;
+    named.other = marker.pieces[other->value].id;
   } else {
-    named["edge"] = kEdgeNames[static_cast<std::size_t>(std::get<StripEdge>(gap.opposite))];
+    named.edge = std::get<StripEdge>(gap.opposite);
   }
   return named;
 }
 
-Json gaps_json(const Marker& marker, const std::vector<motion::floating::GapWidths>& gaps) {
-  Json list = Json::array();
+std::vector<GapWidths> gaps_of(const Marker& marker, const std::vector<motion::floating::GapWidths>& gaps) {
+  std::vector<GapWidths> list;
   for (const motion::floating::GapWidths& widths : gaps) {
-    Json gap = gap_json(marker, widths.gap);
-    gap["before"] = formats::in_unit(widths.before, marker.resolution);
-    gap["after"] = formats::in_unit(widths.after, marker.resolution);
-    list.push_back(std::move(gap));
+    list.push_back({gap_of(marker, widths.gap), formats::in_unit(widths.before, marker.resolution),
+                    formats::in_unit(widths.after, marker.resolution)});
   }
   return list;
 }
 
-Json critical_json(const Marker& marker, const std::vector<motion::floating::CriticalSet>& sets) {
-  Json list = Json::array();
+std::vector<CriticalSet> critical_of(const Marker& marker, const std::vector<motion::floating::CriticalSet>& sets) {
+  std::vector<CriticalSet> list;
   for (const motion::floating::CriticalSet& set : sets) {
-    Json gaps = Json::array();
-    for (const motion::floating::Gap& gap : set.gaps) gaps.push_back(gap_json(marker, gap));
-    list.push_back({{"distance", formats::in_unit(set.distance, marker.resolution)}, {"gaps", std::move(gaps)}});
+    CriticalSet& named = list.emplace_back();
+    named.distance = formats::in_unit(set.distance, marker.resolution);
+    for (const motion::floating::Gap& gap : set.gaps) named.gaps.push_back(gap_of(marker, gap));
   }
   return list;
 }
 
-Result<calls::Motion> run(const MotionFloat& wanted, const Marker& start, const calls::MethodContext& context) {
-  if (!fits_lattice(wanted.distance, start.resolution)) {
-    return Error{ErrorCode::kOutOfRange, json::number_text(wanted.distance) + " is beyond the marker's lattice",
+Result<calls::Motion<FloatResult>> run(const FloatParams& params, const Marker& start,
+                                       const calls::MethodContext& context) {
+  if (!fits_lattice(params.distance, start.resolution)) {
+    return Error{ErrorCode::kOutOfRange, json::number_text(params.distance) + " is beyond the marker's lattice",
                  "/distance"};
   }
-  const Coord distance = std::max(to_lattice(wanted.distance, start.resolution), Coord{1});
-  motion::floating::FloatSettings settings = float_settings(wanted.mode, distance);
-  settings.edges = wanted.edges;
-  settings.rounds = wanted.rounds.value_or(settings.rounds);
+  const Coord distance = std::max(to_lattice(params.distance, start.resolution), Coord{1});
+  motion::floating::FloatSettings settings = float_settings(params.mode, distance);
+  settings.edges = params.edges;
+  settings.rounds = params.rounds.value_or(settings.rounds);
   auto done = float_apart(start, settings, context.run);
   if (!done) return done.error();
-  Json figures{{"leastBefore", to_decimal(done->least_before, start.resolution)},
-               {"leastAfter", to_decimal(done->least_after, start.resolution)},
-               {"reached", done->reached},
-               {"gaps", gaps_json(start, done->gaps)},
-               {"critical", critical_json(start, done->critical)}};
-  figures.update(calls::rounds_json(done->rounds, done->reason));
-  return calls::Motion{std::move(done->marker), std::move(figures), done->repair};
+  FloatResult result{.least_before = to_decimal(done->least_before, start.resolution),
+                     .least_after = to_decimal(done->least_after, start.resolution),
+                     .reached = done->reached,
+                     .gaps = gaps_of(start, done->gaps),
+                     .critical = critical_of(start, done->critical),
+                     .rounds = {done->rounds, stop_cause(done->reason, context)}};
+  return calls::Motion<FloatResult>{{std::move(done->marker), done->repair}, std::move(result)};
 }
-
-constexpr std::array kParams = together(
-    std::array{
-        calls::Word{"distance", "number", calls::kRequired,
-                    "Wider gaps count as this wide; in given_distance, the one wanted."},
-        calls::Word{"mode", "FloatMode", calls::kOptional, "What is made large; largest_minimum when absent."},
-        calls::Word{"edges", "boolean", calls::kOptional, "Gaps to the strip's edges count, too."},
-    },
-    calls::kRoundsParams);
-constexpr std::array kResults = together(
-    std::array{
-        calls::Word{"leastBefore", "number", calls::kRequired, "The narrowest gap, at most the distance."},
-        calls::Word{"leastAfter", "number", calls::kRequired, "Likewise afterwards; proved."},
-        calls::Word{"reached", "boolean", calls::kRequired, "The narrowest gap has the distance."},
-        calls::Word{"gaps", "GapWidths[]", calls::kRequired, "Those narrower than the distance before or after."},
-        calls::Word{"critical", "CriticalSet[]", calls::kRequired, "Sets of gaps that hold a minimum."},
-    },
-    calls::kRoundsResults);
-
-constexpr std::array kMethods{
-    calls::MarkerMethod{"motion.float",
-                        calls::MethodKind::kMove,
-                        &calls::read_motion<decode_motion_float, run>,
-                        {"Free space shared out among the gaps between pieces.", kParams, kResults}}};
 
 }  // namespace
 
-Result<MotionFloat> decode_motion_float(const Json& params) {
-  json::Mistake mistake;
-  json::Fields fields{params, "", mistake};
-  MotionFloat wanted;
-  wanted.call = calls::read_call(fields, mistake);
-  wanted.distance = fields.number("distance", kFloatDistances);
-  wanted.mode = static_cast<motion::floating::FloatMode>(
-      fields.word_or("mode", static_cast<std::size_t>(wanted.mode), kFloatModeNames));
-  wanted.edges = fields.flag_or("edges", wanted.edges);
-  wanted.rounds = calls::read_rounds(fields);
-  fields.finish();
-  if (mistake) return mistake.error();
-  return wanted;
-}
-
-std::span<const calls::MarkerMethod> floating_methods() {
-  return kMethods;
+calls::Method float_method() {
+  return calls::motion_method("motion.float", calls::MethodKind::kMotion,
+                              "Distributes free space among the gaps between pieces.", run);
 }
 
 }  // namespace selvage::protocol::methods::motions

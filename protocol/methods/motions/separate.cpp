@@ -1,76 +1,68 @@
-#include "protocol/methods/motions/separate.h"
+// motion.separate: overlapping pieces are separated with little motion; what remains is named [Li94 5.2].
+#include "core/motion/separation/separate.h"
 
-#include <array>
-
-#include "protocol/calls/codec.h"
+#include "protocol/calls/motion.h"
 #include "protocol/formats/decimal_marker.h"
-#include "protocol/methods/motions/families.h"
 
 namespace selvage::protocol::methods::motions {
 namespace {
 
-Result<calls::Motion> run(const MotionSeparate& wanted, const Marker& start, const calls::MethodContext& context) {
-  auto done = separate(start, wanted.settings, context.run);
+constexpr double kMostGrowth = 10;  // of the marker's length
+
+struct SeparateParams {
+  calls::CommonParams call;
+  motion::separation::SeparationSettings settings;
+  bool partial{};
+
+  static void describe(auto& v, auto& self) {
+    v.part(self.call);
+    v.optional("grow", self.settings.grow,
+               "The fraction of its length by which the marker may become longer, 0 to 10; 0 when absent.",
+               {.range = {{0, kMostGrowth}}});
+    v.optional("popOut", self.settings.pop_out,
+               "When the pieces cannot be separated, leave out those that block the rest.");
+    v.optional("target", self.settings.target, "How the target of a pair is chosen; nearest when absent.");
+    v.optional("rounds", self.settings.rounds, calls::Effort::kRoundsMeaning, calls::kRoundLimits);
+    v.optional("partial", self.partial, "Commit the result even when pieces still overlap.");
+  }
+};
+
+struct SeparateResult {
+  bool apart{};
+  double moved{}, farthest_move{};
+  std::vector<calls::Overlap> remaining;
+  std::vector<std::string> popped;
+  calls::RoundsResult rounds;
+
+  static void describe(auto& v, auto& self) {
+    v.required("apart", self.apart, "Whether all overlaps are gone.");
+    v.required("moved", self.moved, "The sum over the pieces of the distances moved along x and along y.");
+    v.required("farthestMove", self.farthest_move, "The largest of these distances.");
+    v.required("remaining", self.remaining, "Pairs that still overlap.");
+    v.required("popped", self.popped, "Ids of the pieces left out.");
+    v.part(self.rounds);
+  }
+};
+
+Result<calls::Motion<SeparateResult>> run(const SeparateParams& params, const Marker& start,
+                                          const calls::MethodContext& context) {
+  auto done = separate(start, params.settings, context.run);
   if (!done) return done.error();
-  Json popped = Json::array();
-  for (const PieceId piece : done->popped) popped.push_back(start.pieces[piece.value].id);
-  Json figures{{"apart", done->apart},
-               {"moved", formats::in_unit(done->moved, start.resolution)},
-               {"farthestMove", to_decimal(done->farthest_move, start.resolution)},
-               {"remaining", calls::overlaps_json(done->marker, done->remaining)},
-               {"popped", std::move(popped)}};
-  figures.update(calls::rounds_json(done->rounds, done->reason));
-  return calls::Motion{std::move(done->marker), std::move(figures), {}, wanted.partial};
+  SeparateResult result{.apart = done->apart,
+                        .moved = formats::in_unit(done->moved, start.resolution),
+                        .farthest_move = to_decimal(done->farthest_move, start.resolution),
+                        .remaining = calls::overlaps_of(done->marker, done->remaining),
+                        .popped = {},
+                        .rounds = {done->rounds, stop_cause(done->reason, context)}};
+  for (const PieceId piece : done->popped) result.popped.push_back(start.pieces[piece.value].id);
+  return calls::Motion<SeparateResult>{{std::move(done->marker), {}, params.partial}, std::move(result)};
 }
-
-constexpr std::array kParams = together(
-    std::array{
-        calls::Word{"grow", "number", calls::kOptional,
-                    "The part of its length that the marker may become longer by, 0 to 10; 0 when absent."},
-        calls::Word{"popOut", "boolean", calls::kOptional,
-                    "When the pieces cannot be parted, leave out those that hold up the rest."},
-        calls::Word{"partial", "boolean", calls::kOptional, "Commit what was reached even when pieces still overlap."},
-        calls::Word{"target", "TargetRule", calls::kOptional, "Where a pair is aimed; nearest when absent."},
-    },
-    calls::kRoundsParams);
-constexpr std::array kResults = together(
-    std::array{
-        calls::Word{"apart", "boolean", calls::kRequired, "Nothing overlaps any more."},
-        calls::Word{"moved", "number", calls::kRequired,
-                    "The sum over the pieces of how far each moved along x and along y."},
-        calls::Word{"farthestMove", "number", calls::kRequired, "The largest of these."},
-        calls::Word{"remaining", "Overlap[]", calls::kRequired, "Pairs that still overlap."},
-        calls::Word{"popped", "string[]", calls::kRequired, "Ids of the pieces left out."},
-    },
-    calls::kRoundsResults);
-
-constexpr std::array kMethods{
-    calls::MarkerMethod{"motion.separate",
-                        calls::MethodKind::kMove,
-                        &calls::read_motion<decode_motion_separate, run>,
-                        {"Overlapping pieces parted with little motion.", kParams, kResults}}};
 
 }  // namespace
 
-Result<MotionSeparate> decode_motion_separate(const Json& params) {
-  json::Mistake mistake;
-  json::Fields fields{params, "", mistake};
-  MotionSeparate separate;
-  motion::separation::SeparationSettings& settings = separate.settings;
-  separate.call = calls::read_call(fields, mistake);
-  settings.grow = fields.number_or("grow", settings.grow, {0, kMostGrowth});
-  settings.pop_out = fields.flag_or("popOut", settings.pop_out);
-  settings.target = static_cast<motion::repair::TargetRule>(
-      fields.word_or("target", static_cast<std::size_t>(settings.target), kTargetNames));
-  settings.rounds = calls::read_rounds(fields).value_or(settings.rounds);
-  separate.partial = fields.flag_or("partial", separate.partial);
-  fields.finish();
-  if (mistake) return mistake.error();
-  return separate;
-}
-
-std::span<const calls::MarkerMethod> separation_methods() {
-  return kMethods;
+calls::Method separate_method() {
+  return calls::motion_method("motion.separate", calls::MethodKind::kMotion,
+                              "Separates overlapping pieces with little motion.", run);
 }
 
 }  // namespace selvage::protocol::methods::motions

@@ -1,38 +1,59 @@
-// Methods that tell of a marker and leave it as it is.
+// How a method becomes a Method that reads a marker and leaves it as it is.
 #pragma once
 
+#include <memory>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "protocol/calls/method.h"
+#include "protocol/calls/results.h"
 
 namespace selvage::protocol::methods::readings {
 
-// marker.get {"markerId", "format"?, "since"?}
-struct MarkerGet {
+// The parameters of marker.check and marker.hold.
+struct AnalysisParams {
   std::string marker_id;
-  std::optional<Revision> since;  // only what changed after it, where that is known (the server knows)
-  Format format{Format::kNative};
-};
-[[nodiscard]] Result<MarkerGet> decode_marker_get(const Json& params);
+  std::optional<double> deadline_ms;
 
-// marker.check and marker.hold {"markerId", "deadlineMs"?}
-struct MarkerStudy {
-  std::string marker_id;
-  std::optional<double> deadline_ms;  // the server's business
+  static void describe(auto& v, auto& self) {
+    v.required("markerId", self.marker_id, calls::kMarkerIdMeaning);
+    v.optional("deadlineMs", self.deadline_ms, calls::kReadDeadlineMeaning, calls::kDeadlines);
+  }
 };
-[[nodiscard]] Result<MarkerStudy> decode_marker_study(const Json& params);
 
-// The `read` of such a method: `decode` makes its typed parameters, with a `marker_id`, of JSON; `work` runs it.
-template <auto decode, auto work>
-Result<calls::MarkerCall> read_reading(const Json& params) {
-  auto wanted = decode(params);
-  if (!wanted) return wanted.error();
-  calls::MarkerCall call;
-  call.about.marker_id = wanted->marker_id;
-  call.run = [wanted = *std::move(wanted)](const MarkerFile& file, const calls::MethodContext& context) {
-    return work(wanted, file, context);
+// The result of every reading: the marker's id and revision, then its own fields.
+template <class Own>
+struct ReadingResult {
+  calls::AtRevision at;
+  Own own;
+
+  static void describe(auto& v, auto& self) {
+    v.part(self.at);
+    v.part(self.own);
+  }
+};
+
+// REQUIRES: Params has a `marker_id`.
+template <class Params, class Own>
+[[nodiscard]] calls::Method reading_method(std::string_view name, calls::MethodKind kind, std::string_view summary,
+                                           Result<Own> (*work)(const Params&, const MarkerFile&,
+                                                               const calls::MethodContext&)) {
+  calls::Method method = calls::served_method<Params, ReadingResult<Own>>(name, kind, summary);
+  method.on_marker = true;
+  method.canonical = &calls::canonical_params<Params>;
+  method.read = [read = method.read, work](const Json& json) -> Result<calls::ParsedCall> {
+    Result<calls::ParsedCall> call = read(json);
+    if (!call) return call;
+    call->run = [params = call->template params_as<Params>(), work](
+                    const MarkerFile& file, const calls::MethodContext& context) -> Result<calls::MethodAnswer> {
+      const Result<Own> done = work(params, file, context);
+      if (!done) return done.error();
+      return calls::MethodAnswer{schema::encode(*done), std::nullopt};
+    };
+    return call;
   };
-  return call;
+  return method;
 }
 
 }  // namespace selvage::protocol::methods::readings

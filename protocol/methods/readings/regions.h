@@ -1,32 +1,48 @@
-// What marker.regions and motion.openGap share: what counts as an unoccupied region, and how one is told.
+// What marker.regions and motion.openGap share: what counts as an unoccupied region, and how one is described.
 #pragma once
 
 #include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "core/marker/unoccupied.h"
-#include "protocol/calls/words.h"
-#include "protocol/json/fields.h"
+#include "protocol/calls/values.h"
+#include "protocol/schema/visitors.h"
 
 namespace selvage::protocol::methods::readings {
 
-inline constexpr json::Range kRegionSizes{0, 1e18};
-
-// {"leastArea"?, "clearance"?}, in the marker's unit and its square; absent: unoccupied_settings().
-struct RegionWish {
+// In the marker's unit and its square; absent: those of unoccupied_settings().
+struct RegionLimits {
   std::optional<double> least_area, clearance;
+
+  static constexpr schema::Limits kSizes{.range = {{0, 1e18}}};
+  static void describe(auto& v, auto& self) {
+    v.optional("leastArea", self.least_area, "Smaller regions are omitted; 1e-4 of the width squared when absent.",
+               kSizes);
+    v.optional("clearance", self.clearance,
+               "The distance that regions keep from pieces; 2e-3 of the width when absent.", kSizes);
+  }
 };
-[[nodiscard]] RegionWish read_region_wish(json::Fields& fields);
-[[nodiscard]] marker::UnoccupiedSettings settings_of(const RegionWish& wish, const Marker& marker);
+[[nodiscard]] marker::UnoccupiedSettings settings_of(const RegionLimits& limits, const Marker& marker);
 
-inline constexpr std::array kRegionParams{
-    calls::Word{"leastArea", "number", calls::kOptional,
-                "Smaller regions are left out; 1e-4 of the width squared when absent."},
-    calls::Word{"clearance", "number", calls::kOptional,
-                "How far regions stay from pieces; 2e-3 of the width when absent."}};
+struct Region {
+  static constexpr std::string_view kName = "Region", kMeaning = "Cloth that no piece covers; its corners are rounded.";
+  std::vector<calls::Point> outline;
+  std::vector<std::vector<calls::Point>> holes;
+  double area{};
+  std::vector<std::string> around;
 
-// A square measure in the marker's unit.
+  static void describe(auto& v, auto& self) {
+    v.required("outline", self.outline, "Counter-clockwise.");
+    v.required("holes", self.holes, "The outlines of its holes.");
+    v.required("area", self.area, "Its area without the holes.");
+    v.required("around", self.around, "Ids of the adjacent pieces.");
+  }
+};
+[[nodiscard]] Region region_of(const Marker& marker, const marker::UnoccupiedRegion& region);
+
+// An area of the lattice in the square of the marker's unit.
 [[nodiscard]] double area_in_unit(double lattice, Resolution resolution);
-// {"outline", "holes", "area", "around": [piece ids]}
-[[nodiscard]] Json region_json(const Marker& marker, const marker::UnoccupiedRegion& region);
 
 }  // namespace selvage::protocol::methods::readings

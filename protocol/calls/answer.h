@@ -1,0 +1,23 @@
+// From what a method's run comes to, to the result or the error of the call.
+#pragma once
+
+#include <string>
+
+#include "core/minkowski/cache.h"
+#include "protocol/calls/method.h"
+#include "protocol/execution/stage_times.h"
+#include "protocol/rpc/json_rpc.h"
+
+namespace selvage::protocol::calls {
+
+// The whole result of a call: {"markerId", "revision", ...fields}.
+[[nodiscard]] Json result_json(const std::string& marker_id, Revision revision, const Json& fields);
+
+// Adds "ms" and "cache", which vary from run to run.
+void add_times(Json& fields, const execution::StageTimes& times, const minkowski::CacheCounts& cache);
+
+// The code of an error of the method's run: kMotionRefused when the marker does not allow the motion, or when the run
+// was stopped before it had a result; else kInvalidParams.
+[[nodiscard]] rpc::RpcCode code_of_run(const Method& method, const Error& error);
+
+}  // namespace selvage::protocol::calls

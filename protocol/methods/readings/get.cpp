@@ -1,0 +1,38 @@
+#include "protocol/methods/readings/get.h"
+
+#include "protocol/calls/piece_state.h"
+#include "protocol/methods/readings/reading.h"
+
+namespace selvage::protocol::methods::readings {
+namespace {
+
+struct GetResult {
+  std::optional<Format> format;
+  std::optional<calls::Document> marker;
+  std::optional<Revision> since;
+  std::optional<std::vector<calls::PieceState>> placements;
+
+  static void describe(auto& v, auto& self) {
+    v.optional("format", self.format, "The format of the document.");
+    v.optional("marker", self.marker, "The document; a string for svg. Absent when the answer is by since.");
+    v.optional("since", self.since, "The revision asked from.");
+    v.optional("placements", self.placements, "The pieces that changed after it.");
+  }
+};
+
+Result<GetResult> run(const GetParams& params, const MarkerFile& file, const calls::MethodContext&) {
+  auto document = formats::marker_document(file, params.format);
+  if (!document) return document.error();
+  GetResult result;
+  result.format = params.format;
+  result.marker = calls::Document{*std::move(document)};
+  return result;
+}
+
+}  // namespace
+
+calls::Method get_method() {
+  return reading_method("marker.get", calls::MethodKind::kRead, "Returns a marker as a document.", run);
+}
+
+}  // namespace selvage::protocol::methods::readings

@@ -1,0 +1,25 @@
+// marker.get: a marker as a document.  The server looks at the parameters, too: it keeps the text of native documents,
+// and it alone knows what changed since a revision.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "protocol/calls/method.h"
+
+namespace selvage::protocol::methods::readings {
+
+struct GetParams {
+  std::string marker_id;
+  std::optional<Revision> since;  // only what changed after it, where that is known
+  Format format{Format::kNative};
+
+  static void describe(auto& v, auto& self) {
+    v.required("markerId", self.marker_id, calls::kMarkerIdMeaning);
+    v.optional("since", self.since, "A revision: return only what changed after it, where that is known.",
+               calls::kRevisions);
+    v.optional("format", self.format, "The format of the document; native when absent.");
+  }
+};
+
+}  // namespace selvage::protocol::methods::readings

@@ -1,0 +1,87 @@
+// marker.hold: the critical path, which determines a marker's length.
+#include "core/motion/compaction/critical_path.h"
+#include "protocol/formats/decimal_marker.h"
+#include "protocol/methods/readings/reading.h"
+
+namespace selvage::protocol::methods::readings {
+namespace {
+
+struct LoadedContact {
+  static constexpr std::string_view kName = "LoadedContact", kMeaning = "A contact of the critical path.";
+  std::string piece;
+  std::optional<std::string> other;
+  std::optional<StripEdge> edge;
+  double worth{};
+  calls::Point at;
+
+  static void describe(auto& v, auto& self) {
+    v.required("piece", self.piece, calls::kPieceMeaning);
+    v.optional("other", self.other, "The id of the adjacent piece.");
+    v.optional("edge", self.edge, "Or the adjacent edge.");
+    v.required("worth", self.worth, "How much shorter the marker would become per unit of room here.");
+    v.required("at", self.at, "The point where they touch.");
+  }
+};
+
+struct TiltWorth {
+  static constexpr std::string_view kName = "TiltWorth", kMeaning = "What tilting a piece would gain.";
+  std::string piece;
+  double per_degree{};
+
+  static void describe(auto& v, auto& self) {
+    v.required("piece", self.piece, calls::kPieceMeaning);
+    v.required("perDegree", self.per_degree, "How much the marker would shorten per degree of counter-clockwise tilt.");
+  }
+};
+
+struct HoldResult {
+  double length{};
+  std::vector<LoadedContact> contacts;
+  std::vector<TiltWorth> tilts;
+  double per_spacing{};
+
+  static void describe(auto& v, auto& self) {
+    v.required("length", self.length, calls::kLengthMeaning);
+    v.required("contacts", self.contacts, "The contacts that carry load, from left to right.");
+    v.required("tilts", self.tilts, "What tilting a piece would gain, the largest first.");
+    v.required("perSpacing", self.per_spacing, "How much the marker would shorten per unit less spacing.");
+  }
+};
+
+LoadedContact contact_of(const Marker& marker, const motion::compaction::LoadedContact& contact) {
+  LoadedContact named{.piece = marker.pieces[contact.first.value].id,
+                      .other = {},
+                      .edge = {},
+                      .worth = contact.worth,
+                      .at = calls::point_of(contact.at.x, contact.at.y, marker.resolution)};
+  if (contact.second) {
+    named.other = marker.pieces[contact.second->value].id;
+  } else {
+    named.edge = contact.edge;
+  }
+  return named;
+}
+
+Result<HoldResult> run(const AnalysisParams&, const MarkerFile& file, const calls::MethodContext& context) {
+  const Marker& marker = file.marker;
+  const auto path = motion::compaction::critical_path(marker, context.run);
+  if (!path) return path.error();
+  HoldResult result{.length = to_decimal(length_of(marker), marker.resolution),
+                    .contacts = {},
+                    .tilts = {},
+                    .per_spacing = path->per_spacing};
+  for (const auto& contact : path->contacts) result.contacts.push_back(contact_of(marker, contact));
+  for (const motion::compaction::TiltWorth& tilt : path->tilts) {
+    result.tilts.push_back({marker.pieces[tilt.piece.value].id, formats::in_unit(tilt.per_degree, marker.resolution)});
+  }
+  return result;
+}
+
+}  // namespace
+
+calls::Method hold_method() {
+  return reading_method("marker.hold", calls::MethodKind::kAnalysis,
+                        "The critical path, which determines the marker's length.", run);
+}
+
+}  // namespace selvage::protocol::methods::readings
