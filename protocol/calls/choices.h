@@ -6,9 +6,9 @@
 #include "core/motion/compaction/compact.h"
 #include "core/motion/dragging/drag.h"
 #include "core/motion/floating/float_apart.h"
-#include "core/motion/floating/gap.h"
 #include "core/motion/separation/separate.h"
 #include "core/motion/tilting/tilt.h"
+#include "core/scene/strip_edge.h"
 #include "protocol/document/marker_file.h"
 #include "protocol/schema/choices.h"
 
