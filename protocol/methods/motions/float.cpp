@@ -32,7 +32,7 @@ struct Gap {
   static constexpr std::string_view kName = "Gap", kMeaning = "A gap between two pieces, or a piece and an edge.";
   std::string piece;
   std::optional<std::string> other;
-  std::optional<scene::StripEdge> edge;
+  std::optional<StripEdge> edge;
 
   static void describe(auto& v, auto& self) {
     v.required("piece", self.piece, calls::kPieceMeaning);

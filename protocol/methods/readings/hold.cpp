@@ -10,7 +10,7 @@ struct LoadedContact {
   static constexpr std::string_view kName = "LoadedContact", kMeaning = "A contact of the critical path.";
   std::string piece;
   std::optional<std::string> other;
-  std::optional<scene::StripEdge> edge;
+  std::optional<StripEdge> edge;
   double worth{};
   calls::Point at;
 
@@ -48,7 +48,6 @@ struct HoldResult {
   }
 };
 
-// The core has two enumerations of the strip's edges, in the same order.
 LoadedContact contact_of(const Marker& marker, const motion::compaction::LoadedContact& contact) {
   LoadedContact named{.piece = marker.pieces[contact.first.value].id,
                       .other = {},
