@@ -56,10 +56,10 @@ std::vector<Solver> solvers() {
 
 std::vector<lp::LinearProgram> programs_of(const Marker& marker) {
   std::vector<lp::LinearProgram> programs;
-  scene::Observer observer;
-  observer.on_program = [&](const lp::LinearProgram& program) { programs.push_back(program); };
   SumCache sums;
-  (void)compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums, {}, observer);
+  scene::Run run{sums};
+  run.observer.on_program = [&](const lp::LinearProgram& program) { programs.push_back(program); };
+  (void)compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), run);
   return programs;
 }
 

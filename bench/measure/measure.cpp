@@ -135,7 +135,7 @@ void measured(const std::string& name, const std::vector<std::pair<std::string, 
     done = run(sums);
   });
   for (const auto& [setting, value] : same) {
-    print_line(name, setting, value, time, ratio_of(done), done.programs, is_valid(done.marker));
+    print_line(name, setting, value, time, ratio_of(done), done.programs, marker::is_valid(done.marker));
   }
 }
 template <class Run>
@@ -152,13 +152,13 @@ void measure_tilt_settings(const std::string& name, const Marker& marker) {
     motion::tilting::TiltSettings settings =
         tilt_settings(motion::tilting::TiltMethod::kLinearisation, motion::compaction::Accuracy::kStandard);
     settings.step = Angle::of_degrees(std::stod(degrees));
-    measured(name, "tilt step", degrees, [&](SumCache& sums) { return *tilt(marker, settings, sums); });
+    measured(name, "tilt step", degrees, [&](SumCache& sums) { return *tilt(marker, settings, {sums}); });
   }
   for (const char* tilts : {"3", "7", "13", "25", "49"}) {
     motion::tilting::TiltSettings settings =
         tilt_settings(motion::tilting::TiltMethod::kRelaxation, motion::compaction::Accuracy::kStandard);
     settings.tilts = std::stoi(tilts);
-    measured(name, "tilts", tilts, [&](SumCache& sums) { return *tilt(marker, settings, sums); });
+    measured(name, "tilts", tilts, [&](SumCache& sums) { return *tilt(marker, settings, {sums}); });
   }
 }
 
@@ -166,7 +166,7 @@ void measure_tilt_settings(const std::string& name, const Marker& marker) {
 // seeds of which the best result is kept; also the presets that use refinement.
 void measure_refinement_settings(const std::string& name, const Marker& marker) {
   const auto refined = [&](const search::RefineSettings& settings) {
-    return [&marker, settings](SumCache& sums) { return *refine(marker, settings, sums); };
+    return [&marker, settings](SumCache& sums) { return *refine(marker, settings, {sums}); };
   };
   const search::RefineSettings preset = search::refine_settings();
   search::RefineSettings settings = preset;
@@ -193,7 +193,7 @@ void measure_refinement_settings(const std::string& name, const Marker& marker) 
     time += own_time() - start;
     best = std::min(best, ratio_of(done));
     programs += done.programs;
-    valid = valid && is_valid(done.marker);
+    valid = valid && marker::is_valid(done.marker);
     print_line(name, "seeds", std::to_string(settings.seed), time, best, programs, valid);
     if (settings.seed == 1) print_line(name, "swaps", std::to_string(settings.effort), time, best, programs, valid);
   }
@@ -216,7 +216,7 @@ void settings(const std::vector<std::string>& paths) {
     const Marker marker = marker_in(path);
     for (const Variant& variant : variants()) {
       measured(name, variant.setting, variant.value,
-               [&](SumCache& sums) { return *compact(marker, variant.settings, sums); });
+               [&](SumCache& sums) { return *compact(marker, variant.settings, {sums}); });
     }
     measure_refinement_settings(name, marker);
     if (may_tilt(marker)) measure_tilt_settings(name, marker);
@@ -240,10 +240,10 @@ void digitised(const std::vector<std::string>& paths) {
         SumCache full;
         const double cold = median_time([&] {
           SumCache sums;
-          done = *compact(marker, settings, sums);
+          done = *compact(marker, settings, {sums});
         });
-        done = *compact(marker, settings, full);
-        const double warm = median_time([&] { done = *compact(marker, settings, full); });
+        done = *compact(marker, settings, {full});
+        const double warm = median_time([&] { done = *compact(marker, settings, {full}); });
         std::cout << name_of(path) << ',' << pitch << ',' << vertices / marker.shapes.size() << ',' << part << ','
                   << cold << ',' << warm << ',' << full.counts().entries << ',' << ratio_of(done) << ','
                   << (is_valid(done.marker) ? "valid" : "INVALID") << std::endl;
@@ -279,10 +279,11 @@ void anytime(const std::vector<std::string>& paths) {
         SumCache sums;
         const WorkDeadline limit{static_cast<double>(deadline)};
         const motion::compaction::Compaction done =
-            fine ? *refine(marker, search::refine_settings(), sums, limit.token())
-                 : *compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums, limit.token());
+            fine
+                ? *refine(marker, search::refine_settings(), {sums, limit.token()})
+                : *compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums, limit.token()});
         print_line(name_of(path), fine ? "fine" : "standard", std::to_string(deadline), own_time() - start,
-                   ratio_of(done), done.programs, is_valid(done.marker));
+                   ratio_of(done), done.programs, marker::is_valid(done.marker));
       }
     }
   }
@@ -332,11 +333,11 @@ Staged staged(const Marker& marker) {
     last = now;
     at = next;
   };
-  scene::Observer observer;
-  observer.on_stage = [&](scene::Stage stage) { enter(static_cast<std::size_t>(stage)); };
   SumCache sums;
+  scene::Run run{sums};
+  run.observer.on_stage = [&](scene::Stage stage) { enter(static_cast<std::size_t>(stage)); };
   motion::compaction::Compaction done =
-      *compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums, {}, observer);
+      *compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), run);
   enter(0);
   return {std::move(done), stages};
 }
@@ -372,26 +373,26 @@ struct CoreCase {
   std::string marker, motion;
   bool warm{};
   std::size_t repetitions{};
-  std::function<void(SumCache&, const scene::Observer&)> run;
+  std::function<void(const scene::Run&)> run;
 };
 
 std::vector<CoreCase> core_cases(const std::string& name, const Marker& marker, std::size_t repetitions) {
-  const auto compaction = [marker](SumCache& sums, const scene::Observer& observer) {
-    (void)compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums, {}, observer);
+  const auto compaction = [marker](const scene::Run& run) {
+    (void)compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), run);
   };
   return {{name, "compact", false, repetitions, compaction}, {name, "compact", true, repetitions, compaction}};
 }
 std::vector<CoreCase> long_core_cases(const std::string& name, const Marker& marker) {
   constexpr std::size_t kFew = 5;
-  const auto tilting = [marker](SumCache& sums, const scene::Observer& observer) {
+  const auto tilting = [marker](const scene::Run& run) {
     (void)tilt(marker,
                tilt_settings(motion::tilting::TiltMethod::kLinearisation, motion::compaction::Accuracy::kStandard),
-               sums, {}, observer);
+               run);
   };
-  const auto refining = [marker](SumCache& sums, const scene::Observer& observer) {
+  const auto refining = [marker](const scene::Run& run) {
     search::RefineSettings settings = search::refine_settings();
     settings.tilts = false;
-    (void)refine(marker, settings, sums, {}, observer);
+    (void)refine(marker, settings, run);
   };
   return {{name, "tilt", false, kFew, tilting}, {name, "compact, fine, no tilts", false, kFew, refining}};
 }
@@ -430,14 +431,12 @@ double possible_speed_up(const Executor& two) {
 // Prints a row of the table.  Runs with one thread and with two alternate, so that both see the same load.
 void print_row(const CoreCase& wanted, const Executor& two) {
   SumCache kept;
-  if (wanted.warm) wanted.run(kept, {});
+  if (wanted.warm) wanted.run({kept});
   std::vector<double> one_thread, two_threads, ratio, possible, simulated_ratio;
   const auto time_with = [&](const Executor& executor) {
-    scene::Observer observer;
-    observer.executor = &executor;
     SumCache own;
     const double start = wall_time();
-    wanted.run(wanted.warm ? kept : own, observer);
+    wanted.run({wanted.warm ? kept : own, {}, {}, &executor});
     return wall_time() - start;
   };
   for (std::size_t k = 0; k < wanted.repetitions; ++k) {

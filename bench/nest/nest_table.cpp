@@ -76,7 +76,7 @@ void print_row(const std::string& path, const std::string& outlines) {
   }
   SumCache sums;
   const double since = milliseconds();
-  const auto done = compact(*nest, compaction_settings(motion::compaction::Accuracy::kStandard), sums);
+  const auto done = compact(*nest, compaction_settings(motion::compaction::Accuracy::kStandard), {sums});
   const double compacting = milliseconds() - since;
   if (!done) {
     std::printf("| %s | %zu | %.1f s | rejected: %s |\n", name.c_str(), nest->pieces.size(), nesting / 1000,

@@ -31,7 +31,7 @@ Marker marker_named(const std::string& name, bool tight) {
   text << in.rdbuf();
   Marker marker = protocol::formats::read_marker(text.str())->marker;
   SumCache sums;
-  if (tight) marker = compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums)->marker;
+  if (tight) marker = compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums})->marker;
   return marker;
 }
 

@@ -23,7 +23,7 @@ void compact_cold(benchmark::State& state, const std::string& name, motion::comp
   double ratio = 1;
   for (auto _ : state) {
     SumCache sums;
-    const auto result = compact(marker, compaction_settings(accuracy), sums);
+    const auto result = compact(marker, compaction_settings(accuracy), {sums});
     ratio = static_cast<double>(result->length_after) / static_cast<double>(result->length_before);
   }
   state.counters["ratio"] = ratio;
@@ -32,8 +32,8 @@ void compact_cold(benchmark::State& state, const std::string& name, motion::comp
 void compact_warm(benchmark::State& state, const std::string& name, motion::compaction::Accuracy accuracy) {
   const Marker marker = marker_named(name);
   SumCache sums;
-  benchmark::DoNotOptimize(compact(marker, compaction_settings(accuracy), sums));
-  for (auto _ : state) benchmark::DoNotOptimize(compact(marker, compaction_settings(accuracy), sums));
+  benchmark::DoNotOptimize(compact(marker, compaction_settings(accuracy), {sums}));
+  for (auto _ : state) benchmark::DoNotOptimize(compact(marker, compaction_settings(accuracy), {sums}));
 }
 
 void register_all() {

@@ -11,10 +11,10 @@ namespace selvage::bench {
 
 // These functions are found by name, so they must be neither inlined nor merged.
 [[gnu::noinline, gnu::noipa]] Coord compact_cold(const Marker& marker, SumCache& sums) {
-  return compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums)->length_after;
+  return compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums})->length_after;
 }
 [[gnu::noinline, gnu::noipa]] Coord compact_warm(const Marker& marker, SumCache& sums) {
-  return compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums)->length_after;
+  return compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums})->length_after;
 }
 
 }  // namespace selvage::bench

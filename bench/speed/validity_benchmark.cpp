@@ -24,11 +24,10 @@ void check_method(benchmark::State& state, const std::string& name) {
   const MarkerFile file{.marker = marker_in(path_of(name)), .format = Format::kNative, .notes = {}, .attributes = {}};
   const protocol::calls::MarkerMethod& method = *protocol::methods::find_marker_method("marker.check");
   const protocol::calls::Engine engine;
-  const scene::Observer observer;
   for (auto _ : state) {
     SumCache sums;
     const auto call = method.read(*protocol::json::parse(R"({"markerId":"m1"})"));
-    const auto answer = call->run(file, protocol::calls::MethodContext{engine, sums, {}, observer});
+    const auto answer = call->run(file, protocol::calls::MethodContext{engine, scene::Run{sums}});
     if (!answer->fields.at("valid").get<bool>()) state.SkipWithError("not valid");
     benchmark::DoNotOptimize(protocol::json::to_text(protocol::methods::result_json("m1", 1, answer->fields)));
   }

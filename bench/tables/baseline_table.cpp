@@ -40,7 +40,7 @@ std::optional<Marker> repaired_marker(const std::string& path, SumCache& sums) {
   auto file = protocol::formats::read_marker(text.str());
   if (!file) return std::fprintf(stderr, "%s: %s\n", path.c_str(), file.error().message.c_str()), std::nullopt;
   scene::Scene scene{file->marker, sums};
-  const auto repair = motion::repair::repair_overlaps(scene, {}, {});
+  const auto repair = motion::repair::repair_overlaps(scene, {sums});
   if (!repair) return std::fprintf(stderr, "%s: %s\n", path.c_str(), repair.error().message.c_str()), std::nullopt;
   return scene.result();
 }
@@ -85,12 +85,12 @@ bool compare(const std::vector<std::string>& paths, bool velocity) {
     SumCache sums;
     const auto marker = repaired_marker(path, sums);
     if (!marker) return false;
-    (void)compact(*marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums);  // fills the cache
+    (void)compact(*marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums});  // fills the cache
     const Timed all =
-        timed([&] { return compact(*marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums); });
+        timed([&] { return compact(*marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums}); });
     const Timed base = timed([&] {
-      return velocity ? motion::baseline::compact_by_velocities(*marker, {}, sums)
-                      : motion::baseline::compact_one_at_a_time(*marker, {}, sums);
+      return velocity ? motion::baseline::compact_by_velocities(*marker, {}, {sums})
+                      : motion::baseline::compact_one_at_a_time(*marker, {}, {sums});
     });
     std::printf("| %s | %zu | %.6f |", name_of(path).c_str(), marker->pieces.size(), all.ratio());
     if (velocity) std::printf(" %d |", all.result.programs);

@@ -53,7 +53,7 @@ std::size_t touching(const motion::floating::Floating& floating, double width,
 bool print_row(const std::string& name, const char* mode, const Marker& start,
                const motion::floating::FloatSettings& settings, SumCache& sums) {
   const auto begin = std::chrono::steady_clock::now();
-  const auto floating = float_apart(start, settings, sums);
+  const auto floating = float_apart(start, settings, {sums});
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
   if (!floating) {
     std::printf("| %s | %s | %s |\n", name.c_str(), mode, floating.error().message.c_str());
@@ -89,7 +89,7 @@ bool print_table(double distance, const std::string& only) {
     if (!only.empty() && only != name) continue;
     SumCache sums;
     const auto compacted =
-        compact(marker_named(name), compaction_settings(motion::compaction::Accuracy::kStandard), sums);
+        compact(marker_named(name), compaction_settings(motion::compaction::Accuracy::kStandard), {sums});
     if (!compacted) return false;
     const Coord wanted = to_lattice(distance, compacted->marker.resolution);
     for (const auto& [mode, word] : {std::pair{motion::floating::FloatMode::kLargestMinimum, "largest minimum"},

@@ -85,9 +85,9 @@ Runs run(const std::string& name, const Marker& marker, double noise, motion::re
   const motion::separation::SeparationSettings settings{.grow = kGrow, .target = rule};
   for (std::uint32_t seed = 1; seed <= options.seeds; ++seed) {
     const Marker start = perturbed(marker, noise, seed);
-    (void)separate(start, settings, sums);  // fills the cache
+    (void)separate(start, settings, {sums});  // fills the cache
     const std::clock_t begin = std::clock();
-    const auto result = separate(start, settings, sums);
+    const auto result = separate(start, settings, {sums});
     const double took = 1000.0 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     ++runs.all;
     runs.milliseconds.push_back(took);
@@ -99,7 +99,7 @@ Runs run(const std::string& name, const Marker& marker, double noise, motion::re
       if (!bench::write_outlines(path, result->marker)) std::fprintf(stderr, "%s: cannot be written\n", path.c_str());
     }
     runs.rounds.push_back(result->rounds);
-    const auto shorter = compact(result->marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums);
+    const auto shorter = compact(result->marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums});
     if (shorter)
       runs.ratio.push_back(static_cast<double>(shorter->length_after) / static_cast<double>(length_of(marker)));
   }
@@ -127,7 +127,7 @@ int table(std::span<const std::string> files, const Options& options) {
     auto file = protocol::formats::read_marker(text.str());
     if (!file) return std::fprintf(stderr, "%s: %s\n", path.c_str(), file.error().message.c_str()), 1;
     scene::Scene scene{file->marker, sums};
-    if (const auto repair = motion::repair::repair_overlaps(scene, {}, {}); !repair) {
+    if (const auto repair = motion::repair::repair_overlaps(scene, {sums}); !repair) {
       return std::fprintf(stderr, "%s: %s\n", path.c_str(), repair.error().message.c_str()), 1;
     }
     const std::string name = path.substr(path.find_last_of('/') + 1);

@@ -63,7 +63,7 @@ bool print_row(const Options& options, const std::string& name, MarkerFile file,
   }
   SumCache sums;
   const std::clock_t begin = std::clock();
-  const auto result = tilt(file.marker, settings, sums);
+  const auto result = tilt(file.marker, settings, {sums});
   const double milliseconds = 1000.0 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   if (!result) {
     std::printf("| %s | %s | %s |\n", name.c_str(), method.name, result.error().message.c_str());

@@ -226,7 +226,7 @@ bool closer_than(const PlacedPolygon& p, const PlacedPolygon& q, Coord distance)
   return false;
 }
 
-std::optional<Witness> common_point(const PlacedPolygon& p, const PlacedPolygon& q) {
+std::optional<RealVec> common_point(const PlacedPolygon& p, const PlacedPolygon& q) {
   if (!overlap(p, q)) return std::nullopt;
   // Between two neighbouring levels (the heights of vertices and crossings) the common stretches change linearly, so
   // one test halfway between the levels is enough.
@@ -247,7 +247,7 @@ std::optional<Witness> common_point(const PlacedPolygon& p, const PlacedPolygon&
     }
   }
   std::sort(levels.begin(), levels.end());
-  Witness best{static_cast<double>(window.low.x + window.high.x) / 2,
+  RealVec best{static_cast<double>(window.low.x + window.high.x) / 2,
                static_cast<double>(window.low.y + window.high.y) / 2};
   double widest = 0;
   for (std::size_t k = 0; k + 1 < levels.size(); ++k) {
@@ -263,12 +263,12 @@ std::optional<Witness> common_point(const PlacedPolygon& p, const PlacedPolygon&
   return best;
 }
 
-Witness nearest_point(const PlacedPolygon& p, const PlacedPolygon& q) {
+RealVec nearest_point(const PlacedPolygon& p, const PlacedPolygon& q) {
   const Box everywhere = p.placed_box().grown(kLatticeLimit);
   const auto p_edges = edges_near(p, everywhere);
   const auto q_edges = edges_near(q, q.placed_box());
   double best = std::numeric_limits<double>::infinity();
-  Witness middle;
+  RealVec middle;
   const auto consider = [&](const Edge& from, const Edge& to) {
     const Real a{static_cast<double>(from.from.x), static_cast<double>(from.from.y)};
     const Real b = nearest_on_segment(a, to);

@@ -10,6 +10,7 @@
 
 #include "core/geometry/lattice.h"
 #include "core/geometry/polygon.h"
+#include "core/geometry/real_vec.h"
 
 namespace selvage::geometry {
 
@@ -30,13 +31,9 @@ struct PlacedPolygon {
 // True when p and q are less than `distance` apart.  REQUIRES: distance > 0.
 [[nodiscard]] bool closer_than(const PlacedPolygon& p, const PlacedPolygon& q, Coord distance);
 
-// A point inside both polygons when they overlap, rounded to doubles; for reports only.
-struct Witness {
-  double x{}, y{};
-};
-[[nodiscard]] std::optional<Witness> common_point(const PlacedPolygon& p, const PlacedPolygon& q);
+[[nodiscard]] std::optional<RealVec> common_point(const PlacedPolygon& p, const PlacedPolygon& q);
 
 // The midpoint of a shortest segment between the two boundaries, rounded to doubles; for reports only.
-[[nodiscard]] Witness nearest_point(const PlacedPolygon& p, const PlacedPolygon& q);
+[[nodiscard]] RealVec nearest_point(const PlacedPolygon& p, const PlacedPolygon& q);
 
 }  // namespace selvage::geometry

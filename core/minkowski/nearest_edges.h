@@ -52,7 +52,7 @@ class NearestEdges {
 // The point of the sum's boundary nearest to `from`, and its distance.  When the sum has no visible edge, the distance
 // is infinite and `edge` is null.
 struct BoundaryPoint {
-  outline::Real2 at;
+  RealVec at;
   double distance{};
   const convolution::SumEdge* edge{};
 };

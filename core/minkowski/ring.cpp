@@ -42,7 +42,7 @@ std::size_t Ring::corner_before(double angle) const {
   return after == corners_.begin() ? corners_.size() - 1 : static_cast<std::size_t>(after - corners_.begin()) - 1;
 }
 
-bool Ring::holds(outline::Real2 point, double margin) const {
+bool Ring::holds(RealVec point, double margin) const {
   const double x = point.x - centre_.x;
   const double y = point.y - centre_.y;
   return depth(corners_[corner_before(angle_of(x, y))], x, y) > margin;

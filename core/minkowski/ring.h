@@ -18,7 +18,7 @@ class Ring {
   explicit Ring(const convolution::StarSum& sum);
 
   // True when the point is inside by more than `margin`, measured from the edge that faces the point.
-  [[nodiscard]] bool holds(outline::Real2 point, double margin) const;
+  [[nodiscard]] bool holds(RealVec point, double margin) const;
 
   // Appends the intervals [t0, t1] of another ring's edge (t = 0 at its start, 1 at its end) that lie inside by more
   // than `margin`; they are not sorted.  Intervals that run along an edge of this ring, on the same exact line and in
@@ -47,7 +47,7 @@ class Ring {
   void append_turning(const Question& question, Stretches& stretches) const;
   void append_radial(const Question& question, Stretches& stretches) const;
 
-  outline::Real2 centre_;
+  RealVec centre_;
   std::vector<Corner> corners_;
 };
 

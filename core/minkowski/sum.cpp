@@ -23,10 +23,6 @@ Box box_of_edges(std::span<const convolution::SumEdge> edges) {
   return box;
 }
 
-outline::Real2 real(Vec v) {
-  return {static_cast<double>(v.x), static_cast<double>(v.y)};
-}
-
 // Removes from each edge the parts that lie inside other rings.
 class Visibility {
  public:
@@ -54,8 +50,8 @@ class Visibility {
 
  private:
   void append_visible(std::size_t own, const convolution::SumEdge& edge, std::vector<convolution::SumEdge>& visible) {
-    const outline::Real2 a = real(edge.from);
-    const outline::Real2 b = real(edge.to);
+    const RealVec a = real(edge.from);
+    const RealVec b = real(edge.to);
     const Box box = box_of(edge);
     const double least = 2 * kHidden / std::hypot(b.x - a.x, b.y - a.y);  // shorter parts are artefacts of rounding
     shown_ = {{0.0, 1.0}};
@@ -113,7 +109,7 @@ MinkowskiSum::MinkowskiSum(std::vector<convolution::StarSum> rings) : rings_{std
   tree_ = BoxTree{edges()};
 }
 
-bool MinkowskiSum::contains(outline::Real2 point) const {
+bool MinkowskiSum::contains(RealVec point) const {
   for (std::size_t r = 0; r < rings_.size(); ++r) {
     const Box& b = ring_boxes_[r];
     if (point.x <= static_cast<double>(b.low.x) || point.x >= static_cast<double>(b.high.x) ||

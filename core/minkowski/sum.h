@@ -29,7 +29,7 @@ class MinkowskiSum {
   [[nodiscard]] std::span<const convolution::StarSum> rings() const { return rings_; }
   [[nodiscard]] const Box& box() const { return box_; }
   // True when the point lies inside by more than the rounding of edges.
-  [[nodiscard]] bool contains(outline::Real2 point) const;
+  [[nodiscard]] bool contains(RealVec point) const;
   [[nodiscard]] std::size_t bytes() const;
 
   // The box tree of edges().

@@ -8,18 +8,14 @@
 
 #include "core/geometry/orientation.h"
 #include "core/geometry/polygon.h"
+#include "core/geometry/real_vec.h"
 
 namespace selvage::outline {
-
-// A point with real coordinates, in lattice units.
-struct Real2 {
-  double x{}, y{};
-};
 
 // A point well inside the kernel: every edge's line passes it on the left at a distance of at least kKernelDepth.
 // Nothing when there is no such point, that is, when the polygon is not star-shaped or only just so.
 inline constexpr double kKernelDepth = 1.0 / 64;  // lattice units
-[[nodiscard]] std::optional<Real2> kernel_point(const Polygon& polygon);
+[[nodiscard]] std::optional<RealVec> kernel_point(const Polygon& polygon);
 
 // The polygon's edge vectors into and out of one of its vertices.
 struct Turn {
@@ -28,7 +24,7 @@ struct Turn {
 // One star-shaped part of a polygon.
 struct StarPart {
   Polygon vertices;
-  Real2 kernel;
+  RealVec kernel;
   std::vector<std::uint32_t> origin;  // each vertex's index in the whole polygon
   std::vector<Turn> turns{};  // the whole polygon's turn at each vertex; empty when the part is the whole polygon
 };

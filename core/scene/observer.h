@@ -1,11 +1,10 @@
-// How a motion tells what it is doing, for whoever holds a clock or a progress bar, and whose hands it works with: the
-// core has neither clock nor threads.
+// How a motion reports its progress, for callers that measure times or show a progress bar.  The core itself has no
+// clock.
 #pragma once
 
 #include <cstddef>
 #include <functional>
 
-#include "core/base/executor.h"
 #include "core/geometry/lattice.h"
 #include "core/lp/linear_program.h"
 
@@ -31,7 +30,6 @@ struct Observer {
   std::function<void(Stage)> on_stage = [](Stage) {};  // a stage begins
   std::function<void(const Round&)> on_round = [](const Round&) {};
   std::function<void(const lp::LinearProgram&)> on_program = [](const lp::LinearProgram&) {};  // about to be solved
-  const Executor* executor = &serial();  // never null; outlives the motion.  The answer does not depend on it
 };
 
 }  // namespace selvage::scene

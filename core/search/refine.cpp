@@ -18,14 +18,6 @@ namespace {
 constexpr int kExchangeRounds = 2;         // of compaction after an exchange: most of what can be gained
 constexpr std::uint64_t kIdleTrials = 50;  // trials in a row that solve nothing: there is nothing to exchange
 
-scene::Observer stages_of(const scene::Observer& observer) {
-  scene::Observer stages;
-  stages.on_stage = observer.on_stage;
-  stages.on_program = observer.on_program;
-  stages.executor = observer.executor;
-  return stages;
-}
-
 // An exchange on trial.
 struct Trial {
   std::optional<DrawnExchange> drawn;
@@ -48,15 +40,9 @@ std::array<motion::compaction::CompactionSettings, 4> other_settings() {
 
 class Refiner {
  public:
-  Refiner(const Marker& start, const RefineSettings& settings, SumCache& sums, const std::stop_token& stop,
-          const scene::Observer& observer, motion::compaction::Compaction& best)
-      : start_{start},
-        settings_{settings},
-        sums_{sums},
-        stop_{stop},
-        observer_{observer},
-        stages_{stages_of(observer)},
-        best_{best} {}
+  Refiner(const Marker& start, const RefineSettings& settings, const scene::Run& run,
+          motion::compaction::Compaction& best)
+      : start_{start}, settings_{settings}, run_{run}, quiet_{run.quiet()}, best_{best} {}
 
   void run() {
     best_.rounds = 0;
@@ -64,11 +50,11 @@ class Refiner {
     try_other_ways();
     if (start_.pieces.size() <= settings_.most_exchanged) try_exchanges();
     if (settings_.tilts) try_tilts();
-    best_.reason = stop_.stop_requested() ? scene::StopReason::kCancelled : scene::StopReason::kWorkLimit;
+    best_.reason = run_.stopped() ? scene::StopReason::kCancelled : scene::StopReason::kWorkLimit;
   }
 
  private:
-  void attempted() { observer_.on_round({++best_.rounds, best_.length_after}); }
+  void attempted() { run_.observer.on_round({++best_.rounds, best_.length_after}); }
   void keep(Marker marker, Coord length) {
     best_.marker = std::move(marker);
     best_.length_after = length;
@@ -77,14 +63,14 @@ class Refiner {
   void try_other_ways() {
     const auto others = other_settings();
     const std::size_t wanted = std::min(static_cast<std::size_t>(std::max(0, settings_.other_ways)), others.size());
-    for (std::size_t first = 0; first < wanted && !stop_.stop_requested();) {
+    for (std::size_t first = 0; first < wanted && !run_.stopped();) {
       const std::size_t count = std::min(at_once(), wanted - first);
       std::array<std::optional<motion::compaction::Compaction>, std::tuple_size_v<decltype(others)>> found;
-      observer_.executor->for_each(count, [&](std::size_t k) {
-        auto compaction = compact(start_, others[first + k], sums_, stop_, count == 1 ? stages_ : scene::Observer{});
+      run_.executor->for_each(count, [&](std::size_t k) {
+        auto compaction = compact(start_, others[first + k], count == 1 ? quiet_ : scene::Run{run_.sums, run_.stop});
         if (compaction) found[k] = *std::move(compaction);
       });
-      for (std::size_t k = 0; k < count && (k == 0 || !stop_.stop_requested()); ++k) {
+      for (std::size_t k = 0; k < count && (k == 0 || !run_.stopped()); ++k) {
         if (found[k]) judge(*std::move(found[k]));
       }
       first += count;
@@ -105,10 +91,10 @@ class Refiner {
     std::mt19937 random{settings_.seed};
     std::uint64_t spent = 0;
     std::uint64_t idle = 0;
-    const auto enough = [&] { return spent >= settings_.effort || idle >= kIdleTrials || stop_.stop_requested(); };
+    const auto enough = [&] { return spent >= settings_.effort || idle >= kIdleTrials || run_.stopped(); };
     while (!enough()) {
       std::vector<Trial> trials = drawn(at_once(), random);
-      observer_.executor->for_each(trials.size(), [&](std::size_t k) { run(trials, k); });
+      run_.executor->for_each(trials.size(), [&](std::size_t k) { run(trials, k); });
       for (Trial& trial : trials) {
         random = trial.random;
         const int programs = trial.exchanged.programs;
@@ -133,11 +119,11 @@ class Refiner {
   void run(std::vector<Trial>& trials, std::size_t k) const {
     Trial& trial = trials[k];
     if (!trial.drawn) return;
-    const std::stop_callback with_all{stop_, [&trial] { trial.stop.request_stop(); }};
+    const std::stop_callback with_all{run_.stop, [&trial] { trial.stop.request_stop(); }};
     motion::compaction::CompactionSettings quick = compaction_settings(motion::compaction::Accuracy::kStandard);
     quick.rounds = kExchangeRounds;
     quick.solver_tolerance = 0;  // what is only nearly as short is not taken for a way over a plateau
-    trial.exchanged = exchange(*trial.drawn, quick, sums_, trial.stop.get_token());
+    trial.exchanged = exchange(*trial.drawn, quick, {run_.sums, trial.stop.get_token()});
     if (trial.exchanged.marker) trial.length = length_of(*trial.exchanged.marker);
     if (!worth_keeping(trial)) return;
     for (std::size_t later = k + 1; later < trials.size(); ++later) trials[later].stop.request_stop();
@@ -146,15 +132,15 @@ class Refiner {
   [[nodiscard]] bool worth_keeping(const Trial& trial) const {
     return trial.exchanged.marker && trial.length <= best_.length_after;
   }
-  [[nodiscard]] std::size_t at_once() const { return observer_.executor->parallelism(); }
+  [[nodiscard]] std::size_t at_once() const { return run_.executor->parallelism(); }
 
   void try_tilts() {
     const bool any = std::any_of(start_.shapes.begin(), start_.shapes.end(),
                                  [](const Shape& shape) { return shape.tilt_limit.degrees > 0; });
-    if (!any || stop_.stop_requested()) return;
+    if (!any || run_.stopped()) return;
     const motion::tilting::TiltSettings tilt_settings_used =
         tilt_settings(motion::tilting::TiltMethod::kLinearisation, motion::compaction::Accuracy::kStandard);
-    auto tilting = tilt(best_.marker, tilt_settings_used, sums_, stop_, stages_);
+    auto tilting = tilt(best_.marker, tilt_settings_used, quiet_);
     if (!tilting) return;
     best_.programs += tilting->programs;
     if (tilting->length_after < best_.length_after) keep(std::move(tilting->marker), tilting->length_after);
@@ -163,10 +149,8 @@ class Refiner {
 
   const Marker& start_;
   const RefineSettings& settings_;
-  SumCache& sums_;
-  const std::stop_token& stop_;
-  const scene::Observer& observer_;
-  scene::Observer stages_;  // for the motions within an attempt, whose rounds are not ours
+  const scene::Run& run_;
+  const scene::Run quiet_;  // for the motions within an attempt, whose own rounds are not reported
   motion::compaction::Compaction& best_;
 };
 
@@ -176,12 +160,11 @@ RefineSettings refine_settings() {
   return {.other_ways = 4, .effort = 120'000, .tilts = true, .seed = 1, .most_exchanged = 300};
 }
 
-Result<motion::compaction::Compaction> refine(const Marker& start, const RefineSettings& settings, SumCache& sums,
-                                              std::stop_token stop, const scene::Observer& observer) {
-  auto best =
-      compact(start, compaction_settings(motion::compaction::Accuracy::kStandard), sums, stop, stages_of(observer));
+Result<motion::compaction::Compaction> refine(const Marker& start, const RefineSettings& settings,
+                                              const scene::Run& run) {
+  auto best = compact(start, compaction_settings(motion::compaction::Accuracy::kStandard), run.quiet());
   if (!best) return best.error();
-  if (best->reason != scene::StopReason::kCancelled) Refiner{start, settings, sums, stop, observer, *best}.run();
+  if (best->reason != scene::StopReason::kCancelled) Refiner{start, settings, run, *best}.run();
   best->utilisation_after = utilisation_of(best->marker);
   return best;
 }

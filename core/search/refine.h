@@ -34,7 +34,6 @@ struct RefineSettings {
 // The search has no end of its own: it stops with kWorkLimit, or kCancelled.  A round of the answer, and of the
 // observer, is one attempt, whether it gained or not. Errors: those of heal.
 [[nodiscard]] Result<motion::compaction::Compaction> refine(const Marker& start, const RefineSettings& settings,
-                                                            SumCache& sums, std::stop_token stop = {},
-                                                            const scene::Observer& observer = {});
+                                                            const scene::Run& run);
 
 }  // namespace selvage::search

@@ -82,18 +82,18 @@ std::optional<DrawnExchange> draw_exchange(const Marker& start, std::mt19937& ra
   return DrawnExchange{std::move(next), pieces.length()};
 }
 
-Exchanged exchange(const DrawnExchange& drawn, const motion::compaction::CompactionSettings& settings, SumCache& sums,
-                   const std::stop_token& stop) {
+Exchanged exchange(const DrawnExchange& drawn, const motion::compaction::CompactionSettings& settings,
+                   const scene::Run& run) {
   const double length = static_cast<double>(std::max<Coord>(1, drawn.length));
   motion::separation::SeparationSettings parting;
   parting.rounds = kPartingRounds;
   parting.grow = kPartingGrowth * static_cast<double>(drawn.marker.strip.width) / length;
   parting.solver = settings.solver;
-  auto separation = separate(drawn.marker, parting, sums, stop);
+  auto separation = separate(drawn.marker, parting, run);
   if (!separation) return {};
   Exchanged done{.marker = {}, .programs = separation->programs};
   if (!separation->apart) return done;
-  auto compaction = compact(separation->marker, settings, sums, stop);
+  auto compaction = compact(separation->marker, settings, run);
   if (!compaction) return done;
   done.programs += compaction->programs;
   done.marker = std::move(compaction->marker);

@@ -29,6 +29,6 @@ struct Exchanged {
 // Parts what overlaps and compacts.  The answer may be longer than the marker was before, by little.
 // REQUIRES: the marker was valid before.
 [[nodiscard]] Exchanged exchange(const DrawnExchange& drawn, const motion::compaction::CompactionSettings& settings,
-                                 SumCache& sums, const std::stop_token& stop);
+                                 const scene::Run& run);
 
 }  // namespace selvage::search

@@ -23,7 +23,7 @@ int main() {
   const auto checked = make_marker(marker);
   if (!checked) return std::puts(checked.error().message.c_str()), 1;
   SumCache sums;
-  const auto result = compact(*checked, compaction_settings(selvage::motion::compaction::Accuracy::kStandard), sums);
+  const auto result = compact(*checked, compaction_settings(selvage::motion::compaction::Accuracy::kStandard), {sums});
   if (!result) return std::puts(result.error().message.c_str()), 1;
   const auto in_mm = [&](Coord c) { return to_decimal(c, marker.resolution); };
   std::printf("%g mm -> %g mm in %d rounds, %s\n", in_mm(result->length_before), in_mm(result->length_after),

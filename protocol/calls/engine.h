@@ -18,20 +18,18 @@ struct Engine {
   std::function<Result<marker::Validity>(const Marker&, SumCache&, const std::stop_token&)> check =
       [](auto&&... given) { return marker::check(std::forward<decltype(given)>(given)...); };
   std::function<Result<motion::compaction::Compaction>(const Marker&, const motion::compaction::CompactionSettings&,
-                                                       SumCache&, std::stop_token, const scene::Observer&)>
+                                                       const scene::Run&)>
       compact = motion::compaction::compact;
-  std::function<Result<motion::compaction::Compaction>(const Marker&, const search::RefineSettings&, SumCache&,
-                                                       std::stop_token, const scene::Observer&)>
+  std::function<Result<motion::compaction::Compaction>(const Marker&, const search::RefineSettings&, const scene::Run&)>
       refine = search::refine;
   std::function<Result<motion::compaction::Push>(const Marker&, std::span<const motion::compaction::Force>,
-                                                 const motion::compaction::CompactionSettings&, SumCache&,
-                                                 std::stop_token, const scene::Observer&)>
+                                                 const motion::compaction::CompactionSettings&, const scene::Run&)>
       push = motion::compaction::push;
   std::function<Result<motion::piece::BumpedMarker>(const Marker&, const scene::LaidOut&, PieceId, double dx, double dy,
-                                                    SumCache&, std::stop_token, const scene::Observer&)>
+                                                    const scene::Run&)>
       bump = [](auto&&... given) { return motion::piece::repair_and_bump(std::forward<decltype(given)>(given)...); };
   std::function<motion::dragging::Drag(const Marker&, const scene::LaidOut&, PieceId, Vec to,
-                                       motion::dragging::DragMode, SumCache&, std::stop_token, const scene::Observer&)>
+                                       motion::dragging::DragMode, const scene::Run&)>
       drag = [](auto&&... given) { return motion::dragging::drag(std::forward<decltype(given)>(given)...); };
 };
 

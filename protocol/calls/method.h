@@ -23,12 +23,10 @@ namespace selvage::protocol::calls {
 
 using Revision = std::uint64_t;  // 1 when a marker is opened, one more with every change
 
-// What a method works with beside the marker.  REQUIRES: all outlive the run.
+// What a method works with besides the marker.  REQUIRES: all outlive the call.
 struct MethodContext {
   const Engine& engine;
-  SumCache& sums;
-  std::stop_token stop;
-  const scene::Observer& observer;
+  const scene::Run& run;
   const execution::MadeOnce<scene::LaidOut>*
       laid_out{};  // of the marker at hand, kept for whoever comes next; null: nobody keeps it
 };

@@ -33,7 +33,7 @@ Json motion_fields(const Marker& start, const Motion& motion, const marker::Figu
 }  // namespace
 
 std::shared_ptr<const scene::LaidOut> laid_out(const Marker& marker, const MethodContext& context) {
-  const auto make = [&] { return scene::LaidOut{marker, context.sums}; };
+  const auto make = [&] { return scene::LaidOut{marker, context.run.sums}; };
   return context.laid_out ? context.laid_out->get(make) : std::make_shared<const scene::LaidOut>(make());
 }
 
@@ -110,10 +110,10 @@ Json rounds_json(int rounds, scene::StopReason reason) {
 }
 
 MethodAnswer answer_of(const Marker& start, Motion motion, bool commit, const MethodContext& context) {
-  context.observer.on_stage(scene::Stage::kVerify);
+  context.run.observer.on_stage(scene::Stage::kVerify);
   const marker::Figures after =
       motion.before ? figures_after(start, *motion.before, motion.marker) : figures_of(motion.marker);
-  context.observer.on_stage(scene::Stage::kOther);
+  context.run.observer.on_stage(scene::Stage::kOther);
   MethodAnswer answer{motion_fields(start, motion, after), std::nullopt};
   const bool changed = !answer.fields["placements"].empty() || motion.marker.pieces.size() != start.pieces.size();
   if (commit && changed && (after.valid || motion.keep_invalid)) answer.next = std::move(motion.marker);

@@ -132,7 +132,7 @@ void Drags::serve(Held& drag, const std::stop_token& stop) {
   const Marker& start = drag.base.file->marker;
   const auto laid_out = drag.base.laid_out->get([&] { return scene::LaidOut{start, sums_}; });
   motion::dragging::Drag now =
-      methods_.engine().drag(start, *laid_out, drag.piece, move->to, drag.mode, sums_, stop, {});
+      methods_.engine().drag(start, *laid_out, drag.piece, move->to, drag.mode, {sums_, stop, {}});
   Json answer{{"dragId", drag.id}};
   answer.update(protocol::methods::readings::drag_json(start, *laid_out, now, drag.piece, move->to));
   // What was cancelled has not happened.

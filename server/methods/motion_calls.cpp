@@ -57,12 +57,10 @@ calls::Outcome Methods::call_on_marker(const protocol::calls::MarkerMethod& meth
   if (turn.call.left().stop_requested()) return calls::nobody_waits();
 
   protocol::execution::StageTimer timer{now_ms()};
-  scene::Observer observer;
-  observer.on_stage = [&timer](scene::Stage stage) { timer.enter(stage, now_ms()); };
-  observer.executor = &executor_;
-  observer.on_round = round_teller(about, turn.call.session(), now->file->marker.resolution);
-  auto answer =
-      call->run(*now->file, protocol::calls::MethodContext{engine_, sums_, turn.stop, observer, now->laid_out.get()});
+  scene::Run run{sums_, turn.stop, {}, &executor_};
+  run.observer.on_stage = [&timer](scene::Stage stage) { timer.enter(stage, now_ms()); };
+  run.observer.on_round = round_teller(about, turn.call.session(), now->file->marker.resolution);
+  auto answer = call->run(*now->file, protocol::calls::MethodContext{engine_, run, now->laid_out.get()});
   if (!answer && answer.error().code == ErrorCode::kStoppedEarly) return without_answer(answer.error(), turn);
   if (!answer) return rpc_error(answer.error(), protocol::methods::code_of_run(method, answer.error()));
   if (turn.call.left().stop_requested()) return calls::nobody_waits();

@@ -44,11 +44,11 @@ TEST(Daemon, LendsAMotionTheCoresThatNoJobIsOn) {
   protocol::calls::Engine engine = gate.engine();
   std::atomic<std::size_t> motions{};
   engine.compact = [&, compact = engine.compact](const Marker& start,
-                                                 const motion::compaction::CompactionSettings& settings, SumCache& sums,
-                                                 std::stop_token stop, const scene::Observer& observer) {
+                                                 const motion::compaction::CompactionSettings& settings,
+                                                 const scene::Run& run) {
     // Three workers: the first motion has them all, the second those that the first is not on.
-    EXPECT_TRUE(await_hands(*observer.executor, 3 - motions++)) << observer.executor->parallelism();
-    return compact(start, settings, sums, std::move(stop), observer);
+    EXPECT_TRUE(await_hands(*run.executor, 3 - motions++)) << run.executor->parallelism();
+    return compact(start, settings, run);
   };
   server::app::Daemon daemon{on_free_port(3), engine};
   Wire wire{daemon.port()};

@@ -66,16 +66,16 @@ class Motions {
   std::optional<Marker> bumped(const Marker& marker) {
     const double angle = random_.part() * 2 * std::numbers::pi;
     return marker_of(
-        motion::piece::repair_and_bump(marker, any_piece(marker), std::cos(angle), std::sin(angle), sums_));
+        motion::piece::repair_and_bump(marker, any_piece(marker), std::cos(angle), std::sin(angle), {sums_}));
   }
   std::optional<Marker> dragged(const Marker& marker) {
     const motion::dragging::DragMode mode =
         random_.chance(80) ? motion::dragging::DragMode::kPlace : motion::dragging::DragMode::kPush;
-    return drag(marker, any_piece(marker), any_place(marker), mode, sums_).marker;
+    return drag(marker, any_piece(marker), any_place(marker), mode, {sums_}).marker;
   }
   std::optional<Marker> placed(const Marker& marker) {
     return marker_of(
-        motion::placing::heal_and_place(marker, any_piece(marker), any_place(marker), {.may_grow = true}, sums_));
+        motion::placing::heal_and_place(marker, any_piece(marker), any_place(marker), {.may_grow = true}, {sums_}));
   }
   std::optional<Marker> relaxed(const Marker& marker) {
     const std::uint32_t piece = any_piece(marker).value;
@@ -93,7 +93,7 @@ class Motions {
       if (!piece.locked.x) piece.at.x += random_.between(-most, most);
       if (!piece.locked.y) piece.at.y += random_.between(-most, most);
     }
-    auto done = motion::separation::separate(perturbed, {.grow = 0.05}, sums_);
+    auto done = motion::separation::separate(perturbed, {.grow = 0.05}, {sums_});
     if (!done || !done->apart) return std::nullopt;
     return std::move(done->marker);
   }
@@ -104,13 +104,13 @@ class Motions {
     if (random_.chance(50)) {
       for (motion::compaction::Force& force : forces) force = {force.piece, random_.part() - 0.5, random_.part() - 0.5};
     }
-    return marker_of(push(marker, forces, compaction_settings(motion::compaction::Accuracy::kDraft), sums_));
+    return marker_of(push(marker, forces, compaction_settings(motion::compaction::Accuracy::kDraft), {sums_}));
   }
   std::optional<Marker> compacted(const Marker& marker) {
-    return marker_of(compact(marker, compaction_settings(motion::compaction::Accuracy::kDraft), sums_));
+    return marker_of(compact(marker, compaction_settings(motion::compaction::Accuracy::kDraft), {sums_}));
   }
   std::optional<Marker> floated(const Marker& marker) {
-    return marker_of(float_apart(marker, float_settings(motion::floating::FloatMode::kLargestMinimum, 5000), sums_));
+    return marker_of(float_apart(marker, float_settings(motion::floating::FloatMode::kLargestMinimum, 5000), {sums_}));
   }
   // Enlarges one of the gaps.
   std::optional<Marker> opened(const Marker& marker) {
@@ -119,13 +119,13 @@ class Motions {
     if (found.empty()) return marker;
     const motion::compaction::GapChoice choice = motion::compaction::AwayFromOutline{random_.below(found.size())};
     return marker_of(
-        open_gap(marker, choice, compaction_settings(motion::compaction::Accuracy::kDraft), regions, sums_));
+        open_gap(marker, choice, compaction_settings(motion::compaction::Accuracy::kDraft), regions, {sums_}));
   }
   std::optional<Marker> tilted(const Marker& marker) {
     motion::tilting::TiltSettings settings =
         tilt_settings(motion::tilting::TiltMethod::kLinearisation, motion::compaction::Accuracy::kDraft);
     settings.rounds = 1;
-    return marker_of(tilt(marker, settings, sums_));
+    return marker_of(tilt(marker, settings, {sums_}));
   }
 
   Random& random_;
@@ -190,7 +190,7 @@ TEST(ExtremeEndurance, AHundredTiltsOneAfterAnother) {
   for (int k = 0; k < kTilts; ++k) {
     const motion::tilting::TiltMethod method =
         k % 2 == 0 ? motion::tilting::TiltMethod::kLinearisation : motion::tilting::TiltMethod::kRelaxation;
-    const auto tilted = tilt(now, tilt_settings(method, motion::compaction::Accuracy::kDraft), sums);
+    const auto tilted = tilt(now, tilt_settings(method, motion::compaction::Accuracy::kDraft), {sums});
     ASSERT_TRUE(tilted) << k;
     now = tilted->marker;
     ASSERT_TRUE(is_valid(now)) << k;
@@ -198,7 +198,8 @@ TEST(ExtremeEndurance, AHundredTiltsOneAfterAnother) {
     largest = std::max(largest, tilted->farthest_tilt.degrees);
     // Move the pieces apart, so that the next tilt can gain something.
     for (std::uint32_t i = 0; i < now.pieces.size(); ++i) {
-      const auto away = motion::piece::repair_and_bump(now, PieceId{i}, random.part() - 0.2, random.part() - 0.5, sums);
+      const auto away =
+          motion::piece::repair_and_bump(now, PieceId{i}, random.part() - 0.2, random.part() - 0.5, {sums});
       ASSERT_TRUE(away) << k;
       now = away->marker;
     }

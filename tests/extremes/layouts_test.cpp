@@ -128,7 +128,7 @@ TEST(ExtremeLayouts, DovetailsAUnitTooLargeAreRefusedByName) {
   ASSERT_TRUE(read) << read.error().field << ' ' << read.error().message;
   const Marker before = read->marker;
   SumCache sums;
-  const auto refused = compact(read->marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums);
+  const auto refused = compact(read->marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums});
   ASSERT_FALSE(refused);
   EXPECT_EQ(read->marker, before);
   EXPECT_EQ(refused.error().code, ErrorCode::kMarkerOverlaps);

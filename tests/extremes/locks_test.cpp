@@ -23,19 +23,19 @@ TEST(ExtremeLocks, EverythingLockedStaysToTheLastBit) {
   SumCache sums;
   const auto tilted =
       tilt(marker, tilt_settings(motion::tilting::TiltMethod::kLinearisation, motion::compaction::Accuracy::kStandard),
-           sums);
+           {sums});
   ASSERT_TRUE(tilted);
   EXPECT_EQ(tilted->marker.pieces, marker.pieces);
-  const auto floated = float_apart(marker, float_settings(motion::floating::FloatMode::kTwoStep, 1000), sums);
+  const auto floated = float_apart(marker, float_settings(motion::floating::FloatMode::kTwoStep, 1000), {sums});
   ASSERT_TRUE(floated);
   EXPECT_EQ(floated->marker, marker);
-  const auto separated = motion::separation::separate(marker, {}, sums);
+  const auto separated = motion::separation::separate(marker, {}, {sums});
   ASSERT_TRUE(separated);
   EXPECT_EQ(separated->marker, marker);
-  const auto bumped = motion::piece::repair_and_bump(marker, PieceId{0}, -1, 0, sums);
+  const auto bumped = motion::piece::repair_and_bump(marker, PieceId{0}, -1, 0, {sums});
   ASSERT_TRUE(bumped);
   EXPECT_EQ(bumped->marker, marker);
-  EXPECT_EQ(drag(marker, PieceId{0}, {0, 0}, motion::dragging::DragMode::kPush, sums).marker, marker);
+  EXPECT_EQ(drag(marker, PieceId{0}, {0, 0}, motion::dragging::DragMode::kPush, {sums}).marker, marker);
   reached("locked pieces", static_cast<double>(marker.pieces.size()));
 }
 
@@ -64,7 +64,7 @@ TEST(ExtremeLocks, LockedPiecesThatOverlapAreRefusedByName) {
     const Marker marker = contradiction(overlap);
     const Marker before = marker;
     SumCache sums;
-    const auto result = compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums);
+    const auto result = compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums});
     ASSERT_FALSE(result);
     EXPECT_TRUE(result.error().code == ErrorCode::kRepairFailed || result.error().code == ErrorCode::kMarkerOverlaps);
     EXPECT_NE(result.error().message.find("p0"), std::string::npos) << result.error().message;
@@ -73,7 +73,7 @@ TEST(ExtremeLocks, LockedPiecesThatOverlapAreRefusedByName) {
     reached(std::to_string(overlap) + " units", result.error().message);
 
     const auto separated =
-        motion::separation::separate(marker, {}, sums);  // which reports the overlaps that it cannot remove
+        motion::separation::separate(marker, {}, {sums});  // which reports the overlaps that it cannot remove
     ASSERT_TRUE(separated);
     EXPECT_FALSE(separated->apart);
     ASSERT_EQ(separated->remaining.size(), 1U);
@@ -88,13 +88,13 @@ TEST(ExtremeLocks, ALockedPieceAUnitOutsideTheStripIsRefusedByName) {
   Marker marker = contradiction(0);
   marker.pieces[0].at = {0, -1};
   SumCache sums;
-  const auto result = compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums);
+  const auto result = compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums});
   ASSERT_FALSE(result);
   reached("a unit outside", result.error().message);
   EXPECT_EQ(result.error().code, ErrorCode::kRepairFailed);
   EXPECT_EQ(result.error().field, "/pieces/0/at");
   EXPECT_NE(result.error().message.find("\"p0\" leaves the strip by 0.001 mm"), std::string::npos);
-  const auto separated = motion::separation::separate(marker, {}, sums);
+  const auto separated = motion::separation::separate(marker, {}, {sums});
   ASSERT_FALSE(separated);
   EXPECT_EQ(separated.error().code, ErrorCode::kOutsideStrip);
 }

@@ -107,7 +107,7 @@ void expect_sound(const Marker& before, const Marker& after, Coord lengthened) {
 
 motion::compaction::Compaction soundly_compacted(const Marker& marker) {
   SumCache sums;
-  auto result = compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums);
+  auto result = compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums});
   if (!result) {
     ADD_FAILURE() << result.error().message;
     return {};

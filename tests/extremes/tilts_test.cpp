@@ -52,7 +52,7 @@ TEST(ExtremeTilts, LimitsHoldToTheLastBit) {
     for (const motion::tilting::TiltMethod method :
          {motion::tilting::TiltMethod::kLinearisation, motion::tilting::TiltMethod::kRelaxation}) {
       SumCache sums;
-      const auto result = tilt(marker, tilt_settings(method, motion::compaction::Accuracy::kStandard), sums);
+      const auto result = tilt(marker, tilt_settings(method, motion::compaction::Accuracy::kStandard), {sums});
       ASSERT_TRUE(result) << result.error().message;
       test::expect_valid_twice(result->marker);
       EXPECT_LE(result->length_after, result->length_compacted);
@@ -90,9 +90,9 @@ TEST(ExtremeTilts, PiecesThatComeAtTheLimitTiltNoFarther) {
     Marker marker = tilting_marker(3);
     for (Piece& piece : marker.pieces) piece.orientation.tilt = Angle::of_degrees(came);
     SumCache sums;
-    const auto result =
-        tilt(marker,
-             tilt_settings(motion::tilting::TiltMethod::kLinearisation, motion::compaction::Accuracy::kStandard), sums);
+    const auto result = tilt(
+        marker, tilt_settings(motion::tilting::TiltMethod::kLinearisation, motion::compaction::Accuracy::kStandard),
+        {sums});
     ASSERT_TRUE(result) << result.error().message;
     test::expect_valid_twice(result->marker);
     for (const Piece& piece : result->marker.pieces) {
@@ -117,17 +117,17 @@ void expect_motions_from(const Marker& marker) {
       test::soundly_compacted(marker);  // orientations must be exactly equal
   EXPECT_LT(compaction.length_after, compaction.length_before);
   SumCache sums;
-  const auto floated = float_apart(compaction.marker,
-                                   float_settings(motion::floating::FloatMode::kLargestMinimum, Coord{1} << 30), sums);
+  const auto floated = float_apart(
+      compaction.marker, float_settings(motion::floating::FloatMode::kLargestMinimum, Coord{1} << 30), {sums});
   ASSERT_TRUE(floated) << floated.error().message;
   test::expect_sound(compaction.marker, floated->marker);
-  const auto bumped = motion::piece::repair_and_bump(marker, PieceId{5}, -1, 0.1, sums);
+  const auto bumped = motion::piece::repair_and_bump(marker, PieceId{5}, -1, 0.1, {sums});
   ASSERT_TRUE(bumped) << bumped.error().message;
   test::expect_sound(marker, bumped->marker);
-  test::expect_sound(marker, drag(marker, PieceId{5}, {0, 0}, motion::dragging::DragMode::kPush, sums).marker);
+  test::expect_sound(marker, drag(marker, PieceId{5}, {0, 0}, motion::dragging::DragMode::kPush, {sums}).marker);
   Marker overlapping = marker;
   overlapping.pieces[2].at.x -= Coord{1} << 34;
-  const auto separated = motion::separation::separate(overlapping, {}, sums);
+  const auto separated = motion::separation::separate(overlapping, {}, {sums});
   ASSERT_TRUE(separated) << separated.error().message;
   ASSERT_TRUE(separated->apart);
   test::expect_sound(overlapping, separated->marker);
@@ -147,7 +147,7 @@ TEST(ExtremeTilts, MotionsFromPiecesThatLieTilted) {
     for (const motion::tilting::TiltMethod method :
          {motion::tilting::TiltMethod::kLinearisation, motion::tilting::TiltMethod::kRelaxation}) {
       SumCache sums;
-      const auto result = tilt(marker, tilt_settings(method, motion::compaction::Accuracy::kDraft), sums);
+      const auto result = tilt(marker, tilt_settings(method, motion::compaction::Accuracy::kDraft), {sums});
       ASSERT_TRUE(result) << result.error().message;
       test::expect_valid_twice(result->marker);
       EXPECT_LE(result->length_after, result->length_compacted);
@@ -166,7 +166,7 @@ TEST(ExtremeTilts, LimitsOutsideTheRangeAreRefused) {
     motion::tilting::TiltSettings settings =
         tilt_settings(motion::tilting::TiltMethod::kLinearisation, motion::compaction::Accuracy::kStandard);
     settings.limit = Angle::of_degrees(limit);
-    const auto refused = tilt(marker, settings, sums);
+    const auto refused = tilt(marker, settings, {sums});
     ASSERT_FALSE(refused) << limit;
     EXPECT_EQ(refused.error().code, ErrorCode::kOutOfRange);
     EXPECT_NE(refused.error().message.find("45"), std::string::npos) << refused.error().message;

@@ -67,7 +67,7 @@ TEST(ExtremeContacts, WhereBumpsBringRandomPiecesTogether) {
     layout.put(layout.shape_of(p), -box_of(p).low, 0, true);
     layout.put(layout.shape_of(q), Vec{2 * extent, 0} - box_of(q).low);
     SumCache sums;
-    const auto result = motion::piece::repair_and_bump(layout.marker(), PieceId{1}, -1, -1e-3, sums);
+    const auto result = motion::piece::repair_and_bump(layout.marker(), PieceId{1}, -1, -1e-3, {sums});
     ASSERT_TRUE(result);
     const Polygon obstacle = placed_outline(result->marker, PieceId{0});
     const Polygon bumped = placed_outline(result->marker, PieceId{1});

@@ -6,10 +6,10 @@
 #include <numeric>
 
 #include "core/geometry/orientation.h"
+#include "core/outline/decomposition/triangulation.h"
 #include "core/outline/outline.h"
 #include "core/outline/outward.h"
 #include "core/outline/star.h"
-#include "core/outline/triangulation.h"
 #include "tests/fuzz/any_polygon.h"
 #include "tests/fuzz/entry.h"
 #include "tests/soak/exact_pairs.h"

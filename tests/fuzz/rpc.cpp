@@ -22,11 +22,10 @@ bool small(const Marker& marker) {
 // An engine that rejects markers on which motions would take long, since motions are not tested here.
 protocol::calls::Engine quick_engine() {
   protocol::calls::Engine engine;
-  engine.refine = [](const Marker& start, const search::RefineSettings&, SumCache& sums, std::stop_token stop,
-                     const scene::Observer& observer) -> Result<motion::compaction::Compaction> {
+  engine.refine = [](const Marker& start, const search::RefineSettings&,
+                     const scene::Run& run) -> Result<motion::compaction::Compaction> {
     if (!small(start)) return Error{ErrorCode::kRepairFailed, "too large for this test", {}};
-    return search::refine(start, {.other_ways = 4, .effort = 20, .tilts = false, .seed = 1}, sums, std::move(stop),
-                          observer);
+    return search::refine(start, {.other_ways = 4, .effort = 20, .tilts = false, .seed = 1}, run);
   };
   return engine;
 }

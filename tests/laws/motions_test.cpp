@@ -46,7 +46,7 @@ TEST(MotionLaws, Compaction) {
     const Marker marker = test::random_marker(random);
     SumCache sums;
     const auto settings = random_settings(random);
-    const auto result = compact(marker, settings, sums);
+    const auto result = compact(marker, settings, {sums});
     ASSERT_TRUE(result) << trial << ' ' << result.error().message;
     ASSERT_EQ(broken_law(marker, result->marker), "") << trial;
     ASSERT_EQ(result->repair.pairs, 0U) << trial;
@@ -67,7 +67,7 @@ TEST(MotionLaws, Pushing) {
       largest = std::max({largest, std::abs(forces.back().x), std::abs(forces.back().y)});
     }
     SumCache sums;
-    const auto result = push(marker, forces, random_settings(random), sums);
+    const auto result = push(marker, forces, random_settings(random), {sums});
     ASSERT_TRUE(result) << trial << ' ' << result.error().message;
     ASSERT_EQ(broken_law(marker, result->marker), "") << trial;
     ASSERT_GE(result->gain, 0) << trial;
@@ -110,7 +110,7 @@ TEST(MotionLaws, Separation) {
     settings.grow = random.chance(50) ? 0.05 : 0;
     settings.target = random.chance(20) ? motion::repair::TargetRule::kKernelRay : motion::repair::TargetRule::kNearest;
     SumCache sums;
-    const auto result = separate(marker, settings, sums);
+    const auto result = separate(marker, settings, {sums});
     ASSERT_TRUE(result) << trial << ' ' << result.error().message;
     ASSERT_EQ(result->apart, is_valid(result->marker)) << trial;
     ASSERT_EQ(result->apart, result->remaining.empty()) << trial;
@@ -139,7 +139,7 @@ TEST(MotionLaws, Floating) {
     const auto settings =
         float_settings(kModes[random.below(kModes.size())], marker.strip.width / random.between(5, 200) + 1);
     SumCache sums;
-    const auto result = float_apart(marker, settings, sums);
+    const auto result = float_apart(marker, settings, {sums});
     ASSERT_TRUE(result) << trial << ' ' << result.error().message;
     ASSERT_EQ(broken_law(marker, result->marker), "") << trial;
     ASSERT_GE(result->least_after, result->least_before) << trial;
@@ -161,7 +161,7 @@ TEST(MotionLaws, OpeningAGap) {
             ? motion::compaction::GapChoice{motion::compaction::AwayFromOutline{k}}
             : motion::compaction::GapChoice{motion::compaction::AwayFromPoint{point_inside(found[k].region)}};
     SumCache sums;
-    const auto result = open_gap(marker, choice, random_settings(random), regions, sums);
+    const auto result = open_gap(marker, choice, random_settings(random), regions, {sums});
     ASSERT_TRUE(result) << trial << ' ' << result.error().message;
     ASSERT_EQ(broken_law(marker, result->marker), "") << trial;
     ASSERT_EQ(result->before.area, found[k].area) << trial;

@@ -82,8 +82,8 @@ TEST(SymmetryLaws, TheLengthOfTheUnitDoesNotMatter) {
     other.resolution.exponent += 1;
     const auto settings = compaction_settings(motion::compaction::Accuracy::kStandard);
     SumCache sums;
-    auto compacted = compact(marker, settings, sums);
-    auto same = compact(other, settings, sums);
+    auto compacted = compact(marker, settings, {sums});
+    auto same = compact(other, settings, {sums});
     ASSERT_TRUE(compacted && same) << trial;
     same->marker.resolution = marker.resolution;
     ASSERT_EQ(compacted->marker, same->marker) << trial;

@@ -38,10 +38,9 @@ template <class Motion>
 Story story_of(const Executor& executor, const Motion& motion, std::stop_source stop = {}) {
   Story story;
   SumCache sums;
-  scene::Observer observer;
-  observer.executor = &executor;
-  observer.on_round = [&](const scene::Round& round) { story.lengths.push_back(round.length); };
-  auto done = motion(sums, stop.get_token(), observer);
+  scene::Run run{sums, stop.get_token(), {}, &executor};
+  run.observer.on_round = [&](const scene::Round& round) { story.lengths.push_back(round.length); };
+  auto done = motion(run);
   if (!done) throw std::runtime_error{done.error().message};
   story.marker = std::move(done->marker);
   story.reason = done->reason;
@@ -63,9 +62,7 @@ void expect_one_story(const Motion& motion, const std::string& about) {
 }
 
 auto compaction(const Marker& marker, const motion::compaction::CompactionSettings& settings) {
-  return [&marker, settings](SumCache& sums, const std::stop_token& stop, const scene::Observer& observer) {
-    return compact(marker, settings, sums, stop, observer);
-  };
+  return [&marker, settings](const scene::Run& run) { return compact(marker, settings, run); };
 }
 auto standard(const Marker& marker) {
   return compaction(marker, compaction_settings(motion::compaction::Accuracy::kStandard));
@@ -89,8 +86,8 @@ TEST_P(GarmentsOnThreads, RepairAndPush) {
   ASSERT_FALSE(is_valid(marker));
   const std::vector<motion::compaction::Force> forces{{PieceId{1}, 1, 0}, {PieceId{4}, 0.5, 1}};
   expect_one_story(
-      [&](SumCache& sums, const std::stop_token& stop, const scene::Observer& observer) {
-        return push(marker, forces, compaction_settings(motion::compaction::Accuracy::kDraft), sums, stop, observer);
+      [&](const scene::Run& run) {
+        return push(marker, forces, compaction_settings(motion::compaction::Accuracy::kDraft), run);
       },
       GetParam());
 }
@@ -117,9 +114,7 @@ TEST(Threads, Tilt) {
       motion::tilting::TiltSettings settings = tilt_settings(method, motion::compaction::Accuracy::kDraft);
       settings.rounds = 2;
       settings.perturbations = 0;
-      expect_one_story([&](SumCache& sums, const std::stop_token& stop,
-                           const scene::Observer& observer) { return tilt(marker, settings, sums, stop, observer); },
-                       name);
+      expect_one_story([&](const scene::Run& run) { return tilt(marker, settings, run); }, name);
     }
   }
 }
@@ -131,9 +126,9 @@ TEST(Threads, Refine) {
     search::RefineSettings settings = search::refine_settings();
     settings.effort = 6'000 / kSlowdown;
     expect_one_story(
-        [&](SumCache&, const std::stop_token& stop, const scene::Observer& observer) {
+        [&](const scene::Run& run) {
           SumCache own;
-          return refine(marker, settings, own, stop, observer);
+          return refine(marker, settings, {own, run.stop, run.observer, run.executor});
         },
         name);
   }
@@ -178,11 +173,7 @@ TEST(Threads, RefineReturnsTheBestSoFarWhenCancelledInAPart) {
     std::stop_source stop;
     const Interrupted interrupted{executor, part, [&] { stop.request_stop(); }};
     const Story story = story_of(
-        interrupted,
-        [&](SumCache& sums, const std::stop_token& token, const scene::Observer& observer) {
-          return refine(marker, search::refine_settings(), sums, token, observer);
-        },
-        stop);
+        interrupted, [&](const scene::Run& run) { return refine(marker, search::refine_settings(), run); }, stop);
     EXPECT_EQ(story.reason, scene::StopReason::kCancelled) << part;
     EXPECT_TRUE(is_valid(story.marker)) << part;
     EXPECT_LE(length_of(story.marker), length_of(marker)) << part;
@@ -199,13 +190,11 @@ TEST(Threads, RethrowExceptionsOfPartsAndStayUsable) {
   SumCache sums;
   for (const int part : {0, 5, 20}) {
     const Interrupted interrupted{executor, part, [] { throw std::runtime_error{"a bug"}; }};
-    scene::Observer observer;
-    observer.executor = &interrupted;
-    EXPECT_THROW(
-        (void)compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums, {}, observer),
-        std::runtime_error);
+    EXPECT_THROW((void)compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard),
+                               {sums, {}, {}, &interrupted}),
+                 std::runtime_error);
   }
-  EXPECT_EQ(compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums)->marker,
+  EXPECT_EQ(compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums})->marker,
             expected.marker);
   EXPECT_TRUE(story_of(executor, standard(marker)) == expected);
 }

@@ -91,8 +91,7 @@ class StopAfter {
   }
   StopAfter(const StopAfter&) = delete;
   StopAfter& operator=(const StopAfter&) = delete;
-  [[nodiscard]] const scene::Observer& observer() const { return observer_; }
-  [[nodiscard]] std::stop_token stop() const { return source_.get_token(); }
+  [[nodiscard]] scene::Run run(SumCache& sums) const { return {sums, source_.get_token(), observer_}; }
 
  private:
   void wait() {
@@ -130,7 +129,7 @@ class SequenceRunner {
     const Marker kept = given;
     const Random same_random = random_;
     StopAfter stop_after{random_.chance(kCancelledPercent) ? random_.below(30) + 1 : 0};
-    auto answer = motion.run(given, {random_, sums_, stop_after.stop(), stop_after.observer()});
+    auto answer = motion.run(given, {random_, stop_after.run(sums_)});
     if (given != kept) return "changed the marker it was given";
     if (!answer) {
       ++result_.refused;
@@ -155,7 +154,7 @@ class SequenceRunner {
   static bool repeats(const NamedMotion& motion, const Marker& given, Random chance, const Marker& expected) {
     SumCache fresh{1};
     StopAfter stop_after{chance.chance(kCancelledPercent) ? chance.below(30) + 1 : 0};
-    const auto again = motion.run(given, {chance, fresh, stop_after.stop(), stop_after.observer()});
+    const auto again = motion.run(given, {chance, stop_after.run(fresh)});
     return again && again->marker == expected;
   }
 

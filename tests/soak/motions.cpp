@@ -75,18 +75,18 @@ Coord open_end(const Marker& marker) {
 }
 
 Result<Answer> compaction(const Marker& start, const Occasion& on) {
-  return answer(compact(start, random_settings(on.random), on.sums, on.stop, on.observer));
+  return answer(compact(start, random_settings(on.random), on.run));
 }
 
 Result<Answer> sweeps(const Marker& start, const Occasion& on) {
   const motion::baseline::SweepSettings settings{.sweeps = static_cast<int>(on.random.between(1, 20))};
-  return answer(compact_one_at_a_time(start, settings, on.sums, on.stop, on.observer));
+  return answer(compact_one_at_a_time(start, settings, on.run));
 }
 
 Result<Answer> velocities(const Marker& start, const Occasion& on) {
   motion::baseline::VelocitySettings settings;
   settings.steps = kFewSteps;
-  return answer(compact_by_velocities(start, settings, on.sums, on.stop, on.observer));
+  return answer(compact_by_velocities(start, settings, on.run));
 }
 
 Result<Answer> refinement(const Marker& start, const Occasion& on) {
@@ -94,14 +94,14 @@ Result<Answer> refinement(const Marker& start, const Occasion& on) {
                                         .effort = kLittleEffort,
                                         .tilts = on.random.chance(50),
                                         .seed = static_cast<std::uint32_t>(on.random.below(1000))};
-  return answer(refine(start, settings, on.sums, on.stop, on.observer), {.tilts = true, .turns = true});
+  return answer(refine(start, settings, on.run), {.tilts = true, .turns = true});
 }
 
 Result<Answer> swapping(const Marker& start, const Occasion& on) {
   std::mt19937 random{static_cast<std::uint32_t>(on.random.below(1000))};
   const auto drawn = search::draw_exchange(start, random);
   const motion::compaction::CompactionSettings settings = random_settings(on.random);
-  auto done = drawn ? exchange(*drawn, settings, on.sums, on.stop) : search::Exchanged{};
+  auto done = drawn ? exchange(*drawn, settings, {on.run.sums, on.run.stop}) : search::Exchanged{};
   const Leave leave{.longest = kAnyLength, .turns = true};
   return Answer{.marker = done.marker ? std::move(*done.marker) : start, .leave = leave};
 }
@@ -113,19 +113,18 @@ Result<Answer> pushing(const Marker& start, const Occasion& on) {
     const double x = 2 * on.random.part() - 1;
     forces.push_back({PieceId{i}, x, 2 * on.random.part() - 1});
   }
-  return answer(push(start, forces, random_settings(on.random), on.sums, on.stop, on.observer));
+  return answer(push(start, forces, random_settings(on.random), on.run));
 }
 
 Result<Answer> falling(const Marker& start, const Occasion& on) {
   const auto [x, y] = any_direction(on.random);
-  return answer(
-      push(start, motion::compaction::gravity(start, x, y), random_settings(on.random), on.sums, on.stop, on.observer));
+  return answer(push(start, motion::compaction::gravity(start, x, y), random_settings(on.random), on.run));
 }
 
 Result<Answer> bumping(const Marker& start, const Occasion& on) {
   const PieceId piece = any_piece(on.random, start);
   const auto [x, y] = any_direction(on.random);
-  auto done = motion::piece::repair_and_bump(start, piece, x, y, on.sums, on.stop, on.observer);
+  auto done = motion::piece::repair_and_bump(start, piece, x, y, on.run);
   if (!done) return done.error();
   Answer answer{.marker = std::move(done->marker), .leave = {.longest = open_end(start) + done->repair.lengthened}};
   if (done->bump.gain < 0) answer.contradiction = "went backwards";
@@ -150,7 +149,7 @@ Result<Answer> placing(const Marker& start, const Occasion& on) {
   const PieceId piece = any_piece(on.random, start);
   const motion::placing::PlaceSettings settings{on.random.chance(50)};
   const Vec wanted = any_place(on.random, start);
-  auto done = heal_and_place(start, piece, wanted, settings, on.sums, on.stop, on.observer);
+  auto done = heal_and_place(start, piece, wanted, settings, on.run);
   if (!done) return done.error();
   return placed_answer(*std::move(done), piece, settings, start);
 }
@@ -167,7 +166,7 @@ Result<Answer> turning_and_placing(const Marker& start, const Occasion& on) {
   if (on.random.chance(30)) moved.orientation.rotation.degrees += static_cast<double>(on.random.between(0, 900)) / 10;
   if (!make_marker(turned)) return unmoved(start);
   const motion::placing::PlaceSettings settings{true};
-  auto done = heal_and_place(turned, piece, any_place(on.random, start), settings, on.sums, on.stop, on.observer);
+  auto done = heal_and_place(turned, piece, any_place(on.random, start), settings, on.run);
   if (!done) return done.error();
   if (!done->place) return unmoved(start);
   Answer answer = placed_answer(*std::move(done), piece, settings, turned);
@@ -179,7 +178,7 @@ Result<Answer> dragging(const Marker& start, const Occasion& on) {
   const PieceId piece = any_piece(on.random, start);
   const motion::dragging::DragMode mode =
       on.random.chance(50) ? motion::dragging::DragMode::kPlace : motion::dragging::DragMode::kPush;
-  const motion::dragging::Drag done = drag(start, piece, any_place(on.random, start), mode, on.sums, on.stop);
+  const motion::dragging::Drag done = drag(start, piece, any_place(on.random, start), mode, {on.run.sums, on.run.stop});
   Answer answer{.marker = done.marker, .leave = {.longest = kAnyLength}};
   if (done.pushed && mode == motion::dragging::DragMode::kPlace) answer.contradiction = "moved pieces that should stay";
   return answer;
@@ -200,7 +199,7 @@ Result<Answer> separation(const Marker& start, const Occasion& on) {
   settings.grow = on.random.chance(50) ? 0.1 * on.random.part() : 0;
   settings.target =
       on.random.chance(20) ? motion::repair::TargetRule::kKernelRay : motion::repair::TargetRule::kNearest;
-  auto done = separate(overlapping, settings, on.sums, on.stop, on.observer);
+  auto done = separate(overlapping, settings, on.run);
   // A locked piece that was moved out of the strip cannot be put back.
   if (!done && done.error().code == ErrorCode::kOutsideStrip && !is_valid(overlapping)) return unmoved(start);
   if (!done) return done.error();
@@ -220,7 +219,7 @@ Result<Answer> floating(const Marker& start, const Occasion& on) {
   const auto distance = start.strip.width / on.random.between(5, 400) + 1;
   motion::floating::FloatSettings settings = float_settings(kModes[on.random.below(kModes.size())], distance);
   settings.edges = on.random.chance(50);
-  auto done = float_apart(start, settings, on.sums, on.stop, on.observer);
+  auto done = float_apart(start, settings, on.run);
   const bool narrower = done && done->least_after < done->least_before;
   auto told = answer(std::move(done));
   if (told && narrower) told->contradiction = "reduced the smallest gap";
@@ -236,8 +235,8 @@ Result<Answer> opening(const Marker& start, const Occasion& on) {
       on.random.chance(50)
           ? motion::compaction::GapChoice{motion::compaction::AwayFromOutline{k}}
           : motion::compaction::GapChoice{motion::compaction::AwayFromPoint{point_inside(found[k].region)}};
-  auto done = open_gap(start, choice, random_settings(on.random), regions, on.sums, on.stop, on.observer);
-  if (!done && done.error().code == ErrorCode::kStoppedEarly && on.stop.stop_requested()) return unmoved(start);
+  auto done = open_gap(start, choice, random_settings(on.random), regions, on.run);
+  if (!done && done.error().code == ErrorCode::kStoppedEarly && on.run.stopped()) return unmoved(start);
   // Repairing overlaps may have closed the gap.
   if (!done && done.error().code == ErrorCode::kOutOfRange && !is_valid(start)) return unmoved(start);
   const bool smaller = done && done->after.area < done->before.area;
@@ -253,13 +252,13 @@ Result<Answer> tilting(const Marker& start, const Occasion& on) {
   settings.rounds = static_cast<int>(on.random.between(1, 4));
   settings.perturbations = on.random.chance(20) ? 1 : 0;
   if (on.random.chance(50)) settings.limit = any_limit(on.random);
-  auto done = tilt(start, settings, on.sums, on.stop, on.observer);
+  auto done = tilt(start, settings, on.run);
   return answer(std::move(done), {.tilts = true, .tilt_limit = settings.limit});
 }
 
 Result<Answer> relaxing(const Marker& start, const Occasion& on) {
   const PieceId piece = any_piece(on.random, start);
-  const scene::Scene scene{start, on.sums};
+  const scene::Scene scene{start, on.run.sums};
   const auto tilts = static_cast<int>(on.random.between(1, 7));
   const motion::piece::Relaxation done = on.random.chance(50) ? motion::piece::relax(scene, piece.value)
                                                               : motion::piece::relax_tilted(scene, piece.value, tilts);
@@ -270,13 +269,13 @@ Result<Answer> relaxing(const Marker& start, const Occasion& on) {
 
 // Reads the critical path and moves nothing.
 Result<Answer> critical_path(const Marker& start, const Occasion& on) {
-  const auto hold = motion::compaction::what_holds(start, on.sums, on.stop);
+  const auto hold = motion::compaction::what_holds(start, {on.run.sums, on.run.stop});
   if (!hold) return hold.error();
   Answer answer{.marker = start, .leave = {.longest = length_of(start)}};
   for (const motion::compaction::LoadedContact& contact : hold->contacts) {
     if (!(contact.worth > 0)) answer.contradiction = "reports a contact without value";
   }
-  if (!check(start, on.sums).valid()) answer.contradiction = "reports a critical path for an invalid marker";
+  if (!check(start, on.run.sums).valid()) answer.contradiction = "reports a critical path for an invalid marker";
   return answer;
 }
 
@@ -288,32 +287,35 @@ Result<Answer> invalid_arguments(const Marker& start, const Occasion& on) {
   const marker::UnoccupiedSettings regions = unoccupied_settings(start.strip);
   bool well{};
   switch (on.random.below(6)) {
-    case 0: well = refused(push(start, std::array{motion::compaction::Force{beyond, 1, 0}}, settings, on.sums)); break;
+    case 0:
+      well = refused(push(start, std::array{motion::compaction::Force{beyond, 1, 0}}, settings, {on.run.sums}));
+      break;
     case 1: {
       const motion::compaction::Force force{any_piece(on.random, start), std::numeric_limits<double>::quiet_NaN(), 0};
-      well = refused(push(start, std::array{force}, settings, on.sums));
+      well = refused(push(start, std::array{force}, settings, {on.run.sums}));
       break;
     }
     case 2:
-      well = refused(float_apart(start, float_settings(motion::floating::FloatMode::kLargestMinimum, 0), on.sums));
+      well =
+          refused(float_apart(start, float_settings(motion::floating::FloatMode::kLargestMinimum, 0), {on.run.sums}));
       break;
     case 3: {
       motion::tilting::TiltSettings wrong =
           tilt_settings(motion::tilting::TiltMethod::kRelaxation, motion::compaction::Accuracy::kDraft);
       wrong.limit = Angle::of_degrees(46);
-      well = refused(tilt(start, wrong, on.sums));
+      well = refused(tilt(start, wrong, {on.run.sums}));
       break;
     }
     case 4: {
       const motion::compaction::GapChoice none =
           motion::compaction::AwayFromOutline{unoccupied_regions(start, regions).size()};
-      well = refused(open_gap(start, none, settings, regions, on.sums));
+      well = refused(open_gap(start, none, settings, regions, {on.run.sums}));
       break;
     }
     default: {
       motion::separation::SeparationSettings wrong;
       wrong.grow = -0.1;
-      well = refused(separate(start, wrong, on.sums));
+      well = refused(separate(start, wrong, {on.run.sums}));
     }
   }
   Answer answer{.marker = start, .leave = {.longest = length_of(start)}};

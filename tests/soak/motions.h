@@ -3,13 +3,11 @@
 
 #include <optional>
 #include <span>
-#include <stop_token>
 #include <string>
 #include <string_view>
 
 #include "core/base/result.h"
-#include "core/minkowski/cache.h"
-#include "core/scene/observer.h"
+#include "core/scene/run.h"
 #include "tests/soak/judge.h"
 #include "tests/support/random.h"
 
@@ -18,9 +16,7 @@ namespace selvage::test {
 // What a motion is given besides the marker; it draws its own arguments at random.
 struct Occasion {
   Random& random;
-  SumCache& sums;
-  std::stop_token stop;
-  const scene::Observer& observer;
+  const scene::Run& run;
 };
 
 struct Answer {

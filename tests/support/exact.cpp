@@ -25,10 +25,10 @@ using Set = CGAL::Polygon_set_2<Kernel>;
 Point point(Vec v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y)};
 }
-Point point(outline::Real2 v) {
+Point point(RealVec v) {
   return {v.x, v.y};
 }
-outline::Real2 rounded(const Point& p) {
+RealVec rounded(const Point& p) {
   return {CGAL::to_double(p.x()), CGAL::to_double(p.y())};
 }
 
@@ -86,7 +86,7 @@ std::vector<Polygon> loops_of(const Polygon& ring) {
   return loops;
 }
 
-double distance_to(std::span<const Segment> boundary, outline::Real2 point) {
+double distance_to(std::span<const Segment> boundary, RealVec point) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& [a, b] : boundary) {
     const double dx = b.x - a.x;
@@ -104,7 +104,7 @@ bool is_simple_exactly(std::span<const Vec> vertices) {
   return polygon_of(vertices).is_simple();
 }
 
-geometry::Location locate_exactly(outline::Real2 at, const Polygon& polygon) {
+geometry::Location locate_exactly(RealVec at, const Polygon& polygon) {
   return location(polygon_of(polygon).bounded_side(point(at)));
 }
 
@@ -177,7 +177,7 @@ std::size_t ExactSum::holes() const {
   return region_->sum.number_of_holes();
 }
 
-geometry::Location ExactSum::locate(outline::Real2 at) const {
+geometry::Location ExactSum::locate(RealVec at) const {
   const Point p = point(at);
   const geometry::Location outer = location(region_->sum.outer_boundary().bounded_side(p));
   if (outer != geometry::Location::kInside) return outer;

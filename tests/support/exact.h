@@ -16,7 +16,7 @@ namespace selvage::test {
 // Whether a closed vertex list is a simple polygon.
 [[nodiscard]] bool is_simple_exactly(std::span<const Vec> vertices);
 // Whether a point lies inside, outside or on the boundary.  The point's doubles are taken as exact numbers.
-[[nodiscard]] geometry::Location locate_exactly(outline::Real2 point, const Polygon& polygon);
+[[nodiscard]] geometry::Location locate_exactly(RealVec point, const Polygon& polygon);
 // True when the intersection of the two polygons has positive area.
 [[nodiscard]] bool interiors_meet(const Polygon& p, const Polygon& q);
 // True when `outer` contains `inner`: the part of `inner` outside `outer` has no area.
@@ -28,7 +28,7 @@ namespace selvage::test {
 // The areas of the connected regions of the box that no polygon covers, largest first.
 [[nodiscard]] std::vector<double> areas_left_over(const Box& box, std::span<const Polygon> polygons);
 
-using Segment = std::pair<outline::Real2, outline::Real2>;
+using Segment = std::pair<RealVec, RealVec>;
 
 // The difference between a region and the exact one.
 struct Difference {
@@ -52,7 +52,7 @@ class ExactSum {
   [[nodiscard]] const std::vector<Segment>& boundary() const { return boundary_; }
   [[nodiscard]] double perimeter() const;
   [[nodiscard]] std::size_t holes() const;
-  [[nodiscard]] geometry::Location locate(outline::Real2 point) const;
+  [[nodiscard]] geometry::Location locate(RealVec point) const;
   // The difference between the union of the other sum's rings and this sum.
   [[nodiscard]] Difference difference(const minkowski::MinkowskiSum& other) const;
   // The difference between a region, given as rings (outlines counter-clockwise, holes clockwise), and this sum.

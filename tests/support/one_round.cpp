@@ -50,95 +50,93 @@ motion::compaction::CompactionSettings one_round(model::Extent extent) {
 }
 
 template <model::Extent kExtent>
-void compact_once(const Marker& marker, SumCache& sums, const scene::Observer& observer) {
-  require(compact(marker, one_round(kExtent), sums, {}, observer));
+void compact_once(const Marker& marker, const scene::Run& run) {
+  require(compact(marker, one_round(kExtent), run));
 }
 
 // Pushes across the strip when `kAcross` is true, otherwise along it.
 template <bool kAcross, model::Extent kExtent>
-void push_once(const Marker& marker, SumCache& sums, const scene::Observer& observer) {
+void push_once(const Marker& marker, const scene::Run& run) {
   const motion::compaction::Force force{middle_of(marker), kAcross ? 0.0 : 1.0, kAcross ? 1.0 : 0.0};
-  require(push(marker, {&force, 1}, one_round(kExtent), sums, {}, observer));
+  require(push(marker, {&force, 1}, one_round(kExtent), run));
 }
 
 // Pulls every piece to the left at fixed length.
-void pull_left_once(const Marker& marker, SumCache& sums, const scene::Observer& observer) {
+void pull_left_once(const Marker& marker, const scene::Run& run) {
   std::vector<motion::compaction::Force> forces;
   for (std::uint32_t piece = 0; piece < marker.pieces.size(); ++piece) forces.push_back({PieceId{piece}, -1, 0});
-  require(push(marker, forces, one_round(model::Extent::kReached), sums, {}, observer));
+  require(push(marker, forces, one_round(model::Extent::kReached), run));
 }
 
 template <model::Extent kExtent>
-void open_once(const Marker& marker, SumCache& sums, const scene::Observer& observer) {
+void open_once(const Marker& marker, const scene::Run& run) {
   const marker::UnoccupiedSettings regions = unoccupied_settings(marker.strip);
   const std::size_t middle = unoccupied_regions(marker, regions).size() / 2;
-  require(
-      open_gap(marker, motion::compaction::AwayFromOutline{middle}, one_round(kExtent), regions, sums, {}, observer));
+  require(open_gap(marker, motion::compaction::AwayFromOutline{middle}, one_round(kExtent), regions, run));
 }
 
 template <motion::floating::FloatMode kMode>
-void float_once(const Marker& marker, SumCache& sums, const scene::Observer& observer) {
+void float_once(const Marker& marker, const scene::Run& run) {
   motion::floating::FloatSettings settings = float_settings(kMode, marker.strip.width / 500);
   settings.rounds = 1;
-  require(float_apart(marker, settings, sums, {}, observer));
+  require(float_apart(marker, settings, run));
 }
 
 // Makes the middle piece overlap its neighbour by a hundredth of the strip's width, then separates.
-void separate_once(const Marker& marker, SumCache& sums, const scene::Observer& observer) {
+void separate_once(const Marker& marker, const scene::Run& run) {
   Marker overlapping = marker;
   overlapping.pieces[middle_of(marker).value].at = right_of_middle(marker, 0.01);
   motion::separation::SeparationSettings settings;
   settings.rounds = 1;
   settings.grow = 0.02;
-  require(separate(overlapping, settings, sums, {}, observer));
+  require(separate(overlapping, settings, run));
 }
 
 // Bumps the middle piece to the right, then makes it overlap the piece that it met by half of the largest overlap that
 // is repaired.
-void repair_once(const Marker& marker, SumCache& sums, const scene::Observer& observer) {
+void repair_once(const Marker& marker, const scene::Run& run) {
   Marker overlapping = marker;
   Vec& at = overlapping.pieces[middle_of(marker).value].at;
   SumCache others;
   at = motion::piece::bump(scene::Scene{marker, others}, middle_of(marker).value, 1, 0).at;
   at = right_of_middle(overlapping, motion::repair::kHealingLimit / 2);
-  scene::Scene scene{overlapping, sums};
-  require(motion::repair::repair_overlaps(scene, {}, observer));
+  scene::Scene scene{overlapping, run.sums};
+  require(motion::repair::repair_overlaps(scene, run));
 }
 
-void tilt_once(const Marker& marker, SumCache& sums, const scene::Observer& observer) {
+void tilt_once(const Marker& marker, const scene::Run& run) {
   motion::tilting::TiltSettings settings =
       tilt_settings(motion::tilting::TiltMethod::kLinearisation, motion::compaction::Accuracy::kStandard);
   settings.rounds = 1;
   settings.compaction = one_round(model::Extent::kReached);
-  require(tilt(marker, settings, sums, {}, observer));
+  require(tilt(marker, settings, run));
 }
 
-void bump_once(const Marker& marker, SumCache& sums, const scene::Observer& /*solves no program*/) {
-  (void)motion::piece::bump(scene::Scene{marker, sums}, middle_of(marker).value, -1, 0);
+void bump_once(const Marker& marker, const scene::Run& run) {
+  (void)motion::piece::bump(scene::Scene{marker, run.sums}, middle_of(marker).value, -1, 0);
 }
-void sweep_once(const Marker& marker, SumCache& sums, const scene::Observer& observer) {
+void sweep_once(const Marker& marker, const scene::Run& run) {
   motion::baseline::SweepSettings settings;
   settings.sweeps = 1;
-  require(compact_one_at_a_time(marker, settings, sums, {}, observer));
+  require(compact_one_at_a_time(marker, settings, run));
 }
-void step_once(const Marker& marker, SumCache& sums, const scene::Observer& observer) {
+void step_once(const Marker& marker, const scene::Run& run) {
   motion::baseline::VelocitySettings settings;
   settings.steps = 1;
-  require(compact_by_velocities(marker, settings, sums, {}, observer));
+  require(compact_by_velocities(marker, settings, run));
 }
-void critical_path_once(const Marker& marker, SumCache& sums, const scene::Observer& observer) {
-  require(motion::compaction::what_holds(marker, sums, {}, observer));
+void critical_path_once(const Marker& marker, const scene::Run& run) {
+  require(motion::compaction::what_holds(marker, run));
 }
-void relax_once(const Marker& marker, SumCache& sums, const scene::Observer& /*solves no program*/) {
-  (void)motion::piece::relax(scene::Scene{marker, sums}, middle_of(marker).value);
+void relax_once(const Marker& marker, const scene::Run& run) {
+  (void)motion::piece::relax(scene::Scene{marker, run.sums}, middle_of(marker).value);
 }
-void place_once(const Marker& marker, SumCache& sums, const scene::Observer& observer) {
-  require(
-      motion::placing::heal_and_place(marker, middle_of(marker), right_of_middle(marker, 0.1), {}, sums, {}, observer));
+void place_once(const Marker& marker, const scene::Run& run) {
+  require(motion::placing::heal_and_place(marker, middle_of(marker), right_of_middle(marker, 0.1), {}, run));
 }
 template <motion::dragging::DragMode kMode>
-void drag_once(const Marker& marker, SumCache& sums, const scene::Observer& observer) {
-  (void)drag(marker, middle_of(marker), right_of_middle(marker, 0.02), kMode, sums, {}, observer);
+void drag_once(const Marker& marker, const scene::Run& run) {
+  (void)drag(marker, middle_of(marker), right_of_middle(marker, 0.02), kMode, run);
 }
 
 constexpr std::array kRounds{
@@ -178,15 +176,15 @@ std::span<const OneRound> one_round_of_each() {
 Work work_of(const OneRound& round, const Marker& marker) {
   Work work;
   SumCache sums;
-  scene::Observer observer;
-  observer.on_program = [&](const lp::LinearProgram& program) {
+  scene::Run run{sums};
+  run.observer.on_program = [&](const lp::LinearProgram& program) {
     const scene::ProgramSize size = scene::size_of(program);
     ++work.programs;
     work.largest.columns = std::max(work.largest.columns, size.columns);
     work.largest.rows = std::max(work.largest.rows, size.rows);
     work.largest.nonzeros = std::max(work.largest.nonzeros, size.nonzeros);
   };
-  round.run(marker, sums, observer);
+  round.run(marker, run);
   work.sums = sums.counts().hits + sums.counts().misses;
   return work;
 }

@@ -8,14 +8,14 @@
 
 #include "core/marker/marker.h"
 #include "core/minkowski/cache.h"
-#include "core/scene/observer.h"
+#include "core/scene/run.h"
 
 namespace selvage::test {
 
 struct OneRound {
   const char* motion;
-  std::size_t pieces;  // the largest marker, in pieces, on which it ends in reasonable time
-  void (*run)(const Marker& marker, SumCache& sums, const scene::Observer& observer);
+  std::size_t pieces;  // of markers with more it takes too long to be waited for
+  void (*run)(const Marker& marker, const scene::Run& run);
 };
 // All rounds, sorted by name.  Motions of a single piece move the one in the middle of the list.  "whole" marks the
 // naive model, which contains every piece, pair and row.

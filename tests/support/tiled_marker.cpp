@@ -22,7 +22,7 @@ Marker loosened(const Marker& marker, double slack) {
   SumCache sums;
   motion::separation::SeparationSettings settings;
   settings.grow = slack;
-  auto separation = separate(loose, settings, sums);
+  auto separation = separate(loose, settings, {sums});
   if (!separation || !separation->apart) throw std::runtime_error{"a marker that cannot be loosened"};
   return std::move(separation->marker);
 }

@@ -34,7 +34,7 @@ protocol::drawing::SvgOptions drawing_of(const MarkerFile& end, const Marker& st
   }
   if (wish.chain) {
     SumCache sums;
-    if (const auto hold = motion::compaction::what_holds(end.marker, sums))
+    if (const auto hold = motion::compaction::what_holds(end.marker, {sums}))
       drawing.overlay.chain = protocol::drawing::chain_of(end.marker, *hold);
   }
   return drawing;

@@ -50,9 +50,8 @@ std::variant<Ran, Refusal> run_here(const Task& task, const Executor& executor, 
                                     terminal::ProgressLine& progress) {
   const protocol::calls::Engine engine;
   SumCache sums;
-  scene::Observer observer = progress.observer();
-  observer.executor = &executor;
-  auto answer = task.call.run(task.file, protocol::calls::MethodContext{engine, sums, stop, observer});
+  const scene::Run run{sums, stop, progress.observer(), &executor};
+  auto answer = task.call.run(task.file, protocol::calls::MethodContext{engine, run});
   const protocol::execution::StageTimes times = progress.finish();
   if (!answer) return refusal_of(task.method, answer.error());
   const bool changed = answer->next.has_value();

@@ -34,7 +34,7 @@ struct SumEdge {
 // The sum of two star-shaped parts: edges in counter-clockwise order about the centre.  Each edge starts where the
 // previous one ends, up to rounding.
 struct StarSum {
-  outline::Real2 centre;
+  RealVec centre;
   std::vector<SumEdge> edges;
 };
 

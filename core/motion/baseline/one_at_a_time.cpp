@@ -18,10 +18,10 @@ std::vector<std::uint32_t> sweep_order(const marker::PlacedPieces& pieces) {
 }
 
 // Bumps every piece once; returns how far they went, all together.
-double sweep(scene::Scene& scene, const std::stop_token& stop) {
+double sweep(scene::Scene& scene, const scene::Run& run) {
   double gain = 0;
   for (const std::uint32_t piece : sweep_order(scene.pieces)) {
-    if (stop.stop_requested()) break;
+    if (run.stopped()) break;
     const piece::Bump bumped = piece::bump(scene, piece, -1, 0);
     gain += bumped.gain;
     scene.shift(piece, bumped.at - scene.pieces.at(piece));
@@ -29,17 +29,17 @@ double sweep(scene::Scene& scene, const std::stop_token& stop) {
   return gain;
 }
 
-scene::StopReason sweep_until_still(scene::Scene& scene, const SweepSettings& settings, const std::stop_token& stop,
-                                    const scene::Observer& observer, int& sweeps) {
+scene::StopReason sweep_until_still(scene::Scene& scene, const SweepSettings& settings, const scene::Run& run,
+                                    int& sweeps) {
   const double least = settings.least_gain * static_cast<double>(scene.marker.strip.width);
   while (sweeps < settings.sweeps) {
-    if (stop.stop_requested()) return scene::StopReason::kCancelled;
-    observer.on_stage(scene::Stage::kSolve);
-    const double gain = sweep(scene, stop);
-    observer.on_stage(scene::Stage::kOther);
+    if (run.stopped()) return scene::StopReason::kCancelled;
+    run.observer.on_stage(scene::Stage::kSolve);
+    const double gain = sweep(scene, run);
+    run.observer.on_stage(scene::Stage::kOther);
     ++sweeps;
-    observer.on_round({sweeps, scene.pieces.length()});
-    if (stop.stop_requested()) return scene::StopReason::kCancelled;
+    run.observer.on_round({sweeps, scene.pieces.length()});
+    if (run.stopped()) return scene::StopReason::kCancelled;
     if (gain <= least) return scene::StopReason::kConverged;
   }
   return scene::StopReason::kWorkLimit;
@@ -47,11 +47,11 @@ scene::StopReason sweep_until_still(scene::Scene& scene, const SweepSettings& se
 
 }  // namespace
 
-Result<compaction::Compaction> compact_one_at_a_time(const Marker& start, const SweepSettings& settings, SumCache& sums,
-                                                     std::stop_token stop, const scene::Observer& observer) {
-  return compaction::repaired_and(start, sums, stop, observer, [&](scene::Scene& scene) {
+Result<compaction::Compaction> compact_one_at_a_time(const Marker& start, const SweepSettings& settings,
+                                                     const scene::Run& run) {
+  return compaction::repaired_and(start, run, [&](scene::Scene& scene) {
     compaction::Progress progress;
-    progress.reason = sweep_until_still(scene, settings, stop, observer, progress.rounds);
+    progress.reason = sweep_until_still(scene, settings, run, progress.rounds);
     return progress;
   });
 }

@@ -20,7 +20,6 @@ struct SweepSettings {
 // between two bumps and hands back the marker as it is then.
 // Errors: those of heal.
 [[nodiscard]] Result<compaction::Compaction> compact_one_at_a_time(const Marker& start, const SweepSettings& settings,
-                                                                   SumCache& sums, std::stop_token stop = {},
-                                                                   const scene::Observer& observer = {});
+                                                                   const scene::Run& run);
 
 }  // namespace selvage::motion::baseline

@@ -7,7 +7,7 @@
 
 #include "core/lp/solver/solve.h"
 #include "core/marker/validity.h"
-#include "core/model/free_region.h"
+#include "core/model/pair_rows.h"
 #include "core/model/snap.h"
 #include "core/motion/baseline/collision.h"
 
@@ -33,10 +33,10 @@ struct ContactRow {
 
 class Simulation {
  public:
-  Simulation(scene::Scene& scene, const VelocitySettings& settings, const scene::Observer& observer)
+  Simulation(scene::Scene& scene, const VelocitySettings& settings, const scene::Run& run)
       : scene_{scene},
         settings_{settings},
-        observer_{observer},
+        run_{run},
         horizon_{settings.horizon * static_cast<double>(scene.marker.strip.width)},
         touching_{std::max(kLeastTouching, settings.touching * static_cast<double>(scene.marker.strip.width))},
         start_{scene.pieces.positions()},
@@ -49,27 +49,27 @@ class Simulation {
         best_length_{longest_} {}
 
   // The scene is left as short as it got.
-  scene::StopReason run(const std::stop_token& stop, int& steps, int& programs) {
-    const scene::StopReason reason = simulate(stop, steps, programs);
+  scene::StopReason run(int& steps, int& programs) {
+    const scene::StopReason reason = simulate(steps, programs);
     scene_.pieces.place(best_);
     return reason;
   }
 
  private:
-  scene::StopReason simulate(const std::stop_token& stop, int& steps, int& programs) {
+  scene::StopReason simulate(int& steps, int& programs) {
     int short_steps = 0;
     while (steps < settings_.steps) {
-      if (stop.stop_requested()) return scene::StopReason::kCancelled;
+      if (run_.stopped()) return scene::StopReason::kCancelled;
       find_near();
-      const auto velocity = solve_velocities(stop, programs);
-      if (stop.stop_requested()) return scene::StopReason::kCancelled;
+      const auto velocity = solve_velocities(programs);
+      if (run_.stopped()) return scene::StopReason::kCancelled;
       if (!velocity) return scene::StopReason::kSolverFailed;
       if (-piston_velocity_ < settings_.least_speed) return scene::StopReason::kConverged;
-      observer_.on_stage(scene::Stage::kOther);
+      run_.observer.on_stage(scene::Stage::kOther);
       const double time = next_collision(*velocity);
       if (!advance(*velocity, time)) return scene::StopReason::kConverged;
       ++steps;
-      observer_.on_round({steps, scene_.pieces.length()});
+      run_.observer.on_round({steps, scene_.pieces.length()});
       short_steps = time < settings_.least_time * static_cast<double>(scene_.marker.strip.width) ? short_steps + 1 : 0;
       if (short_steps >= settings_.patience) return scene::StopReason::kConverged;
     }
@@ -77,7 +77,7 @@ class Simulation {
   }
 
   void find_near() {
-    observer_.on_stage(scene::Stage::kSums);
+    run_.observer.on_stage(scene::Stage::kSums);
     near_.clear();
     for (const marker::PiecePair& pair :
          pairs_within(scene_.pieces, std::llround(2 * horizon_) + scene_.pieces.widest_spacing())) {
@@ -104,31 +104,29 @@ class Simulation {
       const model::RegionSettings region{model::RegionRule::kGreedy, clearance(near.pair) + touching_ + kLeastTouching,
                                          spacing};
       const FinePosition r = relative(near.pair);
-      for (const model::HalfPlane& side : free_region(near.obstacle, r.at, region)) {
-        const model::PairRow row = row_of(near.pair, side, r.at, spacing, 0, model::TightRows::kKeep);
-        const double slack =
-            slack_of(side, r.at) + row.nx * r.rest.x + row.ny * r.rest.y - static_cast<double>(spacing);
+      for (const model::FreeSide& side : model::free_sides({near.obstacle, r.at, r.at, 0}, region)) {
+        const auto [nx, ny] = side.normal;
+        const double slack = side.slack + nx * r.rest.x + ny * r.rest.y - static_cast<double>(spacing);
         if (slack > kClearance + touching_ + kLeastTouching) continue;
-        const bool slanted = side.direction.x != 0 && side.direction.y != 0;
-        const double lost = slanted ? std::max(0.0, kClearance - slack) : 0;
-        rows.push_back({near.pair, row.nx, row.ny, lost / kRestoring});
+        const double lost = side.slanted() ? std::max(0.0, kClearance - slack) : 0;
+        rows.push_back({near.pair, nx, ny, lost / kRestoring});
       }
     }
     return rows;
   }
 
-  std::optional<std::vector<model::Displacement>> solve_velocities(const std::stop_token& stop, int& programs) {
-    observer_.on_stage(scene::Stage::kRows);
+  std::optional<std::vector<RealVec>> solve_velocities(int& programs) {
+    run_.observer.on_stage(scene::Stage::kRows);
     const std::vector<ContactRow> rows = contact_rows();
     for (const double restoring : {1.0, 0.0}) {  // without room for the clearance, at least what there is stays
-      observer_.on_stage(scene::Stage::kSolve);
+      run_.observer.on_stage(scene::Stage::kSolve);
       const lp::LinearProgram program = velocity_program(rows, restoring);
-      observer_.on_program(program);
-      const lp::LpSolution solution = solve(program, settings_.solver, {}, stop);
+      run_.observer.on_program(program);
+      const lp::LpSolution solution = solve(program, settings_.solver, {}, run_.stop);
       ++programs;
       if (solution.status == lp::LpStatus::kStopped) return std::nullopt;
       if (solution.status != lp::LpStatus::kOptimal) continue;
-      std::vector<model::Displacement> velocity(start_.size());
+      std::vector<RealVec> velocity(start_.size());
       for (std::size_t i = 0; i < velocity.size(); ++i) {
         const auto speed = [&](int column) { return column < 0 ? 0 : solution.x[static_cast<std::size_t>(column)]; };
         velocity[i] = {speed(x_[i]), speed(y_[i])};
@@ -200,12 +198,12 @@ class Simulation {
   }
 
   // [Li94 2.2.2]
-  [[nodiscard]] double next_collision(const std::vector<model::Displacement>& velocity) const {
+  [[nodiscard]] double next_collision(const std::vector<RealVec>& velocity) const {
     double time = horizon_;
     for (const Near& near : near_) {
       const double reach = clearance(near.pair);
       const auto& [p, q] = near.pair;
-      const model::Displacement towards{velocity[q].x - velocity[p].x, velocity[q].y - velocity[p].y};
+      const RealVec towards{velocity[q].x - velocity[p].x, velocity[q].y - velocity[p].y};
       time = collision_time(near.obstacle, relative(near.pair), towards, {reach, reach + touching_, time});
     }
     const auto meet = [&](double room, double speed) {
@@ -222,10 +220,10 @@ class Simulation {
   }
 
   // Lets the time pass, or most of it when rounding to the lattice breaks something at its end.
-  bool advance(const std::vector<model::Displacement>& velocity, double time) {
-    observer_.on_stage(scene::Stage::kVerify);
+  bool advance(const std::vector<RealVec>& velocity, double time) {
+    run_.observer.on_stage(scene::Stage::kVerify);
     for (const double part : {1.0, 1 - 1e-3, 0.5, 0.1}) {
-      std::vector<model::Displacement> moved = moved_;
+      std::vector<RealVec> moved = moved_;
       for (std::size_t i = 0; i < moved.size(); ++i) {
         moved[i] = {moved[i].x + part * time * velocity[i].x, moved[i].y + part * time * velocity[i].y};
       }
@@ -236,9 +234,9 @@ class Simulation {
     }
     return false;
   }
-  bool proved(const std::vector<model::Displacement>& moved) {
+  bool proved(const std::vector<RealVec>& moved) {
     marker::PlacedPieces pieces = scene_.pieces;
-    std::vector<Vec> positions = snapped(moved);
+    std::vector<Vec> positions = model::snapped(moved);
     for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + start_[i];
     pieces.place(std::move(positions));
     for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -255,11 +253,11 @@ class Simulation {
 
   scene::Scene& scene_;
   const VelocitySettings& settings_;
-  const scene::Observer& observer_;
-  double horizon_;                          // units of time, at kFastest as many lattice units
-  double touching_;                         // lattice units beyond the clearance; nearer is contact
-  std::vector<Vec> start_;                  // where the pieces were,
-  std::vector<model::Displacement> moved_;  // and how far they have come since; not rounded
+  const scene::Run& run_;
+  double horizon_;              // units of time, at kFastest as many lattice units
+  double touching_;             // lattice units beyond the clearance; nearer is contact
+  std::vector<Vec> start_;      // where the pieces were,
+  std::vector<RealVec> moved_;  // and how far they have come since; not rounded
   Coord longest_;
   double piston_;  // where it stands
   double piston_velocity_{};
@@ -273,11 +271,10 @@ class Simulation {
 }  // namespace
 
 Result<compaction::Compaction> compact_by_velocities(const Marker& start, const VelocitySettings& settings,
-                                                     SumCache& sums, std::stop_token stop,
-                                                     const scene::Observer& observer) {
-  return compaction::repaired_and(start, sums, stop, observer, [&](scene::Scene& scene) {
+                                                     const scene::Run& run) {
+  return compaction::repaired_and(start, run, [&](scene::Scene& scene) {
     compaction::Progress progress;
-    progress.reason = Simulation{scene, settings, observer}.run(stop, progress.rounds, progress.programs);
+    progress.reason = Simulation{scene, settings, run}.run(progress.rounds, progress.programs);
     return progress;
   });
 }

@@ -30,8 +30,7 @@ struct VelocitySettings {
 // steps; the shortest marker met is handed back.
 // Errors: those of heal.
 [[nodiscard]] Result<compaction::Compaction> compact_by_velocities(const Marker& start,
-                                                                   const VelocitySettings& settings, SumCache& sums,
-                                                                   std::stop_token stop = {},
-                                                                   const scene::Observer& observer = {});
+                                                                   const VelocitySettings& settings,
+                                                                   const scene::Run& run);
 
 }  // namespace selvage::motion::baseline

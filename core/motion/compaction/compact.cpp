@@ -50,7 +50,7 @@ CompactionSettings compaction_settings(Accuracy accuracy) {
 }
 
 Progress improve(scene::Scene& scene, const step::Goal& goal, const CompactionSettings& settings,
-                 const std::stop_token& stop, const scene::Observer& observer) {
+                 const scene::Run& run) {
   Progress progress;
   progress.reason = scene::StopReason::kWorkLimit;
   step::StepSettings step_settings{.trust = settings.trust,
@@ -64,11 +64,11 @@ Progress improve(scene::Scene& scene, const step::Goal& goal, const CompactionSe
   const double least_gain = settings.least_gain * (goal.shorten > 0 ? std::max(1.0, widths / kLongFrom) : 1.0);
   step_settings.worth = std::min(settings.least_gain, kLittle);
   while (progress.rounds < settings.rounds) {
-    const step::PositionStep step = position_step(scene, goal, step_settings, stop, observer);
+    const step::PositionStep step = position_step(scene, goal, step_settings, run);
     progress.programs += step.programs;
-    observer.on_stage(scene::Stage::kOther);
-    if (step.end != step::StepEnd::kMoved || stop.stop_requested()) {
-      progress.reason = stop.stop_requested() ? scene::StopReason::kCancelled : reason_of(step.end);
+    run.observer.on_stage(scene::Stage::kOther);
+    if (step.end != step::StepEnd::kMoved || run.stopped()) {
+      progress.reason = run.stopped() ? scene::StopReason::kCancelled : reason_of(step.end);
       break;
     }
     step_settings.last_moves.resize(scene.pieces.size());
@@ -80,7 +80,7 @@ Progress improve(scene::Scene& scene, const step::Goal& goal, const CompactionSe
     step_settings.trust = std::clamp(kTrustAhead * step.farthest, kLeastTrust * settings.trust, settings.trust);
     progress.gain += step.gain * static_cast<double>(scene.marker.strip.width);
     ++progress.rounds;
-    observer.on_round({progress.rounds, scene.pieces.length()});
+    run.observer.on_round({progress.rounds, scene.pieces.length()});
     if (step.gain < least_gain) {
       progress.reason = scene::StopReason::kConverged;
       break;
@@ -89,14 +89,14 @@ Progress improve(scene::Scene& scene, const step::Goal& goal, const CompactionSe
   return progress;
 }
 
-Result<Compaction> repaired_and(const Marker& start, SumCache& sums, const std::stop_token& stop,
-                                const scene::Observer& observer, const std::function<Progress(scene::Scene&)>& work) {
-  observer.on_stage(scene::Stage::kOther);
-  scene::Scene scene{start, sums};
+Result<Compaction> repaired_and(const Marker& start, const scene::Run& run,
+                                const std::function<Progress(scene::Scene&)>& work) {
+  run.observer.on_stage(scene::Stage::kOther);
+  scene::Scene scene{start, run.sums};
   Compaction best;
   best.length_before = scene.pieces.length();
   best.utilisation_before = utilisation_at(start, best.length_before);
-  const auto repair = repair::repair_overlaps(scene, stop, observer);
+  const auto repair = repair::repair_overlaps(scene, run);
   if (!repair) return repair.error();
   best.repair = *repair;
   const Progress progress = work(scene);
@@ -109,10 +109,9 @@ Result<Compaction> repaired_and(const Marker& start, SumCache& sums, const std::
   return best;
 }
 
-Result<Compaction> compact(const Marker& start, const CompactionSettings& settings, SumCache& sums,
-                           std::stop_token stop, const scene::Observer& observer) {
-  return repaired_and(start, sums, stop, observer, [&](scene::Scene& scene) {
-    return improve(scene, step::leftward_goal(scene, settings.gravity), settings, stop, observer);
+Result<Compaction> compact(const Marker& start, const CompactionSettings& settings, const scene::Run& run) {
+  return repaired_and(start, run, [&](scene::Scene& scene) {
+    return improve(scene, step::leftward_goal(scene, settings.gravity), settings, run);
   });
 }
 

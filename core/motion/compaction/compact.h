@@ -16,7 +16,7 @@
 #include "core/model/free_region.h"
 #include "core/motion/repair/repair.h"
 #include "core/motion/step/position_step.h"
-#include "core/scene/observer.h"
+#include "core/scene/run.h"
 #include "core/scene/stop_reason.h"
 
 namespace selvage::motion::compaction {
@@ -51,7 +51,7 @@ struct Progress {
 // Rounds of position_step until the goal stops improving; every motion of many pieces at once ends up here.
 // REQUIRES: the scene's pieces are valid.
 [[nodiscard]] Progress improve(scene::Scene& scene, const step::Goal& goal, const CompactionSettings& settings,
-                               const std::stop_token& stop, const scene::Observer& observer);
+                               const scene::Run& run);
 
 struct Compaction {
   Marker marker;
@@ -66,13 +66,12 @@ struct Compaction {
 // The frame of every motion that makes a marker shorter: heals small overlaps, lets `work` move the scene's pieces, and
 // tells what came of it.
 // Errors: those of heal.
-[[nodiscard]] Result<Compaction> repaired_and(const Marker& start, SumCache& sums, const std::stop_token& stop,
-                                              const scene::Observer& observer,
+[[nodiscard]] Result<Compaction> repaired_and(const Marker& start, const scene::Run& run,
                                               const std::function<Progress(scene::Scene&)>& work);
 
 // Small overlaps in the input are healed first (core/motion/heal.h).
 // Errors: those of heal.
-[[nodiscard]] Result<Compaction> compact(const Marker& start, const CompactionSettings& settings, SumCache& sums,
-                                         std::stop_token stop = {}, const scene::Observer& observer = {});
+[[nodiscard]] Result<Compaction> compact(const Marker& start, const CompactionSettings& settings,
+                                         const scene::Run& run);
 
 }  // namespace selvage::motion::compaction

@@ -17,8 +17,8 @@ constexpr double kShorter = 4;  // times
 class Opening {
  public:
   Opening(scene::Scene& scene, const CompactionSettings& settings, const marker::UnoccupiedSettings& regions,
-          const std::stop_token& stop, const scene::Observer& observer)
-      : scene_{scene}, settings_{settings}, regions_{regions}, stop_{stop}, observer_{observer} {}
+          const scene::Run& run)
+      : scene_{scene}, settings_{settings}, regions_{regions}, run_{run}, quiet_{run.quiet()} {}
 
   // Names the gap; false when there is none such, or when it was asked to stop before it was found.
   bool choose(const GapChoice& choice) {
@@ -50,7 +50,7 @@ class Opening {
     for (int tries = 0; progress_.rounds < settings_.rounds;) {
       const std::vector<Vec> before = scene_.pieces.positions();
       const double area = gap_.area;
-      const Progress step = improve(scene_, goal(), one_round, stop_, silent());
+      const Progress step = improve(scene_, goal(), one_round, quiet_);
       progress_.programs += step.programs;
       const bool larger = step.rounds > 0 && take_larger();
       if (!larger) scene_.pieces.place(before);
@@ -60,7 +60,7 @@ class Opening {
       }
       if (larger) {
         ++progress_.rounds;
-        observer_.on_round({progress_.rounds, scene_.pieces.length()});
+        run_.observer.on_round({progress_.rounds, scene_.pieces.length()});
       }
       // Forces follow the area to first order only: a long step may overshoot where a short one gains.
       if (!larger || gap_.area - area < settings_.least_gain * area) {
@@ -80,7 +80,7 @@ class Opening {
  private:
   // None when asked to stop.
   [[nodiscard]] std::vector<marker::UnoccupiedRegion> regions() const {
-    auto found = unoccupied_regions(scene_.pieces, scene_.marker.strip, regions_, stop_);
+    auto found = unoccupied_regions(scene_.pieces, scene_.marker.strip, regions_, run_.stop);
     return found ? *std::move(found) : std::vector<marker::UnoccupiedRegion>{};
   }
   [[nodiscard]] std::optional<marker::UnoccupiedRegion> holds(std::vector<marker::UnoccupiedRegion>& found) const {
@@ -96,11 +96,6 @@ class Opening {
     if (!now || now->area <= gap_.area) return false;
     gap_ = std::move(*now);
     return true;
-  }
-  [[nodiscard]] scene::Observer silent() const {
-    scene::Observer observer = observer_;
-    observer.on_round = [](const scene::Round&) {};
-    return observer;
   }
   [[nodiscard]] step::Goal goal() const { return *pushing_goal(forces(), scene_.pieces.size()); }
   [[nodiscard]] std::vector<Force> forces() const {
@@ -123,8 +118,8 @@ class Opening {
   scene::Scene& scene_;
   const CompactionSettings& settings_;
   const marker::UnoccupiedSettings& regions_;
-  const std::stop_token& stop_;
-  const scene::Observer& observer_;
+  const scene::Run& run_;
+  const scene::Run quiet_;  // for the rounds of compaction within a round
   bool from_point_{};
   Vec inside_;
   marker::UnoccupiedRegion gap_;
@@ -134,17 +129,16 @@ class Opening {
 }  // namespace
 
 Result<OpenedGap> open_gap(const Marker& start, const GapChoice& choice, const CompactionSettings& settings,
-                           const marker::UnoccupiedSettings& regions, SumCache& sums, std::stop_token stop,
-                           const scene::Observer& observer) {
-  observer.on_stage(scene::Stage::kOther);
-  scene::Scene scene{start, sums};
+                           const marker::UnoccupiedSettings& regions, const scene::Run& run) {
+  run.observer.on_stage(scene::Stage::kOther);
+  scene::Scene scene{start, run.sums};
   OpenedGap opened;
   opened.length_before = scene.pieces.length();
-  Opening opening{scene, settings, regions, stop, observer};
+  Opening opening{scene, settings, regions, run};
   // A region's number is its place in the list of the marker as it came; healing may change the list.
   const bool by_number = std::holds_alternative<AwayFromOutline>(choice);
   bool found = by_number && opening.choose(choice);
-  const auto repair = repair::repair_overlaps(scene, stop, observer);
+  const auto repair = repair::repair_overlaps(scene, run);
   if (!repair) return repair.error();
   opened.repair = *repair;
   if (!by_number) {
@@ -152,7 +146,7 @@ Result<OpenedGap> open_gap(const Marker& start, const GapChoice& choice, const C
   } else if (found && repair->farthest_move > 0) {
     found = opening.find_again();
   }
-  if (!found && stop.stop_requested()) {
+  if (!found && run.stopped()) {
     return Error{ErrorCode::kStoppedEarly, "stopped before the gap was found", ""};
   }
   if (!found) {

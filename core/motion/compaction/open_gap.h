@@ -44,7 +44,6 @@ struct OpenedGap {
 // unoccupied region, or a region that is not there, or that healing closed.
 [[nodiscard]] Result<OpenedGap> open_gap(const Marker& start, const GapChoice& choice,
                                          const CompactionSettings& settings, const marker::UnoccupiedSettings& regions,
-                                         SumCache& sums, std::stop_token stop = {},
-                                         const scene::Observer& observer = {});
+                                         const scene::Run& run);
 
 }  // namespace selvage::motion::compaction

@@ -15,7 +15,7 @@ constexpr double kStillness = 1e-4;  // of the largest force
 }  // namespace
 
 Result<step::Goal> pushing_goal(std::span<const Force> forces, std::size_t pieces) {
-  step::Goal goal{std::vector<model::Displacement>(pieces), 0, kStillness};
+  step::Goal goal{std::vector<RealVec>(pieces), 0, kStillness};
   double largest = 0;
   for (std::size_t k = 0; k < forces.size(); ++k) {
     const Force& force = forces[k];
@@ -28,28 +28,28 @@ Result<step::Goal> pushing_goal(std::span<const Force> forces, std::size_t piece
     if (!std::isfinite(force.x) || !std::isfinite(force.y)) {
       return Error{ErrorCode::kOutOfRange, "a force must be finite", field};
     }
-    model::Displacement& sum = goal.force[force.piece.value];
+    RealVec& sum = goal.force[force.piece.value];
     sum = {sum.x + force.x, sum.y + force.y};
     largest = std::max({largest, std::abs(sum.x), std::abs(sum.y)});
   }
   if (largest > 0) {
-    for (model::Displacement& force : goal.force) force = {force.x / largest, force.y / largest};
+    for (RealVec& force : goal.force) force = {force.x / largest, force.y / largest};
   }
   return goal;
 }
 
 Result<Push> push(const Marker& start, std::span<const Force> forces, const CompactionSettings& settings,
-                  SumCache& sums, std::stop_token stop, const scene::Observer& observer) {
-  observer.on_stage(scene::Stage::kOther);
+                  const scene::Run& run) {
+  run.observer.on_stage(scene::Stage::kOther);
   const auto goal = pushing_goal(forces, start.pieces.size());
   if (!goal) return goal.error();
-  scene::Scene scene{start, sums};
+  scene::Scene scene{start, run.sums};
   Push best;
   best.length_before = scene.pieces.length();
-  const auto repair = repair::repair_overlaps(scene, stop, observer);
+  const auto repair = repair::repair_overlaps(scene, run);
   if (!repair) return repair.error();
   best.repair = *repair;
-  const auto progress = improve(scene, *goal, settings, stop, observer);
+  const auto progress = improve(scene, *goal, settings, run);
   best.reason = progress.reason;
   best.rounds = progress.rounds;
   best.programs = progress.programs;

@@ -33,7 +33,7 @@ struct Push {
 // Moves the pieces as far as the forces can; settings as for compaction (gravity is not used).
 // Errors: those of heal and of pushing_goal.
 [[nodiscard]] Result<Push> push(const Marker& start, std::span<const Force> forces, const CompactionSettings& settings,
-                                SumCache& sums, std::stop_token stop = {}, const scene::Observer& observer = {});
+                                const scene::Run& run);
 
 // One force on every piece.
 [[nodiscard]] std::vector<Force> gravity(const Marker& marker, double x, double y);

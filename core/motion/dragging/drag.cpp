@@ -43,12 +43,12 @@ Box around_both(const Box& a, const Box& b) {
 
 class Hand {
  public:
-  Hand(const Marker& start, const scene::LaidOut& laid_out, PieceId piece, Vec to, SumCache& sums)
+  Hand(const Marker& start, const scene::LaidOut& laid_out, PieceId piece, Vec to, const scene::Run& run)
       : start_{start},
         laid_out_{laid_out},
         piece_{piece.value},
-        sums_{sums},
-        scene_{start, laid_out, sums},
+        run_{run},
+        scene_{start, laid_out, run.sums},
         from_{scene_.pieces.at(piece_)} {
     const Box& box = scene_.pieces[piece_].box;
     room_ = start.strip.room(start.strip.last().value_or(std::max(scene_.pieces.length(), to.x + box.high.x)));
@@ -65,16 +65,16 @@ class Hand {
     return {scene_.result(), false};
   }
 
-  Drag push(const std::stop_token& stop, const scene::Observer& observer) {
+  Drag push() {
     scene_.shift(piece_, slid_towards() - from_);
     Drag placed{scene_.result(), false};
     const Vec at = scene_.pieces.at(piece_);
     if (at == wanted_) return placed;
     const std::vector<std::uint32_t> around = pieces_around();
     const Marker part = part_of(placed.marker, around);
-    scene::Scene scene{part, sums_};
+    scene::Scene scene{part, run_.sums};
     if (!conflicts(scene.pieces).empty()) return placed;
-    follow(scene, stop, observer);
+    follow(scene);
     Drag pushed{placed.marker, true};
     for (std::size_t k = 0; k < around.size(); ++k) pushed.marker.pieces[around[k]].at = scene.pieces.at(k);
     if (distance(scene.pieces.at(0), wanted_) >= distance(at, wanted_) || !proved(pushed.marker)) return placed;
@@ -86,7 +86,7 @@ class Hand {
   [[nodiscard]] Vec nearest_found() const {
     Marker reached = start_;
     reached.strip = start_.strip.ending(room_.high.x);
-    const auto found = placing::place(scene::Scene{reached, laid_out_, sums_}, piece_, wanted_);
+    const auto found = placing::place(scene::Scene{reached, laid_out_, run_.sums}, piece_, wanted_);
     return found ? found->at : from_;
   }
 
@@ -146,17 +146,17 @@ class Hand {
   }
 
   // Rounds of the position model that take the scene's first piece towards the wanted place.
-  void follow(scene::Scene& scene, const std::stop_token& stop, const scene::Observer& observer) const {
+  void follow(scene::Scene& scene) const {
     const auto width = static_cast<double>(start_.strip.width);
-    for (int round = 0; round < kRounds && !stop.stop_requested(); ++round) {
+    for (int round = 0; round < kRounds && !run_.stopped(); ++round) {
       const Vec left = wanted_ - scene.pieces.at(0);
       const auto x = static_cast<double>(left.x), y = static_cast<double>(left.y);
       const double far = std::max(std::abs(x), std::abs(y));
       if (far <= kThere) return;
-      step::Goal goal{std::vector<model::Displacement>(scene.pieces.size()), 0, kStillness, step::Halt{0, {x, y}}};
+      step::Goal goal{std::vector<RealVec>(scene.pieces.size()), 0, kStillness, step::Halt{0, {x, y}}};
       goal.force[0] = {x / far, y / far};
       const step::StepSettings settings{std::clamp(far / width, kLeastTrust, kMostTrust), {}, {}};
-      const step::PositionStep step = position_step(scene, goal, settings, stop, observer);
+      const step::PositionStep step = position_step(scene, goal, settings, run_);
       if (step.end != step::StepEnd::kMoved) return;
       scene.pieces.place(step.positions);
     }
@@ -218,7 +218,7 @@ class Hand {
   const Marker& start_;
   const scene::LaidOut& laid_out_;  // of it
   const std::uint32_t piece_;
-  SumCache& sums_;
+  const scene::Run& run_;
   scene::Scene scene_;
   const Vec from_;
   Box room_;                   // of the strip, as far as the hand reaches
@@ -229,16 +229,15 @@ class Hand {
 
 }  // namespace
 
-Drag drag(const Marker& start, PieceId piece, Vec to, DragMode mode, SumCache& sums, std::stop_token stop,
-          const scene::Observer& observer) {
-  return drag(start, scene::LaidOut{start, sums}, piece, to, mode, sums, std::move(stop), observer);
+Drag drag(const Marker& start, PieceId piece, Vec to, DragMode mode, const scene::Run& run) {
+  return drag(start, scene::LaidOut{start, run.sums}, piece, to, mode, run);
 }
 
-Drag drag(const Marker& start, const scene::LaidOut& laid_out, PieceId piece, Vec to, DragMode mode, SumCache& sums,
-          std::stop_token stop, const scene::Observer& observer) {
+Drag drag(const Marker& start, const scene::LaidOut& laid_out, PieceId piece, Vec to, DragMode mode,
+          const scene::Run& run) {
   if (laid_out.ties.fixed(piece.value)) return {start, false};
-  Hand hand{start, laid_out, piece, to, sums};
-  return mode == DragMode::kPush ? hand.push(stop, observer) : hand.place();
+  Hand hand{start, laid_out, piece, to, run};
+  return mode == DragMode::kPush ? hand.push() : hand.place();
 }
 
 }  // namespace selvage::motion::dragging

@@ -15,7 +15,7 @@
 #include "core/marker/marker.h"
 #include "core/minkowski/cache.h"
 #include "core/scene/laid_out.h"
-#include "core/scene/observer.h"
+#include "core/scene/run.h"
 
 namespace selvage::motion::dragging {
 
@@ -28,10 +28,9 @@ struct Drag {
 
 // `to` is where the piece's origin is wanted, which may be beyond the marker's present end, but not the cloth's.  A
 // piece for which nothing is found stays.  REQUIRES: the piece is one of the marker's; `to` is on the lattice.
-[[nodiscard]] Drag drag(const Marker& start, PieceId piece, Vec to, DragMode mode, SumCache& sums,
-                        std::stop_token stop = {}, const scene::Observer& observer = {});
+[[nodiscard]] Drag drag(const Marker& start, PieceId piece, Vec to, DragMode mode, const scene::Run& run);
 // The same, of a marker that is laid out already.
 [[nodiscard]] Drag drag(const Marker& start, const scene::LaidOut& laid_out, PieceId piece, Vec to, DragMode mode,
-                        SumCache& sums, std::stop_token stop = {}, const scene::Observer& observer = {});
+                        const scene::Run& run);
 
 }  // namespace selvage::motion::dragging

@@ -18,10 +18,10 @@ constexpr Coord kRounding = 4;        // lattice units that a critical gap may l
 
 class Floater {
  public:
-  Floater(scene::Scene& scene, const FloatSettings& settings, const scene::Observer& observer)
+  Floater(scene::Scene& scene, const FloatSettings& settings, const scene::Run& run)
       : scene_{scene},
         settings_{settings},
-        observer_{observer},
+        run_{run},
         most_{std::max(settings.distance, scene.pieces.widest_spacing())},
         aim_{settings.mode, static_cast<double>(most_), scene.marker.strip.room(scene.pieces.length()),
              scene.pieces.positions()} {
@@ -39,10 +39,10 @@ class Floater {
     return least;
   }
 
-  void run(const std::stop_token& stop, Floating& best) {
+  void run(Floating& best) {
     const int stages = settings_.mode == FloatMode::kTwoStep ? settings_.stages : 1;
     for (int stage = 0; stage < stages; ++stage) {
-      best.reason = improve(stop, best);
+      best.reason = improve(best);
       if (!add_critical_set(best) || best.reason == scene::StopReason::kCancelled) return;
     }
   }
@@ -62,24 +62,24 @@ class Floater {
   }
 
  private:
-  scene::StopReason improve(const std::stop_token& stop, Floating& best) {
+  scene::StopReason improve(Floating& best) {
     const auto width = static_cast<double>(scene_.marker.strip.width);
     const double widest_trust = settings_.trust * width;
     double trust = widest_trust;
     for (int round = 0; round < settings_.rounds; ++round) {
-      observer_.on_stage(scene::Stage::kSums);
+      run_.observer.on_stage(scene::Stage::kSums);
       gaps_ = gaps_near(trust);
-      FloatStep step = float_step(scene_, aim_, gaps_, trust, solver(), stop, observer_);
-      observer_.on_stage(scene::Stage::kOther);
+      FloatStep step = float_step(scene_, aim_, gaps_, trust, solver(), run_);
+      run_.observer.on_stage(scene::Stage::kOther);
       best.programs += step.programs;
       loads_ = std::move(step.loads);
-      if (stop.stop_requested() || step.end == step::StepEnd::kStopped) return scene::StopReason::kCancelled;
+      if (run_.stopped() || step.end == step::StepEnd::kStopped) return scene::StopReason::kCancelled;
       if (step.end == step::StepEnd::kSolverFailed) return scene::StopReason::kSolverFailed;
       if (step.end == step::StepEnd::kNoGain) return scene::StopReason::kConverged;
       scene_.pieces.place(std::move(step.positions));
       trust = std::clamp(kTrustAhead * step.farthest, kLeastTrust * widest_trust, widest_trust);
       ++best.rounds;
-      observer_.on_round({best.rounds, scene_.pieces.length()});
+      run_.observer.on_round({best.rounds, scene_.pieces.length()});
       if (step.gain < settings_.least_gain * width) return scene::StopReason::kConverged;
     }
     return scene::StopReason::kWorkLimit;
@@ -142,7 +142,7 @@ class Floater {
 
   scene::Scene& scene_;
   const FloatSettings& settings_;
-  const scene::Observer& observer_;
+  const scene::Run& run_;
   Coord most_;
   FloatAim aim_;
   std::set<Gap> start_gaps_;
@@ -166,25 +166,24 @@ FloatSettings float_settings(FloatMode mode, Coord distance) {
           .solver = lp::solver::SolverChoice::kAutomatic};
 }
 
-Result<Floating> float_apart(const Marker& start, const FloatSettings& settings, SumCache& sums, std::stop_token stop,
-                             const scene::Observer& observer) {
-  observer.on_stage(scene::Stage::kOther);
+Result<Floating> float_apart(const Marker& start, const FloatSettings& settings, const scene::Run& run) {
+  run.observer.on_stage(scene::Stage::kOther);
   if (settings.distance <= 0 || settings.distance >= kLatticeLimit) {
     return Error{ErrorCode::kOutOfRange,
                  "the distance is " + std::to_string(settings.distance) +
                      " lattice units; it must be positive and less than 2^40",
                  "/distance"};
   }
-  scene::Scene scene{start, sums};
+  scene::Scene scene{start, run.sums};
   Floating best;
   best.length_before = scene.pieces.length();
-  const auto repair = repair::repair_overlaps(scene, stop, observer);
+  const auto repair = repair::repair_overlaps(scene, run);
   if (!repair) return repair.error();
   best.repair = *repair;
   const scene::Scene healed = scene;
-  Floater floater{scene, settings, observer};
+  Floater floater{scene, settings, run};
   best.least_before = floater.least_width();
-  floater.run(stop, best);
+  floater.run(best);
   best.marker = scene.result();
   best.length_after = scene.pieces.length();
   best.least_after = floater.least_width();

@@ -62,7 +62,6 @@ struct Floating {
 
 // Gaps between two locked pieces do not count.
 // Errors: those of heal; kOutOfRange for a distance that is not positive or beyond the lattice.
-[[nodiscard]] Result<Floating> float_apart(const Marker& start, const FloatSettings& settings, SumCache& sums,
-                                           std::stop_token stop = {}, const scene::Observer& observer = {});
+[[nodiscard]] Result<Floating> float_apart(const Marker& start, const FloatSettings& settings, const scene::Run& run);
 
 }  // namespace selvage::motion::floating

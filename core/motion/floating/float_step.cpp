@@ -14,24 +14,24 @@ constexpr int kAttempts = 24;  // programs in one round, as pieces are tied toge
 class Attempt {
  public:
   Attempt(const scene::Scene& scene, const FloatAim& aim, std::span<const FloatGap> gaps, double trust,
-          const scene::Observer& observer)
-      : scene_{scene}, aim_{aim}, gaps_{gaps}, trust_{trust}, observer_{observer}, ties_{scene.ties} {
-    observer_.on_stage(scene::Stage::kRows);
+          const scene::Run& run)
+      : scene_{scene}, aim_{aim}, gaps_{gaps}, trust_{trust}, run_{run}, ties_{scene.ties} {
+    run_.observer.on_stage(scene::Stage::kRows);
     rows_ = width_rows(scene, aim, gaps, trust);
     std::vector<double> widths;
     for (const FloatGap& gap : gaps) widths.push_back(gap.now);
     worth_ = worth_of(aim, gaps, widths, scene.pieces);
   }
 
-  FloatStep run(lp::solver::SolverChoice solver, const std::stop_token& stop) {
+  FloatStep run(lp::solver::SolverChoice solver) {
     FloatStep step;
     step.end = step::StepEnd::kNoGain;
     while (step.programs < kAttempts) {
-      observer_.on_stage(scene::Stage::kRows);
+      run_.observer.on_stage(scene::Stage::kRows);
       const FloatProgram program{scene_, ties_, aim_, gaps_, rows_, trust_};
-      observer_.on_stage(scene::Stage::kSolve);
-      observer_.on_program(program.program());
-      const lp::LpSolution solution = solve(program.program(), solver, {}, stop);
+      run_.observer.on_stage(scene::Stage::kSolve);
+      run_.observer.on_program(program.program());
+      const lp::LpSolution solution = solve(program.program(), solver, {}, run_.stop);
       ++step.programs;
       if (solution.status != lp::LpStatus::kOptimal) {
         step.end = solution.status == lp::LpStatus::kStopped ? step::StepEnd::kStopped : step::StepEnd::kSolverFailed;
@@ -39,7 +39,7 @@ class Attempt {
       }
       if (step.programs == 1) step.loads = program.loads(solution);
       if (program.promised(solution) <= worth_) return step;
-      observer_.on_stage(scene::Stage::kVerify);
+      run_.observer.on_stage(scene::Stage::kVerify);
       auto broken = try_moves(program.displacements(solution), step);
       if (broken.empty()) return step;
       if (step.programs > 1) {  // rounding will break others next time: tie all that it may
@@ -55,8 +55,8 @@ class Attempt {
  private:
   // Rounds and proves the moves.  Returns the pairs that rounding brings too near; without any, moves of more worth
   // become the step's.
-  std::vector<marker::PiecePair> try_moves(const std::vector<model::Displacement>& moves, FloatStep& step) const {
-    std::vector<Vec> positions = snapped(moves);
+  std::vector<marker::PiecePair> try_moves(const std::vector<RealVec>& moves, FloatStep& step) const {
+    std::vector<Vec> positions = model::snapped(moves);
     for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + scene_.pieces.at(i);
     marker::PlacedPieces moved = scene_.pieces;
     moved.place(std::move(positions));
@@ -75,7 +75,7 @@ class Attempt {
     if (gain <= 0 || !inside(moved)) return {};
     step.end = step::StepEnd::kMoved;
     step.gain = gain;
-    for (const model::Displacement& d : moves) step.farthest = std::max({step.farthest, std::abs(d.x), std::abs(d.y)});
+    for (const RealVec& d : moves) step.farthest = std::max({step.farthest, std::abs(d.x), std::abs(d.y)});
     step.positions = moved.positions();
     return {};
   }
@@ -102,7 +102,7 @@ class Attempt {
   const FloatAim& aim_;
   std::span<const FloatGap> gaps_;
   double trust_;
-  const scene::Observer& observer_;
+  const scene::Run& run_;
   model::Ties ties_;
   std::vector<WidthRow> rows_;
   double worth_{};
@@ -111,8 +111,8 @@ class Attempt {
 }  // namespace
 
 FloatStep float_step(const scene::Scene& scene, const FloatAim& aim, std::span<const FloatGap> gaps, double trust,
-                     lp::solver::SolverChoice solver, const std::stop_token& stop, const scene::Observer& observer) {
-  return Attempt{scene, aim, gaps, trust, observer}.run(solver, stop);
+                     lp::solver::SolverChoice solver, const scene::Run& run) {
+  return Attempt{scene, aim, gaps, trust, run}.run(solver);
 }
 
 }  // namespace selvage::motion::floating

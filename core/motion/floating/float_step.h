@@ -6,7 +6,7 @@
 #include "core/lp/solver/solve.h"
 #include "core/motion/floating/float_program.h"
 #include "core/motion/step/position_step.h"
-#include "core/scene/observer.h"
+#include "core/scene/run.h"
 
 namespace selvage::motion::floating {
 
@@ -23,7 +23,6 @@ struct FloatStep {
 // REQUIRES: the scene's pieces are valid; `gaps` holds every gap that may be narrower than the aim's `most` plus twice
 // the trust.
 [[nodiscard]] FloatStep float_step(const scene::Scene& scene, const FloatAim& aim, std::span<const FloatGap> gaps,
-                                   double trust, lp::solver::SolverChoice solver, const std::stop_token& stop,
-                                   const scene::Observer& observer);
+                                   double trust, lp::solver::SolverChoice solver, const scene::Run& run);
 
 }  // namespace selvage::motion::floating

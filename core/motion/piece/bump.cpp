@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/minkowski/inner_fit.h"
-#include "core/model/free_region.h"
+#include "core/model/pair_rows.h"
 #include "core/motion/piece/slide.h"
 
 namespace selvage::motion::piece {
@@ -154,13 +154,10 @@ class Bumper {
       const Coord spacing = scene_.pieces.spacing({member.piece, other});
       const Vec r = at - scene_.pieces.at(other);
       const minkowski::Obstacle& obstacle = obstacle_of(other, member.piece);
-      const model::RegionSettings region{model::RegionRule::kGreedy, 1.5 * reach_ + static_cast<double>(spacing),
-                                         spacing, towards_x, towards_y};
-      for (const model::HalfPlane& side : free_region(obstacle, r, region)) {
-        const model::PairRow row = row_of({0, 1}, side, r, spacing, 0, model::TightRows::kKeep);
-        const double slack = std::max(0.0, slack_of(side, r) - static_cast<double>(spacing));
-        cell_.push_back({row.nx, row.ny, slack});
-        bounds_.push_back({side, other, member.offset});
+      const auto region = model::region_within(1.5 * reach_, spacing, {towards_x, towards_y});
+      for (const model::FreeSide& side : model::free_sides({obstacle, r, r, spacing}, region)) {
+        cell_.push_back({side.normal.x, side.normal.y, std::max(0.0, side.slack)});
+        bounds_.push_back({side.line, other, member.offset});
       }
     }
   }
@@ -182,7 +179,7 @@ class Bumper {
     const auto about = [](double v) {
       return std::pair{static_cast<Coord>(std::floor(v)), static_cast<Coord>(std::ceil(v))};
     };
-    const model::Displacement into = into_cell();
+    const RealVec into = into_cell();
     for (const double back : kBacks) {
       const auto [low_x, high_x] = about(x + back * into.x);
       const auto [low_y, high_y] = about(y + back * into.y);
@@ -195,7 +192,7 @@ class Bumper {
     return std::nullopt;
   }
   // The way from a point that the blocking sides hold by which each of them gets one unit of room per unit.
-  [[nodiscard]] model::Displacement into_cell() const {
+  [[nodiscard]] RealVec into_cell() const {
     if (last_.blocking.empty()) return {-ux_, -uy_};
     const CellSide& first = cell_[last_.blocking.front()];
     const CellSide& last = cell_[last_.blocking.back()];
@@ -279,25 +276,24 @@ Bump bump(const scene::Scene& scene, std::uint32_t piece, double dx, double dy) 
   return Bumper{scene, piece, dx / length, dy / length}.run();
 }
 
-Result<BumpedMarker> repair_and_bump(const Marker& start, PieceId piece, double dx, double dy, SumCache& sums,
-                                     std::stop_token stop, const scene::Observer& observer) {
-  return repair_and_bump(start, scene::LaidOut{start, sums}, piece, dx, dy, sums, std::move(stop), observer);
+Result<BumpedMarker> repair_and_bump(const Marker& start, PieceId piece, double dx, double dy, const scene::Run& run) {
+  return repair_and_bump(start, scene::LaidOut{start, run.sums}, piece, dx, dy, run);
 }
 
 Result<BumpedMarker> repair_and_bump(const Marker& start, const scene::LaidOut& laid_out, PieceId piece, double dx,
-                                     double dy, SumCache& sums, std::stop_token stop, const scene::Observer& observer) {
-  observer.on_stage(scene::Stage::kOther);
-  scene::Scene scene{start, laid_out, sums};
+                                     double dy, const scene::Run& run) {
+  run.observer.on_stage(scene::Stage::kOther);
+  scene::Scene scene{start, laid_out, run.sums};
   repair::Repair repair;
   if (!laid_out.figures.valid) {
-    const auto healed = repair::repair_overlaps(scene, std::move(stop), observer);
+    const auto healed = repair::repair_overlaps(scene, run);
     if (!healed) return healed.error();
     repair = *healed;
   }
-  observer.on_stage(scene::Stage::kSolve);
+  run.observer.on_stage(scene::Stage::kSolve);
   const Bump bumped = bump(scene, piece.value, dx, dy);
   scene.shift(piece.value, bumped.at - scene.pieces.at(piece.value));
-  observer.on_stage(scene::Stage::kOther);
+  run.observer.on_stage(scene::Stage::kOther);
   return BumpedMarker{scene.result(), bumped, repair};
 }
 

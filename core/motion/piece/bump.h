@@ -33,11 +33,9 @@ struct BumpedMarker {
 // The same for a marker as it comes: small overlaps are healed first (core/motion/heal.h).
 // REQUIRES: the piece is one of the marker's, dx and dy are finite.  Errors: those of heal.
 [[nodiscard]] Result<BumpedMarker> repair_and_bump(const Marker& start, PieceId piece, double dx, double dy,
-                                                   SumCache& sums, std::stop_token stop = {},
-                                                   const scene::Observer& observer = {});
+                                                   const scene::Run& run);
 // The same, of a marker that is laid out already: where that is known to be valid nothing of it is proved again.
 [[nodiscard]] Result<BumpedMarker> repair_and_bump(const Marker& start, const scene::LaidOut& laid_out, PieceId piece,
-                                                   double dx, double dy, SumCache& sums, std::stop_token stop = {},
-                                                   const scene::Observer& observer = {});
+                                                   double dx, double dy, const scene::Run& run);
 
 }  // namespace selvage::motion::piece

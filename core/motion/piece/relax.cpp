@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/minkowski/inner_fit.h"
-#include "core/model/free_region.h"
+#include "core/model/pair_rows.h"
 #include "core/motion/piece/largest_square.h"
 #include "core/motion/piece/tilted_piece.h"
 #include "core/motion/repair/separation_target.h"
@@ -67,11 +67,9 @@ class Relaxer {
       const Vec r = piece_.at - still.at;
       const bool apart = !overlap(still, placed());
       const Vec about = apart ? r : separation_target(obstacle, r, true, repair::TargetRule::kNearest).about;
-      const model::RegionSettings region{model::RegionRule::kGreedy, 3 * reach_ + static_cast<double>(spacing),
-                                         spacing};
-      for (const model::HalfPlane& side : free_region(obstacle, about, region)) {
-        const model::PairRow row = row_of({0, 1}, side, r, spacing, 0, model::TightRows::kKeep);
-        cell_.push_back({row.nx, row.ny, slack_of(side, r) - static_cast<double>(spacing)});
+      const auto region = model::region_within(3 * reach_, spacing);
+      for (const model::FreeSide& side : model::free_sides({obstacle, r, about, spacing}, region)) {
+        cell_.push_back({side.normal.x, side.normal.y, side.slack});
       }
     }
     cell_.push_back({1, 0, static_cast<double>(piece_.at.x - fit_.low.x)});

@@ -74,9 +74,7 @@ class WindowSearch {
     heap_.push_back(std::move(cell));
     std::push_heap(heap_.begin(), heap_.end(), farther);
   }
-  static outline::Real2 middle(const RealBox& box) {
-    return {(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2};
-  }
+  static RealVec middle(const RealBox& box) { return {(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2}; }
 
   void push_window() {
     Cell cell;
@@ -97,7 +95,7 @@ class WindowSearch {
   }
 
   void divide(const Cell& cell) {
-    const outline::Real2 mid = middle(cell.box);
+    const RealVec mid = middle(cell.box);
     const bool across = cell.box.high.x - cell.box.low.x >= cell.box.high.y - cell.box.low.y;
     for (const bool upper : {false, true}) {
       Cell half;
@@ -122,13 +120,13 @@ class WindowSearch {
 
   // A point that may be the nearest free one, and the borders that make it so.
   struct Candidate {
-    outline::Real2 at;
+    RealVec at;
     double squared_distance{};
     std::array<const BorderLine*, 2> on{};
   };
   void search(const Cell& cell) {
     candidates_.clear();
-    const auto consider = [&](outline::Real2 point, const BorderLine* p, const BorderLine* q) {
+    const auto consider = [&](RealVec point, const BorderLine* p, const BorderLine* q) {
       if (!cell.box.holds(point, 1)) return;
       const double square = squared_distance(point, from_);
       if (std::sqrt(square) < least_) candidates_.push_back({point, square, {p, q}});
@@ -141,7 +139,7 @@ class WindowSearch {
         const BorderLine& other = around_.lines()[cell.lines[m]];
         crossings_.clear();
         append_crossings(line, other, crossings_);
-        for (const outline::Real2 point : crossings_) consider(point, &line, &other);
+        for (const RealVec point : crossings_) consider(point, &line, &other);
       }
       consider_sides(cell, line, consider);
     }
@@ -156,13 +154,13 @@ class WindowSearch {
   template <class Consider>
   void consider_sides(const Cell& cell, const BorderLine& line, const Consider& consider) {
     const auto& [low, high] = cell.box;
-    const std::array<std::pair<outline::Real2, outline::Real2>, 4> sides{
+    const std::array<std::pair<RealVec, RealVec>, 4> sides{
         {{low, {high.x, low.y}}, {{high.x, low.y}, high}, {high, {low.x, high.y}}, {{low.x, high.y}, low}}};
     crossings_.clear();
     for (const auto& [a, b] : sides) {
       if (squared_distance(a, b) > 0) append_crossings({a, b, 0, 0, {}, {}}, line, crossings_);
     }
-    for (const outline::Real2 point : crossings_) consider(point, &line, nullptr);
+    for (const RealVec point : crossings_) consider(point, &line, nullptr);
   }
 
   // True when the candidate lies deep inside an obstacle that has a border in this cell.
@@ -182,10 +180,10 @@ class WindowSearch {
 
   // The nearest lattice position about the candidate that is proved; a little outwards where rounding wants room.
   void take_near(const Candidate& candidate) {
-    outline::Real2 out;
+    RealVec out;
     for (const BorderLine* line : candidate.on) {
       if (line == nullptr) continue;
-      const outline::Real2 normal = outwards(*line, candidate.at);
+      const RealVec normal = outwards(*line, candidate.at);
       out = {out.x + normal.x, out.y + normal.y};
     }
     if (window_.width() == 0) out.x = 0;  // held on this axis
@@ -204,7 +202,7 @@ class WindowSearch {
     }
   }
   // The four lattice positions about a point, nearest to the wanted one first.
-  [[nodiscard]] std::array<Vec, 4> lattice_about(outline::Real2 point) const {
+  [[nodiscard]] std::array<Vec, 4> lattice_about(RealVec point) const {
     const Vec base{origin_.x + static_cast<Coord>(std::floor(point.x)),
                    origin_.y + static_cast<Coord>(std::floor(point.y))};
     std::array<Vec, 4> about{base, base + Vec{1, 0}, base + Vec{0, 1}, base + Vec{1, 1}};
@@ -222,12 +220,12 @@ class WindowSearch {
   Surroundings around_;
   Box window_;  // of positions, inside the strip
   Vec wanted_, origin_;
-  outline::Real2 from_;  // the wanted position
+  RealVec from_;  // the wanted position
   std::optional<Vec> best_;
   double least_;  // its distance
   std::vector<Cell> heap_;
   std::vector<Candidate> candidates_;
-  std::vector<outline::Real2> crossings_;
+  std::vector<RealVec> crossings_;
 };
 
 // Of the positions in `fit`; `present`: a free one, when it is known.
@@ -276,13 +274,12 @@ std::optional<Place> place(const scene::Scene& scene, std::uint32_t piece, Vec w
 namespace {
 
 // Heals all but one piece; where it lies does not count.
-Result<repair::Repair> heal_others(Marker& marker, PieceId piece, SumCache& sums, std::stop_token stop,
-                                   const scene::Observer& observer) {
+Result<repair::Repair> heal_others(Marker& marker, PieceId piece, const scene::Run& run) {
   Marker others = marker;
   others.pieces.erase(others.pieces.begin() + piece.value);
   if (others.pieces.empty()) return repair::Repair{};
-  scene::Scene scene{others, sums};
-  auto repair = repair::repair_overlaps(scene, std::move(stop), observer);
+  scene::Scene scene{others, run.sums};
+  auto repair = repair::repair_overlaps(scene, run);
   for (std::size_t i = 0; i < others.pieces.size(); ++i) {
     marker.pieces[i < piece.value ? i : i + 1].at = scene.pieces.at(i);
   }
@@ -292,26 +289,26 @@ Result<repair::Repair> heal_others(Marker& marker, PieceId piece, SumCache& sums
 }  // namespace
 
 Result<PlacedMarker> heal_and_place(const Marker& start, PieceId piece, Vec wanted, const PlaceSettings& settings,
-                                    SumCache& sums, std::stop_token stop, const scene::Observer& observer) {
-  observer.on_stage(scene::Stage::kOther);
+                                    const scene::Run& run) {
+  run.observer.on_stage(scene::Stage::kOther);
   PlacedMarker answer{start, std::nullopt, {}};
   const bool alone = model::ties_of(start).free(piece.value);
   if (alone) {
-    const auto repair = heal_others(answer.marker, piece, sums, std::move(stop), observer);
+    const auto repair = heal_others(answer.marker, piece, run);
     if (!repair) return repair.error();
     answer.repair = *repair;
   } else {
-    scene::Scene whole{start, sums};
-    const auto repair = repair::repair_overlaps(whole, std::move(stop), observer);
+    scene::Scene whole{start, run.sums};
+    const auto repair = repair::repair_overlaps(whole, run);
     if (!repair) return repair.error();
     answer.repair = *repair;
     answer.marker = whole.result();
   }
-  observer.on_stage(scene::Stage::kSolve);
+  run.observer.on_stage(scene::Stage::kSolve);
   const Marker healed = answer.marker;
-  scene::Scene scene{healed, sums};
+  scene::Scene scene{healed, run.sums};
   answer.place = place(scene, piece.value, wanted, settings);
-  observer.on_stage(scene::Stage::kOther);
+  run.observer.on_stage(scene::Stage::kOther);
   if (answer.place) scene.shift(piece.value, answer.place->at - scene.pieces.at(piece.value));
   answer.marker = scene.result();
   return answer;

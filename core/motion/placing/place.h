@@ -42,7 +42,6 @@ struct PlacedMarker {
 // piece itself may overlap them as deeply as it likes, unless it is of a group or locked.
 // REQUIRES: the piece is one of the marker's.  Errors: those of heal.
 [[nodiscard]] Result<PlacedMarker> heal_and_place(const Marker& start, PieceId piece, Vec wanted,
-                                                  const PlaceSettings& settings, SumCache& sums,
-                                                  std::stop_token stop = {}, const scene::Observer& observer = {});
+                                                  const PlaceSettings& settings, const scene::Run& run);
 
 }  // namespace selvage::motion::placing

@@ -29,28 +29,28 @@ struct Conflict {
 
 class Healer {
  public:
-  Healer(scene::Scene& scene, const scene::Observer& observer)
+  Healer(scene::Scene& scene, const scene::Run& run)
       : scene_{scene},
-        observer_{observer},
+        run_{run},
         limit_{kHealingLimit * static_cast<double>(scene.marker.strip.width)},
-        unit_{static_cast<double>(scene.marker.strip.width) / 1000} {}
+        unit_{scene.marker.strip} {}
 
-  Result<Repair> run(std::stop_token stop) {
+  Result<Repair> run() {
     const std::vector<Vec> start = scene_.pieces.positions();
     const Coord length = scene_.pieces.length();
     Repair repair;
-    auto found = find_conflicts(stop);
+    auto found = find_conflicts();
     const auto refusal = refuse_deep(found, repair);
-    if (refusal && !stop.stop_requested()) return *refusal;
+    if (refusal && !run_.stopped()) return *refusal;
     for (int round = 0; round < kRounds && !(found.empty() && protrusions() == 0); ++round) {
-      if (!part(found, stop)) break;
-      found = find_conflicts(stop);
+      if (!part(found)) break;
+      found = find_conflicts();
     }
     const bool parted =
-        stop.stop_requested() ? is_valid(scene_.pieces, scene_.marker.strip) : found.empty() && protrusions() == 0;
+        run_.stopped() ? is_valid(scene_.pieces, scene_.marker.strip) : found.empty() && protrusions() == 0;
     if (!parted) {
       scene_.pieces.place(start);
-      if (!stop.stop_requested()) return unparted(found);
+      if (!run_.stopped()) return unparted(found);
       return Error{ErrorCode::kStoppedEarly, "stopped before the overlaps of the input were parted", "/pieces"};
     }
     for (std::size_t i = 0; i < start.size(); ++i) {
@@ -63,11 +63,11 @@ class Healer {
 
  private:
   // Asked to stop, only some.
-  std::vector<Conflict> find_conflicts(const std::stop_token& stop) {
-    observer_.on_stage(scene::Stage::kVerify);
+  std::vector<Conflict> find_conflicts() {
+    run_.observer.on_stage(scene::Stage::kVerify);
     std::vector<Conflict> found;
-    for (const marker::PiecePair& pair : conflicts(scene_.pieces, *observer_.executor, stop)) {
-      if (stop.stop_requested()) break;
+    for (const marker::PiecePair& pair : conflicts(scene_.pieces, *run_.executor, run_.stop)) {
+      if (run_.stopped()) break;
       found.push_back({pair, target(pair).depth});
     }
     return found;
@@ -144,13 +144,13 @@ class Healer {
 
   // One program: every near pair keeps apart, every conflict is parted, all with the least motion.  First within the
   // marker's length, then beyond it.
-  bool part(const std::vector<Conflict>& found, const std::stop_token& stop) {
-    observer_.on_stage(scene::Stage::kRows);
+  bool part(const std::vector<Conflict>& found) {
+    run_.observer.on_stage(scene::Stage::kRows);
     const auto near = pairs_within(scene_.pieces, std::llround(kReach * limit_) + scene_.pieces.widest_spacing());
     model::ActiveSet reached = to_be_moved(found);
-    for (const double lengthen : {1e-2 * unit_, kReach * limit_}) {
-      if (part_within(lengthen, found, near, reached, stop)) return true;
-      if (stop.stop_requested()) return false;
+    for (const double lengthen : {unit_.to_lattice(1e-2), kReach * limit_}) {
+      if (part_within(lengthen, found, near, reached)) return true;
+      if (run_.stopped()) return false;
     }
     return false;
   }
@@ -169,9 +169,9 @@ class Healer {
 
   // With columns for what is reached, and for more until nothing is missed.
   bool part_within(double lengthen, const std::vector<Conflict>& found, const std::vector<marker::PiecePair>& near,
-                   model::ActiveSet& reached, const std::stop_token& stop) {
+                   model::ActiveSet& reached) {
     for (;;) {
-      observer_.on_stage(scene::Stage::kRows);
+      run_.observer.on_stage(scene::Stage::kRows);
       model::PositionModel model{scene_.pieces, scene_.marker.strip, reached.with_others_fixed()};
       model.add_length(kLengthCost, 0, lengthen);
       for (std::size_t i = 0; i < scene_.pieces.size(); ++i) model.add_right_wall(i);
@@ -180,9 +180,9 @@ class Healer {
         if (const auto added = model.add(row)) modelled.emplace_back(*added, row);
       }
       model.add_displacement_penalty(kStillness);
-      observer_.on_stage(scene::Stage::kSolve);
-      observer_.on_program(model.program());
-      const lp::LpSolution solution = solve(model.program(), lp::solver::SolverChoice::kAutomatic, {}, stop);
+      run_.observer.on_stage(scene::Stage::kSolve);
+      run_.observer.on_program(model.program());
+      const lp::LpSolution solution = solve(model.program(), lp::solver::SolverChoice::kAutomatic, {}, run_.stop);
       std::vector<std::uint32_t> missed;
       if (solution.status == lp::LpStatus::kOptimal) {
         missed = missed_in(solution, modelled, reached);
@@ -190,7 +190,7 @@ class Healer {
           take(model.displacements(solution.x));
           return true;
         }
-      } else if (!stop.stop_requested()) {
+      } else if (!run_.stopped()) {
         missed = beside(reached, near);
       }
       if (missed.empty()) return false;
@@ -198,8 +198,8 @@ class Healer {
     }
   }
 
-  void take(const std::vector<model::Displacement>& displacements) {
-    std::vector<Vec> positions = snapped(displacements);
+  void take(const std::vector<RealVec>& displacements) {
+    std::vector<Vec> positions = model::snapped(displacements);
     for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + scene_.pieces.at(i);
     scene_.pieces.place(std::move(positions));
   }
@@ -230,7 +230,7 @@ class Healer {
     std::vector<marker::PiecePair> held;
     std::copy_if(near.begin(), near.end(), std::back_inserter(held),
                  [&](const marker::PiecePair& pair) { return reached.holds_any(pair); });
-    const auto obstacles = scene_.obstacles(held, *observer_.executor);
+    const auto obstacles = scene_.obstacles(held, *run_.executor);
     std::vector<model::PairRow> rows;
     auto conflict = found.begin();  // both lists are sorted by pair
     for (std::size_t k = 0; k < held.size(); ++k) {
@@ -240,25 +240,22 @@ class Healer {
       const Vec r = scene_.relative_position(pair);
       const Vec about = apart ? r : target(pair).about;
       const Coord spacing = scene_.pieces.spacing(pair);
-      const model::RegionSettings region{model::RegionRule::kGreedy, kReach * limit_ + static_cast<double>(spacing),
-                                         spacing};
-      for (const model::HalfPlane& side : free_region(obstacles[k], about, region)) {
-        rows.push_back(row_of(pair, side, r, spacing, unit_, model::TightRows::kRestore));
-      }
+      append_pair_rows(pair, {obstacles[k], r, about, spacing}, model::region_within(kReach * limit_, spacing), {unit_},
+                       rows);
     }
     return rows;
   }
 
   scene::Scene& scene_;
-  const scene::Observer& observer_;
+  const scene::Run& run_;
   double limit_;
-  double unit_;
+  model::ModelUnit unit_;
 };
 
 }  // namespace
 
-Result<Repair> repair_overlaps(scene::Scene& scene, std::stop_token stop, const scene::Observer& observer) {
-  return Healer{scene, observer}.run(std::move(stop));
+Result<Repair> repair_overlaps(scene::Scene& scene, const scene::Run& run) {
+  return Healer{scene, run}.run();
 }
 
 }  // namespace selvage::motion::repair

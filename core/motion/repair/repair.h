@@ -6,7 +6,7 @@
 #include <stop_token>
 
 #include "core/base/result.h"
-#include "core/scene/observer.h"
+#include "core/scene/run.h"
 #include "core/scene/scene.h"
 
 namespace selvage::motion::repair {
@@ -25,7 +25,6 @@ struct Repair {
 // where they were.
 // Errors: kMarkerOverlaps, kOutsideStrip (deeper than the limit: names the pieces and the depth), kHealingFailed,
 // kStoppedEarly.
-[[nodiscard]] Result<Repair> repair_overlaps(scene::Scene& scene, std::stop_token stop,
-                                             const scene::Observer& observer);
+[[nodiscard]] Result<Repair> repair_overlaps(scene::Scene& scene, const scene::Run& run);
 
 }  // namespace selvage::motion::repair

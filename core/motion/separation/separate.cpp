@@ -49,34 +49,28 @@ void put_back(scene::Scene& scene, Coord length) {
 class Rounds {
  public:
   Rounds(scene::Scene& scene, const std::vector<Vec>& home, Coord free, Coord allowed,
-         const SeparationSettings& settings, const scene::Observer& observer)
-      : scene_{scene},
-        home_{home},
-        aim_{home},
-        free_{free},
-        allowed_{allowed},
-        settings_{settings},
-        observer_{observer} {}
+         const SeparationSettings& settings, const scene::Run& run)
+      : scene_{scene}, home_{home}, aim_{home}, free_{free}, allowed_{allowed}, settings_{settings}, run_{run} {}
 
   // Leaves the pieces parted, or where they overlap least; counts in `total`.
-  Ending run(Separation& total, const std::stop_token& stop) {
+  Ending run(Separation& total) {
     put_back(scene_, allowed_);
-    if (!look(stop)) return {scene::StopReason::kCancelled, false};
+    if (!look()) return {scene::StopReason::kCancelled, false};
     const Best start{scene_.pieces.positions(), left()};
     best_ = start;
-    const scene::StopReason reason = go(total, stop);
+    const scene::StopReason reason = go(total);
     if (apart()) {
-      come_home(total, stop);
+      come_home(total);
       return {scene::StopReason::kConverged, true};
     }
-    settle(start, stop);
-    return {!apart() && stop.stop_requested() ? scene::StopReason::kCancelled : reason, apart()};
+    settle(start);
+    return {!apart() && run_.stopped() ? scene::StopReason::kCancelled : reason, apart()};
   }
 
   // The piece that holds up the rest: of those that overlap, the one whose rows weigh most [Li94 10].  Locked pieces
   // only when there is no other.  REQUIRES: not apart.
-  std::uint32_t holding_up(Separation& total, const std::stop_token& stop) const {
-    const SeparationStep step = separation_step(scene_, parting_, home_, program_settings(), stop, observer_);
+  std::uint32_t holding_up(Separation& total) const {
+    const SeparationStep step = separation_step(scene_, parting_, home_, program_settings(), run_);
     total.programs += step.programs;
     std::vector<std::uint32_t> candidates;
     for (const PartingPair& parting : parting_)
@@ -96,25 +90,25 @@ class Rounds {
     double left{};
   };
 
-  scene::StopReason go(Separation& total, const std::stop_token& stop) {
+  scene::StopReason go(Separation& total) {
     const int last = total.rounds + settings_.rounds;
     for (int idle = 0; !apart(); ++idle) {
-      if (stop.stop_requested()) return scene::StopReason::kCancelled;
+      if (run_.stopped()) return scene::StopReason::kCancelled;
       if (total.rounds == last) return scene::StopReason::kWorkLimit;
       if (idle == kPatience) return scene::StopReason::kConverged;
       if (idle > 0 && idle % kLeapAfter == 0) {
-        if (!leap(idle / kLeapAfter, stop)) return scene::StopReason::kCancelled;
+        if (!leap(idle / kLeapAfter)) return scene::StopReason::kCancelled;
         if (apart()) break;
       }
-      const SeparationStep step = separation_step(scene_, parting_, aim_, program_settings(), stop, observer_);
+      const SeparationStep step = separation_step(scene_, parting_, aim_, program_settings(), run_);
       total.programs += step.programs;
       if (step.status != lp::LpStatus::kOptimal) {
         return step.status == lp::LpStatus::kStopped ? scene::StopReason::kCancelled : scene::StopReason::kSolverFailed;
       }
       place(step.positions);
       put_back(scene_, kLatticeLimit);
-      if (!look(stop)) return scene::StopReason::kCancelled;
-      observer_.on_round({++total.rounds, scene_.pieces.length()});
+      if (!look()) return scene::StopReason::kCancelled;
+      run_.observer.on_round({++total.rounds, scene_.pieces.length()});
       if (left() < kProgress * best_.left) idle = 0;
       if (left() < best_.left) best_ = {scene_.pieces.positions(), left()};
     }
@@ -122,18 +116,18 @@ class Rounds {
   }
 
   // Pieces that leapt aimed at where they landed: once all are apart, they come as near to where they were as they can.
-  void come_home(Separation& total, const std::stop_token& stop) {
+  void come_home(Separation& total) {
     if (aim_ == home_) return;
     const std::vector<Vec> parted = scene_.pieces.positions();
     const auto width = static_cast<double>(scene_.marker.strip.width);
     PartingSettings settings = program_settings();
     settings.reach = kMostReach * width;
-    const SeparationStep step = separation_step(scene_, parting_, home_, settings, stop, observer_);
+    const SeparationStep step = separation_step(scene_, parting_, home_, settings, run_);
     total.programs += step.programs;
     if (step.status != lp::LpStatus::kOptimal) return;
     place(step.positions);
     put_back(scene_, kLatticeLimit);
-    if (look(stop) && apart() && way_home(scene_.pieces.positions()) < way_home(parted)) return;
+    if (look() && apart() && way_home(scene_.pieces.positions()) < way_home(parted)) return;
     place(parted);
   }
   [[nodiscard]] double way_home(const std::vector<Vec>& from) const {
@@ -146,13 +140,13 @@ class Rounds {
   }
 
   // The best of what was seen, without the length that was overdrawn; no worse than the start.
-  void settle(const Best& start, const std::stop_token& stop) {
+  void settle(const Best& start) {
     place(best_.positions);
     put_back(scene_, allowed_);
-    if (scene_.pieces.positions() == best_.positions && stop.stop_requested()) return;
-    if (look(stop) && left() <= start.left) return;
+    if (scene_.pieces.positions() == best_.positions && run_.stopped()) return;
+    if (look() && left() <= start.left) return;
     place(start.positions);
-    look(stop);
+    look();
   }
 
   [[nodiscard]] Coord excess() const { return std::max(Coord{0}, scene_.pieces.length() - allowed_); }
@@ -166,12 +160,12 @@ class Rounds {
     seen_ = false;
   }
   // Finds what overlaps, exactly.  False when it was asked to stop: then not all of it was found.
-  bool look(const std::stop_token& stop) {
-    observer_.on_stage(scene::Stage::kVerify);
+  bool look() {
+    run_.observer.on_stage(scene::Stage::kVerify);
     parting_.clear();
     depth_ = deepest_ = 0;
-    for (const marker::PiecePair& pair : conflicts(scene_.pieces, serial(), stop)) {
-      if (stop.stop_requested()) break;
+    for (const marker::PiecePair& pair : conflicts(scene_.pieces, serial(), run_.stop)) {
+      if (run_.stopped()) break;
       const repair::SeparationTarget target = separation_target(scene_, pair, settings_.target);
       const auto [price, first_time] = prices_.raised.try_emplace(pair, kOverlapPrice);
       if (!first_time) price->second = std::min(kHighestPrice, kPriceGrowth * price->second);
@@ -179,22 +173,22 @@ class Rounds {
       depth_ += target.depth;
       deepest_ = std::max(deepest_, target.depth);
     }
-    return seen_ = !stop.stop_requested();
+    return seen_ = !run_.stopped();
   }
 
   // Of every pair that overlaps still, the piece that has the cheaper place to go to leaps there; so does every piece
   // that only fits by overdrawing the length.  False as of look.
-  bool leap(int times, const std::stop_token& stop) {
-    observer_.on_stage(scene::Stage::kOther);
+  bool leap(int times) {
+    run_.observer.on_stage(scene::Stage::kOther);
     for (const auto& [pair, target, price] : parting_) {
-      if (stop.stop_requested()) return false;
+      if (run_.stopped()) return false;
       leap_one({pair.first, pair.second}, kLeapReach * target.depth * times);
     }
     for (std::uint32_t i = 0; i < scene_.pieces.size(); ++i) {
       const Coord beyond = scene_.pieces.box(i).high.x - allowed_;
       if (beyond > 0) leap_one({i}, kLeapReach * static_cast<double>(beyond) * times);
     }
-    return look(stop);
+    return look();
   }
   void leap_one(std::initializer_list<std::uint32_t> candidates, double reach) {
     std::optional<Leap> best;
@@ -232,7 +226,7 @@ class Rounds {
   std::vector<Vec> aim_;          // where they would best be: there, or where they leapt to
   Coord free_, allowed_;
   const SeparationSettings& settings_;
-  const scene::Observer& observer_;
+  const scene::Run& run_;
   std::vector<PartingPair> parting_;
   bool seen_{};  // that is all that overlaps where the pieces are now
   OverlapPrices prices_{kOverlapPrice, {}};
@@ -290,10 +284,10 @@ void erase_at(std::vector<T>& list, std::uint32_t index) {
   list.erase(list.begin() + static_cast<std::ptrdiff_t>(index));
 }
 
-void sum_up(Separation& result, const std::vector<Vec>& home, SumCache& sums, const std::stop_token& stop) {
+void sum_up(Separation& result, const std::vector<Vec>& home, const scene::Run& run) {
   result.length_after = length_of(result.marker);
   if (!result.apart) {
-    auto measured = check(result.marker, sums, stop);
+    auto measured = check(result.marker, run.sums, run.stop);
     result.remaining = measured ? std::move(measured->overlaps) : overlaps_unmeasured(result.marker);
     if (!measured) result.apart = result.remaining.empty();  // nobody had looked at what was put back
   }
@@ -306,31 +300,30 @@ void sum_up(Separation& result, const std::vector<Vec>& home, SumCache& sums, co
 
 }  // namespace
 
-Result<Separation> separate(const Marker& start, const SeparationSettings& settings, SumCache& sums,
-                            std::stop_token stop, const scene::Observer& observer) {
-  observer.on_stage(scene::Stage::kOther);
+Result<Separation> separate(const Marker& start, const SeparationSettings& settings, const scene::Run& run) {
+  run.observer.on_stage(scene::Stage::kOther);
   if (const auto refusal = refuse(start, settings)) return *refusal;
   Separation result;
   result.marker = start;
-  result.length_before = length_put_back(start, sums);
+  result.length_before = length_put_back(start, run.sums);
   const Coord allowed = allowed_length(start, result.length_before, settings.grow);
   Original pieces = original(start);
   for (;;) {
     const Marker present = result.marker;
-    scene::Scene scene{present, sums};
-    Rounds rounds{scene, pieces.home, std::min(allowed, result.length_before), allowed, settings, observer};
-    const Ending ending = rounds.run(result, stop);
+    scene::Scene scene{present, run.sums};
+    Rounds rounds{scene, pieces.home, std::min(allowed, result.length_before), allowed, settings, run};
+    const Ending ending = rounds.run(result);
     result.marker = scene.result();
     result.reason = ending.reason;
     result.apart = ending.apart;
     if (ending.apart || !settings.pop_out || ending.reason == scene::StopReason::kCancelled) break;
-    const std::uint32_t gone = rounds.holding_up(result, stop);
+    const std::uint32_t gone = rounds.holding_up(result);
     result.popped.push_back(pieces.ids[gone]);
     erase_at(result.marker.pieces, gone);
     erase_at(pieces.ids, gone);
     erase_at(pieces.home, gone);
   }
-  sum_up(result, pieces.home, sums, stop);
+  sum_up(result, pieces.home, run);
   return result;
 }
 

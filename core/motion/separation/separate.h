@@ -46,7 +46,7 @@ struct Separation {
 };
 
 // Errors: kOutsideStrip for a locked piece outside the strip; kOutOfRange for a grow below 0 or not finite.
-[[nodiscard]] Result<Separation> separate(const Marker& start, const SeparationSettings& settings, SumCache& sums,
-                                          std::stop_token stop = {}, const scene::Observer& observer = {});
+[[nodiscard]] Result<Separation> separate(const Marker& start, const SeparationSettings& settings,
+                                          const scene::Run& run);
 
 }  // namespace selvage::motion::separation

@@ -9,7 +9,7 @@
 #include "core/lp/solver/solve.h"
 #include "core/model/active_set.h"
 #include "core/motion/repair/separation_target.h"
-#include "core/scene/observer.h"
+#include "core/scene/run.h"
 #include "core/scene/scene.h"
 
 namespace selvage::motion::separation {
@@ -48,6 +48,6 @@ struct SeparationStep {
 // REQUIRES: the pieces lie within the strip's width and right of its start.
 [[nodiscard]] SeparationStep separation_step(const scene::Scene& scene, const std::vector<PartingPair>& parting,
                                              const std::vector<Vec>& home, const PartingSettings& settings,
-                                             const std::stop_token& stop, const scene::Observer& observer);
+                                             const scene::Run& run);
 
 }  // namespace selvage::motion::separation

@@ -17,7 +17,6 @@ namespace {
 
 constexpr int kAttempts = 24;            // programs in one round, as rows enter when they are broken
 constexpr std::size_t kSmall = 64;       // pieces: the one program of so few is quicker than those of a growing set
-constexpr double kUnitsAcross = 1000;    // column units in a strip's width
 constexpr double kLeastGain = 1e-5;      // of the goal, in column units: less is not worth proving
 constexpr double kBroken = 1e-2;         // lattice units: by less no row is broken
 constexpr double kPairAhead = 8;         // a pair's reach, as a multiple of what it moved in the last round
@@ -29,13 +28,11 @@ constexpr double kSpare = 1e-2;  // column units the length may grow by in a pro
 // The growing model of one round.
 class Attempt {
  public:
-  Attempt(const scene::Scene& scene, const Goal& goal, const StepSettings& settings, const std::stop_token& stop,
-          const scene::Observer& observer)
+  Attempt(const scene::Scene& scene, const Goal& goal, const StepSettings& settings, const scene::Run& run)
       : scene_{scene},
         goal_{goal},
         settings_{settings},
-        stop_{stop},
-        observer_{observer},
+        run_{run},
         obstacles_{scene, settings.simplification},
         trust_{settings.trust * static_cast<double>(scene.marker.strip.width)},
         reached_{scene.ties},
@@ -56,13 +53,13 @@ class Attempt {
     lp::solver::LpLimits limits;
     if (!held()) limits.tolerance = settings_.tolerance;
     while (step.programs < kAttempts) {
-      if (stop_.stop_requested()) {
+      if (run_.stopped()) {
         step.end = StepEnd::kStopped;
         return step;
       }
-      observer_.on_stage(scene::Stage::kSolve);
-      observer_.on_program(model_->program());
-      const lp::LpSolution solution = solve(model_->program(), settings_.solver, limits, stop_);
+      run_.observer.on_stage(scene::Stage::kSolve);
+      run_.observer.on_program(model_->program());
+      const lp::LpSolution solution = solve(model_->program(), settings_.solver, limits, run_.stop);
       ++step.programs;
       if (solution.status == lp::LpStatus::kInfeasible && tight_ == model::TightRows::kRestore) {
         if (reach_neighbours()) continue;
@@ -74,7 +71,7 @@ class Attempt {
         step.end = solution.status == lp::LpStatus::kStopped ? StepEnd::kStopped : StepEnd::kSolverFailed;
         return step;
       }
-      observer_.on_stage(scene::Stage::kVerify);
+      run_.observer.on_stage(scene::Stage::kVerify);
       auto moves = model_->displacements(solution.x);
       step.end = StepEnd::kNoGain;
       const bool gains = -solution.objective >= kLeastGain;
@@ -82,7 +79,7 @@ class Attempt {
       if (gains) {
         const double length_change = model_->length_change(solution.x);
         const Broken broken = broken_by(moves, length_change);
-        if (!held() && -solution.objective < settings_.worth * kUnitsAcross) {
+        if (!held() && -solution.objective < model::ModelUnit::of_width(settings_.worth)) {
           shorten(moves, part_within(broken, moves, length_change));
         } else {
           again = add(broken);
@@ -101,7 +98,7 @@ class Attempt {
   // Looks up the sums of pairs that have come to matter, unless asked to stop: where pieces were turned they are new,
   // and many in long markers.  Returns how many were known before.
   std::size_t know_near() {
-    observer_.on_stage(scene::Stage::kSums);
+    run_.observer.on_stage(scene::Stage::kSums);
     const std::size_t known = near_.size();
     for (const marker::PiecePair& pair : within_trust_) {
       if (!reached_.holds_any(pair) || reached_.ties().joined(pair.first, pair.second)) continue;
@@ -109,18 +106,18 @@ class Attempt {
     }
     modelled_.insert(near_.begin() + static_cast<std::ptrdiff_t>(known), near_.end());
     for (std::size_t done = known; done < near_.size(); done += kCancelCheckInterval) {
-      if (stop_.stop_requested()) {
+      if (run_.stopped()) {
         near_.resize(done);
         break;
       }
       auto obstacles = obstacles_.of(
-          std::span{near_}.subspan(done, std::min(kCancelCheckInterval, near_.size() - done)), *observer_.executor);
+          std::span{near_}.subspan(done, std::min(kCancelCheckInterval, near_.size() - done)), *run_.executor);
       std::move(obstacles.begin(), obstacles.end(), std::back_inserter(of_near_));
     }
     return known;
   }
   void model_near() {
-    observer_.on_stage(scene::Stage::kRows);
+    run_.observer.on_stage(scene::Stage::kRows);
     rows_.clear();
     modelled_ = {near_.begin(), near_.end()};
     append_near_rows(0);
@@ -148,7 +145,7 @@ class Attempt {
   }
   void append_near_rows(std::size_t from) {
     const auto rows = gathered<model::PairRow>(
-        *observer_.executor, near_.size() - from, kBlock, [&](std::size_t k, std::vector<model::PairRow>& out) {
+        *run_.executor, near_.size() - from, kBlock, [&](std::size_t k, std::vector<model::PairRow>& out) {
           append_rows(near_[from + k], of_near_[from + k], reach(near_[from + k]), out);
         });
     rows_.insert(rows_.end(), rows.begin(), rows.end());
@@ -168,7 +165,7 @@ class Attempt {
   // Models what may move from now on.
   void model_reached() {
     const std::size_t known = know_near();
-    observer_.on_stage(scene::Stage::kRows);
+    run_.observer.on_stage(scene::Stage::kRows);
     append_near_rows(known);
     build();
   }
@@ -202,15 +199,15 @@ class Attempt {
                    std::vector<model::PairRow>& rows) const {
     const Vec r = scene_.relative_position(pair);
     const Coord spacing = scene_.pieces.spacing(pair);
-    const model::Displacement& p_force = goal_.force[pair.first];
-    const model::Displacement& q_force = goal_.force[pair.second];
-    const model::RegionSettings region{settings_.region, 1.5 * reach + static_cast<double>(spacing), spacing,
-                                       q_force.x - p_force.x, q_force.y - p_force.y};
-    for (const model::HalfPlane& side : free_region(obstacle, r, region)) {
-      const model::PairRow row = row_of(pair, side, r, spacing, unit(), tight_);
-      // While |d_q - d_p| <= reach on each axis, rows farther away cannot be broken.
-      if (whole() || -row.bound <= reach * (std::abs(row.nx) + std::abs(row.ny))) rows.push_back(row);
-    }
+    const RealVec& p_force = goal_.force[pair.first];
+    const RealVec& q_force = goal_.force[pair.second];
+    const model::RegionSettings region{settings_.region,
+                                       1.5 * reach + static_cast<double>(spacing),
+                                       spacing,
+                                       {q_force.x - p_force.x, q_force.y - p_force.y}};
+    model::RowSettings row{model::ModelUnit{scene_.marker.strip}, tight_};
+    if (!whole()) row.motion = reach;
+    append_pair_rows(pair, {obstacle, r, r, spacing}, region, row, rows);
   }
   [[nodiscard]] bool held() const { return goal_.shorten == 0; }
   [[nodiscard]] bool many_move() const {
@@ -228,7 +225,7 @@ class Attempt {
     return std::clamp(kPairAhead * moved, kLeastPairReach * reach(), reach());
   }
   [[nodiscard]] bool whole() const { return settings_.extent == model::Extent::kWhole; }
-  [[nodiscard]] double unit() const { return static_cast<double>(scene_.marker.strip.width) / kUnitsAcross; }
+  [[nodiscard]] double unit() const { return model::ModelUnit{scene_.marker.strip}.lattice_units(); }
 
   void build() {
     const Coord length = scene_.pieces.length();
@@ -276,10 +273,10 @@ class Attempt {
     std::vector<model::PairRow> rows;
     std::vector<std::size_t> right_walls;
   };
-  [[nodiscard]] Broken broken_by(const std::vector<model::Displacement>& moves, double length_change) const {
+  [[nodiscard]] Broken broken_by(const std::vector<RealVec>& moves, double length_change) const {
     Broken broken;
     for (std::size_t k = 0; k < near_.size(); ++k) {
-      const model::Displacement by = apart(near_[k], moves);
+      const RealVec by = apart(near_[k], moves);
       const double far = std::max(std::abs(by.x), std::abs(by.y));
       if (far <= reach(near_[k]) * (1 + 1e-6)) continue;
       if (held()) {
@@ -295,7 +292,7 @@ class Attempt {
     }
     return broken;
   }
-  void append_broken_limits(marker::PiecePair pair, model::Displacement by, std::vector<model::PairRow>& rows) const {
+  void append_broken_limits(marker::PiecePair pair, RealVec by, std::vector<model::PairRow>& rows) const {
     const auto limit_axis = [&](double way, double nx, double ny) {
       if (std::abs(way) > reach()) rows.push_back({pair, way > 0 ? -nx : nx, way > 0 ? -ny : ny, -reach()});
     };
@@ -303,7 +300,7 @@ class Attempt {
     limit_axis(by.y, 0, 1);
   }
   // Of the rows of a pair up to `reach`.
-  void append_broken(marker::PiecePair pair, const minkowski::Obstacle& obstacle, model::Displacement by, double reach,
+  void append_broken(marker::PiecePair pair, const minkowski::Obstacle& obstacle, RealVec by, double reach,
                      std::vector<model::PairRow>& rows) const {
     std::vector<model::PairRow> all;
     append_rows(pair, obstacle, reach, all);
@@ -320,7 +317,7 @@ class Attempt {
     return !broken.rows.empty() || !broken.right_walls.empty();
   }
   // How much of the moves the rows they break allow; all other rows allow any part, as they do all and nothing.
-  [[nodiscard]] double part_within(const Broken& broken, const std::vector<model::Displacement>& moves,
+  [[nodiscard]] double part_within(const Broken& broken, const std::vector<RealVec>& moves,
                                    double length_change) const {
     double part = 1;
     for (const model::PairRow& row : broken.rows) part = std::min(part, row.bound / along(row, apart(row.pair, moves)));
@@ -330,29 +327,29 @@ class Attempt {
     }
     return std::max(0.0, part);
   }
-  static model::Displacement apart(marker::PiecePair pair, const std::vector<model::Displacement>& moves) {
-    const model::Displacement& p = moves[pair.first];
-    const model::Displacement& q = moves[pair.second];
+  static RealVec apart(marker::PiecePair pair, const std::vector<RealVec>& moves) {
+    const RealVec& p = moves[pair.first];
+    const RealVec& q = moves[pair.second];
     return {q.x - p.x, q.y - p.y};
   }
-  static double along(const model::PairRow& row, model::Displacement by) { return row.nx * by.x + row.ny * by.y; }
-  static void shorten(std::vector<model::Displacement>& moves, double part) {
-    for (model::Displacement& d : moves) d = {d.x * part, d.y * part};
+  static double along(const model::PairRow& row, RealVec by) { return row.nx * by.x + row.ny * by.y; }
+  static void shorten(std::vector<RealVec>& moves, double part) {
+    for (RealVec& d : moves) d = {d.x * part, d.y * part};
   }
   [[nodiscard]] double right_of(std::size_t i) const { return static_cast<double>(scene_.pieces.box(i).high.x); }
 
   // Rounds and proves the moves; shortens them a little when rounding breaks something.  Returns what collides all the
   // same; moves that collide nowhere become the step's when they serve the goal.
-  std::vector<marker::PiecePair> try_moves(const std::vector<model::Displacement>& moves, PositionStep& step) const {
+  std::vector<marker::PiecePair> try_moves(const std::vector<RealVec>& moves, PositionStep& step) const {
     std::vector<marker::PiecePair> first_conflict;
     for (const double part : {1.0, 1 - 1e-6, 1 - 1e-3, 0.5}) {
-      std::vector<model::Displacement> scaled = moves;
+      std::vector<RealVec> scaled = moves;
       shorten(scaled, part);
       marker::PlacedPieces moved = scene_.pieces;
-      std::vector<Vec> positions = snapped(scaled);
+      std::vector<Vec> positions = model::snapped(scaled);
       for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + scene_.pieces.at(i);
       moved.place(std::move(positions));
-      auto conflict = conflicts(moved, *observer_.executor);
+      auto conflict = conflicts(moved, *run_.executor);
       if (conflict.empty()) {
         if (moved.length() <= scene_.pieces.length() && inside(moved) && gain(moved) > 0) {
           step.end = StepEnd::kMoved;
@@ -378,10 +375,10 @@ class Attempt {
     }
     return sum;
   }
-  [[nodiscard]] double farthest(const std::vector<model::Displacement>& moves) const {
+  [[nodiscard]] double farthest(const std::vector<RealVec>& moves) const {
     double most = 0;
     for (const marker::PiecePair& pair : near_) {
-      const model::Displacement by = apart(pair, moves);
+      const RealVec by = apart(pair, moves);
       most = std::max({most, std::abs(by.x), std::abs(by.y)});
     }
     return most / static_cast<double>(scene_.marker.strip.width);
@@ -420,8 +417,7 @@ class Attempt {
   const scene::Scene& scene_;
   const Goal& goal_;
   const StepSettings& settings_;
-  const std::stop_token& stop_;
-  const scene::Observer& observer_;
+  const scene::Run& run_;
   Obstacles obstacles_;
   double trust_;
   model::ActiveSet reached_;
@@ -439,12 +435,12 @@ class Attempt {
 
 Goal leftward_goal(const scene::Scene& scene, double gravity) {
   const auto count = static_cast<double>(scene.pieces.size());
-  return {std::vector<model::Displacement>(scene.pieces.size(), {-gravity / count, 0}), 1, 0};
+  return {std::vector<RealVec>(scene.pieces.size(), {-gravity / count, 0}), 1, 0};
 }
 
 PositionStep position_step(const scene::Scene& scene, const Goal& goal, const StepSettings& settings,
-                           const std::stop_token& stop, const scene::Observer& observer) {
-  return Attempt{scene, goal, settings, stop, observer}.run();
+                           const scene::Run& run) {
+  return Attempt{scene, goal, settings, run}.run();
 }
 
 }  // namespace selvage::motion::step

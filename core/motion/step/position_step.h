@@ -9,7 +9,7 @@
 #include "core/model/active_set.h"
 #include "core/model/free_region.h"
 #include "core/model/position_model.h"
-#include "core/scene/observer.h"
+#include "core/scene/run.h"
 #include "core/scene/scene.h"
 
 namespace selvage::motion::step {
@@ -17,13 +17,13 @@ namespace selvage::motion::step {
 // A piece that goes no farther than this on either axis, and not back.
 struct Halt {
   std::uint32_t piece{};
-  model::Displacement at;
+  RealVec at;
 };
 
 // What a motion wants: as much as possible of the sum of force . displacement over all pieces, plus `shorten` times
 // what the marker gets shorter.  With shorten 0 its length is held [Li94 4.2.2].
 struct Goal {
-  std::vector<model::Displacement> force;  // one per piece
+  std::vector<RealVec> force;  // one per piece
   double shorten{};
   double
       displacement_penalty{};  // what a unit of any piece's motion costs: small, so that only what is in the way moves
@@ -68,6 +68,6 @@ struct PositionStep {
 // collide; of a goal with stillness that holds the length, pieces only when they are reached (core/model/reached.h).
 // REQUIRES: the scene's pieces are valid.
 [[nodiscard]] PositionStep position_step(const scene::Scene& scene, const Goal& goal, const StepSettings& settings,
-                                         const std::stop_token& stop, const scene::Observer& observer);
+                                         const scene::Run& run);
 
 }  // namespace selvage::motion::step

@@ -25,24 +25,10 @@ constexpr double kPartingGrowth = 5e-3;  // of the length, for that
 constexpr std::array<double, 3> kPerturbations{1, 3, 0.5};  // of a step: how far shakes go, in turn
 constexpr double kTwist = 0.3;                              // of a shake: torques beside forces
 
-scene::Observer stages_of(const scene::Observer& observer) {
-  scene::Observer stages;
-  stages.on_stage = observer.on_stage;
-  stages.on_program = observer.on_program;
-  stages.executor = observer.executor;
-  return stages;
-}
-
 class Tilter {
  public:
-  Tilter(const TiltSettings& settings, SumCache& sums, const std::stop_token& stop, const scene::Observer& observer,
-         Tilting& total)
-      : settings_{settings},
-        sums_{sums},
-        stop_{stop},
-        observer_{observer},
-        stages_{stages_of(observer)},
-        total_{total} {}
+  Tilter(const TiltSettings& settings, const scene::Run& run, Tilting& total)
+      : settings_{settings}, run_{run}, quiet_{run.quiet()}, total_{total} {}
 
   // Rounds from the compacted marker, and from what shakes make of the best; leaves that in `total`.
   void run() {
@@ -62,7 +48,7 @@ class Tilter {
     total_.reason = scene::StopReason::kConverged;
     for (double part = 1; part >= kLeastPart;) {
       if (total_.rounds == settings_.rounds) total_.reason = scene::StopReason::kWorkLimit;
-      if (stop_.stop_requested()) total_.reason = scene::StopReason::kCancelled;
+      if (run_.stopped()) total_.reason = scene::StopReason::kCancelled;
       if (total_.reason != scene::StopReason::kConverged) return;
       auto next = by_steps ? stepped(current, leftwards(current), {}, part) : relaxed(current);
       if (next) next = compacted(*next);
@@ -73,7 +59,7 @@ class Tilter {
         length -= gain;
         keep(current, length);
       }
-      observer_.on_round({total_.rounds, total_.length_after});
+      run_.observer.on_round({total_.rounds, total_.length_after});
       if (static_cast<double>(gain) > least_gain) continue;
       if (!by_steps) return;
       part /= 2;
@@ -87,7 +73,7 @@ class Tilter {
 
   [[nodiscard]] step::Goal leftwards(const Marker& marker) const {
     const auto count = static_cast<double>(marker.pieces.size());
-    return {std::vector<model::Displacement>(marker.pieces.size(), {-settings_.compaction.gravity / count, 0}), 1, 0};
+    return {std::vector<RealVec>(marker.pieces.size(), {-settings_.compaction.gravity / count, 0}), 1, 0};
   }
 
   // A step of all pieces at once, made valid; nothing when that fails.
@@ -97,15 +83,15 @@ class Tilter {
     TiltStepSettings step_settings{Angle::of_degrees(settings_.step.degrees * part), settings_.trust * part,
                                    settings_.compaction.solver};
     for (int correction = 0; correction <= kCorrections; ++correction) {
-      const scene::Scene scene{next, sums_};
+      const scene::Scene scene{next, run_.sums};
       // Corrections have nothing but overlaps, and length, in view.
-      const TiltStep step = correction == 0 ? tilt_step(scene, goal, torque, step_settings, stop_, observer_)
-                                            : tilt_step(scene, leftwards(start), {}, step_settings, stop_, observer_);
+      const TiltStep step = correction == 0 ? tilt_step(scene, goal, torque, step_settings, run_)
+                                            : tilt_step(scene, leftwards(start), {}, step_settings, run_);
       ++total_.programs;
       if (step.status != lp::LpStatus::kOptimal) return std::nullopt;
-      if (stop_.stop_requested()) return std::nullopt;
+      if (run_.stopped()) return std::nullopt;
       next.pieces = step.pieces;
-      observer_.on_stage(scene::Stage::kVerify);
+      run_.observer.on_stage(scene::Stage::kVerify);
       if (is_valid(next)) return next;
       step_settings.turn.degrees *= kCorrectionTurn;
       if (correction > 0) step_settings.trust *= kCorrectionTurn;
@@ -114,8 +100,8 @@ class Tilter {
     return parted(next, length_of(start));
   }
   std::optional<Marker> mended(const Marker& marker) {
-    scene::Scene scene{marker, sums_};
-    if (!repair::repair_overlaps(scene, stop_, stages_)) return std::nullopt;
+    scene::Scene scene{marker, run_.sums};
+    if (!repair::repair_overlaps(scene, quiet_)) return std::nullopt;
     return scene.result();
   }
   // Separated by translations, a little longer than `length` if need be: compaction may win that back.
@@ -126,7 +112,7 @@ class Tilter {
     settings.rounds = kPartingRounds;
     settings.grow = std::max(0.0, grow);
     settings.solver = settings_.compaction.solver;
-    auto separation = separate(marker, settings, sums_, stop_, stages_);
+    auto separation = separate(marker, settings, quiet_);
     if (!separation || !separation->apart) return std::nullopt;
     return std::move(separation->marker);
   }
@@ -134,26 +120,26 @@ class Tilter {
   // Every piece to where it has most room, from left to right.
   std::optional<Marker> relaxed(const Marker& start) {
     Marker next = start;
-    scene::Scene scene{next, sums_};
+    scene::Scene scene{next, run_.sums};
     std::vector<std::uint32_t> order(next.pieces.size());
     std::iota(order.begin(), order.end(), 0U);
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
       return scene.pieces.box(a).low.x < scene.pieces.box(b).low.x;
     });
-    observer_.on_stage(scene::Stage::kSolve);
+    run_.observer.on_stage(scene::Stage::kSolve);
     for (const std::uint32_t i : order) {
-      if (stop_.stop_requested()) break;
+      if (run_.stopped()) break;
       if (!scene.ties.free(i)) continue;
       Piece& piece = next.pieces[i];
       piece = piece::relax_tilted(scene, i, settings_.tilts).piece;
-      scene.outlines[i] = oriented_outline(next, PieceId{i}, sums_);
+      scene.outlines[i] = oriented_outline(next, PieceId{i}, run_.sums);
       scene.pieces.replace(i, oriented(next.shapes[piece.shape.value].outline, piece.orientation), piece.at);
     }
     return next;
   }
 
   std::optional<Marker> compacted(const Marker& marker) {
-    auto compaction = compact(marker, settings_.compaction, sums_, stop_, stages_);
+    auto compaction = compact(marker, settings_.compaction, quiet_);
     if (!compaction) return std::nullopt;
     total_.programs += compaction->programs;
     return std::move(compaction->marker);
@@ -174,10 +160,8 @@ class Tilter {
   }
 
   const TiltSettings& settings_;
-  SumCache& sums_;
-  const std::stop_token& stop_;
-  const scene::Observer& observer_;
-  scene::Observer stages_;  // for the motions within a round, whose rounds are not ours
+  const scene::Run& run_;
+  const scene::Run quiet_;  // for the motions within a round, whose own rounds are not reported
   Tilting& total_;
 };
 
@@ -221,14 +205,13 @@ TiltSettings tilt_settings(TiltMethod method, compaction::Accuracy accuracy) {
   return settings;
 }
 
-Result<Tilting> tilt(const Marker& start, const TiltSettings& settings, SumCache& sums, std::stop_token stop,
-                     const scene::Observer& observer) {
+Result<Tilting> tilt(const Marker& start, const TiltSettings& settings, const scene::Run& run) {
   if (settings.limit && !(settings.limit->degrees >= 0 && settings.limit->degrees <= kMostTilt)) {
     return Error{ErrorCode::kOutOfRange,
                  "the tilt limit is " + std::to_string(settings.limit->degrees) + " degrees; it must be from 0 to 45",
                  "/limit"};
   }
-  auto compaction = compact(limited(start, settings.limit), settings.compaction, sums, stop, stages_of(observer));
+  auto compaction = compact(limited(start, settings.limit), settings.compaction, run.quiet());
   if (!compaction) return compaction.error();
   Tilting tilting;
   tilting.marker = std::move(compaction->marker);
@@ -237,7 +220,7 @@ Result<Tilting> tilt(const Marker& start, const TiltSettings& settings, SumCache
   tilting.length_compacted = compaction->length_after;
   tilting.utilisation_before = compaction->utilisation_before;
   tilting.repair = compaction->repair;
-  Tilter{settings, sums, stop, observer, tilting}.run();
+  Tilter{settings, run, tilting}.run();
   if (settings.limit) allow_present_tilts(tilting.marker);
   tilting.utilisation_after = utilisation_of(tilting.marker);
   tilting.farthest_tilt = farthest_tilt(tilting.marker);

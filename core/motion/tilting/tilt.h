@@ -54,7 +54,6 @@ struct Tilting {
 };
 
 // Errors: those of heal; kOutOfRange for a limit that is not from 0 to 45 degrees.
-[[nodiscard]] Result<Tilting> tilt(const Marker& start, const TiltSettings& settings, SumCache& sums,
-                                   std::stop_token stop = {}, const scene::Observer& observer = {});
+[[nodiscard]] Result<Tilting> tilt(const Marker& start, const TiltSettings& settings, const scene::Run& run);
 
 }  // namespace selvage::motion::tilting

@@ -40,35 +40,34 @@ class Program {
       model_.hold_length();
     } else {
       const double shorten = std::min(static_cast<double>(scene_.pieces.length()), 2 * farthest_);
-      model_.add_length(goal.shorten, shorten, kLengthSpare * model_.positions().unit());
+      model_.add_length(goal.shorten, shorten, model_.positions().unit().to_lattice(kLengthSpare));
     }
   }
 
   // False when it was asked to stop meanwhile: turned pieces need new sums, which takes long in long markers.
-  bool add_pairs(const scene::Observer& observer, const std::stop_token& stop) {
-    observer.on_stage(scene::Stage::kSums);
+  bool add_pairs(const scene::Run& run) {
+    run.observer.on_stage(scene::Stage::kSums);
     const double most_swing = turn_ * widest_radius();
     const double reach = 2 * (farthest_ + most_swing);
-    const std::vector<marker::PiecePair> overlapping = conflicts(scene_.pieces, *observer.executor);
+    const std::vector<marker::PiecePair> overlapping = conflicts(scene_.pieces, *run.executor);
     auto near = pairs_within(scene_.pieces, std::llround(reach) + scene_.pieces.widest_spacing());
     std::erase_if(near, [&](const marker::PiecePair& pair) { return scene_.ties.joined(pair.first, pair.second); });
     for (std::size_t done = 0; done < near.size(); done += kCancelCheckInterval) {
-      if (stop.stop_requested()) return false;
+      if (run.stopped()) return false;
       add_rows(std::span{near}.subspan(done, std::min(kCancelCheckInterval, near.size() - done)), overlapping, reach,
-               observer);
+               run);
     }
     return true;
   }
 
   void add_rows(std::span<const marker::PiecePair> near, const std::vector<marker::PiecePair>& overlapping,
-                double reach, const scene::Observer& observer) {
-    const auto obstacles = scene_.obstacles(near, *observer.executor);
+                double reach, const scene::Run& run) {
+    const auto obstacles = scene_.obstacles(near, *run.executor);
     using Rows = std::vector<model::tilting::TiltRow>;
-    const auto found =
-        gathered<Rows>(*observer.executor, near.size(), kBlock, [&](std::size_t k, std::vector<Rows>& out) {
-          const bool overlaps = std::binary_search(overlapping.begin(), overlapping.end(), near[k]);
-          out.push_back(rows_of(near[k], obstacles[k], overlaps, reach));
-        });
+    const auto found = gathered<Rows>(*run.executor, near.size(), kBlock, [&](std::size_t k, std::vector<Rows>& out) {
+      const bool overlaps = std::binary_search(overlapping.begin(), overlapping.end(), near[k]);
+      out.push_back(rows_of(near[k], obstacles[k], overlaps, reach));
+    });
     for (const Rows& rows : found) {
       std::optional<int> give;
       if (std::any_of(rows.begin(), rows.end(),
@@ -85,8 +84,7 @@ class Program {
     const Coord spacing = scene_.pieces.spacing(pair);
     repair::SeparationTarget target{0, scene_.relative_position(pair)};
     if (overlaps) target = separation_target(scene_, pair, repair::TargetRule::kNearest);
-    const model::RegionSettings region{model::RegionRule::kGreedy, 1.5 * reach + static_cast<double>(spacing), spacing};
-    const auto sides = free_region(obstacle, target.about, region);
+    const auto sides = free_region(obstacle, target.about, model::region_within(1.5 * reach, spacing));
     const model::tilting::TiltRowSettings row{turn_, 1.5 * reach, overlaps ? 2 * target.depth : 0,
                                               spacing + clearance(), model_.positions().unit()};
     return tilt_rows(pair, scene_.pieces[pair.first], scene_.pieces[pair.second], sides, row);
@@ -97,7 +95,6 @@ class Program {
     TiltStep step;
     step.status = solution.status;
     if (solution.status != lp::LpStatus::kOptimal) return step;
-    step.promise = -solution.objective * static_cast<double>(scene_.marker.strip.width) / 1000;
     step.pieces = moved(solution.x);
     return step;
   }
@@ -128,7 +125,7 @@ class Program {
 
   [[nodiscard]] std::vector<Piece> moved(std::span<const double> x) const {
     std::vector<Piece> pieces = scene_.marker.pieces;
-    std::vector<model::Displacement> moves = model_.positions().displacements(x);
+    std::vector<RealVec> moves = model_.positions().displacements(x);
     const std::vector<double> turns = model_.turns(x);
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
       pieces[i].at = scene_.pieces.at(i);
@@ -139,11 +136,11 @@ class Program {
       const piece::TiltRange range = piece::tilt_range(scene_.marker, PieceId{i});
       tilt = std::clamp(tilt + turns[i] * kRadian, range.least.degrees, range.most.degrees);
       if (!piece::is_cuttable(scene_.marker, turned_piece)) continue;
-      const model::Displacement held = piece::held_pivot(scene_.pieces[i], Angle::of_degrees(tilt - before));
+      const RealVec held = piece::held_pivot(scene_.pieces[i], Angle::of_degrees(tilt - before));
       moves[i] = {moves[i].x + held.x, moves[i].y + held.y};
       pieces[i] = turned_piece;
     }
-    const std::vector<Vec> by = snapped(moves);
+    const std::vector<Vec> by = model::snapped(moves);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       pieces[i].at = pieces[i].at + by[i];
       if (!turns_[i].empty()) put_inside(pieces[i]);
@@ -169,13 +166,13 @@ class Program {
 }  // namespace
 
 TiltStep tilt_step(const scene::Scene& scene, const step::Goal& goal, std::span<const double> torque,
-                   const TiltStepSettings& settings, const std::stop_token& stop, const scene::Observer& observer) {
+                   const TiltStepSettings& settings, const scene::Run& run) {
   Program program{scene, settings};
   program.add_goal(goal, torque);
-  if (!program.add_pairs(observer, stop)) return {lp::LpStatus::kStopped, 0, {}};
-  observer.on_stage(scene::Stage::kSolve);
-  observer.on_program(program.program());
-  return program.solved(settings.solver, stop);
+  if (!program.add_pairs(run)) return {lp::LpStatus::kStopped, {}};
+  run.observer.on_stage(scene::Stage::kSolve);
+  run.observer.on_program(program.program());
+  return program.solved(settings.solver, run.stop);
 }
 
 }  // namespace selvage::motion::tilting

@@ -9,7 +9,7 @@
 #include "core/lp/solver/solve.h"
 #include "core/model/tilting/tilt_model.h"
 #include "core/motion/step/position_step.h"
-#include "core/scene/observer.h"
+#include "core/scene/run.h"
 #include "core/scene/scene.h"
 
 namespace selvage::motion::tilting {
@@ -22,14 +22,12 @@ struct TiltStepSettings {
 
 struct TiltStep {
   lp::LpStatus status{};
-  double promise{};           // what the goal gains to first order; lattice units
   std::vector<Piece> pieces;  // the scene's, moved and tilted; within their limits to the last bit
 };
 
 // `torque[i]`: what a unit of arc of piece i's farthest vertex, counter-clockwise, is worth, beside the goal's forces;
 // none: nothing.
 [[nodiscard]] TiltStep tilt_step(const scene::Scene& scene, const step::Goal& goal, std::span<const double> torque,
-                                 const TiltStepSettings& settings, const std::stop_token& stop,
-                                 const scene::Observer& observer);
+                                 const TiltStepSettings& settings, const scene::Run& run);
 
 }  // namespace selvage::motion::tilting

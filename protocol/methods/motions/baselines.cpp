@@ -35,13 +35,13 @@ Result<calls::Motion> run_one_at_a_time(const Baseline& wanted, const Marker& st
                                         const calls::MethodContext& context) {
   motion::baseline::SweepSettings settings;
   settings.sweeps = wanted.rounds.value_or(settings.sweeps);
-  return motion_of(compact_one_at_a_time(start, settings, context.sums, context.stop, context.observer));
+  return motion_of(compact_one_at_a_time(start, settings, context.run));
 }
 
 Result<calls::Motion> run_velocity(const Baseline& wanted, const Marker& start, const calls::MethodContext& context) {
   motion::baseline::VelocitySettings settings;
   settings.steps = wanted.rounds.value_or(settings.steps);
-  return motion_of(compact_by_velocities(start, settings, context.sums, context.stop, context.observer));
+  return motion_of(compact_by_velocities(start, settings, context.run));
 }
 
 constexpr std::array kMethods{calls::MarkerMethod{"motion.oneAtATime",

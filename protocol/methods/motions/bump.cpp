@@ -12,8 +12,7 @@ Result<calls::Motion> run(const MotionBump& wanted, const Marker& start, const c
   const auto piece = calls::piece_of(start, wanted.piece, "/piece");
   if (!piece) return piece.error();
   auto before = laid_out(start, context);
-  auto done = context.engine.bump(start, *before, *piece, wanted.direction.x, wanted.direction.y, context.sums,
-                                  context.stop, context.observer);
+  auto done = context.engine.bump(start, *before, *piece, wanted.direction.x, wanted.direction.y, context.run);
   if (!done) return done.error();
   Json touching = Json::array();
   for (const std::uint32_t other : done->bump.touching) touching.push_back(start.pieces[other].id);

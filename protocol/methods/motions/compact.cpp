@@ -12,9 +12,8 @@ Result<calls::Motion> run(const MotionCompact& wanted, const Marker& start, cons
   const calls::Effort& effort = wanted.effort;
   const bool search =
       effort.accuracy == motion::compaction::Accuracy::kFine && !effort.rounds && !effort.simplification;
-  auto done =
-      search ? context.engine.refine(start, search::refine_settings(), context.sums, context.stop, context.observer)
-             : context.engine.compact(start, settings_of(effort), context.sums, context.stop, context.observer);
+  auto done = search ? context.engine.refine(start, search::refine_settings(), context.run)
+                     : context.engine.compact(start, settings_of(effort), context.run);
   if (!done) return done.error();
   return calls::Motion{std::move(done->marker), calls::rounds_json(done->rounds, done->reason), done->repair};
 }

@@ -52,7 +52,7 @@ Result<calls::Motion> run(const MotionFloat& wanted, const Marker& start, const 
   motion::floating::FloatSettings settings = float_settings(wanted.mode, distance);
   settings.edges = wanted.edges;
   settings.rounds = wanted.rounds.value_or(settings.rounds);
-  auto done = float_apart(start, settings, context.sums, context.stop, context.observer);
+  auto done = float_apart(start, settings, context.run);
   if (!done) return done.error();
   Json figures{{"leastBefore", to_decimal(done->least_before, start.resolution)},
                {"leastAfter", to_decimal(done->least_after, start.resolution)},

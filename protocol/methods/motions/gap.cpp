@@ -53,8 +53,7 @@ Result<motion::compaction::GapChoice> choice_of(const MotionOpenGap& wanted, Res
 Result<calls::Motion> run(const MotionOpenGap& wanted, const Marker& start, const calls::MethodContext& context) {
   const auto choice = choice_of(wanted, start.resolution);
   if (!choice) return choice.error();
-  auto done = open_gap(start, *choice, settings_of(wanted.effort), settings_of(wanted.wish, start), context.sums,
-                       context.stop, context.observer);
+  auto done = open_gap(start, *choice, settings_of(wanted.effort), settings_of(wanted.wish, start), context.run);
   if (!done) return done.error();
   Json figures{{"areaBefore", readings::area_in_unit(done->before.area, start.resolution)},
                {"areaAfter", readings::area_in_unit(done->after.area, start.resolution)},

@@ -37,7 +37,7 @@ Result<calls::Motion> run(const MotionPlace& wanted, const Marker& start, const 
   if (!piece) return piece.error();
   const auto to = calls::place_on_lattice(wanted.to, start.resolution, "/to");
   if (!to) return to.error();
-  auto done = heal_and_place(start, *piece, *to, wanted.settings, context.sums, context.stop, context.observer);
+  auto done = heal_and_place(start, *piece, *to, wanted.settings, context.run);
   if (!done) return done.error();
   const Vec at = done->marker.pieces[piece->value].at;
   Json figures{{"found", done->place.has_value()},

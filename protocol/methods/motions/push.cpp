@@ -29,7 +29,7 @@ std::vector<std::pair<std::string, calls::Direction>> read_forces(json::Fields& 
 
 Result<calls::Motion> run_forces(const std::vector<motion::compaction::Force>& forces, const calls::Effort& effort,
                                  const Marker& start, const calls::MethodContext& context) {
-  auto done = context.engine.push(start, forces, settings_of(effort), context.sums, context.stop, context.observer);
+  auto done = context.engine.push(start, forces, settings_of(effort), context.run);
   if (!done) return done.error();
   Json figures{{"gain", formats::in_unit(done->gain, start.resolution)}};
   figures.update(calls::rounds_json(done->rounds, done->reason));

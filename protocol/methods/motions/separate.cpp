@@ -10,7 +10,7 @@ namespace selvage::protocol::methods::motions {
 namespace {
 
 Result<calls::Motion> run(const MotionSeparate& wanted, const Marker& start, const calls::MethodContext& context) {
-  auto done = separate(start, wanted.settings, context.sums, context.stop, context.observer);
+  auto done = separate(start, wanted.settings, context.run);
   if (!done) return done.error();
   Json popped = Json::array();
   for (const PieceId piece : done->popped) popped.push_back(start.pieces[piece.value].id);

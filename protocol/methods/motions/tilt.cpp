@@ -40,7 +40,7 @@ Result<MotionTilt> decode_tilt(const Json& params) {
 }
 
 Result<calls::Motion> run_tilt(const MotionTilt& wanted, const Marker& start, const calls::MethodContext& context) {
-  auto done = tilt(start, wanted.settings, context.sums, context.stop, context.observer);
+  auto done = tilt(start, wanted.settings, context.run);
   if (!done) return done.error();
   Json figures{{"lengthCompacted", to_decimal(done->length_compacted, start.resolution)},
                {"farthestTilt", done->farthest_tilt.degrees}};
@@ -70,11 +70,11 @@ Result<MotionRelax> decode_relax(const Json& params) {
 Result<calls::Motion> run_relax(const MotionRelax& wanted, const Marker& start, const calls::MethodContext& context) {
   const auto piece = calls::piece_of(start, wanted.piece, "/piece");
   if (!piece) return piece.error();
-  scene::Scene scene{start, context.sums};
-  const auto repair = motion::repair::repair_overlaps(scene, context.stop, context.observer);
+  scene::Scene scene{start, context.run.sums};
+  const auto repair = motion::repair::repair_overlaps(scene, context.run);
   if (!repair) return repair.error();
   const Marker healed = scene.result();
-  const scene::Scene still{healed, context.sums};
+  const scene::Scene still{healed, context.run.sums};
   const motion::piece::Relaxation done = wanted.tilts > 0
                                              ? motion::piece::relax_tilted(still, piece->value, wanted.tilts)
                                              : motion::piece::relax(still, piece->value);

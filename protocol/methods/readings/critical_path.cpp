@@ -39,7 +39,7 @@ Json tilts_json(const Marker& marker, const std::vector<motion::compaction::Tilt
 }
 
 Result<calls::MethodAnswer> run(const MarkerStudy&, const MarkerFile& file, const calls::MethodContext& context) {
-  const auto hold = motion::compaction::what_holds(file.marker, context.sums, context.stop, context.observer);
+  const auto hold = motion::compaction::what_holds(file.marker, context.run);
   if (!hold) return hold.error();
   return calls::MethodAnswer{{{"length", to_decimal(length_of(file.marker), file.marker.resolution)},
                               {"contacts", contacts_json(file.marker, hold->contacts)},

@@ -18,7 +18,7 @@ Result<calls::MethodAnswer> get(const MarkerGet& wanted, const MarkerFile& file,
 
 Result<calls::MethodAnswer> tell_validity(const MarkerStudy&, const MarkerFile& file,
                                           const calls::MethodContext& context) {
-  const auto validity = context.engine.check(file.marker, context.sums, context.stop);
+  const auto validity = context.engine.check(file.marker, context.run.sums, context.run.stop);
   if (!validity) return validity.error();
   return calls::MethodAnswer{calls::validity_json(file.marker, *validity), std::nullopt};
 }

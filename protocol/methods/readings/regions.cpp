@@ -30,7 +30,7 @@ Result<MarkerRegions> decode(const Json& params) {
 
 Result<calls::MethodAnswer> run(const MarkerRegions& wanted, const MarkerFile& file,
                                 const calls::MethodContext& context) {
-  const auto regions = unoccupied_regions(file.marker, settings_of(wanted.wish, file.marker), context.stop);
+  const auto regions = unoccupied_regions(file.marker, settings_of(wanted.wish, file.marker), context.run.stop);
   if (!regions) return regions.error();
   Json list = Json::array();
   for (const marker::UnoccupiedRegion& region : *regions) {

@@ -99,7 +99,7 @@ TEST(CloserThan, IsExactBeyondDoubles) {
   }
 }
 
-double distance_to(const Polygon& polygon, geometry::Witness point) {
+double distance_to(const Polygon& polygon, RealVec point) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec a = polygon[i];
@@ -122,7 +122,7 @@ TEST(NearestPoint, IsTheMidpointOfAShortestSegment) {
     const Polygon q = moved(random_polygon(random, 100), random.point(-150, 150));
     if (overlap(placed(p), placed(q))) continue;
     ++apart;
-    const geometry::Witness middle = nearest_point(placed(p), placed(q));
+    const RealVec middle = nearest_point(placed(p), placed(q));
     const double half = distance_to(p, middle);
     ASSERT_NEAR(half, distance_to(q, middle), 1e-9);
     // No pair of points is closer: the exact distance is twice that.

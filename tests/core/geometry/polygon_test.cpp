@@ -189,7 +189,7 @@ TEST(Locate, AgreesWithExactLocation) {
     for (int k = 0; k < 40; ++k) {
       const Vec p = random.point(-1, 31);
       const geometry::Location ours = locate(p, polygon);
-      const outline::Real2 at{static_cast<double>(p.x), static_cast<double>(p.y)};
+      const RealVec at{static_cast<double>(p.x), static_cast<double>(p.y)};
       ASSERT_EQ(ours, locate_exactly(at, polygon)) << text_of({p}) << " in " << text_of(polygon);
       ++counts[static_cast<int>(ours)];
     }

@@ -28,10 +28,6 @@ std::vector<std::pair<Vec, Vec>> edges_of(const minkowski::Obstacle& obstacle) {
   return edges;
 }
 
-outline::Real2 real(Vec v) {
-  return {static_cast<double>(v.x), static_cast<double>(v.y)};
-}
-
 TEST(Cache, CountsHitsAndMisses) {
   SumCache sums;
   const auto p = sums.outline({{0, 0}, {40, 0}, {0, 30}});

@@ -110,7 +110,7 @@ TEST(Contains, AgreesWithTheExactSumAwayFromTheBoundary) {
     for (int k = 0; k < 40; ++k) {
       const Vec v = near(sum.box(), random);
       if (nearest_boundary_point(sum, v).distance < 3) continue;
-      const outline::Real2 at{static_cast<double>(v.x), static_cast<double>(v.y)};
+      const RealVec at{static_cast<double>(v.x), static_cast<double>(v.y)};
       ASSERT_EQ(sum.contains(at), exact.locate(at) == geometry::Location::kInside)
           << text_of(p) << "; " << text_of(q) << " at " << text_of({v});
       ++(sum.contains(at) ? inside : outside);

@@ -11,10 +11,7 @@ namespace {
 
 constexpr double kRounding = 2;  // lattice units: two rounded end points, and parts so short that they are left out
 
-outline::Real2 real(Vec v) {
-  return {static_cast<double>(v.x), static_cast<double>(v.y)};
-}
-outline::Real2 along(const Segment& s, double t) {
+RealVec along(const Segment& s, double t) {
   return {s.first.x + t * (s.second.x - s.first.x), s.first.y + t * (s.second.y - s.first.y)};
 }
 double length_of(const Segment& s) {
@@ -24,22 +21,22 @@ Segment segment_of(const minkowski::convolution::SumEdge& e) {
   return {real(e.from), real(e.to)};
 }
 
-double distance(outline::Real2 p, const Segment& s) {
+double distance(RealVec p, const Segment& s) {
   const double dx = s.second.x - s.first.x;
   const double dy = s.second.y - s.first.y;
   const double squared = dx * dx + dy * dy;
   const double t = squared == 0 ? 0 : std::clamp(((p.x - s.first.x) * dx + (p.y - s.first.y) * dy) / squared, 0.0, 1.0);
-  const outline::Real2 nearest = along(s, t);
+  const RealVec nearest = along(s, t);
   return std::hypot(p.x - nearest.x, p.y - nearest.y);
 }
 
-double nearest_of(outline::Real2 p, const std::vector<Segment>& segments) {
+double nearest_of(RealVec p, const std::vector<Segment>& segments) {
   double least = std::numeric_limits<double>::infinity();
   for (const Segment& s : segments) least = std::min(least, distance(p, s));
   return least;
 }
 
-std::string text_of(outline::Real2 p) {
+std::string text_of(RealVec p) {
   return "(" + std::to_string(p.x) + ", " + std::to_string(p.y) + ")";
 }
 
@@ -61,8 +58,7 @@ class Boundary {
     }
     for (const Segment& s : exact_.boundary()) {
       for (const double t : kSamples) {
-        if (nearest_of(along(s, t), ours_) > kRounding)
-          return "no edge covers the boundary at " + text_of(along(s, t));
+        if (nearest_of(along(s, t), ours_) > kRounding) return "no edge covers the boundary at " + text_of(along(s, t));
       }
     }
     return broken_length();
@@ -92,11 +88,11 @@ class Boundary {
     for (std::size_t k = 0; k < e; ++k) {
       if (twice(sum_.edges()[e], sum_.edges()[k])) return "part of a line occurs twice at " + text_of(along(edge, 0.5));
     }
-    const outline::Real2 middle = along(edge, 0.5);
+    const RealVec middle = along(edge, 0.5);
     if (length < kLongEnough || neighbour_within(10, middle, e))
       return {};  // another edge is too near to test the sides by a sample
     const double reach = 3 / length;
-    const outline::Real2 left{-(edge.second.y - edge.first.y) * reach, (edge.second.x - edge.first.x) * reach};
+    const RealVec left{-(edge.second.y - edge.first.y) * reach, (edge.second.x - edge.first.x) * reach};
     if (exact_.locate({middle.x + left.x, middle.y + left.y}) != geometry::Location::kInside) {
       return "the left side of an edge is outside the sum at " + text_of(middle);
     }
@@ -107,9 +103,9 @@ class Boundary {
   }
 
   // True when the point lies inside a ring by more than rounding, measured from the ring's edge that faces it.
-  [[nodiscard]] bool hidden(outline::Real2 p) const {
+  [[nodiscard]] bool hidden(RealVec p) const {
     return std::any_of(sum_.rings().begin(), sum_.rings().end(), [&](const minkowski::convolution::StarSum& ring) {
-      const auto side = [](outline::Real2 a, outline::Real2 b, outline::Real2 c) {
+      const auto side = [](RealVec a, RealVec b, RealVec c) {
         return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
       };
       return std::any_of(ring.edges.begin(), ring.edges.end(), [&](const minkowski::convolution::SumEdge& e) {
@@ -130,7 +126,7 @@ class Boundary {
     // Where lines cross at a small angle, rounding moves the end points of the visible parts by more than a few units.
     return shared > 100 && shared > 0.5 * std::min(at(e.to) - at(e.from), at(f.to) - at(f.from));
   }
-  [[nodiscard]] bool neighbour_within(double reach, outline::Real2 p, std::size_t e) const {
+  [[nodiscard]] bool neighbour_within(double reach, RealVec p, std::size_t e) const {
     for (std::size_t k = 0; k < ours_.size(); ++k) {
       if (k != e && distance(p, ours_[k]) <= reach) return true;
     }

@@ -41,7 +41,7 @@ RC_GTEST_PROP(CompactLaws, ValidNeverLongerLocksHold, ()) {
   settings.solver = *rc::gen::element(lp::solver::SolverChoice::kAutomatic, lp::solver::SolverChoice::kSimplex);
   settings.trust = *rc::gen::element(0.01, 0.1, 1.0);
   SumCache sums;
-  const auto result = compact(marker, settings, sums);
+  const auto result = compact(marker, settings, {sums});
   RC_ASSERT(static_cast<bool>(result));
   RC_ASSERT(is_valid(result->marker));
   RC_ASSERT(result->length_after <= result->length_before);
@@ -58,7 +58,7 @@ RC_GTEST_PROP(CompactLaws, SpacingHolds, ()) {
   marker.spacing = marker.strip.width / *rc::gen::inRange<Coord>(1000, 5000) + 1;
   RC_PRE(is_valid(marker));
   SumCache sums;
-  const auto result = compact(marker, compaction_settings(compaction::Accuracy::kStandard), sums);
+  const auto result = compact(marker, compaction_settings(compaction::Accuracy::kStandard), {sums});
   RC_ASSERT(static_cast<bool>(result));
   RC_ASSERT(is_valid(result->marker));
   RC_ASSERT(result->length_after <= result->length_before);

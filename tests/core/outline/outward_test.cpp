@@ -14,7 +14,7 @@
 namespace selvage::test {
 namespace {
 
-double distance_to_segment(outline::Real2 point, Vec from, Vec to) {
+double distance_to_segment(RealVec point, Vec from, Vec to) {
   const double x = static_cast<double>(to.x - from.x);
   const double y = static_cast<double>(to.y - from.y);
   const double px = point.x - static_cast<double>(from.x);
@@ -22,7 +22,7 @@ double distance_to_segment(outline::Real2 point, Vec from, Vec to) {
   const double along = std::clamp((px * x + py * y) / (x * x + y * y), 0.0, 1.0);
   return std::hypot(px - along * x, py - along * y);
 }
-double distance_to_boundary(outline::Real2 point, const Polygon& polygon) {
+double distance_to_boundary(RealVec point, const Polygon& polygon) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     least = std::min(least, distance_to_segment(point, polygon[i], polygon[(i + 1) % polygon.size()]));
@@ -38,8 +38,8 @@ double farthest(const Polygon& polygon, const Polygon& from) {
     const Vec way = polygon[(i + 1) % polygon.size()] - a;
     for (int k = 0; k < kPoints; ++k) {
       const double part = static_cast<double>(k) / kPoints;
-      const outline::Real2 point{static_cast<double>(a.x) + part * static_cast<double>(way.x),
-                                 static_cast<double>(a.y) + part * static_cast<double>(way.y)};
+      const RealVec point{static_cast<double>(a.x) + part * static_cast<double>(way.x),
+                          static_cast<double>(a.y) + part * static_cast<double>(way.y)};
       most = std::max(most, distance_to_boundary(point, from));
     }
   }

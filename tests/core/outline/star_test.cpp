@@ -21,7 +21,7 @@ Integer fixed_point(double value) {
 }
 
 // True when the point lies strictly to the left of every edge's line.  Exact.
-bool sees_every_edge(outline::Real2 point, const Polygon& polygon) {
+bool sees_every_edge(RealVec point, const Polygon& polygon) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec a = polygon[i];
     const Vec d = polygon[(i + 1) % polygon.size()] - a;

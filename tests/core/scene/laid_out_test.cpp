@@ -41,8 +41,8 @@ TEST(LaidOut, LeadsToTheSameMotions) {
     marker.pieces[3].at.y -= 20'000 + into;
     SumCache sums;
     const LaidOut laid_out{marker, sums};
-    const auto bumped = motion::piece::repair_and_bump(marker, laid_out, PieceId{5}, -1, 0.2, sums);
-    const auto serial = motion::piece::repair_and_bump(marker, PieceId{5}, -1, 0.2, sums);
+    const auto bumped = motion::piece::repair_and_bump(marker, laid_out, PieceId{5}, -1, 0.2, {sums});
+    const auto serial = motion::piece::repair_and_bump(marker, PieceId{5}, -1, 0.2, {sums});
     ASSERT_EQ(bool(bumped), into < 900);
     ASSERT_EQ(bool(serial), bool(bumped));
     if (bumped) {
@@ -52,8 +52,8 @@ TEST(LaidOut, LeadsToTheSameMotions) {
     }
     for (const motion::dragging::DragMode mode :
          {motion::dragging::DragMode::kPlace, motion::dragging::DragMode::kPush}) {
-      EXPECT_EQ(drag(marker, laid_out, PieceId{5}, {70'000, 70'000}, mode, sums).marker,
-                drag(marker, PieceId{5}, {70'000, 70'000}, mode, sums).marker);
+      EXPECT_EQ(drag(marker, laid_out, PieceId{5}, {70'000, 70'000}, mode, {sums}).marker,
+                drag(marker, PieceId{5}, {70'000, 70'000}, mode, {sums}).marker);
     }
   }
 }

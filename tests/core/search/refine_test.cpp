@@ -20,7 +20,7 @@ RefineSettings brief(std::uint64_t effort, bool tilts = false) {
 
 motion::compaction::Compaction refined(const Marker& marker, const RefineSettings& settings) {
   SumCache sums;
-  const auto result = refine(marker, settings, sums);
+  const auto result = refine(marker, settings, {sums});
   EXPECT_TRUE(result) << (result ? "" : result.error().message);
   if (!result) return {};
   EXPECT_TRUE(is_valid(result->marker));
@@ -32,7 +32,7 @@ motion::compaction::Compaction refined(const Marker& marker, const RefineSetting
 
 Coord standard_length(const Marker& marker) {
   SumCache sums;
-  return compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), sums)->length_after;
+  return compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums})->length_after;
 }
 
 TEST(Refine, IsNeverLongerThanStandard) {
@@ -114,8 +114,8 @@ TEST(Refine, TurnsNoPieceWhoseTiltIsLocked) {
 TEST(Refine, GivesTheSameAnswerWithAColdAndAWarmCache) {
   const Marker marker = test::garment("jeans_02g");
   SumCache warm;
-  const auto first = refine(marker, brief(4'000), warm);
-  const auto second = refine(marker, brief(4'000), warm);
+  const auto first = refine(marker, brief(4'000), {warm});
+  const auto second = refine(marker, brief(4'000), {warm});
   ASSERT_TRUE(first && second);
   EXPECT_EQ(first->marker, second->marker);
   EXPECT_EQ(first->programs, second->programs);
@@ -133,7 +133,7 @@ TEST(Refine, AnswersWithTheBestSoFarWhenStopped) {
       seen = round.length;
       if (round.number == attempts) source.request_stop();
     };
-    const auto result = refine(marker, refine_settings(), sums, source.get_token(), observer);
+    const auto result = refine(marker, refine_settings(), {sums, source.get_token(), observer});
     ASSERT_TRUE(result);
     EXPECT_EQ(result->reason, scene::StopReason::kCancelled);
     EXPECT_EQ(result->rounds, attempts);

@@ -40,7 +40,7 @@ Method on_squares(const calls::MarkerMethod& method) {
             const calls::Engine engine;
             SumCache sums;
             const auto call = method.read(params);
-            const auto answer = call->run(file, calls::MethodContext{engine, sums, {}, {}});
+            const auto answer = call->run(file, calls::MethodContext{engine, scene::Run{sums}});
             return answer ? result_json("m1", 1, answer->fields) : Json::object();
           }};
 }

@@ -24,7 +24,7 @@ Ran ran(const char* name, const Json& document, Json params, const calls::Engine
   if (!call) return {{}, call.error(), rpc::RpcCode::kInvalidParams};
   const MarkerFile file = test::read(document);
   SumCache sums;
-  auto answer = call->run(file, calls::MethodContext{engine, sums, {}, {}});
+  auto answer = call->run(file, calls::MethodContext{engine, scene::Run{sums}});
   if (!answer) return {{}, answer.error(), code_of_run(method, answer.error())};
   return {*std::move(answer), {}, {}};
 }

@@ -37,7 +37,7 @@ TEST(Readme, ItsExamplesWork) {
   SumCache sums;
   const auto call = find_marker_method("motion.compact")->read(std::get<rpc::Request>(in.calls.at(0)).params);
   ASSERT_TRUE(call);
-  const auto answer = call->run(file, calls::MethodContext{engine, sums, {}, {}});
+  const auto answer = call->run(file, calls::MethodContext{engine, scene::Run{sums}});
   ASSERT_TRUE(answer);
   Json result = result_json("m1", 2, answer->fields);
   Json shown = found[2]["result"];

@@ -18,10 +18,9 @@ namespace selvage::test {
 
 inline protocol::calls::Engine pushing_engine() {
   protocol::calls::Engine engine;
-  engine.compact = [](const Marker& start, const motion::compaction::CompactionSettings&, SumCache&,
-                      const std::stop_token&,
-                      const scene::Observer& observer) -> Result<motion::compaction::Compaction> {
-    observer.on_stage(scene::Stage::kSolve);
+  engine.compact = [](const Marker& start, const motion::compaction::CompactionSettings&,
+                      const scene::Run& run) -> Result<motion::compaction::Compaction> {
+    run.observer.on_stage(scene::Stage::kSolve);
     return push_left(start);
   };
   return engine;

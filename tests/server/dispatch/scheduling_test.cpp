@@ -197,11 +197,10 @@ TEST(DeadlineClock, RingsEachInTurnWhateverIsForgotten) {
 
 TEST(Progress, TellsEachRoundUnderItsToken) {
   protocol::calls::Engine engine;
-  engine.compact = [](const Marker& start, const motion::compaction::CompactionSettings&, SumCache&,
-                      const std::stop_token&,
-                      const scene::Observer& observer) -> Result<motion::compaction::Compaction> {
-    observer.on_round({1, to_lattice(4.5, start.resolution)});
-    observer.on_round({2, to_lattice(4, start.resolution)});
+  engine.compact = [](const Marker& start, const motion::compaction::CompactionSettings&,
+                      const scene::Run& run) -> Result<motion::compaction::Compaction> {
+    run.observer.on_round({1, to_lattice(4.5, start.resolution)});
+    run.observer.on_round({2, to_lattice(4, start.resolution)});
     return push_left(start);
   };
   Desk desk{0, engine};

@@ -37,19 +37,18 @@ class Gate {
   // An engine whose compactions and pushes wait here; cancelled ones say so and have still moved.
   [[nodiscard]] protocol::calls::Engine engine() {
     protocol::calls::Engine engine;
-    engine.compact = [this](const Marker& start, const motion::compaction::CompactionSettings&, SumCache&,
-                            const std::stop_token& stop,
-                            const scene::Observer&) -> Result<motion::compaction::Compaction> {
+    engine.compact = [this](const Marker& start, const motion::compaction::CompactionSettings&,
+                            const scene::Run& run) -> Result<motion::compaction::Compaction> {
       motion::compaction::Compaction done = push_left(start);
-      if (!pass(stop)) done.reason = scene::StopReason::kCancelled;
+      if (!pass(run.stop)) done.reason = scene::StopReason::kCancelled;
       return done;
     };
     engine.push = [this](const Marker& start, std::span<const motion::compaction::Force>,
-                         const motion::compaction::CompactionSettings&, SumCache&, const std::stop_token& stop,
-                         const scene::Observer&) -> Result<motion::compaction::Push> {
+                         const motion::compaction::CompactionSettings&,
+                         const scene::Run& run) -> Result<motion::compaction::Push> {
       motion::compaction::Push done;
       done.marker = push_left(start).marker;
-      if (!pass(stop)) done.reason = scene::StopReason::kCancelled;
+      if (!pass(run.stop)) done.reason = scene::StopReason::kCancelled;
       return done;
     };
     return engine;

@@ -81,7 +81,7 @@ struct SlowHand {
   protocol::calls::Engine engine() {
     protocol::calls::Engine engine;
     engine.drag = [this](const Marker& start, const scene::LaidOut&, PieceId piece, Vec to, motion::dragging::DragMode,
-                         SumCache&, const std::stop_token&, const scene::Observer&) {
+                         const scene::Run&) {
       {
         const std::lock_guard lock{mutex};
         ++begun;

@@ -21,7 +21,7 @@ TEST(OneAtATime, PushesARowTogether) {
   int rounds = 0;
   scene::Observer observer;
   observer.on_round = [&](const scene::Round& round) { rounds = round.number; };
-  const auto result = compact_one_at_a_time(layout.marker(), {}, sums, {}, observer);
+  const auto result = compact_one_at_a_time(layout.marker(), {}, {sums, {}, observer});
   ASSERT_TRUE(result);
   EXPECT_EQ(result->length_before, 900);
   EXPECT_EQ(result->length_after, 300);
@@ -38,8 +38,8 @@ TEST(OneAtATime, CannotDoWhatTakesTwo) {
   layout.put(block, {0, 0}).put(block, {0, 152'000}).put(wedge, {196'000, 200'000}, 180);
   ASSERT_TRUE(marker::is_valid(layout.marker()));
   SumCache sums;
-  const auto serial = compact_one_at_a_time(layout.marker(), {}, sums);
-  const auto together = compact(layout.marker(), compaction_settings(compaction::Accuracy::kFine), sums);
+  const auto serial = compact_one_at_a_time(layout.marker(), {}, {sums});
+  const auto together = compact(layout.marker(), compaction_settings(compaction::Accuracy::kFine), {sums});
   EXPECT_EQ(serial->length_after, 196'000);
   EXPECT_LE(together->length_after, 192'010);
 }
@@ -49,10 +49,10 @@ TEST(OneAtATime, StopsWhenAskedAndWhenTheWorkIsDone) {
   SumCache sums;
   std::stop_source source;
   source.request_stop();
-  const auto stopped = compact_one_at_a_time(marker, {}, sums, source.get_token());
+  const auto stopped = compact_one_at_a_time(marker, {}, {sums, source.get_token()});
   EXPECT_EQ(stopped->reason, scene::StopReason::kCancelled);
   EXPECT_EQ(stopped->marker, marker);
-  const auto limited = compact_one_at_a_time(marker, {.sweeps = 1}, sums);
+  const auto limited = compact_one_at_a_time(marker, {.sweeps = 1}, {sums});
   EXPECT_EQ(limited->reason, scene::StopReason::kWorkLimit);
   EXPECT_EQ(limited->rounds, 1);
 }
@@ -63,7 +63,7 @@ RC_GTEST_PROP(OneAtATimeLaws, ValidNeverLongerLocksHold, ()) {
   marker.pieces[*rc::gen::inRange<std::size_t>(0, 12)].locked = true;
   RC_PRE(is_valid(marker));
   SumCache sums;
-  const auto result = compact_one_at_a_time(marker, {.sweeps = 3}, sums);
+  const auto result = compact_one_at_a_time(marker, {.sweeps = 3}, {sums});
   RC_ASSERT(is_valid(result->marker));
   RC_ASSERT(result->length_after <= result->length_before);
   for (std::size_t k = 0; k < marker.pieces.size(); ++k) {
@@ -82,7 +82,7 @@ RC_GTEST_PROP(OneAtATimeLaws, GroupsAxisLocksAndBuffersHold, ()) {
   marker.pieces[*rc::gen::inRange<std::size_t>(0, 12)].buffer = 300;
   RC_PRE(is_valid(marker));
   SumCache sums;
-  const auto result = compact_one_at_a_time(marker, {.sweeps = 3}, sums);
+  const auto result = compact_one_at_a_time(marker, {.sweeps = 3}, {sums});
   RC_ASSERT(is_valid(result->marker));
   RC_ASSERT(result->length_after <= result->length_before);
   const auto moved = [&](std::size_t k) { return result->marker.pieces[k].at - marker.pieces[k].at; };

@@ -15,7 +15,7 @@ namespace {
 using test::Layout;
 
 // The time until a square of 100 at r, moving so, meets one at the origin.
-double meeting(Vec r, model::Displacement velocity, double clearance = 0) {
+double meeting(Vec r, RealVec velocity, double clearance = 0) {
   SumCache sums;
   Layout layout{1000};
   const auto square = layout.shape_of(test::rectangle(100, 100));
@@ -44,7 +44,7 @@ TEST(Velocity, PushesARowTogether) {
   const auto square = layout.shape_of(test::rectangle(10'000, 10'000));
   layout.put(square, {80'000, 0}).put(square, {35'000, 500}).put(square, {2'000, 9'000});
   SumCache sums;
-  const auto result = compact_by_velocities(layout.marker(), {}, sums);
+  const auto result = compact_by_velocities(layout.marker(), {}, {sums});
   ASSERT_TRUE(result);
   EXPECT_TRUE(marker::is_valid(result->marker));
   // In a row; nothing in its model turns them into a column, and clearances are a few units.
@@ -61,11 +61,11 @@ TEST(Velocity, StopsWhenAskedAndWhenTheWorkIsDone) {
   observer.on_round = [&](const scene::Round& round) {
     if (round.number == 2) source.request_stop();
   };
-  const auto stopped = compact_by_velocities(marker, {}, sums, source.get_token(), observer);
+  const auto stopped = compact_by_velocities(marker, {}, {sums, source.get_token(), observer});
   EXPECT_EQ(stopped->reason, scene::StopReason::kCancelled);
   EXPECT_EQ(stopped->rounds, 2);
   EXPECT_TRUE(is_valid(stopped->marker));
-  const auto limited = compact_by_velocities(marker, {.steps = 3}, sums);
+  const auto limited = compact_by_velocities(marker, {.steps = 3}, {sums});
   EXPECT_EQ(limited->reason, scene::StopReason::kWorkLimit);
   EXPECT_EQ(limited->rounds, 3);
 }
@@ -76,7 +76,7 @@ RC_GTEST_PROP(VelocityLaws, ValidNeverLongerLocksHold, ()) {
   marker.pieces[*rc::gen::inRange<std::size_t>(0, 12)].locked = true;
   RC_PRE(is_valid(marker));
   SumCache sums;
-  const auto result = compact_by_velocities(marker, {.steps = 40}, sums);
+  const auto result = compact_by_velocities(marker, {.steps = 40}, {sums});
   RC_ASSERT(is_valid(result->marker));
   RC_ASSERT(result->length_after <= result->length_before);
   RC_ASSERT(result->reason == scene::StopReason::kConverged || result->reason == scene::StopReason::kWorkLimit);
@@ -94,7 +94,7 @@ RC_GTEST_PROP(VelocityLaws, GroupsAxisLocksAndBuffersHold, ()) {
   marker.pieces[*rc::gen::inRange<std::size_t>(0, 12)].buffer = 300;
   RC_PRE(is_valid(marker));
   SumCache sums;
-  const auto result = compact_by_velocities(marker, {.steps = 40}, sums);
+  const auto result = compact_by_velocities(marker, {.steps = 40}, {sums});
   RC_ASSERT(is_valid(result->marker));
   RC_ASSERT(result->length_after <= result->length_before);
   const auto moved = [&](std::size_t k) { return result->marker.pieces[k].at - marker.pieces[k].at; };

@@ -16,7 +16,7 @@ const CompactionSettings kStandard = compaction_settings(Accuracy::kStandard);
 
 Compaction compacted(const Marker& marker, const CompactionSettings& settings = kStandard) {
   SumCache sums;
-  const auto result = compact(marker, settings, sums);
+  const auto result = compact(marker, settings, {sums});
   EXPECT_TRUE(result) << (result ? "" : result.error().message);
   if (!result) return {};
   EXPECT_TRUE(is_valid(result->marker));
@@ -135,7 +135,7 @@ TEST(Compact, NoRoundIsLongerThanTheOneBefore) {
     EXPECT_LE(round.length, last);
     last = round.length;
   };
-  const auto result = compact(test::loose_marker(5), kStandard, sums, {}, observer);
+  const auto result = compact(test::loose_marker(5), kStandard, {sums, {}, observer});
   ASSERT_TRUE(result);
   EXPECT_EQ(result->rounds, rounds);
   EXPECT_EQ(result->length_after, last);
@@ -159,7 +159,7 @@ TEST(Compact, ReturnsTheBestSoFarWhenCancelled) {
   observer.on_round = [&](const scene::Round& round) {
     if (round.number == 1) source.request_stop();
   };
-  const auto result = compact(test::loose_marker(5), kStandard, sums, source.get_token(), observer);
+  const auto result = compact(test::loose_marker(5), kStandard, {sums, source.get_token(), observer});
   ASSERT_TRUE(result);
   EXPECT_EQ(result->reason, scene::StopReason::kCancelled);
   EXPECT_EQ(result->rounds, 1);
@@ -171,7 +171,7 @@ TEST(Compact, ReturnsTheInputWhenCancelledBeforeItStarts) {
   std::stop_source source;
   source.request_stop();
   SumCache sums;
-  const auto result = compact(test::loose_marker(5), kStandard, sums, source.get_token());
+  const auto result = compact(test::loose_marker(5), kStandard, {sums, source.get_token()});
   ASSERT_TRUE(result);
   EXPECT_EQ(result->reason, scene::StopReason::kCancelled);
   EXPECT_EQ(result->marker, test::loose_marker(5));
@@ -181,9 +181,9 @@ TEST(Compact, GivesTheSameAnswerWithAColdAndAWarmCache) {
   SumCache warm;
   SumCache tiny{1};
   const Marker marker = test::loose_marker(9);
-  const auto first = compact(marker, kStandard, warm);
-  const auto second = compact(marker, kStandard, warm);
-  const auto third = compact(marker, kStandard, tiny);
+  const auto first = compact(marker, kStandard, {warm});
+  const auto second = compact(marker, kStandard, {warm});
+  const auto third = compact(marker, kStandard, {tiny});
   ASSERT_TRUE(first && second && third);
   EXPECT_EQ(first->marker, second->marker);
   EXPECT_EQ(first->marker, third->marker);

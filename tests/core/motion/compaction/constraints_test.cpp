@@ -20,12 +20,12 @@ Marker moved(const Marker& start, int motion) {
   SumCache sums;
   const auto settings = compaction_settings(Accuracy::kStandard);
   switch (motion) {
-    case 0: return compact(start, settings, sums)->marker;
-    case 1: return push(start, gravity(start, -1, 0.5), settings, sums)->marker;
-    case 2: return piece::repair_and_bump(start, PieceId{0}, -1, -0.3, sums)->marker;
-    case 3: return separation::separate(start, {.grow = 0.5}, sums)->marker;
+    case 0: return compact(start, settings, {sums})->marker;
+    case 1: return push(start, gravity(start, -1, 0.5), settings, {sums})->marker;
+    case 2: return piece::repair_and_bump(start, PieceId{0}, -1, -0.3, {sums})->marker;
+    case 3: return separation::separate(start, {.grow = 0.5}, {sums})->marker;
     default:
-      return float_apart(start, float_settings(floating::FloatMode::kLargestMinimum, kFloatDistance), sums)->marker;
+      return float_apart(start, float_settings(floating::FloatMode::kLargestMinimum, kFloatDistance), {sums})->marker;
   }
 }
 constexpr int kMotions = 5;
@@ -74,7 +74,7 @@ RC_GTEST_PROP(Constraints, HoldWhenOverlapsAreParted, ()) {
     piece.at.x = std::max<Coord>(0, piece.at.x - *rc::gen::inRange<Coord>(0, 80'000));
   }
   SumCache sums;
-  const auto parted = separation::separate(start, {.grow = 1}, sums);
+  const auto parted = separation::separate(start, {.grow = 1}, {sums});
   RC_PRE(static_cast<bool>(parted));  // refused when a locked piece lies outside
   expect_constraints_hold(start, parted->marker);
   RC_ASSERT(parted->apart == marker::is_valid(parted->marker));
@@ -91,12 +91,12 @@ TEST(Compact, SlidesAPieceAlongTheAxisItIsFreeOn) {
   Marker marker = three_squares();
   marker.pieces[1].locked = {false, true, true};  // in y: it stops at the first, which it would slide round
   SumCache sums;
-  const auto result = compact(marker, compaction_settings(Accuracy::kStandard), sums);
+  const auto result = compact(marker, compaction_settings(Accuracy::kStandard), {sums});
   ASSERT_TRUE(result);
   EXPECT_EQ(result->marker.pieces[1].at.y, 5'000);
   EXPECT_LE(result->length_after, 20'000);
   marker.pieces[1].locked = {true, false, true};
-  const auto held = compact(marker, compaction_settings(Accuracy::kStandard), sums);
+  const auto held = compact(marker, compaction_settings(Accuracy::kStandard), {sums});
   ASSERT_TRUE(held);
   EXPECT_EQ(held->marker.pieces[1].at.x, 40'000);
   EXPECT_EQ(held->length_after, 50'000);
@@ -106,7 +106,7 @@ TEST(Compact, MovesAGroupAsOne) {
   Marker marker = three_squares();
   marker.pieces[0].group = marker.pieces[2].group = "pair";
   SumCache sums;
-  const auto result = compact(marker, compaction_settings(Accuracy::kStandard), sums);
+  const auto result = compact(marker, compaction_settings(Accuracy::kStandard), {sums});
   ASSERT_TRUE(result);
   EXPECT_EQ(result->length_after, 50'000);  // the group's own
   EXPECT_EQ(result->marker.pieces[2].at - result->marker.pieces[0].at, (Vec{40'000, 50'000}));
@@ -116,7 +116,7 @@ TEST(Bump, MovesAGroupAsOne) {
   Marker marker = three_squares();
   marker.pieces[0].group = marker.pieces[2].group = "pair";
   SumCache sums;
-  const auto bumped = piece::repair_and_bump(marker, PieceId{0}, 0, 1, sums);
+  const auto bumped = piece::repair_and_bump(marker, PieceId{0}, 0, 1, {sums});
   ASSERT_TRUE(bumped);
   EXPECT_EQ(bumped->bump.at, (Vec{20'000, 40'000}));  // the other is at the top
   EXPECT_EQ(bumped->marker.pieces[2].at, (Vec{60'000, 90'000}));
@@ -130,7 +130,7 @@ TEST(Compact, KeepsBuffersAndMargins) {
   for (Piece& piece : marker.pieces) piece.at.y += 500;
   for (Piece& piece : marker.pieces) piece.locked = {false, true, true};
   SumCache sums;
-  const auto result = compact(marker, compaction_settings(Accuracy::kStandard), sums);
+  const auto result = compact(marker, compaction_settings(Accuracy::kStandard), {sums});
   ASSERT_TRUE(result);
   EXPECT_EQ(result->marker.pieces[0].at.x, 500);
   EXPECT_EQ(result->marker.pieces[1].at.x, 500 + 10'000 + 3'000);

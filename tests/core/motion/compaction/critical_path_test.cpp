@@ -15,7 +15,7 @@ using test::Layout;
 
 Hold held(const Marker& marker) {
   SumCache sums;
-  const auto result = what_holds(marker, sums);
+  const auto result = what_holds(marker, {sums});
   EXPECT_TRUE(result) << (result ? "" : result.error().message);
   return result ? *result : Hold{};
 }
@@ -69,7 +69,7 @@ TEST(Hold, SaysWhatATiltWouldBring) {
 TEST(Hold, LoadsBalanceOnCompactedMarkers) {
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
     SumCache sums;
-    const auto tight = compact(test::loose_marker(seed), compaction_settings(Accuracy::kStandard), sums);
+    const auto tight = compact(test::loose_marker(seed), compaction_settings(Accuracy::kStandard), {sums});
     ASSERT_TRUE(tight);
     const Hold hold = held(tight->marker);
     EXPECT_NEAR(load_on(hold, Edge::kRight), 1, 1e-6);
@@ -83,12 +83,12 @@ TEST(Hold, RoomInASpacingIsWorthWhatItSays) {
   SumCache sums;
   Marker marker = test::loose_marker(3);
   marker.spacing = 1000;
-  const auto tight = compact(marker, compaction_settings(Accuracy::kFine), sums);
+  const auto tight = compact(marker, compaction_settings(Accuracy::kFine), {sums});
   ASSERT_TRUE(tight);
   const Hold hold = held(tight->marker);
   Marker looser = tight->marker;
   looser.spacing -= 10;
-  const auto shorter = compact(looser, compaction_settings(Accuracy::kFine), sums);
+  const auto shorter = compact(looser, compaction_settings(Accuracy::kFine), {sums});
   ASSERT_TRUE(shorter);
   EXPECT_GE(static_cast<double>(tight->length_after - shorter->length_after), 10 * hold.per_spacing - 20);
 }
@@ -97,7 +97,7 @@ TEST(Hold, StopsWhenAsked) {
   SumCache sums;
   std::stop_source source;
   source.request_stop();
-  const auto stopped = what_holds(test::loose_marker(3), sums, source.get_token());
+  const auto stopped = what_holds(test::loose_marker(3), {sums, source.get_token()});
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().code, ErrorCode::kStoppedEarly);
 }
@@ -106,7 +106,7 @@ TEST(Hold, RefusesWhatIsNotValid) {
   Marker marker = test::loose_marker(3);
   marker.pieces[1].at = marker.pieces[0].at;
   SumCache sums;
-  EXPECT_FALSE(what_holds(marker, sums));
+  EXPECT_FALSE(what_holds(marker, {sums}));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ Compaction compacted(const Marker& marker) {
   settings.rounds = 2000;
   settings.trust = 0.1;
   SumCache sums;
-  const auto result = compact(marker, settings, sums);
+  const auto result = compact(marker, settings, {sums});
   EXPECT_TRUE(static_cast<bool>(result));
   EXPECT_TRUE(is_valid(result->marker));
   EXPECT_LE(result->length_after, result->length_before);

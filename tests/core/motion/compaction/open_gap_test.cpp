@@ -25,7 +25,7 @@ double area_in_k1(const marker::UnoccupiedRegion& region) {
 // Opens and checks what holds of every opening.
 OpenedGap opened(const Marker& marker, const GapChoice& choice, const marker::UnoccupiedSettings& regions) {
   SumCache sums;
-  const auto result = open_gap(marker, choice, kStandard, regions, sums);
+  const auto result = open_gap(marker, choice, kStandard, regions, {sums});
   EXPECT_TRUE(result) << result.error().message;
   EXPECT_TRUE(is_valid(result->marker));
   EXPECT_LE(result->length_after, result->length_before);
@@ -68,7 +68,7 @@ TEST(OpenGap, EndsWithoutALeastGainToo) {
   CompactionSettings settings = kStandard;
   settings.least_gain = 0;
   SumCache sums;
-  const auto result = open_gap(walls(false).marker(), AwayFromOutline{1}, settings, kEverything, sums);
+  const auto result = open_gap(walls(false).marker(), AwayFromOutline{1}, settings, kEverything, {sums});
   ASSERT_TRUE(result);
   EXPECT_EQ(result->reason, scene::StopReason::kConverged);
   EXPECT_NEAR(area_in_k1(result->after), 700 * 1000, 1);
@@ -92,10 +92,10 @@ TEST(OpenGap, WithNothingToOpenNothingMoves) {  // a frame of bricks without sla
 TEST(OpenGap, RefusesWhatIsNoGap) {
   SumCache sums;
   const Marker marker = walls(false).marker();
-  EXPECT_EQ(open_gap(marker, AwayFromPoint{{250 * k1, 500 * k1}}, kStandard, kEverything, sums).error().field,
+  EXPECT_EQ(open_gap(marker, AwayFromPoint{{250 * k1, 500 * k1}}, kStandard, kEverything, {sums}).error().field,
             "/point");
-  EXPECT_EQ(open_gap(marker, AwayFromOutline{3}, kStandard, kEverything, sums).error().field, "/region");
-  EXPECT_EQ(open_gap(marker, AwayFromOutline{3}, kStandard, kEverything, sums).error().code, ErrorCode::kOutOfRange);
+  EXPECT_EQ(open_gap(marker, AwayFromOutline{3}, kStandard, kEverything, {sums}).error().field, "/region");
+  EXPECT_EQ(open_gap(marker, AwayFromOutline{3}, kStandard, kEverything, {sums}).error().code, ErrorCode::kOutOfRange);
 }
 
 // Of a list that healing makes shorter: it closes the slit before the second wall.
@@ -110,7 +110,7 @@ TEST(OpenGap, ARegionsNumberIsThatOfTheMarkerAsItComes) {
   EXPECT_EQ(gap.repair.pairs, 1U);
   EXPECT_NEAR(area_in_k1(gap.before), 600 * 1000, 1);
   SumCache sums;
-  EXPECT_EQ(open_gap(marker, AwayFromOutline{0}, kStandard, kEverything, sums).error().code, ErrorCode::kOutOfRange);
+  EXPECT_EQ(open_gap(marker, AwayFromOutline{0}, kStandard, kEverything, {sums}).error().code, ErrorCode::kOutOfRange);
 }
 
 TEST(OpenGap, StoppedBeforeItFoundTheGapSaysSo) {
@@ -118,7 +118,7 @@ TEST(OpenGap, StoppedBeforeItFoundTheGapSaysSo) {
   std::stop_source source;
   source.request_stop();
   for (const GapChoice& choice : {GapChoice{AwayFromPoint{{150 * k1, 500 * k1}}}, GapChoice{AwayFromOutline{1}}}) {
-    const auto result = open_gap(walls(false).marker(), choice, kStandard, kEverything, sums, source.get_token());
+    const auto result = open_gap(walls(false).marker(), choice, kStandard, kEverything, {sums, source.get_token()});
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, ErrorCode::kStoppedEarly);
   }
@@ -130,7 +130,8 @@ TEST(OpenGap, StopsWhenAsked) {
   scene::Observer observer;
   observer.on_program = [&](const lp::LinearProgram&) { source.request_stop(); };
   const Marker marker = walls(false).marker();
-  const auto result = open_gap(marker, AwayFromOutline{1}, kStandard, kEverything, sums, source.get_token(), observer);
+  const auto result =
+      open_gap(marker, AwayFromOutline{1}, kStandard, kEverything, {sums, source.get_token(), observer});
   ASSERT_TRUE(result);
   EXPECT_EQ(result->reason, scene::StopReason::kCancelled);
   EXPECT_EQ(result->marker, marker);

@@ -34,7 +34,7 @@ Come compacted(const Marker& marker, Accuracy accuracy) {
     come.nonzeros += static_cast<double>(program.entries.size());
   };
   SumCache sums;
-  const auto done = compact(marker, compaction_settings(accuracy), sums, {}, observer);
+  const auto done = compact(marker, compaction_settings(accuracy), {sums, {}, observer});
   EXPECT_TRUE(done);
   come.ratio = static_cast<double>(done->length_after) / static_cast<double>(done->length_before);
   come.marker = done->marker;
@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(All, GarmentPresets, ::testing::ValuesIn(kPresets),
 TEST(Presets, FineShortensByHalfAPercentMore) {
   const Marker marker = test::garment("jeans_02g");
   SumCache sums;
-  const auto fine = refine(marker, search::refine_settings(), sums);
+  const auto fine = refine(marker, search::refine_settings(), {sums});
   ASSERT_TRUE(fine);
   EXPECT_TRUE(is_valid(fine->marker));
   const double ratio = static_cast<double>(fine->length_after) / static_cast<double>(fine->length_before);

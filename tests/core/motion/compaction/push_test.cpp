@@ -14,7 +14,7 @@ const CompactionSettings kStandard = compaction_settings(Accuracy::kStandard);
 
 Push pushed(const Marker& marker, const std::vector<Force>& forces) {
   SumCache sums;
-  const auto result = push(marker, forces, kStandard, sums);
+  const auto result = push(marker, forces, kStandard, {sums});
   EXPECT_TRUE(result) << (result ? "" : result.error().message);
   if (!result) return {};
   EXPECT_TRUE(is_valid(result->marker));
@@ -67,9 +67,9 @@ TEST(Push, RefusesForcesThatAreNone) {
   SumCache sums;
   const Marker marker = test::loose_marker(4);
   const std::vector<Force> nobody{{PieceId{99}, 1, 0}};
-  EXPECT_EQ(push(marker, nobody, kStandard, sums).error().code, ErrorCode::kOutOfRange);
+  EXPECT_EQ(push(marker, nobody, kStandard, {sums}).error().code, ErrorCode::kOutOfRange);
   const std::vector<Force> endless{{PieceId{0}, 1 / 0.0, 0}};
-  EXPECT_EQ(push(marker, endless, kStandard, sums).error().field, "/forces/0");
+  EXPECT_EQ(push(marker, endless, kStandard, {sums}).error().field, "/forces/0");
 }
 
 }  // namespace

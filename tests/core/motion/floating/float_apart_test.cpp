@@ -23,7 +23,7 @@ FloatSettings settings_for(FloatMode mode, Coord distance) {
 
 Floating floated(const Marker& marker, const FloatSettings& settings) {
   SumCache sums;
-  const auto result = float_apart(marker, settings, sums);
+  const auto result = float_apart(marker, settings, {sums});
   EXPECT_TRUE(result) << (result ? "" : result.error().message);
   if (!result) return {};
   EXPECT_TRUE(is_valid(result->marker));
@@ -186,7 +186,7 @@ TEST(FloatApart, TwoStepGoesOnPastTheCriticalSet) {
 TEST(FloatApart, RefusesDistancesThatAreNone) {
   SumCache sums;
   for (const Coord distance : {Coord{0}, Coord{-5}, kLatticeLimit}) {
-    const auto result = float_apart(bars(), float_settings(FloatMode::kTwoStep, distance), sums);
+    const auto result = float_apart(bars(), float_settings(FloatMode::kTwoStep, distance), {sums});
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, ErrorCode::kOutOfRange);
     EXPECT_EQ(result.error().field, "/distance");
@@ -198,7 +198,7 @@ TEST(FloatApart, StopsWhenAskedAndAtTheWorkLimit) {
   std::stop_source source;
   source.request_stop();
   const FloatSettings settings = settings_for(FloatMode::kTwoStep, 100 * kMm);
-  const auto cancelled = float_apart(bars(), settings, sums, source.get_token());
+  const auto cancelled = float_apart(bars(), settings, {sums, source.get_token()});
   ASSERT_TRUE(cancelled);
   EXPECT_EQ(cancelled->reason, scene::StopReason::kCancelled);
   EXPECT_EQ(cancelled->marker, bars());
@@ -211,7 +211,7 @@ TEST(FloatApart, StopsWhenAskedAndAtTheWorkLimit) {
 
 TEST(FloatApart, PiecesOfAnyShapeGainRoom) {
   SumCache sums;
-  const auto compacted = compact(test::loose_marker(21), compaction_settings(compaction::Accuracy::kStandard), sums);
+  const auto compacted = compact(test::loose_marker(21), compaction_settings(compaction::Accuracy::kStandard), {sums});
   ASSERT_TRUE(compacted);
   const auto mean = [](const Floating& f, double GapWidths::*when) {
     return std::accumulate(f.gaps.begin(), f.gaps.end(), 0.0,
@@ -237,7 +237,7 @@ RC_GTEST_PROP(FloatLaws, ValidNeverLongerNeverNarrowerLocksHold, ()) {
   marker.spacing = *rc::gen::element<Coord>(0, 0, 1, radius / 50);
   RC_PRE(is_valid(marker));
   SumCache sums;
-  const auto compacted = compact(marker, compaction_settings(compaction::Accuracy::kDraft), sums);
+  const auto compacted = compact(marker, compaction_settings(compaction::Accuracy::kDraft), {sums});
   RC_ASSERT(static_cast<bool>(compacted));
   marker = compacted->marker;
   const auto every = *rc::gen::inRange<std::size_t>(2, 9);
@@ -248,7 +248,7 @@ RC_GTEST_PROP(FloatLaws, ValidNeverLongerNeverNarrowerLocksHold, ()) {
                      *rc::gen::element<Coord>(1, radius / 20, radius));
   settings.edges = *rc::gen::arbitrary<bool>();
   settings.rounds = 3;
-  const auto result = float_apart(marker, settings, sums);
+  const auto result = float_apart(marker, settings, {sums});
   RC_ASSERT(static_cast<bool>(result));
   RC_ASSERT(is_valid(result->marker));
   RC_ASSERT(result->length_after <= result->length_before);
@@ -261,7 +261,7 @@ RC_GTEST_PROP(FloatLaws, ValidNeverLongerNeverNarrowerLocksHold, ()) {
   RC_ASSERT(static_cast<double>(result->least_after) <= least + 1e-6);
   RC_ASSERT(static_cast<double>(result->least_after) > least - 1 - 1e-6);
   SumCache fresh;
-  const auto again = float_apart(marker, settings, fresh);
+  const auto again = float_apart(marker, settings, {fresh});
   RC_ASSERT(again->marker == result->marker);
   RC_ASSERT(again->gaps == result->gaps);
   RC_ASSERT(again->critical == result->critical);

@@ -74,14 +74,14 @@ TEST(Bump, OfAMarkerAsItComesHealsFirst) {
   const auto square = layout.shape_of(test::rectangle(100'000, 100'000));
   layout.put(square, {0, 0}).put(square, {99'990, 50'000});  // they overlap by less than the healing limit
   SumCache sums;
-  const auto bumped = repair_and_bump(layout.marker(), PieceId{1}, 0, 1, sums);
+  const auto bumped = repair_and_bump(layout.marker(), PieceId{1}, 0, 1, {sums});
   ASSERT_TRUE(bumped);
   EXPECT_EQ(bumped->repair.pairs, 1U);
   EXPECT_TRUE(marker::is_valid(bumped->marker));
   EXPECT_EQ(bumped->marker.pieces[1].at, bumped->bump.at);
   EXPECT_EQ(bumped->bump.at.y, 900'000);
   layout.put(square, {50'000, 0});
-  EXPECT_EQ(repair_and_bump(layout.marker(), PieceId{1}, 0, 1, sums).error().code, ErrorCode::kMarkerOverlaps);
+  EXPECT_EQ(repair_and_bump(layout.marker(), PieceId{1}, 0, 1, {sums}).error().code, ErrorCode::kMarkerOverlaps);
 }
 
 // The best point that can be slid to from `at`, straight and within `reach` lattice units, by trying all ways and every

@@ -25,7 +25,7 @@ Marker pair_overlapping_by(Coord depth) {
 Result<Repair> healed(const Marker& marker, Marker& out) {
   SumCache sums;
   scene::Scene scene{marker, sums};
-  auto repair = repair_overlaps(scene, {}, {});
+  auto repair = repair_overlaps(scene, {sums});
   out = scene.result();
   return repair;
 }
@@ -93,7 +93,7 @@ TEST(Heal, SaysWhenItWasStoppedBeforeTheEnd) {
   SumCache sums;
   const Marker start = pair_overlapping_by(50);
   scene::Scene scene{start, sums};
-  const auto repair = repair_overlaps(scene, source.get_token(), {});
+  const auto repair = repair_overlaps(scene, {sums, source.get_token()});
   ASSERT_FALSE(repair);
   EXPECT_EQ(repair.error().code, ErrorCode::kStoppedEarly);
   EXPECT_EQ(scene.result(), start);
@@ -116,7 +116,7 @@ int most_columns(const Marker& marker, Marker& out) {
   observer.on_program = [&](const lp::LinearProgram& program) { most = std::max(most, program.columns()); };
   SumCache sums;
   scene::Scene scene{marker, sums};
-  EXPECT_TRUE(repair_overlaps(scene, {}, observer));
+  EXPECT_TRUE(repair_overlaps(scene, {sums, {}, observer}));
   out = scene.result();
   EXPECT_TRUE(is_valid(out));
   return most;
@@ -150,7 +150,7 @@ TEST(Heal, ModelsWhatIsPushedOn) {  // nine in a stack, of which the lowest two 
 TEST(Heal, ShakenCompactedMarkersHealAndStayAsShort) {
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
     SumCache sums;
-    const auto tight = compact(test::loose_marker(seed), compaction_settings(compaction::Accuracy::kStandard), sums);
+    const auto tight = compact(test::loose_marker(seed), compaction_settings(compaction::Accuracy::kStandard), {sums});
     ASSERT_TRUE(tight);
     Marker shaken = tight->marker;
     std::mt19937 random{seed};
@@ -158,7 +158,7 @@ TEST(Heal, ShakenCompactedMarkersHealAndStayAsShort) {
       piece.at.x += static_cast<Coord>(random() % 21) - 10;
       piece.at.y += static_cast<Coord>(random() % 21) - 10;
     }
-    const auto again = compact(shaken, compaction_settings(compaction::Accuracy::kStandard), sums);
+    const auto again = compact(shaken, compaction_settings(compaction::Accuracy::kStandard), {sums});
     ASSERT_TRUE(again) << again.error().message;
     EXPECT_TRUE(is_valid(again->marker));
     EXPECT_GT(again->repair.pairs + again->repair.protruding, 0U);

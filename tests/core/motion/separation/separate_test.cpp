@@ -14,7 +14,7 @@ using test::Layout;
 
 Separation separated(const Marker& marker, const SeparationSettings& settings = {}) {
   SumCache sums;
-  const auto result = separate(marker, settings, sums);
+  const auto result = separate(marker, settings, {sums});
   EXPECT_TRUE(result) << (result ? "" : result.error().message);
   if (!result) return {};
   EXPECT_EQ(result->apart, is_valid(result->marker));
@@ -145,18 +145,18 @@ TEST(Separate, RefusesAPieceLockedOutside) {
   start.pieces[1].locked = true;
   start.pieces[1].at.y = -1;
   SumCache sums;
-  const auto result = separate(start, {}, sums);
+  const auto result = separate(start, {}, {sums});
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::kOutsideStrip);
   EXPECT_EQ(result.error().field, "/pieces/1/at");
-  EXPECT_EQ(separate(two_squares(30), {.grow = -0.1}, sums).error().code, ErrorCode::kOutOfRange);
+  EXPECT_EQ(separate(two_squares(30), {.grow = -0.1}, {sums}).error().code, ErrorCode::kOutOfRange);
 }
 
 TEST(Separate, CancelledGivesTheLeastOverlapSoFar) {
   SumCache sums;
   std::stop_source source;
   source.request_stop();
-  const auto result = separate(two_squares(30), {}, sums, source.get_token());
+  const auto result = separate(two_squares(30), {}, {sums, source.get_token()});
   ASSERT_TRUE(result);
   EXPECT_EQ(result->reason, scene::StopReason::kCancelled);
   EXPECT_FALSE(result->apart);
@@ -185,7 +185,7 @@ TEST(Separate, NeverClaimsMoreThanItHasSeenWhenItIsStopped) {
     observer.on_stage = [&](scene::Stage stage) {
       if (stage == scene::Stage::kVerify && ++proofs == stop_at) source.request_stop();
     };
-    const auto result = separate(start, {.grow = 10}, sums, source.get_token(), observer);
+    const auto result = separate(start, {.grow = 10}, {sums, source.get_token(), observer});
     ASSERT_TRUE(result);
     ended = proofs < stop_at;
     EXPECT_EQ(result->apart, result->remaining.empty()) << stop_at;
@@ -212,7 +212,7 @@ TEST(Separate, StoppedBetweenRoundsSpeaksOfWhatItHandsBack) {
       observer.on_round = [&](const scene::Round&) {
         if (++rounds == stop_at) source.request_stop();
       };
-      const auto result = separate(start, {}, sums, source.get_token(), observer);
+      const auto result = separate(start, {}, {sums, source.get_token(), observer});
       ASSERT_TRUE(result);
       ended = rounds < stop_at;
       EXPECT_EQ(result->apart, is_valid(result->marker)) << stop_at;
@@ -228,7 +228,7 @@ Marker shaken_marker() {
   const auto seed = *rc::gen::arbitrary<std::uint32_t>();
   Marker marker = test::loose_marker(seed, *rc::gen::inRange(1, 5), *rc::gen::inRange(1, 4));
   SumCache sums;
-  const auto tight = compact(marker, compaction_settings(compaction::Accuracy::kDraft), sums);
+  const auto tight = compact(marker, compaction_settings(compaction::Accuracy::kDraft), {sums});
   RC_ASSERT(static_cast<bool>(tight));
   marker = tight->marker;
   const auto most = *rc::gen::element<std::uint32_t>(1, 100, 2'000, 20'000, 100'000);
@@ -253,7 +253,7 @@ RC_GTEST_PROP(SeparateLaws, ValidWhenApartLocksHoldLengthKept, ()) {
       .target = *rc::gen::element(repair::TargetRule::kNearest, repair::TargetRule::kKernelRay),
       .pop_out = *rc::gen::element(false, true)};
   SumCache sums;
-  const auto result = separate(marker, settings, sums);
+  const auto result = separate(marker, settings, {sums});
   RC_ASSERT(static_cast<bool>(result));
   RC_ASSERT(result->apart == is_valid(result->marker));
   if (settings.pop_out) RC_ASSERT(result->apart);
@@ -268,7 +268,7 @@ RC_GTEST_PROP(SeparateLaws, ValidWhenApartLocksHoldLengthKept, ()) {
     if (piece.locked) RC_ASSERT(piece == *before);
   }
   SumCache others;
-  const auto again = separate(marker, settings, others);
+  const auto again = separate(marker, settings, {others});
   RC_ASSERT(again->marker == result->marker);
   RC_ASSERT(again->popped == result->popped);
 }
@@ -285,7 +285,7 @@ RC_GTEST_PROP(SeparateLaws, NeverWorse, ()) {
     for (const marker::Overlap& overlap : check(m, sums).overlaps) sum += overlap.depth;
     return sum;
   };
-  const auto result = separate(marker, {.rounds = *rc::gen::inRange(0, 4)}, sums);
+  const auto result = separate(marker, {.rounds = *rc::gen::inRange(0, 4)}, {sums});
   RC_ASSERT(static_cast<bool>(result));
   RC_ASSERT(depth(result->marker) <= depth(marker) * (1 + 1e-9));
   if (is_valid(marker)) RC_ASSERT(result->marker == marker);

@@ -36,7 +36,7 @@ double way_apart(const Marker& marker, Coord length, model::Extent extent) {
   const double reach = 0.05 * static_cast<double>(marker.strip.width);
   const separation::PartingSettings settings{
       reach, 100, {length, length, 10, 50}, lp::solver::SolverChoice::kAutomatic, extent};
-  const separation::SeparationStep step = separation_step(scene, parting, scene.pieces.positions(), settings, {}, {});
+  const separation::SeparationStep step = separation_step(scene, parting, scene.pieces.positions(), settings, {sums});
   EXPECT_EQ(step.status, lp::LpStatus::kOptimal);
   double sum = 0;
   for (std::size_t i = 0; i < step.positions.size(); ++i) {
@@ -59,7 +59,7 @@ TEST_P(GarmentExtents, CompactionComesToTheSameLength) {
     compaction::CompactionSettings settings = settings_with(extent);
     settings.rounds = 1;  // the same program: later rounds start where the first one's vertex lies
     settings.solver_tolerance = 0;
-    return static_cast<double>(compact(loose, settings, sums)->length_after);
+    return static_cast<double>(compact(loose, settings, {sums})->length_after);
   };
   EXPECT_NEAR(length(model::Extent::kReached), length(model::Extent::kWhole), 1e-7 * width_);
 }
@@ -69,12 +69,12 @@ TEST_P(GarmentExtents, PushingOnePieceGainsAsMuch) {
     SumCache sums;
     compaction::CompactionSettings settings = settings_with(extent);
     settings.rounds = 1;
-    const auto pushed = push(marker_, {&force, 1}, settings, sums);
+    const auto pushed = push(marker_, {&force, 1}, settings, {sums});
     EXPECT_TRUE(is_valid(pushed->marker));
     return pushed->gain;
   };
   for (std::uint32_t piece = 3; piece < marker_.pieces.size(); piece += 16) {
-    for (const model::Displacement to : {model::Displacement{1, 0}, {-1, 0}, {0, 1}, {0.6, -0.8}}) {
+    for (const RealVec to : {RealVec{1, 0}, {-1, 0}, {0, 1}, {0.6, -0.8}}) {
       const compaction::Force force{PieceId{piece}, to.x, to.y};
       // Farther pieces need not give room for margins when they stay: never less, by a few units more.
       EXPECT_NEAR(gain(force, model::Extent::kReached), gain(force, model::Extent::kWhole), 1e-5 * width_)
@@ -90,7 +90,7 @@ TEST_P(GarmentExtents, OpeningAGapGainsAsMuch) {
     SumCache sums;
     compaction::CompactionSettings settings = settings_with(extent);
     settings.rounds = 1;
-    const auto opened = open_gap(marker_, compaction::AwayFromOutline{region}, settings, regions, sums);
+    const auto opened = open_gap(marker_, compaction::AwayFromOutline{region}, settings, regions, {sums});
     EXPECT_TRUE(is_valid(opened->marker));
     return opened->after.area;
   };
@@ -151,10 +151,10 @@ TEST(Extents, NothingToReachIsNoReasonToTryForEver) {
   ASSERT_TRUE(is_valid(marker));
   SumCache sums;
   const scene::Scene scene{marker, sums};
-  Goal goal{std::vector<model::Displacement>(scene.pieces.size()), 0, 1e-3};
-  for (const model::Displacement force : {model::Displacement{0, 1}, model::Displacement{1, 0}}) {
+  Goal goal{std::vector<RealVec>(scene.pieces.size()), 0, 1e-3};
+  for (const RealVec force : {RealVec{0, 1}, RealVec{1, 0}}) {
     goal.force[1] = force;
-    const PositionStep step = position_step(scene, goal, {0.05, {}, {}}, {}, {});
+    const PositionStep step = position_step(scene, goal, {0.05, {}, {}}, {sums});
     EXPECT_LE(step.programs, 4);
     EXPECT_EQ(step.positions.size(), step.end == StepEnd::kMoved ? scene.pieces.size() : 0);
   }

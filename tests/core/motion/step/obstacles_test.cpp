@@ -53,7 +53,7 @@ TEST(Obstacles, SimplerProgramsEndWhereOthersDo) {
     int rows = 0;
     scene::Observer observer;
     observer.on_program = [&](const lp::LinearProgram& program) { rows = rows == 0 ? program.rows() : rows; };
-    done = *compact(marker, settings, sums, {}, observer);
+    done = *compact(marker, settings, {sums, {}, observer});
     return rows;
   };
   compaction::CompactionSettings settings = compaction_settings(compaction::Accuracy::kStandard);
@@ -68,8 +68,8 @@ TEST(Obstacles, SimplerProgramsEndWhereOthersDo) {
     EXPECT_TRUE(is_valid(done.marker)) << simplification;
     EXPECT_LE(done.length_after, done.length_before) << simplification;
     EXPECT_LT(static_cast<double>(done.length_after), 1.0001 * static_cast<double>(own.length_after)) << simplification;
-    EXPECT_EQ(compact(marker, settings, sums)->marker, done.marker) << simplification;
-    EXPECT_EQ(compact(marker, settings, fresh)->marker, done.marker) << simplification;
+    EXPECT_EQ(compact(marker, settings, {sums})->marker, done.marker) << simplification;
+    EXPECT_EQ(compact(marker, settings, {fresh})->marker, done.marker) << simplification;
   }
 }
 

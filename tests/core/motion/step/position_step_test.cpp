@@ -20,10 +20,10 @@ TEST_P(PositionStepOfGarments, AProgramThatIsNotWorthSolvingAgainHasItsMovesShor
   SumCache sums;
   const scene::Scene scene{marker, sums};
   const Goal goal = leftward_goal(scene, 0.003);
-  const PositionStep best = position_step(scene, goal, {.trust = kTrust}, {}, {});
+  const PositionStep best = position_step(scene, goal, {.trust = kTrust}, {sums});
   ASSERT_EQ(best.end, StepEnd::kMoved);
   ASSERT_GT(best.programs, 1);
-  const PositionStep once = position_step(scene, goal, {.trust = kTrust, .worth = 1}, {}, {});
+  const PositionStep once = position_step(scene, goal, {.trust = kTrust, .worth = 1}, {sums});
   ASSERT_EQ(once.end, StepEnd::kMoved);
   EXPECT_LT(once.programs, best.programs);
   EXPECT_GT(once.gain, 0);
@@ -33,7 +33,7 @@ TEST_P(PositionStepOfGarments, AProgramThatIsNotWorthSolvingAgainHasItsMovesShor
   EXPECT_TRUE(conflicts(moved).empty());
   EXPECT_LT(moved.length(), scene.pieces.length());
   // What gains more than that is worth solving again.
-  const PositionStep again = position_step(scene, goal, {.trust = kTrust, .worth = 1e-6}, {}, {});
+  const PositionStep again = position_step(scene, goal, {.trust = kTrust, .worth = 1e-6}, {sums});
   EXPECT_EQ(again.programs, best.programs);
   EXPECT_EQ(again.positions, best.positions);
 }

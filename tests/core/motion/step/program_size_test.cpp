@@ -143,7 +143,7 @@ TEST_P(ProgramSizes, TiltingHasOneMoreColumnForAPiece) {
     scene::Observer observer;
     observer.on_program = [&](const lp::LinearProgram& program) { asked = program.columns(); };
     const tilting::TiltStepSettings step{settings.step, settings.trust, settings.compaction.solver};
-    EXPECT_EQ(tilt_step(scene, leftward_goal(scene, 0), {}, step, {}, observer).status, lp::LpStatus::kOptimal);
+    EXPECT_EQ(tilt_step(scene, leftward_goal(scene, 0), {}, step, {sums, {}, observer}).status, lp::LpStatus::kOptimal);
     return asked;
   };
   EXPECT_EQ(columns(3) - columns(0), static_cast<int>(GetParam()));

@@ -26,7 +26,7 @@ TiltSettings limited(double degrees, TiltMethod method = TiltMethod::kLinearisat
 
 Tilting tilted_marker(const Marker& marker, const TiltSettings& settings) {
   SumCache sums;
-  const auto result = tilt(marker, settings, sums);
+  const auto result = tilt(marker, settings, {sums});
   EXPECT_TRUE(result) << (result ? "" : result.error().message);
   if (!result) return {};
   EXPECT_TRUE(is_valid(result->marker));
@@ -93,7 +93,7 @@ TEST(Tilt, LimitsHoldToTheLastBit) {
 TEST(Tilt, WithoutALimitItIsCompaction) {
   Marker marker = test::loose_marker(7);
   SumCache sums;
-  const auto compaction = compact(marker, compaction_settings(compaction::Accuracy::kStandard), sums);
+  const auto compaction = compact(marker, compaction_settings(compaction::Accuracy::kStandard), {sums});
   ASSERT_TRUE(compaction);
   for (const TiltMethod method : {TiltMethod::kLinearisation, TiltMethod::kRelaxation}) {
     const Tilting result = tilted_marker(marker, settings_of(method));
@@ -184,7 +184,7 @@ TEST(Tilt, StopsWithTheBestSoFar) {
   };
   TiltSettings settings = settings_of(TiltMethod::kLinearisation);
   settings.step = Angle::of_degrees(0.25);
-  const auto result = tilt(marker, settings, sums, source.get_token(), observer);
+  const auto result = tilt(marker, settings, {sums, source.get_token(), observer});
   ASSERT_TRUE(result);
   EXPECT_EQ(result->reason, scene::StopReason::kCancelled);
   EXPECT_TRUE(is_valid(result->marker));
@@ -200,9 +200,9 @@ TEST(Tilt, SameAnswerWhateverTheCacheHolds) {
   for (const TiltMethod method : {TiltMethod::kLinearisation, TiltMethod::kRelaxation}) {
     SumCache cold;
     SumCache small{1};
-    const auto first = tilt(marker, settings_of(method), cold);
-    const auto warm = tilt(marker, settings_of(method), cold);
-    const auto forgetful = tilt(marker, settings_of(method), small);
+    const auto first = tilt(marker, settings_of(method), {cold});
+    const auto warm = tilt(marker, settings_of(method), {cold});
+    const auto forgetful = tilt(marker, settings_of(method), {small});
     ASSERT_TRUE(first && warm && forgetful);
     EXPECT_EQ(first->marker, warm->marker);
     EXPECT_EQ(first->marker, forgetful->marker);
@@ -212,7 +212,7 @@ TEST(Tilt, SameAnswerWhateverTheCacheHolds) {
 TEST(Tilt, RefusesLimitsThatAreNone) {
   SumCache sums;
   for (const double degrees : {-1.0, 46.0, std::nan(""), 1 / 0.0}) {
-    const auto result = tilt(wedges(1), limited(degrees), sums);
+    const auto result = tilt(wedges(1), limited(degrees), {sums});
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, ErrorCode::kOutOfRange);
     EXPECT_EQ(result.error().field, "/limit");
@@ -224,8 +224,8 @@ TEST(TiltedPiece, KeepsItsPivot) {
   const marker::PlacedPieces pieces{marker};
   Marker turned_marker = marker;
   turned_marker.pieces[0] = piece::tilted(marker.pieces[0], pieces[0], Angle::of_degrees(4));
-  const outline::Real2 before = model::tilting::pivot_of(pieces[0]);
-  const outline::Real2 after = model::tilting::pivot_of(marker::PlacedPieces{turned_marker}[0]);
+  const RealVec before = model::tilting::pivot_of(pieces[0]);
+  const RealVec after = model::tilting::pivot_of(marker::PlacedPieces{turned_marker}[0]);
   EXPECT_NEAR(before.x, after.x, 1.01);
   EXPECT_NEAR(before.y, after.y, 1.01);
 }
@@ -247,7 +247,7 @@ RC_GTEST_PROP(TiltLaws, ValidNeverLongerLimitsAndLocksHold, ()) {
   settings.tilts = 3;
   settings.perturbations = *rc::gen::inRange(0, 2);
   SumCache sums;
-  const auto result = tilt(marker, settings, sums);
+  const auto result = tilt(marker, settings, {sums});
   RC_ASSERT(static_cast<bool>(result));
   RC_ASSERT(is_valid(result->marker));
   RC_ASSERT(static_cast<bool>(make_marker(result->marker)));

@@ -1,5 +1,5 @@
-// Tests of core/outline/triangulation.h: the triangles of random and difficult polygons form a partition.
-#include "core/outline/triangulation.h"
+// Tests of core/outline/decomposition/triangulation.h: the triangles of random and difficult polygons form a partition.
+#include "core/outline/decomposition/triangulation.h"
 
 #include <gtest/gtest.h>
 
@@ -11,11 +11,11 @@ namespace selvage::test {
 namespace {
 
 void expect_partition(const Polygon& polygon) {
-  const auto triangles = outline::triangulate(polygon);
+  const auto triangles = outline::decomposition::triangulate(polygon);
   ASSERT_EQ(triangles.size(), polygon.size() - 2) << text_of(polygon);
   Wide total = 0;
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> directed;
-  for (const outline::Triangle& t : triangles) {
+  for (const outline::decomposition::Triangle& t : triangles) {
     const std::vector<Vec> corners{polygon[t[0]], polygon[t[1]], polygon[t[2]]};
     ASSERT_GT(doubled_area(corners), 0) << text_of(polygon);
     total += doubled_area(corners);
