@@ -51,7 +51,7 @@ Result<Validity> check(const Marker& marker, SumCache& sums, const std::stop_tok
     validity.overlaps.push_back(measured(pair, pieces, marker, sums));
   }
   if (stop.stop_requested()) {
-    return Error{ErrorCode::kStoppedEarly, "stopped before all that overlaps was measured", ""};
+    return Error{ErrorCode::kStoppedEarly, "stopped before all overlaps were measured", ""};
   }
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {
     if (const Coord by = protrusion_of(pieces.box(i), marker.strip); by > 0) {

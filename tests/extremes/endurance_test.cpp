@@ -87,13 +87,13 @@ class Motions {
   }
   // Perturbs the marker so that pieces overlap slightly, then separates them.
   std::optional<Marker> separated(const Marker& marker) {
-    Marker shaken = marker;
+    Marker perturbed = marker;
     const Coord most = marker.strip.width / 500;
-    for (Piece& piece : shaken.pieces) {
+    for (Piece& piece : perturbed.pieces) {
       if (!piece.locked.x) piece.at.x += random_.between(-most, most);
       if (!piece.locked.y) piece.at.y += random_.between(-most, most);
     }
-    auto done = motion::separation::separate(shaken, {.grow = 0.05}, {sums_});
+    auto done = motion::separation::separate(perturbed, {.grow = 0.05}, {sums_});
     if (!done || !done->apart) return std::nullopt;
     return std::move(done->marker);
   }

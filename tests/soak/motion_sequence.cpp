@@ -113,7 +113,7 @@ class SequenceRunner {
       const NamedMotion& motion = drawn_motion(random_);
       ++result_.motions;
       ++result_.of_each[motion.name];
-      Marker given = motion.mends && random_.chance(15) ? nudged(random_, marker_) : marker_;
+      Marker given = motion.repairs && random_.chance(15) ? nudged(random_, marker_) : marker_;
       const std::string what = fault_of(motion, given);
       if (!what.empty()) result_.fault = Fault{step, std::string{motion.name}, what, std::move(given)};
     }

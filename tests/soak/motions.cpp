@@ -62,9 +62,9 @@ std::pair<double, double> any_direction(Random& random) {
 }
 // A random point on the strip or slightly outside it.
 Vec any_place(Random& random, const Marker& marker) {
-  const Coord beside = marker.strip.width / 8;
-  const Coord x = random.between(-beside, length_of(marker) + beside);
-  return {x, random.between(-beside, marker.strip.width + beside)};
+  const Coord outside = marker.strip.width / 8;
+  const Coord x = random.between(-outside, length_of(marker) + outside);
+  return {x, random.between(-outside, marker.strip.width + outside)};
 }
 Angle any_limit(Random& random) {
   return Angle::of_degrees(random.chance(10) ? 45 * random.part() : 3 * random.part());
@@ -221,9 +221,9 @@ Result<Answer> floating(const Marker& start, const Occasion& on) {
   settings.edges = on.random.chance(50);
   auto done = float_apart(start, settings, on.run);
   const bool narrower = done && done->least_after < done->least_before;
-  auto told = answer(std::move(done));
-  if (told && narrower) told->contradiction = "reduced the smallest gap";
-  return told;
+  auto result = answer(std::move(done));
+  if (result && narrower) result->contradiction = "reduced the smallest gap";
+  return result;
 }
 
 Result<Answer> opening(const Marker& start, const Occasion& on) {
@@ -240,9 +240,9 @@ Result<Answer> opening(const Marker& start, const Occasion& on) {
   // Repairing overlaps may have closed the gap.
   if (!done && done.error().code == ErrorCode::kOutOfRange && !is_valid(start)) return unmoved(start);
   const bool smaller = done && done->after.area < done->before.area;
-  auto told = answer(std::move(done));
-  if (told && smaller) told->contradiction = "reduced the gap";
-  return told;
+  auto result = answer(std::move(done));
+  if (result && smaller) result->contradiction = "reduced the gap";
+  return result;
 }
 
 Result<Answer> tilting(const Marker& start, const Occasion& on) {
