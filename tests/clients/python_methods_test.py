@@ -115,23 +115,23 @@ class Typed(unittest.TestCase):
 class Losses(unittest.TestCase):
     def test_a_change_whose_answer_was_lost_is_sent_again_and_applied_once(self):
         with LiveDaemon(SELVAGED) as daemon:
-            door = LossyProxy(daemon, ["marker.open", "marker.apply"])
-            self.addCleanup(door.close)
-            with selvage.Client(door.address) as client:
+            proxy = LossyProxy(daemon, ["marker.open", "marker.apply"])
+            self.addCleanup(proxy.close)
+            with selvage.Client(proxy.address) as client:
                 marker = client.open(SQUARES)
                 edited = marker.apply([ops.move("right", by=(7, 0))])
                 self.assertEqual((marker.id, edited.revision, edited.length), ("m1", 2, 97))
                 self.assertEqual([each.revision for each in client.list()], [2])
         for method in ("marker.open", "marker.apply"):
-            sent = [call["params"]["opId"] for call in door.calls if call["method"] == method]
+            sent = [call["params"]["opId"] for call in proxy.calls if call["method"] == method]
             self.assertEqual(len(sent), 2, method)
             self.assertEqual(sent[0], sent[1], method)
 
     def test_calls_tied_to_a_connection_are_not_sent_again(self):
         with LiveDaemon(SELVAGED) as daemon:
-            door = LossyProxy(daemon, ["drag.move"])
-            self.addCleanup(door.close)
-            with selvage.Client(door.address) as client:
+            proxy = LossyProxy(daemon, ["drag.move"])
+            self.addCleanup(proxy.close)
+            with selvage.Client(proxy.address) as client:
                 marker = client.open(SQUARES)
                 with self.assertRaises(selvage.ConnectionLost), marker.drag("right") as hand:
                     hand.move((60, 10))
@@ -243,7 +243,7 @@ class Outlines(unittest.TestCase):
         self.assertEqual(areas, {"left": 1600, "right": 1600})
 
 
-class Doors(unittest.TestCase):
+class Access(unittest.TestCase):
     def test_sends_its_token(self):
         token = LiveDaemon(SELVAGED)
         (token.folder / "token").write_text("0123456789abcdef\n")
