@@ -263,6 +263,43 @@ class Tilt(CliTest):
         self.assertEqual(run("check", self.path("out.json")).returncode, OK)
 
 
+class EveryMotion(CliTest):
+    """Motions without a section of their own: their options follow from the descriptors of the methods."""
+
+    def test_every_motion_of_the_daemon_is_a_command(self):
+        listed = run("--help").stdout
+        for command in ("compact", "push", "gravity", "bump", "place", "separate", "float", "open-gap", "tilt", "relax",
+                        "one-at-a-time", "velocity"):
+            self.assertIn(f"\n  {command} ", listed)
+            shown = run(command, "--help")
+            self.assertEqual(shown.returncode, OK)
+            self.assertIn("IN TEXT REQUIRED", shown.stdout)
+
+    def test_gives_the_same_result_as_call(self):
+        marker = self.write(squares((0, 0), (50, 10), (60, 60)))
+        for command, options, method, params in (
+                ("gravity", ["--force", "0,1"], "motion.gravity", {"force": [0, 1]}),
+                ("place", ["--piece", "p1", "--to", "45,0"], "motion.place", {"piece": "p1", "to": [45, 0]}),
+                ("relax", ["--piece", "p1", "--tilts", "0"], "motion.relax", {"piece": "p1"}),
+                ("open-gap", ["--point", "45,5"], "motion.openGap", {"point": [45, 5]}),
+                ("push", ["--forces", '[{"piece": "p0", "force": [1, 0]}]'], "motion.push",
+                 {"forces": [{"piece": "p0", "force": [1, 0]}]})):
+            with self.subTest(command):
+                short = run(command, marker, *options, "-o", self.path("short.json"))
+                self.assertEqual(short.returncode, OK, short.stderr)
+                called = run("call", method, "--marker", marker, "--params", "-", "-o", self.path("called.json"),
+                             text=json.dumps(params))
+                self.assertEqual(called.returncode, OK, called.stderr)
+                self.assertEqual(self.path("short.json").read_text(), self.path("called.json").read_text())
+
+    def test_json_options_are_checked(self):
+        marker = self.write(squares((0, 0), (50, 10)))
+        for forces, message in (("[", "input.syntax"), ("[]", "/forces")):
+            ran = run("push", marker, "--forces", forces)
+            self.assertEqual((ran.returncode, ran.stdout), (BAD_INPUT, ""))
+            self.assertIn(message, ran.stderr)
+
+
 class Drawing(CliTest):
     def test_draws_displacements_and_the_critical_path_on_request(self):
         marker = self.write(squares((10, 0), (55, 20)))
