@@ -1,9 +1,11 @@
-#include "protocol/methods/marker_methods.h"
+#include "protocol/methods/method_table.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
+#include "protocol/calls/answer.h"
+#include "protocol/calls/motion.h"
 #include "tests/protocol/formats/samples.h"
 
 namespace selvage::protocol::methods {
@@ -17,14 +19,14 @@ struct Ran {
   std::optional<Error> error;
   rpc::RpcCode code{};
 };
-Ran ran(const char* name, const Json& document, Json params, const calls::Engine& engine = {}) {
+Ran ran(const char* name, const Json& document, Json params) {
   params["markerId"] = "m1";
-  const calls::MarkerMethod& method = *find_marker_method(name);
+  const calls::Method& method = *find_method(name);
   const auto call = method.read(params);
   if (!call) return {{}, call.error(), rpc::RpcCode::kInvalidParams};
   const MarkerFile file = test::read(document);
   SumCache sums;
-  auto answer = call->run(file, calls::MethodContext{engine, scene::Run{sums}});
+  auto answer = call->run(file, calls::MethodContext{scene::Run{sums}});
   if (!answer) return {{}, answer.error(), code_of_run(method, answer.error())};
   return {*std::move(answer), {}, {}};
 }
@@ -38,14 +40,16 @@ Json squares_at(const Json& left, const Json& right) {
 }
 constexpr const char* kPushLeft = R"({"forces":[{"piece":"right","force":[-2,0]}]})";
 
-TEST(MarkerMethods, HaveNamesOfTheirOwn) {
+TEST(Methods, HaveUniqueNames) {
   std::set<std::string_view> names;
-  for (const calls::MarkerMethod& method : marker_methods()) {
+  for (const calls::Method& method : method_table().all()) {
     EXPECT_TRUE(names.insert(method.name).second) << method.name;
-    EXPECT_EQ(find_marker_method(method.name), &method);
-    EXPECT_EQ(method.motion(), method.name.starts_with("motion.")) << method.name;
+    EXPECT_EQ(find_method(method.name), &method);
+    EXPECT_EQ(method.motion, method.name.starts_with("motion.")) << method.name;
+    EXPECT_TRUE(method.on_marker || !method.motion) << method.name;
   }
-  EXPECT_EQ(find_marker_method("marker.open"), nullptr);
+  EXPECT_FALSE(find_method("marker.open")->on_marker);
+  EXPECT_EQ(find_method("marker.nonsense"), nullptr);
 }
 
 TEST(Motions, AllTellTheSameFieldsBesideTheirOwn) {
@@ -221,25 +225,36 @@ TEST(Motions, ADryRunHasNoNextMarker) {
   EXPECT_FALSE(dry.answer->next);
 }
 
-TEST(Motions, WhatIsNotValidIsSaidAndNotKept) {
-  calls::Engine engine;
-  engine.compact = [](const Marker& start, auto&&...) -> Result<motion::compaction::Compaction> {
-    motion::compaction::Compaction done;
-    done.marker = start;
-    for (Piece& piece : done.marker.pieces) piece.at = {};
-    return done;
-  };
-  const auto wrong = ran("motion.compact", test::native_squares(), json("{}"), engine);
-  ASSERT_TRUE(wrong.answer);
-  EXPECT_EQ(wrong.answer->fields["valid"], false);
-  EXPECT_FALSE(wrong.answer->next);
+TEST(Motions, AnInvalidResultIsReportedAndNotKept) {
+  const Marker start = test::read(test::native_squares()).marker;
+  SumCache sums;
+  const scene::Run run{sums};
+  calls::MotionEnd end{.marker = start};
+  for (Piece& piece : end.marker.pieces) piece.at = {};
+  const calls::MethodAnswer wrong = answer_of(start, end, Json::object(), true, {run});
+  EXPECT_EQ(wrong.fields["valid"], false);
+  EXPECT_FALSE(wrong.next);
+  end.keep_invalid = true;
+  EXPECT_TRUE(answer_of(start, end, Json::object(), true, {run}).next);
 }
 
-TEST(Motions, TimesComeLastAndOnlyWhenTold) {
+TEST(Motions, SayWhatStoppedThem) {
+  SumCache sums;
+  const scene::Run run{sums};
+  EXPECT_EQ(calls::stop_cause(scene::StopReason::kConverged, {run}), calls::StopCause::kConverged);
+  EXPECT_EQ(calls::stop_cause(scene::StopReason::kSolverFailed, {run}), calls::StopCause::kSolverFailed);
+  EXPECT_EQ(calls::stop_cause(scene::StopReason::kCancelled, {run}), calls::StopCause::kCancelled);
+  const calls::MethodContext late{run, nullptr, [] { return true; }};
+  EXPECT_EQ(calls::stop_cause(scene::StopReason::kCancelled, late), calls::StopCause::kDeadline);
+  EXPECT_EQ(calls::stop_cause(scene::StopReason::kWorkLimit, late), calls::StopCause::kWorkLimit);
+}
+
+TEST(Motions, TimesComeLastAndOnlyOnRequest) {
   Json fields{{"valid", true}};
-  tell_times(fields, {}, {});
-  EXPECT_EQ(json::to_text(result_json("m1", 3, fields)).find(R"({"markerId":"m1","revision":3,"valid":true,"ms":{)"),
-            0u);
+  calls::add_times(fields, {}, {});
+  EXPECT_EQ(
+      json::to_text(calls::result_json("m1", 3, fields)).find(R"({"markerId":"m1","revision":3,"valid":true,"ms":{)"),
+      0u);
   EXPECT_TRUE(fields.contains("cache"));
 }
 
