@@ -79,12 +79,11 @@ std::string Daemon::metrics_text() const {
   const transport::access::TransportCounts& open = *connections_;
   using enum ops::Metric::Type;
   const std::array kNow{
-      ops::Metric{
-          "selvage_open_markers", kGauge, "Markers that are open.", "", {{"", value(backend_.store().count())}}},
-      ops::Metric{"selvage_open_calls", kGauge, "Calls under way.", "", {{"", value(backend_.open_calls())}}},
+      ops::Metric{"selvage_open_markers", kGauge, "Open markers.", "", {{"", value(backend_.store().count())}}},
+      ops::Metric{"selvage_open_calls", kGauge, "Calls in progress.", "", {{"", value(backend_.open_calls())}}},
       ops::Metric{"selvage_jobs_waiting",
                   kGauge,
-                  "Jobs in the queues.",
+                  "Jobs that wait in a queue.",
                   "queue",
                   {{"motions", value(queues.motions.waiting())},
                    {"parsing", value(queues.parsing.waiting())},
@@ -92,7 +91,7 @@ std::string Daemon::metrics_text() const {
                    {"hands", value(queues.drags.waiting())}}},
       ops::Metric{"selvage_jobs_running",
                   kGauge,
-                  "Jobs on the workers.",
+                  "Jobs that workers execute.",
                   "queue",
                   {{"motions", value(queues.motions.running())},
                    {"parsing", value(queues.parsing.running())},
@@ -100,22 +99,22 @@ std::string Daemon::metrics_text() const {
                    {"hands", value(queues.drags.running())}}},
       ops::Metric{"selvage_connections",
                   kGauge,
-                  "Connections that are open, by what is spoken on them.",
+                  "Open connections, by protocol.",
                   "speaks",
                   {{"http", value(open.http.load())},
                    {"lines", value(open.lines.load())},
                    {"websocket", value(open.websockets.load())}}},
       ops::Metric{"selvage_connections_total",
                   kCounter,
-                  "Connections that came, by whether there was room.",
+                  "Connections since the start, by whether they were accepted.",
                   "outcome",
                   {{"accepted", value(open.accepted.load())}, {"turned_away", value(open.turned_away.load())}}},
       ops::Metric{"selvage_sums_total",
                   kCounter,
-                  "Minkowski sums asked for, by whether they were kept from before.",
+                  "Minkowski sums requested, by whether the cache had them.",
                   "outcome",
                   {{"hit", value(sums.hits)}, {"miss", value(sums.misses)}}},
-      ops::Metric{"selvage_sums_bytes", kGauge, "Memory of the sums that are kept.", "", {{"", value(sums.bytes)}}},
+      ops::Metric{"selvage_sums_bytes", kGauge, "Memory of the cached sums.", "", {{"", value(sums.bytes)}}},
   };
   std::string text = metrics_.text();
   for (const ops::Metric& metric : kNow) text += metric_text(metric);

@@ -63,14 +63,14 @@ TEST(Daemon, AMotionMayUseTheCoresThatNoJobUses) {
 TEST(Daemon, DescribesEveryMethod) {
   server::app::Daemon daemon{on_free_port(1)};
   Wire wire{daemon.port()};
-  const Json told = result_of(post_call(wire, "rpc.discover"));
+  const Json description = result_of(post_call(wire, "rpc.discover"));
   std::set<Json> names;
-  for (const Json& method : told["methods"]) names.insert(method["name"]);
+  for (const Json& method : description["methods"]) names.insert(method["name"]);
   EXPECT_EQ(names.erase("$/cancelRequest"), 1U);  // the dispatcher's, which engine.info does not list
   const Json listed = result_of(post_call(wire, "engine.info"))["methods"];
   EXPECT_EQ(names, std::set<Json>(listed.begin(), listed.end()));
   wire.send("GET /openrpc.json HTTP/1.1\r\nHost: localhost\r\n\r\n");
-  EXPECT_EQ(wire.answer().value_or(HttpAnswer{}).body, protocol::json::to_text(told));
+  EXPECT_EQ(wire.answer().value_or(HttpAnswer{}).body, protocol::json::to_text(description));
 }
 
 TEST(Daemon, AClosedConnectionStopsItsMotion) {

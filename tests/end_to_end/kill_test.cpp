@@ -111,7 +111,7 @@ class Killed : public ::testing::Test {
     folder_ = ::mkdtemp(name.data());
   }
   ~Killed() override { std::filesystem::remove_all(folder_); }
-  [[nodiscard]] std::vector<std::string> words() const {
+  [[nodiscard]] std::vector<std::string> arguments() const {
     return {SELVAGED,
             "--listen",
             "127.0.0.1:0",
@@ -143,7 +143,7 @@ TEST_F(Killed, NothingAcknowledgedIsLost) {
   std::vector<Story> stories;
   std::size_t edits = 0;
   for (int run = 0; run < runs; ++run) {
-    Process selvaged{words()};
+    Process selvaged{arguments()};
     const std::uint16_t port = port_of(selvaged);
     Wire wire{port};
     for (const Story& story : stories) expect_told(wire, story);
@@ -169,7 +169,7 @@ TEST_F(Killed, NothingAcknowledgedIsLost) {
     EXPECT_EQ(selvaged.exit_code(), -SIGKILL);
     for (const Story& story : stories) edits += story.acknowledged - 1;
   }
-  Process selvaged{words()};
+  Process selvaged{arguments()};
   Wire wire{port_of(selvaged)};
   for (const Story& story : stories) expect_told(wire, story);
   EXPECT_GT(edits, static_cast<std::size_t>(runs));
@@ -180,7 +180,7 @@ TEST_F(Killed, NothingAcknowledgedIsLost) {
 TEST_F(Killed, IdsAreNeverUsedTwice) {
   std::set<std::string> ids;
   for (int run = 0; run < 3; ++run) {
-    Process selvaged{words()};
+    Process selvaged{arguments()};
     Wire wire{port_of(selvaged)};
     const std::string id = open_marker(wire, kSmallMarker);
     EXPECT_TRUE(ids.insert(id).second) << id;
@@ -191,9 +191,9 @@ TEST_F(Killed, IdsAreNeverUsedTwice) {
 }
 
 TEST_F(Killed, TwoDaemonsDoNotShareAStore) {
-  Process first{words()};
+  Process first{arguments()};
   (void)port_of(first);
-  Process second{words()};
+  Process second{arguments()};
   EXPECT_NE(second.all_output().find("locked"), std::string::npos);
   EXPECT_EQ(second.exit_code(), 1);
 }

@@ -18,7 +18,7 @@ namespace selvage::test {
 // A child process whose stdout and stderr are read together.
 class Process {
  public:
-  explicit Process(std::vector<std::string> words) {
+  explicit Process(std::vector<std::string> arguments) {
     std::array<int, 2> ends{};
     EXPECT_EQ(::pipe2(ends.data(), O_CLOEXEC), 0);
     posix_spawn_file_actions_t actions;
@@ -26,9 +26,9 @@ class Process {
     posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
     std::vector<char*> argv;
-    for (std::string& word : words) argv.push_back(word.data());
+    for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
-    EXPECT_EQ(::posix_spawnp(&id_, argv[0], &actions, nullptr, argv.data(), environ), 0) << words[0];
+    EXPECT_EQ(::posix_spawnp(&id_, argv[0], &actions, nullptr, argv.data(), environ), 0) << arguments[0];
     posix_spawn_file_actions_destroy(&actions);
     ::close(ends[1]);
     output_ = ends[0];

@@ -26,7 +26,7 @@ class Selvaged : public ::testing::Test {
   ~Selvaged() override { std::filesystem::remove_all(folder_); }
 
   // Starts it with these options on a free port and waits until it listens.
-  std::vector<std::string> words(std::vector<std::string> more = {}) const {
+  std::vector<std::string> arguments(std::vector<std::string> more = {}) const {
     std::vector<std::string> all{SELVAGED, "--listen", "127.0.0.1:0", "--port-file", port_file()};
     all.insert(all.end(), more.begin(), more.end());
     return all;
@@ -42,7 +42,7 @@ class Selvaged : public ::testing::Test {
 
 TEST_F(Selvaged, PrintsItsAddressesAndShutsDownOnBothSignals) {
   for (const int signal : {SIGTERM, SIGINT}) {
-    Process selvaged{words()};
+    Process selvaged{arguments()};
     const std::uint16_t port = port_of(selvaged);
     Wire wire{port};
     EXPECT_EQ(result_of(post_call(wire, "engine.info"))["name"], "selvage");
@@ -57,7 +57,7 @@ TEST_F(Selvaged, PrintsItsAddressesAndShutsDownOnBothSignals) {
 }
 
 TEST_F(Selvaged, AnswersAllMotionsWhenItIsStopped) {
-  Process selvaged{words({"--workers", "1"})};
+  Process selvaged{arguments({"--workers", "1"})};
   const std::uint16_t port = port_of(selvaged);
   Wire wire{port};
   const std::string id = open_marker(wire, garment("jeans_22g"));
@@ -91,7 +91,7 @@ TEST_F(Selvaged, RefusesAForeignAddressAndAPortInUse) {
   Process foreign{{SELVAGED, "--listen", "0.0.0.0:0"}};
   EXPECT_NE(foreign.all_output().find("--token-file is missing"), std::string::npos);
   EXPECT_EQ(foreign.exit_code(), 2);
-  Process first{words()};
+  Process first{arguments()};
   const std::string address = "127.0.0.1:" + std::to_string(port_of(first));
   Process second{{SELVAGED, "--listen", address}};
   EXPECT_NE(second.all_output().find("cannot listen on 127.0.0.1 port "), std::string::npos);
@@ -100,7 +100,7 @@ TEST_F(Selvaged, RefusesAForeignAddressAndAPortInUse) {
 
 TEST_F(Selvaged, ListensOnTheGivenAddressesAndPrintsThem) {
   const std::string path = (folder_ / "socket").string();
-  Process selvaged{words({"--listen-tcp", "127.0.0.1:0", "--listen-unix", path})};
+  Process selvaged{arguments({"--listen-tcp", "127.0.0.1:0", "--listen-unix", path})};
   EXPECT_NE(selvaged.output_until("listening on " + path).find("listening on " + path), std::string::npos);
   std::istringstream ports{file_text(port_file())};
   std::uint16_t http{};
@@ -125,7 +125,7 @@ TEST_F(Selvaged, ListensOnTheGivenAddressesAndPrintsThem) {
 
 TEST_F(Selvaged, ReopensItsLogOnSighup) {
   const std::string log = (folder_ / "log").string();
-  Process selvaged{words({"--log", log})};
+  Process selvaged{arguments({"--log", log})};
   Wire wire{port_of(selvaged)};
   ASSERT_FALSE(post_call(wire, "engine.info").empty());
   std::filesystem::rename(log, log + ".1");
@@ -188,7 +188,7 @@ TEST_F(Selvaged, AnswersTheCallsOfAFileWithoutSockets) {
 }
 
 TEST_F(Selvaged, ServesTheCurlExample) {
-  Process selvaged{words()};
+  Process selvaged{arguments()};
   ::setenv("SELVAGED", ("127.0.0.1:" + std::to_string(port_of(selvaged))).c_str(), 1);
   const std::string source = SELVAGE_SOURCE_DIR;
   const std::string outlines = (folder_ / "outlines.json").string();

@@ -46,10 +46,10 @@ TEST(State, ALongMotionReportsProgressAndEndsWhenCancelledOrAtItsDeadline) {
   Wire line{daemon.port()};
   const std::string fine = R"(,"accuracy":"fine")";
   line.send(call(5, "motion.compact", id_params(id, fine + R"(,"progressToken":"p")")) + "\n");
-  const Json told = Json::parse(line.line().value_or("{}"));  // it has started
-  EXPECT_EQ(told["method"], "$/progress");
-  EXPECT_EQ(told["params"]["token"], "p");
-  EXPECT_GT(told["params"]["length"], 0);
+  const Json progress = Json::parse(line.line().value_or("{}"));  // it has started
+  EXPECT_EQ(progress["method"], "$/progress");
+  EXPECT_EQ(progress["params"]["token"], "p");
+  EXPECT_GT(progress["params"]["length"], 0);
   line.send(R"({"jsonrpc":"2.0","method":"$/cancelRequest","params":{"id":5}})"
             "\n");
   Json answer;

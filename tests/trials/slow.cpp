@@ -138,7 +138,7 @@ void allow_sockets() {
   ::setrlimit(RLIMIT_NOFILE, &limit);
 }
 
-void tell(const char* what, const Latencies& without, const Latencies& with) {
+void print(const char* what, const Latencies& without, const Latencies& with) {
   std::printf("%s\n  without: %s\n  with:    %s\n  p99 with / without: %.2f (goal: at most 2)\n", what,
               without.text().c_str(), with.text().c_str(), with.part(0.99) / without.part(0.99));
 }
@@ -160,8 +160,8 @@ void slow(std::size_t rounds, Faults& faults) {
   }
   std::printf("%zu slow writers and %zu slow readers, %zu rounds; %zu descriptors at most, resident %.1f MB at most\n",
               kSlowWriters, kSlowReaders, rounds, most_descriptors, daemon.resources().peak_mb);
-  tell("marker.get over HTTP", gets_without, gets_with);
-  tell("motion.bump over lines", bumps_without, bumps_with);
+  print("marker.get over HTTP", gets_without, gets_with);
+  print("motion.bump over lines", bumps_without, bumps_with);
   faults.expect(most_descriptors > kSlowWriters + kSlowReaders, "not all slow clients were connected");
   faults.expect(daemon.end() == 0, "selvaged did not exit with code 0");
 }

@@ -190,7 +190,7 @@ Samples sample(const LiveDaemon& daemon, double seconds) {
   }
 }
 
-void tell(const char* what, const std::vector<Sample>& samples, const char* goal) {
+void print(const char* what, const std::vector<Sample>& samples, const char* goal) {
   const LinearFit fit = linear_fit(samples);
   std::printf("%s: slope %+.3f an hour, standard error %.3f%s\n", what, fit.slope, fit.error, goal);
 }
@@ -241,10 +241,10 @@ void soak(std::size_t seconds, Faults& faults) {
   const std::size_t after = settled_descriptors(daemon, before);
   std::printf("%zu clients, %zu s: %zu connections, %zu calls (%zu busy), %zu notifications\n", kClients, seconds,
               tally.lives.load(), tally.calls.load(), tally.busy.load(), tally.notifications.load());
-  tell("resident MB", samples.resident_mb, " (goal: slope below 1)");
-  tell("of it sums MB", samples.sums_mb, "");
-  tell("descriptors", samples.descriptors, "");
-  tell("store MB", samples.store_mb, "");
+  print("resident MB", samples.resident_mb, " (goal: slope below 1)");
+  print("of it sums MB", samples.sums_mb, "");
+  print("descriptors", samples.descriptors, "");
+  print("store MB", samples.store_mb, "");
   std::printf("descriptors without clients: %zu before, %zu after\n", before, after);
   faults.expect(tally.lives >= kClients && tally.notifications > 0, "the trial did not exercise everything");
   faults.expect(after <= before, "file descriptors were leaked");

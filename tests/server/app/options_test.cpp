@@ -11,9 +11,9 @@
 namespace selvage::server::app {
 namespace {
 
-std::variant<Options, Farewell> parse(std::initializer_list<const char*> words) {
+std::variant<Options, EarlyExit> parse(std::initializer_list<const char*> arguments) {
   std::vector<const char*> argv{"selvaged"};
-  argv.insert(argv.end(), words);
+  argv.insert(argv.end(), arguments);
   return parse_options(static_cast<int>(argv.size()), argv.data());
 }
 
@@ -42,12 +42,12 @@ TEST(Options, AreRead) {
 }
 
 // The error message for these options.
-std::string refusal(std::initializer_list<const char*> words) {
-  const auto parsed = parse(words);
-  const auto* farewell = std::get_if<Farewell>(&parsed);
-  if (farewell == nullptr) return "not refused";
-  EXPECT_EQ(farewell->exit_code, 2);
-  return farewell->text;
+std::string refusal(std::initializer_list<const char*> arguments) {
+  const auto parsed = parse(arguments);
+  const auto* early_exit = std::get_if<EarlyExit>(&parsed);
+  if (early_exit == nullptr) return "not refused";
+  EXPECT_EQ(early_exit->code, 2);
+  return early_exit->text;
 }
 
 class ExposedOptions : public ::testing::Test {
@@ -74,14 +74,14 @@ TEST_F(ExposedOptions, TheErrorNamesTheMissingOption) {
 }
 
 TEST_F(ExposedOptions, AreAcceptedWhenComplete) {
-  for (const auto& words : std::initializer_list<std::initializer_list<const char*>>{
+  for (const auto& arguments : std::initializer_list<std::initializer_list<const char*>>{
            {"--listen", "0.0.0.0:0", "--token-file", token_.c_str(), "--tls-cert", "c", "--tls-key", "k"},
            {"--listen", "0.0.0.0:0", "--token-file", token_.c_str(), "--behind-proxy"},
            {"--listen", "0.0.0.0:0", "--no-token", "--behind-proxy"},
            {"--listen", "127.0.0.5:0"}}) {
-    const auto parsed = parse(words);
+    const auto parsed = parse(arguments);
     const auto* options = std::get_if<Options>(&parsed);
-    ASSERT_TRUE(options) << *(words.begin() + 1);
+    ASSERT_TRUE(options) << *(arguments.begin() + 1);
   }
   const auto parsed = parse({"--token-file", token_.c_str()});
   EXPECT_EQ(std::get<Options>(parsed).access.token, "correct horse battery");
@@ -118,7 +118,7 @@ TEST(Options, TheCommandLineOverridesTheFile) {
                                         "log-level = \"warn\"\n");
   const auto parsed = parse({"--config", file.c_str(), "--workers", "2"});
   const auto* options = std::get_if<Options>(&parsed);
-  ASSERT_TRUE(options) << std::get<Farewell>(parsed).text;
+  ASSERT_TRUE(options) << std::get<EarlyExit>(parsed).text;
   EXPECT_EQ(options->port, 9000);
   EXPECT_EQ(options->listeners.size(), 2U);
   EXPECT_EQ(options->workers, 2U);
@@ -144,34 +144,35 @@ TEST(Options, Tasks) {
 }
 
 TEST(Options, ErrorsAreRefused) {
-  for (const auto& words : std::initializer_list<std::initializer_list<const char*>>{{"--listen", "127.0.0.1"},
-                                                                                     {"--listen", "127.0.0.1:"},
-                                                                                     {"--listen", "127.0.0.1:65536"},
-                                                                                     {"--listen", "127.0.0.1:80x"},
-                                                                                     {"--workers", "-1"},
-                                                                                     {"--workers", "many"},
-                                                                                     {"--cache-mb", "0"},
-                                                                                     {"--log-level", "loud"},
-                                                                                     {"--listen", "example.com:80"},
-                                                                                     {"--listen", ":7171"},
-                                                                                     {"--listen-tcp", "::1:7171"},
-                                                                                     {"--drain-seconds", "-1"},
-                                                                                     {"--call-seconds", "0"},
-                                                                                     {"--nonsense"}}) {
-    const auto parsed = parse(words);
-    const auto* farewell = std::get_if<Farewell>(&parsed);
-    ASSERT_TRUE(farewell) << *words.begin();
-    EXPECT_EQ(farewell->exit_code, 2);
-    EXPECT_FALSE(farewell->text.empty());
+  for (const auto& arguments :
+       std::initializer_list<std::initializer_list<const char*>>{{"--listen", "127.0.0.1"},
+                                                                 {"--listen", "127.0.0.1:"},
+                                                                 {"--listen", "127.0.0.1:65536"},
+                                                                 {"--listen", "127.0.0.1:80x"},
+                                                                 {"--workers", "-1"},
+                                                                 {"--workers", "many"},
+                                                                 {"--cache-mb", "0"},
+                                                                 {"--log-level", "loud"},
+                                                                 {"--listen", "example.com:80"},
+                                                                 {"--listen", ":7171"},
+                                                                 {"--listen-tcp", "::1:7171"},
+                                                                 {"--drain-seconds", "-1"},
+                                                                 {"--call-seconds", "0"},
+                                                                 {"--nonsense"}}) {
+    const auto parsed = parse(arguments);
+    const auto* early_exit = std::get_if<EarlyExit>(&parsed);
+    ASSERT_TRUE(early_exit) << *arguments.begin();
+    EXPECT_EQ(early_exit->code, 2);
+    EXPECT_FALSE(early_exit->text.empty());
   }
 }
 
 TEST(Options, VersionExitsWithCode0) {
   const auto parsed = parse({"--version"});
-  const auto* farewell = std::get_if<Farewell>(&parsed);
-  ASSERT_TRUE(farewell);
-  EXPECT_EQ(farewell->exit_code, 0);
-  EXPECT_EQ(farewell->text.rfind("selvaged ", 0), 0U);
+  const auto* early_exit = std::get_if<EarlyExit>(&parsed);
+  ASSERT_TRUE(early_exit);
+  EXPECT_EQ(early_exit->code, 0);
+  EXPECT_EQ(early_exit->text.rfind("selvaged ", 0), 0U);
 }
 
 }  // namespace

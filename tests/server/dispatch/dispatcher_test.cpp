@@ -57,7 +57,7 @@ TEST(Dispatcher, EngineInfoReportsEveryLimitAsConfigured) {
   limits.transport.connections = 7;
   limits.transport.calls_per_connection = 8;
   LocalServer local{0, pushing_methods(), limits};
-  const Json told = local.result("engine.info", "{}")["limits"];
+  const Json reported = local.result("engine.info", "{}")["limits"];
   const Json expected{{"requestBytes", 100'006},
                       {"batch", 100},
                       {"depth", protocol::json::kMaxDepth},
@@ -72,7 +72,7 @@ TEST(Dispatcher, EngineInfoReportsEveryLimitAsConfigured) {
                       {"dragsPerConnection", 16},
                       {"connections", 7},
                       {"callsPerConnection", 8}};
-  EXPECT_EQ(told, expected);
+  EXPECT_EQ(reported, expected);
 }
 
 TEST(Dispatcher, ABatchIsExecutedInOrderAndContinuesAfterAFailure) {
@@ -141,17 +141,17 @@ TEST(Dispatcher, TheNumberOfOpenMarkersIsLimited) {
 
 TEST(Dispatcher, EngineInfoListsEveryMethod) {
   LocalServer local;
-  std::set<std::string> told;
+  std::set<std::string> reported;
   const Json info = local.ask_json(call(1, "engine.info"))["result"];
-  for (const Json& name : info["methods"]) told.insert(name.get<std::string>());
+  for (const Json& name : info["methods"]) reported.insert(name.get<std::string>());
   std::set<std::string> expected{"engine.info", "marker.open", "marker.close", "marker.list",    "marker.apply",
                                  "marker.undo", "marker.redo", "marker.watch", "marker.unwatch", "drag.begin",
                                  "drag.move",   "drag.end",    "rpc.discover"};
   for (const protocol::calls::Method& method : protocol::methods::method_table().all()) {
     if (method.on_marker) expected.emplace(method.name);
   }
-  EXPECT_EQ(told, expected);
-  for (const std::string& name : told) EXPECT_TRUE(server::methods::HandlerTable{}.find(name)) << name;
+  EXPECT_EQ(reported, expected);
+  for (const std::string& name : reported) EXPECT_TRUE(server::methods::HandlerTable{}.find(name)) << name;
 }
 
 TEST(Dispatcher, AFullQueueSaysWhenToRetry) {
