@@ -12,10 +12,10 @@
 namespace selvage::marker {
 namespace {
 
-// So few pieces are looked for one by one among the others; more by a sweep over all.
+// Up to this many changed pieces are each compared with all others; with more, one sweep finds all close pairs.
 constexpr std::size_t kFew = 16;
 
-// The pieces that are not as they were; nothing when more than pieces has changed.
+// The pieces that differ between the two markers; nothing when the markers differ in more than their pieces.
 std::optional<std::vector<std::uint32_t>> changed_pieces(const Marker& before, const Marker& marker) {
   if (before.strip != marker.strip || before.spacing != marker.spacing || before.shapes != marker.shapes ||
       before.pieces.size() != marker.pieces.size()) {
@@ -28,7 +28,8 @@ std::optional<std::vector<std::uint32_t>> changed_pieces(const Marker& before, c
   return changed;
 }
 
-// Where the pieces are now, of the polygons that they had.  Nothing when one of them has turned, or keeps another room.
+// The layout `pieces` with the changed pieces at their new positions.  Nothing when a changed piece has another shape,
+// orientation or buffer, so that the layout cannot be reused.
 std::optional<PlacedPieces> moved(const Marker& before, const PlacedPieces& pieces, const Marker& marker,
                                   std::span<const std::uint32_t> changed) {
   std::vector<Vec> positions = pieces.positions();
@@ -43,7 +44,7 @@ std::optional<PlacedPieces> moved(const Marker& before, const PlacedPieces& piec
   return now;
 }
 
-// Nothing that is one of the changed pieces is too near to anything.
+// True when no changed piece conflicts with another piece.
 bool clear(const PlacedPieces& pieces, std::span<const std::uint32_t> changed) {
   const Coord distance = pieces.widest_spacing();
   if (changed.size() <= kFew) {

@@ -7,11 +7,12 @@
 namespace selvage::marker {
 namespace {
 
-constexpr std::size_t kBlock = 512;  // pairs that one hand proves in a row
+constexpr std::size_t kBlock = 512;  // consecutive pairs tested by one part of the parallel task
 
-// Tells of all pairs whose boxes come closer than `distance` on both axes, from left to right, while `tell` wants more.
-template <class Tell>
-void sweep(const PlacedPieces& pieces, Coord distance, const Tell& tell) {
+// Calls visit(pair) for every pair whose boxes are closer than `distance` on both axes, from left to right, until it
+// returns false.
+template <class Visit>
+void sweep(const PlacedPieces& pieces, Coord distance, const Visit& visit) {
   struct Entry {
     Box box;
     std::uint32_t piece{};
@@ -25,7 +26,7 @@ void sweep(const PlacedPieces& pieces, Coord distance, const Tell& tell) {
     const Box reach = entries[k].box.grown(distance);
     for (std::size_t m = k + 1; m < entries.size() && entries[m].box.low.x < reach.high.x; ++m) {
       if (!reach.overlaps(entries[m].box)) continue;
-      if (!tell(PiecePair{std::minmax(entries[k].piece, entries[m].piece)})) return;
+      if (!visit(PiecePair{std::minmax(entries[k].piece, entries[m].piece)})) return;
     }
   }
 }

@@ -15,7 +15,7 @@ Overlap measured(PiecePair pair, const PlacedPieces& pieces, const Marker& marke
   const geometry::PlacedPolygon p = pieces[first];
   const geometry::PlacedPolygon q = pieces[second];
   const auto inside_both = common_point(p, q);
-  const geometry::Witness witness = inside_both ? *inside_both : nearest_point(p, q);
+  const RealVec witness = inside_both ? *inside_both : nearest_point(p, q);
   const minkowski::Obstacle obstacle =
       sums.obstacle(oriented_outline(marker, PieceId{first}, sums), oriented_outline(marker, PieceId{second}, sums));
   const double distance = nearest_boundary_point(obstacle.sum(), obstacle.to_frame(q.at - p.at)).distance;

@@ -91,7 +91,7 @@ Ties ActiveSet::with_others_fixed() const {
   return ties;
 }
 
-std::vector<std::uint32_t> ActiveSet::missed(const marker::PlacedPieces& pieces, const std::vector<Displacement>& load,
+std::vector<std::uint32_t> ActiveSet::missed(const marker::PlacedPieces& pieces, const std::vector<RealVec>& load,
                                              double price, const Box& room) const {
   if (complete()) return {};
   std::vector<Borne> x(pieces.size()), y(pieces.size());  // by tie

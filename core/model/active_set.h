@@ -51,9 +51,8 @@ class ActiveSet {
 
   // Those that are missed, when `load` presses on each piece (per unit of displacement), a unit of motion costs `price`
   // on either axis, and no piece may leave `room`.
-  [[nodiscard]] std::vector<std::uint32_t> missed(const marker::PlacedPieces& pieces,
-                                                  const std::vector<Displacement>& load, double price,
-                                                  const Box& room) const;
+  [[nodiscard]] std::vector<std::uint32_t> missed(const marker::PlacedPieces& pieces, const std::vector<RealVec>& load,
+                                                  double price, const Box& room) const;
 
  private:
   Ties ties_;
@@ -67,10 +66,10 @@ class Pressure {
  public:
   explicit Pressure(std::size_t pieces) : load_(pieces) {}
   void add(const PairRow& row, double dual);
-  [[nodiscard]] const std::vector<Displacement>& load() const { return load_; }
+  [[nodiscard]] const std::vector<RealVec>& load() const { return load_; }
 
  private:
-  std::vector<Displacement> load_;
+  std::vector<RealVec> load_;
 };
 
 }  // namespace selvage::model

@@ -131,9 +131,9 @@ class GreedyRegion {
   }
   [[nodiscard]] double merit(const minkowski::convolution::SumEdge& edge) const {
     const HalfPlane line = side_along(edge);
-    if (settings_.towards_x == 0 && settings_.towards_y == 0) return slack_of(line, r_);
+    if (settings_.towards.x == 0 && settings_.towards.y == 0) return slack_of(line, r_);
     const Side side = side_of_plane(line, r_);
-    return side.nx * settings_.towards_x + side.ny * settings_.towards_y;
+    return side.nx * settings_.towards.x + side.ny * settings_.towards.y;
   }
 
   Vec r_;
@@ -240,9 +240,8 @@ std::vector<HalfPlane> free_region(const minkowski::Obstacle& obstacle, Vec r, c
     planes = walk_region(obstacle.sum(), at);
   } else {
     RegionSettings in_frame = settings;
-    const auto [x, y] = obstacle.direction_to_frame(settings.towards_x, settings.towards_y);
-    in_frame.towards_x = x;
-    in_frame.towards_y = y;
+    const auto [x, y] = obstacle.direction_to_frame(settings.towards.x, settings.towards.y);
+    in_frame.towards = {x, y};
     planes = GreedyRegion{obstacle.sum(), at, in_frame}.run();
   }
   for (HalfPlane& plane : planes) {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "core/geometry/real_vec.h"
 #include "core/minkowski/cache.h"
 
 namespace selvage::model {
@@ -24,10 +25,10 @@ struct HalfPlane {
 
 struct RegionSettings {
   RegionRule rule{};
-  double reach{};   // lattice units; edges farther than this from the position are not looked at
-  Coord spacing{};  // the half-planes will be moved outwards by this: choose them so that the position still fits
-  double towards_x{}, towards_y{};  // of edges equally near (a corner), prefer the one that this direction runs into
-                                    // least; (0, 0): the one whose line is farthest
+  double reach{};     // lattice units; edges farther than this from the position are not looked at
+  Coord spacing{};    // the half-planes will be moved outwards by this: choose them so that the position still fits
+  RealVec towards{};  // of edges equally near (at a corner), prefer the one that is least in the way of this direction;
+                      // (0, 0): the one whose line is farthest
 };
 
 // A free region about the relative position `r` = q - p, as the half-planes that bound it within reach.

@@ -12,34 +12,14 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry/real_vec.h"
 #include "core/lp/linear_program.h"
 #include "core/marker/placed_pieces.h"
-#include "core/model/free_region.h"
+#include "core/model/model_unit.h"
+#include "core/model/pair_rows.h"
 #include "core/model/ties.h"
 
 namespace selvage::model {
-
-// normal . (displacement of pair.second - displacement of pair.first) >= bound, lattice units.
-struct PairRow {
-  marker::PiecePair pair;
-  double nx{}, ny{};
-  double bound{};
-};
-
-// What a row asks of pieces that have less room than its margin.
-enum class TightRows {
-  kRestore,  // to get the margin back: a unit or two, which the length or a gap elsewhere can spare
-  kKeep,     // to keep the room they have: for layouts without any slack, where kRestore is infeasible
-};
-
-// The row that keeps q - p inside a half-plane moved outwards by the spacing.  A slanted row asks for a margin that
-// covers the rounding of displacements to the lattice and of the solver; rows along the axes need none.
-[[nodiscard]] PairRow row_of(marker::PiecePair pair, const HalfPlane& side, Vec r, Coord spacing, double unit,
-                             TightRows tight);
-
-struct Displacement {
-  double x{}, y{};  // lattice units
-};
 
 // The entries of a row on a pair: at most two columns of each piece, and one more.
 struct Terms {
@@ -55,8 +35,7 @@ class PositionModel {
   // back.
   PositionModel(const marker::PlacedPieces& pieces, const Strip& strip, const Ties& ties);
 
-  // Lattice units in one unit of a column.
-  [[nodiscard]] double unit() const { return unit_; }
+  [[nodiscard]] ModelUnit unit() const { return unit_; }
 
   // With a column `give`, the row may be broken by that column's value.  Nothing when the pair never moves against each
   // other: there is nothing to say; else the program's row.
@@ -81,7 +60,7 @@ class PositionModel {
   [[nodiscard]] std::optional<int> y_column(std::size_t piece) const { return some(y_[piece]); }
   // (nx, ny) . (displacement of q - displacement of p) as a row's entries; without p, the displacement of q alone.
   [[nodiscard]] Terms terms(std::size_t q, std::optional<std::size_t> p, double nx, double ny) const;
-  [[nodiscard]] std::vector<Displacement> displacements(std::span<const double> x) const;
+  [[nodiscard]] std::vector<RealVec> displacements(std::span<const double> x) const;
   [[nodiscard]] double length_change(std::span<const double> x) const;  // lattice units
 
  private:
@@ -92,7 +71,7 @@ class PositionModel {
   void bound(int& column, double low, double high);
 
   const marker::PlacedPieces& pieces_;
-  double unit_;
+  ModelUnit unit_;
   Coord length_;
   std::vector<int> x_, y_;  // each piece's columns; kNone where it is fixed
   static constexpr int kNoWall = -2;

@@ -14,6 +14,6 @@
 
 namespace selvage::model {
 
-[[nodiscard]] std::vector<Vec> snapped(std::span<const Displacement> displacements);
+[[nodiscard]] std::vector<Vec> snapped(std::span<const RealVec> displacements);
 
 }  // namespace selvage::model

@@ -1,15 +1,24 @@
 #include "core/scene/scene.h"
 
-namespace selvage::scene {
-Scene::Scene(const Marker& start, SumCache& sum_cache)
-    : marker{start},
-      sums{sum_cache},
-      pieces{start},
-      outlines{outlines_of(start, sum_cache)},
-      ties{model::ties_of(start)} {}
+#include <utility>
 
-Scene::Scene(const Marker& start, const LaidOut& laid_out, SumCache& sum_cache)
-    : marker{start}, sums{sum_cache}, pieces{laid_out.pieces}, outlines{laid_out.outlines}, ties{laid_out.ties} {}
+#include "core/marker/validity.h"
+
+namespace selvage::scene {
+
+Scene::Scene(Marker start, SumCache& sum_cache)
+    : marker{std::move(start)},
+      sums{sum_cache},
+      pieces{marker},
+      outlines{outlines_of(marker, sum_cache)},
+      ties{model::ties_of(marker)} {}
+
+Scene::Scene(Marker start, const LaidOut& laid_out, SumCache& sum_cache)
+    : marker{std::move(start)},
+      sums{sum_cache},
+      pieces{laid_out.pieces},
+      outlines{laid_out.outlines},
+      ties{laid_out.ties} {}
 
 void Scene::shift(std::size_t piece, Vec by) {
   std::vector<Vec> positions = pieces.positions();
@@ -18,6 +27,14 @@ void Scene::shift(std::size_t piece, Vec by) {
     if (ties.y[i] != model::Ties::kFixed && ties.y[i] == ties.y[piece]) positions[i].y += by.y;
   }
   pieces.place(std::move(positions));
+}
+
+void Scene::reorient(std::uint32_t piece, const Orientation& orientation, Vec at) {
+  Piece& own = marker.pieces[piece];
+  own.orientation = orientation;
+  own.at = at;
+  outlines[piece] = oriented_outline(marker, PieceId{piece}, sums);
+  pieces.replace(piece, oriented(marker.shapes[own.shape.value].outline, orientation), at);
 }
 
 std::vector<minkowski::Obstacle> Scene::obstacles(std::span<const marker::PiecePair> pairs,

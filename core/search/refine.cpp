@@ -15,9 +15,6 @@
 namespace selvage::search {
 namespace {
 
-constexpr int kExchangeRounds = 2;         // of compaction after an exchange: most of what can be gained
-constexpr std::uint64_t kIdleTrials = 50;  // trials in a row that solve nothing: there is nothing to exchange
-
 // An exchange on trial.
 struct Trial {
   std::optional<DrawnExchange> drawn;
@@ -91,7 +88,9 @@ class Refiner {
     std::mt19937 random{settings_.seed};
     std::uint64_t spent = 0;
     std::uint64_t idle = 0;
-    const auto enough = [&] { return spent >= settings_.effort || idle >= kIdleTrials || run_.stopped(); };
+    const auto enough = [&] {
+      return spent >= settings_.effort || idle >= settings_.tuning.idle_trials || run_.stopped();
+    };
     while (!enough()) {
       std::vector<Trial> trials = drawn(at_once(), random);
       run_.executor->for_each(trials.size(), [&](std::size_t k) { run(trials, k); });
@@ -111,7 +110,7 @@ class Refiner {
   [[nodiscard]] std::vector<Trial> drawn(std::size_t count, std::mt19937 random) const {
     std::vector<Trial> trials;
     while (trials.size() < count) {
-      auto exchange = draw_exchange(best_.marker, random);
+      auto exchange = draw_exchange(best_.marker, random, settings_.tuning.swap);
       trials.push_back({std::move(exchange), random});
     }
     return trials;
@@ -121,9 +120,9 @@ class Refiner {
     if (!trial.drawn) return;
     const std::stop_callback with_all{run_.stop, [&trial] { trial.stop.request_stop(); }};
     motion::compaction::CompactionSettings quick = compaction_settings(motion::compaction::Accuracy::kStandard);
-    quick.rounds = kExchangeRounds;
+    quick.rounds = settings_.tuning.compaction_rounds;
     quick.solver_tolerance = 0;  // what is only nearly as short is not taken for a way over a plateau
-    trial.exchanged = exchange(*trial.drawn, quick, {run_.sums, trial.stop.get_token()});
+    trial.exchanged = exchange(*trial.drawn, quick, {run_.sums, trial.stop.get_token()}, settings_.tuning.swap);
     if (trial.exchanged.marker) trial.length = length_of(*trial.exchanged.marker);
     if (!worth_keeping(trial)) return;
     for (std::size_t later = k + 1; later < trials.size(); ++later) trials[later].stop.request_stop();

@@ -13,10 +13,10 @@
 #pragma once
 
 #include <cstdint>
-#include <stop_token>
 
 #include "core/base/result.h"
 #include "core/motion/compaction/compact.h"
+#include "core/search/tuning.h"
 
 namespace selvage::search {
 
@@ -26,6 +26,7 @@ struct RefineSettings {
   bool tilts{};            // where shapes allow them
   std::uint32_t seed{};    // of the exchanges
   std::size_t most_exchanged{marker::kMaxPieces};  // of markers with more pieces none are exchanged
+  RefineTuning tuning{};
   friend bool operator==(const RefineSettings&, const RefineSettings&) = default;
 };
 // Figures behind these: docs/measurements-trade.md.

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <optional>
 #include <random>
-#include <stop_token>
 
 #include "core/motion/compaction/compact.h"
+#include "core/search/tuning.h"
 
 namespace selvage::search {
 
@@ -20,7 +20,8 @@ struct DrawnExchange {
 // A random exchange among the pieces that are free on both axes and of no group: mostly of two that differ little in
 // size and lie near each other.  What is drawn depends on `random` and the marker alone; nothing when no piece has a
 // partner or another rotation.
-[[nodiscard]] std::optional<DrawnExchange> draw_exchange(const Marker& start, std::mt19937& random);
+[[nodiscard]] std::optional<DrawnExchange> draw_exchange(const Marker& start, std::mt19937& random,
+                                                         const SwapTuning& tuning = {});
 
 struct Exchanged {
   std::optional<Marker> marker;  // valid; nothing when the pieces could not be parted within the growth allowed
@@ -29,6 +30,6 @@ struct Exchanged {
 // Parts what overlaps and compacts.  The answer may be longer than the marker was before, by little.
 // REQUIRES: the marker was valid before.
 [[nodiscard]] Exchanged exchange(const DrawnExchange& drawn, const motion::compaction::CompactionSettings& settings,
-                                 const scene::Run& run);
+                                 const scene::Run& run, const SwapTuning& tuning = {});
 
 }  // namespace selvage::search

@@ -1,4 +1,4 @@
-// Text as JSON-RPC: a message per line, to everything of the daemon that is behind its sockets.
+// Fuzz target: text as JSON-RPC, one message per line, sent to the whole daemon except its sockets.
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@ namespace selvage::test {
 namespace {
 
 constexpr std::size_t kMostMessages = 20;
-constexpr std::size_t kMostPieces = 12;  // of a marker that moves
+constexpr std::size_t kMostPieces = 12;  // the largest marker that motions are run on
 constexpr std::size_t kMostVertices = 200;
 
 bool small(const Marker& marker) {
@@ -19,7 +19,7 @@ bool small(const Marker& marker) {
   return marker.pieces.size() <= kMostPieces && vertices <= kMostVertices;
 }
 
-// The core, but for what takes long: that is not what is looked at here.
+// An engine that rejects markers on which motions would take long, since motions are not tested here.
 protocol::calls::Engine quick_engine() {
   protocol::calls::Engine engine;
   engine.refine = [](const Marker& start, const search::RefineSettings&,
@@ -30,14 +30,14 @@ protocol::calls::Engine quick_engine() {
   return engine;
 }
 
-// Every answer is JSON-RPC; none says that the daemon is at fault.
+// Every answer must be valid JSON-RPC and must not report an internal error.
 void judge(const std::string& text) {
-  if (text.empty()) return;  // to notifications
+  if (text.empty()) return;  // notifications have no answer
   const auto answer = protocol::json::parse(text);
-  demand(static_cast<bool>(answer), "an answer that is not JSON");
+  demand(static_cast<bool>(answer), "an answer is not JSON");
   const Json answers = answer->is_array() ? *answer : Json::array({*answer});
   for (const Json& one : answers) {
-    demand(one.value("jsonrpc", "") == "2.0", "an answer that is not JSON-RPC");
+    demand(one.value("jsonrpc", "") == "2.0", "an answer is not JSON-RPC");
     const auto error = one.find("error");
     const bool internal =
         error != one.end() && (*error)["code"] == static_cast<int>(protocol::rpc::RpcCode::kInternalError);
@@ -45,14 +45,14 @@ void judge(const std::string& text) {
   }
 }
 
-// What is behind the transport, everything on the calling thread.
+// The daemon behind the transport, running everything on the calling thread.
 class Desk {
  public:
-  // Nothing when the message was not answered; more than one answer is a crash.
+  // Returns the answer, or nothing when the message was not answered; two answers are a failure.
   std::optional<std::string> ask(std::string message) {
     std::optional<std::string> answer;
     dispatcher_.receive(std::move(message), session_, [&answer](std::string text) {
-      demand(!answer, "answered twice");
+      demand(!answer, "a message was answered twice");
       answer = std::move(text);
     });
     return answer;
@@ -85,7 +85,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   for (std::size_t message = 0; message < kMostMessages && begin < text.size(); ++message) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     const auto answer = desk.ask(text.substr(begin, end - begin));
-    demand(answer.has_value(), "a message without an answer");
+    demand(answer.has_value(), "a message was not answered");
     judge(*answer);
     begin = end + 1;
   }

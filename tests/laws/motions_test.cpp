@@ -1,4 +1,5 @@
-// What holds of every motion, over random markers: valid, no worse, locked pieces where they were.
+// Laws that hold for every motion, tested on random markers: the result is valid, is not worse, and locked pieces have
+// not moved.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -23,18 +24,18 @@ using test::kSlowdown;
 using test::Random;
 using test::random_settings;
 
-// Empty when the motion kept what every motion keeps.
+// The law that the motion broke; empty when it broke none.
 std::string broken_law(const Marker& before, const Marker& after) {
   if (!is_valid(after)) return "not valid";
   if (length_of(after) > length_of(before)) return "longer";
   if (after.shapes != before.shapes || after.strip != before.strip || after.spacing != before.spacing ||
       after.pieces.size() != before.pieces.size()) {
-    return "another marker";
+    return "a different marker";
   }
   for (std::size_t k = 0; k < before.pieces.size(); ++k) {
     Piece moved = before.pieces[k];
     if (!moved.locked) moved.at = after.pieces[k].at;
-    if (moved != after.pieces[k]) return "piece " + std::to_string(k) + " is not as it was";
+    if (moved != after.pieces[k]) return "piece " + std::to_string(k) + " was changed";
   }
   return "";
 }

@@ -18,7 +18,7 @@ Polygon random_outline(Random& random, Coord extent) {
     return {{0, 0}, {w, 0}, {w, h}, {0, h}};
   }
   for (;;) {
-    // Turned symmetries and small extents may leave idle vertices.
+    // Polygons on small extents may get redundant vertices when they are transformed.
     const auto clean = clean_polygon(random_polygon(random, extent));
     if (clean) return clean->polygon;
   }

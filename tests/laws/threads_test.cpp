@@ -1,4 +1,4 @@
-// The same request gives the same bytes with any number of threads.
+// The result of a motion, and all progress that it reports, are identical with any number of threads.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -23,17 +23,17 @@ namespace {
 using test::kSlowdown;
 using test::Random;
 
-// What a motion came to, and all that is told of it.
+// The result of a motion and everything that it reports.
 struct Story {
   Marker marker;
   scene::StopReason reason{};
   int rounds{}, programs{};
-  std::vector<Coord> lengths;           // after each round
-  std::array<std::uint64_t, 4> sums{};  // the cache's: hits, misses, entries, bytes
+  std::vector<Coord> lengths;           // length after each round
+  std::array<std::uint64_t, 4> sums{};  // the cache's hits, misses, entries and bytes
   friend bool operator==(const Story&, const Story&) = default;
 };
 
-// Of motion(run), from an empty cache.
+// Runs motion(sums, stop, observer) with an empty cache.
 template <class Motion>
 Story story_of(const Executor& executor, const Motion& motion, std::stop_source stop = {}) {
   Story story;
@@ -68,10 +68,10 @@ auto standard(const Marker& marker) {
   return compaction(marker, compaction_settings(motion::compaction::Accuracy::kStandard));
 }
 
-class GarmentCrews : public ::testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(All, GarmentCrews, test::kGarments, test::garment_name);
+class GarmentsOnThreads : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(All, GarmentsOnThreads, test::kGarments, test::garment_name);
 
-TEST_P(GarmentCrews, Compact) {
+TEST_P(GarmentsOnThreads, Compact) {
   const Marker marker = test::garment(GetParam());
   expect_one_story(standard(marker), GetParam());
   motion::compaction::CompactionSettings walking = compaction_settings(motion::compaction::Accuracy::kDraft);
@@ -79,7 +79,7 @@ TEST_P(GarmentCrews, Compact) {
   expect_one_story(compaction(marker, walking), GetParam());
 }
 
-TEST_P(GarmentCrews, HealAndPush) {
+TEST_P(GarmentsOnThreads, RepairAndPush) {
   Random random{161};
   Marker marker = test::garment(GetParam());
   marker = test::shaken(random, marker, 2e-5);
@@ -92,13 +92,13 @@ TEST_P(GarmentCrews, HealAndPush) {
       GetParam());
 }
 
-TEST(Crews, CompactLongMarkers) {
+TEST(Threads, CompactLongMarkers) {
   const Marker marker = test::tiled(test::garment("jeans_02g"), 1200 / kSlowdown);
   const Marker loose = test::loosened(marker, 0.05);
   expect_one_story(standard(loose), "1200 pieces");
 }
 
-TEST(Crews, CompactRandomMarkers) {
+TEST(Threads, CompactRandomMarkers) {
   Random random{162};
   for (int trial = 0; trial < 60 / kSlowdown; ++trial) {
     const Marker marker = test::tiled(test::random_marker(random), 70);
@@ -106,7 +106,7 @@ TEST(Crews, CompactRandomMarkers) {
   }
 }
 
-TEST(Crews, Tilt) {
+TEST(Threads, Tilt) {
   for (const char* name : {"jeans_02g", "charlie_04g"}) {
     const Marker marker = test::garment(name);
     for (const motion::tilting::TiltMethod method :
@@ -119,8 +119,8 @@ TEST(Crews, Tilt) {
   }
 }
 
-// The answer, not the cache: exchanges that are tried for nothing look up sums, too.
-TEST(Crews, Refine) {
+// Compares results but not the cache, because swaps that are tried in vain look up sums too.
+TEST(Threads, Refine) {
   for (const char* name : {"jeans_02g", "charlie_04g"}) {
     const Marker marker = test::garment(name);
     search::RefineSettings settings = search::refine_settings();
@@ -134,7 +134,7 @@ TEST(Crews, Refine) {
   }
 }
 
-// Lets another crew work, and does something of its own before one of the parts.
+// An executor that delegates to another one and calls a function before one of the parts.
 class Interrupted final : public Executor {
  public:
   Interrupted(const Executor& executor, int part, std::function<void()> act)
@@ -153,7 +153,7 @@ class Interrupted final : public Executor {
   std::function<void()> act_;
 };
 
-TEST(Crews, AnswerWithTheBestSoFarWhenStoppedInAPart) {
+TEST(Threads, CompactReturnsTheBestSoFarWhenCancelledInAPart) {
   const Marker marker = test::garment("jeans_06g");
   const protocol::execution::ThreadPool executor{2};
   for (const int part : {0, 5, 20, 35}) {
@@ -166,7 +166,7 @@ TEST(Crews, AnswerWithTheBestSoFarWhenStoppedInAPart) {
   }
 }
 
-TEST(Crews, RefineAnswersWithTheBestSoFarWhenStoppedInAPart) {
+TEST(Threads, RefineReturnsTheBestSoFarWhenCancelledInAPart) {
   const Marker marker = test::garment("jeans_02g");
   const protocol::execution::ThreadPool executor{2};
   for (const int part : {3, 12, 17, 30}) {
@@ -177,13 +177,13 @@ TEST(Crews, RefineAnswersWithTheBestSoFarWhenStoppedInAPart) {
     EXPECT_EQ(story.reason, scene::StopReason::kCancelled) << part;
     EXPECT_TRUE(is_valid(story.marker)) << part;
     EXPECT_LE(length_of(story.marker), length_of(marker)) << part;
-    if (story.rounds == 0) continue;  // in the compaction that comes first
+    if (story.rounds == 0) continue;  // cancelled in the compaction that comes first
     ASSERT_FALSE(story.lengths.empty()) << part;
     EXPECT_EQ(story.lengths.back(), length_of(story.marker)) << part;
   }
 }
 
-TEST(Crews, ThrowWhatAPartThrowsAndWorkOn) {
+TEST(Threads, RethrowExceptionsOfPartsAndStayUsable) {
   const Marker marker = test::garment("jeans_06g");
   const protocol::execution::ThreadPool executor{2};
   const Story expected = story_of(executor, standard(marker));

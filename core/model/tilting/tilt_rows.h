@@ -14,14 +14,14 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry/real_vec.h"
 #include "core/marker/placed_pieces.h"
-#include "core/model/position_model.h"
-#include "core/outline/star.h"
+#include "core/model/pair_rows.h"
 
 namespace selvage::model::tilting {
 
 // What a piece turns about: the middle of its box where it lies.
-[[nodiscard]] outline::Real2 pivot_of(const geometry::PlacedPolygon& piece);
+[[nodiscard]] RealVec pivot_of(const geometry::PlacedPolygon& piece);
 // The distance of its farthest vertex from there.
 [[nodiscard]] double radius_of(const geometry::PlacedPolygon& piece);
 
@@ -37,7 +37,7 @@ struct TiltRowSettings {
   double reach{};   // rows that have more room than this are left out
   double behind{};  // vertices may lie this far behind the edge that they are to be kept before: the pair overlaps
   Coord spacing{};
-  double unit{};  // of the model's columns, as for row_of
+  ModelUnit unit;
 };
 
 // The rows of one pair: every half-plane of its free region at the vertex that made it, and the vertices near the same

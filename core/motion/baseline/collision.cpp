@@ -74,7 +74,7 @@ double time_to_edge(const Ahead& e, double vx, double vy, double clearance) {
 
 }  // namespace
 
-double collision_time(const minkowski::Obstacle& obstacle, const FinePosition& r, const model::Displacement& velocity,
+double collision_time(const minkowski::Obstacle& obstacle, const FinePosition& r, const RealVec& velocity,
                       const CollisionSettings& settings) {
   if (velocity.x == 0 && velocity.y == 0) return settings.horizon;
   const Vec at = obstacle.to_frame(r.at);

@@ -14,7 +14,7 @@ namespace selvage::motion::baseline {
 // A position beside the lattice: nearest lattice point, and what is left.
 struct FinePosition {
   Vec at;
-  model::Displacement rest;
+  RealVec rest;
 };
 
 struct CollisionSettings {
@@ -25,7 +25,7 @@ struct CollisionSettings {
 
 // The time until `r`, moving with `velocity`, comes within the clearance of the obstacle; the horizon when it does not.
 // REQUIRES: clearance < touching.
-[[nodiscard]] double collision_time(const minkowski::Obstacle& obstacle, const FinePosition& r,
-                                    const model::Displacement& velocity, const CollisionSettings& settings);
+[[nodiscard]] double collision_time(const minkowski::Obstacle& obstacle, const FinePosition& r, const RealVec& velocity,
+                                    const CollisionSettings& settings);
 
 }  // namespace selvage::motion::baseline

@@ -49,7 +49,7 @@ scene::StopReason sweep_until_still(scene::Scene& scene, const SweepSettings& se
 
 Result<compaction::Compaction> compact_one_at_a_time(const Marker& start, const SweepSettings& settings,
                                                      const scene::Run& run) {
-  return compaction::repaired_and(start, run, [&](scene::Scene& scene) {
+  return compaction::shortened(start, run, [&](scene::Scene& scene) {
     compaction::Progress progress;
     progress.reason = sweep_until_still(scene, settings, run, progress.rounds);
     return progress;

@@ -3,8 +3,6 @@
 // all pieces at once is worth.
 #pragma once
 
-#include <stop_token>
-
 #include "core/motion/compaction/compact.h"
 
 namespace selvage::motion::baseline {

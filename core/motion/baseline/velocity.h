@@ -8,8 +8,7 @@
 // positions, which are not on the lattice here, stay valid when they are rounded to it.
 #pragma once
 
-#include <stop_token>
-
+#include "core/motion/baseline/tuning.h"
 #include "core/motion/compaction/compact.h"
 
 namespace selvage::motion::baseline {
@@ -23,6 +22,7 @@ struct VelocitySettings {
   double least_speed{1e-7};  // the piston at rest: slower than this part of the fastest piece
   double gravity{0.003};     // force on all pieces together, beside the piston's
   lp::solver::SolverChoice solver{lp::solver::SolverChoice::kAutomatic};
+  VelocityTuning tuning{};
   friend bool operator==(const VelocitySettings&, const VelocitySettings&) = default;
 };
 

@@ -7,17 +7,16 @@
 #pragma once
 
 #include <functional>
-#include <stop_token>
 
 #include "core/base/result.h"
 #include "core/lp/solver/solve.h"
 #include "core/marker/marker.h"
 #include "core/minkowski/cache.h"
 #include "core/model/free_region.h"
-#include "core/motion/repair/repair.h"
+#include "core/motion/compaction/tuning.h"
+#include "core/motion/repair/motion_result.h"
 #include "core/motion/step/position_step.h"
 #include "core/scene/run.h"
-#include "core/scene/stop_reason.h"
 
 namespace selvage::motion::compaction {
 
@@ -37,6 +36,7 @@ struct CompactionSettings {
                             // nearer than that (obstacles.h); 0: of their own
   double solver_tolerance{};  // of 1 + what a round gains (thousandths of the width): by so much its program may miss
                               // the best; what one round misses the next may gain
+  CompactionTuning tuning{};
   friend bool operator==(const CompactionSettings&, const CompactionSettings&) = default;
 };
 [[nodiscard]] CompactionSettings compaction_settings(Accuracy accuracy);
@@ -53,21 +53,17 @@ struct Progress {
 [[nodiscard]] Progress improve(scene::Scene& scene, const step::Goal& goal, const CompactionSettings& settings,
                                const scene::Run& run);
 
-struct Compaction {
-  Marker marker;
-  scene::StopReason reason{};
-  int rounds{};
-  int programs{};  // linear programs solved
-  Coord length_before{}, length_after{};
+void record(const Progress& progress, repair::MotionResult& result);
+
+struct Compaction : repair::MotionResult {
   double utilisation_before{}, utilisation_after{};
-  repair::Repair repair;
 };
 
-// The frame of every motion that makes a marker shorter: heals small overlaps, lets `work` move the scene's pieces, and
-// tells what came of it.
-// Errors: those of heal.
-[[nodiscard]] Result<Compaction> repaired_and(const Marker& start, const scene::Run& run,
-                                              const std::function<Progress(scene::Scene&)>& work);
+// The frame of every motion that makes a marker shorter: repairs small overlaps, lets `work` move the scene's pieces,
+// and sums up.
+// Errors: those of repair_overlaps.
+[[nodiscard]] Result<Compaction> shortened(const Marker& start, const scene::Run& run,
+                                           const std::function<Progress(scene::Scene&)>& work);
 
 // Small overlaps in the input are healed first (core/motion/heal.h).
 // Errors: those of heal.

@@ -13,14 +13,11 @@
 namespace selvage::motion::compaction {
 namespace {
 
-constexpr double kReach = 0.005;      // of the width: contacts are looked for this near
-constexpr double kLeastWorth = 1e-6;  // loads below this are the solver's noise
-constexpr double kSpare = 1e-2;       // column units the length may grow by, for rows' margins
-
 // The loads that one solution puts on rows and bounds.
 class Loads {
  public:
-  Loads(const Marker& marker, SumCache& sums) : scene_{marker, sums} {}
+  Loads(const Marker& marker, const CriticalPathTuning& tuning, SumCache& sums)
+      : scene_{marker, sums}, tuning_{tuning} {}
 
   Result<Hold> run(const scene::Run& run) {
     const lp::LpSolution solution = solve_model(run);
@@ -43,7 +40,7 @@ class Loads {
   lp::LpSolution solve_model(const scene::Run& run) {
     run.observer.on_stage(scene::Stage::kRows);
     const Strip& strip = scene_.marker.strip;
-    const double reach = kReach * static_cast<double>(strip.width);
+    const double reach = tuning_.reach * static_cast<double>(strip.width);
     model_.emplace(scene_.pieces, strip, scene_.ties);
     for (const marker::PiecePair& pair :
          pairs_within(scene_.pieces, std::llround(reach) + scene_.pieces.widest_spacing())) {
@@ -51,15 +48,15 @@ class Loads {
       const Vec r = scene_.relative_position(pair);
       if (scene_.ties.joined(pair.first, pair.second)) continue;
       const Coord spacing = scene_.pieces.spacing(pair);
-      const model::RegionSettings region{model::RegionRule::kGreedy, reach + static_cast<double>(spacing), spacing, 0,
-                                         0};
-      for (const model::HalfPlane& side : free_region(scene_.obstacle(pair), r, region)) {
-        rows_.push_back(row_of(pair, side, r, spacing, model_->unit(), model::TightRows::kRestore));
-        model_->add(rows_.back());
+      const minkowski::Obstacle obstacle = scene_.obstacle(pair);
+      for (const model::PairRow& row :
+           pair_rows(pair, {obstacle, r, r, spacing}, model::region_within(reach, spacing), {model_->unit()})) {
+        rows_.push_back(row);
+        model_->add(row);
       }
     }
     const auto length = static_cast<double>(scene_.pieces.length());
-    model_->add_length(1, length, kSpare * model_->unit());
+    model_->add_length(1, length, model_->unit().to_lattice(tuning_.spare));
     for (std::size_t i = 0; i < scene_.pieces.size(); ++i) model_->add_right_wall(i);
     run.observer.on_stage(scene::Stage::kSolve);
     run.observer.on_program(model_->program());
@@ -67,9 +64,9 @@ class Loads {
   }
 
   void add_pair(const model::PairRow& row, double worth, Hold& hold) {
-    if (worth < kLeastWorth) return;
+    if (worth < tuning_.least_worth) return;
     const auto [p, q] = row.pair;
-    const geometry::Witness at = nearest_point(scene_.pieces[p], scene_.pieces[q]);
+    const RealVec at = nearest_point(scene_.pieces[p], scene_.pieces[q]);
     hold.contacts.push_back({PieceId{p}, PieceId{q}, {}, worth, at});
     hold.per_spacing += worth;
     turn(q, worth, row.nx, row.ny, at);
@@ -78,7 +75,7 @@ class Loads {
 
   // Turning a piece about its position by a small angle moves its touching point square to its lever; what that opens
   // along the normal of the contact, which points at the piece, is room.
-  void turn(std::uint32_t piece, double worth, double nx, double ny, geometry::Witness at) {
+  void turn(std::uint32_t piece, double worth, double nx, double ny, RealVec at) {
     if (scene_.fixed(piece)) return;
     const Vec pivot = scene_.pieces.at(piece);
     const double lever_x = at.x - static_cast<double>(pivot.x);
@@ -113,22 +110,23 @@ class Loads {
   }
   // Is it this piece, of those tied together, whose room sets the column's bound?
   [[nodiscard]] bool bounds(const std::vector<double>& limits, int column, Coord room) const {
-    return std::abs(limits[static_cast<std::size_t>(column)] * model_->unit() - static_cast<double>(room)) < 0.5;
+    return std::abs(model_->unit().to_lattice(limits[static_cast<std::size_t>(column)]) - static_cast<double>(room)) <
+           0.5;
   }
   // `(nx, ny)`: from the edge into the strip.
   void add_edge(std::uint32_t piece, Edge edge, double worth, int nx, int ny, Hold& hold) {
-    if (worth < kLeastWorth) return;
-    const geometry::Witness at = touching_point(piece, nx, ny);
+    if (worth < tuning_.least_worth) return;
+    const RealVec at = touching_point(piece, nx, ny);
     hold.contacts.push_back({PieceId{piece}, std::nullopt, edge, worth, at});
     turn(piece, worth, nx, ny, at);
   }
   // The middle of the vertices that lie farthest against the direction.
-  [[nodiscard]] geometry::Witness touching_point(std::uint32_t piece, int nx, int ny) const {
+  [[nodiscard]] RealVec touching_point(std::uint32_t piece, int nx, int ny) const {
     const geometry::PlacedPolygon polygon = scene_.pieces[piece];
     const auto along = [&](Vec v) { return nx * v.x + ny * v.y; };
     Coord least = along(polygon.vertices.front());
     for (const Vec v : polygon.vertices) least = std::min(least, along(v));
-    geometry::Witness sum;
+    RealVec sum;
     double count = 0;
     for (const Vec v : polygon.vertices) {
       if (along(v) != least) continue;
@@ -160,6 +158,7 @@ class Loads {
   }
 
   scene::Scene scene_;
+  const CriticalPathTuning& tuning_;
   std::vector<model::PairRow> rows_;
   std::optional<model::PositionModel> model_;
   std::map<std::uint32_t, double> tilts_;
@@ -167,12 +166,12 @@ class Loads {
 
 }  // namespace
 
-Result<Hold> what_holds(const Marker& marker, const scene::Run& run) {
+Result<Hold> what_holds(const Marker& marker, const scene::Run& run, const CriticalPathTuning& tuning) {
   run.observer.on_stage(scene::Stage::kVerify);
   if (!is_valid(marker)) {
     return Error{ErrorCode::kMarkerOverlaps, "the marker is not valid: compact or part it first", "/pieces"};
   }
-  return Loads{marker, run.sums}.run(run);
+  return Loads{marker, tuning, run.sums}.run(run);
 }
 
 }  // namespace selvage::motion::compaction

@@ -14,6 +14,7 @@
 #include "core/geometry/overlap.h"
 #include "core/marker/marker.h"
 #include "core/minkowski/cache.h"
+#include "core/motion/compaction/tuning.h"
 #include "core/scene/run.h"
 
 namespace selvage::motion::compaction {
@@ -25,7 +26,7 @@ struct LoadedContact {
   std::optional<PieceId> second;  // or an edge of the strip
   Edge edge{};                    // meaningful without `second`
   double worth{};                 // length per unit of room in this contact; > 0
-  geometry::Witness at;           // where they touch; lattice units
+  RealVec at;                     // where they touch; lattice units
 };
 // What tilting one piece about its position would bring, its shape's tilt limit aside.
 struct TiltWorth {
@@ -41,6 +42,7 @@ struct Hold {
 
 // REQUIRES: a valid marker.  A marker that is not compacted is held where it stands, all the same.
 // Errors: kMarkerOverlaps, kOutsideStrip for one that is not valid; kStoppedEarly.
-[[nodiscard]] Result<Hold> what_holds(const Marker& marker, const scene::Run& run);
+[[nodiscard]] Result<Hold> what_holds(const Marker& marker, const scene::Run& run,
+                                      const CriticalPathTuning& tuning = {});
 
 }  // namespace selvage::motion::compaction

@@ -10,7 +10,6 @@
 #pragma once
 
 #include <cstddef>
-#include <stop_token>
 #include <variant>
 
 #include "core/marker/unoccupied.h"
@@ -27,15 +26,10 @@ struct AwayFromOutline {
 };
 using GapChoice = std::variant<AwayFromPoint, AwayFromOutline>;
 
-struct OpenedGap {
-  Marker marker;
-  scene::StopReason reason{};
-  int rounds{};
-  int programs{};                          // linear programs solved
-  Coord length_before{}, length_after{};   // never longer
+// The marker never becomes longer.
+struct OpenedGap : repair::MotionResult {
   Vec inside;                              // a point of the gap, before and after
   marker::UnoccupiedRegion before, after;  // the region that holds that point
-  repair::Repair repair;
 };
 
 // Settings as for compaction (gravity is not used; least_gain is the part by which the last round enlarges the gap);
@@ -44,6 +38,6 @@ struct OpenedGap {
 // unoccupied region, or a region that is not there, or that healing closed.
 [[nodiscard]] Result<OpenedGap> open_gap(const Marker& start, const GapChoice& choice,
                                          const CompactionSettings& settings, const marker::UnoccupiedSettings& regions,
-                                         const scene::Run& run);
+                                         const scene::Run& run, const GapTuning& tuning = {});
 
 }  // namespace selvage::motion::compaction

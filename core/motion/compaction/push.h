@@ -3,7 +3,6 @@
 #pragma once
 
 #include <span>
-#include <stop_token>
 
 #include "core/base/result.h"
 #include "core/motion/compaction/compact.h"
@@ -20,14 +19,9 @@ struct Force {
 // Errors: kOutOfRange for a force on a piece that is not there, or one that is not finite.
 [[nodiscard]] Result<step::Goal> pushing_goal(std::span<const Force> forces, std::size_t pieces);
 
-struct Push {
-  Marker marker;
-  scene::StopReason reason{};
-  int rounds{};
-  int programs{};
-  Coord length_before{}, length_after{};  // never longer
+// The marker never becomes longer.
+struct Push : repair::MotionResult {
   double gain{};  // sum over the forces, scaled so that the largest is 1, of force . displacement; lattice units
-  repair::Repair repair;
 };
 
 // Moves the pieces as far as the forces can; settings as for compaction (gravity is not used).

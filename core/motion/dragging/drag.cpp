@@ -15,15 +15,6 @@
 namespace selvage::motion::dragging {
 namespace {
 
-constexpr int kSteps = 64;           // looked at on the way from where the piece is to where it is wanted
-constexpr int kRefinements = 12;     // halvings of the one that is free
-constexpr int kSlides = 4;           // along contacts, each nearer to the wanted place
-constexpr double kReach = 0.1;       // of the strip's width: the pieces this near to the way make way
-constexpr int kRounds = 4;           // of the position model
-constexpr double kStillness = 1e-3;  // what moving others costs, beside the hand's own way
-constexpr double kLeastTrust = 0.01, kMostTrust = 0.05;  // of the strip's width
-constexpr Coord kThere = 2;                              // lattice units: as near as rounding comes
-
 double distance(Vec a, Vec b) {
   return std::hypot(static_cast<double>(a.x - b.x), static_cast<double>(a.y - b.y));
 }
@@ -36,15 +27,12 @@ bool holds(const Box& room, const Box& box) {
   return box.low.x >= room.low.x && box.low.y >= room.low.y && box.high.x <= room.high.x && box.high.y <= room.high.y;
 }
 
-Box around_both(const Box& a, const Box& b) {
-  return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
-          {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
-}
-
 class Hand {
  public:
-  Hand(const Marker& start, const scene::LaidOut& laid_out, PieceId piece, Vec to, const scene::Run& run)
-      : start_{start},
+  Hand(const Marker& start, const scene::LaidOut& laid_out, PieceId piece, Vec to, const DragTuning& tuning,
+       const scene::Run& run)
+      : tuning_{tuning},
+        start_{start},
         laid_out_{laid_out},
         piece_{piece.value},
         run_{run},
@@ -86,7 +74,7 @@ class Hand {
   [[nodiscard]] Vec nearest_found() const {
     Marker reached = start_;
     reached.strip = start_.strip.ending(room_.high.x);
-    const auto found = placing::place(scene::Scene{reached, laid_out_, run_.sums}, piece_, wanted_);
+    const auto found = placing::place(scene::Scene{std::move(reached), laid_out_, run_.sums}, piece_, wanted_);
     return found ? found->at : from_;
   }
 
@@ -117,7 +105,7 @@ class Hand {
     if (!on_the_way) return from_;
     Vec best = *on_the_way;
     scene::Scene sliding = scene_;
-    for (int slide = 0; slide < kSlides; ++slide) {
+    for (int slide = 0; slide < tuning_.slides; ++slide) {
       sliding.shift(piece_, best - sliding.pieces.at(piece_));
       const Vec left = wanted_ - best;
       const Vec next = piece::bump(sliding, piece_, static_cast<double>(left.x), static_cast<double>(left.y)).at;
@@ -132,11 +120,11 @@ class Hand {
       const auto along = [part](Coord a, Coord b) { return a + std::llround(part * static_cast<double>(b - a)); };
       return Vec{along(from_.x, wanted_.x), along(from_.y, wanted_.y)};
     };
-    for (int step = kSteps - 1; step >= 0; --step) {
-      double free = static_cast<double>(step) / kSteps;
+    for (int step = tuning_.steps - 1; step >= 0; --step) {
+      double free = static_cast<double>(step) / tuning_.steps;
       if (!free_at(at(free))) continue;
-      double taken = static_cast<double>(step + 1) / kSteps;
-      for (int k = 0; k < kRefinements; ++k) {
+      double taken = static_cast<double>(step + 1) / tuning_.steps;
+      for (int k = 0; k < tuning_.refinements; ++k) {
         const double middle = (free + taken) / 2;
         (free_at(at(middle)) ? free : taken) = middle;
       }
@@ -148,14 +136,14 @@ class Hand {
   // Rounds of the position model that take the scene's first piece towards the wanted place.
   void follow(scene::Scene& scene) const {
     const auto width = static_cast<double>(start_.strip.width);
-    for (int round = 0; round < kRounds && !run_.stopped(); ++round) {
+    for (int round = 0; round < tuning_.rounds && !run_.stopped(); ++round) {
       const Vec left = wanted_ - scene.pieces.at(0);
       const auto x = static_cast<double>(left.x), y = static_cast<double>(left.y);
       const double far = std::max(std::abs(x), std::abs(y));
-      if (far <= kThere) return;
-      step::Goal goal{std::vector<model::Displacement>(scene.pieces.size()), 0, kStillness, step::Halt{0, {x, y}}};
+      if (far <= static_cast<double>(tuning_.there)) return;
+      step::Goal goal{std::vector<RealVec>(scene.pieces.size()), 0, tuning_.penalty, step::Halt{0, {x, y}}};
       goal.force[0] = {x / far, y / far};
-      const step::StepSettings settings{std::clamp(far / width, kLeastTrust, kMostTrust), {}, {}};
+      const step::StepSettings settings{std::clamp(far / width, tuning_.least_trust, tuning_.most_trust), {}, {}};
       const step::PositionStep step = position_step(scene, goal, settings, run_);
       if (step.end != step::StepEnd::kMoved) return;
       scene.pieces.place(step.positions);
@@ -164,9 +152,9 @@ class Hand {
 
   // What is in the hand, the pieces near the way that is left, and those near them, which stay; the dragged one first.
   [[nodiscard]] std::vector<std::uint32_t> pieces_around() {
-    const Coord reach = std::llround(kReach * static_cast<double>(start_.strip.width));
+    const Coord reach = std::llround(tuning_.reach * static_cast<double>(start_.strip.width));
     const Box own = scene_.pieces.box(piece_);
-    const Box near = around_both(own, own.moved(wanted_ - scene_.pieces.at(piece_))).grown(reach);
+    const Box near = united(own, own.moved(wanted_ - scene_.pieces.at(piece_))).grown(reach);
     Box reached = near;  // by those that make way
     std::vector<std::uint32_t> around{piece_};
     for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
@@ -175,7 +163,7 @@ class Hand {
           in_hand_[other] || (start_.pieces[other].group.empty() && near.touches(scene_.pieces.box(other)));
       if (other == piece_ || !flows) continue;
       around.push_back(other);
-      reached = around_both(reached, scene_.pieces.box(other));
+      reached = united(reached, scene_.pieces.box(other));
     }
     flowing_ = around.size();
     std::vector<bool> known(scene_.pieces.size());
@@ -215,6 +203,7 @@ class Hand {
     return true;
   }
 
+  const DragTuning& tuning_;
   const Marker& start_;
   const scene::LaidOut& laid_out_;  // of it
   const std::uint32_t piece_;
@@ -229,14 +218,14 @@ class Hand {
 
 }  // namespace
 
-Drag drag(const Marker& start, PieceId piece, Vec to, DragMode mode, const scene::Run& run) {
-  return drag(start, scene::LaidOut{start, run.sums}, piece, to, mode, run);
+Drag drag(const Marker& start, PieceId piece, Vec to, DragMode mode, const scene::Run& run, const DragTuning& tuning) {
+  return drag(start, scene::LaidOut{start, run.sums}, piece, to, mode, run, tuning);
 }
 
 Drag drag(const Marker& start, const scene::LaidOut& laid_out, PieceId piece, Vec to, DragMode mode,
-          const scene::Run& run) {
+          const scene::Run& run, const DragTuning& tuning) {
   if (laid_out.ties.fixed(piece.value)) return {start, false};
-  Hand hand{start, laid_out, piece, to, run};
+  Hand hand{start, laid_out, piece, to, tuning, run};
   return mode == DragMode::kPush ? hand.push() : hand.place();
 }
 

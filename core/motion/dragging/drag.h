@@ -10,10 +10,9 @@
 // (2) Locks and groups hold.  (3) Same input, same answer, whatever the cache holds.
 #pragma once
 
-#include <stop_token>
-
 #include "core/marker/marker.h"
 #include "core/minkowski/cache.h"
+#include "core/motion/dragging/tuning.h"
 #include "core/scene/laid_out.h"
 #include "core/scene/run.h"
 
@@ -28,9 +27,10 @@ struct Drag {
 
 // `to` is where the piece's origin is wanted, which may be beyond the marker's present end, but not the cloth's.  A
 // piece for which nothing is found stays.  REQUIRES: the piece is one of the marker's; `to` is on the lattice.
-[[nodiscard]] Drag drag(const Marker& start, PieceId piece, Vec to, DragMode mode, const scene::Run& run);
+[[nodiscard]] Drag drag(const Marker& start, PieceId piece, Vec to, DragMode mode, const scene::Run& run,
+                        const DragTuning& tuning = {});
 // The same, of a marker that is laid out already.
 [[nodiscard]] Drag drag(const Marker& start, const scene::LaidOut& laid_out, PieceId piece, Vec to, DragMode mode,
-                        const scene::Run& run);
+                        const scene::Run& run, const DragTuning& tuning = {});
 
 }  // namespace selvage::motion::dragging

@@ -11,11 +11,6 @@
 namespace selvage::motion::floating {
 namespace {
 
-constexpr double kTrustAhead = 2;     // next round's trust, as a multiple of the last one's farthest move
-constexpr double kLeastTrust = 0.05;  // as a part of the first round's trust
-constexpr double kLoaded = 1e-6;      // loads below this are a solver's rounding; all loads on the minimum add up to 1
-constexpr Coord kRounding = 4;        // lattice units that a critical gap may lose while others widen
-
 class Floater {
  public:
   Floater(scene::Scene& scene, const FloatSettings& settings, const scene::Run& run)
@@ -77,7 +72,8 @@ class Floater {
       if (step.end == step::StepEnd::kSolverFailed) return scene::StopReason::kSolverFailed;
       if (step.end == step::StepEnd::kNoGain) return scene::StopReason::kConverged;
       scene_.pieces.place(std::move(step.positions));
-      trust = std::clamp(kTrustAhead * step.farthest, kLeastTrust * widest_trust, widest_trust);
+      trust = std::clamp(settings_.tuning.trust_ahead * step.farthest, settings_.tuning.least_trust * widest_trust,
+                         widest_trust);
       ++best.rounds;
       run_.observer.on_round({best.rounds, scene_.pieces.length()});
       if (step.gain < settings_.least_gain * width) return scene::StopReason::kConverged;
@@ -105,7 +101,7 @@ class Floater {
       if (const auto critical = critical_.find(gap); critical != critical_.end()) {
         now.held = true;
         now.keep = static_cast<double>(critical->second);
-        now.least = std::max(least_, critical->second - kRounding);
+        now.least = std::max(least_, critical->second - settings_.tuning.rounding);
       }
       near.push_back(now);
     }
@@ -134,7 +130,7 @@ class Floater {
     std::vector<Gap> narrowest;
     for (std::size_t k = 0; k < gaps_.size(); ++k) {
       if (gaps_[k].held) continue;
-      if (k < loads_.size() && loads_[k] > kLoaded) loaded.push_back(gaps_[k].gap);
+      if (k < loads_.size() && loads_[k] > settings_.tuning.loaded) loaded.push_back(gaps_[k].gap);
       if (gaps_[k].now <= least + 1) narrowest.push_back(gaps_[k].gap);
     }
     return asks_for_minimum() && !loaded.empty() ? loaded : narrowest;
@@ -167,29 +163,21 @@ FloatSettings float_settings(FloatMode mode, Coord distance) {
 }
 
 Result<Floating> float_apart(const Marker& start, const FloatSettings& settings, const scene::Run& run) {
-  run.observer.on_stage(scene::Stage::kOther);
   if (settings.distance <= 0 || settings.distance >= kLatticeLimit) {
     return Error{ErrorCode::kOutOfRange,
                  "the distance is " + std::to_string(settings.distance) +
                      " lattice units; it must be positive and less than 2^40",
                  "/distance"};
   }
-  scene::Scene scene{start, run.sums};
-  Floating best;
-  best.length_before = scene.pieces.length();
-  const auto repair = repair::repair_overlaps(scene, run);
-  if (!repair) return repair.error();
-  best.repair = *repair;
-  const scene::Scene healed = scene;
-  Floater floater{scene, settings, run};
-  best.least_before = floater.least_width();
-  floater.run(best);
-  best.marker = scene.result();
-  best.length_after = scene.pieces.length();
-  best.least_after = floater.least_width();
-  best.reached = best.least_after >= settings.distance;
-  best.gaps = floater.widths(healed);
-  return best;
+  return repair::repaired_and<Floating>(start, run, [&](scene::Scene& scene, Floating& floating) {
+    const scene::Scene repaired = scene;
+    Floater floater{scene, settings, run};
+    floating.least_before = floater.least_width();
+    floater.run(floating);
+    floating.least_after = floater.least_width();
+    floating.reached = floating.least_after >= settings.distance;
+    floating.gaps = floater.widths(repaired);
+  });
 }
 
 }  // namespace selvage::motion::floating

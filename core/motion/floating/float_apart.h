@@ -7,12 +7,13 @@
 // holds.
 #pragma once
 
-#include <stop_token>
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/motion/compaction/compact.h"
+#include "core/lp/solver/solve.h"
 #include "core/motion/floating/float_program.h"
+#include "core/motion/floating/tuning.h"
+#include "core/motion/repair/motion_result.h"
 
 namespace selvage::motion::floating {
 
@@ -26,6 +27,7 @@ struct FloatSettings {
   double least_gain{};  // the last round is the one that gains less than this part of the width
   double trust{};       // no piece moves farther in a round than this part of the width, on either axis
   lp::solver::SolverChoice solver{};
+  FloatTuning tuning{};
   friend bool operator==(const FloatSettings&, const FloatSettings&) = default;
 };
 // With the distance given, the rest as it should be.
@@ -45,19 +47,13 @@ struct CriticalSet {
   friend bool operator==(const CriticalSet&, const CriticalSet&) = default;
 };
 
-struct Floating {
-  Marker marker;
-  scene::StopReason reason{};
-  int rounds{};
-  int programs{};  // linear programs solved
-  Coord length_before{}, length_after{};
+struct Floating : repair::MotionResult {
   Coord least_before{}, least_after{};  // the narrowest gap, whole lattice units, at most the setting's distance
   bool reached{};                       // the narrowest gap has the setting's distance
   std::vector<GapWidths> gaps;          // narrower than the setting's distance before or after, sorted
   // What holds the minimum: gaps that carry load in the last program, or, in the modes that do not ask for the minimum,
   // that have it.  kTwoStep adds the sets that held its later stages.  None when the distance is reached.
   std::vector<CriticalSet> critical;
-  repair::Repair repair;
 };
 
 // Gaps between two locked pieces do not count.

@@ -60,9 +60,7 @@ class FloatProgram {
                std::span<const WidthRow> rows, double trust);
 
   [[nodiscard]] const lp::LinearProgram& program() const { return model_.program(); }
-  [[nodiscard]] std::vector<model::Displacement> displacements(const lp::LpSolution& s) const {
-    return model_.displacements(s.x);
-  }
+  [[nodiscard]] std::vector<RealVec> displacements(const lp::LpSolution& s) const { return model_.displacements(s.x); }
   // The worth that a solution promises, before rounding; lattice units.
   [[nodiscard]] double promised(const lp::LpSolution& solution) const;
   // The gaps that a solution leaves no certain room: rounding may make them narrower than their `least`.

@@ -55,8 +55,8 @@ class Attempt {
  private:
   // Rounds and proves the moves.  Returns the pairs that rounding brings too near; without any, moves of more worth
   // become the step's.
-  std::vector<marker::PiecePair> try_moves(const std::vector<model::Displacement>& moves, FloatStep& step) const {
-    std::vector<Vec> positions = snapped(moves);
+  std::vector<marker::PiecePair> try_moves(const std::vector<RealVec>& moves, FloatStep& step) const {
+    std::vector<Vec> positions = model::snapped(moves);
     for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + scene_.pieces.at(i);
     marker::PlacedPieces moved = scene_.pieces;
     moved.place(std::move(positions));
@@ -75,7 +75,7 @@ class Attempt {
     if (gain <= 0 || !inside(moved)) return {};
     step.end = step::StepEnd::kMoved;
     step.gain = gain;
-    for (const model::Displacement& d : moves) step.farthest = std::max({step.farthest, std::abs(d.x), std::abs(d.y)});
+    for (const RealVec& d : moves) step.farthest = std::max({step.farthest, std::abs(d.x), std::abs(d.y)});
     step.positions = moved.positions();
     return {};
   }

@@ -8,19 +8,14 @@
 #include <utility>
 
 #include "core/minkowski/inner_fit.h"
-#include "core/model/free_region.h"
+#include "core/model/pair_rows.h"
 #include "core/motion/piece/slide.h"
 
 namespace selvage::motion::piece {
 namespace {
 
-constexpr int kSteps = 400;           // cells that one bump may pass through
-constexpr double kFirstReach = 0.02;  // of the strip's width: how far the first cell looks
-constexpr std::size_t kWays = 40;     // ways round corners that are tried before a bump ends
-constexpr double kContact = 4;        // lattice units: sides nearer than this are touched
-constexpr double kLeastGain = 2;      // lattice units; less is rounding
-constexpr double kRounding = 1e-6;    // lattice units; of a slack
-constexpr double kNarrowest = 1e-6;   // of a corner: one and the cosine between its sides' normals
+constexpr double kRounding = 1e-6;   // lattice units; of a slack
+constexpr double kNarrowest = 1e-6;  // of a corner: one and the cosine between its sides' normals
 
 // Lattice units of room that a corner's sides are given until a lattice point fits: within 0.71 of any point there is
 // one, so that it takes more only where a third side is near.
@@ -58,13 +53,14 @@ struct Member {
 
 class Bumper {
  public:
-  Bumper(const scene::Scene& scene, std::uint32_t piece, double ux, double uy)
+  Bumper(const scene::Scene& scene, std::uint32_t piece, double ux, double uy, const BumpTuning& tuning)
       : scene_{scene},
+        tuning_{tuning},
         piece_{piece},
         ux_{ux},
         uy_{uy},
         at_{scene.pieces.at(piece)},
-        reach_{kFirstReach * static_cast<double>(scene.marker.strip.width)} {
+        reach_{tuning.first_reach * static_cast<double>(scene.marker.strip.width)} {
     moves_.resize(scene.pieces.size());
     const Box room = scene.marker.strip.room(scene.marker.strip.last().value_or(scene.pieces.length()));
     for (std::uint32_t i = 0; i < scene.pieces.size(); ++i) {
@@ -81,8 +77,9 @@ class Bumper {
 
   Bump run() {
     int step = 0;
-    while (step < kSteps && (advance(ux_, uy_) || advance_round_corners())) ++step;
-    const scene::StopReason reason = step < kSteps ? scene::StopReason::kConverged : scene::StopReason::kWorkLimit;
+    while (step < tuning_.steps && (advance(ux_, uy_) || advance_round_corners())) ++step;
+    const scene::StopReason reason =
+        step < tuning_.steps ? scene::StopReason::kConverged : scene::StopReason::kWorkLimit;
     return {reason, at_, gain(at_ - scene_.pieces.at(piece_)), touching()};
   }
 
@@ -96,10 +93,10 @@ class Bumper {
     std::vector<std::pair<double, double>> ways;
     const double side = first_side();
     for (const auto& [c, s] : kSlants) ways.emplace_back(c * ux_ - side * s * uy_, side * s * ux_ + c * uy_);
-    for (std::size_t k = 0; k < ways.size() && k < kWays; ++k) {
+    for (std::size_t k = 0; k < ways.size() && k < tuning_.ways; ++k) {
       if (advance(ways[k].first, ways[k].second)) return true;
       for (const CellSide& met : cell_) {
-        if (met.slack > kContact) continue;
+        if (met.slack > tuning_.contact) continue;
         const double ahead = -met.ny * ux_ + met.nx * uy_;
         const std::pair along{ahead > 0 ? -met.ny : met.ny, ahead > 0 ? met.nx : -met.nx};
         const bool known = std::any_of(ways.begin(), ways.end(), [&](const auto& way) {
@@ -122,10 +119,10 @@ class Bumper {
   bool advance(double towards_x, double towards_y) {
     build_cell(towards_x, towards_y);
     last_ = slide(cell_, ux_, uy_);
-    if (ux_ * last_.to.x + uy_ * last_.to.y < kLeastGain) return false;
+    if (ux_ * last_.to.x + uy_ * last_.to.y < tuning_.least_gain) return false;
     for (double part = 1; part > 1e-3; part /= 4) {
       const auto target = lattice_point(last_.to.x * part, last_.to.y * part);
-      if (!target || gain(*target - at_) < kLeastGain || !valid(*target)) continue;
+      if (!target || gain(*target - at_) < tuning_.least_gain || !valid(*target)) continue;
       const bool reached_limit = std::any_of(last_.blocking.begin(), last_.blocking.end(),
                                              [&](std::size_t k) { return k >= cell_.size() - 4; });
       if (reached_limit) reach_ *= 4;  // nothing else was in the way: look farther next time
@@ -154,13 +151,10 @@ class Bumper {
       const Coord spacing = scene_.pieces.spacing({member.piece, other});
       const Vec r = at - scene_.pieces.at(other);
       const minkowski::Obstacle& obstacle = obstacle_of(other, member.piece);
-      const model::RegionSettings region{model::RegionRule::kGreedy, 1.5 * reach_ + static_cast<double>(spacing),
-                                         spacing, towards_x, towards_y};
-      for (const model::HalfPlane& side : free_region(obstacle, r, region)) {
-        const model::PairRow row = row_of({0, 1}, side, r, spacing, 0, model::TightRows::kKeep);
-        const double slack = std::max(0.0, slack_of(side, r) - static_cast<double>(spacing));
-        cell_.push_back({row.nx, row.ny, slack});
-        bounds_.push_back({side, other, member.offset});
+      const auto region = model::region_within(1.5 * reach_, spacing, {towards_x, towards_y});
+      for (const model::FreeSide& side : model::free_sides({obstacle, r, r, spacing}, region)) {
+        cell_.push_back({side.normal.x, side.normal.y, std::max(0.0, side.slack)});
+        bounds_.push_back({side.line, other, member.offset});
       }
     }
   }
@@ -182,7 +176,7 @@ class Bumper {
     const auto about = [](double v) {
       return std::pair{static_cast<Coord>(std::floor(v)), static_cast<Coord>(std::ceil(v))};
     };
-    const model::Displacement into = into_cell();
+    const RealVec into = into_cell();
     for (const double back : kBacks) {
       const auto [low_x, high_x] = about(x + back * into.x);
       const auto [low_y, high_y] = about(y + back * into.y);
@@ -195,7 +189,7 @@ class Bumper {
     return std::nullopt;
   }
   // The way from a point that the blocking sides hold by which each of them gets one unit of room per unit.
-  [[nodiscard]] model::Displacement into_cell() const {
+  [[nodiscard]] RealVec into_cell() const {
     if (last_.blocking.empty()) return {-ux_, -uy_};
     const CellSide& first = cell_[last_.blocking.front()];
     const CellSide& last = cell_[last_.blocking.back()];
@@ -257,6 +251,7 @@ class Bumper {
   }
 
   const scene::Scene& scene_;
+  const BumpTuning& tuning_;
   std::uint32_t piece_;
   double ux_, uy_;
   Coord spacing_{scene_.pieces.widest_spacing()};
@@ -273,10 +268,10 @@ class Bumper {
 
 }  // namespace
 
-Bump bump(const scene::Scene& scene, std::uint32_t piece, double dx, double dy) {
+Bump bump(const scene::Scene& scene, std::uint32_t piece, double dx, double dy, const BumpTuning& tuning) {
   const double length = std::hypot(dx, dy);
   if (scene.fixed(piece) || !(length > 0)) return {scene::StopReason::kConverged, scene.pieces.at(piece), 0, {}};
-  return Bumper{scene, piece, dx / length, dy / length}.run();
+  return Bumper{scene, piece, dx / length, dy / length, tuning}.run();
 }
 
 Result<BumpedMarker> repair_and_bump(const Marker& start, PieceId piece, double dx, double dy, const scene::Run& run) {
@@ -287,17 +282,16 @@ Result<BumpedMarker> repair_and_bump(const Marker& start, const scene::LaidOut& 
                                      double dy, const scene::Run& run) {
   run.observer.on_stage(scene::Stage::kOther);
   scene::Scene scene{start, laid_out, run.sums};
-  repair::Repair repair;
-  if (!laid_out.figures.valid) {
-    const auto healed = repair::repair_overlaps(scene, run);
-    if (!healed) return healed.error();
-    repair = *healed;
-  }
-  run.observer.on_stage(scene::Stage::kSolve);
-  const Bump bumped = bump(scene, piece.value, dx, dy);
-  scene.shift(piece.value, bumped.at - scene.pieces.at(piece.value));
-  run.observer.on_stage(scene::Stage::kOther);
-  return BumpedMarker{scene.result(), bumped, repair};
+  const auto repairing = [&] {
+    return laid_out.figures.valid ? Result<repair::Repair>{repair::Repair{}} : repair::repair_overlaps(scene, run);
+  };
+  return repair::repaired_and<BumpedMarker>(scene, repairing, [&](BumpedMarker& bumped) {
+    run.observer.on_stage(scene::Stage::kSolve);
+    bumped.bump = bump(scene, piece.value, dx, dy);
+    bumped.reason = bumped.bump.reason;
+    scene.shift(piece.value, bumped.bump.at - scene.pieces.at(piece.value));
+    run.observer.on_stage(scene::Stage::kOther);
+  });
 }
 
 }  // namespace selvage::motion::piece

@@ -2,12 +2,9 @@
 // meets, while everything else stays [Li94 4.2.3].  Two variables: no linear program, only half-planes.
 #pragma once
 
-#include <stop_token>
-
 #include "core/base/result.h"
-#include "core/motion/repair/repair.h"
-#include "core/scene/scene.h"
-#include "core/scene/stop_reason.h"
+#include "core/motion/piece/tuning.h"
+#include "core/motion/repair/motion_result.h"
 
 namespace selvage::motion::piece {
 
@@ -23,12 +20,11 @@ struct Bump {
 // strip's right edge is the marker's present end, or the cloth's when it has one.  A marker mirrored across the strip
 // gives the mirrored answer to the lattice unit, unless the piece goes along the very middle of the strip and could
 // pass a corner on either side. REQUIRES: the scene's pieces are valid.
-[[nodiscard]] Bump bump(const scene::Scene& scene, std::uint32_t piece, double dx, double dy);
+[[nodiscard]] Bump bump(const scene::Scene& scene, std::uint32_t piece, double dx, double dy,
+                        const BumpTuning& tuning = {});
 
-struct BumpedMarker {
-  Marker marker;
+struct BumpedMarker : repair::MotionResult {
   Bump bump;
-  repair::Repair repair;
 };
 // The same for a marker as it comes: small overlaps are healed first (core/motion/heal.h).
 // REQUIRES: the piece is one of the marker's, dx and dy are finite.  Errors: those of heal.

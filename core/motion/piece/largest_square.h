@@ -10,8 +10,8 @@
 namespace selvage::motion::piece {
 
 struct Square {
-  model::Displacement centre;  // from the origin
-  double half{};  // of its side; negative when the cell is empty: by so much the sides would have to give way
+  RealVec centre;  // from the origin
+  double half{};   // of its side; negative when the cell is empty: by so much the sides would have to give way
 };
 
 // Here the sides' slack may be negative: the origin need not be inside.  Only centres with |x|, |y| <= reach are looked

@@ -15,7 +15,7 @@ struct Hit {
 };
 
 // The first side that the ray from `at` along (dx, dy) runs into, other than `ignored`.
-std::optional<Hit> first_hit(std::span<const CellSide> cell, model::Displacement at, double dx, double dy,
+std::optional<Hit> first_hit(std::span<const CellSide> cell, RealVec at, double dx, double dy,
                              std::optional<std::size_t> ignored) {
   std::optional<Hit> first;
   for (std::size_t k = 0; k < cell.size(); ++k) {

@@ -15,7 +15,7 @@ struct CellSide {
 };
 
 struct Slide {
-  model::Displacement to;             // the farthest point
+  RealVec to;                         // the farthest point
   std::vector<std::size_t> blocking;  // the one or two sides that hold it there
 };
 

@@ -20,6 +20,6 @@ struct TiltRange {
 // True when the piece's outline, rounded in its orientation, is still a polygon, and not wider than the strip's room.
 [[nodiscard]] bool is_cuttable(const Marker& marker, const Piece& piece);
 // How a piece's position must move for its pivot (core/model/tilt_rows.h) to stay when it turns about it.
-[[nodiscard]] model::Displacement held_pivot(const geometry::PlacedPolygon& piece, Angle turn);
+[[nodiscard]] RealVec held_pivot(const geometry::PlacedPolygon& piece, Angle turn);
 
 }  // namespace selvage::motion::piece

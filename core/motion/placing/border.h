@@ -13,7 +13,7 @@ namespace selvage::motion::placing {
 
 // A stretch of the border.  Forbidden is its left, seen from `a` to `b`; of an arc, the disc.
 struct BorderLine {
-  outline::Real2 a, b;       // the ends; of an arc, the centre twice
+  RealVec a, b;              // the ends; of an arc, the centre twice
   double radius{};           // of an arc, else 0
   std::uint32_t obstacle{};  // whose it is
   Vec anchor, direction;     // the exact line of an edge that was not moved, relative to the origin; else (0, 0)
@@ -22,20 +22,20 @@ struct BorderLine {
 
 // A box in the same coordinates.
 struct RealBox {
-  outline::Real2 low, high;
-  [[nodiscard]] outline::Real2 nearest_to(outline::Real2 point) const;
-  [[nodiscard]] bool holds(outline::Real2 point, double margin) const;
+  RealVec low, high;
+  [[nodiscard]] RealVec nearest_to(RealVec point) const;
+  [[nodiscard]] bool holds(RealVec point, double margin) const;
 };
 
-[[nodiscard]] double squared_distance(outline::Real2 p, outline::Real2 q);
+[[nodiscard]] double squared_distance(RealVec p, RealVec q);
 
 // The line's point nearest to `point`.
-[[nodiscard]] outline::Real2 nearest_on(const BorderLine& line, outline::Real2 point);
+[[nodiscard]] RealVec nearest_on(const BorderLine& line, RealVec point);
 // True when the line comes into the box.
 [[nodiscard]] bool enters(const BorderLine& line, const RealBox& box);
 // Appends the points, two at most, that two lines have in common; none for two edges that are parallel.
-void append_crossings(const BorderLine& p, const BorderLine& q, std::vector<outline::Real2>& points);
+void append_crossings(const BorderLine& p, const BorderLine& q, std::vector<RealVec>& points);
 // The unit vector at a point of the line that leads away from what is forbidden.
-[[nodiscard]] outline::Real2 outwards(const BorderLine& line, outline::Real2 at);
+[[nodiscard]] RealVec outwards(const BorderLine& line, RealVec at);
 
 }  // namespace selvage::motion::placing

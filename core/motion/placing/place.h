@@ -8,17 +8,17 @@
 #pragma once
 
 #include <optional>
-#include <stop_token>
 
 #include "core/base/result.h"
-#include "core/motion/repair/repair.h"
-#include "core/scene/scene.h"
+#include "core/motion/placing/tuning.h"
+#include "core/motion/repair/motion_result.h"
 
 namespace selvage::motion::placing {
 
 struct PlaceSettings {
   bool may_grow{};  // when no position within the marker's length is free, take the nearest beyond it; not beyond the
                     // cloth's end
+  PlaceTuning tuning{};
 };
 struct Place {
   Vec at;             // free
@@ -33,15 +33,13 @@ struct Place {
 [[nodiscard]] std::optional<Place> place(const scene::Scene& scene, std::uint32_t piece, Vec wanted,
                                          const PlaceSettings& settings = {});
 
-struct PlacedMarker {
-  Marker marker;
+struct PlacedMarker : repair::MotionResult {
   std::optional<Place> place;  // nothing: there is no free position, and the piece is where it was
-  repair::Repair repair;
 };
 // The same for a marker as it comes: small overlaps among the other pieces are healed first (core/motion/heal.h); the
 // piece itself may overlap them as deeply as it likes, unless it is of a group or locked.
 // REQUIRES: the piece is one of the marker's.  Errors: those of heal.
-[[nodiscard]] Result<PlacedMarker> heal_and_place(const Marker& start, PieceId piece, Vec wanted,
-                                                  const PlaceSettings& settings, const scene::Run& run);
+[[nodiscard]] Result<PlacedMarker> repair_and_place(const Marker& start, PieceId piece, Vec wanted,
+                                                    const PlaceSettings& settings, const scene::Run& run);
 
 }  // namespace selvage::motion::placing

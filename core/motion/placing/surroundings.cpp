@@ -97,10 +97,8 @@ void Surroundings::append_lines(const Near& near, const Box& window) {
         const PlacedEdge e = placed(edge, near.obstacle, at);
         BorderLine line{real(e.from), real(e.to), 0, index, e.line_from - origin_, e.line_to - e.line_from};
         if (near.spacing > 0) {
-          const outline::Real2 out = outwards(line, line.a);
-          const auto shifted = [&](outline::Real2 p) {
-            return outline::Real2{p.x + moved * out.x, p.y + moved * out.y};
-          };
+          const RealVec out = outwards(line, line.a);
+          const auto shifted = [&](RealVec p) { return RealVec{p.x + moved * out.x, p.y + moved * out.y}; };
           for (const Vec corner : {e.from, e.to}) {
             if (corner != last_end) lines_.push_back({real(corner), real(corner), moved, index, {}, {}});
             last_end = corner;
@@ -111,7 +109,7 @@ void Surroundings::append_lines(const Near& near, const Box& window) {
       });
 }
 
-bool Surroundings::forbids(std::size_t obstacle, outline::Real2 point) const {
+bool Surroundings::forbids(std::size_t obstacle, RealVec point) const {
   const Near& near = near_[obstacle];
   const Vec position{origin_.x + std::llround(point.x), origin_.y + std::llround(point.y)};
   const Vec r = near.obstacle.to_frame(position + near.offset - scene_.pieces.at(near.other));

@@ -34,7 +34,7 @@ class Surroundings {
   // The lines of an obstacle are those from here up to where the next one's begin.
   [[nodiscard]] std::uint32_t first_line(std::size_t obstacle) const { return first_line_[obstacle]; }
   // True when the obstacle forbids the point; within a few units of its border either answer may come.
-  [[nodiscard]] bool forbids(std::size_t obstacle, outline::Real2 point) const;
+  [[nodiscard]] bool forbids(std::size_t obstacle, RealVec point) const;
   // Free of everything?  In integers, the strip aside.
   [[nodiscard]] bool free(Vec position) const;
 
@@ -47,7 +47,7 @@ class Surroundings {
   };
   void append_near(const Body& body, const Body::Member& member, const Box& window);
   void append_lines(const Near& near, const Box& window);
-  [[nodiscard]] outline::Real2 real(Vec position) const {
+  [[nodiscard]] RealVec real(Vec position) const {
     return {static_cast<double>(position.x - origin_.x), static_cast<double>(position.y - origin_.y)};
   }
 

@@ -33,7 +33,7 @@ class Healer {
       : scene_{scene},
         run_{run},
         limit_{kHealingLimit * static_cast<double>(scene.marker.strip.width)},
-        unit_{static_cast<double>(scene.marker.strip.width) / 1000} {}
+        unit_{scene.marker.strip} {}
 
   Result<Repair> run() {
     const std::vector<Vec> start = scene_.pieces.positions();
@@ -148,7 +148,7 @@ class Healer {
     run_.observer.on_stage(scene::Stage::kRows);
     const auto near = pairs_within(scene_.pieces, std::llround(kReach * limit_) + scene_.pieces.widest_spacing());
     model::ActiveSet reached = to_be_moved(found);
-    for (const double lengthen : {1e-2 * unit_, kReach * limit_}) {
+    for (const double lengthen : {unit_.to_lattice(1e-2), kReach * limit_}) {
       if (part_within(lengthen, found, near, reached)) return true;
       if (run_.stopped()) return false;
     }
@@ -198,8 +198,8 @@ class Healer {
     }
   }
 
-  void take(const std::vector<model::Displacement>& displacements) {
-    std::vector<Vec> positions = snapped(displacements);
+  void take(const std::vector<RealVec>& displacements) {
+    std::vector<Vec> positions = model::snapped(displacements);
     for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + scene_.pieces.at(i);
     scene_.pieces.place(std::move(positions));
   }
@@ -240,11 +240,8 @@ class Healer {
       const Vec r = scene_.relative_position(pair);
       const Vec about = apart ? r : target(pair).about;
       const Coord spacing = scene_.pieces.spacing(pair);
-      const model::RegionSettings region{model::RegionRule::kGreedy, kReach * limit_ + static_cast<double>(spacing),
-                                         spacing};
-      for (const model::HalfPlane& side : free_region(obstacles[k], about, region)) {
-        rows.push_back(row_of(pair, side, r, spacing, unit_, model::TightRows::kRestore));
-      }
+      append_pair_rows(pair, {obstacles[k], r, about, spacing}, model::region_within(kReach * limit_, spacing), {unit_},
+                       rows);
     }
     return rows;
   }
@@ -252,7 +249,7 @@ class Healer {
   scene::Scene& scene_;
   const scene::Run& run_;
   double limit_;
-  double unit_;
+  model::ModelUnit unit_;
 };
 
 }  // namespace

@@ -22,9 +22,15 @@ struct Leap {
   double cost{};  // the sum of price times depth over the overlaps there, plus the leap's length |x| + |y|
 };
 
-// The cheapest position of a piece on a grid about its present one, within `reach` on each axis and inside the strip as
-// long as `length`.  Deterministic.  REQUIRES: the piece fits there.
-[[nodiscard]] Leap cheapest_leap(const scene::Scene& scene, std::uint32_t piece, double reach, Coord length,
+// The positions that a leap chooses from: a square grid about the piece's present position.
+struct LeapGrid {
+  double reach{};  // lattice units, on each axis
+  int steps{};     // from the present position to either side
+  Coord length{};  // the piece stays in a strip of this length
+};
+
+// The cheapest position of a piece on the grid.  Deterministic.  REQUIRES: the piece fits into the strip.
+[[nodiscard]] Leap cheapest_leap(const scene::Scene& scene, std::uint32_t piece, const LeapGrid& grid,
                                  const OverlapPrices& prices);
 
 }  // namespace selvage::motion::separation

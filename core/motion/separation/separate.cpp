@@ -13,20 +13,6 @@
 namespace selvage::motion::separation {
 namespace {
 
-// Prices are per lattice unit, beside a piece moving by one.
-constexpr double kOverlapPrice = 100;  // of overlap that stays
-constexpr double kPriceGrowth = 1.4;   // of a pair's overlap, every round that it stays
-constexpr double kHighestPrice = 1e5;
-constexpr double kLengthPrice = 10;   // of the marker growing
-constexpr double kExcessPrice = 50;   // of it growing beyond what is allowed, for the time being
-constexpr double kReach = 2;          // pairs within so many times the deepest overlap are modelled,
-constexpr double kLeastReach = 1e-3;  // but at least so far,
-constexpr double kMostReach = 0.25;   // and at most; parts of the width
-constexpr int kLeapAfter = 2;         // rounds without progress
-constexpr double kLeapReach = 1.5;    // first leaps go so many times the depth, second ones twice as far, ...
-constexpr int kPatience = 30;         // rounds without progress
-constexpr double kProgress = 0.95;    // progress leaves at most this part of what was left
-
 struct Ending {
   scene::StopReason reason{};
   bool apart{};
@@ -95,9 +81,9 @@ class Rounds {
     for (int idle = 0; !apart(); ++idle) {
       if (run_.stopped()) return scene::StopReason::kCancelled;
       if (total.rounds == last) return scene::StopReason::kWorkLimit;
-      if (idle == kPatience) return scene::StopReason::kConverged;
-      if (idle > 0 && idle % kLeapAfter == 0) {
-        if (!leap(idle / kLeapAfter)) return scene::StopReason::kCancelled;
+      if (idle == tuning().patience) return scene::StopReason::kConverged;
+      if (idle > 0 && idle % tuning().leap_after == 0) {
+        if (!leap(idle / tuning().leap_after)) return scene::StopReason::kCancelled;
         if (apart()) break;
       }
       const SeparationStep step = separation_step(scene_, parting_, aim_, program_settings(), run_);
@@ -109,7 +95,7 @@ class Rounds {
       put_back(scene_, kLatticeLimit);
       if (!look()) return scene::StopReason::kCancelled;
       run_.observer.on_round({++total.rounds, scene_.pieces.length()});
-      if (left() < kProgress * best_.left) idle = 0;
+      if (left() < tuning().progress * best_.left) idle = 0;
       if (left() < best_.left) best_ = {scene_.pieces.positions(), left()};
     }
     return scene::StopReason::kConverged;
@@ -121,7 +107,7 @@ class Rounds {
     const std::vector<Vec> parted = scene_.pieces.positions();
     const auto width = static_cast<double>(scene_.marker.strip.width);
     PartingSettings settings = program_settings();
-    settings.reach = kMostReach * width;
+    settings.reach = tuning().most_reach * width;
     const SeparationStep step = separation_step(scene_, parting_, home_, settings, run_);
     total.programs += step.programs;
     if (step.status != lp::LpStatus::kOptimal) return;
@@ -149,6 +135,7 @@ class Rounds {
     look();
   }
 
+  [[nodiscard]] const SeparationTuning& tuning() const { return settings_.tuning; }
   [[nodiscard]] Coord excess() const { return std::max(Coord{0}, scene_.pieces.length() - allowed_); }
   [[nodiscard]] bool apart() const { return seen_ && parting_.empty() && excess() == 0; }
   // What is left to do; lattice units.
@@ -167,8 +154,8 @@ class Rounds {
     for (const marker::PiecePair& pair : conflicts(scene_.pieces, serial(), run_.stop)) {
       if (run_.stopped()) break;
       const repair::SeparationTarget target = separation_target(scene_, pair, settings_.target);
-      const auto [price, first_time] = prices_.raised.try_emplace(pair, kOverlapPrice);
-      if (!first_time) price->second = std::min(kHighestPrice, kPriceGrowth * price->second);
+      const auto [price, first_time] = prices_.raised.try_emplace(pair, tuning().overlap_price);
+      if (!first_time) price->second = std::min(tuning().highest_price, tuning().price_growth * price->second);
       parting_.push_back({pair, target, price->second});
       depth_ += target.depth;
       deepest_ = std::max(deepest_, target.depth);
@@ -182,11 +169,11 @@ class Rounds {
     run_.observer.on_stage(scene::Stage::kOther);
     for (const auto& [pair, target, price] : parting_) {
       if (run_.stopped()) return false;
-      leap_one({pair.first, pair.second}, kLeapReach * target.depth * times);
+      leap_one({pair.first, pair.second}, tuning().leap_reach * target.depth * times);
     }
     for (std::uint32_t i = 0; i < scene_.pieces.size(); ++i) {
       const Coord beyond = scene_.pieces.box(i).high.x - allowed_;
-      if (beyond > 0) leap_one({i}, kLeapReach * static_cast<double>(beyond) * times);
+      if (beyond > 0) leap_one({i}, tuning().leap_reach * static_cast<double>(beyond) * times);
     }
     return look();
   }
@@ -195,7 +182,7 @@ class Rounds {
     std::uint32_t leaping{};
     for (const std::uint32_t piece : candidates) {
       if (!scene_.ties.free(piece)) continue;
-      const Leap found = cheapest_leap(scene_, piece, reach, allowed_, prices_);
+      const Leap found = cheapest_leap(scene_, piece, {reach, tuning().leap_steps, allowed_}, prices_);
       if (best && best->cost <= found.cost) continue;
       best = found;
       leaping = piece;
@@ -210,8 +197,12 @@ class Rounds {
   [[nodiscard]] PartingSettings program_settings() const {
     const auto width = static_cast<double>(scene_.marker.strip.width);
     const double farthest = std::max(deepest_, static_cast<double>(excess()));
-    const double reach = std::clamp(kReach * farthest, kLeastReach * width, kMostReach * width);
-    return {reach, kOverlapPrice, {free_, allowed_, kLengthPrice, kExcessPrice}, settings_.solver};
+    const double reach =
+        std::clamp(tuning().reach * farthest, tuning().least_reach * width, tuning().most_reach * width);
+    return {reach,
+            tuning().overlap_price,
+            {free_, allowed_, tuning().length_price, tuning().excess_price},
+            settings_.solver};
   }
   [[nodiscard]] std::uint32_t rightmost() const {
     std::uint32_t most = 0;
@@ -229,7 +220,7 @@ class Rounds {
   const scene::Run& run_;
   std::vector<PartingPair> parting_;
   bool seen_{};  // that is all that overlaps where the pieces are now
-  OverlapPrices prices_{kOverlapPrice, {}};
+  OverlapPrices prices_{settings_.tuning.overlap_price, {}};
   double depth_{}, deepest_{};
   Best best_;
 };

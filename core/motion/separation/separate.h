@@ -12,13 +12,14 @@
 // when it has seen no other.
 #pragma once
 
-#include <stop_token>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/lp/solver/solve.h"
 #include "core/marker/validity.h"
-#include "core/motion/compaction/compact.h"
+#include "core/motion/repair/motion_result.h"
 #include "core/motion/repair/separation_target.h"
+#include "core/motion/separation/tuning.h"
 
 namespace selvage::motion::separation {
 
@@ -28,19 +29,16 @@ struct SeparationSettings {
   repair::TargetRule target{repair::TargetRule::kNearest};
   bool pop_out{};  // leave out the pieces that hold up the rest
   lp::solver::SolverChoice solver{lp::solver::SolverChoice::kAutomatic};
+  SeparationTuning tuning{};
   friend bool operator==(const SeparationSettings&, const SeparationSettings&) = default;
 };
 
-struct Separation {
-  Marker marker;
-  scene::StopReason reason{};
-  bool apart{};  // everything parted: the marker is valid; stopped: as far as it was seen
-  int rounds{};
-  int programs{};         // linear programs solved
-  Coord length_before{};  // of the input once what lies outside the strip is put back to its edge
-  Coord length_after{};
-  double moved{};                          // the sum of |dx| + |dy| over all pieces; lattice units
-  Coord farthest_move{};                   // the largest |dx| or |dy| of a piece; lattice units
+// `length_before` is that of the input once what lies outside the strip is put back to its edge; nothing is repaired
+// beforehand.
+struct Separation : repair::MotionResult {
+  bool apart{};           // all pieces are separated: the marker is valid; cancelled: as far as it was checked
+  double moved{};         // the sum of |dx| + |dy| over all pieces; lattice units
+  Coord farthest_move{};  // the largest |dx| or |dy| of a piece; lattice units
   std::vector<marker::Overlap> remaining;  // pieces of `marker`; empty when apart; stopped: perhaps not measured
   std::vector<PieceId> popped;             // pieces of the input, in the order they were popped out; not in `marker`
 };

@@ -28,7 +28,7 @@ class PartingProgram {
     const int length_column = model_.program().columns() - 1;
     const int excess = model_.program().add_column(allowance.excess_price, 0, lp::kInfinity);
     // excess >= length - allowed
-    const double room = static_cast<double>(allowance.allowed - length_) / model_.unit();
+    const double room = model_.unit().to_columns(static_cast<double>(allowance.allowed - length_));
     model_.program().add_row(std::array<lp::LinearProgram::Entry, 2>{{{excess, 1}, {length_column, -1}}}, -room);
     const double watched = static_cast<double>(length_ - shorten) - 2 * settings_.reach;
     for (std::size_t i = 0; i < scene_.pieces.size(); ++i) {
@@ -65,7 +65,7 @@ class PartingProgram {
     return reached_.missed(scene_.pieces, pressure.load(), kStillness, room);
   }
   void take(const lp::LpSolution& solution, SeparationStep& step) const {
-    step.positions = snapped(model_.displacements(solution.x));
+    step.positions = model::snapped(model_.displacements(solution.x));
     for (std::size_t i = 0; i < step.positions.size(); ++i) step.positions[i] = step.positions[i] + scene_.pieces.at(i);
     step.pressure.assign(scene_.pieces.size(), 0);
     for (const auto& [row, pair_row] : rows_) {
@@ -82,12 +82,9 @@ class PartingProgram {
     if (scene_.ties.joined(pair.first, pair.second)) return;
     const Coord spacing = scene_.pieces.spacing(pair);
     const Vec r = scene_.relative_position(pair);
-    const model::RegionSettings region{model::RegionRule::kGreedy, settings_.reach + static_cast<double>(spacing),
-                                       spacing};
-    std::vector<model::PairRow> rows;
-    for (const model::HalfPlane& side : free_region(scene_.obstacle(pair), about, region)) {
-      rows.push_back(row_of(pair, side, r, spacing, model_.unit(), model::TightRows::kKeep));
-    }
+    const minkowski::Obstacle obstacle = scene_.obstacle(pair);
+    const auto rows = pair_rows(pair, {obstacle, r, about, spacing}, model::region_within(settings_.reach, spacing),
+                                {model_.unit(), model::TightRows::kKeep});
     std::optional<int> give;
     if (std::any_of(rows.begin(), rows.end(), [](const model::PairRow& row) { return row.bound > 0; })) {
       give = model_.program().add_column(price, 0, lp::kInfinity);

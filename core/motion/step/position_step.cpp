@@ -17,7 +17,6 @@ namespace {
 
 constexpr int kAttempts = 24;            // programs in one round, as rows enter when they are broken
 constexpr std::size_t kSmall = 64;       // pieces: the one program of so few is quicker than those of a growing set
-constexpr double kUnitsAcross = 1000;    // column units in a strip's width
 constexpr double kLeastGain = 1e-5;      // of the goal, in column units: less is not worth proving
 constexpr double kBroken = 1e-2;         // lattice units: by less no row is broken
 constexpr double kPairAhead = 8;         // a pair's reach, as a multiple of what it moved in the last round
@@ -80,7 +79,7 @@ class Attempt {
       if (gains) {
         const double length_change = model_->length_change(solution.x);
         const Broken broken = broken_by(moves, length_change);
-        if (!held() && -solution.objective < settings_.worth * kUnitsAcross) {
+        if (!held() && -solution.objective < model::ModelUnit::of_width(settings_.worth)) {
           shorten(moves, part_within(broken, moves, length_change));
         } else {
           again = add(broken);
@@ -200,15 +199,15 @@ class Attempt {
                    std::vector<model::PairRow>& rows) const {
     const Vec r = scene_.relative_position(pair);
     const Coord spacing = scene_.pieces.spacing(pair);
-    const model::Displacement& p_force = goal_.force[pair.first];
-    const model::Displacement& q_force = goal_.force[pair.second];
-    const model::RegionSettings region{settings_.region, 1.5 * reach + static_cast<double>(spacing), spacing,
-                                       q_force.x - p_force.x, q_force.y - p_force.y};
-    for (const model::HalfPlane& side : free_region(obstacle, r, region)) {
-      const model::PairRow row = row_of(pair, side, r, spacing, unit(), tight_);
-      // While |d_q - d_p| <= reach on each axis, rows farther away cannot be broken.
-      if (whole() || -row.bound <= reach * (std::abs(row.nx) + std::abs(row.ny))) rows.push_back(row);
-    }
+    const RealVec& p_force = goal_.force[pair.first];
+    const RealVec& q_force = goal_.force[pair.second];
+    const model::RegionSettings region{settings_.region,
+                                       1.5 * reach + static_cast<double>(spacing),
+                                       spacing,
+                                       {q_force.x - p_force.x, q_force.y - p_force.y}};
+    model::RowSettings row{model::ModelUnit{scene_.marker.strip}, tight_};
+    if (!whole()) row.motion = reach;
+    append_pair_rows(pair, {obstacle, r, r, spacing}, region, row, rows);
   }
   [[nodiscard]] bool held() const { return goal_.shorten == 0; }
   [[nodiscard]] bool many_move() const {
@@ -226,7 +225,7 @@ class Attempt {
     return std::clamp(kPairAhead * moved, kLeastPairReach * reach(), reach());
   }
   [[nodiscard]] bool whole() const { return settings_.extent == model::Extent::kWhole; }
-  [[nodiscard]] double unit() const { return static_cast<double>(scene_.marker.strip.width) / kUnitsAcross; }
+  [[nodiscard]] double unit() const { return model::ModelUnit{scene_.marker.strip}.lattice_units(); }
 
   void build() {
     const Coord length = scene_.pieces.length();
@@ -274,10 +273,10 @@ class Attempt {
     std::vector<model::PairRow> rows;
     std::vector<std::size_t> right_walls;
   };
-  [[nodiscard]] Broken broken_by(const std::vector<model::Displacement>& moves, double length_change) const {
+  [[nodiscard]] Broken broken_by(const std::vector<RealVec>& moves, double length_change) const {
     Broken broken;
     for (std::size_t k = 0; k < near_.size(); ++k) {
-      const model::Displacement by = apart(near_[k], moves);
+      const RealVec by = apart(near_[k], moves);
       const double far = std::max(std::abs(by.x), std::abs(by.y));
       if (far <= reach(near_[k]) * (1 + 1e-6)) continue;
       if (held()) {
@@ -293,7 +292,7 @@ class Attempt {
     }
     return broken;
   }
-  void append_broken_limits(marker::PiecePair pair, model::Displacement by, std::vector<model::PairRow>& rows) const {
+  void append_broken_limits(marker::PiecePair pair, RealVec by, std::vector<model::PairRow>& rows) const {
     const auto limit_axis = [&](double way, double nx, double ny) {
       if (std::abs(way) > reach()) rows.push_back({pair, way > 0 ? -nx : nx, way > 0 ? -ny : ny, -reach()});
     };
@@ -301,7 +300,7 @@ class Attempt {
     limit_axis(by.y, 0, 1);
   }
   // Of the rows of a pair up to `reach`.
-  void append_broken(marker::PiecePair pair, const minkowski::Obstacle& obstacle, model::Displacement by, double reach,
+  void append_broken(marker::PiecePair pair, const minkowski::Obstacle& obstacle, RealVec by, double reach,
                      std::vector<model::PairRow>& rows) const {
     std::vector<model::PairRow> all;
     append_rows(pair, obstacle, reach, all);
@@ -318,7 +317,7 @@ class Attempt {
     return !broken.rows.empty() || !broken.right_walls.empty();
   }
   // How much of the moves the rows they break allow; all other rows allow any part, as they do all and nothing.
-  [[nodiscard]] double part_within(const Broken& broken, const std::vector<model::Displacement>& moves,
+  [[nodiscard]] double part_within(const Broken& broken, const std::vector<RealVec>& moves,
                                    double length_change) const {
     double part = 1;
     for (const model::PairRow& row : broken.rows) part = std::min(part, row.bound / along(row, apart(row.pair, moves)));
@@ -328,26 +327,26 @@ class Attempt {
     }
     return std::max(0.0, part);
   }
-  static model::Displacement apart(marker::PiecePair pair, const std::vector<model::Displacement>& moves) {
-    const model::Displacement& p = moves[pair.first];
-    const model::Displacement& q = moves[pair.second];
+  static RealVec apart(marker::PiecePair pair, const std::vector<RealVec>& moves) {
+    const RealVec& p = moves[pair.first];
+    const RealVec& q = moves[pair.second];
     return {q.x - p.x, q.y - p.y};
   }
-  static double along(const model::PairRow& row, model::Displacement by) { return row.nx * by.x + row.ny * by.y; }
-  static void shorten(std::vector<model::Displacement>& moves, double part) {
-    for (model::Displacement& d : moves) d = {d.x * part, d.y * part};
+  static double along(const model::PairRow& row, RealVec by) { return row.nx * by.x + row.ny * by.y; }
+  static void shorten(std::vector<RealVec>& moves, double part) {
+    for (RealVec& d : moves) d = {d.x * part, d.y * part};
   }
   [[nodiscard]] double right_of(std::size_t i) const { return static_cast<double>(scene_.pieces.box(i).high.x); }
 
   // Rounds and proves the moves; shortens them a little when rounding breaks something.  Returns what collides all the
   // same; moves that collide nowhere become the step's when they serve the goal.
-  std::vector<marker::PiecePair> try_moves(const std::vector<model::Displacement>& moves, PositionStep& step) const {
+  std::vector<marker::PiecePair> try_moves(const std::vector<RealVec>& moves, PositionStep& step) const {
     std::vector<marker::PiecePair> first_conflict;
     for (const double part : {1.0, 1 - 1e-6, 1 - 1e-3, 0.5}) {
-      std::vector<model::Displacement> scaled = moves;
+      std::vector<RealVec> scaled = moves;
       shorten(scaled, part);
       marker::PlacedPieces moved = scene_.pieces;
-      std::vector<Vec> positions = snapped(scaled);
+      std::vector<Vec> positions = model::snapped(scaled);
       for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + scene_.pieces.at(i);
       moved.place(std::move(positions));
       auto conflict = conflicts(moved, *run_.executor);
@@ -376,10 +375,10 @@ class Attempt {
     }
     return sum;
   }
-  [[nodiscard]] double farthest(const std::vector<model::Displacement>& moves) const {
+  [[nodiscard]] double farthest(const std::vector<RealVec>& moves) const {
     double most = 0;
     for (const marker::PiecePair& pair : near_) {
-      const model::Displacement by = apart(pair, moves);
+      const RealVec by = apart(pair, moves);
       most = std::max({most, std::abs(by.x), std::abs(by.y)});
     }
     return most / static_cast<double>(scene_.marker.strip.width);
@@ -436,7 +435,7 @@ class Attempt {
 
 Goal leftward_goal(const scene::Scene& scene, double gravity) {
   const auto count = static_cast<double>(scene.pieces.size());
-  return {std::vector<model::Displacement>(scene.pieces.size(), {-gravity / count, 0}), 1, 0};
+  return {std::vector<RealVec>(scene.pieces.size(), {-gravity / count, 0}), 1, 0};
 }
 
 PositionStep position_step(const scene::Scene& scene, const Goal& goal, const StepSettings& settings,

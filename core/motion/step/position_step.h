@@ -17,13 +17,13 @@ namespace selvage::motion::step {
 // A piece that goes no farther than this on either axis, and not back.
 struct Halt {
   std::uint32_t piece{};
-  model::Displacement at;
+  RealVec at;
 };
 
 // What a motion wants: as much as possible of the sum of force . displacement over all pieces, plus `shorten` times
 // what the marker gets shorter.  With shorten 0 its length is held [Li94 4.2.2].
 struct Goal {
-  std::vector<model::Displacement> force;  // one per piece
+  std::vector<RealVec> force;  // one per piece
   double shorten{};
   double
       displacement_penalty{};  // what a unit of any piece's motion costs: small, so that only what is in the way moves

@@ -14,10 +14,10 @@
 #pragma once
 
 #include <optional>
-#include <stop_token>
 
 #include "core/base/result.h"
 #include "core/motion/compaction/compact.h"
+#include "core/motion/tilting/tuning.h"
 
 namespace selvage::motion::tilting {
 
@@ -36,21 +36,15 @@ struct TiltSettings {
   int tilts{};                   // relaxation: so many tilts are tried, evenly spaced from limit to limit
   int perturbations{};           // so often the pieces are shaken
   compaction::CompactionSettings compaction{};
+  TiltTuning tuning{};
   friend bool operator==(const TiltSettings&, const TiltSettings&) = default;
 };
 [[nodiscard]] TiltSettings tilt_settings(TiltMethod method, compaction::Accuracy accuracy);
 
-struct Tilting {
-  Marker marker;
-  scene::StopReason reason{};
-  int rounds{};
-  int programs{};            // linear programs solved, but for those of separation
-  Coord length_before{};     // of the input
+// `programs` leaves out those of separation.
+struct Tilting : compaction::Compaction {
   Coord length_compacted{};  // after translational compaction, before any piece was tilted
-  Coord length_after{};
-  double utilisation_before{}, utilisation_after{};
-  Angle farthest_tilt;  // the largest |tilt| of a piece of the answer
-  repair::Repair repair;
+  Angle farthest_tilt{};     // the largest |tilt| of a piece of the answer
 };
 
 // Errors: those of heal; kOutOfRange for a limit that is not from 0 to 45 degrees.

@@ -9,6 +9,7 @@
 #include "core/lp/solver/solve.h"
 #include "core/model/tilting/tilt_model.h"
 #include "core/motion/step/position_step.h"
+#include "core/motion/tilting/tuning.h"
 #include "core/scene/run.h"
 #include "core/scene/scene.h"
 
@@ -18,11 +19,11 @@ struct TiltStepSettings {
   Angle turn;      // no piece turns farther
   double trust{};  // no pivot moves farther on an axis than this part of the strip's width
   lp::solver::SolverChoice solver{};
+  TiltStepTuning tuning{};
 };
 
 struct TiltStep {
   lp::LpStatus status{};
-  double promise{};           // what the goal gains to first order; lattice units
   std::vector<Piece> pieces;  // the scene's, moved and tilted; within their limits to the last bit
 };
 

@@ -1,3 +1,4 @@
+// Tests of core/marker/placed_pieces.h: layouts, close pairs and conflicts, against brute force.
 #include "core/marker/placed_pieces.h"
 
 #include <gtest/gtest.h>
@@ -41,14 +42,14 @@ TEST(PlacedPieces, AreTheMarkersOutlines) {
   }
 }
 
-TEST(PlacedPieces, MayBePlacedAnew) {
+TEST(PlacedPieces, CanBeMoved) {
   marker::PlacedPieces pieces{squares({{0, 0}, {20, 0}})};
   pieces.place({{5, 5}, {1, 80}});
   EXPECT_EQ(pieces.at(1), (Vec{1, 80}));
   EXPECT_EQ(pieces.length(), 15);
 }
 
-TEST(PairsWithin, AreThoseOfBruteForce) {
+TEST(PairsWithin, EqualBruteForce) {
   Random random{202};
   for (int trial = 0; trial < 200 / kSlowdown; ++trial) {
     const Marker marker = random_marker(random, 40, random.between(10, 800));
@@ -64,14 +65,14 @@ TEST(PairsWithin, AreThoseOfBruteForce) {
   }
 }
 
-TEST(PairsWithin, AreOpenAtTheDistance) {
+TEST(PairsWithin, ExcludePairsAtExactlyTheDistance) {
   const marker::PlacedPieces pieces{squares({{0, 0}, {15, 0}, {10, 10}})};
   EXPECT_EQ(pairs_within(pieces, 0), (std::vector<marker::PiecePair>{}));
   EXPECT_EQ(pairs_within(pieces, 5), (std::vector<marker::PiecePair>{{0, 2}, {1, 2}}));
   EXPECT_EQ(pairs_within(pieces, 6), (std::vector<marker::PiecePair>{{0, 1}, {0, 2}, {1, 2}}));
 }
 
-TEST(Conflicts, AreThoseOfBruteForce) {
+TEST(Conflicts, EqualBruteForce) {
   Random random{203};
   for (int trial = 0; trial < 200 / kSlowdown; ++trial) {
     Marker marker = random_marker(random, 20, random.between(50, 500));
@@ -93,7 +94,7 @@ TEST(Conflicts, AreThoseOfBruteForce) {
   }
 }
 
-TEST(PlacedPieces, OneCanBeReplaced) {
+TEST(PlacedPieces, CanReplaceTheOutlineOfOnePiece) {
   Random random{204};
   Marker marker = random_marker(random, 6, 1000);
   marker::PlacedPieces pieces{marker};
@@ -103,7 +104,8 @@ TEST(PlacedPieces, OneCanBeReplaced) {
   EXPECT_EQ(pieces.box(2), (Box{{5000, 7}, {5030, 37}}));
   EXPECT_EQ(pieces.at(2), far);
   EXPECT_EQ(pieces.length(), 5030);
-  for (const std::uint32_t other : {0U, 1U, 3U, 4U, 5U}) {  // shapes are shared, replacements are not
+  for (const std::uint32_t other :
+       {0U, 1U, 3U, 4U, 5U}) {  // pieces of the same shape share its polygon; a replacement affects only one piece
     EXPECT_EQ(pieces.box(other), box_of(placed_outline(marker, {other})));
   }
 }

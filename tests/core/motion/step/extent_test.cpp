@@ -74,7 +74,7 @@ TEST_P(GarmentExtents, PushingOnePieceGainsAsMuch) {
     return pushed->gain;
   };
   for (std::uint32_t piece = 3; piece < marker_.pieces.size(); piece += 16) {
-    for (const model::Displacement to : {model::Displacement{1, 0}, {-1, 0}, {0, 1}, {0.6, -0.8}}) {
+    for (const RealVec to : {RealVec{1, 0}, {-1, 0}, {0, 1}, {0.6, -0.8}}) {
       const compaction::Force force{PieceId{piece}, to.x, to.y};
       // Farther pieces need not give room for margins when they stay: never less, by a few units more.
       EXPECT_NEAR(gain(force, model::Extent::kReached), gain(force, model::Extent::kWhole), 1e-5 * width_)
@@ -151,8 +151,8 @@ TEST(Extents, NothingToReachIsNoReasonToTryForEver) {
   ASSERT_TRUE(is_valid(marker));
   SumCache sums;
   const scene::Scene scene{marker, sums};
-  Goal goal{std::vector<model::Displacement>(scene.pieces.size()), 0, 1e-3};
-  for (const model::Displacement force : {model::Displacement{0, 1}, model::Displacement{1, 0}}) {
+  Goal goal{std::vector<RealVec>(scene.pieces.size()), 0, 1e-3};
+  for (const RealVec force : {RealVec{0, 1}, RealVec{1, 0}}) {
     goal.force[1] = force;
     const PositionStep step = position_step(scene, goal, {0.05, {}, {}}, {sums});
     EXPECT_LE(step.programs, 4);

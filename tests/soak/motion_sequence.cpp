@@ -1,4 +1,4 @@
-#include "tests/soak/life.h"
+#include "tests/soak/motion_sequence.h"
 
 #include <algorithm>
 #include <utility>
@@ -12,7 +12,7 @@
 namespace selvage::test {
 namespace {
 
-// Each of these on its own leaves a marker well formed; whether it is still valid, the caller asks.
+// Each of these edits leaves a marker well formed; edit() checks whether it is still valid.
 void lock_some(Random& random, Marker& marker) {
   for (Piece& piece : marker.pieces) {
     if (random.chance(70)) continue;
@@ -58,14 +58,14 @@ void spread(Random& random, Marker& marker) {
 using Edit = void (*)(Random&, Marker&);
 constexpr Edit kEdits[] = {lock_some, group_some, buffer_some, space, set_margin, end_cloth, spread};
 
-// One of the edits, unless it leaves the marker invalid.
+// Makes one of the edits, unless it would make the marker invalid.
 void edit(Random& random, Marker& marker) {
   Marker edited = marker;
   kEdits[random.below(std::size(kEdits))](random, edited);
   if (make_marker(edited) && is_valid(edited)) marker = std::move(edited);
 }
 
-// Some pieces off by what other programs' rounding may leave, within what is healed.
+// Moves some pieces by amounts that rounding in other programs may cause, and that Selvage repairs.
 Marker nudged(Random& random, Marker marker) {
   const auto most = static_cast<Coord>(0.4 * motion::repair::kHealingLimit * static_cast<double>(marker.strip.width));
   for (Piece& piece : marker.pieces) {
@@ -74,69 +74,70 @@ Marker nudged(Random& random, Marker marker) {
   return marker;
 }
 
-bool refuses_to_mend(ErrorCode code) {
+bool is_repair_error(ErrorCode code) {
   return code == ErrorCode::kMarkerOverlaps || code == ErrorCode::kOutsideStrip || code == ErrorCode::kRepairFailed ||
          code == ErrorCode::kStoppedEarly;
 }
 
-constexpr int kImpatient = 15;  // per cent of the motions are asked to stop
+constexpr int kCancelledPercent = 15;  // percentage of the motions that are cancelled
 
-// Asks to stop after so many stages, programs and rounds.
-class Impatience {
+// Requests a stop after a given number of stages, programs and rounds.
+class StopAfter {
  public:
-  explicit Impatience(std::size_t patience) : left_{patience} {
+  explicit StopAfter(std::size_t count) : left_{count} {
     observer_.on_stage = [this](scene::Stage) { wait(); };
     observer_.on_program = [this](const lp::LinearProgram&) { wait(); };
     observer_.on_round = [this](const scene::Round&) { wait(); };
   }
-  Impatience(const Impatience&) = delete;
-  Impatience& operator=(const Impatience&) = delete;
+  StopAfter(const StopAfter&) = delete;
+  StopAfter& operator=(const StopAfter&) = delete;
   [[nodiscard]] scene::Run run(SumCache& sums) const { return {sums, source_.get_token(), observer_}; }
 
  private:
   void wait() {
     if (left_ > 0 && --left_ == 0) source_.request_stop();
   }
-  std::size_t left_;  // 0: for ever
+  std::size_t left_;  // 0: never
   std::stop_source source_;
   scene::Observer observer_;
 };
 
-class Living {
+class SequenceRunner {
  public:
-  Living(Marker start, Random& random, SumCache& sums) : marker_{std::move(start)}, random_{random}, sums_{sums} {}
+  SequenceRunner(Marker start, Random& random, SumCache& sums)
+      : marker_{std::move(start)}, random_{random}, sums_{sums} {}
 
-  Life run(int motions) && {
-    for (int step = 1; step <= motions && !life_.fault; ++step) {
+  SequenceResult run(int motions) && {
+    for (int step = 1; step <= motions && !result_.fault; ++step) {
       if (random_.chance(25)) edit(random_, marker_);
       const NamedMotion& motion = drawn_motion(random_);
-      ++life_.motions;
-      ++life_.of_each[motion.name];
+      ++result_.motions;
+      ++result_.of_each[motion.name];
       Marker given = motion.mends && random_.chance(15) ? nudged(random_, marker_) : marker_;
       const std::string what = fault_of(motion, given);
-      if (!what.empty()) life_.fault = Fault{step, std::string{motion.name}, what, std::move(given)};
+      if (!what.empty()) result_.fault = Fault{step, std::string{motion.name}, what, std::move(given)};
     }
-    return std::move(life_);
+    return std::move(result_);
   }
 
  private:
-  // Empty when all is well; the marker is then what the motion made of it.
+  // Runs one motion and returns its fault, or an empty string; marker_ then becomes the result.
   std::string fault_of(const NamedMotion& motion, const Marker& given) {
     const bool valid = judge_.fault_of(given).empty();
     if (valid != is_valid(given)) return "is_valid is wrong about the marker it was given";
     if (judge_.length_of(given) != length_of(given)) return "length_of is wrong about the marker it was given";
     const Marker kept = given;
-    const Random same_chance = random_;
-    Impatience impatience{random_.chance(kImpatient) ? random_.below(30) + 1 : 0};
-    auto answer = motion.run(given, {random_, impatience.run(sums_)});
+    const Random same_random = random_;
+    StopAfter stop_after{random_.chance(kCancelledPercent) ? random_.below(30) + 1 : 0};
+    auto answer = motion.run(given, {random_, stop_after.run(sums_)});
     if (given != kept) return "changed the marker it was given";
     if (!answer) {
-      ++life_.refused;
-      if (!valid && refuses_to_mend(answer.error().code)) return "";
+      ++result_.refused;
+      if (!valid && is_repair_error(answer.error().code)) return "";
       return "failed: " + answer.error().message;
     }
     if (auto fault = fault_of(*answer, given); !fault.empty()) return fault;
-    if (random_.chance(4) && !repeats(motion, given, same_chance, answer->marker)) return "depends on the cache";
+    if (random_.chance(4) && !repeats(motion, given, same_random, answer->marker)) return "depends on the cache";
     if (answer->apart && random_.chance(90)) marker_ = std::move(answer->marker);
     return "";
   }
@@ -147,13 +148,13 @@ class Living {
     if (auto fault = judge_.broken_promise(before, answer.marker, answer.leave); !fault.empty()) return fault;
     const std::string fault = judge_.fault_of(answer.marker);
     if (answer.apart && !fault.empty()) return fault;
-    return !answer.apart && fault.empty() ? "says that valid pieces overlap" : "";
+    return !answer.apart && fault.empty() ? "reports overlaps in a valid marker" : "";
   }
 
   static bool repeats(const NamedMotion& motion, const Marker& given, Random chance, const Marker& expected) {
     SumCache fresh{1};
-    Impatience impatience{chance.chance(kImpatient) ? chance.below(30) + 1 : 0};
-    const auto again = motion.run(given, {chance, impatience.run(fresh)});
+    StopAfter stop_after{chance.chance(kCancelledPercent) ? chance.below(30) + 1 : 0};
+    const auto again = motion.run(given, {chance, stop_after.run(fresh)});
     return again && again->marker == expected;
   }
 
@@ -161,7 +162,7 @@ class Living {
   Random& random_;
   SumCache& sums_;
   Judge judge_;
-  Life life_;
+  SequenceResult result_;
 };
 
 }  // namespace
@@ -177,8 +178,8 @@ Marker constrained_marker(Random& random) {
   return marker;
 }
 
-Life live(Marker start, int motions, Random& random, SumCache& sums) {
-  return Living{std::move(start), random, sums}.run(motions);
+SequenceResult run_sequence(Marker start, int motions, Random& random, SumCache& sums) {
+  return SequenceRunner{std::move(start), random, sums}.run(motions);
 }
 
 }  // namespace selvage::test
