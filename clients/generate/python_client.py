@@ -189,11 +189,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, TypeVar
 
-from .link import Link, OnProgress
-from .motion_results import (
+from .wire.link import Link, OnProgress
+from .messages.motion_results import (
 {imports})
-from .results import Point
-from .words import named, read
+from .messages.results import Point
+from .messages.words import named, read
 
 M = TypeVar("M", bound=Moved)
 

@@ -14,8 +14,9 @@ import unittest
 from live_daemon import SQUARES, LiveDaemon, LossyProxy
 
 import selvage
-from selvage import errors, ops, words
-from selvage.link import may_repeat
+from selvage import errors, ops
+from selvage.messages import words
+from selvage.wire.link import may_repeat
 
 SELVAGED = sys.argv.pop(1) if len(sys.argv) > 1 else "selvaged"
 ROOT = pathlib.Path(__file__).resolve().parents[2]

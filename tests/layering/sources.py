@@ -43,7 +43,7 @@ def libraries(root):
                 if word in links:
                     kind = word
                 elif kind is not None:
-                    links[kind].append(word)
+                    links[kind].append(re.sub(r"^\$<.*:(\w+)>$", r"\1", word))
             found[name] = Library(folder, links["PUBLIC"], links["PRIVATE"])
     return found
 

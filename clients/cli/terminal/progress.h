@@ -3,7 +3,8 @@
 
 #include <string>
 
-#include "core/motion/compaction/compact.h"
+#include "core/marker/marker.h"
+#include "core/scene/observer.h"
 #include "protocol/execution/stage_times.h"
 
 namespace selvage::cli::terminal {

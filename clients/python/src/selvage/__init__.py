@@ -3,12 +3,12 @@
 `Client` waits, `AsyncClient` is for asyncio; both have the same methods.  What the calls mean: protocol/README.md.
 """
 
-from . import errors, motion_results, ops, results
+from .messages import errors, motion_results, ops, results
 from .async_client import AsyncClient
 from .client import Client, Drag, Marker, Watch
 from .drag import AsyncDrag
 from .drawing import draw
-from .errors import CallError, ConnectionLost, HandshakeFailed, SelvageError
+from .messages.errors import CallError, ConnectionLost, HandshakeFailed, SelvageError
 from .marker import AsyncMarker
 from .outlines import Outline, Outlines
 from .watch import AsyncWatch

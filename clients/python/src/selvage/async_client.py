@@ -10,11 +10,11 @@ from collections.abc import Mapping
 from types import TracebackType
 from typing import Any
 
-from .address import DEFAULT
-from .link import Link, OnProgress
+from .wire.address import DEFAULT
+from .wire.link import Link, OnProgress
 from .marker import AsyncMarker
-from .results import Info, Listed, Opened
-from .words import named, read
+from .messages.results import Info, Listed, Opened
+from .messages.words import named, read
 
 Document = Mapping[str, Any] | str | os.PathLike[str]
 

@@ -6,10 +6,10 @@ from collections.abc import Callable
 from types import TracebackType
 from typing import Any
 
-from .connection import Connection
-from .link import Link
-from .results import Dragged, Edited, Held, Point
-from .words import named, read
+from .wire.connection import Connection
+from .wire.link import Link
+from .messages.results import Dragged, Edited, Held, Point
+from .messages.words import named, read
 
 
 class AsyncDrag:

@@ -7,14 +7,14 @@ from types import TracebackType
 from typing import Any
 
 from .drag import AsyncDrag
-from .errors import UnknownMarker
-from .link import Link
+from .messages.errors import UnknownMarker
+from .wire.link import Link
 from .motions import AsyncMotions
-from .ops import Op
+from .messages.ops import Op
 from .outlines import Outline, Outlines
-from .results import Checked, Closed, Edited, Got, Hold, Opened, Regions
+from .messages.results import Checked, Closed, Edited, Got, Hold, Opened, Regions
 from .watch import AsyncWatch
-from .words import named, read
+from .messages.words import named, read
 
 
 class AsyncMarker(AsyncMotions):

@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from .results import Point
+from .messages.results import Point
 
 if TYPE_CHECKING:
     import numpy

@@ -5,11 +5,11 @@ from __future__ import annotations
 import asyncio
 from types import TracebackType
 
-from .connection import Connection, Event, Lost, Told
-from .errors import CallError, ConnectionLost
-from .link import Link
-from .results import Changed, Missed, Watching
-from .words import named, read
+from .wire.connection import Connection, Event, Lost, Told
+from .messages.errors import CallError, ConnectionLost
+from .wire.link import Link
+from .messages.results import Changed, Missed, Watching
+from .messages.words import named, read
 
 
 class AsyncWatch:
