@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/marker/validity.h"
+#include "core/motion/compaction/compact.h"
 #include "tests/core/motion/markers.h"
 
 namespace selvage::motion::floating {

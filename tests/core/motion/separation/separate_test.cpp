@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/motion/compaction/compact.h"
 #include "tests/core/motion/markers.h"
 
 namespace selvage::motion::separation {
