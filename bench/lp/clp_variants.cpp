@@ -28,8 +28,8 @@ void load(ClpSimplex& clp, const lp::LinearProgram& program) {
   clp.setDblParam(ClpPresolveTolerance, kTolerance);
 }
 
-// The dual written out: minimise -bound . z subject to A^T z = cost, z >= 0; its rows' prices are the columns' values.
-// (Clp's own dualOfModel throws on columns with a finite bound.)
+// Solves the explicit dual: minimise -bound . z subject to A^T z = cost, z >= 0.  The prices of its rows are the values
+// of the program's columns.  (Clp's own dualOfModel throws on columns with a finite bound.)
 lp::LpSolution solve_dualised(const lp::LinearProgram& program) {
   const auto form = lp::interior_point::inequality_form(program, kTolerance);
   if (!form) return {};
@@ -50,7 +50,7 @@ lp::LpSolution solve_dualised(const lp::LinearProgram& program) {
   lp::LpSolution solution{.iterations = clp.numberIterations()};
   if (clp.status() != 0) return solution;
   solution.status = lp::LpStatus::kOptimal;
-  solution.x = program.lower;  // of columns that cannot move
+  solution.x = program.lower;  // the values of fixed columns
   const double* price = clp.dualRowSolution();
   for (std::size_t k = 0; k < form->cost.size(); ++k) {
     solution.x[static_cast<std::size_t>(form->program_column[k])] = -price[k];

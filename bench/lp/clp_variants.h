@@ -1,4 +1,4 @@
-// The ways in which COIN-OR Clp can be asked for a linear program's optimum, to be measured beside our own.
+// The configurations of COIN-OR Clp that are compared with our solvers.
 #pragma once
 
 #include "core/lp/linear_program.h"
@@ -7,15 +7,15 @@ namespace selvage::bench {
 
 enum class ClpVariant {
   kDual,             // dual simplex
-  kDualPresolved,    // the same after a presolve: what core/lp/clp.cpp does
+  kDualPresolved,    // dual simplex after presolve, which core/lp/solver/clp.cpp uses
   kPrimal,           // primal simplex
-  kPrimalPresolved,  // the same after a presolve
-  kDualised,         // dual simplex on the dual program, whose solution is carried back
+  kPrimalPresolved,  // primal simplex after presolve
+  kDualised,         // dual simplex on the dual program, with the solution mapped back
   kBarrier,          // interior point, with crossover to a vertex
   kBarrierNoVertex,  // interior point alone
 };
 
-// Feasible to 1e-9, as in core/lp/clp.cpp.  No duals.
+// Solutions are feasible to 1e-9, as in core/lp/solver/clp.cpp, and have no dual prices.
 [[nodiscard]] lp::LpSolution solve_by_clp(const lp::LinearProgram& program, ClpVariant variant);
 
 }  // namespace selvage::bench

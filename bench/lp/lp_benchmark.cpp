@@ -1,4 +1,5 @@
-// The two solvers on programs shaped like a compaction's, by number of points (two columns each, some 16 rows).
+// The two solvers on programs with the structure of a compaction step, by number of points (two columns and about 16
+// rows each).
 #include <benchmark/benchmark.h>
 
 #include "core/lp/interior_point/interior_point.h"

@@ -1,13 +1,13 @@
-// The linear programs of real compactions, solved in every way there is: our interior point method and COIN-OR Clp's
-// methods.  Markdown.
+// Compares solvers on the linear programs of real compactions: our interior point method and the methods of COIN-OR
+// Clp.  Prints a Markdown table.
 //
 // usage: lp_table [--repetitions N] MARKER...
 //
-// Every program that compacting the marker at accuracy standard solves is taken down and solved again by each.  Times
-// are the processor's, medians of N repetitions (5), from our form of the program to the solution in it, summed over
-// the marker's programs; the objective's difference is the largest, to dual simplex with presolve, over 1 +
-// |objective|; `broken by` the most that a solution breaks a row or bound by, in units of a thousandth of the strip's
-// width.
+// Records every program that is solved when the marker is compacted at accuracy standard, and solves it again with each
+// solver.  Times are processor times, medians of N repetitions (default 5), from our representation of the program to
+// the solution in it, summed over the marker's programs.  "Objective differs by" is the largest difference from dual
+// simplex with presolve, divided by 1 + |objective|.  "Violation" is the largest violation of a row or bound, in
+// thousandths of the strip's width.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -25,14 +25,15 @@
 namespace selvage::bench {
 namespace {
 
-constexpr double kPatience = 5e3;  // milliseconds of the processor for one program: then the way is given up
+constexpr double kTimeLimit =
+    5e3;  // processor milliseconds for one program; a slower solver is not tried on the remaining ones
 
-struct Way {
+struct Solver {
   const char* name;
   std::function<lp::LpSolution(const lp::LinearProgram&)> solve;
 };
 
-std::vector<Way> ways() {
+std::vector<Solver> solvers() {
   const auto clp = [](ClpVariant variant) {
     return [variant](const lp::LinearProgram& program) { return solve_by_clp(program, variant); };
   };
@@ -41,7 +42,7 @@ std::vector<Way> ways() {
           {"interior point (ours), standard's tolerance",
            [](const lp::LinearProgram& program) {
              return solve_by_interior_point(
-                 program, lp::interior_point::settled_within(
+                 program, lp::interior_point::settings_for_tolerance(
                               compaction_settings(motion::compaction::Accuracy::kStandard).solver_tolerance));
            }},
           {"Clp dual, presolve", clp(ClpVariant::kDualPresolved)},
@@ -67,12 +68,12 @@ double milliseconds() {
 }
 
 struct Row {
-  double time{}, difference{}, broken{};
+  double time{}, difference{}, violation{};
   long iterations{};
   int unsolved{};
 };
 
-Row row_of(const Way& way, const std::vector<lp::LinearProgram>& programs, const std::vector<double>& objectives,
+Row row_of(const Solver& solver, const std::vector<lp::LinearProgram>& programs, const std::vector<double>& objectives,
            int repetitions) {
   Row row;
   for (std::size_t k = 0; k < programs.size(); ++k) {
@@ -80,7 +81,7 @@ Row row_of(const Way& way, const std::vector<lp::LinearProgram>& programs, const
     lp::LpSolution solution;
     while (times.size() < static_cast<std::size_t>(repetitions) && (times.empty() || times.back() < 1000)) {
       const double start = milliseconds();
-      solution = way.solve(programs[k]);
+      solution = solver.solve(programs[k]);
       times.push_back(milliseconds() - start);
     }
     row.time += quantile(times, 0.5);
@@ -90,9 +91,9 @@ Row row_of(const Way& way, const std::vector<lp::LinearProgram>& programs, const
     } else {
       const double difference = std::abs(solution.objective - objectives[k]) / (1 + std::abs(objectives[k]));
       row.difference = std::max(row.difference, difference);
-      row.broken = std::max(row.broken, infeasibility(programs[k], solution.x));
+      row.violation = std::max(row.violation, infeasibility(programs[k], solution.x));
     }
-    if (times.front() > kPatience) {
+    if (times.front() > kTimeLimit) {
       row.unsolved += static_cast<int>(programs.size() - k - 1);
       break;
     }
@@ -109,12 +110,12 @@ void print_rows(const std::string& path, int repetitions) {
     rows.push_back(program.rows());
   }
   double ours = 0;
-  for (const Way& way : ways()) {
-    const Row row = row_of(way, programs, objectives, repetitions);
+  for (const Solver& solver : solvers()) {
+    const Row row = row_of(solver, programs, objectives, repetitions);
     if (ours == 0) ours = row.time;
     std::printf("| %s | %zu | %d | %.0f to %.0f | %s | %.1f | %.1f | %ld | %.1e | %.1e | %d |\n", name_of(path).c_str(),
-                programs.size(), programs.front().columns(), quantile(rows, 0), quantile(rows, 1), way.name, row.time,
-                row.time / ours, row.iterations, row.difference, row.broken, row.unsolved);
+                programs.size(), programs.front().columns(), quantile(rows, 0), quantile(rows, 1), solver.name,
+                row.time, row.time / ours, row.iterations, row.difference, row.violation, row.unsolved);
     std::fflush(stdout);
   }
 }
@@ -133,7 +134,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: lp_table [--repetitions N] MARKER...\n");
     return 2;
   }
-  std::printf("| marker | programs | columns | rows | way | ms | times ours | iterations | objective differs by |");
-  std::printf(" broken by | unsolved |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+  std::printf("| marker | programs | columns | rows | solver | ms | times ours | iterations | objective differs by |");
+  std::printf(" violation | unsolved |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const std::string& path : paths) selvage::bench::print_rows(path, repetitions);
 }

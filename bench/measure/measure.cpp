@@ -1,9 +1,11 @@
-// Time against length for every knob, simplification of digitised outlines, the anytime curve, what each motion models,
-// and how time grows: comma-separated lines that bench/measure.py makes tables and pictures of.  Times are the
-// processor's, milliseconds, nothing in the cache of sums unless it says warm.  And what a second core brings: a table,
-// times by the clock on the wall.
+// Measures time against length for every setting, simplification of digitised outlines, the best length at a deadline,
+// the size of each motion's programs, and how time grows with the number of pieces.  Prints comma-separated lines, from
+// which bench/measure/measure.py makes tables and pictures.  Times are processor times in milliseconds with an empty
+// cache of sums, unless marked as warm.
 //
-// usage: measure knobs|digitised|anytime|scene|growth|cores MARKER...
+// `cores` measures the gain from a second thread and prints a Markdown table of wall times.
+//
+// usage: measure settings|digitised|anytime|scene|growth|cores MARKER...
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -34,8 +36,8 @@
 namespace selvage::bench {
 namespace {
 
-constexpr int kRepetitions = 3;  // the median is told
-constexpr double kLong = 500;    // milliseconds: what takes longer is run once
+constexpr int kRepetitions = 3;  // the median is reported
+constexpr double kLong = 500;    // milliseconds: a run that takes longer is not repeated
 
 Marker marker_in(const std::string& path) {
   std::ifstream in{path};
@@ -58,7 +60,7 @@ double own_time() {
   return milliseconds(CLOCK_THREAD_CPUTIME_ID);
 }
 
-// The median time of runs, each with a cache of its own.
+// The median processor time of several runs.
 template <class Run>
 double median_time(const Run& run) {
   std::vector<double> times;
@@ -71,24 +73,24 @@ double median_time(const Run& run) {
   return times[times.size() / 2];
 }
 
-// Of outlines, as parts of the strip's width.
+// Tolerances of simplified outlines, as fractions of the strip's width.
 constexpr std::array kSimplifications{"0", "0.0001", "0.0002", "0.0005", "0.001", "0.002", "0.005"};
 
 struct Variant {
-  std::string knob, value;
+  std::string setting, value;
   motion::compaction::CompactionSettings settings;
 };
 
 std::vector<Variant> variants() {
   const motion::compaction::CompactionSettings standard = compaction_settings(motion::compaction::Accuracy::kStandard);
   std::vector<Variant> all;
-  const auto vary = [&](const std::string& knob, const std::string& value, auto change) {
+  const auto vary = [&](const std::string& setting, const std::string& value, auto change) {
     motion::compaction::CompactionSettings settings = standard;
     change(settings);
-    all.push_back({knob, value, settings});
+    all.push_back({setting, value, settings});
   };
   for (const char* trust : {"0.02", "0.05", "0.1", "0.15", "0.2", "0.3", "1"}) {
-    vary("trust", trust, [&](auto& s) { s.trust = std::stod(trust); });
+    vary("trust radius", trust, [&](auto& s) { s.trust = std::stod(trust); });
   }
   for (const char* rounds : {"1", "2", "3", "4", "8"}) {
     vary("rounds", rounds, [&](auto& s) { s.rounds = std::stoi(rounds); });
@@ -119,12 +121,12 @@ template <class Done>
 double ratio_of(const Done& done) {
   return static_cast<double>(done.length_after) / static_cast<double>(done.length_before);
 }
-void told(const std::string& name, const std::string& knob, const std::string& value, double time, double ratio,
-          int programs, bool valid) {
-  std::cout << name << ',' << knob << ',' << value << ',' << time << ',' << ratio << ',' << programs << ','
+void print_line(const std::string& name, const std::string& setting, const std::string& value, double time,
+                double ratio, int programs, bool valid) {
+  std::cout << name << ',' << setting << ',' << value << ',' << time << ',' << ratio << ',' << programs << ','
             << (valid ? "valid" : "INVALID") << std::endl;
 }
-// Measures what `run(sums)` takes, and tells what it comes to, for all settings that are the same.
+// Measures run(sums) and prints a line for every setting that this run represents.
 template <class Run>
 void measured(const std::string& name, const std::vector<std::pair<std::string, std::string>>& same, const Run& run) {
   decltype(run(std::declval<SumCache&>())) done;
@@ -132,20 +134,20 @@ void measured(const std::string& name, const std::vector<std::pair<std::string, 
     SumCache sums;
     done = run(sums);
   });
-  for (const auto& [knob, value] : same) {
-    told(name, knob, value, time, ratio_of(done), done.programs, is_valid(done.marker));
+  for (const auto& [setting, value] : same) {
+    print_line(name, setting, value, time, ratio_of(done), done.programs, marker::is_valid(done.marker));
   }
 }
 template <class Run>
-void measured(const std::string& name, const std::string& knob, const std::string& value, const Run& run) {
-  measured(name, {{knob, value}}, run);
+void measured(const std::string& name, const std::string& setting, const std::string& value, const Run& run) {
+  measured(name, {{setting, value}}, run);
 }
 
 bool may_tilt(const Marker& marker) {
   return std::any_of(marker.shapes.begin(), marker.shapes.end(),
                      [](const Shape& shape) { return shape.tilt_limit.degrees > 0; });
 }
-void knobs_of_tilts(const std::string& name, const Marker& marker) {
+void measure_tilt_settings(const std::string& name, const Marker& marker) {
   for (const char* degrees : {"0.25", "0.5", "1", "2", "3"}) {
     motion::tilting::TiltSettings settings =
         tilt_settings(motion::tilting::TiltMethod::kLinearisation, motion::compaction::Accuracy::kStandard);
@@ -160,24 +162,24 @@ void knobs_of_tilts(const std::string& name, const Marker& marker) {
   }
 }
 
-// Of refinement without tilts: how many other ways it goes, how many exchanges it tries, and from how many seeds, the
-// best kept; and the presets that are refinement.
-void knobs_of_starts(const std::string& name, const Marker& marker) {
+// Settings of refinement without tilts: the number of other descents, the effort spent on swaps, and the number of
+// seeds of which the best result is kept; also the presets that use refinement.
+void measure_refinement_settings(const std::string& name, const Marker& marker) {
   const auto refined = [&](const search::RefineSettings& settings) {
     return [&marker, settings](SumCache& sums) { return *refine(marker, settings, {sums}); };
   };
   const search::RefineSettings preset = search::refine_settings();
   search::RefineSettings settings = preset;
-  settings.most_exchanged = marker::kMaxPieces;
+  settings.most_pieces_swapped = marker::kMaxPieces;
   settings.tilts = false;
   settings.effort = 0;
   for (const char* ways : {"0", "1", "2", "3", "4"}) {
-    settings.other_ways = std::stoi(ways);
-    measured(name, "other ways", ways, refined(settings));
+    settings.variants = std::stoi(ways);
+    measured(name, "other descents", ways, refined(settings));
   }
   for (const char* effort : {"0", "4000", "15000", "30000"}) {
     settings.effort = std::stoull(effort);
-    measured(name, "exchanges", effort, refined(settings));
+    measured(name, "swaps", effort, refined(settings));
   }
   settings.effort = 60'000;
   double time = 0;
@@ -191,37 +193,37 @@ void knobs_of_starts(const std::string& name, const Marker& marker) {
     time += own_time() - start;
     best = std::min(best, ratio_of(done));
     programs += done.programs;
-    valid = valid && is_valid(done.marker);
-    told(name, "seeds", std::to_string(settings.seed), time, best, programs, valid);
-    if (settings.seed == 1) told(name, "exchanges", std::to_string(settings.effort), time, best, programs, valid);
+    valid = valid && marker::is_valid(done.marker);
+    print_line(name, "seeds", std::to_string(settings.seed), time, best, programs, valid);
+    if (settings.seed == 1) print_line(name, "swaps", std::to_string(settings.effort), time, best, programs, valid);
   }
   settings = preset;
   if (may_tilt(marker)) measured(name, "accuracy", "fine", refined(settings));
   settings.tilts = false;
   std::vector<std::pair<std::string, std::string>> same{{"accuracy", "fine without tilts"}};
   if (!may_tilt(marker)) same.emplace_back("accuracy", "fine");
-  if (marker.pieces.size() <= preset.most_exchanged) same.emplace_back("exchanges", std::to_string(preset.effort));
+  if (marker.pieces.size() <= preset.most_pieces_swapped) same.emplace_back("swaps", std::to_string(preset.effort));
   measured(name, same, refined(settings));
-  if (same.back().first == "exchanges") return;
-  settings.most_exchanged = marker::kMaxPieces;
-  measured(name, "exchanges", std::to_string(settings.effort), refined(settings));
+  if (same.back().first == "swaps") return;
+  settings.most_pieces_swapped = marker::kMaxPieces;
+  measured(name, "swaps", std::to_string(settings.effort), refined(settings));
 }
 
-void knobs(const std::vector<std::string>& paths) {
-  std::cout << "marker,knob,value,ms,ratio,programs,valid\n" << std::fixed;
+void settings(const std::vector<std::string>& paths) {
+  std::cout << "marker,setting,value,ms,ratio,programs,valid\n" << std::fixed;
   for (const std::string& path : paths) {
     const std::string name = name_of(path);
     const Marker marker = marker_in(path);
     for (const Variant& variant : variants()) {
-      measured(name, variant.knob, variant.value,
+      measured(name, variant.setting, variant.value,
                [&](SumCache& sums) { return *compact(marker, variant.settings, {sums}); });
     }
-    knobs_of_starts(name, marker);
-    if (may_tilt(marker)) knobs_of_tilts(name, marker);
+    measure_refinement_settings(name, marker);
+    if (may_tilt(marker)) measure_tilt_settings(name, marker);
   }
 }
 
-// Simplification where pieces have many vertices, with an empty cache of sums and with one that holds all of them.
+// Simplification of pieces with many vertices, with an empty cache of sums and with a full one.
 void digitised(const std::vector<std::string>& paths) {
   std::cout << "marker,pitch,vertices,simplification,cold,warm,sums,ratio,valid\n" << std::fixed;
   for (const std::string& path : paths) {
@@ -250,7 +252,7 @@ void digitised(const std::vector<std::string>& paths) {
   }
 }
 
-// Asks to stop once the process has worked for so long.
+// Requests a stop once the process has used a given amount of processor time.
 class WorkDeadline {
  public:
   explicit WorkDeadline(double limit)
@@ -280,8 +282,8 @@ void anytime(const std::vector<std::string>& paths) {
             fine
                 ? *refine(marker, search::refine_settings(), {sums, limit.token()})
                 : *compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums, limit.token()});
-        told(name_of(path), fine ? "fine" : "standard", std::to_string(deadline), own_time() - start, ratio_of(done),
-             done.programs, is_valid(done.marker));
+        print_line(name_of(path), fine ? "fine" : "standard", std::to_string(deadline), own_time() - start,
+                   ratio_of(done), done.programs, marker::is_valid(done.marker));
       }
     }
   }
@@ -303,7 +305,7 @@ void scene(const std::string& path) {
   }
 }
 
-// The most memory that this process has had, MB.  (What getrusage tells is also that of the process that started it.)
+// The peak memory of this process, MB.  (getrusage would include the process that started it.)
 std::size_t peak_megabytes() {
   std::ifstream status{"/proc/self/status"};
   for (std::string word; status >> word;) {
@@ -315,7 +317,7 @@ std::size_t peak_megabytes() {
   return 0;
 }
 
-// A compaction, and the milliseconds of its stages.
+// A compaction and the milliseconds spent in each of its stages.
 struct Staged {
   motion::compaction::Compaction done;
   std::array<double, 5> stages{};
@@ -340,7 +342,7 @@ Staged staged(const Marker& marker) {
   return {std::move(done), stages};
 }
 
-// Of three runs the one between the others.
+// Reports the run with the median time of three.
 void growth(const std::vector<std::string>& paths) {
   std::cout << "tile,pieces,ms,sums,rows,solve,verify,other,programs,ratio,megabytes,valid\n" << std::fixed;
   for (const std::string& path : paths) {
@@ -350,11 +352,11 @@ void growth(const std::vector<std::string>& paths) {
       std::vector<Staged> runs;
       for (int run = 0; run < 3; ++run) runs.push_back(staged(marker));
       std::ranges::sort(runs, {}, &Staged::all);
-      const Staged& between = runs[1];
-      std::cout << name_of(path) << ',' << pieces << ',' << between.all();
-      for (const double stage : between.stages) std::cout << ',' << stage;
-      std::cout << ',' << between.done.programs << ',' << ratio_of(between.done) << ',' << peak_megabytes() << ','
-                << (is_valid(between.done.marker) ? "valid" : "INVALID") << std::endl;
+      const Staged& middle = runs[1];
+      std::cout << name_of(path) << ',' << pieces << ',' << middle.all();
+      for (const double stage : middle.stages) std::cout << ',' << stage;
+      std::cout << ',' << middle.done.programs << ',' << ratio_of(middle.done) << ',' << peak_megabytes() << ','
+                << (is_valid(middle.done.marker) ? "valid" : "INVALID") << std::endl;
     }
   }
 }
@@ -395,9 +397,10 @@ std::vector<CoreCase> long_core_cases(const std::string& name, const Marker& mar
   return {{name, "tilt", false, kFew, tilting}, {name, "compact, fine, no tilts", false, kFew, refining}};
 }
 
-// Two hands on paper: does the parts one after another and finds from the processor's time of each what two hands would
-// have saved, each taking the next part when it is done with its last.  Says nothing of waking and waiting.
-class OnPaper final : public Executor {
+// Computes the speed-up of two threads without using them: runs the parts one after another, and derives from the
+// processor time of each what two threads would have saved, each taking the next part when it has finished one.  The
+// cost of waking and waiting is not included.
+class SimulatedPair final : public Executor {
  public:
   [[nodiscard]] std::size_t parallelism() const override { return 2; }
   void for_each(std::size_t count, const Part& part) const override {
@@ -412,8 +415,8 @@ class OnPaper final : public Executor {
   mutable double saved{};
 };
 
-// How much sooner two threads have done what one does in 20 ms, that needs nothing but a core each: 2 on idle cores.
-double twice_as_fast(const Executor& two) {
+// The speed-up of two threads on 20 ms of plain arithmetic: 2 on idle cores.
+double possible_speed_up(const Executor& two) {
   const auto work = [](std::size_t) {
     volatile double sum = 0;
     for (int k = 0; k < 4'000'000; ++k) sum = sum + 1.0 / (k + 1);
@@ -425,11 +428,11 @@ double twice_as_fast(const Executor& two) {
   return (between - start) / (wall_time() - between);
 }
 
-// One hand and two in turn, so that both see the same load.
-void told(const CoreCase& wanted, const Executor& two) {
+// Prints a row of the table.  Runs with one thread and with two alternate, so that both see the same load.
+void print_row(const CoreCase& wanted, const Executor& two) {
   SumCache kept;
   if (wanted.warm) wanted.run({kept});
-  std::vector<double> one_hand, two_hands, ratio, possible, on_paper;
+  std::vector<double> one_thread, two_threads, ratio, possible, simulated_ratio;
   const auto time_with = [&](const Executor& executor) {
     SumCache own;
     const double start = wall_time();
@@ -437,38 +440,38 @@ void told(const CoreCase& wanted, const Executor& two) {
     return wall_time() - start;
   };
   for (std::size_t k = 0; k < wanted.repetitions; ++k) {
-    possible.push_back(twice_as_fast(two));
-    one_hand.push_back(time_with(serial()));
-    two_hands.push_back(time_with(two));
-    ratio.push_back(one_hand.back() / two_hands.back());
-    const OnPaper paper;
+    possible.push_back(possible_speed_up(two));
+    one_thread.push_back(time_with(serial()));
+    two_threads.push_back(time_with(two));
+    ratio.push_back(one_thread.back() / two_threads.back());
+    const SimulatedPair simulated;
     const double start = own_time();
-    (void)time_with(paper);
+    (void)time_with(simulated);
     const double all = own_time() - start;
-    on_paper.push_back(all / (all - paper.saved));
+    simulated_ratio.push_back(all / (all - simulated.saved));
   }
   std::cout << "| " << wanted.marker << " | " << wanted.motion << " | " << (wanted.warm ? "kept" : "none") << " | "
-            << median(one_hand) << " | " << median(two_hands) << " | " << *std::ranges::min_element(one_hand) << " | "
-            << *std::ranges::min_element(two_hands) << " | " << median(ratio) << " | " << median(possible) << " | "
-            << median(on_paper) << " |" << std::endl;
+            << median(one_thread) << " | " << median(two_threads) << " | " << *std::ranges::min_element(one_thread)
+            << " | " << *std::ranges::min_element(two_threads) << " | " << median(ratio) << " | " << median(possible)
+            << " | " << median(simulated_ratio) << " |" << std::endl;
 }
 
-// "Possible" is what the machine had left for a second thread, "on paper" what two idle cores would bring.
+// "Possible" is the speed-up that the machine allowed at the time, "simulated" the one that two idle cores would bring.
 void cores(const std::vector<std::string>& paths) {
   constexpr std::size_t kMany = 41, kSeveral = 7, kLongMarker = 4000;
   const protocol::execution::ThreadPool two{1};
-  std::cout
-      << "| marker | motion | sums | one hand, ms | two hands | least, one | two | one / two | possible | on paper |\n"
-      << "|---|---|---|---|---|---|---|---|---|---|\n"
-      << std::fixed << std::setprecision(2);
-  const auto tell = [&](const std::vector<CoreCase>& cases) {
-    for (const CoreCase& wanted : cases) told(wanted, two);
+  std::cout << "| marker | motion | sums | one thread, ms | two threads | least, one | two | one / two | possible | "
+               "simulated |\n"
+            << "|---|---|---|---|---|---|---|---|---|---|\n"
+            << std::fixed << std::setprecision(2);
+  const auto print_rows = [&](const std::vector<CoreCase>& cases) {
+    for (const CoreCase& wanted : cases) print_row(wanted, two);
   };
-  for (const std::string& path : paths) tell(core_cases(name_of(path), marker_in(path), kMany));
+  for (const std::string& path : paths) print_rows(core_cases(name_of(path), marker_in(path), kMany));
   const std::string& first = paths.front();
-  tell(core_cases(name_of(first) + ", 4,000 pieces", test::tiled(test::loosened(marker_in(first), 0.05), kLongMarker),
-                  kSeveral));
-  tell(long_core_cases(name_of(first), marker_in(first)));
+  print_rows(core_cases(name_of(first) + ", 4,000 pieces",
+                        test::tiled(test::loosened(marker_in(first), 0.05), kLongMarker), kSeveral));
+  print_rows(long_core_cases(name_of(first), marker_in(first)));
 }
 
 }  // namespace
@@ -477,8 +480,8 @@ void cores(const std::vector<std::string>& paths) {
 int main(int argc, char** argv) {
   const std::string what = argc > 2 ? argv[1] : "";
   const std::vector<std::string> paths(argv + std::min(argc, 2), argv + argc);
-  if (what == "knobs") {
-    selvage::bench::knobs(paths);
+  if (what == "settings") {
+    selvage::bench::settings(paths);
   } else if (what == "digitised") {
     selvage::bench::digitised(paths);
   } else if (what == "anytime") {
@@ -490,7 +493,7 @@ int main(int argc, char** argv) {
   } else if (what == "cores") {
     selvage::bench::cores(paths);
   } else {
-    std::cerr << "usage: measure knobs|digitised|anytime|scene|growth|cores MARKER...\n";
+    std::cerr << "usage: measure settings|digitised|anytime|scene|growth|cores MARKER...\n";
     return 2;
   }
 }

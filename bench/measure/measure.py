@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Tables and pictures of what the measuring program (bench/measure/measure.cpp) counts.
+"""Writes tables and pictures of the figures that the measuring program (bench/measure/measure.cpp) prints.
 
 usage: measure.py --program build/release/bin/measure --out docs --kept FOLDER [--records RECORD...] --garments MARKER...
 
-Writes the tables into the pages that have a place for them (PAGES), between `<!-- table: NAME -->` and `<!-- end -->`, and the
-pictures beside those.  The lines they come from are kept in FOLDER: with some from an earlier run, measures only what is missing.
+Inserts the tables into the pages that have a place for them (PAGES), between `<!-- table: NAME -->` and `<!-- end -->`, and
+writes the pictures next to the pages.  The program's output is kept in FOLDER; output of an earlier run is used again.
 """
 import argparse
 import csv
@@ -24,8 +24,8 @@ from matplotlib import pyplot  # noqa: E402
 PAGES = ["measurements-trade.md", "measurements-growth.md"]
 
 
-def told(arguments, what, markers, name=None):
-    """What the program prints, kept."""
+def output_of(arguments, what, markers, name=None):
+    """The output of the program, from an earlier run if there is one, and kept for the next."""
     kept = arguments.kept / (name or f"{what}.csv")
     if not kept.exists():
         done = subprocess.run([arguments.program, what, *markers], check=True, capture_output=True, text=True)
@@ -33,8 +33,8 @@ def told(arguments, what, markers, name=None):
     return kept.read_text()
 
 
-def lines_of(arguments, what, markers, name=None):
-    rows = list(csv.DictReader(io.StringIO(told(arguments, what, markers, name))))
+def rows_of(arguments, what, markers, name=None):
+    rows = list(csv.DictReader(io.StringIO(output_of(arguments, what, markers, name))))
     assert all(row.get("valid", "valid") == "valid" for row in rows)
     return rows
 
@@ -45,7 +45,7 @@ def table(head, rows):
 
 
 def put(arguments, name, text):
-    """Puts a table where the pages have a place for it."""
+    """Inserts a table into the page that has a place for it."""
     begin, end = f"<!-- table: {name} -->\n", "<!-- end -->"
     for page in (arguments.out / p for p in PAGES):
         before, found, rest = page.read_text().partition(begin)
@@ -62,35 +62,35 @@ def save(figure, path):
 
 
 PRESETS = ["draft", "standard", "fine without tilts", "fine"]
-TIME_NOISE, LENGTH_NOISE = 0.1, 1e-5  # parts by which two settings must differ to be told apart
+TIME_NOISE, LENGTH_NOISE = 0.1, 1e-5  # relative differences below these count as noise
 TILTING = {"tilt step", "tilts"}
-TOGETHER = "all"
+MEAN = "all"
 
 
-def beside_standard(rows):
-    """Of every setting, (time, length) beside standard's: by marker, and the geometric mean over all of them."""
-    standard = {r["marker"]: r for r in rows if (r["knob"], r["value"]) == ("accuracy", "standard")}
+def compared_with_standard(rows):
+    """For every setting, (time, length) divided by those of `standard`: by marker, and the geometric mean of all markers."""
+    standard = {r["marker"]: r for r in rows if (r["setting"], r["value"]) == ("accuracy", "standard")}
     points = {}
     for row in rows:
         base = standard[row["marker"]]
         pair = (float(row["ms"]) / float(base["ms"]), float(row["ratio"]) / float(base["ratio"]))
-        points.setdefault((row["knob"], row["value"]), {})[row["marker"]] = pair
+        points.setdefault((row["setting"], row["value"]), {})[row["marker"]] = pair
     for of_marker in points.values():
-        # Of a setting that not every marker has there is no mean to be compared.
+        # A setting that some markers lack has no mean that could be compared.
         if len(of_marker) == len(standard):
-            of_marker[TOGETHER] = tuple(map(statistics.geometric_mean, zip(*of_marker.values())))
+            of_marker[MEAN] = tuple(map(statistics.geometric_mean, zip(*of_marker.values())))
     return points
 
 
 def better(one, other):
-    """True when one setting is faster and no longer, or shorter and no slower, beyond noise."""
+    """True when, beyond noise, one setting is faster and not longer than the other, or shorter and not slower."""
     faster = one[0] < other[0] * (1 - TIME_NOISE) and one[1] <= other[1] + LENGTH_NOISE / 10
     shorter = one[1] < other[1] - LENGTH_NOISE and one[0] <= other[0]
     return faster or shorter
 
 
 def rivals(points, preset, marker):
-    """The settings that leave a preset behind the front, the fastest first; those that tilt only where the preset does."""
+    """The settings that are better than a preset, the fastest first.  Settings that tilt count only if the preset tilts."""
     own = points["accuracy", preset][marker]
     found = [(p[marker][0], f"{k} {v}") for (k, v), p in points.items()
              if k != "accuracy" and marker in p and better(p[marker], own)
@@ -99,8 +99,8 @@ def rivals(points, preset, marker):
 
 
 def fronts(arguments, sets):
-    """Which presets lie on the front of all that was measured: on the mean of each set, and on the longest marker."""
-    columns = [(f"{name}, mean", points, TOGETHER) for name, points in sets.items()]
+    """Which presets are on the Pareto front of all settings: for the mean of each set, and for the longest marker."""
+    columns = [(f"{name}, mean", points, MEAN) for name, points in sets.items()]
     longest = "jeans_22g"
     columns += [(longest, points, longest) for points in sets.values() if longest in points["accuracy", "standard"]]
     body = []
@@ -111,84 +111,84 @@ def fronts(arguments, sets):
 
 
 def in_order(settings):
-    """Knob by knob, numbers by size."""
+    """The settings grouped by name, with numeric values in ascending order."""
     values = {}
-    for knob, value in settings:
-        values.setdefault(knob, {})[value] = None
-    for knob, own in values.items():
+    for name, value in settings:
+        values.setdefault(name, {})[value] = None
+    for name, own in values.items():
         try:
-            values[knob] = sorted(own, key=float)
+            values[name] = sorted(own, key=float)
         except ValueError:
             pass
-    return [(knob, value) for knob, own in values.items() for value in own]
+    return [(name, value) for name, own in values.items() for value in own]
 
 
 def percent(length):
     return f"{100 * (length - 1):+.4f} %"
 
 
-def knobs(arguments, sets):
-    """Of every knob's value: time and length beside standard's, the geometric mean over each set of markers."""
-    of_set = {name: beside_standard(rows) for name, rows in sets.items()}
+def settings_tables(arguments, sets):
+    """For every value of a setting: time and length compared with `standard`, the geometric mean of each set of markers."""
+    of_set = {name: compared_with_standard(rows) for name, rows in sets.items()}
     settings = in_order(key for points in of_set.values() for key in points)
-    head = ["knob", "value"]
+    head = ["setting", "value"]
     for name in sets:
-        head += [f"{name}: time / standard", "length beside standard", "worst marker"]
+        head += [f"{name}: time / standard", "length compared with standard", "worst marker"]
     body = []
     for key in settings:
         cells = []
         for points in of_set.values():
             own = points.get(key, {})
-            if TOGETHER in own:
-                time, length = own[TOGETHER]
+            if MEAN in own:
+                time, length = own[MEAN]
                 cells += [f"{time:.2f}", percent(length), percent(max(p[1] for p in own.values()))]
             else:
                 cells += ["", "", ""]
         body.append([*key, *cells])
-    put(arguments, "knobs", table(head, body))
+    put(arguments, "settings", table(head, body))
     names = [k for k in dict.fromkeys(k for k, _ in settings) if k != "accuracy"]
     figure, axes = pyplot.subplots(3, math.ceil(len(names) / 3), figsize=(16, 10))
-    for axis, knob in zip(axes.flat, names):
+    for axis, setting in zip(axes.flat, names):
         for (name, points), line in zip(of_set.items(), ("o-", "s--")):
-            own = [(v, points[k, v][TOGETHER]) for k, v in settings if k == knob and TOGETHER in points.get((k, v), {})]
+            own = [(v, points[k, v][MEAN]) for k, v in settings if k == setting and MEAN in points.get((k, v), {})]
             if not own:
                 continue
             axis.plot([p[0] for _, p in own], [100 * (p[1] - 1) for _, p in own], line, linewidth=0.7, label=name)
             for value, (time, length) in own:
                 axis.annotate(value, (time, 100 * (length - 1)), fontsize=7)
-        axis.set(title=knob, xscale="log", xlabel="time / standard", ylabel="length beside standard, %")
+        axis.set(title=setting, xscale="log", xlabel="time / standard", ylabel="length compared with standard, %")
         axis.legend(fontsize=7)
     for axis in axes.flat[len(names):]:
         axis.remove()
-    save(figure, arguments.out / "pictures" / "trade-knobs.svg")
+    save(figure, arguments.out / "pictures" / "trade-settings.svg")
     front_picture(arguments, of_set)
     fronts(arguments, of_set)
     body = []
     for rows in sets.values():
-        at = {(r["marker"], r["value"]): r for r in rows if r["knob"] == "accuracy"}
+        at = {(r["marker"], r["value"]): r for r in rows if r["setting"] == "accuracy"}
         for m in dict.fromkeys(r["marker"] for r in rows):
             body.append([m] + [f"{float(at[m, p]['ms']):.1f} ms, {float(at[m, p]['ratio']):.6f}" for p in PRESETS]
                         + [f"{100 * (float(at[m, p]['ratio']) / float(at[m, 'standard']['ratio']) - 1):+.3f} %"
                            for p in ("draft", "fine")])
-    put(arguments, "presets", table(["marker", *PRESETS, "draft beside standard", "fine beside standard"], body))
+    put(arguments, "presets", table(["marker", *PRESETS, "draft compared with standard", "fine compared with standard"], body))
 
 
 def front_picture(arguments, of_set):
-    """Every setting that was measured, and where the presets lie among them."""
+    """Draws all settings that were measured, and marks the presets among them."""
     figure, axes = pyplot.subplots(1, len(of_set), figsize=(6.5 * len(of_set), 4.8), squeeze=False)
     for axis, (name, points) in zip(axes.flat, of_set.items()):
-        mean = {key: p[TOGETHER] for key, p in points.items() if TOGETHER in p}
+        mean = {key: p[MEAN] for key, p in points.items() if MEAN in p}
         for marks, chosen in (("o", False), ("*", True)):
             own = [(v, p) for (k, v), p in mean.items() if (k == "accuracy") == chosen]
             axis.plot([p[0] for _, p in own], [100 * (p[1] - 1) for _, p in own], marks, markersize=10 if chosen else 3)
             for value, (time, length) in own if chosen else []:
                 axis.annotate(value, (time, 100 * (length - 1)))
-        axis.set(title=name, xscale="log", xlabel="time / standard", ylabel="length beside standard, %")
+        axis.set(title=name, xscale="log", xlabel="time / standard", ylabel="length compared with standard, %")
     save(figure, arguments.out / "pictures" / "trade-front.svg")
 
 
 def digitised(arguments, rows):
-    """What simplification brings where pieces have many vertices, beside none."""
+    """The effect of simplification on pieces with many vertices, compared with no simplification."""
     body = []
     for row in rows:
         base = next(r for r in rows if (r["marker"], r["pitch"], r["simplification"]) == (row["marker"], row["pitch"], "0"))
@@ -196,7 +196,7 @@ def digitised(arguments, rows):
         body.append([row["marker"], row["vertices"], row["simplification"], part("cold"), part("warm"), row["sums"],
                      percent(float(row["ratio"]) / float(base["ratio"]))])
     put(arguments, "digitised",
-        table(["marker", "vertices a shape", "simplification", "cold", "warm", "sums", "length beside none"], body))
+        table(["marker", "vertices per shape", "simplification", "cold", "warm", "sums", "length compared with none"], body))
 
 
 def anytime(arguments, rows):
@@ -214,7 +214,7 @@ def anytime(arguments, rows):
 
 
 def exponent(rows, key):
-    """The slope of the least squares line through log time over log pieces."""
+    """The slope of the least squares line through (log of pieces, log of time)."""
     points = [(math.log(float(r["pieces"])), math.log(max(float(r[key]), 1e-3))) for r in rows]
     return statistics.linear_regression(*zip(*points)).slope if hasattr(statistics, "linear_regression") else None
 
@@ -233,15 +233,15 @@ def growth(arguments, rows):
         axis.legend(title="growth exponent")
         body += [[tile, r["pieces"], *(f"{float(r[s]):.1f}" for s in stages), r["programs"], f"{float(r['ratio']):.5f}",
                   r["megabytes"]] for r in own]
-        for words, part in (("exponent", own), ("from 1,600 on", [r for r in own if int(r["pieces"]) >= 1600])):
-            body.append([tile, words, *(f"{exponent(part, s):.2f}" for s in stages), "", "", ""])
+        for label, part in (("exponent", own), ("from 1,600 on", [r for r in own if int(r["pieces"]) >= 1600])):
+            body.append([tile, label, *(f"{exponent(part, s):.2f}" for s in stages), "", "", ""])
     save(figure, arguments.out / "pictures" / "growth.svg")
     head = ["tile", "pieces", "all, ms", "sums", "rows", "solve", "verify", "programs", "after / before", "MB"]
     put(arguments, "growth", table(head, body))
 
 
 def scene(arguments, rows):
-    head = ["motion", "pieces", "ms, cold", "programs", "variables", "rows", "nonzeros", "sums asked for"]
+    head = ["motion", "pieces", "ms, cold", "programs", "variables", "rows", "nonzeros", "sums requested"]
     body = [[r["motion"], r["pieces"], f"{float(r['ms']):.2f}", r["programs"], r["variables"], r["rows"], r["nonzeros"],
              r["sums"]] for r in sorted(rows, key=lambda r: (r["motion"], int(r["pieces"])))]
     put(arguments, "scene", table(head, body))
@@ -249,7 +249,7 @@ def scene(arguments, rows):
 
 
 def naive(arguments, rows):
-    """How many times ours the naive model takes."""
+    """The time of the naive model divided by that of ours."""
     time = {(r["motion"], r["pieces"]): float(r["ms"]) for r in rows}
     whole = ", whole"
     motions = dict.fromkeys(m.removesuffix(whole) for m, _ in time if m.endswith(whole))
@@ -268,17 +268,17 @@ def main():
     arguments = parser.parse_args()
     arguments.kept.mkdir(parents=True, exist_ok=True)
     named = {pathlib.Path(m).stem: m for m in arguments.garments}
-    sets = {"garments": lines_of(arguments, "knobs", arguments.garments)}
+    sets = {"garments": rows_of(arguments, "settings", arguments.garments)}
     if arguments.records:
-        sets["records"] = lines_of(arguments, "knobs", arguments.records, "knobs-records.csv")
-    knobs(arguments, sets)
-    digitised(arguments, lines_of(arguments, "digitised", [named["jeans_06g"], named["simon_06g"]]))
-    anytime(arguments, lines_of(arguments, "anytime", [named["jeans_22g"]]))
-    scene(arguments, lines_of(arguments, "scene", [named["jeans_06g"]]))
-    # A process for each tile: its memory is the most that it has had.
+        sets["records"] = rows_of(arguments, "settings", arguments.records, "settings-records.csv")
+    settings_tables(arguments, sets)
+    digitised(arguments, rows_of(arguments, "digitised", [named["jeans_06g"], named["simon_06g"]]))
+    anytime(arguments, rows_of(arguments, "anytime", [named["jeans_22g"]]))
+    scene(arguments, rows_of(arguments, "scene", [named["jeans_06g"]]))
+    # Each tile is measured by a process of its own, since the memory reported is the peak of the process.
     tiles = ["jeans_02g", "jeans_06g"]
-    growth(arguments, [row for t in tiles for row in lines_of(arguments, "growth", [named[t]], f"growth-{t}.csv")])
-    put(arguments, "cores", told(arguments, "cores", [named["jeans_06g"], named["jeans_22g"]], "cores.md"))
+    growth(arguments, [row for t in tiles for row in rows_of(arguments, "growth", [named[t]], f"growth-{t}.csv")])
+    put(arguments, "cores", output_of(arguments, "cores", [named["jeans_06g"], named["jeans_22g"]], "cores.md"))
 
 
 if __name__ == "__main__":

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Writes docs/measurements-extremes.md anew: the words of bench/measure/extremes_page.md, the figures of a run of extremes_test.
+"""Writes docs/measurements-extremes.md: the text of bench/measure/extremes_page.md with the figures of a run of extremes_test.
 
 usage: measure_extremes.py --programs build/release/bin --out docs --kept FOLDER
 
-Every figure is one line of the test's (tests/extremes/reached.h), by the names of test and figure:
-    [[TEST: FIGURE]]   or with a format   [[TEST: FIGURE %.2f]]
-and {NAME} is the rest of a table's row: of a piece, of a kind of linear program, of so many teeth.  A figure that the page
-wants and the run has not, or the other way round, is an error.  With lines kept from an earlier run, none is made.
+A placeholder in the text names a test and one of the figures that it prints (tests/extremes/reached.h):
+    [[TEST: FIGURE]]   or, with a format,   [[TEST: FIGURE %.2f]]
+{NAME} stands for the rest of a table row: for a piece, a kind of linear program, or a number of teeth.  It is an error if
+the text and the run do not have the same figures.  Figures kept from an earlier run are used again.
 """
 import argparse
 import json
@@ -37,7 +37,7 @@ def processor_seconds():
 
 
 def run(programs):
-    """{"TEST: FIGURE": value}, of the test, of its layouts before the judge, and of the benchmark of toothed pieces."""
+    """{"TEST: FIGURE": value} from the test, from judging its layouts, and from the benchmark of toothed pieces."""
     figures = {}
     with tempfile.TemporaryDirectory() as folder:
         began = processor_seconds()
@@ -50,8 +50,8 @@ def run(programs):
         figures["run: seconds of judging"] = processor_seconds() - began
         figures["run: layouts"] = len(layouts)
     for name, what, value in re.findall(r"^\| [^|]*?\.([^|]+) \| ([^|]+) \| ([^|]+) \|$", test.stdout, re.MULTILINE):
-        key = what if "/" in name else f"{name}: {what}"  # a piece's figures begin with its own name
-        assert key not in figures, f"reached twice: {key}"
+        key = what if "/" in name else f"{name}: {what}"  # the figures of a piece start with its name
+        assert key not in figures, f"figure printed twice: {key}"
         figures[key] = value
     sums = subprocess.run([programs / "toothed_benchmark", "--benchmark_format=json",
                            f"--benchmark_filter=/({'|'.join(map(str, TEETH))})$"], check=True, capture_output=True, text=True)
@@ -62,14 +62,14 @@ def run(programs):
 
 
 class Page:
-    """Fills figures into words, and remembers which."""
+    """Fills figures into a text and records which ones were used."""
 
     def __init__(self, figures):
         self.figures = figures
-        self.told = set()
+        self.used = set()
 
     def figure(self, key, form=""):
-        self.told.add(key)
+        self.used.add(key)
         value = self.figures[key]
         text = format(float(value), form) if form and float(value) else str(value)
         return re.sub(r"(?<=\d)e([+-])0*(?=\d)", lambda at: "e" + at[1].strip("+"), text)
@@ -87,23 +87,23 @@ class Page:
             cells = [self.figure(f"{name}: {lack}", ".1e") for lack in LACKS]
         return " | ".join(cells)
 
-    def filled(self, words):
-        words = re.sub(r"\[\[([^\]]+?)(?: %([^\]]+))?\]\]", lambda at: self.figure(at[1], at[2] or ""), words)
-        return re.sub(r"\{([^}]+)\}", lambda at: self.row(at[1]), words)
+    def filled(self, text):
+        text = re.sub(r"\[\[([^\]]+?)(?: %([^\]]+))?\]\]", lambda at: self.figure(at[1], at[2] or ""), text)
+        return re.sub(r"\{([^}]+)\}", lambda at: self.row(at[1]), text)
 
 
 def picture(figures, path):
     figure, (exact, slow) = pyplot.subplots(1, 2, figsize=(12, 4.6))
     programs = [key.split(":")[0] for key in figures if key.endswith(": duality gap")]
     names = [re.sub(r"(?<!^)(?=[A-Z])", " ", program).lower() for program in programs]
-    least = 1e-17  # what is zero is drawn there
+    least = 1e-17  # zeros are drawn here
     for lack, mark in zip(LACKS, "o^sx"):
         exact.plot([max(float(figures[f"{p}: {lack}"]), least) for p in programs], names, mark, label=lack)
-    exact.set(xscale="log", title="linear programs: off by (1e-17: 0)")
+    exact.set(xscale="log", title="linear programs: errors (1e-17 stands for 0)")
     exact.legend(fontsize=7, loc="lower right")
     for pair in TOOTHED:
         slow.plot(TEETH, [figures[f"{pair}/{n}: ms"] for n in TEETH], "o-", label=pair.replace("/", ", ").replace("_", " "))
-    slow.set(xscale="log", yscale="log", xlabel="teeth", ylabel="ms", title="sums of two pieces of many star parts")
+    slow.set(xscale="log", yscale="log", xlabel="teeth", ylabel="ms", title="sums of two pieces with many star-shaped parts")
     slow.set_xticks(TEETH, TEETH)
     slow.minorticks_off()
     slow.legend(fontsize=7)
@@ -122,8 +122,8 @@ def main():
         kept.write_text(json.dumps(run(arguments.programs.resolve()), indent=1))
     page = Page(json.loads(kept.read_text()))
     filled = page.filled((HERE / "extremes_page.md").read_text())
-    untold = sorted(page.figures.keys() - page.told)
-    assert not untold, f"reached, and not on the page: {untold}"
+    unused = sorted(page.figures.keys() - page.used)
+    assert not unused, f"figures that the page does not use: {unused}"
     (arguments.out / "measurements-extremes.md").write_text(filled)
     picture(page.figures, arguments.out / "pictures" / "extremes.svg")
     print(filled)

@@ -8,11 +8,11 @@ namespace {
 
 using Placer = libnest2d::NfpPlacer;
 
-constexpr double kUpwards = 1e-3;  // weight of lying low beside lying left
-constexpr double kOutside = 100;   // of leaving the strip
+constexpr double kUpwards = 1e-3;  // weight of a low position, compared with one far left
+constexpr double kOutside = 100;   // penalty for leaving the strip
 constexpr double kDegree = 3.14159265358979323846 / 180;
 
-// Clockwise and closed, as libnest2d's polygons are.
+// Converts to libnest2d's form of polygons: clockwise and closed.
 libnest2d::Item hull_of(const std::vector<NestedPoint>& outline) {
   ClipperLib::Path contour;
   for (auto v = outline.rbegin(); v != outline.rend(); ++v) contour.emplace_back(v->first, v->second);

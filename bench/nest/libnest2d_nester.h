@@ -1,4 +1,5 @@
-// libnest2d, the nester of slicing programs, on a strip.  In plain words, not ours: its headers are C++17.
+// An adapter of libnest2d, the nester used by 3D printing slicers, for a strip.  The interface uses plain types instead
+// of ours, because libnest2d's headers need C++17.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +10,14 @@ namespace selvage::bench {
 
 using NestedPoint = std::pair<std::int64_t, std::int64_t>;
 struct NestedPiece {
-  double rotation{};  // degrees, counter-clockwise, then
-  NestedPoint at;     // moved by so much
+  double rotation{};  // degrees, counter-clockwise, applied first
+  NestedPoint at;     // then this translation
 };
 
-// Where each outline (counter-clockwise) comes to lie on a strip from (0, 0) to (length, width): largest first, each as
-// far left as it goes, in one of the rotations (degrees).  libnest2d has no-fit polygons of convex outlines only: as
-// its authors do, it is given convex hulls.  Its coordinates come rounded, so pieces may overlap by a unit or two.
-// Nothing when it left a piece out.
+// Places outlines (counter-clockwise) on a strip from (0, 0) to (length, width), the largest first, each as far left as
+// possible, in one of the rotations (degrees).  libnest2d has no-fit polygons only for convex outlines; like its
+// authors, we give it convex hulls.  Its coordinates are rounded, so pieces may overlap by a unit or two.
+// Returns no pieces when libnest2d could not place all of them.
 std::vector<NestedPiece> nest(const std::vector<std::vector<NestedPoint>>& outlines,
                               const std::vector<double>& rotations, std::int64_t length, std::int64_t width);
 

@@ -1,10 +1,10 @@
-// What compaction adds to a popular nester's layouts: libnest2d lays the pieces of markers out anew, we heal and
-// compact. Markdown.
+// The gain from compacting the layouts of a popular nester: libnest2d places the pieces of markers from scratch, then
+// Selvage repairs small overlaps and compacts.  Prints a Markdown table.
 //
 // usage: nest_table [--outlines FOLDER] MARKER...
 //
-// Times are the processor's: the nester's for all it does, compaction's with nothing in the cache of sums, healing
-// included.  With --outlines every result is written to FOLDER/MARKER.json, for an independent judge.
+// Times are processor times: the nester's for its whole run, and compaction's with an empty cache of sums, including
+// repair.  With --outlines, every result is written to FOLDER/MARKER.json for an independent judge.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -22,12 +22,13 @@
 namespace selvage::bench {
 namespace {
 
-constexpr Coord kRoom = 3;                  // the strip's length beside the marker's before
-constexpr Coord kUnitsAcross = 10'000'000;  // libnest2d's units in the strip's width: it fails on much finer ones
-constexpr Coord kGrace = 2;                 // of those units: rounded, a piece as wide as the strip is wider
+constexpr Coord kRoom = 3;                  // the strip's length, as a multiple of the given marker's
+constexpr Coord kUnitsAcross = 10'000'000;  // libnest2d units across the strip; it fails on much finer units
+constexpr Coord kGrace =
+    2;  // libnest2d units added to the strip's width, because a piece as wide as the strip may be wider after rounding
 
-// The marker's pieces laid out anew, in rotations that their shapes allow, flipped as they were.  Nothing when the
-// nester left one out.
+// The marker's pieces placed by libnest2d in rotations that their shapes allow, with unchanged flips.  Nothing when
+// libnest2d could not place all of them.
 std::optional<Marker> nested(const Marker& marker) {
   const Coord unit = std::max<Coord>(1, marker.strip.width / kUnitsAcross);
   std::vector<std::vector<NestedPoint>> outlines;
@@ -46,7 +47,7 @@ std::optional<Marker> nested(const Marker& marker) {
   Marker nested = marker;
   for (std::size_t i = 0; i < nest_of.size(); ++i) {
     Piece& piece = nested.pieces[i];
-    // The rotation allowed that it comes nearest to: it adds up in radians.
+    // The allowed rotation nearest to libnest2d's, which accumulates rounding in radians.
     const auto off = [&](double rotation) { return std::abs(std::remainder(rotation - nest_of[i].rotation, 360)); };
     const double rotation =
         *std::min_element(rotations.begin(), rotations.end(), [&](double a, double b) { return off(a) < off(b); });
@@ -70,7 +71,7 @@ void print_row(const std::string& path, const std::string& outlines) {
   const double nesting = milliseconds() - begin;
   const std::string name = name_of(path);
   if (!nest) {
-    std::printf("| %s | %zu | %.1f s | left pieces out |\n", name.c_str(), start.pieces.size(), nesting / 1000);
+    std::printf("| %s | %zu | %.1f s | not all pieces placed |\n", name.c_str(), start.pieces.size(), nesting / 1000);
     return;
   }
   SumCache sums;
@@ -78,7 +79,7 @@ void print_row(const std::string& path, const std::string& outlines) {
   const auto done = compact(*nest, compaction_settings(motion::compaction::Accuracy::kStandard), {sums});
   const double compacting = milliseconds() - since;
   if (!done) {
-    std::printf("| %s | %zu | %.1f s | refused: %s |\n", name.c_str(), nest->pieces.size(), nesting / 1000,
+    std::printf("| %s | %zu | %.1f s | rejected: %s |\n", name.c_str(), nest->pieces.size(), nesting / 1000,
                 done.error().message.c_str());
     return;
   }
@@ -109,7 +110,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   std::printf(
-      "| pieces of | pieces | libnest2d | its length | utilisation | healed pairs | compacted | utilisation | saved |");
+      "| pieces of | pieces | libnest2d | its length | utilisation | repaired pairs | compacted | utilisation | saved "
+      "|");
   std::printf(" in | valid |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const std::string& path : paths) selvage::bench::print_row(path, outlines);
 }

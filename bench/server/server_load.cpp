@@ -1,11 +1,11 @@
-// How fast a running selvaged answers: calls a second and latencies, as one client or several see them.
+// Measures how fast a running selvaged answers: calls per second and latencies, for one or more clients.
 //
 // usage: server_load PORT MARKER get|bump|compact|place|push [CONNECTIONS] [SECONDS]
-//   get      POST /rpc marker.get, kept alive
-//   bump     motion.bump without commit, one piece after the other, over a WebSocket
-//   compact  motion.compact without commit, over a WebSocket
-//   place    drag.move over a WebSocket: a hand that trembles about each piece in turn
-//   push     the same, the others making way
+//   get: POST /rpc marker.get on a persistent connection
+//   bump: motion.bump without commit, for one piece after another, over a WebSocket
+//   compact: motion.compact without commit, over a WebSocket
+//   place: drag.move over a WebSocket, in small steps around each piece in turn
+//   push: the same with other pieces making way
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -48,7 +48,7 @@ struct Load {
   Json pieces;
 };
 
-// Milliseconds of each call until the time is over.
+// The milliseconds of each call until the end time.
 std::vector<double> run(const Load& load, std::size_t first_piece, Clock::time_point end) {
   std::vector<double> times;
   Wire http{load.port};
@@ -89,12 +89,12 @@ std::vector<double> run(const Load& load, std::size_t first_piece, Clock::time_p
   return times;
 }
 
-void tell(const Load& load, std::vector<double> times, std::size_t connections, double seconds) {
+void print_summary(const Load& load, std::vector<double> times, std::size_t connections, double seconds) {
   std::sort(times.begin(), times.end());
   const auto part = [&](double p) {
     return times[std::min(times.size() - 1, static_cast<std::size_t>(p * static_cast<double>(times.size())))];
   };
-  std::printf("%s: %zu connections, %.1f s, %zu calls, %.0f a second; ms p50 %.3f, p99 %.3f, most %.3f\n",
+  std::printf("%s: %zu connections, %.1f s, %zu calls, %.0f per second; ms p50 %.3f, p99 %.3f, max %.3f\n",
               load.what.c_str(), connections, seconds, times.size(), static_cast<double>(times.size()) / seconds,
               part(0.5), part(0.99), times.back());
 }
@@ -119,8 +119,8 @@ int measure(const std::vector<std::string>& words) {
   }
   std::vector<double> all;
   for (const auto& one : times) all.insert(all.end(), one.begin(), one.end());
-  if (all.empty()) throw std::runtime_error{"nothing was answered"};
-  tell(load, std::move(all), connections, seconds);
+  if (all.empty()) throw std::runtime_error{"no call was answered"};
+  print_summary(load, std::move(all), connections, seconds);
   (void)ask(wire, "marker.close", {{"markerId", id}});
   return 0;
 }

@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# Starts selvaged and loads it: reads over HTTP, bumps and dragging hands over a WebSocket, alone and beside a client that
-# compacts in a loop.  usage: server_load.sh DIRECTORY_OF_PROGRAMS [SECONDS]
+# Starts selvaged and measures it under load: reads over HTTP, then bumps and drag sessions over a WebSocket, first
+# alone and then while another client compacts in a loop.
+#
+# usage: server_load.sh DIRECTORY_OF_PROGRAMS [SECONDS]
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 bin=${1:?usage: server_load.sh DIRECTORY_OF_PROGRAMS [SECONDS]}
 seconds=${2:-5}
 folder=$(mktemp -d)
@@ -21,10 +23,10 @@ load examples/markers/jeans_06g.json place 1 "$seconds"
 load examples/markers/jeans_06g.json push 1 "$seconds"
 echo "while another client compacts jeans_22g in a loop:"
 load examples/markers/jeans_22g.json compact 1 "$((3 * seconds + 2))" > "$folder/compact" &
-beside=$!
+compacting=$!
 sleep 1
 load examples/markers/jeans_06g.json get 1 "$seconds"
 load examples/markers/jeans_06g.json bump 1 "$seconds"
 load examples/markers/jeans_06g.json push 1 "$seconds"
-wait "$beside"
+wait "$compacting"
 cat "$folder/compact"

@@ -1,8 +1,8 @@
-// How long one bump and one place take with the sums in the cache: every piece of a garment marker, bumped in eight
-// directions, and dropped at random places all over the marker and a little outside.
+// Time of a bump and of a placement with all sums in the cache.  Every piece of a garment marker is bumped in eight
+// directions, and placed at random points on the marker and slightly outside it.
 //
-// The counters are microseconds of processor time per call: median, 90th percentile and most, over all pieces and
-// directions (places). The marker is compacted first for "/tight": what a hand works on at the end.
+// The counters are processor microseconds per call: median, 90th percentile and maximum over all pieces and directions
+// (or points).  For "/tight" the marker is compacted first, as it is near the end of interactive work.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace selvage::bench {
 namespace {
 
 constexpr int kDirections = 8;
-constexpr int kDrops = 8;  // of each piece
+constexpr int kDrops = 8;  // random points per piece
 
 Marker marker_named(const std::string& name, bool tight) {
   std::ifstream in{std::string{SELVAGE_SOURCE_DIR} + "/examples/markers/" + name + ".json"};
@@ -35,14 +35,14 @@ Marker marker_named(const std::string& name, bool tight) {
   return marker;
 }
 
-// Processor time of this thread, so that a busy machine does not count.
+// The processor time of this thread, which does not depend on other load.
 double thread_microseconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) * 1e6 + static_cast<double>(now.tv_nsec) * 1e-3;
 }
 
-// Calls motion(piece, k) for all pieces and k < calls, over and over, and reports what one call took.
+// Calls motion(piece, k) for all pieces and all k < calls, repeatedly, and reports the time of a call.
 template <class Motion>
 void measure(benchmark::State& state, std::size_t pieces, int calls, Motion motion) {
   std::vector<double> microseconds;
@@ -67,7 +67,7 @@ void bump_all(benchmark::State& state, const std::string& name, bool tight) {
   const scene::Scene scene{marker, sums};
   const auto motion = [&](std::uint32_t piece, int k) {
     const double angle = 2 * std::numbers::pi * k / kDirections;
-    benchmark::DoNotOptimize(motion::piece::bump(scene, piece, std::cos(angle), std::sin(angle)));
+    benchmark::DoNotOptimize(motion::piece::bump(scene, PieceId{piece}, std::cos(angle), std::sin(angle)));
   };
   for (std::uint32_t piece = 0; piece < marker.pieces.size(); ++piece) {
     for (int k = 0; k < kDirections; ++k) motion(piece, k);  // fills the cache
@@ -80,7 +80,7 @@ void place_all(benchmark::State& state, const std::string& name, bool tight) {
   SumCache sums;
   const scene::Scene scene{marker, sums};
   std::mt19937 random{1};
-  const auto somewhere = [&](Coord extent) {  // up to a twentieth outside
+  const auto somewhere = [&](Coord extent) {  // up to a twentieth of the extent outside
     return static_cast<Coord>((1.1 * static_cast<double>(random()) / 4294967296.0 - 0.05) *
                               static_cast<double>(extent));
   };
@@ -92,7 +92,7 @@ void place_all(benchmark::State& state, const std::string& name, bool tight) {
   }
   const auto motion = [&](std::uint32_t piece, int k) {
     benchmark::DoNotOptimize(
-        motion::placing::place(scene, piece, wanted[piece * kDrops + static_cast<std::size_t>(k)]));
+        motion::placing::place(scene, PieceId{piece}, wanted[piece * kDrops + static_cast<std::size_t>(k)]));
   };
   for (std::uint32_t piece = 0; piece < marker.pieces.size(); ++piece) {
     for (int k = 0; k < kDrops; ++k) motion(piece, k);

@@ -1,4 +1,4 @@
-// How long leftward compaction takes, without reading files: cold (an empty cache of sums) and warm.
+// Time of leftward compaction without reading files: cold (an empty cache of sums) and warm.
 #include <benchmark/benchmark.h>
 
 #include <fstream>

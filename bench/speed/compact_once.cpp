@@ -1,5 +1,5 @@
-// Compacts a marker at accuracy standard with an empty cache of sums and again with a full one, each in a function of
-// its own: what bench/instructions.sh has callgrind count.
+// Compacts a marker at accuracy standard, with an empty cache of sums and again with a full one, each in a function of
+// its own, for which bench/speed/instructions.sh counts instructions with callgrind.
 //
 // usage: compact_once MARKER
 #include <cstdio>
@@ -9,7 +9,7 @@
 
 namespace selvage::bench {
 
-// Found by name: neither inlined nor merged into one.
+// These functions are found by name, so they must be neither inlined nor merged.
 [[gnu::noinline, gnu::noipa]] Coord compact_cold(const Marker& marker, SumCache& sums) {
   return compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums})->length_after;
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Instructions of compacting markers at accuracy standard, from a marker as a value to its answer, counted by callgrind:
-# cold (nothing in the cache of sums) and warm.  Beside them the thesis' machine: 20 s at 28 million instructions a second
-# for a marker of 120 pieces [Li94 4.1.5].  Markdown.
+# Counts the instructions of compacting markers at accuracy standard, from marker value to result, with callgrind: cold
+# (an empty cache of sums) and warm.  For comparison, the thesis reports 20 s on a machine of 28 million instructions
+# per second for a marker of 120 pieces [Li94 4.1.5].  Prints a Markdown table.
 # usage: instructions.sh DIRECTORY_OF_PROGRAMS MARKER...
 set -euo pipefail
 bin=${1:?usage: instructions.sh DIRECTORY_OF_PROGRAMS MARKER...}

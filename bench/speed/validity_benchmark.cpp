@@ -1,5 +1,5 @@
-// How long the proof that a marker is valid takes: in the core, from a marker as a value with nothing worked out, and
-// as the method marker.check, from its parameters as text to its result as text.
+// Time of the proof that a marker is valid: in the core, from a marker value without a prepared layout, and as the
+// method marker.check, from the text of its parameters to the text of its result.
 #include <benchmark/benchmark.h>
 
 #include "bench/support/marker_file.h"

@@ -8,7 +8,7 @@ namespace {
 
 namespace bp = boost::polygon;
 
-// Coordinates of int are those that Boost.Polygon is proved with; of 64 bits, its predicates are not exact.
+// Boost.Polygon's correctness is proved for int coordinates; with 64 bits, its predicates are not exact.
 using Number = int;
 using Set = bp::polygon_set_data<Number>;
 
@@ -27,7 +27,7 @@ Set set_of(const Polygon& polygon, Vec middle) {
   return set;
 }
 
-// About the middles of both, so that its coordinates fit.
+// Uses coordinates relative to the centres of both polygons, so that they fit into 32 bits.
 class BoostSum final : public PairSum {
  public:
   explicit BoostSum(const OutlinePair& pair)
@@ -51,8 +51,8 @@ class BoostSum final : public PairSum {
   }
 
  private:
-  template <class minkowski::Ring>
-  [[nodiscard]] Polygon ring_of(const minkowski::Ring& from) const {
+  template <class Ring>
+  [[nodiscard]] Polygon ring_of(const Ring& from) const {
     Polygon ring;
     for (const auto& v : from) ring.push_back(p_middle_ + q_middle_ + Vec{v.x(), v.y()});
     if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();

@@ -18,8 +18,8 @@ class ClipperSum final : public PairSum {
  public:
   explicit ClipperSum(const OutlinePair& pair)
       : pattern_{path_of(pair.mirrored_q())}, along_{path_of(pair.p->polygon)} {
-    // Clipper fills what the pattern leaves open inside the path, not the path inside the pattern: the smaller one,
-    // which cannot hold the other, has to be the pattern.
+    // Clipper fills holes of the pattern inside the path, but not holes of the path inside the pattern, so the smaller
+    // polygon, which cannot contain the larger, has to be the pattern.
     if (std::abs(ClipperLib::Area(pattern_)) > std::abs(ClipperLib::Area(along_[0]))) std::swap(pattern_, along_[0]);
   }
   void make() override { ClipperLib::MinkowskiSum(pattern_, along_, sum_, true); }

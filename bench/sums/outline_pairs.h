@@ -1,5 +1,5 @@
-// The pairs of outlines that sum_table adds: neighbours in markers, and random stars for sizes that markers do not
-// have.
+// The pairs of outlines that sum_table adds: neighbours in markers, and random stars for sizes that do not occur in
+// markers.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace selvage::bench {
 
-// Of every two neighbours in the sense of a compaction's first round, in their relative orientation, taken once however
-// often it occurs.
+// Every pair of pieces that are neighbours in the first round of a compaction, in their relative orientation; equal
+// pairs are listed once.
 [[nodiscard]] std::vector<OutlinePair> neighbours_in(const Marker& marker);
 
-// Pairs of random stars with this many vertices each, their centres' distances even in [0.1, 0.5] of the extent.
+// Pairs of random stars with this many vertices each, whose radii are uniform in [0.1, 0.5] of the extent.
 [[nodiscard]] std::vector<OutlinePair> random_stars(std::size_t vertices, std::size_t pairs);
 
 }  // namespace selvage::bench

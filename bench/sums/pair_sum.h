@@ -1,6 +1,7 @@
-// One pair of polygons as a library keeps them, and their Minkowski sum by that library: what sum_table compares.
+// A pair of polygons in a library's own representation, and their Minkowski sum computed by that library; sum_table
+// compares the libraries.
 //
-// Polygons are made ready beforehand, each library's in its own form; make() is what is timed.
+// The polygons are converted beforehand; only make() is timed.
 #pragma once
 
 #include <memory>
@@ -12,7 +13,7 @@
 
 namespace selvage::bench {
 
-// P, and Q as it stands to P: the sum is that of P and -(Q under `relative`).
+// P, and Q relative to P: the sum is that of P and -(Q under `relative`).
 struct OutlinePair {
   std::shared_ptr<const outline::Outline> p, q;
   Symmetry relative;
@@ -26,9 +27,9 @@ class PairSum {
   PairSum(const PairSum&) = delete;
   PairSum& operator=(const PairSum&) = delete;
   virtual ~PairSum() = default;
-  // Makes the sum anew and lets go of the last one.
+  // Computes the sum again, releasing the previous one.
   virtual void make() = 0;
-  // Where the sum last made differs from the exact one.
+  // The difference of the last sum from the exact one.
   [[nodiscard]] virtual test::Difference difference(const test::ExactSum& exact) const = 0;
 };
 
@@ -38,9 +39,10 @@ struct Library {
 };
 
 [[nodiscard]] std::unique_ptr<PairSum> selvage_sum(const OutlinePair& pair);
-// minkowski_sum_2 in the exact kernel: the reduced convolution.
+// CGAL's minkowski_sum_2 with the exact kernel, which uses the reduced convolution.
 [[nodiscard]] std::unique_ptr<PairSum> cgal_sum(const OutlinePair& pair);
-// ClipperLib::MinkowskiSum of the smaller along the larger, which unites a quadrilateral for each pair of edges.
+// ClipperLib::MinkowskiSum of the smaller polygon along the larger, which unites a quadrilateral for each pair of
+// edges.
 [[nodiscard]] std::unique_ptr<PairSum> clipper_sum(const OutlinePair& pair);
 // Boost.Polygon's convolution of polygon sets, which does the same.  Null for a pair too large for 32 bits.
 [[nodiscard]] std::unique_ptr<PairSum> boost_sum(const OutlinePair& pair);

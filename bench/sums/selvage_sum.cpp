@@ -6,7 +6,8 @@
 namespace selvage::bench {
 namespace {
 
-// Nothing is cached; the outlines' star parts are worked out beforehand, once for all pairs, as in a compaction.
+// Sums are not cached.  The star-shaped parts of the outlines are computed beforehand, once for all pairs, as in a
+// compaction.
 class SelvageSum final : public PairSum {
  public:
   explicit SelvageSum(OutlinePair pair) : pair_{std::move(pair)} {}

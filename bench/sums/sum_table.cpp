@@ -1,12 +1,15 @@
-// Minkowski sums beside other libraries', one core, one run: how long they take and whether they are right.  Markdown.
+// Compares Minkowski sums of several libraries on one core, in one run: their time, and whether they are correct.
+// Prints Markdown tables.
 //
 // usage: sum_table [--repetitions N] MARKER...
 //
-// The first table has a row for each marker and library, the second one for each size (vertices of both outlines) and
-// library: all markers' pairs together, and random stars.  Times of a pair are medians of N repetitions (3), taken
-// twice: pass by pass (each library goes over all pairs in turn, as a compaction would) and alternating pair by pair.
-// The differing area is that of the symmetric difference to CGAL's exact sum, square lattice units; `farthest` is the
-// distance of its farthest corner from the exact boundary.  More than a unit is more than rounding to the lattice.
+// The first table has a row for each marker and library.  The second has a row for each size (vertices of both
+// outlines) and library, for the pairs of all markers together and for random stars.  The time of a pair is the median
+// of N repetitions (default 3), measured in two orders: pass by pass (each library in turn processes all pairs, as in a
+// compaction), and alternating (all libraries process one pair before the next).
+// "Differing area" is the area of the symmetric difference from CGAL's exact sum, in square lattice units; "farthest"
+// is the distance of its farthest corner from the exact boundary.  More than one unit cannot be explained by rounding
+// to the lattice.
 #include <array>
 #include <chrono>
 #include <cstdio>
@@ -26,11 +29,12 @@ namespace {
 
 constexpr std::array<Library, 4> kLibraries{
     {{"Selvage", selvage_sum}, {"CGAL", cgal_sum}, {"Clipper", clipper_sum}, {"Boost.Polygon", boost_sum}}};
-constexpr std::size_t kJudge = 1;    // it is not asked about what takes it too long
-constexpr double kPatience = 5e4;    // microseconds: what takes longer is made once, and no larger pair of the set
-constexpr double kHopelessAt = 1e6;  // a library with such a median is not tried on larger stars
-constexpr double kRounding = 1;      // lattice units
-constexpr double kClose = 10;        // lattice units: rounding, if not only to the lattice
+constexpr std::size_t kReference = 1;  // index of CGAL, which is the reference, except where it is too slow
+constexpr double kTimeLimit =
+    5e4;  // microseconds: a sum that takes longer is computed once, and the library skips larger pairs of the set
+constexpr double kSkipAt = 1e6;  // a library with this median is not tried on larger stars
+constexpr double kRounding = 1;  // lattice units
+constexpr double kClose = 10;    // lattice units: an error that rounding in more than one step can explain
 
 using Tried = std::array<bool, kLibraries.size()>;
 using Clock = std::chrono::steady_clock;
@@ -41,7 +45,7 @@ double processor_time() {
   return static_cast<double>(now.tv_sec) * 1e6 + static_cast<double>(now.tv_nsec) * 1e-3;
 }
 
-// By the finer clock, or by the processor's when others had it meanwhile.
+// Wall time, which is more precise, or processor time when other processes ran meanwhile.
 double microseconds(PairSum& sum) {
   const double work = processor_time();
   const auto start = Clock::now();
@@ -50,7 +54,7 @@ double microseconds(PairSum& sum) {
   return std::min(passed, processor_time() - work);
 }
 
-// One pair and one library.
+// The measurements of one pair with one library.
 struct Measured {
   std::vector<double> by_pass, alternating;  // microseconds
   test::Difference difference;
@@ -72,12 +76,12 @@ class Comparison {
       if (tried[library]) pass(library, repetitions);
     }
     for (int k = 0; k < repetitions; ++k) alternate();
-    for (std::size_t i = 0; tried[kJudge] && i < pairs_.size(); ++i) judge(i);
+    for (std::size_t i = 0; tried[kReference] && i < pairs_.size(); ++i) judge(i);
     sums_.clear();
   }
   [[nodiscard]] const std::vector<OutlinePair>& pairs() const { return pairs_; }
   [[nodiscard]] const std::vector<MeasuredPair>& measured() const { return measured_; }
-  // Which libraries a set of larger pairs should be tried with.
+  // The libraries that should be tried on a set of larger pairs.
   [[nodiscard]] Tried worth_trying() const {
     Tried worth{};
     for (std::size_t library = 0; library < kLibraries.size(); ++library) {
@@ -85,22 +89,23 @@ class Comparison {
       for (const MeasuredPair& pair : measured_) {
         if (pair[library].tried()) times.push_back(pair[library].by_pass.front());
       }
-      worth[library] = !times.empty() && quantile(times, 0.5) < kHopelessAt;
+      worth[library] = !times.empty() && quantile(times, 0.5) < kSkipAt;
     }
     return worth;
   }
 
  private:
   void pass(std::size_t library, int repetitions) {
-    double hopeless = std::numeric_limits<double>::infinity();  // so many edges times edges
+    double hopeless =
+        std::numeric_limits<double>::infinity();  // product of the edge counts from which the library is skipped
     for (int k = 0; k < repetitions; ++k) {
       for (std::size_t i = 0; i < pairs_.size(); ++i) {
         if (!sums_[i][library]) continue;
         std::vector<double>& times = measured_[i][library].by_pass;
         const auto edges = static_cast<double>(pairs_[i].p->polygon.size() * pairs_[i].q->polygon.size());
-        if (edges >= hopeless || (!times.empty() && times.front() > kPatience)) continue;
+        if (edges >= hopeless || (!times.empty() && times.front() > kTimeLimit)) continue;
         times.push_back(microseconds(*sums_[i][library]));
-        if (times.back() > kPatience) hopeless = std::min(hopeless, edges);
+        if (times.back() > kTimeLimit) hopeless = std::min(hopeless, edges);
       }
     }
   }
@@ -108,13 +113,14 @@ class Comparison {
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       for (std::size_t library = 0; library < kLibraries.size(); ++library) {
         Measured& measured = measured_[i][library];
-        if (measured.tried() && measured.by_pass.front() <= kPatience) {
+        if (measured.tried() && measured.by_pass.front() <= kTimeLimit) {
           measured.alternating.push_back(microseconds(*sums_[i][library]));
         }
       }
     }
   }
-  // CGAL's convolution is much the faster judge; where anyone is far from it, the sum of convex parts is asked.
+  // CGAL's convolution is by far the fastest reference.  Where a library's sum is far from it, CGAL's sum of convex
+  // parts decides.
   void judge(std::size_t i) {
     for (const auto method : {test::ExactSum::Method::kConvolution, test::ExactSum::Method::kDecomposition}) {
       const test::ExactSum exact{pairs_[i].p->polygon, pairs_[i].mirrored_q(), method};
@@ -130,7 +136,7 @@ class Comparison {
 
   std::vector<OutlinePair> pairs_;
   std::vector<MeasuredPair> measured_;
-  std::vector<std::array<std::unique_ptr<PairSum>, kLibraries.size()>> sums_;  // as last made
+  std::vector<std::array<std::unique_ptr<PairSum>, kLibraries.size()>> sums_;  // the last results
 };
 
 void print_heading(const char* what) {
@@ -154,7 +160,7 @@ void print_rows(const std::string& name, const std::vector<const MeasuredPair*>&
       const Measured& ours = (*pair)[0];
       const Measured& theirs = (*pair)[library];
       if (!theirs.tried()) continue;
-      judged = judged || (*pair)[kJudge].tried();
+      judged = judged || (*pair)[kReference].tried();
       times.push_back(quantile(theirs.by_pass, 0.5));
       ratios.push_back(times.back() / quantile(ours.by_pass, 0.5));
       if (!theirs.alternating.empty()) {
@@ -178,7 +184,7 @@ void print_rows(const std::string& name, const std::vector<const MeasuredPair*>&
     if (judged) {
       std::printf(" %.2g | %.2f | %d |\n", area, distance, beyond);
     } else {
-      std::printf(" not judged | | |\n");
+      std::printf(" not checked | | |\n");
     }
   }
   std::fflush(stdout);
@@ -190,7 +196,7 @@ std::vector<const MeasuredPair*> all_of(const Comparison& comparison) {
   return all;
 }
 
-// The least number of vertices in a size's class: 8, 16, 32, ...
+// The smallest number of vertices in a size class: 8, 16, 32, ...
 std::size_t class_of(std::size_t vertices) {
   std::size_t low = 8;
   while (2 * low <= vertices) low *= 2;

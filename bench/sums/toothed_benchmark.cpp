@@ -1,7 +1,7 @@
-// How long the sum of two pieces takes when every tooth is a star part of its own: two saws, and two combs, that lie
-// one upside down to the other, teeth to teeth or back to back, and two that lie alike.  The argument is the number of
-// teeth; a saw has two vertices a tooth, a comb four, so that 499 are as many as a comb may have.  Those take minutes:
-// leave them out with --benchmark_filter='/(25|50|100|200)$'.
+// Time of the sum of two pieces of which every tooth is a star-shaped part of its own: two saws or two combs, one of
+// them upside down (teeth to teeth or back to back), or both in the same orientation.  The argument is the number of
+// teeth.  A saw has two vertices per tooth and a comb four, so 499 teeth are the most that a comb may have.  Those take
+// minutes: leave them out with --benchmark_filter='/(25|50|100|200)$'.
 #include <benchmark/benchmark.h>
 
 #include "core/minkowski/sum.h"
@@ -11,7 +11,8 @@
 namespace selvage::bench {
 namespace {
 
-// Where the one's origin may not lie while the other's is fixed: the sum of the other and of the one mirrored.
+// The positions of one piece's origin at which it overlaps the other: the sum of the other and the point reflection of
+// the first.
 enum class Lie { kUpsideDown, kAlike };
 
 void obstacle(benchmark::State& state, const Polygon& toothed, Lie lie) {

@@ -1,5 +1,4 @@
-// Marker files, as benchmarks and tables read them: the path is on the command line, and a file that cannot be read
-// ends the program with the reason.
+// Reading marker files in benchmarks and tables.  A file that cannot be read ends the program with the reason.
 #pragma once
 
 #include <cstdio>
@@ -27,7 +26,7 @@ inline std::string name_of(const std::string& path) {
   return std::filesystem::path{path}.stem().string();
 }
 
-// As placed outlines, for an independent judge.  False when the file cannot be written.
+// Writes the marker as placed outlines for an independent judge.  False when the file cannot be written.
 inline bool write_outlines(const std::string& path, const Marker& marker) {
   MarkerFile file{.marker = marker, .format = Format::kNative, .notes = {}, .attributes = {}};
   std::ofstream out{path};

@@ -1,4 +1,4 @@
-// The value that a part of the values lies below: 0.5 is the median.
+// The quantile of a list of values; `part` = 0.5 gives the median.
 #pragma once
 
 #include <algorithm>

@@ -1,10 +1,11 @@
-// What moving all pieces at once with position programs is worth: beside it the velocity-based model [Li94 chapter 2]
-// and moving one piece at a time [Li94 4.2.3], on the same markers, in one run.  Prints Markdown.
+// Compares position-based compaction, which moves all pieces at once, with two baselines on the same markers in one
+// run: the velocity-based model [Li94 chapter 2], and moving one piece at a time [Li94 4.2.3].  Prints Markdown tables.
 //
 // usage: baseline_table [--velocity FILE...] [--one-at-a-time FILE...]
 //
-// Each row compacts the same healed marker; times are of one thread, the sums in the cache, the least of three runs
-// (of one, when it takes longer than two seconds).  Every answer is checked in integers.
+// Both methods of a row compact the same marker, whose small overlaps have been repaired.  Times are of one thread with
+// all sums in the cache: the minimum of three runs, or of one run if it takes longer than two seconds.  Every result is
+// checked exactly.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -32,7 +33,7 @@ const char* word_of(scene::StopReason reason) {
   return "solver failed";
 }
 
-std::optional<Marker> healed_marker(const std::string& path, SumCache& sums) {
+std::optional<Marker> repaired_marker(const std::string& path, SumCache& sums) {
   std::ifstream in{path};
   std::stringstream text;
   text << in.rdbuf();
@@ -56,7 +57,7 @@ struct Timed {
     return static_cast<double>(result.length_after) / static_cast<double>(result.length_before);
   }
 };
-// Exits when the answer is no answer: a table of wrong ones is worth nothing.
+// Ends the program when a result is not valid.
 template <class Motion>
 Timed timed(Motion motion) {
   std::optional<Timed> best;
@@ -65,7 +66,7 @@ Timed timed(Motion motion) {
     auto result = motion();
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
     if (!result || !is_valid(result->marker) || result->length_after > result->length_before) {
-      std::fprintf(stderr, "not a valid answer\n");
+      std::fprintf(stderr, "not a valid result\n");
       std::exit(1);
     }
     if (!best || took.count() < best->milliseconds) best = Timed{std::move(*result), took.count()};
@@ -82,7 +83,7 @@ bool compare(const std::vector<std::string>& paths, bool velocity) {
                     "ms | ended |\n|---|---|---|---|---|---|---|---|\n");
   for (const std::string& path : paths) {
     SumCache sums;
-    const auto marker = healed_marker(path, sums);
+    const auto marker = repaired_marker(path, sums);
     if (!marker) return false;
     (void)compact(*marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums});  // fills the cache
     const Timed all =

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Compacts marker files with the command line client and prints a Markdown table of what was gained.
+"""Compacts marker files with the command line client and prints a Markdown table of the gains.
 
 usage: compaction_table.py --selvage BINARY [--accuracy WORD] [--judge CHECKER] FILE...
 
---judge: a program that is given each result's outlines file and exits 0 when the layout is valid
-(tests/judge/judge_layout.py); a result counts as valid when it and Selvage say so.
-Exit status 1 when some marker could not be compacted, came out longer, or is not valid.
+--judge: a program that is given the outlines file of each result and exits with 0 when the layout is valid
+(tests/judge/judge_layout.py); a result counts as valid when both the program and Selvage find it valid.
+Exit status 1 when a marker could not be compacted, became longer, or is not valid.
 """
 import argparse
 import json
@@ -38,7 +38,7 @@ def main():
     parser.add_argument("--judge")
     parser.add_argument("files", nargs="+")
     options = parser.parse_args()
-    print("| marker | pieces | length before | after | after / before | utilisation before | after | healed pairs | rounds | ms | valid |")
+    print("| marker | pieces | length before | after | after / before | utilisation before | after | repaired pairs | rounds | ms | valid |")
     print("|---|---|---|---|---|---|---|---|---|---|---|")
     good = True
     with tempfile.TemporaryDirectory() as folder:

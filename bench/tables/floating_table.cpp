@@ -1,6 +1,9 @@
-// What floating does to compacted markers, as the Markdown table of docs/measurements.md: each of the garment markers
-// compacted at standard accuracy, then floated in each mode.  Arguments: the distance, in the marker's unit (default
-// 5), and the one marker to look at (default: all).
+// Floats compacted markers and prints the Markdown table of docs/measurements-floating.md: each garment marker is
+// compacted at standard accuracy and then floated in each mode.
+//
+// usage: floating_table [DISTANCE [MARKER]]
+//
+// DISTANCE is in the marker's unit (default 5); MARKER selects one marker (default: all).
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -23,12 +26,13 @@ Marker marker_named(const std::string& name) {
   return protocol::formats::read_marker(text.str())->marker;
 }
 
-struct MethodContext {
+struct Means {
   double before{}, after{};
 };
-// Over the gaps that were narrower than the distance, each counting as no wider than it.
-MethodContext means_of(const motion::floating::Floating& floating, double distance) {
-  MethodContext sum;
+// The mean widths, before and after, of the gaps that were narrower than the distance; a gap counts as no wider than
+// the distance.
+Means means_of(const motion::floating::Floating& floating, double distance) {
+  Means sum;
   double count = 0;
   for (const motion::floating::GapWidths& gap : floating.gaps) {
     if (gap.before >= distance) continue;
@@ -36,7 +40,7 @@ MethodContext means_of(const motion::floating::Floating& floating, double distan
     sum.after += std::min(gap.after, distance);
     ++count;
   }
-  return count > 0 ? MethodContext{sum.before / count, sum.after / count} : sum;
+  return count > 0 ? Means{sum.before / count, sum.after / count} : sum;
 }
 
 std::size_t touching(const motion::floating::Floating& floating, double width,
@@ -57,7 +61,7 @@ bool print_row(const std::string& name, const char* mode, const Marker& start,
   }
   const double unit = to_decimal(1, start.resolution);
   const auto distance = static_cast<double>(settings.distance);
-  const MethodContext context = means_of(*floating, distance);
+  const Means context = means_of(*floating, distance);
   const double narrow = 0.01 * distance;
   const bool good = is_valid(floating->marker) && floating->length_after <= floating->length_before;
   std::printf("| %s | %s | %zu | %.3g | %.3g | %zu | %zu | %.3f | %.3f | %lld | %d | %d | %.0f | %s |\n", name.c_str(),

@@ -1,12 +1,13 @@
-// How well and how fast overlapping markers are separated: the pieces of valid markers are shaken by noise, separated,
-// and compacted.  Prints Markdown.
+// Measures how often and how fast overlapping markers are separated: the pieces of valid markers are perturbed by
+// noise, separated, and compacted.  Prints Markdown tables.
 //
 // usage: separation_table [--seeds N] [--outlines FOLDER] FILE...
 //
-// With --outlines, every marker that came apart by the nearest boundary point is written to
-// FOLDER/MARKER-NOISE-SEED.json as placed outlines, for an independent judge. Noise of p moves every piece by up to p
-// times its diameter, evenly along each axis, but not out of the strip's width. The length may grow by 2 % of the
-// marker's own, not of the shaken one's.  Times are the processor's for separate() alone, the sums in the cache.
+// With --outlines, every marker that was separated with the nearest boundary point as target is written to
+// FOLDER/MARKER-NOISE-SEED.json as placed outlines, for an independent judge.  Noise of p moves every piece by up to p
+// times its diameter, uniformly along each axis, but not out of the strip's width.  The length may grow by 2 % of the
+// original marker's length, not of the perturbed one's.  Times are processor times of separate() alone, with all sums
+// in the cache.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -37,7 +38,7 @@ double diameter_of(const Polygon& polygon) {
   return most;
 }
 
-Marker shaken(Marker marker, double noise, std::uint32_t seed) {
+Marker perturbed(Marker marker, double noise, std::uint32_t seed) {
   std::mt19937 random{seed};
   const auto even = [&] { return 2 * static_cast<double>(random()) / 4294967296.0 - 1; };
   const Coord length = length_of(marker);
@@ -60,10 +61,10 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
-// What the runs at one noise came to.
+// The results of the runs at one noise level.
 struct Runs {
   int all{}, valid{};
-  std::vector<double> milliseconds, rounds, ratio;  // ratio: length after compaction over the unshaken marker's
+  std::vector<double> milliseconds, rounds, ratio;  // ratio: length after compaction divided by the original marker's
   void append(const Runs& more) {
     all += more.all;
     valid += more.valid;
@@ -83,7 +84,7 @@ Runs run(const std::string& name, const Marker& marker, double noise, motion::re
   Runs runs;
   const motion::separation::SeparationSettings settings{.grow = kGrow, .target = rule};
   for (std::uint32_t seed = 1; seed <= options.seeds; ++seed) {
-    const Marker start = shaken(marker, noise, seed);
+    const Marker start = perturbed(marker, noise, seed);
     (void)separate(start, settings, {sums});  // fills the cache
     const std::clock_t begin = std::clock();
     const auto result = separate(start, settings, {sums});
@@ -134,7 +135,7 @@ int table(std::span<const std::string> files, const Options& options) {
   }
   for (const auto& [rule, title] : {std::pair{motion::repair::TargetRule::kNearest, "Nearest boundary point"},
                                     std::pair{motion::repair::TargetRule::kKernelRay, "Kernel ray"}}) {
-    std::printf("\n%s:\n\n| marker | pieces | noise | apart | | rounds | compacted / unshaken | ms |\n", title);
+    std::printf("\n%s:\n\n| marker | pieces | noise | separated | | rounds | compacted / original | ms |\n", title);
     std::printf("|---|---|---|---|---|---|---|---|\n");
     for (const double noise : {0.01, 0.02, 0.05}) {
       Runs all;

@@ -1,12 +1,12 @@
-// What small tilts bring beyond translational compaction, and in which time: by linearisation [Li94 6.2], the same with
-// shakes, and by relaxation [Li94 6.1.3].  Prints Markdown.
+// Measures the gain of small tilts over translational compaction, and their time: by linearisation [Li94 6.2], by
+// linearisation with random perturbations, and by relaxation [Li94 6.1.3].  Prints a Markdown table.
 //
-// usage: tilt_table [--limit DEGREES] [--shakes N] [--outlines FOLDER] FILE...
+// usage: tilt_table [--limit DEGREES] [--perturbations N] [--outlines FOLDER] FILE...
 //
-// The limit (3 degrees unless told) stands for every shape's own.  With --outlines, every result is written to
-// FOLDER/MARKER-METHOD.json as placed outlines, for an independent judge.  Times are the processor's for tilt(), the
-// compaction it begins with included, nothing in the cache of sums.  Exit status 1 when a result is not valid, longer
-// than compaction's, or tilted beyond the limit.
+// The limit (default 3 degrees) replaces every shape's own.  With --outlines, every result is written to
+// FOLDER/MARKER-METHOD.json as placed outlines, for an independent judge.  Times are processor times of tilt(),
+// including the compaction that it starts with, with an empty cache of sums.  Exit status 1 when a result is not valid,
+// is longer than that of compaction, or is tilted beyond the limit.
 #include <cstdio>
 #include <ctime>
 #include <fstream>
@@ -31,10 +31,10 @@ struct Options {
 struct Method {
   const char* name;
   motion::tilting::TiltMethod method;
-  bool shaken;
+  bool perturbed;
 };
 constexpr Method kMethods[] = {{"linearisation", motion::tilting::TiltMethod::kLinearisation, false},
-                               {"linearisation-shaken", motion::tilting::TiltMethod::kLinearisation, true},
+                               {"linearisation-perturbed", motion::tilting::TiltMethod::kLinearisation, true},
                                {"relaxation", motion::tilting::TiltMethod::kRelaxation, false}};
 
 double part_of(Coord length, Coord of) {
@@ -49,7 +49,7 @@ bool save(const Options& options, const std::string& name, const MarkerFile& fil
   return text && out.good();
 }
 
-// The gains, as parts of the length before.
+// The gains as fractions of the length before.
 struct Gains {
   double compaction{}, tilt{};
 };
@@ -57,7 +57,7 @@ struct Gains {
 bool print_row(const Options& options, const std::string& name, MarkerFile file, const Method& method, Gains& gains) {
   motion::tilting::TiltSettings settings = tilt_settings(method.method, motion::compaction::Accuracy::kStandard);
   settings.limit = Angle::of_degrees(options.limit);
-  if (method.shaken) {
+  if (method.perturbed) {
     settings.perturbations = options.perturbations;
     settings.rounds *= 1 + options.perturbations;
   }
@@ -118,13 +118,13 @@ int main(int argc, char** argv) {
   std::vector<std::string> words{argv + 1, argv + argc};
   while (words.size() >= 2 && words[0].starts_with("--")) {
     if (words[0] == "--limit") options.limit = std::stod(words[1]);
-    if (words[0] == "--shakes") options.perturbations = std::stoi(words[1]);
+    if (words[0] == "--perturbations") options.perturbations = std::stoi(words[1]);
     if (words[0] == "--outlines") options.outlines = words[1];
     words.erase(words.begin(), words.begin() + 2);
   }
   options.files = words;
   if (options.files.empty()) {
-    std::fprintf(stderr, "usage: tilt_table [--limit DEGREES] [--shakes N] [--outlines FOLDER] FILE...\n");
+    std::fprintf(stderr, "usage: tilt_table [--limit DEGREES] [--perturbations N] [--outlines FOLDER] FILE...\n");
     return 2;
   }
   return selvage::bench::table(options);

@@ -3,7 +3,7 @@
 namespace selvage {
 namespace {
 
-class LoneHand final : public Executor {
+class SerialExecutor final : public Executor {
  public:
   [[nodiscard]] std::size_t parallelism() const override { return 1; }
   void for_each(std::size_t count, const Part& part) const override {
@@ -14,8 +14,8 @@ class LoneHand final : public Executor {
 }  // namespace
 
 const Executor& serial() {
-  static const LoneHand lone_hand;
-  return lone_hand;
+  static const SerialExecutor executor;
+  return executor;
 }
 
 }  // namespace selvage

@@ -1,7 +1,8 @@
-// Hands: how a caller lends the core more threads than the one it calls on.  The core itself starts none.
+// Executor: the interface through which a caller lends the core more threads than the calling one.  The core starts no
+// threads itself.
 //
-// A crew does the parts of one task, several at once.  Each part leaves what it finds in a place of its own, and what
-// is found is put together in the order of the parts: the same bytes however many hands there are.
+// An executor runs the parts of one task, several at a time.  Each part writes only to its own storage, and the results
+// are combined in the order of the parts.  Results are therefore identical to the byte for any number of threads.
 #pragma once
 
 #include <algorithm>
@@ -17,18 +18,21 @@ class Executor {
   using Part = std::function<void(std::size_t)>;
 
   virtual ~Executor() = default;
-  // How many parts it may do at once, whoever asks included; at least 1.
+  // The largest number of parts that run at the same time, including one on the calling thread; at least 1.
   [[nodiscard]] virtual std::size_t parallelism() const = 0;
-  // Calls part(0), ..., part(count - 1), each once, in any order and several at once; returns when the last has ended.
-  // What a part throws is thrown here, once the parts under way have ended; of several, what the first of them threw.
+  // Calls part(0), ..., part(count - 1), each exactly once, in any order and possibly concurrently.  Returns when all
+  // have finished.
+  // An exception thrown by a part is rethrown to the caller once the running parts have finished; if several parts
+  // throw, the exception of the part that threw first is rethrown.
   virtual void for_each(std::size_t count, const Part& part) const = 0;
 };
 
-// The crew of one hand: the caller's thread, one part after another.
+// Runs all parts in order on the calling thread.
 [[nodiscard]] const Executor& serial();
 
-// What append(k, out) appends to `out` for k = 0, ..., count - 1, in this order.  So many in a row as `block` says are
-// one part of the crew's.  REQUIRES: block > 0; append may be called for several k at once.
+// Returns everything that append(k, out) appends to `out` for k = 0, ..., count - 1, in that order.  The calls are
+// divided into parts of `block` consecutive indices.
+// REQUIRES: block > 0; append may be called concurrently for different k.
 template <class Value, class Append>
 [[nodiscard]] std::vector<Value> gathered(const Executor& executor, std::size_t count, std::size_t block,
                                           const Append& append) {
@@ -40,7 +44,7 @@ template <class Value, class Append>
   }
   std::vector<std::vector<Value>> found(parts);
   executor.for_each(parts, [&](std::size_t part) {
-    std::vector<Value> own;  // beside no other thread's
+    std::vector<Value> own;  // local to the thread, which avoids false sharing
     const std::size_t end = std::min(count, (part + 1) * block);
     for (std::size_t k = part * block; k < end; ++k) append(k, own);
     found[part] = std::move(own);

@@ -1,4 +1,4 @@
-// Strong ids: an index into one table that cannot be mistaken for an index into another.
+// Strong ids: the index into one table is a different type from the index into another.
 #pragma once
 
 #include <compare>

@@ -1,4 +1,4 @@
-// Result<T>: a value or an Error.  (The standard's std::expected comes with C++23; this is the part of it we use.)
+// Result<T>: a value or an Error.  It provides the part of C++23's std::expected that this project uses.
 #pragma once
 
 #include <utility>

@@ -12,14 +12,14 @@ struct Edge {
   Box box;
 };
 
-// How far apart two boxes are on either axis, as a vector's length.
+// The Euclidean distance between two boxes.
 double gap_between(const Box& a, const Box& b) {
   const auto x = static_cast<double>(std::max({a.low.x - b.high.x, b.low.x - a.high.x, Coord{0}}));
   const auto y = static_cast<double>(std::max({a.low.y - b.high.y, b.low.y - a.high.y, Coord{0}}));
   return std::sqrt(x * x + y * y);
 }
 
-// The polygon's edges that may be nearer to `other` than `reach`.
+// The edges of the polygon whose boxes are nearer than `reach` to the box `other`.
 std::vector<Edge> edges_near(const PlacedPolygon& polygon, const Box& other, double reach) {
   std::vector<Edge> edges;
   const auto& v = polygon.vertices;
@@ -58,7 +58,7 @@ double distance_within(const PlacedPolygon& p, const PlacedPolygon& q, double re
   for (const Edge& e : p_edges) {
     if (gap_between(e.box, q_box) >= least) continue;
     for (const Edge& f : q_edges) {
-      // Of two edges that do not cross, an end of one is as near to the other as any of its points.
+      // The distance of two edges that do not cross is attained at an end of one of them.
       if (gap_between(e.box, f.box) >= least) continue;
       least = std::min({least, distance_to_edge(e.from, f), distance_to_edge(e.to, f), distance_to_edge(f.from, e),
                         distance_to_edge(f.to, e)});

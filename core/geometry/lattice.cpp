@@ -8,7 +8,8 @@
 namespace selvage::geometry {
 namespace {
 
-constexpr double kFinestWidth = 1 << 28;  // units that a strip is at least wide, where the lattice allows it
+constexpr double kFinestWidth =
+    1 << 28;  // the least width of a strip in lattice units, where the lattice limit allows it
 
 double power_of_ten(int exponent) {
   static constexpr std::array<double, 23> kPowers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,

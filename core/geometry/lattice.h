@@ -1,8 +1,8 @@
-// The integer lattice that all geometry lives on, and how a marker's decimals map to it.
+// The integer lattice that all geometry uses, and the mapping from a marker's decimal numbers to it.
 //
-// A coordinate is a whole number of lattice units; a marker's Resolution says how long one unit is (a power of ten of
-// the marker's own unit, so that decimal input is exact).  Extents stay below 2^40 units, hence Minkowski sums below
-// 2^41 and every cross product below 2^86: exact in 128 bits.
+// A coordinate is a whole number of lattice units.  A marker's Resolution gives the length of a lattice unit as a power
+// of ten of the marker's own unit, so decimal input is represented exactly.  Extents stay below 2^40 units, so
+// Minkowski sums stay below 2^41 and every cross product below 2^86, which is exact in 128 bits.
 #pragma once
 
 #include <algorithm>
@@ -47,15 +47,18 @@ struct Box {
   [[nodiscard]] constexpr Coord height() const { return high.y - low.y; }
   [[nodiscard]] constexpr Box moved(Vec by) const { return {low + by, high + by}; }
   [[nodiscard]] constexpr Box grown(Coord by) const { return {{low.x - by, low.y - by}, {high.x + by, high.y + by}}; }
-  // True when the interiors meet; boxes that only touch do not.
+  // True when the interiors intersect; boxes that only touch do not overlap.
   [[nodiscard]] constexpr bool overlaps(const Box& other) const {
     return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y && other.low.y < high.y;
+  }
+  [[nodiscard]] constexpr bool contains(const Box& other) const {
+    return other.low.x >= low.x && other.low.y >= low.y && other.high.x <= high.x && other.high.y <= high.y;
   }
   [[nodiscard]] constexpr bool touches(const Box& other) const {
     return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y;
   }
 };
-// The smallest box over both.
+// The smallest box that contains both.
 [[nodiscard]] constexpr Box united(const Box& a, const Box& b) {
   return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
           {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
@@ -71,15 +74,16 @@ struct Resolution {
 inline constexpr int kFinestExponent = -22;  // 10^22 is the largest power of ten a double holds exactly
 inline constexpr int kCoarsestExponent = 6;
 
-// The number of decimals in the shortest text of `value`: 12.5 has 1, 100 has 0, 1e-7 has 7.
+// The number of decimal places in the shortest decimal text of `value`: 12.5 has 1, 100 has 0, 1e-7 has 7.
 [[nodiscard]] int decimals_of(double value);
 
-// The default resolution.  `decimals`: the most decimals of any input number; `extent`: the largest absolute
-// coordinate, in the marker's unit; `width`: the strip's.  Decimals are exact and the strip at least 2^28 units wide,
-// unless that would take the extent beyond the lattice: then as fine as the lattice allows.
+// The default resolution.  `decimals` is the largest number of decimal places in the input; `extent` is the largest
+// absolute coordinate and `width` is the strip's width, both in the marker's unit.
+// The resolution represents all input exactly and makes the strip at least 2^28 units wide, unless that would exceed
+// the lattice limit; then it is as fine as the limit allows.
 [[nodiscard]] Resolution choose_resolution(int decimals, double extent, double width);
 
-// The nearest lattice coordinate.  Exact when `value` has no more decimals than the resolution.
+// The nearest lattice coordinate.  Exact when `value` has no more decimal places than the resolution.
 // REQUIRES: fits_lattice(value, resolution).
 [[nodiscard]] Coord to_lattice(double value, Resolution resolution);
 [[nodiscard]] bool fits_lattice(double value, Resolution resolution);
@@ -88,7 +92,7 @@ inline constexpr int kCoarsestExponent = 6;
 
 }  // namespace selvage::geometry
 
-// Vocabulary: named in selvage itself as well, so that every room may use it unqualified.
+// Basic types: also available in namespace selvage, so that every folder can use them unqualified.
 namespace selvage {
 using geometry::Box;
 using geometry::Coord;

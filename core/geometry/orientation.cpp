@@ -33,7 +33,7 @@ Polygon turned(const Polygon& polygon, Angle turn) {
     const auto y = static_cast<double>(v.y);
     return Vec{std::llround(c * x - s * y), std::llround(s * x + c * y)};
   });
-  // Rounding may leave vertices that no longer turn; without them it is a Polygon again.
+  // Rounding may leave repeated or collinear vertices; clean_polygon removes them.
   auto clean = clean_polygon(image);
   return clean ? std::move(clean->polygon) : image;
 }

@@ -1,8 +1,8 @@
-// How a piece lies: flip, then a rotation, then a tilt [Li94 1.1.4; design: numbers].
+// The orientation of a piece: a flip, then a rotation, then a tilt [Li94 1.1.4; design: numbers].
 //
-// Flips and multiples of 90 degrees map the lattice onto itself: they form the eight Symmetries and are exact.  What is
-// left of the angle is a turn of less than 90 degrees; a turned shape is rounded to the lattice once, and from then on
-// the rounded shape is the piece.
+// Flips and multiples of 90 degrees map the lattice onto itself.  They form the eight Symmetries and are exact.  The
+// rest of the angle is a turn of at most 45 degrees.  A turned shape is rounded to the lattice once, and from then on
+// the rounded polygon is the piece's outline.
 #pragma once
 
 #include <compare>
@@ -20,13 +20,13 @@ struct Angle {
 };
 
 struct Orientation {
-  bool flip{};     // mirrored first: y becomes -y, so the grain line (along x) stays
+  bool flip{};     // mirrored first: y becomes -y, so the grain line (along x) is unchanged
   Angle rotation;  // one of the shape's allowed rotations
-  Angle tilt;      // small, on top of the rotation
+  Angle tilt;      // a small angle added to the rotation
   friend constexpr auto operator<=>(const Orientation&, const Orientation&) = default;
 };
 
-// One of the eight exact symmetries of the lattice: a flip (y becomes -y) and then quarter turns.
+// One of the eight exact symmetries of the lattice: an optional flip (y becomes -y) followed by quarter turns.
 class Symmetry {
  public:
   constexpr Symmetry() = default;
@@ -60,10 +60,12 @@ class Symmetry {
   bool flip_{};
   std::uint8_t quarters_{};
 };
-// The image, counter-clockwise again when the symmetry flips (its vertices then run backwards from the first).
+// The image of the polygon, in counter-clockwise order.  When the symmetry flips, the vertices are listed in reverse
+// order, starting with the image of the first.
 [[nodiscard]] Polygon transformed(const Polygon& polygon, Symmetry symmetry);
 
-// An orientation taken apart: p -> symmetry(turn(p)), turn less than 90 degrees, 0 when the orientation is exact.
+// An orientation split into p -> symmetry(turn(p)).  The turn is at most 45 degrees in size, and 0 when the orientation
+// is exact.
 struct SplitOrientation {
   Angle turn;
   Symmetry symmetry;
@@ -71,16 +73,18 @@ struct SplitOrientation {
 };
 [[nodiscard]] SplitOrientation split(const Orientation& orientation);
 
-// The polygon turned about its own origin, each vertex rounded to the nearest lattice point; the same polygon for 0.
-// Rounding can in principle make a needle touch itself: then what comes back is not a Polygon (make_marker refuses it).
+// The polygon rotated about its own origin, each vertex rounded to the nearest lattice point; unchanged for an angle of
+// 0.
+// Rounding can in principle make a thin spike touch itself.  The result is then not a Polygon, and make_marker rejects
+// it.
 [[nodiscard]] Polygon turned(const Polygon& polygon, Angle turn);
 
-// The whole: flip, rotation, tilt.
+// Applies the whole orientation: flip, rotation and tilt.
 [[nodiscard]] Polygon oriented(const Polygon& polygon, const Orientation& orientation);
 
 }  // namespace selvage::geometry
 
-// Vocabulary: named in selvage itself as well, so that every room may use it unqualified.
+// Basic types: also available in namespace selvage, so that every folder can use them unqualified.
 namespace selvage {
 using geometry::Angle;
 using geometry::Orientation;

@@ -8,7 +8,7 @@
 namespace selvage::geometry {
 namespace {
 
-// An edge of one polygon in the frame of the pair, with its neighbours' far ends: what a cone test needs.
+// An edge of one polygon in the common frame of the pair, and the vertex before it, which the cone test needs.
 struct Edge {
   Vec before, from, to;
   Box box;
@@ -18,15 +18,16 @@ Box box_of_segment(Vec a, Vec b) {
   return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
 }
 
-using Edges = boost::container::small_vector<Edge, 24>;  // most pairs have fewer near each other
+using Edges = boost::container::small_vector<Edge, 24>;  // inline capacity; most pairs have fewer edges near each other
 
-// The sides of a box that a point lies beyond, as bits.
+// A bit mask of the sides of the box that the point lies strictly outside of.
 unsigned sides_beyond(const Box& box, Vec point) {
   return static_cast<unsigned>(point.x < box.low.x) | static_cast<unsigned>(point.x > box.high.x) << 1U |
          static_cast<unsigned>(point.y < box.low.y) << 2U | static_cast<unsigned>(point.y > box.high.y) << 3U;
 }
 
-// The edges of `polygon` whose boxes touch `window`: those with no side that both ends lie beyond.
+// The edges of `polygon` whose boxes touch `window`: an edge is left out when both of its ends are outside the same
+// side.
 Edges edges_near(const PlacedPolygon& polygon, const Box& window) {
   Edges edges;
   const auto& v = polygon.vertices;
@@ -47,8 +48,8 @@ Edges edges_near(const PlacedPolygon& polygon, const Box& window) {
   return edges;
 }
 
-// True when direction d lies in the half-open arc [start, end), counter-clockwise.  REQUIRES: start, end not parallel
-// in the same sense.
+// True when direction d lies in the half-open arc [start, end), counter-clockwise.  REQUIRES: start and end do not
+// point in the same direction.
 bool in_arc(Vec start, Vec end, Vec d) {
   const Wide turn = cross(start, end);
   if (turn > 0) return cross(start, d) >= 0 && cross(d, end) > 0;
@@ -69,13 +70,14 @@ Cone cone_at(const Edge& edge, Vec point) {
   return {forward, point == edge.from ? edge.before - edge.from : -forward};
 }
 
-bool on_half_open(const Edge& edge, Vec point, int side) {  // on [from, to), given its side of the line
+bool on_half_open(const Edge& edge, Vec point,
+                  int side) {  // true for a point on [from, to), given its side of the edge's line
   return side == 0 && point != edge.to && edge.box.touches({point, point});
 }
 
 enum class Meeting { kNone, kTouch, kOverlap };
 
-// How the boundaries meet in one pair of edges.
+// How the two boundaries meet at one pair of edges.
 Meeting meeting_of(const Edge& e, const Edge& f) {
   const int f_from = side_of(e.from, e.to, f.from);
   const int f_to = side_of(e.from, e.to, f.to);
@@ -101,8 +103,8 @@ Box common_window(const PlacedPolygon& p, const PlacedPolygon& q) {
           {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y)}};
 }
 
-// q holds p, given that their boundaries share no point.
-bool holds(const PlacedPolygon& q, const PlacedPolygon& p) {
+// True when q contains p, given that their boundaries share no point.
+bool contains(const PlacedPolygon& q, const PlacedPolygon& p) {
   const Box outer = q.placed_box();
   const Box inner = p.placed_box();
   const bool may = outer.low.x < inner.low.x && outer.low.y < inner.low.y && inner.high.x < outer.high.x &&
@@ -129,7 +131,8 @@ bool nearer_than(Vec point, Vec from, Vec to, Coord distance) {
   if (projection <= 0) return dot(out, out) < reach;
   const Wide length = dot(along, along);
   if (projection >= length) return dot(point - to, point - to) < reach;
-  // |area| / |along| < distance; doubles decide unless they are within their rounding of each other.
+  // Tests |area| / |along| < distance in doubles; when the two sides agree to within rounding, exact 256-bit integers
+  // decide.
   const Wide area = cross(along, out);
   const double left = std::abs(static_cast<double>(area));
   const double right = static_cast<double>(distance) * std::sqrt(static_cast<double>(length));
@@ -154,7 +157,8 @@ double squared(Real a, Real b) {
   return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
 }
 
-// Interior stretches of the horizontal line y through a polygon, as sorted x values taken in pairs.
+// The x coordinates, sorted, at which the horizontal line at y crosses the polygon; each consecutive pair bounds an
+// interior stretch.
 std::vector<double> crossings_at(const PlacedPolygon& polygon, double y) {
   std::vector<double> xs;
   const auto& v = polygon.vertices;
@@ -170,7 +174,7 @@ std::vector<double> crossings_at(const PlacedPolygon& polygon, double y) {
   return xs;
 }
 
-// The widest stretch of the line y inside both: its middle and its width.
+// The widest stretch of the horizontal line at y that lies inside both polygons: its middle and its width.
 std::pair<double, double> widest_common_stretch(const PlacedPolygon& p, const PlacedPolygon& q, double y) {
   const auto ps = crossings_at(p, y);
   const auto qs = crossings_at(q, y);
@@ -201,7 +205,7 @@ bool overlap(const PlacedPolygon& p, const PlacedPolygon& q) {
       touching = touching || meeting == Meeting::kTouch;
     }
   }
-  return !touching && (holds(q, p) || holds(p, q));
+  return !touching && (contains(q, p) || contains(p, q));
 }
 
 bool closer_than(const PlacedPolygon& p, const PlacedPolygon& q, Coord distance) {
@@ -222,10 +226,10 @@ bool closer_than(const PlacedPolygon& p, const PlacedPolygon& q, Coord distance)
   return false;
 }
 
-std::optional<Witness> common_point(const PlacedPolygon& p, const PlacedPolygon& q) {
+std::optional<RealVec> common_point(const PlacedPolygon& p, const PlacedPolygon& q) {
   if (!overlap(p, q)) return std::nullopt;
-  // Between two neighbouring vertex or crossing levels the common stretches change linearly: look halfway between
-  // levels.
+  // Between two neighbouring levels (the heights of vertices and crossings) the common stretches change linearly, so
+  // one test halfway between the levels is enough.
   const Box window = common_window(p, q);
   std::vector<double> levels{static_cast<double>(window.low.y), static_cast<double>(window.high.y)};
   const auto p_edges = edges_near(p, window);
@@ -243,7 +247,7 @@ std::optional<Witness> common_point(const PlacedPolygon& p, const PlacedPolygon&
     }
   }
   std::sort(levels.begin(), levels.end());
-  Witness best{static_cast<double>(window.low.x + window.high.x) / 2,
+  RealVec best{static_cast<double>(window.low.x + window.high.x) / 2,
                static_cast<double>(window.low.y + window.high.y) / 2};
   double widest = 0;
   for (std::size_t k = 0; k + 1 < levels.size(); ++k) {
@@ -259,12 +263,12 @@ std::optional<Witness> common_point(const PlacedPolygon& p, const PlacedPolygon&
   return best;
 }
 
-Witness nearest_point(const PlacedPolygon& p, const PlacedPolygon& q) {
+RealVec nearest_point(const PlacedPolygon& p, const PlacedPolygon& q) {
   const Box everywhere = p.placed_box().grown(kLatticeLimit);
   const auto p_edges = edges_near(p, everywhere);
   const auto q_edges = edges_near(q, q.placed_box());
   double best = std::numeric_limits<double>::infinity();
-  Witness middle;
+  RealVec middle;
   const auto consider = [&](const Edge& from, const Edge& to) {
     const Real a{static_cast<double>(from.from.x), static_cast<double>(from.from.y)};
     const Real b = nearest_on_segment(a, to);

@@ -1,7 +1,8 @@
-// Whether two placed polygons overlap, or come closer than a distance.  Exact: this is what every answer is proved
-// with.
+// Exact tests of whether two placed polygons overlap, or are closer than a given distance.  The validity of every
+// result is proved with these tests.
 //
-// Two polygons overlap when their interiors meet; touching along points or edges is not overlapping.
+// Two polygons overlap when their interiors intersect; touching at points or along edges is not overlapping.
+// Units: lattice units.
 #pragma once
 
 #include <optional>
@@ -9,33 +10,30 @@
 
 #include "core/geometry/lattice.h"
 #include "core/geometry/polygon.h"
+#include "core/geometry/real_vec.h"
 
 namespace selvage::geometry {
 
-// A polygon with its box, moved by `at`.
+// A polygon with its bounding box, translated by `at`.
 struct PlacedPolygon {
   std::span<const Vec> vertices;
-  Box box;  // of the vertices, before they are moved
+  Box box;  // of the vertices before translation
   Vec at;
   [[nodiscard]] Box placed_box() const { return box.moved(at); }
 };
 
-// True when the interiors meet.
-// Method: without a proper crossing of two edges, either the boundaries share points, and then the interiors meet
-// exactly if their cones at some shared point do; or they share none, and then one polygon holds the other or they are
-// apart.
+// True when the interiors intersect.
+// Method: two edges that cross properly prove an overlap.  Otherwise, if the boundaries share points, the interiors
+// intersect exactly when the interior cones at some shared point do.  If the boundaries share no point, the polygons
+// overlap exactly when one contains the other.
 [[nodiscard]] bool overlap(const PlacedPolygon& p, const PlacedPolygon& q);
 
-// True when some two points of p and q are less than `distance` > 0 apart.
+// True when p and q are less than `distance` apart.  REQUIRES: distance > 0.
 [[nodiscard]] bool closer_than(const PlacedPolygon& p, const PlacedPolygon& q, Coord distance);
 
-// A point inside both, rounded to doubles, when they overlap; for reports only.
-struct Witness {
-  double x{}, y{};
-};
-[[nodiscard]] std::optional<Witness> common_point(const PlacedPolygon& p, const PlacedPolygon& q);
+[[nodiscard]] std::optional<RealVec> common_point(const PlacedPolygon& p, const PlacedPolygon& q);
 
-// The midpoint of a shortest line between the two boundaries, rounded; for reports only.
-[[nodiscard]] Witness nearest_point(const PlacedPolygon& p, const PlacedPolygon& q);
+// The midpoint of a shortest segment between the two boundaries, rounded to doubles; for reports only.
+[[nodiscard]] RealVec nearest_point(const PlacedPolygon& p, const PlacedPolygon& q);
 
 }  // namespace selvage::geometry

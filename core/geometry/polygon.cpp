@@ -10,11 +10,12 @@ std::string name(Vec v) {
   return "(" + std::to_string(v.x) + ", " + std::to_string(v.y) + ")";
 }
 
-// Removes repeated vertices, vertices in the middle of straight runs and tips of zero-width spikes until none is left.
-Polygon without_idle_vertices(std::span<const Vec> vertices, Repairs& repairs) {
+// Removes repeated vertices, vertices in the middle of straight edges and tips of zero-width spikes until none is left.
+Polygon without_redundant_vertices(std::span<const Vec> vertices, Repairs& repairs) {
   Polygon kept;
   kept.reserve(vertices.size());
-  const auto idle_tail = [&kept, &repairs](Vec next) {  // true when the last kept vertex says nothing before `next`
+  // True when the last kept vertex is redundant before `next`; counts the repair.
+  const auto tail_is_redundant = [&kept, &repairs](Vec next) {
     if (kept.back() == next) {
       ++repairs.duplicate_vertices;
       return true;
@@ -26,14 +27,14 @@ Polygon without_idle_vertices(std::span<const Vec> vertices, Repairs& repairs) {
     return false;
   };
   for (const Vec v : vertices) {
-    while (!kept.empty() && idle_tail(v)) kept.pop_back();
+    while (!kept.empty() && tail_is_redundant(v)) kept.pop_back();
     kept.push_back(v);
   }
-  // The seam between last and first may still hold idle vertices on either side.
+  // Redundant vertices may remain where the end of the list meets its start.
   std::size_t first = 0;
   for (bool changed = true; changed && kept.size() - first >= 3;) {
     changed = false;
-    if (idle_tail(kept[first])) {
+    if (tail_is_redundant(kept[first])) {
       kept.pop_back();
       changed = true;
     } else if (side_of(kept.back(), kept[first], kept[first + 1]) == 0) {
@@ -53,15 +54,15 @@ bool segments_meet(Vec a, Vec b, Vec c, Vec d) {
   const int a_side = side_of(c, d, a);
   const int b_side = side_of(c, d, b);
   if (c_side * d_side < 0 && a_side * b_side < 0) return true;
-  const auto on = [](Vec p, Vec q, Vec r, int side) {  // r on segment pq, given its side
+  const auto on = [](Vec p, Vec q, Vec r, int side) {  // true when r lies on segment pq, given its side of the line
     return side == 0 && std::min(p.x, q.x) <= r.x && r.x <= std::max(p.x, q.x) && std::min(p.y, q.y) <= r.y &&
            r.y <= std::max(p.y, q.y);
   };
   return on(a, b, c, c_side) || on(a, b, d, d_side) || on(c, d, a, a_side) || on(c, d, b, b_side);
 }
 
-// Two edges that meet although they are not neighbours, by a sweep over the edges' x ranges; {0, 0} when there are
-// none.
+// Two edges that share a point although they are not neighbours, found by a sweep over the edges' x ranges; {0, 0} when
+// there are none.
 std::pair<std::size_t, std::size_t> meeting_edges(const Polygon& polygon) {
   const std::size_t n = polygon.size();
   const auto end_of = [&](std::size_t i) { return polygon[i + 1 == n ? 0 : i + 1]; };
@@ -78,7 +79,8 @@ std::pair<std::size_t, std::size_t> meeting_edges(const Polygon& polygon) {
       const std::size_t j = by_x[m];
       if (std::max(polygon[j].y, end_of(j).y) < low_y || std::min(polygon[j].y, end_of(j).y) > high_y) continue;
       const std::size_t apart = i < j ? j - i : i - j;
-      if (apart == 1 || apart == n - 1) continue;  // neighbours share a vertex, and only that: none is idle
+      if (apart == 1 || apart == n - 1)
+        continue;  // neighbouring edges share only their vertex, since no vertex is redundant
       if (segments_meet(polygon[i], end_of(i), polygon[j], end_of(j))) return std::minmax(i, j);
     }
   }
@@ -130,7 +132,7 @@ Result<CleanPolygon> clean_polygon(std::span<const Vec> vertices) {
     return Error{ErrorCode::kTooFewVertices, std::to_string(vertices.size()) + " vertices; at least 3 are needed", {}};
   }
   CleanPolygon clean;
-  clean.polygon = without_idle_vertices(vertices, clean.repairs);
+  clean.polygon = without_redundant_vertices(vertices, clean.repairs);
   if (clean.polygon.size() < 3) {
     const bool all_equal = clean.polygon.size() <= 1 || clean.repairs.duplicate_vertices + 2 >= vertices.size();
     return Error{all_equal ? ErrorCode::kTooFewVertices : ErrorCode::kZeroArea,

@@ -1,4 +1,4 @@
-// A simple polygon on the lattice, and what can be asked of one alone.
+// A simple polygon on the lattice: its area, convexity, point location, and repair of raw vertex lists.
 #pragma once
 
 #include <span>
@@ -9,38 +9,40 @@
 
 namespace selvage::geometry {
 
-// The vertices of a simple polygon in counter-clockwise order, no vertex repeated, none in the middle of a straight
-// edge.  Coordinates in lattice units.
+// The vertices of a simple polygon in counter-clockwise order, without repeated vertices and without vertices in the
+// middle of a straight edge.  Units: lattice units.
 using Polygon = std::vector<Vec>;
 
 inline constexpr std::size_t kMaxVertices = 2000;  // of one shape
 
-// Twice the signed area: positive for counter-clockwise.
+// Twice the signed area; positive for a counter-clockwise polygon.
 [[nodiscard]] Wide doubled_area(std::span<const Vec> polygon);
 [[nodiscard]] bool is_convex(std::span<const Vec> polygon);
 
 enum class Location { kOutside, kBoundary, kInside };
-// Where a point lies.  Exact.
+// Whether the point lies inside, outside or on the boundary.  Exact.
 [[nodiscard]] Location locate(Vec point, std::span<const Vec> polygon);
 
-// What clean_polygon had to mend.
+// The repairs that clean_polygon made.
 struct Repairs {
-  std::size_t duplicate_vertices{};  // removed: equal to their predecessor
-  std::size_t collinear_vertices{};  // removed: in the middle of a straight edge, or the tip of a zero-width spike
-  bool reversed{};                   // was clockwise
+  std::size_t duplicate_vertices{};  // removed because they equal their predecessor
+  std::size_t collinear_vertices{};  // removed because they lie in the middle of a straight edge or at the tip of a
+                                     // zero-width spike
+  bool reversed{};                   // the vertices were clockwise and have been reversed
   friend bool operator==(const Repairs&, const Repairs&) = default;
 };
 struct CleanPolygon {
   Polygon polygon;
   Repairs repairs;
 };
-// Makes any closed vertex list (first vertex repeated at the end or not, either sense) a Polygon.
-// Errors: kTooManyVertices (before repair), kTooFewVertices, kZeroArea, kSelfIntersecting (names the two edges).
+// Makes a Polygon of any closed vertex list, in either sense, with or without the first vertex repeated at the end.
+// Errors: kTooManyVertices (checked before repair), kTooFewVertices, kZeroArea, kSelfIntersecting (the message names
+// the two edges).
 [[nodiscard]] Result<CleanPolygon> clean_polygon(std::span<const Vec> vertices);
 
 }  // namespace selvage::geometry
 
-// Vocabulary: named in selvage itself as well, so that every room may use it unqualified.
+// Basic types: also available in namespace selvage, so that every folder can use them unqualified.
 namespace selvage {
 using geometry::Polygon;
 }  // namespace selvage

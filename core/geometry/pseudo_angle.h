@@ -1,4 +1,5 @@
-// A cheap monotone stand-in for the angle of a vector: 0..4 for a full turn counter-clockwise from the x axis.
+// A cheap monotone substitute for the angle of a vector: it grows from 0 to 4 over one counter-clockwise turn from the
+// x axis.
 #pragma once
 
 #include <cmath>

@@ -7,13 +7,13 @@ namespace selvage::lp {
 
 Certificate certificate_of(const LinearProgram& program, const LpSolution& solution) {
   Certificate found{.primal = infeasibility(program, solution.x)};
-  std::vector<double> reduced = program.cost;  // what a column costs once the rows' prices are paid
-  double promised = 0;
+  std::vector<double> reduced = program.cost;  // the reduced cost of each column
+  double proved = 0;
   for (int r = 0; r < program.rows(); ++r) {
     const double price = solution.dual[static_cast<std::size_t>(r)];
-    if (price == 0) continue;  // its bound may be infinite
+    if (price == 0) continue;  // skipped because the bound may be infinite
     found.dual = std::max(found.dual, -price);
-    promised += price * program.bound[static_cast<std::size_t>(r)];
+    proved += price * program.bound[static_cast<std::size_t>(r)];
     for (const auto& [column, value] : program.row(r)) reduced[static_cast<std::size_t>(column)] -= price * value;
   }
   double objective = 0;
@@ -21,13 +21,13 @@ Certificate certificate_of(const LinearProgram& program, const LpSolution& solut
     objective += program.cost[j] * solution.x[j];
     const double bound = reduced[j] > 0 ? program.lower[j] : program.upper[j];
     if (std::isfinite(bound)) {
-      promised += reduced[j] * bound;
+      proved += reduced[j] * bound;
     } else {
       found.dual = std::max(found.dual, std::abs(reduced[j]));
-      promised += reduced[j] * solution.x[j];  // nothing to rest on: counted above, not as a gap
+      proved += reduced[j] * solution.x[j];  // there is no bound: counted as a dual violation above, not as a gap
     }
   }
-  found.gap = std::abs(objective - promised) / (1 + std::abs(objective));
+  found.gap = std::abs(objective - proved) / (1 + std::abs(objective));
   return found;
 }
 

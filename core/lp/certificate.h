@@ -1,6 +1,6 @@
-// What proves a linear program's answer optimal: it breaks no row, its prices leave no column that should move, and the
-// objective that the prices promise at least is the one that the answer has.  A few passes over the entries: what a
-// solver says of its own answer need not be believed.
+// A certificate proves that a solution of a linear program is optimal: the solution violates no row, no column has a
+// reduced cost that would let it improve, and the objective equals the lower bound that the dual prices prove.
+// Checking it takes a few passes over the entries, so a solver's own status need not be trusted.
 #pragma once
 
 #include "core/lp/linear_program.h"
@@ -8,15 +8,16 @@
 namespace selvage::lp {
 
 struct Certificate {
-  double primal{};  // the most by which a row or a column bound is broken
-  double dual{};    // the largest price below zero, or reduced cost of a column without the bound it would rest on
-  double gap{};     // objective less what the prices prove it to be at least, over 1 + |objective|
+  double primal{};  // the largest violation of a row or of a column bound
+  double dual{};    // the largest violation of dual feasibility: a negative price, or the reduced cost of a column
+                    // without the bound that it needs
+  double gap{};     // |objective - lower bound proved by the prices| / (1 + |objective|)
 
-  // Good enough for what is made of answers: steps that are rounded to the lattice and proved there.
+  // True when the certificate is accurate enough for steps, which are rounded to the lattice and proved there.
   [[nodiscard]] bool closes() const { return primal <= 1e-8 && dual <= 1e-7 && gap <= 1e-6; }
 };
 
-// REQUIRES: `x` and `dual` have an entry per column and row.
+// REQUIRES: `x` has an entry per column and `dual` has one per row.
 [[nodiscard]] Certificate certificate_of(const LinearProgram& program, const LpSolution& solution);
 
 }  // namespace selvage::lp

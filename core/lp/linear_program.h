@@ -1,7 +1,7 @@
 // A linear program as a value: minimise cost . x subject to lower <= x <= upper and row . x >= bound for every row.
 //
-// Rows are sparse.  Infinite bounds are +-kInfinity.  The position models are scaled so that every row's largest
-// coefficient is about 1 and x is of the order of 1: solvers may rely on that for their tolerances.
+// Rows are sparse.  Infinite bounds are +-kInfinity.  The position models are scaled so that the largest coefficient of
+// every row is about 1 and x is of the order of 1; the tolerances of the solvers rely on that.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ struct LinearProgram {
   };
 
   std::vector<double> cost, lower, upper;  // one per column
-  std::vector<Entry> entries;              // all rows' entries, row after row, no column twice in a row
+  std::vector<Entry> entries;              // the entries of all rows, row by row; no column occurs twice in a row
   std::vector<std::size_t> row_start{0};   // rows() + 1 positions in `entries`
   std::vector<double> bound;               // one per row
 
@@ -48,13 +48,14 @@ enum class LpStatus { kOptimal, kInfeasible, kUnbounded, kWorkLimit, kStopped, k
 
 struct LpSolution {
   LpStatus status{LpStatus::kFailed};
-  std::vector<double> x{};     // one per column; meaningful when optimal
-  std::vector<double> dual{};  // one per row, >= 0: what the objective gains when the row's bound falls by one
+  std::vector<double> x{};  // one per column; valid when the status is kOptimal
+  std::vector<double>
+      dual{};  // one per row, >= 0: the rate at which the objective falls when the row's bound is lowered
   double objective{};
   int iterations{};
 };
 
-// The most by which x breaks a row or a column bound; 0 when it breaks none.
+// The largest violation of a row or a column bound by x; 0 when x is feasible.
 [[nodiscard]] double infeasibility(const LinearProgram& program, std::span<const double> x);
 
 }  // namespace selvage::lp

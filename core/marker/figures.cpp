@@ -7,15 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/marker/validity.h"
+#include "core/marker/clearance.h"
 
 namespace selvage::marker {
 namespace {
 
-// So few pieces are looked for one by one among the others; more by a sweep over all.
-constexpr std::size_t kFew = 16;
-
-// The pieces that are not as they were; nothing when more than pieces has changed.
+// The pieces that differ between the two markers; nothing when the markers differ in more than their pieces.
 std::optional<std::vector<std::uint32_t>> changed_pieces(const Marker& before, const Marker& marker) {
   if (before.strip != marker.strip || before.spacing != marker.spacing || before.shapes != marker.shapes ||
       before.pieces.size() != marker.pieces.size()) {
@@ -28,7 +25,8 @@ std::optional<std::vector<std::uint32_t>> changed_pieces(const Marker& before, c
   return changed;
 }
 
-// Where the pieces are now, of the polygons that they had.  Nothing when one of them has turned, or keeps another room.
+// The layout `pieces` with the changed pieces at their new positions.  Nothing when a changed piece has another shape,
+// orientation or buffer, so that the layout cannot be reused.
 std::optional<PlacedPieces> moved(const Marker& before, const PlacedPieces& pieces, const Marker& marker,
                                   std::span<const std::uint32_t> changed) {
   std::vector<Vec> positions = pieces.positions();
@@ -43,26 +41,6 @@ std::optional<PlacedPieces> moved(const Marker& before, const PlacedPieces& piec
   return now;
 }
 
-// Nothing that is one of the changed pieces is too near to anything.
-bool clear(const PlacedPieces& pieces, std::span<const std::uint32_t> changed) {
-  const Coord distance = pieces.widest_spacing();
-  if (changed.size() <= kFew) {
-    return std::none_of(changed.begin(), changed.end(), [&](std::uint32_t i) {
-      const Box around = pieces.box(i).grown(distance);
-      for (std::uint32_t other = 0; other < pieces.size(); ++other) {
-        if (other != i && around.overlaps(pieces.box(other)) && conflict(pieces, std::minmax(i, other))) return true;
-      }
-      return false;
-    });
-  }
-  std::vector<bool> moved(pieces.size());
-  for (const std::uint32_t i : changed) moved[i] = true;
-  const auto near = pairs_within(pieces, distance);
-  return std::none_of(near.begin(), near.end(), [&](const PiecePair& pair) {
-    return (moved[pair.first] || moved[pair.second]) && conflict(pieces, pair);
-  });
-}
-
 }  // namespace
 
 Figures figures_after(const Marker& before, const PlacedPieces& pieces, const Marker& marker) {
@@ -73,7 +51,7 @@ Figures figures_after(const Marker& before, const PlacedPieces& pieces, const Ma
   const Coord length = now->length();
   const bool within = std::none_of(changed->begin(), changed->end(),
                                    [&](std::uint32_t i) { return protrusion_of(now->box(i), marker.strip) > 0; });
-  return {length, utilisation_at(marker, length), within && clear(*now, *changed)};
+  return {length, utilisation_at(marker, length), within && are_clear(*now, *changed)};
 }
 
 Figures figures_of(const Marker& marker) {
@@ -82,7 +60,7 @@ Figures figures_of(const Marker& marker) {
 
 Figures figures_of(const Marker& marker, const PlacedPieces& pieces) {
   const Coord length = pieces.length();
-  return {length, utilisation_at(marker, length), is_valid(pieces, marker.strip)};
+  return {length, utilisation_at(marker, length), all_clear(pieces, marker.strip)};
 }
 
 double utilisation_at(const Marker& marker, Coord length) {

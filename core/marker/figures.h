@@ -1,5 +1,5 @@
-// What is told of a marker after every change: how long it is, how much of the cloth it uses, and whether it is valid,
-// from laying its pieces out once.
+// The figures of a marker that are reported after every change: its length, its utilisation and whether it is valid.
+// All are computed from a single layout of the pieces.
 #pragma once
 
 #include "core/marker/marker.h"
@@ -8,18 +8,18 @@
 namespace selvage::marker {
 
 struct Figures {
-  Coord length{};        // where the rightmost piece ends; lattice units
+  Coord length{};        // x of the right end of the rightmost piece; lattice units
   double utilisation{};  // 0..1
-  bool valid{};          // decided in integers, as by is_valid
+  bool valid{};          // exact, the same as is_valid
 };
 [[nodiscard]] Figures figures_of(const Marker& marker);
-// The same, of a marker whose pieces are laid out already.
+// The same for a marker whose pieces have been laid out already.
 [[nodiscard]] Figures figures_of(const Marker& marker, const PlacedPieces& pieces);
-// The same of a marker that comes from a valid one: of two pieces that are as they were nothing needs to be proved
-// again. REQUIRES: `before` is valid, and `pieces` are its own.
+// The same for a marker that was made from a valid one.  Pairs of unchanged pieces need no new proof.
+// REQUIRES: `before` is valid, and `pieces` is its layout.
 [[nodiscard]] Figures figures_after(const Marker& before, const PlacedPieces& pieces, const Marker& marker);
 
-// The utilisation of a marker whose length is known.
+// The utilisation of a marker whose length is known, 0..1.
 [[nodiscard]] double utilisation_at(const Marker& marker, Coord length);
 
 }  // namespace selvage::marker

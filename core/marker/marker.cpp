@@ -23,12 +23,12 @@ std::string decimal(Coord coord, Resolution resolution) {
   return text;
 }
 
-template <class Things>
-std::optional<Error> repeated_id(const Things& things, const char* list) {
+template <class Entries>
+std::optional<Error> repeated_id(const Entries& entries, const char* list) {
   std::unordered_set<std::string_view> seen;
-  for (std::size_t k = 0; k < things.size(); ++k) {
-    if (!seen.insert(things[k].id).second) {
-      return Error{ErrorCode::kDuplicateId, "id \"" + things[k].id + "\" is used twice; ids must differ",
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    if (!seen.insert(entries[k].id).second) {
+      return Error{ErrorCode::kDuplicateId, "id \"" + entries[k].id + "\" is used twice; ids must differ",
                    at_index(list, k) + "/id"};
     }
   }
@@ -74,8 +74,8 @@ std::optional<Error> buffer_defect(const Marker& marker, std::size_t k) {
                at_index("pieces", k) + "/buffer"};
 }
 
-// A turned outline is rounded to the lattice once; from then on the rounded outline is the piece, so it must be a
-// polygon.
+// A turned outline is rounded to the lattice once, and the rounded outline is used from then on, so it must be a
+// polygon too.
 std::optional<Error> orientation_defect(const Shape& shape, const Orientation& orientation, const Strip& strip,
                                         Resolution resolution) {
   const Polygon outline = oriented(shape.outline, orientation);
@@ -140,7 +140,7 @@ Polygon placed_outline(const Marker& marker, PieceId id) {
 }
 
 Coord length_of(const Marker& marker) {
-  std::map<std::pair<ShapeId, Orientation>, Coord> right;  // how far the oriented shape reaches
+  std::map<std::pair<ShapeId, Orientation>, Coord> right;  // the right end of each oriented shape
   Coord length = 0;
   for (const Piece& piece : marker.pieces) {
     const auto [found, fresh] = right.try_emplace({piece.shape, piece.orientation});

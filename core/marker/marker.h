@@ -1,9 +1,11 @@
-// A marker: garment pieces on a strip of cloth [Li94 1.1.4].
+// A marker: garment pieces laid out on a strip of cloth [Li94 1.1.4].
 //
-// The strip is `width` across (along y, from 0) and runs along x from 0.  A marker's length is where its rightmost
-// piece ends.  All coordinates are lattice units; Resolution says how long one is in the marker's own unit (usually
-// mm). Invariant of a Marker that came through make_marker: ids are unique, every piece names a shape, every shape is a
-// Polygon, every oriented piece fits the strip's width.  It need not be valid: see core/marker/validity.h.
+// The strip spans 0 to `width` along y and starts at x = 0.  A marker's length is the x coordinate at which its
+// rightmost piece ends.  All coordinates are in lattice units; Resolution gives the length of a unit in the marker's
+// own unit (usually mm).
+// Invariant of a Marker that make_marker returned: ids are unique, every piece names an existing shape, every shape is
+// a Polygon, and every oriented piece fits the strip's width.  Pieces may still overlap or leave the strip: see
+// core/marker/validity.h.
 #pragma once
 
 #include <optional>
@@ -18,17 +20,17 @@
 namespace selvage::marker {
 
 struct Strip {
-  Coord width{};                   // across, along y
-  std::optional<Coord> longest{};  // the cloth's end, when it has one: no piece may pass it
-  Coord margin{};                  // pieces stay this far from the strip's edges, the cloth's end included
+  Coord width{};                   // along y
+  std::optional<Coord> longest{};  // the length of the cloth if it is limited: no piece may extend beyond it
+  Coord margin{};  // distance that pieces keep from the strip's long edges and from the end of the cloth
 
-  // Where pieces may be, up to x = `end`.
+  // The box in which pieces may lie, up to x = `end`.
   [[nodiscard]] constexpr Box room(Coord end) const { return {{margin, margin}, {end, width - margin}}; }
-  // How far pieces may reach: nothing when the cloth has no end.
+  // The largest x that a piece may reach; nothing when the length of the cloth is not limited.
   [[nodiscard]] constexpr std::optional<Coord> last() const {
     return longest ? std::optional{*longest - margin} : std::nullopt;
   }
-  // The same strip, with pieces reaching to `last` at most.
+  // The same strip, limited so that pieces reach at most x = `last`; nothing removes the limit.
   [[nodiscard]] constexpr Strip ending(std::optional<Coord> last) const {
     return {width, last ? std::optional{*last + margin} : std::nullopt, margin};
   }
@@ -39,31 +41,31 @@ struct Strip {
 struct Shape {
   std::string id;
   Polygon outline;
-  std::vector<Angle> rotations{Angle{}};  // allowed; empty: any
+  std::vector<Angle> rotations{Angle{}};  // the allowed rotations; empty: any rotation is allowed
   bool may_flip{};
-  Angle tilt_limit;  // largest |tilt|
+  Angle tilt_limit;  // the largest absolute tilt
   friend bool operator==(const Shape&, const Shape&) = default;
 };
 
-// What no motion may change of a piece.
+// The degrees of freedom of a piece that no operation may change.
 struct Locks {
   bool x{}, y{}, tilt{};
   constexpr Locks() = default;
   constexpr Locks(bool all) : x{all}, y{all}, tilt{all} {}  // NOLINT(*-explicit-*): locked = true
   constexpr Locks(bool in_x, bool in_y, bool in_tilt) : x{in_x}, y{in_y}, tilt{in_tilt} {}
-  [[nodiscard]] constexpr explicit operator bool() const { return x && y && tilt; }  // wholly
+  [[nodiscard]] constexpr explicit operator bool() const { return x && y && tilt; }  // true when all are locked
   friend constexpr auto operator<=>(const Locks&, const Locks&) = default;
 };
 
-// One copy of a shape, placed: the shape in its orientation, moved by `at`.
+// A placed copy of a shape: the shape in its orientation, translated by `at`.
 struct Piece {
   std::string id;
   ShapeId shape;
   Orientation orientation;
   Vec at;
   Locks locked{};
-  std::string group{};  // pieces of one group move as one and do not tilt; empty: of none
-  Coord buffer{};       // room kept about it: two pieces are no closer than the sum of their buffers
+  std::string group{};  // pieces of one group move together and do not tilt; empty: no group
+  Coord buffer{};       // clearance around the piece: two pieces are never closer than the sum of their buffers
   friend bool operator==(const Piece&, const Piece&) = default;
 };
 
@@ -72,7 +74,7 @@ struct Marker {
   std::string unit{"mm"};
   Resolution resolution;
   Strip strip;
-  Coord spacing{};  // least distance between any two pieces; 0: they may touch
+  Coord spacing{};  // the least distance between two pieces; 0: pieces may touch
   std::vector<Shape> shapes;
   std::vector<Piece> pieces;
   friend bool operator==(const Marker&, const Marker&) = default;
@@ -80,22 +82,23 @@ struct Marker {
 
 inline constexpr std::size_t kMaxPieces = 20'000;
 
-// Checks the invariant above.  Errors: kEmptyMarker, kTooManyPieces, kDuplicateId, kUnknownShape, kPieceTooWide,
-// kOrientationNotAllowed, kOutOfRange (strip width and margin, spacing, buffers); `field` is a JSON pointer into the
-// native form.
+// Checks the invariant above.
+// Errors: kEmptyMarker, kTooManyPieces, kDuplicateId, kUnknownShape, kPieceTooWide, kOrientationNotAllowed, kOutOfRange
+// (strip width, margin, spacing, buffers), and those of clean_polygon for an outline that is no Polygon once turned.
+// `field` is a JSON pointer into the native format.
 [[nodiscard]] Result<Marker> make_marker(Marker marker);
 
-// A piece's outline where it lies.
+// A piece's outline at its position and in its orientation.
 [[nodiscard]] Polygon placed_outline(const Marker& marker, PieceId piece);
 
-// Where the rightmost piece ends.
+// The x coordinate at which the rightmost piece ends; lattice units.
 [[nodiscard]] Coord length_of(const Marker& marker);
-// The pieces' area over width times length, 0..1.
+// The area of the pieces divided by the area of the strip up to the marker's length, 0..1.
 [[nodiscard]] double utilisation_of(const Marker& marker);
 
 }  // namespace selvage::marker
 
-// Vocabulary: named in selvage itself as well, so that every room may use it unqualified.
+// Basic types: also available in namespace selvage, so that every folder can use them unqualified.
 namespace selvage {
 using marker::Locks;
 using marker::Marker;

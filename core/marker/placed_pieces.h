@@ -1,20 +1,21 @@
-// A marker made ready for geometry: every piece's polygon in its orientation, and where it lies.
+// The layout of a marker: every piece's polygon in its orientation, and its position.
+// Units: lattice units.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <memory>
-#include <stop_token>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include "core/base/executor.h"
 #include "core/geometry/overlap.h"
 #include "core/marker/marker.h"
 
 namespace selvage::marker {
 
-// A polygon that several pieces share, with its box.
+// A polygon that several pieces may share, with its bounding box.
 struct SharedPolygon {
   Polygon vertices;
   Box box;
@@ -36,15 +37,18 @@ class PlacedPieces {
   [[nodiscard]] Vec at(std::size_t piece) const { return at_[piece]; }
   [[nodiscard]] const std::vector<Vec>& positions() const { return at_; }
   void place(std::vector<Vec> positions) { at_ = std::move(positions); }
-  // Gives one piece another polygon: it was tilted.
+  // Moves every piece, each by a vector of its own.
+  void move_by(std::span<const Vec> by);
+  // Replaces the polygon and position of one piece, for instance after a tilt.
   void replace(std::size_t piece, Polygon polygon, Vec at);
-  // The least distance the two must keep: the marker's spacing, or their buffers.
+  // The least distance that the two pieces must keep: the marker's spacing or the sum of their buffers, whichever is
+  // larger.
   [[nodiscard]] Coord spacing(PiecePair pair) const {
     return std::max(spacing_, buffers_[pair.first] + buffers_[pair.second]);
   }
   // The largest spacing of any pair.
   [[nodiscard]] Coord widest_spacing() const { return widest_spacing_; }
-  // Where the rightmost piece ends.
+  // The x coordinate at which the rightmost piece ends.
   [[nodiscard]] Coord length() const;
 
  private:
@@ -54,17 +58,10 @@ class PlacedPieces {
   Coord spacing_, widest_spacing_;
 };
 
-// All pairs whose boxes come closer than `distance` on both axes (0: whose boxes overlap), sorted.
+// All pairs whose boxes are closer than `distance` on both axes (0: whose boxes overlap), sorted.
 [[nodiscard]] std::vector<PiecePair> pairs_within(const PlacedPieces& pieces, Coord distance);
-
-// True when the two overlap or are closer than their spacing.  Exact.
-[[nodiscard]] bool conflict(const PlacedPieces& pieces, PiecePair pair);
-
-// All pairs of which that is true, sorted.  Asked to stop, only some: whoever may stop it looks at the token
-// afterwards.
-[[nodiscard]] std::vector<PiecePair> conflicts(const PlacedPieces& pieces, const Executor& executor = serial(),
-                                               const std::stop_token& stop = {});
-// Is there one?
-[[nodiscard]] bool any_conflict(const PlacedPieces& pieces);
+// Whether one of these pairs passes the test.
+[[nodiscard]] bool any_pair_within(const PlacedPieces& pieces, Coord distance,
+                                   const std::function<bool(PiecePair)>& test);
 
 }  // namespace selvage::marker

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kLeastArea = 1e-4;  // of the width squared
 constexpr double kClearance = 2e-3;  // of the width
-constexpr Coord kRounding = 4;       // lattice units: pieces this much farther than the clearance still border
+constexpr Coord kRounding =
+    4;  // lattice units: pieces up to this much farther away than the clearance count as adjacent
 
 struct Point {
   double x{}, y{};
@@ -19,7 +20,7 @@ Point relative(Vec v, Vec origin) {
   return {static_cast<double>(v.x - origin.x), static_cast<double>(v.y - origin.y)};
 }
 
-// An edge of a region's boundary, the region to its left.
+// An edge of a region's boundary, with the region to its left.
 class Side {
  public:
   Side(Vec from, Vec to) : from_{from}, to_{to} {
@@ -30,11 +31,11 @@ class Side {
   [[nodiscard]] Box box() const {
     return {{std::min(from_.x, to_.x), std::min(from_.y, to_.y)}, {std::max(from_.x, to_.x), std::max(from_.y, to_.y)}};
   }
-  // Out of the region, of unit length.
+  // The unit normal that points out of the region.
   [[nodiscard]] Point normal() const { return {along_.y, -along_.x}; }
 
-  // How far the edge c-d of a piece runs within `reach` of this one, against its direction; nothing when it stays
-  // farther away, 0 when it is only crossed or runs the other way.
+  // The length over which the edge c-d of a piece runs within `reach` of this edge in the opposite direction.  Nothing
+  // when it stays farther away; 0 when it only crosses or runs in the same direction.
   [[nodiscard]] std::optional<double> run_along(Vec c, Vec d, double reach) const {
     const Point p = frame(c);
     const Point q = frame(d);
@@ -48,12 +49,13 @@ class Side {
   }
 
  private:
-  // In the frame whose x axis is this edge.
+  // Coordinates in the frame whose x axis is this edge.
   [[nodiscard]] Point frame(Vec v) const {
     const Point d = relative(v, from_);
     return {along_.x * d.x + along_.y * d.y, along_.x * d.y - along_.y * d.x};
   }
-  // Cuts the part [low, high] of the way from p to q down to where it lies in [least, most].
+  // Clips the interval [low, high] of parameters between p and q to where the value lies in [least, most]; false when
+  // nothing is left.
   static bool cut(double p, double q, double least, double most, double& low, double& high) {
     if (std::max(p, q) < least || std::min(p, q) > most) return false;
     if (p == q) return true;
@@ -79,8 +81,9 @@ std::vector<Side> sides_of(const outline::Region& region) {
   return sides;
 }
 
-// Adds to `sum` what the piece is to the region's side; false when it does not border on it.
-bool border_on(const Side& side, const geometry::PlacedPolygon& piece, Coord reach, Bordering& sum) {
+// Adds the contribution of the region's side to the piece's vector `sum`; false when the piece is not adjacent to that
+// side.
+bool add_contact(const Side& side, const geometry::PlacedPolygon& piece, Coord reach, Bordering& sum) {
   bool any = false;
   const Box near = side.box().grown(reach);
   Vec c = piece.vertices.back() + piece.at;
@@ -97,12 +100,12 @@ bool border_on(const Side& side, const geometry::PlacedPolygon& piece, Coord rea
   return any;
 }
 
-// The pieces from left to right, so that those beside a region are found without a look at all others.
+// The pieces sorted from left to right, so that those adjacent to a region are found without testing all others.
 class Neighbours {
  public:
   Neighbours(const PlacedPieces& pieces, Coord clearance) : pieces_{pieces}, reach_{2 * clearance + kRounding} {
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
-      const Box box = pieces.box(i).grown(reach_);  // mitred corners reach so far
+      const Box box = pieces.box(i).grown(reach_);  // mitred corners extend this far
       from_left_.push_back({box, i});
       widest_ = std::max(widest_, box.high.x - box.low.x);
     }
@@ -111,24 +114,24 @@ class Neighbours {
     });
   }
 
-  // By piece; asked to stop, only some.
+  // The adjacent pieces, sorted by piece; may be incomplete if `stop` was requested.
   [[nodiscard]] std::vector<Bordering> around(const outline::Region& region, const std::stop_token& stop) const {
     std::map<std::uint32_t, Bordering> found;
     for (const Side& side : sides_of(region)) {
       if (stop.stop_requested()) break;
-      add_beside(side, found);
+      add_adjacent(side, found);
     }
     std::vector<Bordering> by_piece;
-    for (const auto& [piece, beside] : found) by_piece.push_back(beside);
+    for (const auto& [piece, adjacent] : found) by_piece.push_back(adjacent);
     return by_piece;
   }
 
  private:
   struct Entry {
-    Box box;  // grown by the reach
+    Box box;  // enlarged by the reach
     std::uint32_t piece{};
   };
-  void add_beside(const Side& side, std::map<std::uint32_t, Bordering>& found) const {
+  void add_adjacent(const Side& side, std::map<std::uint32_t, Bordering>& found) const {
     const Box box = side.box();
     auto entry = std::lower_bound(from_left_.begin(), from_left_.end(), box.low.x - widest_,
                                   [](const Entry& e, Coord x) { return e.box.low.x < x; });
@@ -136,7 +139,7 @@ class Neighbours {
       if (!entry->box.touches(box)) continue;
       const auto at = found.find(entry->piece);
       Bordering sum = at == found.end() ? Bordering{PieceId{entry->piece}, 0, 0} : at->second;
-      if (border_on(side, pieces_[entry->piece], reach_, sum)) found.insert_or_assign(entry->piece, sum);
+      if (add_contact(side, pieces_[entry->piece], reach_, sum)) found.insert_or_assign(entry->piece, sum);
     }
   }
 
@@ -146,7 +149,8 @@ class Neighbours {
   Coord widest_{};
 };
 
-// All pieces' outlines, grown by the clearance: once for every polygon that pieces share.  Asked to stop, only some.
+// The outlines of all pieces, grown by the clearance; each shared polygon is grown only once.  May be incomplete if
+// `stop` was requested.
 std::vector<Polygon> taken_by(const PlacedPieces& pieces, Coord clearance, const std::stop_token& stop) {
   std::map<const Vec*, std::vector<Polygon>> grown_polygons;
   std::vector<Polygon> taken;
@@ -186,9 +190,9 @@ Result<std::vector<UnoccupiedRegion>> unoccupied_regions(const PlacedPieces& pie
   for (outline::Region& region : outline::left_over(cloth, taken)) {
     const double area = area_of(region);
     if (area < least) continue;
-    auto beside = neighbours.around(region, stop);
+    auto adjacent = neighbours.around(region, stop);
     if (stop.stop_requested()) return stopped_early();
-    found.push_back({std::move(region), area, std::move(beside)});
+    found.push_back({std::move(region), area, std::move(adjacent)});
   }
   return found;
 }

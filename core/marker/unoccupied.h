@@ -1,9 +1,10 @@
-// Unoccupied regions: the connected parts of the cloth that no piece covers, between the strip's edges, or margins, and
-// the marker's two ends: where trim pieces may still go [Li94 4.2.2].
+// Unoccupied regions: the connected regions of the cloth that no piece covers, between the strip's edges or margins and
+// the two ends of the marker.  Small trim pieces can be placed there [Li94 4.2.2].
 //
-// Strictly nearly all open cloth of a marker hangs together, through passages that nothing fits through.  What counts
-// here is cloth with some clearance from every piece: passages narrower than twice that part two regions.
-// Units: lattice units, areas in square ones.  Corners are rounded (core/geometry/set_operations.h): not for proofs.
+// Taken literally, nearly all the open cloth of a marker is connected, through gaps too narrow for any piece.  These
+// regions therefore keep a clearance from every piece: gaps narrower than twice the clearance separate two regions.
+// Units: lattice units, areas in square lattice units.  Corners are rounded (core/outline/set_operations.h), so the
+// result must not be used for proofs.
 #pragma once
 
 #include <stop_token>
@@ -15,18 +16,18 @@
 
 namespace selvage::marker {
 
-// Passages no wider than rounding would be neither open nor shut.
+// With a smaller clearance, rounding would decide whether a gap is open.
 inline constexpr Coord kLeastClearance = 2;
 
 struct UnoccupiedSettings {
-  double least_area{};  // regions smaller than this part of the width squared are left out
-  Coord clearance{};    // how far regions stay away from pieces; less than kLeastClearance counts as that
+  double least_area{};  // regions with a smaller area are left out; a fraction of the squared strip width
+  Coord clearance{};    // distance of the regions from pieces; at least kLeastClearance is used
 };
-// On cloth of 1.5 m: regions of at least 2 cm^2, passages of at least 6 mm.
+// Defaults.  For cloth 1.5 m wide: regions of at least 2 cm^2, gaps of at least 6 mm.
 [[nodiscard]] UnoccupiedSettings unoccupied_settings(const Strip& strip);
 
-// A piece beside a region.  The vector is the region's outward normal times the length, summed along the piece: how
-// fast the region's area grows when the piece moves.
+// A piece adjacent to a region.  The vector (x, y) is the region's outward unit normal integrated over the shared
+// boundary: the rate at which the region's area grows when the piece moves.
 struct Bordering {
   PieceId piece;
   double x{}, y{};
@@ -36,17 +37,17 @@ struct Bordering {
 struct UnoccupiedRegion {
   outline::Region region;
   double area{};
-  std::vector<Bordering> around;  // by piece
+  std::vector<Bordering> around;  // sorted by piece
   friend bool operator==(const UnoccupiedRegion&, const UnoccupiedRegion&) = default;
 };
 
-// From left to right: by the outlines' smallest vertices (by x, then y).
+// The regions from left to right, sorted by the smallest vertices of their outlines (by x, then y).
 [[nodiscard]] std::vector<UnoccupiedRegion> unoccupied_regions(const PlacedPieces& pieces, const Strip& strip,
                                                                const UnoccupiedSettings& settings);
 [[nodiscard]] std::vector<UnoccupiedRegion> unoccupied_regions(const Marker& marker,
                                                                const UnoccupiedSettings& settings);
-// The same for whoever may ask to stop.  Errors: kStoppedEarly.  Within left_over (core/geometry/set_operations.h) a
-// stop is not heard.
+// The same with cancellation.  Errors: kStoppedEarly.  The token is not checked inside left_over
+// (core/outline/set_operations.h).
 [[nodiscard]] Result<std::vector<UnoccupiedRegion>> unoccupied_regions(const PlacedPieces& pieces, const Strip& strip,
                                                                        const UnoccupiedSettings& settings,
                                                                        const std::stop_token& stop);

@@ -1,6 +1,7 @@
-// Is a marker valid?  Decided in integers: pieces may touch, never overlap, never be closer than the spacing and
-// their buffers allow, never leave the strip or enter its margins.  Every answer of Selvage passes through here before
-// it is given.
+// The validity of a marker, decided exactly in integers: pieces may touch, but they must not overlap, be closer than
+// the spacing and their buffers allow, leave the strip or enter its margins.  Every marker that Selvage returns has
+// been checked here.
+// Units: lattice units.
 #pragma once
 
 #include <optional>
@@ -18,19 +19,18 @@ class SumCache;
 
 namespace selvage::marker {
 
-class PlacedPieces;
-
-// Two pieces that overlap, or are closer than their spacing.
+// Two pieces that overlap or are closer than their spacing.
 struct Overlap {
   PieceId first, second;  // first < second
   double witness_x{},
-      witness_y{};  // a point inside both (between both, when only the spacing is broken); lattice units
-  double depth{};   // the shortest move that parts them [Li94 7.1], plus the spacing; 0: not measured; lattice units
+      witness_y{};  // a point inside both, or midway between them when only the spacing is violated; lattice units
+  double depth{};   // the shortest translation that separates them [Li94 7.1] plus the spacing; 0 when not measured;
+                    // lattice units
 };
-// A piece that leaves the strip.
+// A piece that extends beyond the strip or into its margins.
 struct Protrusion {
   PieceId piece;
-  Coord by{};  // the largest distance by which it leaves; lattice units
+  Coord by{};  // the largest distance by which it extends beyond the limit; lattice units
 };
 struct Validity {
   std::vector<Overlap> overlaps;        // by (first, second)
@@ -38,21 +38,17 @@ struct Validity {
   [[nodiscard]] bool valid() const { return overlaps.empty() && protrusions.empty(); }
 };
 
-// The largest distance by which a box leaves the strip or enters its margins; 0 or less when it does neither.
-[[nodiscard]] Coord protrusion_of(const Box& box, const Strip& strip);
-
-// A piece as the cache of sums knows it.
+// A piece's outline from the cache, with the symmetry under which it is placed.
 [[nodiscard]] outline::OrientedOutline oriented_outline(const Marker& marker, PieceId piece, minkowski::SumCache& sums);
 
-// The whole answer, with depths (which need Minkowski sums, taken from the cache).
+// All overlaps and protrusions, with depths.  The depths need Minkowski sums, which are taken from the cache.
 [[nodiscard]] Validity check(const Marker& marker, minkowski::SumCache& sums);
-// The same for whoever may ask to stop.  Errors: kStoppedEarly.
+// The same with cancellation.  Errors: kStoppedEarly.
 [[nodiscard]] Result<Validity> check(const Marker& marker, minkowski::SumCache& sums, const std::stop_token& stop);
-// All that overlap, found exactly but not measured, which is what takes long: depths are 0, and a witness is the middle
-// of what the two boxes share.
+// All overlapping pairs, found exactly but without the costly depths: every depth is 0, and the witness is the centre
+// of the intersection of the two boxes.
 [[nodiscard]] std::vector<Overlap> overlaps_unmeasured(const Marker& marker);
-// Only yes or no.
+// The verdict only.
 [[nodiscard]] bool is_valid(const Marker& marker);
-[[nodiscard]] bool is_valid(const PlacedPieces& pieces, const Strip& strip);
 
 }  // namespace selvage::marker

@@ -1,5 +1,6 @@
-// A tree of boxes over the edges of a sum, by which those near a place are found: boxes over runs of kFan edges, then
-// over runs of kFan boxes, and so on up to a single one.  Units: lattice units.
+// A tree of bounding boxes over the edges of a sum, used to find the edges near a place.  The first level has a box for
+// every kFan consecutive edges, the next a box for every kFan consecutive boxes, and so on up to a single box.
+// Units: lattice units.
 #pragma once
 
 #include <algorithm>
@@ -23,13 +24,14 @@ class BoxTree {
   BoxTree() = default;
   explicit BoxTree(std::span<const convolution::SumEdge> edges);
 
-  // Level 0 is the edges themselves, on the highest level is one box: of all; without edges there is level 0 only.
+  // The number of levels above the edges.  Level 0 is the edges; the highest level is a single box that contains all
+  // edges.  Without edges there is only level 0.
   [[nodiscard]] std::size_t levels() const { return level_start_.size() - 1; }
   // REQUIRES: 1 <= level <= levels().
   [[nodiscard]] const Box& box(std::size_t level, std::size_t index) const {
     return boxes_[level_start_[level - 1] + index];
   }
-  // What a box of the level above is over: those from index * kFan up to this.
+  // One past the last child, on `level`, of box `index` of the level above; its first child is index * kFan.
   [[nodiscard]] std::size_t end_of_run(std::size_t level, std::size_t index) const {
     return std::min(size(level), (index + 1) * kFan);
   }
@@ -43,8 +45,8 @@ class BoxTree {
   }
 
   std::size_t edges_{};
-  std::vector<Box> boxes_;                   // level by level, from the first up
-  std::vector<std::size_t> level_start_{0};  // and one past the last
+  std::vector<Box> boxes_;                   // level by level, starting with level 1
+  std::vector<std::size_t> level_start_{0};  // start of each level in `boxes_`, and the end
 };
 
 }  // namespace selvage::minkowski

@@ -10,7 +10,7 @@
 namespace selvage::minkowski {
 namespace {
 
-// Relative orientation and the outlines themselves: equal keys have equal sums.
+// Two outlines and their relative orientation: pairs with equal keys have equal sums.
 struct Key {
   std::shared_ptr<const outline::Outline> p, q;
   Symmetry relative;
@@ -28,8 +28,8 @@ struct KeyHash {
   }
 };
 
-// True when the pair (p, q) is kept as (q, p): so that both orders share one entry.
-bool kept_swapped(const outline::OrientedOutline& p, const outline::OrientedOutline& q) {
+// True when the pair (p, q) is stored as (q, p), so that both orders share one entry.
+bool stored_swapped(const outline::OrientedOutline& p, const outline::OrientedOutline& q) {
   const outline::Outline& a = *p.outline;
   const outline::Outline& b = *q.outline;
   if (a.hash != b.hash) return a.hash > b.hash;
@@ -38,14 +38,14 @@ bool kept_swapped(const outline::OrientedOutline& p, const outline::OrientedOutl
   return forth.inverse().index() < forth.index();
 }
 
-// Under which key the sum of a pair is kept, and how the pair sees it.
-struct Kept {
+// The key under which a pair's sum is stored, and how the pair relates to it.
+struct StoredAs {
   Key key;
   Symmetry frame;
   bool swapped{};
 };
-Kept kept_as(const outline::OrientedOutline& p, const outline::OrientedOutline& q) {
-  const bool swapped = kept_swapped(p, q);
+StoredAs stored_as(const outline::OrientedOutline& p, const outline::OrientedOutline& q) {
+  const bool swapped = stored_swapped(p, q);
   const outline::OrientedOutline& first = swapped ? q : p;
   const outline::OrientedOutline& second = swapped ? p : q;
   return {{first.outline, second.outline, first.symmetry.inverse().after(second.symmetry)}, first.symmetry, swapped};
@@ -56,32 +56,33 @@ Sum make(const Key& key) {
   return std::make_shared<const MinkowskiSum>(obstacle_sum(*key.p, *key.q, key.relative));
 }
 
-constexpr std::size_t kBlock = 4;  // sums that one hand makes in a row
+constexpr std::size_t kBlock = 4;  // consecutive sums computed by one part of the parallel task
 
 }  // namespace
 
 struct SumCache::Store {
-  struct Held {
+  struct SumEntry {
     Key key;
     Sum sum;
     std::size_t bytes{};
-    std::uint64_t used{};  // the number of its last use
+    std::uint64_t used{};  // serial number of its last use
   };
-  // What an outline was simplified to, as long as somebody keeps that.
-  struct Grown {
+  // The simplification of an outline, as long as its outline is alive elsewhere.
+  struct Simplified {
     Coord tolerance{};
     std::weak_ptr<const outline::Outline> outline;
   };
-  static constexpr std::size_t kGrown = 4;  // tolerances that one outline remembers
-  struct Known {
+  static constexpr std::size_t kSimplifiedPerOutline = 4;  // how many tolerances are remembered for one outline
+  struct OutlineEntry {
     std::shared_ptr<const outline::Outline> outline;
     std::size_t bytes{};
-    std::uint64_t used{};  // that of its last use, or its sums': they are forgotten before it
-    std::vector<Grown> grown{};
+    std::uint64_t
+        used{};  // serial number of its last use, or of its sums' last use, so that its sums are evicted first
+    std::vector<Simplified> grown{};
   };
-  // Most recently used first.
-  using Sums = std::list<Held>;
-  using Outlines = std::list<Known>;
+  // Both lists are ordered by last use, most recent first.
+  using Sums = std::list<SumEntry>;
+  using Outlines = std::list<OutlineEntry>;
 
   std::size_t limit{};
   mutable std::mutex mutex;
@@ -106,7 +107,7 @@ struct SumCache::Store {
     counts.misses += misses;
   }
 
-  // Keeps the sum, unless another thread was faster.
+  // Stores the sum, unless another thread has stored it meanwhile.
   void keep(const Key& key, const Sum& sum) {
     const std::lock_guard lock{mutex};
     if (sum_at.contains(key)) return;
@@ -117,36 +118,36 @@ struct SumCache::Store {
     make_room();
   }
 
-  // The outline of the polygon when it is known.
+  // The stored outline of the polygon, or null.
   std::shared_ptr<const outline::Outline> find(const Polygon& polygon, std::uint64_t hash) {
     const std::lock_guard lock{mutex};
     const auto known = use(polygon, hash);
     return known == outlines.end() ? nullptr : known->outline;
   }
 
-  // What the outline was simplified to, when that is remembered.
+  // The remembered simplification of the outline for this tolerance, or null.
   std::shared_ptr<const outline::Outline> find_grown(const outline::Outline& outline, Coord tolerance) {
     const std::lock_guard lock{mutex};
     const auto known = use(outline.polygon, outline.hash);
     if (known == outlines.end()) return nullptr;
-    for (const Grown& grown : known->grown) {
+    for (const Simplified& grown : known->grown) {
       if (grown.tolerance == tolerance) return grown.outline.lock();
     }
     return nullptr;
   }
-  // Remembers it as long as the outline is known.
+  // Remembers a simplification for as long as the outline is stored.
   void keep_grown(const outline::Outline& outline, Coord tolerance,
                   const std::shared_ptr<const outline::Outline>& simplified) {
     const std::lock_guard lock{mutex};
     const auto known = use(outline.polygon, outline.hash);
     if (known == outlines.end()) return;
-    std::vector<Grown>& grown = known->grown;
-    std::erase_if(grown, [&](const Grown& one) { return one.tolerance == tolerance; });
-    if (grown.size() == kGrown) grown.erase(grown.begin());
+    std::vector<Simplified>& grown = known->grown;
+    std::erase_if(grown, [&](const Simplified& one) { return one.tolerance == tolerance; });
+    if (grown.size() == kSimplifiedPerOutline) grown.erase(grown.begin());
     grown.push_back({tolerance, simplified});
   }
 
-  // The outline, or that of another thread that was faster.
+  // Stores the outline and returns it, or returns the one that another thread has stored meanwhile.
   std::shared_ptr<const outline::Outline> keep(const std::shared_ptr<const outline::Outline>& made) {
     const std::lock_guard lock{mutex};
     if (const auto known = use(made->polygon, made->hash); known != outlines.end()) return known->outline;
@@ -176,7 +177,7 @@ struct SumCache::Store {
     return outlines.end();
   }
 
-  // Forgets the least recently used until what is kept fits.
+  // Evicts the least recently used entries until the rest fits the limit.
   void make_room() {
     while (counts.bytes > limit && !(sums.empty() && outlines.empty())) {
       if (outlines.empty() || (!sums.empty() && sums.back().used < outlines.back().used)) {
@@ -217,7 +218,7 @@ SumCache::SumCache(std::size_t limit_bytes) : store_{std::make_unique<Store>()} 
 SumCache::~SumCache() = default;
 
 Obstacle SumCache::obstacle(const outline::OrientedOutline& p, const outline::OrientedOutline& q) {
-  const Kept kept = kept_as(p, q);
+  const StoredAs kept = stored_as(p, q);
   Sum sum = store_->find(kept.key);
   store_->count(sum ? 1 : 0, sum ? 0 : 1);
   if (!sum) {
@@ -228,14 +229,14 @@ Obstacle SumCache::obstacle(const outline::OrientedOutline& p, const outline::Or
 }
 
 std::vector<Obstacle> SumCache::obstacles(std::span<const OutlinePair> pairs, const Executor& executor) {
-  std::vector<Kept> kept;
+  std::vector<StoredAs> kept;
   std::vector<Sum> sums;
   kept.reserve(pairs.size());
   sums.reserve(pairs.size());
   std::vector<Key> missing;
-  std::unordered_map<Key, std::size_t, KeyHash> number;  // of each that is missing
+  std::unordered_map<Key, std::size_t, KeyHash> number;  // of each missing key in `missing`
   for (const auto& [p, q] : pairs) {
-    const Key& key = kept.emplace_back(kept_as(*p, *q)).key;
+    const Key& key = kept.emplace_back(stored_as(*p, *q)).key;
     sums.push_back(store_->find(key));
     if (!sums.back() && number.try_emplace(key, missing.size()).second) missing.push_back(key);
   }

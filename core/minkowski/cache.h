@@ -1,6 +1,8 @@
-// The cache of Minkowski sums: one entry per pair of outlines and relative orientation, and the outlines themselves;
-// shared by every marker and every thread, bounded in bytes, counted.  Outlines count as sums do, and stay at least as
-// long as their sums.  What it returns does not depend on what it holds.
+// The cache of Minkowski sums: one entry per pair of outlines and relative orientation, and the outlines themselves.
+//
+// The cache is shared by all markers and threads (it is thread-safe), limited in bytes, and counts its hits and misses.
+// Outlines count towards the limit as sums do, and are kept at least as long as their sums.
+// Invariant: results do not depend on what the cache contains.
 #pragma once
 
 #include <cstddef>
@@ -18,13 +20,13 @@ namespace selvage::minkowski {
 
 struct CacheCounts {
   std::uint64_t hits{}, misses{};
-  std::size_t entries{};  // sums kept
-  std::size_t bytes{};    // of them and of the outlines kept
+  std::size_t entries{};  // number of sums in the cache
+  std::size_t bytes{};    // size of the cached sums and outlines
   std::size_t limit{};
 };
 
-// The obstacle that piece P is to piece Q, in some frame of its own: a position r = q - p of Q relative to P in the
-// marker's frame is to_frame(r) there.
+// The obstacle that piece P presents to piece Q, in a frame of its own: to_frame maps a position r = q - p of Q
+// relative to P from the marker's frame to the obstacle's.
 class Obstacle {
  public:
   Obstacle(std::shared_ptr<const MinkowskiSum> sum, Symmetry frame, bool mirrored)
@@ -33,24 +35,24 @@ class Obstacle {
   [[nodiscard]] const MinkowskiSum& sum() const { return *sum_; }
   [[nodiscard]] Vec to_frame(Vec r) const { return into_.apply(mirrored_ ? -r : r); }
   [[nodiscard]] Vec from_frame(Vec v) const { return mirrored_ ? -frame_.apply(v) : frame_.apply(v); }
-  // The same as to_frame, for a direction that need not be on the lattice.
+  // The same as to_frame for a direction with real coordinates.
   [[nodiscard]] std::pair<double, double> direction_to_frame(double x, double y) const {
     const Vec unit_x = to_frame({1, 0});
     const Vec unit_y = to_frame({0, 1});
     return {x * static_cast<double>(unit_x.x) + y * static_cast<double>(unit_y.x),
             x * static_cast<double>(unit_x.y) + y * static_cast<double>(unit_y.y)};
   }
-  // True when the frame turns left into right.
+  // True when the frame is mirrored.
   [[nodiscard]] bool flips() const { return frame_.flips(); }
 
  private:
   std::shared_ptr<const MinkowskiSum> sum_;
   Symmetry frame_, into_;
-  bool mirrored_;  // the sum is that of P relative to Q: -(P (+) -Q)
+  bool mirrored_;  // the stored sum is that of P relative to Q: -(P (+) -Q)
 };
 
 using OutlinePair =
-    std::pair<const outline::OrientedOutline*, const outline::OrientedOutline*>;  // P and Q, neither null
+    std::pair<const outline::OrientedOutline*, const outline::OrientedOutline*>;  // P and Q; neither is null
 
 class SumCache {
  public:
@@ -60,17 +62,18 @@ class SumCache {
   SumCache(const SumCache&) = delete;
   SumCache& operator=(const SumCache&) = delete;
 
-  // Finds or makes the outline of a polygon.  It is forgotten like a sum.
+  // Returns the outline of a polygon, computing it if necessary.  Outlines are evicted like sums.
   [[nodiscard]] std::shared_ptr<const outline::Outline> outline(const Polygon& polygon);
 
-  // Finds or makes the outline of what simplified_outward (core/geometry/outward.h) makes of the polygon: the very same
-  // one when that is nothing else.
+  // Returns the outline of the result of simplified_outward (core/outline/outward.h), computing it if necessary.
+  // Returns `outline` itself when nothing can be simplified.
   [[nodiscard]] std::shared_ptr<const outline::Outline> grown(const std::shared_ptr<const outline::Outline>& outline,
                                                               Coord tolerance);
 
-  // Finds or makes the sum.  The least recently used entries go when the limit is passed; whoever holds one keeps it.
+  // Returns the obstacle of a pair, computing its sum if necessary.  The least recently used entries are evicted when
+  // the limit is exceeded; an obstacle shares ownership of its sum, so it stays usable.
   [[nodiscard]] Obstacle obstacle(const outline::OrientedOutline& p, const outline::OrientedOutline& q);
-  // One to each pair.  Sums that are not there yet are made by the crew, each of them once.
+  // Returns one obstacle per pair.  Missing sums are computed in parallel by the executor, each exactly once.
   [[nodiscard]] std::vector<Obstacle> obstacles(std::span<const OutlinePair> pairs, const Executor& executor);
 
   [[nodiscard]] CacheCounts counts() const;
@@ -82,7 +85,7 @@ class SumCache {
 
 }  // namespace selvage::minkowski
 
-// Vocabulary: named in selvage itself as well, so that every room may use it unqualified.
+// Basic types: also available in namespace selvage, so that every folder can use them unqualified.
 namespace selvage {
 using minkowski::SumCache;
 }  // namespace selvage

@@ -1,11 +1,11 @@
-// A sum's edges near a box, by the sum's tree of boxes.
+// Enumerates a sum's edges near a box, using the sum's box tree.
 #pragma once
 
 #include "core/minkowski/sum.h"
 
 namespace selvage::minkowski {
 
-// Calls visit(edge) for every edge whose box touches `window`; in the order of the edges.
+// Calls visit(edge) for every edge whose box touches `window`, in the order of the edges.
 template <class Visit>
 void for_each_edge_near(const MinkowskiSum& sum, const Box& window, Visit visit) {
   const BoxTree& tree = sum.tree();

@@ -5,7 +5,7 @@
 namespace selvage::minkowski {
 namespace {
 
-// The nearest point of the segment to the origin of (ax, ay), as a parameter along it.
+// The parameter, along the segment that starts at (ax, ay) with direction (dx, dy), of its point nearest to the origin.
 double nearest_parameter(double ax, double ay, double dx, double dy) {
   return std::clamp(-(ax * dx + ay * dy) / (dx * dx + dy * dy), 0.0, 1.0);
 }
@@ -44,7 +44,7 @@ double NearestEdges::squared_distance(const convolution::SumEdge& edge) const {
 BoundaryPoint nearest_boundary_point(const MinkowskiSum& sum, Vec from) {
   NearestEdges edges{sum, from, std::numeric_limits<double>::infinity()};
   const auto nearest = edges.next([](const Box&) { return false; });
-  if (!nearest) return {{}, std::numeric_limits<double>::infinity(), nullptr};  // a sum of nothing but rounding
+  if (!nearest) return {{}, std::numeric_limits<double>::infinity(), nullptr};  // no edge is longer than rounding
   const convolution::SumEdge& e = *nearest->edge;
   const auto dx = static_cast<double>(e.to.x - e.from.x);
   const auto dy = static_cast<double>(e.to.y - e.from.y);

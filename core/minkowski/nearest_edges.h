@@ -1,4 +1,5 @@
-// A sum's edges in the order of their distance from a point: best first over the sum's tree of boxes.
+// Enumerates a sum's edges in the order of their distance from a point, by a best-first search of the sum's box tree.
+// Units: lattice units.
 #pragma once
 
 #include <algorithm>
@@ -18,15 +19,16 @@ class NearestEdges {
     double squared_distance{};  // from the point to the edge; lattice units squared
   };
 
-  // Edges farther than `reach` from `from` are left out.
+  // Edges farther than `reach` from the point `from` are left out.
   NearestEdges(const MinkowskiSum& sum, Vec from, double reach);
 
-  // The next edge; nothing when all have been seen.  `skip(box)` says that nothing inside the box is of interest.
+  // The next edge; nothing when there are no more.  `skip(box)` returns true when the edges inside the box can be left
+  // out.
   template <class Skip>
   std::optional<Near> next(Skip skip);
 
  private:
-  static constexpr std::size_t kUsual = 32;  // nodes: few sums have more at a time
+  static constexpr std::size_t kUsual = 32;  // inline capacity of the heap, in nodes; few sums need more
 
   struct Node {
     double squared_distance{};
@@ -47,9 +49,10 @@ class NearestEdges {
   boost::container::small_vector<Node, kUsual> heap_;
 };
 
-// The nearest point of the sum's boundary, and its distance; infinitely far, without an edge, when the sum shows none.
+// The point of the sum's boundary nearest to `from`, and its distance.  When the sum has no visible edge, the distance
+// is infinite and `edge` is null.
 struct BoundaryPoint {
-  outline::Real2 at;
+  RealVec at;
   double distance{};
   const convolution::SumEdge* edge{};
 };

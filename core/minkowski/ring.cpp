@@ -12,7 +12,7 @@ double angle_of(double x, double y) {
   return x == 0 && y == 0 ? 0 : geometry::pseudo_angle(x, y);
 }
 
-// Both on one exact line, in one direction.
+// True when both edges lie on the same exact line with the same direction.
 bool run_along(const convolution::SumEdge& e, const convolution::SumEdge& f) {
   const Vec along = e.line_to - e.line_from;
   const Vec other = f.line_to - f.line_from;
@@ -42,7 +42,7 @@ std::size_t Ring::corner_before(double angle) const {
   return after == corners_.begin() ? corners_.size() - 1 : static_cast<std::size_t>(after - corners_.begin()) - 1;
 }
 
-bool Ring::holds(outline::Real2 point, double margin) const {
+bool Ring::holds(RealVec point, double margin) const {
   const double x = point.x - centre_.x;
   const double y = point.y - centre_.y;
   return depth(corners_[corner_before(angle_of(x, y))], x, y) > margin;
@@ -72,7 +72,8 @@ void Ring::append_inside(const convolution::SumEdge& edge, double margin, bool o
 }
 
 double Ring::margin_at(const Corner& corner, const Question& question) const {
-  constexpr double kRoundedEnds = 2;  // two ends on one line, each rounded, are nearer than this to each other's
+  constexpr double kRoundedEnds =
+      2;  // two rounded end points of edges on one line can appear up to this far off the other edge
   if (question.reversed) return question.margin;
   const double dx = question.bx - question.ax;
   const double dy = question.by - question.ay;
@@ -81,7 +82,7 @@ double Ring::margin_at(const Corner& corner, const Question& question) const {
   return question.own_edges ? -kRoundedEnds : kRoundedEnds;
 }
 
-// The segment turns counter-clockwise about the centre: walk the edges that face it one after another.
+// The segment turns counter-clockwise about the centre: go through the edges that face it in order.
 void Ring::append_turning(const Question& question, Stretches& stretches) const {
   const std::size_t n = corners_.size();
   const double ax = question.ax;
@@ -98,7 +99,7 @@ void Ring::append_turning(const Question& question, Stretches& stretches) const 
   double t = 0;
   for (std::size_t step = 0; step <= n && t < 1; ++step, k = k + 1 == n ? 0 : k + 1) {
     const Corner& next = corners_[k + 1 == n ? 0 : k + 1];
-    // How far along the segment the next corner's ray is, if the segment gets there.
+    // The parameter at which the segment crosses the ray through the next corner, if it reaches that ray.
     const double to_end = end >= left ? end - left : end - left + geometry::kFullTurn;
     const double to_next = next.angle > left ? next.angle - left : next.angle - left + geometry::kFullTurn;
     double t_next = 1;
@@ -122,7 +123,7 @@ void Ring::append_turning(const Question& question, Stretches& stretches) const 
   }
 }
 
-// The segment lies on a line through the centre: on either side of it one edge says how far the inside goes.
+// The segment lies on a line through the centre: on either side of the centre, a single edge bounds the inside.
 void Ring::append_radial(const Question& question, Stretches& stretches) const {
   const double ax = question.ax;
   const double ay = question.ay;

@@ -1,4 +1,5 @@
-// Questions to one star sum: is a point inside, which stretches of a segment are.
+// Queries of one star-shaped sum: whether a point is inside, and which parts of a segment are.
+// Units: lattice units.
 #pragma once
 
 #include <utility>
@@ -10,43 +11,43 @@ namespace selvage::minkowski {
 
 using Stretches = std::vector<std::pair<double, double>>;
 
-// A star sum prepared for such questions: its vertices relative to the centre, sorted by angle.
+// A star-shaped sum prepared for queries: its vertices relative to the centre, sorted by angle.
 class Ring {
  public:
-  // `sum` must outlive it.
+  // REQUIRES: `sum` outlives the ring.
   explicit Ring(const convolution::StarSum& sum);
 
-  // Inside by more than `margin` lattice units, measured from the edge that faces the point.
-  [[nodiscard]] bool holds(outline::Real2 point, double margin) const;
+  // True when the point is inside by more than `margin`, measured from the edge that faces the point.
+  [[nodiscard]] bool holds(RealVec point, double margin) const;
 
-  // The stretches [t0, t1] of another ring's edge (t = 0 where it begins, 1 where it ends) that lie inside by more than
-  // `margin`; appended, not sorted.  Stretches that run along one of the ring's own edges, on the same exact line and
-  // in its direction, count as inside with `own_edges`, and else as outside.
+  // Appends the intervals [t0, t1] of another ring's edge (t = 0 at its start, 1 at its end) that lie inside by more
+  // than `margin`; they are not sorted.  Intervals that run along an edge of this ring, on the same exact line and in
+  // the same direction, count as inside when `own_edges` is true and otherwise as outside.
   void append_inside(const convolution::SumEdge& edge, double margin, bool own_edges, Stretches& stretches) const;
 
  private:
   struct Corner {
-    double angle{}, x{}, y{};  // where an edge begins, relative to the centre
-    double dx{}, dy{};         // the edge's unit direction, that of its exact line
+    double angle{}, x{}, y{};  // start of an edge relative to the centre
+    double dx{}, dy{};         // unit direction of the edge's exact line
     const convolution::SumEdge* edge{};
   };
   [[nodiscard]] std::size_t corner_before(double angle) const;
   [[nodiscard]] double depth(const Corner& corner, double x, double y) const {
     return corner.dx * (y - corner.y) - corner.dy * (x - corner.x);
   }
-  // A segment in the ring's frame, with what append_inside was asked.
+  // A segment in the ring's frame, with the arguments of append_inside.
   struct Question {
     double ax{}, ay{}, bx{}, by{};
     const convolution::SumEdge* edge{};
     double margin{};
     bool own_edges{};
-    bool reversed{};  // a and b were exchanged
+    bool reversed{};  // a and b were swapped
   };
   [[nodiscard]] double margin_at(const Corner& corner, const Question& question) const;
   void append_turning(const Question& question, Stretches& stretches) const;
   void append_radial(const Question& question, Stretches& stretches) const;
 
-  outline::Real2 centre_;
+  RealVec centre_;
   std::vector<Corner> corners_;
 };
 

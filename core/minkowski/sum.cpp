@@ -10,7 +10,8 @@
 namespace selvage::minkowski {
 namespace {
 
-// Edges within this many units of another ring's boundary are kept: rounded ends cannot say which side they are on.
+// Edges within this many lattice units of another ring's boundary are kept, because rounded end points do not tell on
+// which side of it they are.
 constexpr double kHidden = 1.0;
 
 Box box_of_edges(std::span<const convolution::SumEdge> edges) {
@@ -22,17 +23,13 @@ Box box_of_edges(std::span<const convolution::SumEdge> edges) {
   return box;
 }
 
-outline::Real2 real(Vec v) {
-  return {static_cast<double>(v.x), static_cast<double>(v.y)};
-}
-
-// Takes the stretches inside other rings out of each edge.
+// Removes from each edge the parts that lie inside other rings.
 class Visibility {
  public:
   Visibility(std::span<const convolution::StarSum> rings, std::span<const Box> boxes) : sums_{rings}, boxes_{boxes} {
     rings_.reserve(rings.size());
     for (const convolution::StarSum& s : rings) rings_.emplace_back(s);
-    // Large rings hide most: ask them first.
+    // Large rings hide most edges, so they are tested first.
     order_.resize(rings.size());
     std::iota(order_.begin(), order_.end(), std::size_t{0});
     const auto size = [&](std::size_t r) {
@@ -53,12 +50,12 @@ class Visibility {
 
  private:
   void append_visible(std::size_t own, const convolution::SumEdge& edge, std::vector<convolution::SumEdge>& visible) {
-    const outline::Real2 a = real(edge.from);
-    const outline::Real2 b = real(edge.to);
+    const RealVec a = real(edge.from);
+    const RealVec b = real(edge.to);
     const Box box = box_of(edge);
-    const double least = 2 * kHidden / std::hypot(b.x - a.x, b.y - a.y);  // shorter stretches are rounding
+    const double least = 2 * kHidden / std::hypot(b.x - a.x, b.y - a.y);  // shorter parts are artefacts of rounding
     shown_ = {{0.0, 1.0}};
-    // What hid the last edge hides this one, its neighbour, as a rule.
+    // The ring that hid the previous edge usually hides this one too, since they are neighbours.
     if (last_hider_ != own) hide_behind(last_hider_, own, edge, box, least);
     for (const std::size_t r : order_) {
       if (shown_.empty()) return;
@@ -77,8 +74,8 @@ class Visibility {
     }
   }
 
-  // Takes what ring r hides of the edge out of shown_.  Of several edges along one line, the first ring's
-  // shows.
+  // Removes from shown_ the parts of the edge that ring r hides.  Of several edges on one line, only that of the first
+  // ring is shown.
   void hide_behind(std::size_t r, std::size_t own, const convolution::SumEdge& edge, const Box& box, double least) {
     if (!boxes_[r].touches(box)) return;
     hidden_.clear();
@@ -112,7 +109,7 @@ MinkowskiSum::MinkowskiSum(std::vector<convolution::StarSum> rings) : rings_{std
   tree_ = BoxTree{edges()};
 }
 
-bool MinkowskiSum::contains(outline::Real2 point) const {
+bool MinkowskiSum::contains(RealVec point) const {
   for (std::size_t r = 0; r < rings_.size(); ++r) {
     const Box& b = ring_boxes_[r];
     if (point.x <= static_cast<double>(b.low.x) || point.x >= static_cast<double>(b.high.x) ||

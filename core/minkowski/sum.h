@@ -1,8 +1,9 @@
-// The Minkowski sum of any two outlines: the union of the star sums of their parts [Li94 3.4.3, Remark 4.2].
+// The Minkowski sum of any two outlines, as the union of the star-shaped sums of their parts [Li94 3.4.3, Remark 4.2].
 //
-// For pieces P at p and Q at q, Q in the frame of P: they overlap exactly when q - p lies in the interior of P (+) -Q
-// [Li94 Theorem 3.1].  The boundary is kept as edges with the sum's interior on their left, each on an exact lattice
-// line; ends that are crossings of two lines are rounded to the lattice.  A sum may have holes.
+// A piece P at p and a piece Q at q overlap exactly when q - p lies in the interior of P (+) -Q [Li94 Theorem 3.1].
+// The boundary is stored as edges with the sum's interior on their left, each on an exact lattice line; end points that
+// are crossings of two lines are rounded to the lattice.  A sum may have holes.
+// Units: lattice units.
 #pragma once
 
 #include <cstddef>
@@ -19,24 +20,25 @@ class MinkowskiSum {
  public:
   explicit MinkowskiSum(std::vector<convolution::StarSum> rings);
 
-  // The edges of the union's boundary; those of one ring follow each other.  Edges inside another ring are left out.
+  // The edges of the union's boundary.  Edges of the same ring are consecutive, and edges inside another ring are left
+  // out.
   [[nodiscard]] std::span<const convolution::SumEdge> edges() const {
     return rings_.size() == 1 ? rings_[0].edges : visible_;
   }
-  // The star sums whose union this is.
+  // The star-shaped sums whose union this is.
   [[nodiscard]] std::span<const convolution::StarSum> rings() const { return rings_; }
   [[nodiscard]] const Box& box() const { return box_; }
-  // True when the point lies inside by more than rounding.
-  [[nodiscard]] bool contains(outline::Real2 point) const;
+  // True when the point lies inside by more than the rounding of edges.
+  [[nodiscard]] bool contains(RealVec point) const;
   [[nodiscard]] std::size_t bytes() const;
 
-  // Over edges().
+  // The box tree of edges().
   [[nodiscard]] const BoxTree& tree() const { return tree_; }
 
  private:
   std::vector<convolution::StarSum> rings_;
   std::vector<Box> ring_boxes_;
-  std::vector<convolution::SumEdge> visible_;  // only when there are several rings
+  std::vector<convolution::SumEdge> visible_;  // used only when there are several rings
   BoxTree tree_;
   Box box_;
 };
@@ -44,7 +46,7 @@ class MinkowskiSum {
 // P (+) Q.
 [[nodiscard]] MinkowskiSum minkowski_sum(std::span<const outline::StarPart> first,
                                          std::span<const outline::StarPart> second);
-// P (+) -(Q under `relative`): what the relative position of Q to P must stay out of.
+// P (+) -(Q under `relative`): two pieces overlap exactly when the position of Q relative to P lies in its interior.
 [[nodiscard]] MinkowskiSum obstacle_sum(const outline::Outline& p, const outline::Outline& q, Symmetry relative);
 
 }  // namespace selvage::minkowski

@@ -5,29 +5,10 @@
 #include <cmath>
 
 namespace selvage::model {
-namespace {
-
-constexpr double kUnitsAcross = 1000;     // column units in a strip's width
-constexpr double kSolverResidual = 1e-9;  // column units by which a solver may break a row
-
-}  // namespace
-
-PairRow row_of(marker::PiecePair pair, const HalfPlane& side, Vec r, Coord spacing, double unit, TightRows tight) {
-  const auto dx = static_cast<double>(side.direction.x);
-  const auto dy = static_cast<double>(side.direction.y);
-  const double length = std::sqrt(dx * dx + dy * dy);
-  PairRow row{pair, dy / length, -dx / length, 0};
-  const double slack = slack_of(side, r) - static_cast<double>(spacing);
-  const bool slanted = side.direction.x != 0 && side.direction.y != 0;
-  const double margin = slanted ? std::abs(row.nx) + std::abs(row.ny) + 2 * kSolverResidual * unit : 0;
-  row.bound = margin - slack;
-  if (tight == TightRows::kKeep && slack >= 0 && slack < margin) row.bound = 0;
-  return row;
-}
 
 PositionModel::PositionModel(const marker::PlacedPieces& pieces, const Strip& strip, const Ties& ties)
     : pieces_{pieces},
-      unit_{static_cast<double>(strip.width) / kUnitsAcross},
+      unit_{strip},
       length_{pieces.length()},
       x_(pieces.size(), kNone),
       y_(pieces.size(), kNone),
@@ -37,7 +18,7 @@ PositionModel::PositionModel(const marker::PlacedPieces& pieces, const Strip& st
   const Box room = strip.room(strip.last().value_or(0));
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Box box = pieces.box(i);
-    const auto way = [&](Coord from, Coord to) { return static_cast<double>(to - from) / unit_; };
+    const auto way = [&](Coord from, Coord to) { return unit_.to_columns(static_cast<double>(to - from)); };
     if (ties.x[i] != Ties::kFixed) {
       bound(x_of[ties.x[i]], way(box.low.x, room.low.x), strip.longest ? way(box.high.x, room.high.x) : lp::kInfinity);
       x_[i] = x_of[ties.x[i]];
@@ -49,7 +30,7 @@ PositionModel::PositionModel(const marker::PlacedPieces& pieces, const Strip& st
   }
 }
 
-// Makes the column if there is none yet; narrows it else.
+// Adds the column if there is none yet; otherwise narrows its bounds.
 void PositionModel::bound(int& column, double low, double high) {
   if (column == kNone) {
     column = program_.add_column(0, low, high);
@@ -65,7 +46,7 @@ Terms PositionModel::terms(std::size_t q, std::optional<std::size_t> p, double n
   const auto put = [&](const std::vector<int>& columns, double n) {
     const int second = columns[q];
     const int first = p ? columns[*p] : kNone;
-    if (n == 0 || first == second) return;  // one displacement: its difference is nothing
+    if (n == 0 || first == second) return;  // they share one displacement
     if (second != kNone) terms.add(second, n);
     if (first != kNone) terms.add(first, -n);
   };
@@ -79,15 +60,15 @@ std::optional<int> PositionModel::add(const PairRow& row, std::optional<int> giv
   if (x_[p] == x_[q] && y_[p] == y_[q]) return std::nullopt;
   Terms entries = terms(q, p, row.nx, row.ny);
   if (give) entries.add(*give, 1);
-  return program_.add_row(entries.all(), row.bound / unit_);
+  return program_.add_row(entries.all(), unit_.to_columns(row.bound));
 }
 
 void PositionModel::add_length(double cost, double shorten, double lengthen) {
-  length_column_ = program_.add_column(cost, -shorten / unit_, lengthen / unit_);
+  length_column_ = program_.add_column(cost, unit_.to_columns(-shorten), unit_.to_columns(lengthen));
 }
 
 void PositionModel::add_right_wall(std::size_t piece) {
-  const double room = static_cast<double>(length_ - pieces_.box(piece).high.x) / unit_;
+  const double room = unit_.to_columns(static_cast<double>(length_ - pieces_.box(piece).high.x));
   if (x_[piece] != kNone) {
     const std::array<lp::LinearProgram::Entry, 2> entries{{{length_column_, 1}, {x_[piece], -1}}};
     wall_row_[piece] = program_.add_row(entries, -room);
@@ -115,7 +96,7 @@ void PositionModel::add_displacement_penalty(double cost, std::span<const Vec> h
       if (column == kNone || counted[static_cast<std::size_t>(column)] != 0) continue;
       counted[static_cast<std::size_t>(column)] = 1;
       // |away + d| is the least t with t >= away + d and t >= -(away + d).
-      const double bound = static_cast<double>(offset) / unit_;
+      const double bound = unit_.to_columns(static_cast<double>(offset));
       const int magnitude = program_.add_column(cost, 0, lp::kInfinity);
       program_.add_row(std::array<lp::LinearProgram::Entry, 2>{{{magnitude, 1}, {column, -1}}}, bound);
       program_.add_row(std::array<lp::LinearProgram::Entry, 2>{{{magnitude, 1}, {column, 1}}}, -bound);
@@ -123,17 +104,17 @@ void PositionModel::add_displacement_penalty(double cost, std::span<const Vec> h
   }
 }
 
-std::vector<Displacement> PositionModel::displacements(std::span<const double> x) const {
-  std::vector<Displacement> moves(pieces_.size());
+std::vector<RealVec> PositionModel::displacements(std::span<const double> x) const {
+  std::vector<RealVec> moves(pieces_.size());
   for (std::size_t i = 0; i < moves.size(); ++i) {
-    if (x_[i] != kNone) moves[i].x = x[static_cast<std::size_t>(x_[i])] * unit_;
-    if (y_[i] != kNone) moves[i].y = x[static_cast<std::size_t>(y_[i])] * unit_;
+    if (x_[i] != kNone) moves[i].x = unit_.to_lattice(x[static_cast<std::size_t>(x_[i])]);
+    if (y_[i] != kNone) moves[i].y = unit_.to_lattice(x[static_cast<std::size_t>(y_[i])]);
   }
   return moves;
 }
 
 double PositionModel::length_change(std::span<const double> x) const {
-  return length_column_ < 0 ? 0 : x[static_cast<std::size_t>(length_column_)] * unit_;
+  return length_column_ < 0 ? 0 : unit_.to_lattice(x[static_cast<std::size_t>(length_column_)]);
 }
 
 }  // namespace selvage::model

@@ -6,8 +6,8 @@
 namespace selvage::model {
 namespace {
 
-// The shift t in [0, 1] for which no value's fraction comes near a whole number.  0 is one of the values: what does not
-// move must stay.
+// The shift t in [0, 1] that keeps all values, once added, away from whole numbers.  0 counts as one of the values: a
+// piece that does not move must stay.
 double shift_for(std::vector<double> values) {
   for (double& v : values) v -= std::floor(v);
   values.push_back(0);
@@ -25,10 +25,10 @@ double shift_for(std::vector<double> values) {
 
 }  // namespace
 
-std::vector<Vec> snapped(std::span<const Displacement> displacements) {
+std::vector<Vec> snapped(std::span<const RealVec> displacements) {
   std::vector<double> xs;
   std::vector<double> ys;
-  for (const Displacement& d : displacements) {
+  for (const RealVec& d : displacements) {
     xs.push_back(d.x);
     ys.push_back(d.y);
   }
@@ -36,7 +36,7 @@ std::vector<Vec> snapped(std::span<const Displacement> displacements) {
   const double ty = shift_for(ys);
   std::vector<Vec> moves;
   moves.reserve(displacements.size());
-  for (const Displacement& d : displacements) {
+  for (const RealVec& d : displacements) {
     moves.push_back({static_cast<Coord>(std::floor(d.x + tx)), static_cast<Coord>(std::floor(d.y + ty))});
   }
   return moves;

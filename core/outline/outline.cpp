@@ -2,7 +2,7 @@
 
 namespace selvage::outline {
 
-// FNV-1a over the coordinates' bytes, low byte first.
+// FNV-1a over the bytes of the coordinates, least significant byte first.
 std::uint64_t hash_of(const Polygon& polygon) {
   std::uint64_t hash = 0xcbf29ce484222325U;
   const auto mix = [&hash](Coord c) {

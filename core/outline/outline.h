@@ -1,5 +1,6 @@
-// An outline: a polygon with everything about it that Minkowski sums, regions and proofs ask for again and again,
-// worked out once.  Immutable and shared; two outlines of the same polygon are equal.
+// An outline: a polygon together with the properties that Minkowski sums, free regions and validity proofs use
+// repeatedly, computed once.
+// Invariant: an outline is immutable and shared; outlines of equal polygons are equal.
 #pragma once
 
 #include <cstddef>
@@ -22,11 +23,11 @@ struct Outline {
 
   [[nodiscard]] std::size_t bytes() const;
 };
-// Equal on every machine.
+// The hash is the same on every platform.
 [[nodiscard]] std::uint64_t hash_of(const Polygon& polygon);
 [[nodiscard]] std::shared_ptr<const Outline> make_outline(Polygon polygon);
 
-// An outline under a symmetry: what a piece is, but for its position.
+// An outline and the symmetry applied to it: a placed piece without its position.
 struct OrientedOutline {
   std::shared_ptr<const Outline> outline;
   Symmetry symmetry;

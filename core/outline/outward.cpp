@@ -14,8 +14,7 @@ namespace selvage::outline {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr Coord kRoundingReach =
-    2;  // lattice units about a crossing that are looked at for a corner outside both edges
+constexpr Coord kRoundingReach = 2;  // lattice points this near to a crossing are tried as corners outside both edges
 
 double length_of(Vec v) {
   const auto x = static_cast<double>(v.x);
@@ -43,13 +42,13 @@ bool meet(Vec a, Vec b, Vec c, Vec d) {
   return side_of(a, b, c) * side_of(a, b, d) <= 0 && side_of(c, d, a) * side_of(c, d, b) <= 0;
 }
 
-// Two edges, of which one ends where the other begins, run back over each other.
+// True when two consecutive edges fold back over each other.
 bool folded(Vec from, Vec shared, Vec to) {
   return side_of(from, shared, to) == 0 && dot(shared - from, to - shared) < 0;
 }
 
-// The lattice point nearest to where the line from p through a and the line from n back through b cross, outside both;
-// nothing when they do not, or no point near by is.
+// The lattice point, outside both edges, nearest to the crossing of the line from p through a and the line from n back
+// through b; nothing when the lines do not cross there or no nearby lattice point qualifies.
 std::optional<Vec> crossing_outside(Vec p, Vec a, Vec b, Vec n) {
   const Wide turn = cross(a - p, n - b);
   if (turn <= 0) return std::nullopt;
@@ -63,9 +62,9 @@ std::optional<Vec> crossing_outside(Vec p, Vec a, Vec b, Vec n) {
   for (Coord dx = -kRoundingReach; dx <= kRoundingReach; ++dx) {
     for (Coord dy = -kRoundingReach; dy <= kRoundingReach; ++dy) {
       const Vec c = about + Vec{dx, dy};
-      const bool holds_both = side_of(p, c, a) >= 0 && side_of(p, c, b) >= 0 && side_of(c, n, a) >= 0 &&
-                              side_of(c, n, b) >= 0 && dot(c - a, a - p) >= 0 && dot(b - c, n - b) >= 0;
-      if (!holds_both || side_of(p, c, n) <= 0) continue;
+      const bool outside_both = side_of(p, c, a) >= 0 && side_of(p, c, b) >= 0 && side_of(c, n, a) >= 0 &&
+                                side_of(c, n, b) >= 0 && dot(c - a, a - p) >= 0 && dot(b - c, n - b) >= 0;
+      if (!outside_both || side_of(p, c, n) <= 0) continue;
       const double away = std::hypot(static_cast<double>(c.x - a.x) - x, static_cast<double>(c.y - a.y) - y);
       if (away >= least) continue;
       least = away;
@@ -75,10 +74,12 @@ std::optional<Vec> crossing_outside(Vec p, Vec a, Vec b, Vec n) {
   return best;
 }
 
-// The boundary on its way to fewer corners.  Each corner stands over a foot, a point of the given boundary that is at
-// most the tolerance away; between the feet of an edge's ends no given vertex is farther than that from the edge's
-// line. Hence every point of an edge is within the tolerance, too: the line square to the edge there crosses the way
-// that leads from one end to its foot, along the given boundary, and from the other foot to the other end.
+// The boundary while it is simplified.
+//
+// Every corner has a foot: a point of the given boundary at most the tolerance away.  Between the feet of an edge's
+// ends, no given vertex is farther than the tolerance from the edge's line.  Hence every point of an edge is within the
+// tolerance as well: the perpendicular to the edge at that point crosses the path that leads from one end to its foot,
+// along the given boundary, and from the other foot to the other end.
 class Simplification {
  public:
   Simplification(const Polygon& polygon, Coord tolerance)
@@ -102,7 +103,7 @@ class Simplification {
  private:
   struct Corner {
     Vec at;
-    // The given vertices that its foot lies between; the same one twice when that is its foot.
+    // The given vertices between which the foot lies; both are the same vertex when the foot is that vertex.
     std::size_t before{}, after{};
     std::size_t previous{}, next{};
     bool gone{};
@@ -111,7 +112,8 @@ class Simplification {
     double distance{kNever};
     std::size_t before{}, after{};
   };
-  // What may become of a corner: without an apex it is dropped; with one, it and the next give way to that.
+  // A possible change at a corner: without an apex, the corner is dropped; with one, the apex replaces the corner and
+  // the next corner.
   struct Change {
     double deviation{kNever};
     std::optional<Vec> apex{};
@@ -134,17 +136,17 @@ class Simplification {
     return {std::max({foot.distance, before, after}), apex, foot};
   }
 
-  // Looks anew at what may become of a corner.
+  // Computes the possible change at a corner again.
   void consider(std::size_t corner) {
     changes_[corner] = change_at(corner);
     if (changes_[corner].deviation <= tolerance_) possible_.emplace(changes_[corner].deviation, corner);
   }
 
-  // How many given vertices there are from `first` to `last`: none when last is the one before first.
+  // The number of given vertices from `first` to `last`; 0 when `last` is the vertex before `first`.
   [[nodiscard]] std::size_t count(std::size_t first, std::size_t last) const {
     return (last + 1 + given_.size() - first) % given_.size();
   }
-  // How far those between two feet are from the edge above them.
+  // The largest distance of the given vertices between two feet from the edge between the corners above them.
   [[nodiscard]] double deviation(Vec from, std::size_t after, Vec to, std::size_t before) const {
     double most = 0;
     for (std::size_t k = count(after, before), i = after; k > 0; --k, i = (i + 1) % given_.size()) {
@@ -152,7 +154,7 @@ class Simplification {
     }
     return most;
   }
-  // The nearest point of the given boundary from one vertex to another.
+  // The point of the given boundary, from one vertex to another, nearest to `point`.
   [[nodiscard]] Foot foot_of(Vec point, std::size_t first, std::size_t last) const {
     Foot foot;
     for (std::size_t k = count(first, last), i = first; k > 1; --k) {
@@ -164,7 +166,7 @@ class Simplification {
     return foot;
   }
 
-  // True when the edges that the change makes meet no other.
+  // True when the edges that the change creates meet no other edge.
   [[nodiscard]] bool stays_simple(std::size_t corner) const {
     const Corner& a = corners_[corner];
     const std::optional<Vec>& apex = changes_[corner].apex;
@@ -203,7 +205,7 @@ class Simplification {
     corners_[gone.next].previous = gone.previous;
     --left_;
     changes_[going] = {};
-    // What depends on what changed: a change looks at the corner before, and at two after.
+    // Update every change that depends on this one: a change uses the corner before it and the two after it.
     std::size_t k = gone.next;
     for (int back = 0; back < 4; ++back, k = corners_[k].previous) consider(k);
   }
@@ -221,8 +223,8 @@ class Simplification {
   std::size_t left_;  // corners
   std::vector<Corner> corners_;
   std::vector<Change> changes_;                     // by corner
-  using Possible = std::pair<double, std::size_t>;  // a change's deviation, and its corner
-  std::priority_queue<Possible, std::vector<Possible>, std::greater<>> possible_;  // some of them are past
+  using Possible = std::pair<double, std::size_t>;  // a change's deviation and its corner
+  std::priority_queue<Possible, std::vector<Possible>, std::greater<>> possible_;  // some entries are out of date
 };
 
 }  // namespace

@@ -1,16 +1,21 @@
-// Simplification outwards: a polygon with fewer vertices that holds the given one.  What stays clear of it stays clear
-// of the given one too, so models may be built of it; proofs are not.
+// Outward simplification: a polygon with fewer vertices that contains the given one.  Whatever does not overlap the
+// simplified polygon does not overlap the given one either, so models may use simplified polygons.  Validity proofs
+// never do.
+// Units: lattice units.
 #pragma once
 
 #include "core/geometry/polygon.h"
 
 namespace selvage::outline {
 
-// The polygon grown, by dropping corners that are reflex and by extending the edges beside an edge until they meet, as
-// long as no point of its boundary comes farther than `tolerance` (lattice units, to the rounding of a double) from the
-// given boundary; least deviations first.
-// Laws.  (1) A Polygon.  (2) It holds the given one.  (3) It never has more vertices; the same polygon when nothing can
-// go.  (4) Deterministic.
+// Enlarges the polygon by dropping reflex corners, and by replacing an edge with the intersection of its two
+// neighbouring edges, extended.  No point of the new boundary is farther than `tolerance` from the given boundary (to
+// the rounding of a double).  Changes with the smallest deviation are made first.
+// Laws.
+// (1) The result is a Polygon.
+// (2) It contains the given polygon.
+// (3) It has at most as many vertices; when no change is possible, it is the given polygon.
+// (4) Deterministic.
 [[nodiscard]] Polygon simplified_outward(const Polygon& polygon, Coord tolerance);
 
 }  // namespace selvage::outline

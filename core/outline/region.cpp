@@ -32,7 +32,7 @@ double distance_to_boundary(Vec point, const Region& region) {
   return least;
 }
 
-// The middle of the longest part of the horizontal line at `y` that lies inside.
+// The middle of the longest segment of the horizontal line at `y` that lies inside the region.
 std::optional<Vec> middle_of_chord(const Region& region, Coord y) {
   std::vector<double> crossings;
   for_each_edge(region, [&](Vec a, Vec b) {

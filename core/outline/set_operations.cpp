@@ -7,7 +7,7 @@
 namespace selvage::outline {
 namespace {
 
-constexpr double kMitre = 2;  // corners reach at most this many times the distance
+constexpr double kMitre = 2;  // corners extend at most this many times the distance
 
 ClipperLib::Path path_of(std::span<const Vec> polygon) {
   ClipperLib::Path path;
@@ -16,8 +16,8 @@ ClipperLib::Path path_of(std::span<const Vec> polygon) {
   return path;
 }
 
-// The library sweeps along y, and its work goes with the edges under the sweeping line.  Markers are long in x: turned
-// by a quarter, the line is as short as the strip is wide.
+// The library sweeps along y, and its cost grows with the number of edges that cross the sweep line.  Markers are long
+// in x, so polygons are turned by a quarter: the sweep line is then only as long as the strip is wide.
 Vec turned(Vec v) {
   return {-v.y, v.x};
 }
@@ -30,7 +30,7 @@ Polygon turned(Polygon ring) {
   return ring;
 }
 
-// From its smallest vertex on.
+// The path as a ring that starts at its smallest vertex.
 Polygon ring_of(const ClipperLib::Path& path) {
   Polygon ring;
   ring.reserve(path.size());
@@ -47,7 +47,7 @@ Polygon ring_turned_back(ClipperLib::Path path) {
   return ring_of(path);
 }
 
-// Outlines at even depths, their holes one deeper.
+// Appends the regions of a tree in which outlines are at even depths and their holes one level deeper.
 void collect(const ClipperLib::PolyNode& parent, std::vector<Region>& regions) {
   for (const ClipperLib::PolyNode* outline : parent.Childs) {
     Region region{ring_turned_back(outline->Contour), {}};

@@ -1,8 +1,8 @@
-// Set operations on polygons: outlines grown outwards, and what is left of a box when polygons are taken out of it.
-// By the Clipper library, seen only behind this header.
+// Set operations on polygons: outlines grown outwards, and the regions of a box that polygons do not cover.  The
+// Clipper library does the work; it is used only behind this header.
 //
-// Units: lattice units.  Vertices of the input are kept; where two edges cross, the corner is rounded to the lattice,
-// so a boundary may be a unit or two off: good for finding and measuring regions, never for a proof.
+// Units: lattice units.  Input vertices are kept.  Where two edges cross, the new corner is rounded to the lattice, so
+// a boundary can be one or two units off: accurate enough to find and measure regions, but never used for proofs.
 // Coordinates stay below 2^42 in size (the library's limit is 2^62).
 #pragma once
 
@@ -13,12 +13,13 @@
 
 namespace selvage::outline {
 
-// The polygon and all points within `distance` of it, in one piece or, when it all but closes on itself, with holes;
-// corners are mitred, so that they reach up to twice as far.  As rings: outlines counter-clockwise, holes clockwise.
+// The polygon and all points within `distance` of it.  Corners are mitred, so they extend up to twice the distance.
+// The result is a list of rings: outlines counter-clockwise, and holes clockwise where the polygon nearly closes on
+// itself.
 [[nodiscard]] std::vector<Polygon> grown(std::span<const Vec> polygon, Coord distance);
 
-// The connected regions of the box that no ring of `taken` winds around, sorted.  What hangs together in single points
-// only may come as one region or as two.
+// The connected regions of the box outside all rings of `taken` (non-zero winding), sorted.  Parts that are connected
+// only at single points may be returned as one region or as two.
 [[nodiscard]] std::vector<Region> left_over(const Box& box, const std::vector<Polygon>& taken);
 
 }  // namespace selvage::outline

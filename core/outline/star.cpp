@@ -5,67 +5,31 @@
 #include <map>
 #include <numeric>
 
-#include "core/outline/triangulation.h"
+#include "core/outline/decomposition/convex_cell.h"
+#include "core/outline/decomposition/growing_kernel.h"
+#include "core/outline/decomposition/triangulation.h"
 
 namespace selvage::outline {
 namespace {
 
-// The part of the convex polygon `cell` to the left of the line through `at` along `along`.
-void clip(std::vector<Real2>& cell, Real2 at, Real2 along, std::vector<Real2>& scratch) {
-  scratch.clear();
-  const std::size_t n = cell.size();
-  const auto left_by = [&](Real2 p) { return along.x * (p.y - at.y) - along.y * (p.x - at.x); };
-  double here = n == 0 ? 0 : left_by(cell[0]);
-  for (std::size_t i = 0; i < n; ++i) {
-    const Real2 a = cell[i];
-    const Real2 b = cell[i + 1 == n ? 0 : i + 1];
-    const double next = left_by(b);
-    if (here >= 0) scratch.push_back(a);
-    if ((here > 0 && next < 0) || (here < 0 && next > 0)) {
-      const double t = here / (here - next);
-      scratch.push_back({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
-    }
-    here = next;
-  }
-  cell.swap(scratch);
-}
-
-Real2 centroid(const std::vector<Real2>& cell) {
-  double area = 0;
-  Real2 sum;
-  for (std::size_t i = 1; i + 1 < cell.size(); ++i) {
-    const double ux = cell[i].x - cell[0].x;
-    const double uy = cell[i].y - cell[0].y;
-    const double vx = cell[i + 1].x - cell[0].x;
-    const double vy = cell[i + 1].y - cell[0].y;
-    const double a = ux * vy - uy * vx;
-    area += a;
-    sum.x += a * (ux + vx);
-    sum.y += a * (uy + vy);
-  }
-  if (!(area > 0)) return cell[0];
-  return {cell[0].x + sum.x / (3 * area), cell[0].y + sum.y / (3 * area)};
-}
-
-// The kernel by cutting the box with every edge's line, in coordinates about `centre` to keep rounding small.
-std::vector<Real2> kernel_cell(const Polygon& polygon, const Box& box, Vec centre) {
+// The kernel, computed by clipping the box with the line of every edge, in coordinates relative to `centre` to keep
+// rounding small.
+std::vector<RealVec> kernel_cell(const Polygon& polygon, const Box& box, Vec centre) {
   const auto x = [&](Coord c) { return static_cast<double>(c - centre.x); };
   const auto y = [&](Coord c) { return static_cast<double>(c - centre.y); };
-  std::vector<Real2> cell{{x(box.low.x), y(box.low.y)},
-                          {x(box.high.x), y(box.low.y)},
-                          {x(box.high.x), y(box.high.y)},
-                          {x(box.low.x), y(box.high.y)}};
-  std::vector<Real2> scratch;
+  std::vector<RealVec> cell = decomposition::cell_of(box, centre);
+  std::vector<RealVec> scratch;
   for (std::size_t i = 0; i < polygon.size() && !cell.empty(); ++i) {
     const Vec a = polygon[i];
     const Vec b = polygon[i + 1 == polygon.size() ? 0 : i + 1];
-    clip(cell, {x(a.x), y(a.y)}, {static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y)}, scratch);
+    decomposition::clip(cell, {x(a.x), y(a.y)}, {static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y)},
+                        scratch);
   }
   return cell;
 }
 
-// The least distance at which an edge's line passes `point` on the left; negative when one passes on the right.
-double depth_of(Real2 point, const Polygon& polygon, Vec centre) {
+// The smallest distance from `point` to the line of an edge; negative when the point is to the right of one.
+double depth_of(RealVec point, const Polygon& polygon, Vec centre) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec a = polygon[i] - centre;
@@ -78,8 +42,8 @@ double depth_of(Real2 point, const Polygon& polygon, Vec centre) {
   return least;
 }
 
-Real2 middle_of(const Polygon& polygon) {
-  Real2 sum;
+RealVec middle_of(const Polygon& polygon) {
+  RealVec sum;
   for (const Vec v : polygon) {
     sum.x += static_cast<double>(v.x);
     sum.y += static_cast<double>(v.y);
@@ -88,10 +52,11 @@ Real2 middle_of(const Polygon& polygon) {
   return {sum.x / n, sum.y / n};
 }
 
-// Triangles grown together while their union stays star-shaped.
-class Growth {
+// Merges triangles greedily while their union stays star-shaped.
+class TriangleMerging {
  public:
-  explicit Growth(const Polygon& polygon) : polygon_{polygon}, triangles_{triangulate(polygon)} {
+  explicit TriangleMerging(const Polygon& polygon)
+      : polygon_{polygon}, triangles_{decomposition::triangulate(polygon)} {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> seen;
     next_to_.resize(triangles_.size());
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
@@ -126,7 +91,13 @@ class Growth {
     return cross(polygon_[j] - polygon_[i], polygon_[k] - polygon_[i]);
   }
 
-  // Grown from the largest few free triangles; the part of the largest area wins.
+  [[nodiscard]] Wide doubled_area_of(const Members& members) const {
+    Wide sum = 0;
+    for (const std::size_t t : members) sum += doubled_area_of(t);
+    return sum;
+  }
+
+  // Starts from each of the few largest free triangles, and returns the resulting part with the largest area.
   [[nodiscard]] std::pair<Members, StarPart> largest_part() const {
     constexpr std::size_t kSeeds = 6;
     Members seeds;
@@ -140,24 +111,27 @@ class Growth {
                         const Wide y = doubled_area_of(b);
                         return x != y ? x > y : a < b;
                       });
-    std::pair<Members, StarPart> best;
+    Members best;
     Wide largest = 0;
     for (std::size_t k = 0; k < tries; ++k) {
-      auto grown = grow(seeds[k]);
-      if (const Wide area = doubled_area(grown.second.vertices); area > largest) {
+      Members grown = grow(seeds[k]);
+      if (const Wide area = doubled_area_of(grown); area > largest) {
         largest = area;
         best = std::move(grown);
       }
     }
-    return best;
-  }
-
-  [[nodiscard]] std::pair<Members, StarPart> grow(std::size_t seed) const {
-    Members members{seed};
-    StarPart part = part_of(members);
+    StarPart part = part_of(best);
     const auto kernel = kernel_point(part.vertices);
     part.kernel = kernel ? *kernel : middle_of(part.vertices);
-    if (!kernel) return {members, part};  // a sliver: alone
+    return {best, std::move(part)};
+  }
+
+  // Takes neighbouring triangles, breadth first, as long as the part stays star-shaped.  A triangle too thin to have a
+  // kernel point is a part of its own.
+  [[nodiscard]] Members grow(std::size_t seed) const {
+    Members members{seed};
+    if (!kernel_point(part_of(members).vertices)) return members;
+    decomposition::GrowingKernel kernel{polygon_, triangles_[seed]};
     std::vector<bool> tried = taken_;
     tried[seed] = true;
     for (std::size_t m = 0; m < members.size(); ++m) {
@@ -165,19 +139,21 @@ class Growth {
         if (tried[t]) continue;
         tried[t] = true;
         members.push_back(t);
-        StarPart wider = part_of(members);
-        if (const auto deep = kernel_point(wider.vertices)) {
-          wider.kernel = *deep;
-          part = std::move(wider);
+        if (stays_star_shaped(members, kernel.try_triangle(triangles_[t]))) {
+          kernel.take();
         } else {
           members.pop_back();
         }
       }
     }
-    return {members, part};
+    return members;
+  }
+  [[nodiscard]] bool stays_star_shaped(const Members& members, decomposition::KernelVerdict verdict) const {
+    if (verdict != decomposition::KernelVerdict::kUnclear) return verdict == decomposition::KernelVerdict::kDeep;
+    return kernel_point(part_of(members).vertices).has_value();
   }
 
-  // The triangles hang together along cuts, so their union's vertices are theirs in the polygon's own order.
+  // The triangles are connected along cuts, so the vertices of their union are theirs in the order of the polygon.
   [[nodiscard]] StarPart part_of(const Members& members) const {
     StarPart part;
     for (const std::size_t t : members)
@@ -194,21 +170,21 @@ class Growth {
   }
 
   const Polygon& polygon_;
-  std::vector<Triangle> triangles_;
+  std::vector<decomposition::Triangle> triangles_;
   std::vector<std::vector<std::size_t>> next_to_;
   std::vector<bool> taken_;
 };
 
 }  // namespace
 
-std::optional<Real2> kernel_point(const Polygon& polygon) {
+std::optional<RealVec> kernel_point(const Polygon& polygon) {
   const Box box = box_of(polygon);
   const Vec centre{box.low.x + box.width() / 2, box.low.y + box.height() / 2};
-  const std::vector<Real2> cell = kernel_cell(polygon, box, centre);
+  const std::vector<RealVec> cell = kernel_cell(polygon, box, centre);
   if (cell.size() < 3) return std::nullopt;
-  const Real2 point = centroid(cell);
+  const RealVec point = decomposition::centroid(cell);
   if (depth_of(point, polygon, centre) < kKernelDepth) return std::nullopt;
-  return Real2{point.x + static_cast<double>(centre.x), point.y + static_cast<double>(centre.y)};
+  return RealVec{point.x + static_cast<double>(centre.x), point.y + static_cast<double>(centre.y)};
 }
 
 StarPart transformed(const StarPart& part, Symmetry symmetry) {
@@ -236,7 +212,7 @@ std::vector<StarPart> star_parts(const Polygon& polygon) {
     std::iota(whole.origin.begin(), whole.origin.end(), 0U);
     return {std::move(whole)};
   }
-  return Growth{polygon}.run();
+  return TriangleMerging{polygon}.run();
 }
 
 }  // namespace selvage::outline

@@ -1,4 +1,5 @@
-// Star-shaped polygons: kernels, and the decomposition of any simple polygon into star-shaped parts [Li94 3.4.3].
+// Star-shaped polygons: kernel points, and the decomposition of any simple polygon into star-shaped parts [Li94 3.4.3].
+// A polygon is star-shaped when every point of it is visible from some point; such points form its kernel.
 #pragma once
 
 #include <cstdint>
@@ -7,36 +8,32 @@
 
 #include "core/geometry/orientation.h"
 #include "core/geometry/polygon.h"
+#include "core/geometry/real_vec.h"
 
 namespace selvage::outline {
 
-// A point between lattice points, in lattice units.
-struct Real2 {
-  double x{}, y{};
-};
-
 // A point well inside the kernel: every edge's line passes it on the left at a distance of at least kKernelDepth.
-// Nothing when the polygon is not star-shaped, or only just.
+// Nothing when there is no such point, that is, when the polygon is not star-shaped or only just so.
 inline constexpr double kKernelDepth = 1.0 / 64;  // lattice units
-[[nodiscard]] std::optional<Real2> kernel_point(const Polygon& polygon);
+[[nodiscard]] std::optional<RealVec> kernel_point(const Polygon& polygon);
 
-// A polygon's edges into and out of one of its vertices.
+// The polygon's edge vectors into and out of one of its vertices.
 struct Turn {
   Vec in, out;
 };
 // One star-shaped part of a polygon.
 struct StarPart {
   Polygon vertices;
-  Real2 kernel;
+  RealVec kernel;
   std::vector<std::uint32_t> origin;  // each vertex's index in the whole polygon
-  std::vector<Turn> turns{};          // the whole polygon's at each vertex; empty when the part is the whole
+  std::vector<Turn> turns{};  // the whole polygon's turn at each vertex; empty when the part is the whole polygon
 };
-// The image under a symmetry; `origin` and `turns` go with its vertices.
+// The image under a symmetry; `origin` and `turns` follow the order of its vertices.
 [[nodiscard]] StarPart transformed(const StarPart& part, Symmetry symmetry);
 
-// Parts whose union is the polygon and whose interiors are disjoint: one for a star-shaped polygon, else triangles of a
-// triangulation grown greedily while the kernel test holds.  A sliver without a deep kernel stays a triangle on its
-// own.
+// Parts with disjoint interiors whose union is the polygon.  A star-shaped polygon has one part.  Otherwise the
+// triangles of a triangulation are merged greedily while the union has a kernel point.  A thin triangle without a
+// kernel point forms a part of its own.
 [[nodiscard]] std::vector<StarPart> star_parts(const Polygon& polygon);
 
 }  // namespace selvage::outline

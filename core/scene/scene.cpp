@@ -1,23 +1,40 @@
 #include "core/scene/scene.h"
 
+#include <utility>
+
+#include "core/marker/validity.h"
+
 namespace selvage::scene {
-Scene::Scene(const Marker& start, SumCache& sum_cache)
-    : marker{start},
+
+Scene::Scene(Marker start, SumCache& sum_cache)
+    : marker{std::move(start)},
       sums{sum_cache},
-      pieces{start},
-      outlines{outlines_of(start, sum_cache)},
-      ties{model::ties_of(start)} {}
+      pieces{marker},
+      outlines{outlines_of(marker, sum_cache)},
+      ties{model::ties_of(marker)} {}
 
-Scene::Scene(const Marker& start, const LaidOut& laid_out, SumCache& sum_cache)
-    : marker{start}, sums{sum_cache}, pieces{laid_out.pieces}, outlines{laid_out.outlines}, ties{laid_out.ties} {}
+Scene::Scene(Marker start, const LaidOut& laid_out, SumCache& sum_cache)
+    : marker{std::move(start)},
+      sums{sum_cache},
+      pieces{laid_out.pieces},
+      outlines{laid_out.outlines},
+      ties{laid_out.ties} {}
 
-void Scene::shift(std::size_t piece, Vec by) {
+void Scene::shift(PieceId piece, Vec by) {
   std::vector<Vec> positions = pieces.positions();
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    if (ties.x[i] != model::Ties::kFixed && ties.x[i] == ties.x[piece]) positions[i].x += by.x;
-    if (ties.y[i] != model::Ties::kFixed && ties.y[i] == ties.y[piece]) positions[i].y += by.y;
+    if (ties.x[i] != model::Ties::kFixed && ties.x[i] == ties.x[piece.value]) positions[i].x += by.x;
+    if (ties.y[i] != model::Ties::kFixed && ties.y[i] == ties.y[piece.value]) positions[i].y += by.y;
   }
   pieces.place(std::move(positions));
+}
+
+void Scene::reorient(PieceId piece, const Orientation& orientation, Vec at) {
+  Piece& own = marker.pieces[piece.value];
+  own.orientation = orientation;
+  own.at = at;
+  outlines[piece.value] = oriented_outline(marker, piece, sums);
+  pieces.replace(piece.value, oriented(marker.shapes[own.shape.value].outline, orientation), at);
 }
 
 std::vector<minkowski::Obstacle> Scene::obstacles(std::span<const marker::PiecePair> pairs,

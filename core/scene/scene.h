@@ -1,5 +1,5 @@
-// What every motion of a marker works on: its pieces where they lie now, their outlines, and which may move with
-// which.
+// What every motion of a marker works on: its pieces where they lie now, their outlines, and which of them move
+// together.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,16 @@
 namespace selvage::scene {
 
 struct Scene {
-  Scene(const Marker& start, SumCache& sum_cache);
-  // REQUIRES: `laid_out` is of this marker, or of one that differs from it in its strip alone.
-  Scene(const Marker& start, const LaidOut& laid_out, SumCache& sum_cache);
+  Scene(Marker start, SumCache& sum_cache);
+  // REQUIRES: `laid_out` is that of this marker, or of one that differs from it only in the strip.
+  Scene(Marker start, const LaidOut& laid_out, SumCache& sum_cache);
 
   [[nodiscard]] bool fixed(std::size_t piece) const { return ties.fixed(piece); }
-  // Moves a piece as far as its ties allow, and with it what is tied to it.
-  void shift(std::size_t piece, Vec by);
-  // The obstacle that the pair's first piece is to its second.
+  // Moves a piece as far as its ties allow, and with it the pieces that are tied to it.
+  void shift(PieceId piece, Vec by);
+  // Gives a piece another orientation and position: the marker, the outlines and the polygons follow.
+  void reorient(PieceId piece, const Orientation& orientation, Vec at);
+  // The obstacle that the first piece of the pair is to the second one.
   [[nodiscard]] minkowski::Obstacle obstacle(marker::PiecePair pair) const {
     return sums.obstacle(outlines[pair.first], outlines[pair.second]);
   }
@@ -33,7 +35,7 @@ struct Scene {
   // The marker with the pieces where they are now.
   [[nodiscard]] Marker result() const;
 
-  const Marker& marker;
+  Marker marker;  // the scene's own; its pieces' positions are those it came with, `pieces` has the present ones
   SumCache& sums;
   marker::PlacedPieces pieces;
   std::vector<outline::OrientedOutline> outlines;

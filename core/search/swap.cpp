@@ -10,12 +10,6 @@
 namespace selvage::search {
 namespace {
 
-constexpr unsigned kTurnsOneIn = 5;     // trials turn a piece, the others exchange two
-constexpr std::size_t kPartners = 8;    // of a piece: so many of those that fit its place best
-constexpr double kFarness = 0.02;       // what distance weighs beside a difference in size
-constexpr int kPartingRounds = 12;      // of separation
-constexpr double kPartingGrowth = 0.1;  // of the strip's width, that separation may lengthen the marker by
-
 Coord differences(const Box& a, const Box& b) {
   return std::abs((a.high.x - a.low.x) - (b.high.x - b.low.x)) + std::abs((a.high.y - a.low.y) - (b.high.y - b.low.y));
 }
@@ -29,22 +23,23 @@ bool alike(const Piece& a, const Piece& b) {
 
 // One of the pieces that differ from piece i and would fit its place best.
 std::optional<std::uint32_t> partner_of(std::uint32_t i, const Marker& marker, const marker::PlacedPieces& pieces,
-                                        const std::vector<std::uint32_t>& free, std::mt19937& random) {
+                                        const std::vector<std::uint32_t>& free, const SwapTuning& tuning,
+                                        std::mt19937& random) {
   std::vector<std::pair<double, std::uint32_t>> partners;
   for (const std::uint32_t j : free) {
     if (j == i || alike(marker.pieces[i], marker.pieces[j])) continue;
     const Vec way = centre_of(pieces.box(j)) - centre_of(pieces.box(i));
     const double misfit = static_cast<double>(differences(pieces.box(i), pieces.box(j)));
-    partners.emplace_back(misfit + kFarness * static_cast<double>(std::abs(way.x)), j);
+    partners.emplace_back(misfit + tuning.distance_weight * static_cast<double>(std::abs(way.x)), j);
   }
   if (partners.empty()) return std::nullopt;
-  const std::size_t best = std::min(kPartners, partners.size());
+  const std::size_t best = std::min(tuning.partners, partners.size());
   std::partial_sort(partners.begin(), partners.begin() + static_cast<std::ptrdiff_t>(best), partners.end());
   return partners[random() % best].second;
 }
 
-// Turns the piece to another rotation that its shape allows, about the middle of its box; false when there is none or
-// its tilt is locked, and with it how it lies.
+// Turns the piece to another rotation that its shape allows, about the middle of its box; false when there is none, or
+// when the tilt, and with it the orientation, is locked.
 bool turn(Piece& piece, const Shape& shape, const Box& box, std::mt19937& random) {
   if (piece.locked.tilt) return false;
   std::vector<Angle> others;
@@ -59,7 +54,7 @@ bool turn(Piece& piece, const Shape& shape, const Box& box, std::mt19937& random
 
 }  // namespace
 
-std::optional<DrawnExchange> draw_exchange(const Marker& start, std::mt19937& random) {
+std::optional<DrawnSwap> draw_swap(const Marker& start, std::mt19937& random, const SwapTuning& tuning) {
   const model::Ties ties = model::ties_of(start);
   std::vector<std::uint32_t> free;
   for (std::uint32_t i = 0; i < start.pieces.size(); ++i) {
@@ -70,28 +65,28 @@ std::optional<DrawnExchange> draw_exchange(const Marker& start, std::mt19937& ra
   Marker next = start;
   const std::uint32_t i = free[random() % free.size()];
   Piece& piece = next.pieces[i];
-  if (random() % kTurnsOneIn == 0) {
+  if (random() % tuning.turns_one_in == 0) {
     if (!turn(piece, start.shapes[piece.shape.value], pieces.box(i), random)) return std::nullopt;
   } else {
-    const auto j = partner_of(i, start, pieces, free, random);
+    const auto j = partner_of(i, start, pieces, free, tuning, random);
     if (!j) return std::nullopt;
     const Vec way = centre_of(pieces.box(*j)) - centre_of(pieces.box(i));
     piece.at = piece.at + way;
     next.pieces[*j].at = next.pieces[*j].at - way;
   }
-  return DrawnExchange{std::move(next), pieces.length()};
+  return DrawnSwap{std::move(next), pieces.length()};
 }
 
-Exchanged exchange(const DrawnExchange& drawn, const motion::compaction::CompactionSettings& settings,
-                   const scene::Run& run) {
+SwapOutcome complete_swap(const DrawnSwap& drawn, const motion::compaction::CompactionSettings& settings,
+                          const scene::Run& run, const SwapTuning& tuning) {
   const double length = static_cast<double>(std::max<Coord>(1, drawn.length));
   motion::separation::SeparationSettings parting;
-  parting.rounds = kPartingRounds;
-  parting.grow = kPartingGrowth * static_cast<double>(drawn.marker.strip.width) / length;
+  parting.rounds = tuning.separation_rounds;
+  parting.grow = tuning.separation_growth * static_cast<double>(drawn.marker.strip.width) / length;
   parting.solver = settings.solver;
   auto separation = separate(drawn.marker, parting, run);
   if (!separation) return {};
-  Exchanged done{.marker = {}, .programs = separation->programs};
+  SwapOutcome done{.marker = {}, .programs = separation->programs};
   if (!separation->apart) return done;
   auto compaction = compact(separation->marker, settings, run);
   if (!compaction) return done;

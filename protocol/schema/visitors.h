@@ -68,26 +68,30 @@ class Encoder {
  public:
   template <class T>
   void required(std::string_view name, const T& value, std::string_view, const Limits& = {}) {
-    object_[std::string{name}] = Wire<T>::write(value);
+    put(name, Wire<T>::write(value));
   }
   template <class T>
   void optional(std::string_view name, const T& value, std::string_view, const Limits& = {}) {
-    object_[std::string{name}] = Wire<T>::write(value);
+    put(name, Wire<T>::write(value));
   }
   template <class T>
   void optional(std::string_view name, const std::optional<T>& value, std::string_view, const Limits& = {}) {
-    if (value) object_[std::string{name}] = Wire<T>::write(*value);
+    if (value) put(name, Wire<T>::write(*value));
   }
   template <class Part>
   void part(const Part& value) {
     Part::describe(*this, value);
   }
-  void constant(std::string_view name, std::string_view text, std::string_view) { object_[std::string{name}] = text; }
+  void constant(std::string_view name, std::string_view text, std::string_view) { put(name, text); }
   template <class Rule>
   void check(Rule) {}
   [[nodiscard]] Json take() { return std::move(object_); }
 
  private:
+  // Not inline: JSON values are costly to compile.
+  void put(std::string_view name, Json&& value);
+  void put(std::string_view name, std::string_view text);
+
   Json object_ = Json::object();
 };
 
@@ -96,15 +100,15 @@ class Describer {
  public:
   template <class T>
   void required(std::string_view name, const T&, std::string_view meaning, const Limits& limits = {}) {
-    fields_.push_back({name, required_type<T>(), true, meaning, limits, {}, group_});
+    add(name, required_type<T>(), true, meaning, limits);
   }
   template <class T>
   void optional(std::string_view name, const T& fallback, std::string_view meaning, const Limits& limits = {}) {
-    fields_.push_back({name, Wire<T>::type(), false, meaning, limits, Wire<T>::write(fallback), group_});
+    add(name, Wire<T>::type(), false, meaning, limits, Wire<T>::write(fallback));
   }
   template <class T>
   void optional(std::string_view name, const std::optional<T>&, std::string_view meaning, const Limits& limits = {}) {
-    fields_.push_back({name, Wire<T>::type(), false, meaning, limits, {}, group_});
+    add(name, Wire<T>::type(), false, meaning, limits);
   }
   template <class Part>
   void part(const Part& value) {
@@ -114,7 +118,7 @@ class Describer {
     group_ = outer;
   }
   void constant(std::string_view name, std::string_view text, std::string_view meaning) {
-    fields_.push_back({name, {.kind = Type::Kind::kConstant, .text = text}, true, meaning, {}, {}, group_});
+    add(name, {.kind = Type::Kind::kConstant, .text = text}, true, meaning, {});
   }
   template <class Rule>
   void check(Rule) {}
@@ -129,6 +133,10 @@ class Describer {
       return Wire<T>::type();
     }
   }
+
+  void add(std::string_view name, Type type, bool required, std::string_view meaning, const Limits& limits);
+  void add(std::string_view name, Type type, bool required, std::string_view meaning, const Limits& limits,
+           Json&& fallback);
 
   std::vector<FieldDescription> fields_;
   std::string_view group_;

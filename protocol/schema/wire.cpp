@@ -16,6 +16,28 @@ std::string count_text(const Limits::Count& allowed) {
 
 }  // namespace
 
+Json Wire<bool>::write(bool value) {
+  return value;
+}
+Json Wire<double>::write(double value) {
+  return value;
+}
+Json Wire<std::string>::write(const std::string& value) {
+  return value;
+}
+Json Wire<std::string_view>::write(std::string_view value) {
+  return value;
+}
+Json Wire<Id>::write(const Id& value) {
+  return value.text;
+}
+Json integer_json(std::int64_t value) {
+  return value;
+}
+Json natural_json(std::uint64_t value) {
+  return value;
+}
+
 void Wire<double>::read(const FieldAt& at, double& value) {
   const json::Range range = at.limits.range.value_or(json::Range{});
   value = at.required ? at.fields.number(at.key, range) : at.fields.number_or(at.key, value, range);

@@ -44,24 +44,29 @@ struct Id {
 template <>
 struct Wire<bool> {
   static Type type() { return {Type::Kind::kBoolean}; }
-  static Json write(bool value) { return value; }
+  static Json write(bool value);
   static void read(const FieldAt& at, bool& value) { value = at.fields.flag_or(at.key, value); }
 };
 
 template <>
 struct Wire<double> {
   static Type type() { return {Type::Kind::kNumber}; }
-  static Json write(double value) { return value; }
+  static Json write(double value);
   static void read(const FieldAt& at, double& value);
 };
 
 // A whole number within the limits' range.  REQUIRES: the range is given.
 [[nodiscard]] std::optional<std::int64_t> read_integer(const FieldAt& at);
+[[nodiscard]] Json integer_json(std::int64_t value);
+[[nodiscard]] Json natural_json(std::uint64_t value);
 
 template <class T>
 requires(std::integral<T> && !std::same_as<T, bool>) struct Wire<T> {
   static Type type() { return {Type::Kind::kInteger}; }
-  static Json write(T value) { return value; }
+  static Json write(T value) {
+    return std::signed_integral<T> ? integer_json(static_cast<std::int64_t>(value))
+                                   : natural_json(static_cast<std::uint64_t>(value));
+  }
   static void read(const FieldAt& at, T& value) {
     if (const auto number = read_integer(at)) value = static_cast<T>(*number);
   }
@@ -70,20 +75,20 @@ requires(std::integral<T> && !std::same_as<T, bool>) struct Wire<T> {
 template <>
 struct Wire<std::string> {
   static Type type() { return {Type::Kind::kString}; }
-  static Json write(const std::string& value) { return value; }
+  static Json write(const std::string& value);
   static void read(const FieldAt& at, std::string& value);
 };
 
 template <>
 struct Wire<std::string_view> {
   static Type type() { return {Type::Kind::kString}; }
-  static Json write(std::string_view value) { return value; }
+  static Json write(std::string_view value);
 };
 
 template <>
 struct Wire<Id> {
   static Type type();
-  static Json write(const Id& value) { return value.text; }
+  static Json write(const Id& value);
   static void read(const FieldAt& at, Id& value);
 };
 
@@ -96,7 +101,7 @@ struct Wire<Enum> {
     return kComponent;
   }
   static Type type() { return {.kind = Type::Kind::kNamed, .component = &component}; }
-  static Json write(Enum value) { return word_of(value); }
+  static Json write(Enum value) { return Wire<std::string_view>::write(word_of(value)); }
   static void read(const FieldAt& at, Enum& value) {
     value =
         static_cast<Enum>(at.fields.word_or(at.key, static_cast<std::size_t>(value), std::span{Choices<Enum>::kWords}));

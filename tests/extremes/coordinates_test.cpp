@@ -1,4 +1,4 @@
-// Coordinates at the edges of what files may say and of what the lattice can hold.
+// Coordinates at the limits of the file format and of the lattice.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -30,7 +30,7 @@ Json document_of(const Marker& marker) {
   return protocol::formats::native_document(file);
 }
 
-// Times 10^exponent, as decimals are: the digits stay.
+// The value times 10^exponent as a decimal: its digits are unchanged.
 double shifted(double value, int exponent) {
   std::array<char, 40> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific).ptr;
@@ -45,7 +45,7 @@ void change_numbers(Json& value, const Change& change) {
     for (Json& inner : value) change_numbers(inner, change);
   }
 }
-// The document with every length in it changed, and a resolution of the reader's choice.
+// Applies a change to every length of the document, and lets the reader choose the resolution.
 template <class Change>
 Json with_lengths(Json document, const Change& change) {
   document.erase("resolution");
@@ -56,7 +56,7 @@ Json with_lengths(Json document, const Change& change) {
   return document;
 }
 
-// Every coordinate of a piece's place and of a shape's outline.
+// Visits every coordinate of a piece's position and of a shape's outline.
 template <class Visit>
 void for_each_length(Json document, const Visit& visit) {
   const auto look_at = [&](double x) {
@@ -77,7 +77,7 @@ Json in_units_of(int exponent, const Json& document) {
   return with_lengths(document, [&](double x) { return shifted(x, exponent); });
 }
 
-// In each of the units the same lattice, hence the same answer to the last digit.
+// Every unit gives the same lattice and therefore exactly the same result.
 void expect_the_same_in_units(const Marker& marker, std::span<const int> exponents, double compacts_to) {
   const Json document = document_of(marker);
   const double width = to_decimal(marker.strip.width, marker.resolution);
@@ -98,13 +98,13 @@ void expect_the_same_in_units(const Marker& marker, std::span<const int> exponen
   EXPECT_LE(ratio, compacts_to);
 }
 
-// From strips of 1.5e-6 to strips of 1.5e8.
+// Strip widths from 1.5e-6 to 1.5e8.
 TEST(ExtremeCoordinates, TheSameMarkerInUnitsOf1em9To1e5) {
   expect_the_same_in_units(test::garment("jeans_02g"), std::array{0, -9, -6, -3, 3, 5}, 0.9967);
 }
 
-// A strip 1,000 wide, whose width in the smallest and in the largest of these units is the least and the most that a
-// file may say; and a speck of 1 among the pieces.
+// A strip 1,000 wide with a piece of size 1.  In the smallest and the largest of these units, its width is the least
+// and the greatest that a file may contain.
 TEST(ExtremeCoordinates, FromTheNarrowestStripToTheWidest) {
   Marker marker = test::loose_marker(7, 6, 4, 115'000);
   ASSERT_EQ(to_decimal(marker.strip.width, marker.resolution), 1000);
@@ -128,7 +128,7 @@ TEST(ExtremeCoordinates, FromTheNarrowestStripToTheWidest) {
   reached("largest coordinate", most);
   EXPECT_LE(least, 1e-9);
   EXPECT_GE(most, 1e9);
-  for (const int exponent : {-10, 7}) {  // ten times less, ten times more
+  for (const int exponent : {-10, 7}) {  // a tenth of the least width, ten times the greatest
     const auto refused = protocol::formats::read_document(in_units_of(exponent, document));
     ASSERT_FALSE(refused) << exponent;
     EXPECT_EQ(refused.error().code, ErrorCode::kOutOfRange);
@@ -138,7 +138,7 @@ TEST(ExtremeCoordinates, FromTheNarrowestStripToTheWidest) {
   }
 }
 
-// In inches, which no decimal is a whole number of: other roundings, the same way down.
+// In inches, lengths are not exact decimals: rounding differs, but the compaction takes the same path.
 TEST(ExtremeCoordinates, UnitsWithoutCommonMeasureGiveTheSameLength) {
   const Json document = document_of(test::garment("jeans_02g"));
   const auto ratio = [&](double factor) {
@@ -159,7 +159,7 @@ TEST(ExtremeCoordinates, UnitsWithoutCommonMeasureGiveTheSameLength) {
   EXPECT_LT(farthest, 1e-6);
 }
 
-// Two rows of squares with room between them.
+// Two rows of squares with gaps between them.
 Marker squares(Resolution resolution, Coord side, std::size_t columns) {
   test::Layout layout{2 * side};
   const auto square = layout.shape_of(test::rectangle(side, side));
@@ -174,7 +174,7 @@ Marker squares(Resolution resolution, Coord side, std::size_t columns) {
 
 TEST(ExtremeCoordinates, TheCoarsestAndTheFinestLattice) {
   for (const int exponent : {geometry::kFinestExponent, geometry::kCoarsestExponent}) {
-    // As wide as a lattice allows to be long, and two units wide: squares of a single unit.
+    // A strip as wide as the lattice limit allows, and one two units wide with squares of a single unit.
     for (const Coord side : {kLatticeLimit / 4 - 1, Coord{1}}) {
       const Marker marker = squares({exponent}, side, 3);
       const motion::compaction::Compaction result = soundly_compacted(marker);
@@ -188,7 +188,7 @@ TEST(ExtremeCoordinates, TheCoarsestAndTheFinestLattice) {
   reached("narrowest strip, lattice units", 2);
 }
 
-// Fifty pieces of every kind, twenty-five times as long as they are wide, in a row: a hundredth of each is free.
+// Fifty pieces of every kind in a row, each 25 times as long as wide, with gaps of a hundredth of their length.
 std::vector<Polygon> row_of_pieces() {
   Random random{17};
   constexpr Coord kAcross = Coord{1} << 28;
@@ -197,7 +197,7 @@ std::vector<Polygon> row_of_pieces() {
   while (row.size() < 50) {
     Polygon outline = test::random_polygon(random, kAcross);
     const Box box = box_of(outline);
-    if (box.height() > kAcross || box.height() < kAcross * 6 / 10) continue;  // no two beside each other
+    if (box.height() > kAcross || box.height() < kAcross * 6 / 10) continue;  // so that no two fit side by side
     for (Vec& v : outline) v = {(v.x - box.low.x) * 25 + end, v.y - box.low.y};
     end += 25 * box.width() * 101 / 100;
     row.push_back(std::move(outline));
@@ -205,7 +205,7 @@ std::vector<Polygon> row_of_pieces() {
   return row;
 }
 
-// Each outline a shape of its own, placed where it is drawn.
+// A marker in which every outline is a shape of its own, placed where it is drawn.
 Marker as_drawn(const std::vector<Polygon>& outlines, Coord width) {
   test::Layout layout{width};
   for (const Polygon& outline : outlines) layout.put(layout.shape_of(outline), {0, 0});
@@ -235,10 +235,10 @@ TEST(ExtremeCoordinates, AThousandTimesWiderThanLong) {
   const double aspect = static_cast<double>(marker.strip.width) / static_cast<double>(result.length_after);
   reached("width over length", aspect);
   EXPECT_GE(aspect, 1000);
-  EXPECT_LE(result.length_after, Coord{1} << 28);  // every piece has come to the strip's left edge
+  EXPECT_LE(result.length_after, Coord{1} << 28);  // every piece has reached the left end of the strip
 }
 
-// What a file may not say is refused with the field, the value and what is allowed.
+// Values that a file may not contain are rejected with the field, the value and the range allowed.
 TEST(ExtremeCoordinates, BeyondTheEdgesIsRefusedByName) {
   const Json document = document_of(squares({-3}, 1'000'000, 3));
   const auto refused = [&](const char* pointer, double value, ErrorCode code, const char* field, const char* allowed) {
@@ -254,7 +254,8 @@ TEST(ExtremeCoordinates, BeyondTheEdgesIsRefusedByName) {
   using enum ErrorCode;
   refused("/strip/width", 0.9e-6, kOutOfRange, "/strip/width", "0.000001");
   refused("/strip/width", 1.1e9, kOutOfRange, "/strip/width", "1000000000");
-  refused("/pieces/0/at/0", 2.1e8, kBeyondLattice, "/pieces/0/at", "200000000");  // 100,000 widths of 2,000
+  refused("/pieces/0/at/0", 2.1e8, kBeyondLattice, "/pieces/0/at",
+          "200000000");  // the limit is 100,000 times the width of 2,000
   refused("/pieces/0/at/1", -1e300, kBeyondLattice, "/pieces/0/at", "200000000");
   refused("/shapes/0/outline/2/0", 1e12, kBeyondLattice, "/pieces/4/at", "200000000");
   refused("/resolution", 1e-23, kOutOfRange, "/resolution", "1e-22");

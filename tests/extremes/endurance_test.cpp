@@ -1,4 +1,4 @@
-// Ten thousand motions one after another on one marker: nothing drifts.
+// Ten thousand motions in succession on one marker, to show that no error accumulates.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -27,7 +27,7 @@ namespace {
 using test::Random;
 using test::reached;
 
-// What motions do to a marker, one at random.  Nothing when it was refused.
+// Applies random motions to a marker.  Nothing when a motion rejected it.
 class Motions {
  public:
   explicit Motions(Random& random) : random_{random} {}
@@ -75,29 +75,29 @@ class Motions {
   }
   std::optional<Marker> placed(const Marker& marker) {
     return marker_of(
-        motion::placing::heal_and_place(marker, any_piece(marker), any_place(marker), {.may_grow = true}, {sums_}));
+        motion::placing::repair_and_place(marker, any_piece(marker), any_place(marker), {.may_grow = true}, {sums_}));
   }
   std::optional<Marker> relaxed(const Marker& marker) {
-    const std::uint32_t piece = any_piece(marker).value;
+    const PieceId piece = any_piece(marker);
     const scene::Scene scene{marker, sums_};
     Marker relaxed = marker;
-    relaxed.pieces[piece] =
+    relaxed.pieces[piece.value] =
         (random_.chance(50) ? motion::piece::relax(scene, piece) : motion::piece::relax_tilted(scene, piece, 3)).piece;
     return relaxed;
   }
-  // Shaken so that pieces overlap a little, and parted again.
+  // Perturbs the marker so that pieces overlap slightly, then separates them.
   std::optional<Marker> separated(const Marker& marker) {
-    Marker shaken = marker;
+    Marker perturbed = marker;
     const Coord most = marker.strip.width / 500;
-    for (Piece& piece : shaken.pieces) {
+    for (Piece& piece : perturbed.pieces) {
       if (!piece.locked.x) piece.at.x += random_.between(-most, most);
       if (!piece.locked.y) piece.at.y += random_.between(-most, most);
     }
-    auto done = motion::separation::separate(shaken, {.grow = 0.05}, {sums_});
+    auto done = motion::separation::separate(perturbed, {.grow = 0.05}, {sums_});
     if (!done || !done->apart) return std::nullopt;
     return std::move(done->marker);
   }
-  // By a force on each piece, or by gravity.
+  // Pushes with a force on each piece, or by gravity.
   std::optional<Marker> pushed(const Marker& marker) {
     const double x = random_.part() - 0.5;
     std::vector<motion::compaction::Force> forces = motion::compaction::gravity(marker, x, random_.part() - 0.5);
@@ -112,7 +112,7 @@ class Motions {
   std::optional<Marker> floated(const Marker& marker) {
     return marker_of(float_apart(marker, float_settings(motion::floating::FloatMode::kLargestMinimum, 5000), {sums_}));
   }
-  // One of its gaps made larger.
+  // Enlarges one of the gaps.
   std::optional<Marker> opened(const Marker& marker) {
     const marker::UnoccupiedSettings regions = unoccupied_settings(marker.strip);
     const auto found = unoccupied_regions(marker, regions);
@@ -132,7 +132,7 @@ class Motions {
   SumCache sums_;
 };
 
-// Moved and tilted as its locks let it, and not otherwise changed.
+// Expects that the piece was moved and tilted only as its locks allow, and not changed otherwise.
 void expect_kept(const Piece& before, const Piece& after, Angle tilt_limit) {
   Piece kept = after;
   if (!before.locked.x) kept.at.x = before.at.x;
@@ -178,7 +178,7 @@ TEST(ExtremeEndurance, TenThousandMotions) {
   EXPECT_EQ(refused, 0);
 }
 
-// Turned to and fro, a piece is still its own shape, rounded once.
+// After many tilts to and fro, each piece is still its own shape, rounded only once.
 TEST(ExtremeEndurance, AHundredTiltsOneAfterAnother) {
   constexpr int kTilts = 100 / test::kSlowdown;
   Marker now = test::loose_marker(9, 3, 2);
@@ -196,7 +196,7 @@ TEST(ExtremeEndurance, AHundredTiltsOneAfterAnother) {
     ASSERT_TRUE(is_valid(now)) << k;
     ASSERT_EQ(now.shapes, shapes) << k;
     largest = std::max(largest, tilted->farthest_tilt.degrees);
-    // Apart again, for the next to have something to do.
+    // Move the pieces apart, so that the next tilt can gain something.
     for (std::uint32_t i = 0; i < now.pieces.size(); ++i) {
       const auto away =
           motion::piece::repair_and_bump(now, PieceId{i}, random.part() - 0.2, random.part() - 0.5, {sums});
@@ -204,7 +204,7 @@ TEST(ExtremeEndurance, AHundredTiltsOneAfterAnother) {
       now = away->marker;
     }
     Coord x = 0;
-    for (std::uint32_t i = 0; i < now.pieces.size(); ++i) {  // spread out: 6 pieces in 2 rows
+    for (std::uint32_t i = 0; i < now.pieces.size(); ++i) {  // 6 pieces in 2 rows
       const Box box = box_of(placed_outline(now, PieceId{i}));
       now.pieces[i].at = now.pieces[i].at + Vec{x - box.low.x, i % 2 == 0 ? -box.low.y : now.strip.width - box.high.y};
       x += box.width();
@@ -217,7 +217,7 @@ TEST(ExtremeEndurance, AHundredTiltsOneAfterAnother) {
     Polygon placed = placed_outline(now, PieceId{i});
     for (Vec& v : placed) v = v - piece.at;
     EXPECT_EQ(placed, fresh);
-    // Area as drafted, but for half a unit along the outline.
+    // The area equals the drafted area, except for half a unit along the outline.
     const auto drafted = static_cast<double>(doubled_area(shapes[piece.shape.value].outline));
     EXPECT_NEAR(static_cast<double>(doubled_area(fresh)) / drafted, 1, 1e-4);
   }

@@ -1,4 +1,5 @@
-// Layouts at the edges: no room at all, as many pieces in a chain as may be, one piece, pieces as wide as the strip.
+// Extreme layouts: without any free room, with as many pieces in a chain as are allowed, of a single piece, and of
+// pieces as wide as the strip.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +18,7 @@ using test::Layout;
 using test::reached;
 using test::soundly_compacted;
 
-// Nothing to gain, nothing lost: it ends, says so, and the marker is as long as it was.
+// Expects a compaction without gain: it converges, and the length is unchanged.
 void expect_full(const Marker& marker) {
   const motion::compaction::Compaction result = soundly_compacted(marker);
   EXPECT_EQ(result.reason, scene::StopReason::kConverged);
@@ -28,7 +29,7 @@ void expect_full(const Marker& marker) {
 }
 
 TEST(ExtremeLayouts, Bricks) {
-  constexpr Coord kWide = 1'000'003;  // primes: nothing divides anything
+  constexpr Coord kWide = 1'000'003;  // primes, so that no two lengths have a common divisor
   constexpr Coord kHigh = 300'007;
   Layout layout{11 * kHigh};
   const auto brick = layout.shape_of(test::rectangle(2 * kWide, kHigh));
@@ -43,7 +44,7 @@ TEST(ExtremeLayouts, Bricks) {
 }
 
 TEST(ExtremeLayouts, Hexagons) {
-  constexpr Coord kHalf = 1'000'000;  // of a side
+  constexpr Coord kHalf = 1'000'000;  // half the length of a side
   const Coord height = std::llround(std::sqrt(3.0) * static_cast<double>(kHalf));
   Layout layout{2 * height * 8 + height};
   const auto hexagon = layout.shape_of(
@@ -66,9 +67,10 @@ TEST(ExtremeLayouts, Chevrons) {
   expect_full(layout.marker());
 }
 
-// Pieces of a jigsaw whose corners are thirds of a millimetre, which no lattice holds: `grid` x `grid` squares with
-// tabs: dovetails, or wedges that need not interlock.  With `local`, each piece in its own coordinates, so that outline
-// and place are rounded each for itself; else all in the strip's, so that common corners are rounded alike.
+// A jigsaw of `grid` x `grid` squares whose corners are at thirds of a millimetre, which no lattice represents exactly.
+// Its tabs are dovetails, or wedges that do not interlock.  With `local`, each piece has its own coordinates, so
+// outline and position are rounded separately; otherwise all use the strip's coordinates, so common corners are rounded
+// alike.
 std::string jigsaw_in_thirds(int grid, bool local, bool dovetailed) {
   const auto third = [](int thirds) { return Json(thirds / 3.0); };
   constexpr int kSide = 100;
@@ -78,7 +80,7 @@ std::string jigsaw_in_thirds(int grid, bool local, bool dovetailed) {
     for (int row = 0; row < grid; ++row) {
       const int x = column * kSide;
       const int y = row * kSide;
-      std::vector<std::pair<int, int>> tab{{0, 41}, {13, 35}, {13, 65}, {0, 59}};  // wider at its end than its neck
+      std::vector<std::pair<int, int>> tab{{0, 41}, {13, 35}, {13, 65}, {0, 59}};  // wider at its end than at its neck
       if (!dovetailed) tab = {{0, 41}, {13, 50}, {0, 59}};
       std::vector<std::pair<int, int>> corners{{x, y}, {x + kSide, y}};
       if (column + 1 < grid) {
@@ -107,7 +109,7 @@ TEST(ExtremeLayouts, AJigsawWhoseCornersAreThirds) {
   expect_full(read->marker);
 }
 
-// Outlines and places rounded each for itself: pieces overlap by a unit, and the marker has to grow by units.
+// Outlines and positions are rounded separately, so pieces overlap by a unit and the marker has to grow by some units.
 TEST(ExtremeLayouts, AJigsawWhosePlacesAreThirdsTooIsHealed) {
   const auto read = protocol::formats::read_marker(jigsaw_in_thirds(10, true, false));
   ASSERT_TRUE(read) << read.error().field << ' ' << read.error().message;
@@ -119,7 +121,8 @@ TEST(ExtremeLayouts, AJigsawWhosePlacesAreThirdsTooIsHealed) {
   EXPECT_LE(result.repair.lengthened, 40);
 }
 
-// A dovetail that is a unit too large for its slot can only be parted by drawing it out: refused, with that depth.
+// A dovetail one unit too large for its slot could only be separated by moving it out of the slot, so the marker is
+// rejected with the depth of that move.
 TEST(ExtremeLayouts, DovetailsAUnitTooLargeAreRefusedByName) {
   const auto read = protocol::formats::read_marker(jigsaw_in_thirds(10, true, true));
   ASSERT_TRUE(read) << read.error().field << ' ' << read.error().message;
@@ -130,13 +133,13 @@ TEST(ExtremeLayouts, DovetailsAUnitTooLargeAreRefusedByName) {
   EXPECT_EQ(read->marker, before);
   EXPECT_EQ(refused.error().code, ErrorCode::kMarkerOverlaps);
   EXPECT_EQ(refused.error().field, "/pieces");
-  for (const char* said : {"0.0333333 mm that is mended", "\"0-0\" and \"1-0\" by 4.33333 mm"}) {
+  for (const char* said : {"0.0333333 mm that is repaired", "\"0-0\" and \"1-0\" by 4.33333 mm"}) {
     EXPECT_NE(refused.error().message.find(said), std::string::npos) << refused.error().message;
   }
   reached("refused", "marker.overlaps, 4.33 mm deep");
 }
 
-// Each pushes the next: all gaps close at once, to the unit.
+// Each piece pushes the next, and all gaps close completely in one compaction.
 TEST(ExtremeLayouts, TenThousandPiecesInOneChain) {
   constexpr Coord kSide = 1'000'000;
   constexpr Coord kGap = 1'234;
@@ -150,7 +153,7 @@ TEST(ExtremeLayouts, TenThousandPiecesInOneChain) {
   reached("rounds", result.rounds);
 }
 
-// The same of pieces that touch along slants, where every contact may cost a unit of rounding and no more.
+// The same for pieces that touch along slanted edges, where every contact may lose one unit to rounding and no more.
 TEST(ExtremeLayouts, AThousandSlantedPiecesInOneChain) {
   constexpr Coord kSide = 1'000'000;
   constexpr Coord kLean = 333'331;

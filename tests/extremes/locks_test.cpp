@@ -1,4 +1,4 @@
-// Locks that leave nothing to do, and locks that contradict each other.
+// Locks that leave no freedom, and locks that contradict each other.
 #include <gtest/gtest.h>
 
 #include "core/motion/dragging/drag.h"
@@ -39,7 +39,7 @@ TEST(ExtremeLocks, EverythingLockedStaysToTheLastBit) {
   reached("locked pieces", static_cast<double>(marker.pieces.size()));
 }
 
-// x locked in one half, y in the other: whatever moves, moves on the axis it may.
+// x is locked in half of the pieces and y in the others; pieces move only along their free axis.
 TEST(ExtremeLocks, EveryPieceLockedOnOneAxis) {
   Marker marker = test::garment("jeans_06g");
   for (std::size_t k = 0; k < marker.pieces.size(); ++k) marker.pieces[k].locked = {k % 2 == 0, k % 2 == 1, false};
@@ -49,7 +49,7 @@ TEST(ExtremeLocks, EveryPieceLockedOnOneAxis) {
   EXPECT_LE(ratio, 0.99993);
 }
 
-// Two locked pieces `overlap` units into each other, and a free one.
+// Two locked pieces that overlap by `overlap` units, and a free one.
 Marker contradiction(Coord overlap) {
   constexpr Coord kSide = 100'000'000;
   test::Layout layout{2 * kSide};
@@ -72,7 +72,8 @@ TEST(ExtremeLocks, LockedPiecesThatOverlapAreRefusedByName) {
     EXPECT_EQ(marker, before);
     reached(std::to_string(overlap) + " units", result.error().message);
 
-    const auto separated = motion::separation::separate(marker, {}, {sums});  // which says what it cannot part
+    const auto separated =
+        motion::separation::separate(marker, {}, {sums});  // which reports the overlaps that it cannot remove
     ASSERT_TRUE(separated);
     EXPECT_FALSE(separated->apart);
     ASSERT_EQ(separated->remaining.size(), 1U);

@@ -9,14 +9,14 @@
 namespace selvage::test {
 namespace {
 
-// The vertices as a Polygon that none of them drops out of.
+// The vertices as a Polygon; throws when any of them is redundant.
 Polygon whole(const std::vector<Vec>& vertices) {
   auto clean = clean_polygon(vertices);
   if (!clean || clean->polygon.size() != vertices.size()) throw std::logic_error{"not a polygon as it stands"};
   return std::move(clean->polygon);
 }
 
-// Up in steps of one unit, and straight down again.
+// A staircase with steps of one unit and a vertical back.
 Polygon unit_steps(Coord steps) {
   std::vector<Vec> vertices{{0, 0}};
   for (Coord k = 0; k < steps; ++k) {
@@ -27,7 +27,7 @@ Polygon unit_steps(Coord steps) {
   return whole(vertices);
 }
 
-// Below, a chain whose edges turn by `rise` units in `run`.
+// A shape whose lower side is a chain of edges that turn by `rise` units over `run` units.
 Polygon shallow_bowl(Coord edges, Coord run, Coord rise) {
   std::vector<Vec> vertices;
   for (Coord k = 0; k <= edges; ++k) vertices.push_back({k * run, rise * k * (k - edges)});
@@ -45,10 +45,10 @@ Polygon spiked_block(Coord spikes, Coord height) {
   vertices.push_back({0, height / 10});
   vertices[1].y = 0;
   vertices.insert(vertices.begin() + 2, {spikes * 1000, height / 10});
-  return clean_polygon(vertices)->polygon;  // the block's top between two spikes is straight
+  return clean_polygon(vertices)->polygon;  // the top of the block between two spikes is straight
 }
 
-// A regular polygon, as near as the lattice lets it be.
+// A regular polygon, as accurate as the lattice allows.
 Polygon circle(int vertices, double radius) {
   std::vector<Vec> round;
   for (int k = 0; k < vertices; ++k) {
@@ -58,7 +58,7 @@ Polygon circle(int vertices, double radius) {
   return whole(round);
 }
 
-// A square frayed all round: neighbours are one or two units apart.
+// A square with a jagged outline: neighbouring vertices are one or two units apart.
 Polygon frayed(Coord side) {
   std::vector<Vec> vertices;
   const auto fray = [](Coord k) { return k % 2; };

@@ -1,4 +1,5 @@
-// Pieces that no pattern maker draws: slivers, spikes, combs, spirals, edges of a unit, edges all but parallel.
+// Difficult pieces that no pattern maker would draw: slivers, spikes, combs, spirals, edges one unit long, and nearly
+// parallel edges.
 #pragma once
 
 #include <string>
@@ -11,16 +12,16 @@ namespace selvage::test {
 struct NastyPiece {
   std::string name;
   Polygon outline;
-  double compacts_to{};  // after / before of some of them, rounded up a little
-  bool stacked{};        // too long for two beside each other within the lattice
-  bool many_parts{};     // hundreds of star parts: a sum of two takes minutes
-  bool sum_judged{};     // few enough vertices for CGAL's Minkowski sums
+  double compacts_to{};  // length after / before of a marker of several copies, rounded up slightly
+  bool stacked{};        // so long that two do not fit side by side within the lattice limit
+  bool many_parts{};     // it has hundreds of star-shaped parts, so a sum of two takes minutes
+  bool sum_judged{};     // it has few enough vertices for CGAL's Minkowski sums
 };
 [[nodiscard]] std::vector<NastyPiece> nasty_pieces();
-// Those of them whose sums CGAL judges.
+// The pieces whose sums are checked with CGAL.
 [[nodiscard]] std::vector<NastyPiece> pieces_with_judged_sums();
 
-// Its kernel is about one lattice unit across, its arms are as long as `arm`.
+// A star whose kernel is about one lattice unit across and whose arms are as long as `arm`.
 [[nodiscard]] Polygon pinwheel(Coord arm);
 
 }  // namespace selvage::test

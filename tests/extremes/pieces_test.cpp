@@ -1,4 +1,4 @@
-// The nastiest pieces, each through everything: parts, sums, proofs, compaction.
+// Difficult pieces: their star-shaped parts, Minkowski sums, validity proofs and compaction.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ TEST_P(ExtremePieces, PartsCoverItExactly) {
   reached(GetParam().name + ": star parts", static_cast<double>(parts.size()));
 }
 
-// What CGAL makes of the same two, to a unit along the boundary.
+// The sums equal CGAL's up to a unit along the boundary.
 TEST_P(ExtremeSums, AreWhatCgalFinds) {
   const Polygon& p = GetParam().outline;
   const Polygon triangle{{0, 0}, {1000, 300}, {200, 900}};
@@ -51,7 +51,7 @@ TEST_P(ExtremeSums, AreWhatCgalFinds) {
   }
 }
 
-// Four of it, every second one upside down, with room between them.
+// Four copies, every second one upside down, with gaps between them.
 Marker four_of(const NastyPiece& piece) {
   const Box box = box_of(piece.outline);
   const Vec room{box.width() / 50 + 1, box.height() / 50 + 1};
@@ -68,7 +68,7 @@ Marker four_of(const NastyPiece& piece) {
   return layout.marker();
 }
 
-// It, and blocks an eighth of its size to the right of it.
+// The piece, and blocks an eighth of its size to the right of it.
 Marker with_blocks(const Polygon& outline) {
   const Box box = box_of(outline);
   test::Layout layout{box.height()};
@@ -106,21 +106,21 @@ TEST(ExtremeOutlines, TenThousandVerticesAreRefusedHoweverFewAreMeant) {
 
   repeated.clear();
   for (const Vec corner : corners) repeated.insert(repeated.end(), geometry::kMaxVertices / 4, corner);
-  const auto mended = clean_polygon(repeated);
-  ASSERT_TRUE(mended);
-  EXPECT_EQ(mended->polygon, corners);
-  EXPECT_EQ(mended->repairs.duplicate_vertices, geometry::kMaxVertices - 4);
+  const auto cleaned = clean_polygon(repeated);
+  ASSERT_TRUE(cleaned);
+  EXPECT_EQ(cleaned->polygon, corners);
+  EXPECT_EQ(cleaned->repairs.duplicate_vertices, geometry::kMaxVertices - 4);
   reached("duplicates left out", static_cast<double>(geometry::kMaxVertices - 4));
 }
 
-// Back and forth along one line: spikes of no width, and vertices a unit off it.
+// Vertices back and forth along one line: spikes of zero width, and vertices one unit off the line.
 TEST(ExtremeOutlines, RunsThatAreAllButStraight) {
   std::vector<Vec> straight{{0, 0}};
-  for (Coord x = 1; x < 1900; ++x) straight.push_back({x % 3 == 0 ? x - 2 : x + 1, 0});  // goes to and fro
+  for (Coord x = 1; x < 1900; ++x) straight.push_back({x % 3 == 0 ? x - 2 : x + 1, 0});  // moves to and fro
   straight.push_back({3000, 0});
   straight.push_back({3000, 500});
   straight.push_back({1500, 500});
-  straight.push_back({1500, 900'000'000});  // a spike without width
+  straight.push_back({1500, 900'000'000});  // a spike of zero width
   straight.push_back({1500, 500});
   straight.push_back({0, 500});
   const auto clean = clean_polygon(straight);

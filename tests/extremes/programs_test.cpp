@@ -1,5 +1,5 @@
-// Linear programs at the edges of arithmetic: each solver's answer against the other's, and against a certificate in
-// rationals that knows neither.
+// Linear programs at the limits of floating point arithmetic: the solution of each solver is compared with the other's,
+// and checked with a certificate in rational arithmetic.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -26,12 +26,12 @@ using Entry = lp::LinearProgram::Entry;
 
 constexpr int kPivots = 1'000'000;
 
-// The worst of what the answers to one kind of program were found to lack.
+// The largest errors found in the solutions of one kind of program.
 struct Worst {
   double primal{}, dual{}, gap{}, apart{};
 
-  // `scale`: the size of the numbers that the objective is made of.
-  void look_at(const lp::LinearProgram& program, double scale = 1) {
+  // `scale`: the magnitude of the terms that the objective is the sum of.
+  void include(const lp::LinearProgram& program, double scale = 1) {
     const lp::LpSolution simplex = lp::solver::solve_by_simplex(program, kPivots);
     const lp::LpSolution interior = lp::interior_point::solve_by_interior_point(program);
     ASSERT_EQ(simplex.status, lp::LpStatus::kOptimal);
@@ -57,7 +57,8 @@ struct Worst {
   }
 };
 
-// The largest square between so many lines in whole degrees: cosines of right angles leave dust of 6e-17 in the rows.
+// The largest square between lines at whole degrees; the cosines of right angles leave rounding noise of 6e-17 in the
+// rows.
 lp::LinearProgram square_between_lines(Random& random, int lines) {
   lp::LinearProgram program;
   program.add_column(0, -1, 1);
@@ -77,12 +78,12 @@ TEST(ExtremePrograms, DustInTheRows) {
   Random random{1};
   Worst worst;
   for (int trial = 0; trial < 2000 / test::kSlowdown; ++trial) {
-    worst.look_at(square_between_lines(random, static_cast<int>(random.between(0, 60))));
+    worst.include(square_between_lines(random, static_cast<int>(random.between(0, 60))));
   }
   worst.expect_closed();
 }
 
-// Every row passes through the one vertex that is best.
+// Every row passes through the optimal vertex.
 TEST(ExtremePrograms, AThousandRowsThroughOneVertex) {
   Random random{2};
   Worst worst;
@@ -97,16 +98,17 @@ TEST(ExtremePrograms, AThousandRowsThroughOneVertex) {
         const double value = random.part() * 2 - 1;
         row.push_back({j, value});
         at_vertex += value * j;
-        if (r < 20) program.cost[static_cast<std::size_t>(j)] += value;  // optimal there: a sum of rows
+        if (r < 20)
+          program.cost[static_cast<std::size_t>(j)] += value;  // a sum of rows, so that this vertex is optimal
       }
       program.add_row(row, at_vertex);
     }
-    worst.look_at(program, 100);
+    worst.include(program, 100);
   }
   worst.expect_closed();
 }
 
-// Beale's program, on which the textbook's simplex method goes round in a circle.
+// Beale's program, on which the textbook simplex method cycles.
 TEST(ExtremePrograms, WherePivotsGoRoundInACircle) {
   lp::LinearProgram program;
   for (const double cost : {-0.75, 150.0, -0.02, 6.0}) program.add_column(cost, 0, lp::kInfinity);
@@ -114,12 +116,12 @@ TEST(ExtremePrograms, WherePivotsGoRoundInACircle) {
   program.add_row(std::vector<Entry>{{0, -0.5}, {1, 90}, {2, 0.02}, {3, -3}}, 0);
   program.add_row(std::vector<Entry>{{2, -1}}, -1);
   Worst worst;
-  worst.look_at(program);
+  worst.include(program);
   worst.expect_closed();
   EXPECT_NEAR(lp::solver::solve_by_simplex(program, kPivots).objective, -0.05, 1e-9);
 }
 
-// The rows of a Hilbert matrix: all but parallel, at a condition of 1e10.
+// The rows of a Hilbert matrix, which are nearly parallel: its condition number is 1e10.
 TEST(ExtremePrograms, RowsAllButParallel) {
   constexpr int kSize = 8;
   lp::LinearProgram program;
@@ -134,22 +136,23 @@ TEST(ExtremePrograms, RowsAllButParallel) {
     program.add_row(row, sum);
   }
   Worst worst;
-  worst.look_at(program);
+  worst.include(program);
   worst.expect_closed();
 }
 
 TEST(ExtremePrograms, ColumnsThatNothingHolds) {
   Worst worst;
   lp::LinearProgram program = row_of_points(50, 10);
-  for (int k = 0; k < 1000; ++k) {  // free, without cost: some in no row, some in a row that never binds
+  for (int k = 0; k < 1000;
+       ++k) {  // free columns without cost: some occur in no row, some in a row that is never active
     const int loose = program.add_column(0, -lp::kInfinity, lp::kInfinity);
     if (k % 2 == 0) program.add_row(std::vector<Entry>{{loose, 1}, {k % 50, 1}}, -1);
   }
-  worst.look_at(program);
+  worst.include(program);
   worst.expect_closed();
 }
 
-// Rows in their own units each, from a thousandth to a thousand: more than any model of ours.
+// Rows scaled by different units, from a thousandth to a thousand: more than occurs in any of our models.
 TEST(ExtremePrograms, RowsInUnitsAMillionApart) {
   Random random{3};
   Worst worst;
@@ -161,12 +164,12 @@ TEST(ExtremePrograms, RowsInUnitsAMillionApart) {
       program.bound[k] *= unit;
       for (std::size_t e = program.row_start[k]; e < program.row_start[k + 1]; ++e) program.entries[e].value *= unit;
     }
-    worst.look_at(program, 100);
+    worst.include(program, 100);
   }
   worst.expect_closed();
 }
 
-// 50,000 half-spaces about a ball of 12 dimensions.
+// 50,000 half-spaces around a ball in 12 dimensions.
 TEST(ExtremePrograms, FiftyThousandRows) {
   Random random{4};
   constexpr int kColumns = 12;
@@ -183,13 +186,14 @@ TEST(ExtremePrograms, FiftyThousandRows) {
     program.add_row(row, -1);
   }
   Worst worst;
-  worst.look_at(program);
+  worst.include(program);
   reached("rows", program.rows());
   worst.expect_closed();
 }
 
-// As many rows shaped like a compaction's.  Simplex takes 40,000 pivots and a minute to come to the same objective, so
-// it is not asked here: feasibility, prices and what these promise prove the answer best without it.
+// As many rows with the structure of a compaction step.  Simplex needs 40,000 pivots and a minute for the same
+// objective, so it is not run here: primal feasibility, dual feasibility and the duality gap prove optimality without
+// it.
 TEST(ExtremePrograms, FiftyThousandRowsOfACompaction) {
   const lp::LinearProgram program = lp::compaction_program({.points = 3300});
   ASSERT_GE(program.rows(), 50'000);
@@ -204,7 +208,7 @@ TEST(ExtremePrograms, FiftyThousandRowsOfACompaction) {
   EXPECT_LE(exact.primal, 1e-9);
   EXPECT_LE(exact.dual, 1e-8);
   EXPECT_LE(gap, 1e-6);
-  EXPECT_NEAR(exact.objective, -744.957022733, 1e-6);  // the objective of simplex
+  EXPECT_NEAR(exact.objective, -744.957022733, 1e-6);  // the objective found by simplex
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
-// How far an extreme went: a property of the test in ctest's XML, and a line on its output.
-// `./dev measure extremes` fills the lines into docs/measurements-extremes.md; of one test, `what` says each but once.
+// Reports how far an extreme test went, as a property in the XML output of the test and as a line on standard output.
+// `./dev measure extremes` inserts these figures into docs/measurements-extremes.md.  Within a test, every `what` must
+// be unique.
 #pragma once
 
 #include <gtest/gtest.h>

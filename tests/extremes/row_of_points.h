@@ -1,4 +1,4 @@
-// Points in a row across a strip: the program whose spare room can be told to a lattice unit.
+// A row of points across a strip: a linear program whose free room is given exactly in lattice units.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,11 @@
 
 namespace selvage::test {
 
-// One lattice unit in a column's unit, on the coarsest lattice that is chosen by itself: 2^28 units across.
+// One lattice unit, in the unit of the columns, on the coarsest lattice that is chosen automatically: 2^28 units across
+// the strip.
 inline constexpr double kLatticeUnit = 1000.0 / (1 << 28);
 
-// Points one apart, which the strip leaves `spare` lattice units in all.
+// A row of points at least 1 apart, for which the strip leaves `spare` lattice units in total.
 inline lp::LinearProgram row_of_points(int points, double spare) {
   using Row = std::vector<lp::LinearProgram::Entry>;
   lp::LinearProgram program;

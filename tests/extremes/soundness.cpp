@@ -14,7 +14,7 @@
 namespace selvage::test {
 namespace {
 
-// FOLDER/SUITE.TEST.NUMBER.json, the first number that is free.
+// FOLDER/SUITE.TEST.NUMBER.json with the first unused number.
 std::filesystem::path free_path_in(const std::filesystem::path& folder) {
   const auto* running = testing::UnitTest::GetInstance()->current_test_info();
   std::string name = std::string{running->test_suite_name()} + "." + running->name();
@@ -38,7 +38,7 @@ struct Placed {
   Polygon outline;
   Box box;
 };
-// From the left.
+// The placed pieces from left to right.
 std::vector<Placed> placed_pieces(const Marker& marker) {
   std::vector<Placed> placed;
   for (std::uint32_t k = 0; k < marker.pieces.size(); ++k) {
@@ -54,7 +54,7 @@ void expect_inside(const Placed& piece, const Strip& strip) {
   EXPECT_GE(piece.box.low.y, 0) << "piece " << piece.index;
   EXPECT_LE(piece.box.high.y, strip.width) << "piece " << piece.index;
 }
-// True when CGAL had to be asked.
+// True when CGAL had to test the pair.
 bool expect_apart(const Placed& p, const Placed& q) {
   if (!p.box.overlaps(q.box)) return false;
   EXPECT_FALSE(interiors_meet(p.outline, q.outline)) << "pieces " << p.index << " and " << q.index;
@@ -84,7 +84,7 @@ std::size_t expect_valid_where_moved(const Marker& before, const Marker& after) 
     if (!moved(piece)) continue;
     expect_inside(piece, after.strip);
     for (const Placed& other : placed) {
-      const bool its_turn = !moved(other) || piece.index < other.index;  // of two that moved, once
+      const bool its_turn = !moved(other) || piece.index < other.index;  // a pair that moved is tested only once
       if (its_turn && expect_apart(piece, other)) ++asked;
     }
   }

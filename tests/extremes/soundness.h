@@ -1,4 +1,4 @@
-// What every answer must be, judged twice: by the product's own integers, and by CGAL's.
+// Expectations that every result must meet, checked both by Selvage's exact predicates and by CGAL.
 #pragma once
 
 #include "core/marker/marker.h"
@@ -6,20 +6,22 @@
 
 namespace selvage::test {
 
-// No pair overlaps and no piece leaves the strip, by either judge.  CGAL is asked about every pair whose boxes overlap.
-// With SELVAGE_OUTLINES=FOLDER in the environment the layout is kept there as placed outlines, named after the running
-// test, for a third judge (tests/judge).
+// Expects that no pair overlaps and no piece leaves the strip, according to both.  CGAL tests every pair whose boxes
+// overlap.
+// When the environment variable SELVAGE_OUTLINES is set to a folder, the layout is also saved there as placed outlines,
+// named after the running test, for an independent judge (tests/judge).
 void expect_valid_twice(const Marker& marker);
 
-// The same of a marker that was found valid before some of its pieces moved: CGAL is asked about pairs with these only,
-// and about how many is returned.
+// The same for a marker that was valid before some of its pieces moved.  CGAL tests only pairs with a moved piece;
+// returns their number.
 std::size_t expect_valid_where_moved(const Marker& before, const Marker& after);
 
-// Valid twice; shapes, strip, orientations and locked coordinates are what they were; not longer than before but for
-// `lengthened` lattice units.
+// Expects a valid marker with the same shapes, strip, orientations and locked coordinates, longer than before by at
+// most `lengthened` lattice units.
 void expect_sound(const Marker& before, const Marker& after, Coord lengthened = 0);
 
-// Compacted at standard accuracy and found sound; an empty marker, and a failure, when it is refused.
+// Compacts at standard accuracy and expects a sound result.  When the marker is rejected, the test fails and the result
+// is empty.
 motion::compaction::Compaction soundly_compacted(const Marker& marker);
 
 }  // namespace selvage::test

@@ -1,4 +1,4 @@
-// Tilts of next to nothing, and at the limit to the last bit.
+// Tilts by tiny angles, and tilts exactly at the limit.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ namespace {
 
 using test::reached;
 
-// Every vertex of a piece turned by 1e-9 degrees is the nearest lattice point, on any lattice.
+// Every vertex of a piece turned by 1e-9 degrees is rounded to the nearest lattice point, on any lattice.
 TEST(ExtremeTilts, ABillionthOfADegree) {
   const long double radians = 1e-9L * std::numbers::pi_v<long double> / 180;
   for (const Coord size : {Coord{1} << 20, Coord{1} << 28, Coord{1} << 38}) {
@@ -34,7 +34,7 @@ TEST(ExtremeTilts, ABillionthOfADegree) {
       EXPECT_EQ(image[k].x, std::llround(x * std::cos(radians) - y * std::sin(radians)));
       EXPECT_EQ(image[k].y, std::llround(x * std::sin(radians) + y * std::cos(radians)));
     }
-    EXPECT_EQ(image == shape, size < Coord{1} << 30);  // there it is less than half a unit
+    EXPECT_EQ(image == shape, size < Coord{1} << 30);  // then the motion is less than half a unit
     reached("a corner moved, on a piece of " + std::to_string(2 * size), static_cast<double>(image[1].y - shape[1].y));
   }
 }
@@ -84,7 +84,7 @@ TEST(ExtremeTilts, AtTheLimitIsAllowedAndABitBeyondIsNot) {
   reached("beyond the limit by, degrees", std::nextafter(1e-9, 90) - 1e-9);
 }
 
-// A piece that came at its limit, or a bit beyond, turns back or stays.
+// A piece that starts at its limit, or one rounding step beyond it, turns back or keeps its tilt.
 TEST(ExtremeTilts, PiecesThatComeAtTheLimitTiltNoFarther) {
   for (const double came : {3.0, std::nextafter(3.0, 90), 2.9999999999}) {
     Marker marker = tilting_marker(3);
@@ -101,7 +101,8 @@ TEST(ExtremeTilts, PiecesThatComeAtTheLimitTiltNoFarther) {
   }
 }
 
-// Pieces on a lattice so fine that a billionth of a degree moves their corners; every second one tilted the other way.
+// Pieces on a lattice so fine that a billionth of a degree moves their corners; every second piece is tilted in the
+// other direction.
 Marker tilted_marker(double limit, double tilt) {
   Marker marker = test::loose_marker(3, 3, 2, Coord{1} << 36);
   for (Shape& shape : marker.shapes) shape.tilt_limit = Angle::of_degrees(limit);
@@ -112,7 +113,8 @@ Marker tilted_marker(double limit, double tilt) {
 }
 
 void expect_motions_from(const Marker& marker) {
-  const motion::compaction::Compaction compaction = test::soundly_compacted(marker);  // orientations to the last bit
+  const motion::compaction::Compaction compaction =
+      test::soundly_compacted(marker);  // orientations must be exactly equal
   EXPECT_LT(compaction.length_after, compaction.length_before);
   SumCache sums;
   const auto floated = float_apart(

@@ -1,4 +1,4 @@
-// Pairs that touch: to the lattice unit, by our proof and by CGAL's, on small lattices and on the largest.
+// Pairs of pieces that touch exactly, checked by Selvage's proof and by CGAL, on small lattices and on the largest.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -20,8 +20,8 @@ using test::reached;
 
 constexpr std::array<Vec, 9> kUnitMoves{{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 
-// Both judges about the pair, and about it with the second moved by a unit in every direction.  How many of the moves
-// overlap.
+// Tests the pair, and the pair with the second piece moved by one unit in every direction, with both predicates.
+// Returns the number of moves that overlap.
 int overlapping_moves(const Polygon& p, const Polygon& q) {
   int overlapping = 0;
   for (const Vec by : kUnitMoves) {
@@ -39,21 +39,22 @@ TEST(ExtremeContacts, InAPointAlongAnEdgeAndInAHole) {
     const Polygon square = test::rectangle(size, size);
     const Polygon diamond{{size, 0}, {2 * size, size}, {size, 2 * size}, {0, size}};
     const Polygon star = test::moved(test::pinwheel(size), {size, size});
-    // Corner to corner, corner to edge, along a whole edge and along part of one.
+    // Corner to corner, corner to edge, along a whole edge, and along part of an edge.
     EXPECT_EQ(overlapping_moves(square, test::moved(square, {size, size})), 1);
     EXPECT_EQ(overlapping_moves(diamond, test::moved(square, {2 * size, size / 2})), 3);
     EXPECT_EQ(overlapping_moves(square, test::moved(square, {size, 0})), 3);
     EXPECT_EQ(overlapping_moves(square, test::moved(square, {size, size / 2})), 3);
-    EXPECT_EQ(overlapping_moves(star, test::moved(square, {2 * size, size / 2})), 3);  // an arm's tip in an edge
-    EXPECT_EQ(overlapping_moves(star, test::moved(star, {2 * size, -2})), 0);  // two tips: thinner than a unit there
-    // In a hole that it fills to the last unit: every move but none overlaps.
+    EXPECT_EQ(overlapping_moves(star, test::moved(square, {2 * size, size / 2})), 3);  // the tip of an arm at an edge
+    EXPECT_EQ(overlapping_moves(star, test::moved(star, {2 * size, -2})),
+              0);  // two tips, which are thinner than a unit there
+    // In a hole that the piece fills exactly: every move overlaps.
     const Polygon ring = test::broken_ring(3 * size, size, 1);
     EXPECT_EQ(overlapping_moves(ring, test::moved(square, {size, size})), 8);
   }
   reached("largest size, lattice units", static_cast<double>(Coord{3} << 38));
 }
 
-// Wherever a bump brings two pieces of any kind together, it brings them to the last unit.
+// A bump always brings two pieces together to the lattice unit.
 TEST(ExtremeContacts, WhereBumpsBringRandomPiecesTogether) {
   Random random{23};
   int touching = 0;
@@ -71,7 +72,7 @@ TEST(ExtremeContacts, WhereBumpsBringRandomPiecesTogether) {
     const Polygon obstacle = placed_outline(result->marker, PieceId{0});
     const Polygon bumped = placed_outline(result->marker, PieceId{1});
     ++pairs;
-    // Where it was led past the other nothing is left to touch.
+    // Where the piece was guided past the other, they no longer touch.
     touching += overlapping_moves(obstacle, bumped) > 0 ? 1 : 0;
   }
   reached("pairs", pairs);
@@ -79,7 +80,7 @@ TEST(ExtremeContacts, WhereBumpsBringRandomPiecesTogether) {
   EXPECT_GE(touching, 280);
 }
 
-// A bar in a slot `play` units wider than it, drawn in to the slot's floor.
+// A bar in a slot that is `play` units wider than the bar, compacted towards the slot's floor.
 motion::compaction::Compaction drawn_into_slot(Coord size, Coord play) {
   test::Layout layout{3 * size + play};
   layout.put(layout.shape_of({{0, 0},
@@ -101,9 +102,9 @@ TEST(ExtremeContacts, ABarSlidesToTheFloorOfASlotFourUnitsWider) {
   }
 }
 
-// With less play than that the floor, an edge as long as the play, is taken for rounding (core/model/free_region.cpp).
-// The program lets the bar through it to the strip's edge, a way of 3; half of that is proved, 1.5 of the 2 there are,
-// and half of the next way is too far again.  With a single unit of play it does not move at all.
+// With less play, the floor, an edge as long as the play, is taken for rounding (core/model/free_region.cpp).  The
+// program then lets the bar pass through it to the strip's edge, a move of 3 units.  Half of that is proved, 1.5 of the
+// 2 units available, and half of the next move is too far again.  With a play of one unit the bar does not move at all.
 TEST(ExtremeContacts, ABarInATighterSlotStopsShortButSound) {
   constexpr Coord kSize = Coord{1} << 36;
   constexpr std::array<double, 4> kLeft{0.5, 2, 0.5, 0.5};

@@ -9,7 +9,7 @@ std::vector<Vec> any_vertices(Random& random, std::size_t most, Coord largest_ex
   std::vector<Vec> vertices(random.below(most + 1));
   for (Vec& v : vertices) {
     v = random.point(0, extent);
-    // Often beside or at another, so that there are repeated vertices, straight runs and spikes.
+    // Often next to or equal to another vertex, to produce repeated vertices, straight runs and spikes.
     const Vec other = vertices[random.below(vertices.size())];
     if (random.chance(20)) v.x = other.x;
     if (random.chance(20)) v.y = other.y;

@@ -1,4 +1,4 @@
-// Polygons out of a fuzzer's bytes.
+// Polygons made from a fuzzer's bytes.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace selvage::test {
 
-// Any closed list of at most `most` points, on a lattice of any size: on a small one, coordinates coincide.
+// A closed list of at most `most` points on a lattice of any size.  On a small lattice, coordinates often coincide.
 [[nodiscard]] std::vector<Vec> any_vertices(Random& random, std::size_t most, Coord largest_extent);
 
 }  // namespace selvage::test

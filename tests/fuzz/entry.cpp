@@ -13,8 +13,8 @@ void demand(bool holds, std::string_view otherwise) {
 
 }  // namespace selvage::test
 
-// LeakSanitizer asks for it by this name.  Clp's presolve loses 16 bytes where it gives a doubleton up halfway
-// (CoinUtils, doubleton_action::presolve).
+// LeakSanitizer looks this function up by name.  Clp's presolve leaks 16 bytes when it abandons a doubleton (CoinUtils,
+// doubleton_action::presolve).
 extern "C" const char* __lsan_default_suppressions() {  // NOLINT(bugprone-reserved-identifier)
   return "leak:presolve_dupmajor\n";
 }

@@ -9,28 +9,28 @@ namespace selvage::test {
 
 void demand_sound_reading(std::string_view text, const std::function<Result<MarkerFile>(const Json&)>& read) {
   const auto document = protocol::json::parse(text);
-  demand(document || !document.error().message.empty(), "text refused without a word");
+  demand(document || !document.error().message.empty(), "a text was rejected without an error message");
   if (!document) return;
   const auto again = protocol::json::parse(protocol::json::to_text(*document));
-  demand(again && *again == *document, "JSON that does not read back");
+  demand(again && *again == *document, "JSON that was written does not read back");
   const auto file = read(*document);
   if (!file) {
-    demand(!file.error().message.empty(), "a document refused without a word");
+    demand(!file.error().message.empty(), "a document was rejected without an error message");
     return;
   }
   const Marker& marker = file->marker;
-  demand(static_cast<bool>(make_marker(marker)), "a marker that is none was read");
-  demand(Judge{}.fault_of(marker).empty() == is_valid(marker), "is_valid is wrong");
+  demand(static_cast<bool>(make_marker(marker)), "the reader returned an invalid Marker");
+  demand(Judge{}.fault_of(marker).empty() == is_valid(marker), "is_valid disagrees with the independent judge");
   for (const Format format : {Format::kNative, Format::kSparrow, Format::kOutlines, Format::kSvg}) {
     const auto written = protocol::formats::write_marker(*file, format);
     demand(written || (format == Format::kSparrow && written.error().code == ErrorCode::kOrientationNotAllowed),
-           "a marker that cannot be written");
+           "a marker cannot be written");
     if (format != Format::kNative) continue;
     const auto back = protocol::formats::read_marker(*written);
-    demand(static_cast<bool>(back), "native form that is refused");
-    demand(back->marker == marker, "native form that reads back as another marker");
+    demand(static_cast<bool>(back), "the native form is rejected");
+    demand(back->marker == marker, "the native form reads back as a different marker");
     demand(back->attributes.pieces == file->attributes.pieces && back->attributes.shapes == file->attributes.shapes,
-           "attributes lost");
+           "attributes are lost");
   }
 }
 

@@ -1,4 +1,4 @@
-// What holds of every text that a marker may be read from.
+// Properties of reading any text as a marker.
 #pragma once
 
 #include <functional>
@@ -8,8 +8,8 @@
 
 namespace selvage::test {
 
-// The reader takes the text or refuses it with words.  A marker that it takes can be judged and written in every form;
-// its native form reads back as the same marker.
+// The reader either accepts the text or rejects it with an error message.  A marker that was accepted can be checked
+// for validity and written in every format, and its native form reads back as the same marker.
 void demand_sound_reading(std::string_view text, const std::function<Result<MarkerFile>(const Json&)>& read);
 
 }  // namespace selvage::test

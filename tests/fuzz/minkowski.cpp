@@ -1,4 +1,4 @@
-// Sums of any two polygons, judged by CGAL's.
+// Fuzz target: Minkowski sums of any two polygons, compared with CGAL's.
 #include "core/minkowski/sum.h"
 
 #include "tests/core/minkowski/sum_laws.h"
@@ -9,7 +9,7 @@
 namespace selvage::test {
 namespace {
 
-// Some of the kinds that tests are made of, and what else a fuzzer thinks of.  On a small lattice, spread out.
+// A polygon of one of the kinds used in tests, or an arbitrary one.  Polygons on a small lattice are scaled up.
 Polygon any_polygon(Random& random, Coord extent) {
   if (random.chance(30)) return random_polygon(random, extent);
   const auto clean = clean_polygon(any_vertices(random, 16, extent));

@@ -1,4 +1,4 @@
-// Text as a marker in the native form.
+// Fuzz target: reading text as a marker in the native format.
 #include "protocol/formats/native.h"
 
 #include "tests/fuzz/entry.h"

@@ -1,14 +1,15 @@
-// Outlines as they come in: what clean_polygon makes a Polygon is one, and all that is worked out of one holds.
+// Fuzz target: raw outlines.  The result of clean_polygon must be a Polygon, and everything computed from it must
+// satisfy its contract.
 #include "core/geometry/polygon.h"
 
 #include <algorithm>
 #include <numeric>
 
 #include "core/geometry/orientation.h"
+#include "core/outline/decomposition/triangulation.h"
 #include "core/outline/outline.h"
 #include "core/outline/outward.h"
 #include "core/outline/star.h"
-#include "core/outline/triangulation.h"
 #include "tests/fuzz/any_polygon.h"
 #include "tests/fuzz/entry.h"
 #include "tests/soak/exact_pairs.h"
@@ -18,19 +19,20 @@ namespace {
 
 void judge_polygon(const Polygon& polygon, const std::vector<Vec>& vertices) {
   const std::size_t n = polygon.size();
-  demand(n >= 3, "a polygon of less than three vertices");
+  demand(n >= 3, "a polygon has fewer than three vertices");
   for (std::size_t k = 0; k < n; ++k) {
     const Vec a = polygon[k];
     const Vec b = polygon[(k + 1) % n];
     const Vec c = polygon[(k + 2) % n];
-    demand(a != b && geometry::cross({b.x - a.x, b.y - a.y}, {c.x - b.x, c.y - b.y}) != 0, "an idle vertex");
-    demand(std::find(vertices.begin(), vertices.end(), a) != vertices.end(), "a vertex that nobody gave");
-    demand(locate(a, polygon) == geometry::Location::kBoundary, "a vertex that is not on the boundary");
+    demand(a != b && geometry::cross({b.x - a.x, b.y - a.y}, {c.x - b.x, c.y - b.y}) != 0, "a vertex is redundant");
+    demand(std::find(vertices.begin(), vertices.end(), a) != vertices.end(), "a vertex is not in the input");
+    demand(locate(a, polygon) == geometry::Location::kBoundary, "a vertex is not on the boundary");
   }
-  demand(!touches_itself(polygon), "a polygon that touches itself");
-  demand(doubled_area(polygon) > 0, "a clockwise polygon");
+  demand(!touches_itself(polygon), "a polygon touches itself");
+  demand(doubled_area(polygon) > 0, "a polygon is clockwise");
   const auto again = clean_polygon(polygon);
-  demand(again && again->polygon == polygon && again->repairs == geometry::Repairs{}, "a clean polygon that is mended");
+  demand(again && again->polygon == polygon && again->repairs == geometry::Repairs{},
+         "cleaning a clean polygon changes it");
 }
 
 Wide area_of_parts(const std::vector<outline::StarPart>& parts) {
@@ -40,19 +42,19 @@ Wide area_of_parts(const std::vector<outline::StarPart>& parts) {
 
 void judge_outline(const Polygon& polygon) {
   const auto outline = outline::make_outline(polygon);
-  demand(outline->convex == is_convex(polygon), "convex or not");
-  demand(area_of_parts(outline->parts) == doubled_area(polygon), "star parts that are not the polygon");
+  demand(outline->convex == is_convex(polygon), "the outline's convexity is wrong");
+  demand(area_of_parts(outline->parts) == doubled_area(polygon), "the areas of the star-shaped parts do not add up");
 }
 
 void judge_simplified(const Polygon& polygon, Coord tolerance) {
   const Polygon grown = outline::simplified_outward(polygon, tolerance);
   const auto again = clean_polygon(grown);
   demand(again && again->polygon == grown && again->repairs == geometry::Repairs{},
-         "a simplified polygon that is mended");
-  demand(grown.size() <= polygon.size(), "a simplified polygon of more vertices");
-  demand(doubled_area(grown) >= doubled_area(polygon), "a simplified polygon that is smaller");
+         "a simplified polygon is not clean");
+  demand(grown.size() <= polygon.size(), "a simplified polygon has more vertices");
+  demand(doubled_area(grown) >= doubled_area(polygon), "a simplified polygon has a smaller area");
   for (const Vec v : polygon)
-    demand(locate(v, grown) != geometry::Location::kOutside, "a vertex outside the simplified polygon");
+    demand(locate(v, grown) != geometry::Location::kOutside, "a vertex lies outside the simplified polygon");
 }
 
 }  // namespace
@@ -64,9 +66,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   const std::vector<Vec> vertices = test::any_vertices(random, 60, kLatticeLimit - 1);
   const auto clean = clean_polygon(vertices);
   std::vector<Vec> backwards{vertices.rbegin(), vertices.rend()};
-  test::demand(static_cast<bool>(clean_polygon(backwards)) == static_cast<bool>(clean), "refused in one sense only");
+  test::demand(static_cast<bool>(clean_polygon(backwards)) == static_cast<bool>(clean),
+               "clockwise and counter-clockwise input are treated differently");
   if (!clean) {
-    test::demand(!clean.error().message.empty(), "refused without a word");
+    test::demand(!clean.error().message.empty(), "an outline was rejected without an error message");
     return 0;
   }
   test::judge_polygon(clean->polygon, vertices);

@@ -1,6 +1,8 @@
-// The main of a fuzz target that is not linked with libFuzzer: runs it on every file of the folders it is given.
+// The main function of a fuzz target that is not linked with libFuzzer: runs the target on every file of the given
+// folders.
 //
-// usage: fuzz_TARGET FOLDER...     exit 0: none of them crashed; 2: there are none
+// usage: fuzz_TARGET FOLDER...
+// exit status 0: all inputs passed; 2: there are no inputs
 #include <algorithm>
 #include <filesystem>
 #include <fstream>

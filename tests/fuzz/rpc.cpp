@@ -1,16 +1,19 @@
-// Text as JSON-RPC: a message per line, to everything of the daemon that is behind its sockets.
+// Fuzz target: text as JSON-RPC, one message per line, sent to the whole daemon except its sockets.
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "server/dispatch/dispatcher.h"
+#include "core/search/refine.h"
+#include "protocol/calls/motion.h"
+#include "protocol/methods/method_table.h"
+#include "server/dispatch/backend.h"
 #include "tests/fuzz/entry.h"
 
 namespace selvage::test {
 namespace {
 
 constexpr std::size_t kMostMessages = 20;
-constexpr std::size_t kMostPieces = 12;  // of a marker that moves
+constexpr std::size_t kMostPieces = 12;  // the largest marker that motions are run on
 constexpr std::size_t kMostVertices = 200;
 
 bool small(const Marker& marker) {
@@ -19,25 +22,37 @@ bool small(const Marker& marker) {
   return marker.pieces.size() <= kMostPieces && vertices <= kMostVertices;
 }
 
-// The core, but for what takes long: that is not what is looked at here.
-protocol::calls::Engine quick_engine() {
-  protocol::calls::Engine engine;
-  engine.refine = [](const Marker& start, const search::RefineSettings&,
-                     const scene::Run& run) -> Result<motion::compaction::Compaction> {
-    if (!small(start)) return Error{ErrorCode::kRepairFailed, "too large for this test", {}};
-    return search::refine(start, {.other_ways = 4, .effort = 20, .tilts = false, .seed = 1}, run);
+// All methods, except that compaction at accuracy "fine", which would take too long here, searches only briefly.
+protocol::methods::MethodTable quick_methods() {
+  protocol::methods::MethodTable methods = protocol::methods::method_table();
+  protocol::calls::Method compact = *methods.find("motion.compact");
+  compact.read = [read = compact.read](const Json& params) {
+    auto call = read(params);
+    if (!call || params.value("accuracy", "") != "fine") return call;
+    call->run = [commit = call->about.commit](
+                    const MarkerFile& file,
+                    const protocol::calls::MethodContext& context) -> Result<protocol::calls::MethodAnswer> {
+      if (!small(file.marker)) return Error{ErrorCode::kRepairFailed, "too large for this test", {}};
+      auto done = search::refine(file.marker, {.variants = 4, .effort = 20, .tilts = false, .seed = 1}, context.run);
+      if (!done) return done.error();
+      const protocol::calls::RoundsResult own{done->rounds, stop_cause(done->reason, context)};
+      return answer_of(file.marker, {.marker = std::move(done->marker), .repair = done->repair},
+                       protocol::schema::encode(own), commit, context);
+    };
+    return call;
   };
-  return engine;
+  methods.replace(std::move(compact));
+  return methods;
 }
 
-// Every answer is JSON-RPC; none says that the daemon is at fault.
+// Every answer must be valid JSON-RPC and must not report an internal error.
 void judge(const std::string& text) {
-  if (text.empty()) return;  // to notifications
+  if (text.empty()) return;  // notifications have no answer
   const auto answer = protocol::json::parse(text);
-  demand(static_cast<bool>(answer), "an answer that is not JSON");
+  demand(static_cast<bool>(answer), "an answer is not JSON");
   const Json answers = answer->is_array() ? *answer : Json::array({*answer});
   for (const Json& one : answers) {
-    demand(one.value("jsonrpc", "") == "2.0", "an answer that is not JSON-RPC");
+    demand(one.value("jsonrpc", "") == "2.0", "an answer is not JSON-RPC");
     const auto error = one.find("error");
     const bool internal =
         error != one.end() && (*error)["code"] == static_cast<int>(protocol::rpc::RpcCode::kInternalError);
@@ -45,13 +60,13 @@ void judge(const std::string& text) {
   }
 }
 
-// What is behind the transport, everything on the calling thread.
-class Desk {
+// Everything behind the transport, executed on the calling thread.
+class LocalServer {
  public:
-  // Nothing when the message was not answered; more than one answer is a crash.
+  // Nothing if the message was not answered; more than one answer is a crash.
   std::optional<std::string> ask(std::string message) {
     std::optional<std::string> answer;
-    dispatcher_.receive(std::move(message), session_, [&answer](std::string text) {
+    backend_.receive(std::move(message), session_, [&answer](std::string text) {
       demand(!answer, "answered twice");
       answer = std::move(text);
     });
@@ -59,19 +74,11 @@ class Desk {
   }
 
  private:
-  const server::calls::Limits limits_{.open_markers = 8, .transport = {.body_bytes = std::size_t{1} << 20}};
-  SumCache sums_{std::size_t{1} << 20};
-  server::store::MarkerStore store_{limits_.open_markers, nullptr};
-  server::methods::Watchers watchers_;
-  server::methods::Methods methods_{store_, watchers_, sums_, limits_, 0, quick_engine()};
-  server::jobs::DeadlineClock clock_;
   std::shared_ptr<server::transport::access::Session> session_ = std::make_shared<server::transport::access::Session>(
       server::transport::access::Session{.id = 1, .notify = [](const std::string& text) { judge(text); }, .gone = {}});
-  server::jobs::JobQueue parsing_{0, limits_.waiting_reads}, reads_{0, limits_.waiting_reads},
-      motions_{0, limits_.waiting_motions}, hands_{0, limits_.waiting_moves};
-  server::methods::Drags drags_{store_, methods_, sums_, hands_};
-  server::dispatch::Dispatcher dispatcher_{methods_, drags_,   clock_,  parsing_,
-                                           reads_,   motions_, limits_, [](const server::ops::AnsweredRequest&) {}};
+  server::dispatch::Backend backend_{{.limits = {.open_markers = 8, .transport = {.body_bytes = std::size_t{1} << 20}},
+                                      .methods = quick_methods(),
+                                      .on_answered = [](const server::ops::AnsweredRequest&) {}}};
 };
 
 }  // namespace
@@ -79,12 +86,12 @@ class Desk {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   using namespace selvage::test;
-  Desk desk;
+  LocalServer local;
   const std::string text{bytes, bytes + size};
   std::size_t begin = 0;
   for (std::size_t message = 0; message < kMostMessages && begin < text.size(); ++message) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const auto answer = desk.ask(text.substr(begin, end - begin));
+    const auto answer = local.ask(text.substr(begin, end - begin));
     demand(answer.has_value(), "a message without an answer");
     judge(*answer);
     begin = end + 1;

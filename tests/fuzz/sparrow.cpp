@@ -1,4 +1,4 @@
-// Text as a marker in the sparrow form.
+// Fuzz target: reading text as a marker in the sparrow format.
 #include "protocol/formats/sparrow.h"
 
 #include "tests/fuzz/entry.h"

@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
-"""Judges layouts: does a piece leave the strip, do two overlap?  Exact, and it shares nothing with what it judges.
+"""Checks layouts exactly: no piece may leave the strip and no two may overlap.  Shares no code with Selvage.
 
 usage: judge_layout.py FILE...
 
 FILE: placed outlines, as `selvage compact --outlines FILE` and `selvage convert --format outlines` write them:
 {"strip_height": H, "strip_length": L, "pieces": [{"id": ID, "outline": [[x, y], ...]}, ...]}.
-Every number is the decimal that is printed, every test one in whole numbers and fractions: there is no tolerance.
-Pieces may touch each other and the strip's edges.  Prints each offence; exit status 1 when there is any.
+Numbers are read as exact decimals and all tests use integers and fractions, so there is no tolerance.
+Pieces may touch each other and the strip's edges.  Prints each violation; exit status 1 if there is any.
 
-Two pieces overlap when some vertical line meets both in stretches that have more than a point in common.  Between the
-abscissas of two neighbouring vertices a piece is a stack of trapezoids, so that it is these that are compared: two
-trapezoids between the same two vertical lines have no inner point in common only when one lies below the other.
+Two pieces overlap when some vertical line intersects both in intervals that share more than a point.  Between the
+abscissas of two neighbouring vertices, a piece is a stack of trapezoids, so it suffices to compare trapezoids: two
+trapezoids between the same two vertical lines share no interior point exactly when one lies below the other.
 """
 import argparse
 import json
@@ -52,11 +52,11 @@ class Piece:
         return self.abscissas[-1]
 
     def stacks(self, cuts):
-        """Between each two neighbours of `cuts`: the piece's edges from the lowest up, as heights at both of them.
+        """Yields, for every two neighbouring `cuts`, the piece's edges from the lowest up, as their heights at both cuts.
 
-        REQUIRES: no vertex lies strictly between two neighbours.  Every second pair of edges has the piece in between.
+        REQUIRES: no vertex lies strictly between two neighbouring cuts.  Edges 0 and 1, 2 and 3, ... enclose the piece.
         """
-        reached, coming = [], 0  # (height at the cut come to, edge)
+        reached, coming = [], 0  # (height at the current cut, edge)
         for x0, x1 in pairwise(cuts):
             while coming < len(self.edges) and self.edges[coming].left[0] <= x0:
                 reached.append((self.edges[coming].height_at(x0), self.edges[coming]))
@@ -68,7 +68,7 @@ class Piece:
 
 
 def below(one, other):
-    """True when what one edge bounds from above ends, at both cuts, where the other edge begins, or lower."""
+    """True when one edge lies nowhere above the other between two cuts (each given by its heights at the cuts)."""
     return one[0] <= other[0] and one[1] <= other[1]
 
 
@@ -77,17 +77,17 @@ def trapezoids(stack):
 
 
 def fault_of_outline(piece):
-    """What keeps the outline from being a polygon's; None when it is one."""
-    has_inside = False
+    """Why the outline is not a simple polygon; None when it is one."""
+    has_interior = False
     for stack in piece.stacks(piece.abscissas):
         if not all(below(low, high) for low, high in pairwise(stack)):
             return "crosses itself"
-        has_inside = has_inside or bool(trapezoids(stack))
-    return None if has_inside else "has no inside"
+        has_interior = has_interior or bool(trapezoids(stack))
+    return None if has_interior else "has no interior"
 
 
 def overlap(one, other):
-    """Between which two abscissas the pieces are seen to overlap; None when they do not.  REQUIRES: no faulty outline."""
+    """Two abscissas between which the pieces overlap, or None.  REQUIRES: both outlines are simple polygons."""
     left, right = max(one.low_x, other.low_x), min(one.high_x, other.high_x)
     if left >= right or max(one.low_y, other.low_y) >= min(one.high_y, other.high_y):
         return None
@@ -105,7 +105,7 @@ def overlap(one, other):
 
 
 def overlaps(pieces):
-    """(one, other, where) of every pair that overlaps."""
+    """Yields (one, other, abscissas) for every pair that overlaps."""
     near = []
     for piece in sorted(pieces, key=lambda p: p.low_x):
         near = [other for other in near if other.high_x > piece.low_x]
@@ -116,13 +116,13 @@ def overlaps(pieces):
         near.append(piece)
 
 
-def offences(layout):
-    """What is wrong with a layout as `read` returns it, in words, one thing after another."""
+def violations(layout):
+    """Yields a sentence for every violation in a layout, which is given as `read` returns it."""
     numbers = [layout["strip_height"], layout["strip_length"]]
     numbers += [c for piece in layout["pieces"] for point in piece["outline"] for c in point]
-    unit = math.lcm(*(Fraction(number).denominator for number in numbers))  # from here on all are whole
+    unit = math.lcm(*(Fraction(number).denominator for number in numbers))  # multiplied by it, all numbers are whole
     whole = lambda number: int(number * unit)
-    told = lambda number: number / unit
+    decimal = lambda number: number / unit
 
     height, length = whole(layout["strip_height"]), whole(layout["strip_length"])
     sound = []
@@ -130,26 +130,26 @@ def offences(layout):
         piece = Piece(f'"{written["id"]}"', [(whole(x), whole(y)) for x, y in written["outline"]])
         for end, limit in ((piece.high_x, length), (piece.high_y, height)):
             if end > limit:
-                yield f"piece {piece.name} leaves the strip: {told(end)} is beyond {told(limit)}"
+                yield f"piece {piece.name} leaves the strip: {decimal(end)} is beyond {decimal(limit)}"
         for end in (piece.low_x, piece.low_y):
             if end < 0:
-                yield f"piece {piece.name} leaves the strip: {told(end)} is below 0"
+                yield f"piece {piece.name} leaves the strip: {decimal(end)} is below 0"
         fault = fault_of_outline(piece)
         if fault:
             yield f"piece {piece.name}: its outline {fault}"
         else:
             sound.append(piece)
     for one, other, (x0, x1) in overlaps(sound):
-        yield f"pieces {one.name} and {other.name} overlap between x = {told(x0)} and x = {told(x1)}"
+        yield f"pieces {one.name} and {other.name} overlap between x = {decimal(x0)} and x = {decimal(x1)}"
 
 
-def no_number(word):
-    raise ValueError(f"{word} is no number")
+def not_a_number(word):
+    raise ValueError(f"{word} is not a number")
 
 
 def read(path):
     with open(path, encoding="utf-8") as text:
-        return json.load(text, parse_float=Fraction, parse_constant=no_number)
+        return json.load(text, parse_float=Fraction, parse_constant=not_a_number)
 
 
 def main():
@@ -158,11 +158,11 @@ def main():
     good = True
     for path in parser.parse_args().files:
         layout = read(path)
-        found = list(offences(layout))
+        found = list(violations(layout))
         good = good and not found
-        for offence in found:
-            print(f"{path}: {offence}")
-        print(f"{path}: {len(layout['pieces'])} pieces, {len(found)} offences")
+        for violation in found:
+            print(f"{path}: {violation}")
+        print(f"{path}: {len(layout['pieces'])} pieces, {len(found)} violations")
     sys.exit(0 if good else 1)
 
 

@@ -1,4 +1,5 @@
-// What holds of every motion, over random markers: valid, no worse, locked pieces where they were.
+// Laws that hold for every motion, tested on random markers: the result is valid, is not worse, and locked pieces have
+// not moved.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -23,18 +24,18 @@ using test::kSlowdown;
 using test::Random;
 using test::random_settings;
 
-// Empty when the motion kept what every motion keeps.
+// The law that the motion broke; empty when it broke none.
 std::string broken_law(const Marker& before, const Marker& after) {
   if (!is_valid(after)) return "not valid";
   if (length_of(after) > length_of(before)) return "longer";
   if (after.shapes != before.shapes || after.strip != before.strip || after.spacing != before.spacing ||
       after.pieces.size() != before.pieces.size()) {
-    return "another marker";
+    return "a different marker";
   }
   for (std::size_t k = 0; k < before.pieces.size(); ++k) {
     Piece moved = before.pieces[k];
     if (!moved.locked) moved.at = after.pieces[k].at;
-    if (moved != after.pieces[k]) return "piece " + std::to_string(k) + " is not as it was";
+    if (moved != after.pieces[k]) return "piece " + std::to_string(k) + " was changed";
   }
   return "";
 }
@@ -87,7 +88,7 @@ TEST(MotionLaws, Bumping) {
     const double angle = 2 * std::numbers::pi * random.part();
     SumCache sums;
     const scene::Scene scene{marker, sums};
-    const motion::piece::Bump result = motion::piece::bump(scene, piece, std::cos(angle), std::sin(angle));
+    const motion::piece::Bump result = motion::piece::bump(scene, PieceId{piece}, std::cos(angle), std::sin(angle));
     Marker moved = marker;
     moved.pieces[piece].at = result.at;
     ASSERT_EQ(broken_law(marker, moved), "") << trial;
@@ -104,7 +105,7 @@ TEST(MotionLaws, Separation) {
   int apart = 0;
   const int trials = 1500 / kSlowdown;
   for (int trial = 0; trial < trials; ++trial) {
-    const Marker marker = test::shaken(random, test::random_marker(random), 0.1 * random.part());
+    const Marker marker = test::perturbed(random, test::random_marker(random), 0.1 * random.part());
     motion::separation::SeparationSettings settings;
     settings.grow = random.chance(50) ? 0.05 : 0;
     settings.target = random.chance(20) ? motion::repair::TargetRule::kKernelRay : motion::repair::TargetRule::kNearest;

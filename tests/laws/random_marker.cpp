@@ -18,7 +18,7 @@ Polygon random_outline(Random& random, Coord extent) {
     return {{0, 0}, {w, 0}, {w, h}, {0, h}};
   }
   for (;;) {
-    // Turned symmetries and small extents may leave idle vertices.
+    // Polygons on small extents may get redundant vertices when they are transformed.
     const auto clean = clean_polygon(random_polygon(random, extent));
     if (clean) return clean->polygon;
   }
@@ -62,7 +62,7 @@ Marker random_marker(Random& random) {
   return marker;
 }
 
-Marker shaken(Random& random, Marker marker, double part) {
+Marker perturbed(Random& random, Marker marker, double part) {
   const auto most = static_cast<Coord>(part * static_cast<double>(marker.strip.width));
   for (Piece& piece : marker.pieces) {
     if (!piece.locked) piece.at = piece.at + random.point(-most, most);

@@ -1,4 +1,4 @@
-// Random markers of every kind of piece, for laws that hold of all of them.
+// Random markers with every kind of piece, for testing laws.
 #pragma once
 
 #include "core/marker/marker.h"
@@ -6,17 +6,18 @@
 
 namespace selvage::test {
 
-// Valid: up to twelve pieces (rectangles, stars, convex ones, combs, arms, needles ...) in rows and columns with room
-// between them, turned by quarter turns; some locked, some markers spaced, extents from 2^8 to 2^34 units.
+// A valid marker of up to twelve pieces (rectangles, stars, convex polygons, combs, U shapes, needles ...) in rows and
+// columns with gaps between them, turned by quarter turns.  Some pieces are locked, some markers have a spacing, and
+// extents range from 2^8 to 2^34 lattice units.
 [[nodiscard]] Marker random_marker(Random& random);
 
-// The same with every piece that is not locked moved a little, by up to `part` of the strip's width: it may overlap.
-[[nodiscard]] Marker shaken(Random& random, Marker marker, double part);
+// The same marker with every unlocked piece moved by up to `part` of the strip's width, so that pieces may overlap.
+[[nodiscard]] Marker perturbed(Random& random, Marker marker, double part);
 
-// Mirrored across the strip: y becomes width - y.
+// The marker mirrored across the strip: y becomes width - y.
 [[nodiscard]] Marker mirrored(Marker marker);
 
-// Every coordinate ten times as large, on a lattice ten times as fine: the same marker.
+// The same marker on a lattice ten times as fine: every coordinate is ten times as large.
 [[nodiscard]] Marker on_finer_lattice(Marker marker);
 
 }  // namespace selvage::test

@@ -1,4 +1,4 @@
-// How a compaction, or any other motion of all pieces, is to go about it: at random.
+// Random settings of compaction and of other motions that move all pieces.
 #pragma once
 
 #include "core/motion/compaction/compact.h"

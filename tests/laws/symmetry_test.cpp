@@ -1,4 +1,4 @@
-// Mirrored and scaled markers give mirrored and scaled answers.
+// Symmetry laws: motions on mirrored and scaled markers give mirrored and scaled results.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,15 +19,15 @@ using test::Random;
 
 motion::piece::Bump bumped(const Marker& marker, std::uint32_t piece, double dx, double dy) {
   SumCache sums;
-  return motion::piece::bump(scene::Scene{marker, sums}, piece, dx, dy);
+  return motion::piece::bump(scene::Scene{marker, sums}, PieceId{piece}, dx, dy);
 }
 
-// Along an axis now and then.
+// A random direction, sometimes along an axis.
 double random_angle(Random& random) {
   return std::numbers::pi * (random.chance(30) ? static_cast<double>(random.below(4)) / 2 : 2 * random.part());
 }
 
-// Some of its pieces turned by angles that are rounded; as it was, when that leaves no room.
+// The marker with some pieces turned by angles that need rounding; unchanged when there is no room for that.
 Marker turned_a_little(Random& random, const Marker& marker) {
   Marker turned = marker;
   for (Piece& piece : turned.pieces) {
@@ -37,9 +37,9 @@ Marker turned_a_little(Random& random, const Marker& marker) {
   return made && is_valid(*made) ? *made : marker;
 }
 
-// To the lattice unit, unless a piece that goes along the very middle of the strip may pass a corner on either side: no
-// piece here does.
-TEST(SymmetryLaws, AMirroredBumpGivesTheMirroredAnswer) {
+// The results agree to the lattice unit.  The only exception would be a piece that moves exactly along the middle of
+// the strip and can pass a corner on either side, which does not occur here.
+TEST(SymmetryLaws, BumpingAMirroredMarkerGivesTheMirroredResult) {
   Random random{201};
   for (int trial = 0; trial < 6000 / kSlowdown; ++trial) {
     const Marker marker = turned_a_little(random, test::random_marker(random));
@@ -55,9 +55,9 @@ TEST(SymmetryLaws, AMirroredBumpGivesTheMirroredAnswer) {
   }
 }
 
-// A marker in mm and the same one in tenths of a mm (every number ten times as large): the lattice is chosen from the
-// numbers, so both have the same coordinates, and every motion gives the same bytes in units ten times as small.
-TEST(SymmetryLaws, TenTimesTheNumbersAreTheSameMarker) {
+// A marker in mm and the same marker in tenths of a mm (every number is ten times as large).  The lattice is chosen
+// from the numbers, so both have the same coordinates, and every motion gives identical bytes in units a tenth as long.
+TEST(SymmetryLaws, TenTimesTheNumbersGiveTheSameCoordinates) {
   Random random{202};
   for (int trial = 0; trial < 500 / kSlowdown; ++trial) {
     const auto hundredths = random.between(1'000, 100'000'000);
@@ -74,7 +74,7 @@ TEST(SymmetryLaws, TenTimesTheNumbersAreTheSameMarker) {
   }
 }
 
-TEST(SymmetryLaws, TheUnitsLengthChangesNothing) {
+TEST(SymmetryLaws, TheLengthOfTheUnitDoesNotMatter) {
   Random random{203};
   for (int trial = 0; trial < 500 / kSlowdown; ++trial) {
     const Marker marker = test::random_marker(random);
@@ -91,8 +91,8 @@ TEST(SymmetryLaws, TheUnitsLengthChangesNothing) {
   }
 }
 
-// On a lattice ten times as fine the answer is the same up to the coarser one's rounding, unless rounding decides which
-// of two ways is the better: then it is another local optimum.
+// On a lattice ten times as fine, the result is the same up to the rounding of the coarser lattice, unless rounding
+// decides between two paths; the result is then another local optimum.
 TEST(SymmetryLaws, AFinerLatticeGivesTheSameBumpUpToRounding) {
   Random random{204};
   const int trials = 1500 / kSlowdown;
@@ -109,8 +109,8 @@ TEST(SymmetryLaws, AFinerLatticeGivesTheSameBumpUpToRounding) {
   EXPECT_GE(same, trials * 85 / 100) << "of " << trials;
 }
 
-// Nothing is rounded where rectangles move along the axes; only, less than two units of way are not worth a step, on
-// either lattice.
+// Rectangles that move along the axes need no rounding.  On either lattice, however, a move of less than two units is
+// not made.
 TEST(SymmetryLaws, AFinerLatticeGivesRectanglesTheSameBump) {
   Random random{205};
   for (int trial = 0; trial < 1500 / kSlowdown; ++trial) {

@@ -23,14 +23,14 @@ struct Edge {
 Wide product(Coord a, Coord b) {
   return static_cast<Wide>(a) * b;
 }
-// Positive when c lies left of the way from the edge's first point to its second.
+// Positive when c lies to the left of the edge.
 Wide left_of(const Edge& e, Vec c) {
   return product(e.to.x - e.from.x, c.y - e.from.y) - product(e.to.y - e.from.y, c.x - e.from.x);
 }
 int sign(Wide w) {
   return w > 0 ? 1 : w < 0 ? -1 : 0;
 }
-// How far along the edge the point lies, times the edge's length.
+// The coordinate of the point along the edge, times the edge's length.
 Wide advance(const Edge& e, Vec c) {
   return product(e.to.x - e.from.x, c.x - e.from.x) + product(e.to.y - e.from.y, c.y - e.from.y);
 }
@@ -51,7 +51,8 @@ std::vector<Edge> edges_of(const Polygon& p) {
   return edges;
 }
 
-// True when the polygon of doubled edges winds about the doubled point, which is not on its boundary.
+// True when the polygon, given by its edges scaled by two, winds around a point, also scaled by two, that is not on its
+// boundary.
 bool winds_about(const std::vector<Edge>& doubled, Vec c) {
   int winding = 0;
   for (const Edge& e : doubled) {
@@ -67,7 +68,7 @@ std::vector<Edge> doubled(std::vector<Edge> edges) {
   return edges;
 }
 
-// True when some stretch of p's boundary, cut at q's vertices, lies inside q.  REQUIRES: no proper crossing.
+// True when some part of p's boundary, divided at q's vertices, lies inside q.  REQUIRES: no edges cross properly.
 bool runs_inside(const std::vector<Edge>& p, const std::vector<Edge>& q) {
   const std::vector<Edge> twice = doubled(q);
   for (const Edge& e : p) {
@@ -76,7 +77,7 @@ bool runs_inside(const std::vector<Edge>& p, const std::vector<Edge>& q) {
       if (lies_on(e, f.from)) cuts.push_back(f.from);
     }
     std::sort(cuts.begin(), cuts.end(), [&](Vec a, Vec b) { return advance(e, a) < advance(e, b); });
-    // Where a vertex of p lies on q, the stretches on either side are cut there of themselves.
+    // Where a vertex of p lies on q, p's boundary is divided already.
     for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
       const Vec middle{cuts[k].x + cuts[k + 1].x, cuts[k].y + cuts[k + 1].y};
       if (cuts[k] != cuts[k + 1] && winds_about(twice, middle)) return true;
@@ -125,7 +126,7 @@ bool nearer_than(const Polygon& p, const Polygon& q, Coord distance) {
   for (const Edge& e : of_p) {
     for (const Edge& f : of_q) {
       if (!e.near(f, distance)) continue;
-      // Segments that do not cross are nearest at an end of one of them.
+      // The distance of two segments that do not cross is attained at an end of one of them.
       if (cross_properly(e, f) || point_nearer(e, f.from, squared) || point_nearer(e, f.to, squared) ||
           point_nearer(f, e.from, squared) || point_nearer(f, e.to, squared)) {
         return true;

@@ -1,21 +1,22 @@
-// Do two polygons overlap, or come closer than a distance?  An answer for the judge of the soak, in exact integers,
-// that shares neither code nor method with core/geometry/overlap.h.
+// Exact tests of whether two polygons overlap, or are closer than a given distance, for the judge of the soak test.
+// They share neither code nor method with core/geometry/overlap.h.
 //
-// Coordinates are lattice units below 2^41; both polygons are simple and counter-clockwise, with no idle vertex.
+// Units: lattice units below 2^41.
+// REQUIRES (all functions): both polygons are simple and counter-clockwise, without redundant vertices.
 #pragma once
 
 #include "core/geometry/polygon.h"
 
 namespace selvage::test {
 
-// True when the interiors meet.
-// Method: a proper crossing of two edges settles it.  Without one, boundaries meet in vertices of either polygon only;
-// between two such points a stretch of one boundary lies wholly inside the other polygon, wholly outside, or along its
-// boundary, which its midpoint tells.  When no stretch lies inside, the boundary of what both hold would be a part of
-// both boundaries: then they are the same polygon, or hold nothing in common.
+// True when the interiors intersect.
+// Method: a proper crossing of two edges proves an intersection.  Without one, the boundaries meet only at vertices of
+// either polygon, and between two such points a part of one boundary lies wholly inside the other polygon, wholly
+// outside, or along its boundary; the midpoint decides which.  If no part lies inside, the boundary of the intersection
+// would consist of common parts of both boundaries, so the polygons are either identical or have disjoint interiors.
 [[nodiscard]] bool interiors_share(const Polygon& p, const Polygon& q);
 
-// True when some two points of p and q are less than `distance` > 0 apart.
+// True when p and q are less than `distance` apart.  REQUIRES: distance > 0.
 [[nodiscard]] bool nearer_than(const Polygon& p, const Polygon& q, Coord distance);
 
 // True when two edges that are not neighbours share a point.

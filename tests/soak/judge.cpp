@@ -10,14 +10,15 @@
 namespace selvage::test {
 namespace {
 
-// Lattice units: half of one in each coordinate, and what doubles lose on a lattice of 2^40.
+// The largest distance, in lattice units, between a vertex and its rounded image: half a unit in each coordinate, plus
+// the rounding of doubles on a lattice of 2^40.
 constexpr long double kRounding = 0.71L;
 
 struct Fine {
   long double x{}, y{};
 };
 
-// The shape's vertices in the orientation, before they are rounded.
+// The shape's vertices in this orientation before rounding.
 std::vector<Fine> before_rounding(const Polygon& shape, const Orientation& orientation) {
   const long double radians =
       (static_cast<long double>(orientation.rotation.degrees) + static_cast<long double>(orientation.tilt.degrees)) *
@@ -39,7 +40,7 @@ long double distance(Fine a, Fine b) {
 Fine fine(Vec v) {
   return {static_cast<long double>(v.x), static_cast<long double>(v.y)};
 }
-// Twice the area, and the perimeter.
+// Twice the area of a polygon, and its perimeter.
 struct Measure {
   long double doubled_area{}, perimeter{};
 };
@@ -54,19 +55,19 @@ Measure measure_of(const Polygon& polygon) {
   return measure;
 }
 
-// Every vertex of the outline is one of the shape's, rounded; and nothing of the shape is missing but what is thinner
-// than rounding.
+// Checks that every vertex of the outline is a rounded vertex of the shape, and that nothing of the shape is missing
+// except what is thinner than rounding.
 std::string outline_fault(const Polygon& shape, const Orientation& orientation, const Polygon& outline) {
   if (outline.size() < 3) return "has no outline";
   const std::vector<Fine> wanted = before_rounding(shape, orientation);
   for (const Vec v : outline) {
     const bool known =
         std::any_of(wanted.begin(), wanted.end(), [&](Fine w) { return distance(w, fine(v)) <= kRounding; });
-    if (!known) return "has a vertex that its shape has not";
+    if (!known) return "has a vertex that is not one of its shape's";
   }
   const Measure drafted = measure_of(shape);
   if (std::abs(measure_of(outline).doubled_area - drafted.doubled_area) > 2 * kRounding * drafted.perimeter) {
-    return "has another area than its shape";
+    return "has a different area than its shape";
   }
   return touches_itself(outline) ? "touches itself" : "";
 }
@@ -94,7 +95,7 @@ bool leaves(const Box& box, const Strip& strip) {
          (strip.longest && box.high.x > *strip.longest - strip.margin);
 }
 
-// Pieces that move with this one, itself among them.
+// True when the two pieces move together; true for a piece and itself.
 bool tied(const Piece& a, const Piece& b) {
   return a.id == b.id || (!a.group.empty() && a.group == b.group);
 }
@@ -104,7 +105,7 @@ std::string orientation_fault(const Marker& before, std::size_t k, const Orienta
   const Orientation& was = piece.orientation;
   if (after == was) return "";
   const bool held = piece.locked.x || piece.locked.y || piece.locked.tilt || !piece.group.empty();
-  if (held) return "turned, and is held";
+  if (held) return "was turned although it is locked";
   const Shape& shape = before.shapes[piece.shape.value];
   if (after.flip != was.flip) return "was flipped";
   if (after.rotation != was.rotation) {
@@ -112,7 +113,7 @@ std::string orientation_fault(const Marker& before, std::size_t k, const Orienta
         shape.rotations.empty() || std::any_of(shape.rotations.begin(), shape.rotations.end(), [&](Angle angle) {
           return std::remainder(angle.degrees - after.rotation.degrees, 360.0) == 0;
         });
-    if (!leave.turns || !allowed) return "has another rotation";
+    if (!leave.turns || !allowed) return "has a rotation that is not allowed";
   }
   if (after.tilt != was.tilt) {
     const double limit = leave.tilt_limit.value_or(shape.tilt_limit).degrees;
@@ -122,28 +123,29 @@ std::string orientation_fault(const Marker& before, std::size_t k, const Orienta
   return "";
 }
 
-// The limit, or as far as pieces of the shape, which came so, are still tilted.
-Angle limit_told(const Marker& after, std::size_t shape, Angle limit) {
+// The limit that the result should have: the given one, or the tilt of a piece of the shape that exceeded it from the
+// start.
+Angle expected_limit(const Marker& after, std::size_t shape, Angle limit) {
   for (const Piece& piece : after.pieces) {
     if (piece.shape.value == shape) limit.degrees = std::max(limit.degrees, std::abs(piece.orientation.tilt.degrees));
   }
   return limit;
 }
 
-// Everything but where the pieces lie and how they are turned.
+// Checks everything except the positions and orientations of pieces.
 std::string identity_fault(const Marker& before, const Marker& after, const Leave& leave) {
   Marker same = after;
-  if (same.pieces.size() != before.pieces.size()) return "has other pieces";
-  if (same.shapes.size() != before.shapes.size()) return "has other shapes";
+  if (same.pieces.size() != before.pieces.size()) return "has different pieces";
+  if (same.shapes.size() != before.shapes.size()) return "has different shapes";
   for (std::size_t k = 0; leave.tilt_limit && k < same.shapes.size(); ++k) {
-    if (same.shapes[k].tilt_limit != limit_told(after, k, *leave.tilt_limit)) return "has another tilt limit";
+    if (same.shapes[k].tilt_limit != expected_limit(after, k, *leave.tilt_limit)) return "has a different tilt limit";
     same.shapes[k].tilt_limit = before.shapes[k].tilt_limit;
   }
   for (std::size_t k = 0; k < same.pieces.size(); ++k) {
     same.pieces[k].at = before.pieces[k].at;
     same.pieces[k].orientation = before.pieces[k].orientation;
   }
-  return same == before ? "" : "is another one";
+  return same == before ? "" : "is a different one";
 }
 
 }  // namespace
@@ -180,11 +182,11 @@ std::string Judge::fault_of(const Marker& marker) {
       const Piece& q = marker.pieces[j];
       const Coord spacing = std::max(marker.spacing, p.buffer + q.buffer);
       if (!boxes[i].grown(spacing).touches(boxes[j])) continue;
-      // The first one's frame keeps coordinates small.
+      // Coordinates relative to the first piece are small.
       const Polygon& first = cut_of(marker, p).outline;
       const Polygon second = moved_by(cut_of(marker, q).outline, {q.at.x - p.at.x, q.at.y - p.at.y});
       if (interiors_share(first, second)) return about(p, "overlaps piece " + q.id);
-      if (spacing > 0 && nearer_than(first, second, spacing)) return about(p, "is too near to piece " + q.id);
+      if (spacing > 0 && nearer_than(first, second, spacing)) return about(p, "is too close to piece " + q.id);
     }
   }
   return "";

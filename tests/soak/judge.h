@@ -1,6 +1,7 @@
-// The judge of the soak: is a marker valid, and did a motion keep what every motion keeps?  Exact, and independent of
-// what Selvage proves its answers with: of the core it takes a marker's values and the outlines it rounded to the
-// lattice, and those it compares with the shapes themselves.
+// The judge of the soak test: whether a marker is valid, and whether a motion changed only what it may change.
+//
+// The judge is exact and independent of the code with which Selvage proves its results.  From the core it takes only
+// marker values and the outlines rounded to the lattice, and it compares those with the shapes.
 #pragma once
 
 #include <map>
@@ -12,29 +13,30 @@
 
 namespace selvage::test {
 
-// What a motion may do, besides moving pieces that are free and may move.
+// What a motion may change besides the positions of pieces that are free to move.
 struct Leave {
-  Coord longest{};                    // the answer may be this long at most
-  bool tilts{};                       // pieces that are wholly free may tilt within their limit
-  std::optional<Angle> tilt_limit{};  // in place of the shapes' own, which the answer then has
-  bool turns{};                       // pieces may change to another of their shape's rotations
+  Coord longest{};                    // the largest length allowed for the result
+  bool tilts{};                       // pieces without locks may tilt within their limit
+  std::optional<Angle> tilt_limit{};  // replaces the shapes' tilt limits; the result then has this limit
+  bool turns{};                       // pieces may change to another allowed rotation of their shape
 };
 
 class Judge {
  public:
-  // What is wrong with the marker, in words; empty when it is valid.  REQUIRES: every marker judged has the same
-  // shapes, but for their tilt limits.
+  // A description of what is wrong with the marker; empty when it is valid.
+  // REQUIRES: all markers given to one judge have the same shapes, apart from tilt limits.
   [[nodiscard]] std::string fault_of(const Marker& marker);
-  // What a motion broke; empty when it did nothing but what it may.  Does not say whether `after` is valid.
+  // A description of what the motion changed without being allowed to; empty when there is nothing.  Does not check
+  // whether `after` is valid.
   [[nodiscard]] std::string broken_promise(const Marker& before, const Marker& after, const Leave& leave);
-  // Where the rightmost piece ends.
+  // The x coordinate at which the rightmost piece ends.
   [[nodiscard]] Coord length_of(const Marker& marker);
 
  private:
   struct Cut {
     Polygon outline;
     Box box;
-    std::string fault;  // it is not the shape in its orientation
+    std::string fault;  // how the outline differs from the shape in its orientation; empty when it does not
   };
   const Cut& cut_of(const Marker& marker, const Piece& piece);
 

@@ -1,4 +1,4 @@
-// The judge of the soak against CGAL, and against markers with one thing wrong.
+// Tests the judge of the soak test against CGAL, and on markers with one known fault each.
 #include "tests/soak/judge.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace selvage::test {
 namespace {
 
-// On small lattices polygons touch in every way there is.
+// On small lattices, polygons touch in every possible way.
 TEST(Judge, AgreesWithCgalOnPairs) {
   Random random{201};
   int overlapping = 0;
@@ -47,7 +47,7 @@ TEST(Judge, AgreesWithCgalOnDistances) {
   EXPECT_LT(nearer, trials);
 }
 
-TEST(Judge, SeesAPieceInsideAnotherAndAPieceOnItsTwin) {
+TEST(Judge, DetectsContainedAndIdenticalPolygons) {
   const Polygon large{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
   const Polygon small{{2, 2}, {4, 2}, {4, 4}, {2, 4}};
   EXPECT_TRUE(interiors_share(large, small));
@@ -56,13 +56,13 @@ TEST(Judge, SeesAPieceInsideAnotherAndAPieceOnItsTwin) {
   EXPECT_FALSE(interiors_share(large, moved(large, {10, 3})));
 }
 
-TEST(Judge, SeesAPolygonThatTouchesItself) {
+TEST(Judge, DetectsPolygonsThatTouchThemselves) {
   EXPECT_FALSE(touches_itself({{0, 0}, {4, 0}, {4, 4}, {0, 4}}));
   EXPECT_TRUE(touches_itself({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}));
   EXPECT_TRUE(touches_itself({{0, 0}, {4, 4}, {4, 0}, {0, 4}}));
 }
 
-// Two squares of 100 with 10 between them, 5 from the edges of a strip of 120 that ends at 300.
+// Two squares of side 100, 10 apart and 5 from the edges of a strip 120 wide that ends at 300.
 Marker two_squares() {
   Marker marker;
   marker.strip = {120, 300, 5};
@@ -75,7 +75,7 @@ Marker two_squares() {
   return marker;
 }
 
-TEST(Judge, NamesWhatIsWrong) {
+TEST(Judge, DescribesFaults) {
   Judge judge;
   const Marker good = two_squares();
   EXPECT_EQ(judge.fault_of(good), "");
@@ -88,7 +88,7 @@ TEST(Judge, NamesWhatIsWrong) {
   EXPECT_EQ(judge.fault_of(bad), "");
   bad.pieces[1].buffer = 6;
   bad.pieces[0].buffer = 5;
-  EXPECT_EQ(judge.fault_of(bad), "piece a is too near to piece b");
+  EXPECT_EQ(judge.fault_of(bad), "piece a is too close to piece b");
   for (const Vec by : {Vec{-1, 0}, Vec{0, -1}, Vec{0, 11}}) {
     bad = good;
     bad.pieces[0].at = bad.pieces[0].at + by;
@@ -99,7 +99,7 @@ TEST(Judge, NamesWhatIsWrong) {
   EXPECT_EQ(judge.fault_of(bad), "piece b leaves the strip");
 }
 
-TEST(Judge, NamesBrokenPromises) {
+TEST(Judge, DescribesForbiddenChanges) {
   Judge judge;
   Marker before = two_squares();
   const Leave none{.longest = 215};
@@ -124,10 +124,10 @@ TEST(Judge, NamesBrokenPromises) {
   after.pieces[0].orientation.tilt = Angle::of_degrees(-2.5);
   EXPECT_EQ(judge.broken_promise(before, after, tilts), "piece a was tilted too far");
   after.pieces[0].orientation = {false, Angle::of_degrees(90), {}};
-  EXPECT_EQ(judge.broken_promise(before, after, tilts), "piece a has another rotation");
+  EXPECT_EQ(judge.broken_promise(before, after, tilts), "piece a has a rotation that is not allowed");
   after = before;
   after.pieces[0].buffer = 1;
-  EXPECT_EQ(judge.broken_promise(before, after, none), "the marker is another one");
+  EXPECT_EQ(judge.broken_promise(before, after, none), "the marker is a different one");
 }
 
 }  // namespace

@@ -30,23 +30,23 @@ namespace selvage::test {
 namespace {
 
 constexpr Coord kAnyLength = std::numeric_limits<Coord>::max();
-constexpr int kFewSteps = 60;                // of the velocity model, which needs many
-constexpr std::uint64_t kLittleEffort = 60;  // of refinement
+constexpr int kFewSteps = 60;                // step limit of the velocity model, which would need many
+constexpr std::uint64_t kLittleEffort = 60;  // effort of refinement
 
 template <class Done>
 Result<Answer> answer(Result<Done> done, Leave leave = {}) {
   if (!done) return done.error();
   leave.longest = done->length_before + done->repair.lengthened;
   Answer answer{.marker = std::move(done->marker), .leave = leave};
-  if (done->length_after != length_of(answer.marker)) answer.contradiction = "tells another length";
+  if (done->length_after != length_of(answer.marker)) answer.contradiction = "reports a wrong length";
   const motion::repair::Repair& repair = done->repair;
   if (repair.pairs + repair.protruding == 0 && (repair.lengthened > 0 || repair.farthest_move > 0)) {
-    answer.contradiction = "heals what is valid";
+    answer.contradiction = "repairs a valid marker";
   }
   return answer;
 }
 
-// There was nothing to be done.
+// The result of a motion that had nothing to do.
 Answer unmoved(const Marker& start) {
   return {.marker = start, .leave = {.longest = kAnyLength}, .apart = is_valid(start)};
 }
@@ -54,22 +54,22 @@ Answer unmoved(const Marker& start) {
 PieceId any_piece(Random& random, const Marker& marker) {
   return {static_cast<std::uint32_t>(random.below(marker.pieces.size()))};
 }
-// Along an axis now and then.
+// A random direction, sometimes along an axis.
 std::pair<double, double> any_direction(Random& random) {
   const double angle =
       std::numbers::pi * (random.chance(30) ? static_cast<double>(random.below(4)) / 2 : 2 * random.part());
   return {std::cos(angle), std::sin(angle)};
 }
-// On the strip or a little beside it.
+// A random point on the strip or slightly outside it.
 Vec any_place(Random& random, const Marker& marker) {
-  const Coord beside = marker.strip.width / 8;
-  const Coord x = random.between(-beside, length_of(marker) + beside);
-  return {x, random.between(-beside, marker.strip.width + beside)};
+  const Coord outside = marker.strip.width / 8;
+  const Coord x = random.between(-outside, length_of(marker) + outside);
+  return {x, random.between(-outside, marker.strip.width + outside)};
 }
 Angle any_limit(Random& random) {
   return Angle::of_degrees(random.chance(10) ? 45 * random.part() : 3 * random.part());
 }
-// The end that motions of one piece know: the cloth's, or, when it has none, the marker's.
+// The right end that motions of one piece use: that of the cloth or, if it is not limited, that of the marker.
 Coord open_end(const Marker& marker) {
   return marker.strip.last().value_or(length_of(marker));
 }
@@ -90,18 +90,18 @@ Result<Answer> velocities(const Marker& start, const Occasion& on) {
 }
 
 Result<Answer> refinement(const Marker& start, const Occasion& on) {
-  const search::RefineSettings settings{.other_ways = static_cast<int>(on.random.chance(30) ? on.random.below(5) : 0),
+  const search::RefineSettings settings{.variants = static_cast<int>(on.random.chance(30) ? on.random.below(5) : 0),
                                         .effort = kLittleEffort,
                                         .tilts = on.random.chance(50),
                                         .seed = static_cast<std::uint32_t>(on.random.below(1000))};
   return answer(refine(start, settings, on.run), {.tilts = true, .turns = true});
 }
 
-Result<Answer> exchanging(const Marker& start, const Occasion& on) {
+Result<Answer> swapping(const Marker& start, const Occasion& on) {
   std::mt19937 random{static_cast<std::uint32_t>(on.random.below(1000))};
-  const auto drawn = search::draw_exchange(start, random);
+  const auto drawn = search::draw_swap(start, random);
   const motion::compaction::CompactionSettings settings = random_settings(on.random);
-  auto done = drawn ? exchange(*drawn, settings, {on.run.sums, on.run.stop}) : search::Exchanged{};
+  auto done = drawn ? complete_swap(*drawn, settings, {on.run.sums, on.run.stop}) : search::SwapOutcome{};
   const Leave leave{.longest = kAnyLength, .turns = true};
   return Answer{.marker = done.marker ? std::move(*done.marker) : start, .leave = leave};
 }
@@ -128,19 +128,20 @@ Result<Answer> bumping(const Marker& start, const Occasion& on) {
   if (!done) return done.error();
   Answer answer{.marker = std::move(done->marker), .leave = {.longest = open_end(start) + done->repair.lengthened}};
   if (done->bump.gain < 0) answer.contradiction = "went backwards";
-  if (answer.marker.pieces[piece.value].at != done->bump.at) answer.contradiction = "tells another place";
+  if (answer.marker.pieces[piece.value].at != done->bump.at) answer.contradiction = "reports a wrong position";
   return answer;
 }
 
 Answer placed_answer(motion::placing::PlacedMarker done, PieceId piece, const motion::placing::PlaceSettings& settings,
                      const Marker& start) {
-  // No free position: the piece is where it was, on top of others or beyond the cloth's end as it may be.
+  // If there is no free position, the piece stays where it was, possibly on other pieces or beyond the end of the
+  // cloth.
   const Coord end = done.place ? open_end(start) : std::max(open_end(start), length_of(start));
   const Coord longest = settings.may_grow ? kAnyLength : end + done.repair.lengthened;
   Answer answer{.marker = std::move(done.marker), .leave = {.longest = longest}};
   if (!done.place) answer.apart = is_valid(answer.marker);
   if (done.place && answer.marker.pieces[piece.value].at != done.place->at)
-    answer.contradiction = "tells another place";
+    answer.contradiction = "reports a wrong position";
   return answer;
 }
 
@@ -148,12 +149,12 @@ Result<Answer> placing(const Marker& start, const Occasion& on) {
   const PieceId piece = any_piece(on.random, start);
   const motion::placing::PlaceSettings settings{on.random.chance(50)};
   const Vec wanted = any_place(on.random, start);
-  auto done = heal_and_place(start, piece, wanted, settings, on.run);
+  auto done = repair_and_place(start, piece, wanted, settings, on.run);
   if (!done) return done.error();
   return placed_answer(*std::move(done), piece, settings, start);
 }
 
-// A piece turned by whatever angle goes where there is room for it.
+// Places a piece, turned by any allowed angle, where there is room for it.
 Result<Answer> turning_and_placing(const Marker& start, const Occasion& on) {
   const PieceId piece = any_piece(on.random, start);
   Marker turned = start;
@@ -165,7 +166,7 @@ Result<Answer> turning_and_placing(const Marker& start, const Occasion& on) {
   if (on.random.chance(30)) moved.orientation.rotation.degrees += static_cast<double>(on.random.between(0, 900)) / 10;
   if (!make_marker(turned)) return unmoved(start);
   const motion::placing::PlaceSettings settings{true};
-  auto done = heal_and_place(turned, piece, any_place(on.random, start), settings, on.run);
+  auto done = repair_and_place(turned, piece, any_place(on.random, start), settings, on.run);
   if (!done) return done.error();
   if (!done->place) return unmoved(start);
   Answer answer = placed_answer(*std::move(done), piece, settings, turned);
@@ -179,8 +180,7 @@ Result<Answer> dragging(const Marker& start, const Occasion& on) {
       on.random.chance(50) ? motion::dragging::DragMode::kPlace : motion::dragging::DragMode::kPush;
   const motion::dragging::Drag done = drag(start, piece, any_place(on.random, start), mode, {on.run.sums, on.run.stop});
   Answer answer{.marker = done.marker, .leave = {.longest = kAnyLength}};
-  if (done.pushed && mode == motion::dragging::DragMode::kPlace)
-    answer.contradiction = "pushed others, who were to stay";
+  if (done.pushed && mode == motion::dragging::DragMode::kPlace) answer.contradiction = "moved pieces that should stay";
   return answer;
 }
 
@@ -191,7 +191,7 @@ Result<Answer> separation(const Marker& start, const Occasion& on) {
     if (!piece.locked.x) piece.at.x += on.random.between(-most, most);
     if (!piece.locked.y) piece.at.y += on.random.between(-most, most);
   }
-  // Groups stay as they are.
+  // Groups are not changed.
   for (std::size_t k = 0; k < start.pieces.size(); ++k) {
     if (!start.pieces[k].group.empty()) overlapping.pieces[k].at = start.pieces[k].at;
   }
@@ -200,14 +200,14 @@ Result<Answer> separation(const Marker& start, const Occasion& on) {
   settings.target =
       on.random.chance(20) ? motion::repair::TargetRule::kKernelRay : motion::repair::TargetRule::kNearest;
   auto done = separate(overlapping, settings, on.run);
-  // A locked piece that was shaken off the strip cannot be put back.
+  // A locked piece that was moved out of the strip cannot be put back.
   if (!done && done.error().code == ErrorCode::kOutsideStrip && !is_valid(overlapping)) return unmoved(start);
   if (!done) return done.error();
   const auto longest = std::ceil((1 + settings.grow) * static_cast<double>(done->length_before));
   Answer answer{.marker = std::move(done->marker), .leave = {.longest = static_cast<Coord>(longest)}};
   answer.apart = done->apart;
-  if (done->apart != done->remaining.empty()) answer.contradiction = "apart, and overlaps remain";
-  if (done->length_after != length_of(answer.marker)) answer.contradiction = "tells another length";
+  if (done->apart != done->remaining.empty()) answer.contradiction = "reports success although overlaps remain";
+  if (done->length_after != length_of(answer.marker)) answer.contradiction = "reports a wrong length";
   answer.started = std::move(overlapping);
   return answer;
 }
@@ -221,9 +221,9 @@ Result<Answer> floating(const Marker& start, const Occasion& on) {
   settings.edges = on.random.chance(50);
   auto done = float_apart(start, settings, on.run);
   const bool narrower = done && done->least_after < done->least_before;
-  auto told = answer(std::move(done));
-  if (told && narrower) told->contradiction = "narrowed the least gap";
-  return told;
+  auto result = answer(std::move(done));
+  if (result && narrower) result->contradiction = "reduced the smallest gap";
+  return result;
 }
 
 Result<Answer> opening(const Marker& start, const Occasion& on) {
@@ -237,12 +237,12 @@ Result<Answer> opening(const Marker& start, const Occasion& on) {
           : motion::compaction::GapChoice{motion::compaction::AwayFromPoint{point_inside(found[k].region)}};
   auto done = open_gap(start, choice, random_settings(on.random), regions, on.run);
   if (!done && done.error().code == ErrorCode::kStoppedEarly && on.run.stopped()) return unmoved(start);
-  // Parting what overlapped may have closed it.
+  // Repairing overlaps may have closed the gap.
   if (!done && done.error().code == ErrorCode::kOutOfRange && !is_valid(start)) return unmoved(start);
   const bool smaller = done && done->after.area < done->before.area;
-  auto told = answer(std::move(done));
-  if (told && smaller) told->contradiction = "made the gap smaller";
-  return told;
+  auto result = answer(std::move(done));
+  if (result && smaller) result->contradiction = "reduced the gap";
+  return result;
 }
 
 Result<Answer> tilting(const Marker& start, const Occasion& on) {
@@ -260,27 +260,27 @@ Result<Answer> relaxing(const Marker& start, const Occasion& on) {
   const PieceId piece = any_piece(on.random, start);
   const scene::Scene scene{start, on.run.sums};
   const auto tilts = static_cast<int>(on.random.between(1, 7));
-  const motion::piece::Relaxation done = on.random.chance(50) ? motion::piece::relax(scene, piece.value)
-                                                              : motion::piece::relax_tilted(scene, piece.value, tilts);
+  const motion::piece::Relaxation done =
+      on.random.chance(50) ? motion::piece::relax(scene, piece) : motion::piece::relax_tilted(scene, piece, tilts);
   Answer answer{.marker = start, .leave = {.longest = length_of(start), .tilts = true}};
   answer.marker.pieces[piece.value] = done.piece;
   return answer;
 }
 
-// Moves nothing.
-Result<Answer> asking_what_holds(const Marker& start, const Occasion& on) {
-  const auto hold = motion::compaction::what_holds(start, {on.run.sums, on.run.stop});
+// Reads the critical path and moves nothing.
+Result<Answer> critical_path(const Marker& start, const Occasion& on) {
+  const auto hold = motion::compaction::critical_path(start, {on.run.sums, on.run.stop});
   if (!hold) return hold.error();
   Answer answer{.marker = start, .leave = {.longest = length_of(start)}};
   for (const motion::compaction::LoadedContact& contact : hold->contacts) {
-    if (!(contact.worth > 0)) answer.contradiction = "a contact that is worth nothing";
+    if (!(contact.worth > 0)) answer.contradiction = "reports a contact without value";
   }
-  if (!check(start, on.run.sums).valid()) answer.contradiction = "holds what is not valid";
+  if (!check(start, on.run.sums).valid()) answer.contradiction = "reports a critical path for an invalid marker";
   return answer;
 }
 
-// What must be refused, and leave the marker alone.
-Result<Answer> nonsense(const Marker& start, const Occasion& on) {
+// Invalid arguments must be rejected and must leave the marker unchanged.
+Result<Answer> invalid_arguments(const Marker& start, const Occasion& on) {
   const auto refused = [&](const auto& result) { return !result && result.error().code == ErrorCode::kOutOfRange; };
   const motion::compaction::CompactionSettings settings = random_settings(on.random);
   const auto beyond = PieceId{static_cast<std::uint32_t>(start.pieces.size())};
@@ -319,7 +319,7 @@ Result<Answer> nonsense(const Marker& start, const Occasion& on) {
     }
   }
   Answer answer{.marker = start, .leave = {.longest = length_of(start)}};
-  if (!well) answer.contradiction = "was not refused";
+  if (!well) answer.contradiction = "accepted invalid arguments";
   return answer;
 }
 
@@ -328,7 +328,7 @@ constexpr std::array kMotions{
     NamedMotion{"compact one at a time", 4, true, sweeps},
     NamedMotion{"compact by velocities", 1, true, velocities},
     NamedMotion{"refine", 1, true, refinement},
-    NamedMotion{"exchange", 4, false, exchanging},
+    NamedMotion{"swap", 4, false, swapping},
     NamedMotion{"push", 8, true, pushing},
     NamedMotion{"gravity", 6, true, falling},
     NamedMotion{"bump", 12, true, bumping},
@@ -340,8 +340,8 @@ constexpr std::array kMotions{
     NamedMotion{"open a gap", 4, true, opening},
     NamedMotion{"tilt", 3, true, tilting},
     NamedMotion{"relax", 6, false, relaxing},
-    NamedMotion{"what holds", 2, false, asking_what_holds},
-    NamedMotion{"nonsense", 2, false, nonsense},
+    NamedMotion{"critical path", 2, false, critical_path},
+    NamedMotion{"invalid arguments", 2, false, invalid_arguments},
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Every motion of the core, with random wishes: what the soak does to a marker, again and again.
+// Every motion of the core with random arguments, as used by the soak test.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace selvage::test {
 
-// What a motion is given besides its own wishes, which it draws.
+// What a motion is given besides the marker; it draws its own arguments at random.
 struct Occasion {
   Random& random;
   const scene::Run& run;
@@ -22,22 +22,23 @@ struct Occasion {
 struct Answer {
   Marker marker;
   Leave leave;
-  std::string contradiction{};      // between what the motion tells and what it did; empty when there is none
-  bool apart{true};                 // false: says itself that it leaves overlaps
-  std::optional<Marker> started{};  // from what, when that was not the marker as given
+  std::string
+      contradiction{};  // a contradiction between what the motion reports and what it did; empty when there is none
+  bool apart{true};     // false: the motion reports that overlaps remain
+  std::optional<Marker> started{};  // the marker that the motion started from, if it changed the given one first
 };
 
-// Errors: the motion's own.
+// Errors: those of the motion.
 using RandomMotion = Result<Answer> (*)(const Marker& start, const Occasion& occasion);
 
 struct NamedMotion {
   std::string_view name;
-  int weight{};  // how often, beside the others
-  bool mends{};  // takes a marker whose pieces overlap by a little
+  int weight{};    // relative frequency
+  bool repairs{};  // accepts a marker whose pieces overlap slightly, and repairs it
   RandomMotion run{};
 };
 [[nodiscard]] std::span<const NamedMotion> motions();
-// By weight.
+// Draws a motion with probability proportional to its weight.
 [[nodiscard]] const NamedMotion& drawn_motion(Random& random);
 
 }  // namespace selvage::test

@@ -1,11 +1,11 @@
-// The soak: random markers, random motions with random wishes one after another, and after each of them a judge that
-// shares no code with what Selvage proves its answers with.
+// The soak test: random motions with random arguments on random markers, each followed by a judge that shares no code
+// with Selvage's proofs.
 //
 // usage: soak [MOTIONS] [SEED] [--threads N] [--markers FOLDER]
 //
-// Lives of 20 motions each, of the seeds SEED, SEED + 1, ...; MOTIONS is rounded up to whole lives, so that
-// `soak 1 SEED` lives one again.  Every kGarments-th life is that of a garment marker of the folder.
-// Exit: 0 no fault; 1 faults, each named with its seed and step.
+// Runs sequences of 20 motions with the seeds SEED, SEED + 1, ...  MOTIONS is rounded up to whole sequences, so `soak 1
+// SEED` replays the sequence of one seed.  Every kGarments-th sequence starts from a garment marker of the folder.
+// Exit status: 0 no fault; 1 faults, which are printed with seed and step.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
@@ -20,16 +20,17 @@
 
 #include "core/marker/validity.h"
 #include "protocol/formats/format.h"
-#include "tests/soak/life.h"
+#include "tests/soak/motion_sequence.h"
 
 namespace selvage::test {
 namespace {
 
 constexpr std::uint64_t kGarments = 250;
-constexpr std::size_t kSmallEnough = 120;                   // pieces of a garment marker
-constexpr std::size_t kCacheBytes = std::size_t{16} << 20;  // so few that sums are made anew now and then
+constexpr std::size_t kSmallEnough = 120;  // largest garment marker that is used, in pieces
+constexpr std::size_t kCacheBytes = std::size_t{16}
+                                    << 20;  // so small that sums are sometimes evicted and computed again
 constexpr int kFaultsShown = 20;
-constexpr std::uint64_t kTellEvery = 100'000;  // motions
+constexpr std::uint64_t kReportEvery = 100'000;  // motions between two progress messages
 
 std::vector<Marker> garments(const std::string& folder) {
   std::vector<std::filesystem::path> paths;
@@ -49,42 +50,42 @@ std::vector<Marker> garments(const std::string& folder) {
   return markers;
 }
 
-struct Tally {
+struct Totals {
   std::uint64_t motions{}, refused{}, faults{};
   std::map<std::string_view, std::uint64_t> of_each;
 };
 
 class Soak {
  public:
-  Soak(std::uint64_t first, std::uint64_t lives, std::vector<Marker> garment_markers)
-      : next_{first}, end_{first + lives}, garments_{std::move(garment_markers)} {}
+  Soak(std::uint64_t first, std::uint64_t sequences, std::vector<Marker> garment_markers)
+      : next_{first}, end_{first + sequences}, garments_{std::move(garment_markers)} {}
 
-  // One thread's share.
+  // Runs sequences until there are no more; called by every thread.
   void run() {
     for (std::uint64_t seed = next_++; seed < end_; seed = next_++) {
       Random random{seed};
       Marker start = !garments_.empty() && seed % kGarments == 0 ? garments_[seed / kGarments % garments_.size()]
                                                                  : constrained_marker(random);
-      const Life life = live(std::move(start), kMotionsOfALife, random, sums_);
+      const SequenceResult sequence = run_sequence(std::move(start), kMotionsPerSequence, random, sums_);
       const std::lock_guard lock{mutex_};
-      tally_.motions += static_cast<std::uint64_t>(life.motions);
-      tally_.refused += static_cast<std::uint64_t>(life.refused);
-      for (const auto& [name, count] : life.of_each) tally_.of_each[name] += static_cast<std::uint64_t>(count);
-      if (life.fault) report(seed, *life.fault);
-      if (tally_.motions >= told_ + kTellEvery) {
-        told_ = tally_.motions;
-        std::cerr << told_ << " motions, " << tally_.faults << " faults" << std::endl;
+      totals_.motions += static_cast<std::uint64_t>(sequence.motions);
+      totals_.refused += static_cast<std::uint64_t>(sequence.refused);
+      for (const auto& [name, count] : sequence.of_each) totals_.of_each[name] += static_cast<std::uint64_t>(count);
+      if (sequence.fault) report(seed, *sequence.fault);
+      if (totals_.motions >= reported_ + kReportEvery) {
+        reported_ = totals_.motions;
+        std::cerr << reported_ << " motions, " << totals_.faults << " faults" << std::endl;
       }
     }
   }
 
-  [[nodiscard]] const Tally& tally() const { return tally_; }
+  [[nodiscard]] const Totals& totals() const { return totals_; }
 
  private:
   void report(std::uint64_t seed, const Fault& fault) {
-    if (++tally_.faults > kFaultsShown) return;
+    if (++totals_.faults > kFaultsShown) return;
     std::cout << "fault: seed " << seed << ", step " << fault.step << ", " << fault.motion << ": " << fault.what
-              << "\n  again: ./dev soak 1 " << seed << std::endl;
+              << "\n  replay with: ./dev soak 1 " << seed << std::endl;
     MarkerFile file;
     file.marker = fault.before;
     file.attributes.shapes.assign(fault.before.shapes.size(), Json::object());
@@ -92,7 +93,7 @@ class Soak {
     if (const auto text = protocol::formats::write_marker(file, Format::kNative)) {
       const std::string path = "soak-" + std::to_string(seed) + ".json";
       std::ofstream{path} << *text;
-      std::cout << "  what the motion was given: " << path << std::endl;
+      std::cout << "  input of the motion: " << path << std::endl;
     }
   }
 
@@ -101,38 +102,38 @@ class Soak {
   const std::vector<Marker> garments_;
   SumCache sums_{kCacheBytes};
   std::mutex mutex_;
-  Tally tally_;
-  std::uint64_t told_{};
+  Totals totals_;
+  std::uint64_t reported_{};
 };
 
 }  // namespace
 }  // namespace selvage::test
 
 int main(int argc, char** argv) {
-  using selvage::test::kMotionsOfALife;
-  CLI::App app{"Random motions on random markers, every answer judged."};
+  using selvage::test::kMotionsPerSequence;
+  CLI::App app{"Runs random motions on random markers and checks every result with an independent judge."};
   std::uint64_t motions = 1'000'000;
   std::uint64_t seed = 1;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   std::string folder = SELVAGE_SOURCE_DIR "/examples/markers";
-  app.add_option("MOTIONS", motions, "How many, rounded up to whole lives")->capture_default_str();
-  app.add_option("SEED", seed, "Of the first life")->capture_default_str();
-  app.add_option("--threads", threads, "To share them")->check(CLI::Range(1U, 256U));
-  app.add_option("--markers", folder, "Garment markers")->capture_default_str();
+  app.add_option("MOTIONS", motions, "Number of motions, rounded up to whole sequences")->capture_default_str();
+  app.add_option("SEED", seed, "Seed of the first sequence")->capture_default_str();
+  app.add_option("--threads", threads, "Number of threads")->check(CLI::Range(1U, 256U));
+  app.add_option("--markers", folder, "Folder of garment markers")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
 
-  const std::uint64_t lives = (motions + kMotionsOfALife - 1) / kMotionsOfALife;
+  const std::uint64_t sequences = (motions + kMotionsPerSequence - 1) / kMotionsPerSequence;
   const auto begin = std::chrono::steady_clock::now();
-  selvage::test::Soak soak{seed, lives, selvage::test::garments(folder)};
+  selvage::test::Soak soak{seed, sequences, selvage::test::garments(folder)};
   {
     std::vector<std::jthread> sharing;
     for (unsigned k = 0; k < threads; ++k) sharing.emplace_back([&soak] { soak.run(); });
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  const auto& tally = soak.tally();
-  for (const auto& [name, count] : tally.of_each) std::cout << count << '\t' << name << '\n';
-  std::cout << tally.motions << " motions in " << lives << " lives from seed " << seed << ", " << threads
-            << " threads, " << seconds.count() << " s: " << tally.faults << " faults, " << tally.refused
-            << " refused to mend\n";
-  return tally.faults == 0 ? 0 : 1;
+  const auto& totals = soak.totals();
+  for (const auto& [name, count] : totals.of_each) std::cout << count << '\t' << name << '\n';
+  std::cout << totals.motions << " motions in " << sequences << " sequences from seed " << seed << ", " << threads
+            << " threads, " << seconds.count() << " s: " << totals.faults << " faults, " << totals.refused
+            << " rejected overlapping input\n";
+  return totals.faults == 0 ? 0 : 1;
 }

@@ -1,14 +1,15 @@
-// Markers as a digitiser leaves them: pieces of hundreds of vertices, none quite in line with its neighbours.
+// Markers with outlines like those that a digitiser produces: pieces of hundreds of vertices, hardly any of them
+// collinear with its neighbours.
 #pragma once
 
 #include "core/marker/marker.h"
 
 namespace selvage::test {
 
-// The marker with every edge of every shape cut into stretches of at most `pitch` (lattice units), and the vertices
-// that this makes moved inwards by up to `noise`, the same on every call: every piece lies within what it was, so a
-// valid marker stays valid.  REQUIRES: no shape comes to more than kMaxVertices; noise is small beside the shapes'
-// features.
+// Cuts every edge of every shape into segments of at most `pitch` (lattice units), and moves the new vertices inwards
+// by up to `noise`.  The result is the same on every call.  Every piece lies within the original piece, so a valid
+// marker stays valid.
+// REQUIRES: no shape exceeds kMaxVertices; `noise` is small compared with the features of the shapes.
 [[nodiscard]] Marker digitised(const Marker& marker, Coord pitch, Coord noise);
 
 }  // namespace selvage::test

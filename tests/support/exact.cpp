@@ -21,14 +21,14 @@ using Outer = CGAL::Polygon_2<Kernel>;
 using WithHoles = CGAL::Polygon_with_holes_2<Kernel>;
 using Set = CGAL::Polygon_set_2<Kernel>;
 
-// A coordinate below 2^53 is a double.
+// A coordinate below 2^53 is represented exactly by a double.
 Point point(Vec v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y)};
 }
-Point point(outline::Real2 v) {
+Point point(RealVec v) {
   return {v.x, v.y};
 }
-outline::Real2 rounded(const Point& p) {
+RealVec rounded(const Point& p) {
   return {CGAL::to_double(p.x()), CGAL::to_double(p.y())};
 }
 
@@ -54,8 +54,8 @@ WithHoles sum_of(const Outer& p, const Outer& q, ExactSum::Method method) {
   return CGAL::minkowski_sum_2(p, q, CGAL::Small_side_angle_bisector_decomposition_2<Kernel>{});
 }
 
-// The region that a ring of a star sum encloses.  Rounding may cross a ring's edges over by a unit: then it
-// is the union of the triangles that its edges make with its centre.
+// The region that a ring of a star-shaped sum encloses.  When rounding makes edges of the ring cross by a unit, it is
+// the union of the triangles between the centre and each edge.
 void append_region(const minkowski::convolution::StarSum& ring, std::vector<Outer>& regions) {
   Outer whole;
   for (const minkowski::convolution::SumEdge& e : ring.edges) whole.push_back(point(e.from));
@@ -70,7 +70,7 @@ void append_region(const minkowski::convolution::StarSum& ring, std::vector<Oute
   }
 }
 
-// A ring that touches itself in vertices, as rings that do not.
+// Splits a ring that touches itself at vertices into rings that do not.
 std::vector<Polygon> loops_of(const Polygon& ring) {
   std::vector<Polygon> loops;
   Polygon open;
@@ -86,7 +86,7 @@ std::vector<Polygon> loops_of(const Polygon& ring) {
   return loops;
 }
 
-double distance_to(std::span<const Segment> boundary, outline::Real2 point) {
+double distance_to(std::span<const Segment> boundary, RealVec point) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& [a, b] : boundary) {
     const double dx = b.x - a.x;
@@ -104,7 +104,7 @@ bool is_simple_exactly(std::span<const Vec> vertices) {
   return polygon_of(vertices).is_simple();
 }
 
-geometry::Location locate_exactly(outline::Real2 at, const Polygon& polygon) {
+geometry::Location locate_exactly(RealVec at, const Polygon& polygon) {
   return location(polygon_of(polygon).bounded_side(point(at)));
 }
 
@@ -149,7 +149,7 @@ std::vector<double> areas_left_over(const Box& box, std::span<const Polygon> pol
 
 struct ExactSum::Region {
   WithHoles sum;
-  // Of the union of the outlines less the holes.
+  // The difference of the union of the outlines, without the holes, from this region.
   [[nodiscard]] Difference difference_of(const std::vector<Outer>& outlines, const std::vector<Outer>& holes,
                                          std::span<const Segment> boundary) const;
 };
@@ -177,7 +177,7 @@ std::size_t ExactSum::holes() const {
   return region_->sum.number_of_holes();
 }
 
-geometry::Location ExactSum::locate(outline::Real2 at) const {
+geometry::Location ExactSum::locate(RealVec at) const {
   const Point p = point(at);
   const geometry::Location outer = location(region_->sum.outer_boundary().bounded_side(p));
   if (outer != geometry::Location::kInside) return outer;

@@ -1,5 +1,5 @@
-// Exact answers from CGAL, an independent witness: what ours are judged by.  Only tests see CGAL's set
-// operations.
+// Exact results computed by CGAL, the independent reference that the project's results are compared with.  Only tests
+// use CGAL's set operations.
 #pragma once
 
 #include <memory>
@@ -13,35 +13,35 @@
 
 namespace selvage::test {
 
-// Of any closed vertex list.
+// Whether a closed vertex list is a simple polygon.
 [[nodiscard]] bool is_simple_exactly(std::span<const Vec> vertices);
-// Where a point between lattice points lies; the double is taken as the number it is.
-[[nodiscard]] geometry::Location locate_exactly(outline::Real2 point, const Polygon& polygon);
-// True when the intersection of the two has an area.
+// Whether a point lies inside, outside or on the boundary.  The point's doubles are taken as exact numbers.
+[[nodiscard]] geometry::Location locate_exactly(RealVec point, const Polygon& polygon);
+// True when the intersection of the two polygons has positive area.
 [[nodiscard]] bool interiors_meet(const Polygon& p, const Polygon& q);
-// True when no part of `inner` that has an area lies outside `outer`.
+// True when `outer` contains `inner`: the part of `inner` outside `outer` has no area.
 [[nodiscard]] bool holds(const Polygon& outer, const Polygon& inner);
-// The sign of (distance of the closed polygons) - distance: -1 nearer, 0 exactly as far, 1 farther.
-// REQUIRES: their interiors do not meet.
+// The sign of (distance between the closed polygons) - `distance`: -1 nearer, 0 exactly at it, 1 farther.
+// REQUIRES: the interiors do not intersect.
 [[nodiscard]] int compare_distance(const Polygon& p, const Polygon& q, Coord distance);
 
 // The areas of the connected regions of the box that no polygon covers, largest first.
 [[nodiscard]] std::vector<double> areas_left_over(const Box& box, std::span<const Polygon> polygons);
 
-using Segment = std::pair<outline::Real2, outline::Real2>;
+using Segment = std::pair<RealVec, RealVec>;
 
-// Where a region is not the exact one.
+// The difference between a region and the exact one.
 struct Difference {
-  double area{};      // of the symmetric difference, square lattice units
-  double distance{};  // from its farthest corner to the exact boundary, lattice units
-  bool crossed{};     // a ring crosses itself: it was left out
+  double area{};      // area of the symmetric difference, square lattice units
+  double distance{};  // the largest distance from its corners to the exact boundary, lattice units
+  bool crossed{};     // a ring crosses itself and was left out
 };
 
 // The Minkowski sum of two polygons.
 class ExactSum {
  public:
-  // The convolution is much the faster one, but CGAL 5.5 now and then fills in a hole that it should not; the
-  // union of the sums of convex parts does not.
+  // Convolution is much faster, but CGAL 5.5 occasionally fills a hole that should remain; the union of the sums of
+  // convex parts does not.
   enum class Method { kConvolution, kDecomposition };
   ExactSum(const Polygon& p, const Polygon& q, Method method);
   ~ExactSum();
@@ -52,10 +52,10 @@ class ExactSum {
   [[nodiscard]] const std::vector<Segment>& boundary() const { return boundary_; }
   [[nodiscard]] double perimeter() const;
   [[nodiscard]] std::size_t holes() const;
-  [[nodiscard]] geometry::Location locate(outline::Real2 point) const;
-  // Where the union of the other's rings differs from this.
+  [[nodiscard]] geometry::Location locate(RealVec point) const;
+  // The difference between the union of the other sum's rings and this sum.
   [[nodiscard]] Difference difference(const minkowski::MinkowskiSum& other) const;
-  // Where a region does, given as rings: outlines counter-clockwise, holes clockwise.
+  // The difference between a region, given as rings (outlines counter-clockwise, holes clockwise), and this sum.
   [[nodiscard]] Difference difference(std::span<const Polygon> rings) const;
 
  private:

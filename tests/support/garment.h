@@ -1,4 +1,4 @@
-// The garment markers of examples/, for tests below the protocol.
+// The garment markers of examples/, for tests of layers below the protocol.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,10 +9,11 @@
 
 namespace selvage::test {
 
-// By file name without its ending; a failure, and an empty marker, when it cannot be read.
+// Reads the marker with this file name (without extension).  When it cannot be read, the test fails and the marker is
+// empty.
 [[nodiscard]] Marker garment(const std::string& name);
 
-// All five of them, and a name for each test.
+// The names of all five markers, and the name of the test for each.
 inline const auto kGarments = ::testing::Values("jeans_02g", "charlie_04g", "simon_06g", "jeans_06g", "jeans_22g");
 inline std::string garment_name(const ::testing::TestParamInfo<const char*>& tested) {
   return tested.param;

@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::size_t kAny = std::numeric_limits<std::size_t>::max();
 
-// A motion that refuses its marker would look like one that takes nothing.
+// Throws when the motion failed; otherwise a failed motion would be recorded as one that needs nothing.
 template <class Answer>
 void require(const Result<Answer>& answer) {
   if (!answer) throw std::runtime_error{answer.error().message};
@@ -36,8 +36,8 @@ void require(const Result<Answer>& answer) {
 PieceId middle_of(const Marker& marker) {
   return PieceId{static_cast<std::uint32_t>(marker.pieces.size() / 2)};
 }
-// A part of the strip's width to the right of where the middle piece is.
-Vec beside_middle(const Marker& marker, double part) {
+// The point to the right of the middle piece's position by `part` of the strip's width.
+Vec right_of_middle(const Marker& marker, double part) {
   const Vec at = marker.pieces[middle_of(marker).value].at;
   return {at.x + std::llround(part * static_cast<double>(marker.strip.width)), at.y};
 }
@@ -54,18 +54,18 @@ void compact_once(const Marker& marker, const scene::Run& run) {
   require(compact(marker, one_round(kExtent), run));
 }
 
-// `kAcross`: towards the strip's edge, else along the marker.
+// Pushes across the strip when `kAcross` is true, otherwise along it.
 template <bool kAcross, model::Extent kExtent>
 void push_once(const Marker& marker, const scene::Run& run) {
   const motion::compaction::Force force{middle_of(marker), kAcross ? 0.0 : 1.0, kAcross ? 1.0 : 0.0};
   require(push(marker, {&force, 1}, one_round(kExtent), run));
 }
 
-// Every piece to the left, the length held.
+// Pulls every piece to the left at fixed length.
 void pull_left_once(const Marker& marker, const scene::Run& run) {
   std::vector<motion::compaction::Force> forces;
   for (std::uint32_t piece = 0; piece < marker.pieces.size(); ++piece) forces.push_back({PieceId{piece}, -1, 0});
-  require(push(marker, forces, one_round(model::Extent::kReached), run));
+  require(push(marker, forces, one_round(model::Extent::kActiveSet), run));
 }
 
 template <model::Extent kExtent>
@@ -82,23 +82,24 @@ void float_once(const Marker& marker, const scene::Run& run) {
   require(float_apart(marker, settings, run));
 }
 
-// The middle piece lies in its neighbour by a hundredth of the width.
+// Makes the middle piece overlap its neighbour by a hundredth of the strip's width, then separates.
 void separate_once(const Marker& marker, const scene::Run& run) {
   Marker overlapping = marker;
-  overlapping.pieces[middle_of(marker).value].at = beside_middle(marker, 0.01);
+  overlapping.pieces[middle_of(marker).value].at = right_of_middle(marker, 0.01);
   motion::separation::SeparationSettings settings;
   settings.rounds = 1;
   settings.grow = 0.02;
   require(separate(overlapping, settings, run));
 }
 
-// The middle piece, bumped to the right, lies in what it met there by half of what is healed.
-void heal_once(const Marker& marker, const scene::Run& run) {
+// Bumps the middle piece to the right, then makes it overlap the piece that it met by half of the largest overlap that
+// is repaired.
+void repair_once(const Marker& marker, const scene::Run& run) {
   Marker overlapping = marker;
   Vec& at = overlapping.pieces[middle_of(marker).value].at;
   SumCache others;
-  at = motion::piece::bump(scene::Scene{marker, others}, middle_of(marker).value, 1, 0).at;
-  at = beside_middle(overlapping, motion::repair::kHealingLimit / 2);
+  at = motion::piece::bump(scene::Scene{marker, others}, middle_of(marker), 1, 0).at;
+  at = right_of_middle(overlapping, motion::repair::kRepairLimit / 2);
   scene::Scene scene{overlapping, run.sums};
   require(motion::repair::repair_overlaps(scene, run));
 }
@@ -107,12 +108,12 @@ void tilt_once(const Marker& marker, const scene::Run& run) {
   motion::tilting::TiltSettings settings =
       tilt_settings(motion::tilting::TiltMethod::kLinearisation, motion::compaction::Accuracy::kStandard);
   settings.rounds = 1;
-  settings.compaction = one_round(model::Extent::kReached);
+  settings.compaction = one_round(model::Extent::kActiveSet);
   require(tilt(marker, settings, run));
 }
 
 void bump_once(const Marker& marker, const scene::Run& run) {
-  (void)motion::piece::bump(scene::Scene{marker, run.sums}, middle_of(marker).value, -1, 0);
+  (void)motion::piece::bump(scene::Scene{marker, run.sums}, middle_of(marker), -1, 0);
 }
 void sweep_once(const Marker& marker, const scene::Run& run) {
   motion::baseline::SweepSettings settings;
@@ -124,24 +125,25 @@ void step_once(const Marker& marker, const scene::Run& run) {
   settings.steps = 1;
   require(compact_by_velocities(marker, settings, run));
 }
-void ask_what_holds(const Marker& marker, const scene::Run& run) {
-  require(motion::compaction::what_holds(marker, run));
+void critical_path_once(const Marker& marker, const scene::Run& run) {
+  require(motion::compaction::critical_path(marker, run));
 }
 void relax_once(const Marker& marker, const scene::Run& run) {
-  (void)motion::piece::relax(scene::Scene{marker, run.sums}, middle_of(marker).value);
+  (void)motion::piece::relax(scene::Scene{marker, run.sums}, middle_of(marker));
 }
 void place_once(const Marker& marker, const scene::Run& run) {
-  require(motion::placing::heal_and_place(marker, middle_of(marker), beside_middle(marker, 0.1), {}, run));
+  require(motion::placing::repair_and_place(marker, middle_of(marker), right_of_middle(marker, 0.1), {}, run));
 }
 template <motion::dragging::DragMode kMode>
 void drag_once(const Marker& marker, const scene::Run& run) {
-  (void)drag(marker, middle_of(marker), beside_middle(marker, 0.02), kMode, run);
+  (void)drag(marker, middle_of(marker), right_of_middle(marker, 0.02), kMode, run);
 }
 
 constexpr std::array kRounds{
     OneRound{"bump", kAny, bump_once},
-    OneRound{"compact", kAny, compact_once<model::Extent::kReached>},
+    OneRound{"compact", kAny, compact_once<model::Extent::kActiveSet>},
     OneRound{"compact, whole", 440, compact_once<model::Extent::kWhole>},
+    OneRound{"critical path", kAny, critical_path_once},
     OneRound{"drag, place", kAny, drag_once<motion::dragging::DragMode::kPlace>},
     OneRound{"drag, push", kAny, drag_once<motion::dragging::DragMode::kPush>},
     OneRound{"float, given distance", kAny, float_once<motion::floating::FloatMode::kGivenDistance>},
@@ -149,21 +151,20 @@ constexpr std::array kRounds{
     OneRound{"float, largest total", kAny, float_once<motion::floating::FloatMode::kLargestTotal>},
     OneRound{"float, two steps", kAny, float_once<motion::floating::FloatMode::kTwoStep>},
     OneRound{"float, uniform", kAny, float_once<motion::floating::FloatMode::kUniform>},
-    OneRound{"gap", kAny, open_once<model::Extent::kReached>},
+    OneRound{"gap", kAny, open_once<model::Extent::kActiveSet>},
     OneRound{"gap, whole", 440, open_once<model::Extent::kWhole>},
     OneRound{"gravity", kAny, pull_left_once},
-    OneRound{"heal one", kAny, heal_once},
     OneRound{"one at a time", kAny, sweep_once},
     OneRound{"place", kAny, place_once},
-    OneRound{"push one across", kAny, push_once<true, model::Extent::kReached>},
+    OneRound{"push one across", kAny, push_once<true, model::Extent::kActiveSet>},
     OneRound{"push one across, whole", 440, push_once<true, model::Extent::kWhole>},
-    OneRound{"push one along", kAny, push_once<false, model::Extent::kReached>},
+    OneRound{"push one along", kAny, push_once<false, model::Extent::kActiveSet>},
     OneRound{"push one along, whole", 440, push_once<false, model::Extent::kWhole>},
     OneRound{"relax", kAny, relax_once},
+    OneRound{"repair one", kAny, repair_once},
     OneRound{"separate one", kAny, separate_once},
     OneRound{"tilt", kAny, tilt_once},
     OneRound{"velocities", kAny, step_once},
-    OneRound{"what holds", kAny, ask_what_holds},
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
-// One round of each motion, and what it takes: for measuring how programs grow, and for seeing that they do not.
+// Runs one round of each motion and records the linear programs and sums that it needs.  Used to measure how the
+// programs grow with the marker and to test that they stay small.
 #pragma once
 
 #include <cstddef>
@@ -16,16 +17,16 @@ struct OneRound {
   std::size_t pieces;  // of markers with more it takes too long to be waited for
   void (*run)(const Marker& marker, const scene::Run& run);
 };
-// By name.  Those of one piece take the one in the middle of the list; "whole" is the naive model: every piece, pair
-// and row at once.
+// All rounds, sorted by name.  Motions of a single piece move the one in the middle of the list.  "whole" marks the
+// naive model, which contains every piece, pair and row.
 [[nodiscard]] std::span<const OneRound> one_round_of_each();
 
 struct Work {
   int programs{};
-  scene::ProgramSize largest;  // each figure on its own
-  std::uint64_t sums{};        // asked for, in the cache or not
+  scene::ProgramSize largest;  // the maximum of each figure over all programs
+  std::uint64_t sums{};        // number of sums requested, cached or not
 };
-// Starts from an empty cache.
+// Runs the round with an empty cache.
 [[nodiscard]] Work work_of(const OneRound& round, const Marker& marker);
 
 }  // namespace selvage::test

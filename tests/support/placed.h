@@ -1,4 +1,4 @@
-// A whole polygon as the overlap tests take it.
+// Makes a PlacedPolygon, the argument of the overlap tests, from a polygon.
 #pragma once
 
 #include "core/geometry/overlap.h"
@@ -6,7 +6,7 @@
 
 namespace selvage::test {
 
-// `polygon` must outlive what is returned.
+// REQUIRES: `polygon` outlives the result.
 [[nodiscard]] inline geometry::PlacedPolygon placed(const Polygon& polygon, Vec at = {}) {
   return {polygon, box_of(polygon), at};
 }

@@ -9,7 +9,7 @@
 namespace selvage::test {
 namespace {
 
-// A Polygon, when the vertices are one as they stand (but for their sense and for idle vertices).
+// The vertices as a Polygon if they form one without repair, apart from orientation and redundant vertices.
 std::optional<Polygon> as_polygon(const std::vector<Vec>& vertices) {
   auto clean = clean_polygon(vertices);
   if (!clean) return std::nullopt;
@@ -97,8 +97,8 @@ Polygon saw(Coord teeth, Coord pitch, Coord height) {
 }
 
 Polygon spiral(std::size_t windings, Coord extent) {
-  // The middle line of the band, from the inside out: quarter turns to the left, each second one longer by a
-  // pitch.
+  // The centre line of the band, from the inside outwards: it turns left by quarter turns, and every second segment is
+  // longer by one pitch.
   const Coord half = std::max<Coord>(1, extent / (2 * static_cast<Coord>(windings) + 4));
   const Coord pitch = 4 * half;
   const Vec along[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};

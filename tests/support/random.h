@@ -1,5 +1,6 @@
-// Chance that repeats: the same numbers from the same seed, on every machine; or from the same bytes, so that a fuzzer
-// can steer it: each number takes as many bytes as it needs, and when none are left a seed goes on.
+// Reproducible random numbers.  They come either from a seed, and are then the same on every platform, or from a
+// fuzzer's bytes, so that the fuzzer controls them: each number consumes as many bytes as it needs, and a default seed
+// supplies the rest when the bytes are used up.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +11,7 @@
 
 namespace selvage::test {
 
-// Sanitised builds take some thirty times as long: laws are tried less often there.
+// Sanitised builds run about thirty times slower, so properties are tested with fewer trials there.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr int kSlowdown = 20;
 #else
@@ -20,17 +21,17 @@ inline constexpr int kSlowdown = 1;
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_{seed} {}
-  // `bytes` must outlive it.
+  // REQUIRES: `bytes` outlives this object.
   explicit Random(std::span<const std::uint8_t> bytes) : bytes_{bytes} {}
 
-  // Both ends included.
+  // A number in [low, high], both ends included.
   [[nodiscard]] Coord between(Coord low, Coord high) {
     const auto span = static_cast<std::uint64_t>(high - low) + 1;
     return low + static_cast<Coord>(draw(span));
   }
   [[nodiscard]] std::size_t below(std::size_t count) { return static_cast<std::size_t>(draw(count)); }
   [[nodiscard]] bool chance(int percent) { return between(1, 100) <= percent; }
-  // In [0, 1).
+  // A number in [0, 1).
   [[nodiscard]] double part() {
     if (!bytes_.empty()) return static_cast<double>(draw(std::uint64_t{1} << 16)) * 0x1p-16;
     return static_cast<double>(engine_() >> 11) * 0x1p-53;

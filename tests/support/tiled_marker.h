@@ -1,4 +1,4 @@
-// Long markers out of short ones: copies of a marker one after another, for measuring how work grows.
+// Long markers made from copies of a short one, for measuring how the work grows with the number of pieces.
 #pragma once
 
 #include <cstddef>
@@ -7,12 +7,13 @@
 
 namespace selvage::test {
 
-// The marker with every piece's x stretched by 1 + `slack`, and what overlaps then separated: a layout that has so much
-// room to lose.  REQUIRES: marker is valid.
+// Multiplies every piece's x by 1 + `slack` and then separates pieces that overlap, so that the layout has that much
+// room to lose.
+// REQUIRES: the marker is valid.
 [[nodiscard]] Marker loosened(const Marker& marker, double slack);
 
-// Copies of the marker side by side until there are `pieces` of them, those farthest to the right left out.  The
-// strip has no end.
+// Places copies of the marker one after another until there are `pieces` pieces, and leaves out the rightmost ones
+// beyond that number.  The strip's length is not limited.
 [[nodiscard]] Marker tiled(const Marker& marker, std::size_t pieces);
 
 }  // namespace selvage::test

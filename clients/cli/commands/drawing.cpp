@@ -34,8 +34,8 @@ protocol::drawing::SvgOptions result_drawing(const MarkerFile& end, const Marker
   }
   if (overlays.critical_path) {
     SumCache sums;
-    if (const auto hold = motion::compaction::what_holds(end.marker, {sums}))
-      drawing.overlay.chain = protocol::drawing::chain_of(end.marker, *hold);
+    if (const auto path = motion::compaction::critical_path(end.marker, {sums}))
+      drawing.overlay.chain = protocol::drawing::chain_of(end.marker, *path);
   }
   return drawing;
 }

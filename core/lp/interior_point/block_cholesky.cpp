@@ -9,23 +9,23 @@ namespace {
 
 using Pair = Eigen::Vector2d;
 
-// The inverse of the lower triangle of a factor's diagonal block, times v.
+// Multiplies v by the inverse of a diagonal block of the factor.
 void solve_lower(const Block& diagonal, double& v0, double& v1) {
   v0 *= diagonal(0, 0);
   v1 = (v1 - diagonal(1, 0) * v0) * diagonal(1, 1);
 }
-// The same for its transpose.
+// Multiplies v by the inverse of its transpose.
 void solve_upper(const Block& diagonal, double& v0, double& v1) {
   v1 *= diagonal(1, 1);
   v0 = (v0 - diagonal(1, 0) * v1) * diagonal(0, 0);
 }
 
-// Where the entries of a block column lie in a vector.
-std::ptrdiff_t place_of(int block_column) {
+// The index in a vector of a block column's first entry.
+std::ptrdiff_t index_of(int block_column) {
   return 2 * static_cast<std::ptrdiff_t>(block_column);
 }
 
-// Turns a symmetric block, of which the lower triangle is read, into its factor.
+// Replaces a symmetric block, given by its lower triangle, with its factor.
 bool factorise_block(Block& block) {
   if (!(block(0, 0) > 0)) return false;
   const double first = 1 / std::sqrt(block(0, 0));
@@ -58,7 +58,8 @@ BlockCholesky::BlockCholesky(BlockPattern pattern) : pattern_{std::move(pattern)
   work_.assign(size, Block::Zero());
 }
 
-// The pattern of each row of the factor: from the entries of the matrix's row up the elimination tree [Dav06 4].
+// Computes the pattern of each row of the factor, following the elimination tree upwards from the entries of the
+// matrix's row [Dav06 4].
 void BlockCholesky::find_rows() {
   constexpr int kNone = -1;
   const std::size_t size = pattern_.columns();
@@ -129,7 +130,7 @@ void BlockCholesky::solve(std::span<double> right_side) const {
     const int* const end = column_.data() + column_start_[k + 1];
     const Block* below = below_.data() + column_start_[k];
     for (; column != end; ++column, ++below) {
-      Place{v + place_of(*column)} -= below->col(0) * known[0] + below->col(1) * known[1];
+      Place{v + index_of(*column)} -= below->col(0) * known[0] + below->col(1) * known[1];
     }
   }
   for (std::size_t k = size; k-- > 0;) {
@@ -139,7 +140,7 @@ void BlockCholesky::solve(std::span<double> right_side) const {
     const int* const end = column_.data() + column_start_[k + 1];
     const Block* below = below_.data() + column_start_[k];
     for (; column != end; ++column, ++below) {
-      left -= below->transpose() * Place{v + place_of(*column)};
+      left -= below->transpose() * Place{v + index_of(*column)};
     }
     solve_upper(diagonal_[k], left[0], left[1]);
     own = left;

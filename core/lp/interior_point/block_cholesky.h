@@ -1,9 +1,10 @@
-// The Cholesky factor of a sparse symmetric matrix in blocks of two by two, over and over with the same pattern.
+// The Cholesky factorisation of a sparse symmetric matrix in blocks of two by two, repeated with the same pattern.
 //
-// The columns of a piece, along x and along y, are held by the same rows, so what is sparse is the matrix of pieces;
-// inside a block nothing is looked up.  Up-looking: row after row of the factor, each a sparse triangular solve
-// [Dav06 4], with the pattern of every row worked out once.
-// Blocks are stored column by column.  Invariant: block columns are in the order of elimination.
+// The x and y columns of a piece occur in the same rows, so the sparsity is that of a matrix over pieces, and no
+// indices are needed inside a block.  The factorisation is up-looking: it computes the factor row by row, each row by a
+// sparse triangular solve [Dav06 4].  The pattern of every row is computed once.
+// Blocks are stored in column-major order.
+// Invariant: block columns are in elimination order.
 #pragma once
 
 #include <cstddef>
@@ -14,9 +15,10 @@
 
 namespace selvage::lp::interior_point {
 
-using Block = Eigen::Matrix2d;  // column by column
+using Block = Eigen::Matrix2d;  // column-major
 
-// Which blocks above the diagonal there are: those of block column k at start[k] up to start[k + 1], by ascending row.
+// The blocks above the diagonal: those of block column k are at start[k] up to start[k + 1], in ascending order of
+// rows.
 struct BlockPattern {
   std::vector<int> start{0};
   std::vector<int> row;
@@ -27,22 +29,23 @@ class BlockCholesky {
  public:
   explicit BlockCholesky(BlockPattern pattern);
 
-  // Of the diagonal blocks the lower triangle is read.  False when the matrix is not positive definite in floating
-  // point.
+  // Only the lower triangles of the diagonal blocks are read.  False when the matrix is not positive definite in
+  // floating point.
   [[nodiscard]] bool factorise(std::span<const Block> diagonal, std::span<const Block> above);
-  // Solves in place; two entries to a block column.
+  // Solves in place; a block column has two entries.
   void solve(std::span<double> right_side) const;
 
  private:
   void find_rows();
 
   BlockPattern pattern_;
-  std::vector<int> row_start_, row_;        // of the factor: the block columns of each row, ascending, no diagonal
-  std::vector<int> column_start_, column_;  // the block rows of each column, ascending, no diagonal
-  std::vector<Block> below_;                // the factor's blocks, column by column
-  std::vector<Block> diagonal_;             // its diagonal blocks: 1/(0,0) (1,0) - 1/(1,1)
-  std::vector<Block> work_;                 // a row of the factor on its way, transposed; 0 between rows
-  std::vector<int> filled_;                 // how many blocks of each column are done
+  std::vector<int> row_start_, row_;  // the block columns of each row of the factor, ascending, without the diagonal
+  std::vector<int> column_start_,
+      column_;                   // the block rows of each column of the factor, ascending, without the diagonal
+  std::vector<Block> below_;     // the factor's blocks below the diagonal, column by column
+  std::vector<Block> diagonal_;  // the factor's diagonal blocks [a 0; b c], stored as 1/a, b and 1/c
+  std::vector<Block> work_;      // the row of the factor being computed, transposed; zero between rows
+  std::vector<int> filled_;      // the number of finished blocks of each column
 };
 
 }  // namespace selvage::lp::interior_point

@@ -15,23 +15,23 @@ void add_column_bound(InequalityForm& form, int column, double sign, double boun
   form.program_row.push_back(InequalityForm::kColumnBound);
 }
 
-// The form's column of each of the program's, kFixed for those that cannot move.
+// The form's column for each column of the program; kFixed for columns that cannot move.
 std::vector<int> add_columns(InequalityForm& form, const LinearProgram& program) {
-  std::vector<int> place(program.cost.size(), kFixed);
-  for (std::size_t j = 0; j < place.size(); ++j) {
+  std::vector<int> column_of(program.cost.size(), kFixed);
+  for (std::size_t j = 0; j < column_of.size(); ++j) {
     if (program.lower[j] == program.upper[j]) continue;
-    place[j] = form.columns();
+    column_of[j] = form.columns();
     form.cost.push_back(program.cost[j]);
     form.program_column.push_back(static_cast<int>(j));
   }
-  return place;
+  return column_of;
 }
 
 }  // namespace
 
 std::optional<InequalityForm> inequality_form(const LinearProgram& program, double tolerance) {
   InequalityForm form;
-  const std::vector<int> place = add_columns(form, program);
+  const std::vector<int> column_of = add_columns(form, program);
   form.column.reserve(program.entries.size() + 2 * form.cost.size());
   form.value.reserve(form.column.capacity());
   form.row_start.push_back(0);
@@ -39,10 +39,10 @@ std::optional<InequalityForm> inequality_form(const LinearProgram& program, doub
     double bound = program.bound[static_cast<std::size_t>(r)];
     for (const auto& [column, value] : program.row(r)) {
       const auto j = static_cast<std::size_t>(column);
-      if (place[j] == kFixed) {
+      if (column_of[j] == kFixed) {
         bound -= value * program.lower[j];
       } else if (value != 0) {
-        form.column.push_back(place[j]);
+        form.column.push_back(column_of[j]);
         form.value.push_back(value);
       }
     }

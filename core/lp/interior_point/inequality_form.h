@@ -1,7 +1,8 @@
-// The form the interior point method works on: minimise cost . x subject to A x >= bound, x free.
+// The form of a linear program that the interior point method works on: minimise cost . x subject to A x >= bound, x
+// free.
 //
-// Columns that cannot move are substituted away, finite column bounds become rows of one entry after all others, and
-// empty rows are dropped once checked.  A is stored row by row.
+// Fixed columns are substituted, each finite column bound becomes a row with one entry after all other rows, and empty
+// rows are checked and dropped.  A is stored row by row.
 #pragma once
 
 #include <optional>
@@ -17,8 +18,8 @@ struct InequalityForm {
   std::vector<int> row_start;  // rows() + 1 positions in `column` and `value`
   std::vector<int> column;
   std::vector<double> value;
-  std::vector<int> program_column;  // where each column came from
-  std::vector<int> program_row;     // where each row came from; kColumnBound for a column bound
+  std::vector<int> program_column;  // the program's column of each column
+  std::vector<int> program_row;     // the program's row of each row; kColumnBound for a column bound
 
   static constexpr int kColumnBound = -1;
 
@@ -26,7 +27,7 @@ struct InequalityForm {
   [[nodiscard]] int rows() const { return static_cast<int>(bound.size()); }
 };
 
-// Nothing when an empty row asks for more than `tolerance`: the program is infeasible.
+// Nothing when an empty row requires more than `tolerance`: the program is infeasible.
 [[nodiscard]] std::optional<InequalityForm> inequality_form(const LinearProgram& program, double tolerance);
 
 }  // namespace selvage::lp::interior_point

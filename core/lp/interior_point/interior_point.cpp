@@ -19,20 +19,21 @@ namespace {
 
 using Vector = Eigen::ArrayXd;
 
-// Proximal weights of the columns, tried in turn: near the end rounding can leave a matrix that needs more.  They hold
-// the step back, they do not move the answer: its residuals are measured without them.
+// Proximal weights of the columns, tried in turn, because near the end rounding can leave a matrix that needs a larger
+// one.  They shorten the step but do not change the solution: its residuals are measured without them.
 constexpr std::array<double, 4> kRho{1e-9, 1e-6, 1e-4, 1e-2};
-// A column that only a far bound holds moves by its cost over rho at a time: once all else is settled rho gives way.
-constexpr double kEasier = 0.1;
-constexpr double kLeastEase = 1e-4;
-constexpr double kRoundings = 4;  // of the largest bound: no row can be met more exactly than that
-constexpr double kDelta = 1e-11;  // proximal weight of the rows' multipliers
+// A column that only a distant bound limits moves by its cost divided by rho per iteration, so rho is reduced once
+// everything else has converged.
+constexpr double kRhoDecay = 0.1;
+constexpr double kLeastRhoFactor = 1e-4;
+constexpr double kRoundings = 4;  // roundings of the largest bound: no row can be met more exactly
+constexpr double kDelta = 1e-11;  // proximal weight of the row multipliers
 constexpr double kLeastStartingSlack = 1;
-constexpr double kCentring = 3;  // the power of the predicted part of the gap that the corrector aims at
-constexpr double kBelieved =
-    5e-10;  // what a row may be broken by when the gap need not close: solve() believes twice that
-constexpr double kDualPart = 1e-2;   // of a tolerance for the gap, what is left for the dual's residual
-constexpr double kLeastCost = 1e-3;  // a program without costs has a centre all the same
+constexpr double kCentring = 3;  // exponent applied to the predicted ratio of the gaps, for the corrector's target
+constexpr double kAcceptedViolation =
+    5e-10;  // row violation allowed when the gap need not close completely; solve() accepts twice as much
+constexpr double kDualPart = 1e-2;   // dual tolerance as a fraction of the tolerance of the gap
+constexpr double kLeastCost = 1e-3;  // so that a program without costs has a central path as well
 
 std::span<double> span_of(Vector& v) {
   return {v.data(), static_cast<std::size_t>(v.size())};
@@ -49,14 +50,14 @@ double largest(const Vector& a) {
   return a.size() == 0 ? 0 : a.abs().maxCoeff();
 }
 
-// The step along which v loses all that an entry of it has; infinite when none shrinks.
+// The step length at which the first entry of v reaches zero; infinite when none decreases.
 double longest_step(const Vector& v, const Vector& dv) {
   const double shrinks = v.size() == 0 ? 0 : (-dv / v).maxCoeff();
   return shrinks > 0 ? 1 / shrinks : kInfinity;
 }
 
-// min c.x with A x - s = b, s >= 0, and the dual A^T z = c, z >= 0.  Vectors of columns end with that of RowRuns which
-// stays still: 0 in all of them.
+// The iteration for min c.x with A x - s = b, s >= 0, and the dual A^T z = c, z >= 0.  Vectors over columns end with
+// the zero column of RowRuns, which is 0 in all of them.
 class Iteration {
  public:
   Iteration(const InequalityForm& form, const InteriorPointSettings& settings)
@@ -75,7 +76,7 @@ class Iteration {
 
   void start(std::span<const double> x);
   bool converged();
-  bool step();  // false when it can go no further
+  bool step();  // false when no further step is possible
 
   [[nodiscard]] const Vector& x() const { return x_; }
   [[nodiscard]] const Vector& z() const { return z_; }
@@ -91,21 +92,21 @@ class Iteration {
   Vector cost_, bound_;
   double largest_cost_;
   Vector x_, s_, z_, dx_, ds_, dz_;
-  Vector rp_, rd_;                // what is missing from A x - s = b and from A^T z = c
+  Vector rp_, rd_;                // the residuals of A x - s = b and of A^T z = c
   Vector weight_;                 // 1 / (s / z + delta)
-  Vector target_;                 // what s dz + z ds is to be
-  Vector wanted_;                 // what A dx is to be where the weight is large
+  Vector target_;                 // the target value of s dz + z ds
+  Vector wanted_;                 // the target value of A dx where the weight is large
   double gap_{};                  // s . z
-  double least_dual_{kInfinity};  // so far
-  double primal_{};               // the most a row may be broken by
-  double ease_{1};                // what rho is multiplied by
+  double least_dual_{kInfinity};  // the smallest dual residual so far
+  double primal_{};               // the largest row violation allowed
+  double rho_factor_{1};          // the factor applied to rho
 };
 
 void Iteration::start(std::span<const double> x) {
   std::copy(x.begin(), x.end(), x_.data());
   multiply(rows_, span_of(x_), span_of(s_));
   s_ = (s_ - bound_).max(kLeastStartingSlack);
-  z_ = std::max(largest_cost_, kLeastCost) / s_;  // every product s z the same: the central path
+  z_ = std::max(largest_cost_, kLeastCost) / s_;  // all products s z are equal: on the central path
   measure_primal();
 }
 
@@ -117,23 +118,23 @@ void Iteration::measure_primal() {
 bool Iteration::converged() {
   multiply_transposed(rows_, span_of(z_), span_of(rd_));
   rd_ = cost_ - rd_;
-  rd_[rows_.still()] = 0;
+  rd_[rows_.zero_column()] = 0;
   gap_ = dot(s_, z_);
   const double dual = largest(rd_) / (1 + largest_cost_);
-  const bool at_rest = dual > least_dual_ / 2;
+  const bool stalled = dual > least_dual_ / 2;
   least_dual_ = std::min(least_dual_, dual);
   const bool closed = gap_ <= settings_.gap * (1 + std::abs(dot(cost_, x_)));
-  if (closed && at_rest) ease_ = std::max(kLeastEase, kEasier * ease_);
+  if (closed && stalled) rho_factor_ = std::max(kLeastRhoFactor, kRhoDecay * rho_factor_);
   if (!closed || largest(rp_) > primal_) return false;
-  if (dual > settings_.dual && !(at_rest && dual <= settings_.dual_at_rest)) return false;
-  measure_primal();  // steps only keep it up to date
+  if (dual > settings_.dual && !(stalled && dual <= settings_.dual_when_stalled)) return false;
+  measure_primal();  // steps only update the residual, so it has gathered rounding errors
   return largest(rp_) <= primal_;
 }
 
 bool Iteration::factorise() {
   weight_ = z_ / (s_ + kDelta * z_);
   return std::any_of(kRho.begin(), kRho.end(),
-                     [&](double rho) { return normal_.factorise(span_of(weight_), ease_ * rho); });
+                     [&](double rho) { return normal_.factorise(span_of(weight_), rho_factor_ * rho); });
 }
 
 // (dx, ds, dz) with A dx - ds + delta dz = rp, A^T dz - rho dx = rd, s dz + z ds = target.
@@ -143,7 +144,7 @@ void Iteration::direction() {
   multiply_transposed(rows_, span_of(dz_), span_of(dx_));
   dx_ -= rd_;
   normal_.solve(span_of(dx_));
-  dx_[rows_.still()] = 0;
+  dx_[rows_.zero_column()] = 0;
   multiply(rows_, span_of(dx_), span_of(ds_));
   dz_ = weight_ * (wanted_ - ds_);
   ds_ += kDelta * dz_ - rp_;
@@ -160,7 +161,7 @@ bool Iteration::step() {
   const double sigma = std::pow(affine / gap_, kCentring);
   target_ = sigma * mu - s_ * z_ - ds_ * dz_;
   direction();
-  // Nearer to the boundary as the gap closes, never onto it.
+  // The iterates approach the boundary as the gap closes, but never reach it.
   const double keep = std::clamp(1 - mu, 0.99, 0.9995);
   primal = std::min(1.0, keep * longest_step(s_, ds_));
   dual = std::min(1.0, keep * longest_step(z_, dz_));
@@ -173,13 +174,13 @@ bool Iteration::step() {
 
 }  // namespace
 
-InteriorPointSettings settled_within(double tolerance) {
+InteriorPointSettings settings_for_tolerance(double tolerance) {
   InteriorPointSettings settings;
   if (tolerance <= settings.gap) return settings;
   settings.gap = tolerance;
-  settings.primal = std::max(settings.primal, kBelieved);
+  settings.primal = std::max(settings.primal, kAcceptedViolation);
   settings.dual = std::max(settings.dual, kDualPart * tolerance);
-  settings.dual_at_rest = std::max(settings.dual_at_rest, settings.dual);
+  settings.dual_when_stalled = std::max(settings.dual_when_stalled, settings.dual);
   return settings;
 }
 

@@ -15,9 +15,9 @@ namespace {
 
 using Edge = std::pair<int, int>;
 
-// Where a column lies: its block column and its place in it.
-struct Seat {
-  int block{}, slot{};
+// The position of a column: its block column, and its offset (0 or 1) within the block.
+struct Slot {
+  int block{}, offset{};
 };
 
 std::span<const RowRuns::Difference> differences_of(const RowRuns& rows, const RowRuns::Run& run) {
@@ -25,9 +25,9 @@ std::span<const RowRuns::Difference> differences_of(const RowRuns& rows, const R
                                              static_cast<std::size_t>(run.width));
 }
 
-// Columns that follow each other and are held by the same rows share a block: those of a piece.  Others have a block to
-// themselves, in which the second place stays empty.  The last seat is that of the column that stays still.
-std::vector<Seat> seats_of(const RowRuns& rows) {
+// Consecutive columns that occur in the same rows, such as those of a piece, share a block.  Any other column has a
+// block of its own, whose second place stays empty.  The last slot is that of the zero column.
+std::vector<Slot> slots_of(const RowRuns& rows) {
   const auto size = static_cast<std::size_t>(rows.columns);
   std::vector<char> with_next(size + 1);
   for (const RowRuns::Run& run : rows.runs) {
@@ -37,26 +37,26 @@ std::vector<Seat> seats_of(const RowRuns& rows) {
       if (of[k + 1].minus == of[k].minus + 1) with_next[static_cast<std::size_t>(of[k].minus)] = 1;
     }
   }
-  std::vector<Seat> seats(size + 1);
+  std::vector<Slot> slots(size + 1);
   int block = 0;
   for (std::size_t j = 0; j < size; ++j, ++block) {
-    seats[j] = {block, 0};
-    if (with_next[j] != 0 && j + 1 < size) seats[++j] = {block, 1};
+    slots[j] = {block, 0};
+    if (with_next[j] != 0 && j + 1 < size) slots[++j] = {block, 1};
   }
-  seats[size] = {block, 0};
-  return seats;
+  slots[size] = {block, 0};
+  return slots;
 }
 
-// The blocks that have a row in common, the lesser first; neither twice nor with the one that stays still.
-std::vector<Edge> edges_of(const RowRuns& rows, const std::vector<Seat>& seats) {
+// The pairs of blocks that occur in a common row, the smaller first; each pair once, and without the zero column.
+std::vector<Edge> edges_of(const RowRuns& rows, const std::vector<Slot>& slots) {
   std::vector<Edge> edges;
   std::vector<int> blocks;
   for (const RowRuns::Run& run : rows.runs) {
     blocks.clear();
     for (const auto& [plus, minus] : differences_of(rows, run)) {
       for (const int column : {plus, minus}) {
-        const int block = seats[static_cast<std::size_t>(column)].block;
-        if (column != rows.still() && std::find(blocks.begin(), blocks.end(), block) == blocks.end()) {
+        const int block = slots[static_cast<std::size_t>(column)].block;
+        if (column != rows.zero_column() && std::find(blocks.begin(), blocks.end(), block) == blocks.end()) {
           blocks.push_back(block);
         }
       }
@@ -70,8 +70,8 @@ std::vector<Edge> edges_of(const RowRuns& rows, const std::vector<Seat>& seats) 
   return edges;
 }
 
-// The place of each block in the order of elimination.
-std::vector<int> least_fill(const std::vector<Edge>& edges, int blocks) {
+// The position of each block in an elimination order with little fill (approximate minimum degree).
+std::vector<int> elimination_order(const std::vector<Edge>& edges, int blocks) {
   std::vector<Eigen::Triplet<char>> both;
   both.reserve(2 * edges.size() + static_cast<std::size_t>(blocks));
   for (int k = 0; k < blocks; ++k) both.emplace_back(k, k, 1);
@@ -81,7 +81,7 @@ std::vector<int> least_fill(const std::vector<Edge>& edges, int blocks) {
   }
   Eigen::SparseMatrix<char> pattern(blocks, blocks);
   pattern.setFromTriplets(both.begin(), both.end());
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> first;  // the block at each place
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> first;  // the block at each position
   Eigen::AMDOrdering<int>{}(pattern, first);
   std::vector<int> place(static_cast<std::size_t>(blocks));
   for (int k = 0; k < blocks; ++k) place[static_cast<std::size_t>(first.indices()[k])] = k;
@@ -112,27 +112,27 @@ struct NormalEquations::Parts {
   void find_positions(const BlockPattern& pattern);
 
   const RowRuns& rows;
-  std::vector<Seat> seats;  // in the order of elimination
+  std::vector<Slot> slots;  // by column; blocks are numbered in elimination order
   std::size_t blocks{};
-  // The diagonal blocks, those above, and one for what falls on the column that stays still.
+  // The diagonal blocks, the blocks above the diagonal, and one block that collects what falls on the zero column.
   std::vector<Block> matrix;
-  std::vector<int> position;  // in it, number by number, of each run's products; then of each bound's
+  std::vector<int> position;  // the index in `matrix` of each number of the runs' products, then of the bounds'
   std::optional<BlockCholesky> factor;
-  std::vector<double> ordered;  // a right side in the order of elimination
+  std::vector<double> ordered;  // a right-hand side in elimination order
 };
 
-// Products of two differences fall on four places, those of one with itself on three.
+// The product of two differences contributes to four entries, that of a difference with itself to three.
 void NormalEquations::Parts::find_positions(const BlockPattern& pattern) {
-  const int nowhere = 4 * static_cast<int>(matrix.size() - 1);
+  const int discarded = 4 * static_cast<int>(matrix.size() - 1);
   const auto find = [&](int i, int j) {
-    if (i == rows.still() || j == rows.still()) return nowhere;
-    auto [first, second] = std::pair{seats[static_cast<std::size_t>(i)], seats[static_cast<std::size_t>(j)]};
-    if (first.block == second.block) return 4 * first.block + (i == j ? 3 * first.slot : 1);
+    if (i == rows.zero_column() || j == rows.zero_column()) return discarded;
+    auto [first, second] = std::pair{slots[static_cast<std::size_t>(i)], slots[static_cast<std::size_t>(j)]};
+    if (first.block == second.block) return 4 * first.block + (i == j ? 3 * first.offset : 1);
     if (first.block > second.block) std::swap(first, second);
     const auto begin = pattern.row.begin() + pattern.start[static_cast<std::size_t>(second.block)];
     const auto end = pattern.row.begin() + pattern.start[static_cast<std::size_t>(second.block) + 1];
     const auto above = std::lower_bound(begin, end, first.block) - pattern.row.begin();
-    return 4 * static_cast<int>(blocks + static_cast<std::size_t>(above)) + first.slot + 2 * second.slot;
+    return 4 * static_cast<int>(blocks + static_cast<std::size_t>(above)) + first.offset + 2 * second.offset;
   };
   for (const RowRuns::Run& run : rows.runs) {
     const auto of = differences_of(rows, run);
@@ -150,13 +150,13 @@ void NormalEquations::Parts::find_positions(const BlockPattern& pattern) {
 
 NormalEquations::NormalEquations(const RowRuns& rows) : parts_{std::make_unique<Parts>(rows)} {
   Parts& p = *parts_;
-  p.seats = seats_of(rows);
-  const int blocks = p.seats.back().block;
+  p.slots = slots_of(rows);
+  const int blocks = p.slots.back().block;
   p.blocks = static_cast<std::size_t>(blocks);
-  const std::vector<Edge> edges = edges_of(rows, p.seats);
-  const std::vector<int> place = least_fill(edges, blocks);
-  for (std::size_t j = 0; j + 1 < p.seats.size(); ++j) {
-    p.seats[j].block = place[static_cast<std::size_t>(p.seats[j].block)];
+  const std::vector<Edge> edges = edges_of(rows, p.slots);
+  const std::vector<int> place = elimination_order(edges, blocks);
+  for (std::size_t j = 0; j + 1 < p.slots.size(); ++j) {
+    p.slots[j].block = place[static_cast<std::size_t>(p.slots[j].block)];
   }
   BlockPattern pattern = pattern_of(edges, place);
   p.matrix.resize(p.blocks + pattern.row.size() + 1);
@@ -191,7 +191,7 @@ void NormalEquations::solve(std::span<double> right_side) {
   Parts& p = *parts_;
   std::fill(p.ordered.begin(), p.ordered.end(), 0.0);
   const auto place = [&](std::size_t j) {
-    return 2 * static_cast<std::size_t>(p.seats[j].block) + static_cast<std::size_t>(p.seats[j].slot);
+    return 2 * static_cast<std::size_t>(p.slots[j].block) + static_cast<std::size_t>(p.slots[j].offset);
   };
   const auto columns = static_cast<std::size_t>(p.rows.columns);
   for (std::size_t j = 0; j < columns; ++j) p.ordered[place(j)] = right_side[j];

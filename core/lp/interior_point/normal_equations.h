@@ -1,5 +1,5 @@
-// The normal equations of an inequality form: (A^T W A + rho I) x = r for a positive diagonal W, over and over with the
-// same A.
+// The normal equations of an inequality form: (A^T W A + rho I) x = r for a positive diagonal W, solved repeatedly with
+// the same A.
 #pragma once
 
 #include <memory>
@@ -11,13 +11,14 @@ namespace selvage::lp::interior_point {
 
 class NormalEquations {
  public:
-  // Finds the pattern, the order that fills in least, and where each run's products fall.  Keeps a reference to `rows`.
+  // Computes the sparsity pattern, an elimination order with little fill, and the position of each run's products.
+  // Keeps a reference to `rows`.
   explicit NormalEquations(const RowRuns& rows);
   ~NormalEquations();
 
   // False when the matrix is not positive definite in floating point.
   [[nodiscard]] bool factorise(std::span<const double> weight, double rho);
-  // Solves in place; what comes after the last column is left alone.
+  // Solves in place; entries after the last column are unchanged.
   void solve(std::span<double> right_side);
 
  private:

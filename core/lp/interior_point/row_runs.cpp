@@ -14,14 +14,14 @@ struct Term {
   double value{};
 };
 
-constexpr std::size_t kAhead = 3;  // entries among which an opposite is looked for
+constexpr std::size_t kAhead = 3;  // how many of the next entries are searched for an opposite one
 
-// A row's entries, every two that are opposite taken together.
-void terms_of(const InequalityForm& form, std::size_t row, int still, std::vector<Term>& terms) {
+// The entries of a row, with pairs of opposite values combined into differences.
+void terms_of(const InequalityForm& form, std::size_t row, int zero_column, std::vector<Term>& terms) {
   terms.clear();
   const auto begin = static_cast<std::size_t>(form.row_start[row]);
   const auto end = static_cast<std::size_t>(form.row_start[row + 1]);
-  std::size_t taken = 0;  // a bit for each of the entries ahead
+  std::size_t taken = 0;  // a bit for each of the next entries, set once it has been combined
   for (std::size_t k = begin; k < end; ++k, taken >>= 1) {
     if ((taken & 1) != 0) continue;
     std::size_t other = k + 1;
@@ -31,29 +31,29 @@ void terms_of(const InequalityForm& form, std::size_t row, int still, std::vecto
     }
     const bool opposite = other < std::min(end, k + 1 + kAhead);
     if (opposite) taken |= std::size_t{1} << (other - k);
-    terms.push_back({{form.column[k], opposite ? form.column[other] : still}, form.value[k]});
+    terms.push_back({{form.column[k], opposite ? form.column[other] : zero_column}, form.value[k]});
   }
 }
 
-// A run that grows row by row.
-class Growing {
+// Builds a run row by row.
+class RunBuilder {
  public:
-  Growing(RowRuns& rows, std::vector<Difference>& differences) : rows_{rows}, differences_{differences} {}
+  RunBuilder(RowRuns& rows, std::vector<Difference>& differences) : rows_{rows}, differences_{differences} {}
 
-  // False when neither the row's differences nor the run's hold the other's.
-  [[nodiscard]] bool takes(const std::vector<Term>& terms) const {
+  // True when the run has rows and either the row's differences or the run's contain the other's.
+  [[nodiscard]] bool accepts(const std::vector<Term>& terms) const {
     std::size_t shared = 0;
     for (const Term& term : terms) shared += place(term.of) < differences_.size();
     return !row_ends_.empty() && (shared == terms.size() || shared == differences_.size());
   }
-  void take(const std::vector<Term>& terms) {
+  void add(const std::vector<Term>& terms) {
     for (const Term& term : terms) {
       if (place(term.of) == differences_.size()) differences_.push_back(term.of);
       terms_.push_back(term);
     }
     row_ends_.push_back(terms_.size());
   }
-  void end() {
+  void finish() {
     if (row_ends_.empty()) return;
     const std::size_t width = differences_.size();
     RowRuns::Run run{.rows = static_cast<int>(row_ends_.size()),
@@ -82,7 +82,7 @@ class Growing {
 
   RowRuns& rows_;
   std::vector<Difference>& differences_;
-  std::vector<Term> terms_;  // of all its rows
+  std::vector<Term> terms_;  // of all rows of the run
   std::vector<std::size_t> row_ends_;
 };
 
@@ -95,14 +95,14 @@ RowRuns row_runs(const InequalityForm& form) {
   rows.differences.reserve(form.value.size());
   std::vector<Difference> differences;
   std::vector<Term> terms;
-  Growing run{rows, differences};
+  RunBuilder run{rows, differences};
   std::size_t r = 0;
   for (; r < form.bound.size() && form.program_row[r] != InequalityForm::kColumnBound; ++r) {
-    terms_of(form, r, rows.still(), terms);
-    if (!run.takes(terms)) run.end();
-    run.take(terms);
+    terms_of(form, r, rows.zero_column(), terms);
+    if (!run.accepts(terms)) run.finish();
+    run.add(terms);
   }
-  run.end();
+  run.finish();
   for (; r < form.bound.size(); ++r) {
     const auto k = static_cast<std::size_t>(form.row_start[r]);
     rows.bounds.push_back({form.column[k], form.value[k]});
@@ -115,15 +115,15 @@ void multiply(const RowRuns& rows, std::span<const double> x, std::span<double> 
   for (const RowRuns::Run& run : rows.runs) {
     with_width(run, [&](auto width) {
       const Difference* of = rows.differences.data() + run.first_difference;
-      auto apart = zeros(width);
+      auto difference = zeros(width);
       for (int k = 0; k < width; ++k) {
         const auto i = static_cast<std::size_t>(k);
-        apart[i] = x[static_cast<std::size_t>(of[k].plus)] - x[static_cast<std::size_t>(of[k].minus)];
+        difference[i] = x[static_cast<std::size_t>(of[k].plus)] - x[static_cast<std::size_t>(of[k].minus)];
       }
       const double* value = rows.value.data() + run.first_value;
       for (int r = 0; r < run.rows; ++r, value += width) {
-        double sum = value[0] * apart[0];
-        for (int k = 1; k < width; ++k) sum += value[k] * apart[static_cast<std::size_t>(k)];
+        double sum = value[0] * difference[0];
+        for (int k = 1; k < width; ++k) sum += value[k] * difference[static_cast<std::size_t>(k)];
         *out++ = sum;
       }
     });
@@ -138,20 +138,20 @@ void multiply_transposed(const RowRuns& rows, std::span<const double> y, std::sp
     with_width(run, [&](auto width) {
       const Difference* of = rows.differences.data() + run.first_difference;
       const double* value = rows.value.data() + run.first_value;
-      const auto press = [&](const Difference& at, double force) {
+      const auto add_force = [&](const Difference& at, double force) {
         result[static_cast<std::size_t>(at.plus)] += force;
         result[static_cast<std::size_t>(at.minus)] -= force;
       };
       if constexpr (std::is_same_v<decltype(width), std::integral_constant<int, 2>>) {
         Eigen::Array2d force = Eigen::Array2d::Zero();
         for (int r = 0; r < run.rows; ++r, value += 2) force += Eigen::Map<const Eigen::Array2d>{value} * in[r];
-        press(of[0], force[0]);
-        press(of[1], force[1]);
+        add_force(of[0], force[0]);
+        add_force(of[1], force[1]);
       } else {
         for (int k = 0; k < width; ++k) {
           double force = 0;
           for (int r = 0; r < run.rows; ++r) force += value[r * width + k] * in[r];
-          press(of[k], force);
+          add_force(of[k], force);
         }
       }
       in += run.rows;

@@ -1,10 +1,10 @@
-// The rows of an inequality form once more, laid out for the products that an interior point iteration is made of.
+// The rows of an inequality form, stored in a layout that makes the products of an interior point iteration fast.
 //
-// A row of a position model is n . (d_q - d_p): two differences of columns, and all rows of a pair of pieces are made
-// of the same two.  So rows are kept in runs that share their differences: a product with A takes these once, one with
-// A^T sums up along the run before it touches a column, and A^T W A needs three sums of a run of any length [Li94 4.1.4
-// has such rows; the layout is ours].  Any row fits: an entry without an opposite is its column's difference from
-// `still`.
+// A row of a position model is n . (d_q - d_p), a combination of two differences of columns, and all rows of a pair of
+// pieces use the same two differences.  Rows are therefore stored in runs that share their differences.  A product with
+// A computes the differences once per run, a product with A^T sums over the run before it updates a column, and A^T W A
+// needs three sums per run, however long it is.  [Li94 4.1.4] has such rows; the layout is our own.  Any row can be
+// represented: an entry without an opposite is the difference between its column and the zero column.
 #pragma once
 
 #include <array>
@@ -24,35 +24,37 @@ struct RowRuns {
   };
   struct Run {
     int first_row{}, rows{};
-    int first_difference{}, width{};  // `width` differences
-    int first_value{};                // row after row, `width` values each
+    int first_difference{}, width{};  // the run has `width` differences
+    int first_value{};                // row by row, `width` values each
   };
 
-  // A row that is a column or, of an upper bound, its opposite.
+  // A row that bounds a single column: sign 1 for a lower bound, -1 for an upper bound.
   struct Bound {
     int column{};
     double sign{};
   };
 
-  int columns{};  // of the form
+  int columns{};  // number of columns of the form
   std::vector<Difference> differences;
   std::vector<double> value;
-  std::vector<Run> runs;      // the form's rows in their order
-  std::vector<Bound> bounds;  // and, after these, its column bounds, which are not worth a run each
+  std::vector<Run> runs;      // the rows of the form, in order
+  std::vector<Bound> bounds;  // after the rows, the column bounds, which do not form runs
 
-  // The column past the form's, which is always 0.
-  [[nodiscard]] int still() const { return columns; }
+  // The index of the zero column: one past the last column of the form; its value is always 0.
+  [[nodiscard]] int zero_column() const { return columns; }
 };
 [[nodiscard]] RowRuns row_runs(const InequalityForm& form);
 
-// In both, x has an entry per column and one more for the column that stays still: 0 in the first, of no meaning after
-// the second.  result = A x:
+// In both products, x has an entry per column and one more for the zero column: it must be 0 in multiply, and has no
+// meaning after multiply_transposed.
+//
+// result = A x:
 void multiply(const RowRuns& rows, std::span<const double> x, std::span<double> result);
 // result = A^T y:
 void multiply_transposed(const RowRuns& rows, std::span<const double> y, std::span<double> result);
 
-// Calls visit(std::integral_constant) with the widths that position models have (an axis or a bound 1, a slanted pair
-// 2, a turn 3), and visit(int) else: so that the usual loops over a run are unrolled.
+// Calls visit(std::integral_constant) for the widths that position models have (1: an axis or a bound, 2: a general
+// pair, 3: a pair with rotation), and visit(int) for others, so that the common loops over a run are unrolled.
 template <class Visit>
 void with_width(const RowRuns::Run& run, const Visit& visit) {
   switch (run.width) {
@@ -63,7 +65,7 @@ void with_width(const RowRuns::Run& run, const Visit& visit) {
   }
 }
 
-// As many zeros as said.
+// An array of `count` zeros.
 template <int count>
 [[nodiscard]] std::array<double, static_cast<std::size_t>(count)> zeros(std::integral_constant<int, count>) {
   return {};
@@ -72,8 +74,8 @@ template <int count>
   return std::vector<double>(static_cast<std::size_t>(count));
 }
 
-// Calls visit(a, b, sum) for every two differences a <= b of a run, by their number in it, with the sum over the run's
-// rows of weight times both their values: what A^T W A is made of.
+// Calls visit(a, b, sum) for every two differences a <= b of a run, by their index within the run, where `sum` is the
+// sum over the run's rows of weight times both values.  A^T W A is built from these sums.
 template <class Visit>
 void for_weighted_products(const RowRuns& rows, const RowRuns::Run& run, std::span<const double> weight,
                            const Visit& visit) {

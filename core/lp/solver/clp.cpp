@@ -15,10 +15,11 @@ namespace selvage::lp::solver {
 namespace {
 
 constexpr double kTolerance = 1e-9;
-// Below this many rows the presolve costs more than the pivots it saves (bench/lp/lp_benchmark).
+// Below this many rows, presolve costs more than the pivots that it saves (bench/lp/lp_benchmark).
 constexpr int kPresolveFromRows = 60;
 
-// Clp asks at every pivot; 0 ends the solve with status 5.  Clp clones and deletes its handlers, hence the bare new.
+// Clp calls event() at every pivot; returning 0 ends the solve with status 5.  Clp clones and deletes its handlers,
+// hence the bare new.
 class StopOnRequest final : public ClpEventHandler {
  public:
   explicit StopOnRequest(std::stop_token stop) : stop_{std::move(stop)} {}
@@ -61,25 +62,28 @@ LpStatus translate(int clp_status) {
   }
 }
 
-// How to ask Clp.  Rows come with a largest coefficient of about 1 and want no scaling: Clp's would take the dust in
-// them (the cosine of a right angle is 6e-17) for a scale, and call optimal what is so within its tolerance times 1e8.
-// Rows that come otherwise need it.
-struct Way {
+// A configuration of Clp.
+//
+// The rows of the models have a largest coefficient of about 1 and need no scaling.  Clp's scaling would treat rounding
+// noise (the cosine of a right angle is 6e-17) as significant, and accept solutions that are optimal only within 1e8
+// times the tolerance.  Other rows need scaling.
+struct Configuration {
   ClpSolve::SolveType method{};
   bool presolve{}, scaled{};
 };
 
-LpSolution solve_once(const LinearProgram& program, Way way, int pivot_limit, const std::stop_token& stop) {
+LpSolution solve_once(const LinearProgram& program, Configuration configuration, int pivot_limit,
+                      const std::stop_token& stop) {
   ClpSimplex clp;
   load(clp, program);
-  if (!way.scaled) clp.scaling(0);
+  if (!configuration.scaled) clp.scaling(0);
   clp.setMaximumIterations(pivot_limit);
   StopOnRequest handler{stop};
   clp.passInEventHandler(&handler);
 
   ClpSolve options;
-  options.setSolveType(way.method);
-  options.setPresolveType(way.presolve ? ClpSolve::presolveOn : ClpSolve::presolveOff);
+  options.setSolveType(configuration.method);
+  options.setPresolveType(configuration.presolve ? ClpSolve::presolveOn : ClpSolve::presolveOff);
   clp.initialSolve(options);
 
   LpSolution solution{.status = translate(clp.status()), .iterations = clp.numberIterations()};
@@ -88,14 +92,14 @@ LpSolution solve_once(const LinearProgram& program, Way way, int pivot_limit, co
   const double* dual = clp.dualRowSolution();
   solution.x.assign(x, x + program.columns());
   solution.dual.assign(dual, dual + program.rows());
-  for (double& price : solution.dual) price = std::max(price, 0.0);  // rounding makes some -1e-17
+  for (double& price : solution.dual) price = std::max(price, 0.0);  // rounding makes some prices slightly negative
   solution.objective = clp.objectiveValue();
   return solution;
 }
 
-// Whether the answer is what it says it is.  What is infeasible or unbounded comes without a proof that could be looked
-// at (most of Clp's rays are none): solve() asks once more.
-bool holds(const LinearProgram& program, const LpSolution& solution) {
+// Whether the solution can be accepted.  Infeasible and unbounded results come without a proof that could be checked
+// (most of Clp's rays are invalid); solve() verifies them by another method.
+bool is_acceptable(const LinearProgram& program, const LpSolution& solution) {
   if (solution.status == LpStatus::kFailed) return false;
   return solution.status != LpStatus::kOptimal || certificate_of(program, solution).closes();
 }
@@ -105,16 +109,16 @@ bool holds(const LinearProgram& program, const LpSolution& solution) {
 LpSolution solve_by_simplex(const LinearProgram& program, int pivot_limit, std::stop_token stop) {
   if (stop.stop_requested()) return {.status = LpStatus::kStopped};
   const bool presolve = program.rows() >= kPresolveFromRows;
-  // The quick way first; the others, from scratch, when its answer does not prove itself.
-  const std::array<Way, 4> ways{{{ClpSolve::useDual, presolve, false},
-                                 {ClpSolve::useDual, presolve, true},
-                                 {ClpSolve::useDual, !presolve, false},
-                                 {ClpSolve::usePrimal, false, false}}};
+  // The fastest configuration comes first; the others start from scratch when its solution is not certified.
+  const std::array<Configuration, 4> configurations{{{ClpSolve::useDual, presolve, false},
+                                                     {ClpSolve::useDual, presolve, true},
+                                                     {ClpSolve::useDual, !presolve, false},
+                                                     {ClpSolve::usePrimal, false, false}}};
   int pivots = 0;
-  for (const Way way : ways) {
-    LpSolution solution = solve_once(program, way, pivot_limit - pivots, stop);
+  for (const Configuration configuration : configurations) {
+    LpSolution solution = solve_once(program, configuration, pivot_limit - pivots, stop);
     solution.iterations = pivots += solution.iterations;
-    if (holds(program, solution)) return solution;
+    if (is_acceptable(program, solution)) return solution;
   }
   return {.status = LpStatus::kFailed, .iterations = pivots};
 }

@@ -1,4 +1,4 @@
-// The simplex method: COIN-OR Clp, of which nothing shows here.
+// The simplex method, by COIN-OR Clp.  No type of Clp appears in this header.
 #pragma once
 
 #include <stop_token>
@@ -7,9 +7,10 @@
 
 namespace selvage::lp::solver {
 
-// A vertex solution, feasible to 1e-9, whose prices certify it (core/lp/certificate.h): Clp's word is not enough.
-// kFailed when no way of asking Clp gives one.  Costs below 1e-7 may count as none.  Stops at the next pivot once
-// `stop` is requested. REQUIRES: lower <= upper, no NaN, at least one column.
+// Returns a vertex solution, feasible to 1e-9, whose dual prices certify its optimality (core/lp/certificate.h), since
+// Clp's own status is not always right.  kFailed when no configuration of Clp yields one.  Costs below 1e-7 may be
+// treated as zero.  Stops at the next pivot once `stop` is requested.
+// REQUIRES: lower <= upper, no NaN, at least one column.
 [[nodiscard]] LpSolution solve_by_simplex(const LinearProgram& program, int pivot_limit, std::stop_token stop = {});
 
 }  // namespace selvage::lp::solver

@@ -11,13 +11,14 @@
 namespace selvage::lp::solver {
 namespace {
 
-// From here on the interior point method takes no more instructions than the other on the programs of real markers, at
-// the same lengths.  Of small scenes a vertex is wanted: there it is a lattice unit shorter, and moves less.
+// From this many rows on, the interior point method takes no more instructions than simplex on the programs of real
+// markers, and reaches the same lengths.  For small scenes a vertex solution is preferred: there it is one lattice unit
+// shorter and moves pieces less.
 constexpr int kInteriorPointFromRows = 60;
-// What an answer of the interior point method may break a row by before it is not believed.
+// The largest row violation at which a solution of the interior point method is accepted.
 constexpr double kLargestInfeasibility = 1e-9;
 
-// What neither solver should see.  kFailed: not a linear program.
+// Detects programs that neither solver should be given.  kFailed: not a linear program.
 LpStatus precheck(const LinearProgram& program) {
   const auto is_nan = [](double value) { return std::isnan(value); };
   const auto broken = [&](const std::vector<double>& values) {
@@ -43,14 +44,14 @@ bool prefers_interior_point(const LinearProgram& program, SolverChoice choice) {
   return choice == SolverChoice::kInteriorPoint;
 }
 
-// What is so when simplex finds no best point.  Where columns are free Clp at times calls infeasible what is not, and
-// unbounded what is infeasible; the other method tells by how little the rows would have to give way.
-LpStatus without_best_point(const LinearProgram& program, LpStatus said, const std::stop_token& stop) {
-  const LpSolution shortage = interior_point::solve_by_interior_point(phase_one_program(program), {}, stop);
-  if (shortage.status == LpStatus::kStopped) return LpStatus::kStopped;
-  if (shortage.status != LpStatus::kOptimal) return said;
-  if (shortage.objective > kLargestInfeasibility) return LpStatus::kInfeasible;
-  return said == LpStatus::kUnbounded ? said : LpStatus::kFailed;
+// The status when simplex finds no optimum.  With free columns, Clp sometimes reports feasible programs as infeasible
+// and infeasible ones as unbounded; the phase one program decides how far the rows would have to be relaxed.
+LpStatus confirmed_status(const LinearProgram& program, LpStatus reported, const std::stop_token& stop) {
+  const LpSolution phase_one = interior_point::solve_by_interior_point(phase_one_program(program), {}, stop);
+  if (phase_one.status == LpStatus::kStopped) return LpStatus::kStopped;
+  if (phase_one.status != LpStatus::kOptimal) return reported;
+  if (phase_one.objective > kLargestInfeasibility) return LpStatus::kInfeasible;
+  return reported == LpStatus::kUnbounded ? reported : LpStatus::kFailed;
 }
 
 }  // namespace
@@ -60,7 +61,8 @@ LpSolution solve(const LinearProgram& program, SolverChoice choice, const LpLimi
   if (const LpStatus status = precheck(program); status != LpStatus::kOptimal) return {.status = status};
   if (program.columns() == 0) return solve_without_columns(program);
   const auto interior = [&]() -> std::optional<LpSolution> {
-    LpSolution solution = solve_by_interior_point(program, interior_point::settled_within(limits.tolerance), stop);
+    LpSolution solution =
+        solve_by_interior_point(program, interior_point::settings_for_tolerance(limits.tolerance), stop);
     if (solution.status == LpStatus::kStopped) return solution;
     const bool solved = solution.status == LpStatus::kOptimal;
     if (solved && infeasibility(program, solution.x) <= kLargestInfeasibility) return solution;
@@ -71,9 +73,9 @@ LpSolution solve(const LinearProgram& program, SolverChoice choice, const LpLimi
     if (auto solution = interior()) return *solution;
   }
   LpSolution vertex = solve_by_simplex(program, limits.iterations, stop);
-  const bool at_an_end = vertex.status == LpStatus::kOptimal || vertex.status == LpStatus::kWorkLimit;
-  if (at_an_end || vertex.status == LpStatus::kStopped) return vertex;
-  vertex.status = without_best_point(program, vertex.status, stop);
+  const bool conclusive = vertex.status == LpStatus::kOptimal || vertex.status == LpStatus::kWorkLimit;
+  if (conclusive || vertex.status == LpStatus::kStopped) return vertex;
+  vertex.status = confirmed_status(program, vertex.status, stop);
   if (vertex.status != LpStatus::kFailed || interior_first) return vertex;
   return interior().value_or(vertex);
 }

@@ -1,6 +1,8 @@
-// The solvers behind one call [design: solve].  Simplex (COIN-OR Clp) for small models and where a vertex matters; the
-// interior point method for large ones; each of them again when the other fails.  That there is no best point is for
-// simplex to say and for the other to confirm (core/lp/shortage.h).
+// The linear program solvers behind one function [design: solve].
+//
+// Small programs, and those where a vertex matters, are solved by the simplex method (COIN-OR Clp), large ones by the
+// interior point method; each is the fallback of the other.  When simplex finds no optimum, the result is confirmed by
+// the interior point method on the phase one program (core/lp/phase_one_program.h).
 #pragma once
 
 #include <stop_token>
@@ -12,12 +14,12 @@ namespace selvage::lp::solver {
 enum class SolverChoice { kAutomatic, kSimplex, kInteriorPoint };
 
 struct LpLimits {
-  int iterations{100'000};  // simplex pivots; the interior point method has its own far smaller limit
-  double tolerance{};  // of 1 + |objective|: by so much the interior point method's answer may be worse than the best;
-                       // 0: as good as rounding lets it be.  A vertex is never worse
+  int iterations{100'000};  // limit of simplex pivots; the interior point method has its own, far smaller limit
+  double tolerance{};  // relative to 1 + |objective|: the interior point method's objective may exceed the optimum by
+                       // this much; 0: as exact as rounding allows.  Vertex solutions are always optimal
 };
 
-// Deterministic.  Stops soon after `stop` is requested, with kStopped.
+// Deterministic.  Returns kStopped soon after `stop` is requested.
 [[nodiscard]] LpSolution solve(const LinearProgram& program, SolverChoice choice, const LpLimits& limits = {},
                                std::stop_token stop = {});
 

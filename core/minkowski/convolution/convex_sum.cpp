@@ -7,7 +7,8 @@
 namespace selvage::minkowski::convolution {
 namespace {
 
-// The lowest vertex, the leftmost of several: edges leave it in the order of their directions from the x axis on.
+// The lowest vertex, and the leftmost of several.  Starting there, edges are ordered by the angle of their direction
+// from the x axis.
 std::size_t lowest(const Polygon& polygon) {
   const auto at =
       std::min_element(polygon.begin(), polygon.end(), [](Vec a, Vec b) { return a.y != b.y ? a.y < b.y : a.x < b.x; });
@@ -18,7 +19,7 @@ bool points_up(Vec d) {
   return d.y > 0 || (d.y == 0 && d.x > 0);
 }
 
-// a no later than b, counter-clockwise from the x axis.
+// True when direction a does not come after direction b, counter-clockwise from the x axis.
 bool no_later(Vec a, Vec b) {
   if (points_up(a) != points_up(b)) return points_up(a);
   return cross(a, b) >= 0;

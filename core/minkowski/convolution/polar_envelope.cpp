@@ -7,7 +7,7 @@
 namespace selvage::minkowski::convolution {
 namespace {
 
-// Distance from the origin, in the norm |x| + |y|: comparable along one ray.
+// The distance from the origin in the norm |x| + |y|, which compares points on one ray.
 double reach(double x, double y) {
   return std::abs(x) + std::abs(y);
 }
@@ -16,7 +16,7 @@ struct Point {
   double x{}, y{};
 };
 
-// Where the stretch's line meets the ray from the origin through (x, y).
+// The point where the stretch's line crosses the ray from the origin through (x, y).
 Point on_ray(const Stretch& s, double x, double y) {
   const double dx = s.x1 - s.x0;
   const double dy = s.y1 - s.y0;
@@ -26,7 +26,8 @@ Point on_ray(const Stretch& s, double x, double y) {
   return {r * x, r * y};
 }
 
-// Lists of stretches laid one after another in one buffer; `starts` marks where each list begins.
+// Several lists of stretches stored one after another in one buffer; `starts` holds the start of each list, and the
+// end.
 struct Runs {
   std::vector<Stretch> stretches;
   std::vector<std::size_t> starts;
@@ -34,7 +35,7 @@ struct Runs {
 
 constexpr std::size_t kUsualRuns = 16;
 
-// Follows the chains; cuts them where they pass the x axis.
+// Follows each chain of candidates, and cuts chains where they cross the positive x axis.
 Runs runs_of(std::span<const Candidate> candidates) {
   Runs runs;
   runs.stretches.reserve(candidates.size() + kUsualRuns);
@@ -139,7 +140,8 @@ class Merge {
     s.x0 = cut.x;
     s.y0 = cut.y;
   }
-  // Both begin at one angle: emits the outer one up to where the first of them ends.  False when a list is used up.
+  // Both stretches start at the same angle: emits the outer one up to the end of the shorter.  False when a list is
+  // exhausted.
   bool compare(Stretch& a, Stretch& b) {
     const bool a_ends = a.angle1 <= b.angle1;
     const bool b_ends = b.angle1 <= a.angle1;
@@ -158,7 +160,7 @@ class Merge {
     return a_left && b_left;
   }
   void emit_outer(const Stretch& a, const Stretch& b, double angle, Point end_a, Point end_b) {
-    constexpr double kSame = 4e-15;  // relative: two reaches this near are one
+    constexpr double kSame = 4e-15;  // relative tolerance within which two distances count as equal
     const double ra = reach(a.x0, a.y0);
     const double rb = reach(b.x0, b.y0);
     const double sa = reach(end_a.x, end_a.y);

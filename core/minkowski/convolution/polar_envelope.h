@@ -1,4 +1,4 @@
-// The outer envelope, seen from the origin, of chains of segments that turn counter-clockwise about it.
+// The outer envelope, seen from the origin, of chains of segments that turn counter-clockwise about the origin.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,16 @@
 
 namespace selvage::minkowski::convolution {
 
-// A stretch of one candidate that is seen from the centre: from (x0, y0) to (x1, y1), relative to the centre, over the
-// angles [angle0, angle1] (a monotone stand-in, 0..4 for a full turn from the x axis).
+// The part of a candidate edge that is visible from the centre: from (x0, y0) to (x1, y1), relative to the centre, over
+// the angles [angle0, angle1] (pseudo angles: 0..4 for a full turn from the x axis).
 struct Stretch {
   double angle0{}, angle1{};
   double x0{}, y0{}, x1{}, y1{};
   std::uint32_t candidate{};
 };
 
-// The outermost stretches in counter-clockwise order from the x axis.  They leave no gap when the centre is inside.
+// The outermost segments in counter-clockwise order from the x axis.  They leave no gap when the centre is inside the
+// sum.
 [[nodiscard]] std::vector<Stretch> polar_envelope(std::span<const Candidate> candidates);
 
 }  // namespace selvage::minkowski::convolution

@@ -9,7 +9,7 @@
 namespace selvage::minkowski::convolution {
 namespace {
 
-// A direction with a monotone stand-in for its angle in [0, 4), and the exact vector to settle near ties.
+// A direction: its pseudo angle in [0, 4), and the exact vector that decides nearly equal angles.
 struct Direction {
   Vec vector;
   double angle{};
@@ -17,7 +17,8 @@ struct Direction {
 Direction direction_of(Vec v) {
   return {v, geometry::pseudo_angle(static_cast<double>(v.x), static_cast<double>(v.y))};
 }
-// Negative: a before b counter-clockwise from the x axis, within one turn; 0: they point the same way.
+// Negative when a precedes b counter-clockwise from the x axis within one turn, positive when it follows; 0 when both
+// have the same direction.
 int order_of(const Direction& a, const Direction& b) {
   constexpr double kClear = 1e-12;
   if (std::abs(a.angle - b.angle) > kClear) return a.angle < b.angle ? -1 : 1;
@@ -28,7 +29,7 @@ bool before(const Direction& a, const Direction& b) {
   return order_of(a, b) < 0;
 }
 
-// A part's edges and which of its vertices are convex, with the edges sorted by direction.
+// A part's edges, its convex vertices, and the order of its edges by direction.
 struct Turns {
   explicit Turns(const Polygon& polygon) : edge(polygon.size()), convex(polygon.size()), by_direction(polygon.size()) {
     const std::size_t n = polygon.size();
@@ -48,7 +49,7 @@ struct Turns {
 };
 
 // Calls visit(edge) for every edge of `edges` whose direction lies in the turn from `in` to `out` (less than half a
-// turn). Of the two ends, `with_in` says which one belongs to the turn.
+// turn).  The turn includes one of its two ends: `in` when `with_in` is true, otherwise `out`.
 template <class Visit>
 void for_edges_in_turn(const Turns& edges, const Direction& in, const Direction& out, bool with_in, Visit visit) {
   const auto& order = edges.by_direction;
@@ -68,7 +69,7 @@ void for_edges_in_turn(const Turns& edges, const Direction& in, const Direction&
   }
 }
 
-// Links candidates that continue each other; a small open-addressed table from start to candidate.
+// Links each candidate to the one that continues it, using a small open-addressed hash table from start to candidate.
 void link(std::vector<Candidate>& candidates, std::size_t first_size, std::size_t second_size) {
   std::size_t slots = 16;
   while (slots < 2 * candidates.size()) slots *= 2;

@@ -1,4 +1,4 @@
-// The candidate edges of a star sum, linked into chains.
+// The candidate edges of a star-shaped sum, linked into chains [BL11].
 #pragma once
 
 #include <cstdint>
@@ -10,23 +10,23 @@ namespace selvage::minkowski::convolution {
 
 inline constexpr std::uint32_t kNoCandidate = UINT32_MAX;
 
-// A vertex of one part plus an edge of the other, placed relative to the sum's centre; turns counter-clockwise about
-// it.
+// A vertex of one part plus an edge of the other.  Candidates turn counter-clockwise about the sum's centre.
 struct Candidate {
-  Vec from, to;                                   // exact, in the frame of the sum
-  double ax{}, ay{}, bx{}, by{};                  // the same, relative to the centre
-  std::uint32_t first_vertex{}, second_vertex{};  // of the parts: what `from` is the sum of
-  std::uint32_t next{kNoCandidate};               // the candidate that begins where this one ends
+  Vec from, to;                                   // end points, exact, in the frame of the sum
+  double ax{}, ay{}, bx{}, by{};                  // the end points relative to the centre
+  std::uint32_t first_vertex{}, second_vertex{};  // the vertices of the two parts whose sum is `from`
+  std::uint32_t next{kNoCandidate};               // the candidate that starts where this one ends
   bool has_previous{};
-  bool edge_of_first{};  // the edge is the first part's
+  bool edge_of_first{};  // whether the edge belongs to the first part
 };
 
 // All candidates that turn counter-clockwise about first.kernel + second.kernel.
 [[nodiscard]] std::vector<Candidate> reduced_convolution(const outline::StarPart& first,
                                                          const outline::StarPart& second);
 
-// True when a vertex of one part plus an edge of the other, which leaves its vertex `edge` along `along`, lies inside
-// the sum of the whole polygons: the edge is a cut, or its direction is not in the whole polygon's turn at the vertex.
+// True when a vertex of one part plus an edge of the other (from its vertex `edge` in direction `along`) is known to
+// lie inside the sum of the whole polygons: the edge is a cut between parts, or its direction is not within the whole
+// polygon's turn at the vertex.
 [[nodiscard]] bool inside_whole(const outline::StarPart& of_vertex, std::size_t vertex,
                                 const outline::StarPart& of_edge, std::size_t edge, Vec along);
 

@@ -9,7 +9,7 @@
 namespace selvage::minkowski::convolution {
 namespace {
 
-// True for one point rounded in two ways.
+// True when the two can be the same point, rounded in two ways.
 bool same_but_for_rounding(Vec a, Vec b) {
   return std::abs(a.x - b.x) <= 1 && std::abs(a.y - b.y) <= 1;
 }
@@ -28,7 +28,8 @@ StarSum star_sum(const outline::StarPart& first, const outline::StarPart& second
   Vec to;
   for (const Stretch& s : envelope) {
     const Candidate& c = candidates[s.candidate];
-    // The start of each stretch is the end of the one before, but for jumps along rays (kernels without depth).
+    // Each stretch starts where the previous one ends, except for jumps along rays, which occur when a kernel has no
+    // depth.
     const bool goes_on = before != nullptr && before->x1 == s.x0 && before->y1 == s.y0;
     Vec from = goes_on ? to : lattice_point(s.x0, s.y0);
     to = lattice_point(s.x1, s.y1);
@@ -62,7 +63,7 @@ StarSum star_sum(const outline::StarPart& first, const outline::StarPart& second
       sum.edges.push_back({last, first_from, last, first_from, sum.edges.back().source, false});
     }
   }
-  // The envelope begins on the x axis, as a rule in the middle of an edge: make that edge whole.
+  // The envelope starts on the x axis, usually in the middle of an edge: join the two halves of that edge.
   SumEdge& front = sum.edges.front();
   if (sum.edges.size() > 1 && sum.edges.back().line_from == front.line_from &&
       sum.edges.back().line_to == front.line_to) {

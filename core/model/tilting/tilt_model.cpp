@@ -15,20 +15,20 @@ TiltModel::TiltModel(const marker::PlacedPieces& pieces, const Strip& strip, con
       column_(pieces.size(), -1),
       radius_(pieces.size(), 0) {
   lp::LinearProgram& program = positions_.program();
-  const double limit = farthest / positions_.unit();
+  const double limit = positions_.unit().to_columns(farthest);
   const Box room = strip.room(0);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const bool tilts = !turns_[i].empty();
     for (const auto position : {positions_.x_column(i), positions_.y_column(i)}) {
       if (!position) continue;
       const auto c = static_cast<std::size_t>(*position);
-      // A piece outside the strip, by rounding, must still be able to come back.
+      // A piece that is outside the strip, by rounding, must be able to come back.
       program.lower[c] = tilts ? -limit : std::max(program.lower[c], std::min(-limit, program.upper[c]));
       program.upper[c] = tilts ? limit : std::min(program.upper[c], std::max(limit, program.lower[c]));
     }
     if (!tilts) continue;
     radius_[i] = radius_of(pieces[i]);
-    const double arc = radius_[i] / positions_.unit();
+    const double arc = positions_.unit().to_columns(radius_[i]);
     column_[i] = program.add_column(0, turns_[i].least * arc, turns_[i].most * arc);
     const double turn = std::max(-turns_[i].least, turns_[i].most);
     for (const auto& [nx, ny, edge] : {std::tuple{1, 0, room.low.x}, {0, 1, room.low.y}, {0, -1, -room.high.y}}) {
@@ -58,7 +58,7 @@ void TiltModel::add(const TiltRow& tilt_row, std::optional<int> give) {
   }
   if (count == 0) return;
   if (give) put(*give, 1);
-  positions_.program().add_row(std::span{entries}.first(count), row.bound / positions_.unit());
+  positions_.program().add_row(std::span{entries}.first(count), positions_.unit().to_columns(row.bound));
 }
 
 void TiltModel::add_wall(std::size_t piece, const WallRow& wall, std::optional<int> length_column) {
@@ -68,9 +68,9 @@ void TiltModel::add_wall(std::size_t piece, const WallRow& wall, std::optional<i
   entries[count++] = {*position, static_cast<double>(wall.nx + wall.ny)};
   if (wall.turn != 0) entries[count++] = {column_[piece], wall.turn / radius_[piece]};
   if (length_column) entries[count++] = {*length_column, 1};
-  // What lies outside already, by rounding, is not asked to come back: a step must have an answer.
+  // A vertex that is outside already, by rounding, need not come back: every program must be feasible.
   const double bound = std::min(wall.bound, 0.0);
-  positions_.program().add_row(std::span{entries}.first(count), bound / positions_.unit());
+  positions_.program().add_row(std::span{entries}.first(count), positions_.unit().to_columns(bound));
 }
 
 void TiltModel::add_right_walls(std::optional<int> length_column) {
@@ -81,7 +81,7 @@ void TiltModel::add_right_walls(std::optional<int> length_column) {
       if (length_column && room <= 2 * farthest_) positions_.add_right_wall(i);
       if (const auto position = positions_.x_column(i); position && !length_column) {
         double& upper = positions_.program().upper[static_cast<std::size_t>(*position)];
-        upper = std::min(upper, room / positions_.unit());
+        upper = std::min(upper, positions_.unit().to_columns(room));
       }
       continue;
     }
@@ -96,7 +96,7 @@ void TiltModel::add_length(double cost, double shorten, double lengthen) {
   add_right_walls(positions_.program().columns() - 1);
 }
 
-void TiltModel::hold_length() {
+void TiltModel::fix_length() {
   add_right_walls(std::nullopt);
 }
 
@@ -104,7 +104,7 @@ std::vector<double> TiltModel::turns(std::span<const double> x) const {
   std::vector<double> turns(column_.size(), 0);
   for (std::size_t i = 0; i < column_.size(); ++i) {
     if (column_[i] < 0) continue;
-    const double turn = x[static_cast<std::size_t>(column_[i])] * positions_.unit() / radius_[i];
+    const double turn = positions_.unit().to_lattice(x[static_cast<std::size_t>(column_[i])]) / radius_[i];
     turns[i] = std::clamp(turn, turns_[i].least, turns_[i].most);
   }
   return turns;

@@ -7,13 +7,10 @@
 namespace selvage::model::tilting {
 namespace {
 
-constexpr double kBehind = 3;  // lattice units by which rounding may have put a vertex behind an edge it touches
+constexpr double kBehind = 3;  // lattice units: rounding may put a vertex this far behind an edge that it touches
 
-outline::Real2 real(Vec v) {
-  return {static_cast<double>(v.x), static_cast<double>(v.y)};
-}
 // n . J(c - pivot)
-double lever(double nx, double ny, outline::Real2 c, outline::Real2 pivot) {
+double lever(double nx, double ny, RealVec c, RealVec pivot) {
   return ny * (c.x - pivot.x) - nx * (c.y - pivot.y);
 }
 
@@ -54,15 +51,16 @@ class PairRows {
     return slack_of(side, q_.at - p_.at) - static_cast<double>(settings_.spacing);
   }
 
-  void add(const HalfPlane& side, outline::Real2 contact) {
-    const PairRow row = row_of(pair_, side, q_.at - p_.at, settings_.spacing, settings_.unit, TightRows::kKeep);
+  void add(const HalfPlane& side, RealVec contact) {
+    const PairRow row =
+        row_of(pair_, side_at(side, q_.at - p_.at, settings_.spacing), settings_.unit, TightRows::kKeep);
     if (-row.bound > settings_.reach) return;
     const TiltRow made{row, -lever(row.nx, row.ny, contact, pivot_p_), lever(row.nx, row.ny, contact, pivot_q_)};
     if (std::find(rows_.begin(), rows_.end(), made) == rows_.end()) rows_.push_back(made);
   }
 
-  // Where the vertex lies that made a half-plane, found from the difference of two vertices that anchors its line.
-  [[nodiscard]] outline::Real2 contact_of(const HalfPlane& side) {
+  // The vertex that made a half-plane, found from the line's anchor, which is the difference of two vertices.
+  [[nodiscard]] RealVec contact_of(const HalfPlane& side) {
     if (q_by_place_.empty()) sort_second();
     for (std::size_t i = 0; i < p_.vertices.size(); ++i) {
       const Vec wanted = p_.vertices[i] - side.anchor;
@@ -71,8 +69,8 @@ class PairRows {
       if (has_edge(p_.vertices, i, side.direction)) return real(wanted + q_.at);
       if (has_edge(q_.vertices, at->second, side.direction)) return real(p_.vertices[i] + p_.at);
     }
-    // Cut off square to the nearest point, for a spacing: the contact is there.
-    const geometry::Witness nearest = nearest_point(p_, q_);
+    // The half-plane cuts off a corner, for a spacing: the contact is the nearest point.
+    const RealVec nearest = nearest_point(p_, q_);
     return {nearest.x, nearest.y};
   }
   void sort_second() {
@@ -85,12 +83,12 @@ class PairRows {
     const auto dx = static_cast<double>(side.direction.x);
     const auto dy = static_cast<double>(side.direction.y);
     const double length = std::sqrt(dx * dx + dy * dy);
-    const outline::Real2 normal{dy / length, -dx / length};  // from P to Q
+    const RealVec normal{dy / length, -dx / length};  // from P to Q
     near_edges(p_, q_, normal, true);
     near_edges(q_, p_, {-normal.x, -normal.y}, false);
   }
   // Edges of `owner` whose outward normal is about `normal`, against vertices of `other`.
-  void near_edges(const geometry::PlacedPolygon& owner, const geometry::PlacedPolygon& other, outline::Real2 normal,
+  void near_edges(const geometry::PlacedPolygon& owner, const geometry::PlacedPolygon& other, RealVec normal,
                   bool owner_is_first) {
     const double least_cosine = std::cos(2 * settings_.turn) - 1e-12;
     const double most_gap = std::min(settings_.reach, swing_) + static_cast<double>(settings_.spacing);
@@ -100,7 +98,7 @@ class PairRows {
       const auto ex = static_cast<double>(to.x - from.x);
       const auto ey = static_cast<double>(to.y - from.y);
       const double length = std::sqrt(ex * ex + ey * ey);
-      const outline::Real2 out{ey / length, -ex / length};
+      const RealVec out{ey / length, -ex / length};
       if (out.x * normal.x + out.y * normal.y < least_cosine) continue;
       for (std::size_t v = 0; v < other.vertices.size(); ++v) {
         const Vec at = other.vertices[v] + other.at;
@@ -117,8 +115,8 @@ class PairRows {
       }
     }
   }
-  // True when turns of this size can make the vertex the first to touch something in the direction -out.
-  [[nodiscard]] bool supports(const geometry::PlacedPolygon& piece, std::size_t v, outline::Real2 out) const {
+  // True when turns of this size can make the vertex the farthest one in the direction -out.
+  [[nodiscard]] bool supports(const geometry::PlacedPolygon& piece, std::size_t v, RealVec out) const {
     const double most_sine = std::sin(2 * settings_.turn) + 1e-12;
     for (const Vec neighbour : {previous_of(piece.vertices, v), next_of(piece.vertices, v)}) {
       const auto x = static_cast<double>(neighbour.x - piece.vertices[v].x);
@@ -131,8 +129,8 @@ class PairRows {
   marker::PiecePair pair_;
   geometry::PlacedPolygon p_, q_;
   const TiltRowSettings& settings_;
-  outline::Real2 pivot_p_, pivot_q_;
-  double swing_;  // how far turns can bring parts of the two together
+  RealVec pivot_p_, pivot_q_;
+  double swing_;  // how far turns can bring parts of the two towards each other
   std::vector<std::pair<Vec, std::size_t>> q_by_place_;
   std::vector<TiltRow> rows_;
 };
@@ -144,16 +142,16 @@ bool operator==(const TiltRow& a, const TiltRow& b) {
          a.first_turn == b.first_turn && a.second_turn == b.second_turn;
 }
 
-outline::Real2 pivot_of(const geometry::PlacedPolygon& piece) {
+RealVec pivot_of(const geometry::PlacedPolygon& piece) {
   const Box box = piece.placed_box();
   return {static_cast<double>(box.low.x + box.high.x) / 2, static_cast<double>(box.low.y + box.high.y) / 2};
 }
 
 double radius_of(const geometry::PlacedPolygon& piece) {
-  const outline::Real2 pivot = pivot_of(piece);
+  const RealVec pivot = pivot_of(piece);
   double most = 0;
   for (const Vec v : piece.vertices) {
-    const outline::Real2 at = real(v + piece.at);
+    const RealVec at = real(v + piece.at);
     most = std::max(most, (at.x - pivot.x) * (at.x - pivot.x) + (at.y - pivot.y) * (at.y - pivot.y));
   }
   return std::sqrt(most);
@@ -166,7 +164,7 @@ std::vector<TiltRow> tilt_rows(marker::PiecePair pair, const geometry::PlacedPol
 }
 
 std::vector<WallRow> wall_rows(const geometry::PlacedPolygon& piece, int nx, int ny, Coord edge, double turn) {
-  const outline::Real2 pivot = pivot_of(piece);
+  const RealVec pivot = pivot_of(piece);
   const auto depth = [&](Vec v) { return nx * (v.x + piece.at.x) + ny * (v.y + piece.at.y); };
   Coord nearest = std::numeric_limits<Coord>::max();
   for (const Vec v : piece.vertices) nearest = std::min(nearest, depth(v));

@@ -17,14 +17,14 @@ std::vector<std::uint32_t> sweep_order(const marker::PlacedPieces& pieces) {
   return order;
 }
 
-// Bumps every piece once; returns how far they went, all together.
+// Bumps every piece once; returns the sum of the distances moved.
 double sweep(scene::Scene& scene, const scene::Run& run) {
   double gain = 0;
   for (const std::uint32_t piece : sweep_order(scene.pieces)) {
     if (run.stopped()) break;
-    const piece::Bump bumped = piece::bump(scene, piece, -1, 0);
+    const piece::Bump bumped = piece::bump(scene, PieceId{piece}, -1, 0);
     gain += bumped.gain;
-    scene.shift(piece, bumped.at - scene.pieces.at(piece));
+    scene.shift(PieceId{piece}, bumped.at - scene.pieces.at(piece));
   }
   return gain;
 }
@@ -49,7 +49,7 @@ scene::StopReason sweep_until_still(scene::Scene& scene, const SweepSettings& se
 
 Result<compaction::Compaction> compact_one_at_a_time(const Marker& start, const SweepSettings& settings,
                                                      const scene::Run& run) {
-  return compaction::repaired_and(start, run, [&](scene::Scene& scene) {
+  return compaction::shortened(start, run, [&](scene::Scene& scene) {
     compaction::Progress progress;
     progress.reason = sweep_until_still(scene, settings, run, progress.rounds);
     return progress;

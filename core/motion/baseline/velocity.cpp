@@ -6,20 +6,15 @@
 #include <optional>
 
 #include "core/lp/solver/solve.h"
-#include "core/marker/validity.h"
-#include "core/model/free_region.h"
+#include "core/marker/clearance.h"
+#include "core/model/pair_rows.h"
 #include "core/model/snap.h"
 #include "core/motion/baseline/collision.h"
 
 namespace selvage::motion::baseline {
 namespace {
 
-constexpr double kClearance = 3;        // lattice units: room for rounding, kept between slanted edges
-constexpr double kLeastTouching = 0.5;  // lattice units beyond the clearance
-constexpr double kRestoring = 1e5;      // units of time in which a contact gets its clearance back
-constexpr double kFastest = 1;          // lattice units per unit of time, on each axis [Li94 2.5]
-
-// Two pieces that may meet within the horizon.
+// Two pieces that may collide within the horizon.
 struct Near {
   marker::PiecePair pair;
   minkowski::Obstacle obstacle;
@@ -38,7 +33,8 @@ class Simulation {
         settings_{settings},
         run_{run},
         horizon_{settings.horizon * static_cast<double>(scene.marker.strip.width)},
-        touching_{std::max(kLeastTouching, settings.touching * static_cast<double>(scene.marker.strip.width))},
+        touching_{std::max(settings.tuning.least_touching,
+                           settings.touching * static_cast<double>(scene.marker.strip.width))},
         start_{scene.pieces.positions()},
         moved_(start_.size()),
         longest_{scene.pieces.length()},
@@ -48,7 +44,7 @@ class Simulation {
         best_{start_},
         best_length_{longest_} {}
 
-  // The scene is left as short as it got.
+  // Leaves the scene at the shortest marker met.
   scene::StopReason run(int& steps, int& programs) {
     const scene::StopReason reason = simulate(steps, programs);
     scene_.pieces.place(best_);
@@ -85,8 +81,9 @@ class Simulation {
     }
   }
 
+  [[nodiscard]] const VelocityTuning& tuning() const { return settings_.tuning; }
   [[nodiscard]] double clearance(marker::PiecePair pair) const {
-    return static_cast<double>(scene_.pieces.spacing(pair)) + kClearance;
+    return static_cast<double>(scene_.pieces.spacing(pair)) + tuning().clearance;
   }
   [[nodiscard]] FinePosition relative(marker::PiecePair pair) const {
     const double x = moved_[pair.second].x - moved_[pair.first].x;
@@ -96,31 +93,29 @@ class Simulation {
             {x - static_cast<double>(whole.x), y - static_cast<double>(whole.y)}};
   }
 
-  // The touching pairs [Li94 2.3, 2.6], of which a free region that looks no farther keeps those that matter.
+  // The touching pairs [Li94 2.3, 2.6], reduced to those that bound a free region of this reach.
   [[nodiscard]] std::vector<ContactRow> contact_rows() const {
     std::vector<ContactRow> rows;
     for (const Near& near : near_) {
       const Coord spacing = scene_.pieces.spacing(near.pair);
-      const model::RegionSettings region{model::RegionRule::kGreedy, clearance(near.pair) + touching_ + kLeastTouching,
-                                         spacing};
+      const model::RegionSettings region{model::RegionRule::kGreedy,
+                                         clearance(near.pair) + touching_ + tuning().least_touching, spacing};
       const FinePosition r = relative(near.pair);
-      for (const model::HalfPlane& side : free_region(near.obstacle, r.at, region)) {
-        const model::PairRow row = row_of(near.pair, side, r.at, spacing, 0, model::TightRows::kKeep);
-        const double slack =
-            slack_of(side, r.at) + row.nx * r.rest.x + row.ny * r.rest.y - static_cast<double>(spacing);
-        if (slack > kClearance + touching_ + kLeastTouching) continue;
-        const bool slanted = side.direction.x != 0 && side.direction.y != 0;
-        const double lost = slanted ? std::max(0.0, kClearance - slack) : 0;
-        rows.push_back({near.pair, row.nx, row.ny, lost / kRestoring});
+      for (const model::FreeSide& side : model::free_sides({near.obstacle, r.at, r.at, 0}, region)) {
+        const auto [nx, ny] = side.normal;
+        const double slack = side.slack + nx * r.rest.x + ny * r.rest.y - static_cast<double>(spacing);
+        if (slack > tuning().clearance + touching_ + tuning().least_touching) continue;
+        const double lost = side.slanted() ? std::max(0.0, tuning().clearance - slack) : 0;
+        rows.push_back({near.pair, nx, ny, lost / tuning().restoring});
       }
     }
     return rows;
   }
 
-  std::optional<std::vector<model::Displacement>> solve_velocities(int& programs) {
+  std::optional<std::vector<RealVec>> solve_velocities(int& programs) {
     run_.observer.on_stage(scene::Stage::kRows);
     const std::vector<ContactRow> rows = contact_rows();
-    for (const double restoring : {1.0, 0.0}) {  // without room for the clearance, at least what there is stays
+    for (const double restoring : {1.0, 0.0}) {  // if there is no room for the clearance, at least keep the present one
       run_.observer.on_stage(scene::Stage::kSolve);
       const lp::LinearProgram program = velocity_program(rows, restoring);
       run_.observer.on_program(program);
@@ -128,7 +123,7 @@ class Simulation {
       ++programs;
       if (solution.status == lp::LpStatus::kStopped) return std::nullopt;
       if (solution.status != lp::LpStatus::kOptimal) continue;
-      std::vector<model::Displacement> velocity(start_.size());
+      std::vector<RealVec> velocity(start_.size());
       for (std::size_t i = 0; i < velocity.size(); ++i) {
         const auto speed = [&](int column) { return column < 0 ? 0 : solution.x[static_cast<std::size_t>(column)]; };
         velocity[i] = {speed(x_[i]), speed(y_[i])};
@@ -143,7 +138,7 @@ class Simulation {
   [[nodiscard]] lp::LinearProgram velocity_program(const std::vector<ContactRow>& rows, double restoring) {
     lp::LinearProgram program;
     add_pieces(program);
-    const int piston = program.add_column(1, -kFastest, 0);
+    const int piston = program.add_column(1, -tuning().fastest, 0);
     for (std::size_t i = 0; i < start_.size(); ++i) {
       if (walls(i).right > touching_) continue;
       const std::array<lp::LinearProgram::Entry, 2> entries{{{piston, 1}, {x_[i], -1}}};
@@ -165,13 +160,13 @@ class Simulation {
     }
     return program;
   }
-  // Pieces tied to each other share a column; at an edge of the strip there is no way but back.
+  // Pieces tied to each other share a column; at an edge of the strip a piece can only move away from it.
   void add_pieces(lp::LinearProgram& program) {
     const double gravity = settings_.gravity / static_cast<double>(start_.size());
     std::vector<int> x_of(start_.size(), kNone);  // by tie
     std::vector<int> y_of(start_.size(), kNone);
     const auto add = [&](int& column, double cost, bool at_low, bool at_high) {
-      if (column == kNone) column = program.add_column(0, -kFastest, kFastest);
+      if (column == kNone) column = program.add_column(0, -tuning().fastest, tuning().fastest);
       const auto c = static_cast<std::size_t>(column);
       program.cost[c] += cost;
       if (at_low) program.lower[c] = 0;
@@ -200,12 +195,12 @@ class Simulation {
   }
 
   // [Li94 2.2.2]
-  [[nodiscard]] double next_collision(const std::vector<model::Displacement>& velocity) const {
+  [[nodiscard]] double next_collision(const std::vector<RealVec>& velocity) const {
     double time = horizon_;
     for (const Near& near : near_) {
       const double reach = clearance(near.pair);
       const auto& [p, q] = near.pair;
-      const model::Displacement towards{velocity[q].x - velocity[p].x, velocity[q].y - velocity[p].y};
+      const RealVec towards{velocity[q].x - velocity[p].x, velocity[q].y - velocity[p].y};
       time = collision_time(near.obstacle, relative(near.pair), towards, {reach, reach + touching_, time});
     }
     const auto meet = [&](double room, double speed) {
@@ -221,11 +216,11 @@ class Simulation {
     return time;
   }
 
-  // Lets the time pass, or most of it when rounding to the lattice breaks something at its end.
-  bool advance(const std::vector<model::Displacement>& velocity, double time) {
+  // Advances by this time, or by most of it when rounding to the lattice makes its end invalid.
+  bool advance(const std::vector<RealVec>& velocity, double time) {
     run_.observer.on_stage(scene::Stage::kVerify);
     for (const double part : {1.0, 1 - 1e-3, 0.5, 0.1}) {
-      std::vector<model::Displacement> moved = moved_;
+      std::vector<RealVec> moved = moved_;
       for (std::size_t i = 0; i < moved.size(); ++i) {
         moved[i] = {moved[i].x + part * time * velocity[i].x, moved[i].y + part * time * velocity[i].y};
       }
@@ -236,15 +231,12 @@ class Simulation {
     }
     return false;
   }
-  bool proved(const std::vector<model::Displacement>& moved) {
+  bool proved(const std::vector<RealVec>& moved) {
     marker::PlacedPieces pieces = scene_.pieces;
-    std::vector<Vec> positions = snapped(moved);
+    std::vector<Vec> positions = model::snapped(moved);
     for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + start_[i];
     pieces.place(std::move(positions));
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-      if (protrusion_of(pieces.box(i), scene_.marker.strip) > 0) return false;
-    }
-    if (pieces.length() > longest_ || !conflicts(pieces).empty()) return false;
+    if (pieces.length() > longest_ || !all_clear(pieces, scene_.marker.strip)) return false;
     scene_.pieces = std::move(pieces);
     if (scene_.pieces.length() < best_length_) {
       best_length_ = scene_.pieces.length();
@@ -256,12 +248,12 @@ class Simulation {
   scene::Scene& scene_;
   const VelocitySettings& settings_;
   const scene::Run& run_;
-  double horizon_;                          // units of time, at kFastest as many lattice units
-  double touching_;                         // lattice units beyond the clearance; nearer is contact
-  std::vector<Vec> start_;                  // where the pieces were,
-  std::vector<model::Displacement> moved_;  // and how far they have come since; not rounded
+  double horizon_;              // units of time, at tuning().fastest as many lattice units
+  double touching_;             // lattice units beyond the clearance; nearer is contact
+  std::vector<Vec> start_;      // positions of the pieces at the start,
+  std::vector<RealVec> moved_;  // and their displacements since then; not rounded
   Coord longest_;
-  double piston_;  // where it stands
+  double piston_;  // its position
   double piston_velocity_{};
   static constexpr int kNone = -1;
   std::vector<int> x_, y_;  // the columns of each piece; kNone when it cannot move that way
@@ -274,7 +266,7 @@ class Simulation {
 
 Result<compaction::Compaction> compact_by_velocities(const Marker& start, const VelocitySettings& settings,
                                                      const scene::Run& run) {
-  return compaction::repaired_and(start, run, [&](scene::Scene& scene) {
+  return compaction::shortened(start, run, [&](scene::Scene& scene) {
     compaction::Progress progress;
     progress.reason = Simulation{scene, settings, run}.run(progress.rounds, progress.programs);
     return progress;

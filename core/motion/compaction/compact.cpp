@@ -9,11 +9,6 @@
 namespace selvage::motion::compaction {
 namespace {
 
-constexpr double kTrustAhead = 2;     // next round's trust, as a multiple of the last one's farthest move
-constexpr double kLeastTrust = 0.05;  // as a part of the first round's trust
-constexpr double kLongFrom = 10;      // widths
-constexpr double kLittle = 2e-5;      // of the width: no round gains so little but the last, or one of a fine search
-
 scene::StopReason reason_of(step::StepEnd end) {
   return end == step::StepEnd::kSolverFailed ? scene::StopReason::kSolverFailed : scene::StopReason::kConverged;
 }
@@ -58,11 +53,13 @@ Progress improve(scene::Scene& scene, const step::Goal& goal, const CompactionSe
                                    .solver = settings.solver,
                                    .extent = settings.extent,
                                    .simplification = settings.simplification,
-                                   .tolerance = settings.solver_tolerance};
-  // What is worth another round of a long marker is measured by its length.
+                                   .tolerance = settings.solver_tolerance,
+                                   .tuning = settings.tuning.step};
+  // In long markers the gain that justifies another round is measured against the length.
   const double widths = static_cast<double>(scene.pieces.length()) / static_cast<double>(scene.marker.strip.width);
-  const double least_gain = settings.least_gain * (goal.shorten > 0 ? std::max(1.0, widths / kLongFrom) : 1.0);
-  step_settings.worth = std::min(settings.least_gain, kLittle);
+  const double least_gain =
+      settings.least_gain * (goal.shorten > 0 ? std::max(1.0, widths / settings.tuning.long_from) : 1.0);
+  step_settings.worth = std::min(settings.least_gain, settings.tuning.little);
   while (progress.rounds < settings.rounds) {
     const step::PositionStep step = position_step(scene, goal, step_settings, run);
     progress.programs += step.programs;
@@ -76,8 +73,9 @@ Progress improve(scene::Scene& scene, const step::Goal& goal, const CompactionSe
       step_settings.last_moves[i] = step.positions[i] - scene.pieces.at(i);
     }
     scene.pieces.place(step.positions);
-    // Rounds move pieces less and less: look only as far as the next may go.
-    step_settings.trust = std::clamp(kTrustAhead * step.farthest, kLeastTrust * settings.trust, settings.trust);
+    // Pieces move less from round to round: look only as far as the next round may go.
+    step_settings.trust = std::clamp(settings.tuning.trust_ahead * step.farthest,
+                                     settings.tuning.least_trust * settings.trust, settings.trust);
     progress.gain += step.gain * static_cast<double>(scene.marker.strip.width);
     ++progress.rounds;
     run.observer.on_round({progress.rounds, scene.pieces.length()});
@@ -89,28 +87,24 @@ Progress improve(scene::Scene& scene, const step::Goal& goal, const CompactionSe
   return progress;
 }
 
-Result<Compaction> repaired_and(const Marker& start, const scene::Run& run,
-                                const std::function<Progress(scene::Scene&)>& work) {
-  run.observer.on_stage(scene::Stage::kOther);
-  scene::Scene scene{start, run.sums};
-  Compaction best;
-  best.length_before = scene.pieces.length();
-  best.utilisation_before = utilisation_at(start, best.length_before);
-  const auto repair = repair::repair_overlaps(scene, run);
-  if (!repair) return repair.error();
-  best.repair = *repair;
-  const Progress progress = work(scene);
-  best.reason = progress.reason;
-  best.rounds = progress.rounds;
-  best.programs = progress.programs;
-  best.marker = scene.result();
-  best.length_after = scene.pieces.length();
-  best.utilisation_after = utilisation_at(best.marker, best.length_after);
-  return best;
+void record(const Progress& progress, repair::MotionResult& result) {
+  result.reason = progress.reason;
+  result.rounds = progress.rounds;
+  result.programs = progress.programs;
+}
+
+Result<Compaction> shortened(const Marker& start, const scene::Run& run,
+                             const std::function<Progress(scene::Scene&)>& work) {
+  auto done = repair::repaired_and<Compaction>(
+      start, run, [&](scene::Scene& scene, Compaction& compaction) { record(work(scene), compaction); });
+  if (!done) return done;
+  done->utilisation_before = utilisation_at(start, done->length_before);
+  done->utilisation_after = utilisation_at(done->marker, done->length_after);
+  return done;
 }
 
 Result<Compaction> compact(const Marker& start, const CompactionSettings& settings, const scene::Run& run) {
-  return repaired_and(start, run, [&](scene::Scene& scene) {
+  return shortened(start, run, [&](scene::Scene& scene) {
     return improve(scene, step::leftward_goal(scene, settings.gravity), settings, run);
   });
 }

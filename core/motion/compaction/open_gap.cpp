@@ -11,16 +11,13 @@
 namespace selvage::motion::compaction {
 namespace {
 
-constexpr int kTries = 4;       // steps that gain nothing, each shorter than the last, before the end
-constexpr double kShorter = 4;  // times
-
 class Opening {
  public:
   Opening(scene::Scene& scene, const CompactionSettings& settings, const marker::UnoccupiedSettings& regions,
-          const scene::Run& run)
-      : scene_{scene}, settings_{settings}, regions_{regions}, run_{run}, quiet_{run.quiet()} {}
+          const GapTuning& tuning, const scene::Run& run)
+      : scene_{scene}, settings_{settings}, regions_{regions}, tuning_{tuning}, run_{run}, quiet_{run.quiet()} {}
 
-  // Names the gap; false when there is none such, or when it was asked to stop before it was found.
+  // Finds the gap; false when it does not exist, or when cancelled before it was found.
   bool choose(const GapChoice& choice) {
     if (const auto* outline = std::get_if<AwayFromOutline>(&choice)) {
       auto found = regions();
@@ -33,7 +30,8 @@ class Opening {
     inside_ = std::get<AwayFromPoint>(choice).point;
     return find_again();
   }
-  // The gap about the same point where the pieces are now; false when it has closed, or likewise.
+  // Finds the gap about the same point again, with the pieces where they are now; false when it has closed, or when
+  // cancelled.
   bool find_again() {
     auto found = regions();
     auto holding = holds(found);
@@ -62,13 +60,13 @@ class Opening {
         ++progress_.rounds;
         run_.observer.on_round({progress_.rounds, scene_.pieces.length()});
       }
-      // Forces follow the area to first order only: a long step may overshoot where a short one gains.
+      // The forces follow the area to first order only: a short step may gain where a long one overshoots.
       if (!larger || gap_.area - area < settings_.least_gain * area) {
-        if (step.rounds == 0 || ++tries == kTries) {
+        if (step.rounds == 0 || ++tries == tuning_.tries) {
           progress_.reason = scene::StopReason::kConverged;
           return;
         }
-        one_round.trust /= kShorter;
+        one_round.trust /= tuning_.shorter;
       }
     }
   }
@@ -78,7 +76,7 @@ class Opening {
   [[nodiscard]] Vec inside() const { return inside_; }
 
  private:
-  // None when asked to stop.
+  // Empty when cancelled.
   [[nodiscard]] std::vector<marker::UnoccupiedRegion> regions() const {
     auto found = unoccupied_regions(scene_.pieces, scene_.marker.strip, regions_, run_.stop);
     return found ? *std::move(found) : std::vector<marker::UnoccupiedRegion>{};
@@ -89,7 +87,7 @@ class Opening {
     });
     return held == found.end() ? std::nullopt : std::optional{std::move(*held)};
   }
-  // The gap as it is now; false, and nothing changed, when it has not grown as far as is known.
+  // Takes the gap as it is now; false, with nothing changed, when it is not known to have grown.
   bool take_larger() {
     auto found = regions();
     auto now = holds(found);
@@ -118,6 +116,7 @@ class Opening {
   scene::Scene& scene_;
   const CompactionSettings& settings_;
   const marker::UnoccupiedSettings& regions_;
+  const GapTuning& tuning_;
   const scene::Run& run_;
   const scene::Run quiet_;  // for the rounds of compaction within a round
   bool from_point_{};
@@ -126,46 +125,40 @@ class Opening {
   Progress progress_;
 };
 
+Error not_found(const GapChoice& choice, const scene::Run& run) {
+  if (run.stopped()) return {ErrorCode::kStoppedEarly, "stopped before the gap was found", ""};
+  if (const auto* outline = std::get_if<AwayFromOutline>(&choice)) {
+    return {ErrorCode::kOutOfRange,
+            "region number " + std::to_string(outline->region) + " is not among the unoccupied regions", "/region"};
+  }
+  return {ErrorCode::kOutOfRange, "the point lies in no unoccupied region large enough to count", "/point"};
+}
+
 }  // namespace
 
 Result<OpenedGap> open_gap(const Marker& start, const GapChoice& choice, const CompactionSettings& settings,
-                           const marker::UnoccupiedSettings& regions, const scene::Run& run) {
+                           const marker::UnoccupiedSettings& regions, const scene::Run& run, const GapTuning& tuning) {
   run.observer.on_stage(scene::Stage::kOther);
   scene::Scene scene{start, run.sums};
-  OpenedGap opened;
-  opened.length_before = scene.pieces.length();
-  Opening opening{scene, settings, regions, run};
-  // A region's number is its place in the list of the marker as it came; healing may change the list.
+  Opening opening{scene, settings, regions, tuning, run};
+  // A region's number is its place in the list of the marker as it came in; repair may change the list.
   const bool by_number = std::holds_alternative<AwayFromOutline>(choice);
   bool found = by_number && opening.choose(choice);
-  const auto repair = repair::repair_overlaps(scene, run);
-  if (!repair) return repair.error();
-  opened.repair = *repair;
-  if (!by_number) {
-    found = opening.choose(choice);
-  } else if (found && repair->farthest_move > 0) {
-    found = opening.find_again();
-  }
-  if (!found && run.stopped()) {
-    return Error{ErrorCode::kStoppedEarly, "stopped before the gap was found", ""};
-  }
-  if (!found) {
-    return Error{ErrorCode::kOutOfRange,
-                 by_number ? "region number " + std::to_string(std::get<AwayFromOutline>(choice).region) +
-                                 " is not among the unoccupied regions"
-                           : "the point lies in no unoccupied region large enough to count",
-                 by_number ? "/region" : "/point"};
-  }
-  opened.before = opening.gap();
-  opening.run();
-  opened.reason = opening.progress().reason;
-  opened.rounds = opening.progress().rounds;
-  opened.programs = opening.progress().programs;
-  opened.inside = opening.inside();
-  opened.after = opening.gap();
-  opened.marker = scene.result();
-  opened.length_after = scene.pieces.length();
-  return opened;
+  const auto repairing = [&] { return repair::repair_overlaps(scene, run); };
+  return repair::repaired_and<OpenedGap>(scene, repairing, [&](OpenedGap& opened) -> std::optional<Error> {
+    if (!by_number) {
+      found = opening.choose(choice);
+    } else if (found && opened.repair.farthest_move > 0) {
+      found = opening.find_again();
+    }
+    if (!found) return not_found(choice, run);
+    opened.before = opening.gap();
+    opening.run();
+    record(opening.progress(), opened);
+    opened.inside = opening.inside();
+    opened.after = opening.gap();
+    return std::nullopt;
+  });
 }
 
 }  // namespace selvage::motion::compaction

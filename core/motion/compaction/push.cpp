@@ -8,14 +8,8 @@
 #include "core/scene/scene.h"
 
 namespace selvage::motion::compaction {
-namespace {
-
-constexpr double kStillness = 1e-4;  // of the largest force
-
-}  // namespace
-
 Result<step::Goal> pushing_goal(std::span<const Force> forces, std::size_t pieces) {
-  step::Goal goal{std::vector<model::Displacement>(pieces), 0, kStillness};
+  step::Goal goal{std::vector<RealVec>(pieces), 0, kPushPenalty};
   double largest = 0;
   for (std::size_t k = 0; k < forces.size(); ++k) {
     const Force& force = forces[k];
@@ -28,12 +22,12 @@ Result<step::Goal> pushing_goal(std::span<const Force> forces, std::size_t piece
     if (!std::isfinite(force.x) || !std::isfinite(force.y)) {
       return Error{ErrorCode::kOutOfRange, "a force must be finite", field};
     }
-    model::Displacement& sum = goal.force[force.piece.value];
+    RealVec& sum = goal.force[force.piece.value];
     sum = {sum.x + force.x, sum.y + force.y};
     largest = std::max({largest, std::abs(sum.x), std::abs(sum.y)});
   }
   if (largest > 0) {
-    for (model::Displacement& force : goal.force) force = {force.x / largest, force.y / largest};
+    for (RealVec& force : goal.force) force = {force.x / largest, force.y / largest};
   }
   return goal;
 }
@@ -43,20 +37,11 @@ Result<Push> push(const Marker& start, std::span<const Force> forces, const Comp
   run.observer.on_stage(scene::Stage::kOther);
   const auto goal = pushing_goal(forces, start.pieces.size());
   if (!goal) return goal.error();
-  scene::Scene scene{start, run.sums};
-  Push best;
-  best.length_before = scene.pieces.length();
-  const auto repair = repair::repair_overlaps(scene, run);
-  if (!repair) return repair.error();
-  best.repair = *repair;
-  const auto progress = improve(scene, *goal, settings, run);
-  best.reason = progress.reason;
-  best.rounds = progress.rounds;
-  best.programs = progress.programs;
-  best.gain = progress.gain;
-  best.marker = scene.result();
-  best.length_after = scene.pieces.length();
-  return best;
+  return repair::repaired_and<Push>(start, run, [&](scene::Scene& scene, Push& pushed) {
+    const Progress progress = improve(scene, *goal, settings, run);
+    record(progress, pushed);
+    pushed.gain = progress.gain;
+  });
 }
 
 std::vector<Force> gravity(const Marker& marker, double x, double y) {

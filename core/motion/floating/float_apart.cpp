@@ -11,11 +11,6 @@
 namespace selvage::motion::floating {
 namespace {
 
-constexpr double kTrustAhead = 2;     // next round's trust, as a multiple of the last one's farthest move
-constexpr double kLeastTrust = 0.05;  // as a part of the first round's trust
-constexpr double kLoaded = 1e-6;      // loads below this are a solver's rounding; all loads on the minimum add up to 1
-constexpr Coord kRounding = 4;        // lattice units that a critical gap may lose while others widen
-
 class Floater {
  public:
   Floater(scene::Scene& scene, const FloatSettings& settings, const scene::Run& run)
@@ -77,7 +72,8 @@ class Floater {
       if (step.end == step::StepEnd::kSolverFailed) return scene::StopReason::kSolverFailed;
       if (step.end == step::StepEnd::kNoGain) return scene::StopReason::kConverged;
       scene_.pieces.place(std::move(step.positions));
-      trust = std::clamp(kTrustAhead * step.farthest, kLeastTrust * widest_trust, widest_trust);
+      trust = std::clamp(settings_.tuning.trust_ahead * step.farthest, settings_.tuning.least_trust * widest_trust,
+                         widest_trust);
       ++best.rounds;
       run_.observer.on_round({best.rounds, scene_.pieces.length()});
       if (step.gain < settings_.least_gain * width) return scene::StopReason::kConverged;
@@ -88,32 +84,33 @@ class Floater {
   [[nodiscard]] bool asks_for_minimum() const {
     return settings_.mode == FloatMode::kLargestMinimum || settings_.mode == FloatMode::kTwoStep;
   }
-  // A critical set is what carries load: all of it does in the middle of the optimal face, at a vertex perhaps a part.
+  // A critical set is read from loads: in the middle of the optimal face all of its gaps carry load, at a vertex
+  // perhaps only some.
   [[nodiscard]] lp::solver::SolverChoice solver() const {
     const bool any = settings_.solver == lp::solver::SolverChoice::kAutomatic;
     return any && asks_for_minimum() ? lp::solver::SolverChoice::kInteriorPoint : settings_.solver;
   }
 
-  // Every gap that a round can make narrower than what counts.
+  // Every gap that a round can make narrower than the width that counts.
   [[nodiscard]] std::vector<FloatGap> gaps_near(double trust) const {
     const Coord reach = most_ + static_cast<Coord>(std::ceil(2 * trust)) + 2;
     std::vector<FloatGap> near;
     for (const Gap& gap : gaps_within(scene_, reach, aim_.strip, settings_.edges)) {
       FloatGap now{gap, width_within(gap, scene_.pieces, aim_.strip, aim_.most), least_, false, aim_.most};
-      // What is uniform is the widths of the gaps there were; no other gap is to become one.
+      // The gaps that there were become uniform; others only stay as wide as they are.
       if (settings_.mode == FloatMode::kUniform) now.held = !start_gaps_.contains(gap);
       if (const auto critical = critical_.find(gap); critical != critical_.end()) {
         now.held = true;
         now.keep = static_cast<double>(critical->second);
-        now.least = std::max(least_, critical->second - kRounding);
+        now.least = std::max(least_, critical->second - settings_.tuning.rounding);
       }
       near.push_back(now);
     }
     return near;
   }
 
-  // Sets aside what holds the minimum now.  False when nothing does: no gap that is left can be wider, or none is
-  // narrow.
+  // Sets aside the gaps that limit the minimum.  False when there are none: no remaining gap can become wider, or none
+  // is narrow.
   bool add_critical_set(Floating& best) {
     double least = aim_.most;
     for (FloatGap& gap : gaps_) {
@@ -127,14 +124,14 @@ class Floater {
     return true;
   }
 
-  // The gaps that carry load in the last program, if it asked for the minimum; else, or when none does, those that have
-  // it.
+  // The gaps that carry load in the last program, if it maximised the minimum; otherwise, or if none does, those that
+  // have the minimum.
   [[nodiscard]] std::vector<Gap> holding(double least) const {
     std::vector<Gap> loaded;
     std::vector<Gap> narrowest;
     for (std::size_t k = 0; k < gaps_.size(); ++k) {
       if (gaps_[k].held) continue;
-      if (k < loads_.size() && loads_[k] > kLoaded) loaded.push_back(gaps_[k].gap);
+      if (k < loads_.size() && loads_[k] > settings_.tuning.loaded) loaded.push_back(gaps_[k].gap);
       if (gaps_[k].now <= least + 1) narrowest.push_back(gaps_[k].gap);
     }
     return asks_for_minimum() && !loaded.empty() ? loaded : narrowest;
@@ -147,9 +144,9 @@ class Floater {
   FloatAim aim_;
   std::set<Gap> start_gaps_;
   Coord least_{};
-  std::map<Gap, Coord> critical_;  // what holds a stage's minimum, and that minimum
+  std::map<Gap, Coord> critical_;  // the gaps that limit a stage's minimum, and that minimum
   std::vector<FloatGap> gaps_;     // of the last round
-  std::vector<double> loads_;      // and what they carried
+  std::vector<double> loads_;      // that they carried
 };
 
 }  // namespace
@@ -167,29 +164,21 @@ FloatSettings float_settings(FloatMode mode, Coord distance) {
 }
 
 Result<Floating> float_apart(const Marker& start, const FloatSettings& settings, const scene::Run& run) {
-  run.observer.on_stage(scene::Stage::kOther);
   if (settings.distance <= 0 || settings.distance >= kLatticeLimit) {
     return Error{ErrorCode::kOutOfRange,
                  "the distance is " + std::to_string(settings.distance) +
                      " lattice units; it must be positive and less than 2^40",
                  "/distance"};
   }
-  scene::Scene scene{start, run.sums};
-  Floating best;
-  best.length_before = scene.pieces.length();
-  const auto repair = repair::repair_overlaps(scene, run);
-  if (!repair) return repair.error();
-  best.repair = *repair;
-  const scene::Scene healed = scene;
-  Floater floater{scene, settings, run};
-  best.least_before = floater.least_width();
-  floater.run(best);
-  best.marker = scene.result();
-  best.length_after = scene.pieces.length();
-  best.least_after = floater.least_width();
-  best.reached = best.least_after >= settings.distance;
-  best.gaps = floater.widths(healed);
-  return best;
+  return repair::repaired_and<Floating>(start, run, [&](scene::Scene& scene, Floating& floating) {
+    const scene::Scene repaired = scene;
+    Floater floater{scene, settings, run};
+    floating.least_before = floater.least_width();
+    floater.run(floating);
+    floating.least_after = floater.least_width();
+    floating.reached = floating.least_after >= settings.distance;
+    floating.gaps = floater.widths(repaired);
+  });
 }
 
 }  // namespace selvage::motion::floating

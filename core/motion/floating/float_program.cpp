@@ -32,7 +32,7 @@ WidthRow edge_row(std::size_t index, StripEdge edge, double width) {
   return {index, 0, -1, width, 0};
 }
 
-outline::Real2 between_centres(const Box& from, const Box& to) {
+RealVec between_centres(const Box& from, const Box& to) {
   return {static_cast<double>(to.low.x + to.high.x - from.low.x - from.high.x),
           static_cast<double>(to.low.y + to.high.y - from.low.y - from.high.y)};
 }
@@ -71,7 +71,7 @@ double worth_of(const FloatAim& aim, std::span<const FloatGap> gaps, std::span<c
 std::vector<WidthRow> width_rows(const scene::Scene& scene, const FloatAim& aim, std::span<const FloatGap> gaps,
                                  double trust) {
   std::vector<WidthRow> rows;
-  const double unit = static_cast<double>(scene.marker.strip.width) / 1000;
+  const model::ModelUnit unit{scene.marker.strip};
   for (std::size_t k = 0; k < gaps.size(); ++k) {
     const FloatGap& gap = gaps[k];
     if (!other_piece(gap.gap)) {
@@ -81,12 +81,13 @@ std::vector<WidthRow> width_rows(const scene::Scene& scene, const FloatAim& aim,
     }
     const marker::PiecePair pair = pair_of(gap.gap);
     const Vec r = scene.relative_position(pair);
-    const outline::Real2 apart = between_centres(scene.pieces.box(pair.first), scene.pieces.box(pair.second));
+    const RealVec apart = between_centres(scene.pieces.box(pair.first), scene.pieces.box(pair.second));
     const model::RegionSettings region{model::RegionRule::kGreedy, 3 * trust + aim.most, static_cast<Coord>(gap.now),
-                                       apart.x, apart.y};
-    for (const model::HalfPlane& side : free_region(scene.obstacle(pair), r, region)) {
-      WidthRow row{k, 0, 0, slack_of(side, r), 0};
-      const model::PairRow moved = row_of(pair, side, r, 0, unit, model::TightRows::kRestore);
+                                       apart};
+    const minkowski::Obstacle obstacle = scene.obstacle(pair);
+    for (const model::FreeSide& side : free_sides({obstacle, r, r, 0}, region)) {
+      WidthRow row{k, 0, 0, side.slack, 0};
+      const model::PairRow moved = row_of(pair, side, unit, model::TightRows::kRestore);
       row.nx = moved.nx;
       row.ny = moved.ny;
       row.margin = moved.bound + row.slack;
@@ -116,7 +117,7 @@ FloatProgram::FloatProgram(const scene::Scene& scene, const model::Ties& ties, c
 
 void FloatProgram::bound_motion(double trust) {
   lp::LinearProgram& program = model_.program();
-  const double limit = trust / model_.unit();
+  const double limit = model_.unit().to_columns(trust);
   for (double& low : program.lower) low = std::max(low, -limit);
   for (double& high : program.upper) high = std::min(high, limit);
 }
@@ -147,7 +148,7 @@ void FloatProgram::add_shared_width(std::span<const double> room) {
     low = std::min(low, room[k]);
     if (tied(gaps_[k].gap)) high = std::min(high, gaps_[k].now);
   }
-  const int shared = model_.program().add_column(-1, low / model_.unit(), high / model_.unit());
+  const int shared = model_.program().add_column(-1, model_.unit().to_columns(low), model_.unit().to_columns(high));
   for (std::size_t k = 0; k < gaps_.size(); ++k) {
     if (!gaps_[k].held) width_[k] = shared;
   }
@@ -163,7 +164,8 @@ void FloatProgram::add_own_widths(std::span<const double> room) {
     double high = aim_.most;
     if (gap.held) low = high = std::min(gap.keep, room[k]);
     if (tied(gap.gap)) low = high = room[k];
-    width_[k] = model_.program().add_column(gap.held ? 0 : cost, low / model_.unit(), high / model_.unit());
+    width_[k] =
+        model_.program().add_column(gap.held ? 0 : cost, model_.unit().to_columns(low), model_.unit().to_columns(high));
   }
 }
 
@@ -175,7 +177,7 @@ void FloatProgram::add_rows() {
     model::Terms entries = other ? model_.terms(other->value, gap.piece.value, row.nx, row.ny)
                                  : model_.terms(gap.piece.value, {}, row.nx, row.ny);
     entries.add(width_[row.gap], -1);
-    model_.program().add_row(entries.all(), (row.margin - row.slack) / model_.unit());
+    model_.program().add_row(entries.all(), model_.unit().to_columns(row.margin - row.slack));
     gap_of_row_.push_back(row.gap);
   }
 }
@@ -232,7 +234,7 @@ void FloatProgram::add_motion() {
     for (const auto& [column, by] : {std::pair{model_.x_column(i), so_far.x}, {model_.y_column(i), so_far.y}}) {
       if (!column) continue;
       const int moving = *column;
-      const double offset = static_cast<double>(by) / model_.unit();
+      const double offset = model_.unit().to_columns(static_cast<double>(by));
       const int magnitude = program.add_column(kCost / shortfall_cost(scene_.pieces.size()), 0, lp::kInfinity);
       program.add_row(std::array<lp::LinearProgram::Entry, 2>{{{magnitude, 1}, {moving, -1}}}, offset);
       program.add_row(std::array<lp::LinearProgram::Entry, 2>{{{magnitude, 1}, {moving, 1}}}, -offset);
@@ -243,13 +245,13 @@ void FloatProgram::add_motion() {
 double FloatProgram::promised(const lp::LpSolution& solution) const {
   double scale = has_shared_width(aim_.mode) ? 1 : kCost;
   if (aim_.mode == FloatMode::kGivenDistance) scale /= shortfall_cost(scene_.pieces.size());
-  return -solution.objective * model_.unit() / scale;
+  return model_.unit().to_lattice(-solution.objective) / scale;
 }
 
 std::vector<std::size_t> FloatProgram::uncertain(const lp::LpSolution& solution) const {
   std::vector<std::size_t> gaps;
   for (std::size_t k = 0; k < gaps_.size(); ++k) {
-    const double width = solution.x[static_cast<std::size_t>(width_[k])] * model_.unit();
+    const double width = model_.unit().to_lattice(solution.x[static_cast<std::size_t>(width_[k])]);
     if (!tied(gaps_[k].gap) && width < static_cast<double>(gaps_[k].least) - kCertain) gaps.push_back(k);
   }
   return gaps;

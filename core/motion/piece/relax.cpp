@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "core/marker/clearance.h"
 #include "core/minkowski/inner_fit.h"
-#include "core/model/free_region.h"
+#include "core/model/pair_rows.h"
 #include "core/motion/piece/largest_square.h"
 #include "core/motion/piece/tilted_piece.h"
 #include "core/motion/repair/separation_target.h"
@@ -12,43 +14,38 @@
 namespace selvage::motion::piece {
 namespace {
 
-constexpr int kCells = 24;           // about so many better places a free region is chosen
-constexpr double kReach = 0.02;      // of the strip's width: how far one cell looks
-constexpr double kNearlyAll = 0.99;  // of its reach
-constexpr double kLeastGain = 1e-3;  // of its freedom: the last cell's was the local optimum
-constexpr double kContact = 1;       // lattice units: less freedom is none
-
-// One piece in one tilt, among the others as they lie.
+// One piece in one tilt, among the others where they lie.
 class Relaxer {
  public:
-  Relaxer(const scene::Scene& scene, std::uint32_t index, Piece piece)
+  Relaxer(const scene::Scene& scene, std::uint32_t index, Piece piece, const RelaxTuning& tuning)
       : scene_{scene},
+        tuning_{tuning},
         index_{index},
         piece_{std::move(piece)},
         polygon_{oriented(scene.marker.shapes[piece_.shape.value].outline, piece_.orientation)},
         box_{box_of(polygon_)},
         fit_{minkowski::inner_fit(box_, scene.marker.strip.room(scene.pieces.length()))},
-        reach_{std::max(16.0, kReach * static_cast<double>(scene.marker.strip.width))} {
+        reach_{std::max(16.0, tuning.reach * static_cast<double>(scene.marker.strip.width))} {
     const geometry::SplitOrientation parts = split(piece_.orientation);
     outline_ = {scene.sums.outline(turned(scene.marker.shapes[piece_.shape.value].outline, parts.turn)),
                 parts.symmetry};
   }
 
-  // The best place that could be proved, if any.
+  // The best position that could be proved, if any.
   std::optional<Relaxation> run() {
     std::optional<Relaxation> best;
     if (fit_.high.x < fit_.low.x || fit_.high.y < fit_.low.y) return best;
     double freedom = -1e300;
-    for (int cell = 0; cell < kCells; ++cell) {
+    for (int cell = 0; cell < tuning_.cells; ++cell) {
       build_cell();
       const Square square = largest_square(cell_, reach_);
       const double farthest = std::max({std::abs(square.centre.x), std::abs(square.centre.y), square.half});
-      const bool beyond = farthest > kNearlyAll * reach_;  // the cell did not look far enough
-      if (square.half <= freedom + kLeastGain * std::abs(freedom) && !beyond) break;
+      const bool beyond = farthest > tuning_.nearly_all * reach_;  // the cell did not look far enough
+      if (square.half <= freedom + tuning_.least_gain * std::abs(freedom) && !beyond) break;
       if (beyond) reach_ *= 2;
       freedom = square.half;
       piece_.at = piece_.at + Vec{std::llround(square.centre.x), std::llround(square.centre.y)};
-      if (freedom >= 0 && valid()) best = Relaxation{piece_, freedom < kContact ? 0 : freedom};
+      if (freedom >= 0 && valid()) best = Relaxation{piece_, freedom < tuning_.contact ? 0 : freedom};
     }
     return best;
   }
@@ -67,11 +64,9 @@ class Relaxer {
       const Vec r = piece_.at - still.at;
       const bool apart = !overlap(still, placed());
       const Vec about = apart ? r : separation_target(obstacle, r, true, repair::TargetRule::kNearest).about;
-      const model::RegionSettings region{model::RegionRule::kGreedy, 3 * reach_ + static_cast<double>(spacing),
-                                         spacing};
-      for (const model::HalfPlane& side : free_region(obstacle, about, region)) {
-        const model::PairRow row = row_of({0, 1}, side, r, spacing, 0, model::TightRows::kKeep);
-        cell_.push_back({row.nx, row.ny, slack_of(side, r) - static_cast<double>(spacing)});
+      const auto region = model::region_within(3 * reach_, spacing);
+      for (const model::FreeSide& side : model::free_sides({obstacle, r, about, spacing}, region)) {
+        cell_.push_back({side.normal.x, side.normal.y, side.slack});
       }
     }
     cell_.push_back({1, 0, static_cast<double>(piece_.at.x - fit_.low.x)});
@@ -84,17 +79,11 @@ class Relaxer {
   [[nodiscard]] bool valid() const {
     const Vec at = piece_.at;
     if (at.x < fit_.low.x || at.x > fit_.high.x || at.y < fit_.low.y || at.y > fit_.high.y) return false;
-    const Box near = box_.moved(at).grown(scene_.pieces.widest_spacing());
-    for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
-      if (other == index_ || !near.overlaps(scene_.pieces.box(other))) continue;
-      const geometry::PlacedPolygon still = scene_.pieces[other];
-      const Coord spacing = scene_.pieces.spacing({index_, other});
-      if (spacing > 0 ? closer_than(placed(), still, spacing) : overlap(placed(), still)) return false;
-    }
-    return true;
+    return is_clear(scene_.pieces, index_, placed());
   }
 
   const scene::Scene& scene_;
+  const RelaxTuning& tuning_;
   std::uint32_t index_;
   Piece piece_;
   Polygon polygon_;
@@ -113,27 +102,36 @@ Piece present(const scene::Scene& scene, std::uint32_t index) {
 
 }  // namespace
 
-Relaxation relax(const scene::Scene& scene, std::uint32_t index) {
+Relaxation relax(const scene::Scene& scene, PieceId id, const RelaxTuning& tuning) {
+  const std::uint32_t index = id.value;
   const Piece piece = present(scene, index);
   if (scene.ties.free(index)) {
-    if (auto relaxed = Relaxer{scene, index, piece}.run()) return *relaxed;
+    if (auto relaxed = Relaxer{scene, index, piece, tuning}.run()) return *relaxed;
   }
   return {piece, 0};
 }
 
-Relaxation relax_tilted(const scene::Scene& scene, std::uint32_t index, int tilts) {
-  Relaxation best = relax(scene, index);
-  const TiltRange range = tilt_range(scene.marker, PieceId{index});
+Relaxation relax_tilted(const scene::Scene& scene, PieceId id, int tilts, const RelaxTuning& tuning) {
+  const std::uint32_t index = id.value;
+  Relaxation best = relax(scene, id, tuning);
+  const TiltRange range = tilt_range(scene.marker, id);
   for (int k = 0; k < tilts && range.least < range.most; ++k) {
     const double part = tilts > 1 ? static_cast<double>(k) / (tilts - 1) : 0.5;
     const double degrees = range.least.degrees + part * (range.most.degrees - range.least.degrees);
     const Angle tilt = Angle::of_degrees(std::clamp(degrees, range.least.degrees, range.most.degrees));
     const Piece candidate = tilted(present(scene, index), scene.pieces[index], tilt);
     if (tilt == scene.marker.pieces[index].orientation.tilt || !is_cuttable(scene.marker, candidate)) continue;
-    const auto relaxed = Relaxer{scene, index, candidate}.run();
+    const auto relaxed = Relaxer{scene, index, candidate, tuning}.run();
     if (relaxed && relaxed->freedom > best.freedom) best = *relaxed;
   }
   return best;
+}
+
+Result<RelaxedMarker> repair_and_relax(const Marker& start, PieceId piece, int tilts, const scene::Run& run) {
+  return repair::repaired_and<RelaxedMarker>(start, run, [&](scene::Scene& scene, RelaxedMarker& relaxed) {
+    relaxed.relaxation = tilts > 0 ? relax_tilted(scene, piece, tilts) : relax(scene, piece);
+    scene.reorient(piece, relaxed.relaxation.piece.orientation, relaxed.relaxation.piece.at);
+  });
 }
 
 }  // namespace selvage::motion::piece

@@ -8,9 +8,9 @@
 
 namespace selvage::motion::piece {
 
-model::Displacement held_pivot(const geometry::PlacedPolygon& piece, Angle turn) {
+RealVec held_pivot(const geometry::PlacedPolygon& piece, Angle turn) {
   const double radians = turn.degrees * (std::numbers::pi / 180);
-  const outline::Real2 pivot = model::tilting::pivot_of(piece);
+  const RealVec pivot = model::tilting::pivot_of(piece);
   const double x = pivot.x - static_cast<double>(piece.at.x);
   const double y = pivot.y - static_cast<double>(piece.at.y);
   const double c = std::cos(radians);
@@ -28,7 +28,7 @@ TiltRange tilt_range(const Marker& marker, PieceId id) {
 }
 
 Piece tilted(const Piece& piece, const geometry::PlacedPolygon& from, Angle tilt) {
-  const model::Displacement held = held_pivot(from, Angle::of_degrees(tilt.degrees - piece.orientation.tilt.degrees));
+  const RealVec held = held_pivot(from, Angle::of_degrees(tilt.degrees - piece.orientation.tilt.degrees));
   Piece turned_piece = piece;
   turned_piece.orientation.tilt = tilt;
   turned_piece.at = from.at + Vec{std::llround(held.x), std::llround(held.y)};

@@ -6,9 +6,9 @@
 namespace selvage::motion::placing {
 namespace {
 
-constexpr double kRounding = 2;  // lattice units that lines are taken to be longer than they are
+constexpr double kRounding = 2;  // lattice units by which lines are extended against rounding
 
-void append_edge_and_edge(const BorderLine& p, const BorderLine& q, std::vector<outline::Real2>& points) {
+void append_edge_and_edge(const BorderLine& p, const BorderLine& q, std::vector<RealVec>& points) {
   const double px = p.b.x - p.a.x;
   const double py = p.b.y - p.a.y;
   const double qx = q.b.x - q.a.x;
@@ -26,7 +26,7 @@ void append_edge_and_edge(const BorderLine& p, const BorderLine& q, std::vector<
   points.push_back({p.a.x + t * px, p.a.y + t * py});
 }
 
-void append_edge_and_arc(const BorderLine& edge, const BorderLine& arc, std::vector<outline::Real2>& points) {
+void append_edge_and_arc(const BorderLine& edge, const BorderLine& arc, std::vector<RealVec>& points) {
   const double length = std::hypot(edge.b.x - edge.a.x, edge.b.y - edge.a.y);
   const double ux = (edge.b.x - edge.a.x) / length;
   const double uy = (edge.b.y - edge.a.y) / length;
@@ -39,7 +39,7 @@ void append_edge_and_arc(const BorderLine& edge, const BorderLine& arc, std::vec
   }
 }
 
-void append_arc_and_arc(const BorderLine& p, const BorderLine& q, std::vector<outline::Real2>& points) {
+void append_arc_and_arc(const BorderLine& p, const BorderLine& q, std::vector<RealVec>& points) {
   const double dx = q.a.x - p.a.x;
   const double dy = q.a.y - p.a.y;
   const double square = dx * dx + dy * dy;
@@ -54,21 +54,21 @@ void append_arc_and_arc(const BorderLine& p, const BorderLine& q, std::vector<ou
 
 }  // namespace
 
-outline::Real2 RealBox::nearest_to(outline::Real2 point) const {
+RealVec RealBox::nearest_to(RealVec point) const {
   return {std::clamp(point.x, low.x, high.x), std::clamp(point.y, low.y, high.y)};
 }
-bool RealBox::holds(outline::Real2 point, double margin) const {
+bool RealBox::holds(RealVec point, double margin) const {
   return point.x >= low.x - margin && point.x <= high.x + margin && point.y >= low.y - margin &&
          point.y <= high.y + margin;
 }
 
-double squared_distance(outline::Real2 p, outline::Real2 q) {
+double squared_distance(RealVec p, RealVec q) {
   return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y);
 }
 
-outline::Real2 nearest_on(const BorderLine& line, outline::Real2 point) {
+RealVec nearest_on(const BorderLine& line, RealVec point) {
   if (line.arc()) {
-    const outline::Real2 out = outwards(line, point);
+    const RealVec out = outwards(line, point);
     return {line.a.x + line.radius * out.x, line.a.y + line.radius * out.y};
   }
   const double dx = line.b.x - line.a.x;
@@ -99,18 +99,18 @@ bool enters(const BorderLine& line, const RealBox& box) {
   return std::abs(middle) <= half;
 }
 
-void append_crossings(const BorderLine& p, const BorderLine& q, std::vector<outline::Real2>& points) {
+void append_crossings(const BorderLine& p, const BorderLine& q, std::vector<RealVec>& points) {
   if (p.arc() && q.arc()) return append_arc_and_arc(p, q, points);
   if (p.arc()) return append_edge_and_arc(q, p, points);
   if (q.arc()) return append_edge_and_arc(p, q, points);
   append_edge_and_edge(p, q, points);
 }
 
-outline::Real2 outwards(const BorderLine& line, outline::Real2 at) {
+RealVec outwards(const BorderLine& line, RealVec at) {
   const double x = line.arc() ? at.x - line.a.x : line.b.y - line.a.y;
   const double y = line.arc() ? at.y - line.a.y : line.a.x - line.b.x;
   const double length = std::hypot(x, y);
-  return length > 0 ? outline::Real2{x / length, y / length} : outline::Real2{1, 0};
+  return length > 0 ? RealVec{x / length, y / length} : RealVec{1, 0};
 }
 
 }  // namespace selvage::motion::placing

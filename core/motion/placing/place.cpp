@@ -10,13 +10,6 @@
 namespace selvage::motion::placing {
 namespace {
 
-constexpr double kFirstReach = 1.0 / 32;  // of the strip's width: how far the first search looks
-constexpr double kFarther = 4;            // times as far each time
-constexpr std::size_t kFewLines = 6;      // a cell of so few is searched, a larger one divided
-constexpr double kSmall = 64;             // lattice units: so is a cell of this size
-constexpr double kClear = 3;              // lattice units: what is deeper inside an obstacle is not worth proving
-constexpr int kProofs = 12;               // lattice positions that are proved about one point
-
 double distance_between(Vec a, Vec b) {
   return std::hypot(static_cast<double>(a.x - b.x), static_cast<double>(a.y - b.y));
 }
@@ -24,21 +17,22 @@ bool within(const Box& box, Vec p) {
   return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
 }
 
-// A part of the window with the borders that come into it.
+// A part of the window, with the borders that enter it.
 struct Cell {
   RealBox box;
   double squared_distance{};         // from the wanted position
-  std::vector<std::uint32_t> lines;  // obstacle after obstacle
+  std::vector<std::uint32_t> lines;  // sorted by obstacle
 };
 
 // The nearest free position inside one window.  The window is divided, nearest part first, until few borders are left
-// in a part; parts wholly inside an obstacle are dropped.  What is then nearest is the wanted position's nearest point
-// on a border or on the part itself, or where two borders cross.
+// in a part; parts entirely inside an obstacle are dropped.  The nearest position is then the point of a border or of
+// the part that is nearest to the wanted position, or a crossing of two borders.
 class WindowSearch {
  public:
   WindowSearch(const scene::Scene& scene, const Body& body, const Box& window, Vec wanted, Vec origin,
-               std::optional<Vec> best)
-      : around_{scene, body, window, origin},
+               std::optional<Vec> best, const PlaceTuning& tuning)
+      : tuning_{tuning},
+        around_{scene, body, window, origin},
         window_{window},
         wanted_{wanted},
         origin_{origin},
@@ -54,7 +48,7 @@ class WindowSearch {
       heap_.pop_back();
       if (std::sqrt(cell.squared_distance) >= least_) break;
       const double size = std::max(cell.box.high.x - cell.box.low.x, cell.box.high.y - cell.box.low.y);
-      if (cell.lines.size() <= kFewLines || size <= kSmall) {
+      if (cell.lines.size() <= tuning_.few_lines || size <= tuning_.small) {
         search(cell);
       } else {
         divide(cell);
@@ -74,9 +68,7 @@ class WindowSearch {
     heap_.push_back(std::move(cell));
     std::push_heap(heap_.begin(), heap_.end(), farther);
   }
-  static outline::Real2 middle(const RealBox& box) {
-    return {(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2};
-  }
+  static RealVec middle(const RealBox& box) { return {(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2}; }
 
   void push_window() {
     Cell cell;
@@ -87,7 +79,8 @@ class WindowSearch {
     }
     push(std::move(cell));
   }
-  // Appends what of these lines, all of one obstacle, enters the cell.  False when the obstacle covers the whole cell.
+  // Appends those of these lines, all of one obstacle, that enter the cell.  False when the obstacle covers the whole
+  // cell.
   bool append_entering(std::size_t obstacle, std::uint32_t first, std::uint32_t last, Cell& cell) {
     const std::size_t before = cell.lines.size();
     for (std::uint32_t k = first; k < last; ++k) {
@@ -97,7 +90,7 @@ class WindowSearch {
   }
 
   void divide(const Cell& cell) {
-    const outline::Real2 mid = middle(cell.box);
+    const RealVec mid = middle(cell.box);
     const bool across = cell.box.high.x - cell.box.low.x >= cell.box.high.y - cell.box.low.y;
     for (const bool upper : {false, true}) {
       Cell half;
@@ -120,15 +113,15 @@ class WindowSearch {
     return true;
   }
 
-  // A point that may be the nearest free one, and the borders that make it so.
+  // A point that may be the nearest free one, and the borders that it lies on.
   struct Candidate {
-    outline::Real2 at;
+    RealVec at;
     double squared_distance{};
     std::array<const BorderLine*, 2> on{};
   };
   void search(const Cell& cell) {
     candidates_.clear();
-    const auto consider = [&](outline::Real2 point, const BorderLine* p, const BorderLine* q) {
+    const auto consider = [&](RealVec point, const BorderLine* p, const BorderLine* q) {
       if (!cell.box.holds(point, 1)) return;
       const double square = squared_distance(point, from_);
       if (std::sqrt(square) < least_) candidates_.push_back({point, square, {p, q}});
@@ -141,7 +134,7 @@ class WindowSearch {
         const BorderLine& other = around_.lines()[cell.lines[m]];
         crossings_.clear();
         append_crossings(line, other, crossings_);
-        for (const outline::Real2 point : crossings_) consider(point, &line, &other);
+        for (const RealVec point : crossings_) consider(point, &line, &other);
       }
       consider_sides(cell, line, consider);
     }
@@ -152,17 +145,17 @@ class WindowSearch {
       if (!buried(cell, candidate)) take_near(candidate);
     }
   }
-  // Where a border crosses the cell's sides, which may be the strip's.
+  // The crossings of a border with the cell's sides, which may be the strip's.
   template <class Consider>
   void consider_sides(const Cell& cell, const BorderLine& line, const Consider& consider) {
     const auto& [low, high] = cell.box;
-    const std::array<std::pair<outline::Real2, outline::Real2>, 4> sides{
+    const std::array<std::pair<RealVec, RealVec>, 4> sides{
         {{low, {high.x, low.y}}, {{high.x, low.y}, high}, {high, {low.x, high.y}}, {{low.x, high.y}, low}}};
     crossings_.clear();
     for (const auto& [a, b] : sides) {
       if (squared_distance(a, b) > 0) append_crossings({a, b, 0, 0, {}, {}}, line, crossings_);
     }
-    for (const outline::Real2 point : crossings_) consider(point, &line, nullptr);
+    for (const RealVec point : crossings_) consider(point, &line, nullptr);
   }
 
   // True when the candidate lies deep inside an obstacle that has a border in this cell.
@@ -175,27 +168,27 @@ class WindowSearch {
         const BorderLine& line = lines[cell.lines[k]];
         nearest = std::min(nearest, squared_distance(nearest_on(line, candidate.at), candidate.at));
       }
-      if (nearest > kClear * kClear && around_.forbids(obstacle, candidate.at)) return true;
+      if (nearest > tuning_.clear * tuning_.clear && around_.forbids(obstacle, candidate.at)) return true;
     }
     return false;
   }
 
-  // The nearest lattice position about the candidate that is proved; a little outwards where rounding wants room.
+  // The nearest lattice position about the candidate that is proved, moved outwards a little where rounding needs room.
   void take_near(const Candidate& candidate) {
-    outline::Real2 out;
+    RealVec out;
     for (const BorderLine* line : candidate.on) {
       if (line == nullptr) continue;
-      const outline::Real2 normal = outwards(*line, candidate.at);
+      const RealVec normal = outwards(*line, candidate.at);
       out = {out.x + normal.x, out.y + normal.y};
     }
-    if (window_.width() == 0) out.x = 0;  // held on this axis
+    if (window_.width() == 0) out.x = 0;  // fixed on this axis
     if (window_.height() == 0) out.y = 0;
     int proofs = 0;
     for (const double back : {0.0, 1.0, 2.0, 4.0, 8.0, 16.0, 64.0, 256.0}) {
       if (back > 0 && candidate.on[0] == nullptr) return;
       for (const Vec& position : lattice_about({candidate.at.x + back * out.x, candidate.at.y + back * out.y})) {
         if (distance_between(position, wanted_) >= least_ || !admitted(position, candidate)) continue;
-        if (++proofs > kProofs) return;
+        if (++proofs > tuning_.proofs) return;
         if (!around_.free(position)) continue;
         best_ = position;
         least_ = distance_between(position, wanted_);
@@ -204,7 +197,7 @@ class WindowSearch {
     }
   }
   // The four lattice positions about a point, nearest to the wanted one first.
-  [[nodiscard]] std::array<Vec, 4> lattice_about(outline::Real2 point) const {
+  [[nodiscard]] std::array<Vec, 4> lattice_about(RealVec point) const {
     const Vec base{origin_.x + static_cast<Coord>(std::floor(point.x)),
                    origin_.y + static_cast<Coord>(std::floor(point.y))};
     std::array<Vec, 4> about{base, base + Vec{1, 0}, base + Vec{0, 1}, base + Vec{1, 1}};
@@ -219,30 +212,31 @@ class WindowSearch {
            });
   }
 
+  const PlaceTuning& tuning_;
   Surroundings around_;
   Box window_;  // of positions, inside the strip
   Vec wanted_, origin_;
-  outline::Real2 from_;  // the wanted position
+  RealVec from_;  // the wanted position
   std::optional<Vec> best_;
-  double least_;  // its distance
+  double least_;  // its distance from the wanted position
   std::vector<Cell> heap_;
   std::vector<Candidate> candidates_;
-  std::vector<outline::Real2> crossings_;
+  std::vector<RealVec> crossings_;
 };
 
-// Of the positions in `fit`; `present`: a free one, when it is known.
+// The nearest free position in `fit`; `present`: a position known to be free, if any.
 std::optional<Vec> nearest_free(const scene::Scene& scene, const Body& body, Vec wanted, const Box& fit,
-                                std::optional<Vec> present) {
+                                std::optional<Vec> present, const PlaceTuning& tuning) {
   if (fit.high.x < fit.low.x || fit.high.y < fit.low.y) return std::nullopt;
   const Vec origin{std::clamp(wanted.x, fit.low.x, fit.high.x), std::clamp(wanted.y, fit.low.y, fit.high.y)};
   std::optional<Vec> best = present;
-  for (double reach = kFirstReach * static_cast<double>(scene.marker.strip.width);; reach *= kFarther) {
+  for (double reach = tuning.first_reach * static_cast<double>(scene.marker.strip.width);; reach *= tuning.farther) {
     const double enough = best ? std::min(reach, distance_between(*best, wanted) + 1) : reach;
     const Box about =
         Box{origin, origin}.grown(std::llround(std::min(enough, 4.0 * static_cast<double>(kLatticeLimit))));
     const Box window{{std::max(about.low.x, fit.low.x), std::max(about.low.y, fit.low.y)},
                      {std::min(about.high.x, fit.high.x), std::min(about.high.y, fit.high.y)}};
-    best = WindowSearch{scene, body, window, wanted, origin, best}.run();
+    best = WindowSearch{scene, body, window, wanted, origin, best, tuning}.run();
     // Outside the window everything is farther from the origin than it reaches, and no nearer to the wanted position.
     const bool final = best && distance_between(*best, wanted) <= std::hypot(enough, distance_between(origin, wanted));
     if (final || window == fit) return best;
@@ -251,69 +245,60 @@ std::optional<Vec> nearest_free(const scene::Scene& scene, const Body& body, Vec
 
 }  // namespace
 
-std::optional<Place> place(const scene::Scene& scene, std::uint32_t piece, Vec wanted, const PlaceSettings& settings) {
+std::optional<Place> place(const scene::Scene& scene, PieceId piece, Vec wanted, const PlaceSettings& settings) {
   const Body body{scene, piece};
-  if (scene.fixed(piece)) return Place{body.at, distance_between(body.at, wanted), false};
+  if (scene.fixed(piece.value)) return Place{body.at, distance_between(body.at, wanted), false};
   const Strip& strip = scene.marker.strip;
   const Coord end = strip.last().value_or(scene.pieces.length());
   const Box fit = body.fit(scene, end);
   const auto free = [&](Vec at) { return within(fit, at) && Surroundings{scene, body, {at, at}, at}.free(at); };
   if (free(wanted)) return Place{wanted, 0, false};
-  const auto found = nearest_free(scene, body, wanted, fit, free(body.at) ? std::optional{body.at} : std::nullopt);
+  const auto found =
+      nearest_free(scene, body, wanted, fit, free(body.at) ? std::optional{body.at} : std::nullopt, settings.tuning);
   if (found) return Place{*found, distance_between(*found, wanted), false};
   if (!settings.may_grow || strip.longest) return std::nullopt;
-  Coord reach = 0;  // of the body, from its naming piece's position
+  Coord reach = 0;  // of the body, from the position of the piece it is named after
   for (const auto& [member, offset] : body.members) {
     const Box box = scene.pieces[member].box.moved(offset);
     reach = std::max({reach, std::abs(box.low.x), std::abs(box.high.x)});
   }
   const Box longer = body.fit(scene, end + 2 * reach + scene.pieces.widest_spacing());
-  const auto beyond = nearest_free(scene, body, wanted, longer, std::nullopt);
+  const auto beyond = nearest_free(scene, body, wanted, longer, std::nullopt, settings.tuning);
   if (!beyond) return std::nullopt;
   return Place{*beyond, distance_between(*beyond, wanted), true};
 }
 
 namespace {
 
-// Heals all but one piece; where it lies does not count.
-Result<repair::Repair> heal_others(Marker& marker, PieceId piece, const scene::Run& run) {
-  Marker others = marker;
-  others.pieces.erase(others.pieces.begin() + piece.value);
+// Repairs the overlaps of all pieces but one; where that one lies does not matter.
+Result<repair::Repair> repair_others(scene::Scene& scene, std::uint32_t piece, const scene::Run& run) {
+  Marker others = scene.result();
+  others.pieces.erase(others.pieces.begin() + piece);
   if (others.pieces.empty()) return repair::Repair{};
-  scene::Scene scene{others, run.sums};
-  auto repair = repair::repair_overlaps(scene, run);
-  for (std::size_t i = 0; i < others.pieces.size(); ++i) {
-    marker.pieces[i < piece.value ? i : i + 1].at = scene.pieces.at(i);
-  }
+  scene::Scene rest{std::move(others), run.sums};
+  auto repair = repair::repair_overlaps(rest, run);
+  std::vector<Vec> positions = rest.pieces.positions();
+  positions.insert(positions.begin() + piece, scene.pieces.at(piece));
+  scene.pieces.place(std::move(positions));
   return repair;
 }
 
 }  // namespace
 
-Result<PlacedMarker> heal_and_place(const Marker& start, PieceId piece, Vec wanted, const PlaceSettings& settings,
-                                    const scene::Run& run) {
+Result<PlacedMarker> repair_and_place(const Marker& start, PieceId piece, Vec wanted, const PlaceSettings& settings,
+                                      const scene::Run& run) {
   run.observer.on_stage(scene::Stage::kOther);
-  PlacedMarker answer{start, std::nullopt, {}};
-  const bool alone = model::ties_of(start).free(piece.value);
-  if (alone) {
-    const auto repair = heal_others(answer.marker, piece, run);
-    if (!repair) return repair.error();
-    answer.repair = *repair;
-  } else {
-    scene::Scene whole{start, run.sums};
-    const auto repair = repair::repair_overlaps(whole, run);
-    if (!repair) return repair.error();
-    answer.repair = *repair;
-    answer.marker = whole.result();
-  }
-  run.observer.on_stage(scene::Stage::kSolve);
-  const Marker healed = answer.marker;
-  scene::Scene scene{healed, run.sums};
-  answer.place = place(scene, piece.value, wanted, settings);
-  run.observer.on_stage(scene::Stage::kOther);
-  if (answer.place) scene.shift(piece.value, answer.place->at - scene.pieces.at(piece.value));
-  answer.marker = scene.result();
-  return answer;
+  scene::Scene scene{start, run.sums};
+  const auto repairing = [&] {
+    const bool alone = scene.ties.free(piece.value);
+    return alone ? repair_others(scene, piece.value, run) : repair::repair_overlaps(scene, run);
+  };
+  return repair::repaired_and<PlacedMarker>(scene, repairing, [&](PlacedMarker& placed) {
+    run.observer.on_stage(scene::Stage::kSolve);
+    placed.place = place(scene, piece, wanted, settings);
+    run.observer.on_stage(scene::Stage::kOther);
+    if (placed.place) scene.shift(piece, placed.place->at - scene.pieces.at(piece.value));
+  });
 }
 
 }  // namespace selvage::motion::placing

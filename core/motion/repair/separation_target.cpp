@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kOutside = 2;  // lattice units beyond the boundary at which a region is chosen
 
-Vec just_outside(outline::Real2 at, const minkowski::convolution::SumEdge& edge) {
+Vec just_outside(RealVec at, const minkowski::convolution::SumEdge& edge) {
   const Vec along = edge.line_to - edge.line_from;
   const auto dx = static_cast<double>(along.x);
   const auto dy = static_cast<double>(along.y);
@@ -20,7 +20,7 @@ Vec just_outside(outline::Real2 at, const minkowski::convolution::SumEdge& edge)
 }
 
 // The centre of the first star sum that holds r: a point of its kernel.
-outline::Real2 kernel_about(const minkowski::MinkowskiSum& sum, Vec r) {
+RealVec kernel_about(const minkowski::MinkowskiSum& sum, Vec r) {
   for (const minkowski::convolution::StarSum& ring : sum.rings()) {
     if (minkowski::Ring{ring}.holds({static_cast<double>(r.x), static_cast<double>(r.y)}, 0)) return ring.centre;
   }
@@ -29,7 +29,7 @@ outline::Real2 kernel_about(const minkowski::MinkowskiSum& sum, Vec r) {
 
 // The first point beyond r of the ray from the kernel at which it leaves the sum.
 std::optional<Vec> exit_of_ray(const minkowski::MinkowskiSum& sum, Vec r) {
-  const outline::Real2 kernel = kernel_about(sum, r);
+  const RealVec kernel = kernel_about(sum, r);
   const double x = static_cast<double>(r.x) - kernel.x;
   const double y = static_cast<double>(r.y) - kernel.y;
   const minkowski::convolution::SumEdge* left_by = nullptr;

@@ -9,9 +9,7 @@
 namespace selvage::motion::separation {
 namespace {
 
-constexpr int kSteps = 8;  // of the grid, from the present position to either side
-
-// Another piece near enough to be met.
+// Another piece within reach.
 struct Neighbour {
   marker::PiecePair pair;
   minkowski::Obstacle obstacle;
@@ -31,7 +29,7 @@ std::vector<Neighbour> neighbours_of(const scene::Scene& scene, std::uint32_t pi
   return found;
 }
 
-// How far the pieces would have to part.
+// The distance by which the pieces would have to move apart.
 double depth_at(const minkowski::Obstacle& obstacle, Vec r, Coord spacing) {
   const Vec at = obstacle.to_frame(r);
   if (!obstacle.sum().box().grown(spacing).touches({at, at})) return 0;
@@ -43,15 +41,15 @@ double depth_at(const minkowski::Obstacle& obstacle, Vec r, Coord spacing) {
 
 }  // namespace
 
-Leap cheapest_leap(const scene::Scene& scene, std::uint32_t piece, double reach, Coord length,
-                   const OverlapPrices& prices) {
+Leap cheapest_leap(const scene::Scene& scene, PieceId id, const LeapGrid& grid, const OverlapPrices& prices) {
+  const std::uint32_t piece = id.value;
   const Vec from = scene.pieces.at(piece);
-  const Box fit = minkowski::inner_fit(scene.pieces[piece].box, scene.marker.strip.room(length));
-  const std::vector<Neighbour> neighbours = neighbours_of(scene, piece, reach, prices);
+  const Box fit = minkowski::inner_fit(scene.pieces[piece].box, scene.marker.strip.room(grid.length));
+  const std::vector<Neighbour> neighbours = neighbours_of(scene, piece, grid.reach, prices);
   Leap best{from, std::numeric_limits<double>::infinity()};
-  const auto step = [&](int k) { return static_cast<Coord>(std::llround(reach * k / kSteps)); };
-  for (int row = -kSteps; row <= kSteps; ++row) {
-    for (int column = -kSteps; column <= kSteps; ++column) {
+  const auto step = [&](int k) { return static_cast<Coord>(std::llround(grid.reach * k / grid.steps)); };
+  for (int row = -grid.steps; row <= grid.steps; ++row) {
+    for (int column = -grid.steps; column <= grid.steps; ++column) {
       const Vec to{std::clamp(from.x + step(column), fit.low.x, std::max(fit.low.x, fit.high.x)),
                    std::clamp(from.y + step(row), fit.low.y, fit.high.y)};
       double cost = static_cast<double>(std::abs(to.x - from.x) + std::abs(to.y - from.y));

@@ -1,4 +1,4 @@
-// A leap: takes one jammed piece out of where linear programs cannot free it, to where it overlaps less.
+// A leap: moves one piece that linear programs cannot free to a position where it overlaps less.
 #pragma once
 
 #include <map>
@@ -7,7 +7,7 @@
 
 namespace selvage::motion::separation {
 
-// What a unit of overlap costs: of pairs that have withstood, more.
+// The price of a unit of overlap; higher for pairs that earlier rounds could not separate.
 struct OverlapPrices {
   double usual{};
   std::map<marker::PiecePair, double> raised;
@@ -19,12 +19,18 @@ struct OverlapPrices {
 
 struct Leap {
   Vec to;
-  double cost{};  // the sum of price times depth over the overlaps there, plus the leap's length |x| + |y|
+  double cost{};  // the sum of price times depth over the overlaps at `to`, plus the length |x| + |y| of the leap
 };
 
-// The cheapest position of a piece on a grid about its present one, within `reach` on each axis and inside the strip as
-// long as `length`.  Deterministic.  REQUIRES: the piece fits there.
-[[nodiscard]] Leap cheapest_leap(const scene::Scene& scene, std::uint32_t piece, double reach, Coord length,
+// The positions that a leap chooses from: a square grid about the piece's present position.
+struct LeapGrid {
+  double reach{};  // lattice units, on each axis
+  int steps{};     // from the present position to either side
+  Coord length{};  // the piece stays in a strip of this length
+};
+
+// The cheapest position of a piece on the grid.  Deterministic.  REQUIRES: the piece fits into the strip.
+[[nodiscard]] Leap cheapest_leap(const scene::Scene& scene, PieceId piece, const LeapGrid& grid,
                                  const OverlapPrices& prices);
 
 }  // namespace selvage::motion::separation

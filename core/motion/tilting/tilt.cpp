@@ -15,38 +15,32 @@
 namespace selvage::motion::tilting {
 namespace {
 
-constexpr double kMostTilt = 45;         // degrees
-constexpr double kLeastPart = 1.0 / 8;   // of the first step: smaller ones are not tried
-constexpr int kCorrections = 3;          // of one step's errors of second order,
-constexpr double kCorrectionTurn = 0.1;  // each turning at most so much of what the one before did
-constexpr int kPartingRounds = 20;       // of separation, when corrections leave overlaps
-constexpr double kPartingGrowth = 5e-3;  // of the length, for that
-
-constexpr std::array<double, 3> kPerturbations{1, 3, 0.5};  // of a step: how far shakes go, in turn
-constexpr double kTwist = 0.3;                              // of a shake: torques beside forces
+constexpr double kMostTilt = 45;  // degrees
 
 class Tilter {
  public:
   Tilter(const TiltSettings& settings, const scene::Run& run, Tilting& total)
       : settings_{settings}, run_{run}, quiet_{run.quiet()}, total_{total} {}
 
-  // Rounds from the compacted marker, and from what shakes make of the best; leaves that in `total`.
+  // Rounds from the compacted marker, then from perturbations of the best marker so far, which it leaves in `total`.
   void run() {
     total_.length_after = total_.length_compacted;
     descend(total_.marker);
-    for (int shake = 1; shake <= settings_.perturbations && total_.reason == scene::StopReason::kConverged; ++shake) {
-      if (auto shaken_marker = shaken(total_.marker, static_cast<std::uint32_t>(shake))) descend(*shaken_marker);
+    for (int number = 1; number <= settings_.perturbations && total_.reason == scene::StopReason::kConverged;
+         ++number) {
+      if (auto perturbed_marker = perturbed(total_.marker, static_cast<std::uint32_t>(number)))
+        descend(*perturbed_marker);
     }
   }
 
  private:
-  // Rounds until they gain no more.
+  // Rounds until they no longer gain.
   void descend(Marker current) {
     Coord length = length_of(current);
     const bool by_steps = settings_.method == TiltMethod::kLinearisation;
     const double least_gain = settings_.least_gain * static_cast<double>(current.strip.width);
     total_.reason = scene::StopReason::kConverged;
-    for (double part = 1; part >= kLeastPart;) {
+    for (double part = 1; part >= tuning().least_part;) {
       if (total_.rounds == settings_.rounds) total_.reason = scene::StopReason::kWorkLimit;
       if (run_.stopped()) total_.reason = scene::StopReason::kCancelled;
       if (total_.reason != scene::StopReason::kConverged) return;
@@ -73,18 +67,18 @@ class Tilter {
 
   [[nodiscard]] step::Goal leftwards(const Marker& marker) const {
     const auto count = static_cast<double>(marker.pieces.size());
-    return {std::vector<model::Displacement>(marker.pieces.size(), {-settings_.compaction.gravity / count, 0}), 1, 0};
+    return {std::vector<RealVec>(marker.pieces.size(), {-settings_.compaction.gravity / count, 0}), 1, 0};
   }
 
-  // A step of all pieces at once, made valid; nothing when that fails.
+  // A step of all pieces at once, made valid; none if that fails.
   std::optional<Marker> stepped(const Marker& start, const step::Goal& goal, const std::vector<double>& torque,
                                 double part) {
     Marker next = start;
     TiltStepSettings step_settings{Angle::of_degrees(settings_.step.degrees * part), settings_.trust * part,
-                                   settings_.compaction.solver};
-    for (int correction = 0; correction <= kCorrections; ++correction) {
+                                   settings_.compaction.solver, tuning().step};
+    for (int correction = 0; correction <= tuning().corrections; ++correction) {
       const scene::Scene scene{next, run_.sums};
-      // Corrections have nothing but overlaps, and length, in view.
+      // Corrections only remove overlaps and keep the marker short.
       const TiltStep step = correction == 0 ? tilt_step(scene, goal, torque, step_settings, run_)
                                             : tilt_step(scene, leftwards(start), {}, step_settings, run_);
       ++total_.programs;
@@ -93,23 +87,23 @@ class Tilter {
       next.pieces = step.pieces;
       run_.observer.on_stage(scene::Stage::kVerify);
       if (is_valid(next)) return next;
-      step_settings.turn.degrees *= kCorrectionTurn;
-      if (correction > 0) step_settings.trust *= kCorrectionTurn;
+      step_settings.turn.degrees *= tuning().correction_turn;
+      if (correction > 0) step_settings.trust *= tuning().correction_turn;
     }
-    if (auto healed = mended(next)) return healed;
-    return parted(next, length_of(start));
+    if (auto repaired_marker = repaired(next)) return repaired_marker;
+    return separated(next, length_of(start));
   }
-  std::optional<Marker> mended(const Marker& marker) {
+  std::optional<Marker> repaired(const Marker& marker) {
     scene::Scene scene{marker, run_.sums};
     if (!repair::repair_overlaps(scene, quiet_)) return std::nullopt;
     return scene.result();
   }
-  // Separated by translations, a little longer than `length` if need be: compaction may win that back.
-  std::optional<Marker> parted(const Marker& marker, Coord length) {
-    const double allowed = (1 + kPartingGrowth) * static_cast<double>(length);
+  // Separated by translations; the marker may become a little longer than `length`, which compaction may win back.
+  std::optional<Marker> separated(const Marker& marker, Coord length) {
+    const double allowed = (1 + tuning().separation_growth) * static_cast<double>(length);
     const double grow = allowed / static_cast<double>(length_of(marker)) - 1;
     separation::SeparationSettings settings;
-    settings.rounds = kPartingRounds;
+    settings.rounds = tuning().separation_rounds;
     settings.grow = std::max(0.0, grow);
     settings.solver = settings_.compaction.solver;
     auto separation = separate(marker, settings, quiet_);
@@ -117,11 +111,10 @@ class Tilter {
     return std::move(separation->marker);
   }
 
-  // Every piece to where it has most room, from left to right.
+  // Moves every piece to where it has most room, from left to right.
   std::optional<Marker> relaxed(const Marker& start) {
-    Marker next = start;
-    scene::Scene scene{next, run_.sums};
-    std::vector<std::uint32_t> order(next.pieces.size());
+    scene::Scene scene{start, run_.sums};
+    std::vector<std::uint32_t> order(scene.pieces.size());
     std::iota(order.begin(), order.end(), 0U);
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
       return scene.pieces.box(a).low.x < scene.pieces.box(b).low.x;
@@ -130,12 +123,10 @@ class Tilter {
     for (const std::uint32_t i : order) {
       if (run_.stopped()) break;
       if (!scene.ties.free(i)) continue;
-      Piece& piece = next.pieces[i];
-      piece = piece::relax_tilted(scene, i, settings_.tilts).piece;
-      scene.outlines[i] = oriented_outline(next, PieceId{i}, run_.sums);
-      scene.pieces.replace(i, oriented(next.shapes[piece.shape.value].outline, piece.orientation), piece.at);
+      const Piece relaxed = piece::relax_tilted(scene, PieceId{i}, settings_.tilts).piece;
+      scene.reorient(PieceId{i}, relaxed.orientation, relaxed.at);
     }
-    return next;
+    return scene.result();
   }
 
   std::optional<Marker> compacted(const Marker& marker) {
@@ -145,8 +136,8 @@ class Tilter {
     return std::move(compaction->marker);
   }
 
-  // Pushed and turned at random, the length held but for what mending adds.
-  std::optional<Marker> shaken(const Marker& marker, std::uint32_t seed) {
+  // Pushes and turns all pieces at random, at fixed length except for what removing overlaps adds.
+  std::optional<Marker> perturbed(const Marker& marker, std::uint32_t seed) {
     std::mt19937 random{seed};
     const auto even = [&] { return 2 * static_cast<double>(random()) / 4294967296.0 - 1; };
     step::Goal goal;
@@ -154,10 +145,12 @@ class Tilter {
     for (std::size_t i = 0; i < marker.pieces.size(); ++i) {
       const double x = even();
       goal.force.push_back({x, even()});
-      torque.push_back(kTwist * even());
+      torque.push_back(tuning().perturbation_twist * even());
     }
-    return stepped(marker, goal, torque, kPerturbations[(seed - 1) % kPerturbations.size()]);
+    return stepped(marker, goal, torque, tuning().perturbation_reach[(seed - 1) % tuning().perturbation_reach.size()]);
   }
+
+  [[nodiscard]] const TiltTuning& tuning() const { return settings_.tuning; }
 
   const TiltSettings& settings_;
   const scene::Run& run_;
@@ -165,13 +158,13 @@ class Tilter {
   Tilting& total_;
 };
 
-// The limit on every shape.  Pieces that are tilted farther already are no reason for others to be.
+// Sets the limit of every shape, even if pieces of it are already tilted farther.
 Marker limited(Marker marker, const std::optional<Angle>& limit) {
   if (!limit) return marker;
   for (Shape& shape : marker.shapes) shape.tilt_limit = *limit;
   return marker;
 }
-// Shapes allow what pieces that came so still have.
+// Raises the limits of shapes to the tilts that their pieces have.
 void allow_present_tilts(Marker& marker) {
   for (const Piece& piece : marker.pieces) {
     Angle& limit = marker.shapes[piece.shape.value].tilt_limit;
@@ -213,13 +206,9 @@ Result<Tilting> tilt(const Marker& start, const TiltSettings& settings, const sc
   }
   auto compaction = compact(limited(start, settings.limit), settings.compaction, run.quiet());
   if (!compaction) return compaction.error();
-  Tilting tilting;
-  tilting.marker = std::move(compaction->marker);
-  tilting.programs = compaction->programs;
-  tilting.length_before = compaction->length_before;
-  tilting.length_compacted = compaction->length_after;
-  tilting.utilisation_before = compaction->utilisation_before;
-  tilting.repair = compaction->repair;
+  Tilting tilting{*std::move(compaction)};
+  tilting.rounds = 0;  // those of compaction are not counted
+  tilting.length_compacted = tilting.length_after;
   Tilter{settings, run, tilting}.run();
   if (settings.limit) allow_present_tilts(tilting.marker);
   tilting.utilisation_after = utilisation_of(tilting.marker);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/marker/clearance.h"
 #include "core/minkowski/inner_fit.h"
 #include "core/model/snap.h"
 #include "core/motion/piece/tilted_piece.h"
@@ -13,18 +14,14 @@ namespace selvage::motion::tilting {
 namespace {
 
 constexpr double kRadian = 180 / std::numbers::pi;  // degrees
-constexpr double kOverlapPrice = 100;               // of a unit of overlap that stays, beside a unit of length
-constexpr double kClearance = 1e-7;   // parts of the width that pieces are kept apart by, for what is not linear,
-constexpr Coord kLeastClearance = 3;  // and lattice units, for rounded outlines
-constexpr double kLeastArc = 1;       // lattice units: a smaller turn changes nothing but rounding
-constexpr std::size_t kBlock = 16;    // near pairs whose rows one hand finds in a row
-constexpr std::size_t kCancelCheckInterval = 512;  // near pairs between two looks at whether to stop
-constexpr double kLengthSpare = 1e-2;  // column units the length may grow by in a program, for rows' margins
+constexpr std::size_t kBlock = 16;                  // near pairs whose rows one task finds
+constexpr std::size_t kCancelCheckInterval = 512;   // near pairs between two checks for cancellation
 
 class Program {
  public:
   Program(const scene::Scene& scene, const TiltStepSettings& settings)
       : scene_{scene},
+        tuning_{settings.tuning},
         farthest_{settings.trust * static_cast<double>(scene.marker.strip.width)},
         turn_{settings.turn.degrees / kRadian},
         turns_{ranges(scene, turn_)},
@@ -37,14 +34,14 @@ class Program {
       if (turn && !torque.empty()) model_.positions().program().cost[static_cast<std::size_t>(*turn)] = -torque[i];
     }
     if (goal.shorten == 0) {
-      model_.hold_length();
+      model_.fix_length();
     } else {
       const double shorten = std::min(static_cast<double>(scene_.pieces.length()), 2 * farthest_);
-      model_.add_length(goal.shorten, shorten, kLengthSpare * model_.positions().unit());
+      model_.add_length(goal.shorten, shorten, model_.positions().unit().to_lattice(tuning_.length_spare));
     }
   }
 
-  // False when it was asked to stop meanwhile: turned pieces need new sums, which takes long in long markers.
+  // False when cancelled: turned pieces need new sums, which takes long in long markers.
   bool add_pairs(const scene::Run& run) {
     run.observer.on_stage(scene::Stage::kSums);
     const double most_swing = turn_ * widest_radius();
@@ -72,7 +69,7 @@ class Program {
       std::optional<int> give;
       if (std::any_of(rows.begin(), rows.end(),
                       [](const model::tilting::TiltRow& made) { return made.row.bound > 0; })) {
-        give = model_.positions().program().add_column(kOverlapPrice, 0, lp::kInfinity);
+        give = model_.positions().program().add_column(tuning_.overlap_price, 0, lp::kInfinity);
       }
       for (const model::tilting::TiltRow& made : rows) model_.add(made, made.row.bound > 0 ? give : std::nullopt);
     }
@@ -84,8 +81,7 @@ class Program {
     const Coord spacing = scene_.pieces.spacing(pair);
     repair::SeparationTarget target{0, scene_.relative_position(pair)};
     if (overlaps) target = separation_target(scene_, pair, repair::TargetRule::kNearest);
-    const model::RegionSettings region{model::RegionRule::kGreedy, 1.5 * reach + static_cast<double>(spacing), spacing};
-    const auto sides = free_region(obstacle, target.about, region);
+    const auto sides = free_region(obstacle, target.about, model::region_within(1.5 * reach, spacing));
     const model::tilting::TiltRowSettings row{turn_, 1.5 * reach, overlaps ? 2 * target.depth : 0,
                                               spacing + clearance(), model_.positions().unit()};
     return tilt_rows(pair, scene_.pieces[pair.first], scene_.pieces[pair.second], sides, row);
@@ -96,7 +92,6 @@ class Program {
     TiltStep step;
     step.status = solution.status;
     if (solution.status != lp::LpStatus::kOptimal) return step;
-    step.promise = -solution.objective * static_cast<double>(scene_.marker.strip.width) / 1000;
     step.pieces = moved(solution.x);
     return step;
   }
@@ -115,7 +110,7 @@ class Program {
     return turns;
   }
   [[nodiscard]] Coord clearance() const {
-    return kLeastClearance + std::llround(kClearance * static_cast<double>(scene_.marker.strip.width));
+    return tuning_.least_clearance + std::llround(tuning_.clearance * static_cast<double>(scene_.marker.strip.width));
   }
   [[nodiscard]] double widest_radius() const {
     double most = 0;
@@ -127,29 +122,29 @@ class Program {
 
   [[nodiscard]] std::vector<Piece> moved(std::span<const double> x) const {
     std::vector<Piece> pieces = scene_.marker.pieces;
-    std::vector<model::Displacement> moves = model_.positions().displacements(x);
+    std::vector<RealVec> moves = model_.positions().displacements(x);
     const std::vector<double> turns = model_.turns(x);
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
       pieces[i].at = scene_.pieces.at(i);
-      if (std::abs(turns[i]) * model::tilting::radius_of(scene_.pieces[i]) < kLeastArc) continue;
+      if (std::abs(turns[i]) * model::tilting::radius_of(scene_.pieces[i]) < tuning_.least_arc) continue;
       Piece turned_piece = pieces[i];
       double& tilt = turned_piece.orientation.tilt.degrees;
       const double before = tilt;
       const piece::TiltRange range = piece::tilt_range(scene_.marker, PieceId{i});
       tilt = std::clamp(tilt + turns[i] * kRadian, range.least.degrees, range.most.degrees);
       if (!piece::is_cuttable(scene_.marker, turned_piece)) continue;
-      const model::Displacement held = piece::held_pivot(scene_.pieces[i], Angle::of_degrees(tilt - before));
+      const RealVec held = piece::held_pivot(scene_.pieces[i], Angle::of_degrees(tilt - before));
       moves[i] = {moves[i].x + held.x, moves[i].y + held.y};
       pieces[i] = turned_piece;
     }
-    const std::vector<Vec> by = snapped(moves);
+    const std::vector<Vec> by = model::snapped(moves);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       pieces[i].at = pieces[i].at + by[i];
       if (!turns_[i].empty()) put_inside(pieces[i]);
     }
     return pieces;
   }
-  // What a turn's second order puts outside the strip comes back to its edge.
+  // Moves a piece that second-order effects of its turn put outside the strip back to its edge.
   void put_inside(Piece& piece) const {
     const Marker& marker = scene_.marker;
     const Box box = box_of(oriented(marker.shapes[piece.shape.value].outline, piece.orientation));
@@ -159,6 +154,7 @@ class Program {
   }
 
   const scene::Scene& scene_;
+  const TiltStepTuning& tuning_;
   double farthest_;
   double turn_;
   std::vector<model::tilting::TurnRange> turns_;
@@ -171,7 +167,7 @@ TiltStep tilt_step(const scene::Scene& scene, const step::Goal& goal, std::span<
                    const TiltStepSettings& settings, const scene::Run& run) {
   Program program{scene, settings};
   program.add_goal(goal, torque);
-  if (!program.add_pairs(run)) return {lp::LpStatus::kStopped, 0, {}};
+  if (!program.add_pairs(run)) return {lp::LpStatus::kStopped, {}};
   run.observer.on_stage(scene::Stage::kSolve);
   run.observer.on_program(program.program());
   return program.solved(settings.solver, run.stop);

@@ -1,3 +1,4 @@
+// Tests of executors and of gathered(): parts run as promised, and results are in the order of the parts.
 #include "core/base/executor.h"
 
 #include <gtest/gtest.h>
@@ -8,8 +9,8 @@
 namespace selvage {
 namespace {
 
-// Does the last part first, and says it has many hands.
-class Backwards final : public Executor {
+// An executor that runs the parts in reverse order and reports several threads.
+class ReverseExecutor final : public Executor {
  public:
   [[nodiscard]] std::size_t parallelism() const override { return 3; }
   void for_each(std::size_t count, const Part& part) const override {
@@ -19,19 +20,19 @@ class Backwards final : public Executor {
   mutable int tasks{};
 };
 
-// k, k times.
-void append_times(std::size_t k, std::vector<std::string>& out) {
+// Appends k several times (k modulo 4 times).
+void append_repeated(std::size_t k, std::vector<std::string>& out) {
   for (std::size_t times = 0; times < k % 4; ++times) out.push_back(std::to_string(k));
 }
 
-TEST(Executor, OfOneHandDoesPartsInOrder) {
+TEST(Executor, SerialRunsPartsInOrder) {
   std::string order;
   serial().for_each(4, [&](std::size_t k) { order += std::to_string(k); });
   EXPECT_EQ(order, "0123");
   EXPECT_EQ(serial().parallelism(), 1U);
 }
 
-TEST(Executor, OfOneHandEndsWithThePartThatThrows) {
+TEST(Executor, SerialStopsAtThePartThatThrows) {
   std::string order;
   EXPECT_THROW(serial().for_each(4,
                                  [&](std::size_t k) {
@@ -42,20 +43,21 @@ TEST(Executor, OfOneHandEndsWithThePartThatThrows) {
   EXPECT_EQ(order, "01");
 }
 
-TEST(Gathered, IsInTheOrderOfThePartsHoweverTheyAreDone) {
+TEST(Gathered, ResultIsInOrderWhateverTheOrderOfExecution) {
   for (const std::size_t count : {0U, 1U, 5U, 6U, 7U, 100U}) {
-    const auto expected = gathered<std::string>(serial(), count, 6, append_times);
+    const auto expected = gathered<std::string>(serial(), count, 6, append_repeated);
     for (const std::size_t block : {1U, 2U, 6U, 99U, 1000U}) {
-      EXPECT_EQ(gathered<std::string>(Backwards{}, count, block, append_times), expected) << count << ' ' << block;
+      EXPECT_EQ(gathered<std::string>(ReverseExecutor{}, count, block, append_repeated), expected)
+          << count << ' ' << block;
     }
   }
 }
 
-TEST(Gathered, AsksNobodyForASinglePart) {
-  const Backwards executor;
-  (void)gathered<std::string>(executor, 6, 6, append_times);
+TEST(Gathered, DoesNotUseTheExecutorForASinglePart) {
+  const ReverseExecutor executor;
+  (void)gathered<std::string>(executor, 6, 6, append_repeated);
   EXPECT_EQ(executor.tasks, 0);
-  (void)gathered<std::string>(executor, 7, 6, append_times);
+  (void)gathered<std::string>(executor, 7, 6, append_repeated);
   EXPECT_EQ(executor.tasks, 1);
 }
 

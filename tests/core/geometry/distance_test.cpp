@@ -1,3 +1,4 @@
+// Tests of closer_than and nearest_point (core/geometry/overlap.h), on known cases and against CGAL.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 namespace selvage::test {
 namespace {
 
-TEST(CloserThan, TheDistanceItselfIsAllowed) {
+TEST(CloserThan, IsFalseAtExactlyTheDistance) {
   const Polygon square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
   EXPECT_FALSE(closer_than(placed(square), placed(square, {9, 0}), 5));
   EXPECT_TRUE(closer_than(placed(square), placed(square, {9, 0}), 6));
@@ -29,11 +30,11 @@ TEST(CloserThan, TheDistanceItselfIsAllowed) {
   EXPECT_TRUE(closer_than(placed(slanted), placed(corner), 6));
 }
 
-struct Tally {
+struct Counts {
   std::size_t nearer{}, equal{}, farther{};
 };
 
-void judge(const Polygon& p, const Polygon& q, Coord distance, Tally& tally) {
+void expect_exact_answer(const Polygon& p, const Polygon& q, Coord distance, Counts& counts) {
   const bool ours = closer_than(placed(p), placed(q), distance);
   ASSERT_EQ(closer_than(placed(q), placed(p), distance), ours);
   if (interiors_meet(p, q)) {
@@ -42,62 +43,63 @@ void judge(const Polygon& p, const Polygon& q, Coord distance, Tally& tally) {
   }
   const int sign = compare_distance(p, q, distance);
   ASSERT_EQ(ours, sign < 0) << text_of(p) << " and " << text_of(q) << " at " << distance;
-  ++(sign < 0 ? tally.nearer : sign > 0 ? tally.farther : tally.equal);
+  ++(sign < 0 ? counts.nearer : sign > 0 ? counts.farther : counts.equal);
 }
 
 TEST(CloserThan, AgreesWithExactDistancesOnSmallLattices) {
   Random random{51};
-  Tally tally;
+  Counts counts;
   for (int trial = 0; trial < 6000 / kSlowdown; ++trial) {
     const Polygon p = random_simple(random, static_cast<std::size_t>(random.between(3, 7)), 8);
     const Polygon q = random_simple(random, static_cast<std::size_t>(random.between(3, 7)), 8);
-    judge(p, moved(q, random.point(-16, 16)), random.between(1, 8), tally);
+    expect_exact_answer(p, moved(q, random.point(-16, 16)), random.between(1, 8), counts);
     if (HasFatalFailure()) return;
   }
-  EXPECT_GT(tally.nearer, 500U / kSlowdown);
-  EXPECT_GT(tally.equal, 10U / kSlowdown);
-  EXPECT_GT(tally.farther, 500U / kSlowdown);
+  EXPECT_GT(counts.nearer, 500U / kSlowdown);
+  EXPECT_GT(counts.equal, 10U / kSlowdown);
+  EXPECT_GT(counts.farther, 500U / kSlowdown);
 }
 
 TEST(CloserThan, IsExactOnLargeLattices) {
   Random random{52};
-  Tally tally;
+  Counts counts;
   for (int trial = 0; trial < 3000 / kSlowdown; ++trial) {
     const Coord factor = Coord{1} << random.between(28, 35);
     const Polygon p = scaled(random_simple(random, 5, 8), factor);
     const Polygon q = scaled(moved(random_simple(random, 5, 8), random.point(-12, 12)), factor);
-    const Coord off = random.between(0, 1);  // the very coincidence, or about a unit beside it
-    judge(p, moved(q, random.point(-off, off)), random.between(1, 8) * factor + random.between(-off, off), tally);
+    const Coord off = random.between(0, 1);  // exactly at the distance, or about a unit off
+    expect_exact_answer(p, moved(q, random.point(-off, off)), random.between(1, 8) * factor + random.between(-off, off),
+                        counts);
     if (HasFatalFailure()) return;
   }
-  EXPECT_GT(tally.nearer, 300U / kSlowdown);
-  EXPECT_GT(tally.equal, 10U / kSlowdown);
-  EXPECT_GT(tally.farther, 300U / kSlowdown);
+  EXPECT_GT(counts.nearer, 300U / kSlowdown);
+  EXPECT_GT(counts.equal, 10U / kSlowdown);
+  EXPECT_GT(counts.farther, 300U / kSlowdown);
 }
 
-// A corner beside the middle of a slanted edge, nearer to it or farther than the distance by about 2^-67 of
-// it: no double can tell.
+// A corner next to the middle of a slanted edge whose distance from it is above or below the limit by a factor of about
+// 1 + 2^-67, which doubles cannot resolve.
 TEST(CloserThan, IsExactBeyondDoubles) {
   Random random{54};
   for (int trial = 0; trial < 200 / kSlowdown; ++trial) {
     const Coord m = random.between(Coord{1} << 30, Coord{1} << 34);
     const Coord distance = random.between(m / 4, m / 2);
     const Polygon edge{{0, 0}, {m / 2, -m}, {m, 1}};  // its long edge runs from (m, 1) to the origin
-    // The corner makes a triangle with the edge whose doubled area is the largest below distance * length.
+    // The corner and the edge form a triangle whose doubled area is the largest below distance * length.
     using Integer = boost::multiprecision::int512_t;
     const Integer below = boost::multiprecision::sqrt(Integer{Integer{distance} * distance * (Integer{m} * m + 1)});
     for (const int more : {0, 1}) {
       const Integer area = below + more;
       const auto y = static_cast<Coord>(Integer{(area + m - 1) / m});
       const Vec corner{static_cast<Coord>(Integer{Integer{m} * y - area}), y};
-      const Polygon beside{corner, corner + Vec{5, 9}, corner + Vec{-5, 9}};
-      ASSERT_EQ(closer_than(placed(edge), placed(beside), distance), more == 0);
-      ASSERT_EQ(compare_distance(edge, beside, distance), more == 0 ? -1 : 1);
+      const Polygon neighbour{corner, corner + Vec{5, 9}, corner + Vec{-5, 9}};
+      ASSERT_EQ(closer_than(placed(edge), placed(neighbour), distance), more == 0);
+      ASSERT_EQ(compare_distance(edge, neighbour, distance), more == 0 ? -1 : 1);
     }
   }
 }
 
-double distance_to(const Polygon& polygon, geometry::Witness point) {
+double distance_to(const Polygon& polygon, RealVec point) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec a = polygon[i];
@@ -112,7 +114,7 @@ double distance_to(const Polygon& polygon, geometry::Witness point) {
   return least;
 }
 
-TEST(NearestPoint, LiesInTheMiddleBetweenTheTwo) {
+TEST(NearestPoint, IsTheMidpointOfAShortestSegment) {
   Random random{53};
   std::size_t apart = 0;
   for (int trial = 0; trial < 2000 / kSlowdown; ++trial) {
@@ -120,10 +122,10 @@ TEST(NearestPoint, LiesInTheMiddleBetweenTheTwo) {
     const Polygon q = moved(random_polygon(random, 100), random.point(-150, 150));
     if (overlap(placed(p), placed(q))) continue;
     ++apart;
-    const geometry::Witness middle = nearest_point(placed(p), placed(q));
+    const RealVec middle = nearest_point(placed(p), placed(q));
     const double half = distance_to(p, middle);
     ASSERT_NEAR(half, distance_to(q, middle), 1e-9);
-    // No nearer pair: the exact distance is twice that.
+    // No pair of points is closer: the exact distance is twice that.
     ASSERT_GE(compare_distance(p, q, static_cast<Coord>(std::max(0.0, std::floor(2 * half - 1e-9)))), 0);
     ASSERT_LE(compare_distance(p, q, static_cast<Coord>(std::ceil(2 * half + 1e-9))), 0);
   }

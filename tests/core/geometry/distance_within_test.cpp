@@ -1,3 +1,4 @@
+// Tests of distance_within and whole_distance_within (core/geometry/distance.h), on known cases and against CGAL.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +11,7 @@
 namespace selvage::test {
 namespace {
 
-TEST(DistanceWithin, KnownDistances) {
+TEST(DistanceWithin, HasKnownValues) {
   const Polygon square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
   EXPECT_EQ(distance_within(placed(square), placed(square, {9, 1}), 100), 5);
   EXPECT_EQ(distance_within(placed(square), placed(square, {7, 8}), 100), 5);  // corner to corner: 3, 4, 5
@@ -19,7 +20,8 @@ TEST(DistanceWithin, KnownDistances) {
   EXPECT_EQ(distance_within(placed(square), placed(square, {9, 1}), 3), 3);
   const Polygon inside{{1, 1}, {2, 1}, {2, 2}};
   EXPECT_EQ(distance_within(placed(square), placed(inside), 100), 0);
-  EXPECT_EQ(whole_distance_within(placed(square), placed(square, {7, 7}), 100), 4);  // the root of 18
+  EXPECT_EQ(whole_distance_within(placed(square), placed(square, {7, 7}), 100),
+            4);  // the square root of 18, rounded down
   EXPECT_EQ(whole_distance_within(placed(square), placed(square, {7, 7}), 2), 2);
 }
 

@@ -1,3 +1,4 @@
+// Tests of core/geometry/lattice.h: conversion between decimals and lattice coordinates, boxes and exact products.
 #include "core/geometry/lattice.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@ rc::Gen<Resolution> resolutions() {
                       [](int e) { return Resolution{e}; });
 }
 
-// The decimal text of coord * 10^exponent, made of its digits alone.
+// The decimal text of coord * 10^exponent, built from its digits only.
 std::string decimal_text(Coord coord, int exponent) {
   return std::to_string(coord) + "e" + std::to_string(exponent);
 }
@@ -29,7 +30,7 @@ std::string shortest_text(double value) {
   return {text, end};
 }
 
-TEST(Decimals, OfShortestTexts) {
+TEST(Decimals, AreCountedInTheShortestText) {
   EXPECT_EQ(geometry::decimals_of(0), 0);
   EXPECT_EQ(geometry::decimals_of(100), 0);
   EXPECT_EQ(geometry::decimals_of(12.5), 1);
@@ -43,7 +44,7 @@ TEST(Decimals, OfShortestTexts) {
   EXPECT_EQ(geometry::decimals_of(5e-324), 324);
 }
 
-RC_GTEST_PROP(Decimals, AreAsManyAsWritten, ()) {
+RC_GTEST_PROP(Decimals, EqualTheNumberWritten, ()) {
   const Coord whole = *rc::gen::inRange<Coord>(1, 1'000'000);
   const int decimals = *rc::gen::inRange(1, 9);
   RC_PRE(whole % 10 != 0);
@@ -51,7 +52,7 @@ RC_GTEST_PROP(Decimals, AreAsManyAsWritten, ()) {
   RC_ASSERT(geometry::decimals_of(value) == decimals);
 }
 
-RC_GTEST_PROP(Lattice, CoordinatesSurviveTheirText, ()) {
+RC_GTEST_PROP(Lattice, CoordinatesRoundTripThroughText, ()) {
   const Coord coord = *coords();
   const Resolution resolution = *resolutions();
   const double decimal = to_decimal(coord, resolution);
@@ -67,11 +68,11 @@ RC_GTEST_PROP(Lattice, DecimalTextIsExact, ()) {
   const double written = std::strtod(decimal_text(coord, resolution.exponent).c_str(), nullptr);
   RC_ASSERT(to_lattice(written, resolution) == coord);
   RC_ASSERT(to_decimal(coord, resolution) == written);
-  // The shortest text has no decimal that the lattice does not have.
+  // The shortest text has no more decimals than the lattice.
   RC_ASSERT(geometry::decimals_of(to_decimal(coord, resolution)) <= std::max(0, -resolution.exponent));
 }
 
-TEST(Lattice, RoundsToTheNearest) {
+TEST(Lattice, RoundsToTheNearestUnit) {
   EXPECT_EQ(to_lattice(1.24, Resolution{-1}), 12);
   EXPECT_EQ(to_lattice(1.26, Resolution{-1}), 13);
   EXPECT_EQ(to_lattice(-1.26, Resolution{-1}), -13);
@@ -79,7 +80,7 @@ TEST(Lattice, RoundsToTheNearest) {
   EXPECT_EQ(to_lattice(-1'500'001, Resolution{6}), -2);
 }
 
-TEST(Lattice, EndsBelowItsLimit) {
+TEST(Lattice, RejectsValuesFromItsLimitOn) {
   const auto limit = static_cast<double>(kLatticeLimit);
   EXPECT_FALSE(fits_lattice(limit, Resolution{0}));
   EXPECT_FALSE(fits_lattice(-limit, Resolution{0}));
@@ -96,7 +97,8 @@ RC_GTEST_PROP(ChosenResolution, KeepsDecimalsWhereTheLatticeAllows, ()) {
   const Resolution chosen = geometry::choose_resolution(decimals, extent, width);
   RC_ASSERT(fits_lattice(extent, chosen));
   const Resolution finer{chosen.exponent - 1};
-  // Coarser than the decimals, or than 2^28 units across, only where a finer one would not hold the extent.
+  // It is coarser than the decimals, or than 2^28 units across, only if a finer resolution could not represent the
+  // extent.
   const bool exact = chosen.exponent <= -decimals;
   const bool fine = width / std::pow(10.0, chosen.exponent) >= (1 << 28);
   if (!exact || !fine) {
@@ -104,14 +106,14 @@ RC_GTEST_PROP(ChosenResolution, KeepsDecimalsWhereTheLatticeAllows, ()) {
   }
 }
 
-TEST(ChosenResolution, OfUsualMarkers) {
+TEST(ChosenResolution, HasKnownValuesForTypicalMarkers) {
   EXPECT_EQ(geometry::choose_resolution(3, 9000, 1500), (Resolution{-6}));  // 1.5e9 units wide
   EXPECT_EQ(geometry::choose_resolution(14, 100, 60), (Resolution{-10}));   // as fine as the lattice allows
   EXPECT_EQ(geometry::choose_resolution(0, 1e15, 1e15), (Resolution{3}));
-  EXPECT_EQ(geometry::choose_resolution(8, 10, 0), (Resolution{-8}));  // no strip: the decimals alone
+  EXPECT_EQ(geometry::choose_resolution(8, 10, 0), (Resolution{-8}));  // without a strip only the decimals count
 }
 
-TEST(Boxes, OverlapOnlyWithTheirInsides) {
+TEST(Boxes, OverlapOnlyIfTheirInteriorsIntersect) {
   const Box box{{0, 0}, {4, 3}};
   EXPECT_TRUE(box.touches(box.moved({4, 3})));
   EXPECT_FALSE(box.overlaps(box.moved({4, 0})));
@@ -123,7 +125,7 @@ TEST(Boxes, OverlapOnlyWithTheirInsides) {
 }
 
 RC_GTEST_PROP(Products, AreExactAcrossTheLattice, ()) {
-  // (a + k b) lies to the left of a exactly as b does, by k times as much.
+  // Identities of cross, dot and side_of that only exact arithmetic satisfies.
   const Vec a{*coords(), *coords()};
   const Vec b{*coords(), *coords()};
   RC_ASSERT(cross(a, b) == -cross(b, a));

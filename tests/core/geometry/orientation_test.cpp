@@ -1,3 +1,4 @@
+// Tests of core/geometry/orientation.h: exact symmetries, splitting of orientations, and rounding of turned polygons.
 #include "core/geometry/orientation.h"
 
 #include <gtest/gtest.h>
@@ -18,9 +19,9 @@ std::vector<Symmetry> all_symmetries() {
   return all;
 }
 
-const Vec kAskew{5, 2};  // no symmetry but one leaves it where it is
+const Vec kAskew{5, 2};  // only the identity leaves it unchanged
 
-TEST(Symmetries, AreEight) {
+TEST(Symmetries, ThereAreEight) {
   std::vector<Vec> images;
   for (const Symmetry s : all_symmetries()) {
     EXPECT_EQ(s.index(), static_cast<int>(images.size()));
@@ -29,15 +30,15 @@ TEST(Symmetries, AreEight) {
   }
 }
 
-TEST(Symmetries, MeanWhatTheySay) {
+TEST(Symmetries, MapKnownPoints) {
   EXPECT_EQ(Symmetry(false, 1).apply({1, 0}), (Vec{0, 1}));  // counter-clockwise
-  EXPECT_EQ(Symmetry(true, 0).apply(kAskew), (Vec{5, -2}));  // the grain line stays
+  EXPECT_EQ(Symmetry(true, 0).apply(kAskew), (Vec{5, -2}));  // the grain line is unchanged
   EXPECT_EQ(Symmetry(true, 1).apply({0, 1}), (Vec{1, 0}));   // flip first: (0,-1), then a quarter turn
   EXPECT_EQ(Symmetry(false, -1), Symmetry(false, 3));
   EXPECT_EQ(Symmetry(false, 7), Symmetry(false, 3));
 }
 
-TEST(Symmetries, AreAGroup) {
+TEST(Symmetries, FormAGroup) {
   const Symmetry identity;
   for (const Symmetry a : all_symmetries()) {
     EXPECT_EQ(a.after(identity), a);
@@ -52,7 +53,7 @@ TEST(Symmetries, AreAGroup) {
   }
 }
 
-TEST(Transformed, KeepsSenseAndArea) {
+TEST(Transformed, PreservesOrderAndArea) {
   Random random{21};
   for (int trial = 0; trial < 300 / kSlowdown; ++trial) {
     const Polygon polygon = random_polygon(random, 1000);
@@ -73,7 +74,7 @@ geometry::SplitOrientation split_of(bool flip, double rotation, double tilt) {
   return geometry::split({flip, Angle::of_degrees(rotation), Angle::of_degrees(tilt)});
 }
 
-TEST(Split, MultiplesOfNinetyAreExact) {
+TEST(Split, LeavesNoTurnForMultiplesOfNinety) {
   for (const bool flip : {false, true}) {
     for (int q = -9; q <= 9; ++q) {
       const geometry::SplitOrientation parts = split_of(flip, 90.0 * q, 0);
@@ -83,7 +84,7 @@ TEST(Split, MultiplesOfNinetyAreExact) {
   }
 }
 
-RC_GTEST_PROP(Split, PutsItselfTogetherAgain, ()) {
+RC_GTEST_PROP(Split, RecombinesToTheOrientation, ()) {
   const bool flip = *rc::gen::arbitrary<bool>();
   const double rotation = *rc::gen::inRange(-7200, 7201) / 10.0;
   const double tilt = *rc::gen::inRange(-500, 501) / 100.0;
@@ -94,15 +95,15 @@ RC_GTEST_PROP(Split, PutsItselfTogetherAgain, ()) {
   RC_ASSERT(std::abs(std::remainder(turned_by - rotation - tilt, 360.0)) < 1e-9);
 }
 
-// Flip, then rotation, then tilt, in doubles.
-RC_GTEST_PROP(Oriented, FlipsThenTurns, ()) {
+// Applies flip, rotation and tilt in double precision.
+RC_GTEST_PROP(Oriented, FlipsThenRotatesThenTilts, ()) {
   const bool flip = *rc::gen::arbitrary<bool>();
   const double rotation = *rc::gen::inRange(-360, 361);
   const double tilt = *rc::gen::inRange(-500, 501) / 100.0;
   Random random{*rc::gen::arbitrary<std::uint64_t>()};
   const Polygon polygon = random_star(random, 12, 1'000'000'000);
   const Polygon image = oriented(polygon, {flip, Angle::of_degrees(rotation), Angle::of_degrees(tilt)});
-  RC_ASSERT(image.size() == polygon.size());  // so large that rounding straightens nothing
+  RC_ASSERT(image.size() == polygon.size());  // it is so large that rounding makes no vertices collinear
   RC_ASSERT(doubled_area(image) > 0);
   const double radians = (rotation + tilt) * std::acos(-1.0) / 180.0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -114,7 +115,7 @@ RC_GTEST_PROP(Oriented, FlipsThenTurns, ()) {
   }
 }
 
-TEST(Oriented, IsExactWithoutATilt) {
+TEST(Oriented, IsExactForMultiplesOfNinety) {
   Random random{22};
   for (int trial = 0; trial < 200 / kSlowdown; ++trial) {
     const Polygon polygon = random_polygon(random, kLatticeLimit / 4);
@@ -125,9 +126,9 @@ TEST(Oriented, IsExactWithoutATilt) {
   }
 }
 
-TEST(Turned, IsStillAPolygonWhenRoundingStraightensIt) {
-  // The flat vertex in the middle stands one unit off; turned by 45 degrees and rounded it may fall into
-  // line.
+TEST(Turned, RemovesVerticesThatRoundingMakesCollinear) {
+  // The middle vertex of the flat side is one unit off the line; after a turn by 45 degrees and rounding it may lie on
+  // it.
   const Polygon flat{{0, 0}, {1000, 1}, {2000, 0}, {2000, 900}, {0, 900}};
   Random random{23};
   for (int trial = 0; trial < 500 / kSlowdown; ++trial) {

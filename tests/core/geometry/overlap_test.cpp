@@ -1,3 +1,4 @@
+// Tests of overlap and common_point (core/geometry/overlap.h), on known cases and against CGAL.
 #include "core/geometry/overlap.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +16,7 @@ bool overlapping(const Polygon& p, const Polygon& q, Vec by = {}) {
   return overlap(placed(p), placed(q, by));
 }
 
-TEST(Overlap, TouchingIsNot) {
+TEST(Overlap, IsFalseForTouchingPolygons) {
   EXPECT_FALSE(overlapping(kSquare, kSquare, {4, 0}));           // edge to edge
   EXPECT_FALSE(overlapping(kSquare, kSquare, {4, 3}));           // part of an edge
   EXPECT_FALSE(overlapping(kSquare, kSquare, {4, 4}));           // corner to corner
@@ -24,31 +25,31 @@ TEST(Overlap, TouchingIsNot) {
                            {{3, 3}, {6, 3}, {6, 8}, {3, 8}}));  // fills a slot from wall to wall
 }
 
-TEST(Overlap, ByOneUnitIs) {
+TEST(Overlap, IsTrueForOverlapsOfOneUnit) {
   EXPECT_TRUE(overlapping(kSquare, kSquare, {3, 3}));
   EXPECT_TRUE(overlapping(kSquare, {{3, 2}, {6, 1}, {6, 3}}));
 }
 
-TEST(Overlap, WithoutAnyCrossing) {
-  EXPECT_TRUE(overlapping(kSquare, kSquare));                           // the same
-  EXPECT_TRUE(overlapping(kSquare, {{1, 1}, {3, 1}, {2, 3}}));          // within, apart from the boundary
-  EXPECT_TRUE(overlapping(kSquare, {{0, 0}, {4, 0}, {2, 3}}));          // within, along an edge
-  EXPECT_TRUE(overlapping(kSquare, {{2, 0}, {4, 2}, {2, 4}, {0, 2}}));  // within, all corners on edges
-  EXPECT_TRUE(overlapping(kSquare, {{0, 0}, {4, 4}, {0, 4}}));          // within, corner to corner
-  // A cross of two bars whose ends lie on each other's edges' lines: they cross at vertices only.
+TEST(Overlap, IsTrueWithoutProperCrossings) {
+  EXPECT_TRUE(overlapping(kSquare, kSquare));                           // identical
+  EXPECT_TRUE(overlapping(kSquare, {{1, 1}, {3, 1}, {2, 3}}));          // contained, away from the boundary
+  EXPECT_TRUE(overlapping(kSquare, {{0, 0}, {4, 0}, {2, 3}}));          // contained, along an edge
+  EXPECT_TRUE(overlapping(kSquare, {{2, 0}, {4, 2}, {2, 4}, {0, 2}}));  // contained, all corners on edges
+  EXPECT_TRUE(overlapping(kSquare, {{0, 0}, {4, 4}, {0, 4}}));          // contained, corner to corner
+  // A cross of two bars with ends on the lines of each other's edges: they cross only at vertices.
   EXPECT_TRUE(overlapping({{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 3}, {0, 4}}, {{2, 2}, {4, 3}, {2, 4}}));
 }
 
-struct Tally {
+struct Counts {
   std::size_t overlapping{}, apart{};
 };
 
-void judge(const Polygon& p, const Polygon& q, Tally& tally) {
+void expect_exact_answer(const Polygon& p, const Polygon& q, Counts& counts) {
   const bool expected = interiors_meet(p, q);
   const std::string pair = text_of(p) + " and " + text_of(q);
   ASSERT_EQ(overlap(placed(p), placed(q)), expected) << pair;
   ASSERT_EQ(overlap(placed(q), placed(p)), expected) << pair;
-  ++(expected ? tally.overlapping : tally.apart);
+  ++(expected ? counts.overlapping : counts.apart);
   const Vec here{-7, 3};
   const Polygon p_back = moved(p, -here);
   const Polygon q_forth = moved(q, here);
@@ -62,46 +63,46 @@ void judge(const Polygon& p, const Polygon& q, Tally& tally) {
       << pair << " at " << point->x << ", " << point->y;
 }
 
-// So small a lattice that vertices, edges and whole polygons fall onto each other all the time.
+// The lattice is so small that vertices, edges and whole polygons coincide often.
 TEST(Overlap, AgreesWithExactIntersectionOnSmallLattices) {
   Random random{41};
   std::vector<Polygon> pool;
   for (int k = 0; k < 400; ++k) {
     pool.push_back(random_simple(random, static_cast<std::size_t>(random.between(3, 8)), random.between(2, 8)));
   }
-  Tally tally;
+  Counts counts;
   for (int trial = 0; trial < 30'000 / kSlowdown; ++trial) {
     const Polygon p = pool[random.below(pool.size())];
     const Polygon q = trial % 50 == 0 ? p : transformed(pool[random.below(pool.size())], random.symmetry());
-    // Where the boxes touch at least.
+    // Positions at which the boxes at least touch.
     const Box a = box_of(p);
     const Box b = box_of(q);
     const Vec by{random.between(a.low.x - b.high.x, a.high.x - b.low.x),
                  random.between(a.low.y - b.high.y, a.high.y - b.low.y)};
-    judge(p, trial % 100 == 0 ? q : moved(q, by), tally);
+    expect_exact_answer(p, trial % 100 == 0 ? q : moved(q, by), counts);
     if (HasFatalFailure()) return;
   }
-  EXPECT_GT(tally.overlapping, 5000U / kSlowdown);
-  EXPECT_GT(tally.apart, 5000U / kSlowdown);
+  EXPECT_GT(counts.overlapping, 5000U / kSlowdown);
+  EXPECT_GT(counts.apart, 5000U / kSlowdown);
 }
 
-TEST(Overlap, AgreesWithExactIntersectionOfOddShapes) {
+TEST(Overlap, AgreesWithExactIntersectionOnDifficultShapes) {
   Random random{42};
-  Tally tally;
+  Counts counts;
   for (int trial = 0; trial < 1500 / kSlowdown; ++trial) {
     const Polygon p = random_polygon(random, 16);
     const Polygon q = transformed(random_polygon(random, 8), random.symmetry());
-    judge(p, moved(q, random.point(-8, 24)), tally);
+    expect_exact_answer(p, moved(q, random.point(-8, 24)), counts);
     if (HasFatalFailure()) return;
   }
-  EXPECT_GT(tally.overlapping, 300U / kSlowdown);
-  EXPECT_GT(tally.apart, 300U / kSlowdown);
+  EXPECT_GT(counts.overlapping, 300U / kSlowdown);
+  EXPECT_GT(counts.apart, 300U / kSlowdown);
 }
 
-// The same coincidences, or one unit off them, where a unit is 2^-37 of the polygon.
+// The same coincidences, or one unit off them, where a unit is 2^-37 of the polygon's size.
 TEST(Overlap, IsExactOnLargeLattices) {
   Random random{43};
-  Tally tally;
+  Counts counts;
   for (int trial = 0; trial < 3000 / kSlowdown; ++trial) {
     const Coord factor = Coord{1} << random.between(30, 36);
     const Polygon p = scaled(random_simple(random, 6, 7), factor);
@@ -109,10 +110,10 @@ TEST(Overlap, IsExactOnLargeLattices) {
     q = moved(q, random.point(-1, 1));
     const bool expected = interiors_meet(p, q);
     ASSERT_EQ(overlap(placed(p), placed(q)), expected) << text_of(p) << " and " << text_of(q);
-    ++(expected ? tally.overlapping : tally.apart);
+    ++(expected ? counts.overlapping : counts.apart);
   }
-  EXPECT_GT(tally.overlapping, 500U / kSlowdown);
-  EXPECT_GT(tally.apart, 500U / kSlowdown);
+  EXPECT_GT(counts.overlapping, 500U / kSlowdown);
+  EXPECT_GT(counts.apart, 500U / kSlowdown);
 }
 
 }  // namespace

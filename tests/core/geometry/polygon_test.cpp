@@ -1,3 +1,4 @@
+// Tests of core/geometry/polygon.h: repair of vertex lists, point location and convexity.
 #include "core/geometry/polygon.h"
 
 #include <gtest/gtest.h>
@@ -18,28 +19,28 @@ ErrorCode error_of(const std::vector<Vec>& vertices) {
 
 const Polygon kSquare{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
 
-TEST(CleanPolygon, LeavesAPolygonAlone) {
+TEST(CleanPolygon, LeavesACleanPolygonUnchanged) {
   const auto clean = clean_polygon(kSquare);
   ASSERT_TRUE(clean);
   EXPECT_EQ(clean->polygon, kSquare);
   EXPECT_EQ(clean->repairs, geometry::Repairs{});
 }
 
-TEST(CleanPolygon, AcceptsTheFirstVertexAgainAtTheEnd) {
+TEST(CleanPolygon, AcceptsARepeatedFirstVertexAtTheEnd) {
   const auto clean = clean_polygon(std::vector<Vec>{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}});
   ASSERT_TRUE(clean);
   EXPECT_EQ(clean->polygon, kSquare);
   EXPECT_EQ(clean->repairs, geometry::Repairs{});
 }
 
-TEST(CleanPolygon, TurnsClockwiseOnes) {
+TEST(CleanPolygon, ReversesClockwisePolygons) {
   const auto clean = clean_polygon(std::vector<Vec>{{0, 0}, {0, 4}, {4, 4}, {4, 0}});
   ASSERT_TRUE(clean);
   EXPECT_EQ(clean->polygon, kSquare);
   EXPECT_EQ(clean->repairs, (geometry::Repairs{.reversed = true}));
 }
 
-TEST(CleanPolygon, DropsDuplicates) {
+TEST(CleanPolygon, RemovesRepeatedVertices) {
   const auto clean =
       clean_polygon(std::vector<Vec>{{0, 0}, {0, 0}, {4, 0}, {4, 4}, {4, 4}, {4, 4}, {0, 4}, {0, 0}, {0, 0}});
   ASSERT_TRUE(clean);
@@ -47,7 +48,7 @@ TEST(CleanPolygon, DropsDuplicates) {
   EXPECT_EQ(clean->repairs, (geometry::Repairs{.duplicate_vertices = 4}));
 }
 
-TEST(CleanPolygon, StraightensRuns) {
+TEST(CleanPolygon, RemovesCollinearVertices) {
   const auto clean =
       clean_polygon(std::vector<Vec>{{2, 0}, {3, 0}, {4, 0}, {4, 1}, {4, 4}, {0, 4}, {0, 2}, {0, 0}, {1, 0}});
   ASSERT_TRUE(clean);
@@ -55,27 +56,27 @@ TEST(CleanPolygon, StraightensRuns) {
   EXPECT_EQ(clean->repairs, (geometry::Repairs{.collinear_vertices = 5}));
 }
 
-TEST(CleanPolygon, CutsSpikes) {
+TEST(CleanPolygon, RemovesSpikes) {
   const auto clean = clean_polygon(std::vector<Vec>{{0, 0}, {4, 0}, {9, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 7}, {0, 3}});
   ASSERT_TRUE(clean);
   EXPECT_EQ(clean->polygon, kSquare);
   EXPECT_FALSE(clean->repairs.reversed);
 }
 
-TEST(CleanPolygon, CutsSpikesWithinSpikes) {
+TEST(CleanPolygon, RemovesNestedSpikes) {
   const auto clean = clean_polygon(std::vector<Vec>{{0, 0}, {4, 0}, {4, 4}, {8, 4}, {8, 9}, {8, 4}, {4, 4}, {0, 4}});
   ASSERT_TRUE(clean);
   EXPECT_EQ(clean->polygon, kSquare);
 }
 
-TEST(CleanPolygon, CutsASpikeAtTheSeam) {
+TEST(CleanPolygon, RemovesASpikeAtTheStartOfTheList) {
   const auto clean = clean_polygon(std::vector<Vec>{{-5, 0}, {0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}});
   ASSERT_TRUE(clean);
   EXPECT_EQ(clean->polygon.size(), 4U);
   EXPECT_EQ(doubled_area(clean->polygon), 32);
 }
 
-TEST(CleanPolygon, RefusesWhatHasNoArea) {
+TEST(CleanPolygon, RejectsOutlinesWithoutArea) {
   EXPECT_EQ(error_of({}), ErrorCode::kTooFewVertices);
   EXPECT_EQ(error_of({{1, 1}}), ErrorCode::kTooFewVertices);
   EXPECT_EQ(error_of({{1, 1}, {2, 1}}), ErrorCode::kTooFewVertices);
@@ -83,16 +84,16 @@ TEST(CleanPolygon, RefusesWhatHasNoArea) {
   EXPECT_EQ(error_of({{1, 1}, {1, 1}, {1, 1}, {1, 1}}), ErrorCode::kTooFewVertices);
   EXPECT_EQ(error_of({{0, 0}, {2, 1}, {4, 2}}), ErrorCode::kZeroArea);
   EXPECT_EQ(error_of({{0, 0}, {4, 2}, {2, 1}, {6, 3}}), ErrorCode::kZeroArea);
-  EXPECT_EQ(error_of({{0, 0}, {4, 0}, {4, 4}, {4, 0}}), ErrorCode::kZeroArea);  // there and back
+  EXPECT_EQ(error_of({{0, 0}, {4, 0}, {4, 4}, {4, 0}}), ErrorCode::kZeroArea);  // there and back again
 }
 
-TEST(CleanPolygon, RefusesCrossingsAndTouches) {
+TEST(CleanPolygon, RejectsOutlinesThatCrossOrTouchThemselves) {
   EXPECT_EQ(error_of({{0, 0}, {4, 4}, {4, 0}, {0, 4}}), ErrorCode::kSelfIntersecting);  // bow tie
   EXPECT_EQ(error_of({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}),
             ErrorCode::kSelfIntersecting);  // vertex on an edge
   EXPECT_EQ(error_of({{0, 0}, {4, 0}, {2, 2}, {4, 4}, {0, 4}, {2, 2}}),
-            ErrorCode::kSelfIntersecting);  // vertex twice
-  // Two edges that run along each other: a slot closed to width 0.
+            ErrorCode::kSelfIntersecting);  // a vertex that occurs twice
+  // Two edges that run along each other: a slot of width 0.
   EXPECT_EQ(error_of({{0, 0}, {4, 0}, {4, 4}, {2, 4}, {2, 1}, {1, 1}, {1, 2}, {2, 2}, {2, 3}, {0, 3}}),
             ErrorCode::kSelfIntersecting);
   EXPECT_EQ(error_of({{4, 0}, {6, 2}, {5, 0}, {8, 5}, {4, 3}, {8, 8}}),
@@ -104,7 +105,7 @@ TEST(CleanPolygon, RefusesCrossingsAndTouches) {
   }
 }
 
-// A zigzag with `n` vertices, all of them needed.
+// A zigzag with `n` vertices, none of them redundant.
 std::vector<Vec> saw(std::size_t n) {
   std::vector<Vec> vertices{{static_cast<Coord>(n), -9}, {0, -9}};
   while (vertices.size() < n) {
@@ -115,17 +116,17 @@ std::vector<Vec> saw(std::size_t n) {
   return vertices;
 }
 
-TEST(CleanPolygon, TakesNoMoreThanTheLimit) {
+TEST(CleanPolygon, RejectsMoreVerticesThanTheLimit) {
   EXPECT_EQ(error_of(saw(geometry::kMaxVertices + 1)), ErrorCode::kTooManyVertices);
   const auto clean = clean_polygon(saw(geometry::kMaxVertices));
   ASSERT_TRUE(clean) << clean.error().message;
   EXPECT_EQ(clean->polygon.size(), geometry::kMaxVertices);
-  // Counted before repair, but without the first vertex again at the end.
+  // Vertices are counted before repair, but without a repeated first vertex at the end.
   EXPECT_EQ(error_of(std::vector<Vec>(geometry::kMaxVertices + 1, Vec{1, 1})), ErrorCode::kTooFewVertices);
   EXPECT_EQ(error_of(std::vector<Vec>(geometry::kMaxVertices + 2, Vec{1, 1})), ErrorCode::kTooManyVertices);
 }
 
-// Whatever comes in, what comes out is a Polygon; what is refused as touching itself is not simple.
+// Every accepted outline becomes a Polygon, and every outline rejected as self-intersecting is not simple.
 TEST(CleanPolygon, AgreesWithExactSimplicity) {
   Random random{11};
   std::size_t simple = 0;
@@ -154,33 +155,33 @@ TEST(CleanPolygon, AgreesWithExactSimplicity) {
   EXPECT_GT(refused, 1000U / kSlowdown);
 }
 
-TEST(CleanPolygon, MendsWhatWasPutIntoAPolygon) {
+TEST(CleanPolygon, RepairsDefectsAddedToAPolygon) {
   Random random{12};
   for (int trial = 0; trial < 2000 / kSlowdown; ++trial) {
     const Polygon polygon = scaled(random_polygon(random, 20), 4);
-    std::vector<Vec> spoilt;
+    std::vector<Vec> damaged;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Vec a = polygon[i];
       const Vec b = polygon[(i + 1) % polygon.size()];
-      spoilt.push_back(a);
-      if (random.chance(30)) spoilt.push_back(a);
-      if (random.chance(30)) spoilt.push_back({a.x + (b.x - a.x) / 4, a.y + (b.y - a.y) / 4});
-      if (random.chance(30)) spoilt.push_back({a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2});
+      damaged.push_back(a);
+      if (random.chance(30)) damaged.push_back(a);
+      if (random.chance(30)) damaged.push_back({a.x + (b.x - a.x) / 4, a.y + (b.y - a.y) / 4});
+      if (random.chance(30)) damaged.push_back({a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2});
     }
     const bool reversed = random.chance(50);
-    if (reversed) std::reverse(spoilt.begin(), spoilt.end());
-    const auto clean = clean_polygon(spoilt);
-    ASSERT_TRUE(clean) << text_of(spoilt);
+    if (reversed) std::reverse(damaged.begin(), damaged.end());
+    const auto clean = clean_polygon(damaged);
+    ASSERT_TRUE(clean) << text_of(damaged);
     EXPECT_EQ(clean->repairs.reversed, reversed);
     Polygon again = clean->polygon;
     const auto first = std::find(again.begin(), again.end(), polygon.front());
     ASSERT_NE(first, again.end());
     std::rotate(again.begin(), first, again.end());
-    ASSERT_EQ(again, polygon) << text_of(spoilt);
+    ASSERT_EQ(again, polygon) << text_of(damaged);
   }
 }
 
-TEST(Locate, AgreesWithExactSide) {
+TEST(Locate, AgreesWithExactLocation) {
   Random random{13};
   std::size_t counts[3]{};
   for (int trial = 0; trial < 400 / kSlowdown; ++trial) {
@@ -188,7 +189,7 @@ TEST(Locate, AgreesWithExactSide) {
     for (int k = 0; k < 40; ++k) {
       const Vec p = random.point(-1, 31);
       const geometry::Location ours = locate(p, polygon);
-      const outline::Real2 at{static_cast<double>(p.x), static_cast<double>(p.y)};
+      const RealVec at{static_cast<double>(p.x), static_cast<double>(p.y)};
       ASSERT_EQ(ours, locate_exactly(at, polygon)) << text_of({p}) << " in " << text_of(polygon);
       ++counts[static_cast<int>(ours)];
     }
@@ -197,7 +198,7 @@ TEST(Locate, AgreesWithExactSide) {
 }
 
 TEST(Locate, IsExactOnLargeLattices) {
-  // One unit off the long diagonal of a triangle as large as the lattice.
+  // Points one unit off the long diagonal of a triangle as large as the lattice.
   const Coord far = kLatticeLimit - 1;
   const Polygon triangle{{-far, -far}, {far, far - 1}, {-far, far}};
   EXPECT_EQ(locate({-far, -far}, triangle), geometry::Location::kBoundary);
@@ -207,7 +208,7 @@ TEST(Locate, IsExactOnLargeLattices) {
   EXPECT_EQ(locate({far - 1, far - 1}, triangle), geometry::Location::kInside);
 }
 
-TEST(Convexity, OfRandomPolygons) {
+TEST(Convexity, HoldsForRandomConvexPolygonsOnly) {
   Random random{14};
   for (int trial = 0; trial < 500 / kSlowdown; ++trial) {
     EXPECT_TRUE(is_convex(random_convex(random, 12, 1'000'000)));

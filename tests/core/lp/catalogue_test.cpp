@@ -1,4 +1,4 @@
-// One catalogue of small programs with known answers that every solver must pass.
+// A catalogue of small linear programs with known solutions that every solver must pass.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -108,8 +108,9 @@ const std::vector<Case>& catalogue() {
        {kFree, kFree},
        {{{{1, 1}}, 1}, {{{1, -1}}, 0}},
        LpStatus::kInfeasible},
-      // The cosine of a right angle.  Clp's scaling takes it for the scale of its row, and then calls -0.914 optimal.
-      {"dust_in_a_row",
+      // The cosine of a right angle, which is rounding noise.  Clp's scaling takes it for the scale of its row and then
+      // accepts -0.914 as optimal.
+      {"rounding_noise_in_a_row",
        {0, 0, -1},
        {-1, -1, -kFree},
        {1, 1, 1},
@@ -129,7 +130,7 @@ void expect_certificate(const LinearProgram& program, const LpSolution& solution
 
 class EverySolver : public testing::TestWithParam<solver::SolverChoice> {};
 
-TEST_P(EverySolver, PassesTheCatalogue) {
+TEST_P(EverySolver, SolvesTheCatalogue) {
   for (const Case& c : catalogue()) {
     SCOPED_TRACE(c.name);
     const LinearProgram program = c.program();
@@ -141,7 +142,7 @@ TEST_P(EverySolver, PassesTheCatalogue) {
   }
 }
 
-TEST_P(EverySolver, StopsBeforeItStarts) {
+TEST_P(EverySolver, ReturnsAtOnceWhenAlreadyCancelled) {
   std::stop_source source;
   source.request_stop();
   EXPECT_EQ(solve(catalogue()[0].program(), GetParam(), {}, source.get_token()).status, LpStatus::kStopped);
@@ -158,7 +159,7 @@ INSTANTIATE_TEST_SUITE_P(Choices, EverySolver,
                            }
                          });
 
-TEST(Simplex, SaysWhenItsPivotsAreUsedUp) {
+TEST(Simplex, ReportsWhenThePivotLimitIsReached) {
   LinearProgram program;
   std::vector<LinearProgram::Entry> row;
   for (int j = 0; j < 40; ++j) program.add_column(1 + j % 3, 0, kInfinity);
@@ -171,11 +172,11 @@ TEST(Simplex, SaysWhenItsPivotsAreUsedUp) {
   EXPECT_EQ(solver::solve_by_simplex(program, 10'000).status, LpStatus::kOptimal);
 }
 
-TEST(Infeasibility, IsTheWorstOfRowsAndBounds) {
+TEST(Infeasibility, IsTheLargestViolationOfRowsAndBounds) {
   const LinearProgram program = catalogue()[0].program();
   EXPECT_EQ(infeasibility(program, std::vector<double>{4, 0}), 0);
-  EXPECT_EQ(infeasibility(program, std::vector<double>{4, -0.5}), 1);  // the first row is short by 1
-  EXPECT_EQ(infeasibility(program, std::vector<double>{100, -3}), 3);  // the bound is
+  EXPECT_EQ(infeasibility(program, std::vector<double>{4, -0.5}), 1);  // the first row is violated by 1
+  EXPECT_EQ(infeasibility(program, std::vector<double>{100, -3}), 3);  // the bound is violated by 3
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What closes a certificate, and each of the three things that keep it open.
+// Tests of certificates: an optimal solution is accepted, and each of the three kinds of violation is detected.
 #include "core/lp/certificate.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace selvage::lp {
 namespace {
 
-// Minimise x + y with x + 2 y >= 4 and 3 x + y >= 6: best at (1.6, 1.2), with prices 0.4 and 0.2.
+// Minimise x + y with x + 2 y >= 4 and 3 x + y >= 6: the optimum is (1.6, 1.2), with dual prices 0.4 and 0.2.
 LinearProgram two_rows() {
   LinearProgram program;
   program.add_column(1, 0, kInfinity);
@@ -21,7 +21,7 @@ Certificate certificate_with(std::vector<double> x, std::vector<double> dual) {
   return certificate_of(two_rows(), {.status = LpStatus::kOptimal, .x = std::move(x), .dual = std::move(dual)});
 }
 
-TEST(Certificate, ClosesAtTheOptimum) {
+TEST(Certificate, AcceptsTheOptimum) {
   const Certificate certificate = certificate_with({1.6, 1.2}, {0.4, 0.2});
   EXPECT_NEAR(certificate.primal, 0, 1e-15);
   EXPECT_NEAR(certificate.dual, 0, 1e-15);
@@ -29,26 +29,28 @@ TEST(Certificate, ClosesAtTheOptimum) {
   EXPECT_TRUE(certificate.closes());
 }
 
-TEST(Certificate, SeesABrokenRow) {
+TEST(Certificate, DetectsAViolatedRow) {
   const Certificate certificate = certificate_with({1.6, 1.1}, {0.4, 0.2});
   EXPECT_NEAR(certificate.primal, 0.2, 1e-15);
   EXPECT_FALSE(certificate.closes());
 }
 
-TEST(Certificate, SeesAPriceBelowZero) {
+TEST(Certificate, DetectsANegativePrice) {
   const Certificate certificate = certificate_with({4, 0}, {1, -0.25});
-  EXPECT_NEAR(certificate.dual, 0.75, 1e-15);  // of the second column, which may grow without end at a cost of -0.75
+  EXPECT_NEAR(certificate.dual, 0.75,
+              1e-15);  // the reduced cost of the second column, which has no upper bound, is -0.75
   EXPECT_FALSE(certificate.closes());
 }
 
-TEST(Certificate, SeesAFeasiblePointThatIsNotBest) {
+TEST(Certificate, DetectsAFeasiblePointThatIsNotOptimal) {
   const Certificate certificate = certificate_with({3, 3}, {0.4, 0.2});
   EXPECT_EQ(certificate.primal, 0);
   EXPECT_NEAR(certificate.gap, (6 - 2.8) / (1 + 6), 1e-15);
   EXPECT_FALSE(certificate.closes());
 }
 
-TEST(Certificate, TakesABoundThatPaysForAColumn) {  // minimise -x up to 5: no row, the bound holds it
+TEST(Certificate,
+     AcceptsAColumnBoundAsProof) {  // minimise -x for x <= 5: there are no rows, and the bound proves optimality
   LinearProgram program;
   program.add_column(-1, 0, 5);
   EXPECT_TRUE(certificate_of(program, {.x = {5}}).closes());

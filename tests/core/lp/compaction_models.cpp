@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kWidth = 1000;
 
-// The same numbers with every standard library, unlike the standard's distributions.
+// A random number generator that gives the same numbers with every standard library, unlike the standard distributions.
 class Draw {
  public:
   explicit Draw(std::uint64_t seed) : engine_{seed} {}

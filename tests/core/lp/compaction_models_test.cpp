@@ -1,4 +1,5 @@
-// Both solvers on programs shaped like a compaction's: the same optimum, feasible, and certified by their duals.
+// Both solvers on programs with the structure of a compaction step: the same optimum, feasible and certified by the
+// dual prices.
 #include "tests/core/lp/compaction_models.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ void expect_optimal(const LinearProgram& program, const LpSolution& solution) {
   const Certificate certificate = certificate_of(program, solution);
   EXPECT_LE(certificate.primal, 1e-8);
   EXPECT_LE(certificate.dual, 1e-7);
-  // Hundreds of columns are bounded in the hundreds: a dual residual of 1e-8 counts for so many times 1e-6.
+  // Hundreds of columns have bounds in the hundreds, so dual residuals of 1e-8 add up to a gap of several 1e-6.
   EXPECT_LE(certificate.gap, 1e-5);
   const double scale = 1 + std::abs(solution.objective);
   for (int r = 0; r < program.rows(); ++r) {
@@ -50,19 +51,20 @@ TEST_P(CompactionModels, BothSolversFindTheSameOptimum) {
   }
 }
 
-TEST_P(CompactionModels, TheSameProgramGivesTheSameBytes) {
+TEST_P(CompactionModels, SolutionsAreBitIdenticalOnRepetition) {
   const LinearProgram program = compaction_program({.points = GetParam()});
   EXPECT_EQ(interior_point::solve_by_interior_point(program).x, interior_point::solve_by_interior_point(program).x);
   EXPECT_EQ(solver::solve_by_simplex(program, 1'000'000).x, solver::solve_by_simplex(program, 1'000'000).x);
 }
 
-TEST_P(CompactionModels, WithoutGravityTheInteriorPointMethodStillEnds) {  // free columns without cost
+TEST_P(CompactionModels,
+       TheInteriorPointMethodConvergesWithoutGravity) {  // some columns are then free and without cost
   const LinearProgram program = compaction_program({.points = GetParam(), .gravity = 0});
   const LpSolution solution = solve(program, solver::SolverChoice::kInteriorPoint);
   expect_optimal(program, solution);
 }
 
-TEST_P(CompactionModels, ATolerancePaysForFewerIterations) {
+TEST_P(CompactionModels, ALargerToleranceNeedsFewerIterations) {
   const LinearProgram program = compaction_program({.points = GetParam()});
   const LpSolution best = solve(program, solver::SolverChoice::kInteriorPoint);
   ASSERT_EQ(best.status, LpStatus::kOptimal);
@@ -74,7 +76,7 @@ TEST_P(CompactionModels, ATolerancePaysForFewerIterations) {
     const double scale = 1 + std::abs(best.objective);
     EXPECT_LE(solution.objective, best.objective + tolerance * scale);
     EXPECT_GE(solution.objective, best.objective - 1e-7 * scale);
-    EXPECT_LE(infeasibility(program, solution.x), 1e-9);  // rows are kept all the same
+    EXPECT_LE(infeasibility(program, solution.x), 1e-9);  // rows are met regardless of the tolerance
     EXPECT_LE(solution.iterations, last);
     last = solution.iterations;
   }
@@ -83,8 +85,8 @@ TEST_P(CompactionModels, ATolerancePaysForFewerIterations) {
 
 INSTANTIATE_TEST_SUITE_P(Points, CompactionModels, testing::Values(3, 50, 200, 700));
 
-TEST(CompactionModel, StopsWhileItIsAtWork) {
-  // Big enough to take many pivots and factorisations; a second thread asks it to stop.
+TEST(CompactionModel, CanBeCancelledWhileSolving) {
+  // Large enough to take many pivots and factorisations; a second thread requests the stop.
   const LinearProgram program = compaction_program({.points = 3000, .tight = 0.6});
   for (const solver::SolverChoice choice : {solver::SolverChoice::kSimplex, solver::SolverChoice::kInteriorPoint}) {
     std::stop_source source;

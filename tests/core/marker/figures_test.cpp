@@ -1,3 +1,4 @@
+// Tests of core/marker/figures.h: length, utilisation and validity, computed anew and after a change.
 #include "core/marker/figures.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@ void expect_same(const marker::Figures& a, const marker::Figures& b) {
   EXPECT_EQ(a.valid, b.valid);
 }
 
-TEST(Figures, AreThoseOfTheMarker) {
+TEST(Figures, EqualTheMarkersOwn) {
   const Marker marker = squares({{0, 0}, {10, 0}, {10, 90}});
   const marker::Figures figures = figures_of(marker);
   EXPECT_EQ(figures.length, length_of(marker));
@@ -23,8 +24,8 @@ TEST(Figures, AreThoseOfTheMarker) {
   EXPECT_TRUE(figures.valid);
 }
 
-// Wherever one piece goes, what is told of the others stays true.
-TEST(Figures, AfterAChangeAreThoseOfTheWhole) {
+// Moves one piece to random positions; the figures after the change equal those computed from the whole marker.
+TEST(Figures, AfterAMoveEqualThoseOfTheWholeMarker) {
   const Marker before = squares({{0, 0}, {10, 0}, {30, 30}});
   ASSERT_TRUE(is_valid(before));
   int valid = 0;
@@ -41,7 +42,7 @@ TEST(Figures, AfterAChangeAreThoseOfTheWhole) {
   EXPECT_LT(valid, 11 * 21 - 20);
 }
 
-TEST(Figures, AfterAChangeOfTheStripOrTheSpacingAreProvedAnew) {
+TEST(Figures, AreProvedAgainAfterAChangeOfStripOrSpacing) {
   const Marker before = squares({{0, 0}, {10, 0}, {30, 90}});
   Marker narrower = before;
   narrower.strip.width = 95;
@@ -56,7 +57,7 @@ TEST(Figures, AfterAChangeOfTheStripOrTheSpacingAreProvedAnew) {
   EXPECT_FALSE(figures_after(before, marker::PlacedPieces{before}, more).valid);
 }
 
-TEST(Figures, AfterATiltSeeTheTiltedPiece) {
+TEST(Figures, AfterATiltUseTheTiltedOutline) {
   const Marker before = squares({{0, 0}, {10, 0}});
   Marker tilted = before;
   tilted.pieces[0].orientation.tilt = Angle::of_degrees(5);

@@ -1,3 +1,4 @@
+// Tests of core/marker/marker.h: what make_marker accepts and rejects, length, utilisation and placed outlines.
 #include "core/marker/marker.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@
 namespace selvage::test {
 namespace {
 
-// The code and the field of what make_marker finds.
+// The code and the field of the error that make_marker returns.
 std::pair<ErrorCode, std::string> error_of(const Marker& marker) {
   const auto made = make_marker(marker);
   if (made) return {};
@@ -23,14 +24,14 @@ Marker with(void (*change)(Marker&)) {
   return marker;
 }
 
-TEST(MakeMarker, LeavesAGoodOneAlone) {
-  const Marker marker = squares({{0, 0}, {5, 0}});  // overlapping: well formed all the same
+TEST(MakeMarker, LeavesAWellFormedMarkerUnchanged) {
+  const Marker marker = squares({{0, 0}, {5, 0}});  // they overlap, but the marker is well formed
   const auto made = make_marker(marker);
   ASSERT_TRUE(made);
   EXPECT_EQ(*made, marker);
 }
 
-TEST(MakeMarker, RefusesStripsAndSpacings) {
+TEST(MakeMarker, RejectsInvalidStripsAndSpacings) {
   EXPECT_EQ(error_of(with([](Marker& m) { m.strip.width = 0; })), Found(ErrorCode::kOutOfRange, "/strip/width"));
   EXPECT_EQ(error_of(with([](Marker& m) { m.strip.width = -5; })), Found(ErrorCode::kOutOfRange, "/strip/width"));
   EXPECT_EQ(error_of(with([](Marker& m) { m.spacing = -1; })), Found(ErrorCode::kOutOfRange, "/spacing"));
@@ -38,13 +39,13 @@ TEST(MakeMarker, RefusesStripsAndSpacings) {
   EXPECT_EQ(error_of(with([](Marker& m) { m.spacing = 100; })), Found());
 }
 
-TEST(MakeMarker, RefusesNoneAndTooManyPieces) {
+TEST(MakeMarker, RejectsNoPiecesAndTooManyPieces) {
   EXPECT_EQ(error_of(squares({})), Found(ErrorCode::kEmptyMarker, "/pieces"));
   EXPECT_EQ(error_of(squares(std::vector<Vec>(marker::kMaxPieces + 1))), Found(ErrorCode::kTooManyPieces, "/pieces"));
   EXPECT_EQ(error_of(squares(std::vector<Vec>(marker::kMaxPieces))), Found());
 }
 
-TEST(MakeMarker, RefusesIdsThatAreNoIds) {
+TEST(MakeMarker, RejectsDuplicateIdsAndUnknownShapes) {
   EXPECT_EQ(error_of(with([](Marker& m) { m.pieces[1].id = "0"; })), Found(ErrorCode::kDuplicateId, "/pieces/1/id"));
   EXPECT_EQ(error_of(with([](Marker& m) { m.shapes.push_back(m.shapes[0]); })),
             Found(ErrorCode::kDuplicateId, "/shapes/1/id"));
@@ -52,10 +53,10 @@ TEST(MakeMarker, RefusesIdsThatAreNoIds) {
             Found(ErrorCode::kUnknownShape, "/pieces/1/shape"));
 }
 
-TEST(MakeMarker, RefusesPiecesWiderThanTheStrip) {
+TEST(MakeMarker, RejectsPiecesWiderThanTheStrip) {
   EXPECT_EQ(error_of(with([](Marker& m) { m.strip.width = 9; })), Found(ErrorCode::kPieceTooWide, "/pieces/0"));
   EXPECT_EQ(error_of(with([](Marker& m) { m.strip.width = 10; })), Found());
-  // Only the orientation it has counts.
+  // Only the orientation of the piece counts.
   const auto bar = [](double rotation) {
     Marker marker = squares({{0, 0}, {0, 0}});
     marker.shapes.push_back({.id = "bar",
@@ -70,7 +71,7 @@ TEST(MakeMarker, RefusesPiecesWiderThanTheStrip) {
   EXPECT_EQ(error_of(bar(90)), Found(ErrorCode::kPieceTooWide, "/pieces/1"));
 }
 
-TEST(MakeMarker, RefusesOrientationsThatTheShapeDoesNotAllow) {
+TEST(MakeMarker, RejectsOrientationsThatTheShapeDoesNotAllow) {
   const auto oriented_as = [](Orientation orientation, void (*allow)(Shape&)) {
     Marker marker = squares({{0, 0}});
     allow(marker.shapes[0]);
@@ -85,7 +86,8 @@ TEST(MakeMarker, RefusesOrientationsThatTheShapeDoesNotAllow) {
   EXPECT_EQ(oriented_as({false, {-180}, {}}, half_turns), Found());  // the same direction
   EXPECT_EQ(oriented_as({false, {540}, {}}, half_turns), Found());
   EXPECT_EQ(oriented_as({false, {90}, {}}, half_turns), refused);
-  EXPECT_EQ(oriented_as({false, {37.5}, {}}, [](Shape& s) { s.rotations.clear(); }), Found());  // any
+  EXPECT_EQ(oriented_as({false, {37.5}, {}}, [](Shape& s) { s.rotations.clear(); }),
+            Found());  // any rotation is allowed
   EXPECT_EQ(oriented_as({true, {}, {}}, nothing), refused);
   EXPECT_EQ(oriented_as({true, {}, {}}, [](Shape& s) { s.may_flip = true; }), Found());
   EXPECT_EQ(oriented_as({false, {}, {1}}, nothing), refused);
@@ -95,7 +97,7 @@ TEST(MakeMarker, RefusesOrientationsThatTheShapeDoesNotAllow) {
   EXPECT_EQ(oriented_as({false, {}, {2.01}}, may_tilt), refused);
 }
 
-TEST(MakeMarker, RefusesWhatRoundingMakesTouchItself) {
+TEST(MakeMarker, RejectsShapesThatRoundingMakesTouchThemselves) {
   // A slot of one unit closes when the shape is turned by 45 degrees.
   Marker marker = squares({{0, 0}});
   marker.strip.width = 100'000;
@@ -112,12 +114,12 @@ TEST(MakeMarker, RefusesWhatRoundingMakesTouchItself) {
   EXPECT_EQ(error_of(marker), Found(ErrorCode::kSelfIntersecting, "/pieces/0"));
 }
 
-TEST(Length, EndsWithTheRightmostPiece) {
+TEST(Length, IsTheRightEndOfTheRightmostPiece) {
   EXPECT_EQ(length_of(squares({{0, 0}, {37, 20}, {12, 90}})), 47);
   EXPECT_EQ(length_of(squares({{-50, 0}})), 0);
 }
 
-TEST(Utilisation, IsTheAreaOnTheCloth) {
+TEST(Utilisation, IsTheCoveredFractionOfTheStrip) {
   EXPECT_DOUBLE_EQ(utilisation_of(squares({{0, 0}})), 0.1);
   EXPECT_DOUBLE_EQ(utilisation_of(squares({{0, 0}, {0, 10}, {10, 0}})), 0.15);
   Marker full = squares({});
@@ -128,7 +130,7 @@ TEST(Utilisation, IsTheAreaOnTheCloth) {
   EXPECT_DOUBLE_EQ(utilisation_of(full), 1);
 }
 
-TEST(PlacedOutline, IsOrientedThenMoved) {
+TEST(PlacedOutline, IsOrientedThenTranslated) {
   Marker marker = squares({{7, 9}});
   marker.shapes[0].outline = kTriangle;
   marker.shapes[0].may_flip = true;

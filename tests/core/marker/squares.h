@@ -1,4 +1,4 @@
-// Markers of squares and triangles, small enough to know the answers.
+// Small markers of squares, for which the expected results are obvious.
 #pragma once
 
 #include "core/marker/marker.h"
@@ -8,7 +8,7 @@ namespace selvage::test {
 inline const Polygon kSquare{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
 inline const Polygon kTriangle{{0, 0}, {20, 0}, {0, 20}};
 
-// Squares (side 10) at the places, in a strip of width 100 whose unit is 0.1 mm.
+// Squares of side 10 at the given positions, in a strip of width 100; the lattice unit is 0.1 mm.
 [[nodiscard]] inline Marker squares(const std::vector<Vec>& places) {
   Marker marker;
   marker.resolution = {-1};

@@ -1,3 +1,4 @@
+// Tests of core/marker/unoccupied.h: known layouts, and the areas left over in the garment markers, against CGAL.
 #include "core/marker/unoccupied.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ namespace {
 constexpr UnoccupiedSettings kEverything{0, 0};
 constexpr Coord k1 = 1'000'000;  // lattice units
 
-// Rectangles (x, y, width, height) on a strip 100 wide, all in k1.
+// Rectangles (x, y, width, height) on a strip 100 wide; all numbers in units of k1.
 struct Rectangle {
   Coord x{}, y{}, width{}, height{};
 };
@@ -48,7 +49,7 @@ double total_area(const std::vector<UnoccupiedRegion>& regions) {
   return area;
 }
 
-TEST(Unoccupied, StopsWhenAsked) {
+TEST(Unoccupied, CanBeCancelled) {
   std::stop_source source;
   const Marker marker = rectangles({{0, 0, 10, 10}, {90, 0, 10, 10}});
   EXPECT_TRUE(unoccupied_regions(marker, kEverything, source.get_token()));
@@ -58,7 +59,7 @@ TEST(Unoccupied, StopsWhenAsked) {
   EXPECT_EQ(stopped.error().code, ErrorCode::kStoppedEarly);
 }
 
-TEST(Unoccupied, BetweenTwoWalls) {  // pieces from edge to edge part the cloth in two; the last one ends it
+TEST(Unoccupied, IsFoundBetweenTwoWalls) {  // pieces that span the strip divide the cloth in two; the last one ends it
   const auto regions =
       unoccupied_regions(rectangles({{0, 0, 10, 10}, {50, 0, 10, 100}, {90, 0, 10, 100}}), kEverything);
   ASSERT_EQ(regions.size(), 2U);
@@ -66,7 +67,7 @@ TEST(Unoccupied, BetweenTwoWalls) {  // pieces from edge to edge part the cloth 
   EXPECT_NEAR(area_in_k1(regions[1]), 30 * 100, 0.01);
   ASSERT_EQ(regions[0].around.size(), 2U);
   EXPECT_EQ(regions[0].around[0].piece, PieceId{0});
-  // Moving a wall by one makes the region as much larger as the wall is long.
+  // Moving a wall by one unit enlarges the region by the length of the wall.
   ASSERT_EQ(regions[1].around.size(), 2U);
   EXPECT_EQ(regions[1].around[0].piece, PieceId{1});
   EXPECT_NEAR(in_k1(regions[1].around[0].x), -100, kNear);
@@ -75,31 +76,32 @@ TEST(Unoccupied, BetweenTwoWalls) {  // pieces from edge to edge part the cloth 
   EXPECT_NEAR(in_k1(regions[1].around[1].x), 100, kNear);
 }
 
-TEST(Unoccupied, AnIslandIsAHole) {
+TEST(Unoccupied, HasAHoleAroundAnIsland) {
   const auto regions = unoccupied_regions(rectangles({{40, 40, 10, 10}, {90, 0, 10, 10}}), kEverything);
   ASSERT_EQ(regions.size(), 1U);
   EXPECT_NEAR(area_in_k1(regions[0]), 100 * 100 - 200, 0.01);
   EXPECT_EQ(regions[0].region.holes.size(), 1U);
   ASSERT_EQ(regions[0].around.size(), 2U);
-  EXPECT_NEAR(in_k1(regions[0].around[0].x), 0, kNear);  // what lies wholly inside gains nothing by moving
+  EXPECT_NEAR(in_k1(regions[0].around[0].x), 0,
+              kNear);  // moving a piece that lies wholly inside does not change the area
   EXPECT_NEAR(in_k1(regions[0].around[0].y), 0, kNear);
 }
 
-TEST(Unoccupied, PiecesThatTouchPartRegions) {  // corner to corner, from edge to edge
+TEST(Unoccupied, IsDividedByPiecesThatTouch) {  // corner to corner, across the whole strip
   const auto regions = unoccupied_regions(rectangles({{0, 0, 50, 50}, {50, 50, 50, 50}}), kEverything);
   ASSERT_EQ(regions.size(), 2U);
   for (const UnoccupiedRegion& region : regions) EXPECT_NEAR(area_in_k1(region), 2500, 0.01);
   const auto none = unoccupied_regions(rectangles({{0, 0, 50, 50}, {0, 50, 50, 50}}), kEverything);
-  EXPECT_TRUE(none.empty());  // side by side, no cloth between them
+  EXPECT_TRUE(none.empty());  // side by side, without cloth between them
 }
 
-TEST(Unoccupied, LeavesOutWhatIsSmall) {
+TEST(Unoccupied, LeavesOutSmallRegions) {
   const Marker marker = rectangles({{0, 0, 30, 99}});
   EXPECT_EQ(unoccupied_regions(marker, {0.0029, 0}).size(), 1U);
   EXPECT_TRUE(unoccupied_regions(marker, {0.0031, 0}).empty());
 }
 
-TEST(Unoccupied, NarrowPassagesPartRegions) {  // a wall of two halves that do not quite meet
+TEST(Unoccupied, IsDividedByNarrowGaps) {  // a wall of two halves with a small gap
   const Marker marker = rectangles({{50, 0, 10, 49}, {50, 51, 10, 49}, {100, 0, 10, 10}});
   EXPECT_EQ(unoccupied_regions(marker, kEverything).size(), 1U);
   EXPECT_EQ(unoccupied_regions(marker, {0, 9 * k1 / 10}).size(), 1U);
@@ -108,9 +110,9 @@ TEST(Unoccupied, NarrowPassagesPartRegions) {  // a wall of two halves that do n
 
 class GarmentRegions : public ::testing::TestWithParam<const char*> {};
 
-// Pieces of a valid marker do not overlap: what they leave is the cloth less their areas and the least clearance all
-// round.  Nothing lost, nothing twice.
-TEST_P(GarmentRegions, AreWhatThePiecesLeave) {
+// The pieces of a valid marker do not overlap, so the regions' total area is that of the cloth without the pieces and
+// the clearance around them.
+TEST_P(GarmentRegions, CoverTheClothThatPiecesLeave) {
   const Marker marker = test::garment(GetParam());
   const double cloth = static_cast<double>(length_of(marker)) * static_cast<double>(marker.strip.width);
   double perimeter = 0;
@@ -127,7 +129,7 @@ TEST_P(GarmentRegions, AreWhatThePiecesLeave) {
   EXPECT_GT(area, uncovered - 1.1 * static_cast<double>(kLeastClearance) * perimeter);
 }
 
-// One by one, against CGAL's exact set operations on the same grown outlines.
+// Each area compared with CGAL's exact set operations on the same grown outlines.
 TEST_P(GarmentRegions, HaveTheExactAreas) {
   const Marker marker = test::garment(GetParam());
   const UnoccupiedSettings settings{0, unoccupied_settings(marker.strip).clearance};

@@ -1,3 +1,4 @@
+// Tests of core/marker/validity.h: overlaps, spacing, protrusions and depths.
 #include "core/marker/validity.h"
 
 #include <gtest/gtest.h>
@@ -21,17 +22,17 @@ marker::Validity checked(const Marker& marker) {
   return validity;
 }
 
-TEST(Validity, TouchingIsValid) {
+TEST(Validity, AllowsTouchingPieces) {
   EXPECT_TRUE(checked(squares({{0, 0}, {10, 0}, {10, 10}, {0, 90}})).valid());
 }
 
-TEST(Validity, SaysWhichOverlapWhereAndHowDeep) {
+TEST(Validity, ReportsOverlapsWithWitnessAndDepth) {
   const marker::Validity validity = checked(squares({{0, 0}, {50, 50}, {7, 2}}));
   ASSERT_EQ(validity.overlaps.size(), 1U);
   const marker::Overlap& overlap = validity.overlaps[0];
   EXPECT_EQ(overlap.first, PieceId{0});
   EXPECT_EQ(overlap.second, PieceId{2});
-  EXPECT_NEAR(overlap.depth, 3, 1e-9);  // to the right, by what they share
+  EXPECT_NEAR(overlap.depth, 3, 1e-9);  // to the right, by the width of the overlap
   EXPECT_GT(overlap.witness_x, 7);
   EXPECT_LT(overlap.witness_x, 10);
   EXPECT_GT(overlap.witness_y, 2);
@@ -39,7 +40,7 @@ TEST(Validity, SaysWhichOverlapWhereAndHowDeep) {
   EXPECT_TRUE(validity.protrusions.empty());
 }
 
-TEST(Validity, StopsWhenAsked) {
+TEST(Validity, CanBeCancelled) {
   SumCache sums;
   std::stop_source source;
   source.request_stop();
@@ -48,7 +49,7 @@ TEST(Validity, StopsWhenAsked) {
   EXPECT_EQ(stopped.error().code, ErrorCode::kStoppedEarly);
 }
 
-TEST(Validity, TellsTheSameOverlapsUnmeasured) {
+TEST(Validity, FindsTheSameOverlapsUnmeasured) {
   const Marker marker = squares({{0, 0}, {5, 5}, {9, 9}, {60, 0}, {0, 1}});
   const auto measured = checked(marker).overlaps;
   const auto unmeasured = overlaps_unmeasured(marker);
@@ -56,15 +57,15 @@ TEST(Validity, TellsTheSameOverlapsUnmeasured) {
   for (std::size_t k = 0; k < measured.size(); ++k) {
     EXPECT_EQ(unmeasured[k].first, measured[k].first);
     EXPECT_EQ(unmeasured[k].second, measured[k].second);
-    EXPECT_EQ(unmeasured[k].witness_x, measured[k].witness_x);  // of two boxes
+    EXPECT_EQ(unmeasured[k].witness_x, measured[k].witness_x);  // the pieces are boxes, so both witnesses are exact
     EXPECT_EQ(unmeasured[k].witness_y, measured[k].witness_y);
     EXPECT_EQ(unmeasured[k].depth, 0);
     EXPECT_GT(measured[k].depth, 0);
   }
 }
 
-TEST(Validity, DepthIsTheShortestMoveInAnyDirection) {
-  // The corner of a square under the hypotenuse of a triangle, x + y = 20, at (7, 7): 6 / sqrt(2) deep.
+TEST(Validity, DepthIsTheShortestSeparatingMove) {
+  // The corner of a square lies inside a triangle with hypotenuse x + y = 20, at (7, 7): its depth is 6 / sqrt(2).
   Marker marker = squares({{0, 0}, {7, 7}});
   marker.shapes.push_back({.id = "triangle", .outline = kTriangle, .tilt_limit = {}});
   marker.pieces[0].shape.value = 1;
@@ -73,7 +74,7 @@ TEST(Validity, DepthIsTheShortestMoveInAnyDirection) {
   EXPECT_NEAR(validity.overlaps[0].depth, 6 / std::sqrt(2.0), 1e-9);
 }
 
-TEST(Validity, OverlapsComeInOrder) {
+TEST(Validity, OverlapsAreSorted) {
   const marker::Validity validity = checked(squares({{0, 0}, {5, 5}, {9, 9}, {60, 0}, {0, 1}}));
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (const marker::Overlap& o : validity.overlaps) pairs.emplace_back(o.first.value, o.second.value);
@@ -81,13 +82,13 @@ TEST(Validity, OverlapsComeInOrder) {
             (std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0, 1}, {0, 2}, {0, 4}, {1, 2}, {1, 4}, {2, 4}}));
 }
 
-TEST(Validity, OfPiecesOnTopOfEachOther) {
+TEST(Validity, MeasuresPiecesOnTopOfEachOther) {
   const marker::Validity validity = checked(squares({{30, 30}, {30, 30}}));
   ASSERT_EQ(validity.overlaps.size(), 1U);
   EXPECT_NEAR(validity.overlaps[0].depth, 10, 1e-9);
 }
 
-TEST(Validity, SpacingIsKeptAtTheDistanceItself) {
+TEST(Validity, AllowsPiecesAtExactlyTheSpacing) {
   Marker marker = squares({{0, 0}, {15, 0}});
   marker.spacing = 5;
   EXPECT_TRUE(checked(marker).valid());
@@ -95,26 +96,26 @@ TEST(Validity, SpacingIsKeptAtTheDistanceItself) {
   const marker::Validity validity = checked(marker);
   ASSERT_EQ(validity.overlaps.size(), 1U);
   EXPECT_NEAR(validity.overlaps[0].depth, 1, 1e-9);
-  EXPECT_NEAR(validity.overlaps[0].witness_x, 12.5, 1e-9);  // between the two
-  // Corner to corner, 3 and 4 apart.
+  EXPECT_NEAR(validity.overlaps[0].witness_x, 12.5, 1e-9);  // midway between the two
+  // Corner to corner, 3 and 4 apart along the axes.
   marker = squares({{0, 0}, {13, 14}});
   marker.spacing = 5;
   EXPECT_TRUE(checked(marker).valid());
   marker.pieces[1].at = {13, 13};
   EXPECT_FALSE(checked(marker).valid());
   EXPECT_NEAR(checked(marker).overlaps[0].depth, 5 - std::sqrt(18.0), 1e-9);
-  // Overlapping all the same: out, and then apart.
+  // The pieces overlap: the depth is the move out of the overlap plus the spacing.
   marker.pieces[1].at = {8, 0};
   EXPECT_NEAR(checked(marker).overlaps[0].depth, 2 + 5, 1e-9);
 }
 
-TEST(Validity, SpacingDoesNotHoldForTheStripsEdges) {
+TEST(Validity, SpacingDoesNotApplyToTheStripsEdges) {
   Marker marker = squares({{0, 0}});
   marker.spacing = 5;
   EXPECT_TRUE(checked(marker).valid());
 }
 
-TEST(Validity, SaysByHowMuchAPieceLeavesTheStrip) {
+TEST(Validity, MeasuresHowFarAPieceLeavesTheStrip) {
   const auto by = [](Vec at, std::optional<Coord> longest = {}) {
     Marker marker = squares({{40, 40}, at});
     marker.strip.longest = longest;
@@ -130,13 +131,13 @@ TEST(Validity, SaysByHowMuchAPieceLeavesTheStrip) {
   EXPECT_EQ(by({0, 91}), 1);
   EXPECT_EQ(by({-3, 0}), 3);
   EXPECT_EQ(by({0, -4}), 4);
-  EXPECT_EQ(by({-3, -4}), 4);  // the larger of the two
+  EXPECT_EQ(by({-3, -4}), 4);  // the larger of the two protrusions
   EXPECT_EQ(by({1'000'000, 0}), 0);
   EXPECT_EQ(by({90, 0}, 100), 0);
   EXPECT_EQ(by({95, 0}, 100), 5);
 }
 
-// True when q overlaps p at r and at everything within a few units of it.
+// True when q overlaps p at r and at every position within a few units of r.
 bool deep_inside(const Polygon& p, const Polygon& q, Vec r) {
   for (Coord x = -3; x <= 3; ++x) {
     for (Coord y = -3; y <= 3; ++y) {
@@ -146,8 +147,8 @@ bool deep_inside(const Polygon& p, const Polygon& q, Vec r) {
   return true;
 }
 
-// No move that is shorter than the depth parts the two, in whatever direction; one of that length does.
-TEST(Validity, DepthPartsAndNoLessDoes) {
+// No move shorter than the depth separates the two pieces, in any direction, and a move of that length does.
+TEST(Validity, DepthIsExactlyTheMoveThatSeparates) {
   Random random{211};
   std::size_t pairs = 0;
   for (int trial = 0; trial < 200 / kSlowdown; ++trial) {
@@ -179,7 +180,7 @@ TEST(Validity, DepthPartsAndNoLessDoes) {
   EXPECT_GT(pairs, 50U / kSlowdown);
 }
 
-TEST(OrientedOutlines, AreThePieces) {
+TEST(OrientedOutlines, AreThePiecesOutlines) {
   Marker marker = squares({{3, 4}});
   marker.shapes[0].outline = kTriangle;
   marker.shapes[0].may_flip = true;

@@ -1,3 +1,4 @@
+// Tests of the box tree over a sum's edges (core/minkowski/box_tree.h).
 #include "core/minkowski/box_tree.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ TEST(BoxTree, HasNoBoxesWithoutEdges) {
   EXPECT_EQ(BoxTree{edges(0)}.levels(), 0U);
 }
 
-TEST(BoxTree, EachBoxIsOverItsRunAndTheLastOverAll) {
+TEST(BoxTree, EachBoxBoundsItsChildrenAndTheRootBoundsAllEdges) {
   for (std::size_t count = 1; count < 300; ++count) {
     SCOPED_TRACE(count);
     const auto below = edges(count);
@@ -30,7 +31,7 @@ TEST(BoxTree, EachBoxIsOverItsRunAndTheLastOverAll) {
     std::size_t boxes = count;
     for (std::size_t level = 1; level <= tree.levels(); ++level) {
       const auto box_below = [&](std::size_t k) { return level == 1 ? box_of(below[k]) : tree.box(level - 1, k); };
-      std::size_t next = 0;  // of the level below, what no box is over yet
+      std::size_t next = 0;  // the first child on the level below that no box has covered yet
       std::size_t index = 0;
       for (; next < boxes; ++index) {
         ASSERT_EQ(next, index * BoxTree::kFan);

@@ -1,3 +1,4 @@
+// Tests of the cache of sums and of obstacles (core/minkowski/cache.h): sharing, eviction, counts and threads.
 #include "core/minkowski/cache.h"
 
 #include <gtest/gtest.h>
@@ -19,16 +20,12 @@ std::vector<Symmetry> all_symmetries() {
   return all;
 }
 
-// The obstacle's edges where the marker sees them.
+// The obstacle's edges in the marker's frame.
 std::vector<std::pair<Vec, Vec>> edges_of(const minkowski::Obstacle& obstacle) {
   std::vector<std::pair<Vec, Vec>> edges;
   for (const minkowski::convolution::SumEdge& e : obstacle.sum().edges())
     edges.emplace_back(obstacle.from_frame(e.from), obstacle.from_frame(e.to));
   return edges;
-}
-
-outline::Real2 real(Vec v) {
-  return {static_cast<double>(v.x), static_cast<double>(v.y)};
 }
 
 TEST(Cache, CountsHitsAndMisses) {
@@ -47,7 +44,7 @@ TEST(Cache, CountsHitsAndMisses) {
   EXPECT_EQ(sums.counts().entries, 1U);
 }
 
-TEST(Cache, RemembersGrownOutlines) {
+TEST(Cache, RemembersSimplifiedOutlines) {
   SumCache sums;
   const auto notched = sums.outline({{0, 0}, {50, 3}, {100, 0}, {100, 100}, {0, 100}});
   const auto grown = sums.grown(notched, 10);
@@ -58,26 +55,26 @@ TEST(Cache, RemembersGrownOutlines) {
   EXPECT_EQ(sums.grown(grown, 10), grown);
 }
 
-TEST(Cache, SharesWhatAFrameCanTell) {
+TEST(Cache, SharesSumsThatDifferOnlyByTheirFrame) {
   SumCache sums;
   const auto p = sums.outline({{0, 0}, {40, 0}, {0, 30}});
   const auto q = sums.outline({{0, 0}, {20, 0}, {20, 20}, {0, 20}});
   for (const Symmetry common : all_symmetries()) {
     const Symmetry turned = common.after(Symmetry{false, 1});
-    (void)sums.obstacle({p, common}, {q, turned});  // one relative orientation
-    (void)sums.obstacle({q, turned}, {p, common});  // and the other order
+    (void)sums.obstacle({p, common}, {q, turned});  // the same relative orientation
+    (void)sums.obstacle({q, turned}, {p, common});  // the same pair in the other order
   }
   EXPECT_EQ(sums.counts().entries, 1U);
   EXPECT_EQ(sums.counts().misses, 1U);
   EXPECT_EQ(sums.counts().hits, 15U);
 }
 
-TEST(Cache, KnowsOutlinesByTheirPolygon) {
+TEST(Cache, IdentifiesOutlinesByTheirPolygon) {
   SumCache sums;
   const Polygon polygon{{0, 0}, {40, 0}, {0, 30}};
   EXPECT_EQ(sums.outline(polygon), sums.outline(polygon));
   EXPECT_NE(sums.outline(polygon), sums.outline(moved(polygon, {1, 0})));
-  // Outlines that were made elsewhere are the same by value.
+  // Outlines that were made outside the cache are equal by value.
   const auto mine = sums.outline(polygon);
   (void)sums.obstacle({mine, {}}, {mine, {}});
   (void)sums.obstacle({outline::make_outline(polygon), {}}, {outline::make_outline(polygon), {}});
@@ -85,7 +82,7 @@ TEST(Cache, KnowsOutlinesByTheirPolygon) {
   EXPECT_EQ(sums.counts().hits, 1U);
 }
 
-TEST(Cache, ForgetsTheLeastRecentlyUsed) {
+TEST(Cache, EvictsTheLeastRecentlyUsedSum) {
   Random random{141};
   std::vector<std::shared_ptr<const outline::Outline>> outlines;
   for (int k = 0; k < 4; ++k) outlines.push_back(outline::make_outline(random_convex(random, 20, 1'000'000)));
@@ -99,11 +96,11 @@ TEST(Cache, ForgetsTheLeastRecentlyUsed) {
     bytes = roomy.counts().bytes;
     EXPECT_EQ(roomy.counts().entries, 3U);
   }
-  SumCache sums{bytes - 1};  // room for any two of the three
+  SumCache sums{bytes - 1};  // enough for any two of the three sums
   const minkowski::Obstacle kept = sum_with(sums, 1);
   (void)sum_with(sums, 2);
   (void)sum_with(sums, 1);
-  (void)sum_with(sums, 3);  // 2 goes: 1 was used since
+  (void)sum_with(sums, 3);  // evicts 2, since 1 was used more recently
   EXPECT_EQ(sums.counts().entries, 2U);
   EXPECT_LE(sums.counts().bytes, sums.counts().limit);
   const auto misses = sums.counts().misses;
@@ -126,10 +123,10 @@ TEST(Cache, CountsOutlinesWithinItsLimit) {
   (void)sums.outline(rectangle(991));
   for (Coord width = 1; width <= 9; ++width) (void)sums.outline(rectangle(width));
   EXPECT_FALSE(first.expired());
-  EXPECT_TRUE(second.expired());  // 991 was used since
+  EXPECT_TRUE(second.expired());  // evicted, since 991 was used more recently
 }
 
-TEST(Cache, ForgetsWhatOutlinesGrewTo) {
+TEST(Cache, EvictsSimplifiedOutlines) {
   const Polygon notched{{0, 0}, {50, 3}, {100, 0}, {100, 100}, {0, 100}};
   SumCache sums{4 * outline::make_outline(notched)->bytes()};
   const std::weak_ptr<const outline::Outline> first = sums.grown(sums.outline(notched), 10);
@@ -150,11 +147,11 @@ TEST(Cache, KeepsOutlinesAsLongAsTheirSums) {
   (void)sums.obstacle({sums.outline(p), {}}, {sums.outline(q), {}});
   EXPECT_EQ(sums.counts().bytes, bytes);
   (void)sums.outline({{0, 0}, {40, 0}, {0, 30}});
-  EXPECT_EQ(sums.counts().entries, 0U);  // the sum went, though its outlines came first
+  EXPECT_EQ(sums.counts().entries, 0U);  // the sum was evicted before its outlines, although they are older
   EXPECT_FALSE(outline.expired());
 }
 
-TEST(Cache, OfNoRoomKeepsNothingAndStillAnswers) {
+TEST(Cache, WithoutCapacityStoresNothingAndStillReturnsSums) {
   SumCache sums{0};
   const auto p = sums.outline({{0, 0}, {40, 0}, {0, 30}});
   const minkowski::Obstacle first = sums.obstacle({p, {}}, {p, {}});
@@ -165,8 +162,8 @@ TEST(Cache, OfNoRoomKeepsNothingAndStillAnswers) {
   EXPECT_EQ(edges_of(first), edges_of(second));
 }
 
-// A cache that was asked other things before, in another order, or that forgets, answers the same.
-TEST(Cache, AnswersDoNotDependOnWhatItHolds) {
+// A cache with another history, or one that evicts its entries, returns the same sums.
+TEST(Cache, ResultsDoNotDependOnItsContents) {
   Random random{142};
   std::vector<Polygon> polygons;
   for (int k = 0; k < 6; ++k) polygons.push_back(random_polygon(random, 100'000));
@@ -189,8 +186,9 @@ TEST(Cache, AnswersDoNotDependOnWhatItHolds) {
   EXPECT_LE(small.counts().bytes, 100'000U);
 }
 
-// Many at once are what they are one by one, and the cache is the same for it; a sum asked for twice is made once.
-TEST(Cache, AnswersManyAtOnceAsOneByOne) {
+// A batch request returns the same obstacles as single requests and leaves the cache in the same state; a sum that
+// occurs twice is computed once.
+TEST(Cache, BatchRequestsEqualSingleRequests) {
   Random random{146};
   std::vector<outline::OrientedOutline> pieces;
   for (int k = 0; k < 12; ++k) {
@@ -226,8 +224,8 @@ TEST(Cache, AnswersManyAtOnceAsOneByOne) {
   }
 }
 
-// q at r overlaps p at 0 exactly when r lies inside the obstacle: in every pair of orientations.
-TEST(Obstacle, TellsOverlapInEveryOrientation) {
+// q at r overlaps p at 0 exactly when r lies inside the obstacle, for every pair of orientations.
+TEST(Obstacle, ContainsExactlyTheOverlappingPositions) {
   Random random{143};
   SumCache sums;
   std::size_t inside = 0;
@@ -256,7 +254,7 @@ TEST(Obstacle, TellsOverlapInEveryOrientation) {
   EXPECT_GT(outside, 2000U);
 }
 
-// True when q can be moved out of p by a step of two units.
+// True when a move of two units can separate q from p.
 bool barely_overlap(const Polygon& p, const Polygon& q, Vec r) {
   for (Coord x = -2; x <= 2; ++x) {
     for (Coord y = -2; y <= 2; ++y) {
@@ -266,9 +264,9 @@ bool barely_overlap(const Polygon& p, const Polygon& q, Vec r) {
   return false;
 }
 
-// At the ends of a whole edge of the sum the two touch.  Where star sums meet, one may show that another
-// hides by no more than rounding: nowhere else do they overlap.
-TEST(Obstacle, IsExactWhereItsVerticesAre) {
+// At the end points of a whole edge of the sum the two polygons touch.  Only where several star-shaped sums meet may an
+// edge be shown that another sum hides by no more than rounding; there alone the polygons may overlap.
+TEST(Obstacle, IsExactAtItsVertices) {
   Random random{144};
   SumCache sums;
   std::size_t corners = 0;
@@ -295,11 +293,11 @@ TEST(Obstacle, IsExactWhereItsVerticesAre) {
   EXPECT_GT(corners, 5000U / kSlowdown);
 }
 
-TEST(Cache, IsSharedByThreads) {
+TEST(Cache, CanBeSharedByThreads) {
   Random random{145};
   std::vector<Polygon> polygons;
   for (int k = 0; k < 8; ++k) polygons.push_back(random_polygon(random, 10'000));
-  SumCache sums{200'000};  // so small that entries go while others are read
+  SumCache sums{200'000};  // so small that entries are evicted while others are in use
   const auto hammer = [&](std::uint64_t seed) {
     Random mine{seed};
     for (int k = 0; k < 1500; ++k) {

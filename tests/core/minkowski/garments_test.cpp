@@ -1,5 +1,5 @@
-// Sums of the shapes of the garment markers in examples/: in the orientations that their pieces may have to
-// each other.
+// The laws of sums, tested on the shapes of the garment markers in examples/, in the relative orientations that their
+// pieces may have.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -17,7 +17,7 @@ struct ShapePair {
   Symmetry relative;
 };
 
-// Every two shapes of one marker, one straight and one turned by half a turn, without repetition.
+// Every pair of shapes of a marker, once unturned and once with a half turn, without repetitions.
 std::vector<ShapePair> pairs_of(const Marker& marker) {
   std::set<std::tuple<Polygon, Polygon, Symmetry>> seen;
   std::vector<ShapePair> pairs;
@@ -35,7 +35,7 @@ std::vector<ShapePair> pairs_of(const Marker& marker) {
 
 class Garments : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(Garments, SumsKeepTheLaws) {
+TEST_P(Garments, SumsSatisfyTheLaws) {
   const auto pairs = pairs_of(garment(GetParam()));
   ASSERT_GT(pairs.size(), 500U);
   for (std::size_t k = 0; k < pairs.size(); k += kSlowdown) {

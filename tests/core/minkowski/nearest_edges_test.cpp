@@ -1,3 +1,4 @@
+// Tests of nearest_edges.h and of MinkowskiSum::contains.
 #include "core/minkowski/nearest_edges.h"
 
 #include <gtest/gtest.h>
@@ -30,9 +31,9 @@ Vec near(const Box& box, Random& random) {
   return {random.between(box.low.x - 5000, box.high.x + 5000), random.between(box.low.y - 5000, box.high.y + 5000)};
 }
 
-constexpr auto kNothing = [](const Box&) { return false; };
+constexpr auto kSkipNothing = [](const Box&) { return false; };
 
-TEST(NearestEdges, ComeInOrderAndAllWithinReach) {
+TEST(NearestEdges, AreAllEdgesWithinReachInOrder) {
   Random random{131};
   for (int trial = 0; trial < 500 / kSlowdown; ++trial) {
     const minkowski::MinkowskiSum sum = random_sum(random);
@@ -41,7 +42,7 @@ TEST(NearestEdges, ComeInOrderAndAllWithinReach) {
     minkowski::NearestEdges edges{sum, from, reach};
     std::set<const minkowski::convolution::SumEdge*> seen;
     double last = 0;
-    while (const auto next = edges.next(kNothing)) {
+    while (const auto next = edges.next(kSkipNothing)) {
       const double distance = distance_to(*next->edge, from);
       ASSERT_NEAR(std::sqrt(next->squared_distance), distance, 1e-6);
       ASSERT_GE(distance, last - 1e-6);
@@ -55,7 +56,7 @@ TEST(NearestEdges, ComeInOrderAndAllWithinReach) {
   }
 }
 
-TEST(NearestEdges, LeaveOutSkippedBoxesOnly) {
+TEST(NearestEdges, LeaveOutOnlySkippedBoxes) {
   Random random{132};
   for (int trial = 0; trial < 300 / kSlowdown; ++trial) {
     const minkowski::MinkowskiSum sum = random_sum(random);
@@ -85,8 +86,8 @@ TEST(NearestBoundaryPoint, IsNoFartherThanAnyEdge) {
   }
 }
 
-// On lattices so small that stretches of a unit are rounding, nothing is proved, but nothing breaks either.
-TEST(NearestBoundaryPoint, OfTheSmallestSums) {
+// On lattices so small that edges of one unit are rounding, nothing is guaranteed, but nothing may fail.
+TEST(NearestBoundaryPoint, IsDefinedForTheSmallestSums) {
   Random random{134};
   for (int trial = 0; trial < 4000 / kSlowdown; ++trial) {
     const Polygon p = random_simple(random, 12, random.between(1, 6));
@@ -109,7 +110,7 @@ TEST(Contains, AgreesWithTheExactSumAwayFromTheBoundary) {
     for (int k = 0; k < 40; ++k) {
       const Vec v = near(sum.box(), random);
       if (nearest_boundary_point(sum, v).distance < 3) continue;
-      const outline::Real2 at{static_cast<double>(v.x), static_cast<double>(v.y)};
+      const RealVec at{static_cast<double>(v.x), static_cast<double>(v.y)};
       ASSERT_EQ(sum.contains(at), exact.locate(at) == geometry::Location::kInside)
           << text_of(p) << "; " << text_of(q) << " at " << text_of({v});
       ++(sum.contains(at) ? inside : outside);

@@ -9,12 +9,9 @@
 namespace selvage::test {
 namespace {
 
-constexpr double kRounding = 2;  // lattice units: two rounded ends, and stretches so short that they are left out
+constexpr double kRounding = 2;  // lattice units: two rounded end points, and parts so short that they are left out
 
-outline::Real2 real(Vec v) {
-  return {static_cast<double>(v.x), static_cast<double>(v.y)};
-}
-outline::Real2 along(const Segment& s, double t) {
+RealVec along(const Segment& s, double t) {
   return {s.first.x + t * (s.second.x - s.first.x), s.first.y + t * (s.second.y - s.first.y)};
 }
 double length_of(const Segment& s) {
@@ -24,30 +21,31 @@ Segment segment_of(const minkowski::convolution::SumEdge& e) {
   return {real(e.from), real(e.to)};
 }
 
-double distance(outline::Real2 p, const Segment& s) {
+double distance(RealVec p, const Segment& s) {
   const double dx = s.second.x - s.first.x;
   const double dy = s.second.y - s.first.y;
   const double squared = dx * dx + dy * dy;
   const double t = squared == 0 ? 0 : std::clamp(((p.x - s.first.x) * dx + (p.y - s.first.y) * dy) / squared, 0.0, 1.0);
-  const outline::Real2 nearest = along(s, t);
+  const RealVec nearest = along(s, t);
   return std::hypot(p.x - nearest.x, p.y - nearest.y);
 }
 
-double nearest_of(outline::Real2 p, const std::vector<Segment>& segments) {
+double nearest_of(RealVec p, const std::vector<Segment>& segments) {
   double least = std::numeric_limits<double>::infinity();
   for (const Segment& s : segments) least = std::min(least, distance(p, s));
   return least;
 }
 
-std::string text_of(outline::Real2 p) {
+std::string text_of(RealVec p) {
   return "(" + std::to_string(p.x) + ", " + std::to_string(p.y) + ")";
 }
 
-constexpr double kStub = 100;         // what may be left of an edge at a sharp corner, inside by a few units at its end
-constexpr double kLongEnough = 1000;  // to tell the sides by a sample in the middle
+constexpr double kStub =
+    100;  // length of what may remain of an edge at a sharp corner, inside by a few units at its end
+constexpr double kLongEnough = 1000;  // long enough to test its two sides by a sample in the middle
 constexpr double kSamples[] = {0.05, 0.35, 0.5, 0.8, 0.95};
 
-// Laws (2), (3), (4) and (7) for one sum.
+// Tests laws (2), (3), (4) and (7) on one sum.
 class Boundary {
  public:
   Boundary(const minkowski::MinkowskiSum& sum, const ExactSum& exact) : sum_{sum}, exact_{exact} {
@@ -60,8 +58,7 @@ class Boundary {
     }
     for (const Segment& s : exact_.boundary()) {
       for (const double t : kSamples) {
-        if (nearest_of(along(s, t), ours_) > kRounding)
-          return "no edge at " + text_of(along(s, t)) + ", on the boundary";
+        if (nearest_of(along(s, t), ours_) > kRounding) return "no edge covers the boundary at " + text_of(along(s, t));
       }
     }
     return broken_length();
@@ -73,7 +70,7 @@ class Boundary {
     double serial = 0;
     for (std::size_t e = 0; e < ours_.size(); ++e) {
       whole += length_of(ours_[e]);
-      if (!accompanied(e)) serial += length_of(ours_[e]);
+      if (!has_parallel_neighbour(e)) serial += length_of(ours_[e]);
     }
     const double exact = exact_.perimeter();
     const double rounding = 1e-6 * exact + 2 * kRounding * static_cast<double>(ours_.size() + exact_.boundary().size());
@@ -86,29 +83,29 @@ class Boundary {
     const Segment& edge = ours_[e];
     const double length = length_of(edge);
     for (const double t : kSamples) {
-      if (length > kStub && hidden(along(edge, t))) return "an edge inside a ring at " + text_of(along(edge, t));
+      if (length > kStub && hidden(along(edge, t))) return "an edge lies inside a ring at " + text_of(along(edge, t));
     }
     for (std::size_t k = 0; k < e; ++k) {
-      if (twice(sum_.edges()[e], sum_.edges()[k])) return "a stretch twice at " + text_of(along(edge, 0.5));
+      if (twice(sum_.edges()[e], sum_.edges()[k])) return "part of a line occurs twice at " + text_of(along(edge, 0.5));
     }
-    const outline::Real2 middle = along(edge, 0.5);
-    if (length < kLongEnough || neighbour_within(10, middle, e)) return {};  // too near to tell sides by a sample
+    const RealVec middle = along(edge, 0.5);
+    if (length < kLongEnough || neighbour_within(10, middle, e))
+      return {};  // another edge is too near to test the sides by a sample
     const double reach = 3 / length;
-    const outline::Real2 left{-(edge.second.y - edge.first.y) * reach, (edge.second.x - edge.first.x) * reach};
+    const RealVec left{-(edge.second.y - edge.first.y) * reach, (edge.second.x - edge.first.x) * reach};
     if (exact_.locate({middle.x + left.x, middle.y + left.y}) != geometry::Location::kInside) {
-      return "outside on the left of the edge at " + text_of(middle);
+      return "the left side of an edge is outside the sum at " + text_of(middle);
     }
     if (exact_.locate({middle.x - left.x, middle.y - left.y}) != geometry::Location::kOutside) {
-      return "inside on the right of the edge at " + text_of(middle);
+      return "the right side of an edge is inside the sum at " + text_of(middle);
     }
     return {};
   }
 
-  // True when the point lies inside a ring by more than rounding, measured from the ring's edge that faces
-  // it.
-  [[nodiscard]] bool hidden(outline::Real2 p) const {
+  // True when the point lies inside a ring by more than rounding, measured from the ring's edge that faces it.
+  [[nodiscard]] bool hidden(RealVec p) const {
     return std::any_of(sum_.rings().begin(), sum_.rings().end(), [&](const minkowski::convolution::StarSum& ring) {
-      const auto side = [](outline::Real2 a, outline::Real2 b, outline::Real2 c) {
+      const auto side = [](RealVec a, RealVec b, RealVec c) {
         return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
       };
       return std::any_of(ring.edges.begin(), ring.edges.end(), [&](const minkowski::convolution::SumEdge& e) {
@@ -118,7 +115,7 @@ class Boundary {
       });
     });
   }
-  // True when both lie on one line, in one direction, and share more than rounding.
+  // True when both edges lie on one line with one direction and share more than rounding.
   static bool twice(const minkowski::convolution::SumEdge& e, const minkowski::convolution::SumEdge& f) {
     const Vec d = e.line_to - e.line_from;
     const Vec other = f.line_to - f.line_from;
@@ -126,21 +123,21 @@ class Boundary {
     const double length = std::hypot(static_cast<double>(d.x), static_cast<double>(d.y));
     const auto at = [&](Vec v) { return static_cast<double>(dot(d, v - e.line_from)) / length; };
     const double shared = std::min(at(e.to), at(f.to)) - std::max(at(e.from), at(f.from));
-    // Where lines cross at small angles, rounding moves the ends of what shows by more than a few units.
+    // Where lines cross at a small angle, rounding moves the end points of the visible parts by more than a few units.
     return shared > 100 && shared > 0.5 * std::min(at(e.to) - at(e.from), at(f.to) - at(f.from));
   }
-  [[nodiscard]] bool neighbour_within(double reach, outline::Real2 p, std::size_t e) const {
+  [[nodiscard]] bool neighbour_within(double reach, RealVec p, std::size_t e) const {
     for (std::size_t k = 0; k < ours_.size(); ++k) {
       if (k != e && distance(p, ours_[k]) <= reach) return true;
     }
     return false;
   }
-  // True when other edges run beside it somewhere.
-  [[nodiscard]] bool accompanied(std::size_t e) const {
-    const auto beside = [&](double t) { return neighbour_within(kRounding, along(ours_[e], t), e); };
+  // True when another edge runs along this edge somewhere.
+  [[nodiscard]] bool has_parallel_neighbour(std::size_t e) const {
+    const auto has_neighbour = [&](double t) { return neighbour_within(kRounding, along(ours_[e], t), e); };
     const double by_the_end = std::min(0.5, 16 / length_of(ours_[e]));
-    return std::any_of(std::begin(kSamples), std::end(kSamples), beside) || beside(by_the_end) ||
-           beside(1 - by_the_end);
+    return std::any_of(std::begin(kSamples), std::end(kSamples), has_neighbour) || has_neighbour(by_the_end) ||
+           has_neighbour(1 - by_the_end);
   }
 
   const minkowski::MinkowskiSum& sum_;
@@ -154,7 +151,7 @@ bool near_line(Vec p, const minkowski::convolution::SumEdge& e) {
   return std::abs(off) <= 1.5 * std::hypot(static_cast<double>(d.x), static_cast<double>(d.y));
 }
 
-// Laws (1) to (4) and (7).
+// Tests laws (1) to (4) and (7).
 std::string difference_from(const ExactSum& exact, const minkowski::MinkowskiSum& sum) {
   const double difference = exact.difference(sum).area;
   if (difference > exact.perimeter()) {
@@ -168,7 +165,7 @@ std::string with(const Summands& summands, const std::string& broken) {
   return broken + "; first " + test::text_of(summands.first) + "; second " + test::text_of(summands.second_image());
 }
 
-// Whether the edge's line is the source's vertex plus its edge.
+// True when the edge's line is the sum of the source's vertex and edge.
 bool source_makes(const minkowski::convolution::SumEdge& e, const Summands& s) {
   const Polygon& whole = e.source.vertex_of_first ? s.second : s.first;
   const Symmetry of_edge = e.source.vertex_of_first ? s.of_second : Symmetry{};
@@ -183,11 +180,12 @@ bool source_makes(const minkowski::convolution::SumEdge& e, const Summands& s) {
 std::string broken_source(const Summands& summands, const minkowski::MinkowskiSum& sum) {
   for (const minkowski::convolution::SumEdge& e : sum.edges()) {
     const std::string where = " of the edge at " + text_of(along(segment_of(e), 0.5));
-    if (e.from == e.to || e.line_from == e.line_to) return with(summands, "no length" + where);
-    if (!near_line(e.from, e) || !near_line(e.to, e)) return with(summands, "an end off the line" + where);
+    if (e.from == e.to || e.line_from == e.line_to) return with(summands, "zero length" + where);
+    if (!near_line(e.from, e) || !near_line(e.to, e)) return with(summands, "an end point is off the line" + where);
     const bool short_one = length_of(segment_of(e)) < 2 * kRounding;
-    if (!short_one && dot(e.line_to - e.line_from, e.to - e.from) <= 0) return with(summands, "a turned line" + where);
-    if (!source_makes(e, summands)) return with(summands, "another source" + where);
+    if (!short_one && dot(e.line_to - e.line_from, e.to - e.from) <= 0)
+      return with(summands, "the line has the wrong direction" + where);
+    if (!source_makes(e, summands)) return with(summands, "the wrong source" + where);
   }
   return {};
 }

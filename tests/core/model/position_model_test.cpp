@@ -9,24 +9,6 @@ namespace {
 
 using test::Layout;
 
-TEST(RowOf, AxisRowsAskForTheirSlackExactly) {
-  const HalfPlane right_of{{100, 0}, {0, 50}};  // to the right of x = 100
-  const PairRow row = row_of({0, 1}, right_of, {130, 7}, 0, 1, TightRows::kRestore);
-  EXPECT_EQ(row.nx, 1);
-  EXPECT_EQ(row.ny, 0);
-  EXPECT_EQ(row.bound, -30);
-  EXPECT_EQ(row_of({0, 1}, right_of, {130, 7}, 12, 1, TightRows::kRestore).bound, -18);
-}
-
-TEST(RowOf, SlantedRowsKeepAMarginForRounding) {
-  const HalfPlane slanted{{0, 0}, {-30, 40}};  // right of the line: n = (0.8, 0.6)
-  const PairRow roomy = row_of({0, 1}, slanted, {80, 60}, 0, 1, TightRows::kRestore);
-  EXPECT_NEAR(roomy.bound, -(100 - 1.4), 1e-6);
-  EXPECT_NEAR(row_of({0, 1}, slanted, {0, 0}, 0, 1, TightRows::kRestore).bound, 1.4, 1e-6);
-  EXPECT_EQ(row_of({0, 1}, slanted, {0, 0}, 0, 1, TightRows::kKeep).bound, 0);
-  EXPECT_NEAR(row_of({0, 1}, slanted, {-8, -6}, 0, 1, TightRows::kKeep).bound, 11.4, 1e-6);
-}
-
 TEST(PositionModel, BuildsOnlyWhatTheSceneNeeds) {
   Layout layout{1000};
   const auto square = layout.shape_of(test::rectangle(100, 100));

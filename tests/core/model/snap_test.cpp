@@ -14,7 +14,7 @@ TEST(Snap, KeepsWholeDifferencesInSpiteOfSolverNoise) {
   std::uniform_real_distribution<double> noise{-1e-7, 1e-7};
   for (int trial = 0; trial < 2'000; ++trial) {
     // Chains of pieces that touch: differences are whole numbers up to noise.
-    std::vector<Displacement> moves;
+    std::vector<RealVec> moves;
     for (int chain = 0; chain < 10; ++chain) {
       double x = anywhere(random);
       double y = anywhere(random);
@@ -36,7 +36,7 @@ TEST(Snap, KeepsWholeDifferencesInSpiteOfSolverNoise) {
 TEST(Snap, LeavesWhatDoesNotMoveAndMovesLessThanAUnitFromTheTruth) {
   std::mt19937 random{2};
   std::uniform_real_distribution<double> anywhere{-1e3, 1e3};
-  std::vector<Displacement> moves{{0, 0}};
+  std::vector<RealVec> moves{{0, 0}};
   for (int k = 0; k < 100; ++k) moves.push_back({anywhere(random), anywhere(random)});
   const auto whole = snapped(moves);
   EXPECT_EQ(whole[0], (Vec{0, 0}));

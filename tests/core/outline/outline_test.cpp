@@ -1,3 +1,4 @@
+// Tests of core/outline/outline.h: the hash of polygons, and the properties computed for an outline.
 #include "core/outline/outline.h"
 
 #include <gtest/gtest.h>
@@ -9,14 +10,14 @@
 namespace selvage::test {
 namespace {
 
-TEST(OutlineHash, IsTheSameOnEveryMachine) {
-  // FNV-1a of nothing, and of two triangles' 48 bytes, worked out by another program.
+TEST(OutlineHash, IsTheSameOnEveryPlatform) {
+  // FNV-1a of no bytes, and of the 48 bytes of two triangles, computed by another program.
   EXPECT_EQ(outline::hash_of({}), 0xcbf29ce484222325U);
   EXPECT_EQ(outline::hash_of({{0, 0}, {4, 0}, {0, 3}}), 0xaa358fc89bef1f02U);
   EXPECT_EQ(outline::hash_of({{-1, 0}, {4, -7}, {0, 3}}), 0xccdd65cc011af6b4U);
 }
 
-TEST(OutlineHash, TellsPolygonsApart) {
+TEST(OutlineHash, DiffersBetweenPolygons) {
   Random random{31};
   std::set<Polygon> polygons;
   std::set<std::uint64_t> hashes;
@@ -28,11 +29,11 @@ TEST(OutlineHash, TellsPolygonsApart) {
   }
   EXPECT_EQ(hashes.size(), 2 * polygons.size());
   EXPECT_NE(outline::hash_of({{0, 0}, {4, 0}, {0, 4}}),
-            outline::hash_of({{4, 0}, {0, 4}, {0, 0}}));  // another first vertex
+            outline::hash_of({{4, 0}, {0, 4}, {0, 0}}));  // a different first vertex
   EXPECT_NE(outline::hash_of({{1, 2}, {4, 0}, {9, 9}}), outline::hash_of({{2, 1}, {4, 0}, {9, 9}}));
 }
 
-TEST(Outline, SaysWhatItsPolygonIs) {
+TEST(Outline, HasTheComputedProperties) {
   Random random{32};
   for (int trial = 0; trial < 300 / kSlowdown; ++trial) {
     const Polygon polygon = random_polygon(random, 1000);

@@ -1,3 +1,4 @@
+// Tests of core/outline/set_operations.h: regions left over in a box, and grown outlines, against CGAL.
 #include "core/outline/set_operations.h"
 
 #include <gtest/gtest.h>
@@ -18,13 +19,13 @@ Polygon square(Vec at, Coord side) {
   return {at, {at.x + side, at.y}, {at.x + side, at.y + side}, {at.x, at.y + side}};
 }
 
-TEST(LeftOver, OfAnEmptyBoxIsTheBox) {
+TEST(LeftOver, IsTheWholeBoxWhenNothingIsTaken) {
   const auto regions = left_over({{0, 0}, {30, 20}}, {});
   ASSERT_EQ(regions.size(), 1U);
   EXPECT_EQ(regions[0].outline, (Polygon{{0, 0}, {30, 0}, {30, 20}, {0, 20}}));
 }
 
-TEST(LeftOver, KnowsHolesAndIslands) {  // a frame lying in the box: a ring about it, an island in it
+TEST(LeftOver, FindsHolesAndIslands) {  // a frame inside the box: a ring around it, and an island within it
   const std::vector<Polygon> frame{square({10, 10}, 20), {{15, 15}, {15, 25}, {25, 25}, {25, 15}}};
   const auto regions = left_over({{0, 0}, {40, 40}}, frame);
   ASSERT_EQ(regions.size(), 2U);
@@ -34,7 +35,7 @@ TEST(LeftOver, KnowsHolesAndIslands) {  // a frame lying in the box: a ring abou
   EXPECT_EQ(regions[1], (Region{square({15, 15}, 10), {}}));
 }
 
-TEST(LeftOver, DoesNotDependOnTheOrder) {
+TEST(LeftOver, DoesNotDependOnTheOrderOfPolygons) {
   Random random{5};
   std::vector<Polygon> taken;
   for (int k = 0; k < 12; ++k) {
@@ -50,7 +51,7 @@ TEST(LeftOver, DoesNotDependOnTheOrder) {
   for (std::size_t k = 0; k < regions.size(); ++k) EXPECT_NEAR(area_of(regions[k]), area_of(again[k]), 2000);
 }
 
-// Corners are rounded to the lattice: every one costs at most about its edges' length in area.
+// Corners are rounded to the lattice, and each changes the area by at most about the length of its edges.
 TEST(LeftOver, HasTheExactArea) {
   Random random{7};
   for (int trial = 0; trial < 600 / test::kSlowdown; ++trial) {
@@ -78,7 +79,7 @@ TEST(LeftOver, HasTheExactArea) {
   }
 }
 
-TEST(Grown, HoldsAllPointsThatNear) {
+TEST(Grown, ContainsAllPointsWithinTheDistance) {
   Random random{11};
   for (int trial = 0; trial < 2000 / test::kSlowdown; ++trial) {
     const Coord extent = Coord{1} << random.between(8, 38);
@@ -86,7 +87,7 @@ TEST(Grown, HoldsAllPointsThatNear) {
     const Coord distance = extent / random.between(20, 200) + 3;
     const auto rings = grown(polygon, distance);
     ASSERT_FALSE(rings.empty());
-    // No ring comes nearer than the distance, but for rounding; none goes farther than a mitred corner.
+    // Except for rounding, no ring is nearer than the distance, and none is farther than a mitred corner.
     for (const Polygon& ring : rings) {
       Vec a = ring.back();
       for (const Vec b : ring) {
@@ -103,7 +104,7 @@ TEST(Grown, HoldsAllPointsThatNear) {
   }
 }
 
-TEST(Grown, ByNothingIsThePolygon) {
+TEST(Grown, ByZeroIsThePolygonItself) {
   EXPECT_EQ(grown(square({3, 4}, 5), 0), (std::vector<Polygon>{square({3, 4}, 5)}));
 }
 

@@ -1,3 +1,4 @@
+// Tests of core/outline/star.h: kernel points, and the partition of polygons into star-shaped parts.
 #include "core/outline/star.h"
 
 #include <gtest/gtest.h>
@@ -11,35 +12,35 @@
 namespace selvage::test {
 namespace {
 
-// Kernel points are doubles, so multiples of 2^-40 once they are rounded there: integers then.
+// Rounded to multiples of 2^-40, kernel points become integers for exact tests.
 using Integer = boost::multiprecision::int256_t;
 constexpr int kBits = 40;
-Integer in_parts(double value) {
+Integer fixed_point(double value) {
   return Integer{static_cast<std::int64_t>(std::floor(value))} * (Integer{1} << kBits) +
          Integer{static_cast<std::int64_t>((value - std::floor(value)) * 0x1p40)};
 }
 
-// True when every edge's line passes the point strictly on the left.  Exact.
-bool sees_every_edge(outline::Real2 point, const Polygon& polygon) {
+// True when the point lies strictly to the left of every edge's line.  Exact.
+bool sees_every_edge(RealVec point, const Polygon& polygon) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec a = polygon[i];
     const Vec d = polygon[(i + 1) % polygon.size()] - a;
     const Integer unit = Integer{1} << kBits;
-    const Integer x = in_parts(point.x) - Integer{a.x} * unit;
-    const Integer y = in_parts(point.y) - Integer{a.y} * unit;
+    const Integer x = fixed_point(point.x) - Integer{a.x} * unit;
+    const Integer y = fixed_point(point.y) - Integer{a.y} * unit;
     if (Integer{Integer{d.x} * y} <= Integer{Integer{d.y} * x}) return false;
   }
   return true;
 }
 
-TEST(KernelPoint, OfSimpleShapes) {
+TEST(KernelPoint, ExistsExactlyForStarShapedPolygons) {
   EXPECT_TRUE(outline::kernel_point({{0, 0}, {4, 0}, {4, 4}, {0, 4}}));
   const auto l_shape = outline::kernel_point({{0, 0}, {8, 0}, {8, 2}, {2, 2}, {2, 8}, {0, 8}});
   ASSERT_TRUE(l_shape);
-  EXPECT_NEAR(l_shape->x, 1, 1e-9);  // the kernel is the corner's square
+  EXPECT_NEAR(l_shape->x, 1, 1e-9);  // the kernel is the square at the corner
   EXPECT_NEAR(l_shape->y, 1, 1e-9);
   EXPECT_FALSE(outline::kernel_point({{0, 0}, {9, 0}, {9, 9}, {6, 9}, {6, 3}, {3, 3}, {3, 9}, {0, 9}}));  // a U
-  // Star-shaped about one single point, (4, 4), only: not deep enough.
+  // Star-shaped only about the single point (4, 4): the kernel has no depth.
   EXPECT_FALSE(outline::kernel_point({{0, 0}, {4, 4}, {8, 0}, {4, 4 + 1}, {8, 8}, {4, 5}, {0, 8}, {3, 4}}));
 }
 
@@ -57,14 +58,14 @@ TEST(KernelPoint, SeesEveryEdge) {
   EXPECT_GT(found, 1000U / kSlowdown);
 }
 
-// About the middle, with radii from 0.2 up and at least four vertices a quadrant.
-TEST(StarParts, OneForStarShapedPolygons) {
+// Stars around the middle, with radii from 0.2 up and at least four vertices per quadrant.
+TEST(StarParts, AreASinglePartForStarShapedPolygons) {
   Random random{72};
   for (int trial = 0; trial < 500 / kSlowdown; ++trial) {
     Polygon star = random_convex(random, 24, 1'000'000);
     const Vec middle{500'000, 500'000};
     if (locate(middle, star) != geometry::Location::kInside) continue;
-    for (std::size_t i = 0; i < star.size(); i += 2) {  // pull every other vertex towards the middle
+    for (std::size_t i = 0; i < star.size(); i += 2) {  // move every other vertex towards the middle
       star[i] = {middle.x + (star[i].x - middle.x) * 2 / 3, middle.y + (star[i].y - middle.y) * 2 / 3};
     }
     const auto clean = clean_polygon(star);
@@ -73,7 +74,7 @@ TEST(StarParts, OneForStarShapedPolygons) {
   }
 }
 
-void judge(const Polygon& polygon) {
+void expect_partition(const Polygon& polygon) {
   const auto parts = outline::star_parts(polygon);
   Wide total = 0;
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> directed;
@@ -86,12 +87,13 @@ void judge(const Polygon& polygon) {
       ASSERT_EQ(part.vertices[i], polygon[part.origin[i]]);
       ++directed[{part.origin[i], part.origin[(i + 1) % n]}];
     }
-    // Slivers without a deep kernel may stay, as single triangles.
+    // Thin triangles without a deep kernel are allowed as parts.
     if (n > 3 || outline::kernel_point(part.vertices)) {
       ASSERT_TRUE(sees_every_edge(part.kernel, part.vertices)) << text_of(part.vertices) << " of " << text_of(polygon);
     }
   }
-  // A partition: the areas add up, and what is no edge of the polygon is a cut with a part on either side.
+  // It is a partition: the areas add up, and every side that is not an edge of the polygon is a cut with a part on
+  // either side.
   ASSERT_EQ(total, doubled_area(polygon)) << text_of(polygon);
   const auto n = static_cast<std::uint32_t>(polygon.size());
   for (const auto& [side, count] : directed) {
@@ -103,36 +105,36 @@ void judge(const Polygon& polygon) {
 TEST(StarParts, PartitionRandomPolygons) {
   Random random{73};
   for (int trial = 0; trial < 3000 / kSlowdown; ++trial) {
-    judge(random_polygon(random, random.chance(30) ? 10 : 1'000'000));
+    expect_partition(random_polygon(random, random.chance(30) ? 10 : 1'000'000));
     if (HasFatalFailure()) return;
   }
 }
 
-TEST(StarParts, PartitionNastyPolygons) {
+TEST(StarParts, PartitionDifficultPolygons) {
   Random random{74};
   for (int trial = 0; trial < 100 / kSlowdown; ++trial) {
-    judge(random_comb(random, 20, 400, trial % 2 == 0));
-    judge(spiral(static_cast<std::size_t>(random.between(6, 40)), 2000));
-    judge(random_needle(random, kLatticeLimit / 2));
-    judge(random_simple(random, 60, 5000));
-    judge(broken_ring(random.between(40, 90), random.between(1, 9), random.between(1, 9)));
-    judge(scaled(random_polygon(random, 40), kLatticeLimit / 64));
+    expect_partition(random_comb(random, 20, 400, trial % 2 == 0));
+    expect_partition(spiral(static_cast<std::size_t>(random.between(6, 40)), 2000));
+    expect_partition(random_needle(random, kLatticeLimit / 2));
+    expect_partition(random_simple(random, 60, 5000));
+    expect_partition(broken_ring(random.between(40, 90), random.between(1, 9), random.between(1, 9)));
+    expect_partition(scaled(random_polygon(random, 40), kLatticeLimit / 64));
     if (HasFatalFailure()) return;
   }
 }
 
-TEST(StarParts, GrowTrianglesTogether) {
-  // Each tooth of a comb needs a part of its own, the bar goes with one of them.
+TEST(StarParts, AreFewForCombsAndSpirals) {
+  // Each tooth of a comb needs a part of its own; the bar belongs to one of them.
   Random random{75};
   const Polygon comb = scaled(random_comb(random, 12, 240, false), 1000);
   EXPECT_LE(outline::star_parts(comb).size(), 13U);
   EXPECT_GE(outline::star_parts(comb).size(), 12U);
-  // Two neighbouring arms of a spiral make an L.
+  // Two neighbouring arms of a spiral form an L, which is star-shaped.
   EXPECT_LE(outline::star_parts(spiral(28, 1'000'000)).size(), 28U);
   EXPECT_GE(outline::star_parts(spiral(28, 1'000'000)).size(), 14U);
 }
 
-TEST(StarParts, UnderSymmetries) {
+TEST(StarParts, KeepTheirPropertiesUnderSymmetries) {
   Random random{76};
   for (int trial = 0; trial < 300 / kSlowdown; ++trial) {
     const Polygon polygon = random_polygon(random, 1'000'000);

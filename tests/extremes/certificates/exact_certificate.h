@@ -1,4 +1,5 @@
-// The certificate of a linear program's answer in rationals: every double taken as the number it is, nothing rounded.
+// The certificate of a linear program's solution in rational arithmetic: every double is taken as an exact number, and
+// nothing is rounded.
 #pragma once
 
 #include <vector>
@@ -8,16 +9,17 @@
 
 namespace selvage::test {
 
-// Exact but for the last rounding to a double.
+// Exact except for the final rounding to a double.
 struct ExactCertificate {
-  double primal{};     // the most by which a row or a column bound is broken
-  double dual{};       // the largest price below zero, or reduced cost of a column without the bound it would rest on
+  double primal{};     // the largest violation of a row or a column bound
+  double dual{};       // the largest violation of dual feasibility: a negative price, or the reduced cost of a column
+                       // without the bound that it needs
   double objective{};  // cost . x
-  double gap{};        // cost . x less what the prices prove the objective to be at least
+  double gap{};        // cost . x minus the lower bound of the objective that the prices prove
 };
 [[nodiscard]] ExactCertificate exact_certificate(const lp::LinearProgram& program, const lp::LpSolution& solution);
 
-// The most by which x breaks a row or a column bound.
+// The largest violation of a row or a column bound by x.
 [[nodiscard]] Rational broken_by(const lp::LinearProgram& program, const std::vector<Rational>& x);
 
 }  // namespace selvage::test

@@ -8,7 +8,8 @@ namespace {
 
 using Coefficients = std::map<std::size_t, Rational>;
 
-// The unknown that an equation settles: the one that weighs most, and so moves by the smallest part of itself.
+// The unknown that an equation is solved for: the one with the largest weight, which changes by the smallest fraction
+// of itself.
 std::size_t heaviest(const Coefficients& coefficients, const std::vector<Rational>& near) {
   const auto weight = [&](const auto& term) {
     return std::pair{Rational{abs(term.second * near[term.first])}, Rational{abs(term.second)}};
@@ -17,7 +18,7 @@ std::size_t heaviest(const Coefficients& coefficients, const std::vector<Rationa
   return std::max_element(coefficients.begin(), coefficients.end(), lighter)->first;
 }
 
-// Takes `unknown` out of `equation` with one that holds it.
+// Eliminates `unknown` from `equation`, using another equation that contains it.
 void eliminate(Equation& equation, const Equation& with, std::size_t unknown) {
   const auto found = equation.coefficients.find(unknown);
   if (found == equation.coefficients.end()) return;
@@ -33,7 +34,8 @@ void eliminate(Equation& equation, const Equation& with, std::size_t unknown) {
 }  // namespace
 
 std::vector<Rational> exact_solution(std::vector<Equation> equations, std::vector<Rational> near) {
-  std::vector<std::pair<std::size_t, Equation>> settled;  // none holds an unknown that one before it settles
+  std::vector<std::pair<std::size_t, Equation>>
+      settled;  // no equation contains an unknown that an earlier one is solved for
   for (Equation& equation : equations) {
     for (const auto& [unknown, with] : settled) eliminate(equation, with, unknown);
     if (equation.coefficients.empty()) continue;

@@ -10,23 +10,23 @@
 namespace selvage::test {
 namespace {
 
-// What a solver leaves where there should be nothing; all sizes are of the order of 1.
-constexpr double kDust = 1e-7;
+// The largest value that a solver may leave in place of zero; all quantities are of the order of 1.
+constexpr double kNoise = 1e-7;
 
-// And what it adds up to.
-bool is_dust(const Rational& sum) {
-  return abs(sum) <= 100 * kDust;
+// True for a sum that such values can add up to.
+bool is_noise(const Rational& sum) {
+  return abs(sum) <= 100 * kNoise;
 }
 
-// Of `values`, with the largest 1, and nothing where there is dust or less than nothing.
+// The values scaled so that the largest is 1, with noise and negative values replaced by zero.
 std::vector<Rational> as_prices(std::span<const double> values) {
   const double largest = *std::max_element(values.begin(), values.end());
   std::vector<Rational> prices;
-  for (const double value : values) prices.emplace_back(value > kDust * largest ? value / largest : 0);
+  for (const double value : values) prices.emplace_back(value > kNoise * largest ? value / largest : 0);
   return prices;
 }
 
-// Per column: the sum of the rows at these prices.
+// For each column: the sum of the rows weighted with these prices.
 std::vector<Equation> priced_columns(const lp::LinearProgram& program, const std::vector<Rational>& prices) {
   std::vector<Equation> columns(program.cost.size());
   for (int r = 0; r < program.rows(); ++r) {
@@ -44,24 +44,24 @@ Rational sum(const Equation& equation, const std::vector<Rational>& values) {
   return total;
 }
 
-// Columns that go on for ever must sum up to nothing where they do.
+// The sum must be exactly zero in columns that are unbounded in the direction concerned.
 std::vector<Rational> exact_prices(const lp::LinearProgram& program, std::span<const double> suggested) {
   std::vector<Rational> prices = as_prices(suggested);
   std::vector<Equation> nothing;
   const std::vector<Equation> columns = priced_columns(program, prices);
   for (std::size_t j = 0; j < columns.size(); ++j) {
     const bool endless = std::isinf(program.lower[j]) || std::isinf(program.upper[j]);
-    if (endless && is_dust(sum(columns[j], prices))) nothing.push_back(columns[j]);
+    if (endless && is_noise(sum(columns[j], prices))) nothing.push_back(columns[j]);
   }
   return exact_solution(std::move(nothing), std::move(prices));
 }
 
-// The point beside one that breaks no row by more than dust: what is within dust of a bound is put on it.
+// An exact point near one that violates no row by more than noise: values within noise of a bound are moved onto it.
 std::vector<Rational> exact_point(const lp::LinearProgram& program, std::vector<Rational> point) {
   std::vector<Equation> met;
   for (std::size_t j = 0; j < point.size(); ++j) {
     for (const double bound : {program.lower[j], program.upper[j]}) {
-      if (std::isfinite(bound) && is_dust(point[j] - Rational{bound})) met.push_back({{{j, 1}}, bound});
+      if (std::isfinite(bound) && is_noise(point[j] - Rational{bound})) met.push_back({{{j, 1}}, bound});
     }
   }
   for (int r = 0; r < program.rows(); ++r) {
@@ -69,13 +69,13 @@ std::vector<Rational> exact_point(const lp::LinearProgram& program, std::vector<
     for (const auto& [column, value] : program.row(r)) {
       if (value != 0) row.coefficients.emplace(static_cast<std::size_t>(column), value);
     }
-    if (is_dust(sum(row, point) - row.right)) met.push_back(std::move(row));
+    if (is_noise(sum(row, point) - row.right)) met.push_back(std::move(row));
   }
   return exact_solution(std::move(met), std::move(point));
 }
 
-// Its feasible points are the ways that a feasible point of `program` may go for ever.
-lp::LinearProgram ways_without_end(lp::LinearProgram program) {
+// The program whose feasible points are the directions in which feasible points of `program` are unbounded.
+lp::LinearProgram recession_program(lp::LinearProgram program) {
   for (double& bound : program.lower) bound = std::isfinite(bound) ? 0 : bound;
   for (double& bound : program.upper) bound = std::isfinite(bound) ? 0 : bound;
   std::fill(program.bound.begin(), program.bound.end(), 0);
@@ -85,7 +85,7 @@ lp::LinearProgram ways_without_end(lp::LinearProgram program) {
 }  // namespace
 
 lp::LinearProgram descent_program(const lp::LinearProgram& program) {
-  lp::LinearProgram descent = ways_without_end(program);
+  lp::LinearProgram descent = recession_program(program);
   for (double& bound : descent.lower) bound = std::max(bound, -1.0);
   for (double& bound : descent.upper) bound = std::min(bound, 1.0);
   return descent;
@@ -114,7 +114,7 @@ double infeasible_by(const lp::LinearProgram& program, std::span<const double> p
 }
 
 double falls_for_ever_by(const lp::LinearProgram& program, std::span<const double> point, std::span<const double> ray) {
-  const lp::LinearProgram ways = ways_without_end(program);
+  const lp::LinearProgram ways = recession_program(program);
   const std::vector<Rational> way = exact_point(ways, {ray.begin(), ray.end()});
   std::vector<Rational> start(point.begin(), point.end());
   Rational fall = 0;

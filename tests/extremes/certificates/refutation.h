@@ -1,9 +1,9 @@
-// What refutes that a linear program has a best answer, in rationals: prices that no point can meet (the lemma of
-// Farkas), or a ray along which the cost falls for ever.
+// Exact proofs, in rational arithmetic, that a linear program has no optimum: prices that no point can satisfy (Farkas'
+// lemma), or a ray along which the cost decreases without bound.
 //
-// The simplex method's own rays are not asked for: most of Clp 1.17's prove nothing.  Two other programs, which always
-// have a best answer, suggest the proof instead, so that any solver can: shortage_program() the prices and a feasible
-// point, descent_program() the ray.  Nobody is believed.
+// The simplex method's own rays are not used, because most of those of Clp 1.17 prove nothing.  Instead, two other
+// programs that always have an optimum suggest the proof, so any solver can be used: phase_one_program() gives prices
+// and a feasible point, and descent_program() gives a ray.  The suggestions are made exact and then checked.
 #pragma once
 
 #include <span>
@@ -12,14 +12,16 @@
 
 namespace selvage::test {
 
-// Minimise the cost of a step of at most 1 in every column that no row and no bound would end, were it taken for ever.
+// The program that minimises the cost of a direction (at most 1 in every column) in which no row and no bound ever ends
+// the motion.
 [[nodiscard]] lp::LinearProgram descent_program(const lp::LinearProgram& program);
 
-// A proof when above 0: every point within the column bounds misses a row by at least so much.  Made exact beside
-// `prices`, an entry per row.
+// A positive result is a proof of infeasibility: every point within the column bounds violates a row by at least this
+// much.  The proof is exact and near `prices`, which has an entry per row.
 [[nodiscard]] double infeasible_by(const lp::LinearProgram& program, std::span<const double> prices);
-// A proof when above 0: by how much the cost falls, for every 1 of its longest column, along a ray that starts at a
-// feasible point.  Made exact beside `ray` and the end of its first step from `point`, an entry per column each.
+// A positive result is a proof of unboundedness: the decrease of the cost, per unit of the column that changes most,
+// along a ray that starts at a feasible point.  The proof is exact and near `ray` and the end of its first step from
+// `point`; both have an entry per column.
 [[nodiscard]] double falls_for_ever_by(const lp::LinearProgram& program, std::span<const double> point,
                                        std::span<const double> ray);
 

@@ -1,4 +1,5 @@
-// Programs without a best answer: that solve() says so, and why it is so in rationals, whichever solver suggested it.
+// Programs without an optimum: solve() detects them, and a proof in rational arithmetic confirms it, whichever solver
+// suggested the proof.
 #include "tests/extremes/certificates/refutation.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +35,7 @@ constexpr int kPivots = 1'000'000;
 constexpr std::array kChoices{lp::solver::SolverChoice::kAutomatic, lp::solver::SolverChoice::kSimplex,
                               lp::solver::SolverChoice::kInteriorPoint};
 
-// Each solver on its own.
+// The solutions of each solver alone.
 std::array<lp::LpSolution, 2> both_answers(const lp::LinearProgram& program) {
   return {lp::solver::solve_by_simplex(program, kPivots), lp::interior_point::solve_by_interior_point(program)};
 }
@@ -43,7 +44,7 @@ void expect_said(const lp::LinearProgram& program, lp::LpStatus status) {
   for (const lp::solver::SolverChoice choice : kChoices) EXPECT_EQ(solve(program, choice).status, status);
 }
 
-// The least that the two proofs say of by how much it is.
+// The smaller of the two proved amounts.
 double expect_infeasible(const lp::LinearProgram& program) {
   expect_said(program, lp::LpStatus::kInfeasible);
   double least = lp::kInfinity;
@@ -51,7 +52,7 @@ double expect_infeasible(const lp::LinearProgram& program) {
     EXPECT_EQ(answer.status, lp::LpStatus::kOptimal);
     const double proved = infeasible_by(program, answer.dual);
     EXPECT_GT(proved, 0);
-    EXPECT_LE(proved, answer.objective + 1e-8);  // no more than the amount by which rows can give way
+    EXPECT_LE(proved, answer.objective + 1e-8);  // no more than the amount by which the rows must be relaxed
     least = std::min(least, proved);
   }
   return least;
@@ -86,12 +87,14 @@ void add_equality(lp::LinearProgram& program, const Row& row, double right) {
 
 TEST(Refutation, ProvesNothingOfWhatHasAnAnswer) {
   lp::LinearProgram program = row_of_points(3, 1);
-  EXPECT_LE(infeasible_by(program, std::vector<double>{1, 1, 1}), 0);  // sums up to a row that holds
-  EXPECT_EQ(infeasible_by(program, std::vector<double>{1, 1, 0}), 0);  // leaves a free column with a weight
+  EXPECT_LE(infeasible_by(program, std::vector<double>{1, 1, 1}), 0);  // the rows add up to a satisfied row
+  EXPECT_EQ(infeasible_by(program, std::vector<double>{1, 1, 0}), 0);  // a free column keeps a coefficient
   EXPECT_EQ(infeasible_by(program, std::vector<double>{0, 0, 0}), 0);
   const std::vector<double> point{0, 1, 2};
-  EXPECT_LE(falls_for_ever_by(program, point, std::vector<double>{1, 1, 1}), 0);     // broken, and costs
-  EXPECT_LE(falls_for_ever_by(program, point, std::vector<double>{-1, -1, -1}), 0);  // falls, through a bound
+  EXPECT_LE(falls_for_ever_by(program, point, std::vector<double>{1, 1, 1}),
+            0);  // violates rows, and increases the cost
+  EXPECT_LE(falls_for_ever_by(program, point, std::vector<double>{-1, -1, -1}),
+            0);  // decreases the cost, but violates a bound
   EXPECT_LE(falls_for_ever_by(program, point, std::vector<double>{0, 0, 0}), 0);
 }
 
@@ -99,14 +102,14 @@ TEST(Refutation, TakesNoPriceBelowZeroAndNoPointOutside) {
   lp::LinearProgram apart = free_columns(1);
   apart.add_row(Row{{0, 1}}, 1);
   apart.add_row(Row{{0, 1}}, 2);
-  EXPECT_EQ(infeasible_by(apart, std::vector<double>{-1, 1}), 0);  // the second less the first asks for 1 of nothing
+  EXPECT_EQ(infeasible_by(apart, std::vector<double>{-1, 1}), 0);  // the second row minus the first requires 0 >= 1
   lp::LinearProgram falls;
   falls.add_column(-1, 0, lp::kInfinity);
   EXPECT_EQ(falls_for_ever_by(falls, std::vector<double>{0}, std::vector<double>{2}), 1);
   EXPECT_EQ(falls_for_ever_by(falls, std::vector<double>{-3}, std::vector<double>{2}), 0);
 }
 
-TEST(Refutation, MakesExactWhatIsNot) {  // a third is no double
+TEST(Refutation, MakesExactWhatIsNot) {  // one third is not a double
   lp::LinearProgram program = free_columns(1);
   program.add_row(Row{{0, 3}}, 1);
   program.add_row(Row{{0, -1}}, 0);
@@ -117,7 +120,7 @@ TEST(ExtremePrograms, InfeasibleByOneLatticeUnit) {
   for (const int points : {2, 10, 100, 400}) {
     SCOPED_TRACE(points);
     const double proved = expect_infeasible(row_of_points(points, -1));
-    EXPECT_NEAR(proved * points / kLatticeUnit, 1, 1e-6);  // the unit is shared out among the rows
+    EXPECT_NEAR(proved * points / kLatticeUnit, 1, 1e-6);  // the unit is distributed among the rows
     for (const lp::solver::SolverChoice choice : kChoices) {
       for (const double spare : {0.0, 1.0}) {
         const lp::LinearProgram program = row_of_points(points, spare);
@@ -150,14 +153,15 @@ TEST(ExtremePrograms, EqualitiesThatContradict) {
     add_equality(two, Row{{0, 1}}, 0.5 + by);
     expect_infeasible(two);
 
-    lp::LinearProgram circle = free_columns(30);  // each a third more than the one before, and the first than the last
+    lp::LinearProgram circle =
+        free_columns(30);  // each is a third more than the previous one, and the first than the last
     for (int j = 0; j < 30; ++j)
       add_equality(circle, Row{{(j + 1) % 30, 1}, {j, -1}}, j < 29 ? 1.0 / 3 : by - 29.0 / 3);
     expect_infeasible(circle);
   }
 }
 
-// A thousand rows meet where none but these two are apart.
+// A thousand rows meet at one point, and only two of them contradict each other.
 TEST(ExtremePrograms, InfeasibleWhereManyRowsMeet) {
   Random random{5};
   lp::LinearProgram program = free_columns(6);
@@ -178,7 +182,7 @@ TEST(ExtremePrograms, InfeasibleWhereManyRowsMeet) {
   expect_infeasible(program);
 }
 
-// A column that nothing holds is said to be unbounded; one held far away is not.
+// A column without a bound is reported as unbounded; a column with a distant bound is not.
 TEST(ExtremePrograms, UnboundedAndAllButUnbounded) {
   for (const double cost : {-1.0, -1e-3, -1e-6}) {
     lp::LinearProgram program = row_of_points(300, 1);
@@ -195,7 +199,7 @@ TEST(ExtremePrograms, UnboundedAndAllButUnbounded) {
   reached("bound of a column whose cost is 1e-6", 1e9);
 }
 
-// The one way out is a line that rows hold from both sides.
+// The only unbounded direction is a line that rows enclose from both sides.
 TEST(ExtremePrograms, UnboundedAlongALine) {
   lp::LinearProgram program = free_columns(20);
   for (int j = 0; j < 19; ++j) add_equality(program, Row{{j + 1, 1}, {j, -0.9}}, 0.1);
@@ -207,7 +211,7 @@ double eighths(Random& random, int low, int high) {
   return static_cast<double>(random.between(low, high)) / 8;
 }
 
-// Every column costs something.  `eighths_of`: in how many of a hundred rows sums are exact.
+// Every column has a cost.  `eighths_of`: percentage of rows with exactly representable coefficients.
 lp::LinearProgram random_rows(Random& random, int columns, int rows, int eighths_of) {
   lp::LinearProgram program;
   for (int j = 0; j < columns; ++j) program.add_column(eighths(random, 1, 8) * (random.chance(50) ? 1 : -1), -1, 1);
@@ -222,11 +226,11 @@ lp::LinearProgram random_rows(Random& random, int columns, int rows, int eighths
   return program;
 }
 
-// The last row asks, by `by`, for more than the others leave it.
+// The last row requires more than the others allow, by `by`.
 lp::LinearProgram random_infeasible(Random& random, double by) {
   const auto columns = static_cast<int>(random.between(1, 8));
   const auto rows = static_cast<int>(random.between(1, 25));
-  const bool endless = random.chance(50);  // what free columns are multiplied by must sum up to nothing, exactly
+  const bool endless = random.chance(50);  // the coefficients of free columns must then add up to exactly zero
   lp::LinearProgram program = random_rows(random, columns, rows, endless ? 100 : 50);
   Row last;
   for (int j = 0; j < columns; ++j) {
@@ -245,7 +249,7 @@ lp::LinearProgram random_infeasible(Random& random, double by) {
   return program;
 }
 
-// The least that refuting a random program comes to, of many.
+// The smallest proved amount over many random programs.
 template <class Refute>
 double least_at_random(std::uint32_t seed, const Refute& refute) {
   Random random{seed};
@@ -267,7 +271,8 @@ TEST(ExtremePrograms, InfeasibleAtRandom) {
   reached("infeasible by, the least", least);
 }
 
-// The rows hold at some point and along a way from it that gets cheaper for ever; half of them are met all along.
+// The rows are satisfied at some point and along a direction from it in which the cost decreases without bound; half of
+// them are active all along.
 lp::LinearProgram random_unbounded(Random& random) {
   const auto columns = static_cast<int>(random.between(1, 8));
   lp::LinearProgram program = random_rows(random, columns, static_cast<int>(random.between(0, 25)), 50);
@@ -295,7 +300,7 @@ TEST(ExtremePrograms, UnboundedAtRandom) {
   reached("cost falls by, the least", least);
 }
 
-// Where nothing costs anything every feasible point is best, and there is one: the dual simplex method has denied it.
+// Without costs every feasible point is optimal, and one exists; the dual simplex method once reported otherwise.
 TEST(ExtremePrograms, FeasibleAtRandom) {
   Random random{8};
   constexpr int kPrograms = 1000 / test::kSlowdown;

@@ -12,7 +12,7 @@ namespace {
 
 Result<MarkerFile> edited(const MarkerFile& file, std::string ops) {
   std::replace(ops.begin(), ops.end(), '\'', '"');
-  const auto wanted = decode_marker_apply({{"markerId", "m1"}, {"ops", test::json("[" + ops + "]")}});
+  const auto wanted = schema::decode<ApplyParams>({{"markerId", "m1"}, {"ops", test::json("[" + ops + "]")}});
   if (!wanted) return wanted.error();
   return apply_edits(file, wanted->edits);
 }
@@ -52,7 +52,7 @@ TEST(Edits, EachDoesWhatItSays) {
   EXPECT_EQ(marker.pieces[0].group, "bundle");
   EXPECT_EQ(to_decimal(marker.pieces[0].buffer, marker.resolution), 0.75);
   EXPECT_EQ(to_decimal(marker.strip.margin, marker.resolution), 2);
-  EXPECT_EQ(placement_json(marker, marker.pieces[0])["locked"], test::json(R"(["x","tilt"])"));
+  EXPECT_EQ(schema::encode(calls::state_of(marker, marker.pieces[0]))["locked"], test::json(R"(["x","tilt"])"));
   EXPECT_EQ(to_decimal(marker.strip.width, marker.resolution), 90);
   EXPECT_EQ(to_decimal(*marker.strip.longest, marker.resolution), 300);
   EXPECT_EQ(to_decimal(marker.spacing, marker.resolution), 0.25);

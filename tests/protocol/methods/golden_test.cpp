@@ -7,8 +7,10 @@
 #include <map>
 #include <set>
 
-#include "protocol/calls/codec.h"
-#include "protocol/methods/marker_methods.h"
+#include "protocol/calls/answer.h"
+#include "protocol/methods/daemon/engine.h"
+#include "protocol/methods/daemon/markers.h"
+#include "protocol/methods/method_table.h"
 #include "protocol/rpc/json_rpc.h"
 #include "tests/protocol/formats/samples.h"
 
@@ -32,30 +34,28 @@ struct Method {
   std::function<Json(const Json&)> result;  // of parameters that decode: one with all its fields
 };
 
-// A method on a marker, run on the two squares that the golden exchanges are about.
-Method on_squares(const calls::MarkerMethod& method) {
-  return {[&method](const Json& params) { return error_of(method.read(params)); },
-          [&method](const Json& params) {
-            const MarkerFile file = test::read(test::native_squares());
-            const calls::Engine engine;
-            SumCache sums;
-            const auto call = method.read(params);
-            const auto answer = call->run(file, calls::MethodContext{engine, scene::Run{sums}});
-            return answer ? result_json("m1", 1, answer->fields) : Json::object();
-          }};
+// A method run on the two squares that the golden exchanges are about.
+Json on_squares(const calls::Method& method, const Json& params) {
+  const MarkerFile file = test::read(test::native_squares());
+  SumCache sums;
+  const auto call = method.read(params);
+  const auto answer = call->run(file, calls::MethodContext{scene::Run{sums}});
+  return answer ? calls::result_json("m1", 1, answer->fields) : Json::object();
 }
 
 std::map<std::string, Method> methods() {
-  std::map<std::string, Method> all{{"engine.info",
-                                     {[](const Json& p) { return error_of(calls::decode_no_params(p)); },
-                                      [](auto&&) { return calls::encode(calls::EngineInfo{}); }}},
-                                    {"marker.open",
-                                     {[](const Json& p) { return error_of(calls::decode_marker_open(p)); },
-                                      [](auto&&) { return calls::encode(calls::MarkerOpened{}); }}},
-                                    {"marker.close",
-                                     {[](const Json& p) { return error_of(calls::decode_marker_close(p)); },
-                                      [](auto&&) { return calls::encode(calls::MarkerClosed{}); }}}};
-  for (const calls::MarkerMethod& method : marker_methods()) all.emplace(method.name, on_squares(method));
+  std::map<std::string, Method> all{
+      {"engine.info", {{}, [](auto&&) { return schema::encode(daemon::EngineInfo{}); }}},
+      {"marker.open", {{}, [](auto&&) { return schema::encode(daemon::OpenResult{}); }}},
+      {"marker.close", {{}, [](auto&&) { return schema::encode(daemon::CloseResult{}); }}}};
+  for (auto& [name, method] : all) {
+    method.decode = [read = find_method(name)->read](const Json& params) { return error_of(read(params)); };
+  }
+  for (const calls::Method& method : method_table().all()) {
+    if (!method.on_marker) continue;
+    all.emplace(method.name, Method{[&method](const Json& params) { return error_of(method.read(params)); },
+                                    [&method](const Json& params) { return on_squares(method, params); }});
+  }
   return all;
 }
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "protocol/calls/codec.h"
-#include "protocol/methods/marker_methods.h"
+#include "protocol/calls/answer.h"
+#include "protocol/methods/method_table.h"
 #include "protocol/rpc/json_rpc.h"
 #include "tests/protocol/formats/samples.h"
 
@@ -33,13 +33,12 @@ TEST(Readme, ItsExamplesWork) {
 
   const rpc::Incoming in = rpc::parse_incoming(json::to_text(found[1]), 1000);
   const MarkerFile file = test::read(marker);
-  const calls::Engine engine;
   SumCache sums;
-  const auto call = find_marker_method("motion.compact")->read(std::get<rpc::Request>(in.calls.at(0)).params);
+  const auto call = find_method("motion.compact")->read(std::get<rpc::Request>(in.calls.at(0)).params);
   ASSERT_TRUE(call);
-  const auto answer = call->run(file, calls::MethodContext{engine, scene::Run{sums}});
+  const auto answer = call->run(file, calls::MethodContext{scene::Run{sums}});
   ASSERT_TRUE(answer);
-  Json result = result_json("m1", 2, answer->fields);
+  Json result = calls::result_json("m1", 2, answer->fields);
   Json shown = found[2]["result"];
   for (Json* each : {&result, &shown}) (*each)["placements"][0].erase("at");  // any place of the same length will do
   EXPECT_EQ(json::to_text(result), json::to_text(shown));
@@ -53,10 +52,10 @@ std::string section(const std::string& text, const std::string& heading) {
 
 TEST(Readme, ExplainsEveryMotionAndItsParameters) {
   const std::string text = test::file_text("protocol/README.md");
-  for (const calls::MarkerMethod& method : marker_methods()) {
+  for (const calls::Method& method : method_table().all()) {
     const std::string name{method.name};
     EXPECT_NE(text.find("| `" + name + "` |"), std::string::npos) << name;
-    if (!method.motion()) continue;
+    if (!method.motion) continue;
     const std::string own = section(text, name) + section(text, "Motions");
     EXPECT_FALSE(section(text, name).empty()) << name;
     // The first word that is missing, then the next, until the parameters decode or are of the wrong type.

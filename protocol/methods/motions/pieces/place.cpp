@@ -44,7 +44,7 @@ Result<calls::Motion<PlaceResult>> run(const PlaceParams& params, const Marker& 
   if (!piece) return piece.error();
   const auto to = calls::place_on_lattice(params.to, start.resolution, "/to");
   if (!to) return to.error();
-  auto done = heal_and_place(start, *piece, *to, params.settings, context.run);
+  auto done = repair_and_place(start, *piece, *to, params.settings, context.run);
   if (!done) return done.error();
   PlaceResult result{.found = done->place.has_value(),
                      .at = calls::point_of(done->marker.pieces[piece->value].at, start.resolution),

@@ -40,21 +40,14 @@ Result<calls::Motion<RelaxResult>> run(const RelaxParams& params, const Marker& 
                                        const calls::MethodContext& context) {
   const auto piece = calls::piece_of(start, params.piece.text, "/piece");
   if (!piece) return piece.error();
-  scene::Scene scene{start, context.run.sums};
-  const auto repair = motion::repair::repair_overlaps(scene, context.run);
-  if (!repair) return repair.error();
-  Marker repaired = scene.result();
-  const scene::Scene still{repaired, context.run.sums};
-  const motion::piece::Relaxation done = params.tilts > 0
-                                             ? motion::piece::relax_tilted(still, piece->value, params.tilts)
-                                             : motion::piece::relax(still, piece->value);
-  Marker marker = repaired;
-  marker.pieces[piece->value] = done.piece;
-  return calls::Motion<RelaxResult>{{std::move(marker), *repair},
-                                    {.at = calls::point_of(done.piece.at, start.resolution),
-                                     .tilt = done.piece.orientation.tilt.degrees,
-                                     .freedom = formats::in_unit(done.freedom, start.resolution),
-                                     .stop = calls::StopCause::kConverged}};
+  auto done = motion::piece::repair_and_relax(start, *piece, params.tilts, context.run);
+  if (!done) return done.error();
+  const auto& [relaxed, freedom] = done->relaxation;
+  const RelaxResult result{.at = calls::point_of(relaxed.at, start.resolution),
+                           .tilt = relaxed.orientation.tilt.degrees,
+                           .freedom = formats::in_unit(freedom, start.resolution),
+                           .stop = stop_cause(done->reason, context)};
+  return calls::Motion<RelaxResult>{{std::move(done->marker), done->repair}, result};
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The normal equations against the rows they are made of, entry by entry: on programs shaped like a compaction's, and
-// on rows that are like nothing.
+// The normal equations compared entry by entry with the rows that they are made of, on programs with the structure of a
+// compaction step and on irregular rows.
 #include "core/lp/interior_point/normal_equations.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ double real(Random& random, double low, double high) {
   return low + (high - low) * random.part();
 }
 
-// Rows of every length up to 7, in no order, some like the one before but for an entry.
+// Rows of up to 7 entries in random order, some of which differ from the previous row by only one entry.
 LinearProgram odd_rows(Random& random) {
   LinearProgram program;
   const auto columns = static_cast<int>(random.between(1, 12));
@@ -56,7 +56,7 @@ std::vector<double> some(Random& random, int count, double low, double high) {
   return values;
 }
 
-// A x, and A^T y, from the form's entries.
+// A x and A^T y, computed from the form's entries.
 std::vector<double> product(const InequalityForm& form, const std::vector<double>& x) {
   std::vector<double> result(form.bound.size());
   for (std::size_t r = 0; r < result.size(); ++r) {
@@ -74,7 +74,7 @@ std::vector<double> transposed_product(const InequalityForm& form, const std::ve
   return result;
 }
 
-TEST(RowRuns, MultiplyAsTheirEntriesDo) {
+TEST(RowRuns, MultiplyLikeTheOriginalEntries) {
   Random random{1};
   for (const LinearProgram& program : programs()) {
     const auto form = inequality_form(program, 1);
@@ -94,7 +94,7 @@ TEST(RowRuns, MultiplyAsTheirEntriesDo) {
   }
 }
 
-TEST(RowRuns, TakeAPairsRowsTogether) {
+TEST(RowRuns, CombineTheRowsOfAPair) {
   const auto form = inequality_form(compaction_program({.points = 2, .normals = 9}), 0);
   const RowRuns rows = row_runs(*form);
   ASSERT_FALSE(rows.runs.empty());
@@ -102,7 +102,7 @@ TEST(RowRuns, TakeAPairsRowsTogether) {
   EXPECT_EQ(rows.runs.front().width, 2);
 }
 
-TEST(RowRuns, TakeARowAlongAnAxisWithTheSlantedOnesOfItsPair) {
+TEST(RowRuns, CombineAnAxisRowWithTheOtherRowsOfItsPair) {
   LinearProgram program;
   for (int j = 0; j < 4; ++j) program.add_column(0, -kInfinity, kInfinity);
   using Row = std::vector<LinearProgram::Entry>;
@@ -114,19 +114,19 @@ TEST(RowRuns, TakeARowAlongAnAxisWithTheSlantedOnesOfItsPair) {
   EXPECT_EQ(rows.value, (std::vector<double>{1, 0, 0.6, 0.8, 0, -1}));
 }
 
-TEST(NormalEquations, AreSolved) {
+TEST(NormalEquations, AreSolvedCorrectly) {
   Random random{2};
   for (const LinearProgram& program : programs()) {
     const auto form = inequality_form(program, 1);
     ASSERT_TRUE(form);
     const RowRuns rows = row_runs(*form);
     NormalEquations normal{rows};
-    for (const double rho : {1e-3, 1.0}) {  // over and over with the same pattern
+    for (const double rho : {1e-3, 1.0}) {  // repeatedly with the same pattern
       const auto weight = some(random, form->rows(), 0.01, 10);
       ASSERT_TRUE(normal.factorise(weight, rho));
       const auto right_side = some(random, form->columns(), -1, 1);
       auto x = right_side;
-      x.push_back(5);  // the column that stays still is nobody's business
+      x.push_back(5);  // the value of the zero column has no meaning
       normal.solve(x);
       EXPECT_EQ(x.back(), 5);
       x.pop_back();
@@ -138,7 +138,7 @@ TEST(NormalEquations, AreSolved) {
   }
 }
 
-TEST(BlockCholesky, RefusesWhatIsNotPositiveDefiniteAndGoesOn) {
+TEST(BlockCholesky, RejectsIndefiniteMatricesAndStaysUsable) {
   BlockPattern pattern;
   pattern.start = {0, 0, 1};
   pattern.row = {0};
@@ -151,7 +151,7 @@ TEST(BlockCholesky, RefusesWhatIsNotPositiveDefiniteAndGoesOn) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(factor.factorise(std::vector<Block>{Block{{nan, 0}, {0, 1}}, one}, above));
   ASSERT_TRUE(factor.factorise(std::vector<Block>{one, 2 * one}, above));
-  std::vector<double> v{3, 4, 5, 6};  // (1 1; 1 2) (x; y) twice over
+  std::vector<double> v{3, 4, 5, 6};  // (1 1; 1 2) (x; y) in both blocks
   factor.solve(v);
   EXPECT_NEAR(v[0], 1, 1e-14);
   EXPECT_NEAR(v[1], 2, 1e-14);

@@ -1,4 +1,5 @@
-// Single sums: of two star-shaped polygons, of two convex ones; and what follows from the definition of sums.
+// Tests of the sums of two star-shaped or convex polygons, and of properties that follow from the definition of a
+// Minkowski sum.
 #include "core/minkowski/convolution/star_sum.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ minkowski::MinkowskiSum sum_of(const Polygon& p, const Polygon& q) {
   return minkowski::minkowski_sum(outline::star_parts(p), outline::star_parts(q));
 }
 
-// The edges' lines, in an order of their own.
+// The exact lines of the edges, sorted.
 std::vector<std::pair<Vec, Vec>> lines_of(std::span<const minkowski::convolution::SumEdge> edges) {
   std::vector<std::pair<Vec, Vec>> lines;
   for (const minkowski::convolution::SumEdge& e : edges) lines.emplace_back(e.line_from, e.line_to);
@@ -37,7 +38,7 @@ Polygon corners_of(const minkowski::convolution::StarSum& sum) {
   return clean_polygon(corners)->polygon;
 }
 
-TEST(StarSum, OfASquareAndATriangle) {
+TEST(StarSum, HasKnownEdgesForASquareAndATriangle) {
   const minkowski::convolution::StarSum sum = minkowski::convolution::star_sum(
       part_of({{0, 0}, {40, 0}, {40, 40}, {0, 40}}), part_of({{0, 0}, {30, 0}, {0, 30}}));
   Polygon corners = corners_of(sum);
@@ -45,9 +46,9 @@ TEST(StarSum, OfASquareAndATriangle) {
   EXPECT_EQ(corners, (Polygon{{0, 0}, {70, 0}, {70, 40}, {40, 70}, {0, 70}}));
 }
 
-TEST(StarSum, NamesWhatMadeAnEdge) {
-  // A square with a small triangle below it and to its left: the upper edge of the sum is the square's,
-  // carried by the triangle's highest vertex.
+TEST(StarSum, RecordsTheSourceOfEachEdge) {
+  // A square and a small triangle below it to the left: the upper edge of the sum is the square's edge plus the
+  // triangle's highest vertex.
   const minkowski::convolution::StarSum sum = minkowski::convolution::star_sum(
       part_of({{0, 0}, {40, 0}, {40, 40}, {0, 40}}), part_of({{-8, -9}, {-2, -8}, {-5, -3}}));
   const auto top = std::find_if(sum.edges.begin(), sum.edges.end(), [](const minkowski::convolution::SumEdge& e) {
@@ -58,15 +59,15 @@ TEST(StarSum, NamesWhatMadeAnEdge) {
   EXPECT_EQ(top->source, (minkowski::convolution::EdgeSource{.vertex = 2, .edge = 2, .vertex_of_first = false}));
 }
 
-// Two candidates that cross exactly on the ray where angles pass half a turn: one was taken to last for the
+// Regression: two candidates that cross exactly on the ray where angles pass half a turn; one was taken to last for the
 // whole turn.
-TEST(StarSum, KeepsAnEdgeThatBeginsOnTheAxis) {
+TEST(StarSum, KeepsAnEdgeThatStartsOnTheAxis) {
   const Polygon p{{13, 13}, {8, 16}, {3, 13}, {12, 10}, {8, 8}, {8, 6}, {9, 5}, {8, 3}, {14, 10}, {15, 10}, {13, 12}};
   const Summands summands{scaled(p, 123'457), scaled({{1, 2}, {2, 0}, {5, 0}, {2, 2}}, 123'457), {}};
   EXPECT_EQ(broken_source(summands, sum_of(summands.first, summands.second)), "");
 }
 
-TEST(StarSum, OfConvexPolygonsIsTheirMerge) {
+TEST(StarSum, EqualsConvexSumForConvexPolygons) {
   Random random{121};
   for (int trial = 0; trial < 2000 / kSlowdown; ++trial) {
     const Coord extent = random.chance(30) ? 24 : random.chance(50) ? 1'000'000 : kLatticeLimit / 2;
@@ -80,12 +81,12 @@ TEST(StarSum, OfConvexPolygonsIsTheirMerge) {
     std::rotate(b.begin(), std::min_element(b.begin(), b.end()), b.end());
     ASSERT_EQ(a, b) << text_of(p) << "; " << text_of(q);
     ASSERT_EQ(broken_source({p, q, {}}, minkowski::MinkowskiSum{{merge}}), "");
-    // The area of a sum of convex polygons is at least that of both.
+    // The area of the sum of two convex polygons is at least the sum of their areas.
     ASSERT_GE(doubled_area(a), doubled_area(p) + doubled_area(q));
   }
 }
 
-TEST(Sum, DoesNotDependOnTheOrder) {
+TEST(Sum, IsCommutative) {
   Random random{122};
   for (int trial = 0; trial < 500 / kSlowdown; ++trial) {
     const Polygon p = random_star(random, 20, 1'000'000);
@@ -97,7 +98,7 @@ TEST(Sum, DoesNotDependOnTheOrder) {
   }
 }
 
-TEST(Sum, MovesWithItsSummands) {
+TEST(Sum, IsTranslatedWithItsSummands) {
   Random random{123};
   for (int trial = 0; trial < 500 / kSlowdown; ++trial) {
     const Polygon p = random_polygon(random, 1'000'000);
@@ -113,7 +114,7 @@ TEST(Sum, MovesWithItsSummands) {
   }
 }
 
-TEST(Sum, TurnsWithItsSummands) {
+TEST(Sum, IsTransformedWithItsSummands) {
   Random random{124};
   for (int trial = 0; trial < 300 / kSlowdown; ++trial) {
     const Polygon p = random_star(random, 15, 1'000'000);
@@ -131,7 +132,7 @@ TEST(Sum, TurnsWithItsSummands) {
   }
 }
 
-TEST(Sum, OfAPolygonAndItsMirrorImageHoldsTheOrigin) {
+TEST(Sum, OfAPolygonAndItsReflectionContainsTheOrigin) {
   Random random{125};
   for (int trial = 0; trial < 500 / kSlowdown; ++trial) {
     const Polygon p = random_polygon(random, 100'000);
@@ -140,20 +141,20 @@ TEST(Sum, OfAPolygonAndItsMirrorImageHoldsTheOrigin) {
   }
 }
 
-// Holes, slots and closed rings, whole: small cases drawn by hand.
-TEST(Sum, HasAHoleWhereAPieceFitsWithRoom) {
+// Complete small cases with holes, slots and closed rings.
+TEST(Sum, HasAHoleWhereAPieceFitsLoosely) {
   const Polygon ring = scaled(broken_ring(30, 5, 2), 100);
   const Polygon square = scaled({{0, 0}, {6, 0}, {6, 6}, {0, 6}}, 100);
   const auto sum = minkowski::obstacle_sum(*outline::make_outline(ring), *outline::make_outline(square), {});
-  EXPECT_FALSE(sum.contains({1000, 1000}));  // within the ring
+  EXPECT_FALSE(sum.contains({1000, 1000}));  // inside the ring
   EXPECT_TRUE(sum.contains({300, 1000}));
   const Summands summands{ring, square, Symmetry{false, 2}};
   EXPECT_EQ((ExactSum{ring, summands.second_image(), ExactSum::Method::kDecomposition}.holes()), 1U);
   EXPECT_EQ(broken_law(summands, sum), "");
 }
 
-TEST(Sum, KeepsASlotThatIsFilledWithoutRoom) {
-  // A square as wide as the gap between the arms of a U: positions along a line of no width.
+TEST(Sum, KeepsASlotThatAPieceFillsExactly) {
+  // A square as wide as the gap between the arms of a U: its positions there form a line of zero width.
   const Polygon u = scaled({{0, 0}, {9, 0}, {9, 9}, {6, 9}, {6, 3}, {3, 3}, {3, 9}, {0, 9}}, 100);
   const Polygon square = scaled({{0, 0}, {3, 0}, {3, 3}, {0, 3}}, 100);
   const auto sum = minkowski::obstacle_sum(*outline::make_outline(u), *outline::make_outline(square), {});

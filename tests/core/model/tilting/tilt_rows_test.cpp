@@ -24,11 +24,11 @@ std::vector<TiltRow> rows_of(const Marker& marker, double turn = 0.01) {
       sums.obstacle(oriented_outline(marker, PieceId{0}, sums), oriented_outline(marker, PieceId{1}, sums));
   const RegionSettings region{RegionRule::kGreedy, 1e6, marker.spacing};
   const auto sides = free_region(obstacle, pieces.at(1) - pieces.at(0), region);
-  return tilt_rows({0, 1}, pieces[0], pieces[1], sides, {turn, 1e6, 0, marker.spacing, 1000});
+  return tilt_rows({0, 1}, pieces[0], pieces[1], sides, {turn, 1e6, 0, marker.spacing, ModelUnit::of(1000)});
 }
 
 // A vertex turned about a pivot.
-outline::Real2 turned_about(outline::Real2 v, outline::Real2 pivot, double turn) {
+RealVec turned_about(RealVec v, RealVec pivot, double turn) {
   const double x = v.x - pivot.x;
   const double y = v.y - pivot.y;
   return {pivot.x + std::cos(turn) * x - std::sin(turn) * y, pivot.y + std::sin(turn) * x + std::cos(turn) * y};
@@ -51,8 +51,8 @@ TEST(TiltRows, AVertexOfTheSecondOnAnEdgeOfTheFirst) {  // equation (6.3)
   const TiltRow& row = rows[0];
   EXPECT_NEAR(row.row.ny, 1, 1e-12);
   EXPECT_NEAR(row.row.bound, -10'000, 1e-6);
-  const outline::Real2 tip{300'000, 110'000};
-  const outline::Real2 by_q = turned_about(tip, pivot_of(pieces[1]), kTurn);
+  const RealVec tip{300'000, 110'000};
+  const RealVec by_q = turned_about(tip, pivot_of(pieces[1]), kTurn);
   EXPECT_NEAR(row.second_turn * kTurn, by_q.y - tip.y, 1e-3 * std::abs(by_q.y - tip.y));
   // The plate's upper edge turns about the plate's middle (200, 50): under the tip it rises.
   const double rise = 50'000 / std::cos(kTurn) - 50'000 + std::tan(kTurn) * 100'000;

@@ -15,7 +15,7 @@ namespace {
 using test::Layout;
 
 // The time until a square of 100 at r, moving so, meets one at the origin.
-double meeting(Vec r, model::Displacement velocity, double clearance = 0) {
+double meeting(Vec r, RealVec velocity, double clearance = 0) {
   SumCache sums;
   Layout layout{1000};
   const auto square = layout.shape_of(test::rectangle(100, 100));

@@ -26,7 +26,7 @@ double distance(Vec a, Vec b) {
 std::optional<Place> placed(const Marker& marker, std::uint32_t piece, Vec wanted, bool may_grow = false) {
   SumCache sums;
   const scene::Scene scene{marker, sums};
-  const auto found = place(scene, piece, wanted, {may_grow});
+  const auto found = place(scene, PieceId{piece}, wanted, {may_grow});
   if (found) {
     EXPECT_TRUE(is_valid(with(marker, piece, found->at)));
     EXPECT_DOUBLE_EQ(found->distance, distance(found->at, wanted));
@@ -121,7 +121,7 @@ TEST(Place, KeepsLocksGroupsBuffersAndMargins) {
   EXPECT_EQ(placed(marker, 0, {-100, 320})->at, (Vec{5, 320}));
   marker.pieces[1].group = marker.pieces[3].group = "pair";
   SumCache sums;
-  const auto answer = heal_and_place(marker, PieceId{1}, {120, 330}, {}, {sums});  // the pair is 200 long
+  const auto answer = repair_and_place(marker, PieceId{1}, {120, 330}, {}, {sums});  // the pair is 200 long
   ASSERT_TRUE(answer && answer->place);
   EXPECT_TRUE(is_valid(answer->marker));
   EXPECT_EQ(answer->place->at, (Vec{90, 330}));  // the other comes to the buffered piece
@@ -133,7 +133,7 @@ TEST(Place, OfAMarkerAsItComesHealsTheOthersOnly) {
   const auto square = layout.shape_of(test::rectangle(100'000, 100'000));
   layout.put(square, {0, 0}).put(square, {99'990, 50'000}).put(square, {50'000, 20'000});
   SumCache sums;
-  const auto answer = heal_and_place(layout.marker(), PieceId{2}, {50'000, 20'000}, {}, {sums});
+  const auto answer = repair_and_place(layout.marker(), PieceId{2}, {50'000, 20'000}, {}, {sums});
   ASSERT_TRUE(answer);
   EXPECT_EQ(answer->repair.pairs, 1U);
   ASSERT_TRUE(answer->place);

@@ -224,8 +224,8 @@ TEST(TiltedPiece, KeepsItsPivot) {
   const marker::PlacedPieces pieces{marker};
   Marker turned_marker = marker;
   turned_marker.pieces[0] = piece::tilted(marker.pieces[0], pieces[0], Angle::of_degrees(4));
-  const outline::Real2 before = model::tilting::pivot_of(pieces[0]);
-  const outline::Real2 after = model::tilting::pivot_of(marker::PlacedPieces{turned_marker}[0]);
+  const RealVec before = model::tilting::pivot_of(pieces[0]);
+  const RealVec after = model::tilting::pivot_of(marker::PlacedPieces{turned_marker}[0]);
   EXPECT_NEAR(before.x, after.x, 1.01);
   EXPECT_NEAR(before.y, after.y, 1.01);
 }

@@ -1,0 +1,70 @@
+#!/usr/bin/env python3
+"""Regenerates what follows from the table of methods: generate.py SELVAGED [--check].
+
+The daemon describes itself (rpc.discover).  From that description follow the motions of the Python client, the types of
+the TypeScript client (clients/typescript/scripts/generate.mjs, when there is a node) and the table of calls in
+protocol/README.md.  With --check nothing is written: the exit code is 1 if a file is stale, and its name is printed.
+"""
+from __future__ import annotations
+
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import calls_table
+import python_client
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PYTHON = ROOT / "clients" / "python" / "src" / "selvage"
+TYPESCRIPT = ROOT / "clients" / "typescript"
+
+
+def discover(selvaged: str) -> dict:
+    with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
+        json.dump({"jsonrpc": "2.0", "id": 1, "method": "rpc.discover"}, file)
+        file.flush()
+        answer = subprocess.run([selvaged, "--check", file.name, "--log-level", "off"], capture_output=True, text=True,
+                                check=True)
+    return json.loads(answer.stdout)["result"]
+
+
+def typescript(document: dict) -> str | None:
+    node = shutil.which("node")
+    if not node:
+        return None
+    script = 'import("./scripts/generate.mjs").then(({ generate }) => {' \
+             'process.stdout.write(generate(JSON.parse(require("fs").readFileSync(0, "utf8")))); });'
+    return subprocess.run([node, "-e", script], input=json.dumps(document), capture_output=True, text=True, check=True,
+                          cwd=TYPESCRIPT).stdout
+
+
+def generated(document: dict) -> dict[pathlib.Path, str]:
+    page = ROOT / "protocol" / "README.md"
+    files = {
+        PYTHON / "motions.py": python_client.motions(document),
+        PYTHON / "motion_results.py": python_client.motion_results(document),
+        page: calls_table.with_table(page.read_text("utf-8"), document),
+    }
+    types = typescript(document)
+    if types is not None:
+        files[TYPESCRIPT / "src" / "methods.ts"] = types
+    return files
+
+
+def main(selvaged: str, *options: str) -> int:
+    stale = {path: text for path, text in generated(discover(selvaged)).items()
+             if not path.exists() or path.read_text("utf-8") != text}
+    for path, text in stale.items():
+        if "--check" in options:
+            print(f"{path.relative_to(ROOT)} is stale: run ./dev generate")
+        else:
+            path.write_text(text, "utf-8")
+            print(f"wrote {path.relative_to(ROOT)}")
+    return 1 if stale and "--check" in options else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))

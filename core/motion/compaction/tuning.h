@@ -1,0 +1,36 @@
+// The tuning constants of compaction, of opening a gap and of the critical path.  Where no other source is named, the
+// values were tuned on the example markers (docs/measurements-trade.md).
+#pragma once
+
+#include "core/motion/step/tuning.h"
+
+namespace selvage::motion::compaction {
+
+struct CompactionTuning {
+  double trust_ahead{2};     // the next round's trust radius, as a multiple of the last round's farthest move
+  double least_trust{0.05};  // the trust radius never shrinks below this part of the first round's
+  double long_from{10};      // widths: in markers longer than this, the least gain grows with the length
+  double little{2e-5};       // part of the width: a program that gains less is not solved again for rows left out
+                             // (position_step.h); only the last round of a standard compaction gains so little
+  step::StepTuning step{};   // of each round
+  friend bool operator==(const CompactionTuning&, const CompactionTuning&) = default;
+};
+
+struct GapTuning {
+  int tries{4};       // steps without gain, each shorter than the one before, until the gap counts as largest
+  double shorter{4};  // by which a step without gain divides the trust radius
+  friend bool operator==(const GapTuning&, const GapTuning&) = default;
+};
+
+struct CriticalPathTuning {
+  double reach{0.005};       // part of the width: contacts are looked for this near
+  double least_worth{1e-6};  // smaller loads are rounding of the solver; all loads on the right edge add up to 1
+  double spare{1e-2};        // model units by which the length may grow, so that rows' margins leave a feasible point
+  friend bool operator==(const CriticalPathTuning&, const CriticalPathTuning&) = default;
+};
+
+// The displacement penalty of a push, relative to the largest force: small, so that only pieces that are in the way
+// move.
+inline constexpr double kPushPenalty = 1e-4;
+
+}  // namespace selvage::motion::compaction

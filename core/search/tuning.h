@@ -1,0 +1,26 @@
+// The tuning constants of refinement and of the swaps that it tries.  Where no other source is named, the values were
+// tuned on the example markers (docs/measurements-trade.md).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace selvage::search {
+
+struct SwapTuning {
+  unsigned turns_one_in{5};       // one trial in this many turns a piece, the others swap two
+  std::size_t partners{8};        // partners of a piece that are drawn from: those that fit its place best
+  double distance_weight{0.02};   // of the distance along the strip, relative to the difference of the boxes' sides
+  int separation_rounds{12};      // of separation after a swap
+  double separation_growth{0.1};  // part of the width by which separation may lengthen the marker
+  friend bool operator==(const SwapTuning&, const SwapTuning&) = default;
+};
+
+struct RefineTuning {
+  int compaction_rounds{2};       // of compaction after a swap: they gain most of what can be gained
+  std::uint64_t idle_trials{50};  // consecutive trials that solve no program end the swaps: there is nothing to swap
+  SwapTuning swap{};
+  friend bool operator==(const RefineTuning&, const RefineTuning&) = default;
+};
+
+}  // namespace selvage::search
