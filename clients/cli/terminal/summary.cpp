@@ -60,11 +60,12 @@ std::string repair_line(const Json& repair, const std::string& unit) {
          significant(repair["deepest"]) + unit + ", moves up to " + significant(repair["farthestMove"]) + unit + "\n";
 }
 
-// The final position of a piece that moved alone, and the pieces that stop it.
+// The final position of a piece that moved alone, and the pieces that stop it if the motion reports them.
 std::string position_line(const Json& fields, const std::string& unit) {
   const Json& at = fields["at"];
   std::string out =
       "  position     " + protocol::json::number_text(at[0]) + ", " + protocol::json::number_text(at[1]) + unit;
+  if (!fields.contains("touching")) return out + "\n";
   std::string by;
   for (const Json& id : fields["touching"]) by += (by.empty() ? ", stopped by " : ", ") + id.get<std::string>();
   return out + by + "\n";
