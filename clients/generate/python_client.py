@@ -189,10 +189,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, TypeVar
 
-from .link import Link, OnProgress
 from .motion_results import (
 {imports})
 from .results import Point
+from .transport.link import Link, OnProgress
 from .words import named, read
 
 M = TypeVar("M", bound=Moved)

@@ -15,7 +15,7 @@ from live_daemon import SQUARES, LiveDaemon, LossyDoor
 
 import selvage
 from selvage import errors, ops, words
-from selvage.link import may_repeat
+from selvage.transport.link import may_repeat
 
 SELVAGED = sys.argv.pop(1) if len(sys.argv) > 1 else "selvaged"
 ROOT = pathlib.Path(__file__).resolve().parents[2]

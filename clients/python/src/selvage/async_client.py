@@ -10,8 +10,8 @@ from collections.abc import Mapping
 from types import TracebackType
 from typing import Any
 
-from .address import DEFAULT
-from .link import Link, OnProgress
+from .transport.address import DEFAULT
+from .transport.link import Link, OnProgress
 from .marker import AsyncMarker
 from .results import Info, Listed, Opened
 from .words import named, read

@@ -8,11 +8,11 @@ from __future__ import annotations
 import ssl
 from types import TracebackType
 
-from .address import DEFAULT
+from .transport.address import DEFAULT
 from .async_client import AsyncClient, Document
 from .drag import AsyncDrag
 from .marker import AsyncMarker
-from .portal import Blocking, Portal, blocking
+from .transport.portal import Blocking, Portal, blocking
 from .results import Changed, Edited, Held, Missed, Opened
 from .watch import AsyncWatch
 

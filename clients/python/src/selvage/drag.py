@@ -6,8 +6,8 @@ from collections.abc import Callable
 from types import TracebackType
 from typing import Any
 
-from .connection import Connection
-from .link import Link
+from .transport.connection import Connection
+from .transport.link import Link
 from .results import Dragged, Edited, Held, Point
 from .words import named, read
 

@@ -8,7 +8,7 @@ from typing import Any
 
 from .drag import AsyncDrag
 from .errors import UnknownMarker
-from .link import Link
+from .transport.link import Link
 from .motions import AsyncMotions
 from .ops import Op
 from .outlines import Outline, Outlines

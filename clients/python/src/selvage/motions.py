@@ -11,7 +11,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, TypeVar
 
-from .link import Link, OnProgress
 from .motion_results import (
     Bumped,
     Floated,
@@ -25,6 +24,7 @@ from .motion_results import (
     Tilted,
 )
 from .results import Point
+from .transport.link import Link, OnProgress
 from .words import named, read
 
 M = TypeVar("M", bound=Moved)

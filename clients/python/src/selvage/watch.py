@@ -5,9 +5,9 @@ from __future__ import annotations
 import asyncio
 from types import TracebackType
 
-from .connection import Connection, Event, Lost, Told
+from .transport.connection import Connection, Event, Lost, Told
 from .errors import CallError, ConnectionLost
-from .link import Link
+from .transport.link import Link
 from .results import Changed, Missed, Watching
 from .words import named, read
 

@@ -10,8 +10,8 @@ import threading
 from collections.abc import Callable, Coroutine
 from typing import Any, Concatenate, ParamSpec, TypeVar
 
-from .errors import ConnectionLost
-from .results import Progress
+from ..errors import ConnectionLost
+from ..results import Progress
 
 P = ParamSpec("P")
 T = TypeVar("T")

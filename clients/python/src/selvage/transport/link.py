@@ -15,8 +15,8 @@ from typing import Any, TypeVar
 
 from .address import parse_address
 from .connection import Answer, Connection, Event, Lost
-from .errors import Busy, ConnectionLost, Draining, call_error
-from .results import Progress
+from ..errors import Busy, ConnectionLost, Draining, call_error
+from ..results import Progress
 
 T = TypeVar("T")
 OnProgress = Callable[[Progress], None]

@@ -15,9 +15,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from .address import Address
-from .errors import ConnectionLost, HandshakeFailed, UnexpectedAnswer, call_error
-from .results import Progress
-from .words import read
+from ..errors import ConnectionLost, HandshakeFailed, UnexpectedAnswer, call_error
+from ..results import Progress
+from ..words import read
 
 # asyncio wants a bound for a line; a whole marker is one.
 _LONGEST_LINE = 1 << 28
