@@ -1,12 +1,13 @@
-# The daemon in a container: no root, no shell access needed, one volume.
+# The daemon in a container, as an unprivileged user, with one volume.
 #
 #   docker build -t selvage .
 #   docker run --rm --read-only --cap-drop ALL -v selvage:/var/lib/selvage \
 #     -v "$PWD/token:/run/secrets/selvage-token:ro" -p 127.0.0.1:7171:7171 selvage
 #
-# The steps are those of packaging/build.sh, which the test of packaging runs too.
+# The steps are those of packaging/build.sh, which the packaging test runs too.
 FROM debian:12-slim AS build
 WORKDIR /selvage
+COPY packages.txt ./
 COPY packaging/ packaging/
 RUN packaging/build.sh build-packages
 COPY . .

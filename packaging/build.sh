@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The steps that make an installed Selvage out of a fresh tree.  The Dockerfile runs them in its stages; the test of
-# packaging runs `configure`, and `install` on the build that is there.
+# The steps from a fresh tree to an installed Selvage.  The Dockerfile runs them in its stages; the packaging test runs
+# `configure`, and runs `install` on an existing build.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -8,20 +8,18 @@ usage() {
   cat <<'EOF'
 usage: packaging/build.sh STEP
 
-  build-packages         install the Debian packages that building needs (as root)
-  run-packages           install those that running needs (as root)
+  build-packages         install the Debian packages needed to build (as root)
+  run-packages           install those needed to run (as root)
   configure BUILD        configure the programs, without tests and benchmarks
   build BUILD            configure and build them
   install BUILD PREFIX   install them, stripped, below PREFIX
 EOF
 }
 
-# without comments
-names_in() { grep -v '^#' "$1"; }
-
+# install_packages NAME...
 install_packages() {
   apt-get update -q
-  names_in "$1" | DEBIAN_FRONTEND=noninteractive xargs apt-get install -yq --no-install-recommends
+  DEBIAN_FRONTEND=noninteractive apt-get install -yq --no-install-recommends "$@"
   rm -rf /var/lib/apt/lists/*
 }
 
@@ -30,8 +28,16 @@ configure() {
 }
 
 case ${1:-} in
-  build-packages) install_packages packaging/packages-build.txt ;;
-  run-packages) install_packages packaging/packages-run.txt ;;
+  build-packages)
+    packages=$(packaging/packages.sh engine daemon)
+    # shellcheck disable=SC2086
+    install_packages $packages
+    ;;
+  run-packages)
+    packages=$(grep -v '^#' packaging/packages-run.txt)
+    # shellcheck disable=SC2086
+    install_packages $packages
+    ;;
   configure) configure "$2" ;;
   build)
     configure "$2"

@@ -170,11 +170,11 @@ void measure_refinement_settings(const std::string& name, const Marker& marker) 
   };
   const search::RefineSettings preset = search::refine_settings();
   search::RefineSettings settings = preset;
-  settings.most_exchanged = marker::kMaxPieces;
+  settings.most_pieces_swapped = marker::kMaxPieces;
   settings.tilts = false;
   settings.effort = 0;
   for (const char* ways : {"0", "1", "2", "3", "4"}) {
-    settings.other_ways = std::stoi(ways);
+    settings.variants = std::stoi(ways);
     measured(name, "other descents", ways, refined(settings));
   }
   for (const char* effort : {"0", "4000", "15000", "30000"}) {
@@ -202,10 +202,10 @@ void measure_refinement_settings(const std::string& name, const Marker& marker) 
   settings.tilts = false;
   std::vector<std::pair<std::string, std::string>> same{{"accuracy", "fine without tilts"}};
   if (!may_tilt(marker)) same.emplace_back("accuracy", "fine");
-  if (marker.pieces.size() <= preset.most_exchanged) same.emplace_back("swaps", std::to_string(preset.effort));
+  if (marker.pieces.size() <= preset.most_pieces_swapped) same.emplace_back("swaps", std::to_string(preset.effort));
   measured(name, same, refined(settings));
   if (same.back().first == "swaps") return;
-  settings.most_exchanged = marker::kMaxPieces;
+  settings.most_pieces_swapped = marker::kMaxPieces;
   measured(name, "swaps", std::to_string(settings.effort), refined(settings));
 }
 

@@ -67,7 +67,7 @@ void bump_all(benchmark::State& state, const std::string& name, bool tight) {
   const scene::Scene scene{marker, sums};
   const auto motion = [&](std::uint32_t piece, int k) {
     const double angle = 2 * std::numbers::pi * k / kDirections;
-    benchmark::DoNotOptimize(motion::piece::bump(scene, piece, std::cos(angle), std::sin(angle)));
+    benchmark::DoNotOptimize(motion::piece::bump(scene, PieceId{piece}, std::cos(angle), std::sin(angle)));
   };
   for (std::uint32_t piece = 0; piece < marker.pieces.size(); ++piece) {
     for (int k = 0; k < kDirections; ++k) motion(piece, k);  // fills the cache
@@ -92,7 +92,7 @@ void place_all(benchmark::State& state, const std::string& name, bool tight) {
   }
   const auto motion = [&](std::uint32_t piece, int k) {
     benchmark::DoNotOptimize(
-        motion::placing::place(scene, piece, wanted[piece * kDrops + static_cast<std::size_t>(k)]));
+        motion::placing::place(scene, PieceId{piece}, wanted[piece * kDrops + static_cast<std::size_t>(k)]));
   };
   for (std::uint32_t piece = 0; piece < marker.pieces.size(); ++piece) {
     for (int k = 0; k < kDrops; ++k) motion(piece, k);

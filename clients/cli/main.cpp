@@ -1,53 +1,35 @@
-// selvage: compacts, bumps, separates, floats, tilts, checks, shows and converts markers from the command line, here or
-// on a daemon.
-#include <iostream>
-#include <string>
+// selvage: works on markers from the command line, in this process or on a daemon.
+#include <vector>
 
+#include "clients/cli/command_line/parse.h"
 #include "clients/cli/commands/commands.h"
-#include "clients/cli/run/server_option.h"
+#include "clients/cli/commands/shared_options.h"
 
 namespace {
 
-// Says which word stands where a subcommand belongs.
-void tell_subcommands(const CLI::App& app, const std::string& word) {
-  std::cerr << "selvage: " << word << " is no subcommand; these are:";
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    std::cerr << ' ' << command->get_name();
+// In the order of --help.
+std::vector<selvage::cli::command_line::Command> all_commands() {
+  namespace commands = selvage::cli::commands;
+  std::vector<selvage::cli::command_line::Command> all = commands::motion_commands();
+  for (auto command : {&commands::check_command, &commands::show_command, &commands::convert_command,
+                       &commands::call_command, &commands::watch_command}) {
+    all.push_back(command());
   }
-  std::cerr << "\nRun with --help for more information.\n";
+  return all;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Selvage shortens garment markers: exactly, fast, and never with an overlap."};
-  app.name("selvage");
-  app.set_version_flag("--version", std::string{"selvage "} + SELVAGE_VERSION);
-  app.require_subcommand(1);
-  app.footer(selvage::cli::terminal::kExitCodesHelp);
-  selvage::cli::run::add_server_options(app);
-  selvage::cli::terminal::ExitCode code = selvage::cli::terminal::ExitCode::kOk;
-  selvage::cli::commands::add_compact_command(app, code);
-  selvage::cli::commands::add_bump_command(app, code);
-  selvage::cli::commands::add_separate_command(app, code);
-  selvage::cli::commands::add_float_command(app, code);
-  selvage::cli::commands::add_tilt_command(app, code);
-  selvage::cli::commands::add_check_command(app, code);
-  selvage::cli::commands::add_show_command(app, code);
-  selvage::cli::commands::add_convert_command(app, code);
-  selvage::cli::commands::add_call_command(app, code);
-  selvage::cli::commands::add_watch_command(app, code);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    const auto words = app.remaining();
-    const bool none_found = app.get_subcommands().empty() && !words.empty() && words.front().front() != '-';
-    if (error.get_name() == "RequiredError" && none_found) {
-      tell_subcommands(app, words.front());
-      return static_cast<int>(selvage::cli::terminal::ExitCode::kBadUsage);
-    }
-    const bool asked_for_help = app.exit(error) == 0;
-    code = asked_for_help ? selvage::cli::terminal::ExitCode::kOk : selvage::cli::terminal::ExitCode::kBadUsage;
-  }
-  return static_cast<int>(code);
+  namespace cli = selvage::cli;
+  const cli::command_line::Program program{
+      .name = "selvage",
+      .summary = "Selvage shortens garment markers with exact geometry, so that pieces never overlap.",
+      .version = SELVAGE_VERSION,
+      .footer = cli::terminal::kExitCodesHelp,
+      .options = cli::commands::server_options(),
+      .commands = all_commands()};
+  const cli::command_line::Parsed parsed = cli::command_line::parse(program, argc, argv);
+  if (parsed.command == nullptr) return static_cast<int>(parsed.exit_code);
+  return static_cast<int>(parsed.command->run(parsed.values));
 }

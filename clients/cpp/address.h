@@ -1,4 +1,4 @@
-// Where a daemon speaks lines of JSON: a TCP address, in clear or by TLS, or a Unix socket.
+// The address of a daemon: a TCP address, with or without TLS, or the path of a Unix socket.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ struct Address {
 };
 
 // "127.0.0.1:7171", "localhost:7171", "[::1]:7171", "tls://marker.example:7171"; "unix:/run/selvage.sock", or any path
-// with a slash in it. Nothing when it is none of these.
+// that contains a slash.  Null when the text is none of these.
 [[nodiscard]] std::optional<Address> read_address(std::string_view text);
 
 }  // namespace selvage::client

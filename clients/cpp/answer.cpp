@@ -9,14 +9,14 @@ std::string CallError::name() const {
 
 Answer answer_in(const Json& response) {
   if (response.contains("result")) return response["result"];
-  CallError error{CallCode::kInternalError, "the daemon's answer holds neither a result nor an error", nullptr};
-  const Json& said = response.contains("error") ? response["error"] : Json();
-  if (!said.is_object()) return error;
-  if (said.contains("code") && said["code"].is_number_integer()) {
-    error.code = static_cast<CallCode>(said["code"].get<int>());
+  CallError error{CallCode::kInternalError, "the daemon's answer contains neither a result nor an error", nullptr};
+  const Json& reported = response.contains("error") ? response["error"] : Json();
+  if (!reported.is_object()) return error;
+  if (reported.contains("code") && reported["code"].is_number_integer()) {
+    error.code = static_cast<CallCode>(reported["code"].get<int>());
   }
-  if (said.contains("message") && said["message"].is_string()) error.message = said["message"].get<std::string>();
-  if (said.contains("data")) error.details = said["data"];
+  if (reported.contains("message") && reported["message"].is_string()) error.message = reported["message"].get<std::string>();
+  if (reported.contains("data")) error.details = reported["data"];
   return error;
 }
 

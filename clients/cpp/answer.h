@@ -1,4 +1,4 @@
-// What comes of a call: its result, or an error with a code.  Errors are values; nothing here throws.
+// The answer to a call: a result, or an error with a code.  Errors are values; nothing here throws.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,29 +10,29 @@ namespace selvage::client {
 
 using Json = nlohmann::ordered_json;  // keeps the order of fields
 
-// The daemon's codes (negative; protocol/README.md explains each) and the client's own (positive).  None ever changes
-// its meaning.  A newer daemon may answer with codes that are not named here.
+// The daemon's codes are negative (protocol/README.md explains them); the client's own are positive.  No code ever
+// changes its meaning.  A newer daemon may return codes that are not listed here.
 enum class CallCode : int {
   kInvalidRequest = -32600,
   kMethodNotFound = -32601,
-  kInvalidParams = -32602,  // details["field"] says which
+  kInvalidParams = -32602,  // details["field"] names the parameter
   kInternalError = -32603,
   kMotionRefused = -32000,  // the marker does not allow this motion
   kBusy = -32010,           // details["retryAfterMs"]
-  kTooLarge = -32011,       // the call is longer than the daemon takes
+  kTooLarge = -32011,       // the call is longer than the daemon accepts
   kUnknownMarker = -32012,
   kLimit = -32013,
   kDraining = -32014,
   kUnauthorised = -32015,
   kCancelled = -32800,
   kRevisionMismatch = -32801,  // details["revision"] is the present one
-  kSuperseded = -32802,        // a newer move of the same drag took this one's place
+  kSuperseded = -32802,        // replaced by a newer move of the same drag
 
-  kBadAddress = 1,    // the address says nowhere
-  kUnreachable = 2,   // no connection, for as long as the client was to try
-  kDisconnected = 3,  // the connection broke, and the call must not be sent twice: it may have been carried out
-  kEnded = 4,         // the client was destroyed first
-  kUntrusted = 5      // no TLS with that daemon: its certificate is not trusted, or it speaks none
+  kBadAddress = 1,    // the address is invalid
+  kUnreachable = 2,   // no connection within the time limit
+  kDisconnected = 3,  // the connection broke; the call may have been carried out, so it is not sent again
+  kEnded = 4,         // the client was destroyed before the answer arrived
+  kUntrusted = 5      // the TLS handshake failed: the certificate is not trusted, or the daemon does not use TLS
 };
 
 struct CallError {
@@ -40,7 +40,7 @@ struct CallError {
   std::string message;  // names the field, the value and what is allowed
   Json details;         // the "data" of the error; null when there is none
 
-  // The name of what exactly is wrong, such as "marker.overlaps"; empty when the daemon gave none.
+  // The name of the error, such as "marker.overlaps"; empty when the daemon gave none.
   [[nodiscard]] std::string name() const;
 };
 
@@ -60,7 +60,7 @@ class [[nodiscard]] Answer {
   std::variant<Json, CallError> held_;
 };
 
-// The answer in a response of JSON-RPC.
+// The answer that a JSON-RPC response contains.
 [[nodiscard]] Answer answer_in(const Json& response);
 
 }  // namespace selvage::client

@@ -10,12 +10,12 @@
 #include <boost/asio/post.hpp>
 
 #include "clients/cpp/conversation.h"
-#include "clients/cpp/repeating.h"
+#include "clients/cpp/resending.h"
 
 namespace selvage::client {
 namespace {
 
-// Unlike any other client's, so that two of them never share an opId.
+// A name that no other client has, so that two clients never use the same opId.
 std::string random_name() {
   constexpr std::string_view kDigits = "0123456789abcdef";
   std::random_device random;
@@ -28,7 +28,7 @@ std::string request_line(CallId id, std::string_view method, const Json& params)
   return Json{{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", params}}.dump() + "\n";
 }
 
-// The marker that a call is about; empty when its parameters do not say.
+// The id of the marker that a call concerns; empty when its parameters have none.
 std::string marker_of(const Json& params) {
   const bool named = params.is_object() && params.contains("markerId") && params["markerId"].is_string();
   return named ? params["markerId"].get<std::string>() : std::string{};
@@ -54,7 +54,7 @@ class Client::Own {
 
   Call begin(std::string_view method, Json params) {
     Call call{next_++, {}};
-    name_operation(method, params, name_ + "-" + std::to_string(call.id));
+    add_op_id(method, params, name_ + "-" + std::to_string(call.id));
     OpenCall open{std::string{method}, marker_of(params), request_line(call.id, method, params), false, {}};
     call.answer = open.promise.get_future();
     boost::asio::post(

@@ -1,7 +1,8 @@
-// One client's talk with one daemon, over as many connections as it takes.  Everything here happens on the thread of
-// its io_context.
+// The exchange of one client with one daemon, over one connection after another.  Everything here runs on the thread of
+// the io_context.
 //
-// Invariants: every call begun is answered exactly once; a call is unsent, or was sent on the present connection.
+// Invariants: every call that was begun is answered exactly once; a call that was sent was sent on the present
+// connection.
 #pragma once
 
 #include <chrono>
@@ -21,10 +22,10 @@
 
 namespace selvage::client {
 
-class Link;
+class Connection;
 
 struct OpenCall {
-  std::string method, marker;  // the marker it is about, if any
+  std::string method, marker;  // `marker`: the id of the marker that the call concerns; empty if there is none
   std::string line;            // the request, ending in a newline
   bool sent{};
   std::promise<Answer> promise;
@@ -39,24 +40,24 @@ class Conversation {
 
   void begin(CallId id, OpenCall call);
   void cancel(CallId id);
-  // Answers what is open and hangs up, for good.
+  // Answers all open calls with kEnded and closes the connection.  No call may be begun afterwards.
   void end();
 
  private:
   enum class State { kIdle, kConnecting, kOpen, kEnded };
 
-  void begin_trying();
+  void start_trying();
   void attempt();
   void connected();
   void send(OpenCall& call);
-  void hear(const std::string& line);
-  void hear_answer(const Json& message);
-  void hear_notification(const Json& message);
-  void hear_closed(const std::string& marker);
-  void note_watching(const OpenCall& call);
-  void broken(const std::string& why);
-  void failed(const std::string& why);
-  void distrusted(const std::string& why);
+  void receive(const std::string& line);
+  void receive_answer(const Json& message);
+  void receive_notification(const Json& message);
+  void report_closed(const std::string& marker);
+  void update_watched(const OpenCall& call);
+  void handle_disconnect(const std::string& why);
+  void handle_failure(const std::string& why);
+  void handle_untrusted(const std::string& why);
   void give_up(const CallError& error);
   void answer(CallId id, Answer answer);
   [[nodiscard]] std::optional<CallId> longest_sent() const;
@@ -66,12 +67,12 @@ class Conversation {
   Settings settings_;
   Handlers handlers_;
   State state_{State::kIdle};
-  bool was_connected_{};  // at any time before
-  bool again_{};          // the present connection is not the first
-  bool heard_{};          // anything, on the present connection
-  bool fruitless_{};      // the connection before it ended before anything was heard
-  std::shared_ptr<Link> link_;
-  boost::asio::steady_timer pause_;
+  bool was_connected_{};    // at any earlier time
+  bool reconnected_{};      // the present connection is not the first one
+  bool received_any_{};     // the daemon has sent something on the present connection
+  bool last_was_silent_{};  // the previous connection ended before the daemon sent anything
+  std::shared_ptr<Connection> connection_;
+  boost::asio::steady_timer retry_timer_;
   std::chrono::steady_clock::time_point try_until_;
   std::chrono::milliseconds next_pause_{};
   std::map<CallId, OpenCall> open_;

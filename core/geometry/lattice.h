@@ -51,6 +51,9 @@ struct Box {
   [[nodiscard]] constexpr bool overlaps(const Box& other) const {
     return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y && other.low.y < high.y;
   }
+  [[nodiscard]] constexpr bool contains(const Box& other) const {
+    return other.low.x >= low.x && other.low.y >= low.y && other.high.x <= high.x && other.high.y <= high.y;
+  }
   [[nodiscard]] constexpr bool touches(const Box& other) const {
     return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y;
   }

@@ -7,13 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/marker/validity.h"
+#include "core/marker/clearance.h"
 
 namespace selvage::marker {
 namespace {
-
-// Up to this many changed pieces are each compared with all others; with more, one sweep finds all close pairs.
-constexpr std::size_t kFew = 16;
 
 // The pieces that differ between the two markers; nothing when the markers differ in more than their pieces.
 std::optional<std::vector<std::uint32_t>> changed_pieces(const Marker& before, const Marker& marker) {
@@ -44,26 +41,6 @@ std::optional<PlacedPieces> moved(const Marker& before, const PlacedPieces& piec
   return now;
 }
 
-// True when no changed piece conflicts with another piece.
-bool clear(const PlacedPieces& pieces, std::span<const std::uint32_t> changed) {
-  const Coord distance = pieces.widest_spacing();
-  if (changed.size() <= kFew) {
-    return std::none_of(changed.begin(), changed.end(), [&](std::uint32_t i) {
-      const Box around = pieces.box(i).grown(distance);
-      for (std::uint32_t other = 0; other < pieces.size(); ++other) {
-        if (other != i && around.overlaps(pieces.box(other)) && conflict(pieces, std::minmax(i, other))) return true;
-      }
-      return false;
-    });
-  }
-  std::vector<bool> moved(pieces.size());
-  for (const std::uint32_t i : changed) moved[i] = true;
-  const auto near = pairs_within(pieces, distance);
-  return std::none_of(near.begin(), near.end(), [&](const PiecePair& pair) {
-    return (moved[pair.first] || moved[pair.second]) && conflict(pieces, pair);
-  });
-}
-
 }  // namespace
 
 Figures figures_after(const Marker& before, const PlacedPieces& pieces, const Marker& marker) {
@@ -74,7 +51,7 @@ Figures figures_after(const Marker& before, const PlacedPieces& pieces, const Ma
   const Coord length = now->length();
   const bool within = std::none_of(changed->begin(), changed->end(),
                                    [&](std::uint32_t i) { return protrusion_of(now->box(i), marker.strip) > 0; });
-  return {length, utilisation_at(marker, length), within && clear(*now, *changed)};
+  return {length, utilisation_at(marker, length), within && are_clear(*now, *changed)};
 }
 
 Figures figures_of(const Marker& marker) {
@@ -83,7 +60,7 @@ Figures figures_of(const Marker& marker) {
 
 Figures figures_of(const Marker& marker, const PlacedPieces& pieces) {
   const Coord length = pieces.length();
-  return {length, utilisation_at(marker, length), is_valid(pieces, marker.strip)};
+  return {length, utilisation_at(marker, length), all_clear(pieces, marker.strip)};
 }
 
 double utilisation_at(const Marker& marker, Coord length) {

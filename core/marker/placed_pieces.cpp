@@ -7,12 +7,10 @@
 namespace selvage::marker {
 namespace {
 
-constexpr std::size_t kBlock = 512;  // consecutive pairs tested by one part of the parallel task
-
 // Calls visit(pair) for every pair whose boxes are closer than `distance` on both axes, from left to right, until it
-// returns false.
+// returns true.  Returns whether it did.
 template <class Visit>
-void sweep(const PlacedPieces& pieces, Coord distance, const Visit& visit) {
+bool sweep(const PlacedPieces& pieces, Coord distance, const Visit& visit) {
   struct Entry {
     Box box;
     std::uint32_t piece{};
@@ -26,9 +24,10 @@ void sweep(const PlacedPieces& pieces, Coord distance, const Visit& visit) {
     const Box reach = entries[k].box.grown(distance);
     for (std::size_t m = k + 1; m < entries.size() && entries[m].box.low.x < reach.high.x; ++m) {
       if (!reach.overlaps(entries[m].box)) continue;
-      if (!visit(PiecePair{std::minmax(entries[k].piece, entries[m].piece)})) return;
+      if (visit(PiecePair{std::minmax(entries[k].piece, entries[m].piece)})) return true;
     }
   }
+  return false;
 }
 
 }  // namespace
@@ -58,6 +57,10 @@ void PlacedPieces::replace(std::size_t piece, Polygon polygon, Vec at) {
   at_[piece] = at;
 }
 
+void PlacedPieces::move_by(std::span<const Vec> by) {
+  for (std::size_t i = 0; i < size(); ++i) at_[i] = at_[i] + by[i];
+}
+
 Coord PlacedPieces::length() const {
   Coord length = 0;
   for (std::size_t i = 0; i < size(); ++i) length = std::max(length, box(i).high.x);
@@ -68,30 +71,14 @@ std::vector<PiecePair> pairs_within(const PlacedPieces& pieces, Coord distance) 
   std::vector<PiecePair> pairs;
   sweep(pieces, distance, [&](PiecePair pair) {
     pairs.push_back(pair);
-    return true;
+    return false;
   });
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 
-bool conflict(const PlacedPieces& pieces, PiecePair pair) {
-  const geometry::PlacedPolygon p = pieces[pair.first];
-  const geometry::PlacedPolygon q = pieces[pair.second];
-  const Coord spacing = pieces.spacing(pair);
-  return spacing > 0 ? closer_than(p, q, spacing) : overlap(p, q);
-}
-
-std::vector<PiecePair> conflicts(const PlacedPieces& pieces, const Executor& executor, const std::stop_token& stop) {
-  const std::vector<PiecePair> near = pairs_within(pieces, pieces.widest_spacing());
-  return gathered<PiecePair>(executor, near.size(), kBlock, [&](std::size_t k, std::vector<PiecePair>& found) {
-    if (!stop.stop_requested() && conflict(pieces, near[k])) found.push_back(near[k]);
-  });
-}
-
-bool any_conflict(const PlacedPieces& pieces) {
-  bool found = false;
-  sweep(pieces, pieces.widest_spacing(), [&](PiecePair pair) { return !(found = conflict(pieces, pair)); });
-  return found;
+bool any_pair_within(const PlacedPieces& pieces, Coord distance, const std::function<bool(PiecePair)>& test) {
+  return sweep(pieces, distance, test);
 }
 
 }  // namespace selvage::marker

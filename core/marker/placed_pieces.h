@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <memory>
-#include <stop_token>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include "core/base/executor.h"
 #include "core/geometry/overlap.h"
 #include "core/marker/marker.h"
 
@@ -37,6 +37,8 @@ class PlacedPieces {
   [[nodiscard]] Vec at(std::size_t piece) const { return at_[piece]; }
   [[nodiscard]] const std::vector<Vec>& positions() const { return at_; }
   void place(std::vector<Vec> positions) { at_ = std::move(positions); }
+  // Moves every piece, each by a vector of its own.
+  void move_by(std::span<const Vec> by);
   // Replaces the polygon and position of one piece, for instance after a tilt.
   void replace(std::size_t piece, Polygon polygon, Vec at);
   // The least distance that the two pieces must keep: the marker's spacing or the sum of their buffers, whichever is
@@ -58,15 +60,8 @@ class PlacedPieces {
 
 // All pairs whose boxes are closer than `distance` on both axes (0: whose boxes overlap), sorted.
 [[nodiscard]] std::vector<PiecePair> pairs_within(const PlacedPieces& pieces, Coord distance);
-
-// True when the two pieces overlap or are closer than their spacing.  Exact.
-[[nodiscard]] bool conflict(const PlacedPieces& pieces, PiecePair pair);
-
-// All pairs in conflict, sorted.  The result may be incomplete if `stop` was requested, so the caller must check the
-// token afterwards.
-[[nodiscard]] std::vector<PiecePair> conflicts(const PlacedPieces& pieces, const Executor& executor = serial(),
-                                               const std::stop_token& stop = {});
-// Whether any pair is in conflict.
-[[nodiscard]] bool any_conflict(const PlacedPieces& pieces);
+// Whether one of these pairs passes the test.
+[[nodiscard]] bool any_pair_within(const PlacedPieces& pieces, Coord distance,
+                                   const std::function<bool(PiecePair)>& test);
 
 }  // namespace selvage::marker

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/marker/placed_pieces.h"
+#include "core/marker/clearance.h"
 #include "core/minkowski/cache.h"
 #include "core/minkowski/nearest_edges.h"
 #include "core/outline/outline.h"
@@ -33,11 +33,6 @@ Overlap unmeasured(PiecePair pair, const PlacedPieces& pieces) {
 
 }  // namespace
 
-Coord protrusion_of(const Box& box, const Strip& strip) {
-  const Box room = strip.room(strip.last().value_or(box.high.x));
-  return std::max({room.low.x - box.low.x, room.low.y - box.low.y, box.high.x - room.high.x, box.high.y - room.high.y});
-}
-
 outline::OrientedOutline oriented_outline(const Marker& marker, PieceId id, SumCache& sums) {
   const Piece& piece = marker.pieces[id.value];
   const geometry::SplitOrientation parts = split(piece.orientation);
@@ -56,7 +51,7 @@ Result<Validity> check(const Marker& marker, SumCache& sums, const std::stop_tok
     validity.overlaps.push_back(measured(pair, pieces, marker, sums));
   }
   if (stop.stop_requested()) {
-    return Error{ErrorCode::kStoppedEarly, "stopped before all that overlaps was measured", ""};
+    return Error{ErrorCode::kStoppedEarly, "stopped before all overlaps were measured", ""};
   }
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {
     if (const Coord by = protrusion_of(pieces.box(i), marker.strip); by > 0) {
@@ -74,14 +69,7 @@ std::vector<Overlap> overlaps_unmeasured(const Marker& marker) {
 }
 
 bool is_valid(const Marker& marker) {
-  return is_valid(PlacedPieces{marker}, marker.strip);
-}
-
-bool is_valid(const PlacedPieces& pieces, const Strip& strip) {
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (protrusion_of(pieces.box(i), strip) > 0) return false;
-  }
-  return !any_conflict(pieces);
+  return all_clear(PlacedPieces{marker}, marker.strip);
 }
 
 }  // namespace selvage::marker

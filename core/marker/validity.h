@@ -19,8 +19,6 @@ class SumCache;
 
 namespace selvage::marker {
 
-class PlacedPieces;
-
 // Two pieces that overlap or are closer than their spacing.
 struct Overlap {
   PieceId first, second;  // first < second
@@ -40,9 +38,6 @@ struct Validity {
   [[nodiscard]] bool valid() const { return overlaps.empty() && protrusions.empty(); }
 };
 
-// The largest distance by which a box extends beyond the strip or into its margins; 0 or negative when it does neither.
-[[nodiscard]] Coord protrusion_of(const Box& box, const Strip& strip);
-
 // A piece's outline from the cache, with the symmetry under which it is placed.
 [[nodiscard]] outline::OrientedOutline oriented_outline(const Marker& marker, PieceId piece, minkowski::SumCache& sums);
 
@@ -55,6 +50,5 @@ struct Validity {
 [[nodiscard]] std::vector<Overlap> overlaps_unmeasured(const Marker& marker);
 // The verdict only.
 [[nodiscard]] bool is_valid(const Marker& marker);
-[[nodiscard]] bool is_valid(const PlacedPieces& pieces, const Strip& strip);
 
 }  // namespace selvage::marker

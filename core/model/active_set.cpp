@@ -6,55 +6,54 @@
 namespace selvage::model {
 namespace {
 
-constexpr std::size_t kGrowth = 8;        // times as many
-constexpr double kSolverResidual = 1e-6;  // of a price, by which dual values may be off
+constexpr double kSolverResidual = 1e-6;  // a fraction of the price: dual values may be off by this
 
-// On one axis, what all of a tie bears, and how far it may go.
-struct Borne {
+// The force on all pieces of one tie along one axis, and how far they can move.
+struct TieLoad {
   double load{};
   Coord down{kLatticeLimit}, up{kLatticeLimit};
 };
 
-bool moves(const Borne& borne, double price) {
+bool moves(const TieLoad& tie, double price) {
   const double most = price * (1 + kSolverResidual);
-  return (borne.load > most && borne.up > 0) || (borne.load < -most && borne.down > 0);
+  return (tie.load > most && tie.up > 0) || (tie.load < -most && tie.down > 0);
 }
 
 }  // namespace
 
-ActiveSet::ActiveSet(Ties ties) : ties_{std::move(ties)}, reached_(ties_.x.size()) {
-  for (std::size_t i = 0; i < reached_.size(); ++i) left_ += ties_.fixed(i) ? 0 : 1;
+ActiveSet::ActiveSet(Ties ties, std::size_t growth) : ties_{std::move(ties)}, growth_{growth}, active_(ties_.x.size()) {
+  for (std::size_t i = 0; i < active_.size(); ++i) left_ += ties_.fixed(i) ? 0 : 1;
 }
 
 void ActiveSet::add(std::size_t piece) {
   if (!may_hold(piece)) return;
   std::vector<std::size_t> entering{piece};
-  reached_[piece] = 1;
+  active_[piece] = 1;
   while (!entering.empty()) {
     const std::size_t entered = entering.back();
     entering.pop_back();
     --left_;
     ++count_;
-    for (std::size_t i = 0; i < reached_.size(); ++i) {
+    for (std::size_t i = 0; i < active_.size(); ++i) {
       const bool tied = (ties_.x[i] == ties_.x[entered] && ties_.x[i] != Ties::kFixed) ||
                         (ties_.y[i] == ties_.y[entered] && ties_.y[i] != Ties::kFixed);
       if (!tied || holds(i)) continue;
-      reached_[i] = 1;
+      active_[i] = 1;
       entering.push_back(i);
     }
   }
 }
 
 void ActiveSet::add_all() {
-  for (std::size_t i = 0; i < reached_.size(); ++i) reached_[i] = ties_.fixed(i) ? 0 : 1;
+  for (std::size_t i = 0; i < active_.size(); ++i) active_[i] = ties_.fixed(i) ? 0 : 1;
   count_ += left_;
   left_ = 0;
 }
 
 void ActiveSet::grow(std::vector<std::uint32_t> missed, std::span<const marker::PiecePair> neighbours) {
-  const std::size_t enough = kGrowth * count_;
+  const std::size_t enough = growth_ * count_;
   while (!missed.empty()) {
-    std::vector<char> ring(reached_.size());
+    std::vector<char> ring(active_.size());
     for (const std::uint32_t piece : missed) {
       add(piece);
       ring[piece] = 1;
@@ -71,11 +70,11 @@ void ActiveSet::grow(std::vector<std::uint32_t> missed, std::span<const marker::
 void ActiveSet::join(std::size_t p, std::size_t q) {
   const bool either = holds_any({static_cast<std::uint32_t>(p), static_cast<std::uint32_t>(q)});
   ties_.join(p, q);
-  reached_[p] = reached_[q] = 0;
+  active_[p] = active_[q] = 0;
   count_ = left_ = 0;
-  for (std::size_t i = 0; i < reached_.size(); ++i) {
+  for (std::size_t i = 0; i < active_.size(); ++i) {
     if (ties_.fixed(i)) {
-      reached_[i] = 0;
+      active_[i] = 0;
     } else {
       ++(holds(i) ? count_ : left_);
     }
@@ -85,7 +84,7 @@ void ActiveSet::join(std::size_t p, std::size_t q) {
 
 Ties ActiveSet::with_others_fixed() const {
   Ties ties = ties_;
-  for (std::size_t i = 0; i < reached_.size(); ++i) {
+  for (std::size_t i = 0; i < active_.size(); ++i) {
     if (!holds(i)) ties.x[i] = ties.y[i] = Ties::kFixed;
   }
   return ties;
@@ -94,18 +93,18 @@ Ties ActiveSet::with_others_fixed() const {
 std::vector<std::uint32_t> ActiveSet::missed(const marker::PlacedPieces& pieces, const std::vector<RealVec>& load,
                                              double price, const Box& room) const {
   if (complete()) return {};
-  std::vector<Borne> x(pieces.size()), y(pieces.size());  // by tie
-  const auto bear = [](Borne& borne, double more, Coord down, Coord up) {
-    borne = {borne.load + more, std::min(borne.down, down), std::min(borne.up, up)};
+  std::vector<TieLoad> x(pieces.size()), y(pieces.size());  // by tie
+  const auto add_load = [](TieLoad& tie, double more, Coord down, Coord up) {
+    tie = {tie.load + more, std::min(tie.down, down), std::min(tie.up, up)};
   };
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (holds(i)) continue;
     const Box box = pieces.box(i);
     if (ties_.x[i] != Ties::kFixed) {
-      bear(x[ties_.x[i]], load[i].x, box.low.x - room.low.x, room.high.x - box.high.x);
+      add_load(x[ties_.x[i]], load[i].x, box.low.x - room.low.x, room.high.x - box.high.x);
     }
     if (ties_.y[i] != Ties::kFixed) {
-      bear(y[ties_.y[i]], load[i].y, box.low.y - room.low.y, room.high.y - box.high.y);
+      add_load(y[ties_.y[i]], load[i].y, box.low.y - room.low.y, room.high.y - box.high.y);
     }
   }
   std::vector<std::uint32_t> missed;

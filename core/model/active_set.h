@@ -1,10 +1,10 @@
-// The pieces a program has columns for: those that something moves, and those that these press upon.  All others stay,
-// and are only in the way.
+// The active set: the pieces that a program has columns for.  These are the pieces that the goal moves, and those that
+// they press on.  All other pieces stay where they are, as obstacles.
 //
-// Where every motion has its price, a piece that stays is missed only when rows press on it harder than moving it
-// costs: the test by which columns enter in the simplex method.  When none is missed, the program's optimum is also
-// that of the program with columns for all pieces, for staying breaks no row between two that stay. Invariant: of tied
-// pieces, all are reached or none; what is fixed never is.
+// Where every displacement has a cost, an inactive piece matters only when rows press on it harder than moving it
+// costs: this is the pricing test by which columns enter in the simplex method.  When no piece passes it, the program's
+// optimum is also that of the program with columns for all pieces, because two pieces that stay break no row between
+// them. Invariant: of pieces that are tied together, all are active or none; fixed pieces never are.
 #pragma once
 
 #include <cstddef>
@@ -21,47 +21,51 @@ namespace selvage::model {
 
 // What a program models.
 enum class Extent {
-  kReached,  // what can be reached: the pieces above, rows that can be broken, pairs that come near each other
-  kWhole,    // every piece, pair and row of the marker, at once: the same answer, for measuring against
+  kActiveSet,  // the active pieces, the rows that can be broken, and the pairs that come near each other
+  kWhole,      // every piece, pair and row of the marker at once: the same answer, for comparison
 };
 
 class ActiveSet {
  public:
-  // None.
-  explicit ActiveSet(Ties ties);
+  // Times the size that the set grows to at each step: the programs of a growing set together then cost little more
+  // than the last of them.
+  static constexpr std::size_t kGrowth = 8;
 
-  // The piece, and all that is tied to it.
+  // Empty.
+  explicit ActiveSet(Ties ties, std::size_t growth = kGrowth);
+
+  // Adds the piece and all that is tied to it.
   void add(std::size_t piece);
   void add_all();
-  // Those that were missed, and rings of neighbours about them until there are several times as many as before: the
-  // programs of a growing set then cost little more than the last of them.
+  // Adds the missed pieces, and rings of neighbours around them until the set is `growth` times as large as before.
   void grow(std::vector<std::uint32_t> missed, std::span<const marker::PiecePair> neighbours);
-  // From now on the two move as one.
+  // Ties the two together: from now on they move as one.
   void join(std::size_t p, std::size_t q);
 
-  [[nodiscard]] bool holds(std::size_t piece) const { return reached_[piece] != 0; }
-  // Neither reached nor fixed.
+  [[nodiscard]] bool holds(std::size_t piece) const { return active_[piece] != 0; }
+  // True for a piece that is neither active nor fixed.
   [[nodiscard]] bool may_hold(std::size_t piece) const { return !holds(piece) && !ties_.fixed(piece); }
   [[nodiscard]] bool holds_any(marker::PiecePair pair) const { return holds(pair.first) || holds(pair.second); }
-  // Every piece that is not fixed.
+  // True when every piece that is not fixed is active.
   [[nodiscard]] bool complete() const { return left_ == 0; }
   [[nodiscard]] const Ties& ties() const { return ties_; }
-  // The ties of the program: what is not reached is fixed.
+  // The ties of the program: inactive pieces are fixed.
   [[nodiscard]] Ties with_others_fixed() const;
 
-  // Those that are missed, when `load` presses on each piece (per unit of displacement), a unit of motion costs `price`
-  // on either axis, and no piece may leave `room`.
+  // The inactive pieces that would move if they had columns: `load` is the force of the rows on each piece (gain per
+  // unit of displacement), a unit of motion costs `price` on either axis, and no piece may leave `room`.
   [[nodiscard]] std::vector<std::uint32_t> missed(const marker::PlacedPieces& pieces, const std::vector<RealVec>& load,
                                                   double price, const Box& room) const;
 
  private:
   Ties ties_;
-  std::vector<char> reached_;
-  std::size_t count_{};  // reached
-  std::size_t left_{};   // neither fixed nor reached
+  std::size_t growth_;
+  std::vector<char> active_;
+  std::size_t count_{};  // active
+  std::size_t left_{};   // neither fixed nor active
 };
 
-// How hard rows press on the pieces of their pairs.
+// The forces that rows exert on the pieces of their pairs: the sums of their dual values along their normals.
 class Pressure {
  public:
   explicit Pressure(std::size_t pieces) : load_(pieces) {}

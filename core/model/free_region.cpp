@@ -11,17 +11,17 @@
 namespace selvage::model {
 namespace {
 
-// Rounded ends of edges may lie this far on the wrong side of a neighbour's line; lattice units.
+// Lattice units.  The rounded end of an edge may lie this far on the wrong side of a neighbour's line.
 constexpr double kRounding = 1.5;
-// Positions may lie this deep behind an edge's line and still be taken to face it.
+// Lattice units.  A position that lies no deeper than this behind an edge's line counts as facing the edge.
 constexpr double kFacing = 3.0;
 
 HalfPlane side_along(const minkowski::convolution::SumEdge& edge) {
   return {edge.line_from, edge.line_to - edge.line_from};
 }
 
-// The half-plane that cuts an edge off: its own line, or, when that passes too near for the spacing, the line through
-// its nearest point to r, square to the way there.
+// The half-plane that cuts an edge off: bounded by its own line or, when that passes too near for the spacing, by the
+// line through its point nearest to r, perpendicular to the direction from there to r.
 HalfPlane cut_before(const minkowski::convolution::SumEdge& edge, Vec r, Coord spacing) {
   const HalfPlane along = side_along(edge);
   if (spacing == 0 || slack_of(along, r) >= static_cast<double>(spacing)) return along;
@@ -45,10 +45,10 @@ Side side_of_plane(const HalfPlane& plane, Vec r) {
   return {dy / length, -dx / length, slack_of(plane, r)};
 }
 
-constexpr std::size_t kMany = 16;   // sides: few regions have more
-constexpr std::size_t kAtOnce = 8;  // edges equally near: few corners have more
+constexpr std::size_t kMany = 16;   // few regions have more sides
+constexpr std::size_t kAtOnce = 8;  // few corners have more edges that are equally near
 
-// The cell so far.
+// The region so far.
 class Cell {
  public:
   explicit Cell(Vec r) : r_{r} { planes_.reserve(kMany); }
@@ -92,9 +92,9 @@ class Cell {
   boost::container::small_vector<Side, kMany> sides_;
 };
 
-// Nearest facing edge first.  Edges equally near share a corner: either line would do [Li94 4.1.2].  The one whose line
-// is farther takes less away on the other side; for a piece on its way somewhere, the one that is less in its way is
-// better.
+// Cuts along the nearest facing edge first.  Edges that are equally near share a corner, and either line would do
+// [Li94 4.1.2].  The line that is farther away leaves more room on the other side; for a piece that is to move in some
+// direction, the line that obstructs it less is better.
 class GreedyRegion {
  public:
   GreedyRegion(const minkowski::MinkowskiSum& sum, Vec r, const RegionSettings& settings)
@@ -186,7 +186,7 @@ class Walk {
     planes_.push_back(plane);
     return true;
   }
-  // From edge `k` on: follow the current line until the boundary comes out over it, then that edge's line.
+  // From edge `k` on, follows the current line until the boundary crosses it, then continues along the crossing edge.
   void go(std::size_t k, bool counter_clockwise) {
     HalfPlane current = side_along(ring_.edges[k]);
     const Vec start = current.direction;
@@ -199,7 +199,7 @@ class Walk {
       if (turned_back(start, current.direction, counter_clockwise)) return;
     }
   }
-  // The edge comes over the line on the side that the walk goes to.
+  // True when the edge crosses the line ahead in the direction of the walk.
   [[nodiscard]] bool ahead(const HalfPlane& line, const minkowski::convolution::SumEdge& edge,
                            bool counter_clockwise) const {
     const Vec to = (counter_clockwise ? edge.to : edge.from) - r_;
@@ -208,7 +208,7 @@ class Walk {
   }
   static bool turned_back(Vec start, Vec now, bool counter_clockwise) {
     const Wide turn = cross(start, now);
-    return counter_clockwise ? turn > 0 : turn < 0;  // outward turns are the other way
+    return counter_clockwise ? turn > 0 : turn < 0;  // turns away from the sum have the other sign
   }
 
   const minkowski::convolution::StarSum& ring_;

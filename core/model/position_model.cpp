@@ -30,7 +30,7 @@ PositionModel::PositionModel(const marker::PlacedPieces& pieces, const Strip& st
   }
 }
 
-// Makes the column if there is none yet; narrows it else.
+// Adds the column if there is none yet; otherwise narrows its bounds.
 void PositionModel::bound(int& column, double low, double high) {
   if (column == kNone) {
     column = program_.add_column(0, low, high);
@@ -46,7 +46,7 @@ Terms PositionModel::terms(std::size_t q, std::optional<std::size_t> p, double n
   const auto put = [&](const std::vector<int>& columns, double n) {
     const int second = columns[q];
     const int first = p ? columns[*p] : kNone;
-    if (n == 0 || first == second) return;  // one displacement: its difference is nothing
+    if (n == 0 || first == second) return;  // they share one displacement
     if (second != kNone) terms.add(second, n);
     if (first != kNone) terms.add(first, -n);
   };

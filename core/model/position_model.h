@@ -1,9 +1,8 @@
 // The position model: all pieces' displacements as one linear program [Li94 4.1.3, 4.1.4].
 //
-// Columns are displacements from the present position, in units of a thousandth of the strip's width, so that the
-// program is well scaled whatever the lattice.  Tied pieces share their columns, fixed ones have none: on each axis for
-// itself (core/model/ties.h).  Rows are n . (d_q - d_p) >= bound with unit n.  Length is a column of its own: the
-// change of the marker's length.
+// Columns are displacements from the present positions, in model units (model_unit.h).  On each axis, tied pieces share
+// a column and fixed pieces have none (ties.h).  Rows are n . (d_q - d_p) >= bound with unit normals n (pair_rows.h).
+// The change of the marker's length may be one more column.
 #pragma once
 
 #include <array>
@@ -21,7 +20,7 @@
 
 namespace selvage::model {
 
-// The entries of a row on a pair: at most two columns of each piece, and one more.
+// The entries of a pair's row: at most two columns of each piece, and one more.
 struct Terms {
   std::array<lp::LinearProgram::Entry, 5> entries{};
   std::size_t count{};
@@ -31,26 +30,26 @@ struct Terms {
 
 class PositionModel {
  public:
-  // The strip's edges become bounds of the columns [Li94 4.1.3]; pieces that leave the strip now are asked to come
+  // The strip's edges become bounds of the columns [Li94 4.1.3]; a piece that is outside the strip now has to come
   // back.
   PositionModel(const marker::PlacedPieces& pieces, const Strip& strip, const Ties& ties);
 
   [[nodiscard]] ModelUnit unit() const { return unit_; }
 
-  // With a column `give`, the row may be broken by that column's value.  Nothing when the pair never moves against each
-  // other: there is nothing to say; else the program's row.
+  // Returns the program's row, or nothing when the two never move against each other and no row is needed.  With a
+  // column `give`, the row may be broken by that column's value.
   std::optional<int> add(const PairRow& row, std::optional<int> give = {});
   // The length column, at `cost` per unit, from -`shorten` to `lengthen` lattice units.
   void add_length(double cost, double shorten, double lengthen);
   // Keeps piece i left of the strip's present length plus the length column.  REQUIRES: add_length.
   void add_right_wall(std::size_t piece);
   [[nodiscard]] bool has_right_wall(std::size_t piece) const { return wall_row_[piece] != kNoWall; }
-  // The row of a piece's right wall, when it has one of its own (a fixed piece bounds the length column instead).
+  // The row of a piece's right wall, if it has one (a fixed piece bounds the length column instead).
   [[nodiscard]] std::optional<int> right_wall_row(std::size_t piece) const;
   // Costs per unit of a piece's displacement.
   void add_cost(std::size_t piece, double x, double y);
   // Costs per unit of |x| and |y| of every displacement: one column and two rows for each.  With `home`, one position
-  // per piece, what costs is the distance of each piece from its home; of tied ones, that of the first.
+  // per piece, the cost is that of each piece's distance from its home; of tied pieces only the first counts.
   void add_displacement_penalty(double cost, std::span<const Vec> home = {});
 
   [[nodiscard]] const lp::LinearProgram& program() const { return program_; }

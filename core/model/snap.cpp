@@ -6,8 +6,8 @@
 namespace selvage::model {
 namespace {
 
-// The shift t in [0, 1] for which no value's fraction comes near a whole number.  0 is one of the values: what does not
-// move must stay.
+// The shift t in [0, 1] that keeps all values, once added, away from whole numbers.  0 counts as one of the values: a
+// piece that does not move must stay.
 double shift_for(std::vector<double> values) {
   for (double& v : values) v -= std::floor(v);
   values.push_back(0);

@@ -1,5 +1,6 @@
-// Ties: who moves with whom.  On each axis, pieces of one number share their displacement; kFixed ones have none.
-// Locks, rigid groups and, within a round, pieces that rounding may not part are all told this way.
+// Ties: which pieces move together.  On each axis, pieces with the same number share one displacement, and pieces
+// marked kFixed do not move.  Ties express locks, rigid groups and, within a round, pairs that rounding would make
+// collide.
 #pragma once
 
 #include <cstddef>
@@ -14,17 +15,17 @@ struct Ties {
   static constexpr std::uint32_t kFixed = UINT32_MAX;
   std::vector<std::uint32_t> x, y;  // by piece: kFixed, or a number below the number of pieces
 
-  // No motion can move it.
+  // True when no motion can move the piece.
   [[nodiscard]] bool fixed(std::size_t piece) const { return x[piece] == kFixed && y[piece] == kFixed; }
-  // The two never move against each other.
+  // True when the two never move against each other.
   [[nodiscard]] bool joined(std::size_t p, std::size_t q) const { return x[p] == x[q] && y[p] == y[q]; }
-  // Free on both axes, and of itself alone.
+  // True when the piece is free on both axes and tied to no other.
   [[nodiscard]] bool free(std::size_t piece) const;
-  // From now on the two, and all tied to either, move as one.
+  // Ties the two together, with all that is tied to either.
   void join(std::size_t p, std::size_t q);
 };
 
-// A piece locked on an axis is fixed there, and with it its group.
+// The ties of a marker: a piece that is locked on an axis is fixed there, and so is its group.
 [[nodiscard]] Ties ties_of(const Marker& marker);
 
 }  // namespace selvage::model

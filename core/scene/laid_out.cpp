@@ -12,7 +12,7 @@ LaidOut::LaidOut(const Marker& marker, SumCache& sums)
       ties{model::ties_of(marker)},
       figures{figures_of(marker, pieces)} {}
 
-// The cache, which compares whole polygons, is asked once for all pieces that lie alike.
+// The cache compares whole polygons, so pieces of the same shape and orientation share one look-up.
 std::vector<outline::OrientedOutline> outlines_of(const Marker& marker, SumCache& sums) {
   std::map<std::pair<ShapeId, Orientation>, outline::OrientedOutline> known;
   std::vector<outline::OrientedOutline> outlines;

@@ -1,5 +1,5 @@
-// A marker laid out: what every scene of it begins with and what is proved of it, worked out once for all calls that
-// work on the same revision.
+// A marker prepared for motions: what every scene of it starts from, and what has been proved about it, computed once
+// for all calls on the same revision.
 #pragma once
 
 #include <vector>
@@ -20,12 +20,12 @@ struct LaidOut {
   marker::Figures figures;
 };
 
-// A marker's outlines, one to a piece, as the cache of sums knows them.
+// The outline of every piece, as the cache of Minkowski sums knows it.
 [[nodiscard]] std::vector<outline::OrientedOutline> outlines_of(const Marker& marker, SumCache& sums);
 
-// The figures of what a motion made of a marker.  When that was valid, nothing is proved again of two pieces that are
-// as they were.
-// REQUIRES: `laid_out` is of `before`.
+// The figures of the marker after a motion.  If the marker was valid before, pairs of which neither piece changed are
+// not proved again.
+// REQUIRES: `laid_out` is that of `before`.
 [[nodiscard]] marker::Figures figures_after(const Marker& before, const LaidOut& laid_out, const Marker& after);
 
 }  // namespace selvage::scene

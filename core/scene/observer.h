@@ -14,7 +14,7 @@ enum class Stage { kSums, kRows, kSolve, kVerify, kOther };
 
 struct Round {
   int number{};    // 1, 2, ...
-  Coord length{};  // after it
+  Coord length{};  // of the marker after the round
 };
 
 // How large a linear program is.

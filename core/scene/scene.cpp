@@ -20,21 +20,21 @@ Scene::Scene(Marker start, const LaidOut& laid_out, SumCache& sum_cache)
       outlines{laid_out.outlines},
       ties{laid_out.ties} {}
 
-void Scene::shift(std::size_t piece, Vec by) {
+void Scene::shift(PieceId piece, Vec by) {
   std::vector<Vec> positions = pieces.positions();
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    if (ties.x[i] != model::Ties::kFixed && ties.x[i] == ties.x[piece]) positions[i].x += by.x;
-    if (ties.y[i] != model::Ties::kFixed && ties.y[i] == ties.y[piece]) positions[i].y += by.y;
+    if (ties.x[i] != model::Ties::kFixed && ties.x[i] == ties.x[piece.value]) positions[i].x += by.x;
+    if (ties.y[i] != model::Ties::kFixed && ties.y[i] == ties.y[piece.value]) positions[i].y += by.y;
   }
   pieces.place(std::move(positions));
 }
 
-void Scene::reorient(std::uint32_t piece, const Orientation& orientation, Vec at) {
-  Piece& own = marker.pieces[piece];
+void Scene::reorient(PieceId piece, const Orientation& orientation, Vec at) {
+  Piece& own = marker.pieces[piece.value];
   own.orientation = orientation;
   own.at = at;
-  outlines[piece] = oriented_outline(marker, PieceId{piece}, sums);
-  pieces.replace(piece, oriented(marker.shapes[own.shape.value].outline, orientation), at);
+  outlines[piece.value] = oriented_outline(marker, piece, sums);
+  pieces.replace(piece.value, oriented(marker.shapes[own.shape.value].outline, orientation), at);
 }
 
 std::vector<minkowski::Obstacle> Scene::obstacles(std::span<const marker::PiecePair> pairs,

@@ -15,15 +15,15 @@ namespace selvage::scene {
 
 struct Scene {
   Scene(Marker start, SumCache& sum_cache);
-  // REQUIRES: `laid_out` is of this marker, or of one that differs from it in its strip alone.
+  // REQUIRES: `laid_out` is that of this marker, or of one that differs from it only in the strip.
   Scene(Marker start, const LaidOut& laid_out, SumCache& sum_cache);
 
   [[nodiscard]] bool fixed(std::size_t piece) const { return ties.fixed(piece); }
   // Moves a piece as far as its ties allow, and with it the pieces that are tied to it.
-  void shift(std::size_t piece, Vec by);
+  void shift(PieceId piece, Vec by);
   // Gives a piece another orientation and position: the marker, the outlines and the polygons follow.
-  void reorient(std::uint32_t piece, const Orientation& orientation, Vec at);
-  // The obstacle that the pair's first piece is to its second.
+  void reorient(PieceId piece, const Orientation& orientation, Vec at);
+  // The obstacle that the first piece of the pair is to the second one.
   [[nodiscard]] minkowski::Obstacle obstacle(marker::PiecePair pair) const {
     return sums.obstacle(outlines[pair.first], outlines[pair.second]);
   }

@@ -1,13 +1,13 @@
-// Why a motion ended where it did.
+// Why a motion ended.
 #pragma once
 
 namespace selvage::scene {
 
 enum class StopReason {
-  kConverged,     // nothing was left to gain, or the last round gained less than the least gain
-  kWorkLimit,     // the rounds are used up
-  kCancelled,     // asked to stop
-  kSolverFailed,  // no solver could solve a round's program; the best marker so far
+  kConverged,     // nothing more to gain, or the last round gained less than the least gain
+  kWorkLimit,     // all allowed rounds were used
+  kCancelled,     // cancelled; the answer is the best marker so far
+  kSolverFailed,  // no solver could solve the program of a round; the answer is the best marker so far
 };
 
 }  // namespace selvage::scene

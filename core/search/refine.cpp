@@ -15,16 +15,16 @@
 namespace selvage::search {
 namespace {
 
-// An exchange on trial.
+// A swap on trial.
 struct Trial {
-  std::optional<DrawnExchange> drawn;
-  std::mt19937 random;  // as drawing it left it
-  Exchanged exchanged{};
-  Coord length{};           // of the marker that came of it, if any
-  std::stop_source stop{};  // nobody asks for it any more
+  std::optional<DrawnSwap> drawn;
+  std::mt19937 random;  // the generator's state after drawing the swap
+  SwapOutcome outcome{};
+  Coord length{};           // of the marker after the swap, if there is one
+  std::stop_source stop{};  // its result is no longer needed
 };
 
-// Settings that differ from standard in one thing each.
+// Settings that differ from the standard ones in one value each.
 std::array<motion::compaction::CompactionSettings, 4> other_settings() {
   std::array<motion::compaction::CompactionSettings, 4> others;
   others.fill(compaction_settings(motion::compaction::Accuracy::kStandard));
@@ -44,8 +44,8 @@ class Refiner {
   void run() {
     best_.rounds = 0;
     attempted();
-    try_other_ways();
-    if (start_.pieces.size() <= settings_.most_exchanged) try_exchanges();
+    try_variants();
+    if (start_.pieces.size() <= settings_.most_pieces_swapped) try_swaps();
     if (settings_.tilts) try_tilts();
     best_.reason = run_.stopped() ? scene::StopReason::kCancelled : scene::StopReason::kWorkLimit;
   }
@@ -57,9 +57,9 @@ class Refiner {
     best_.length_after = length;
   }
 
-  void try_other_ways() {
+  void try_variants() {
     const auto others = other_settings();
-    const std::size_t wanted = std::min(static_cast<std::size_t>(std::max(0, settings_.other_ways)), others.size());
+    const std::size_t wanted = std::min(static_cast<std::size_t>(std::max(0, settings_.variants)), others.size());
     for (std::size_t first = 0; first < wanted && !run_.stopped();) {
       const std::size_t count = std::min(at_once(), wanted - first);
       std::array<std::optional<motion::compaction::Compaction>, std::tuple_size_v<decltype(others)>> found;
@@ -82,9 +82,9 @@ class Refiner {
     attempted();
   }
 
-  // Exchanges of the best marker so far, several at once; of them those count that one hand would have tried: up to the
-  // first that is kept, for the next is one of the new marker.
-  void try_exchanges() {
+  // Swaps in the best marker so far, several in parallel.  Only those count that a sequential run would have tried: up
+  // to the first one that is kept, because the next one starts from the new marker.
+  void try_swaps() {
     std::mt19937 random{settings_.seed};
     std::uint64_t spent = 0;
     std::uint64_t idle = 0;
@@ -96,12 +96,12 @@ class Refiner {
       run_.executor->for_each(trials.size(), [&](std::size_t k) { run(trials, k); });
       for (Trial& trial : trials) {
         random = trial.random;
-        const int programs = trial.exchanged.programs;
+        const int programs = trial.outcome.programs;
         idle = programs == 0 ? idle + 1 : 0;
         spent += static_cast<std::uint64_t>(programs) * start_.pieces.size();
         best_.programs += programs;
         const bool kept = worth_keeping(trial);
-        if (kept) keep(*std::move(trial.exchanged.marker), trial.length);
+        if (kept) keep(*std::move(trial.outcome.marker), trial.length);
         attempted();
         if (kept || enough()) break;
       }
@@ -110,8 +110,8 @@ class Refiner {
   [[nodiscard]] std::vector<Trial> drawn(std::size_t count, std::mt19937 random) const {
     std::vector<Trial> trials;
     while (trials.size() < count) {
-      auto exchange = draw_exchange(best_.marker, random, settings_.tuning.swap);
-      trials.push_back({std::move(exchange), random});
+      auto swap = draw_swap(best_.marker, random, settings_.tuning.swap);
+      trials.push_back({std::move(swap), random});
     }
     return trials;
   }
@@ -121,15 +121,15 @@ class Refiner {
     const std::stop_callback with_all{run_.stop, [&trial] { trial.stop.request_stop(); }};
     motion::compaction::CompactionSettings quick = compaction_settings(motion::compaction::Accuracy::kStandard);
     quick.rounds = settings_.tuning.compaction_rounds;
-    quick.solver_tolerance = 0;  // what is only nearly as short is not taken for a way over a plateau
-    trial.exchanged = exchange(*trial.drawn, quick, {run_.sums, trial.stop.get_token()}, settings_.tuning.swap);
-    if (trial.exchanged.marker) trial.length = length_of(*trial.exchanged.marker);
+    quick.solver_tolerance = 0;  // a marker that is only nearly as short must not count as one on the plateau
+    trial.outcome = complete_swap(*trial.drawn, quick, {run_.sums, trial.stop.get_token()}, settings_.tuning.swap);
+    if (trial.outcome.marker) trial.length = length_of(*trial.outcome.marker);
     if (!worth_keeping(trial)) return;
     for (std::size_t later = k + 1; later < trials.size(); ++later) trials[later].stop.request_stop();
   }
-  // Equal lengths are kept too: they are ways over a plateau.
+  // Markers of equal length are kept, too: they lead across plateaus.
   [[nodiscard]] bool worth_keeping(const Trial& trial) const {
-    return trial.exchanged.marker && trial.length <= best_.length_after;
+    return trial.outcome.marker && trial.length <= best_.length_after;
   }
   [[nodiscard]] std::size_t at_once() const { return run_.executor->parallelism(); }
 
@@ -156,7 +156,7 @@ class Refiner {
 }  // namespace
 
 RefineSettings refine_settings() {
-  return {.other_ways = 4, .effort = 120'000, .tilts = true, .seed = 1, .most_exchanged = 300};
+  return {.variants = 4, .effort = 120'000, .tilts = true, .seed = 1, .most_pieces_swapped = 300};
 }
 
 Result<motion::compaction::Compaction> refine(const Marker& start, const RefineSettings& settings,

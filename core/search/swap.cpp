@@ -38,8 +38,8 @@ std::optional<std::uint32_t> partner_of(std::uint32_t i, const Marker& marker, c
   return partners[random() % best].second;
 }
 
-// Turns the piece to another rotation that its shape allows, about the middle of its box; false when there is none or
-// its tilt is locked, and with it how it lies.
+// Turns the piece to another rotation that its shape allows, about the middle of its box; false when there is none, or
+// when the tilt, and with it the orientation, is locked.
 bool turn(Piece& piece, const Shape& shape, const Box& box, std::mt19937& random) {
   if (piece.locked.tilt) return false;
   std::vector<Angle> others;
@@ -54,7 +54,7 @@ bool turn(Piece& piece, const Shape& shape, const Box& box, std::mt19937& random
 
 }  // namespace
 
-std::optional<DrawnExchange> draw_exchange(const Marker& start, std::mt19937& random, const SwapTuning& tuning) {
+std::optional<DrawnSwap> draw_swap(const Marker& start, std::mt19937& random, const SwapTuning& tuning) {
   const model::Ties ties = model::ties_of(start);
   std::vector<std::uint32_t> free;
   for (std::uint32_t i = 0; i < start.pieces.size(); ++i) {
@@ -74,11 +74,11 @@ std::optional<DrawnExchange> draw_exchange(const Marker& start, std::mt19937& ra
     piece.at = piece.at + way;
     next.pieces[*j].at = next.pieces[*j].at - way;
   }
-  return DrawnExchange{std::move(next), pieces.length()};
+  return DrawnSwap{std::move(next), pieces.length()};
 }
 
-Exchanged exchange(const DrawnExchange& drawn, const motion::compaction::CompactionSettings& settings,
-                   const scene::Run& run, const SwapTuning& tuning) {
+SwapOutcome complete_swap(const DrawnSwap& drawn, const motion::compaction::CompactionSettings& settings,
+                          const scene::Run& run, const SwapTuning& tuning) {
   const double length = static_cast<double>(std::max<Coord>(1, drawn.length));
   motion::separation::SeparationSettings parting;
   parting.rounds = tuning.separation_rounds;
@@ -86,7 +86,7 @@ Exchanged exchange(const DrawnExchange& drawn, const motion::compaction::Compact
   parting.solver = settings.solver;
   auto separation = separate(drawn.marker, parting, run);
   if (!separation) return {};
-  Exchanged done{.marker = {}, .programs = separation->programs};
+  SwapOutcome done{.marker = {}, .programs = separation->programs};
   if (!separation->apart) return done;
   auto compaction = compact(separation->marker, settings, run);
   if (!compaction) return done;

@@ -1,6 +1,6 @@
-// Exchanges: what no motion of all pieces at once can reach.  Two pieces change places, or one turns to another of its
-// rotations; what overlaps then is separated, and the marker compacted: a step of a local search over layouts, of the
-// kind that [Li94 10] hands to a data base of layouts.
+// Swaps reach layouts that no motion of all pieces at once can reach: two pieces change places, or one turns to another
+// of its rotations; then overlapping pieces are separated and the marker is compacted.  This is one step of a local
+// search over layouts, for which [Li94 10] suggests a database of layouts.
 #pragma once
 
 #include <cstdint>
@@ -12,24 +12,24 @@
 
 namespace selvage::search {
 
-// An exchange that has been drawn: the pieces are where they are to be, and overlap as a rule.
-struct DrawnExchange {
+// A swap that has been drawn: the pieces are at their new positions, where they usually overlap others.
+struct DrawnSwap {
   Marker marker;
-  Coord length{};  // of the marker before
+  Coord length{};  // of the marker before the swap
 };
-// A random exchange among the pieces that are free on both axes and of no group: mostly of two that differ little in
-// size and lie near each other.  What is drawn depends on `random` and the marker alone; nothing when no piece has a
-// partner or another rotation.
-[[nodiscard]] std::optional<DrawnExchange> draw_exchange(const Marker& start, std::mt19937& random,
-                                                         const SwapTuning& tuning = {});
+// A random swap among the pieces that are free on both axes and in no group, mostly of two that have similar sizes and
+// lie near each other.  It depends only on `random` and the marker.  None when no piece has a partner or another
+// rotation.
+[[nodiscard]] std::optional<DrawnSwap> draw_swap(const Marker& start, std::mt19937& random,
+                                                 const SwapTuning& tuning = {});
 
-struct Exchanged {
-  std::optional<Marker> marker;  // valid; nothing when the pieces could not be parted within the growth allowed
+struct SwapOutcome {
+  std::optional<Marker> marker;  // valid; none when the pieces could not be separated within the allowed growth
   int programs{};                // linear programs solved
 };
-// Parts what overlaps and compacts.  The answer may be longer than the marker was before, by little.
+// Separates the overlapping pieces and compacts.  The answer may be a little longer than the marker was before.
 // REQUIRES: the marker was valid before.
-[[nodiscard]] Exchanged exchange(const DrawnExchange& drawn, const motion::compaction::CompactionSettings& settings,
-                                 const scene::Run& run, const SwapTuning& tuning = {});
+[[nodiscard]] SwapOutcome complete_swap(const DrawnSwap& drawn, const motion::compaction::CompactionSettings& settings,
+                                        const scene::Run& run, const SwapTuning& tuning = {});
 
 }  // namespace selvage::search

@@ -6,9 +6,9 @@
 #include "core/motion/compaction/compact.h"
 #include "core/motion/dragging/drag.h"
 #include "core/motion/floating/float_apart.h"
-#include "core/motion/floating/gap.h"
 #include "core/motion/separation/separate.h"
 #include "core/motion/tilting/tilt.h"
+#include "core/scene/strip_edge.h"
 #include "protocol/document/marker_file.h"
 #include "protocol/schema/choices.h"
 
@@ -53,7 +53,7 @@ struct Choices<motion::floating::FloatMode> {
 };
 
 template <>
-struct Choices<motion::floating::StripEdge> {
+struct Choices<StripEdge> {
   static constexpr std::string_view kName = "StripEdge";
   static constexpr std::string_view kMeaning = "An edge of the strip.";
   static constexpr std::string_view kWords[] = {"left", "right", "bottom", "top"};

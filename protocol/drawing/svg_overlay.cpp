@@ -87,9 +87,9 @@ std::vector<SvgArrow> moves_between(const Marker& start, const Marker& end) {
   return moves;
 }
 
-std::vector<SvgContact> chain_of(const Marker& marker, const motion::compaction::Hold& hold) {
+std::vector<SvgContact> chain_of(const Marker& marker, const motion::compaction::CriticalPath& path) {
   std::vector<SvgContact> chain;
-  for (const motion::compaction::LoadedContact& contact : hold.contacts) {
+  for (const motion::compaction::LoadedContact& contact : path.contacts) {
     const Middle from = middle_of(marker, contact.first);
     const Middle to = contact.second ? middle_of(marker, *contact.second) : Middle{contact.at.x, contact.at.y};
     chain.push_back({contact.at.x, contact.at.y, from.x, from.y, to.x, to.y, std::min(1.0, contact.worth)});

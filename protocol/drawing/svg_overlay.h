@@ -33,7 +33,7 @@ struct SvgOverlay {
 
 // An arrow for every piece of `end` that lies elsewhere than the piece of the same id in `start`.
 [[nodiscard]] std::vector<SvgArrow> moves_between(const Marker& start, const Marker& end);
-[[nodiscard]] std::vector<SvgContact> chain_of(const Marker& marker, const motion::compaction::Hold& hold);
+[[nodiscard]] std::vector<SvgContact> chain_of(const Marker& marker, const motion::compaction::CriticalPath& path);
 
 [[nodiscard]] std::string overlay(const SvgOverlay& drawn, const View& view);
 // What the caption says of it; empty when there is nothing to say.  `height`: of the strip, in pixels.

@@ -34,7 +34,7 @@ std::variant<TcpAddress, std::string> read_address(std::string_view text) {
   const bool bracketed = written.size() > 2 && written.front() == '[' && written.back() == ']';
   if (bracketed) address.host = written.substr(1, written.size() - 2);
   if (bracketed ? !is_ipv6(address.host) : !is_ipv4(address.host)) {
-    return "'" + written + "' is no address; give localhost or one in numbers, IPv6 in brackets";
+    return "'" + written + "' is not an address; use localhost or a numeric address, IPv6 in brackets";
   }
   return address;
 }

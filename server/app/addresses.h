@@ -1,4 +1,4 @@
-// Addresses as they are written on a command line.
+// Network addresses as text.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,15 @@
 namespace selvage::server::app {
 
 struct TcpAddress {
-  std::string host;  // in numbers, IPv6 without brackets
+  std::string host;  // a numeric address; IPv6 without brackets
   std::uint16_t port{};
 };
 
-// "127.0.0.1:7171", "[::1]:0", "localhost:7171"; a text that says what is wrong when it is none of these.
+// Reads "127.0.0.1:7171", "[::1]:0" or "localhost:7171".  Returns an error message for anything else.
 [[nodiscard]] std::variant<TcpAddress, std::string> read_address(std::string_view text);
-// "127.0.0.1:7171", "[::1]:7171".
+// Writes "127.0.0.1:7171" or "[::1]:7171".
 [[nodiscard]] std::string address_text(const TcpAddress& address);
-// Reached from this machine only.  REQUIRES: an address in numbers.
+// Returns true if only this machine can reach the address.  REQUIRES: a numeric address.
 [[nodiscard]] bool is_loopback(const std::string& host);
 
 }  // namespace selvage::server::app

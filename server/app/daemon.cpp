@@ -7,19 +7,14 @@
 #include <string>
 #include <utility>
 
-#include "server/app/entry.h"
+#include "server/app/authentication.h"
+#include "server/methods/method_groups.h"
 
 namespace selvage::server::app {
 namespace {
 
-// Reads have their own workers, so that none waits behind a motion; one of them is for quick reads only, so that none
-// of these waits behind a long one.  Likewise one more worker is for quick changes only.
-constexpr std::size_t kReadWorkers = 1, kQuickReadWorkers = 1, kStepWorkers = 1;
-// Nor does a dragging hand wait, or one hand for another.
-constexpr std::size_t kLeastHandWorkers = 2, kParsingWorkers = 1;
-
-transport::access::Doors doors_for(const Options& options) {
-  return options.task == Options::Task::kServe ? doors_of(options) : transport::access::Doors{};
+transport::access::ListenSettings listening_for(const Options& options) {
+  return options.task == Options::Task::kServe ? listen_settings(options) : transport::access::ListenSettings{};
 }
 
 // Null: markers live in memory only.
@@ -34,31 +29,23 @@ std::unique_ptr<store::Journal> open_journal(const Options& options) {
 
 }  // namespace
 
-Daemon::Daemon(const Options& options, protocol::calls::Engine engine)
-    : drain_patience_{options.drain},
-      sums_{options.cache_mb << 20},
+Daemon::Daemon(const Options& options, protocol::methods::MethodTable methods)
+    : drain_time_{options.drain},
       journal_{open_journal(options)},
-      store_{options.limits.open_markers, journal_.get()},
-      executor_{std::max<std::size_t>(options.workers, 1) - 1,
-                [this, cores = options.workers] { return idle_cores(cores); }},
-      methods_{store_, watchers_, sums_, options.limits, options.workers, std::move(engine), executor_},
-      parsing_{options.workers == 0 ? 0 : kParsingWorkers, options.limits.waiting_reads},
-      reads_{options.workers == 0 ? 0 : kReadWorkers, options.limits.waiting_reads, kQuickReadWorkers},
-      motions_{options.workers, options.limits.waiting_motions, kStepWorkers},
-      hands_{options.workers == 0 ? 0 : std::max(options.workers, kLeastHandWorkers), options.limits.waiting_moves},
-      drags_{store_, methods_, sums_, hands_},
-      dispatcher_{methods_,
-                  drags_,
-                  clock_,
-                  parsing_,
-                  reads_,
-                  motions_,
-                  options.limits,
-                  [this](const ops::AnsweredRequest& request) {
-                    metrics_.count(request);
-                    log_request(request);
-                  }},
-      transport_{doors_for(options), options.limits.transport, service(options)} {}
+      backend_{backend_settings(options, std::move(methods))},
+      transport_{listening_for(options), options.limits.transport, service(options)} {}
+
+dispatch::BackendSettings Daemon::backend_settings(const Options& options, protocol::methods::MethodTable methods) {
+  return {.workers = options.workers,
+          .cache_bytes = options.cache_mb << 20,
+          .limits = options.limits,
+          .journal = journal_.get(),
+          .methods = std::move(methods),
+          .on_answered = [this](const ops::AnsweredRequest& request) {
+            metrics_.count(request);
+            log_request(request);
+          }};
+}
 
 transport::access::Service Daemon::service(const Options& options) {
   return {.call = [this](std::string message, const std::shared_ptr<transport::access::Session>& session,
@@ -66,71 +53,68 @@ transport::access::Service Daemon::service(const Options& options) {
           .health = [] { return std::string{"{\"status\":\"ok\"}"}; },
           .ready = [this] { return why_not_ready(); },
           .metrics = [this] { return metrics_text(); },
-          .openrpc = methods::openrpc_text,
-          .enter = judge_first_message,
+          .openrpc = server::methods::openrpc_text,
+          .authenticate = authenticate_first_message,
           .line_too_long = dispatch::Dispatcher::too_long(options.limits.transport.body_bytes),
           .counts = connections_};
 }
 
-std::size_t Daemon::idle_cores(std::size_t cores) const {
-  const std::size_t busy = motions_.running() + hands_.running() + reads_.running() + parsing_.running();
-  return cores - std::min(cores, busy);
-}
-
 void Daemon::call(std::string message, const std::shared_ptr<transport::access::Session>& session,
                   transport::access::Reply reply) {
-  dispatcher_.receive(std::move(message), session, std::move(reply));
+  backend_.receive(std::move(message), session, std::move(reply));
 }
 
 std::string Daemon::why_not_ready() const {
-  if (draining_) return "going down";
-  if (motions_.waiting() >= motions_.capacity()) return "the queue of motions is full";
-  if (reads_.waiting() >= reads_.capacity()) return "the queue of reads is full";
+  if (draining_) return "shutting down";
+  const dispatch::WorkQueues& queues = backend_.queues();
+  if (queues.motions.waiting() >= queues.motions.capacity()) return "the queue of motions is full";
+  if (queues.reads.waiting() >= queues.reads.capacity()) return "the queue of reads is full";
   return {};
 }
 
 std::string Daemon::metrics_text() const {
   const auto value = [](auto count) { return static_cast<double>(count); };
-  const minkowski::CacheCounts sums = sums_.counts();
+  const minkowski::CacheCounts sums = backend_.sums().counts();
+  const dispatch::WorkQueues& queues = backend_.queues();
   const transport::access::TransportCounts& open = *connections_;
   using enum ops::Metric::Type;
   const std::array kNow{
-      ops::Metric{"selvage_open_markers", kGauge, "Markers that are open.", "", {{"", value(store_.count())}}},
-      ops::Metric{"selvage_open_calls", kGauge, "Calls under way.", "", {{"", value(dispatcher_.open_calls())}}},
+      ops::Metric{"selvage_open_markers", kGauge, "Open markers.", "", {{"", value(backend_.store().count())}}},
+      ops::Metric{"selvage_open_calls", kGauge, "Calls in progress.", "", {{"", value(backend_.open_calls())}}},
       ops::Metric{"selvage_jobs_waiting",
                   kGauge,
-                  "Jobs in the queues.",
+                  "Jobs that wait in a queue.",
                   "queue",
-                  {{"motions", value(motions_.waiting())},
-                   {"parsing", value(parsing_.waiting())},
-                   {"reads", value(reads_.waiting())},
-                   {"hands", value(hands_.waiting())}}},
+                  {{"motions", value(queues.motions.waiting())},
+                   {"parsing", value(queues.parsing.waiting())},
+                   {"reads", value(queues.reads.waiting())},
+                   {"hands", value(queues.drags.waiting())}}},
       ops::Metric{"selvage_jobs_running",
                   kGauge,
-                  "Jobs on the workers.",
+                  "Jobs that workers execute.",
                   "queue",
-                  {{"motions", value(motions_.running())},
-                   {"parsing", value(parsing_.running())},
-                   {"reads", value(reads_.running())},
-                   {"hands", value(hands_.running())}}},
+                  {{"motions", value(queues.motions.running())},
+                   {"parsing", value(queues.parsing.running())},
+                   {"reads", value(queues.reads.running())},
+                   {"hands", value(queues.drags.running())}}},
       ops::Metric{"selvage_connections",
                   kGauge,
-                  "Connections that are open, by what is spoken on them.",
+                  "Open connections, by protocol.",
                   "speaks",
                   {{"http", value(open.http.load())},
                    {"lines", value(open.lines.load())},
                    {"websocket", value(open.websockets.load())}}},
       ops::Metric{"selvage_connections_total",
                   kCounter,
-                  "Connections that came, by whether there was room.",
+                  "Connections since the start, by whether they were accepted.",
                   "outcome",
                   {{"accepted", value(open.accepted.load())}, {"turned_away", value(open.turned_away.load())}}},
       ops::Metric{"selvage_sums_total",
                   kCounter,
-                  "Minkowski sums asked for, by whether they were kept from before.",
+                  "Minkowski sums requested, by whether the cache had them.",
                   "outcome",
                   {{"hit", value(sums.hits)}, {"miss", value(sums.misses)}}},
-      ops::Metric{"selvage_sums_bytes", kGauge, "Memory of the sums that are kept.", "", {{"", value(sums.bytes)}}},
+      ops::Metric{"selvage_sums_bytes", kGauge, "Memory of the cached sums.", "", {{"", value(sums.bytes)}}},
   };
   std::string text = metrics_.text();
   for (const ops::Metric& metric : kNow) text += metric_text(metric);
@@ -144,11 +128,8 @@ Daemon::~Daemon() {
 void Daemon::drain() {
   draining_ = true;
   transport_.stop_reading();
-  motions_.drain();
-  hands_.drain();
-  parsing_.drain();
-  reads_.drain();
-  transport_.finish(drain_patience_);
+  backend_.queues().drain();
+  transport_.finish(drain_time_);
 }
 
 }  // namespace selvage::server::app

@@ -1,4 +1,4 @@
-// The daemon: every part of it, put together, and the order in which they end.
+// The daemon: a backend behind a transport, with its metrics and its journal, and the order in which they end.
 #pragma once
 
 #include <atomic>
@@ -8,68 +8,51 @@
 #include <string>
 #include <vector>
 
-#include "protocol/calls/engine.h"
-#include "protocol/execution/thread_pool.h"
+#include "protocol/methods/method_table.h"
 #include "server/app/options.h"
-#include "server/dispatch/dispatcher.h"
-#include "server/jobs/deadline_clock.h"
-#include "server/jobs/job_queue.h"
-#include "server/methods/drags.h"
-#include "server/methods/methods.h"
-#include "server/methods/watchers.h"
+#include "server/dispatch/backend.h"
 #include "server/ops/metrics.h"
 #include "server/store/journal.h"
-#include "server/store/marker_store.h"
 #include "server/transport/transport.h"
 
 namespace selvage::server::app {
 
 class Daemon {
  public:
-  // Serves at once; a replay only calls.  Throws when an address cannot be taken or a file not be used.
-  explicit Daemon(const Options& options, protocol::calls::Engine engine = {});
+  // Listens immediately, unless the options ask for a replay, which only uses call().  Throws a std::exception if an
+  // address or a file cannot be used.
+  explicit Daemon(const Options& options, protocol::methods::MethodTable methods = protocol::methods::method_table());
   ~Daemon();  // drains
   Daemon(const Daemon&) = delete;
   Daemon& operator=(const Daemon&) = delete;
 
-  // Where it listens, HTTP first.  REQUIRES of port(): it listens.
+  // The addresses it listens on, HTTP first.  REQUIRES for port(): it listens.
   [[nodiscard]] const std::vector<transport::access::Listener>& listeners() const { return transport_.listeners(); }
   [[nodiscard]] std::uint16_t port() const { return listeners().front().port; }
-  [[nodiscard]] const SumCache& sums() const { return sums_; }
+  [[nodiscard]] const SumCache& sums() const { return backend_.sums(); }
 
-  // Takes nothing new, asks what runs to hand back its best, sends every answer, closes.
+  // Accepts nothing new, asks the running motions for their best results, sends every answer and closes.
   void drain();
 
-  // Answers a message that came by no socket.
+  // Answers a message that did not come over a socket.
   void call(std::string message, const std::shared_ptr<transport::access::Session>& session,
             transport::access::Reply reply);
-  // GET /readyz and /metrics.
+  // The bodies of GET /readyz and GET /metrics.
   [[nodiscard]] std::string why_not_ready() const;
   [[nodiscard]] std::string metrics_text() const;
 
  private:
+  [[nodiscard]] dispatch::BackendSettings backend_settings(const Options& options,
+                                                           protocol::methods::MethodTable methods);
   [[nodiscard]] transport::access::Service service(const Options& options);
-  // Of so many cores, those that no job is on now.
-  [[nodiscard]] std::size_t idle_cores(std::size_t cores) const;
 
-  const std::chrono::seconds drain_patience_;
+  const std::chrono::seconds drain_time_;
   std::atomic<bool> draining_{};
   ops::Metrics metrics_;
   const std::shared_ptr<transport::access::TransportCounts> connections_ =
       std::make_shared<transport::access::TransportCounts>();
-  SumCache sums_;
   std::unique_ptr<store::Journal> journal_;  // null: markers live in memory only
-  store::MarkerStore store_;
-  methods::Watchers watchers_;
-  protocol::execution::ThreadPool executor_;
-  methods::Methods methods_;
-  jobs::DeadlineClock clock_;
-  jobs::JobQueue parsing_;
-  jobs::JobQueue reads_;
-  jobs::JobQueue motions_;
-  jobs::JobQueue hands_;
-  methods::Drags drags_;
-  dispatch::Dispatcher dispatcher_;
+  dispatch::Backend backend_;
   transport::Transport transport_;
 };
 

@@ -1,6 +1,6 @@
-// selvaged: serves until it is told to stop (SIGTERM, SIGINT), then drains; or answers the calls of a file.
-// Exit codes: 0 drained, or every call of the file went well; 1 could not serve, was overdue, or a call failed; 2 bad
-// command line or configuration.
+// selvaged: serves until a signal asks it to stop (SIGTERM, SIGINT), then drains; or answers the calls of a file.
+// Exit codes: 0 drained, or every call of the file succeeded; 1 could not serve, did not drain in time, or a call
+// failed; 2 bad command line or configuration.
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
@@ -24,14 +24,14 @@
 #include "server/app/daemon.h"
 #include "server/app/options.h"
 #include "server/app/replay.h"
-#include "server/calls/version.h"
 #include "server/ops/freed_memory.h"
 #include "server/ops/log.h"
+#include "server/ops/version.h"
 
 namespace selvage::server::app {
 namespace {
 
-// Blocked in every thread, so that only wait_to_stop takes them.
+// Blocks the signals in every thread, so that only wait_to_stop receives them.
 sigset_t block_signals() {
   std::signal(SIGPIPE, SIG_IGN);
   sigset_t signals;
@@ -41,7 +41,7 @@ sigset_t block_signals() {
   return signals;
 }
 
-// The signal to stop.
+// Returns the signal that asks the process to stop.
 int wait_to_stop(const sigset_t& signals, const Options& options) {
   for (;;) {
     int signal{};
@@ -55,28 +55,28 @@ std::string name_of(const transport::access::Listener& listener) {
   return listener.path.empty() ? address_text({listener.host, listener.port}) : listener.path;
 }
 
-// In one step, so that whoever waits for the file never reads half of it.
+// Writes the file in one step, so that a process that waits for it never reads half of it.
 void write_ports(const std::string& path, const Daemon& daemon) {
-  const std::string beside = path + ".new";
-  std::ofstream file{beside};
+  const std::string temporary = path + ".new";
+  std::ofstream file{temporary};
   for (const transport::access::Listener& listener : daemon.listeners()) {
     if (listener.path.empty()) file << listener.port << '\n';
   }
   file.close();
-  if (!file || std::rename(beside.c_str(), path.c_str()) != 0) {
+  if (!file || std::rename(temporary.c_str(), path.c_str()) != 0) {
     throw std::runtime_error{"cannot write --port-file " + path};
   }
 }
 
-// Ends the process when it is not gone by then: a call that cannot be stopped must not keep it for ever.
-class Overdue {
+// Ends the process if it has not ended by itself in time, for example because a call does not stop.
+class DrainWatchdog {
  public:
-  explicit Overdue(std::chrono::seconds patience)
-      : thread_{[this, patience](const std::stop_token& gone) {
+  explicit DrainWatchdog(std::chrono::seconds limit)
+      : thread_{[this, limit](const std::stop_token& ended) {
           std::unique_lock lock{mutex_};
-          if (wake_.wait_for(lock, gone, patience, [&gone] { return gone.stop_requested(); })) return;
-          if (gone.stop_requested()) return;
-          spdlog::error("not drained after {} s: ending without the rest", patience.count());
+          if (wake_.wait_for(lock, ended, limit, [&ended] { return ended.stop_requested(); })) return;
+          if (ended.stop_requested()) return;
+          spdlog::error("not drained after {} s: exiting without the remaining answers", limit.count());
           std::_Exit(1);
         }} {}
 
@@ -93,17 +93,17 @@ int serve(const Options& options) {
   if (!options.port_file.empty()) write_ports(options.port_file, daemon);
   for (const transport::access::Listener& listener : daemon.listeners()) {
     std::cout << "listening on " << name_of(listener) << std::endl;
-    spdlog::info("selvaged {} listening on {}, {} workers", calls::kVersion, name_of(listener), options.workers);
+    spdlog::info("selvaged {} listening on {}, {} workers", ops::kVersion, name_of(listener), options.workers);
   }
   const int signal = wait_to_stop(signals, options);
   spdlog::info("draining: signal {}", signal);
-  const Overdue overdue{options.drain + std::chrono::seconds{1}};
+  const DrainWatchdog watchdog{options.drain + std::chrono::seconds{1}};
   daemon.drain();
   spdlog::info("drained");
   return 0;
 }
 
-// Throws when there can be no such file, or it cannot be written.  Leaves all as it is.
+// Throws if the file cannot be written.  Creates and changes nothing.
 void check_writable(const std::string& option, const std::string& path) {
   if (path.empty()) return;
   const std::string named = option + " " + path + ": ";
@@ -118,9 +118,9 @@ int check_config(const Options& options) {
   check_writable("--store", options.store);
   check_writable("--log", options.log_file);
   check_writable("--port-file", options.port_file);
-  const transport::Transport without_doors{
+  const transport::Transport without_listeners{
       {.access = options.access, .tls = options.tls}, options.limits.transport, {}};
-  std::cout << "the configuration is sound\n";
+  std::cout << "the configuration is valid\n";
   return 0;
 }
 
@@ -144,17 +144,17 @@ int replay_file(const Options& options) {
   for (const std::string& answer : replayed.answers) std::cout << answer << '\n';
   if (!options.replay_svg.empty()) {
     std::ofstream file{options.replay_svg};
-    file << or_throw(drawing_of_last(daemon), "--svg");
+    file << or_throw(draw_last_marker(daemon), "--svg");
     file.close();
     if (!file) throw std::runtime_error{"cannot write " + options.replay_svg};
   }
-  return replayed.went_well ? 0 : 1;
+  return replayed.succeeded ? 0 : 1;
 }
 
 int run(const Options& options) {
-  // A check leaves no file behind.
-  const bool checks = options.task == Options::Task::kCheckConfig;
-  ops::set_up_log(options.log_level, checks ? std::string{} : options.log_file);
+  // A check creates no file, not even a log.
+  const bool checks_only = options.task == Options::Task::kCheckConfig;
+  ops::set_up_log(options.log_level, checks_only ? std::string{} : options.log_file);
   switch (options.task) {
     case Options::Task::kServe: return serve(options);
     case Options::Task::kCheckConfig: return check_config(options);
@@ -168,9 +168,9 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   const auto parsed = selvage::server::app::parse_options(argc, argv);
-  if (const auto* farewell = std::get_if<selvage::server::app::Farewell>(&parsed)) {
-    (farewell->exit_code == 0 ? std::cout : std::cerr) << farewell->text;
-    return farewell->exit_code;
+  if (const auto* exit = std::get_if<selvage::server::app::EarlyExit>(&parsed)) {
+    (exit->code == 0 ? std::cout : std::cerr) << exit->text;
+    return exit->code;
   }
   const auto& options = std::get<selvage::server::app::Options>(parsed);
   try {

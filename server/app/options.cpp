@@ -10,15 +10,15 @@
 #include <utility>
 
 #include "server/app/addresses.h"
-#include "server/calls/version.h"
+#include "server/ops/version.h"
 
 namespace selvage::server::app {
 namespace {
 
-constexpr std::size_t kShortestToken = 16;
+constexpr std::size_t kMinTokenLength = 16;
 
-// The words as they were written, before they are options.
-struct Words {
+// Options as they were written, before they are checked and converted.
+struct RawOptions {
   std::string listen{"127.0.0.1:7171"};
   std::vector<std::string> listen_tcp, listen_unix;
   std::string token_file;
@@ -29,166 +29,168 @@ struct Words {
   std::string durability{"full"};
 };
 
-using Mistake = std::optional<std::string>;  // what is wrong, for stderr
+using OptionError = std::optional<std::string>;  // a message for stderr
 
-void declare_doors(CLI::App& app, Options& options, Words& words) {
-  app.add_option("--listen", words.listen, "HOST:PORT for HTTP, WebSocket and lines of JSON; port 0 takes a free one")
+void declare_listeners(CLI::App& app, Options& options, RawOptions& raw) {
+  app.add_option("--listen", raw.listen,
+                 "HOST:PORT for HTTP, WebSocket and lines of JSON; port 0 selects any free port")
       ->capture_default_str();
-  app.add_option("--listen-tcp", words.listen_tcp, "HOST:PORT for lines of JSON only; may be repeated");
-  app.add_option("--listen-unix", words.listen_unix,
-                 "Path of a socket for lines of JSON, open to this user only; may be repeated");
-  app.add_option("--port-file", options.port_file, "Write the ports that were taken into this file, HTTP's first");
-  app.add_option("--token-file", words.token_file, "A file whose first line every TCP connection must show");
-  app.add_option("--tls-cert", words.tls.certificate, "Certificate chain (PEM): all TCP speaks TLS");
-  app.add_option("--tls-key", words.tls.key, "Its private key (PEM)");
-  app.add_flag("--behind-proxy", words.behind_proxy,
-               "Plain TCP although other machines reach the address: a proxy in front of it speaks TLS");
-  app.add_flag("--no-token", words.no_token, "With --behind-proxy: the proxy knows who may call");
+  app.add_option("--listen-tcp", raw.listen_tcp, "HOST:PORT for lines of JSON only; may be repeated");
+  app.add_option("--listen-unix", raw.listen_unix,
+                 "Path of a Unix socket for lines of JSON, open to this user only; may be repeated");
+  app.add_option("--port-file", options.port_file, "Write the actual ports to this file, HTTP first");
+  app.add_option("--token-file", raw.token_file,
+                 "A file whose first line is the token that every TCP connection must send");
+  app.add_option("--tls-cert", raw.tls.certificate, "Certificate chain (PEM); enables TLS on every TCP listener");
+  app.add_option("--tls-key", raw.tls.key, "Private key of the certificate (PEM)");
+  app.add_flag("--behind-proxy", raw.behind_proxy,
+               "Allow plain TCP on an address that other machines can reach, because a proxy terminates TLS");
+  app.add_flag("--no-token", raw.no_token,
+               "With --behind-proxy: require no token, because the proxy decides who may call");
   app.add_option("--allow-host", options.access.hosts,
-                 "A name that clients call this server by, for requests without a token; may be repeated");
+                 "A further host name of this server, for requests without a token; may be repeated");
   app.add_option("--allow-origin", options.access.origins,
                  "An origin whose pages may call, such as https://marker.example; may be repeated");
 }
 
-void declare_work(CLI::App& app, Options& options, Words& words) {
-  app.add_option("--workers", options.workers, "Threads for motions; 0 runs them on the I/O thread, for tests")
+void declare_work(CLI::App& app, Options& options, RawOptions& raw) {
+  app.add_option("--workers", options.workers, "Threads for motions; 0 executes them on the I/O thread, for tests")
       ->check(CLI::Range(0, 256))
       ->capture_default_str();
   app.add_option("--cache-mb", options.cache_mb, "Memory for Minkowski sums, in MiB")
       ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str();
-  app.add_option("--max-body-mb", words.body_mb, "The largest request, in MiB")
+  app.add_option("--max-body-mb", raw.body_mb, "The largest request, in MiB")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  app.add_option("--max-connections", options.limits.transport.connections, "Open at once")
+  app.add_option("--max-connections", options.limits.transport.connections, "Connections open at the same time")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
-  app.add_option("--call-seconds", words.call_seconds,
-                 "A motion that has taken so long, its waiting included, answers with its best; a read that may take "
-                 "as long is refused")
+  app.add_option(
+         "--call-seconds", raw.call_seconds,
+         "Time limit of a call, including waiting: a motion then returns its best result so far, a long read fails")
       ->check(CLI::Range(1, 86'400))
       ->capture_default_str();
   app.add_option("--store", options.store,
-                 "The file that keeps markers over restarts (SQLite); none: they live in memory only")
+                 "The file in which markers survive restarts (SQLite); none: they live in memory only")
       ->default_str("none");
-  app.add_option("--durability", words.durability,
-                 "full: an acknowledged change outlives the loss of power; relaxed: the end of the process")
+  app.add_option("--durability", raw.durability,
+                 "full: an acknowledged change survives a power failure; relaxed: any end of the process")
       ->check(CLI::IsMember({"full", "relaxed"}))
       ->capture_default_str();
-  app.add_option("--log-level", options.log_level, "What is logged")
+  app.add_option("--log-level", options.log_level, "The least severe messages that are logged")
       ->check(CLI::IsMember({"debug", "info", "warn", "error", "off"}))
       ->capture_default_str();
-  app.add_option("--log", options.log_file, "The file to log to, opened anew on SIGHUP; stderr without it");
-  app.add_option("--drain-seconds", words.drain_seconds, "How long ending may take after SIGTERM or SIGINT")
+  app.add_option("--log", options.log_file, "The log file, reopened on SIGHUP; without it the log goes to stderr");
+  app.add_option("--drain-seconds", raw.drain_seconds, "Time limit for shutting down after SIGTERM or SIGINT")
       ->check(CLI::Range(0, 3600))
       ->capture_default_str();
 }
 
-void declare_tasks(CLI::App& app, Options& options, Words& words) {
-  // On the command line only: a file that names another file, or says not to serve, would be a riddle.
-  app.set_config("--config", "", "Read options from this TOML file; the command line comes first");
-  app.add_flag("--check-config", words.check_config, "Say whether the options and files are sound, and end")
-      ->configurable(false);
+void declare_tasks(CLI::App& app, Options& options, RawOptions& raw) {
+  // On the command line only: a configuration file that names another one, or disables serving, would be confusing.
+  app.set_config("--config", "", "Read options from this TOML file; the command line takes precedence");
+  app.add_flag("--check-config", raw.check_config, "Check the options and files, and exit")->configurable(false);
   app.add_option("--check", options.replay_file,
-                 "Answer the JSON-RPC call of this file, or each of its array in order, without sockets, and end")
+                 "Answer the JSON-RPC call in this file, or each call of an array in order, without sockets, and exit")
       ->configurable(false);
-  app.add_option("--svg", options.replay_svg, "With --check: draw the marker that is open in the end into this file")
+  app.add_option("--svg", options.replay_svg, "With --check: draw the marker that is open at the end into this file")
       ->needs("--check")
       ->configurable(false);
 }
 
-Mistake read_token(const std::string& path, std::string& token) {
+OptionError read_token(const std::string& path, std::string& token) {
   std::ifstream file{path};
   if (!file || !std::getline(file, token)) return "--token-file: cannot read " + path;
   while (!token.empty() && (token.back() == '\r' || token.back() == ' ')) token.pop_back();
-  if (token.size() >= kShortestToken) return std::nullopt;
-  return "--token-file: the first line of " + path + " is too short; " + std::to_string(kShortestToken) +
-         " characters at least";
+  if (token.size() >= kMinTokenLength) return std::nullopt;
+  return "--token-file: the first line of " + path + " is too short; at least " + std::to_string(kMinTokenLength) +
+         " characters are required";
 }
 
-Mistake read_doors(const Words& words, Options& options) {
-  const auto http = read_address(words.listen);
+OptionError read_listeners(const RawOptions& raw, Options& options) {
+  const auto http = read_address(raw.listen);
   if (const auto* wrong = std::get_if<std::string>(&http)) return "--listen: " + *wrong;
   options.host = std::get<TcpAddress>(http).host;
   options.port = std::get<TcpAddress>(http).port;
-  for (const std::string& text : words.listen_tcp) {
+  for (const std::string& text : raw.listen_tcp) {
     const auto address = read_address(text);
     if (const auto* wrong = std::get_if<std::string>(&address)) return "--listen-tcp: " + *wrong;
     const auto& [host, port] = std::get<TcpAddress>(address);
     options.listeners.push_back({.speaks = transport::access::Listener::Speaks::kLines, .host = host, .port = port});
   }
-  for (const std::string& path : words.listen_unix) {
+  for (const std::string& path : raw.listen_unix) {
     options.listeners.push_back({.speaks = transport::access::Listener::Speaks::kLines, .path = path});
   }
-  if (words.tls.certificate.empty() != words.tls.key.empty()) {
-    return words.tls.key.empty() ? "--tls-cert needs --tls-key" : "--tls-key needs --tls-cert";
+  if (raw.tls.certificate.empty() != raw.tls.key.empty()) {
+    return raw.tls.key.empty() ? "--tls-cert needs --tls-key" : "--tls-key needs --tls-cert";
   }
-  if (!words.tls.key.empty()) options.tls = words.tls;
-  if (words.no_token && !words.behind_proxy) return "--no-token needs --behind-proxy";
-  if (words.no_token && !words.token_file.empty()) return "--no-token and --token-file exclude each other";
-  return words.token_file.empty() ? std::nullopt : read_token(words.token_file, options.access.token);
+  if (!raw.tls.key.empty()) options.tls = raw.tls;
+  if (raw.no_token && !raw.behind_proxy) return "--no-token needs --behind-proxy";
+  if (raw.no_token && !raw.token_file.empty()) return "--no-token and --token-file exclude each other";
+  return raw.token_file.empty() ? std::nullopt : read_token(raw.token_file, options.access.token);
 }
 
-// Other machines may reach an address only when they show a token and nobody in between can read it.
-Mistake exposed(const Words& words, const Options& options) {
-  for (const transport::access::Listener& listener : doors_of(options).listeners) {
+// An address that other machines can reach requires a token, and TLS so that nobody can read it on the way.
+OptionError check_exposure(const RawOptions& raw, const Options& options) {
+  for (const transport::access::Listener& listener : listen_settings(options).listeners) {
     if (!listener.path.empty() || is_loopback(listener.host)) continue;
-    const std::string reached = address_text({listener.host, listener.port}) + " is reached by other machines: ";
-    if (options.access.token.empty() && !words.no_token) return reached + "--token-file is missing";
-    if (!options.tls && !words.behind_proxy) {
-      return reached + "--tls-cert and --tls-key are missing (or --behind-proxy, if a proxy speaks TLS for it)";
+    const std::string reached = address_text({listener.host, listener.port}) + " can be reached by other machines: ";
+    if (options.access.token.empty() && !raw.no_token) return reached + "--token-file is missing";
+    if (!options.tls && !raw.behind_proxy) {
+      return reached + "--tls-cert and --tls-key are missing (or --behind-proxy, if a proxy terminates TLS)";
     }
   }
   return std::nullopt;
 }
 
-Mistake settle(const Words& words, Options& options) {
-  if (auto mistake = read_doors(words, options)) return mistake;
-  if (auto mistake = exposed(words, options)) return mistake;
-  options.limits.transport.body_bytes = words.body_mb << 20;
-  options.limits.call = std::chrono::seconds{words.call_seconds};
-  options.drain = std::chrono::seconds{words.drain_seconds};
+OptionError convert(const RawOptions& raw, Options& options) {
+  if (auto error = read_listeners(raw, options)) return error;
+  if (auto error = check_exposure(raw, options)) return error;
+  options.limits.transport.body_bytes = raw.body_mb << 20;
+  options.limits.call = std::chrono::seconds{raw.call_seconds};
+  options.drain = std::chrono::seconds{raw.drain_seconds};
   if (options.store == "none") options.store.clear();
-  options.durability = words.durability == "relaxed" ? store::Durability::kRelaxed : store::Durability::kFull;
+  options.durability = raw.durability == "relaxed" ? store::Durability::kRelaxed : store::Durability::kFull;
   if (!options.replay_file.empty()) options.task = Options::Task::kReplay;
-  if (words.check_config) options.task = Options::Task::kCheckConfig;
+  if (raw.check_config) options.task = Options::Task::kCheckConfig;
   return std::nullopt;
 }
 
 }  // namespace
 
-transport::access::Doors doors_of(const Options& options) {
-  transport::access::Doors doors{.access = options.access, .tls = options.tls};
-  doors.listeners.push_back(
+transport::access::ListenSettings listen_settings(const Options& options) {
+  transport::access::ListenSettings settings{.access = options.access, .tls = options.tls};
+  settings.listeners.push_back(
       {.speaks = transport::access::Listener::Speaks::kHttp, .host = options.host, .port = options.port});
-  doors.listeners.insert(doors.listeners.end(), options.listeners.begin(), options.listeners.end());
-  return doors;
+  settings.listeners.insert(settings.listeners.end(), options.listeners.begin(), options.listeners.end());
+  return settings;
 }
 
-std::variant<Options, Farewell> parse_options(int argc, const char* const* argv) {
+std::variant<Options, EarlyExit> parse_options(int argc, const char* const* argv) {
   Options options;
   options.workers = std::max(1U, std::thread::hardware_concurrency());
-  Words words;
-  words.body_mb = options.limits.transport.body_bytes >> 20;
-  words.call_seconds = std::chrono::duration_cast<std::chrono::seconds>(options.limits.call).count();
-  words.drain_seconds = options.drain.count();
+  RawOptions raw;
+  raw.body_mb = options.limits.transport.body_bytes >> 20;
+  raw.call_seconds = std::chrono::duration_cast<std::chrono::seconds>(options.limits.call).count();
+  raw.drain_seconds = options.drain.count();
 
-  CLI::App app{"selvaged: compacts garment markers, by JSON-RPC 2.0 over HTTP, WebSocket or lines of JSON.",
+  CLI::App app{"selvaged: compacts garment markers; serves JSON-RPC 2.0 over HTTP, WebSocket or lines of JSON.",
                "selvaged"};
-  app.set_version_flag("--version", "selvaged " + std::string{calls::kVersion});
+  app.set_version_flag("--version", "selvaged " + std::string{ops::kVersion});
   app.allow_config_extras(CLI::config_extras_mode::error);
-  declare_doors(app, options, words);
-  declare_work(app, options, words);
-  declare_tasks(app, options, words);
+  declare_listeners(app, options, raw);
+  declare_work(app, options, raw);
+  declare_tasks(app, options, raw);
   try {
     app.parse(argc, argv);
-  } catch (const CLI::ParseError& told) {
+  } catch (const CLI::ParseError& parsed) {
     std::ostringstream out;
     std::ostringstream err;
-    const int exit_code = app.exit(told, out, err);
-    return Farewell{exit_code == 0 ? 0 : 2, out.str() + err.str()};
+    const int exit_code = app.exit(parsed, out, err);
+    return EarlyExit{exit_code == 0 ? 0 : 2, out.str() + err.str()};
   }
-  if (const auto mistake = settle(words, options)) return Farewell{2, *mistake + "\n"};
+  if (const auto error = convert(raw, options)) return EarlyExit{2, *error + "\n"};
   return options;
 }
 

@@ -1,4 +1,4 @@
-// What selvaged is told on its command line, or by a file of the same words.
+// The options of selvaged, from its command line or from a file with options of the same names.
 #pragma once
 
 #include <chrono>
@@ -16,43 +16,42 @@
 namespace selvage::server::app {
 
 struct Options {
-  // What it is to do.
   enum class Task {
     kServe,
-    kCheckConfig,  // say whether it could serve like this
+    kCheckConfig,  // report whether the options and files are valid
     kReplay,       // answer the calls of a file, without sockets
   };
   Task task{};
   std::string replay_file, replay_svg;
 
-  std::string host{"127.0.0.1"};                       // where HTTP is spoken; an address in numbers
-  std::uint16_t port{7171};                            // 0: a free one
-  std::vector<transport::access::Listener> listeners;  // others
+  std::string host{"127.0.0.1"};                       // of the HTTP listener; a numeric address
+  std::uint16_t port{7171};                            // 0: any free port
+  std::vector<transport::access::Listener> listeners;  // further ones
   transport::access::Access access;
   std::optional<transport::access::TlsFiles> tls;
-  std::string port_file;      // where to write the ports that were taken, a line each; empty: nowhere
+  std::string port_file;      // receives the actual ports, one per line; empty: none
   std::size_t workers{};      // for motions; 0: inline, on the I/O thread (for tests)
   std::size_t cache_mb{256};  // for Minkowski sums
   std::string store;          // the journal's file; empty: markers live in memory only
   store::Durability durability{};
   std::string log_level{"info"};
   std::string log_file;            // empty: stderr
-  std::chrono::seconds drain{10};  // from the signal to the end, at most
+  std::chrono::seconds drain{10};  // the longest time from the signal to the end
   calls::Limits limits;
 };
 
 // Every TCP port and Unix socket of these options, HTTP first.
-[[nodiscard]] transport::access::Doors doors_of(const Options& options);
+[[nodiscard]] transport::access::ListenSettings listen_settings(const Options& options);
 
-// The command line asked for no daemon: --help, --version or a mistake.  `text` is for stdout when the code
-// is 0, else for stderr.
-struct Farewell {
-  int exit_code{};
+// The program is to exit immediately: --help, --version or an error.  `text` is for stdout if the code is 0, otherwise
+// for stderr.
+struct EarlyExit {
+  int code{};
   std::string text;
 };
 
-// Reads the files of --config and --token-file.  An address that other machines reach is refused without a token and
-// TLS, or what stands for them; the text names the option that is missing.
-[[nodiscard]] std::variant<Options, Farewell> parse_options(int argc, const char* const* argv);
+// Also reads the files of --config and --token-file.  An address that other machines can reach requires a token and
+// TLS, or the options that replace them; the error names the missing option.
+[[nodiscard]] std::variant<Options, EarlyExit> parse_options(int argc, const char* const* argv);
 
 }  // namespace selvage::server::app

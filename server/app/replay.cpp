@@ -26,7 +26,7 @@ Json call(const std::string& method, Json params) {
   return {{"jsonrpc", "2.0"}, {"id", 1}, {"method", method}, {"params", std::move(params)}};
 }
 
-// Ids count up: m9, m10.
+// Ids are numbered: m9, m10.
 std::string last_opened(const Json& markers) {
   const auto older = [](const std::string& a, const std::string& b) {
     return std::pair{a.size(), a} < std::pair{b.size(), b};
@@ -47,17 +47,17 @@ Result<Replay> replay(Daemon& daemon, const std::string& text) {
   for (const Json& message : calls) {
     std::string answer = answer_to(daemon, session, message);
     if (answer.empty()) continue;
-    replay.went_well = replay.went_well && !Json::parse(answer).contains("error");
+    replay.succeeded = replay.succeeded && !Json::parse(answer).contains("error");
     replay.answers.push_back(std::move(answer));
   }
   return replay;
 }
 
-Result<std::string> drawing_of_last(Daemon& daemon) {
+Result<std::string> draw_last_marker(Daemon& daemon) {
   const auto session = make_session();
   const Json list = Json::parse(answer_to(daemon, session, call("marker.list", Json::object())));
   const Json& markers = list["result"]["markers"];
-  if (markers.empty()) return Error{ErrorCode::kFile, "no marker is open that could be drawn", {}};
+  if (markers.empty()) return Error{ErrorCode::kFile, "no marker is open, so nothing can be drawn", {}};
   const Json params{{"markerId", last_opened(markers)}, {"format", "svg"}};
   const Json drawn = Json::parse(answer_to(daemon, session, call("marker.get", params)));
   return drawn["result"]["marker"].get<std::string>();

@@ -1,4 +1,4 @@
-// A session without sockets: the calls of a file, one after another, and their answers.
+// Answers the calls of a file one after another, without sockets.
 #pragma once
 
 #include <string>
@@ -9,18 +9,17 @@
 
 namespace selvage::server::app {
 
-// Answers in the order of the calls; a notification has none.
+// The answers in the order of the calls; a notification has none.
 struct Replay {
   std::vector<std::string> answers;
-  bool went_well{true};  // no answer is an error
+  bool succeeded{true};  // no answer is an error
 };
 
-// `text`: one JSON-RPC call, or an array of them, each answered before the next begins.
-// Errors: those of parse.
+// `text`: one JSON-RPC call, or an array of calls, each of which is answered before the next one starts.
+// Errors: those of protocol::json::parse.
 [[nodiscard]] Result<Replay> replay(Daemon& daemon, const std::string& text);
 
-// The drawing of the marker that is open; of the last that marker.list names, when there are several.
-// Errors: kFile when no marker is open.
-[[nodiscard]] Result<std::string> drawing_of_last(Daemon& daemon);
+// Draws the open marker, or the one that was opened last.  Errors: kFile if no marker is open.
+[[nodiscard]] Result<std::string> draw_last_marker(Daemon& daemon);
 
 }  // namespace selvage::server::app

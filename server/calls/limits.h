@@ -1,4 +1,4 @@
-// What the server takes at most.  engine.info tells them.
+// The limits of the server, as `engine.info` reports them.
 #pragma once
 
 #include <chrono>
@@ -10,10 +10,11 @@ namespace selvage::server::calls {
 
 struct Limits {
   std::size_t open_markers{1000};
-  std::size_t waiting_motions{64};  // beyond those that run
+  // Calls that wait in a queue; those that are being executed do not count.
+  std::size_t waiting_motions{64};
   std::size_t waiting_reads{256};
-  std::size_t waiting_moves{256};  // of dragging hands
-  // From the arrival of a call that may take long to the best it has by then.
+  std::size_t waiting_moves{256};  // of drag sessions
+  // Motions and long reads end after this time, which counts from the call's arrival.
   std::chrono::milliseconds call{std::chrono::minutes{10}};
   transport::access::TransportLimits transport;
 };

@@ -3,14 +3,20 @@
 namespace selvage::server::calls {
 
 OpenCall::OpenCall(std::shared_ptr<transport::access::Session> session, jobs::ReplyOnce<Outcome> reply)
-    : session_{std::move(session)}, reply_{std::move(reply)}, gone_{session_->gone, [this] {
-                                                                      left_.request_stop();
-                                                                      stop_.request_stop();
-                                                                    }} {}
+    : session_{std::move(session)}, reply_{std::move(reply)}, disconnected_{session_->gone, [this] {
+                                                                              stop_.request_stop();
+                                                                            }} {}
+
+StopCause OpenCall::stop_cause() const {
+  if (state_ == State::kCancelled) return StopCause::kCancelled;
+  if (session_->gone.stop_requested()) return StopCause::kDisconnected;
+  if (late_) return StopCause::kDeadline;
+  return draining_ ? StopCause::kDraining : StopCause::kNone;
+}
 
 bool OpenCall::settle() {
-  Fate fate = Fate::kOpen;
-  return fate_.compare_exchange_strong(fate, Fate::kSettled) || fate == Fate::kSettled;
+  State state = State::kOpen;
+  return state_.compare_exchange_strong(state, State::kSettled) || state == State::kSettled;
 }
 
 void OpenCall::answer(Outcome outcome) {
@@ -18,36 +24,41 @@ void OpenCall::answer(Outcome outcome) {
 }
 
 bool OpenCall::cancel() {
-  Fate fate = Fate::kOpen;
-  if (!fate_.compare_exchange_strong(fate, Fate::kCancelled)) return false;
-  left_.request_stop();
+  State state = State::kOpen;
+  if (!state_.compare_exchange_strong(state, State::kCancelled)) return false;
   stop_.request_stop();
   std::move(reply_)(protocol::rpc::RpcError{protocol::rpc::RpcCode::kCancelled, "the call was cancelled", {}});
   return true;
 }
 
+void OpenCall::drain() {
+  if (stop_.stop_requested()) return;
+  draining_ = true;
+  stop_.request_stop();
+}
+
 void OpenCall::set_deadline(const std::shared_ptr<OpenCall>& call, jobs::DeadlineClock& clock,
                             jobs::DeadlineClock::Time time) {
   call->deadline_ = clock.at(time, [weak = std::weak_ptr{call}] {
-    const auto still = weak.lock();
-    if (!still) return;
-    still->late_ = true;
-    still->stop_.request_stop();
+    const auto open = weak.lock();
+    if (!open) return;
+    open->late_ = true;
+    open->stop_.request_stop();
   });
 }
 
-// Takes its call off the list, unless a later one has the place.
+// Removes its call from the list, unless a later call has replaced it there.
 struct OpenCalls::Listing {
   std::shared_ptr<List> list;
   Key key;
-  const OpenCall* which{};
+  const OpenCall* address{};
 
   Listing(std::shared_ptr<List> listed_in, Key listed_as, const OpenCall* call)
-      : list{std::move(listed_in)}, key{std::move(listed_as)}, which{call} {}
+      : list{std::move(listed_in)}, key{std::move(listed_as)}, address{call} {}
   ~Listing() {
     const std::lock_guard lock{list->mutex};
     const auto found = list->calls.find(key);
-    if (found != list->calls.end() && found->second.which == which) list->calls.erase(found);
+    if (found != list->calls.end() && found->second.address == address) list->calls.erase(found);
   }
   Listing(const Listing&) = delete;
   Listing& operator=(const Listing&) = delete;

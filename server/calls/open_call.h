@@ -1,7 +1,7 @@
-// A call that is under way, and the ways in which it may end: with its outcome, or cancelled - never both.
+// A call in progress and how it ends: either with the outcome of its method or cancelled, never both.
 //
-// Whoever settles a call first decides: a worker that settles it goes on to commit and to answer, a client that cancels
-// it first has its answer at once, whatever the solver is doing, and the worker's result is dropped.
+// Whoever settles the call first decides.  A worker that settles it goes on to commit and to answer.  A client that
+// cancels it first is answered at once, whatever the solver is doing, and the worker's result is dropped.
 #pragma once
 
 #include <atomic>
@@ -9,12 +9,12 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <stop_token>
 #include <string>
 #include <utility>
 
 #include "server/calls/outcome.h"
+#include "server/calls/stop_cause.h"
 #include "server/jobs/deadline_clock.h"
 #include "server/jobs/reply_once.h"
 #include "server/transport/access/service.h"
@@ -26,50 +26,52 @@ class OpenCall {
   OpenCall(std::shared_ptr<transport::access::Session> session, jobs::ReplyOnce<Outcome> reply);
 
   [[nodiscard]] const std::shared_ptr<transport::access::Session>& session() const { return session_; }
-  // Its caller is gone or has cancelled it: nobody wants the outcome.
-  [[nodiscard]] std::stop_token left() const { return left_.get_token(); }
-  // The same, or its deadline has passed: the best so far is wanted now.
+  // Stops for every cause.  A method that is stopped returns the best result that it has.
   [[nodiscard]] std::stop_token stop() const { return stop_.get_token(); }
-  [[nodiscard]] bool late() const { return late_; }
+  // If there are several causes: abandonment before the deadline, and the deadline before draining.
+  [[nodiscard]] StopCause stop_cause() const;
+  [[nodiscard]] bool abandoned() const { return is_abandoned(stop_cause()); }
 
-  // True when the call is the worker's to end: from now on it cannot be cancelled.  May be asked again.
+  // Returns true if the call is the worker's to end; from then on it cannot be cancelled.  May be called repeatedly.
   [[nodiscard]] bool settle();
-  // Answers, unless it was cancelled.  At most once.
+  // Answers the call unless it was cancelled.  At most once.
   void answer(Outcome outcome);
-  // False when it was too late to cancel.
+  // Returns false if it was too late to cancel.
   bool cancel();
+  // Stops the call because the server is shutting down.  Changes nothing if it was stopped before.
+  void drain();
 
   // REQUIRES: nobody else uses the call yet.
   static void set_deadline(const std::shared_ptr<OpenCall>& call, jobs::DeadlineClock& clock,
                            jobs::DeadlineClock::Time time);
 
  private:
-  enum class Fate { kOpen, kSettled, kCancelled };
+  enum class State { kOpen, kSettled, kCancelled };
 
   const std::shared_ptr<transport::access::Session> session_;
-  std::atomic<Fate> fate_{Fate::kOpen};
-  std::atomic<bool> late_{};
-  std::stop_source left_, stop_;
+  std::atomic<State> state_{State::kOpen};
+  std::atomic<bool> late_{}, draining_{};
+  std::stop_source stop_;
   jobs::ReplyOnce<Outcome> reply_;
   jobs::DeadlineClock::Alarm deadline_;
   friend class OpenCalls;
-  std::shared_ptr<const void> listing_;  // its place in OpenCalls, given up with the call
-  std::stop_callback<std::function<void()>> gone_;
+  std::shared_ptr<const void> listing_;  // removes the call from OpenCalls when it ends
+  std::stop_callback<std::function<void()>> disconnected_;
 };
 
-// The calls under way that can be cancelled: by session and by the call's id.  A call is listed as long as it lives.
+// The calls in progress that can be cancelled, by session and by the call's id.  A call is listed as long as it lives.
 class OpenCalls {
  public:
-  // A later call of the same id takes an earlier one's place.  REQUIRES: nobody else uses the call yet.
+  // A later call replaces an earlier one of the same id.  REQUIRES: nobody else uses the call yet.
   void add(const Json& id, const std::shared_ptr<OpenCall>& call);
-  // False when there is none, or when it was too late.
+  // Returns false if there is no such call, or if it was too late.
   bool cancel(const Json& id, std::uint64_t session);
   [[nodiscard]] std::size_t count() const;
 
  private:
   using Key = std::pair<std::uint64_t, std::string>;
   struct Entry {
-    const OpenCall* which{};  // only compared
+    const OpenCall* address{};  // only compared
     std::weak_ptr<OpenCall> call;
   };
   struct List {
@@ -77,7 +79,8 @@ class OpenCalls {
     std::map<Key, Entry> calls;
   };
   struct Listing;
-  const std::shared_ptr<List> list_ = std::make_shared<List>();  // a call may end after us, on the deadlines' thread
+  const std::shared_ptr<List> list_ =
+      std::make_shared<List>();  // a call may outlive us, on the deadline clock's thread
 };
 
 }  // namespace selvage::server::calls

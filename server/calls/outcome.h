@@ -1,4 +1,4 @@
-// What a call comes to: a result, as JSON or already as text, or an error.
+// How a call ended: with a result, as JSON or as text, or with an error.
 #pragma once
 
 #include <variant>

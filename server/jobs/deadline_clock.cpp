@@ -4,15 +4,15 @@ namespace selvage::server::jobs {
 
 DeadlineClock::DeadlineClock() : thread_{[this](const std::stop_token& stop) { tick(stop); }} {}
 
-DeadlineClock::Alarm DeadlineClock::at(Time time, std::function<void()> ring) {
+DeadlineClock::Alarm DeadlineClock::at(Time time, std::function<void()> on_time) {
   const std::lock_guard lock{mutex_};
-  const Alarm::Key key{time, ++set_};
-  alarms_.emplace(key, std::move(ring));
+  const Alarm::Key key{time, ++alarms_set_};
+  alarms_.emplace(key, std::move(on_time));
   if (time < wakes_at_) changed_.notify_all();
   return Alarm{*this, key};
 }
 
-void DeadlineClock::forget(const Alarm::Key& key) {
+void DeadlineClock::remove(const Alarm::Key& key) {
   const std::lock_guard lock{mutex_};
   alarms_.erase(key);
 }
@@ -25,16 +25,16 @@ void DeadlineClock::tick(const std::stop_token& stop) {
       wakes_at_ = next;
       const auto earlier = [&] { return !alarms_.empty() && alarms_.begin()->first.first < next; };
       if (next == Time::max()) {
-        changed_.wait(lock, stop, earlier);  // a wait until the end of time overflows
+        changed_.wait(lock, stop, earlier);  // wait_until() overflows at Time::max()
       } else {
         changed_.wait_until(lock, stop, next, earlier);
       }
       continue;
     }
-    const auto ring = std::move(alarms_.begin()->second);
+    const auto on_time = std::move(alarms_.begin()->second);
     alarms_.erase(alarms_.begin());
     lock.unlock();
-    ring();
+    on_time();
     lock.lock();
   }
 }

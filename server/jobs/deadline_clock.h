@@ -1,4 +1,4 @@
-// The clock that deadlines are kept by: one thread that sleeps until the next of them.
+// Calls a function at each deadline, from one thread that sleeps until the next one.
 #pragma once
 
 #include <chrono>
@@ -16,7 +16,7 @@ class DeadlineClock {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
-  // A deadline that is waited for as long as this lives.
+  // A deadline that is pending as long as this object lives.
   class Alarm {
    public:
     Alarm() = default;
@@ -27,7 +27,7 @@ class DeadlineClock {
       return *this;
     }
     ~Alarm() {
-      if (clock_) clock_->forget(key_);
+      if (clock_) clock_->remove(key_);
     }
 
    private:
@@ -40,21 +40,21 @@ class DeadlineClock {
 
   DeadlineClock();
 
-  // Calls `ring` at that time, on the clock's thread; it must not block.  REQUIRES: the clock outlives the alarm.
-  [[nodiscard]] Alarm at(Time time, std::function<void()> ring);
+  // Calls `on_time` at that time, on the clock's thread; it must not block.  REQUIRES: the clock outlives the alarm.
+  [[nodiscard]] Alarm at(Time time, std::function<void()> on_time);
 
  private:
-  void forget(const Alarm::Key& key);
+  void remove(const Alarm::Key& key);
   void tick(const std::stop_token& stop);
 
   std::mutex mutex_;
   std::condition_variable_any changed_;
-  std::uint64_t set_{};
+  std::uint64_t alarms_set_{};
   std::map<Alarm::Key, std::function<void()>> alarms_;
-  // When the thread looks next.  A forgotten alarm leaves it as it is: one needless look costs less than waking the
-  // thread for every call that ends in time.
+  // When the thread wakes up next.  Removing an alarm does not change it: waking up once too often costs less than
+  // notifying the thread for every call that ends in time.
   Time wakes_at_{Time::max()};
-  std::jthread thread_;  // last: it uses all the rest
+  std::jthread thread_;  // last, because it uses the other members
 };
 
 }  // namespace selvage::server::jobs

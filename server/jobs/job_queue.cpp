@@ -10,8 +10,8 @@
 namespace selvage::server::jobs {
 namespace {
 
-constexpr double kOfLate = 0.1;                    // the weight of the last job in what is usual
-constexpr double kSoonest = 20, kLatest = 10'000;  // milliseconds until a retry
+constexpr double kWeightOfLastJob = 0.1;              // in the smoothed time of a recent job
+constexpr double kMinRetry = 20, kMaxRetry = 10'000;  // milliseconds
 
 }  // namespace
 
@@ -32,9 +32,9 @@ Admission JobQueue::submit(Job& job) {
   std::unique_lock lock{mutex_};
   if (draining_) return Admission::kDraining;
   if (workers_ == 0) {
-    const UnderWay now = running_.emplace(running_.end());
+    const RunningJob running = running_.emplace(running_.end());
     lock.unlock();
-    run(std::move(job), now);
+    run(std::move(job), running);
     return Admission::kAccepted;
   }
   if (all_waiting() >= capacity_ && waiting_of_.contains(job.session)) return Admission::kFull;
@@ -43,7 +43,7 @@ Admission JobQueue::submit(Job& job) {
     const auto [lane, idle] = lanes_.try_emplace(job.lane);
     if (!idle) {
       lane->second.push_back(std::move(job));
-      ++behind_;
+      ++blocked_;
       return Admission::kAccepted;
     }
   }
@@ -58,18 +58,18 @@ void JobQueue::make_ready(Job job) {
   ready_.push(session, std::move(job));
 }
 
-JobQueue::UnderWay JobQueue::begin(const Job& job) {
+JobQueue::RunningJob JobQueue::begin(const Job& job) {
   const auto own = waiting_of_.find(job.session);
   if (--own->second == 0) waiting_of_.erase(own);
-  const UnderWay now = running_.emplace(running_.end());
-  if (draining_) now->stop.request_stop();
-  return now;
+  const RunningJob running = running_.emplace(running_.end());
+  if (draining_) running->stop.request_stop();
+  return running;
 }
 
 void JobQueue::drain() {
   std::unique_lock lock{mutex_};
   draining_ = true;
-  // A copy: a stop callback may run here, and must not find the mutex taken.
+  // A copy, because a stop callback may run here, and the mutex must not be locked then.
   const std::vector<Running> running{running_.begin(), running_.end()};
   lock.unlock();
   work_.notify_all();
@@ -83,10 +83,10 @@ int JobQueue::retry_after_ms() const {
   const std::lock_guard lock{mutex_};
   const auto ahead = static_cast<double>(all_waiting() + 1);
   const auto parallelism = static_cast<double>(std::max<std::size_t>(workers_, 1));
-  // What is under way may be longer than all that has ended.
-  double so_far = 0;
-  for (const Running& job : running_) so_far += job.milliseconds() / static_cast<double>(running_.size());
-  return static_cast<int>(std::clamp(std::max(usual_ms_, so_far) * ahead / parallelism, kSoonest, kLatest));
+  // The running jobs may take longer than all that have ended.
+  double elapsed = 0;
+  for (const Running& job : running_) elapsed += job.milliseconds() / static_cast<double>(running_.size());
+  return static_cast<int>(std::clamp(std::max(recent_ms_, elapsed) * ahead / parallelism, kMinRetry, kMaxRetry));
 }
 
 std::size_t JobQueue::waiting() const {
@@ -100,26 +100,26 @@ std::size_t JobQueue::running() const {
 }
 
 void JobQueue::serve(bool only_quick) {
-  const auto suits = [only_quick](const Job& job) { return job.quick || !only_quick; };
-  std::condition_variable& news = only_quick ? quick_ : work_;
+  const auto accepts = [only_quick](const Job& job) { return job.quick || !only_quick; };
+  std::condition_variable& changed = only_quick ? quick_ : work_;
   std::unique_lock lock{mutex_};
   for (;;) {
     std::optional<Job> job;
-    news.wait(lock, [&] { return (job = ready_.take(suits)).has_value() || (draining_ && behind_ == 0); });
+    changed.wait(lock, [&] { return (job = ready_.take(accepts)).has_value() || (draining_ && blocked_ == 0); });
     if (!job) return;
-    const UnderWay now = begin(*job);
+    const RunningJob running = begin(*job);
     lock.unlock();
-    run(*std::move(job), now);
+    run(*std::move(job), running);
     lock.lock();
   }
 }
 
-void JobQueue::run(Job job, UnderWay now) {
+void JobQueue::run(Job job, RunningJob running) {
   const std::string lane = job.lane;
   {
-    const std::stop_callback caller_gone{job.caller, [source = now->stop]() mutable { source.request_stop(); }};
+    const std::stop_callback caller_gone{job.caller, [source = running->stop]() mutable { source.request_stop(); }};
     auto outcome = job.work.get_future();
-    job.work(now->stop.get_token());
+    job.work(running->stop.get_token());
     try {
       outcome.get();
     } catch (const std::exception& error) {
@@ -127,24 +127,25 @@ void JobQueue::run(Job job, UnderWay now) {
     } catch (...) {
       spdlog::error("a job threw something that is not an exception");
     }
-    // The job goes before its lane moves on: what it owned, such as an unused reply, is settled first.
+    // The job is destroyed before the next of its lane starts, so that what it owned, such as an unused reply, is
+    // settled first.
     job.work = {};
   }
-  end(lane, now);
+  end(lane, running);
 }
 
-void JobQueue::end(const std::string& lane, UnderWay now) {
+void JobQueue::end(const std::string& lane, RunningJob running) {
   const std::lock_guard lock{mutex_};
-  usual_ms_ += kOfLate * (now->milliseconds() - usual_ms_);
-  running_.erase(now);
+  recent_ms_ += kWeightOfLastJob * (running->milliseconds() - recent_ms_);
+  running_.erase(running);
   if (const auto found = lanes_.find(lane); found != lanes_.end()) {
     if (found->second.empty()) {
       lanes_.erase(found);
     } else {
-      // Another may have to take it: this worker may not suit, or take another session's first.
+      // Another worker may have to take it: this one may be for quick jobs only, or another session comes first.
       make_ready(std::move(found->second.front()));
       found->second.pop_front();
-      --behind_;
+      --blocked_;
     }
   }
   if (draining_) {

@@ -1,14 +1,14 @@
-// The worker pool: jobs in, at most `capacity` waiting, each told when to stop.
+// The worker pool: jobs wait in a queue of limited capacity, and each job has a token that asks it to stop.
 //
-// Sessions take turns: however many jobs one of them has waiting, another's next job waits for one of each.  Nor does a
-// full queue refuse who has none waiting: its capacity is shared by those who have, one job of each other comes on top.
+// Sessions are served round-robin, so a session with many queued jobs delays another session by at most one job.  A
+// session without queued jobs is always admitted, even when the queue is full.
 //
-// Some workers take only jobs that are quick by their own word: these wait neither for long ones nor for all workers.
+// Some workers take only jobs that are declared quick, so that these wait neither for long jobs nor for busy workers.
 //
-// A job may name a lane; the jobs of one lane run one at a time, in the order they came.  A marker's id is
-// the lane of what changes it.  The queue owns every worker and every stop_source: a job is asked to stop
-// when its caller is gone or when the queue drains, and a job that starts after either finds its token
-// already stopped. With no workers a job runs inside submit(), for tests that want no threads.
+// A job may name a lane; the jobs of one lane are executed one at a time, in order of arrival.  A marker's id is the
+// lane of its changes.  The queue owns every worker and every stop_source: a job is asked to stop when its caller no
+// longer waits or when the queue drains, and a job that starts after either finds its token already stopped.  Without
+// workers, a job is executed inside submit(), for tests that want no threads.
 #pragma once
 
 #include <chrono>
@@ -25,7 +25,7 @@
 #include <thread>
 #include <vector>
 
-#include "server/jobs/fair_line.h"
+#include "server/jobs/fair_queue.h"
 
 namespace selvage::server::jobs {
 
@@ -33,32 +33,33 @@ namespace selvage::server::jobs {
 using Work = std::packaged_task<void(std::stop_token)>;
 
 struct Job {
-  std::uint64_t session{};  // whose turn it takes
+  std::uint64_t session{};  // the session whose turn it uses
   std::string lane;         // empty: none
   bool quick{};             // never takes long
-  std::stop_token caller;   // stops when whoever asked is gone
-  Work work;                // what it throws is logged and ends this job only
+  std::stop_token caller;   // stops when the caller wants the job to stop
+  Work work;                // an exception is logged and ends only this job
 };
 
 enum class Admission { kAccepted, kFull, kDraining };
 
 class JobQueue {
  public:
-  // `quick_workers` more beside the `workers`, when there are any.
+  // `quick_workers` are added to `workers`, unless that is 0.
   JobQueue(std::size_t workers, std::size_t capacity, std::size_t quick_workers = 0);
   ~JobQueue();  // drains
   JobQueue(const JobQueue&) = delete;
   JobQueue& operator=(const JobQueue&) = delete;
 
-  // A job that is not accepted is left as it was.
+  // A job that is not accepted is left unchanged.
   [[nodiscard]] Admission submit(Job& job);
 
-  // Refuses what comes from now on, asks every job to stop, returns when the last has ended.
+  // Accepts no more jobs, asks every job to stop, and returns when the last one has ended.
   void drain();
 
   [[nodiscard]] std::size_t workers() const { return workers_; }
   [[nodiscard]] std::size_t capacity() const { return capacity_; }
-  // When a full queue is likely to have room again: jobs waiting times what one took of late, or has taken by now.
+  // When a full queue is likely to have room again: the number of waiting jobs times the time of a recent job, or of
+  // the running ones if they have taken longer.
   [[nodiscard]] int retry_after_ms() const;
   [[nodiscard]] std::size_t waiting() const;
   [[nodiscard]] std::size_t running() const;
@@ -72,28 +73,28 @@ class JobQueue {
       return std::chrono::duration<double, std::milli>{Clock::now() - began}.count();
     }
   };
-  using UnderWay = std::list<Running>::iterator;
+  using RunningJob = std::list<Running>::iterator;
 
   void serve(bool only_quick);
-  void run(Job job, UnderWay now);
-  void end(const std::string& lane, UnderWay now);
-  // All under the mutex.
+  void run(Job job, RunningJob running);
+  void end(const std::string& lane, RunningJob running);
+  // These need the mutex.
   void make_ready(Job job);
-  [[nodiscard]] UnderWay begin(const Job& job);
-  [[nodiscard]] std::size_t all_waiting() const { return ready_.size() + behind_; }
+  [[nodiscard]] RunningJob begin(const Job& job);
+  [[nodiscard]] std::size_t all_waiting() const { return ready_.size() + blocked_; }
 
   const std::size_t workers_;
   const std::size_t capacity_;
   mutable std::mutex mutex_;
   std::condition_variable work_;     // a job is ready, or no more will come
-  std::condition_variable quick_;    // the same, of quick jobs
-  std::condition_variable drained_;  // the last has ended
-  FairLine<Job> ready_;
-  std::map<std::string, std::deque<Job>> lanes_;     // the lanes with a job ready or running, and what waits behind it
-  std::size_t behind_{};                             // jobs waiting in lanes_
-  std::map<std::uint64_t, std::size_t> waiting_of_;  // by session, ready or behind; none: not there
+  std::condition_variable quick_;    // a quick job is ready, or no more will come
+  std::condition_variable drained_;  // the last job has ended
+  FairQueue<Job> ready_;
+  std::map<std::string, std::deque<Job>> lanes_;     // lanes with a ready or running job, and the jobs that wait for it
+  std::size_t blocked_{};                            // jobs waiting in lanes_
+  std::map<std::uint64_t, std::size_t> waiting_of_;  // by session, ready or blocked; sessions with none are absent
   std::list<Running> running_;
-  double usual_ms_{100};  // a job's, of late
+  double recent_ms_{100};  // the time of a recent job, smoothed
   bool draining_{};
   std::vector<std::jthread> threads_;
 };

@@ -1,5 +1,5 @@
-// The right to answer one call, exactly once.  Move-only; when it is destroyed without having been used - a
-// job threw, a queue dropped it - it answers `if_lost`, so that no caller ever waits for nothing.
+// The right to answer one call, exactly once.  Move-only.  If it is destroyed unused, because a job threw an exception
+// or a queue dropped it, it answers `if_lost`, so that no caller waits for ever.
 #pragma once
 
 #include <functional>
@@ -20,7 +20,7 @@ class ReplyOnce {
     if (send_) send_(std::move(if_lost_));
   }
 
-  // Using it spends it: std::move(reply)(answer).
+  // Can be used once: std::move(reply)(answer).
   void operator()(Answer answer) && { std::exchange(send_, nullptr)(std::move(answer)); }
 
  private:

@@ -5,7 +5,7 @@
 namespace selvage::server::ops {
 
 void bound_freed_memory() {
-  // Small next to what a thread works with, large next to what it frees and takes again all the time.
+  // Small compared with the memory that a thread uses, large compared with what it frees and allocates all the time.
   constexpr int kMostKept = 1 << 20, kLargeBuffer = 1 << 20;  // bytes
   ::mallopt(M_TRIM_THRESHOLD, kMostKept);
   ::mallopt(M_MMAP_THRESHOLD, kLargeBuffer);

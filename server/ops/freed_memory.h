@@ -1,6 +1,6 @@
-// What large messages leave behind.  glibc keeps freed memory for whoever asks next, per thread, and the larger the
-// buffers it has seen go, the more of it: a daemon that once read a document of megabytes would hold on to ten times
-// that for good.
+// Returns the memory of large messages to the system.  glibc keeps freed memory per thread, and it keeps more of it the
+// larger the buffers were that it has seen freed: a daemon that once read a document of some megabytes would keep ten
+// times that amount for ever.
 #pragma once
 
 #include <cstddef>
@@ -8,12 +8,13 @@
 
 namespace selvage::server::ops {
 
-// Fixes the bounds that glibc would raise by itself: so much stays free at the end of each thread's memory, and buffers
-// beyond it come from the system and go back to it.  Once, before there are threads.
+// Fixes the thresholds that glibc would otherwise raise: the free memory that it keeps at the end of each thread's
+// arena, and the size from which buffers come from the system and are returned to it.  Call it once, before any thread
+// is started.
 void bound_freed_memory();
 
-// Returns all freed memory to the system when it goes, if the message that was handled was large: some milliseconds.
-// All but the end of a thread's memory, which is bounded above.
+// When destroyed, returns all freed memory to the system if the message was large, except for the ends of the threads'
+// arenas (see above).  That takes some milliseconds.
 class FreedMemory {
  public:
   explicit FreedMemory(std::size_t message_bytes) : message_bytes_{message_bytes} {}

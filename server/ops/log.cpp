@@ -20,7 +20,7 @@ spdlog::sink_ptr sink_for(const std::string& file) {
   return std::make_shared<spdlog::sinks::basic_file_sink_mt>(file);
 }
 
-// A name that came over the wire, fit for one line of a log: quoted and cut when it is not a plain word.
+// A name from a client, made safe for one line of the log: quoted and shortened if it is not a plain word.
 std::string plain(const std::string& name) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-";
   if (name.size() <= 40 && name.find_first_not_of(kPlain) == std::string::npos) return name.empty() ? "-" : name;
@@ -35,7 +35,7 @@ void set_up_log(std::string_view level, const std::string& file) {
   auto logger = std::make_shared<spdlog::logger>("selvaged", std::move(sinks));
   logger->set_pattern(std::string{kPattern});
   logger->set_level(spdlog::level::from_str(std::string{level}));
-  logger->flush_on(spdlog::level::trace);  // a log that is read while it is written shows the last line
+  logger->flush_on(spdlog::level::trace);  // so that the last line can be read while the daemon runs
   spdlog::set_default_logger(std::move(logger));
 }
 
@@ -46,9 +46,9 @@ void reopen_log(const std::string& file) {
     auto fresh = sink_for(file);
     fresh->set_pattern(std::string{kPattern});
     sinks->set_sinks({std::move(fresh)});
-    spdlog::info("log opened anew");
+    spdlog::info("log reopened");
   } catch (const std::exception& error) {
-    spdlog::error("the log cannot be opened anew: {}", error.what());
+    spdlog::error("the log cannot be reopened: {}", error.what());
   }
 }
 

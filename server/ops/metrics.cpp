@@ -45,7 +45,7 @@ std::string Metrics::text() const {
   constexpr std::string_view kAnswers = "selvage_calls_total";
   constexpr std::string_view kDuration = "selvage_call_duration_milliseconds";
   const std::lock_guard lock{mutex_};
-  std::string text = heading(kAnswers, "counter", "Calls answered, by method and by the error's code (0: a result).");
+  std::string text = heading(kAnswers, "counter", "Calls answered, by method and by error code (0: a result).");
   for (const auto& [name, method] : methods_) {
     for (const auto& [code, count] : method.answers) {
       const std::string labels = labelled("method", name) + "," + labelled("code", std::to_string(code));

@@ -1,8 +1,8 @@
-// What the daemon counts, as Prometheus reads it (text format 0.0.4): answers by method and outcome, how long they
-// took, and how things stand at the moment of asking.
+// The daemon's metrics in Prometheus' text format 0.0.4: calls by method and outcome, their durations, and the current
+// state.
 //
-// A method is a name from the wire; one that does not exist is counted as "unknown", so that no caller makes labels.
-// May be called from any thread.
+// Methods that do not exist are counted as "unknown", so that no client can create labels.  Every function may be
+// called from any thread.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace selvage::server::ops {
 
-// Upper bounds of the histogram's buckets, in milliseconds; one more has none.
+// Upper bounds of the histogram's buckets, in milliseconds; the last bucket has none.
 inline constexpr std::array kBucketsMs{0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0, 10000.0, 30000.0};
 
 class Metrics {
@@ -34,7 +34,7 @@ class Metrics {
     std::uint64_t count{};
   };
   struct Method {
-    std::map<int, std::uint64_t> answers{};  // by the error's code; 0: it went well
+    std::map<int, std::uint64_t> answers{};  // by the error's code; 0: no error
     Durations durations{};
   };
 
@@ -42,7 +42,7 @@ class Metrics {
   std::map<std::string, Method> methods_;
 };
 
-// A value, or several of one name, told apart by the value of one label.
+// One value, or several of the same name that differ in the value of one label.
 struct Metric {
   enum class Type { kGauge, kCounter };
   struct Value {

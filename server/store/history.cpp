@@ -6,7 +6,7 @@
 namespace selvage::server::store {
 namespace {
 
-// Roughly what a step takes in memory: enough to bound a history.
+// Roughly the memory of a step, which is accurate enough to limit a history.
 std::size_t bytes_of(const History::Back& back) {
   if (const auto* moves = std::get_if<protocol::edits::Moves>(&back))
     return sizeof(History::Step) + moves->size() * sizeof(protocol::edits::Move);
@@ -27,53 +27,53 @@ History::Back back_to(const History::File& before, const std::optional<protocol:
 }  // namespace
 
 History::History(std::vector<Step> undo, std::vector<Step> redo) {
-  for (Step& step : undo) push(Way::kUndo, std::make_shared<const Step>(std::move(step)));
-  for (Step& step : redo) push(Way::kRedo, std::make_shared<const Step>(std::move(step)));
+  for (Step& step : undo) push(UndoDirection::kUndo, std::make_shared<const Step>(std::move(step)));
+  for (Step& step : redo) push(UndoDirection::kRedo, std::make_shared<const Step>(std::move(step)));
 }
 
 History::Recorded History::record(Origin origin, const File& before,
                                   const std::optional<protocol::edits::Moves>& moves) {
-  const Way way = origin == Origin::kUndo ? Way::kRedo : Way::kUndo;
-  Recorded recorded{way, std::make_shared<const Step>(Step{last_serial_ + 1, back_to(before, moves)}), {}};
+  const UndoDirection direction = origin == Origin::kUndo ? UndoDirection::kRedo : UndoDirection::kUndo;
+  Recorded recorded{direction, std::make_shared<const Step>(Step{last_serial_ + 1, back_to(before, moves)}), {}};
   std::vector<std::uint64_t>& forgotten = recorded.forgotten;
-  if (origin == Origin::kUndo) forgotten.push_back(pop_newest(Way::kUndo));
-  if (origin == Origin::kRedo) forgotten.push_back(pop_newest(Way::kRedo));
-  while (origin == Origin::kChange && !redo_.empty()) forgotten.push_back(pop_newest(Way::kRedo));
-  push(way, recorded.step);
-  if (steps(way) > kMostSteps) forgotten.push_back(pop_oldest(way));
-  while (bytes_ > kMostBytes && undo_.size() + redo_.size() > 1) {
-    forgotten.push_back(pop_oldest(undo_.size() > 1 ? Way::kUndo : Way::kRedo));
+  if (origin == Origin::kUndo) forgotten.push_back(pop_newest(UndoDirection::kUndo));
+  if (origin == Origin::kRedo) forgotten.push_back(pop_newest(UndoDirection::kRedo));
+  while (origin == Origin::kChange && !redo_.empty()) forgotten.push_back(pop_newest(UndoDirection::kRedo));
+  push(direction, recorded.step);
+  if (steps(direction) > kMaxSteps) forgotten.push_back(pop_oldest(direction));
+  while (bytes_ > kMaxBytes && undo_.size() + redo_.size() > 1) {
+    forgotten.push_back(pop_oldest(undo_.size() > 1 ? UndoDirection::kUndo : UndoDirection::kRedo));
   }
   return recorded;
 }
 
-std::optional<MarkerFile> History::after(Way way, const MarkerFile& current) const {
-  if (of(way).empty()) return std::nullopt;
-  return taken(of(way).back().step->back, current);
+std::optional<MarkerFile> History::after(UndoDirection direction, const MarkerFile& current) const {
+  if (stack(direction).empty()) return std::nullopt;
+  return after_step(stack(direction).back().step->back, current);
 }
 
-void History::push(Way way, std::shared_ptr<const Step> step) {
+void History::push(UndoDirection direction, std::shared_ptr<const Step> step) {
   last_serial_ = std::max(last_serial_, step->serial);
   const std::size_t bytes = bytes_of(step->back);
   bytes_ += bytes;
-  of(way).push_back({std::move(step), bytes});
+  stack(direction).push_back({std::move(step), bytes});
 }
 
-std::uint64_t History::pop_newest(Way way) {
-  const Kept kept = std::move(of(way).back());
-  of(way).pop_back();
+std::uint64_t History::pop_newest(UndoDirection direction) {
+  const Kept kept = std::move(stack(direction).back());
+  stack(direction).pop_back();
   bytes_ -= kept.bytes;
   return kept.step->serial;
 }
 
-std::uint64_t History::pop_oldest(Way way) {
-  const Kept kept = std::move(of(way).front());
-  of(way).pop_front();
+std::uint64_t History::pop_oldest(UndoDirection direction) {
+  const Kept kept = std::move(stack(direction).front());
+  stack(direction).pop_front();
   bytes_ -= kept.bytes;
   return kept.step->serial;
 }
 
-MarkerFile taken(const History::Back& back, MarkerFile current) {
+MarkerFile after_step(const History::Back& back, MarkerFile current) {
   if (const auto* moves = std::get_if<protocol::edits::Moves>(&back)) return moved(std::move(current), *moves);
   return *std::get<History::File>(back);
 }

@@ -13,14 +13,14 @@ namespace {
   throw std::runtime_error{database ? sqlite3_errmsg(database) : "out of memory"};
 }
 
-// SQLite's own log; set once, before its first use.
+// Forwards SQLite's own log; set once, before its first use.
 void log_sqlite() {
   static std::once_flag once;
   std::call_once(once, [] {
     sqlite3_config(
         SQLITE_CONFIG_LOG,
         +[](void*, int code, const char* text) {
-          // The schema may be prepared anew without anything being wrong.
+          // Statements are prepared again after a change of the schema, which is not a fault.
           if (code != SQLITE_SCHEMA) spdlog::warn("the store: {}", text);
         },
         nullptr);
@@ -57,7 +57,7 @@ std::string Statement::text(int column) const {
 }
 
 void Statement::reset() {
-  sqlite3_reset(statement_);  // says again what step() said
+  sqlite3_reset(statement_);  // returns the last result of step() again
   sqlite3_clear_bindings(statement_);
 }
 

@@ -1,7 +1,7 @@
-// SQLite as the journal uses it: the one place that sees its C API.  What SQLite itself has to say (that it recovered
-// what an unclean end left behind, say) goes to the log.
+// SQLite as the journal uses it; only this file and its source use the C API.  Messages of SQLite itself, such as that
+// it recovered the file after a crash, are logged.
 //
-// Everything here throws std::runtime_error with SQLite's own words when it fails.
+// Every function throws std::runtime_error with SQLite's message if it fails.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct sqlite3_stmt;
 
 namespace selvage::server::store {
 
-// A statement that is prepared once and run often.
+// A statement that is prepared once and executed often.
 class Statement {
  public:
   Statement(sqlite3* database, std::string_view sql);
@@ -22,7 +22,7 @@ class Statement {
   Statement(const Statement&) = delete;
   Statement& operator=(const Statement&) = delete;
 
-  // Starts over with these parameters, in order.
+  // Resets the statement and binds these parameters, in order.
   template <class... Parameters>
   Statement& with(const Parameters&... parameters) {
     reset();
@@ -30,7 +30,7 @@ class Statement {
     (bind(++position, parameters), ...);
     return *this;
   }
-  // True when there is a row to read.
+  // Returns true if there is a row to read.
   bool step();
   void run() {
     while (step()) {
@@ -52,13 +52,13 @@ class Statement {
 
 class Database {
  public:
-  // Opens or creates the file, for this process alone.
+  // Opens or creates the file, for this process only.
   explicit Database(const std::string& path);
   ~Database();
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
 
-  // One or several statements without parameters.
+  // Executes one or several statements without parameters.
   void run(const std::string& sql);
   [[nodiscard]] sqlite3* handle() const { return database_; }
 
@@ -66,7 +66,7 @@ class Database {
   sqlite3* database_{};
 };
 
-// Takes back everything since it began unless it was kept.
+// Rolls back everything since it began, unless it was kept.
 class Transaction {
  public:
   explicit Transaction(Database& database) : database_{database} { database_.run("BEGIN IMMEDIATE"); }

@@ -1,5 +1,5 @@
-// The last answers to calls that a client named by an opId, so that a retry gets the same answer and nothing is done
-// twice.  Oldest out first.
+// The last answers to calls that carried an `opId`, so that a retry gets the same answer and nothing is done twice. The
+// oldest answer is removed first.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace selvage::server::store {
 
-// The text of a result, shared by everyone who sends or keeps it.
+// The text of a result, shared by all who send or keep it.
 using SharedText = std::shared_ptr<const std::string>;
 
 struct KeptAnswer {
@@ -22,7 +22,7 @@ class KeptAnswers {
  public:
   static constexpr std::size_t kMost = 256;
 
-  // Null when it is not kept (any more).
+  // Null if the answer is not kept, or no longer.
   [[nodiscard]] const KeptAnswer* find(const std::string& op_id) const {
     const auto found = by_id_.find(op_id);
     return found == by_id_.end() ? nullptr : &found->second;

@@ -32,16 +32,16 @@ MarkerStore::MarkerStore(std::size_t limit, Journal* journal) : limit_{limit}, j
   opened_ = restored.opened;
   for (KeptAnswer& answer : restored.answers) answers_.keep(std::move(answer));
   for (RestoredMarker& marker : restored.markers) {
-    auto held = std::make_shared<Held>();
+    auto entry = std::make_shared<Entry>();
     Stamps stamps = all_new(marker.revision, marker.file);
-    held->current = committed(marker.revision, std::move(marker.file), std::move(stamps));
-    held->history = std::move(marker.history);
-    for (KeptAnswer& answer : marker.answers) held->answers.keep(std::move(answer));
-    markers_.emplace(std::move(marker.id), std::move(held));
+    entry->current = committed(marker.revision, std::move(marker.file), std::move(stamps));
+    entry->history = std::move(marker.history);
+    for (KeptAnswer& answer : marker.answers) entry->answers.keep(std::move(answer));
+    markers_.emplace(std::move(marker.id), std::move(entry));
   }
 }
 
-std::shared_ptr<MarkerStore::Held> MarkerStore::held(const std::string& id) const {
+std::shared_ptr<MarkerStore::Entry> MarkerStore::find(const std::string& id) const {
   const std::lock_guard lock{mutex_};
   const auto found = markers_.find(id);
   return found == markers_.end() ? nullptr : found->second;
@@ -50,8 +50,8 @@ std::shared_ptr<MarkerStore::Held> MarkerStore::held(const std::string& id) cons
 std::variant<OpenMarker, NotOpened> MarkerStore::open(MarkerFile file, const OpenAnswer& answer) {
   Stamps stamps = all_new(1, file);
   OpenMarker opened{{}, committed(1, std::move(file), std::move(stamps))};
-  auto held = std::make_shared<Held>();
-  held->current = opened.now;
+  auto entry = std::make_shared<Entry>();
+  entry->current = opened.now;
   std::uint64_t number{};
   {
     const std::lock_guard lock{mutex_};
@@ -65,7 +65,7 @@ std::variant<OpenMarker, NotOpened> MarkerStore::open(MarkerFile file, const Ope
   const std::lock_guard lock{mutex_};
   --opening_;
   if (!written) return NotOpened::kNotWritten;
-  markers_.emplace(opened.id, std::move(held));
+  markers_.emplace(opened.id, std::move(entry));
   if (kept) answers_.keep(*kept);
   return opened;
 }
@@ -81,59 +81,62 @@ std::vector<OpenMarker> MarkerStore::all() const {
   const std::lock_guard lock{mutex_};
   std::vector<OpenMarker> markers;
   markers.reserve(markers_.size());
-  for (const auto& [id, held] : markers_) markers.push_back({id, held->current});
+  for (const auto& [id, entry] : markers_) markers.push_back({id, entry->current});
   return markers;
 }
 
 Commit MarkerStore::commit(const std::string& id, Revision base, NextRevision next) {
-  const auto held = this->held(id);
-  if (!held) return {Commit::Outcome::kClosed, 0};
-  const std::lock_guard writing{held->writing};
-  if (held->closed) return {Commit::Outcome::kClosed, 0};
-  // Nobody else replaces it while `writing` is ours.
-  const Committed before = held->current;
+  const auto entry = find(id);
+  if (!entry) return {Commit::Outcome::kClosed, 0};
+  const std::lock_guard writing{entry->writing};
+  if (entry->closed) return {Commit::Outcome::kClosed, 0};
+  // Nobody else replaces it while we hold `writing`.
+  const Committed before = entry->current;
   if (before.revision != base) return {Commit::Outcome::kMismatch, before.revision};
   const auto moves = protocol::edits::moves_between(*before.file, next.file);
   const Revision revision = base + 1;
-  History history = held->history;
+  History history = entry->history;
   const History::Recorded recorded = history.record(next.origin, before.file, moves);
   if (journal_ && !journal_->changed(id, {revision, moves, next.file, recorded, next.answer})) {
     return {Commit::Outcome::kNotWritten, base};
   }
   Stamps stamps = stamps_after(*before.stamps, revision, moves, next.file);
   const Committed after = committed(revision, std::move(next.file), std::move(stamps));
-  held->history = std::move(history);
+  entry->history = std::move(history);
   {
     const std::lock_guard lock{mutex_};
-    held->current = after;
-    if (next.answer) held->answers.keep(*std::move(next.answer));
+    entry->current = after;
+    if (next.answer) entry->answers.keep(*std::move(next.answer));
   }
-  if (next.tell) next.tell(after);
+  if (next.on_committed) next.on_committed(after);
   return {Commit::Outcome::kDone, revision};
 }
 
-std::optional<MarkerStore::Return> MarkerStore::way_back(const std::string& id, Way way) const {
-  const auto held = this->held(id);
-  if (!held) return std::nullopt;
-  const std::lock_guard writing{held->writing};
-  const History& history = held->history;
-  const MarkerFile& now = *held->current.file;
-  return Return{held->current, history.after(way, now), history.steps(Way::kUndo), history.steps(Way::kRedo)};
+std::optional<MarkerStore::UndoResult> MarkerStore::peek(const std::string& id, UndoDirection direction) const {
+  const auto entry = find(id);
+  if (!entry) return std::nullopt;
+  const std::lock_guard writing{entry->writing};
+  const History& history = entry->history;
+  const MarkerFile& now = *entry->current.file;
+  return UndoResult{entry->current, history.after(direction, now), history.steps(UndoDirection::kUndo),
+                    history.steps(UndoDirection::kRedo)};
 }
 
 bool MarkerStore::close(const std::string& id, const std::optional<KeptAnswer>& answer,
-                        const std::function<void()>& tell) {
-  const auto held = this->held(id);
-  if (!held) return false;
-  const std::lock_guard writing{held->writing};
-  if (std::exchange(held->closed, true)) return false;
-  if (journal_) (void)journal_->closed(id, answer);  // a marker that comes back is better than one that cannot close
+                        const std::function<void()>& on_closed) {
+  const auto entry = find(id);
+  if (!entry) return false;
+  const std::lock_guard writing{entry->writing};
+  if (std::exchange(entry->closed, true)) return false;
+  if (journal_)
+    (void)journal_->closed(id,
+                           answer);  // better a marker that reappears after a restart than one that cannot be closed
   {
     const std::lock_guard lock{mutex_};
     markers_.erase(id);
     if (answer) answers_.keep(*answer);
   }
-  if (tell) tell();
+  if (on_closed) on_closed();
   return true;
 }
 
@@ -146,12 +149,12 @@ std::optional<KeptAnswer> MarkerStore::answer(const std::string& id, const std::
 }
 
 bool MarkerStore::keep(const std::string& id, const KeptAnswer& answer) {
-  const auto held = this->held(id);
-  if (!held) return false;
-  const std::lock_guard writing{held->writing};
+  const auto entry = find(id);
+  if (!entry) return false;
+  const std::lock_guard writing{entry->writing};
   if (journal_ && !journal_->answered(id, answer)) return false;
   const std::lock_guard lock{mutex_};
-  held->answers.keep(answer);
+  entry->answers.keep(answer);
   return true;
 }
 

@@ -26,7 +26,7 @@ Accepting listen_on_tcp(asio::io_context& io, access::Listener& listener) {
   return acceptor;
 }
 
-// A socket in the file system outlives whoever made it.  One on which nobody listens may go; anything else stays.
+// A Unix socket's path outlives the process that created it.  Removes one on which nobody listens, and nothing else.
 void remove_stale(asio::io_context& io, const std::string& path) {
   struct stat found {};
   if (::lstat(path.c_str(), &found) != 0) return;
@@ -43,7 +43,7 @@ Accepting listen_on_unix(asio::io_context& io, const access::Listener& listener)
   Unix::acceptor acceptor{io};
   acceptor.open();
   acceptor.bind(Unix::endpoint{listener.path});
-  // Nobody can connect between the two: it does not listen yet.
+  // Nobody can connect in between, because the socket does not listen yet.
   if (::chmod(listener.path.c_str(), S_IRUSR | S_IWUSR) != 0) {
     throw std::system_error{errno, std::generic_category(), "cannot restrict its permissions"};
   }

@@ -1,4 +1,4 @@
-// An open listener.
+// A listening socket, on a TCP port or a Unix socket.
 #pragma once
 
 #include <boost/asio/basic_socket_acceptor.hpp>
@@ -12,22 +12,22 @@ namespace selvage::server::transport {
 
 class Acceptor {
  public:
-  // Listens at once.  A Unix socket that nobody listens on any more is replaced.  Throws a std::exception that names
-  // the address when it cannot be taken.
+  // Listens immediately.  A Unix socket on which nobody listens any more is replaced.  Throws a std::exception that
+  // names the address if it cannot be used.
   Acceptor(boost::asio::io_context& io, access::Listener listener);
   ~Acceptor();  // close()
   Acceptor(const Acceptor&) = delete;
   Acceptor& operator=(const Acceptor&) = delete;
 
-  // The next connection; `error` is operation_aborted once the acceptor is closed.
+  // The next connection; `error` is operation_aborted when the acceptor has been closed.
   boost::asio::awaitable<connections::Socket> accept(boost::system::error_code& error);
-  // Out of file descriptors, say: some will come back.
+  // Waits a moment after a failure, for example until file descriptors are available again.
   boost::asio::awaitable<void> pause();
-  // Takes nothing more; a Unix socket's path is removed.
+  // Accepts no more connections; the path of a Unix socket is removed.
   void close();
 
   [[nodiscard]] bool is_open() const { return acceptor_.is_open(); }
-  [[nodiscard]] const access::Listener& listener() const { return listener_; }  // with the port that was taken
+  [[nodiscard]] const access::Listener& listener() const { return listener_; }  // with the actual port
 
  private:
   access::Listener listener_;

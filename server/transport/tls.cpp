@@ -35,7 +35,7 @@ ssl::context make_context(const access::TlsFiles& files) {
   return context;
 }
 
-// One connection's two halves.
+// One connection: its encrypted and its plain side.
 class Tunnel : public std::enable_shared_from_this<Tunnel> {
  public:
   Tunnel(connections::Socket outside, connections::Socket inside, ssl::context& context,
@@ -45,7 +45,7 @@ class Tunnel : public std::enable_shared_from_this<Tunnel> {
         watchdog_{inside_.get_executor()},
         patience_{patience} {}
 
-  // Until both directions have ended.
+  // Runs until both directions have ended.
   static asio::awaitable<void> run(std::shared_ptr<Tunnel> self) {
     Error error;
     self->arm(self->patience_);
@@ -77,7 +77,7 @@ class Tunnel : public std::enable_shared_from_this<Tunnel> {
                                  asio::redirect_error(asio::use_awaitable, error));
     }
     Error ignored;
-    // Without close_notify the end may be anybody's doing: then the connection is broken.
+    // Without close_notify anybody may have ended it: the connection counts as broken.
     if (error == asio::error::eof) {
       self->inside_.shutdown(connections::Socket::shutdown_send, ignored);
     } else {
@@ -102,7 +102,7 @@ class Tunnel : public std::enable_shared_from_this<Tunnel> {
     co_await outside_.async_shutdown(asio::redirect_error(asio::use_awaitable, error));
   }
 
-  // Notices a connection that breaks while nothing is read from it.
+  // Detects a broken connection while nothing is read from it.
   void watch() {
     outside_.lowest_layer().async_wait(connections::Socket::wait_error, [self = shared_from_this()](Error error) {
       if (!error) self->cut();
@@ -125,15 +125,16 @@ class Tunnel : public std::enable_shared_from_this<Tunnel> {
 
 }  // namespace
 
-struct Tls::Inside {
+struct Tls::Implementation {
   ssl::context context;
   const std::chrono::milliseconds patience;
-  const std::function<void()> changed;
+  const std::function<void()> on_ended;
   std::set<std::shared_ptr<Tunnel>> tunnels{};
 };
 
-Tls::Tls(const access::TlsFiles& files, const access::TransportLimits& limits, std::function<void()> changed)
-    : inside_{std::make_shared<Inside>(Inside{make_context(files), limits.write, std::move(changed)})} {}
+Tls::Tls(const access::TlsFiles& files, const access::TransportLimits& limits, std::function<void()> on_ended)
+    : implementation_{
+          std::make_shared<Implementation>(Implementation{make_context(files), limits.write, std::move(on_ended)})} {}
 
 Tls::~Tls() = default;
 
@@ -142,25 +143,26 @@ connections::Socket Tls::unwrap(connections::Socket outside) {
   asio::local::stream_protocol::socket mine{executor};
   asio::local::stream_protocol::socket theirs{executor};
   asio::local::connect_pair(mine, theirs);
-  const auto tunnel =
-      std::make_shared<Tunnel>(std::move(outside), std::move(mine), inside_->context, inside_->patience);
-  inside_->tunnels.insert(tunnel);
-  asio::co_spawn(executor, Tunnel::run(tunnel), [weak = std::weak_ptr{inside_}, tunnel](const std::exception_ptr&) {
-    tunnel->cut();
-    const auto inside = weak.lock();
-    if (!inside) return;
-    inside->tunnels.erase(tunnel);
-    inside->changed();
-  });
+  const auto tunnel = std::make_shared<Tunnel>(std::move(outside), std::move(mine), implementation_->context,
+                                               implementation_->patience);
+  implementation_->tunnels.insert(tunnel);
+  asio::co_spawn(executor, Tunnel::run(tunnel),
+                 [weak = std::weak_ptr{implementation_}, tunnel](const std::exception_ptr&) {
+                   tunnel->cut();
+                   const auto state = weak.lock();
+                   if (!state) return;
+                   state->tunnels.erase(tunnel);
+                   state->on_ended();
+                 });
   return theirs;
 }
 
 bool Tls::idle() const {
-  return inside_->tunnels.empty();
+  return implementation_->tunnels.empty();
 }
 
 void Tls::cut() {
-  for (const auto& tunnel : inside_->tunnels) tunnel->cut();
+  for (const auto& tunnel : implementation_->tunnels) tunnel->cut();
 }
 
 }  // namespace selvage::server::transport

@@ -1,8 +1,9 @@
-// TLS in front of a connection: what comes is decrypted, what goes is encrypted, and behind it everything speaks plain.
+// TLS in front of a connection: decrypts what arrives and encrypts what is sent, so that everything behind it uses
+// plain text.
 //
-// The plain side is one end of a socket pair, so that connections know only one kind of socket, and Beast is compiled
-// for only one.  Closing carries over both ways: close_notify is half-closing, a connection that breaks is broken.
-// Everything here belongs to the I/O thread.
+// The plain side is one end of a socket pair, so that connections use only one kind of socket, and Beast is compiled
+// for only one.  Closing is passed on in both directions: close_notify becomes half-closing, and a broken connection is
+// broken on both sides.  Everything here belongs to the I/O thread.
 #pragma once
 
 #include <functional>
@@ -15,22 +16,22 @@ namespace selvage::server::transport {
 
 class Tls {
  public:
-  // Throws a std::exception that names the file when one cannot be used.  `changed`: called when a tunnel has ended.
-  Tls(const access::TlsFiles& files, const access::TransportLimits& limits, std::function<void()> changed);
+  // Throws a std::exception that names the file if one cannot be used.  `on_ended` is called when a tunnel has ended.
+  Tls(const access::TlsFiles& files, const access::TransportLimits& limits, std::function<void()> on_ended);
   ~Tls();
   Tls(const Tls&) = delete;
   Tls& operator=(const Tls&) = delete;
 
-  // Gives the plain side of `outside`; the handshake goes on meanwhile, and in vain closes both.
+  // Returns the plain side of `outside` while the handshake is still in progress; if that fails, both are closed.
   [[nodiscard]] connections::Socket unwrap(connections::Socket outside);
-  // No tunnel is open: everything has been sent.
+  // Returns true if no tunnel is open, so that everything has been sent.
   [[nodiscard]] bool idle() const;
-  // Ends all of them now.
+  // Closes all tunnels immediately.
   void cut();
 
  private:
-  struct Inside;
-  const std::shared_ptr<Inside> inside_;
+  struct Implementation;
+  const std::shared_ptr<Implementation> implementation_;
 };
 
 }  // namespace selvage::server::transport

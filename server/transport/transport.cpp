@@ -27,7 +27,7 @@ namespace {
 namespace asio = boost::asio;
 using Error = boost::system::error_code;
 
-// Reads until a byte that is not blank: that byte and what came with it, or nothing when there is none.
+// Reads until a byte that is not blank; returns that byte and what came with it, or nothing if there is none.
 asio::awaitable<std::string> first_bytes(std::shared_ptr<connections::Connection> connection,
                                          std::chrono::milliseconds patience) {
   connection->arm(connection->read_watchdog, patience);
@@ -45,14 +45,14 @@ asio::awaitable<std::string> first_bytes(std::shared_ptr<connections::Connection
 }
 
 asio::awaitable<void> serve(std::shared_ptr<connections::Connection> connection,
-                            const connections::ConnectionTerms& terms, access::Listener::Speaks speaks) {
+                            const connections::ConnectionContext& context, access::Listener::Speaks speaks) {
   connection->watch();
-  std::string received = co_await first_bytes(connection, terms.limits.idle);
+  std::string received = co_await first_bytes(connection, context.limits.idle);
   if (received.empty()) co_return;
   if (speaks == access::Listener::Speaks::kLines || received.front() == '{' || received.front() == '[') {
-    co_await serve_lines(connection, terms, std::move(received));
+    co_await serve_lines(connection, context, std::move(received));
   } else {
-    co_await serve_http(connection, terms, std::move(received));
+    co_await serve_http(connection, context, std::move(received));
   }
 }
 
@@ -60,19 +60,19 @@ void log_exception(std::string_view where, const std::exception_ptr& thrown) {
   try {
     if (thrown) std::rethrow_exception(thrown);
   } catch (const std::exception& error) {
-    spdlog::error("{} threw: {}", where, error.what());
+    spdlog::error("{} threw an exception: {}", where, error.what());
   } catch (...) {
-    spdlog::error("{} threw something that is not an exception", where);
+    spdlog::error("{} threw something that is not a std::exception", where);
   }
 }
 
 }  // namespace
 
-struct Transport::Inside {
-  Inside(const access::Doors& doors, const access::TransportLimits& with, access::Service answering)
-      : limits{with}, service{std::move(answering)}, access{doors.access} {
-    if (doors.tls) tls.emplace(*doors.tls, limits, [this] { end_when_empty(); });
-    for (const access::Listener& listener : doors.listeners) {
+struct Transport::Implementation {
+  Implementation(const access::ListenSettings& settings, const access::TransportLimits& with, access::Service answering)
+      : limits{with}, service{std::move(answering)}, access{settings.access} {
+    if (settings.tls) tls.emplace(*settings.tls, limits, [this] { end_when_empty(); });
+    for (const access::Listener& listener : settings.listeners) {
       acceptors.push_back(std::make_unique<Acceptor>(io, listener));
       listeners.push_back(acceptors.back()->listener());
     }
@@ -105,7 +105,7 @@ struct Transport::Inside {
         co_await acceptor.pause();
       } else if (connections.size() >= limits.connections) {
         ++service.counts->turned_away;
-        spdlog::warn("a connection was turned away: {} are open", connections.size());
+        spdlog::warn("a connection was refused: {} are open", connections.size());
       } else {
         ++service.counts->accepted;
         open(std::move(socket), acceptor.listener());
@@ -121,12 +121,13 @@ struct Transport::Inside {
     const auto connection =
         std::make_shared<connections::Connection>(std::move(socket), ++sessions, tcp && !access.token.empty());
     connections.insert(connection);
-    asio::co_spawn(io, serve(connection, terms, listener.speaks), [this, connection](const std::exception_ptr& thrown) {
-      log_exception("a connection", thrown);
-      connection->cut();
-      connections.erase(connection);
-      end_when_empty();
-    });
+    asio::co_spawn(io, serve(connection, context, listener.speaks),
+                   [this, connection](const std::exception_ptr& thrown) {
+                     log_exception("a connection", thrown);
+                     connection->cut();
+                     connections.erase(connection);
+                     end_when_empty();
+                   });
   }
 
   void stop_reading() {
@@ -155,7 +156,7 @@ struct Transport::Inside {
   const access::TransportLimits limits;
   const access::Service service;
   const access::Access access;
-  const connections::ConnectionTerms terms{service, limits, access};
+  const connections::ConnectionContext context{service, limits, access};
   asio::io_context io{1};
   asio::executor_work_guard<asio::io_context::executor_type> work{io.get_executor()};
   asio::steady_timer patience{io};
@@ -168,25 +169,26 @@ struct Transport::Inside {
   std::jthread thread;
 };
 
-Transport::Transport(const access::Doors& doors, const access::TransportLimits& limits, access::Service service)
-    : inside_{std::make_unique<Inside>(doors, limits, std::move(service))} {}
+Transport::Transport(const access::ListenSettings& settings, const access::TransportLimits& limits,
+                     access::Service service)
+    : implementation_{std::make_unique<Implementation>(settings, limits, std::move(service))} {}
 
 Transport::~Transport() {
   finish(std::chrono::milliseconds{0});
 }
 
 const std::vector<access::Listener>& Transport::listeners() const {
-  return inside_->listeners;
+  return implementation_->listeners;
 }
 
 void Transport::stop_reading() {
-  asio::post(inside_->io, [inside = inside_.get()] { inside->stop_reading(); });
+  asio::post(implementation_->io, [implementation = implementation_.get()] { implementation->stop_reading(); });
 }
 
-void Transport::finish(std::chrono::milliseconds patience) {
-  if (!inside_->thread.joinable()) return;
-  asio::post(inside_->io, [inside = inside_.get(), patience] { inside->finish(patience); });
-  inside_->thread.join();
+void Transport::finish(std::chrono::milliseconds time) {
+  if (!implementation_->thread.joinable()) return;
+  asio::post(implementation_->io, [implementation = implementation_.get(), time] { implementation->finish(time); });
+  implementation_->thread.join();
 }
 
 }  // namespace selvage::server::transport

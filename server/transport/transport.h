@@ -1,5 +1,5 @@
-// The daemon's doors: TCP ports and Unix sockets, with HTTP (POST /rpc, WebSocket at /ws, and pages such as /healthz)
-// and newline-delimited JSON behind them.
+// The daemon's endpoints: TCP ports and Unix sockets that speak HTTP (POST /rpc, WebSocket at /ws, and pages such as
+// /healthz) and newline-delimited JSON.
 //
 // One thread does all input and output and never waits for an answer.
 #pragma once
@@ -15,24 +15,24 @@ namespace selvage::server::transport {
 
 class Transport {
  public:
-  // Listens at once.  Throws a std::exception when an address cannot be taken or a TLS file not be used.
-  Transport(const access::Doors& doors, const access::TransportLimits& limits, access::Service service);
-  ~Transport();  // finish() without patience
+  // Listens immediately.  Throws a std::exception if an address or a TLS file cannot be used.
+  Transport(const access::ListenSettings& settings, const access::TransportLimits& limits, access::Service service);
+  ~Transport();  // finish() without waiting
   Transport(const Transport&) = delete;
   Transport& operator=(const Transport&) = delete;
 
-  // Where it listens, in the order given, with the ports that were taken.
+  // The listeners in the order given, with their actual ports.
   [[nodiscard]] const std::vector<access::Listener>& listeners() const;
 
-  // Takes no new connection and reads nothing more from those there are.
+  // Accepts no new connections and reads nothing more from the open ones.
   void stop_reading();
-  // REQUIRES: every call has been answered, or will be.  Sends what is not sent yet, for at most `patience`;
-  // then closes every connection and returns.
-  void finish(std::chrono::milliseconds patience);
+  // Sends what has not been sent yet, for at most `time`, then closes every connection and returns.  REQUIRES: every
+  // call has been answered, or will be.
+  void finish(std::chrono::milliseconds time);
 
  private:
-  struct Inside;
-  std::unique_ptr<Inside> inside_;
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
 };
 
 }  // namespace selvage::server::transport

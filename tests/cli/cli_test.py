@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs the selvage command: what it prints, what it writes, what it exits with.  usage: cli_test.py SELVAGE"""
+"""Tests of the selvage command: its output, the files it writes and its exit codes.  usage: cli_test.py SELVAGE"""
 import json
 import os
 import pathlib
@@ -42,7 +42,7 @@ class CliTest(unittest.TestCase):
 
 
 class Compact(CliTest):
-    def test_shortens_a_marker_and_says_so_in_one_line(self):
+    def test_shortens_a_marker_and_reports_it_in_one_line(self):
         ran = run("compact", MARKERS / "jeans_02g.json", "-o", self.path("out.json"), "--json")
         self.assertEqual(ran.returncode, OK, ran.stderr)
         self.assertEqual(ran.stdout.count("\n"), 1)
@@ -58,24 +58,24 @@ class Compact(CliTest):
         self.assertIs(line["valid"], True)
         self.assertEqual(run("check", self.path("out.json")).returncode, OK)
 
-    def test_gives_the_same_with_any_number_of_threads(self):
-        told = []
+    def test_the_number_of_threads_does_not_affect_the_result(self):
+        results = []
         for threads in ("1", "2", "5"):
             ran = run("compact", MARKERS / "jeans_06g.json", "-o", self.path("out.json"), "--json", "--threads", threads)
             self.assertEqual(ran.returncode, OK, ran.stderr)
             line = json.loads(ran.stdout)
             del line["ms"]
-            told.append((line, self.path("out.json").read_text()))
-        self.assertEqual(told[1:], told[:1] * 2)
+            results.append((line, self.path("out.json").read_text()))
+        self.assertEqual(results[1:], results[:1] * 2)
         for wrong in ("0", "257", "many"):
             self.assertEqual(run("compact", MARKERS / "jeans_06g.json", "--threads", wrong).returncode, BAD_USAGE)
 
-    def test_a_word_that_is_no_subcommand_is_named(self):
+    def test_names_an_unknown_subcommand(self):
         ran = run("compakt", MARKERS / "jeans_06g.json")
         self.assertEqual(ran.returncode, BAD_USAGE)
-        self.assertIn("compakt is no subcommand; these are: compact ", ran.stderr)
+        self.assertIn("compakt is not a subcommand; the subcommands are: compact ", ran.stderr)
 
-    def test_keeps_the_form_of_the_input_unless_told(self):
+    def test_keeps_the_format_of_the_input_by_default(self):
         run("compact", MARKERS / "jeans_02g.json", "-o", self.path("same.json"))
         same = json.loads(self.path("same.json").read_text())
         self.assertEqual(same["items"][0]["name"], "charlie.front_38_L")
@@ -104,24 +104,24 @@ class Compact(CliTest):
         self.assertEqual([p["at"][0] for p in out["pieces"]], [0, 40])
         self.assertIn("length", ran.stderr)
 
-    def test_holds_the_spacing(self):
+    def test_keeps_the_spacing(self):
         ran = run("compact", "-", "-o", "-", "--spacing", "2.5", text=json.dumps(squares((0, 0), (50, 0))))
         out = json.loads(ran.stdout)
         self.assertEqual(out["spacing"], 2.5)
         self.assertEqual(out["pieces"][1]["at"][0], 42.5)
 
-    def test_leaves_locked_pieces(self):
+    def test_does_not_move_locked_pieces(self):
         document = squares((10, 0), (60, 0))
         document["pieces"][0]["locked"] = True
         out = json.loads(run("compact", "-", "-o", "-", text=json.dumps(document)).stdout)
         self.assertEqual([p["at"][0] for p in out["pieces"]], [10, 50])
 
-    def test_rounds_limit_the_work(self):
+    def test_stops_after_the_maximum_number_of_rounds(self):
         ran = run("compact", MARKERS / "jeans_06g.json", "--json", "--rounds", "1")
         line = json.loads(ran.stdout)
         self.assertEqual((line["rounds"], line["stop"]), (1, "work_limit"))
 
-    def test_simplified_outlines_make_other_sums(self):
+    def test_simplified_outlines_use_other_minkowski_sums(self):
         marker = MARKERS / "jeans_02g.json"
         own, simplified = (json.loads(run("compact", marker, "--json", "--simplification", part).stdout)
                            for part in ("0", "0.001"))
@@ -135,23 +135,23 @@ class Compact(CliTest):
             results.add(run("compact", MARKERS / "jeans_02g.json", "-o", "-").stdout)
         self.assertEqual(len(results), 1)
 
-    def test_refuses_deep_overlaps_and_writes_nothing(self):
+    def test_refuses_deep_overlaps_and_writes_no_file(self):
         ran = run("compact", self.write(squares((0, 0), (20, 0))), "-o", self.path("out.json"))
         self.assertEqual(ran.returncode, REFUSED)
         self.assertIn("marker.overlaps", ran.stderr)
         self.assertFalse(self.path("out.json").exists())
 
-    def test_interrupted_it_writes_the_best_marker_so_far(self):
+    def test_writes_the_best_marker_so_far_when_interrupted(self):
         started = subprocess.Popen([SELVAGE, "compact", str(self.long_marker()), "-o", str(self.path("out.json"))],
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        self.wait_until_it_takes_interrupts(started.pid)
+        self.wait_until_sigint_is_handled(started.pid)
         started.send_signal(signal.SIGINT)
         started.communicate(timeout=300)
         self.assertEqual(started.returncode, CANCELLED)
         self.assertEqual(run("check", self.path("out.json")).returncode, OK)
 
     def long_marker(self, copies=8):
-        """The large example several times in a row: seconds of work."""
+        """Several copies of the largest example in a row: seconds of work."""
         document = json.loads((MARKERS / "jeans_22g.json").read_text())
         placed = document["solution"]["layout"]["placed_items"]
         document["solution"]["layout"]["placed_items"] = [
@@ -162,7 +162,7 @@ class Compact(CliTest):
             for k in range(copies) for p in placed]
         return self.write(document)
 
-    def wait_until_it_takes_interrupts(self, pid):
+    def wait_until_sigint_is_handled(self, pid):
         bit = 1 << (signal.SIGINT - 1)
         while True:
             status = pathlib.Path(f"/proc/{pid}/status").read_text()
@@ -173,15 +173,15 @@ class Compact(CliTest):
 
 
 class Bump(CliTest):
-    def test_moves_one_piece_and_says_so(self):
+    def test_moves_one_piece_and_reports_its_position(self):
         ran = run("bump", self.write(squares((0, 0), (50, 10), (60, 60))), "--piece", "p1", "--direction", "-1,0",
                   "-o", self.path("out.json"))
         self.assertEqual(ran.returncode, OK, ran.stderr)
-        self.assertIn("lies at      40, 10 mm, held by p0", ran.stdout)
+        self.assertIn("position     40, 10 mm, stopped by p0", ran.stdout)
         out = json.loads(self.path("out.json").read_text())
         self.assertEqual([p["at"] for p in out["pieces"]], [[0, 0], [40, 10], [60, 60]])
 
-    def test_tells_programs_the_same_in_one_line(self):
+    def test_json_is_one_line_with_the_same_figures(self):
         marker = self.write(squares((0, 0), (50, 10)))
         ran = run("bump", marker, "--piece", "p1", "--direction", "-2,0", "--json",
                   "--svg", self.path("o.svg"), "--outlines", self.path("o.json"))
@@ -194,7 +194,7 @@ class Bump(CliTest):
         self.assertIn('class="before"', self.path("o.svg").read_text())
         self.assertEqual(json.loads(self.path("o.json").read_text())["strip_length"], 80)
 
-    def test_bad_input_is_named_and_writes_nothing(self):
+    def test_names_invalid_input_and_writes_no_file(self):
         marker = self.write(squares((0, 0), (50, 10)))
         for piece, direction, said in (("p9", "1,0", '/piece: "p9" is no piece of this marker'),
                                        ("p1", "0,0", "/direction: [0,0] leads nowhere"),
@@ -206,21 +206,21 @@ class Bump(CliTest):
                 self.assertIn(said, ran.stderr)
                 self.assertFalse(self.path("out.json").exists())
 
-    def test_refuses_deep_overlaps_by_name(self):
+    def test_names_the_pieces_that_overlap_too_deeply(self):
         ran = run("bump", self.write(squares((0, 0), (20, 0))), "--piece", "p0", "--direction", "1,0")
         self.assertEqual(ran.returncode, REFUSED)
         self.assertIn('"p0" and "p1"', ran.stderr)
 
 
 class Separate(CliTest):
-    def test_parts_deep_overlaps_within_the_length_when_it_can(self):
+    def test_removes_deep_overlaps_without_growth_if_possible(self):
         ran = run("separate", self.write(squares((0, 0), (30, 0))), "-o", self.path("out.json"), "--json")
         self.assertEqual(ran.returncode, OK, ran.stderr)
         line = json.loads(ran.stdout)
         self.assertEqual((line["apart"], line["length_after"], line["moved"]), (True, 70, 40))
         self.assertEqual(run("check", self.path("out.json")).returncode, OK)
 
-    def test_grows_only_when_told(self):
+    def test_grows_only_with_grow(self):
         three = squares((0, 0), (0, 60), (30, 30))
         held = run("separate", self.write(three), "--json", "-o", self.path("out.json"))
         self.assertEqual(held.returncode, NOT_VALID)
@@ -229,13 +229,13 @@ class Separate(CliTest):
         grown = run("separate", self.write(three), "--json", "--grow", 20)
         self.assertEqual((grown.returncode, json.loads(grown.stdout)["length_after"]), (OK, 80))
 
-    def test_partial_writes_what_was_reached_and_says_it_is_not_valid(self):
+    def test_partial_writes_the_result_and_reports_that_it_is_not_valid(self):
         crowd = self.write(squares((0, 0), (0, 30), (0, 60), (0, 10)))
         ran = run("separate", crowd, "--partial", "--json", "-o", self.path("out.json"))
         self.assertEqual(ran.returncode, NOT_VALID)
         self.assertEqual(run("check", self.path("out.json")).returncode, NOT_VALID)
 
-    def test_pops_out_what_holds_up_the_rest(self):
+    def test_pops_out_pieces_that_block_the_separation(self):
         ran = run("separate", self.write(squares((0, 0), (0, 30), (0, 60))), "--pop-out", "--json", "-o",
                   self.path("out.json"))
         self.assertEqual(ran.returncode, OK, ran.stderr)
@@ -244,7 +244,7 @@ class Separate(CliTest):
 
 
 class Float(CliTest):
-    def test_shares_out_the_free_space_at_no_length(self):
+    def test_distributes_free_space_without_adding_length(self):
         ran = run("float", self.write(squares((0, 0), (0, 40), (60, 0))), "--distance", 20, "--json", "-o",
                   self.path("out.json"))
         self.assertEqual(ran.returncode, OK, ran.stderr)
@@ -254,7 +254,7 @@ class Float(CliTest):
 
 
 class Tilt(CliTest):
-    def test_obeys_the_limit_and_says_so(self):
+    def test_keeps_within_the_limit_and_reports_the_tilt(self):
         tilted = run("tilt", MARKERS / "jeans_02g.json", "--limit", 1, "--json", "-o", self.path("out.json"))
         self.assertEqual(tilted.returncode, OK, tilted.stderr)
         line = json.loads(tilted.stdout)
@@ -263,8 +263,45 @@ class Tilt(CliTest):
         self.assertEqual(run("check", self.path("out.json")).returncode, OK)
 
 
+class EveryMotion(CliTest):
+    """Motions without a section of their own: their options follow from the descriptors of the methods."""
+
+    def test_every_motion_of_the_daemon_is_a_command(self):
+        listed = run("--help").stdout
+        for command in ("compact", "push", "gravity", "bump", "place", "separate", "float", "open-gap", "tilt", "relax",
+                        "one-at-a-time", "velocity"):
+            self.assertIn(f"\n  {command} ", listed)
+            shown = run(command, "--help")
+            self.assertEqual(shown.returncode, OK)
+            self.assertIn("IN TEXT REQUIRED", shown.stdout)
+
+    def test_gives_the_same_result_as_call(self):
+        marker = self.write(squares((0, 0), (50, 10), (60, 60)))
+        for command, options, method, params in (
+                ("gravity", ["--force", "0,1"], "motion.gravity", {"force": [0, 1]}),
+                ("place", ["--piece", "p1", "--to", "45,0"], "motion.place", {"piece": "p1", "to": [45, 0]}),
+                ("relax", ["--piece", "p1", "--tilts", "0"], "motion.relax", {"piece": "p1"}),
+                ("open-gap", ["--point", "45,5"], "motion.openGap", {"point": [45, 5]}),
+                ("push", ["--forces", '[{"piece": "p0", "force": [1, 0]}]'], "motion.push",
+                 {"forces": [{"piece": "p0", "force": [1, 0]}]})):
+            with self.subTest(command):
+                short = run(command, marker, *options, "-o", self.path("short.json"))
+                self.assertEqual(short.returncode, OK, short.stderr)
+                called = run("call", method, "--marker", marker, "--params", "-", "-o", self.path("called.json"),
+                             text=json.dumps(params))
+                self.assertEqual(called.returncode, OK, called.stderr)
+                self.assertEqual(self.path("short.json").read_text(), self.path("called.json").read_text())
+
+    def test_json_options_are_checked(self):
+        marker = self.write(squares((0, 0), (50, 10)))
+        for forces, message in (("[", "input.syntax"), ("[]", "/forces")):
+            ran = run("push", marker, "--forces", forces)
+            self.assertEqual((ran.returncode, ran.stdout), (BAD_INPUT, ""))
+            self.assertIn(message, ran.stderr)
+
+
 class Drawing(CliTest):
-    def test_shows_how_pieces_went_and_what_holds_the_length_when_asked(self):
+    def test_draws_displacements_and_the_critical_path_on_request(self):
         marker = self.write(squares((10, 0), (55, 20)))
         for flags, shown, hidden in (([], [], ["moved-head", "chain"]), (["--arrows"], ["moved-head"], ["chain"]),
                                      (["--arrows", "--chain"], ["moved-head", "chain"], [])):
@@ -276,7 +313,7 @@ class Drawing(CliTest):
             for word in hidden:
                 self.assertNotIn(f'class="{word}"', body)
 
-    def test_shows_forces(self):
+    def test_draws_forces(self):
         params = self.write({"force": [0, 1]}, "params.json")
         run("call", "motion.gravity", "--marker", self.write(squares((10, 0))), "--params", params, "--svg",
             self.path("out.svg"), "--arrows")
@@ -292,8 +329,8 @@ class Call(CliTest):
         super().setUp()
         self.marker = self.write(squares((0, 0), (50, 10)))
 
-    def test_answers_as_the_daemon_does(self):
-        """The golden exchanges that change nothing, on the marker that the first of them opens."""
+    def test_returns_the_same_results_as_the_daemon(self):
+        """Replays the golden exchanges that do not change the marker, on the marker that the first of them opens."""
         exchanges = json.loads((MARKERS.parents[1] / "tests/golden/rpc/motions.json").read_text())
         marker = self.write(exchanges[0]["request"]["params"]["marker"], "golden.json")
         played = 0
@@ -314,7 +351,7 @@ class Call(CliTest):
                 self.assertEqual(result, expected)
         self.assertGreaterEqual(played, 7)
 
-    def test_writes_what_it_moved(self):
+    def test_writes_the_moved_pieces(self):
         ran = self.call("motion.gravity", {"force": [0, 1]}, "-o", self.path("out.json"))
         result = json.loads(ran.stdout)
         self.assertEqual((result["markerId"], result["revision"], result["gain"]), ("m1", 2, 110))
@@ -322,7 +359,7 @@ class Call(CliTest):
         self.assertEqual([p["at"] for p in out["pieces"]], [p["at"] for p in result["placements"]])
         self.assertEqual([p["at"][1] for p in out["pieces"]], [60, 60])
 
-    def test_changes_by_hand(self):
+    def test_applies_edits(self):
         ops = [{"op": "add", "piece": {"id": "new", "shape": "square", "at": [0, 50], "attributes": {"size": "L"}}},
                {"op": "remove", "piece": "p1"}]
         result = json.loads(self.call("marker.apply", {"ops": ops}, "-o", self.path("out.json")).stdout)
@@ -334,19 +371,19 @@ class Call(CliTest):
         self.assertEqual(overlapping.returncode, NOT_VALID)
         self.assertEqual(json.loads(self.path("out.json").read_text())["pieces"][1]["at"], [9, 0])
 
-    def test_a_dry_run_writes_the_marker_as_it_was(self):
+    def test_a_dry_run_writes_the_marker_unchanged(self):
         ran = self.call("motion.compact", {"commit": False, "rounds": 3}, "-o", self.path("out.json"))
         self.assertEqual(json.loads(ran.stdout)["lengthAfter"], 80)
         self.assertEqual(json.loads(self.path("out.json").read_text())["pieces"][1]["at"], [50, 10])
 
-    def test_needs_no_parameters_when_the_method_needs_none(self):
+    def test_parameters_may_be_omitted_if_the_method_requires_none(self):
         ran = run("call", "marker.check", "--marker", self.marker)
         self.assertEqual(json.loads(ran.stdout), {"markerId": "m1", "revision": 1, "valid": True, "overlaps": [],
                                                   "protrusions": []})
         compacted = json.loads(run("call", "motion.compact", "--marker", self.marker).stdout)
         self.assertEqual(compacted["lengthAfter"], 80)
 
-    def test_reads_as_well(self):
+    def test_runs_methods_that_only_read(self):
         got = json.loads(self.call("marker.get", {"format": "outlines"}).stdout)
         self.assertEqual(got["marker"]["strip_length"], 90)
         overlapping = self.write(squares((0, 0), (20, 0)), "overlapping.json")
@@ -354,14 +391,14 @@ class Call(CliTest):
         self.assertEqual(ran.returncode, NOT_VALID)
         self.assertEqual(len(json.loads(ran.stdout)["overlaps"]), 1)
 
-    def test_times_are_told_only_when_asked(self):
+    def test_reports_times_only_on_request(self):
         timed = json.loads(self.call("motion.compact", {"timing": True}).stdout)
         self.assertEqual(set(timed["ms"]), {"sums", "rows", "solve", "verify", "total"})
         runs = {self.call("motion.push", {"forces": [{"piece": "p0", "force": [1, 1]}]}).stdout for _ in range(3)}
         self.assertEqual(len(runs), 1)
         self.assertNotIn("ms", json.loads(runs.pop()))
 
-    def test_mistakes(self):
+    def test_names_mistakes_in_parameters(self):
         for method, params, said in (("motion.compact", "{", "input.syntax"),
                                      ("motion.compact", [], "[] where an object is required"),
                                      ("motion.compact", {"speed": 1}, "/speed: the field is not known"),
@@ -387,7 +424,7 @@ class Check(CliTest):
         self.assertIn("pieces p0 and p1 overlap by 10 mm", ran.stdout)
         self.assertIn("piece p2 leaves the strip by 10 mm", ran.stdout)
 
-    def test_tells_programs_the_same(self):
+    def test_json_gives_the_same_result(self):
         ran = run("check", "--json", self.write(squares((0, 0), (30, 0))))
         self.assertEqual(ran.returncode, NOT_VALID)
         answer = json.loads(ran.stdout)
@@ -396,7 +433,7 @@ class Check(CliTest):
         x, y = answer["overlaps"][0]["witness"]
         self.assertTrue(30 < x < 40 and 0 < y < 40, (x, y))
 
-    def test_judges_the_spacing(self):
+    def test_checks_the_spacing(self):
         touching = self.write(squares((0, 0), (40, 0)))
         self.assertEqual(run("check", touching).returncode, OK)
         self.assertEqual(run("check", touching, "--spacing", "0.001").returncode, NOT_VALID)
@@ -408,7 +445,7 @@ class ShowAndConvert(CliTest):
         self.assertEqual(ran.returncode, OK, ran.stderr)
         self.assertTrue(ran.stdout.startswith("<svg ") and ran.stdout.endswith("</svg>\n"))
 
-    def test_converts_there_and_back(self):
+    def test_converting_to_another_format_and_back_keeps_the_marker(self):
         native, sparrow, again = self.path("n.json"), self.path("s.json"), self.path("n2.json")
         self.assertEqual(run("convert", MARKERS / "simon_06g.json", "-o", native, "--format", "native").returncode, OK)
         self.assertEqual(run("convert", native, "-o", sparrow, "--format", "sparrow").returncode, OK)
@@ -417,7 +454,7 @@ class ShowAndConvert(CliTest):
 
 
 class BadUsage(CliTest):
-    def test_is_told_apart_from_bad_input(self):
+    def test_has_an_exit_code_of_its_own(self):
         marker = str(MARKERS / "jeans_02g.json")
         for arguments in ([], ["fold"], ["compact"], ["compact", marker, "--accuracy", "perfect"],
                           ["compact", marker, "--rounds", "-1"], ["compact", marker, "--rounds", "many"],
@@ -445,41 +482,41 @@ class BadInput(CliTest):
             ran = run(command[0], self.write(document), *command[1:])
             self.assertEqual(ran.returncode, code, ran.stderr)
             self.assertEqual(ran.stdout, "")
-            for words in said:
-                self.assertIn(words, ran.stderr)
+            for message in said:
+                self.assertIn(message, ran.stderr)
             self.assertFalse(self.path("out.json").exists())
 
-    def test_no_json(self):
+    def test_text_that_is_not_json(self):
         self.refused('{"format": NaN}', BAD_INPUT, "line 1, column", "input.syntax")
         self.refused("", BAD_INPUT, "input.syntax")
         self.refused("[" * 100000, BAD_INPUT, "input.depth")
         self.refused("[1e999]", BAD_INPUT, "input.out_of_range")
 
-    def test_a_field_wrong(self):
+    def test_a_wrong_field(self):
         document = squares((0, 0))
         document["strip"]["width"] = "wide"
         self.refused(document, BAD_INPUT, '/strip/width: "wide" where a number is required')
         document["strip"]["width"] = 1e308
         self.refused(document, BAD_INPUT, "/strip/width: 1e+308 is out of range")
 
-    def test_a_shape_that_is_none(self):
+    def test_an_invalid_outline(self):
         document = squares((0, 0))
         document["shapes"][0]["outline"] = [[i % 1000, i % 7] for i in range(100_000)]
         self.refused(document, BAD_INPUT, "/shapes/0/outline", "100000 vertices", "2000", "shape.too_many_vertices")
         document["shapes"][0]["outline"] = [[0, 0], [9, 9], [9, 0], [0, 9]]
         self.refused(document, BAD_INPUT, "/shapes/0/outline", "shape.self_intersecting")
 
-    def test_an_instance_with_nothing_placed(self):
+    def test_a_sparrow_instance_without_a_solution(self):
         document = json.loads((MARKERS / "jeans_02g.json").read_text())
         del document["solution"]
         self.refused(document, BAD_INPUT, "/solution: nothing is placed")
 
-    def test_a_spacing_that_is_no_number(self):
+    def test_a_spacing_that_is_not_a_valid_number(self):
         for spacing in ("nan", "inf", "-1", "1e308"):
             ran = run("compact", MARKERS / "jeans_02g.json", "--spacing=" + spacing)
             self.assertIn(ran.returncode, (BAD_USAGE, BAD_INPUT), spacing)
 
-    def test_files_that_are_not_there(self):
+    def test_missing_files(self):
         self.assertEqual(run("check", self.path("nowhere.json")).returncode, FILE)
         self.assertEqual(run("check", self.folder.name).returncode, FILE)
         ran = run("convert", MARKERS / "jeans_02g.json", "-o", self.path("no/such/folder.json"), "--format", "native")

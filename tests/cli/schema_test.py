@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Does protocol/marker.schema.json say what the reader does?  usage: schema_test.py SELVAGE
+"""Checks that protocol/marker.schema.json and the reader accept the same documents.  usage: schema_test.py SELVAGE
 
-Accepted by both: the examples in the native form, the golden markers.  Refused by both: each change listed below.
+Both must accept the examples in native format and the golden markers, and reject each of the changes listed below.
 """
 import copy
 import json

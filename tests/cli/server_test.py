@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`selvage --server` does on a daemon what `selvage` does by itself, and `selvage watch` follows a marker.
+"""`selvage --server` gives the same results as `selvage` alone, and `selvage watch` follows a marker.
 
 usage: server_test.py SELVAGE SELVAGED"""
 import json
@@ -27,7 +27,7 @@ def squares(*places):
 
 
 def timeless(text):
-    """A command's words without what varies from run to run."""
+    """The output of a command without the parts that vary from run to run."""
     text = re.sub(r"[0-9.]+ ms;", "TIME ms;", text)
     text = re.sub(r'"markerId":"m[0-9]+"', '"markerId":"m"', text)
     return re.sub(r'"(ms|cache)":\{[^}]*\}', r'"\1":{}', text)
@@ -75,9 +75,9 @@ class ServerTest(unittest.TestCase):
         return str(path)
 
 
-class Twins(ServerTest):
+class SameHereAndOnADaemon(ServerTest):
     def run_in(self, name, arguments):
-        """The command in a folder of its own: exit code, words, and the files it wrote."""
+        """Runs the command in a folder of its own; returns the exit code, the output and the files written."""
         folder = self.folder / name
         folder.mkdir()
         ran = subprocess.run([SELVAGE, *map(str, arguments)], capture_output=True, text=True, timeout=300, cwd=folder)
@@ -87,14 +87,14 @@ class Twins(ServerTest):
         folder.rmdir()
         return ran.returncode, timeless(ran.stdout), timeless(ran.stderr), written
 
-    def assert_twins(self, daemon, *arguments):
+    def assert_same(self, daemon, *arguments):
         with self.subTest(arguments):
             here = self.run_in("here", arguments)
             there = self.run_in("there", [*arguments, "--server", daemon])
             self.assertEqual(here, there)
             return here
 
-    def test_every_command_does_the_same_here_and_there(self):
+    def test_every_command_gives_the_same_result(self):
         daemon = self.start()
         jeans = MARKERS / "jeans_02g.json"
         loose = self.write(squares((0, 0), (50, 10), (60, 60)))
@@ -103,10 +103,10 @@ class Twins(ServerTest):
         params = self.write({"force": [0, 1], "timing": True}, "params.json")
         dry = self.write({"commit": False}, "dry.json")
         wrong = self.write({"piece": "p9", "direction": [1, 0]}, "wrong.json")
-        by_hand = self.write({"ops": [
+        edits = self.write({"ops": [
             {"op": "remove", "piece": "p0"}, {"op": "setStrip", "width": 90},
             {"op": "add", "piece": {"id": "new", "shape": "square", "at": [0, 41], "attributes": {"size": "L"}}},
-            {"op": "move", "piece": "p1", "at": [10.5, 0]}]}, "by_hand.json")
+            {"op": "move", "piece": "p1", "at": [10.5, 0]}]}, "edits.json")
         stranger = self.write({"ops": [{"op": "lock", "piece": "p9"}]}, "stranger.json")
         nothing = self.write({"ops": [{"op": "move", "piece": "p1", "by": [0, 0]}]}, "nothing.json")
         every_file = ["-o", "o.json", "--svg", "o.svg", "--arrows", "--chain", "--outlines", "p.json"]
@@ -138,11 +138,11 @@ class Twins(ServerTest):
             ["call", "marker.get", "--marker", loose],
             ["call", "marker.check", "--marker", deep],
             ["call", "motion.compact", "--marker", loose],
-            ["call", "marker.apply", "--marker", loose, "--params", by_hand, *every_file],
+            ["call", "marker.apply", "--marker", loose, "--params", edits, *every_file],
             ["call", "marker.apply", "--marker", loose, "--params", stranger],
             ["call", "marker.apply", "--marker", loose, "--params", nothing, "-o", "o.json"],
         ]
-        codes = {self.assert_twins(daemon.tcp, *command)[0] for command in commands}
+        codes = {self.assert_same(daemon.tcp, *command)[0] for command in commands}
         self.assertEqual(codes, {0, 1, 3, 4, 5})
         self.assertEqual(daemon.call("marker.list")["markers"], [])
 
@@ -153,7 +153,7 @@ class Twins(ServerTest):
         self.assertEqual(ran.returncode, OK, ran.stderr)
         self.assertIn("valid", ran.stdout)
 
-    def test_a_daemon_that_cannot_be_reached_has_a_code_of_its_own(self):
+    def test_an_unreachable_daemon_has_an_exit_code_of_its_own(self):
         marker = str(MARKERS / "jeans_02g.json")
         for server, code in ((str(self.folder / "nobody"), SERVER), ("nonsense", BAD_USAGE), ("http://127.0.0.1:1", BAD_USAGE)):
             ran = subprocess.run([SELVAGE, "compact", marker, "--server", server, "-o", self.folder / "o.json"],
@@ -172,7 +172,7 @@ class Twins(ServerTest):
             self.assertEqual(ran.returncode, code, ran.stderr)
 
 
-    def test_speaks_tls_with_whom_it_trusts(self):
+    def test_uses_tls_with_a_trusted_daemon(self):
         certificate, key = self.folder / "certificate.pem", self.folder / "key.pem"
         subprocess.run(["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1", "-nodes",
                         "-subj", "/CN=marker.example", "-addext", "subjectAltName=IP:127.0.0.1", "-out", certificate,
@@ -199,7 +199,7 @@ class Watch(ServerTest):
         self.addCleanup(watching.kill)
         return watching
 
-    def test_a_line_per_change_until_the_marker_is_closed(self):
+    def test_prints_a_line_per_change_until_the_marker_is_closed(self):
         daemon = self.start()
         marker = daemon.call("marker.open", marker=squares((0, 0), (50, 10)))["markerId"]
         watching = self.watch(daemon, marker)
@@ -214,7 +214,7 @@ class Watch(ServerTest):
         self.assertEqual(watching.stdout.read(), "")
         self.assertEqual(watching.wait(timeout=60), OK)
 
-    def test_json_and_an_interrupt(self):
+    def test_prints_json_and_stops_on_an_interrupt(self):
         daemon = self.start()
         marker = daemon.call("marker.open", marker=squares((0, 0), (50, 10)))["markerId"]
         watching = self.watch(daemon, marker, "--json")
@@ -225,7 +225,7 @@ class Watch(ServerTest):
         watching.send_signal(signal.SIGINT)
         self.assertEqual(watching.wait(timeout=60), OK)
 
-    def test_goes_on_after_a_restart_and_tells_what_it_missed(self):
+    def test_continues_after_a_restart_and_reports_missed_changes(self):
         store = str(self.folder / "store")
         daemon = self.start("--store", store)
         marker = daemon.call("marker.open", marker=squares((0, 0), (50, 10)))["markerId"]
@@ -239,7 +239,7 @@ class Watch(ServerTest):
         again.call("motion.compact", markerId=marker)
         self.assertTrue(watching.stdout.readline().startswith("revision 2: length 80"))
 
-    def test_needs_a_server_and_a_marker_of_it(self):
+    def test_needs_a_server_and_a_marker_that_is_open_there(self):
         ran = subprocess.run([SELVAGE, "watch", "m1"], capture_output=True, text=True, timeout=60)
         self.assertEqual(ran.returncode, BAD_USAGE)
         watching = self.watch(self.start(), "m1")

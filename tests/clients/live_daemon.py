@@ -1,4 +1,4 @@
-"""A selvaged of a test's own, and a door before it that loses connections when the test says so."""
+"""Runs selvaged for a test, optionally behind a proxy that drops connections at chosen calls."""
 import json
 import pathlib
 import socket
@@ -14,7 +14,7 @@ SQUARES = {
 
 
 class LiveDaemon:
-    """Runs while the `with` block does; `address` is its Unix socket, `port` its TCP port."""
+    """A daemon that runs as long as its `with` block; `address` is its Unix socket, `port` its TCP port."""
 
     def __init__(self, program, *options):
         self._program, self._options = program, options
@@ -48,30 +48,30 @@ class LiveDaemon:
         self._folder.cleanup()
 
 
-class LossyDoor:
-    """Passes lines to a daemon and back, but drops the connection instead of the first answer to each method of `losing`.
+class LossyProxy:
+    """Forwards lines to a daemon and back, but drops the connection instead of the first answer to each method in `losing`.
 
-    By then the daemon has carried out the call: what a client must not do twice.  `calls` are all that came.
+    By then the daemon has carried out the call, so a client must not repeat it unprotected.  `calls` are all calls received.
     """
 
     def __init__(self, daemon, losing):
         self._daemon, self._losing, self.calls = daemon, set(losing), []
-        self.path = str(daemon.folder / "door")
+        self.path = str(daemon.folder / "proxy")
         self.address = "unix:" + self.path
-        self._door = socket.socket(socket.AF_UNIX)
-        self._door.bind(self.path)
-        self._door.listen()
+        self._listener = socket.socket(socket.AF_UNIX)
+        self._listener.bind(self.path)
+        self._listener.listen()
         threading.Thread(target=self._serve, daemon=True).start()
 
     def _serve(self):
         while True:
             try:
-                client, _ = self._door.accept()
+                client, _ = self._listener.accept()
             except OSError:
                 return
-            self._pass_on(client)
+            self._forward(client)
 
-    def _pass_on(self, client):
+    def _forward(self, client):
         with client, socket.socket(socket.AF_UNIX) as inner:
             inner.connect(self._daemon.path)
             with client.makefile("rb") as calls, inner.makefile("rb") as answers:
@@ -88,5 +88,5 @@ class LossyDoor:
                     client.sendall(answer)
 
     def close(self):
-        self._door.shutdown(socket.SHUT_RDWR)
-        self._door.close()
+        self._listener.shutdown(socket.SHUT_RDWR)
+        self._listener.close()

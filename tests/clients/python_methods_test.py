@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The Python client's methods one by one, and what it does when things go wrong.  usage: python_methods_test.py SELVAGED"""
+"""Each method of the Python client, and its behaviour when something fails.  usage: python_methods_test.py SELVAGED"""
 import asyncio
 import dataclasses
 import json
@@ -11,7 +11,7 @@ import sys
 import threading
 import unittest
 
-from live_daemon import SQUARES, LiveDaemon, LossyDoor
+from live_daemon import SQUARES, LiveDaemon, LossyProxy
 
 import selvage
 from selvage import errors, ops, words
@@ -21,7 +21,7 @@ SELVAGED = sys.argv.pop(1) if len(sys.argv) > 1 else "selvaged"
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 GOLDEN = ROOT / "tests" / "golden" / "rpc"
 
-# Methods whose name here is not just their name there.
+# Methods that have a different name in Python.
 OTHERWISE = {"motion.float": "float_apart", "marker.unwatch": "watch"}
 OF_CLIENT = {"engine.info": "info", "marker.open": "open", "marker.list": "list", "rpc.discover": "call"}
 OF_DRAG = {"drag.begin": "begin", "drag.move": "move", "drag.end": "end"}
@@ -32,7 +32,7 @@ def python_name(method):
 
 
 def differences(expected, told, where=""):
-    """Where a typed result differs from the JSON it was read from; fields of a result that nobody expects are None or empty."""
+    """The paths at which a typed result differs from the expected JSON.  Fields that are not expected must be None or empty."""
     if expected == "$any":
         return []
     if dataclasses.is_dataclass(told):
@@ -50,7 +50,7 @@ def differences(expected, told, where=""):
 
 
 class Typed(unittest.TestCase):
-    def test_every_method_of_the_daemon_has_one_here(self):
+    def test_every_method_of_the_daemon_has_a_python_method(self):
         with LiveDaemon(SELVAGED) as daemon, selvage.Client(daemon.address) as client:
             for method in client.info().methods:
                 if method in OF_CLIENT:
@@ -64,7 +64,7 @@ class Typed(unittest.TestCase):
                 for kind in kinds:
                     self.assertTrue(callable(getattr(kind, name, None)), f"{kind.__name__}.{name} for {method}")
 
-    def test_the_golden_pairs_through_the_typed_methods(self):
+    def test_golden_exchanges_through_the_typed_methods(self):
         played = 0
         for name in ("motions", "places_and_tilts", "changes", "life_of_a_marker"):
             with LiveDaemon(SELVAGED) as daemon, selvage.Client(daemon.address) as client:
@@ -73,10 +73,10 @@ class Typed(unittest.TestCase):
         self.assertGreater(played, 40)
 
     def play(self, client, request, response):
-        """1 when the call is one that Python's parameters can say."""
+        """1 if the call can be expressed with the parameters of the Python method."""
         method, params = request["method"], dict(request.get("params", {}))
         if OF_CLIENT.get(method) == "call":
-            return 0  # it has no words of its own
+            return 0  # it has no method of its own
         if method in OF_CLIENT:
             call = getattr(client, OF_CLIENT[method])
         else:
@@ -86,7 +86,7 @@ class Typed(unittest.TestCase):
             options["forces"] = {force["piece"]: force["force"] for force in options["forces"]}
         try:
             answer = call(**options)
-        except TypeError:  # a required parameter is left out: Python says so itself
+        except TypeError:  # a required parameter is missing, which Python reports itself
             self.assertEqual(response["error"]["data"]["name"], "input.missing_field")
             return 0
         except selvage.CallError as refused:
@@ -105,7 +105,7 @@ class Typed(unittest.TestCase):
         self.assertEqual(differences(expected, answer), [], request)
         return 1
 
-    def test_every_code_of_the_protocol_has_its_class(self):
+    def test_every_error_code_has_an_exception_class(self):
         text = (ROOT / "protocol" / "README.md").read_text("utf-8")
         codes = {int(code) for code in re.findall(r"^\| (-32\d{3}) \|", text, re.MULTILINE)}
         self.assertGreater(len(codes), 10)
@@ -113,25 +113,25 @@ class Typed(unittest.TestCase):
 
 
 class Losses(unittest.TestCase):
-    def test_a_change_whose_answer_was_lost_is_sent_again_and_done_once(self):
+    def test_a_change_whose_answer_was_lost_is_sent_again_and_applied_once(self):
         with LiveDaemon(SELVAGED) as daemon:
-            door = LossyDoor(daemon, ["marker.open", "marker.apply"])
-            self.addCleanup(door.close)
-            with selvage.Client(door.address) as client:
+            proxy = LossyProxy(daemon, ["marker.open", "marker.apply"])
+            self.addCleanup(proxy.close)
+            with selvage.Client(proxy.address) as client:
                 marker = client.open(SQUARES)
                 edited = marker.apply([ops.move("right", by=(7, 0))])
                 self.assertEqual((marker.id, edited.revision, edited.length), ("m1", 2, 97))
                 self.assertEqual([each.revision for each in client.list()], [2])
         for method in ("marker.open", "marker.apply"):
-            sent = [call["params"]["opId"] for call in door.calls if call["method"] == method]
+            sent = [call["params"]["opId"] for call in proxy.calls if call["method"] == method]
             self.assertEqual(len(sent), 2, method)
             self.assertEqual(sent[0], sent[1], method)
 
-    def test_what_belongs_to_a_connection_is_not_sent_again(self):
+    def test_calls_tied_to_a_connection_are_not_sent_again(self):
         with LiveDaemon(SELVAGED) as daemon:
-            door = LossyDoor(daemon, ["drag.move"])
-            self.addCleanup(door.close)
-            with selvage.Client(door.address) as client:
+            proxy = LossyProxy(daemon, ["drag.move"])
+            self.addCleanup(proxy.close)
+            with selvage.Client(proxy.address) as client:
                 marker = client.open(SQUARES)
                 with self.assertRaises(selvage.ConnectionLost), marker.drag("right") as hand:
                     hand.move((60, 10))
@@ -140,7 +140,7 @@ class Losses(unittest.TestCase):
         self.assertFalse(may_repeat("motion.compact", {}))
         self.assertTrue(may_repeat("motion.compact", {"commit": False}))
 
-    def test_who_watches_over_a_restart_hears_what_was_missed(self):
+    def test_a_watcher_receives_missed_changes_after_a_restart(self):
         with LiveDaemon(SELVAGED) as daemon, selvage.Client(daemon.address) as client:
             marker = client.open(SQUARES)
             with marker.watch() as changes:
@@ -153,11 +153,11 @@ class Losses(unittest.TestCase):
                 marker.close()
                 self.assertEqual(list(changes), [])
 
-    def test_no_daemon_is_said_within_patience(self):
+    def test_reports_a_missing_daemon_within_the_time_limit(self):
         with selvage.Client("unix:/nowhere/socket", patience=0.1) as client, self.assertRaises(selvage.ConnectionLost):
             client.info()
 
-    def test_closing_wakes_who_waits(self):
+    def test_closing_ends_pending_waits(self):
         with LiveDaemon(SELVAGED) as daemon:
             client, raised = selvage.Client(daemon.address), []
             watch = client.open(SQUARES).watch()
@@ -180,7 +180,7 @@ class Losses(unittest.TestCase):
 
 
 class Ends(unittest.TestCase):
-    def test_an_exception_in_progress_cancels(self):
+    def test_an_exception_in_a_progress_handler_cancels_the_call(self):
         with LiveDaemon(SELVAGED) as daemon, selvage.Client(daemon.address) as client:
             marker = client.open(ROOT / "examples" / "markers" / "jeans_06g.json")
 
@@ -192,7 +192,7 @@ class Ends(unittest.TestCase):
                 marker.compact(accuracy="fine", progress=stop)
             self.assertTrue(marker.bump(marker.outlines().pieces[0].id, (-1, 0), commit=False).valid)
 
-    def test_a_cancelled_task_commits_nothing(self):
+    def test_a_cancelled_task_changes_nothing(self):
         async def play(address):
             async with selvage.AsyncClient(address) as client:
                 marker = await client.open(ROOT / "examples" / "markers" / "jeans_22g.json")
@@ -210,25 +210,25 @@ class Ends(unittest.TestCase):
         with LiveDaemon(SELVAGED) as daemon:
             self.assertEqual(asyncio.run(play(daemon.address)), 2)
 
-    def test_a_marker_is_at_the_revision_that_the_drag_committed(self):
+    def test_a_marker_has_the_revision_that_the_drag_committed(self):
         with LiveDaemon(SELVAGED) as daemon, selvage.Client(daemon.address) as client:
             marker = client.open(SQUARES)
-            with marker.drag("right") as hand:
-                hand.move((60, 10))
+            with marker.drag("right") as drag:
+                drag.move((60, 10))
             self.assertEqual((marker.revision, hand.ended.revision), (2, 2))
             self.assertEqual(marker.apply([ops.move("right", by=(7, 0))], base_rev=marker.revision).revision, 3)
 
-    def test_a_dragged_piece_stays_when_the_hand_slips(self):
+    def test_a_dragged_piece_stays_when_the_drag_fails(self):
         with LiveDaemon(SELVAGED) as daemon, selvage.Client(daemon.address) as client:
             marker = client.open(SQUARES)
-            with self.assertRaises(KeyError), marker.drag("right") as hand:
-                hand.move((60, 10))
+            with self.assertRaises(KeyError), marker.drag("right") as drag:
+                drag.move((60, 10))
                 raise KeyError
             self.assertEqual((marker.revision, marker.check().revision), (1, 1))
 
 
 class Outlines(unittest.TestCase):
-    def test_as_arrays_and_polygons(self):
+    def test_converts_to_arrays_and_polygons(self):
         try:
             import numpy
             import shapely.geometry  # noqa: F401
@@ -243,8 +243,8 @@ class Outlines(unittest.TestCase):
         self.assertEqual(areas, {"left": 1600, "right": 1600})
 
 
-class Doors(unittest.TestCase):
-    def test_a_token_is_shown(self):
+class Access(unittest.TestCase):
+    def test_sends_its_token(self):
         token = LiveDaemon(SELVAGED)
         (token.folder / "token").write_text("0123456789abcdef\n")
         token._options = ("--token-file", token.folder / "token")
@@ -257,7 +257,7 @@ class Doors(unittest.TestCase):
                     with self.assertRaises((errors.Unauthorised, selvage.ConnectionLost)):
                         client.info()
 
-    def test_tls_is_for_those_who_trust_the_certificate(self):
+    def test_tls_needs_a_trusted_certificate(self):
         encrypted = LiveDaemon(SELVAGED)
         certificate, key = encrypted.folder / "certificate.pem", encrypted.folder / "key.pem"
         subprocess.run(["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1", "-nodes",
@@ -270,7 +270,7 @@ class Doors(unittest.TestCase):
                 self.assertEqual(client.open(SQUARES).compact().length_after, 80)
             self.assert_not_tried_again(address)
 
-    def test_a_daemon_without_tls_is_said_to_be_so(self):
+    def test_reports_a_daemon_without_tls(self):
         with LiveDaemon(SELVAGED) as daemon:
             self.assert_not_tried_again(f"tls://127.0.0.1:{daemon.port}")
 
@@ -278,7 +278,7 @@ class Doors(unittest.TestCase):
         with selvage.Client(address, patience=1e9) as client, self.assertRaises(selvage.HandshakeFailed):
             client.info()
 
-    def test_a_daemon_without_room_is_asked_for_as_long_as_was_said(self):
+    def test_a_busy_daemon_is_retried_until_the_time_limit(self):
         with LiveDaemon(SELVAGED, "--max-connections", "1") as daemon, selvage.Client(daemon.address) as client:
             client.info()
             with selvage.Client(daemon.address, patience=0.1) as other, self.assertRaises(selvage.ConnectionLost):
@@ -287,7 +287,7 @@ class Doors(unittest.TestCase):
             with selvage.Client(daemon.address) as next_one:
                 self.assertEqual(next_one.info().name, "selvage")
 
-    def test_a_call_that_is_too_long_is_said_so(self):
+    def test_reports_a_call_that_is_too_long(self):
         async def play(address):
             async with selvage.AsyncClient(address) as client:
                 others = [asyncio.create_task(client.list()) for _ in range(3)]
@@ -297,7 +297,7 @@ class Doors(unittest.TestCase):
         with LiveDaemon(SELVAGED, "--max-body-mb", "1") as daemon:
             asyncio.run(play(daemon.address))
 
-    def test_addresses_that_are_none(self):
+    def test_rejects_invalid_addresses(self):
         for text in ("localhost", "http://localhost:1", "localhost:99999", ":80", "localhost:x"):
             with self.assertRaises(ValueError, msg=text):
                 selvage.Client(text)

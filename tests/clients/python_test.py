@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The Python client against a live daemon.  usage: python_test.py SELVAGED"""
+"""The Python client with a live daemon.  usage: python_test.py SELVAGED"""
 import asyncio
 import json
 import pathlib
@@ -54,7 +54,7 @@ class LiveTest(unittest.TestCase):
 
 
 class Golden(LiveTest):
-    def test_every_exchange(self):
+    def test_golden_exchanges_give_the_recorded_answers(self):
         for path in sorted(GOLDEN.glob("*.json")):
             self.stop()
             self.store.unlink(missing_ok=True)
@@ -66,7 +66,7 @@ class Golden(LiveTest):
                 if not isinstance(request, dict) or not isinstance(request.get("params", {}), dict) \
                         or not isinstance(request.get("method"), str) or request.get("jsonrpc") != "2.0" \
                         or not isinstance(request.get("id"), int | str):
-                    continue  # not to be said with a client
+                    continue  # a client cannot send this
                 try:
                     result = client.call(request["method"], request.get("params"))
                     self.assertTrue(alike(response.get("result"), result), (path.name, request, result))
@@ -75,7 +75,7 @@ class Golden(LiveTest):
 
 
 class Sync(LiveTest):
-    def test_motions_edits_drags(self):
+    def test_motions_edits_and_drags(self):
         with self.client().open(SQUARES) as marker:
             rounds = []
             moved = marker.compact(progress=rounds.append)
@@ -88,13 +88,13 @@ class Sync(LiveTest):
             self.assertEqual(marker.check().revision, 5)
             self.assertTrue(marker.check().valid)
 
-    def test_a_restart_is_survived(self):
+    def test_continues_after_a_restart_of_the_daemon(self):
         marker = self.client().open(SQUARES)
         self.stop()
         self.start()
         self.assertEqual(marker.compact().length_after, 80)
 
-    def test_a_refusal_has_its_class(self):
+    def test_errors_have_classes_of_their_own(self):
         with self.assertRaises(selvage.CallError) as caught:
             self.client().marker("m9").check()
         self.assertEqual(caught.exception.code, -32012)
@@ -124,7 +124,7 @@ class Sync(LiveTest):
         self.assertEqual(outlines.arrays()["right"].shape, (4, 2))
         self.assertEqual(len(drawing.draw(outlines, labels=True).patches), 3)
 
-    def test_the_example(self):
+    def test_the_example_runs(self):
         ran = subprocess.run([sys.executable, ROOT / "examples/python/compact.py", self.address,
                               ROOT / "examples/markers/jeans_02g.json"], capture_output=True, text=True)
         self.assertEqual(ran.returncode, 0, ran.stderr)
@@ -132,7 +132,7 @@ class Sync(LiveTest):
 
 
 class Async(LiveTest):
-    def test_who_watches_hears_of_changes(self):
+    def test_a_watcher_receives_changes(self):
         async def play():
             async with selvage.AsyncClient(self.address) as client:
                 marker = await client.open(SQUARES)

@@ -9,7 +9,7 @@
 
 #include "protocol/json/json_text.h"
 #include "server/app/options.h"
-#include "tests/server/dispatch/stub_engine.h"
+#include "tests/server/dispatch/stub_methods.h"
 #include "tests/server/wire/wire.h"
 
 namespace selvage::test {
@@ -21,11 +21,11 @@ inline server::app::Options on_free_port(std::size_t workers) {
   return options;
 }
 
-// The answer's bytes; empty when there was none.
+// The answer's bytes; empty if there is none.
 inline std::string post_call(Wire& wire, const std::string& method, const std::string& params = "{}") {
   return wire.post(call(1, method, params)).value_or(HttpAnswer{}).body;
 }
-// The answer's result; null, and a failure, when it is an error.
+// The answer's result.  If it is an error, null and a test failure.
 inline Json result_of(const std::string& answer) {
   Json parsed = answer.empty() ? Json() : Json::parse(answer);
   if (!parsed.contains("result")) {
@@ -54,7 +54,7 @@ inline std::string open_params(const std::string& document) {
 inline std::string id_params(const std::string& id, const std::string& more = "") {
   return R"({"markerId":")" + id + "\"" + more + "}";
 }
-// Opens a marker; its id.
+// Opens a marker and returns its id.
 inline std::string open_marker(Wire& wire, const std::string& document) {
   const Json opened = result_of(post_call(wire, "marker.open", open_params(document)));
   return opened.is_null() ? std::string{} : opened["markerId"].get<std::string>();

@@ -1,4 +1,4 @@
-// A whole daemon over real sockets, with an engine that waits at a gate: what happens while a motion runs.
+// A whole daemon over real sockets, with motions that wait at a gate: what happens while a motion runs.
 #include "server/app/daemon.h"
 
 #include <gtest/gtest.h>
@@ -15,9 +15,9 @@
 namespace selvage::test {
 namespace {
 
-TEST(Daemon, ReadsAndInfoAreAnsweredWhileEveryMotionWorkerIsBusy) {
+TEST(Daemon, AnswersReadsWhileEveryMotionWorkerIsBusy) {
   Gate gate;
-  server::app::Daemon daemon{on_free_port(1), gate.engine()};
+  server::app::Daemon daemon{on_free_port(1), gate.methods()};
   Wire wire{daemon.port()};
   const std::string id = open_marker(wire, kSmallMarker);
   Wire busy{daemon.port()};
@@ -32,25 +32,23 @@ TEST(Daemon, ReadsAndInfoAreAnsweredWhileEveryMotionWorkerIsBusy) {
   EXPECT_EQ(result_of(busy.answer().value_or(HttpAnswer{}).body)["revision"], 2);
 }
 
-// Waits until a motion may work with so many hands; false when that does not come.
-bool await_hands(const Executor& executor, std::size_t parallelism) {
+// Waits until a motion may use this number of threads.  Returns false if that does not happen in time.
+bool await_parallelism(const Executor& executor, std::size_t parallelism) {
   const auto end = std::chrono::steady_clock::now() + kPatience;
   while (executor.parallelism() != parallelism && std::chrono::steady_clock::now() < end) std::this_thread::yield();
   return executor.parallelism() == parallelism;
 }
 
-TEST(Daemon, LendsAMotionTheCoresThatNoJobIsOn) {
+TEST(Daemon, AMotionMayUseTheCoresThatNoJobUses) {
   Gate gate;
-  protocol::calls::Engine engine = gate.engine();
   std::atomic<std::size_t> motions{};
-  engine.compact = [&, compact = engine.compact](const Marker& start,
-                                                 const motion::compaction::CompactionSettings& settings,
-                                                 const scene::Run& run) {
-    // Three workers: the first motion has them all, the second those that the first is not on.
-    EXPECT_TRUE(await_hands(*run.executor, 3 - motions++)) << run.executor->parallelism();
-    return compact(start, settings, run);
+  const auto stub = [&](const CommonParams& about, const MarkerFile& file, const MethodContext& context) {
+    // Three workers: the first motion may use all of them, the second those that the first does not occupy.
+    const Executor& executor = *context.run.executor;
+    EXPECT_TRUE(await_parallelism(executor, 3 - motions++)) << executor.parallelism();
+    return gate.run(about, file, context);
   };
-  server::app::Daemon daemon{on_free_port(3), engine};
+  server::app::Daemon daemon{on_free_port(3), methods_with({"motion.compact"}, stub)};
   Wire wire{daemon.port()};
   Wire lines{daemon.port()};
   for (int motion = 1; motion <= 3; ++motion) {
@@ -62,22 +60,22 @@ TEST(Daemon, LendsAMotionTheCoresThatNoJobIsOn) {
   for (int motion = 1; motion <= 3; ++motion) EXPECT_EQ(result_of(lines.line().value_or(""))["revision"], 2);
 }
 
-TEST(Daemon, DescribesEveryMethodThatItHas) {
+TEST(Daemon, DescribesEveryMethod) {
   server::app::Daemon daemon{on_free_port(1)};
   Wire wire{daemon.port()};
-  const Json told = result_of(post_call(wire, "rpc.discover"));
+  const Json description = result_of(post_call(wire, "rpc.discover"));
   std::set<Json> names;
-  for (const Json& method : told["methods"]) names.insert(method["name"]);
+  for (const Json& method : description["methods"]) names.insert(method["name"]);
   EXPECT_EQ(names.erase("$/cancelRequest"), 1U);  // the dispatcher's, which engine.info does not list
   const Json listed = result_of(post_call(wire, "engine.info"))["methods"];
   EXPECT_EQ(names, std::set<Json>(listed.begin(), listed.end()));
   wire.send("GET /openrpc.json HTTP/1.1\r\nHost: localhost\r\n\r\n");
-  EXPECT_EQ(wire.answer().value_or(HttpAnswer{}).body, protocol::json::to_text(told));
+  EXPECT_EQ(wire.answer().value_or(HttpAnswer{}).body, protocol::json::to_text(description));
 }
 
 TEST(Daemon, AClosedConnectionStopsItsMotion) {
   Gate gate;
-  server::app::Daemon daemon{on_free_port(1), gate.engine()};
+  server::app::Daemon daemon{on_free_port(1), gate.methods()};
   Wire wire{daemon.port()};
   const std::string id = open_marker(wire, kSmallMarker);
   Wire http{daemon.port()};
@@ -91,15 +89,15 @@ TEST(Daemon, AClosedConnectionStopsItsMotion) {
   lines.reset();
   gate.await_stopped(2);
   gate.open();
-  // Its turn comes after both: neither was committed.
+  // This motion runs after both of them: neither was committed.
   EXPECT_EQ(result_of(post_call(wire, "motion.compact", id_params(id)))["revision"], 2);
 }
 
-TEST(Daemon, AFullQueueIsBusyAndRecovers) {
+TEST(Daemon, AFullQueueAnswersBusyAndRecovers) {
   Gate gate;
   server::app::Options options = on_free_port(1);
   options.limits.waiting_motions = 1;
-  server::app::Daemon daemon{options, gate.engine()};
+  server::app::Daemon daemon{options, gate.methods()};
   Wire wire{daemon.port()};
   const std::string id = open_marker(wire, kSmallMarker);
   Wire lines{daemon.port()};
@@ -118,14 +116,14 @@ TEST(Daemon, AFullQueueIsBusyAndRecovers) {
 
 TEST(Daemon, DrainsWithEveryAnswerSent) {
   Gate gate;
-  server::app::Daemon daemon{on_free_port(2), gate.engine()};
+  server::app::Daemon daemon{on_free_port(2), gate.methods()};
   Wire wire{daemon.port()};
   Wire lines{daemon.port()};
   for (int i = 0; i < 3; ++i) {
     lines.send(call(i, "motion.compact", id_params(open_marker(wire, kSmallMarker))) + "\n");
   }
   lines.send(call(3, "engine.info") + "\n");
-  EXPECT_EQ(Json::parse(lines.line().value_or("{}"))["id"], 3);  // so those before it were taken, too
+  EXPECT_EQ(Json::parse(lines.line().value_or("{}"))["id"], 3);  // so the earlier calls were accepted, too
   gate.await_arrivals(2);                                        // and the third motion waits
   daemon.drain();
   std::set<int> answered;
@@ -140,7 +138,7 @@ TEST(Daemon, DrainsWithEveryAnswerSent) {
 TEST(Daemon, AnswersEveryCallOfManyClientsExactlyOnce) {
   Gate gate;
   gate.open();
-  server::app::Daemon daemon{on_free_port(2), gate.engine()};
+  server::app::Daemon daemon{on_free_port(2), gate.methods()};
   constexpr int kClients = 8;
   constexpr int kCalls = 200;
   std::vector<std::jthread> clients;
@@ -164,16 +162,16 @@ TEST(Daemon, AnswersEveryCallOfManyClientsExactlyOnce) {
   }
 }
 
-TEST(Daemon, WithoutWorkersServesInline) {
+TEST(Daemon, WithoutWorkersExecutesInline) {
   Gate gate;
   gate.open();
-  server::app::Daemon daemon{on_free_port(0), gate.engine()};
+  server::app::Daemon daemon{on_free_port(0), gate.methods()};
   Wire wire{daemon.port()};
   const std::string id = open_marker(wire, kSmallMarker);
   EXPECT_EQ(result_of(post_call(wire, "motion.compact", id_params(id)))["revision"], 2);
 }
 
-TEST(Daemon, ABodyBeyondTheLimitIsRefusedOnBothRoads) {
+TEST(Daemon, ABodyBeyondTheLimitIsRefusedOverHttpAndLines) {
   server::app::Options options = on_free_port(1);
   options.limits.transport.body_bytes = 1000;
   server::app::Daemon daemon{options};

@@ -1,4 +1,4 @@
-// The garment markers of examples/, through a whole daemon and the real engine.
+// The garment markers of examples/ through a whole daemon.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -15,7 +15,7 @@ namespace {
 
 class Garments : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(Garments, OpenCompactCheckGetClose) {
+TEST_P(Garments, CanBeOpenedCompactedCheckedReadAndClosed) {
   server::app::Daemon daemon{on_free_port(1)};
   Wire wire{daemon.port()};
   const Json opened = result_of(post_call(wire, "marker.open", open_params(garment(GetParam()))));
@@ -36,7 +36,7 @@ TEST_P(Garments, OpenCompactCheckGetClose) {
 
   const Json outlines = result_of(post_call(wire, "marker.get", id_params(id, R"(,"format":"outlines")")));
   EXPECT_EQ(outlines["marker"]["pieces"].size(), opened["pieces"]);
-  // What is handed out can be opened again, and is as long as was said.
+  // The returned document can be opened again and has the reported length.
   const Json native = result_of(post_call(wire, "marker.get", id_params(id)));
   const Json again = result_of(post_call(wire, "marker.open", open_params(native["marker"].dump())));
   EXPECT_EQ(again["length"], compacted["lengthAfter"]);
@@ -49,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(All, Garments,
                          ::testing::Values("jeans_02g", "charlie_04g", "simon_06g", "jeans_06g", "jeans_22g"),
                          [](const auto& tested) { return std::string{tested.param}; });
 
-// What one client sees: a dry run, the motion itself, others after it, the outlines.
+// The answers that one client receives: to a dry run, to motions and to reads.
 using Seen = std::array<std::string, 5>;
 Seen seen(std::uint16_t port, const std::string& document) {
   Wire wire{port};
@@ -68,8 +68,8 @@ std::string without_id(std::string answer) {
   return answer.erase(at, answer.find(',', at) - at);
 }
 
-// A garment marker pulled apart by hand, gathered again: every motion leaves it valid and never longer.
-TEST(Motions, OnAGarmentMarkerThroughTheDaemon) {
+// A garment marker whose pieces were moved apart: every motion leaves it valid and makes it no longer.
+TEST(Motions, WorkOnAGarmentMarkerThroughTheDaemon) {
   server::app::Daemon daemon{on_free_port(1)};
   Wire wire{daemon.port()};
   const std::string id = open_marker(wire, garment("jeans_06g"));
@@ -92,7 +92,7 @@ TEST(Motions, OnAGarmentMarkerThroughTheDaemon) {
   EXPECT_EQ(result_of(post_call(wire, "marker.check", id_params(id)))["valid"], true);
 }
 
-TEST(SameBytes, OnAnyNumberOfWorkersAndEveryRun) {
+TEST(Answers, AreTheSameBytesForAnyNumberOfWorkersAndInEveryRun) {
   const std::string document = garment("jeans_02g");
   std::set<Seen> different;
   for (int run = 0; run < 10; ++run) {

@@ -1,4 +1,4 @@
-// The golden exchanges of tests/golden/rpc, each file played to a fresh daemon, over HTTP, lines and a WebSocket.
+// The golden exchanges of tests/golden/rpc, each file sent to a new daemon over HTTP, lines and a WebSocket.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 namespace selvage::test {
 namespace {
 
-// Equal but for "$any", and exactly the same fields.
+// Equal except for "$any", with exactly the same fields.
 bool alike(const Json& expected, const Json& actual) {
   if (expected == "$any") return true;
   if (!expected.is_object() || !actual.is_object()) return expected == actual;
@@ -24,49 +24,49 @@ bool alike(const Json& expected, const Json& actual) {
   return true;
 }
 
-// A way to a daemon for one message at a time.
-class Road {
+// A connection to a daemon that sends one message at a time.
+class ClientTransport {
  public:
-  Road() = default;
-  virtual ~Road() = default;
-  Road(const Road&) = delete;
-  Road& operator=(const Road&) = delete;
+  ClientTransport() = default;
+  virtual ~ClientTransport() = default;
+  ClientTransport(const ClientTransport&) = delete;
+  ClientTransport& operator=(const ClientTransport&) = delete;
   virtual void send(const std::string& request) = 0;
-  // The next message; empty when the connection has ended.
-  virtual std::string hear() = 0;
+  // The next message; empty if the connection has ended.
+  virtual std::string receive() = 0;
 };
 
-class Http final : public Road {
+class Http final : public ClientTransport {
  public:
   explicit Http(std::uint16_t port) : wire_{port} {}
   void send(const std::string& request) override { wire_.send(post_request(request)); }
-  std::string hear() override { return wire_.answer().value_or(HttpAnswer{}).body; }
+  std::string receive() override { return wire_.answer().value_or(HttpAnswer{}).body; }
 
  private:
   Wire wire_;
 };
 
-class Lines final : public Road {
+class Lines final : public ClientTransport {
  public:
   explicit Lines(std::uint16_t port) : wire_{port} {}
   void send(const std::string& request) override { wire_.send(request + "\n"); }
-  std::string hear() override { return wire_.line().value_or(""); }
+  std::string receive() override { return wire_.line().value_or(""); }
 
  private:
   Wire wire_;
 };
 
-class WebSocket final : public Road {
+class WebSocket final : public ClientTransport {
  public:
   explicit WebSocket(std::uint16_t port) : wire_{port} {}
   void send(const std::string& request) override { wire_.send_text(request); }
-  std::string hear() override { return wire_.text().value_or(""); }
+  std::string receive() override { return wire_.text().value_or(""); }
 
  private:
   WebSocketWire wire_;
 };
 
-std::unique_ptr<Road> road_to(const server::app::Daemon& daemon, const std::string& name) {
+std::unique_ptr<ClientTransport> connect_by(const server::app::Daemon& daemon, const std::string& name) {
   if (name == "http") return std::make_unique<Http>(daemon.port());
   if (name == "lines") return std::make_unique<Lines>(daemon.port());
   return std::make_unique<WebSocket>(daemon.port());
@@ -74,31 +74,31 @@ std::unique_ptr<Road> road_to(const server::app::Daemon& daemon, const std::stri
 
 class GoldenExchanges : public ::testing::TestWithParam<std::tuple<const char*, const char*>> {};
 
-TEST_P(GoldenExchanges, AreWhatTheDaemonAnswers) {
-  const auto& [name, road_name] = GetParam();
+TEST_P(GoldenExchanges, MatchTheDaemonsAnswers) {
+  const auto& [name, transport_name] = GetParam();
   const Json exchanges =
       Json::parse(file_text(std::string{SELVAGE_SOURCE_DIR} + "/tests/golden/rpc/" + name + ".json"));
   ASSERT_FALSE(exchanges.empty());
   const server::app::Daemon daemon{on_free_port(1)};
-  const auto road = road_to(daemon, road_name);
-  Json to_be_told = Json::array();
-  Json told = Json::array();
+  const auto transport = connect_by(daemon, transport_name);
+  Json expected_notifications = Json::array();
+  Json notifications = Json::array();
   for (const Json& exchange : exchanges) {
-    for (const Json& each : exchange.value("told", Json::array())) to_be_told.push_back(each);
+    for (const Json& each : exchange.value("told", Json::array())) expected_notifications.push_back(each);
     const std::string request = protocol::json::to_text(exchange["request"]);
-    road->send(request);
-    std::string answer = road->hear();
-    // What watchers are told may come before an answer.
-    for (; !answer.empty() && Json::parse(answer).contains("method"); answer = road->hear()) {
-      told.push_back(Json::parse(answer));
+    transport->send(request);
+    std::string answer = transport->receive();
+    // Notifications may arrive before an answer.
+    for (; !answer.empty() && Json::parse(answer).contains("method"); answer = transport->receive()) {
+      notifications.push_back(Json::parse(answer));
     }
     ASSERT_FALSE(answer.empty()) << request;
     EXPECT_TRUE(alike(exchange["response"], Json::parse(answer)))
         << request << "\nexpected " << protocol::json::to_text(exchange["response"]) << "\nanswered " << answer;
   }
-  ASSERT_EQ(told.size(), to_be_told.size()) << protocol::json::to_text(told);
-  for (std::size_t i = 0; i < told.size(); ++i)
-    EXPECT_TRUE(alike(to_be_told[i], told[i])) << protocol::json::to_text(told[i]);
+  ASSERT_EQ(notifications.size(), expected_notifications.size()) << protocol::json::to_text(notifications);
+  for (std::size_t i = 0; i < notifications.size(); ++i)
+    EXPECT_TRUE(alike(expected_notifications[i], notifications[i])) << protocol::json::to_text(notifications[i]);
 }
 
 TEST(Readme, ExplainsEveryMethodOfTheDaemon) {
@@ -121,8 +121,8 @@ INSTANTIATE_TEST_SUITE_P(All, GoldenExchanges,
                                                               "dragging", "places_and_tilts"),
                                             ::testing::Values("http", "lines", "websocket")),
                          name_of);
-// Over HTTP nobody can be told anything.
-INSTANTIATE_TEST_SUITE_P(Told, GoldenExchanges,
+// Over HTTP there are no notifications.
+INSTANTIATE_TEST_SUITE_P(Notifications, GoldenExchanges,
                          ::testing::Combine(::testing::Values("watching"), ::testing::Values("lines", "websocket")),
                          name_of);
 

@@ -1,5 +1,5 @@
-// Killed in the middle of random edits and started again: every acknowledged revision is there, and nothing else than
-// what was asked for.
+// The daemon is killed in the middle of random edits and started again: it must have every acknowledged revision, and
+// nothing that was not requested.
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -19,17 +19,17 @@
 namespace selvage::test {
 namespace {
 
-constexpr std::string_view kRunsFrom = "SELVAGE_KILLS";  // the environment's number of runs, in place of these
+constexpr std::string_view kRunsFrom = "SELVAGE_KILLS";  // an environment variable that overrides the number of runs
 constexpr int kRuns = 20;
 constexpr std::size_t kWriters = 3;
-constexpr std::uint64_t kMostUndone = 256;  // the server's History
+constexpr std::uint64_t kMostUndone = 256;  // History::kMaxSteps of the server
 
-// A marker as its writer knows it: the answers it got, by revision.
+// A marker as its client knows it: the answers that it received, by revision.
 struct Story {
   std::string id;
   Json opened;  // as it was then
   std::uint64_t acknowledged{1};
-  std::string last_answer{}, last_call{};  // of the revision that was acknowledged last
+  std::string last_answer{}, last_call{};  // of the last acknowledged revision
 };
 
 std::string random_edit(const Story& story, std::mt19937& random, int number) {
@@ -50,7 +50,7 @@ std::string random_edit(const Story& story, std::mt19937& random, int number) {
   }
 }
 
-// Edits until the daemon is gone.
+// Edits until the daemon has ended.
 void edit(std::uint16_t port, Story& story, unsigned seed) {
   std::mt19937 random{seed};
   Wire wire{port};
@@ -68,16 +68,16 @@ void edit(std::uint16_t port, Story& story, unsigned seed) {
   }
 }
 
-// The marker as the daemon shows it now.
+// The marker as the daemon returns it now.
 void expect_told(Wire& wire, const Story& story) {
   const Json got = result_of(post_call(wire, "marker.get", id_params(story.id)));
   ASSERT_TRUE(got.is_object());
   const std::uint64_t revision = got["revision"];
-  // At most the one call whose answer was under way is ahead of what was acknowledged.
+  // At most one revision is not acknowledged: that of the call whose answer was not received.
   EXPECT_GE(revision, story.acknowledged);
   EXPECT_LE(revision, story.acknowledged + 1);
   if (story.last_call.empty()) return;
-  // The retry of the last acknowledged call is answered as it was, and does nothing.
+  // A retry of the last acknowledged call gets the same answer and does nothing.
   EXPECT_EQ(wire.post(story.last_call).value_or(HttpAnswer{}).body, story.last_answer);
   EXPECT_EQ(result_of(post_call(wire, "marker.get", id_params(story.id)))["revision"], revision);
   if (revision != story.acknowledged) return;
@@ -95,7 +95,7 @@ void expect_told(Wire& wire, const Story& story) {
   }
 }
 
-// Everything taken back, one change after the other, it is the marker that was opened.
+// Undoing all changes one by one leads back to the marker that was opened.
 void expect_undone(Wire& wire, const Story& story) {
   if (story.acknowledged > kMostUndone) return;
   std::string undone;
@@ -111,7 +111,7 @@ class Killed : public ::testing::Test {
     folder_ = ::mkdtemp(name.data());
   }
   ~Killed() override { std::filesystem::remove_all(folder_); }
-  [[nodiscard]] std::vector<std::string> words() const {
+  [[nodiscard]] std::vector<std::string> arguments() const {
     return {SELVAGED,
             "--listen",
             "127.0.0.1:0",
@@ -122,7 +122,7 @@ class Killed : public ::testing::Test {
             "--workers",
             "2",
             "--log-level",
-            "warn"};  // nobody reads its output while it runs: a full pipe would hold it up
+            "warn"};  // nobody reads its output while it runs, and a full pipe would block it
   }
   [[nodiscard]] std::uint16_t port_of(Process& process) const {
     EXPECT_NE(process.output_until("listening on 127.0.0.1:").find("listening on 127.0.0.1:"), std::string::npos);
@@ -137,13 +137,13 @@ int wanted_runs() {
   return told ? std::stoi(told) : kRuns;
 }
 
-TEST_F(Killed, LosesNothingThatWasAcknowledged) {
+TEST_F(Killed, NothingAcknowledgedIsLost) {
   const int runs = wanted_runs();
   std::mt19937 random{20'26};
   std::vector<Story> stories;
   std::size_t edits = 0;
   for (int run = 0; run < runs; ++run) {
-    Process selvaged{words()};
+    Process selvaged{arguments()};
     const std::uint16_t port = port_of(selvaged);
     Wire wire{port};
     for (const Story& story : stories) expect_told(wire, story);
@@ -169,7 +169,7 @@ TEST_F(Killed, LosesNothingThatWasAcknowledged) {
     EXPECT_EQ(selvaged.exit_code(), -SIGKILL);
     for (const Story& story : stories) edits += story.acknowledged - 1;
   }
-  Process selvaged{words()};
+  Process selvaged{arguments()};
   Wire wire{port_of(selvaged)};
   for (const Story& story : stories) expect_told(wire, story);
   EXPECT_GT(edits, static_cast<std::size_t>(runs));
@@ -180,7 +180,7 @@ TEST_F(Killed, LosesNothingThatWasAcknowledged) {
 TEST_F(Killed, IdsAreNeverUsedTwice) {
   std::set<std::string> ids;
   for (int run = 0; run < 3; ++run) {
-    Process selvaged{words()};
+    Process selvaged{arguments()};
     Wire wire{port_of(selvaged)};
     const std::string id = open_marker(wire, kSmallMarker);
     EXPECT_TRUE(ids.insert(id).second) << id;
@@ -191,9 +191,9 @@ TEST_F(Killed, IdsAreNeverUsedTwice) {
 }
 
 TEST_F(Killed, TwoDaemonsDoNotShareAStore) {
-  Process first{words()};
+  Process first{arguments()};
   (void)port_of(first);
-  Process second{words()};
+  Process second{arguments()};
   EXPECT_NE(second.all_output().find("locked"), std::string::npos);
   EXPECT_EQ(second.exit_code(), 1);
 }

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """The golden exchanges against the daemon's own description: python3 openrpc_test.py SELVAGED GOLDEN_FOLDER.
 
-Every parameter of a call that succeeds, and every field of what it answers, is one that rpc.discover tells, of the
-schema it tells; a required one is there.  The description itself is what OpenRPC 1.2.6 requires of one.
+rpc.discover must describe every parameter of each call that succeeds, and every field of its answer, with its schema;
+required ones must be present.  The description itself must be valid OpenRPC 1.2.6.
 """
 import json
 import pathlib
@@ -17,32 +17,32 @@ def answers(selvaged, calls):
     with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
         json.dump(calls, file)
         file.flush()
-        told = subprocess.run([selvaged, "--check", file.name, "--log-level", "off"], capture_output=True, text=True)
-    return [json.loads(line) for line in told.stdout.splitlines()]
+        finished = subprocess.run([selvaged, "--check", file.name, "--log-level", "off"], capture_output=True, text=True)
+    return [json.loads(line) for line in finished.stdout.splitlines()]
 
 
 def check_value(document, schema, value, where):
     rooted = dict(schema, components=document["components"])
-    for mistake in jsonschema.Draft7Validator(rooted).iter_errors(value):
-        yield f"{where}{list(mistake.absolute_path)}: {mistake.message}"
+    for error in jsonschema.Draft7Validator(rooted).iter_errors(value):
+        yield f"{where}{list(error.absolute_path)}: {error.message}"
 
 
 def check_params(document, method, params):
-    words = {param["name"]: param for param in method["params"]}
-    for name, word in words.items():
-        if word["required"] and name not in params:
+    described = {param["name"]: param for param in method["params"]}
+    for name, param in described.items():
+        if param["required"] and name not in params:
             yield f"{method['name']}: {name} is required, yet the call succeeded without it"
     for name, value in params.items():
-        if name in words:
-            yield from check_value(document, words[name]["schema"], value, f"{method['name']}/{name}")
+        if name in described:
+            yield from check_value(document, described[name]["schema"], value, f"{method['name']}/{name}")
         else:
-            yield f"{method['name']}: nothing tells of the parameter {name}"
+            yield f"{method['name']}: the description lacks the parameter {name}"
 
 
 def check_result(document, method, result):
     schema = method["result"]["schema"]
     for name in set(result) - set(schema["properties"]):
-        yield f"{method['name']}: nothing tells of the result {name}"
+        yield f"{method['name']}: the description lacks the result {name}"
     yield from check_value(document, schema, result, method["name"])
 
 
@@ -55,31 +55,31 @@ def check_document(document):
     for method in document["methods"]:
         required = [param["required"] for param in method["params"]]
         if required != sorted(required, reverse=True):
-            yield f"{method['name']}: an optional parameter stands before a required one"
+            yield f"{method['name']}: an optional parameter comes before a required one"
 
 
 def main(selvaged, folder):
     discover = {"jsonrpc": "2.0", "id": 1, "method": "rpc.discover"}
     document = answers(selvaged, [discover])[0]["result"]
     methods = {method["name"]: method for method in document["methods"]}
-    mistakes = list(check_document(document))
+    errors = list(check_document(document))
     seen = set()
     for path in sorted(pathlib.Path(folder).glob("*.json")):
         requests = [exchange["request"] for exchange in json.loads(path.read_text())]
         named = [request for request in requests if isinstance(request, dict) and "id" in request]
-        told = {json.dumps(answer.get("id")): answer for answer in answers(selvaged, named)}
+        finished = {json.dumps(answer.get("id")): answer for answer in answers(selvaged, named)}
         for request in named:
-            answer = told.get(json.dumps(request["id"]), {})
+            answer = finished.get(json.dumps(request["id"]), {})
             if "result" not in answer:
                 continue
             method = methods[request["method"]]
             seen.add(request["method"])
-            mistakes += check_params(document, method, request.get("params", {}))
-            mistakes += check_result(document, method, answer["result"])
-    for mistake in mistakes:
-        print(mistake)
+            errors += check_params(document, method, request.get("params", {}))
+            errors += check_result(document, method, answer["result"])
+    for error in errors:
+        print(error)
     print(f"{len(seen)} of {len(methods)} methods seen in the exchanges; not: {sorted(set(methods) - seen)}")
-    return 1 if mistakes or len(seen) < 20 else 0
+    return 1 if errors or len(seen) < 20 else 0
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-// A program that a test starts, talks to by signals and reads the output of.
+// A program that a test starts, sends signals to and reads the output of.
 #pragma once
 
 #include <fcntl.h>
@@ -15,10 +15,10 @@
 
 namespace selvage::test {
 
-// A child process whose stdout and stderr are read as one.
+// A child process whose stdout and stderr are read together.
 class Process {
  public:
-  explicit Process(std::vector<std::string> words) {
+  explicit Process(std::vector<std::string> arguments) {
     std::array<int, 2> ends{};
     EXPECT_EQ(::pipe2(ends.data(), O_CLOEXEC), 0);
     posix_spawn_file_actions_t actions;
@@ -26,9 +26,9 @@ class Process {
     posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
     std::vector<char*> argv;
-    for (std::string& word : words) argv.push_back(word.data());
+    for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
-    EXPECT_EQ(::posix_spawnp(&id_, argv[0], &actions, nullptr, argv.data(), environ), 0) << words[0];
+    EXPECT_EQ(::posix_spawnp(&id_, argv[0], &actions, nullptr, argv.data(), environ), 0) << arguments[0];
     posix_spawn_file_actions_destroy(&actions);
     ::close(ends[1]);
     output_ = ends[0];
@@ -45,13 +45,13 @@ class Process {
 
   [[nodiscard]] pid_t id() const { return id_; }
   void signal(int number) const { ::kill(id_, number); }
-  // Waits for its end.
+  // Waits until it has ended.
   int exit_code() {
     int status{};
     ::waitpid(std::exchange(id_, -1), &status, 0);
     return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
   }
-  // Reads output until it holds `text`, or ends.
+  // Reads output until it contains `text` or ends.
   std::string output_until(const std::string& text) {
     std::array<char, 4096> chunk{};
     while (seen_.find(text) == std::string::npos) {

@@ -1,4 +1,4 @@
-// The program itself: started, told to stop, and used by the curl example.
+// The program itself: start, shutdown, configuration, and the curl example.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -25,8 +25,8 @@ class Selvaged : public ::testing::Test {
   }
   ~Selvaged() override { std::filesystem::remove_all(folder_); }
 
-  // Started with these options on a free port; port_ is told when it listens.
-  std::vector<std::string> words(std::vector<std::string> more = {}) const {
+  // Starts it with these options on a free port and waits until it listens.
+  std::vector<std::string> arguments(std::vector<std::string> more = {}) const {
     std::vector<std::string> all{SELVAGED, "--listen", "127.0.0.1:0", "--port-file", port_file()};
     all.insert(all.end(), more.begin(), more.end());
     return all;
@@ -40,9 +40,9 @@ class Selvaged : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
-TEST_F(Selvaged, SaysWhereItListensAndEndsInOrderOnBothSignals) {
+TEST_F(Selvaged, PrintsItsAddressesAndShutsDownOnBothSignals) {
   for (const int signal : {SIGTERM, SIGINT}) {
-    Process selvaged{words()};
+    Process selvaged{arguments()};
     const std::uint16_t port = port_of(selvaged);
     Wire wire{port};
     EXPECT_EQ(result_of(post_call(wire, "engine.info"))["name"], "selvage");
@@ -56,8 +56,8 @@ TEST_F(Selvaged, SaysWhereItListensAndEndsInOrderOnBothSignals) {
   }
 }
 
-TEST_F(Selvaged, StoppedInTheMiddleOfMotionsAnswersThemAll) {
-  Process selvaged{words({"--workers", "1"})};
+TEST_F(Selvaged, AnswersAllMotionsWhenItIsStopped) {
+  Process selvaged{arguments({"--workers", "1"})};
   const std::uint16_t port = port_of(selvaged);
   Wire wire{port};
   const std::string id = open_marker(wire, garment("jeans_22g"));
@@ -68,7 +68,7 @@ TEST_F(Selvaged, StoppedInTheMiddleOfMotionsAnswersThemAll) {
   }
   lines.send(calls);
   lines.send(call(20, "engine.info") + "\n");
-  // Answered at once, and read after the motions: they are all accepted by now, and cannot all be done.
+  // This call is answered immediately and was read after the motions: all of them are accepted by now, but not done.
   std::vector<std::string> answers;
   do {
     answers.push_back(lines.line().value_or(R"({"id":20,"error":{"code":0}})"));
@@ -87,20 +87,20 @@ TEST_F(Selvaged, StoppedInTheMiddleOfMotionsAnswersThemAll) {
   EXPECT_EQ(Json::parse(answers.back())["result"]["stop"], "cancelled");
 }
 
-TEST_F(Selvaged, RefusesAForeignAddressAndATakenPort) {
+TEST_F(Selvaged, RefusesAForeignAddressAndAPortInUse) {
   Process foreign{{SELVAGED, "--listen", "0.0.0.0:0"}};
   EXPECT_NE(foreign.all_output().find("--token-file is missing"), std::string::npos);
   EXPECT_EQ(foreign.exit_code(), 2);
-  Process first{words()};
+  Process first{arguments()};
   const std::string address = "127.0.0.1:" + std::to_string(port_of(first));
   Process second{{SELVAGED, "--listen", address}};
   EXPECT_NE(second.all_output().find("cannot listen on 127.0.0.1 port "), std::string::npos);
   EXPECT_EQ(second.exit_code(), 1);
 }
 
-TEST_F(Selvaged, ListensWhereItIsToldAndSaysSo) {
+TEST_F(Selvaged, ListensOnTheGivenAddressesAndPrintsThem) {
   const std::string path = (folder_ / "socket").string();
-  Process selvaged{words({"--listen-tcp", "127.0.0.1:0", "--listen-unix", path})};
+  Process selvaged{arguments({"--listen-tcp", "127.0.0.1:0", "--listen-unix", path})};
   EXPECT_NE(selvaged.output_until("listening on " + path).find("listening on " + path), std::string::npos);
   std::istringstream ports{file_text(port_file())};
   std::uint16_t http{};
@@ -123,9 +123,9 @@ TEST_F(Selvaged, ListensWhereItIsToldAndSaysSo) {
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
-TEST_F(Selvaged, OpensItsLogAnewOnSighup) {
+TEST_F(Selvaged, ReopensItsLogOnSighup) {
   const std::string log = (folder_ / "log").string();
-  Process selvaged{words({"--log", log})};
+  Process selvaged{arguments({"--log", log})};
   Wire wire{port_of(selvaged)};
   ASSERT_FALSE(post_call(wire, "engine.info").empty());
   std::filesystem::rename(log, log + ".1");
@@ -141,7 +141,7 @@ TEST_F(Selvaged, OpensItsLogAnewOnSighup) {
   EXPECT_NE(file_text(log).find("drained"), std::string::npos);
 }
 
-TEST_F(Selvaged, ChecksItsConfigurationAndServesNobody) {
+TEST_F(Selvaged, ChecksItsConfigurationWithoutServing) {
   Process sound{{SELVAGED, "--check-config"}};
   EXPECT_EQ(sound.exit_code(), 0);
   Process no_key{{SELVAGED, "--check-config", "--tls-cert", "nowhere.pem", "--tls-key", "nowhere.pem"}};
@@ -188,7 +188,7 @@ TEST_F(Selvaged, AnswersTheCallsOfAFileWithoutSockets) {
 }
 
 TEST_F(Selvaged, ServesTheCurlExample) {
-  Process selvaged{words()};
+  Process selvaged{arguments()};
   ::setenv("SELVAGED", ("127.0.0.1:" + std::to_string(port_of(selvaged))).c_str(), 1);
   const std::string source = SELVAGE_SOURCE_DIR;
   const std::string outlines = (folder_ / "outlines.json").string();

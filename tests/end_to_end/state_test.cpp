@@ -1,4 +1,4 @@
-// What several connections share: markers that are watched, calls that are cancelled, hands that drag.
+// State across calls and connections: watched markers, cancelled calls, drag sessions, the store.
 #include <gtest/gtest.h>
 
 #include <unistd.h>
@@ -18,7 +18,7 @@ Json ask_line(Wire& wire, const std::string& message) {
   return Json::parse(wire.line().value_or("{}"));
 }
 
-TEST(State, TwoScreensShowTheSame) {
+TEST(State, TwoWatchersReceiveTheSameChanges) {
   server::app::Daemon daemon{on_free_port(2)};
   Wire first{daemon.port()};
   Wire second{daemon.port()};
@@ -39,17 +39,17 @@ TEST(State, TwoScreensShowTheSame) {
   }
 }
 
-TEST(State, ALongMotionIsCancelledOrEndsAtItsDeadlineAndTellsItsRounds) {
+TEST(State, ALongMotionReportsProgressAndEndsWhenCancelledOrAtItsDeadline) {
   server::app::Daemon daemon{on_free_port(1)};
   Wire post{daemon.port()};
   const std::string id = open_marker(post, garment("jeans_22g"));
   Wire line{daemon.port()};
   const std::string fine = R"(,"accuracy":"fine")";
   line.send(call(5, "motion.compact", id_params(id, fine + R"(,"progressToken":"p")")) + "\n");
-  const Json told = Json::parse(line.line().value_or("{}"));  // it is at work
-  EXPECT_EQ(told["method"], "$/progress");
-  EXPECT_EQ(told["params"]["token"], "p");
-  EXPECT_GT(told["params"]["length"], 0);
+  const Json progress = Json::parse(line.line().value_or("{}"));  // it has started
+  EXPECT_EQ(progress["method"], "$/progress");
+  EXPECT_EQ(progress["params"]["token"], "p");
+  EXPECT_GT(progress["params"]["length"], 0);
   line.send(R"({"jsonrpc":"2.0","method":"$/cancelRequest","params":{"id":5}})"
             "\n");
   Json answer;
@@ -64,7 +64,7 @@ TEST(State, ALongMotionIsCancelledOrEndsAtItsDeadlineAndTellsItsRounds) {
   EXPECT_LE(result_of(post_call(post, "marker.get", id_params(id)))["revision"], 2);
 }
 
-TEST(State, AHandDragsOverAGarmentAndItStaysValid) {
+TEST(State, DraggingOverAGarmentMarkerKeepsItValid) {
   server::app::Daemon daemon{on_free_port(1)};
   Wire line{daemon.port()};
   const Json opened = ask_line(line, call(1, "marker.open", open_params(garment("jeans_02g"))));
@@ -85,7 +85,7 @@ TEST(State, AHandDragsOverAGarmentAndItStaysValid) {
   }
 }
 
-TEST(State, AStoreSurvivesAnOrderlyEnd) {
+TEST(State, AStoreSurvivesAShutdown) {
   std::string name = (std::filesystem::temp_directory_path() / "selvage-daemon-XXXXXX").string();
   const std::filesystem::path folder = ::mkdtemp(name.data());
   server::app::Options options = on_free_port(1);

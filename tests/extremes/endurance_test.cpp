@@ -78,22 +78,22 @@ class Motions {
         motion::placing::repair_and_place(marker, any_piece(marker), any_place(marker), {.may_grow = true}, {sums_}));
   }
   std::optional<Marker> relaxed(const Marker& marker) {
-    const std::uint32_t piece = any_piece(marker).value;
+    const PieceId piece = any_piece(marker);
     const scene::Scene scene{marker, sums_};
     Marker relaxed = marker;
-    relaxed.pieces[piece] =
+    relaxed.pieces[piece.value] =
         (random_.chance(50) ? motion::piece::relax(scene, piece) : motion::piece::relax_tilted(scene, piece, 3)).piece;
     return relaxed;
   }
   // Perturbs the marker so that pieces overlap slightly, then separates them.
   std::optional<Marker> separated(const Marker& marker) {
-    Marker shaken = marker;
+    Marker perturbed = marker;
     const Coord most = marker.strip.width / 500;
-    for (Piece& piece : shaken.pieces) {
+    for (Piece& piece : perturbed.pieces) {
       if (!piece.locked.x) piece.at.x += random_.between(-most, most);
       if (!piece.locked.y) piece.at.y += random_.between(-most, most);
     }
-    auto done = motion::separation::separate(shaken, {.grow = 0.05}, {sums_});
+    auto done = motion::separation::separate(perturbed, {.grow = 0.05}, {sums_});
     if (!done || !done->apart) return std::nullopt;
     return std::move(done->marker);
   }

@@ -133,7 +133,7 @@ TEST(ExtremeLayouts, DovetailsAUnitTooLargeAreRefusedByName) {
   EXPECT_EQ(read->marker, before);
   EXPECT_EQ(refused.error().code, ErrorCode::kMarkerOverlaps);
   EXPECT_EQ(refused.error().field, "/pieces");
-  for (const char* said : {"0.0333333 mm that is mended", "\"0-0\" and \"1-0\" by 4.33333 mm"}) {
+  for (const char* said : {"0.0333333 mm that is repaired", "\"0-0\" and \"1-0\" by 4.33333 mm"}) {
     EXPECT_NE(refused.error().message.find(said), std::string::npos) << refused.error().message;
   }
   reached("refused", "marker.overlaps, 4.33 mm deep");

@@ -106,10 +106,10 @@ TEST(ExtremeOutlines, TenThousandVerticesAreRefusedHoweverFewAreMeant) {
 
   repeated.clear();
   for (const Vec corner : corners) repeated.insert(repeated.end(), geometry::kMaxVertices / 4, corner);
-  const auto mended = clean_polygon(repeated);
-  ASSERT_TRUE(mended);
-  EXPECT_EQ(mended->polygon, corners);
-  EXPECT_EQ(mended->repairs.duplicate_vertices, geometry::kMaxVertices - 4);
+  const auto cleaned = clean_polygon(repeated);
+  ASSERT_TRUE(cleaned);
+  EXPECT_EQ(cleaned->polygon, corners);
+  EXPECT_EQ(cleaned->repairs.duplicate_vertices, geometry::kMaxVertices - 4);
   reached("duplicates left out", static_cast<double>(geometry::kMaxVertices - 4));
 }
 

@@ -3,7 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "server/dispatch/dispatcher.h"
+#include "core/search/refine.h"
+#include "protocol/calls/motion.h"
+#include "protocol/methods/method_table.h"
+#include "server/dispatch/backend.h"
 #include "tests/fuzz/entry.h"
 
 namespace selvage::test {
@@ -19,15 +22,27 @@ bool small(const Marker& marker) {
   return marker.pieces.size() <= kMostPieces && vertices <= kMostVertices;
 }
 
-// An engine that rejects markers on which motions would take long, since motions are not tested here.
-protocol::calls::Engine quick_engine() {
-  protocol::calls::Engine engine;
-  engine.refine = [](const Marker& start, const search::RefineSettings&,
-                     const scene::Run& run) -> Result<motion::compaction::Compaction> {
-    if (!small(start)) return Error{ErrorCode::kRepairFailed, "too large for this test", {}};
-    return search::refine(start, {.other_ways = 4, .effort = 20, .tilts = false, .seed = 1}, run);
+// All methods, except that compaction at accuracy "fine", which would take too long here, searches only briefly.
+protocol::methods::MethodTable quick_methods() {
+  protocol::methods::MethodTable methods = protocol::methods::method_table();
+  protocol::calls::Method compact = *methods.find("motion.compact");
+  compact.read = [read = compact.read](const Json& params) {
+    auto call = read(params);
+    if (!call || params.value("accuracy", "") != "fine") return call;
+    call->run = [commit = call->about.commit](
+                    const MarkerFile& file,
+                    const protocol::calls::MethodContext& context) -> Result<protocol::calls::MethodAnswer> {
+      if (!small(file.marker)) return Error{ErrorCode::kRepairFailed, "too large for this test", {}};
+      auto done = search::refine(file.marker, {.variants = 4, .effort = 20, .tilts = false, .seed = 1}, context.run);
+      if (!done) return done.error();
+      const protocol::calls::RoundsResult own{done->rounds, stop_cause(done->reason, context)};
+      return answer_of(file.marker, {.marker = std::move(done->marker), .repair = done->repair},
+                       protocol::schema::encode(own), commit, context);
+    };
+    return call;
   };
-  return engine;
+  methods.replace(std::move(compact));
+  return methods;
 }
 
 // Every answer must be valid JSON-RPC and must not report an internal error.
@@ -45,33 +60,25 @@ void judge(const std::string& text) {
   }
 }
 
-// The daemon behind the transport, running everything on the calling thread.
-class Desk {
+// Everything behind the transport, executed on the calling thread.
+class LocalServer {
  public:
-  // Returns the answer, or nothing when the message was not answered; two answers are a failure.
+  // Nothing if the message was not answered; more than one answer is a crash.
   std::optional<std::string> ask(std::string message) {
     std::optional<std::string> answer;
-    dispatcher_.receive(std::move(message), session_, [&answer](std::string text) {
-      demand(!answer, "a message was answered twice");
+    backend_.receive(std::move(message), session_, [&answer](std::string text) {
+      demand(!answer, "answered twice");
       answer = std::move(text);
     });
     return answer;
   }
 
  private:
-  const server::calls::Limits limits_{.open_markers = 8, .transport = {.body_bytes = std::size_t{1} << 20}};
-  SumCache sums_{std::size_t{1} << 20};
-  server::store::MarkerStore store_{limits_.open_markers, nullptr};
-  server::methods::Watchers watchers_;
-  server::methods::Methods methods_{store_, watchers_, sums_, limits_, 0, quick_engine()};
-  server::jobs::DeadlineClock clock_;
   std::shared_ptr<server::transport::access::Session> session_ = std::make_shared<server::transport::access::Session>(
       server::transport::access::Session{.id = 1, .notify = [](const std::string& text) { judge(text); }, .gone = {}});
-  server::jobs::JobQueue parsing_{0, limits_.waiting_reads}, reads_{0, limits_.waiting_reads},
-      motions_{0, limits_.waiting_motions}, hands_{0, limits_.waiting_moves};
-  server::methods::Drags drags_{store_, methods_, sums_, hands_};
-  server::dispatch::Dispatcher dispatcher_{methods_, drags_,   clock_,  parsing_,
-                                           reads_,   motions_, limits_, [](const server::ops::AnsweredRequest&) {}};
+  server::dispatch::Backend backend_{{.limits = {.open_markers = 8, .transport = {.body_bytes = std::size_t{1} << 20}},
+                                      .methods = quick_methods(),
+                                      .on_answered = [](const server::ops::AnsweredRequest&) {}}};
 };
 
 }  // namespace
@@ -79,13 +86,13 @@ class Desk {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   using namespace selvage::test;
-  Desk desk;
+  LocalServer local;
   const std::string text{bytes, bytes + size};
   std::size_t begin = 0;
   for (std::size_t message = 0; message < kMostMessages && begin < text.size(); ++message) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const auto answer = desk.ask(text.substr(begin, end - begin));
-    demand(answer.has_value(), "a message was not answered");
+    const auto answer = local.ask(text.substr(begin, end - begin));
+    demand(answer.has_value(), "a message without an answer");
     judge(*answer);
     begin = end + 1;
   }

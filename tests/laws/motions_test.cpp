@@ -88,7 +88,7 @@ TEST(MotionLaws, Bumping) {
     const double angle = 2 * std::numbers::pi * random.part();
     SumCache sums;
     const scene::Scene scene{marker, sums};
-    const motion::piece::Bump result = motion::piece::bump(scene, piece, std::cos(angle), std::sin(angle));
+    const motion::piece::Bump result = motion::piece::bump(scene, PieceId{piece}, std::cos(angle), std::sin(angle));
     Marker moved = marker;
     moved.pieces[piece].at = result.at;
     ASSERT_EQ(broken_law(marker, moved), "") << trial;
@@ -105,7 +105,7 @@ TEST(MotionLaws, Separation) {
   int apart = 0;
   const int trials = 1500 / kSlowdown;
   for (int trial = 0; trial < trials; ++trial) {
-    const Marker marker = test::shaken(random, test::random_marker(random), 0.1 * random.part());
+    const Marker marker = test::perturbed(random, test::random_marker(random), 0.1 * random.part());
     motion::separation::SeparationSettings settings;
     settings.grow = random.chance(50) ? 0.05 : 0;
     settings.target = random.chance(20) ? motion::repair::TargetRule::kKernelRay : motion::repair::TargetRule::kNearest;

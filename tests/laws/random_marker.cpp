@@ -62,7 +62,7 @@ Marker random_marker(Random& random) {
   return marker;
 }
 
-Marker shaken(Random& random, Marker marker, double part) {
+Marker perturbed(Random& random, Marker marker, double part) {
   const auto most = static_cast<Coord>(part * static_cast<double>(marker.strip.width));
   for (Piece& piece : marker.pieces) {
     if (!piece.locked) piece.at = piece.at + random.point(-most, most);

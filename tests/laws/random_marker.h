@@ -12,7 +12,7 @@ namespace selvage::test {
 [[nodiscard]] Marker random_marker(Random& random);
 
 // The same marker with every unlocked piece moved by up to `part` of the strip's width, so that pieces may overlap.
-[[nodiscard]] Marker shaken(Random& random, Marker marker, double part);
+[[nodiscard]] Marker perturbed(Random& random, Marker marker, double part);
 
 // The marker mirrored across the strip: y becomes width - y.
 [[nodiscard]] Marker mirrored(Marker marker);

@@ -19,7 +19,7 @@ using test::Random;
 
 motion::piece::Bump bumped(const Marker& marker, std::uint32_t piece, double dx, double dy) {
   SumCache sums;
-  return motion::piece::bump(scene::Scene{marker, sums}, piece, dx, dy);
+  return motion::piece::bump(scene::Scene{marker, sums}, PieceId{piece}, dx, dy);
 }
 
 // A random direction, sometimes along an axis.

@@ -24,39 +24,39 @@ using test::kSlowdown;
 using test::Random;
 
 // The result of a motion and everything that it reports.
-struct Story {
+struct Outcome {
   Marker marker;
   scene::StopReason reason{};
   int rounds{}, programs{};
   std::vector<Coord> lengths;           // length after each round
   std::array<std::uint64_t, 4> sums{};  // the cache's hits, misses, entries and bytes
-  friend bool operator==(const Story&, const Story&) = default;
+  friend bool operator==(const Outcome&, const Outcome&) = default;
 };
 
 // Runs motion(sums, stop, observer) with an empty cache.
 template <class Motion>
-Story story_of(const Executor& executor, const Motion& motion, std::stop_source stop = {}) {
-  Story story;
+Outcome outcome_of(const Executor& executor, const Motion& motion, std::stop_source stop = {}) {
+  Outcome outcome;
   SumCache sums;
   scene::Run run{sums, stop.get_token(), {}, &executor};
-  run.observer.on_round = [&](const scene::Round& round) { story.lengths.push_back(round.length); };
+  run.observer.on_round = [&](const scene::Round& round) { outcome.lengths.push_back(round.length); };
   auto done = motion(run);
   if (!done) throw std::runtime_error{done.error().message};
-  story.marker = std::move(done->marker);
-  story.reason = done->reason;
-  story.rounds = done->rounds;
-  story.programs = done->programs;
+  outcome.marker = std::move(done->marker);
+  outcome.reason = done->reason;
+  outcome.rounds = done->rounds;
+  outcome.programs = done->programs;
   const minkowski::CacheCounts counts = sums.counts();
-  story.sums = {counts.hits, counts.misses, counts.entries, counts.bytes};
-  return story;
+  outcome.sums = {counts.hits, counts.misses, counts.entries, counts.bytes};
+  return outcome;
 }
 
 template <class Motion>
-void expect_one_story(const Motion& motion, const std::string& about) {
-  const Story alone_told = story_of(serial(), motion);
-  EXPECT_TRUE(is_valid(alone_told.marker)) << about;
+void expect_same_outcome(const Motion& motion, const std::string& about) {
+  const Outcome expected = outcome_of(serial(), motion);
+  EXPECT_TRUE(is_valid(expected.marker)) << about;
   for (const std::size_t threads : {1U, 2U, 4U, 7U}) {
-    EXPECT_TRUE(story_of(protocol::execution::ThreadPool{threads - 1}, motion) == alone_told)
+    EXPECT_TRUE(outcome_of(protocol::execution::ThreadPool{threads - 1}, motion) == expected)
         << about << ", " << threads << " threads";
   }
 }
@@ -73,19 +73,19 @@ INSTANTIATE_TEST_SUITE_P(All, GarmentsOnThreads, test::kGarments, test::garment_
 
 TEST_P(GarmentsOnThreads, Compact) {
   const Marker marker = test::garment(GetParam());
-  expect_one_story(standard(marker), GetParam());
+  expect_same_outcome(standard(marker), GetParam());
   motion::compaction::CompactionSettings walking = compaction_settings(motion::compaction::Accuracy::kDraft);
   walking.region = model::RegionRule::kWalk;
-  expect_one_story(compaction(marker, walking), GetParam());
+  expect_same_outcome(compaction(marker, walking), GetParam());
 }
 
 TEST_P(GarmentsOnThreads, RepairAndPush) {
   Random random{161};
   Marker marker = test::garment(GetParam());
-  marker = test::shaken(random, marker, 2e-5);
+  marker = test::perturbed(random, marker, 2e-5);
   ASSERT_FALSE(is_valid(marker));
   const std::vector<motion::compaction::Force> forces{{PieceId{1}, 1, 0}, {PieceId{4}, 0.5, 1}};
-  expect_one_story(
+  expect_same_outcome(
       [&](const scene::Run& run) {
         return push(marker, forces, compaction_settings(motion::compaction::Accuracy::kDraft), run);
       },
@@ -95,14 +95,14 @@ TEST_P(GarmentsOnThreads, RepairAndPush) {
 TEST(Threads, CompactLongMarkers) {
   const Marker marker = test::tiled(test::garment("jeans_02g"), 1200 / kSlowdown);
   const Marker loose = test::loosened(marker, 0.05);
-  expect_one_story(standard(loose), "1200 pieces");
+  expect_same_outcome(standard(loose), "1200 pieces");
 }
 
 TEST(Threads, CompactRandomMarkers) {
   Random random{162};
   for (int trial = 0; trial < 60 / kSlowdown; ++trial) {
     const Marker marker = test::tiled(test::random_marker(random), 70);
-    expect_one_story(compaction(marker, random_settings(random)), std::to_string(trial));
+    expect_same_outcome(compaction(marker, random_settings(random)), std::to_string(trial));
   }
 }
 
@@ -114,7 +114,7 @@ TEST(Threads, Tilt) {
       motion::tilting::TiltSettings settings = tilt_settings(method, motion::compaction::Accuracy::kDraft);
       settings.rounds = 2;
       settings.perturbations = 0;
-      expect_one_story([&](const scene::Run& run) { return tilt(marker, settings, run); }, name);
+      expect_same_outcome([&](const scene::Run& run) { return tilt(marker, settings, run); }, name);
     }
   }
 }
@@ -125,7 +125,7 @@ TEST(Threads, Refine) {
     const Marker marker = test::garment(name);
     search::RefineSettings settings = search::refine_settings();
     settings.effort = 6'000 / kSlowdown;
-    expect_one_story(
+    expect_same_outcome(
         [&](const scene::Run& run) {
           SumCache own;
           return refine(marker, settings, {own, run.stop, run.observer, run.executor});
@@ -135,9 +135,9 @@ TEST(Threads, Refine) {
 }
 
 // An executor that delegates to another one and calls a function before one of the parts.
-class Interrupted final : public Executor {
+class InterruptedExecutor final : public Executor {
  public:
-  Interrupted(const Executor& executor, int part, std::function<void()> act)
+  InterruptedExecutor(const Executor& executor, int part, std::function<void()> act)
       : executor_{executor}, left_{part}, act_{std::move(act)} {}
   [[nodiscard]] std::size_t parallelism() const override { return executor_.parallelism(); }
   void for_each(std::size_t count, const Part& part) const override {
@@ -158,11 +158,11 @@ TEST(Threads, CompactReturnsTheBestSoFarWhenCancelledInAPart) {
   const protocol::execution::ThreadPool executor{2};
   for (const int part : {0, 5, 20, 35}) {
     std::stop_source stop;
-    const Interrupted interrupted{executor, part, [&] { stop.request_stop(); }};
-    const Story story = story_of(interrupted, standard(marker), stop);
-    EXPECT_EQ(story.reason, scene::StopReason::kCancelled) << part;
-    EXPECT_TRUE(is_valid(story.marker)) << part;
-    EXPECT_LE(length_of(story.marker), length_of(marker)) << part;
+    const InterruptedExecutor interrupted{executor, part, [&] { stop.request_stop(); }};
+    const Outcome outcome = outcome_of(interrupted, standard(marker), stop);
+    EXPECT_EQ(outcome.reason, scene::StopReason::kCancelled) << part;
+    EXPECT_TRUE(is_valid(outcome.marker)) << part;
+    EXPECT_LE(length_of(outcome.marker), length_of(marker)) << part;
   }
 }
 
@@ -171,32 +171,32 @@ TEST(Threads, RefineReturnsTheBestSoFarWhenCancelledInAPart) {
   const protocol::execution::ThreadPool executor{2};
   for (const int part : {3, 12, 17, 30}) {
     std::stop_source stop;
-    const Interrupted interrupted{executor, part, [&] { stop.request_stop(); }};
-    const Story story = story_of(
+    const InterruptedExecutor interrupted{executor, part, [&] { stop.request_stop(); }};
+    const Outcome outcome = outcome_of(
         interrupted, [&](const scene::Run& run) { return refine(marker, search::refine_settings(), run); }, stop);
-    EXPECT_EQ(story.reason, scene::StopReason::kCancelled) << part;
-    EXPECT_TRUE(is_valid(story.marker)) << part;
-    EXPECT_LE(length_of(story.marker), length_of(marker)) << part;
-    if (story.rounds == 0) continue;  // cancelled in the compaction that comes first
-    ASSERT_FALSE(story.lengths.empty()) << part;
-    EXPECT_EQ(story.lengths.back(), length_of(story.marker)) << part;
+    EXPECT_EQ(outcome.reason, scene::StopReason::kCancelled) << part;
+    EXPECT_TRUE(is_valid(outcome.marker)) << part;
+    EXPECT_LE(length_of(outcome.marker), length_of(marker)) << part;
+    if (outcome.rounds == 0) continue;  // cancelled in the compaction that comes first
+    ASSERT_FALSE(outcome.lengths.empty()) << part;
+    EXPECT_EQ(outcome.lengths.back(), length_of(outcome.marker)) << part;
   }
 }
 
 TEST(Threads, RethrowExceptionsOfPartsAndStayUsable) {
   const Marker marker = test::garment("jeans_06g");
   const protocol::execution::ThreadPool executor{2};
-  const Story expected = story_of(executor, standard(marker));
+  const Outcome expected = outcome_of(executor, standard(marker));
   SumCache sums;
   for (const int part : {0, 5, 20}) {
-    const Interrupted interrupted{executor, part, [] { throw std::runtime_error{"a bug"}; }};
+    const InterruptedExecutor interrupted{executor, part, [] { throw std::runtime_error{"a bug"}; }};
     EXPECT_THROW((void)compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard),
                                {sums, {}, {}, &interrupted}),
                  std::runtime_error);
   }
   EXPECT_EQ(compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums})->marker,
             expected.marker);
-  EXPECT_TRUE(story_of(executor, standard(marker)) == expected);
+  EXPECT_TRUE(outcome_of(executor, standard(marker)) == expected);
 }
 
 }  // namespace

@@ -19,11 +19,14 @@ port_in() {
   head -n 1 "$1"
 }
 
-# The lists of packages: what building needs is among what the project needs.
-while read -r package; do
-  [[ $package == \#* ]] && continue
-  grep -qx "$package" "$source/packages.txt" || fail "$package is not in packages.txt"
-done < "$source/packaging/packages-build.txt"
+# The groups of packages that the Dockerfile and ./dev install: none is empty, none names a package twice, and a group
+# that does not exist is an error.
+mapfile -t packages < <("$source/packaging/packages.sh" engine daemon tests measuring checking)
+for package in build-essential cmake libssl-dev libgtest-dev libbenchmark-dev clang-tidy; do
+  printf '%s\n' "${packages[@]}" | grep -qx "$package" || fail "$package is not in packages.txt"
+done
+[[ -z $(printf '%s\n' "${packages[@]}" | sort | uniq -d) ]] || fail "packages.txt names a package twice"
+! "$source/packaging/packages.sh" nonsense 2> /dev/null || fail "a group that does not exist was accepted"
 
 # The build that the Dockerfile runs finds what it needs, and knows every option that it is given.
 "$source/packaging/build.sh" configure "$folder/build" > "$folder/configured" 2>&1 || fail "$(< "$folder/configured")"

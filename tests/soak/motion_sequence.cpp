@@ -67,7 +67,7 @@ void edit(Random& random, Marker& marker) {
 
 // Moves some pieces by amounts that rounding in other programs may cause, and that Selvage repairs.
 Marker nudged(Random& random, Marker marker) {
-  const auto most = static_cast<Coord>(0.4 * motion::repair::kHealingLimit * static_cast<double>(marker.strip.width));
+  const auto most = static_cast<Coord>(0.4 * motion::repair::kRepairLimit * static_cast<double>(marker.strip.width));
   for (Piece& piece : marker.pieces) {
     if (random.chance(40)) piece.at = piece.at + random.point(-most, most);
   }
@@ -113,7 +113,7 @@ class SequenceRunner {
       const NamedMotion& motion = drawn_motion(random_);
       ++result_.motions;
       ++result_.of_each[motion.name];
-      Marker given = motion.mends && random_.chance(15) ? nudged(random_, marker_) : marker_;
+      Marker given = motion.repairs && random_.chance(15) ? nudged(random_, marker_) : marker_;
       const std::string what = fault_of(motion, given);
       if (!what.empty()) result_.fault = Fault{step, std::string{motion.name}, what, std::move(given)};
     }

@@ -62,9 +62,9 @@ std::pair<double, double> any_direction(Random& random) {
 }
 // A random point on the strip or slightly outside it.
 Vec any_place(Random& random, const Marker& marker) {
-  const Coord beside = marker.strip.width / 8;
-  const Coord x = random.between(-beside, length_of(marker) + beside);
-  return {x, random.between(-beside, marker.strip.width + beside)};
+  const Coord outside = marker.strip.width / 8;
+  const Coord x = random.between(-outside, length_of(marker) + outside);
+  return {x, random.between(-outside, marker.strip.width + outside)};
 }
 Angle any_limit(Random& random) {
   return Angle::of_degrees(random.chance(10) ? 45 * random.part() : 3 * random.part());
@@ -90,7 +90,7 @@ Result<Answer> velocities(const Marker& start, const Occasion& on) {
 }
 
 Result<Answer> refinement(const Marker& start, const Occasion& on) {
-  const search::RefineSettings settings{.other_ways = static_cast<int>(on.random.chance(30) ? on.random.below(5) : 0),
+  const search::RefineSettings settings{.variants = static_cast<int>(on.random.chance(30) ? on.random.below(5) : 0),
                                         .effort = kLittleEffort,
                                         .tilts = on.random.chance(50),
                                         .seed = static_cast<std::uint32_t>(on.random.below(1000))};
@@ -99,9 +99,9 @@ Result<Answer> refinement(const Marker& start, const Occasion& on) {
 
 Result<Answer> swapping(const Marker& start, const Occasion& on) {
   std::mt19937 random{static_cast<std::uint32_t>(on.random.below(1000))};
-  const auto drawn = search::draw_exchange(start, random);
+  const auto drawn = search::draw_swap(start, random);
   const motion::compaction::CompactionSettings settings = random_settings(on.random);
-  auto done = drawn ? exchange(*drawn, settings, {on.run.sums, on.run.stop}) : search::Exchanged{};
+  auto done = drawn ? complete_swap(*drawn, settings, {on.run.sums, on.run.stop}) : search::SwapOutcome{};
   const Leave leave{.longest = kAnyLength, .turns = true};
   return Answer{.marker = done.marker ? std::move(*done.marker) : start, .leave = leave};
 }
@@ -221,9 +221,9 @@ Result<Answer> floating(const Marker& start, const Occasion& on) {
   settings.edges = on.random.chance(50);
   auto done = float_apart(start, settings, on.run);
   const bool narrower = done && done->least_after < done->least_before;
-  auto told = answer(std::move(done));
-  if (told && narrower) told->contradiction = "reduced the smallest gap";
-  return told;
+  auto result = answer(std::move(done));
+  if (result && narrower) result->contradiction = "reduced the smallest gap";
+  return result;
 }
 
 Result<Answer> opening(const Marker& start, const Occasion& on) {
@@ -240,9 +240,9 @@ Result<Answer> opening(const Marker& start, const Occasion& on) {
   // Repairing overlaps may have closed the gap.
   if (!done && done.error().code == ErrorCode::kOutOfRange && !is_valid(start)) return unmoved(start);
   const bool smaller = done && done->after.area < done->before.area;
-  auto told = answer(std::move(done));
-  if (told && smaller) told->contradiction = "reduced the gap";
-  return told;
+  auto result = answer(std::move(done));
+  if (result && smaller) result->contradiction = "reduced the gap";
+  return result;
 }
 
 Result<Answer> tilting(const Marker& start, const Occasion& on) {
@@ -260,8 +260,8 @@ Result<Answer> relaxing(const Marker& start, const Occasion& on) {
   const PieceId piece = any_piece(on.random, start);
   const scene::Scene scene{start, on.run.sums};
   const auto tilts = static_cast<int>(on.random.between(1, 7));
-  const motion::piece::Relaxation done = on.random.chance(50) ? motion::piece::relax(scene, piece.value)
-                                                              : motion::piece::relax_tilted(scene, piece.value, tilts);
+  const motion::piece::Relaxation done =
+      on.random.chance(50) ? motion::piece::relax(scene, piece) : motion::piece::relax_tilted(scene, piece, tilts);
   Answer answer{.marker = start, .leave = {.longest = length_of(start), .tilts = true}};
   answer.marker.pieces[piece.value] = done.piece;
   return answer;
@@ -269,7 +269,7 @@ Result<Answer> relaxing(const Marker& start, const Occasion& on) {
 
 // Reads the critical path and moves nothing.
 Result<Answer> critical_path(const Marker& start, const Occasion& on) {
-  const auto hold = motion::compaction::what_holds(start, {on.run.sums, on.run.stop});
+  const auto hold = motion::compaction::critical_path(start, {on.run.sums, on.run.stop});
   if (!hold) return hold.error();
   Answer answer{.marker = start, .leave = {.longest = length_of(start)}};
   for (const motion::compaction::LoadedContact& contact : hold->contacts) {

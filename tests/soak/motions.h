@@ -33,8 +33,8 @@ using RandomMotion = Result<Answer> (*)(const Marker& start, const Occasion& occ
 
 struct NamedMotion {
   std::string_view name;
-  int weight{};  // relative frequency
-  bool mends{};  // accepts a marker whose pieces overlap slightly, and repairs it
+  int weight{};    // relative frequency
+  bool repairs{};  // accepts a marker whose pieces overlap slightly, and repairs it
   RandomMotion run{};
 };
 [[nodiscard]] std::span<const NamedMotion> motions();

@@ -65,7 +65,7 @@ void push_once(const Marker& marker, const scene::Run& run) {
 void pull_left_once(const Marker& marker, const scene::Run& run) {
   std::vector<motion::compaction::Force> forces;
   for (std::uint32_t piece = 0; piece < marker.pieces.size(); ++piece) forces.push_back({PieceId{piece}, -1, 0});
-  require(push(marker, forces, one_round(model::Extent::kReached), run));
+  require(push(marker, forces, one_round(model::Extent::kActiveSet), run));
 }
 
 template <model::Extent kExtent>
@@ -98,8 +98,8 @@ void repair_once(const Marker& marker, const scene::Run& run) {
   Marker overlapping = marker;
   Vec& at = overlapping.pieces[middle_of(marker).value].at;
   SumCache others;
-  at = motion::piece::bump(scene::Scene{marker, others}, middle_of(marker).value, 1, 0).at;
-  at = right_of_middle(overlapping, motion::repair::kHealingLimit / 2);
+  at = motion::piece::bump(scene::Scene{marker, others}, middle_of(marker), 1, 0).at;
+  at = right_of_middle(overlapping, motion::repair::kRepairLimit / 2);
   scene::Scene scene{overlapping, run.sums};
   require(motion::repair::repair_overlaps(scene, run));
 }
@@ -108,12 +108,12 @@ void tilt_once(const Marker& marker, const scene::Run& run) {
   motion::tilting::TiltSettings settings =
       tilt_settings(motion::tilting::TiltMethod::kLinearisation, motion::compaction::Accuracy::kStandard);
   settings.rounds = 1;
-  settings.compaction = one_round(model::Extent::kReached);
+  settings.compaction = one_round(model::Extent::kActiveSet);
   require(tilt(marker, settings, run));
 }
 
 void bump_once(const Marker& marker, const scene::Run& run) {
-  (void)motion::piece::bump(scene::Scene{marker, run.sums}, middle_of(marker).value, -1, 0);
+  (void)motion::piece::bump(scene::Scene{marker, run.sums}, middle_of(marker), -1, 0);
 }
 void sweep_once(const Marker& marker, const scene::Run& run) {
   motion::baseline::SweepSettings settings;
@@ -126,10 +126,10 @@ void step_once(const Marker& marker, const scene::Run& run) {
   require(compact_by_velocities(marker, settings, run));
 }
 void critical_path_once(const Marker& marker, const scene::Run& run) {
-  require(motion::compaction::what_holds(marker, run));
+  require(motion::compaction::critical_path(marker, run));
 }
 void relax_once(const Marker& marker, const scene::Run& run) {
-  (void)motion::piece::relax(scene::Scene{marker, run.sums}, middle_of(marker).value);
+  (void)motion::piece::relax(scene::Scene{marker, run.sums}, middle_of(marker));
 }
 void place_once(const Marker& marker, const scene::Run& run) {
   require(motion::placing::repair_and_place(marker, middle_of(marker), right_of_middle(marker, 0.1), {}, run));
@@ -141,7 +141,7 @@ void drag_once(const Marker& marker, const scene::Run& run) {
 
 constexpr std::array kRounds{
     OneRound{"bump", kAny, bump_once},
-    OneRound{"compact", kAny, compact_once<model::Extent::kReached>},
+    OneRound{"compact", kAny, compact_once<model::Extent::kActiveSet>},
     OneRound{"compact, whole", 440, compact_once<model::Extent::kWhole>},
     OneRound{"critical path", kAny, critical_path_once},
     OneRound{"drag, place", kAny, drag_once<motion::dragging::DragMode::kPlace>},
@@ -151,14 +151,14 @@ constexpr std::array kRounds{
     OneRound{"float, largest total", kAny, float_once<motion::floating::FloatMode::kLargestTotal>},
     OneRound{"float, two steps", kAny, float_once<motion::floating::FloatMode::kTwoStep>},
     OneRound{"float, uniform", kAny, float_once<motion::floating::FloatMode::kUniform>},
-    OneRound{"gap", kAny, open_once<model::Extent::kReached>},
+    OneRound{"gap", kAny, open_once<model::Extent::kActiveSet>},
     OneRound{"gap, whole", 440, open_once<model::Extent::kWhole>},
     OneRound{"gravity", kAny, pull_left_once},
     OneRound{"one at a time", kAny, sweep_once},
     OneRound{"place", kAny, place_once},
-    OneRound{"push one across", kAny, push_once<true, model::Extent::kReached>},
+    OneRound{"push one across", kAny, push_once<true, model::Extent::kActiveSet>},
     OneRound{"push one across, whole", 440, push_once<true, model::Extent::kWhole>},
-    OneRound{"push one along", kAny, push_once<false, model::Extent::kReached>},
+    OneRound{"push one along", kAny, push_once<false, model::Extent::kActiveSet>},
     OneRound{"push one along, whole", 440, push_once<false, model::Extent::kWhole>},
     OneRound{"relax", kAny, relax_once},
     OneRound{"repair one", kAny, repair_once},

@@ -14,12 +14,12 @@ int code_of(const Json& answer) {
   return error == answer.end() ? 0 : error->at("code").get<int>();
 }
 
-Caller::Caller(const LiveDaemon& daemon, Door door) {
-  switch (door) {
-    case Door::kShared: line_ = std::make_unique<test::Wire>(daemon.port()); break;
-    case Door::kTcp: line_ = std::make_unique<test::Wire>(daemon.lines_port()); break;
-    case Door::kUnix: line_ = std::make_unique<test::Wire>(daemon.path()); break;
-    case Door::kWebSocket: socket_ = std::make_unique<test::WebSocketWire>(daemon.port()); break;
+Caller::Caller(const LiveDaemon& daemon, Endpoint endpoint) {
+  switch (endpoint) {
+    case Endpoint::kShared: line_ = std::make_unique<test::Wire>(daemon.port()); break;
+    case Endpoint::kTcp: line_ = std::make_unique<test::Wire>(daemon.lines_port()); break;
+    case Endpoint::kUnix: line_ = std::make_unique<test::Wire>(daemon.path()); break;
+    case Endpoint::kWebSocket: socket_ = std::make_unique<test::WebSocketWire>(daemon.port()); break;
   }
 }
 

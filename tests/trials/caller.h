@@ -1,5 +1,5 @@
-// One client of a daemon: a line connection or a WebSocket, on which many calls may be under way.
-// A connection that ends, and an answer that does not come in time (test::kPatience), throw.
+// One client of a daemon: a line connection or a WebSocket on which many calls may be in progress.  A connection that
+// ends, or an answer that does not arrive in time (test::kPatience), throws an exception.
 #pragma once
 
 #include <cstdint>
@@ -14,27 +14,27 @@
 
 namespace selvage::trials {
 
-enum class Door { kShared, kTcp, kUnix, kWebSocket };  // kShared: lines on HTTP's port
-inline constexpr int kDoors = 4;
+enum class Endpoint { kShared, kTcp, kUnix, kWebSocket };  // kShared: lines on HTTP's port
+inline constexpr int kEndpoints = 4;
 
 [[nodiscard]] std::string call_text(const Json& id, const std::string& method, const Json& params);
-// 0: it is no error.
+// The code of an error; 0 for a result.
 [[nodiscard]] int code_of(const Json& answer);
 
 class Caller {
  public:
-  Caller(const LiveDaemon& daemon, Door door);
+  Caller(const LiveDaemon& daemon, Endpoint endpoint);
 
   void send_text(std::string text);
-  // The next message, whatever it is; nothing when the connection has ended.
+  // The next message of any kind; nothing if the connection has ended.
   [[nodiscard]] std::optional<std::string> next_text();
 
-  // Sends a call; its id.
+  // Sends a call and returns its id.
   int send(const std::string& method, const Json& params);
   void notify(const std::string& method, const Json& params);
-  // The next answer; notifications before it are counted and passed over.
+  // The next answer; earlier notifications are counted and skipped.
   [[nodiscard]] Json next_answer();
-  // Sends a call while none is under way; its answer, or only its result (throws when it is an error).
+  // Send a call while none is in progress and return its answer, or only its result (throws if it is an error).
   [[nodiscard]] Json ask(const std::string& method, const Json& params = Json::object());
   Json result(const std::string& method, const Json& params = Json::object());
 

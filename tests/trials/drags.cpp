@@ -19,8 +19,8 @@ namespace {
 
 using test::Random;
 
-constexpr std::size_t kHands = 32;
-constexpr std::size_t kMarkers = 24;  // some have two hands on them, and one of two that end is too late
+constexpr std::size_t kDraggers = 32;
+constexpr std::size_t kMarkers = 24;  // some are used by two clients, of which one ends its drag too late
 constexpr std::size_t kReaders = 2;
 constexpr double kReadGoalMs = 20;
 constexpr int kCancelled = -32800, kMoved = -32801, kSuperseded = -32802;
@@ -43,12 +43,12 @@ struct Tally {
   std::atomic<std::size_t> begun{}, requests{}, moved{}, superseded{}, cancelled{}, late{}, committed{}, checked{};
 };
 
-// One hand: drags of one marker, one after another.
-class Hand {
+// One client that makes drag sessions on one marker, one after another.
+class DragClient {
  public:
-  Hand(const LiveDaemon& daemon, Door door, const OpenedMarker& marker, std::uint64_t seed, Tally& tally,
-       Faults& faults)
-      : caller_{daemon, door}, marker_{marker}, random_{seed}, tally_{tally}, faults_{faults} {}
+  DragClient(const LiveDaemon& daemon, Endpoint endpoint, const OpenedMarker& marker, std::uint64_t seed, Tally& tally,
+             Faults& faults)
+      : caller_{daemon, endpoint}, marker_{marker}, random_{seed}, tally_{tally}, faults_{faults} {}
 
   void drag() {
     const Json& piece = marker_.pieces[random_.below(marker_.pieces.size())];
@@ -60,14 +60,14 @@ class Hand {
     for (auto moves = random_.between(1, 6); moves > 0; --moves) {
       const Json to{random_.part() * marker_.length * 1.05, random_.part() * marker_.width};
       ask("drag.move", {{"dragId", id}, {"to", to}}, 15);
-      if (random_.chance(30)) take_all();  // a hand that waits; otherwise moves overtake each other
+      if (random_.chance(30)) take_all();  // waits for the answers; otherwise moves supersede each other
     }
-    if (random_.chance(50)) take_all();  // or ends with moves still on their way
+    if (random_.chance(50)) take_all();  // otherwise the drag ends while moves are in progress
     ask("drag.end", {{"dragId", id}, {"markerId", marker_.id}, {"commit", random_.chance(85)}}, 5);
     take_all();
   }
 
-  // Whatever came without being asked for would come before this answer.
+  // An unexpected message would arrive before this answer.
   void finish() { (void)caller_.result("engine.info"); }
 
  private:
@@ -84,7 +84,7 @@ class Hand {
       const Json answer = caller_.next_answer();
       const auto call = awaited_.find(answer["id"].get<int>());
       if (call == awaited_.end()) {
-        faults_.add("a second answer, or one to nothing: " + answer.dump());
+        faults_.add("an unexpected answer: " + answer.dump());
         continue;
       }
       const std::string method = call->second;
@@ -112,7 +112,7 @@ class Hand {
     }
   }
 
-  // Did it end as asked?
+  // Returns true if the drag ended as requested.
   bool judge_end(const Json& answer) {
     const int code = code_of(answer);
     if (code == 0) {
@@ -142,10 +142,10 @@ class Hand {
   Random random_;
   Tally& tally_;
   Faults& faults_;
-  std::map<int, std::string> awaited_;  // calls under way, by id
+  std::map<int, std::string> awaited_;  // calls in progress, by id
 };
 
-// Reads one marker after the other until it is told to stop.
+// Reads one marker after the other until it is stopped.
 Latencies read_on(const std::stop_token& stop, const LiveDaemon& daemon, const std::vector<OpenedMarker>& markers,
                   Faults& faults) {
   Latencies latencies;
@@ -160,7 +160,7 @@ Latencies read_on(const std::stop_token& stop, const LiveDaemon& daemon, const s
 }
 
 std::size_t compact_on(const std::stop_token& stop, const LiveDaemon& daemon, const std::string& marker_id) {
-  Caller caller{daemon, Door::kTcp};
+  Caller caller{daemon, Endpoint::kTcp};
   std::size_t solves{};
   for (; !stop.stop_requested(); ++solves) {
     (void)caller.result("motion.compact", {{"markerId", marker_id}, {"commit", false}});
@@ -172,7 +172,7 @@ std::size_t compact_on(const std::stop_token& stop, const LiveDaemon& daemon, co
 
 void drags(std::size_t count, Faults& faults) {
   LiveDaemon daemon;
-  Caller caller{daemon, Door::kTcp};
+  Caller caller{daemon, Endpoint::kTcp};
   std::vector<OpenedMarker> markers;
   for (std::size_t k = 0; k < kMarkers; ++k) {
     markers.push_back(open(caller, garment(k % 2 == 0 ? "jeans_02g" : "jeans_06g")));
@@ -191,31 +191,33 @@ void drags(std::size_t count, Faults& faults) {
       });
     }
     others.emplace_back([&](const std::stop_token& stop) {
-      faults.guard("who compacts", [&] { solves = compact_on(stop, daemon, solved.id); });
+      faults.guard("the compacting client", [&] { solves = compact_on(stop, daemon, solved.id); });
     });
-    std::vector<std::jthread> parallelism;
-    for (std::size_t k = 0; k < kHands; ++k) {
-      parallelism.emplace_back([&, k] {
-        faults.guard("a hand", [&] {
-          Hand hand{daemon, static_cast<Door>(k % kDoors), markers[k % kMarkers], k, tally, faults};
-          for (std::size_t drag = k; drag < count; drag += kHands) hand.drag();
-          hand.finish();
+    std::vector<std::jthread> dragging;
+    for (std::size_t k = 0; k < kDraggers; ++k) {
+      dragging.emplace_back([&, k] {
+        faults.guard("a dragging client", [&] {
+          DragClient client{daemon, static_cast<Endpoint>(k % kEndpoints), markers[k % kMarkers], k, tally, faults};
+          for (std::size_t drag = k; drag < count; drag += kDraggers) client.drag();
+          client.finish();
         });
       });
     }
   }
   const double seconds = std::chrono::duration<double>{std::chrono::steady_clock::now() - began}.count();
   for (std::size_t k = 1; k < kReaders; ++k) reads[0].join(reads[k]);
-  faults.expect(tally.begun == count, "not every drag was made");
-  faults.expect(tally.superseded > 0 && tally.cancelled > 0 && tally.moved > 0, "the trial did not try everything");
-  std::printf("%zu drags from %zu connections in %.1f s: %zu requests, each answered once\n", count, kHands, seconds,
+  faults.expect(tally.begun == count, "not every drag session was executed");
+  faults.expect(tally.superseded > 0 && tally.cancelled > 0 && tally.moved > 0,
+                "the trial did not exercise everything");
+  std::printf("%zu drags from %zu connections in %.1f s: %zu requests, each answered once\n", count, kDraggers, seconds,
               tally.requests.load());
-  std::printf("moves carried out %zu, superseded %zu; calls cancelled %zu; ends carried out %zu, too late %zu\n",
+  std::printf("moves executed %zu, superseded %zu; calls cancelled %zu; ends executed %zu, too late %zu\n",
               tally.moved.load(), tally.superseded.load(), tally.cancelled.load(), tally.committed.load(),
               tally.late.load());
-  std::printf("markers checked %zu times; %zu compactions of jeans_22g beside them\n", tally.checked.load(), solves);
-  std::printf("marker.get by %zu others: %s (goal: p99 below %.0f)\n", kReaders, reads[0].text().c_str(), kReadGoalMs);
-  faults.expect(daemon.end() == 0, "selvaged did not end well");
+  std::printf("markers checked %zu times; %zu compactions of jeans_22g meanwhile\n", tally.checked.load(), solves);
+  std::printf("marker.get by %zu other clients: %s (goal: p99 below %.0f)\n", kReaders, reads[0].text().c_str(),
+              kReadGoalMs);
+  faults.expect(daemon.end() == 0, "selvaged did not exit with code 0");
 }
 
 }  // namespace selvage::trials

@@ -1,4 +1,4 @@
-// What a trial saw that must not be.
+// The faults that a trial has found.
 #pragma once
 
 #include <cstdio>
@@ -11,7 +11,7 @@ namespace selvage::trials {
 
 class Faults {
  public:
-  // From any thread; the first of them are printed at once.
+  // May be called from any thread; the first faults are printed immediately.
   void add(const std::string& what) {
     const std::lock_guard lock{mutex_};
     if (++count_ <= kPrinted) std::fprintf(stderr, "FAULT: %s\n", what.substr(0, kLongest).c_str());
@@ -19,7 +19,7 @@ class Faults {
   void expect(bool holds, const std::string& otherwise) {
     if (!holds) add(otherwise);
   }
-  // Runs `work`; that it throws is a fault.
+  // Runs `work`; an exception is a fault.
   template <class Work>
   void guard(std::string_view who, const Work& work) {
     try {

@@ -1,4 +1,4 @@
-// How long calls took, in milliseconds.
+// The durations of calls, in milliseconds.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace selvage::trials {
 
 class Latencies {
  public:
-  // Runs `work` and remembers how long it took; what it returns.
+  // Runs `work`, records its duration and returns its result.
   template <class Work>
   auto time(const Work& work) {
     const auto began = std::chrono::steady_clock::now();
@@ -20,7 +20,7 @@ class Latencies {
     return result;
   }
   void join(const Latencies& other) { times_.insert(times_.end(), other.times_.begin(), other.times_.end()); }
-  // The time that the part `p` of all calls stayed below, 0 <= p <= 1; 0 of none.
+  // The quantile `p` of the durations, 0 <= p <= 1; 0 if there are none.
   [[nodiscard]] double part(double p) const {
     if (times_.empty()) return 0;
     std::vector<double> sorted = times_;

@@ -10,11 +10,12 @@ namespace selvage::trials {
 
 LiveDaemon::LiveDaemon(const std::vector<std::string>& options) {
   // Nobody reads its log while it runs: what it warns of goes to the file, not into a pipe that would fill.
-  std::vector<std::string> words{SELVAGED,        "--listen", "127.0.0.1:0",      "--listen-tcp",        "127.0.0.1:0",
-                                 "--listen-unix", path(),     "--port-file",      folder_.file("ports"), "--log-level",
-                                 "warn",          "--log",    folder_.file("log")};
-  for (const std::string& option : options) words.push_back(option == "STORE" ? store() : option);
-  process_.emplace(std::move(words));
+  std::vector<std::string> arguments{
+      SELVAGED,        "--listen", "127.0.0.1:0",      "--listen-tcp",        "127.0.0.1:0",
+      "--listen-unix", path(),     "--port-file",      folder_.file("ports"), "--log-level",
+      "warn",          "--log",    folder_.file("log")};
+  for (const std::string& option : options) arguments.push_back(option == "STORE" ? store() : option);
+  process_.emplace(std::move(arguments));
   if (process_->output_until(path()).find(path()) == std::string::npos) {
     throw std::runtime_error{"selvaged does not listen"};
   }
@@ -27,10 +28,10 @@ Resources LiveDaemon::resources() const {
   Resources found;
   std::ifstream status{here / "status"};
   for (std::string line; std::getline(status, line);) {
-    std::istringstream words{line};
+    std::istringstream arguments{line};
     std::string name;
     double kib{};
-    words >> name >> kib;
+    arguments >> name >> kib;
     if (name == "VmRSS:") found.resident_mb = kib / 1024;
     if (name == "VmHWM:") found.peak_mb = kib / 1024;
   }

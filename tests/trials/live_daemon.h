@@ -1,4 +1,4 @@
-// A selvaged of a trial's own, with every door open, and what it takes of the machine.
+// A selvaged that a trial starts with listeners of every kind, and the resources that it uses.
 #pragma once
 
 #include <cstddef>
@@ -19,16 +19,16 @@ struct Resources {
 
 class LiveDaemon {
  public:
-  // Throws when it does not listen.
+  // Throws if it does not listen.
   explicit LiveDaemon(const std::vector<std::string>& options = {});
 
   [[nodiscard]] std::uint16_t port() const { return port_; }              // HTTP, WebSocket, lines
   [[nodiscard]] std::uint16_t lines_port() const { return lines_port_; }  // lines only
   [[nodiscard]] std::string path() const { return folder_.file("socket"); }
-  [[nodiscard]] std::string store() const { return folder_.file("store"); }  // where a store may be
+  [[nodiscard]] std::string store() const { return folder_.file("store"); }  // a path for a store
   [[nodiscard]] Resources resources() const;
 
-  // Asks it to end; its exit code.
+  // Asks it to shut down and returns its exit code.
   int end();
 
  private:

@@ -1,5 +1,5 @@
 // usage: trial drags|malformed|soak|slow [COUNT]
-// Exit codes: 0 nothing was seen that must not be; 1 something was; 2 bad command line.
+// Exit codes: 0 no faults; 1 faults; 2 bad command line.
 #include <array>
 #include <charconv>
 #include <cstdio>
@@ -13,7 +13,7 @@ namespace {
 
 struct Trial {
   std::string_view name;
-  std::size_t full;  // its count unless another is asked for
+  std::size_t full;  // the count unless another one is given
   void (*run)(std::size_t, Faults&);
 };
 constexpr std::array kTrials{

@@ -20,10 +20,10 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kSlowWriters = 500, kSlowReaders = 50;
-constexpr auto kTurn = 3s;               // measured with and without, in turns
-constexpr std::size_t kAskedAhead = 40;  // answers that a slow reader lets wait: some 3 MB
+constexpr auto kPeriod = 3s;                // with and without slow clients, alternating
+constexpr std::size_t kUnreadAnswers = 40;  // that a slow reader leaves unread: about 3 MB
 
-// Sends a byte of a request now and then; comes again when it is cut off.
+// Sends one byte of a request now and then; reconnects when it is disconnected.
 class SlowWriter {
  public:
   SlowWriter(const LiveDaemon& daemon, std::size_t number) : daemon_{daemon}, text_{text_of(number)} { come(); }
@@ -54,7 +54,7 @@ class SlowWriter {
   std::unique_ptr<test::Wire> wire_;
 };
 
-// Asks for megabytes and takes none of them; comes again when it is cut off.
+// Requests megabytes and reads none of them; reconnects when it is disconnected.
 class SlowReader {
  public:
   SlowReader(const LiveDaemon& daemon, const std::string& marker_id)
@@ -69,7 +69,7 @@ class SlowReader {
  private:
   void come() {
     wire_ = std::make_unique<test::Wire>(daemon_.lines_port());
-    for (std::size_t k = 0; k < kAskedAhead; ++k) (void)wire_->try_send(asked_);
+    for (std::size_t k = 0; k < kUnreadAnswers; ++k) (void)wire_->try_send(asked_);
   }
 
   const LiveDaemon& daemon_;
@@ -84,7 +84,7 @@ class SlowCrowd {
     for (std::size_t k = 0; k < kSlowWriters; ++k) writers_.push_back(std::make_unique<SlowWriter>(daemon, k));
     for (std::size_t k = 0; k < kSlowReaders; ++k) readers_.push_back(std::make_unique<SlowReader>(daemon, marker_id));
     thread_ = std::jthread{
-        [this, &faults](const std::stop_token& stop) { faults.guard("the slow ones", [&] { trickle(stop); }); }};
+        [this, &faults](const std::stop_token& stop) { faults.guard("the slow clients", [&] { trickle(stop); }); }};
   }
 
  private:
@@ -101,10 +101,10 @@ class SlowCrowd {
   std::jthread thread_;
 };
 
-// What everybody else sees.
+// The latencies of the other clients.
 class Others {
  public:
-  explicit Others(const LiveDaemon& daemon) : wire_{daemon.port()}, caller_{daemon, Door::kTcp} {
+  explicit Others(const LiveDaemon& daemon) : wire_{daemon.port()}, caller_{daemon, Endpoint::kTcp} {
     const Json opened = caller_.result("marker.open", {{"marker", Json::parse(garment("jeans_06g"))}});
     marker_id_ = opened["markerId"];
     pieces_ = caller_.result("marker.get", {{"markerId", marker_id_}})["marker"]["pieces"];
@@ -113,7 +113,7 @@ class Others {
 
   void measure(Latencies& gets, Latencies& bumps, Faults& faults) {
     const std::string get = call_text(1, "marker.get", {{"markerId", marker_id_}});
-    for (const auto end = Clock::now() + kTurn; Clock::now() < end; std::this_thread::sleep_for(1ms)) {
+    for (const auto end = Clock::now() + kPeriod; Clock::now() < end; std::this_thread::sleep_for(1ms)) {
       const auto got = gets.time([&] { return wire_.post(get); });
       faults.expect(got && got->status == 200, "marker.get was not answered");
       const Json& piece = pieces_[turn_++ % pieces_.size()]["id"];
@@ -138,7 +138,7 @@ void allow_sockets() {
   ::setrlimit(RLIMIT_NOFILE, &limit);
 }
 
-void tell(const char* what, const Latencies& without, const Latencies& with) {
+void print(const char* what, const Latencies& without, const Latencies& with) {
   std::printf("%s\n  without: %s\n  with:    %s\n  p99 with / without: %.2f (goal: at most 2)\n", what,
               without.text().c_str(), with.text().c_str(), with.part(0.99) / without.part(0.99));
 }
@@ -154,16 +154,16 @@ void slow(std::size_t rounds, Faults& faults) {
   for (std::size_t round = 0; round < rounds; ++round) {
     others.measure(gets_without, bumps_without, faults);
     const SlowCrowd crowd{daemon, others.marker_id(), faults};
-    std::this_thread::sleep_for(1s);  // all have come
+    std::this_thread::sleep_for(1s);  // all have connected
     others.measure(gets_with, bumps_with, faults);
     most_descriptors = std::max(most_descriptors, daemon.resources().descriptors);
   }
   std::printf("%zu slow writers and %zu slow readers, %zu rounds; %zu descriptors at most, resident %.1f MB at most\n",
               kSlowWriters, kSlowReaders, rounds, most_descriptors, daemon.resources().peak_mb);
-  tell("marker.get over HTTP", gets_without, gets_with);
-  tell("motion.bump over lines", bumps_without, bumps_with);
-  faults.expect(most_descriptors > kSlowWriters + kSlowReaders, "the slow ones were not all let in");
-  faults.expect(daemon.end() == 0, "selvaged did not end well");
+  print("marker.get over HTTP", gets_without, gets_with);
+  print("motion.bump over lines", bumps_without, bumps_with);
+  faults.expect(most_descriptors > kSlowWriters + kSlowReaders, "not all slow clients were connected");
+  faults.expect(daemon.end() == 0, "selvaged did not exit with code 0");
 }
 
 }  // namespace selvage::trials

@@ -22,15 +22,15 @@ using Clock = std::chrono::steady_clock;
 using test::Random;
 
 constexpr std::size_t kClients = 64;
-constexpr double kWarmUp = 0.2;  // the part of the time that is not judged
-constexpr auto kThought = 40ms;  // at most, between two calls of a client
+constexpr double kWarmUp = 0.2;   // the fraction of the time that is not evaluated
+constexpr auto kMaxPause = 40ms;  // between two calls of a client
 constexpr int kBusy = -32010, kUnknownMarker = -32012, kMoved = -32801, kRefused = -32000;
 
 struct Tally {
   std::atomic<std::size_t> calls{}, lives{}, busy{}, notifications{};
 };
 
-// A marker that everybody may watch and read: the one that was opened last.
+// A marker that all clients may watch and read: the one that was opened last.
 class Shown {
  public:
   void show(const std::string& id) {
@@ -47,11 +47,11 @@ class Shown {
   std::string id_;
 };
 
-// From a connection's beginning to its end.
+// What a client does from connecting to disconnecting.
 class Life {
  public:
   Life(const LiveDaemon& daemon, Random& random, Shown& shown, Tally& tally, Faults& faults)
-      : caller_{daemon, static_cast<Door>(random.below(kDoors))},
+      : caller_{daemon, static_cast<Endpoint>(random.below(kEndpoints))},
         random_{random},
         shown_{shown},
         tally_{tally},
@@ -65,12 +65,12 @@ class Life {
     shown_.show(id_);
     for (auto deeds = random_.between(5, 30); deeds > 0 && !stop.stop_requested(); --deeds) {
       do_something();
-      std::this_thread::sleep_for(random_.part() * kThought);
+      std::this_thread::sleep_for(random_.part() * kMaxPause);
     }
     if (random_.chance(90)) {
       (void)ask("marker.close", {{"markerId", id_}});
     } else {
-      left_open = id_;  // as by one who lost its connection
+      left_open = id_;  // as after a lost connection
     }
     tally_.notifications += caller_.notifications();
     ++tally_.lives;
@@ -96,7 +96,7 @@ class Life {
   [[nodiscard]] const Json& some_piece() { return (*pieces_)[random_.below(pieces_->size())]["id"]; }
   [[nodiscard]] Json some_place() { return {random_.part() * 3000, random_.part() * 1000}; }
 
-  // Goes where it is free, so that the marker stays one that motions take.
+  // Moves the piece to a free place, so that motions still accept the marker.
   void edit() {
     (void)ask("motion.place", {{"markerId", id_}, {"piece", some_piece()}, {"to", some_place()}});
     (void)ask("marker.apply", {{"markerId", id_},
@@ -115,14 +115,14 @@ class Life {
     if (random_.chance(90)) (void)ask("drag.end", {{"dragId", drag}, {"markerId", id_}});
   }
 
-  // The result; null when it was refused as may be.
+  // The result; null if the call was refused for an acceptable reason.
   Json ask(const std::string& method, const Json& params) {
     ++tally_.calls;
     Json answer = caller_.ask(method, params);
     const int code = code_of(answer);
     if (code == 0) return std::move(answer["result"]);
     if (code == kBusy) ++tally_.busy;
-    // Another's marker may be closed by now; there may be nothing to undo.
+    // Another client may have closed its marker by now, or there may be nothing to undo.
     const bool may_be = code == kBusy || code == kMoved || code == kRefused || code == kUnknownMarker;
     faults_.expect(may_be, method + ": " + answer.dump());
     return nullptr;
@@ -137,9 +137,9 @@ class Life {
   const Json* pieces_{};
 };
 
-// An example marker in the form that names its pieces.
+// An example marker in the native format, which names its pieces.
 Json native(const LiveDaemon& daemon, const std::string& name) {
-  Caller caller{daemon, Door::kTcp};
+  Caller caller{daemon, Endpoint::kTcp};
   const Json opened = caller.result("marker.open", {{"marker", Json::parse(garment(name))}});
   const Json marker{{"markerId", opened["markerId"]}};
   Json document = caller.result("marker.get", marker)["marker"];
@@ -161,24 +161,24 @@ double store_mb(const LiveDaemon& daemon) {
   return bytes / (1 << 20);
 }
 
-// The Minkowski sums that are kept, which grow to a limit of their own.
+// The memory of the cached Minkowski sums, which grows up to a limit.
 double sums_mb(Caller& caller) {
   return caller.result("engine.info")["cache"]["bytes"].get<double>() / (1 << 20);
 }
 
 Samples sample(const LiveDaemon& daemon, double seconds) {
   Samples samples;
-  Caller caller{daemon, Door::kTcp};
+  Caller caller{daemon, Endpoint::kTcp};
   const auto began = Clock::now();
-  double told{};
+  double printed_at{};
   for (;;) {
     std::this_thread::sleep_for(500ms);
     const double now = std::chrono::duration<double>{Clock::now() - began}.count();
     if (now >= seconds) return samples;
     const Resources found = daemon.resources();
     const double sums = sums_mb(caller);
-    if (now >= told + seconds / 20) {
-      told = now;
+    if (now >= printed_at + seconds / 20) {
+      printed_at = now;
       std::printf("%6.0f s: resident %.1f MB, sums %.1f MB, %zu descriptors, store %.1f MB\n", now, found.resident_mb,
                   sums, found.descriptors, store_mb(daemon));
     }
@@ -190,7 +190,7 @@ Samples sample(const LiveDaemon& daemon, double seconds) {
   }
 }
 
-void tell(const char* what, const std::vector<Sample>& samples, const char* goal) {
+void print(const char* what, const std::vector<Sample>& samples, const char* goal) {
   const LinearFit fit = linear_fit(samples);
   std::printf("%s: slope %+.3f an hour, standard error %.3f%s\n", what, fit.slope, fit.error, goal);
 }
@@ -202,12 +202,12 @@ void live_on(const std::stop_token& stop, const LiveDaemon& daemon, std::uint64_
   while (!stop.stop_requested()) {
     Life life{daemon, random, shown, tally, faults};
     life.live(document, stop);
-    if (!left_open.empty()) (void)Caller{daemon, Door::kTcp}.ask("marker.close", {{"markerId", left_open}});
+    if (!left_open.empty()) (void)Caller{daemon, Endpoint::kTcp}.ask("marker.close", {{"markerId", left_open}});
     left_open = life.left_open;
   }
 }
 
-// How many descriptors are open once those that are closing have closed.
+// The number of open descriptors after those that are closing have been closed.
 std::size_t settled_descriptors(const LiveDaemon& daemon, std::size_t wanted) {
   std::size_t found{};
   for (int tries = 0; tries < 100; ++tries) {
@@ -239,16 +239,16 @@ void soak(std::size_t seconds, Faults& faults) {
     for (std::jthread& client : clients) client.request_stop();
   }
   const std::size_t after = settled_descriptors(daemon, before);
-  std::printf("%zu clients, %zu s: %zu lives, %zu calls (%zu busy), %zu notifications\n", kClients, seconds,
+  std::printf("%zu clients, %zu s: %zu connections, %zu calls (%zu busy), %zu notifications\n", kClients, seconds,
               tally.lives.load(), tally.calls.load(), tally.busy.load(), tally.notifications.load());
-  tell("resident MB", samples.resident_mb, " (goal: slope below 1)");
-  tell("of it sums MB", samples.sums_mb, "");
-  tell("descriptors", samples.descriptors, "");
-  tell("store MB", samples.store_mb, "");
+  print("resident MB", samples.resident_mb, " (goal: slope below 1)");
+  print("of it sums MB", samples.sums_mb, "");
+  print("descriptors", samples.descriptors, "");
+  print("store MB", samples.store_mb, "");
   std::printf("descriptors without clients: %zu before, %zu after\n", before, after);
-  faults.expect(tally.lives >= kClients && tally.notifications > 0, "the trial did not try everything");
-  faults.expect(after <= before, "descriptors are left open");
-  faults.expect(daemon.end() == 0, "selvaged did not end well");
+  faults.expect(tally.lives >= kClients && tally.notifications > 0, "the trial did not exercise everything");
+  faults.expect(after <= before, "file descriptors were leaked");
+  faults.expect(daemon.end() == 0, "selvaged did not exit with code 0");
 }
 
 }  // namespace selvage::trials

@@ -1,5 +1,5 @@
-// The trials.  Each starts a selvaged of its own, prints what it saw, and hands back what must not have been: counts
-// and answers are judged, times and rates are only told.
+// The trials.  Each starts a selvaged of its own, prints its observations and reports faults: counts and answers are
+// checked, times and rates are only printed.
 #pragma once
 
 #include <cstddef>
@@ -8,17 +8,17 @@
 
 namespace selvage::trials {
 
-// Dragging hands on 32 connections, `count` drags in all, in both modes, with cancelled and superseded moves; two
-// others read, and one compacts, all the while.
+// `count` drag sessions in total on 32 connections, in both modes, with cancelled and superseded moves; meanwhile two
+// other clients read and one compacts.
 void drags(std::size_t count, Faults& faults);
 
-// `count` malformed requests, spread over every door.
+// `count` malformed requests, distributed over all listeners.
 void malformed(std::size_t count, Faults& faults);
 
-// 64 clients that open, edit, undo, drag, compact, watch, close and come again, for `seconds`.
+// 64 clients that open, edit, undo, drag, compact, watch, close and reconnect, for `seconds`.
 void soak(std::size_t seconds, Faults& faults);
 
-// 500 connections that send a byte now and then and 50 that hardly read, in turns with none of them, `rounds` times.
+// 500 connections that send a byte now and then and 50 that hardly read, alternating with none of them, `rounds` times.
 void slow(std::size_t rounds, Faults& faults);
 
 }  // namespace selvage::trials

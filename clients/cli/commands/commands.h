@@ -1,22 +1,18 @@
-// The subcommands of `selvage`.  Each adds itself to the command line; when it is the one chosen, it runs and
-// leaves its exit code.
+// The subcommands of `selvage`: each declares its options as data and says how it runs.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <vector>
 
-#include "clients/cli/terminal/exit_code.h"
+#include "clients/cli/command_line/parse.h"
 
 namespace selvage::cli::commands {
 
-void add_compact_command(CLI::App& app, terminal::ExitCode& code);
-void add_bump_command(CLI::App& app, terminal::ExitCode& code);
-void add_separate_command(CLI::App& app, terminal::ExitCode& code);
-void add_float_command(CLI::App& app, terminal::ExitCode& code);
-void add_tilt_command(CLI::App& app, terminal::ExitCode& code);
-void add_call_command(CLI::App& app, terminal::ExitCode& code);
-void add_check_command(CLI::App& app, terminal::ExitCode& code);
-void add_show_command(CLI::App& app, terminal::ExitCode& code);
-void add_convert_command(CLI::App& app, terminal::ExitCode& code);
-void add_watch_command(CLI::App& app, terminal::ExitCode& code);
+// A command for each motion in the table of methods: `selvage compact IN ...`.
+[[nodiscard]] std::vector<command_line::Command> motion_commands();
+[[nodiscard]] command_line::Command check_command();
+[[nodiscard]] command_line::Command show_command();
+[[nodiscard]] command_line::Command convert_command();
+[[nodiscard]] command_line::Command call_command();
+[[nodiscard]] command_line::Command watch_command();
 
 }  // namespace selvage::cli::commands

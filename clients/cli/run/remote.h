@@ -1,62 +1,34 @@
-// A daemon as commands use it: one marker opened there, called upon, and closed again.
+// What commands do on a daemon: open the marker there, call a method, fetch the result and close the marker again.
+//
+// A build without the C++ client (CMake option SELVAGE_REMOTE=OFF) compiles no_remote.cpp instead of remote.cpp,
+// remote_marker.cpp and watch.cpp; every function below then fails with a message that says so.
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <optional>
 #include <stop_token>
 #include <string>
-#include <string_view>
 #include <variant>
 
-#include "clients/cli/run/server_option.h"
-#include "clients/cli/terminal/exit_code.h"
-#include "clients/cpp/client.h"
-#include "protocol/formats/format.h"
+#include "clients/cli/run/invocation.h"
+#include "clients/cli/run/server_choice.h"
+#include "clients/cli/terminal/failure.h"
+#include "clients/cli/terminal/progress.h"
 
 namespace selvage::cli::run {
 
-// Why a command cannot go on, as it is told on stderr.
-struct Refusal {
-  std::string message;
-  terminal::ExitCode code{};
-};
-// Of an error of this process.
-[[nodiscard]] Refusal refusal_of(const Error& error);
-// Of an error that a daemon answered with, or that kept it from answering.
-[[nodiscard]] Refusal refusal_of(const client::CallError& error);
-[[nodiscard]] terminal::ExitCode fail(const Refusal& refusal);  // tells it
+[[nodiscard]] std::variant<Outcome, terminal::Failure> run_remotely(const ServerChoice& server,
+                                                                    const Invocation& invocation,
+                                                                    const std::stop_token& stop,
+                                                                    terminal::ProgressLine& progress);
 
-// A client of the daemon, which has answered once.
-[[nodiscard]] std::variant<std::unique_ptr<client::Client>, Refusal> reach(const ServerChoice& server,
-                                                                           client::Handlers handlers = {});
+// The fields of marker.check's result.
+[[nodiscard]] std::variant<Json, terminal::Failure> check_remotely(const ServerChoice& server, const MarkerFile& file);
 
-class RemoteMarker {
- public:
-  using OnRound = std::function<void(int round, double length)>;  // called on another thread
+// The text of a marker in any format, written by the daemon.
+[[nodiscard]] std::variant<std::string, terminal::Failure> text_remotely(const ServerChoice& server,
+                                                                         const MarkerFile& file, Format format);
 
-  RemoteMarker() = default;
-  ~RemoteMarker();  // closes the marker
-  RemoteMarker(const RemoteMarker&) = delete;
-  RemoteMarker& operator=(const RemoteMarker&) = delete;
-
-  // Called first.
-  [[nodiscard]] std::optional<Refusal> open(const ServerChoice& server, const MarkerFile& file, OnRound on_round = {});
-  // The call's result.  A stop request cancels it.  `params`: markerId is filled in.
-  [[nodiscard]] std::variant<Json, Refusal> call(std::string_view method, Json params,
-                                                 const std::stop_token& stop = {});
-  // The marker as it is now there; beside what it says, `file` is what was opened.
-  [[nodiscard]] std::variant<MarkerFile, Refusal> get(const MarkerFile& file);
-  // Its text in any form, as write_marker gives it.
-  [[nodiscard]] std::variant<std::string, Refusal> text(Format format);
-
- private:
-  std::unique_ptr<client::Client> client_;
-  std::string id_;
-};
-
-// The text of a marker in any form, written here or by a daemon.
-[[nodiscard]] std::variant<std::string, Refusal> text_of(const MarkerFile& file, Format format,
-                                                         const ServerChoice& server);
+// Prints one line for the present state of a marker that is open on the daemon and one for every change, until it is
+// closed or SIGINT arrives.  `json`: the daemon's messages instead of lines for people.
+[[nodiscard]] terminal::ExitCode watch(const ServerChoice& server, const std::string& marker_id, bool json);
 
 }  // namespace selvage::cli::run

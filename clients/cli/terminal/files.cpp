@@ -16,7 +16,7 @@ Error file_error(const std::string& path, const std::string& what) {
   return {ErrorCode::kFile, path + " cannot be " + what + reason, ""};
 }
 
-// Up to one byte beyond the limit, so that parse can say that it is too long.
+// Stops after the limit is exceeded.
 bool read_all(std::istream& stream, std::string& text) {
   constexpr std::size_t kChunk = std::size_t{1} << 16;
   while (text.size() <= protocol::json::kMaxFileBytes && stream) {
@@ -67,12 +67,12 @@ std::optional<Error> save_marker(const std::string& path, const MarkerFile& file
   return write_text(path, *text);
 }
 
-void tell_notes(const std::vector<Note>& notes) {
-  constexpr std::size_t kTold = 5;
-  for (std::size_t i = 0; i < std::min(kTold, notes.size()); ++i) {
+void print_notes(const std::vector<Note>& notes) {
+  constexpr std::size_t kMostPrinted = 5;
+  for (std::size_t i = 0; i < std::min(kMostPrinted, notes.size()); ++i) {
     std::cerr << "note: " << (notes[i].field.empty() ? "" : notes[i].field + ": ") << notes[i].text << "\n";
   }
-  if (notes.size() > kTold) std::cerr << "note: and " << notes.size() - kTold << " more of this kind\n";
+  if (notes.size() > kMostPrinted) std::cerr << "note: and " << notes.size() - kMostPrinted << " more\n";
 }
 
 }  // namespace selvage::cli::terminal

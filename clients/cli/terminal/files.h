@@ -1,7 +1,6 @@
-// Files by name; "-" is standard input or output.
+// Reads and writes files; the name "-" is standard input or output.
 #pragma once
 
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,17 +12,18 @@ namespace selvage::cli::terminal {
 
 inline constexpr std::string_view kStandardStream = "-";
 
-// Errors: kFile; kOutOfRange for more than kMaxFileBytes.
+// Reads at most one byte more than kMaxFileBytes, so that the parser can report that the text is too long.
+// Errors: kFile.
 [[nodiscard]] Result<std::string> read_text(const std::string& path);
 // Errors: kFile.
 [[nodiscard]] std::optional<Error> write_text(const std::string& path, std::string_view text);
 
-// read_text and read_marker.
+// read_text followed by read_marker; the errors of both.
 [[nodiscard]] Result<MarkerFile> load_marker(const std::string& path);
-// write_marker and write_text.
+// write_marker followed by write_text; the errors of both.
 [[nodiscard]] std::optional<Error> save_marker(const std::string& path, const MarkerFile& file, Format format);
 
-// Tells the notes of a reader on stderr, the first few of them.
-void tell_notes(const std::vector<Note>& notes);
+// Prints the notes of a reader to stderr: the first few, and how many more there are.
+void print_notes(const std::vector<Note>& notes);
 
 }  // namespace selvage::cli::terminal

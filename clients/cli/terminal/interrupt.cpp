@@ -14,8 +14,8 @@ sigset_t only_sigint() {
   return set;
 }
 
-// A signal handler may do next to nothing, so a thread waits for the signal instead, looking up now and then
-// for the end.
+// Little is allowed in a signal handler, so a thread waits for the signal instead.  It wakes up regularly to see
+// whether it should end.
 void wait_for_sigint(const std::stop_token& end, std::stop_source& requested) {
   const sigset_t set = only_sigint();
   const timespec pause{0, 50'000'000};

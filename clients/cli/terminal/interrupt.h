@@ -1,5 +1,4 @@
-// Ctrl-C as a stop request.  The first asks whoever holds the token to stop; a second one ends the process as
-// usual.
+// Turns Ctrl-C (SIGINT) into a stop request.  The first Ctrl-C requests a stop; the second ends the process as usual.
 #pragma once
 
 #include <stop_token>
@@ -9,7 +8,7 @@ namespace selvage::cli::terminal {
 
 class Interrupt {
  public:
-  // From here on SIGINT is ours.  REQUIRES: made before any other thread is started, and once.
+  // Blocks SIGINT for the process.  REQUIRES: constructed once, before any other thread is started.
   Interrupt();
   ~Interrupt();
   Interrupt(const Interrupt&) = delete;

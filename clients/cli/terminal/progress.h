@@ -1,4 +1,4 @@
-// The clock of one motion: how long each stage takes, and a line of progress for a person who waits.
+// Measures how long each stage of one motion takes, and shows a line of progress on a terminal.
 #pragma once
 
 #include <string>
@@ -10,23 +10,23 @@ namespace selvage::cli::terminal {
 
 class ProgressLine {
  public:
-  // `show`: keep a line on stderr up to date once the work has taken a second.
+  // `show`: print and update a line on stderr once the work has taken a second.
   ProgressLine(const Marker& marker, bool show);
 
   // REQUIRES: *this outlives the observer.
   [[nodiscard]] scene::Observer observer();
-  // A round is done; `length`: in the marker's unit.
-  void tell(int round, double length);
+  // Called after every round; `length`: in the marker's unit.
+  void show_round(int round, double length);
   [[nodiscard]] bool shown() const { return show_; }
-  // Stops the clock and wipes the line.
+  // Stops the clock and clears the line.
   [[nodiscard]] protocol::execution::StageTimes finish();
 
  private:
   Resolution resolution_;
   std::string unit_;
   bool show_;
-  bool told_{};
-  double start_, last_told_;
+  bool line_shown_{};
+  double start_, last_update_;  // milliseconds
   protocol::execution::StageTimer timer_;
 };
 

@@ -9,7 +9,7 @@
 namespace selvage::cli::terminal {
 namespace {
 
-// `value` with so many decimals, for reading only.
+// `value` rounded to this number of decimals, for people only.
 std::string rounded(double value, int decimals) {
   char text[64];
   std::snprintf(text, sizeof text, "%.*f", decimals, value);
@@ -32,7 +32,7 @@ std::string counted(std::size_t number, const std::string& one) {
   return std::to_string(number) + " " + one + (number == 1 ? "" : "s");
 }
 
-// "lengthBefore" is "length_before".
+// "lengthBefore" becomes "length_before".
 std::string snake_case(std::string_view name) {
   std::string out;
   for (const char c : name) {
@@ -52,26 +52,26 @@ Json in_snake_case(const Json& value) {
   return named;
 }
 
-std::string healed_line(const Json& healed, const std::string& unit) {
-  const std::size_t pairs = healed["pairs"];
-  const std::size_t protruding = healed["protruding"];
+std::string repair_line(const Json& repair, const std::string& unit) {
+  const std::size_t pairs = repair["pairs"];
+  const std::size_t protruding = repair["protruding"];
   if (pairs == 0 && protruding == 0) return {};
-  return "  healed       " + counted(pairs, "overlap") + ", " + counted(protruding, "protrusion") + ", deepest " +
-         significant(healed["deepest"]) + unit + ", moves up to " + significant(healed["farthestMove"]) + unit + "\n";
+  return "  repaired     " + counted(pairs, "overlap") + ", " + counted(protruding, "protrusion") + ", deepest " +
+         significant(repair["deepest"]) + unit + ", moves up to " + significant(repair["farthestMove"]) + unit + "\n";
 }
 
-// Where a bumped piece ended up, and what holds it there.
-std::string place_line(const Json& fields, const std::string& unit) {
+// The final position of a piece that moved alone, and the pieces that stop it.
+std::string position_line(const Json& fields, const std::string& unit) {
   const Json& at = fields["at"];
   std::string out =
-      "  lies at      " + protocol::json::number_text(at[0]) + ", " + protocol::json::number_text(at[1]) + unit;
+      "  position     " + protocol::json::number_text(at[0]) + ", " + protocol::json::number_text(at[1]) + unit;
   std::string by;
-  for (const Json& id : fields["touching"]) by += (by.empty() ? ", held by " : ", ") + id.get<std::string>();
+  for (const Json& id : fields["touching"]) by += (by.empty() ? ", stopped by " : ", ") + id.get<std::string>();
   return out + by + "\n";
 }
 
-// What a separation left, and left out.
-std::string parting_lines(const Json& fields, const std::string& unit) {
+// How far a separation moved the pieces, the overlaps that remain and the pieces that it left out.
+std::string separation_lines(const Json& fields, const std::string& unit) {
   std::string out = "  moved        " + significant(fields["moved"]) + unit + " in all, " +
                     significant(fields["farthestMove"]) + unit + " at most\n";
   for (const Json& pair : fields["remaining"]) {
@@ -102,9 +102,9 @@ std::string plain_summary(const Json& f, const protocol::execution::StageTimes& 
   const double before = f["lengthBefore"];
   const double after = f["lengthAfter"];
   std::string out = (marker.name.empty() ? "marker" : marker.name) + ": " + counted(f["pieces"], "piece") + "\n";
-  out += healed_line(f["healed"], unit);
-  if (f.contains("at")) out += place_line(f, unit);
-  if (f.contains("remaining")) out += parting_lines(f, unit);
+  out += repair_line(f["healed"], unit);
+  if (f.contains("at")) out += position_line(f, unit);
+  if (f.contains("remaining")) out += separation_lines(f, unit);
   if (f.contains("leastAfter")) {
     out += "  least gap    " + significant(f["leastBefore"]) + " -> " + significant(f["leastAfter"]) + unit + "\n";
   }
@@ -125,7 +125,7 @@ std::string plain_figures(const Marker& marker) {
          ", utilisation " + per_cent(utilisation_of(marker));
 }
 
-std::string plain_faults(const Marker& marker, const Json& validity) {
+std::string plain_violations(const Marker& marker, const Json& validity) {
   const std::string unit = " " + marker.unit;
   std::string out;
   for (const Json& overlap : validity["overlaps"]) {

@@ -22,7 +22,7 @@ TiltModel::TiltModel(const marker::PlacedPieces& pieces, const Strip& strip, con
     for (const auto position : {positions_.x_column(i), positions_.y_column(i)}) {
       if (!position) continue;
       const auto c = static_cast<std::size_t>(*position);
-      // A piece outside the strip, by rounding, must still be able to come back.
+      // A piece that is outside the strip, by rounding, must be able to come back.
       program.lower[c] = tilts ? -limit : std::max(program.lower[c], std::min(-limit, program.upper[c]));
       program.upper[c] = tilts ? limit : std::min(program.upper[c], std::max(limit, program.lower[c]));
     }
@@ -68,7 +68,7 @@ void TiltModel::add_wall(std::size_t piece, const WallRow& wall, std::optional<i
   entries[count++] = {*position, static_cast<double>(wall.nx + wall.ny)};
   if (wall.turn != 0) entries[count++] = {column_[piece], wall.turn / radius_[piece]};
   if (length_column) entries[count++] = {*length_column, 1};
-  // What lies outside already, by rounding, is not asked to come back: a step must have an answer.
+  // A vertex that is outside already, by rounding, need not come back: every program must be feasible.
   const double bound = std::min(wall.bound, 0.0);
   positions_.program().add_row(std::span{entries}.first(count), positions_.unit().to_columns(bound));
 }
@@ -96,7 +96,7 @@ void TiltModel::add_length(double cost, double shorten, double lengthen) {
   add_right_walls(positions_.program().columns() - 1);
 }
 
-void TiltModel::hold_length() {
+void TiltModel::fix_length() {
   add_right_walls(std::nullopt);
 }
 

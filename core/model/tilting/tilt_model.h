@@ -1,8 +1,9 @@
-// The position model with a column more for every piece that may tilt [Li94 6.2.4]: its turn, measured by the arc that
-// its farthest vertex describes, so that a unit of any column means as much.
+// The position model with one more column for every piece that may tilt [Li94 6.2.4]: its turn, measured by the arc
+// that its farthest vertex describes, so that all columns have the same unit.
 //
-// The strip's edges, which the position model keeps as bounds of columns, become rows for pieces that may tilt: which
-// of their vertices comes first changes as they turn.  Pieces that may not tilt have neither the column nor the rows.
+// The strip's edges are bounds of columns in the position model.  For a piece that may tilt they become rows, because
+// the vertex that comes first changes as the piece turns.  Pieces that may not tilt have neither the column nor the
+// rows.
 #pragma once
 
 #include <span>
@@ -21,8 +22,8 @@ struct TurnRange {
 
 class TiltModel {
  public:
-  // `turns[i]`: of piece i, not empty only when it is free; `farthest`: no pivot moves farther on an axis than this,
-  // lattice units.
+  // `turns[i]`: the range of piece i; not empty only when the piece is free.  `farthest`: the most that a pivot moves
+  // on an axis; lattice units.
   TiltModel(const marker::PlacedPieces& pieces, const Strip& strip, const Ties& ties, std::span<const TurnRange> turns,
             double farthest);
 
@@ -34,10 +35,10 @@ class TiltModel {
 
   // With a column `give`, the row may be broken by that column's value.
   void add(const TiltRow& row, std::optional<int> give = {});
-  // The length column, as the position model's, and the right walls of all pieces that can reach the end.
+  // The length column of the position model, and the right walls of all pieces that can reach the marker's end.
   void add_length(double cost, double shorten, double lengthen);
-  // Keeps every piece left of the present length.  Instead of add_length.
-  void hold_length();
+  // Keeps every piece left of the marker's present end.  Used instead of add_length.
+  void fix_length();
 
   // Radians, one per piece.
   [[nodiscard]] std::vector<double> turns(std::span<const double> x) const;

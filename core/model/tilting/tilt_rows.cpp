@@ -7,7 +7,7 @@
 namespace selvage::model::tilting {
 namespace {
 
-constexpr double kBehind = 3;  // lattice units by which rounding may have put a vertex behind an edge it touches
+constexpr double kBehind = 3;  // lattice units: rounding may put a vertex this far behind an edge that it touches
 
 // n . J(c - pivot)
 double lever(double nx, double ny, RealVec c, RealVec pivot) {
@@ -59,7 +59,7 @@ class PairRows {
     if (std::find(rows_.begin(), rows_.end(), made) == rows_.end()) rows_.push_back(made);
   }
 
-  // Where the vertex lies that made a half-plane, found from the difference of two vertices that anchors its line.
+  // The vertex that made a half-plane, found from the line's anchor, which is the difference of two vertices.
   [[nodiscard]] RealVec contact_of(const HalfPlane& side) {
     if (q_by_place_.empty()) sort_second();
     for (std::size_t i = 0; i < p_.vertices.size(); ++i) {
@@ -69,7 +69,7 @@ class PairRows {
       if (has_edge(p_.vertices, i, side.direction)) return real(wanted + q_.at);
       if (has_edge(q_.vertices, at->second, side.direction)) return real(p_.vertices[i] + p_.at);
     }
-    // Cut off square to the nearest point, for a spacing: the contact is there.
+    // The half-plane cuts off a corner, for a spacing: the contact is the nearest point.
     const RealVec nearest = nearest_point(p_, q_);
     return {nearest.x, nearest.y};
   }
@@ -115,7 +115,7 @@ class PairRows {
       }
     }
   }
-  // True when turns of this size can make the vertex the first to touch something in the direction -out.
+  // True when turns of this size can make the vertex the farthest one in the direction -out.
   [[nodiscard]] bool supports(const geometry::PlacedPolygon& piece, std::size_t v, RealVec out) const {
     const double most_sine = std::sin(2 * settings_.turn) + 1e-12;
     for (const Vec neighbour : {previous_of(piece.vertices, v), next_of(piece.vertices, v)}) {
@@ -130,7 +130,7 @@ class PairRows {
   geometry::PlacedPolygon p_, q_;
   const TiltRowSettings& settings_;
   RealVec pivot_p_, pivot_q_;
-  double swing_;  // how far turns can bring parts of the two together
+  double swing_;  // how far turns can bring parts of the two towards each other
   std::vector<std::pair<Vec, std::size_t>> q_by_place_;
   std::vector<TiltRow> rows_;
 };

@@ -8,16 +8,16 @@
 namespace selvage::motion::baseline {
 namespace {
 
-// Corners are met this much later than edges: whoever slides past a corner at exactly the clearance does not meet it.
-// Lattice units.
+// Lattice units by which a corner is hit later than an edge, so that a piece that slides past a corner at exactly the
+// clearance does not hit it.
 constexpr double kGrazing = 0.5;
-constexpr double kStandstill = 1e-12;  // slower approaches are rounding
+constexpr double kStandstill = 1e-12;  // slower approaches are only rounding
 
-// One edge with the moving point as the origin.
+// One edge, in coordinates whose origin is the moving point.
 struct Ahead {
   double ax{}, ay{}, bx{}, by{};  // its ends
   double ux{}, uy{};              // its line's unit direction
-  double outside_by{};            // how far the point is outside its line
+  double outside_by{};            // the distance of the point outside its line
 };
 
 Ahead seen_from(const minkowski::convolution::SumEdge& edge, Vec at, double rest_x, double rest_y) {
@@ -40,7 +40,7 @@ double distance_to(const Ahead& e) {
   return std::hypot(e.ax + t * dx, e.ay + t * dy);
 }
 
-// When the point comes within `radius` of the corner (cx, cy); never, for one that is nearer already.
+// The time until the point is within `radius` of the corner (cx, cy); infinity when it already is.
 double time_to_corner(double cx, double cy, double vx, double vy, double radius) {
   const double speed = vx * vx + vy * vy;
   const double towards = cx * vx + cy * vy;

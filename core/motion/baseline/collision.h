@@ -11,7 +11,7 @@
 
 namespace selvage::motion::baseline {
 
-// A position beside the lattice: nearest lattice point, and what is left.
+// A position that is not on the lattice: the nearest lattice point and the remainder.
 struct FinePosition {
   Vec at;
   RealVec rest;
@@ -19,8 +19,8 @@ struct FinePosition {
 
 struct CollisionSettings {
   double clearance{};  // they collide when they come this close
-  double touching{};   // edges nearer than this now are contacts: their non-penetration rows answer for them
-  double horizon{};    // looks no farther ahead than this time
+  double touching{};   // edges nearer than this now are contacts, which non-penetration rows take care of
+  double horizon{};    // the latest time that is looked at
 };
 
 // The time until `r`, moving with `velocity`, comes within the clearance of the obstacle; the horizon when it does not.

@@ -17,14 +17,14 @@ std::vector<std::uint32_t> sweep_order(const marker::PlacedPieces& pieces) {
   return order;
 }
 
-// Bumps every piece once; returns how far they went, all together.
+// Bumps every piece once; returns the sum of the distances moved.
 double sweep(scene::Scene& scene, const scene::Run& run) {
   double gain = 0;
   for (const std::uint32_t piece : sweep_order(scene.pieces)) {
     if (run.stopped()) break;
-    const piece::Bump bumped = piece::bump(scene, piece, -1, 0);
+    const piece::Bump bumped = piece::bump(scene, PieceId{piece}, -1, 0);
     gain += bumped.gain;
-    scene.shift(piece, bumped.at - scene.pieces.at(piece));
+    scene.shift(PieceId{piece}, bumped.at - scene.pieces.at(piece));
   }
   return gain;
 }

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/lp/solver/solve.h"
-#include "core/marker/validity.h"
+#include "core/marker/clearance.h"
 #include "core/model/pair_rows.h"
 #include "core/model/snap.h"
 #include "core/motion/baseline/collision.h"
@@ -14,7 +14,7 @@
 namespace selvage::motion::baseline {
 namespace {
 
-// Two pieces that may meet within the horizon.
+// Two pieces that may collide within the horizon.
 struct Near {
   marker::PiecePair pair;
   minkowski::Obstacle obstacle;
@@ -44,7 +44,7 @@ class Simulation {
         best_{start_},
         best_length_{longest_} {}
 
-  // The scene is left as short as it got.
+  // Leaves the scene at the shortest marker met.
   scene::StopReason run(int& steps, int& programs) {
     const scene::StopReason reason = simulate(steps, programs);
     scene_.pieces.place(best_);
@@ -93,7 +93,7 @@ class Simulation {
             {x - static_cast<double>(whole.x), y - static_cast<double>(whole.y)}};
   }
 
-  // The touching pairs [Li94 2.3, 2.6], of which a free region that looks no farther keeps those that matter.
+  // The touching pairs [Li94 2.3, 2.6], reduced to those that bound a free region of this reach.
   [[nodiscard]] std::vector<ContactRow> contact_rows() const {
     std::vector<ContactRow> rows;
     for (const Near& near : near_) {
@@ -115,7 +115,7 @@ class Simulation {
   std::optional<std::vector<RealVec>> solve_velocities(int& programs) {
     run_.observer.on_stage(scene::Stage::kRows);
     const std::vector<ContactRow> rows = contact_rows();
-    for (const double restoring : {1.0, 0.0}) {  // without room for the clearance, at least what there is stays
+    for (const double restoring : {1.0, 0.0}) {  // if there is no room for the clearance, at least keep the present one
       run_.observer.on_stage(scene::Stage::kSolve);
       const lp::LinearProgram program = velocity_program(rows, restoring);
       run_.observer.on_program(program);
@@ -160,7 +160,7 @@ class Simulation {
     }
     return program;
   }
-  // Pieces tied to each other share a column; at an edge of the strip there is no way but back.
+  // Pieces tied to each other share a column; at an edge of the strip a piece can only move away from it.
   void add_pieces(lp::LinearProgram& program) {
     const double gravity = settings_.gravity / static_cast<double>(start_.size());
     std::vector<int> x_of(start_.size(), kNone);  // by tie
@@ -216,7 +216,7 @@ class Simulation {
     return time;
   }
 
-  // Lets the time pass, or most of it when rounding to the lattice breaks something at its end.
+  // Advances by this time, or by most of it when rounding to the lattice makes its end invalid.
   bool advance(const std::vector<RealVec>& velocity, double time) {
     run_.observer.on_stage(scene::Stage::kVerify);
     for (const double part : {1.0, 1 - 1e-3, 0.5, 0.1}) {
@@ -236,10 +236,7 @@ class Simulation {
     std::vector<Vec> positions = model::snapped(moved);
     for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + start_[i];
     pieces.place(std::move(positions));
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-      if (protrusion_of(pieces.box(i), scene_.marker.strip) > 0) return false;
-    }
-    if (pieces.length() > longest_ || !conflicts(pieces).empty()) return false;
+    if (pieces.length() > longest_ || !all_clear(pieces, scene_.marker.strip)) return false;
     scene_.pieces = std::move(pieces);
     if (scene_.pieces.length() < best_length_) {
       best_length_ = scene_.pieces.length();
@@ -253,10 +250,10 @@ class Simulation {
   const scene::Run& run_;
   double horizon_;              // units of time, at tuning().fastest as many lattice units
   double touching_;             // lattice units beyond the clearance; nearer is contact
-  std::vector<Vec> start_;      // where the pieces were,
-  std::vector<RealVec> moved_;  // and how far they have come since; not rounded
+  std::vector<Vec> start_;      // positions of the pieces at the start,
+  std::vector<RealVec> moved_;  // and their displacements since then; not rounded
   Coord longest_;
-  double piston_;  // where it stands
+  double piston_;  // its position
   double piston_velocity_{};
   static constexpr int kNone = -1;
   std::vector<int> x_, y_;  // the columns of each piece; kNone when it cannot move that way

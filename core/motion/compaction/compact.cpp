@@ -53,8 +53,9 @@ Progress improve(scene::Scene& scene, const step::Goal& goal, const CompactionSe
                                    .solver = settings.solver,
                                    .extent = settings.extent,
                                    .simplification = settings.simplification,
-                                   .tolerance = settings.solver_tolerance};
-  // What is worth another round of a long marker is measured by its length.
+                                   .tolerance = settings.solver_tolerance,
+                                   .tuning = settings.tuning.step};
+  // In long markers the gain that justifies another round is measured against the length.
   const double widths = static_cast<double>(scene.pieces.length()) / static_cast<double>(scene.marker.strip.width);
   const double least_gain =
       settings.least_gain * (goal.shorten > 0 ? std::max(1.0, widths / settings.tuning.long_from) : 1.0);
@@ -72,7 +73,7 @@ Progress improve(scene::Scene& scene, const step::Goal& goal, const CompactionSe
       step_settings.last_moves[i] = step.positions[i] - scene.pieces.at(i);
     }
     scene.pieces.place(step.positions);
-    // Rounds move pieces less and less: look only as far as the next may go.
+    // Pieces move less from round to round: look only as far as the next round may go.
     step_settings.trust = std::clamp(settings.tuning.trust_ahead * step.farthest,
                                      settings.tuning.least_trust * settings.trust, settings.trust);
     progress.gain += step.gain * static_cast<double>(scene.marker.strip.width);

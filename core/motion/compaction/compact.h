@@ -1,9 +1,9 @@
-// Leftward compaction: all pieces move at once so that the marker becomes as short as it can without one leaping over
-// another [Li94 4.1.4, 4.2.1].
+// Leftward compaction: all pieces move at once so that the marker becomes as short as possible without any piece
+// jumping over another [Li94 4.1.4, 4.2.1].
 //
-// Laws.  (1) The answer is valid, proved in integers.  (2) It is never longer than the input, but for what healing says
-// it had to grow by.  (3) Locked pieces stay to the lattice unit.  (4) Same input and settings, same answer, whatever
-// the cache holds and however many hands there are.
+// Laws.  (1) The answer is valid, proved in integers.  (2) It is never longer than the input, except by what the repair
+// of the input reports.  (3) Locked pieces stay in place to the lattice unit.  (4) The same input and settings give the
+// same answer, whatever the cache holds and however many threads are used.
 #pragma once
 
 #include <functional>
@@ -24,31 +24,31 @@ enum class Accuracy { kDraft, kStandard, kFine };
 
 struct CompactionSettings {
   int rounds{};         // at most this many
-  double least_gain{};  // the last round is the one that gains less than this part of the width or, when a marker
-                        // longer than ten widths is made shorter, of a tenth of its length
-  double trust{};    // neighbours are pairs within this part of the width in the first round, within less in later ones
-                     // (position_step.h)
-  double gravity{};  // weight of the mean leftward motion beside the length
+  double least_gain{};  // rounds end with the first one that gains less than this part of the width or, when a marker
+                        // longer than ten widths becomes shorter, of a tenth of its length
+  double trust{};    // trust radius: in the first round, pairs within this part of the width are neighbours, in later
+                     // rounds closer ones (position_step.h)
+  double gravity{};  // weight of the mean leftward motion, relative to the length
   model::RegionRule region{};
   lp::solver::SolverChoice solver{};
-  model::Extent extent{model::Extent::kReached};
-  double simplification{};  // programs are made of outlines grown by up to this part of the width, where pieces are not
-                            // nearer than that (obstacles.h); 0: of their own
-  double solver_tolerance{};  // of 1 + what a round gains (thousandths of the width): by so much its program may miss
-                              // the best; what one round misses the next may gain
+  model::Extent extent{model::Extent::kActiveSet};
+  double simplification{};    // pairs that are farther apart than this part of the width use outlines grown by up to as
+                              // much (obstacles.h); 0: every piece uses its own outline
+  double solver_tolerance{};  // a program may miss its optimum by this part of 1 + the gain of the round (in
+                              // thousandths of the width); the next round may still gain what it missed
   CompactionTuning tuning{};
   friend bool operator==(const CompactionSettings&, const CompactionSettings&) = default;
 };
 [[nodiscard]] CompactionSettings compaction_settings(Accuracy accuracy);
 
-// What rounds towards a goal came to.
+// The outcome of rounds towards a goal.
 struct Progress {
   scene::StopReason reason{};
   int rounds{};
   int programs{};  // linear programs solved
-  double gain{};   // of the goal, lattice units
+  double gain{};   // of the goal; lattice units
 };
-// Rounds of position_step until the goal stops improving; every motion of many pieces at once ends up here.
+// Rounds of position_step until the goal stops improving: the core of every motion of many pieces at once.
 // REQUIRES: the scene's pieces are valid.
 [[nodiscard]] Progress improve(scene::Scene& scene, const step::Goal& goal, const CompactionSettings& settings,
                                const scene::Run& run);
@@ -65,8 +65,8 @@ struct Compaction : repair::MotionResult {
 [[nodiscard]] Result<Compaction> shortened(const Marker& start, const scene::Run& run,
                                            const std::function<Progress(scene::Scene&)>& work);
 
-// Small overlaps in the input are healed first (core/motion/heal.h).
-// Errors: those of heal.
+// Small overlaps of the input are repaired first (core/motion/repair/repair.h).
+// Errors: those of repair_overlaps.
 [[nodiscard]] Result<Compaction> compact(const Marker& start, const CompactionSettings& settings,
                                          const scene::Run& run);
 

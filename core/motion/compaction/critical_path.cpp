@@ -13,27 +13,27 @@
 namespace selvage::motion::compaction {
 namespace {
 
-// The loads that one solution puts on rows and bounds.
+// The loads on rows and bounds in one solution.
 class Loads {
  public:
   Loads(const Marker& marker, const CriticalPathTuning& tuning, SumCache& sums)
       : scene_{marker, sums}, tuning_{tuning} {}
 
-  Result<Hold> run(const scene::Run& run) {
+  Result<CriticalPath> run(const scene::Run& run) {
     const lp::LpSolution solution = solve_model(run);
     if (run.stopped()) {
       return Error{ErrorCode::kStoppedEarly, "stopped before it was known what holds the length", ""};
     }
-    Hold hold;
-    if (solution.status != lp::LpStatus::kOptimal) return hold;  // nothing is known
-    for (std::size_t k = 0; k < rows_.size(); ++k) add_pair(rows_[k], solution.dual[k], hold);
-    add_edges(solution, hold);
-    merge(hold);
-    for (const auto& [piece, per_degree] : tilts_) hold.tilts.push_back({PieceId{piece}, per_degree});
-    std::stable_sort(hold.tilts.begin(), hold.tilts.end(), [](const TiltWorth& a, const TiltWorth& b) {
+    CriticalPath path;
+    if (solution.status != lp::LpStatus::kOptimal) return path;  // empty: there is no solution to read
+    for (std::size_t k = 0; k < rows_.size(); ++k) add_pair(rows_[k], solution.dual[k], path);
+    add_edges(solution, path);
+    merge(path);
+    for (const auto& [piece, per_degree] : tilts_) path.tilts.push_back({PieceId{piece}, per_degree});
+    std::stable_sort(path.tilts.begin(), path.tilts.end(), [](const TiltWorth& a, const TiltWorth& b) {
       return std::abs(a.per_degree) > std::abs(b.per_degree);
     });
-    return hold;
+    return path;
   }
 
  private:
@@ -63,18 +63,18 @@ class Loads {
     return solve(model_->program(), lp::solver::SolverChoice::kSimplex, {}, run.stop);
   }
 
-  void add_pair(const model::PairRow& row, double worth, Hold& hold) {
+  void add_pair(const model::PairRow& row, double worth, CriticalPath& path) {
     if (worth < tuning_.least_worth) return;
     const auto [p, q] = row.pair;
     const RealVec at = nearest_point(scene_.pieces[p], scene_.pieces[q]);
-    hold.contacts.push_back({PieceId{p}, PieceId{q}, {}, worth, at});
-    hold.per_spacing += worth;
+    path.contacts.push_back({PieceId{p}, PieceId{q}, {}, worth, at});
+    path.per_spacing += worth;
     turn(q, worth, row.nx, row.ny, at);
     turn(p, worth, -row.nx, -row.ny, at);
   }
 
-  // Turning a piece about its position by a small angle moves its touching point square to its lever; what that opens
-  // along the normal of the contact, which points at the piece, is room.
+  // A small turn of a piece about its position moves the touching point perpendicular to the lever arm; its component
+  // along the normal of the contact, which points at the piece, is the room gained.
   void turn(std::uint32_t piece, double worth, double nx, double ny, RealVec at) {
     if (scene_.fixed(piece)) return;
     const Vec pivot = scene_.pieces.at(piece);
@@ -84,7 +84,7 @@ class Loads {
   }
 
   // The strip's edges are rows (right) or bounds of columns (the others): a bound's load is its column's reduced cost.
-  void add_edges(const lp::LpSolution& solution, Hold& hold) {
+  void add_edges(const lp::LpSolution& solution, CriticalPath& path) {
     const lp::LinearProgram& program = model_->program();
     std::vector<double> reduced = program.cost;
     for (int r = 0; r < program.rows(); ++r) {
@@ -96,31 +96,31 @@ class Loads {
       const Box room = scene_.marker.strip.room(0);
       const Box box = scene_.pieces.box(i);
       if (const auto x = model_->x_column(i); x && bounds(program.lower, *x, room.low.x - box.low.x)) {
-        add_edge(i, Edge::kLeft, reduced[static_cast<std::size_t>(*x)], 1, 0, hold);
+        add_edge(i, StripEdge::kLeft, reduced[static_cast<std::size_t>(*x)], 1, 0, path);
       }
       if (const auto y = model_->y_column(i)) {
         const double load = reduced[static_cast<std::size_t>(*y)];
-        if (bounds(program.lower, *y, room.low.y - box.low.y)) add_edge(i, Edge::kBottom, load, 0, 1, hold);
-        if (bounds(program.upper, *y, room.high.y - box.high.y)) add_edge(i, Edge::kTop, -load, 0, -1, hold);
+        if (bounds(program.lower, *y, room.low.y - box.low.y)) add_edge(i, StripEdge::kBottom, load, 0, 1, path);
+        if (bounds(program.upper, *y, room.high.y - box.high.y)) add_edge(i, StripEdge::kTop, -load, 0, -1, path);
       }
       if (const auto wall = model_->right_wall_row(i)) {
-        add_edge(i, Edge::kRight, solution.dual[static_cast<std::size_t>(*wall)], -1, 0, hold);
+        add_edge(i, StripEdge::kRight, solution.dual[static_cast<std::size_t>(*wall)], -1, 0, path);
       }
     }
   }
-  // Is it this piece, of those tied together, whose room sets the column's bound?
+  // True when this piece, of those tied together, is the one whose room sets the column's bound.
   [[nodiscard]] bool bounds(const std::vector<double>& limits, int column, Coord room) const {
     return std::abs(model_->unit().to_lattice(limits[static_cast<std::size_t>(column)]) - static_cast<double>(room)) <
            0.5;
   }
   // `(nx, ny)`: from the edge into the strip.
-  void add_edge(std::uint32_t piece, Edge edge, double worth, int nx, int ny, Hold& hold) {
+  void add_edge(std::uint32_t piece, StripEdge edge, double worth, int nx, int ny, CriticalPath& path) {
     if (worth < tuning_.least_worth) return;
     const RealVec at = touching_point(piece, nx, ny);
-    hold.contacts.push_back({PieceId{piece}, std::nullopt, edge, worth, at});
+    path.contacts.push_back({PieceId{piece}, std::nullopt, edge, worth, at});
     turn(piece, worth, nx, ny, at);
   }
-  // The middle of the vertices that lie farthest against the direction.
+  // The mean of the vertices that lie farthest against the direction.
   [[nodiscard]] RealVec touching_point(std::uint32_t piece, int nx, int ny) const {
     const geometry::PlacedPolygon polygon = scene_.pieces[piece];
     const auto along = [&](Vec v) { return nx * v.x + ny * v.y; };
@@ -137,9 +137,9 @@ class Loads {
     return {sum.x / count, sum.y / count};
   }
 
-  // A pair that touches along several lines is one contact; contacts in reading order.
-  static void merge(Hold& hold) {
-    auto& contacts = hold.contacts;
+  // A pair that touches along several lines is one contact; contacts are sorted from left to right.
+  static void merge(CriticalPath& path) {
+    auto& contacts = path.contacts;
     std::stable_sort(contacts.begin(), contacts.end(), [](const LoadedContact& a, const LoadedContact& b) {
       return std::tuple{a.at.x, a.at.y, a.first} < std::tuple{b.at.x, b.at.y, b.first};
     });
@@ -166,7 +166,7 @@ class Loads {
 
 }  // namespace
 
-Result<Hold> what_holds(const Marker& marker, const scene::Run& run, const CriticalPathTuning& tuning) {
+Result<CriticalPath> critical_path(const Marker& marker, const scene::Run& run, const CriticalPathTuning& tuning) {
   run.observer.on_stage(scene::Stage::kVerify);
   if (!is_valid(marker)) {
     return Error{ErrorCode::kMarkerOverlaps, "the marker is not valid: compact or part it first", "/pieces"};

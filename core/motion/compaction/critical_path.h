@@ -1,8 +1,7 @@
-// What holds a marker's length: the contacts between its left and its right edge that carry the load, from the dual
-// values of the position model [Li94 4.1.4; duals as in chapter 10].
+// The critical path of a marker: the contacts between its left and its right edge that determine its length, from the
+// dual values of the position model [Li94 4.1.4; duals as in chapter 10].
 //
-// The dual value of a contact says what a unit of room there is worth: how much shorter the marker would get, to first
-// order.
+// The dual value of a contact is the length that one unit of room in this contact would save, to first order.
 #pragma once
 
 #include <cstdint>
@@ -16,33 +15,32 @@
 #include "core/minkowski/cache.h"
 #include "core/motion/compaction/tuning.h"
 #include "core/scene/run.h"
+#include "core/scene/strip_edge.h"
 
 namespace selvage::motion::compaction {
 
-enum class Edge { kLeft, kRight, kBottom, kTop };  // of the strip; bottom is y = 0
-
 struct LoadedContact {
   PieceId first;
-  std::optional<PieceId> second;  // or an edge of the strip
-  Edge edge{};                    // meaningful without `second`
+  std::optional<PieceId> second;  // none: an edge of the strip
+  StripEdge edge{};               // meaningful without `second`
   double worth{};                 // length per unit of room in this contact; > 0
   RealVec at;                     // where they touch; lattice units
 };
-// What tilting one piece about its position would bring, its shape's tilt limit aside.
+// What tilting one piece about its position would save, regardless of its shape's tilt limit.
 struct TiltWorth {
   PieceId piece;
   double per_degree{};  // lattice units of length per degree counter-clockwise; negative: tilt it clockwise
 };
 
-struct Hold {
+struct CriticalPath {
   std::vector<LoadedContact> contacts;  // from left to right; the loads on the right edge add up to 1
-  std::vector<TiltWorth> tilts;         // of the pieces that carry load, the most telling first
-  double per_spacing{};                 // length per unit of spacing: what one unit less would bring
+  std::vector<TiltWorth> tilts;         // of the pieces that carry load, the largest effect first
+  double per_spacing{};                 // the length that one unit less of spacing would save
 };
 
-// REQUIRES: a valid marker.  A marker that is not compacted is held where it stands, all the same.
-// Errors: kMarkerOverlaps, kOutsideStrip for one that is not valid; kStoppedEarly.
-[[nodiscard]] Result<Hold> what_holds(const Marker& marker, const scene::Run& run,
-                                      const CriticalPathTuning& tuning = {});
+// REQUIRES: a valid marker.  It need not be compacted.
+// Errors: kMarkerOverlaps, kOutsideStrip for a marker that is not valid; kStoppedEarly.
+[[nodiscard]] Result<CriticalPath> critical_path(const Marker& marker, const scene::Run& run,
+                                                 const CriticalPathTuning& tuning = {});
 
 }  // namespace selvage::motion::compaction

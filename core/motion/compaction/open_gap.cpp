@@ -17,7 +17,7 @@ class Opening {
           const GapTuning& tuning, const scene::Run& run)
       : scene_{scene}, settings_{settings}, regions_{regions}, tuning_{tuning}, run_{run}, quiet_{run.quiet()} {}
 
-  // Names the gap; false when there is none such, or when it was asked to stop before it was found.
+  // Finds the gap; false when it does not exist, or when cancelled before it was found.
   bool choose(const GapChoice& choice) {
     if (const auto* outline = std::get_if<AwayFromOutline>(&choice)) {
       auto found = regions();
@@ -30,7 +30,8 @@ class Opening {
     inside_ = std::get<AwayFromPoint>(choice).point;
     return find_again();
   }
-  // The gap about the same point where the pieces are now; false when it has closed, or likewise.
+  // Finds the gap about the same point again, with the pieces where they are now; false when it has closed, or when
+  // cancelled.
   bool find_again() {
     auto found = regions();
     auto holding = holds(found);
@@ -59,7 +60,7 @@ class Opening {
         ++progress_.rounds;
         run_.observer.on_round({progress_.rounds, scene_.pieces.length()});
       }
-      // Forces follow the area to first order only: a long step may overshoot where a short one gains.
+      // The forces follow the area to first order only: a short step may gain where a long one overshoots.
       if (!larger || gap_.area - area < settings_.least_gain * area) {
         if (step.rounds == 0 || ++tries == tuning_.tries) {
           progress_.reason = scene::StopReason::kConverged;
@@ -75,7 +76,7 @@ class Opening {
   [[nodiscard]] Vec inside() const { return inside_; }
 
  private:
-  // None when asked to stop.
+  // Empty when cancelled.
   [[nodiscard]] std::vector<marker::UnoccupiedRegion> regions() const {
     auto found = unoccupied_regions(scene_.pieces, scene_.marker.strip, regions_, run_.stop);
     return found ? *std::move(found) : std::vector<marker::UnoccupiedRegion>{};
@@ -86,7 +87,7 @@ class Opening {
     });
     return held == found.end() ? std::nullopt : std::optional{std::move(*held)};
   }
-  // The gap as it is now; false, and nothing changed, when it has not grown as far as is known.
+  // Takes the gap as it is now; false, with nothing changed, when it is not known to have grown.
   bool take_larger() {
     auto found = regions();
     auto now = holds(found);

@@ -1,12 +1,12 @@
-// Opening a gap: the pieces around an unoccupied region move away from it, so that another piece may find room there;
-// the marker's length is held [Li94 4.2.2].
+// Opening a gap: the pieces around an unoccupied region move away from it, so that another piece may find room there,
+// at fixed length of the marker [Li94 4.2.2].
 //
-// Method.  Vector compaction, one round at a time.  The forces are drawn anew before each round: away from a point, as
-// the thesis draws them, or along the outward normals of the region's outline, which is how its area grows fastest.
-// A gap may grow by opening the way into the next one: its area is that of the whole region.
+// Method.  Vector compaction, one round at a time.  The forces are chosen anew before each round: away from a point, as
+// in the thesis, or along the outward normals of the region's outline, the directions in which its area grows fastest.
+// A gap may grow by joining the next one: its area is that of the whole region.
 // Laws.  (1) The answer is valid, proved in integers, and never longer.  (2) The gap is never smaller than before: a
-// round that made it so is not taken.  (3) Locked pieces stay to the lattice unit.  (4) Same input, same answer,
-// whatever the cache holds.
+// round that makes it smaller is discarded.  (3) Locked pieces stay in place to the lattice unit.  (4) The same input
+// gives the same answer, whatever the cache holds.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ struct AwayFromPoint {
   Vec point;  // in an unoccupied region
 };
 struct AwayFromOutline {
-  std::size_t region{};  // its place in the list of unoccupied_regions, of the marker as it comes
+  std::size_t region{};  // index into the unoccupied_regions of the input
 };
 using GapChoice = std::variant<AwayFromPoint, AwayFromOutline>;
 
@@ -32,10 +32,10 @@ struct OpenedGap : repair::MotionResult {
   marker::UnoccupiedRegion before, after;  // the region that holds that point
 };
 
-// Settings as for compaction (gravity is not used; least_gain is the part by which the last round enlarges the gap);
-// `regions` says what is a region.
-// Errors: those of heal; kStoppedEarly when asked to stop before the gap was found; kOutOfRange for a point in no
-// unoccupied region, or a region that is not there, or that healing closed.
+// Settings as for compaction (gravity is not used; least_gain is relative to the area of the gap); `regions` defines
+// what counts as a region.
+// Errors: those of repair_overlaps; kStoppedEarly when cancelled before the gap was found; kOutOfRange for a point in
+// no unoccupied region, for a region that does not exist, and for one that the repair closed.
 [[nodiscard]] Result<OpenedGap> open_gap(const Marker& start, const GapChoice& choice,
                                          const CompactionSettings& settings, const marker::UnoccupiedSettings& regions,
                                          const scene::Run& run, const GapTuning& tuning = {});

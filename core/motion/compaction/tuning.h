@@ -2,6 +2,8 @@
 // values were tuned on the example markers (docs/measurements-trade.md).
 #pragma once
 
+#include "core/motion/step/tuning.h"
+
 namespace selvage::motion::compaction {
 
 struct CompactionTuning {
@@ -10,6 +12,7 @@ struct CompactionTuning {
   double long_from{10};      // widths: in markers longer than this, the least gain grows with the length
   double little{2e-5};       // part of the width: a program that gains less is not solved again for rows left out
                              // (position_step.h); only the last round of a standard compaction gains so little
+  step::StepTuning step{};   // of each round
   friend bool operator==(const CompactionTuning&, const CompactionTuning&) = default;
 };
 

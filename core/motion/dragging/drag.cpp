@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/marker/clearance.h"
 #include "core/minkowski/inner_fit.h"
 #include "core/motion/piece/bump.h"
 #include "core/motion/placing/place.h"
@@ -19,18 +20,10 @@ double distance(Vec a, Vec b) {
   return std::hypot(static_cast<double>(a.x - b.x), static_cast<double>(a.y - b.y));
 }
 
-bool meet(const geometry::PlacedPolygon& p, const geometry::PlacedPolygon& q, Coord spacing) {
-  return spacing > 0 ? closer_than(p, q, spacing) : overlap(p, q);
-}
-
-bool holds(const Box& room, const Box& box) {
-  return box.low.x >= room.low.x && box.low.y >= room.low.y && box.high.x <= room.high.x && box.high.y <= room.high.y;
-}
-
-class Hand {
+class Dragger {
  public:
-  Hand(const Marker& start, const scene::LaidOut& laid_out, PieceId piece, Vec to, const DragTuning& tuning,
-       const scene::Run& run)
+  Dragger(const Marker& start, const scene::LaidOut& laid_out, PieceId piece, Vec to, const DragTuning& tuning,
+          const scene::Run& run)
       : tuning_{tuning},
         start_{start},
         laid_out_{laid_out},
@@ -45,21 +38,21 @@ class Hand {
                std::clamp(to.y, fit.low.y, std::max(fit.low.y, fit.high.y))};
     if (scene_.ties.x[piece_] == model::Ties::kFixed) wanted_.x = from_.x;
     if (scene_.ties.y[piece_] == model::Ties::kFixed) wanted_.y = from_.y;
-    for (std::uint32_t i = 0; i < scene_.pieces.size(); ++i) in_hand_.push_back(scene_.ties.joined(i, piece_));
+    for (std::uint32_t i = 0; i < scene_.pieces.size(); ++i) carried_.push_back(scene_.ties.joined(i, piece_));
   }
 
   Drag place() {
-    scene_.shift(piece_, nearest_found() - from_);
+    scene_.shift(PieceId{piece_}, nearest_found() - from_);
     return {scene_.result(), false};
   }
 
   Drag push() {
-    scene_.shift(piece_, slid_towards() - from_);
+    scene_.shift(PieceId{piece_}, slid_towards() - from_);
     Drag placed{scene_.result(), false};
     const Vec at = scene_.pieces.at(piece_);
     if (at == wanted_) return placed;
     const std::vector<std::uint32_t> around = pieces_around();
-    const Marker part = part_of(placed.marker, around);
+    const Marker part = local_marker(placed.marker, around);
     scene::Scene scene{part, run_.sums};
     if (!conflicts(scene.pieces).empty()) return placed;
     follow(scene);
@@ -70,35 +63,23 @@ class Hand {
   }
 
  private:
-  // The free place nearest to the wanted one, up to where the hand is.
+  // The free position nearest to the wanted one, up to the end of the room.
   [[nodiscard]] Vec nearest_found() const {
     Marker reached = start_;
     reached.strip = start_.strip.ending(room_.high.x);
-    const auto found = placing::place(scene::Scene{std::move(reached), laid_out_, run_.sums}, piece_, wanted_);
+    const auto found = placing::place(scene::Scene{std::move(reached), laid_out_, run_.sums}, PieceId{piece_}, wanted_);
     return found ? found->at : from_;
   }
 
   [[nodiscard]] bool free_at(Vec at) const {
     const Vec by = at - scene_.pieces.at(piece_);
     for (std::uint32_t i = 0; i < scene_.pieces.size(); ++i) {
-      if (in_hand_[i] && !clear(i, by)) return false;
+      if (carried_[i] && !room_.contains(scene_.pieces.box(i).moved(by))) return false;
     }
-    return true;
-  }
-  // A piece in the hand may be moved by this much.
-  [[nodiscard]] bool clear(std::uint32_t piece, Vec by) const {
-    geometry::PlacedPolygon moved = scene_.pieces[piece];
-    moved.at = moved.at + by;
-    if (!holds(room_, moved.placed_box())) return false;
-    const Box box = moved.placed_box().grown(scene_.pieces.widest_spacing());
-    for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
-      if (in_hand_[other] || !box.overlaps(scene_.pieces.box(other))) continue;
-      if (meet(moved, scene_.pieces[other], scene_.pieces.spacing({piece, other}))) return false;
-    }
-    return true;
+    return are_clear(scene_.pieces, carried_, by);
   }
 
-  // Where a piece comes that is moved straight to the wanted place and, from where that ends, along what is in the way.
+  // Where the piece gets by moving straight towards the wanted position and then sliding along the pieces in the way.
   Vec slid_towards() {
     if (free_at(wanted_)) return wanted_;
     const auto on_the_way = farthest_on_the_way();
@@ -106,9 +87,10 @@ class Hand {
     Vec best = *on_the_way;
     scene::Scene sliding = scene_;
     for (int slide = 0; slide < tuning_.slides; ++slide) {
-      sliding.shift(piece_, best - sliding.pieces.at(piece_));
+      sliding.shift(PieceId{piece_}, best - sliding.pieces.at(piece_));
       const Vec left = wanted_ - best;
-      const Vec next = piece::bump(sliding, piece_, static_cast<double>(left.x), static_cast<double>(left.y)).at;
+      const Vec next =
+          piece::bump(sliding, PieceId{piece_}, static_cast<double>(left.x), static_cast<double>(left.y)).at;
       if (!(distance(next, wanted_) < distance(best, wanted_)) || !free_at(next)) break;
       best = next;
     }
@@ -133,7 +115,7 @@ class Hand {
     return std::nullopt;
   }
 
-  // Rounds of the position model that take the scene's first piece towards the wanted place.
+  // Rounds of the position model that take the scene's first piece towards the wanted position.
   void follow(scene::Scene& scene) const {
     const auto width = static_cast<double>(start_.strip.width);
     for (int round = 0; round < tuning_.rounds && !run_.stopped(); ++round) {
@@ -150,17 +132,18 @@ class Hand {
     }
   }
 
-  // What is in the hand, the pieces near the way that is left, and those near them, which stay; the dragged one first.
+  // The carried pieces, the dragged one first; then those near the rest of the way, which may move; then those near
+  // them, which stay.
   [[nodiscard]] std::vector<std::uint32_t> pieces_around() {
     const Coord reach = std::llround(tuning_.reach * static_cast<double>(start_.strip.width));
     const Box own = scene_.pieces.box(piece_);
     const Box near = united(own, own.moved(wanted_ - scene_.pieces.at(piece_))).grown(reach);
-    Box reached = near;  // by those that make way
+    Box reached = near;  // the region that moving pieces may enter
     std::vector<std::uint32_t> around{piece_};
     for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
-      // Other groups stay: part of one may be out of reach.
+      // Other groups stay, because part of a group may be out of reach.
       const bool flows =
-          in_hand_[other] || (start_.pieces[other].group.empty() && near.touches(scene_.pieces.box(other)));
+          carried_[other] || (start_.pieces[other].group.empty() && near.touches(scene_.pieces.box(other)));
       if (other == piece_ || !flows) continue;
       around.push_back(other);
       reached = united(reached, scene_.pieces.box(other));
@@ -172,14 +155,14 @@ class Hand {
     const Coord end = scene_.pieces.length();
     for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
       const Box box = scene_.pieces.box(other);
-      // Whatever ends the marker is known, so that the rounds hold the whole one's length, not the part's.
+      // The pieces at the marker's end are included, so that the rounds keep the length of the whole marker.
       if (!known[other] && (far.touches(box) || box.high.x == end)) around.push_back(other);
     }
     return around;
   }
 
-  // A marker of these pieces alone, the later ones locked.
-  [[nodiscard]] Marker part_of(const Marker& placed, const std::vector<std::uint32_t>& around) const {
+  // A marker of these pieces only, in which those that stay are locked.
+  [[nodiscard]] Marker local_marker(const Marker& placed, const std::vector<std::uint32_t>& around) const {
     Marker part = placed;
     part.pieces.clear();
     for (std::size_t k = 0; k < around.size(); ++k) {
@@ -189,31 +172,29 @@ class Hand {
     return part;
   }
 
-  // No piece that moved meets another.  (The rounds have proved it of the pieces they knew.)
+  // True when no piece that moved overlaps another.  (The rounds proved this only among the pieces around.)
   [[nodiscard]] bool proved(const Marker& marker) const {
     const marker::PlacedPieces pieces{marker};
-    const auto changed = [&](std::uint32_t piece) { return marker.pieces[piece].at != start_.pieces[piece].at; };
+    std::vector<std::uint32_t> changed;
     for (std::uint32_t piece = 0; piece < pieces.size(); ++piece) {
-      if (changed(piece) && !holds(room_, pieces.box(piece))) return false;
+      if (marker.pieces[piece].at == start_.pieces[piece].at) continue;
+      if (!room_.contains(pieces.box(piece))) return false;
+      changed.push_back(piece);
     }
-    for (const marker::PiecePair& pair : pairs_within(pieces, pieces.widest_spacing())) {
-      const auto& [first, second] = pair;
-      if ((changed(first) || changed(second)) && conflict(pieces, pair)) return false;
-    }
-    return true;
+    return are_clear(pieces, changed);
   }
 
   const DragTuning& tuning_;
   const Marker& start_;
-  const scene::LaidOut& laid_out_;  // of it
+  const scene::LaidOut& laid_out_;  // of `start_`
   const std::uint32_t piece_;
   const scene::Run& run_;
   scene::Scene scene_;
   const Vec from_;
-  Box room_;                   // of the strip, as far as the hand reaches
-  Vec wanted_;                 // as near to the hand as the strip and the locks allow
-  std::vector<bool> in_hand_;  // the piece and its group
-  std::size_t flowing_{};      // of the pieces around, the first so many are not held
+  Box room_;                   // of the strip, up to where the piece may be dragged
+  Vec wanted_;                 // as near to the requested position as the strip and the locks allow
+  std::vector<bool> carried_;  // the piece and its group
+  std::size_t flowing_{};      // the number of pieces around that may move; they come first
 };
 
 }  // namespace
@@ -225,8 +206,8 @@ Drag drag(const Marker& start, PieceId piece, Vec to, DragMode mode, const scene
 Drag drag(const Marker& start, const scene::LaidOut& laid_out, PieceId piece, Vec to, DragMode mode,
           const scene::Run& run, const DragTuning& tuning) {
   if (laid_out.ties.fixed(piece.value)) return {start, false};
-  Hand hand{start, laid_out, piece, to, tuning, run};
-  return mode == DragMode::kPush ? hand.push() : hand.place();
+  Dragger dragger{start, laid_out, piece, to, tuning, run};
+  return mode == DragMode::kPush ? dragger.push() : dragger.place();
 }
 
 }  // namespace selvage::motion::dragging

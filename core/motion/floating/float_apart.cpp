@@ -84,19 +84,20 @@ class Floater {
   [[nodiscard]] bool asks_for_minimum() const {
     return settings_.mode == FloatMode::kLargestMinimum || settings_.mode == FloatMode::kTwoStep;
   }
-  // A critical set is what carries load: all of it does in the middle of the optimal face, at a vertex perhaps a part.
+  // A critical set is read from loads: in the middle of the optimal face all of its gaps carry load, at a vertex
+  // perhaps only some.
   [[nodiscard]] lp::solver::SolverChoice solver() const {
     const bool any = settings_.solver == lp::solver::SolverChoice::kAutomatic;
     return any && asks_for_minimum() ? lp::solver::SolverChoice::kInteriorPoint : settings_.solver;
   }
 
-  // Every gap that a round can make narrower than what counts.
+  // Every gap that a round can make narrower than the width that counts.
   [[nodiscard]] std::vector<FloatGap> gaps_near(double trust) const {
     const Coord reach = most_ + static_cast<Coord>(std::ceil(2 * trust)) + 2;
     std::vector<FloatGap> near;
     for (const Gap& gap : gaps_within(scene_, reach, aim_.strip, settings_.edges)) {
       FloatGap now{gap, width_within(gap, scene_.pieces, aim_.strip, aim_.most), least_, false, aim_.most};
-      // What is uniform is the widths of the gaps there were; no other gap is to become one.
+      // The gaps that there were become uniform; others only stay as wide as they are.
       if (settings_.mode == FloatMode::kUniform) now.held = !start_gaps_.contains(gap);
       if (const auto critical = critical_.find(gap); critical != critical_.end()) {
         now.held = true;
@@ -108,8 +109,8 @@ class Floater {
     return near;
   }
 
-  // Sets aside what holds the minimum now.  False when nothing does: no gap that is left can be wider, or none is
-  // narrow.
+  // Sets aside the gaps that limit the minimum.  False when there are none: no remaining gap can become wider, or none
+  // is narrow.
   bool add_critical_set(Floating& best) {
     double least = aim_.most;
     for (FloatGap& gap : gaps_) {
@@ -123,8 +124,8 @@ class Floater {
     return true;
   }
 
-  // The gaps that carry load in the last program, if it asked for the minimum; else, or when none does, those that have
-  // it.
+  // The gaps that carry load in the last program, if it maximised the minimum; otherwise, or if none does, those that
+  // have the minimum.
   [[nodiscard]] std::vector<Gap> holding(double least) const {
     std::vector<Gap> loaded;
     std::vector<Gap> narrowest;
@@ -143,9 +144,9 @@ class Floater {
   FloatAim aim_;
   std::set<Gap> start_gaps_;
   Coord least_{};
-  std::map<Gap, Coord> critical_;  // what holds a stage's minimum, and that minimum
+  std::map<Gap, Coord> critical_;  // the gaps that limit a stage's minimum, and that minimum
   std::vector<FloatGap> gaps_;     // of the last round
-  std::vector<double> loads_;      // and what they carried
+  std::vector<double> loads_;      // that they carried
 };
 
 }  // namespace

@@ -1,10 +1,10 @@
-// Floating: the free space of a marker shared out among the gaps between its pieces, so that a knife has room to pass,
-// at no cost in cloth [Li94 chapter 7].  The pieces move all at once; widths of gaps are columns of the linear program.
+// Floating: distributes the free space of a marker among the gaps between its pieces, so that a knife has room to pass,
+// at no cost in cloth [Li94 chapter 7].  All pieces move at once; the widths of gaps are columns of the linear program.
 //
-// Laws.  (1) The answer is valid, proved in integers.  (2) It is never longer than the input, but for what healing says
-// it had to grow by.  (3) The least distance, in whole lattice units, is never smaller than before; `least_after` is
-// proved. (4) Locked pieces stay to the lattice unit.  (5) Same input and settings, same answer, whatever the cache
-// holds.
+// Laws.  (1) The answer is valid, proved in integers.  (2) It is never longer than the input, except by what the repair
+// of the input reports.  (3) The least distance, in whole lattice units, is never smaller than before; `least_after` is
+// proved.  (4) Locked pieces stay in place to the lattice unit.  (5) The same input and settings give the same answer,
+// whatever the cache holds.
 #pragma once
 
 #include <vector>
@@ -23,14 +23,14 @@ struct FloatSettings {
                      // wide
   bool edges{};      // gaps to the strip's edges count too; its right edge is the end of the marker as it comes in
   int rounds{};      // at most this many, in each stage
-  int stages{};      // of kTwoStep: so often, gaps that hold the minimum are left behind
-  double least_gain{};  // the last round is the one that gains less than this part of the width
+  int stages{};      // of kTwoStep: how many times the gaps that limit the minimum are set aside
+  double least_gain{};  // rounds end with the first one that gains less than this part of the width
   double trust{};       // no piece moves farther in a round than this part of the width, on either axis
   lp::solver::SolverChoice solver{};
   FloatTuning tuning{};
   friend bool operator==(const FloatSettings&, const FloatSettings&) = default;
 };
-// With the distance given, the rest as it should be.
+// The recommended settings for a mode and a distance.
 [[nodiscard]] FloatSettings float_settings(FloatMode mode, Coord distance);
 
 struct GapWidths {
@@ -39,8 +39,8 @@ struct GapWidths {
   friend bool operator==(const GapWidths&, const GapWidths&) = default;
 };
 
-// Gaps that cannot all become wider than the distance without the marker becoming longer [Li94 7.6], as far as rounds
-// of linear programs can tell.
+// Gaps that cannot all become wider than the distance unless the marker becomes longer [Li94 7.6], as far as rounds of
+// linear programs can determine.
 struct CriticalSet {
   double distance{};      // lattice units
   std::vector<Gap> gaps;  // sorted
@@ -51,13 +51,14 @@ struct Floating : repair::MotionResult {
   Coord least_before{}, least_after{};  // the narrowest gap, whole lattice units, at most the setting's distance
   bool reached{};                       // the narrowest gap has the setting's distance
   std::vector<GapWidths> gaps;          // narrower than the setting's distance before or after, sorted
-  // What holds the minimum: gaps that carry load in the last program, or, in the modes that do not ask for the minimum,
-  // that have it.  kTwoStep adds the sets that held its later stages.  None when the distance is reached.
+  // The gaps that limit the minimum: those that carry load in the last program or, in modes that do not maximise the
+  // minimum, those that have it.  kTwoStep adds the sets that limit its later stages.  Empty when the distance is
+  // reached.
   std::vector<CriticalSet> critical;
 };
 
 // Gaps between two locked pieces do not count.
-// Errors: those of heal; kOutOfRange for a distance that is not positive or beyond the lattice.
+// Errors: those of repair_overlaps; kOutOfRange for a distance that is not positive or beyond the lattice.
 [[nodiscard]] Result<Floating> float_apart(const Marker& start, const FloatSettings& settings, const scene::Run& run);
 
 }  // namespace selvage::motion::floating

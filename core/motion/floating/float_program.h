@@ -17,27 +17,27 @@ enum class FloatMode {
   kLargestMinimum,  // the least distance as large as it can be [Li94 7.4]
   kGivenDistance,  // every distance at least the given one where there is room for it, with the least motion [Li94 7.5]
   kLargestTotal,   // the sum of all distances as large as it can be [Li94 7.6]
-  kUniform,        // the sum of all distances, less what each differs from their mean [Li94 7.7]
-  kTwoStep,        // the largest minimum; then again for those that do not hold it, as they are [Li94 7.8]
+  kUniform,        // the sum of all distances, minus the deviation of each from their mean [Li94 7.7]
+  kTwoStep,        // the largest minimum; then again for the gaps that do not limit it [Li94 7.8]
 };
 
 // A gap as a round sees it.
 struct FloatGap {
   Gap gap;
   double now{};   // its width, lattice units, at most FloatAim::most
-  Coord least{};  // narrower it must not become: proved
-  bool held{};    // not asked to become wider, only to stay at `keep`
+  Coord least{};  // the width that it must keep; proved
+  bool held{};    // does not have to become wider, only to stay at `keep`
   double keep{};
 };
 
 struct FloatAim {
   FloatMode mode{};
-  double most{};           // lattice units: a gap counts as no wider than this
+  double most{};           // lattice units: wider gaps count as this wide
   Box strip;               // where the pieces may be
   std::vector<Vec> start;  // positions that motion is measured from
 };
 
-// What a round wants more of, in lattice units, given the gaps' widths: the program's objective, after rounding.
+// What a round maximises, in lattice units, given the gaps' widths: the program's objective, after rounding.
 [[nodiscard]] double worth_of(const FloatAim& aim, std::span<const FloatGap> gaps, std::span<const double> widths,
                               const marker::PlacedPieces& pieces);
 
@@ -63,9 +63,9 @@ class FloatProgram {
   [[nodiscard]] std::vector<RealVec> displacements(const lp::LpSolution& s) const { return model_.displacements(s.x); }
   // The worth that a solution promises, before rounding; lattice units.
   [[nodiscard]] double promised(const lp::LpSolution& solution) const;
-  // The gaps that a solution leaves no certain room: rounding may make them narrower than their `least`.
+  // The gaps whose room in a solution is uncertain: rounding may make them narrower than their `least`.
   [[nodiscard]] std::vector<std::size_t> uncertain(const lp::LpSolution& solution) const;
-  // For each gap, what the worth would gain by a unit of room in it.
+  // For each gap, the gain in worth from one unit of room in it.
   [[nodiscard]] std::vector<double> loads(const lp::LpSolution& solution) const;
 
  private:
@@ -86,7 +86,7 @@ class FloatProgram {
   std::span<const WidthRow> rows_;
   model::PositionModel model_;
   std::vector<int> width_;               // each gap's column
-  std::vector<std::size_t> gap_of_row_;  // of the program; gaps_.size() when it is no gap's
+  std::vector<std::size_t> gap_of_row_;  // by row of the program; gaps_.size() for rows of no gap
 };
 
 }  // namespace selvage::motion::floating

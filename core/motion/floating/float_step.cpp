@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "core/geometry/distance.h"
+#include "core/marker/clearance.h"
 #include "core/model/snap.h"
 
 namespace selvage::motion::floating {
 namespace {
 
-constexpr int kAttempts = 24;  // programs in one round, as pieces are tied together
+constexpr int kAttempts = 24;  // programs in one round; between them pieces are tied together
 
 class Attempt {
  public:
@@ -42,7 +43,7 @@ class Attempt {
       run_.observer.on_stage(scene::Stage::kVerify);
       auto broken = try_moves(program.displacements(solution), step);
       if (broken.empty()) return step;
-      if (step.programs > 1) {  // rounding will break others next time: tie all that it may
+      if (step.programs > 1) {  // rounding would violate others next time: tie all pairs that it may
         for (const std::size_t k : program.uncertain(solution)) {
           if (other_piece(gaps_[k].gap)) broken.push_back(pair_of(gaps_[k].gap));
         }
@@ -53,13 +54,11 @@ class Attempt {
   }
 
  private:
-  // Rounds and proves the moves.  Returns the pairs that rounding brings too near; without any, moves of more worth
-  // become the step's.
+  // Rounds and proves the moves.  Returns the pairs that rounding brings too close; if there are none and the moves
+  // gain, they become those of the step.
   std::vector<marker::PiecePair> try_moves(const std::vector<RealVec>& moves, FloatStep& step) const {
-    std::vector<Vec> positions = model::snapped(moves);
-    for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = positions[i] + scene_.pieces.at(i);
     marker::PlacedPieces moved = scene_.pieces;
-    moved.place(std::move(positions));
+    moved.move_by(model::snapped(moves));
     auto broken = conflicts(moved);
     std::vector<double> widths;
     for (const FloatGap& gap : gaps_) {
@@ -80,20 +79,13 @@ class Attempt {
     return {};
   }
   [[nodiscard]] bool inside(const marker::PlacedPieces& moved) const {
-    const Box& strip = aim_.strip;
-    for (std::size_t i = 0; i < moved.size(); ++i) {
-      const Box box = moved.box(i);
-      if (box.low.x < strip.low.x || box.low.y < strip.low.y || box.high.x > strip.high.x ||
-          box.high.y > strip.high.y) {
-        return false;
-      }
-    }
-    return std::all_of(gaps_.begin(), gaps_.end(), [&](const FloatGap& gap) {
-      return other_piece(gap.gap) || whole_width_within(gap.gap, moved, strip, gap.least) >= gap.least;
-    });
+    const auto wide_enough = [&](const FloatGap& gap) {
+      return other_piece(gap.gap) || whole_width_within(gap.gap, moved, aim_.strip, gap.least) >= gap.least;
+    };
+    return are_inside(moved, aim_.strip) && std::all_of(gaps_.begin(), gaps_.end(), wide_enough);
   }
 
-  // Pieces that rounding brings too near to each other move as one: what fits now still fits then.
+  // Pieces that rounding brings too close to each other move as one, so that they stay as far apart as they are.
   void tie(const std::vector<marker::PiecePair>& broken) {
     for (const auto& [p, q] : broken) ties_.join(p, q);
   }

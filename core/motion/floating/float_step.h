@@ -20,8 +20,8 @@ struct FloatStep {
 };
 
 // No piece moves farther than `trust` (lattice units) on either axis.
-// REQUIRES: the scene's pieces are valid; `gaps` holds every gap that may be narrower than the aim's `most` plus twice
-// the trust.
+// REQUIRES: the scene's pieces are valid; `gaps` contains every gap that may be narrower than the aim's `most` plus
+// twice the trust radius.
 [[nodiscard]] FloatStep float_step(const scene::Scene& scene, const FloatAim& aim, std::span<const FloatGap> gaps,
                                    double trust, lp::solver::SolverChoice solver, const scene::Run& run);
 

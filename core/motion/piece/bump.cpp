@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/marker/clearance.h"
 #include "core/minkowski/inner_fit.h"
 #include "core/model/pair_rows.h"
 #include "core/motion/piece/slide.h"
@@ -14,14 +15,15 @@
 namespace selvage::motion::piece {
 namespace {
 
-constexpr double kRounding = 1e-6;   // lattice units; of a slack
-constexpr double kNarrowest = 1e-6;  // of a corner: one and the cosine between its sides' normals
+constexpr double kRounding = 1e-6;   // lattice units: rounding of a slack
+constexpr double kNarrowest = 1e-6;  // least value of 1 + the cosine between the normals of a corner's sides
 
-// Lattice units of room that a corner's sides are given until a lattice point fits: within 0.71 of any point there is
-// one, so that it takes more only where a third side is near.
+// Lattice units by which a point at a corner backs away from its sides until a lattice point fits: there is always one
+// within 0.71, so more is needed only where a third side is near.
 constexpr std::array kBacks{0.0, 0.25, 0.5, 0.71, 1.0, 2.0, 4.0, 16.0, 64.0};
 
-// Directions slanting off the wanted one, as (cosine, sine) of 25, 50, 75 and 89 degrees, to one side and to the other.
+// Directions at an angle to the wanted one, as (cosine, sine) of 25, 50, 75 and 89 degrees, to one side and to the
+// other.
 constexpr std::array<std::pair<double, double>, 8> kSlants{{{0.906, 0.423},
                                                             {0.906, -0.423},
                                                             {0.643, 0.766},
@@ -31,15 +33,15 @@ constexpr std::array<std::pair<double, double>, 8> kSlants{{{0.906, 0.423},
                                                             {0.017, 1.0},
                                                             {0.017, -1.0}}};
 
-// One side of the cell, and whose it is.
+// One side of the cell, and the piece that it belongs to.
 struct Bound {
   model::HalfPlane side;  // of the relative position; unused for the strip's edges
   std::uint32_t piece{};  // kEdge for the strip's edges and the cell's reach
-  Vec offset;             // from the bumped piece to the one of its body that has the bound
+  Vec offset;             // from the bumped piece to the one of its body that is bounded
 };
 constexpr std::uint32_t kEdge = UINT32_MAX;
 
-// The obstacle that a still piece is to one of the body.
+// The obstacle that a piece that stays is to a piece of the body.
 struct Met {
   std::uint32_t other{}, member{};
   minkowski::Obstacle obstacle;
@@ -48,7 +50,7 @@ struct Met {
 // A piece that moves: the bumped one, or another of its group.
 struct Member {
   std::uint32_t piece{};
-  Vec offset;  // from the bumped one, which never changes
+  Vec offset;  // from the bumped one; constant
 };
 
 class Bumper {
@@ -65,7 +67,7 @@ class Bumper {
     const Box room = scene.marker.strip.room(scene.marker.strip.last().value_or(scene.pieces.length()));
     for (std::uint32_t i = 0; i < scene.pieces.size(); ++i) {
       if (!scene.ties.joined(i, piece)) continue;
-      moves_[i] = 1;
+      moves_[i] = true;
       body_.push_back({i, scene.pieces.at(i) - at_});
       const Box fit = minkowski::inner_fit(scene.pieces[i].box, room).moved(-body_.back().offset);
       fit_.low = {std::max(fit_.low.x, fit.low.x), std::max(fit_.low.y, fit.low.y)};
@@ -86,9 +88,9 @@ class Bumper {
  private:
   [[nodiscard]] double gain(Vec by) const { return ux_ * static_cast<double>(by.x) + uy_ * static_cast<double>(by.y); }
 
-  // At a corner either side of a neighbour may be taken; the cell took the ones least in the direct way.  A way out, if
-  // there is one, borders on a way along some contact: try the cells that leave those ways open, and some slanting ways
-  // to see the contacts behind corners.
+  // At a corner the piece may pass a neighbour on either side; the cell chose the sides that obstruct the direct way
+  // least.  A way around the corner, if there is one, starts along some contact: try the cells that keep those ways
+  // open, and some ways at an angle, which reveal the contacts behind corners.
   bool advance_round_corners() {
     std::vector<std::pair<double, double>> ways;
     const double side = first_side();
@@ -109,23 +111,27 @@ class Bumper {
   }
 
   // The side that is tried first, +1 for the left of the wanted direction: leftwards in the strip, and for a bump along
-  // the strip to where there is more room.  So that a mirrored marker gives the mirrored answer.
+  // the strip the side with more room, so that a mirrored marker gives the mirrored answer.
   [[nodiscard]] double first_side() const {
     if (uy_ != 0) return uy_ > 0 ? 1 : -1;
     return (fit_.high.y - at_.y >= at_.y - fit_.low.y) == (ux_ > 0) ? 1 : -1;
   }
 
-  // Builds the cell about the present position, slides in it and takes what is proved.  False when that gains nothing.
+  // Builds the cell about the present position, slides in it and takes the part that is proved.  False if nothing is
+  // gained.
   bool advance(double towards_x, double towards_y) {
     build_cell(towards_x, towards_y);
     last_ = slide(cell_, ux_, uy_);
     if (ux_ * last_.to.x + uy_ * last_.to.y < tuning_.least_gain) return false;
     for (double part = 1; part > 1e-3; part /= 4) {
       const auto target = lattice_point(last_.to.x * part, last_.to.y * part);
-      if (!target || gain(*target - at_) < tuning_.least_gain || !valid(*target)) continue;
+      if (!target || gain(*target - at_) < tuning_.least_gain ||
+          !are_clear(scene_.pieces, moves_, *target - scene_.pieces.at(piece_))) {
+        continue;
+      }
       const bool reached_limit = std::any_of(last_.blocking.begin(), last_.blocking.end(),
                                              [&](std::size_t k) { return k >= cell_.size() - 4; });
-      if (reached_limit) reach_ *= 4;  // nothing else was in the way: look farther next time
+      if (reached_limit) reach_ *= 4;  // only the reach was in the way: look farther next time
       at_ = *target;
       return true;
     }
@@ -147,7 +153,7 @@ class Bumper {
     const Vec at = at_ + member.offset;
     const Box own = scene_.pieces[member.piece].box.moved(at).grown(std::llround(reach_) + spacing_);
     for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
-      if (moves_[other] != 0 || !own.overlaps(scene_.pieces.box(other))) continue;
+      if (moves_[other] || !own.overlaps(scene_.pieces.box(other))) continue;
       const Coord spacing = scene_.pieces.spacing({member.piece, other});
       const Vec r = at - scene_.pieces.at(other);
       const minkowski::Obstacle& obstacle = obstacle_of(other, member.piece);
@@ -158,7 +164,7 @@ class Bumper {
       }
     }
   }
-  // Asked for in every cell: the cache of sums would be locked each time.
+  // Kept here because every cell needs it, and the cache of sums would be locked each time.
   const minkowski::Obstacle& obstacle_of(std::uint32_t other, std::uint32_t member) {
     for (const Met& met : met_) {
       if (met.other == other && met.member == member) return met.obstacle;
@@ -171,7 +177,7 @@ class Bumper {
     bounds_.push_back({{}, kEdge, {}});
   }
 
-  // The best lattice position near the cell's point that every half-plane admits.
+  // The best lattice position near the cell's point that satisfies every half-plane.
   [[nodiscard]] std::optional<Vec> lattice_point(double x, double y) const {
     const auto about = [](double v) {
       return std::pair{static_cast<Coord>(std::floor(v)), static_cast<Coord>(std::ceil(v))};
@@ -188,7 +194,7 @@ class Bumper {
     }
     return std::nullopt;
   }
-  // The way from a point that the blocking sides hold by which each of them gets one unit of room per unit.
+  // The direction away from a point on the blocking sides in which each of them gains one unit of room per unit.
   [[nodiscard]] RealVec into_cell() const {
     if (last_.blocking.empty()) return {-ux_, -uy_};
     const CellSide& first = cell_[last_.blocking.front()];
@@ -196,7 +202,7 @@ class Bumper {
     const double room = std::max(kNarrowest, 1 + first.nx * last.nx + first.ny * last.ny);
     return {(first.nx + last.nx) / room, (first.ny + last.ny) / room};
   }
-  // Farther in the direction; of moves equally far the shorter one.
+  // Farther in the direction; of equally far moves the shorter one.
   [[nodiscard]] bool preferred(Vec a, Vec b) const {
     const auto rank = [&](Vec by) { return std::tuple{-gain(by), std::abs(by.x) + std::abs(by.y), std::abs(by.y)}; };
     return rank(a) < rank(b);
@@ -212,7 +218,7 @@ class Bumper {
       const Vec by = candidate - at_;
       const double room =
           cell_[k].slack + cell_[k].nx * static_cast<double>(by.x) + cell_[k].ny * static_cast<double>(by.y);
-      if (spacing_ > 0) {  // nearly: the proof decides
+      if (spacing_ > 0) {  // approximate: the proof decides
         if (room < -kRounding) return false;
       } else if (cross(bound.side.direction,
                        candidate + bound.offset - scene_.pieces.at(bound.piece) - bound.side.anchor) > 0) {
@@ -221,29 +227,10 @@ class Bumper {
     }
     return true;
   }
-  // The proof: against every piece, in integers.
-  [[nodiscard]] bool valid(Vec candidate) const {
-    return std::all_of(body_.begin(), body_.end(), [&](const Member& member) {
-      geometry::PlacedPolygon moved = scene_.pieces[member.piece];
-      moved.at = candidate + member.offset;
-      return clear_of_others(moved, member.piece);
-    });
-  }
-  [[nodiscard]] bool clear_of_others(const geometry::PlacedPolygon& moved, std::uint32_t piece) const {
-    const Box box = moved.placed_box().grown(spacing_);
-    for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
-      if (moves_[other] != 0 || !box.overlaps(scene_.pieces.box(other))) continue;
-      const geometry::PlacedPolygon still = scene_.pieces[other];
-      const Coord spacing = scene_.pieces.spacing({piece, other});
-      if (spacing > 0 ? closer_than(moved, still, spacing) : overlap(moved, still)) return false;
-    }
-    return true;
-  }
-
-  [[nodiscard]] std::vector<std::uint32_t> touching() const {
-    std::vector<std::uint32_t> pieces;
+  [[nodiscard]] std::vector<PieceId> touching() const {
+    std::vector<PieceId> pieces;
     for (const std::size_t k : last_.blocking) {
-      if (bounds_[k].piece != kEdge) pieces.push_back(bounds_[k].piece);
+      if (bounds_[k].piece != kEdge) pieces.push_back(PieceId{bounds_[k].piece});
     }
     std::sort(pieces.begin(), pieces.end());
     pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
@@ -256,7 +243,7 @@ class Bumper {
   double ux_, uy_;
   Coord spacing_{scene_.pieces.widest_spacing()};
   std::vector<Member> body_;
-  std::vector<char> moves_;                                                    // is it of the body?
+  std::vector<bool> moves_;                                                    // whether a piece is of the body
   Box fit_{{-kLatticeLimit, -kLatticeLimit}, {kLatticeLimit, kLatticeLimit}};  // positions within the strip
   Vec at_;
   double reach_;
@@ -268,10 +255,11 @@ class Bumper {
 
 }  // namespace
 
-Bump bump(const scene::Scene& scene, std::uint32_t piece, double dx, double dy, const BumpTuning& tuning) {
+Bump bump(const scene::Scene& scene, PieceId piece, double dx, double dy, const BumpTuning& tuning) {
   const double length = std::hypot(dx, dy);
-  if (scene.fixed(piece) || !(length > 0)) return {scene::StopReason::kConverged, scene.pieces.at(piece), 0, {}};
-  return Bumper{scene, piece, dx / length, dy / length, tuning}.run();
+  if (scene.fixed(piece.value) || !(length > 0))
+    return {scene::StopReason::kConverged, scene.pieces.at(piece.value), 0, {}};
+  return Bumper{scene, piece.value, dx / length, dy / length, tuning}.run();
 }
 
 Result<BumpedMarker> repair_and_bump(const Marker& start, PieceId piece, double dx, double dy, const scene::Run& run) {
@@ -287,9 +275,9 @@ Result<BumpedMarker> repair_and_bump(const Marker& start, const scene::LaidOut& 
   };
   return repair::repaired_and<BumpedMarker>(scene, repairing, [&](BumpedMarker& bumped) {
     run.observer.on_stage(scene::Stage::kSolve);
-    bumped.bump = bump(scene, piece.value, dx, dy);
+    bumped.bump = bump(scene, piece, dx, dy);
     bumped.reason = bumped.bump.reason;
-    scene.shift(piece.value, bumped.bump.at - scene.pieces.at(piece.value));
+    scene.shift(piece, bumped.bump.at - scene.pieces.at(piece.value));
     run.observer.on_stage(scene::Stage::kOther);
   });
 }

@@ -39,7 +39,7 @@ std::array<double, 3> without(const std::array<double, 3>& values, std::size_t k
   return rest;
 }
 
-// x_k = (b - sum of the others) / a_k put into `row`.
+// Substitutes x_k = (b - sum of the others) / a_k in `row`.
 Row eliminated(const Row& row, const Row& line, std::size_t k) {
   Row rest;
   const double factor = row.a[k] / line.a[k];
@@ -91,7 +91,7 @@ std::optional<Point> optimum(const Program& program) {
     for (std::size_t j = 0; j < dimension; ++j) x[j] = j == k ? 0 : rest[count++];
     x[k] = (row.b - left_side(row, x, dimension)) / row.a[k];
     if (dimension > 1) continue;
-    // In one variable the rows before this one have not been asked again.
+    // In one variable, the rows before this one have not been checked again.
     for (std::size_t before = 0; before < i; ++before) {
       const Row& other = program.rows[before];
       if (other.a[0] * x[0] > other.b + kTolerance * (1 + std::abs(other.b))) return std::nullopt;
@@ -108,16 +108,16 @@ Square largest_square(std::span<const CellSide> cell, double reach) {
   for (const CellSide& side : cell) nearest_first.push_back(&side);
   std::stable_sort(nearest_first.begin(), nearest_first.end(),
                    [](const CellSide* a, const CellSide* b) { return a->slack < b->slack; });
-  // The origin's own square, which need not be the largest, is one below which nothing has to be looked for.
+  // The square about the origin, which need not be the largest, is a lower bound.
   const double least = nearest_first.empty() ? 0 : std::min(0.0, nearest_first.front()->slack / reach);
   Program program{3, {0, 0, 1}, {-1, -1, least - 1}, {1, 1, 1}, {}};
   program.rows.reserve(cell.size());
   for (const CellSide* side : nearest_first) {
-    // All corners (x +- l, y +- l) inside [Li94 6.1]: the worst of them counts.
+    // All corners (x +- l, y +- l) inside [Li94 6.1]: the worst one decides.
     program.rows.push_back({{-side->nx, -side->ny, std::abs(side->nx) + std::abs(side->ny)}, side->slack / reach});
   }
   const auto best = optimum(program);
-  if (!best) return {{}, least * reach};  // rounding only: the origin's square is always there
+  if (!best) return {{}, least * reach};  // only by rounding: the square about the origin is always feasible
   return {{(*best)[0] * reach, (*best)[1] * reach}, (*best)[2] * reach};
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/marker/clearance.h"
 #include "core/minkowski/inner_fit.h"
 #include "core/model/pair_rows.h"
 #include "core/motion/piece/largest_square.h"
@@ -13,7 +14,7 @@
 namespace selvage::motion::piece {
 namespace {
 
-// One piece in one tilt, among the others as they lie.
+// One piece in one tilt, among the others where they lie.
 class Relaxer {
  public:
   Relaxer(const scene::Scene& scene, std::uint32_t index, Piece piece, const RelaxTuning& tuning)
@@ -30,7 +31,7 @@ class Relaxer {
                 parts.symmetry};
   }
 
-  // The best place that could be proved, if any.
+  // The best position that could be proved, if any.
   std::optional<Relaxation> run() {
     std::optional<Relaxation> best;
     if (fit_.high.x < fit_.low.x || fit_.high.y < fit_.low.y) return best;
@@ -78,14 +79,7 @@ class Relaxer {
   [[nodiscard]] bool valid() const {
     const Vec at = piece_.at;
     if (at.x < fit_.low.x || at.x > fit_.high.x || at.y < fit_.low.y || at.y > fit_.high.y) return false;
-    const Box near = box_.moved(at).grown(scene_.pieces.widest_spacing());
-    for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
-      if (other == index_ || !near.overlaps(scene_.pieces.box(other))) continue;
-      const geometry::PlacedPolygon still = scene_.pieces[other];
-      const Coord spacing = scene_.pieces.spacing({index_, other});
-      if (spacing > 0 ? closer_than(placed(), still, spacing) : overlap(placed(), still)) return false;
-    }
-    return true;
+    return is_clear(scene_.pieces, index_, placed());
   }
 
   const scene::Scene& scene_;
@@ -108,7 +102,8 @@ Piece present(const scene::Scene& scene, std::uint32_t index) {
 
 }  // namespace
 
-Relaxation relax(const scene::Scene& scene, std::uint32_t index, const RelaxTuning& tuning) {
+Relaxation relax(const scene::Scene& scene, PieceId id, const RelaxTuning& tuning) {
+  const std::uint32_t index = id.value;
   const Piece piece = present(scene, index);
   if (scene.ties.free(index)) {
     if (auto relaxed = Relaxer{scene, index, piece, tuning}.run()) return *relaxed;
@@ -116,9 +111,10 @@ Relaxation relax(const scene::Scene& scene, std::uint32_t index, const RelaxTuni
   return {piece, 0};
 }
 
-Relaxation relax_tilted(const scene::Scene& scene, std::uint32_t index, int tilts, const RelaxTuning& tuning) {
-  Relaxation best = relax(scene, index, tuning);
-  const TiltRange range = tilt_range(scene.marker, PieceId{index});
+Relaxation relax_tilted(const scene::Scene& scene, PieceId id, int tilts, const RelaxTuning& tuning) {
+  const std::uint32_t index = id.value;
+  Relaxation best = relax(scene, id, tuning);
+  const TiltRange range = tilt_range(scene.marker, id);
   for (int k = 0; k < tilts && range.least < range.most; ++k) {
     const double part = tilts > 1 ? static_cast<double>(k) / (tilts - 1) : 0.5;
     const double degrees = range.least.degrees + part * (range.most.degrees - range.least.degrees);
@@ -133,8 +129,8 @@ Relaxation relax_tilted(const scene::Scene& scene, std::uint32_t index, int tilt
 
 Result<RelaxedMarker> repair_and_relax(const Marker& start, PieceId piece, int tilts, const scene::Run& run) {
   return repair::repaired_and<RelaxedMarker>(start, run, [&](scene::Scene& scene, RelaxedMarker& relaxed) {
-    relaxed.relaxation = tilts > 0 ? relax_tilted(scene, piece.value, tilts) : relax(scene, piece.value);
-    scene.reorient(piece.value, relaxed.relaxation.piece.orientation, relaxed.relaxation.piece.at);
+    relaxed.relaxation = tilts > 0 ? relax_tilted(scene, piece, tilts) : relax(scene, piece);
+    scene.reorient(piece, relaxed.relaxation.piece.orientation, relaxed.relaxation.piece.at);
   });
 }
 

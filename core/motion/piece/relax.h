@@ -1,5 +1,6 @@
-// Relaxation: one piece to where it has most room, everything else still [Li94 6.1].  Room is the largest square in
-// which its position may be chosen freely.  Three variables: no linear program (core/motion/largest_square.h).
+// Relaxation: one piece moves to where it has most room, while all others stay [Li94 6.1].  Its room is the largest
+// square in which its position may be chosen freely.  With three variables this needs no linear program solver
+// (largest_square.h).
 #pragma once
 
 #include "core/motion/piece/tuning.h"
@@ -9,17 +10,17 @@ namespace selvage::motion::piece {
 
 struct Relaxation {
   Piece piece;       // moved, and tilted; proved valid among the others
-  double freedom{};  // it may move by so much along both axes at once, either way; lattice units
+  double freedom{};  // half the side of the largest square of free translations; lattice units
 };
 
-// Translational relaxation [Li94 6.1.1], from where the piece lies.  The strip ends where the marker does.  A local
-// optimum: the free regions are chosen anew about each better place.
-// REQUIRES: the scene's pieces are valid.  A piece locked in any way, or of a group, stays.
-[[nodiscard]] Relaxation relax(const scene::Scene& scene, std::uint32_t piece, const RelaxTuning& tuning = {});
+// Translational relaxation [Li94 6.1.1], from where the piece lies.  The strip ends where the marker does.  The result
+// is a local optimum: the free regions are chosen anew about each better position.
+// REQUIRES: the scene's pieces are valid.  A piece that is locked in any way, or in a group, stays.
+[[nodiscard]] Relaxation relax(const scene::Scene& scene, PieceId piece, const RelaxTuning& tuning = {});
 
 // Rotational relaxation [Li94 6.1.2]: of `tilts` tilts evenly spaced over the piece's range, and its present one, the
-// one with most freedom.  Never less than it has now, up to rounding.
-[[nodiscard]] Relaxation relax_tilted(const scene::Scene& scene, std::uint32_t piece, int tilts,
+// one with most freedom.  Apart from rounding, the freedom never becomes less than at the present tilt.
+[[nodiscard]] Relaxation relax_tilted(const scene::Scene& scene, PieceId piece, int tilts,
                                       const RelaxTuning& tuning = {});
 
 struct RelaxedMarker : repair::MotionResult {

@@ -7,14 +7,14 @@
 namespace selvage::motion::piece {
 namespace {
 
-constexpr double kParallel = 1e-12;  // directions this near to parallel with a side do not run into it
+constexpr double kParallel = 1e-12;  // directions this close to parallel with a side do not hit it
 
 struct Hit {
   std::size_t side{};
   double distance{};
 };
 
-// The first side that the ray from `at` along (dx, dy) runs into, other than `ignored`.
+// The first side that the ray from `at` along (dx, dy) hits, other than `ignored`.
 std::optional<Hit> first_hit(std::span<const CellSide> cell, RealVec at, double dx, double dy,
                              std::optional<std::size_t> ignored) {
   std::optional<Hit> first;
@@ -41,7 +41,7 @@ Slide slide(std::span<const CellSide> cell, double ux, double uy) {
     if (!hit) break;
     result.to = {result.to.x + hit->distance * dx, result.to.y + hit->distance * dy};
     const CellSide& side = cell[hit->side];
-    // Along the new side, whichever way leads farther, unless the side we came along is in the way.
+    // Along the new side, in the direction that leads farther, unless the previous side is in the way.
     const double ahead = -side.ny * ux + side.nx * uy;
     dx = ahead > 0 ? -side.ny : side.ny;
     dy = ahead > 0 ? side.nx : -side.nx;

@@ -1,5 +1,5 @@
-// Sliding a point in a convex cell as far as possible in a direction: the two-variable program of a bump, without a
-// solver.
+// Slides a point in a convex cell as far as possible in a direction: the two-variable linear program of a bump, without
+// a solver.
 #pragma once
 
 #include <span>
@@ -16,11 +16,12 @@ struct CellSide {
 
 struct Slide {
   RealVec to;                         // the farthest point
-  std::vector<std::size_t> blocking;  // the one or two sides that hold it there
+  std::vector<std::size_t> blocking;  // the one or two sides that stop it there
 };
 
-// From the origin straight towards (ux, uy), then along the sides met, until no way along them leads farther.  In a
-// convex cell that is the optimum.  REQUIRES: (ux, uy) a unit vector, the cell bounded that way.
+// From the origin straight towards (ux, uy), then along the sides met, until neither direction along them leads
+// farther. In a convex cell this is the optimum.  REQUIRES: (ux, uy) is a unit vector and the cell is bounded in its
+// direction.
 [[nodiscard]] Slide slide(std::span<const CellSide> cell, double ux, double uy);
 
 }  // namespace selvage::motion::piece

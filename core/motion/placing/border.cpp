@@ -6,7 +6,7 @@
 namespace selvage::motion::placing {
 namespace {
 
-constexpr double kRounding = 2;  // lattice units that lines are taken to be longer than they are
+constexpr double kRounding = 2;  // lattice units by which lines are extended against rounding
 
 void append_edge_and_edge(const BorderLine& p, const BorderLine& q, std::vector<RealVec>& points) {
   const double px = p.b.x - p.a.x;

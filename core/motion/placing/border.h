@@ -1,6 +1,6 @@
-// The border of what one piece may not enter: the edges of a Minkowski sum, moved outwards by the spacing, and the arcs
-// that then join them.  Coordinates are lattice units relative to an origin near by, in doubles: good to a thousandth
-// of a unit; what is found with them is advice, and proved elsewhere.
+// The border of the positions that are forbidden to a piece: the edges of a Minkowski sum, moved outwards by the
+// spacing, and the arcs that then join them.  Coordinates are lattice units relative to a nearby origin, in doubles,
+// accurate to a thousandth of a unit; positions found with them are proved elsewhere.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,11 @@
 
 namespace selvage::motion::placing {
 
-// A stretch of the border.  Forbidden is its left, seen from `a` to `b`; of an arc, the disc.
+// A part of the border.  The forbidden side is on the left, going from `a` to `b`; for an arc it is the disc.
 struct BorderLine {
-  RealVec a, b;              // the ends; of an arc, the centre twice
-  double radius{};           // of an arc, else 0
-  std::uint32_t obstacle{};  // whose it is
+  RealVec a, b;              // the ends; for an arc, the centre twice
+  double radius{};           // of an arc; otherwise 0
+  std::uint32_t obstacle{};  // that this line is part of
   Vec anchor, direction;     // the exact line of an edge that was not moved, relative to the origin; else (0, 0)
   [[nodiscard]] bool arc() const { return radius > 0; }
 };
@@ -31,11 +31,11 @@ struct RealBox {
 
 // The line's point nearest to `point`.
 [[nodiscard]] RealVec nearest_on(const BorderLine& line, RealVec point);
-// True when the line comes into the box.
+// True when the line enters the box.
 [[nodiscard]] bool enters(const BorderLine& line, const RealBox& box);
-// Appends the points, two at most, that two lines have in common; none for two edges that are parallel.
+// Appends the points that two lines have in common, at most two; none for parallel edges.
 void append_crossings(const BorderLine& p, const BorderLine& q, std::vector<RealVec>& points);
-// The unit vector at a point of the line that leads away from what is forbidden.
+// The unit vector at a point of the line that points away from the forbidden side.
 [[nodiscard]] RealVec outwards(const BorderLine& line, RealVec at);
 
 }  // namespace selvage::motion::placing

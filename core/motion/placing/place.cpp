@@ -17,16 +17,16 @@ bool within(const Box& box, Vec p) {
   return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
 }
 
-// A part of the window with the borders that come into it.
+// A part of the window, with the borders that enter it.
 struct Cell {
   RealBox box;
   double squared_distance{};         // from the wanted position
-  std::vector<std::uint32_t> lines;  // obstacle after obstacle
+  std::vector<std::uint32_t> lines;  // sorted by obstacle
 };
 
 // The nearest free position inside one window.  The window is divided, nearest part first, until few borders are left
-// in a part; parts wholly inside an obstacle are dropped.  What is then nearest is the wanted position's nearest point
-// on a border or on the part itself, or where two borders cross.
+// in a part; parts entirely inside an obstacle are dropped.  The nearest position is then the point of a border or of
+// the part that is nearest to the wanted position, or a crossing of two borders.
 class WindowSearch {
  public:
   WindowSearch(const scene::Scene& scene, const Body& body, const Box& window, Vec wanted, Vec origin,
@@ -79,7 +79,8 @@ class WindowSearch {
     }
     push(std::move(cell));
   }
-  // Appends what of these lines, all of one obstacle, enters the cell.  False when the obstacle covers the whole cell.
+  // Appends those of these lines, all of one obstacle, that enter the cell.  False when the obstacle covers the whole
+  // cell.
   bool append_entering(std::size_t obstacle, std::uint32_t first, std::uint32_t last, Cell& cell) {
     const std::size_t before = cell.lines.size();
     for (std::uint32_t k = first; k < last; ++k) {
@@ -112,7 +113,7 @@ class WindowSearch {
     return true;
   }
 
-  // A point that may be the nearest free one, and the borders that make it so.
+  // A point that may be the nearest free one, and the borders that it lies on.
   struct Candidate {
     RealVec at;
     double squared_distance{};
@@ -144,7 +145,7 @@ class WindowSearch {
       if (!buried(cell, candidate)) take_near(candidate);
     }
   }
-  // Where a border crosses the cell's sides, which may be the strip's.
+  // The crossings of a border with the cell's sides, which may be the strip's.
   template <class Consider>
   void consider_sides(const Cell& cell, const BorderLine& line, const Consider& consider) {
     const auto& [low, high] = cell.box;
@@ -172,7 +173,7 @@ class WindowSearch {
     return false;
   }
 
-  // The nearest lattice position about the candidate that is proved; a little outwards where rounding wants room.
+  // The nearest lattice position about the candidate that is proved, moved outwards a little where rounding needs room.
   void take_near(const Candidate& candidate) {
     RealVec out;
     for (const BorderLine* line : candidate.on) {
@@ -180,7 +181,7 @@ class WindowSearch {
       const RealVec normal = outwards(*line, candidate.at);
       out = {out.x + normal.x, out.y + normal.y};
     }
-    if (window_.width() == 0) out.x = 0;  // held on this axis
+    if (window_.width() == 0) out.x = 0;  // fixed on this axis
     if (window_.height() == 0) out.y = 0;
     int proofs = 0;
     for (const double back : {0.0, 1.0, 2.0, 4.0, 8.0, 16.0, 64.0, 256.0}) {
@@ -217,13 +218,13 @@ class WindowSearch {
   Vec wanted_, origin_;
   RealVec from_;  // the wanted position
   std::optional<Vec> best_;
-  double least_;  // its distance
+  double least_;  // its distance from the wanted position
   std::vector<Cell> heap_;
   std::vector<Candidate> candidates_;
   std::vector<RealVec> crossings_;
 };
 
-// Of the positions in `fit`; `present`: a free one, when it is known.
+// The nearest free position in `fit`; `present`: a position known to be free, if any.
 std::optional<Vec> nearest_free(const scene::Scene& scene, const Body& body, Vec wanted, const Box& fit,
                                 std::optional<Vec> present, const PlaceTuning& tuning) {
   if (fit.high.x < fit.low.x || fit.high.y < fit.low.y) return std::nullopt;
@@ -244,9 +245,9 @@ std::optional<Vec> nearest_free(const scene::Scene& scene, const Body& body, Vec
 
 }  // namespace
 
-std::optional<Place> place(const scene::Scene& scene, std::uint32_t piece, Vec wanted, const PlaceSettings& settings) {
+std::optional<Place> place(const scene::Scene& scene, PieceId piece, Vec wanted, const PlaceSettings& settings) {
   const Body body{scene, piece};
-  if (scene.fixed(piece)) return Place{body.at, distance_between(body.at, wanted), false};
+  if (scene.fixed(piece.value)) return Place{body.at, distance_between(body.at, wanted), false};
   const Strip& strip = scene.marker.strip;
   const Coord end = strip.last().value_or(scene.pieces.length());
   const Box fit = body.fit(scene, end);
@@ -256,7 +257,7 @@ std::optional<Place> place(const scene::Scene& scene, std::uint32_t piece, Vec w
       nearest_free(scene, body, wanted, fit, free(body.at) ? std::optional{body.at} : std::nullopt, settings.tuning);
   if (found) return Place{*found, distance_between(*found, wanted), false};
   if (!settings.may_grow || strip.longest) return std::nullopt;
-  Coord reach = 0;  // of the body, from its naming piece's position
+  Coord reach = 0;  // of the body, from the position of the piece it is named after
   for (const auto& [member, offset] : body.members) {
     const Box box = scene.pieces[member].box.moved(offset);
     reach = std::max({reach, std::abs(box.low.x), std::abs(box.high.x)});
@@ -294,9 +295,9 @@ Result<PlacedMarker> repair_and_place(const Marker& start, PieceId piece, Vec wa
   };
   return repair::repaired_and<PlacedMarker>(scene, repairing, [&](PlacedMarker& placed) {
     run.observer.on_stage(scene::Stage::kSolve);
-    placed.place = place(scene, piece.value, wanted, settings);
+    placed.place = place(scene, piece, wanted, settings);
     run.observer.on_stage(scene::Stage::kOther);
-    if (placed.place) scene.shift(piece.value, placed.place->at - scene.pieces.at(piece.value));
+    if (placed.place) scene.shift(piece, placed.place->at - scene.pieces.at(piece.value));
   });
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/marker/clearance.h"
 #include "core/minkowski/edges_near.h"
 #include "core/minkowski/inner_fit.h"
 #include "core/minkowski/nearest_edges.h"
@@ -11,7 +12,7 @@
 namespace selvage::motion::placing {
 namespace {
 
-// Which side of the sum's border the point is on, by the edges that a ray from it crosses.
+// True when the point is inside the sum, by counting the edges that a ray from it crosses.
 bool inside(const minkowski::MinkowskiSum& sum, Vec point) {
   const Box& all = sum.box();
   if (point.x <= all.low.x || point.x >= all.high.x || point.y <= all.low.y || point.y >= all.high.y) return false;
@@ -24,7 +25,7 @@ bool inside(const minkowski::MinkowskiSum& sum, Vec point) {
   return odd;
 }
 
-// An edge where the obstacle lies.
+// An edge, placed where the obstacle lies.
 struct PlacedEdge {
   Vec from, to, line_from, line_to;
 };
@@ -40,12 +41,12 @@ PlacedEdge placed(const minkowski::convolution::SumEdge& edge, const minkowski::
 
 }  // namespace
 
-Body::Body(const scene::Scene& scene, std::uint32_t piece)
-    : at{scene.pieces.at(piece)},
-      fixed_x{scene.ties.x[piece] == model::Ties::kFixed},
-      fixed_y{scene.ties.y[piece] == model::Ties::kFixed} {
+Body::Body(const scene::Scene& scene, PieceId id)
+    : at{scene.pieces.at(id.value)},
+      fixed_x{scene.ties.x[id.value] == model::Ties::kFixed},
+      fixed_y{scene.ties.y[id.value] == model::Ties::kFixed} {
   for (std::uint32_t i = 0; i < scene.pieces.size(); ++i) {
-    if (i == piece || scene.ties.joined(i, piece)) members.push_back({i, scene.pieces.at(i) - at});
+    if (i == id.value || scene.ties.joined(i, id.value)) members.push_back({i, scene.pieces.at(i) - at});
   }
 }
 
@@ -124,8 +125,8 @@ bool Surroundings::free(Vec position) const {
     geometry::PlacedPolygon moved = scene_.pieces[near.member];
     moved.at = position + near.offset;
     const geometry::PlacedPolygon still = scene_.pieces[near.other];
-    if (!moved.placed_box().grown(near.spacing).overlaps(still.placed_box())) return false;
-    return near.spacing > 0 ? closer_than(moved, still, near.spacing) : overlap(moved, still);
+    return moved.placed_box().grown(near.spacing).overlaps(still.placed_box()) &&
+           marker::collide(moved, still, near.spacing);
   });
 }
 

@@ -1,5 +1,5 @@
-// What a piece, with all that is tied to it, may not enter near some place: the Minkowski sums with the other pieces,
-// and their borders within a window of positions.
+// The positions that are forbidden to a piece, and to all pieces tied to it, near some position: the Minkowski sums
+// with the other pieces, and their borders within a window of positions.
 #pragma once
 
 #include <vector>
@@ -9,14 +9,14 @@
 
 namespace selvage::motion::placing {
 
-// A piece and what moves with it.
+// A piece and those that move with it.
 struct Body {
   struct Member {
     std::uint32_t piece{};
-    Vec offset;  // from the piece that names the body
+    Vec offset;  // from the piece that the body is named after
   };
-  Body(const scene::Scene& scene, std::uint32_t piece);
-  // Positions of the naming piece within the strip up to `end`, and where its locks allow.
+  Body(const scene::Scene& scene, PieceId piece);
+  // The positions of the naming piece that keep the body within the strip up to `end` and respect its locks.
   [[nodiscard]] Box fit(const scene::Scene& scene, Coord end) const;
   [[nodiscard]] bool holds(std::uint32_t piece) const;
   std::vector<Member> members;
@@ -26,16 +26,17 @@ struct Body {
 
 class Surroundings {
  public:
-  // All that matters to the body while its position stays inside `window`.  Real coordinates are relative to `origin`.
+  // All obstacles that matter while the body's position stays inside `window`.  Real coordinates are relative to
+  // `origin`.
   Surroundings(const scene::Scene& scene, const Body& body, const Box& window, Vec origin);
 
   [[nodiscard]] const std::vector<BorderLine>& lines() const { return lines_; }
   [[nodiscard]] std::size_t obstacles() const { return near_.size(); }
-  // The lines of an obstacle are those from here up to where the next one's begin.
+  // The index of an obstacle's first line; its last one comes just before the first line of the next obstacle.
   [[nodiscard]] std::uint32_t first_line(std::size_t obstacle) const { return first_line_[obstacle]; }
-  // True when the obstacle forbids the point; within a few units of its border either answer may come.
+  // True when the obstacle forbids the point; within a few units of the border either answer is possible.
   [[nodiscard]] bool forbids(std::size_t obstacle, RealVec point) const;
-  // Free of everything?  In integers, the strip aside.
+  // True when the position is free of all obstacles, exactly; the strip is not considered.
   [[nodiscard]] bool free(Vec position) const;
 
  private:

@@ -1,5 +1,5 @@
-// Where two overlapping pieces are to part: the depth of their overlap, and a relative position just outside their
-// Minkowski sum about which a free region can be chosen [Li94 5.2, 7.1].  Shared by healing and separation.
+// Where two overlapping pieces are to be separated to: the depth of their overlap, and a relative position just outside
+// their Minkowski sum about which a free region can be chosen [Li94 5.2, 7.1].  Used by repair, separation and tilting.
 #pragma once
 
 #include "core/scene/scene.h"
@@ -13,14 +13,14 @@ enum class TargetRule {
 };
 
 struct SeparationTarget {
-  double depth{};  // how far the pieces must part, spacing included; the same for either rule; lattice units
-  Vec about;       // a relative position: the present one when the pieces are only too close
+  double depth{};  // the shortest move that separates them, spacing included, whatever the rule; lattice units
+  Vec about;       // the relative position; the present one when the pieces are only too close
 };
 // REQUIRES: the pair overlaps, or is closer than the marker's spacing.
 [[nodiscard]] SeparationTarget separation_target(const scene::Scene& scene, marker::PiecePair pair, TargetRule rule);
 
-// The same for two pieces of which not both lie as the scene says: at the relative position r, overlapping or too
-// close. `depth` leaves the spacing out.
+// The same for two pieces at the relative position r, overlapping or too close, that need not be pieces of a scene.
+// `depth` does not include the spacing.
 [[nodiscard]] SeparationTarget separation_target(const minkowski::Obstacle& obstacle, Vec r, bool overlapping,
                                                  TargetRule rule);
 

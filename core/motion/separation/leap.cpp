@@ -9,7 +9,7 @@
 namespace selvage::motion::separation {
 namespace {
 
-// Another piece near enough to be met.
+// Another piece within reach.
 struct Neighbour {
   marker::PiecePair pair;
   minkowski::Obstacle obstacle;
@@ -29,7 +29,7 @@ std::vector<Neighbour> neighbours_of(const scene::Scene& scene, std::uint32_t pi
   return found;
 }
 
-// How far the pieces would have to part.
+// The distance by which the pieces would have to move apart.
 double depth_at(const minkowski::Obstacle& obstacle, Vec r, Coord spacing) {
   const Vec at = obstacle.to_frame(r);
   if (!obstacle.sum().box().grown(spacing).touches({at, at})) return 0;
@@ -41,7 +41,8 @@ double depth_at(const minkowski::Obstacle& obstacle, Vec r, Coord spacing) {
 
 }  // namespace
 
-Leap cheapest_leap(const scene::Scene& scene, std::uint32_t piece, const LeapGrid& grid, const OverlapPrices& prices) {
+Leap cheapest_leap(const scene::Scene& scene, PieceId id, const LeapGrid& grid, const OverlapPrices& prices) {
+  const std::uint32_t piece = id.value;
   const Vec from = scene.pieces.at(piece);
   const Box fit = minkowski::inner_fit(scene.pieces[piece].box, scene.marker.strip.room(grid.length));
   const std::vector<Neighbour> neighbours = neighbours_of(scene, piece, grid.reach, prices);

@@ -1,4 +1,4 @@
-// A leap: takes one jammed piece out of where linear programs cannot free it, to where it overlaps less.
+// A leap: moves one piece that linear programs cannot free to a position where it overlaps less.
 #pragma once
 
 #include <map>
@@ -7,7 +7,7 @@
 
 namespace selvage::motion::separation {
 
-// What a unit of overlap costs: of pairs that have withstood, more.
+// The price of a unit of overlap; higher for pairs that earlier rounds could not separate.
 struct OverlapPrices {
   double usual{};
   std::map<marker::PiecePair, double> raised;
@@ -19,7 +19,7 @@ struct OverlapPrices {
 
 struct Leap {
   Vec to;
-  double cost{};  // the sum of price times depth over the overlaps there, plus the leap's length |x| + |y|
+  double cost{};  // the sum of price times depth over the overlaps at `to`, plus the length |x| + |y| of the leap
 };
 
 // The positions that a leap chooses from: a square grid about the piece's present position.
@@ -30,7 +30,7 @@ struct LeapGrid {
 };
 
 // The cheapest position of a piece on the grid.  Deterministic.  REQUIRES: the piece fits into the strip.
-[[nodiscard]] Leap cheapest_leap(const scene::Scene& scene, std::uint32_t piece, const LeapGrid& grid,
+[[nodiscard]] Leap cheapest_leap(const scene::Scene& scene, PieceId piece, const LeapGrid& grid,
                                  const OverlapPrices& prices);
 
 }  // namespace selvage::motion::separation

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/marker/clearance.h"
 #include "core/minkowski/inner_fit.h"
 #include "core/motion/separation/leap.h"
 #include "core/motion/separation/separation_step.h"
@@ -18,49 +19,48 @@ struct Ending {
   bool apart{};
 };
 
-// Puts pieces that lie outside a strip as long as `length` back to its edge: the least that any separation must move
-// them.
-void put_back(scene::Scene& scene, Coord length) {
-  for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
+// Moves pieces that lie outside a strip of this length to its edge: any separation must move them at least as far.
+void move_into_strip(scene::Scene& scene, Coord length) {
+  for (std::uint32_t i = 0; i < scene.pieces.size(); ++i) {
     if (scene.fixed(i)) continue;
     const Box fit = minkowski::inner_fit(scene.pieces[i].box, scene.marker.strip.room(length));
     const auto way_in = [](Coord value, Coord low, Coord high) { return std::max(low, std::min(value, high)) - value; };
     const Vec at = scene.pieces.at(i);
     const Vec by{way_in(at.x, fit.low.x, fit.high.x), way_in(at.y, fit.low.y, fit.high.y)};
-    if (by != Vec{}) scene.shift(i, by);
+    if (by != Vec{}) scene.shift(PieceId{i}, by);
   }
 }
 
-// The rounds on one set of pieces.
+// The rounds of separation on one set of pieces.
 class Rounds {
  public:
   Rounds(scene::Scene& scene, const std::vector<Vec>& home, Coord free, Coord allowed,
          const SeparationSettings& settings, const scene::Run& run)
       : scene_{scene}, home_{home}, aim_{home}, free_{free}, allowed_{allowed}, settings_{settings}, run_{run} {}
 
-  // Leaves the pieces parted, or where they overlap least; counts in `total`.
+  // Leaves the pieces separated, or where they overlap least; adds its rounds and programs to `total`.
   Ending run(Separation& total) {
-    put_back(scene_, allowed_);
-    if (!look()) return {scene::StopReason::kCancelled, false};
-    const Best start{scene_.pieces.positions(), left()};
+    move_into_strip(scene_, allowed_);
+    if (!find_overlaps()) return {scene::StopReason::kCancelled, false};
+    const Best start{scene_.pieces.positions(), remaining()};
     best_ = start;
-    const scene::StopReason reason = go(total);
+    const scene::StopReason reason = iterate(total);
     if (apart()) {
-      come_home(total);
+      return_towards_start(total);
       return {scene::StopReason::kConverged, true};
     }
-    settle(start);
+    restore_best(start);
     return {!apart() && run_.stopped() ? scene::StopReason::kCancelled : reason, apart()};
   }
 
-  // The piece that holds up the rest: of those that overlap, the one whose rows weigh most [Li94 10].  Locked pieces
-  // only when there is no other.  REQUIRES: not apart.
-  std::uint32_t holding_up(Separation& total) const {
-    const SeparationStep step = separation_step(scene_, parting_, home_, program_settings(), run_);
+  // The overlapping piece that blocks separation most: the one whose rows have the largest dual values [Li94 10].  A
+  // fixed piece only if there is no other.  REQUIRES: not apart.
+  std::uint32_t most_blocking(Separation& total) const {
+    const SeparationStep step = separation_step(scene_, overlapping_, home_, program_settings(), run_);
     total.programs += step.programs;
     std::vector<std::uint32_t> candidates;
-    for (const PartingPair& parting : parting_)
-      candidates.insert(candidates.end(), {parting.pair.first, parting.pair.second});
+    for (const OverlappingPair& overlapping : overlapping_)
+      candidates.insert(candidates.end(), {overlapping.pair.first, overlapping.pair.second});
     if (candidates.empty()) candidates.push_back(rightmost());
     const auto weight = [&](std::uint32_t piece) {
       return std::pair{!scene_.fixed(piece), step.pressure.empty() ? 0.0 : step.pressure[piece]};
@@ -73,10 +73,10 @@ class Rounds {
  private:
   struct Best {
     std::vector<Vec> positions;
-    double left{};
+    double remaining{};
   };
 
-  scene::StopReason go(Separation& total) {
+  scene::StopReason iterate(Separation& total) {
     const int last = total.rounds + settings_.rounds;
     for (int idle = 0; !apart(); ++idle) {
       if (run_.stopped()) return scene::StopReason::kCancelled;
@@ -86,37 +86,39 @@ class Rounds {
         if (!leap(idle / tuning().leap_after)) return scene::StopReason::kCancelled;
         if (apart()) break;
       }
-      const SeparationStep step = separation_step(scene_, parting_, aim_, program_settings(), run_);
+      const SeparationStep step = separation_step(scene_, overlapping_, aim_, program_settings(), run_);
       total.programs += step.programs;
       if (step.status != lp::LpStatus::kOptimal) {
         return step.status == lp::LpStatus::kStopped ? scene::StopReason::kCancelled : scene::StopReason::kSolverFailed;
       }
       place(step.positions);
-      put_back(scene_, kLatticeLimit);
-      if (!look()) return scene::StopReason::kCancelled;
+      move_into_strip(scene_, kLatticeLimit);
+      if (!find_overlaps()) return scene::StopReason::kCancelled;
       run_.observer.on_round({++total.rounds, scene_.pieces.length()});
-      if (left() < tuning().progress * best_.left) idle = 0;
-      if (left() < best_.left) best_ = {scene_.pieces.positions(), left()};
+      if (remaining() < tuning().progress * best_.remaining) idle = 0;
+      if (remaining() < best_.remaining) best_ = {scene_.pieces.positions(), remaining()};
     }
     return scene::StopReason::kConverged;
   }
 
-  // Pieces that leapt aimed at where they landed: once all are apart, they come as near to where they were as they can.
-  void come_home(Separation& total) {
+  // After a leap a piece aims at where it landed.  Once all pieces are apart, they move as close as possible to where
+  // they were at the start.
+  void return_towards_start(Separation& total) {
     if (aim_ == home_) return;
-    const std::vector<Vec> parted = scene_.pieces.positions();
+    const std::vector<Vec> separated = scene_.pieces.positions();
     const auto width = static_cast<double>(scene_.marker.strip.width);
-    PartingSettings settings = program_settings();
+    SeparationStepSettings settings = program_settings();
     settings.reach = tuning().most_reach * width;
-    const SeparationStep step = separation_step(scene_, parting_, home_, settings, run_);
+    const SeparationStep step = separation_step(scene_, overlapping_, home_, settings, run_);
     total.programs += step.programs;
     if (step.status != lp::LpStatus::kOptimal) return;
     place(step.positions);
-    put_back(scene_, kLatticeLimit);
-    if (look() && apart() && way_home(scene_.pieces.positions()) < way_home(parted)) return;
-    place(parted);
+    move_into_strip(scene_, kLatticeLimit);
+    if (find_overlaps() && apart() && distance_to_start(scene_.pieces.positions()) < distance_to_start(separated))
+      return;
+    place(separated);
   }
-  [[nodiscard]] double way_home(const std::vector<Vec>& from) const {
+  [[nodiscard]] double distance_to_start(const std::vector<Vec>& from) const {
     double sum = 0;
     for (std::size_t i = 0; i < from.size(); ++i) {
       const Vec way = home_[i] - from[i];
@@ -125,49 +127,49 @@ class Rounds {
     return sum;
   }
 
-  // The best of what was seen, without the length that was overdrawn; no worse than the start.
-  void settle(const Best& start) {
+  // Returns to the best positions found, without the excess length; no worse than the start.
+  void restore_best(const Best& start) {
     place(best_.positions);
-    put_back(scene_, allowed_);
+    move_into_strip(scene_, allowed_);
     if (scene_.pieces.positions() == best_.positions && run_.stopped()) return;
-    if (look() && left() <= start.left) return;
+    if (find_overlaps() && remaining() <= start.remaining) return;
     place(start.positions);
-    look();
+    find_overlaps();
   }
 
   [[nodiscard]] const SeparationTuning& tuning() const { return settings_.tuning; }
   [[nodiscard]] Coord excess() const { return std::max(Coord{0}, scene_.pieces.length() - allowed_); }
-  [[nodiscard]] bool apart() const { return seen_ && parting_.empty() && excess() == 0; }
-  // What is left to do; lattice units.
-  [[nodiscard]] double left() const { return depth_ + static_cast<double>(excess()); }
+  [[nodiscard]] bool apart() const { return known_ && overlapping_.empty() && excess() == 0; }
+  // The overlap and excess length that remain; lattice units.
+  [[nodiscard]] double remaining() const { return depth_ + static_cast<double>(excess()); }
 
-  // Whatever was seen was seen elsewhere.
+  // The overlaps are unknown afterwards.
   void place(std::vector<Vec> positions) {
     scene_.pieces.place(std::move(positions));
-    seen_ = false;
+    known_ = false;
   }
-  // Finds what overlaps, exactly.  False when it was asked to stop: then not all of it was found.
-  bool look() {
+  // Finds all overlapping pairs, exactly.  False when cancelled: then only some of them were found.
+  bool find_overlaps() {
     run_.observer.on_stage(scene::Stage::kVerify);
-    parting_.clear();
+    overlapping_.clear();
     depth_ = deepest_ = 0;
     for (const marker::PiecePair& pair : conflicts(scene_.pieces, serial(), run_.stop)) {
       if (run_.stopped()) break;
       const repair::SeparationTarget target = separation_target(scene_, pair, settings_.target);
       const auto [price, first_time] = prices_.raised.try_emplace(pair, tuning().overlap_price);
       if (!first_time) price->second = std::min(tuning().highest_price, tuning().price_growth * price->second);
-      parting_.push_back({pair, target, price->second});
+      overlapping_.push_back({pair, target, price->second});
       depth_ += target.depth;
       deepest_ = std::max(deepest_, target.depth);
     }
-    return seen_ = !run_.stopped();
+    return known_ = !run_.stopped();
   }
 
-  // Of every pair that overlaps still, the piece that has the cheaper place to go to leaps there; so does every piece
-  // that only fits by overdrawing the length.  False as of look.
+  // From every pair that still overlaps, the piece with the cheaper leap leaps; so does every piece that lies beyond
+  // the allowed length.  False when cancelled, as find_overlaps.
   bool leap(int times) {
     run_.observer.on_stage(scene::Stage::kOther);
-    for (const auto& [pair, target, price] : parting_) {
+    for (const auto& [pair, target, price] : overlapping_) {
       if (run_.stopped()) return false;
       leap_one({pair.first, pair.second}, tuning().leap_reach * target.depth * times);
     }
@@ -175,14 +177,14 @@ class Rounds {
       const Coord beyond = scene_.pieces.box(i).high.x - allowed_;
       if (beyond > 0) leap_one({i}, tuning().leap_reach * static_cast<double>(beyond) * times);
     }
-    return look();
+    return find_overlaps();
   }
   void leap_one(std::initializer_list<std::uint32_t> candidates, double reach) {
     std::optional<Leap> best;
     std::uint32_t leaping{};
     for (const std::uint32_t piece : candidates) {
       if (!scene_.ties.free(piece)) continue;
-      const Leap found = cheapest_leap(scene_, piece, {reach, tuning().leap_steps, allowed_}, prices_);
+      const Leap found = cheapest_leap(scene_, PieceId{piece}, {reach, tuning().leap_steps, allowed_}, prices_);
       if (best && best->cost <= found.cost) continue;
       best = found;
       leaping = piece;
@@ -194,7 +196,7 @@ class Rounds {
     aim_[leaping] = best->to;
   }
 
-  [[nodiscard]] PartingSettings program_settings() const {
+  [[nodiscard]] SeparationStepSettings program_settings() const {
     const auto width = static_cast<double>(scene_.marker.strip.width);
     const double farthest = std::max(deepest_, static_cast<double>(excess()));
     const double reach =
@@ -213,13 +215,13 @@ class Rounds {
   }
 
   scene::Scene& scene_;
-  const std::vector<Vec>& home_;  // where the pieces were
-  std::vector<Vec> aim_;          // where they would best be: there, or where they leapt to
+  const std::vector<Vec>& home_;  // where the pieces were at the start
+  std::vector<Vec> aim_;          // where each piece is wanted: at its start, or where it leapt to
   Coord free_, allowed_;
   const SeparationSettings& settings_;
   const scene::Run& run_;
-  std::vector<PartingPair> parting_;
-  bool seen_{};  // that is all that overlaps where the pieces are now
+  std::vector<OverlappingPair> overlapping_;
+  bool known_{};  // `overlapping_` lists all overlaps of the pieces where they are now
   OverlapPrices prices_{settings_.tuning.overlap_price, {}};
   double depth_{}, deepest_{};
   Best best_;
@@ -252,7 +254,7 @@ Coord allowed_length(const Marker& start, Coord length, double grow) {
 
 Coord length_put_back(const Marker& start, SumCache& sums) {
   scene::Scene scene{start, sums};
-  put_back(scene, start.strip.last().value_or(kLatticeLimit));
+  move_into_strip(scene, start.strip.last().value_or(kLatticeLimit));
   return scene.pieces.length();
 }
 
@@ -280,7 +282,7 @@ void sum_up(Separation& result, const std::vector<Vec>& home, const scene::Run& 
   if (!result.apart) {
     auto measured = check(result.marker, run.sums, run.stop);
     result.remaining = measured ? std::move(measured->overlaps) : overlaps_unmeasured(result.marker);
-    if (!measured) result.apart = result.remaining.empty();  // nobody had looked at what was put back
+    if (!measured) result.apart = result.remaining.empty();  // what restore_best restored had not been checked
   }
   for (std::size_t i = 0; i < home.size(); ++i) {
     const Vec move = result.marker.pieces[i].at - home[i];
@@ -308,7 +310,7 @@ Result<Separation> separate(const Marker& start, const SeparationSettings& setti
     result.reason = ending.reason;
     result.apart = ending.apart;
     if (ending.apart || !settings.pop_out || ending.reason == scene::StopReason::kCancelled) break;
-    const std::uint32_t gone = rounds.holding_up(result);
+    const std::uint32_t gone = rounds.most_blocking(result);
     result.popped.push_back(pieces.ids[gone]);
     erase_at(result.marker.pieces, gone);
     erase_at(pieces.ids, gone);

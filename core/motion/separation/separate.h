@@ -1,15 +1,15 @@
-// Separation: an overlapping marker in, a valid one out, with the least motion that the rounds find [Li94 5.2]; what
-// cannot be parted is named [Li94 7.9], or popped out [Li94 10].
+// Separation: turns an overlapping marker into a valid one with the least motion that its rounds find [Li94 5.2].
+// Pieces that cannot be separated are reported [Li94 7.9] or removed [Li94 10].
 //
 // Method.  Each round aims every overlapping pair at a point on the boundary of its Minkowski sum and solves one linear
-// program: the sum of |dx| + |dy| from where the pieces were, rows that may be broken at a price, and a length that may
-// be overdrawn at a price and is paid back in later rounds.  Pieces outside the strip's width are put back to its edge
-// first. Laws.  (1) `apart` is proved in integers.  (2) The marker is never longer than (1 + grow) times what it was,
-// nor than the cloth.  (3) Locked pieces stay to the lattice unit.  (4) Same input and settings, same answer, whatever
-// the cache holds. (5) An answer that is not apart overlaps no more, in the sum of depths, than the input once put
-// back.
-// Asked to stop, it measures no more overlaps: it hands back the best that it has seen, which is the input put back
-// when it has seen no other.
+// program: it minimises the sum of |dx| + |dy| from where the pieces were; its rows may be violated at a price; the
+// marker may become longer than allowed at a price, which later rounds take back.  Pieces outside the strip are first
+// moved to its edge.
+// Laws.  (1) `apart` is proved in integers.  (2) The marker is never longer than (1 + grow) times its length before,
+// nor than the cloth.  (3) Locked pieces stay in place to the lattice unit.  (4) The same input and settings give the
+// same answer, whatever the cache holds.  (5) If pieces still overlap, the sum of depths is no larger than in the input
+// with its pieces moved into the strip. When cancelled, it skips the final overlap report and returns the best marker
+// found so far, or the input with its pieces moved into the strip if there is none.
 #pragma once
 
 #include <vector>
@@ -24,10 +24,10 @@
 namespace selvage::motion::separation {
 
 struct SeparationSettings {
-  int rounds{60};  // at most this many, and as many again after each piece popped out
-  double grow{};   // the part of its length that may be added; 0: the length is held
+  int rounds{60};  // at most this many, and as many again after each piece that is removed
+  double grow{};   // the part of its length by which the marker may grow; 0: fixed length
   repair::TargetRule target{repair::TargetRule::kNearest};
-  bool pop_out{};  // leave out the pieces that hold up the rest
+  bool pop_out{};  // remove the pieces that prevent separation
   lp::solver::SolverChoice solver{lp::solver::SolverChoice::kAutomatic};
   SeparationTuning tuning{};
   friend bool operator==(const SeparationSettings&, const SeparationSettings&) = default;
@@ -39,8 +39,8 @@ struct Separation : repair::MotionResult {
   bool apart{};           // all pieces are separated: the marker is valid; cancelled: as far as it was checked
   double moved{};         // the sum of |dx| + |dy| over all pieces; lattice units
   Coord farthest_move{};  // the largest |dx| or |dy| of a piece; lattice units
-  std::vector<marker::Overlap> remaining;  // pieces of `marker`; empty when apart; stopped: perhaps not measured
-  std::vector<PieceId> popped;             // pieces of the input, in the order they were popped out; not in `marker`
+  std::vector<marker::Overlap> remaining;  // pairs of `marker`; empty when apart; when cancelled, depths may be missing
+  std::vector<PieceId> popped;             // pieces of the input that were removed, in this order; not in `marker`
 };
 
 // Errors: kOutsideStrip for a locked piece outside the strip; kOutOfRange for a grow below 0 or not finite.

@@ -10,11 +10,11 @@
 namespace selvage::motion::separation {
 namespace {
 
-constexpr double kStillness = 1;  // of a unit of a piece's motion
+constexpr double kDisplacementPenalty = 1;  // the unit of all prices: a piece moving by one unit on one axis
 
-class PartingProgram {
+class SeparationProgram {
  public:
-  PartingProgram(const scene::Scene& scene, const model::ActiveSet& reached, const PartingSettings& settings)
+  SeparationProgram(const scene::Scene& scene, const model::ActiveSet& reached, const SeparationStepSettings& settings)
       : scene_{scene},
         reached_{reached},
         settings_{settings},
@@ -36,33 +36,35 @@ class PartingProgram {
     }
   }
 
-  // `near`: the pairs that may come to touch.  Both sorted.  Asked to stop, only some of them.
-  void add_pairs(const std::vector<PartingPair>& parting, const std::vector<marker::PiecePair>& near,
+  // `near`: the pairs that may come into contact.  Both lists are sorted.  When cancelled, only some rows are added.
+  void add_pairs(const std::vector<OverlappingPair>& overlapping, const std::vector<marker::PiecePair>& near,
                  const std::stop_token& stop) {
-    auto parted = parting.begin();
+    auto overlap = overlapping.begin();
     for (const marker::PiecePair& pair : near) {
       if (stop.stop_requested()) return;
-      const bool parts = parted != parting.end() && parted->pair == pair;
-      if (parts) {
-        add_pair(pair, parted->target.about, parted->price);
-        ++parted;
+      const bool overlaps = overlap != overlapping.end() && overlap->pair == pair;
+      if (overlaps) {
+        add_pair(pair, overlap->target.about, overlap->price);
+        ++overlap;
       } else if (reached_.holds_any(pair)) {
         add_pair(pair, scene_.relative_position(pair), settings_.price);
       }
     }
   }
 
-  void add_displacement_penalty(const std::vector<Vec>& home) { model_.add_displacement_penalty(kStillness, home); }
+  void add_displacement_penalty(const std::vector<Vec>& home) {
+    model_.add_displacement_penalty(kDisplacementPenalty, home);
+  }
 
   [[nodiscard]] lp::LpSolution solved(const std::stop_token& stop) const {
     return solve(model_.program(), settings_.solver, {}, stop);
   }
-  // The pieces without columns that would move in the solution if they had some.
+  // The pieces without columns that would move in the solution if they had columns.
   [[nodiscard]] std::vector<std::uint32_t> missed(const lp::LpSolution& solution) const {
     model::Pressure pressure{scene_.pieces.size()};
     for (const auto& [row, pair_row] : rows_) pressure.add(pair_row, solution.dual[static_cast<std::size_t>(row)]);
     const Box room = scene_.marker.strip.room(scene_.marker.strip.last().value_or(kLatticeLimit));
-    return reached_.missed(scene_.pieces, pressure.load(), kStillness, room);
+    return reached_.missed(scene_.pieces, pressure.load(), kDisplacementPenalty, room);
   }
   void take(const lp::LpSolution& solution, SeparationStep& step) const {
     step.positions = model::snapped(model_.displacements(solution.x));
@@ -77,7 +79,7 @@ class PartingProgram {
   [[nodiscard]] const lp::LinearProgram& program() const { return model_.program(); }
 
  private:
-  // The rows of one pair; all that its present position breaks may stay broken by the same amount.
+  // The rows of one pair; those that its present position violates may all stay violated by the same amount.
   void add_pair(marker::PiecePair pair, Vec about, double price) {
     if (scene_.ties.joined(pair.first, pair.second)) return;
     const Coord spacing = scene_.pieces.spacing(pair);
@@ -96,19 +98,19 @@ class PartingProgram {
 
   const scene::Scene& scene_;
   const model::ActiveSet& reached_;
-  const PartingSettings& settings_;
+  const SeparationStepSettings& settings_;
   Coord length_;
   model::PositionModel model_;
-  std::vector<std::pair<int, model::PairRow>> rows_;  // of the program, and what they say
+  std::vector<std::pair<int, model::PairRow>> rows_;  // rows of the program, and the pairs they are of
 };
 
-// What wants to move of itself.
-model::ActiveSet moving(const scene::Scene& scene, const std::vector<PartingPair>& parting,
-                        const std::vector<Vec>& home, const PartingSettings& settings) {
+// The pieces that have a reason of their own to move.
+model::ActiveSet moving(const scene::Scene& scene, const std::vector<OverlappingPair>& overlapping,
+                        const std::vector<Vec>& home, const SeparationStepSettings& settings) {
   model::ActiveSet reached{scene.ties};
-  for (const PartingPair& parted : parting) {
-    reached.add(parted.pair.first);
-    reached.add(parted.pair.second);
+  for (const OverlappingPair& overlap : overlapping) {
+    reached.add(overlap.pair.first);
+    reached.add(overlap.pair.second);
   }
   for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
     const bool beyond = scene.pieces.box(i).high.x > settings.length.free;
@@ -120,16 +122,17 @@ model::ActiveSet moving(const scene::Scene& scene, const std::vector<PartingPair
 
 }  // namespace
 
-SeparationStep separation_step(const scene::Scene& scene, const std::vector<PartingPair>& parting,
-                               const std::vector<Vec>& home, const PartingSettings& settings, const scene::Run& run) {
+SeparationStep separation_step(const scene::Scene& scene, const std::vector<OverlappingPair>& overlapping,
+                               const std::vector<Vec>& home, const SeparationStepSettings& settings,
+                               const scene::Run& run) {
   const auto near = pairs_within(scene.pieces, std::llround(settings.reach) + scene.pieces.widest_spacing());
-  model::ActiveSet reached = moving(scene, parting, home, settings);
+  model::ActiveSet reached = moving(scene, overlapping, home, settings);
   SeparationStep step;
   for (;;) {
     run.observer.on_stage(scene::Stage::kRows);
-    PartingProgram program{scene, reached, settings};
+    SeparationProgram program{scene, reached, settings};
     program.add_length();
-    program.add_pairs(parting, near, run.stop);
+    program.add_pairs(overlapping, near, run.stop);
     if (run.stopped()) {
       step.status = lp::LpStatus::kStopped;
       return step;

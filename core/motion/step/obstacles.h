@@ -1,6 +1,6 @@
-// The obstacles that programs are made of.  Pieces that are well apart may stand for themselves by outlines simplified
-// outwards (core/geometry/outward.h): what keeps those apart keeps the pieces apart, and sums of fewer edges make fewer
-// rows.  Pairs that are nearer than the tolerance keep their own outlines: nothing that touches is held off.
+// The obstacles that programs are made of.  Pieces that are well apart may be represented by outlines simplified
+// outwards (core/outline/outward.h): rows that keep those apart keep the pieces apart, and sums with fewer edges make
+// fewer rows. Pairs that are nearer than the tolerance keep their own outlines, so that no pair is kept from touching.
 #pragma once
 
 #include <span>
@@ -12,14 +12,14 @@ namespace selvage::motion::step {
 
 class Obstacles {
  public:
-  // `simplification`: the tolerance as a part of the strip's width; 0: every piece is its own outline.  The scene
-  // outlives it, and stays as it is.
+  // `simplification`: the tolerance as a fraction of the strip's width; with 0 every piece has its own outline.  The
+  // scene must outlive this and stay as it is.
   Obstacles(const scene::Scene& scene, double simplification);
 
-  // The obstacle that the pair's first piece is to its second; the relative position that they have is free of it
-  // whenever they are apart, by their spacing.
+  // The obstacle that the pair's first piece is to its second.  When the two keep their spacing, their present relative
+  // position is outside of it.
   [[nodiscard]] minkowski::Obstacle of(marker::PiecePair pair) const;
-  // One to each pair.
+  // One for each pair.
   [[nodiscard]] std::vector<minkowski::Obstacle> of(std::span<const marker::PiecePair> pairs,
                                                     const Executor& executor) const;
 
@@ -34,7 +34,7 @@ class Obstacles {
 
   const scene::Scene& scene_;
   Coord tolerance_;
-  std::vector<Grown> grown_;           // one for all pieces that lie alike
+  std::vector<Grown> grown_;           // one for all pieces of one shape and orientation
   std::vector<std::size_t> grown_of_;  // by piece
 };
 

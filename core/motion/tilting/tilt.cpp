@@ -22,17 +22,19 @@ class Tilter {
   Tilter(const TiltSettings& settings, const scene::Run& run, Tilting& total)
       : settings_{settings}, run_{run}, quiet_{run.quiet()}, total_{total} {}
 
-  // Rounds from the compacted marker, and from what shakes make of the best; leaves that in `total`.
+  // Rounds from the compacted marker, then from perturbations of the best marker so far, which it leaves in `total`.
   void run() {
     total_.length_after = total_.length_compacted;
     descend(total_.marker);
-    for (int shake = 1; shake <= settings_.perturbations && total_.reason == scene::StopReason::kConverged; ++shake) {
-      if (auto shaken_marker = shaken(total_.marker, static_cast<std::uint32_t>(shake))) descend(*shaken_marker);
+    for (int number = 1; number <= settings_.perturbations && total_.reason == scene::StopReason::kConverged;
+         ++number) {
+      if (auto perturbed_marker = perturbed(total_.marker, static_cast<std::uint32_t>(number)))
+        descend(*perturbed_marker);
     }
   }
 
  private:
-  // Rounds until they gain no more.
+  // Rounds until they no longer gain.
   void descend(Marker current) {
     Coord length = length_of(current);
     const bool by_steps = settings_.method == TiltMethod::kLinearisation;
@@ -68,7 +70,7 @@ class Tilter {
     return {std::vector<RealVec>(marker.pieces.size(), {-settings_.compaction.gravity / count, 0}), 1, 0};
   }
 
-  // A step of all pieces at once, made valid; nothing when that fails.
+  // A step of all pieces at once, made valid; none if that fails.
   std::optional<Marker> stepped(const Marker& start, const step::Goal& goal, const std::vector<double>& torque,
                                 double part) {
     Marker next = start;
@@ -76,7 +78,7 @@ class Tilter {
                                    settings_.compaction.solver, tuning().step};
     for (int correction = 0; correction <= tuning().corrections; ++correction) {
       const scene::Scene scene{next, run_.sums};
-      // Corrections have nothing but overlaps, and length, in view.
+      // Corrections only remove overlaps and keep the marker short.
       const TiltStep step = correction == 0 ? tilt_step(scene, goal, torque, step_settings, run_)
                                             : tilt_step(scene, leftwards(start), {}, step_settings, run_);
       ++total_.programs;
@@ -88,16 +90,16 @@ class Tilter {
       step_settings.turn.degrees *= tuning().correction_turn;
       if (correction > 0) step_settings.trust *= tuning().correction_turn;
     }
-    if (auto healed = mended(next)) return healed;
-    return parted(next, length_of(start));
+    if (auto repaired_marker = repaired(next)) return repaired_marker;
+    return separated(next, length_of(start));
   }
-  std::optional<Marker> mended(const Marker& marker) {
+  std::optional<Marker> repaired(const Marker& marker) {
     scene::Scene scene{marker, run_.sums};
     if (!repair::repair_overlaps(scene, quiet_)) return std::nullopt;
     return scene.result();
   }
-  // Separated by translations, a little longer than `length` if need be: compaction may win that back.
-  std::optional<Marker> parted(const Marker& marker, Coord length) {
+  // Separated by translations; the marker may become a little longer than `length`, which compaction may win back.
+  std::optional<Marker> separated(const Marker& marker, Coord length) {
     const double allowed = (1 + tuning().separation_growth) * static_cast<double>(length);
     const double grow = allowed / static_cast<double>(length_of(marker)) - 1;
     separation::SeparationSettings settings;
@@ -109,7 +111,7 @@ class Tilter {
     return std::move(separation->marker);
   }
 
-  // Every piece to where it has most room, from left to right.
+  // Moves every piece to where it has most room, from left to right.
   std::optional<Marker> relaxed(const Marker& start) {
     scene::Scene scene{start, run_.sums};
     std::vector<std::uint32_t> order(scene.pieces.size());
@@ -121,8 +123,8 @@ class Tilter {
     for (const std::uint32_t i : order) {
       if (run_.stopped()) break;
       if (!scene.ties.free(i)) continue;
-      const Piece relaxed = piece::relax_tilted(scene, i, settings_.tilts).piece;
-      scene.reorient(i, relaxed.orientation, relaxed.at);
+      const Piece relaxed = piece::relax_tilted(scene, PieceId{i}, settings_.tilts).piece;
+      scene.reorient(PieceId{i}, relaxed.orientation, relaxed.at);
     }
     return scene.result();
   }
@@ -134,8 +136,8 @@ class Tilter {
     return std::move(compaction->marker);
   }
 
-  // Pushed and turned at random, the length held but for what mending adds.
-  std::optional<Marker> shaken(const Marker& marker, std::uint32_t seed) {
+  // Pushes and turns all pieces at random, at fixed length except for what removing overlaps adds.
+  std::optional<Marker> perturbed(const Marker& marker, std::uint32_t seed) {
     std::mt19937 random{seed};
     const auto even = [&] { return 2 * static_cast<double>(random()) / 4294967296.0 - 1; };
     step::Goal goal;
@@ -156,13 +158,13 @@ class Tilter {
   Tilting& total_;
 };
 
-// The limit on every shape.  Pieces that are tilted farther already are no reason for others to be.
+// Sets the limit of every shape, even if pieces of it are already tilted farther.
 Marker limited(Marker marker, const std::optional<Angle>& limit) {
   if (!limit) return marker;
   for (Shape& shape : marker.shapes) shape.tilt_limit = *limit;
   return marker;
 }
-// Shapes allow what pieces that came so still have.
+// Raises the limits of shapes to the tilts that their pieces have.
 void allow_present_tilts(Marker& marker) {
   for (const Piece& piece : marker.pieces) {
     Angle& limit = marker.shapes[piece.shape.value].tilt_limit;

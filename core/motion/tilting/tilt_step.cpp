@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/marker/clearance.h"
 #include "core/minkowski/inner_fit.h"
 #include "core/model/snap.h"
 #include "core/motion/piece/tilted_piece.h"
@@ -13,8 +14,8 @@ namespace selvage::motion::tilting {
 namespace {
 
 constexpr double kRadian = 180 / std::numbers::pi;  // degrees
-constexpr std::size_t kBlock = 16;                  // near pairs whose rows one hand finds in a row
-constexpr std::size_t kCancelCheckInterval = 512;   // near pairs between two looks at whether to stop
+constexpr std::size_t kBlock = 16;                  // near pairs whose rows one task finds
+constexpr std::size_t kCancelCheckInterval = 512;   // near pairs between two checks for cancellation
 
 class Program {
  public:
@@ -33,14 +34,14 @@ class Program {
       if (turn && !torque.empty()) model_.positions().program().cost[static_cast<std::size_t>(*turn)] = -torque[i];
     }
     if (goal.shorten == 0) {
-      model_.hold_length();
+      model_.fix_length();
     } else {
       const double shorten = std::min(static_cast<double>(scene_.pieces.length()), 2 * farthest_);
       model_.add_length(goal.shorten, shorten, model_.positions().unit().to_lattice(tuning_.length_spare));
     }
   }
 
-  // False when it was asked to stop meanwhile: turned pieces need new sums, which takes long in long markers.
+  // False when cancelled: turned pieces need new sums, which takes long in long markers.
   bool add_pairs(const scene::Run& run) {
     run.observer.on_stage(scene::Stage::kSums);
     const double most_swing = turn_ * widest_radius();
@@ -143,7 +144,7 @@ class Program {
     }
     return pieces;
   }
-  // What a turn's second order puts outside the strip comes back to its edge.
+  // Moves a piece that second-order effects of its turn put outside the strip back to its edge.
   void put_inside(Piece& piece) const {
     const Marker& marker = scene_.marker;
     const Box box = box_of(oriented(marker.shapes[piece.shape.value].outline, piece.orientation));

@@ -1,5 +1,5 @@
-// One round of tilt by linearisation [Li94 6.2.4]: all pieces move and turn at once, by the answer of one linear
-// program.  What comes back is not proved: turns are linearised, so that pieces may overlap a little afterwards.
+// One round of tilting by linearisation [Li94 6.2.4]: all pieces move and turn at once, as one linear program says. The
+// result is not proved: turns are linearised, so pieces may overlap a little afterwards.
 #pragma once
 
 #include <span>
@@ -27,8 +27,8 @@ struct TiltStep {
   std::vector<Piece> pieces;  // the scene's, moved and tilted; within their limits to the last bit
 };
 
-// `torque[i]`: what a unit of arc of piece i's farthest vertex, counter-clockwise, is worth, beside the goal's forces;
-// none: nothing.
+// `torque[i]`: the value of a unit of arc of piece i's farthest vertex, counter-clockwise, relative to the goal's
+// forces; an empty span means no torques.
 [[nodiscard]] TiltStep tilt_step(const scene::Scene& scene, const step::Goal& goal, std::span<const double> torque,
                                  const TiltStepSettings& settings, const scene::Run& run);
 

@@ -32,7 +32,7 @@ struct Gap {
   static constexpr std::string_view kName = "Gap", kMeaning = "A gap between two pieces, or a piece and an edge.";
   std::string piece;
   std::optional<std::string> other;
-  std::optional<motion::floating::StripEdge> edge;
+  std::optional<StripEdge> edge;
 
   static void describe(auto& v, auto& self) {
     v.required("piece", self.piece, calls::kPieceMeaning);
@@ -84,7 +84,7 @@ Gap gap_of(const Marker& marker, const motion::floating::Gap& gap) {
   if (const PieceId* other = other_piece(gap)) {
     named.other = marker.pieces[other->value].id;
   } else {
-    named.edge = std::get<motion::floating::StripEdge>(gap.opposite);
+    named.edge = std::get<StripEdge>(gap.opposite);
   }
   return named;
 }

@@ -10,7 +10,7 @@ struct LoadedContact {
   static constexpr std::string_view kName = "LoadedContact", kMeaning = "A contact of the critical path.";
   std::string piece;
   std::optional<std::string> other;
-  std::optional<motion::floating::StripEdge> edge;
+  std::optional<StripEdge> edge;
   double worth{};
   calls::Point at;
 
@@ -48,7 +48,6 @@ struct HoldResult {
   }
 };
 
-// The core has two enumerations of the strip's edges, in the same order.
 LoadedContact contact_of(const Marker& marker, const motion::compaction::LoadedContact& contact) {
   LoadedContact named{.piece = marker.pieces[contact.first.value].id,
                       .other = {},
@@ -58,21 +57,21 @@ LoadedContact contact_of(const Marker& marker, const motion::compaction::LoadedC
   if (contact.second) {
     named.other = marker.pieces[contact.second->value].id;
   } else {
-    named.edge = static_cast<motion::floating::StripEdge>(contact.edge);
+    named.edge = contact.edge;
   }
   return named;
 }
 
 Result<HoldResult> run(const AnalysisParams&, const MarkerFile& file, const calls::MethodContext& context) {
   const Marker& marker = file.marker;
-  const auto hold = motion::compaction::what_holds(marker, context.run);
-  if (!hold) return hold.error();
+  const auto path = motion::compaction::critical_path(marker, context.run);
+  if (!path) return path.error();
   HoldResult result{.length = to_decimal(length_of(marker), marker.resolution),
                     .contacts = {},
                     .tilts = {},
-                    .per_spacing = hold->per_spacing};
-  for (const auto& contact : hold->contacts) result.contacts.push_back(contact_of(marker, contact));
-  for (const motion::compaction::TiltWorth& tilt : hold->tilts) {
+                    .per_spacing = path->per_spacing};
+  for (const auto& contact : path->contacts) result.contacts.push_back(contact_of(marker, contact));
+  for (const motion::compaction::TiltWorth& tilt : path->tilts) {
     result.tilts.push_back({marker.pieces[tilt.piece.value].id, formats::in_unit(tilt.per_degree, marker.resolution)});
   }
   return result;

@@ -8,23 +8,23 @@
 
 namespace selvage::server::transport::access {
 
-bool host_may_be(const Access& access, std::string_view host) {
+bool host_allowed(const Access& access, std::string_view host) {
   const auto names = [host](const std::string& name) { return is_host(host, name); };
   return !access.token.empty() || is_local_host(host) || std::any_of(access.hosts.begin(), access.hosts.end(), names);
 }
 
-bool origin_may_be(const Access& access, std::string_view origin) {
+bool origin_allowed(const Access& access, std::string_view origin) {
   return is_local_origin(origin) ||
          std::find(access.origins.begin(), access.origins.end(), origin) != access.origins.end();
 }
 
-bool token_fits(const Access& access, std::string_view token) {
+bool token_matches(const Access& access, std::string_view token) {
   if (access.token.empty()) return true;
   return access.token.size() == token.size() && CRYPTO_memcmp(access.token.data(), token.data(), token.size()) == 0;
 }
 
-bool authorization_fits(const Access& access, std::string_view value) {
-  return access.token.empty() || (take_scheme(value, "Bearer") && token_fits(access, value));
+bool authorization_matches(const Access& access, std::string_view value) {
+  return access.token.empty() || (take_scheme(value, "Bearer") && token_matches(access, value));
 }
 
 }  // namespace selvage::server::transport::access

@@ -1,8 +1,8 @@
-// Who may call: by which names, from which pages, with which token.
+// Who may call: under which host names, from which origins, with which token.
 //
-// A page of a foreign site that makes a browser call the daemon - directly, or by pointing its own name at 127.0.0.1
-// (DNS rebinding) - is known by its Host and Origin headers.  It cannot know a token: where one is asked for, any Host
-// will do.  Origins are always judged.
+// A page of a foreign site can make a browser call the daemon, directly or by pointing its own name at 127.0.0.1 (DNS
+// rebinding).  Its Host and Origin headers give it away.  Such a page does not know the token, so with a token the Host
+// header is not checked.  The Origin header is always checked.
 #pragma once
 
 #include <string>
@@ -12,17 +12,17 @@
 namespace selvage::server::transport::access {
 
 struct Access {
-  std::string token{};               // asked for on every TCP connection; empty: none is
-  std::vector<std::string> hosts{};  // names, without a port, by which this server is called beside this machine's own
-  std::vector<std::string> origins{};  // whose pages may call, beside this machine's own: "https://marker.example"
+  std::string token{};                 // required on every TCP connection; empty: none is required
+  std::vector<std::string> hosts{};    // further names of this server, without a port, in addition to local ones
+  std::vector<std::string> origins{};  // whose pages may call, in addition to local ones: "https://marker.example"
 };
 
-[[nodiscard]] bool host_may_be(const Access& access, std::string_view host);
-[[nodiscard]] bool origin_may_be(const Access& access, std::string_view origin);
+[[nodiscard]] bool host_allowed(const Access& access, std::string_view host);
+[[nodiscard]] bool origin_allowed(const Access& access, std::string_view origin);
 
-// In time that tells nothing of the token but its length.  Always true when none is asked for.
-[[nodiscard]] bool token_fits(const Access& access, std::string_view token);
+// Compares in constant time for tokens of the same length.  Always true if no token is required.
+[[nodiscard]] bool token_matches(const Access& access, std::string_view token);
 // The value of an Authorization header: "Bearer TOKEN".
-[[nodiscard]] bool authorization_fits(const Access& access, std::string_view value);
+[[nodiscard]] bool authorization_matches(const Access& access, std::string_view value);
 
 }  // namespace selvage::server::transport::access

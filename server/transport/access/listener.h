@@ -1,4 +1,4 @@
-// Where the daemon listens, and what is spoken there.
+// Where the daemon listens, and which protocols it speaks there.
 #pragma once
 
 #include <cstdint>
@@ -12,25 +12,26 @@ namespace selvage::server::transport::access {
 
 struct Listener {
   enum class Speaks {
-    kHttp,   // HTTP and WebSocket; and lines of JSON, told apart by the first byte that is not blank
+    kHttp,   // HTTP, WebSocket and newline-delimited JSON, distinguished by the first byte that is not blank
     kLines,  // newline-delimited JSON
   };
   Speaks speaks{};
   std::string host{};    // a numeric address
-  std::uint16_t port{};  // 0: a free one
-  std::string path{};    // not empty: a Unix socket there, open to its owner only, instead of TCP
+  std::uint16_t port{};  // 0: any free port
+  std::string path{};    // if not empty, a Unix socket at this path, open to its owner only, instead of TCP
 };
 
-// PEM files: the server's certificate with its chain, and its private key.
+// PEM files: the server's certificate chain and its private key.
 struct TlsFiles {
   std::string certificate;
   std::string key;
 };
 
-struct Doors {
+// Everything that the transport listens on.
+struct ListenSettings {
   std::vector<Listener> listeners{};
-  Access access{};                // of every TCP listener; a Unix socket's permissions are its own
-  std::optional<TlsFiles> tls{};  // on every TCP listener
+  Access access{};                // for every TCP listener; a Unix socket is protected by its permissions
+  std::optional<TlsFiles> tls{};  // for every TCP listener
 };
 
 }  // namespace selvage::server::transport::access

@@ -9,12 +9,12 @@ namespace selvage::server::transport::connections {
 
 using Clock = std::chrono::steady_clock;
 
-Connection::Connection(Socket connected, std::uint64_t id, bool must_show_token)
+Connection::Connection(Socket connected, std::uint64_t id, bool requires_token)
     : socket{std::move(connected)},
       read_watchdog{socket.get_executor()},
       write_watchdog{socket.get_executor()},
       session{std::make_shared<access::Session>(access::Session{.id = id, .notify = {}, .gone = gone.get_token()})},
-      needs_token{must_show_token} {}
+      needs_token{requires_token} {}
 
 void Connection::watch() {
   socket.async_wait(Socket::wait_error, [self = shared_from_this()](boost::system::error_code error) {
@@ -31,7 +31,7 @@ void Connection::watch_for_end() {
     boost::system::error_code state;
     self->socket.non_blocking(true, state);
     self->socket.receive(boost::asio::buffer(&next, 1), Socket::message_peek, state);
-    // Bytes to read are another request, sent ahead: its turn comes.
+    // Bytes to read are the next request, which was sent early.
     if (state && state != boost::asio::error::would_block) self->gone.request_stop();
   });
 }
@@ -52,7 +52,7 @@ void Connection::drain() {
   if (on_drain) return on_drain();
   boost::system::error_code ignored;
   socket.shutdown(Socket::shutdown_receive,
-                  ignored);  // a read under way ends as if the other side had closed
+                  ignored);  // a pending read ends as if the client had closed
 }
 
 void Connection::cut() {

@@ -1,4 +1,4 @@
-// One connection, over TCP or a Unix socket, whatever is spoken on it.  Everything here belongs to the I/O thread.
+// One connection, over TCP or a Unix socket, for any protocol.  Everything here belongs to the I/O thread.
 #pragma once
 
 #include <utility>  // before Asio 1.74, which uses std::exchange without it
@@ -25,14 +25,14 @@ namespace selvage::server::transport::connections {
 
 using Socket = boost::asio::generic::stream_protocol::socket;
 
-// What every connection is served by, and within what.
-struct ConnectionTerms {
+// The service that answers a connection, and the limits and access rules that it has to respect.
+struct ConnectionContext {
   const access::Service& service;
   const access::TransportLimits& limits;
   const access::Access& access;
 };
 
-// One more in a count, as long as it lives.
+// Increments a count for as long as it lives.
 class Counted {
  public:
   explicit Counted(std::atomic<std::size_t>& count) : count_{count} { ++count_; }
@@ -44,8 +44,7 @@ class Counted {
   std::atomic<std::size_t>& count_;
 };
 
-// Something that a coroutine waits for.  A wait may end without reason: wait in a loop that looks at the
-// condition.
+// A signal that a coroutine waits for.  A wait may end spuriously: wait in a loop that checks the condition.
 class Signal {
  public:
   explicit Signal(const boost::asio::any_io_executor& executor) : timer_{executor} {}
@@ -63,28 +62,28 @@ class Signal {
 
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
-  // `id`: of its session.
+  // `id`: the session's.
   Connection(Socket connected, std::uint64_t id, bool needs_token);
 
-  // Notices a connection that breaks, from now on.
+  // Detects from now on that the connection breaks.
   void watch();
-  // While calls run: notices too that the other side has closed.  For protocols without half-closing only.
+  // While calls are in progress: also detects that the client has closed.  Only for protocols without half-closing.
   void watch_for_end();
-  // Closes the socket unless disarmed, or armed anew, in time.
+  // Closes the socket unless the watchdog is disarmed, or armed again, in time.
   void arm(boost::asio::steady_timer& watchdog, std::chrono::milliseconds time);
   static void disarm(boost::asio::steady_timer& watchdog);
-  // Reads nothing more; what was asked is still answered.  By `on_drain`, when that is set.
+  // Reads nothing more; the calls in progress are still answered.  Calls `on_drain` instead if that is set.
   void drain();
-  // Ends it now.
+  // Closes it immediately.
   void cut();
-  // Ends it in order after an answer that came before all was read: closing with unread bytes would take the
-  // answer back (TCP reset), so what still comes is read and dropped for a while.
+  // Closes it properly after an answer that was sent before everything was read.  Closing with unread bytes would
+  // discard the answer (TCP reset), so further bytes are read and dropped for a while.
   boost::asio::awaitable<void> linger();
 
   Socket socket;
   boost::asio::steady_timer read_watchdog;
   boost::asio::steady_timer write_watchdog;
-  std::stop_source gone;  // asked to stop when the other side is no longer there
+  std::stop_source gone;  // stops when the client has disconnected
   const std::shared_ptr<access::Session> session;
   const bool needs_token;
   bool draining{};
@@ -94,11 +93,11 @@ class Connection : public std::enable_shared_from_this<Connection> {
   bool watching_for_end_{};
 };
 
-// Serve one connection until it ends.  `received`: what was read already, for HTTP starting with a byte that is not
-// blank.
-boost::asio::awaitable<void> serve_http(std::shared_ptr<Connection> connection, const ConnectionTerms& terms,
+// Serve one connection until it ends.  `received`: the bytes that were already read; for HTTP they start with a byte
+// that is not blank.
+boost::asio::awaitable<void> serve_http(std::shared_ptr<Connection> connection, const ConnectionContext& context,
                                         std::string received);
-boost::asio::awaitable<void> serve_lines(std::shared_ptr<Connection> connection, const ConnectionTerms& terms,
+boost::asio::awaitable<void> serve_lines(std::shared_ptr<Connection> connection, const ConnectionContext& context,
                                          std::string received);
 
 }  // namespace selvage::server::transport::connections

@@ -8,17 +8,17 @@ namespace selvage::server::transport::connections {
 
 namespace asio = boost::asio;
 
-Conversation::Conversation(std::shared_ptr<Connection> connection, const ConnectionTerms& terms)
-    : connection_{std::move(connection)}, terms_{terms}, changed_{connection_->socket.get_executor()} {}
+Conversation::Conversation(std::shared_ptr<Connection> connection, const ConnectionContext& context)
+    : connection_{std::move(connection)}, context_{context}, changed_{connection_->socket.get_executor()} {}
 
-void Conversation::let_notify() {
+void Conversation::enable_notifications() {
   const auto executor = connection_->socket.get_executor();
   connection_->session->notify = [executor, weak = weak_from_this()](std::string message) {
     asio::post(executor, [weak, held = std::move(message)]() mutable {
       const auto self = weak.lock();
       if (!self) return;
       self->send(std::move(held));
-      if (self->unsent_bytes_ > 2 * self->terms_.limits.backlog_bytes) self->connection_->cut();
+      if (self->unsent_bytes_ > 2 * self->context_.limits.backlog_bytes) self->connection_->cut();
     });
   };
 }
@@ -37,7 +37,7 @@ void Conversation::call(std::string message) {
       self->changed_.notify();
     });
   };
-  terms_.service.call(std::move(message), connection_->session, std::move(reply));
+  context_.service.call(std::move(message), connection_->session, std::move(reply));
 }
 
 void Conversation::send(std::string text) {
@@ -52,7 +52,7 @@ asio::awaitable<void> Conversation::settle() {
 }
 
 void Conversation::write_next() {
-  connection_->arm(connection_->write_watchdog, terms_.limits.write);
+  connection_->arm(connection_->write_watchdog, context_.limits.write);
   writing_bytes_ = write(unsent_);
 }
 
@@ -69,7 +69,7 @@ void Conversation::written(boost::system::error_code error) {
 }
 
 bool Conversation::crowded() const {
-  return unanswered_ >= terms_.limits.calls_per_connection || unsent_bytes_ >= terms_.limits.backlog_bytes;
+  return unanswered_ >= context_.limits.calls_per_connection || unsent_bytes_ >= context_.limits.backlog_bytes;
 }
 
 }  // namespace selvage::server::transport::connections

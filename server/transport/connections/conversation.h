@@ -1,7 +1,8 @@
-// Many messages under way at once on one connection: answers in the order they are done, notifications between them.
+// Many calls in progress on one connection: answers in the order of completion, with notifications in between.
 //
-// A connection with too many unanswered calls, or too many unsent bytes, is not read until that is over.  Notifications
-// cannot be held back like that: a client that does not take them is cut off at twice the backlog.
+// A connection with too many unanswered calls, or too many unsent bytes, is not read until there are fewer.
+// Notifications cannot be held back in this way: a client that does not receive them is disconnected at twice the limit
+// of unsent bytes.
 // Everything here belongs to the I/O thread.
 #pragma once
 
@@ -15,15 +16,15 @@ namespace selvage::server::transport::connections {
 
 class Conversation : public std::enable_shared_from_this<Conversation> {
  public:
-  Conversation(std::shared_ptr<Connection> connection, const ConnectionTerms& terms);
+  Conversation(std::shared_ptr<Connection> connection, const ConnectionContext& context);
   virtual ~Conversation() = default;
   Conversation(const Conversation&) = delete;
   Conversation& operator=(const Conversation&) = delete;
 
  protected:
-  // From now on the service may notify.
-  void let_notify();
-  // Waits while too much is under way.
+  // Allows the service to send notifications from now on.
+  void enable_notifications();
+  // Waits while too many calls are unanswered or too many bytes unsent.
   boost::asio::awaitable<void> wait_for_room();
   void call(std::string message);
   // Nothing is sent for an empty text.
@@ -31,13 +32,13 @@ class Conversation : public std::enable_shared_from_this<Conversation> {
   // Waits until every call is answered and everything is sent.
   boost::asio::awaitable<void> settle();
 
-  // Takes one or more texts from the front of `unsent`, writes them, and then calls written(), never before it returns
-  // how many bytes it took.
+  // Takes one or more texts from the front of `unsent`, writes them and returns their number of bytes; calls written()
+  // when that is done, but never before it has returned.
   virtual std::size_t write(std::deque<std::string>& unsent) = 0;
   void written(boost::system::error_code error);
 
   const std::shared_ptr<Connection> connection_;
-  const ConnectionTerms terms_;
+  const ConnectionContext context_;
   Signal changed_;  // fewer unanswered calls, or fewer unsent bytes
 
  private:
@@ -45,8 +46,8 @@ class Conversation : public std::enable_shared_from_this<Conversation> {
   [[nodiscard]] bool crowded() const;
 
   std::deque<std::string> unsent_;
-  std::size_t unsent_bytes_{};   // in unsent_ and on the way
-  std::size_t writing_bytes_{};  // on the way; 0: nothing is
+  std::size_t unsent_bytes_{};   // in unsent_ and being written
+  std::size_t writing_bytes_{};  // being written; 0: none
   std::size_t unanswered_{};
 };
 

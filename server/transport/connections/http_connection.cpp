@@ -1,7 +1,6 @@
-// HTTP/1.1 on one connection, one request at a time.  Beast stays in this file and websocket_connection.*: it is slow
-// to compile, and its defaults are not ours.  Beast 1.74 reads chunked trailers without bound and takes a
-// body under a Transfer-Encoding it does not know for the next request, so the header is read alone and
-// judged before the body.
+// HTTP/1.1 on one connection, one request at a time.  Beast is used in this file and in websocket_connection.* only,
+// because it is slow to compile.  Beast 1.74 reads chunked trailers without a limit, and it takes a body under an
+// unknown Transfer-Encoding for the next request.  Therefore the header is read alone and checked before the body.
 #include "server/transport/connections/connection.h"
 
 #include <boost/asio/post.hpp>
@@ -24,7 +23,7 @@ namespace asio = boost::asio;
 namespace http = boost::beast::http;
 using Error = boost::system::error_code;
 using Parser = http::request_parser<http::string_body>;
-using Header = http::request<http::string_body>;  // with its body, once that is read
+using Header = http::request<http::string_body>;  // with its body after that has been read
 using Answer = http::response<http::string_body>;
 
 std::string_view view(boost::beast::string_view text) {
@@ -41,7 +40,7 @@ Answer make_answer(http::status status, std::string_view type, std::string body)
   return answer;
 }
 
-// An answer after which the connection ends: what follows the refused request is not trusted to be a request.
+// An answer after which the connection is closed: the bytes after a refused request may not be another request.
 Answer refuse(http::status status, std::string reason) {
   Answer answer = make_answer(status, "text/plain", std::move(reason) + "\n");
   answer.keep_alive(false);
@@ -52,13 +51,13 @@ bool is_once(const Header& request, http::field field) {
   return request.count(field) == 1;
 }
 
-// What is there to be asked for, and how.
+// What can be requested, and how.
 struct Resource {
   std::string_view target;
   http::verb verb{};
-  std::function<std::string()> access::Service::*page{};  // what GET answers; null for the other two
+  std::function<std::string()> access::Service::*page{};  // the body of the answer to GET; null for the first two
   std::string_view type{};
-  bool needs_token{true};  // probes of a container's health have none
+  bool needs_token{true};  // health probes of containers have none
 };
 constexpr std::string_view kRpc = "/rpc";
 constexpr std::string_view kWebSocket = "/ws";
@@ -77,27 +76,27 @@ const Resource* find_resource(std::string_view target) {
   return found == kResources.end() ? nullptr : found;
 }
 
-bool shows_token(const Header& request, const access::Access& access) {
+bool has_token(const Header& request, const access::Access& access) {
   return is_once(request, http::field::authorization) &&
-         authorization_fits(access, view(request[http::field::authorization]));
+         authorization_matches(access, view(request[http::field::authorization]));
 }
-// A page cannot add a header to its upgrade: the first message over the WebSocket shows the token then.
-bool shows_token_later(const Header& request) {
+// A web page cannot add a header to its upgrade request: then the first message on the WebSocket contains the token.
+bool may_authenticate_later(const Header& request) {
   return view(request.target()) == kWebSocket && request.count(http::field::authorization) == 0;
 }
 
-// Hosts and origins of foreign sites, and requests without the token.
+// Refuses hosts and origins of foreign sites, and requests without the token.
 std::optional<Answer> refusal_of_caller(const Header& request, const access::Access& access, bool needs_token) {
-  if (!is_once(request, http::field::host) || !host_may_be(access, view(request[http::field::host]))) {
+  if (!is_once(request, http::field::host) || !host_allowed(access, view(request[http::field::host]))) {
     return refuse(http::status::forbidden, "The Host header must name this machine.");
   }
   const auto origins = request.equal_range(http::field::origin);
   for (auto origin = origins.first; origin != origins.second; ++origin) {
-    if (!origin_may_be(access, view(origin->value()))) {
+    if (!origin_allowed(access, view(origin->value()))) {
       return refuse(http::status::forbidden, "Pages of another origin may not call this server.");
     }
   }
-  if (needs_token && !shows_token(request, access)) {
+  if (needs_token && !has_token(request, access)) {
     Answer answer = refuse(http::status::unauthorized, "Send the token: Authorization: Bearer TOKEN.");
     answer.set(http::field::www_authenticate, "Bearer");
     return answer;
@@ -105,7 +104,7 @@ std::optional<Answer> refusal_of_caller(const Header& request, const access::Acc
   return std::nullopt;
 }
 
-// Why a WebSocket cannot begin.
+// Refuses an upgrade that is not a correct WebSocket request.
 std::optional<Answer> refusal_of_upgrade(const Header& request) {
   if (!boost::beast::websocket::is_upgrade(request)) {
     Answer answer = refuse(http::status::upgrade_required, "Ask for an upgrade to websocket.");
@@ -118,12 +117,12 @@ std::optional<Answer> refusal_of_upgrade(const Header& request) {
   return std::nullopt;
 }
 
-// Why a request is refused on its header alone; nothing when it is welcome.
-std::optional<Answer> refusal_of(const Header& request, const ConnectionTerms& terms, bool needs_token) {
+// The refusal of a request by its header alone; nothing if the request is accepted.
+std::optional<Answer> refusal_of(const Header& request, const ConnectionContext& context, bool needs_token) {
   const Resource* resource = find_resource(view(request.target()));
-  if (resource != nullptr && resource->page != nullptr && !(terms.service.*resource->page)) resource = nullptr;
-  const bool open = (resource != nullptr && !resource->needs_token) || shows_token_later(request);
-  if (auto refusal = refusal_of_caller(request, terms.access, needs_token && !open)) return refusal;
+  if (resource != nullptr && resource->page != nullptr && !(context.service.*resource->page)) resource = nullptr;
+  const bool open = (resource != nullptr && !resource->needs_token) || may_authenticate_later(request);
+  if (auto refusal = refusal_of_caller(request, context.access, needs_token && !open)) return refusal;
   if (request.count(http::field::transfer_encoding) != 0) {
     return refuse(http::status::length_required, "Send the body with a Content-Length, not a Transfer-Encoding.");
   }
@@ -143,7 +142,7 @@ std::optional<Answer> refusal_of(const Header& request, const ConnectionTerms& t
   return resource->target == kWebSocket ? refusal_of_upgrade(request) : std::nullopt;
 }
 
-// What to say to a header that could not be read; nothing when there is nobody to say it to.
+// The answer to a header that could not be read; nothing if the connection has ended.
 std::optional<Answer> refusal_of(Error error, const access::TransportLimits& limits) {
   if (error == http::error::header_limit || error == http::error::buffer_overflow) {
     return refuse(http::status::request_header_fields_too_large,
@@ -162,25 +161,25 @@ std::optional<Answer> refusal_of(Error error, const access::TransportLimits& lim
 
 class HttpConnection {
  public:
-  HttpConnection(std::shared_ptr<Connection> connection, const ConnectionTerms& terms)
-      : shared_{std::move(connection)}, connection_{*shared_}, terms_{terms} {}
+  HttpConnection(std::shared_ptr<Connection> connection, const ConnectionContext& context)
+      : shared_{std::move(connection)}, connection_{*shared_}, context_{context} {}
 
-  // The request that makes a WebSocket of the connection, if it came to that.
+  // Returns the upgrade request if the connection becomes a WebSocket.
   asio::awaitable<std::optional<Header>> serve(std::string received) {
     const auto room = buffer_.prepare(received.size());
     buffer_.commit(asio::buffer_copy(room, asio::buffer(received)));
-    const Counted counted{terms_.service.counts->http};
+    const Counted counted{context_.service.counts->http};
     bool open = true;
     while (open && !connection_.draining) open = co_await serve_one();
     co_return std::move(upgrade_);
   }
 
  private:
-  // One request and its answer; false when it was the connection's last.
+  // Handles one request.  Returns false if it was the connection's last.
   asio::awaitable<bool> serve_one() {
     Parser parser;
-    parser.header_limit(static_cast<std::uint32_t>(terms_.limits.header_bytes));
-    parser.body_limit(terms_.limits.body_bytes);
+    parser.header_limit(static_cast<std::uint32_t>(context_.limits.header_bytes));
+    parser.body_limit(context_.limits.body_bytes);
     const std::optional<Answer> refusal = co_await read(parser);
     if (!connection_.socket.is_open() || failed_) co_return false;
     if (refusal) {
@@ -203,23 +202,23 @@ class HttpConnection {
     co_return answer.keep_alive() && !failed_;
   }
 
-  // Reads one request; an answer when it is refused, failed_ when the connection is of no more use.
+  // Reads one request.  Returns an answer if it is refused; sets failed_ if the connection is no longer usable.
   asio::awaitable<std::optional<Answer>> read(Parser& parser) {
     Error error;
     if (buffer_.size() == 0) {
-      connection_.arm(connection_.read_watchdog, terms_.limits.idle);
+      connection_.arm(connection_.read_watchdog, context_.limits.idle);
       co_await connection_.socket.async_wait(Socket::wait_read, asio::redirect_error(asio::use_awaitable, error));
     }
-    connection_.arm(connection_.read_watchdog, terms_.limits.request);
+    connection_.arm(connection_.read_watchdog, context_.limits.request);
     co_await http::async_read_header(connection_.socket, buffer_, parser,
                                      asio::redirect_error(asio::use_awaitable, error));
     std::optional<Answer> refusal =
-        error ? refusal_of(error, terms_.limits) : refusal_of(parser.get(), terms_, connection_.needs_token);
+        error ? refusal_of(error, context_.limits) : refusal_of(parser.get(), context_, connection_.needs_token);
     failed_ = error && !refusal;
     if (error || refusal) co_return refusal;
 
     if (boost::beast::iequals(parser.get()[http::field::expect], "100-continue")) co_await write_continue();
-    connection_.arm(connection_.read_watchdog, terms_.limits.request);
+    connection_.arm(connection_.read_watchdog, context_.limits.request);
     co_await http::async_read(connection_.socket, buffer_, parser, asio::redirect_error(asio::use_awaitable, error));
     Connection::disarm(connection_.read_watchdog);
     failed_ = failed_ || error;
@@ -235,7 +234,7 @@ class HttpConnection {
   }
 
   [[nodiscard]] Answer page(const Resource& resource) const {
-    std::string body = (terms_.service.*resource.page)();
+    std::string body = (context_.service.*resource.page)();
     if (resource.target != kReady) return make_answer(http::status::ok, resource.type, std::move(body));
     if (body.empty()) return make_answer(http::status::ok, resource.type, "ready\n");
     return make_answer(http::status::service_unavailable, resource.type, std::move(body) + "\n");
@@ -256,7 +255,7 @@ class HttpConnection {
         pending->done.notify();
       });
     };
-    terms_.service.call(std::move(message), connection_.session, std::move(reply));
+    context_.service.call(std::move(message), connection_.session, std::move(reply));
     while (!pending->answer) co_await pending->done.wait();
     co_return std::move(*pending->answer);
   }
@@ -264,7 +263,7 @@ class HttpConnection {
   asio::awaitable<void> write(Answer answer) {
     Error error;
     answer.prepare_payload();
-    connection_.arm(connection_.write_watchdog, terms_.limits.write);
+    connection_.arm(connection_.write_watchdog, context_.limits.write);
     co_await http::async_write(connection_.socket, answer, asio::redirect_error(asio::use_awaitable, error));
     Connection::disarm(connection_.write_watchdog);
     failed_ = failed_ || error;
@@ -280,7 +279,7 @@ class HttpConnection {
 
   const std::shared_ptr<Connection> shared_;
   Connection& connection_;
-  const ConnectionTerms terms_;
+  const ConnectionContext context_;
   boost::beast::flat_buffer buffer_;
   std::optional<Header> upgrade_;
   bool failed_{};
@@ -288,11 +287,11 @@ class HttpConnection {
 
 }  // namespace
 
-asio::awaitable<void> serve_http(std::shared_ptr<Connection> connection, const ConnectionTerms& terms,
+asio::awaitable<void> serve_http(std::shared_ptr<Connection> connection, const ConnectionContext& context,
                                  std::string received) {
-  HttpConnection http{connection, terms};
+  HttpConnection http{connection, context};
   std::optional<Header> upgrade = co_await http.serve(std::move(received));
-  if (upgrade) co_await serve_websocket(std::move(connection), terms, *upgrade);
+  if (upgrade) co_await serve_websocket(std::move(connection), context, *upgrade);
 }
 
 }  // namespace selvage::server::transport::connections

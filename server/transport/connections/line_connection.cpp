@@ -1,5 +1,5 @@
-// Newline-delimited JSON on one connection: a message per line.  When the other side has sent its last (half-closed),
-// what it asked is still answered before the connection closes; only a connection that breaks stops its calls.
+// Newline-delimited JSON on one connection: one message per line.  When the client has half-closed the connection, its
+// calls are still answered before the connection closes; only a broken connection stops its calls.
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/write.hpp>
 
@@ -20,15 +20,15 @@ using Error = boost::system::error_code;
 
 class LineConnection final : public Conversation {
  public:
-  LineConnection(std::shared_ptr<Connection> connection, const ConnectionTerms& terms)
-      : Conversation{std::move(connection), terms}, splitter_{terms.limits.body_bytes} {}
+  LineConnection(std::shared_ptr<Connection> connection, const ConnectionContext& context)
+      : Conversation{std::move(connection), context}, splitter_{context.limits.body_bytes} {}
 
   asio::awaitable<void> serve(std::string received) {
-    if (connection_->needs_token && !co_await enter(received)) {
+    if (connection_->needs_token && !co_await authenticate(received)) {
       co_await settle();
       co_return co_await connection_->linger();
     }
-    let_notify();
+    enable_notifications();
     std::vector<Line> lines = splitter_.feed(received);
     co_await take(std::move(lines));
     co_await read_to_end();
@@ -37,23 +37,24 @@ class LineConnection final : public Conversation {
   }
 
  private:
-  // The first line must show the token; what comes behind it is left in `received`.
-  asio::awaitable<bool> enter(std::string& received) {
+  // The first line must contain the token; the bytes that follow it are left in `received`.
+  asio::awaitable<bool> authenticate(std::string& received) {
     std::array<char, 4096> chunk{};
     Error error;
-    connection_->arm(connection_->read_watchdog, terms_.limits.request);
-    while (!error && received.find('\n') == std::string::npos && received.size() < terms_.limits.header_bytes) {
+    connection_->arm(connection_->read_watchdog, context_.limits.request);
+    while (!error && received.find('\n') == std::string::npos && received.size() < context_.limits.header_bytes) {
       const std::size_t count = co_await connection_->socket.async_read_some(
           asio::buffer(chunk), asio::redirect_error(asio::use_awaitable, error));
       received.append(chunk.data(), count);
     }
     Connection::disarm(connection_->read_watchdog);
     const std::size_t end = received.find('\n');
-    if (end == std::string::npos || !terms_.service.enter) co_return false;
-    access::Entry entry = terms_.service.enter(std::string_view{received}.substr(0, end), terms_.access);
+    if (end == std::string::npos || !context_.service.authenticate) co_return false;
+    access::Authentication result =
+        context_.service.authenticate(std::string_view{received}.substr(0, end), context_.access);
     received.erase(0, end + 1);
-    send(std::move(entry.answer));
-    co_return entry.granted;
+    send(std::move(result.answer));
+    co_return result.granted;
   }
 
   asio::awaitable<void> read_to_end() {
@@ -66,19 +67,19 @@ class LineConnection final : public Conversation {
           asio::buffer(chunk), asio::redirect_error(asio::use_awaitable, error));
       if (connection_->draining) co_return;
       if (error && error != asio::error::eof) co_return connection_->cut();
-      // Named: g++ 12.2 destroys twice a temporary of a conditional inside a co_await expression.
+      // A named variable, because g++ 12.2 destroys the temporary of a conditional inside a co_await expression twice.
       std::vector<Line> lines = error ? splitter_.finish() : splitter_.feed({chunk.data(), count});
       co_await take(std::move(lines));
       if (error) co_return;
     }
   }
 
-  // A line that has begun must end in time; between lines there is no hurry: a front end stays for hours.
+  // A line that has begun must end in time.  Between lines a connection may be silent for hours.
   void guard_partial_line() {
     if (splitter_.within_line() == guarding_) return;
     guarding_ = !guarding_;
     if (guarding_) {
-      connection_->arm(connection_->read_watchdog, terms_.limits.request);
+      connection_->arm(connection_->read_watchdog, context_.limits.request);
     } else {
       Connection::disarm(connection_->read_watchdog);
     }
@@ -88,7 +89,7 @@ class LineConnection final : public Conversation {
     for (Line& line : lines) {
       co_await wait_for_room();
       if (line.too_long) {
-        send(terms_.service.line_too_long);
+        send(context_.service.line_too_long);
       } else {
         call(std::move(line.text));
       }
@@ -114,10 +115,10 @@ class LineConnection final : public Conversation {
 
 }  // namespace
 
-asio::awaitable<void> serve_lines(std::shared_ptr<Connection> connection, const ConnectionTerms& terms,
+asio::awaitable<void> serve_lines(std::shared_ptr<Connection> connection, const ConnectionContext& context,
                                   std::string received) {
-  const Counted counted{terms.service.counts->lines};
-  const auto lines = std::make_shared<LineConnection>(std::move(connection), terms);
+  const Counted counted{context.service.counts->lines};
+  const auto lines = std::make_shared<LineConnection>(std::move(connection), context);
   co_await lines->serve(std::move(received));
 }
 

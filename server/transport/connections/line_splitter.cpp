@@ -26,7 +26,7 @@ void LineSplitter::append(std::string_view bytes, std::vector<Line>& lines) {
   if (bytes.size() > limit_ - partial_.size()) {
     lines.push_back({{}, true});
     dropping_ = true;
-    std::string{}.swap(partial_);  // its memory goes too, which an assignment would keep
+    std::string{}.swap(partial_);  // frees the memory, which an assignment would keep
     return;
   }
   partial_ += bytes;

@@ -1,7 +1,7 @@
-// Bytes in any portions, lines out: the framing of newline-delimited JSON.
+// Splits a stream of bytes into lines: the framing of newline-delimited JSON.
 //
-// A line ends with \n; a \r before it goes.  Lines of blanks are left out.  A line longer than the limit is
-// given up: its bytes are dropped as they come, and it is told of once, when it becomes too long.
+// A line ends with \n, and a \r before it is removed.  Blank lines are skipped.  The bytes of a line that exceeds the
+// limit are dropped; it is reported once, when it exceeds the limit.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 namespace selvage::server::transport::connections {
 
 struct Line {
-  std::string text;  // empty when too long
+  std::string text;  // empty if too long
   bool too_long{};
 };
 
@@ -22,9 +22,9 @@ class LineSplitter {
 
   // The lines that `bytes` complete.
   [[nodiscard]] std::vector<Line> feed(std::string_view bytes);
-  // The last line, when the bytes end without \n: none or one.
+  // The last line if the bytes end without \n; none or one.
   [[nodiscard]] std::vector<Line> finish();
-  // A line has begun and not ended.
+  // Returns true if a line has begun and not ended.
   [[nodiscard]] bool within_line() const { return dropping_ || !partial_.empty(); }
 
  private:

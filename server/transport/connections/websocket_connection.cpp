@@ -17,43 +17,44 @@ namespace websocket = boost::beast::websocket;
 using Error = boost::system::error_code;
 using Upgrade = boost::beast::http::request<boost::beast::http::string_body>;
 
-constexpr std::size_t kPiece = 65536;  // bytes read at once, so that one long message shows its progress
+constexpr std::size_t kChunk = 65536;  // bytes per read, so that a long message is seen to progress
 constexpr std::chrono::seconds kClosePatience{2};
 
 class WebSocketConnection final : public Conversation {
  public:
-  WebSocketConnection(std::shared_ptr<Connection> connection, const ConnectionTerms& terms)
-      : Conversation{std::move(connection), terms},
+  WebSocketConnection(std::shared_ptr<Connection> connection, const ConnectionContext& context)
+      : Conversation{std::move(connection), context},
         stream_{connection_->socket},
         ping_timer_{connection_->socket.get_executor()} {
-    stream_.read_message_max(terms_.limits.body_bytes);
+    stream_.read_message_max(context_.limits.body_bytes);
     stream_.auto_fragment(false);
     stream_.text(true);
     stream_.control_callback([this](websocket::frame_type kind, auto&&) {
-      kind == websocket::frame_type::close ? closed_by_client() : heard();
+      kind == websocket::frame_type::close ? closed_by_client() : restart_silence_timer();
     });
   }
 
   asio::awaitable<void> serve(const Upgrade& upgrade) {
     Error error;
-    connection_->arm(connection_->write_watchdog, terms_.limits.write);
+    connection_->arm(connection_->write_watchdog, context_.limits.write);
     co_await stream_.async_accept(upgrade, asio::redirect_error(asio::use_awaitable, error));
     Connection::disarm(connection_->write_watchdog);
     if (error) co_return connection_->cut();
     connection_->on_drain = [weak = weak()] {
-      if (const auto self = weak.lock()) self->leave(websocket::close_code::going_away);
+      if (const auto self = weak.lock()) self->begin_close(websocket::close_code::going_away);
     };
-    // An upgrade that showed a wrong token has not come so far.
-    const bool stranger = connection_->needs_token && upgrade.count(boost::beast::http::field::authorization) == 0;
-    if (stranger && !co_await enter()) {
-      leave(websocket::close_code::policy_error);
+    // An upgrade request with a wrong token has already been refused.
+    const bool unauthenticated =
+        connection_->needs_token && upgrade.count(boost::beast::http::field::authorization) == 0;
+    if (unauthenticated && !co_await authenticate()) {
+      begin_close(websocket::close_code::policy_error);
     } else {
-      let_notify();
+      enable_notifications();
       ping();
       co_await read_to_end();
     }
     Connection::disarm(connection_->read_watchdog);
-    while (leaving_ && !left_) co_await changed_.wait();
+    while (closing_ && !closed_) co_await changed_.wait();
     ping_timer_.cancel();
     connection_->cut();
     co_await settle();
@@ -65,71 +66,71 @@ class WebSocketConnection final : public Conversation {
   }
   std::weak_ptr<WebSocketConnection> weak() { return self(); }
 
-  // The first message must show the token.
-  asio::awaitable<bool> enter() {
+  // The first message must contain the token.
+  asio::awaitable<bool> authenticate() {
     boost::beast::flat_buffer message;
     Error error;
-    stream_.read_message_max(terms_.limits.header_bytes);
-    connection_->arm(connection_->read_watchdog, terms_.limits.request);
+    stream_.read_message_max(context_.limits.header_bytes);
+    connection_->arm(connection_->read_watchdog, context_.limits.request);
     co_await stream_.async_read(message, asio::redirect_error(asio::use_awaitable, error));
-    stream_.read_message_max(terms_.limits.body_bytes);
-    if (error || leaving_ || !terms_.service.enter) co_return false;
-    access::Entry entry =
-        terms_.service.enter({static_cast<const char*>(message.data().data()), message.size()}, terms_.access);
-    send(std::move(entry.answer));
-    co_return entry.granted;
+    stream_.read_message_max(context_.limits.body_bytes);
+    if (error || closing_ || !context_.service.authenticate) co_return false;
+    access::Authentication result = context_.service.authenticate(
+        {static_cast<const char*>(message.data().data()), message.size()}, context_.access);
+    send(std::move(result.answer));
+    co_return result.granted;
   }
 
   asio::awaitable<void> read_to_end() {
     boost::beast::flat_buffer message;
     Error error;
-    heard();
+    restart_silence_timer();
     for (;;) {
-      co_await stream_.async_read_some(message, kPiece, asio::redirect_error(asio::use_awaitable, error));
+      co_await stream_.async_read_some(message, kChunk, asio::redirect_error(asio::use_awaitable, error));
       if (error) co_return;
-      if (leaving_) {
+      if (closing_) {
         message.clear();
       } else if (stream_.got_binary()) {
-        leave(websocket::close_code::unknown_data);
+        begin_close(websocket::close_code::unknown_data);
       } else if (stream_.is_message_done()) {
         within_message_ = false;
         Connection::disarm(connection_->read_watchdog);
         co_await wait_for_room();
-        if (!leaving_) call(std::string{static_cast<const char*>(message.data().data()), message.size()});
+        if (!closing_) call(std::string{static_cast<const char*>(message.data().data()), message.size()});
         message.clear();
-        message.shrink_to_fit();  // a large message's room is not kept for hours
-        heard();
+        message.shrink_to_fit();  // frees the memory of a large message
+        restart_silence_timer();
       } else if (!std::exchange(within_message_, true)) {
-        connection_->arm(connection_->read_watchdog, terms_.limits.request);
+        connection_->arm(connection_->read_watchdog, context_.limits.request);
       }
     }
   }
 
-  // Something came.  A message that has begun has its own time, and pongs do not lengthen it.
-  void heard() {
-    if (!within_message_ && !leaving_) connection_->arm(connection_->read_watchdog, terms_.limits.silence);
+  // Something was received.  A message in progress has its own time limit, which pongs do not extend.
+  void restart_silence_timer() {
+    if (!within_message_ && !closing_) connection_->arm(connection_->read_watchdog, context_.limits.silence);
   }
 
-  // Its calls need no longer run; the stream answers the close and waits a while for the end of the connection.
+  // Stops the calls in progress; the stream answers the close and waits for the connection to end.
   void closed_by_client() {
     connection_->gone.request_stop();
     connection_->arm(connection_->read_watchdog, kClosePatience);
   }
 
   void ping() {
-    ping_timer_.expires_after(terms_.limits.ping);
+    ping_timer_.expires_after(context_.limits.ping);
     ping_timer_.async_wait([weak = weak()](Error error) {
       const auto self = weak.lock();
-      if (error || !self || self->leaving_) return;
+      if (error || !self || self->closing_) return;
       self->stream_.async_ping({}, [self](Error failed) {
         if (!failed) self->ping();
       });
     });
   }
 
-  // Takes nothing more, answers what was asked, and says why it closes.
-  void leave(websocket::close_code why) {
-    if (std::exchange(leaving_, true)) return;
+  // Accepts no more calls, answers those in progress, and closes with this code.
+  void begin_close(websocket::close_code why) {
+    if (std::exchange(closing_, true)) return;
     Connection::disarm(connection_->read_watchdog);
     asio::co_spawn(connection_->socket.get_executor(), close(self(), why), asio::detached);
   }
@@ -139,7 +140,7 @@ class WebSocketConnection final : public Conversation {
     co_await self->settle();
     self->connection_->arm(self->connection_->read_watchdog, kClosePatience);
     co_await self->stream_.async_close(why, asio::redirect_error(asio::use_awaitable, ignored));
-    self->left_ = true;
+    self->closed_ = true;
     self->changed_.notify();
   }
 
@@ -154,15 +155,15 @@ class WebSocketConnection final : public Conversation {
   asio::steady_timer ping_timer_;
   std::string writing_;
   bool within_message_{};
-  bool leaving_{}, left_{};
+  bool closing_{}, closed_{};
 };
 
 }  // namespace
 
-asio::awaitable<void> serve_websocket(std::shared_ptr<Connection> connection, const ConnectionTerms& terms,
+asio::awaitable<void> serve_websocket(std::shared_ptr<Connection> connection, const ConnectionContext& context,
                                       const Upgrade& upgrade) {
-  const Counted counted{terms.service.counts->websockets};
-  const auto websocket = std::make_shared<WebSocketConnection>(std::move(connection), terms);
+  const Counted counted{context.service.counts->websockets};
+  const auto websocket = std::make_shared<WebSocketConnection>(std::move(connection), context);
   co_await websocket->serve(upgrade);
 }
 

@@ -1,8 +1,8 @@
-// A WebSocket on a connection that came as HTTP: a JSON-RPC message per text message, both ways.
+// A WebSocket on a connection that began as HTTP: one JSON-RPC message per text message, in both directions.
 //
-// The server pings; a client that neither sends nor answers pings is cut off, and so is a message that does not end in
-// time.  Close codes: 1001 the server is going down; 1002, 1007 and 1009 for what breaks the protocol, is not UTF-8 or
-// is longer than the limit; 1003 for a binary message.  No compression.  A client that closes stops its calls.
+// The server sends pings and disconnects a client that neither sends messages nor answers pings, or whose message does
+// not end in time.  Close codes: 1001 the server is shutting down; 1002 a protocol error; 1003 a binary message; 1007
+// invalid UTF-8; 1009 a message longer than the limit.  No compression.  When a client closes, its calls are stopped.
 #pragma once
 
 #include "server/transport/connections/connection.h"
@@ -12,9 +12,9 @@
 
 namespace selvage::server::transport::connections {
 
-// `upgrade`: the request that asked for it, already judged.
+// `upgrade`: the request for the upgrade, which has been checked.
 boost::asio::awaitable<void> serve_websocket(
-    std::shared_ptr<Connection> connection, const ConnectionTerms& terms,
+    std::shared_ptr<Connection> connection, const ConnectionContext& context,
     const boost::beast::http::request<boost::beast::http::string_body>& upgrade);
 
 }  // namespace selvage::server::transport::connections

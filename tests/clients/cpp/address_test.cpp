@@ -5,7 +5,7 @@
 namespace selvage::client {
 namespace {
 
-TEST(Address, IsTcpOrAPath) {
+TEST(Address, IsATcpAddressOrAPath) {
   EXPECT_EQ(read_address("localhost:7171")->host, "localhost");
   EXPECT_EQ(read_address("localhost:7171")->port, "7171");
   EXPECT_EQ(read_address("[::1]:80")->host, "::1");
@@ -16,7 +16,7 @@ TEST(Address, IsTcpOrAPath) {
   EXPECT_EQ(read_address("tls://[::1]:7171")->host, "::1");
 }
 
-TEST(Address, IsNothingElse) {
+TEST(Address, RejectsEverythingElse) {
   for (const char* text : {"", "7171", ":7171", "host:", "host:0", "host:65536", "host:1x", "::1:80", "unix:",
                            "http://host:80", "tls://", "tls://host", "tls:///run/selvage.sock", "tls://unix:s"}) {
     EXPECT_FALSE(read_address(text)) << text;

@@ -1,5 +1,5 @@
-// What the client does when a connection breaks at the worst moment: staged by a server that answers only what the
-// test has it answer.
+// Connections that break at the worst moment.  The server is part of the test and sends only the answers that the test
+// tells it to send.
 #include <gtest/gtest.h>
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/io_context.hpp>
@@ -24,7 +24,7 @@ class StagedServer {
     received_.clear();
     socket_.emplace(acceptor_.accept());
   }
-  Json hear() {
+  Json receive() {
     const std::size_t size = asio::read_until(*socket_, asio::dynamic_buffer(received_), '\n');
     Json message = Json::parse(received_.substr(0, size));
     received_.erase(0, size);
@@ -33,8 +33,8 @@ class StagedServer {
   void answer(const Json& id, const Json& result) {
     asio::write(*socket_, asio::buffer(Json{{"jsonrpc", "2.0"}, {"id", id}, {"result", result}}.dump() + "\n"));
   }
-  void hang_up() { socket_.reset(); }
-  void leave() { acceptor_.close(); }
+  void disconnect() { socket_.reset(); }
+  void stop_listening() { acceptor_.close(); }
 
  private:
   asio::io_context io_;
@@ -43,16 +43,16 @@ class StagedServer {
   std::string received_;
 };
 
-TEST(BrokenConnection, AChangeIsSentAgainUnderTheSameName) {
+TEST(BrokenConnection, AChangeIsSentAgainWithTheSameOpId) {
   StagedServer server;
   Client client{server.address()};
   Call call = client.begin("motion.compact", {{"markerId", "m1"}});
   server.accept();
-  const Json first = server.hear();
+  const Json first = server.receive();
   EXPECT_FALSE(first["params"]["opId"].get<std::string>().empty());
-  server.hang_up();
+  server.disconnect();
   server.accept();
-  const Json second = server.hear();
+  const Json second = server.receive();
   EXPECT_EQ(first, second);
   server.answer(second["id"], "done");
   const Answer answer = call.answer.get();
@@ -60,50 +60,50 @@ TEST(BrokenConnection, AChangeIsSentAgainUnderTheSameName) {
   EXPECT_EQ(*answer, "done");
 }
 
-TEST(BrokenConnection, NamesOfTheCallersChoiceStay) {
+TEST(BrokenConnection, KeepsTheOpIdOfTheCaller) {
   StagedServer server;
   Client client{server.address()};
   Call call = client.begin("marker.undo", {{"markerId", "m1"}, {"opId", "mine"}});
   server.accept();
-  EXPECT_EQ(server.hear()["params"]["opId"], "mine");
+  EXPECT_EQ(server.receive()["params"]["opId"], "mine");
   Call reading = client.begin("marker.get", {{"markerId", "m1"}});
-  EXPECT_FALSE(server.hear()["params"].contains("opId"));
+  EXPECT_FALSE(server.receive()["params"].contains("opId"));
 }
 
-TEST(BrokenConnection, WhatMustNotBeSentTwiceIsNot) {
+TEST(BrokenConnection, ACallThatMustNotBeRepeatedIsNotSentAgain) {
   StagedServer server;
   Client client{server.address()};
   Call drag = client.begin("drag.move", {{"dragId", "d1"}});
   Call info = client.begin("engine.info");
   server.accept();
-  EXPECT_EQ(server.hear()["method"], "drag.move");
-  EXPECT_EQ(server.hear()["method"], "engine.info");
-  server.hang_up();
+  EXPECT_EQ(server.receive()["method"], "drag.move");
+  EXPECT_EQ(server.receive()["method"], "engine.info");
+  server.disconnect();
   const Answer lost = drag.answer.get();
   ASSERT_FALSE(lost);
   EXPECT_EQ(lost.error().code, CallCode::kDisconnected);
   server.accept();
-  const Json again = server.hear();
+  const Json again = server.receive();
   EXPECT_EQ(again["method"], "engine.info");
   server.answer(again["id"], "info");
   EXPECT_TRUE(info.answer.get());
 }
 
-TEST(BrokenConnection, WhatWasWatchedIsWatchedAgainUntilClosed) {
+TEST(BrokenConnection, WatchesAreRestored) {
   StagedServer server;
   Client client{server.address()};
   Call watch = client.begin("marker.watch", {{"markerId", "m7"}});
   server.accept();
-  server.answer(server.hear()["id"], {{"watching", true}});
+  server.answer(server.receive()["id"], {{"watching", true}});
   ASSERT_TRUE(watch.answer.get());
-  server.hang_up();
+  server.disconnect();
   server.accept();
-  const Json again = server.hear();
+  const Json again = server.receive();
   EXPECT_EQ(again["method"], "marker.watch");
   EXPECT_EQ(again["params"]["markerId"], "m7");
 }
 
-TEST(BrokenConnection, PatienceEnds) {
+TEST(BrokenConnection, GivesUpAfterTheTimeLimit) {
   StagedServer server;
   std::promise<CallError> lost;
   Client client{server.address(),
@@ -111,21 +111,21 @@ TEST(BrokenConnection, PatienceEnds) {
                 {.lost = [&](const CallError& error) { lost.set_value(error); }}};
   Call call = client.begin("engine.info");
   server.accept();
-  (void)server.hear();
-  server.leave();
-  server.hang_up();
+  (void)server.receive();
+  server.stop_listening();
+  server.disconnect();
   const Answer answer = call.answer.get();
   ASSERT_FALSE(answer);
   EXPECT_EQ(answer.error().code, CallCode::kUnreachable);
   EXPECT_EQ(lost.get_future().get().code, CallCode::kUnreachable);
 }
 
-TEST(BrokenConnection, TheEndOfTheClientAnswersWhatIsOpen) {
+TEST(BrokenConnection, DestroyingTheClientAnswersOpenCalls) {
   StagedServer server;
   std::optional<Client> client{std::in_place, server.address()};
   Call call = client->begin("engine.info");
   server.accept();
-  (void)server.hear();
+  (void)server.receive();
   client.reset();
   const Answer answer = call.answer.get();
   ASSERT_FALSE(answer);

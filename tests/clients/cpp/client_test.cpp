@@ -1,4 +1,4 @@
-// The client and a live daemon: calls, cancelling, notifications, tokens, restarts.
+// The client with a live daemon: calls, cancellation, notifications, tokens, restarts.
 #include "clients/cpp/client.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace selvage::test {
 namespace {
 
-constexpr std::chrono::seconds kPatience{60};
+constexpr std::chrono::seconds kTimeout{60};
 
 std::string opened(Client& client, const std::string& name) {
   const Answer answer = client.call("marker.open", {{"marker", garment(name)}});
@@ -25,7 +25,7 @@ CallCode code_of(const Answer& answer) {
   return answer ? CallCode{} : answer.error().code;
 }
 
-TEST(Client, ManyCallsAtOnceAreEachAnsweredOnce) {
+TEST(Client, AnswersEachOfManyConcurrentCallsOnce) {
   const LiveDaemon daemon;
   Client client{daemon.tcp()};
   std::vector<std::thread> threads;
@@ -41,12 +41,12 @@ TEST(Client, ManyCallsAtOnceAreEachAnsweredOnce) {
   EXPECT_EQ(answered, 800);
 }
 
-TEST(Client, CancelledCallIsAnsweredSoAndCommitsNothing) {
+TEST(Client, ACancelledCallIsAnsweredCancelledAndChangesNothing) {
   const LiveDaemon daemon{{"--workers", "1"}};
   Client client{daemon.socket()};
   const std::string id = opened(client, "jeans_22g");
   std::vector<Call> calls;
-  // One worker: the last waits behind the others, and cannot have been answered when it is cancelled.
+  // With one worker the last call waits behind the others, so it is still unanswered when it is cancelled.
   for (int i = 0; i < 4; ++i) {
     calls.push_back(client.begin("motion.compact", {{"markerId", id}, {"commit", i == 3}}));
   }
@@ -58,7 +58,7 @@ TEST(Client, CancelledCallIsAnsweredSoAndCommitsNothing) {
   EXPECT_EQ((*got)["revision"], 1);
 }
 
-TEST(Client, HearsOfChangesAndProgress) {
+TEST(Client, ReceivesChangesAndProgress) {
   const LiveDaemon daemon;
   std::promise<Json> changed;
   std::atomic<int> rounds{};
@@ -73,25 +73,25 @@ TEST(Client, HearsOfChangesAndProgress) {
   const Answer done = author.call("motion.compact", {{"markerId", id}, {"progressToken", "mine"}});
   ASSERT_TRUE(done);
   EXPECT_EQ(rounds, (*done)["rounds"].get<int>());
-  auto told = changed.get_future();
-  ASSERT_EQ(told.wait_for(kPatience), std::future_status::ready);
-  const Json change = told.get();
+  auto notified = changed.get_future();
+  ASSERT_EQ(notified.wait_for(kTimeout), std::future_status::ready);
+  const Json change = notified.get();
   EXPECT_EQ(change["revision"], 2);
   EXPECT_EQ(change["length"], (*done)["lengthAfter"]);
 }
 
-TEST(Client, ShowsItsToken) {
+TEST(Client, SendsItsToken) {
   const std::string token_file = ::testing::TempDir() + "selvage-client-token-" + std::to_string(::getpid());
   std::ofstream{token_file} << "sixteen characters at least\n";
   const LiveDaemon daemon{{"--token-file", token_file}};
-  Client friendly{daemon.tcp(), {.token = "sixteen characters at least"}};
-  EXPECT_TRUE(friendly.call("engine.info"));
-  Client stranger{daemon.tcp(), {.token = "sixteen characters at last"}};
-  EXPECT_EQ(code_of(stranger.call("engine.info")), CallCode::kUnauthorised);
+  Client authorised{daemon.tcp(), {.token = "sixteen characters at least"}};
+  EXPECT_TRUE(authorised.call("engine.info"));
+  Client unauthorised{daemon.tcp(), {.token = "sixteen characters at last"}};
+  EXPECT_EQ(code_of(unauthorised.call("engine.info")), CallCode::kUnauthorised);
   std::filesystem::remove(token_file);
 }
 
-TEST(Client, TooLongACallIsRefusedByTheDaemonAndLeavesTheRestAlone) {
+TEST(Client, ACallThatIsTooLongFailsAloneWithTooLarge) {
   const LiveDaemon daemon{{"--max-body-mb", "1"}};
   Client client{daemon.socket()};
   Call longest = client.begin("marker.open", {{"marker", std::string(2 << 20, 'x')}});
@@ -99,7 +99,7 @@ TEST(Client, TooLongACallIsRefusedByTheDaemonAndLeavesTheRestAlone) {
   EXPECT_EQ(code_of(longest.answer.get()), CallCode::kTooLarge);
 }
 
-TEST(Client, GoesOnWhenTheDaemonIsKilledAndStartedAgain) {
+TEST(Client, ContinuesAfterTheDaemonIsKilledAndRestarted) {
   const std::string store = ::testing::TempDir() + "selvage-client-store-" + std::to_string(::getpid());
   {
     LiveDaemon daemon{{"--store", store}};
@@ -117,16 +117,16 @@ TEST(Client, GoesOnWhenTheDaemonIsKilledAndStartedAgain) {
     const Answer checked = waiting.answer.get();
     ASSERT_TRUE(checked) << checked.error().message;
     EXPECT_EQ((*checked)["revision"], 1);
-    ASSERT_EQ(again.get_future().wait_for(kPatience), std::future_status::ready);
+    ASSERT_EQ(again.get_future().wait_for(kTimeout), std::future_status::ready);
     ASSERT_TRUE(client.call("motion.compact", {{"markerId", id}}));
-    auto told = changed.get_future();
-    ASSERT_EQ(told.wait_for(kPatience), std::future_status::ready) << "it watches again";
-    EXPECT_EQ(told.get()["markerId"], id);
+    auto notified = changed.get_future();
+    ASSERT_EQ(notified.wait_for(kTimeout), std::future_status::ready) << "it watches again";
+    EXPECT_EQ(notified.get()["markerId"], id);
   }
   for (const char* end : {"", "-wal", "-shm", "-journal"}) std::filesystem::remove(store + end);
 }
 
-TEST(Client, SaysWhenThereIsNobody) {
+TEST(Client, ReportsADaemonThatCannotBeReached) {
   Client nowhere{"/nowhere/selvage.sock"};
   EXPECT_EQ(code_of(nowhere.call("engine.info")), CallCode::kUnreachable);
   EXPECT_EQ(code_of(nowhere.call("engine.info")), CallCode::kUnreachable);

@@ -1,4 +1,4 @@
-// The golden exchanges of tests/golden/rpc, played by the client to a live daemon, by both roads.
+// The golden exchanges of tests/golden/rpc, sent by the client to a live daemon over TCP and over a Unix socket.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -9,7 +9,7 @@
 namespace selvage::test {
 namespace {
 
-// Equal but for "$any", and exactly the same fields.
+// Equal apart from "$any", and with exactly the same fields.
 bool alike(const Json& expected, const Json& actual) {
   if (expected == "$any") return true;
   if (!expected.is_object() || !actual.is_object()) return expected == actual;
@@ -27,14 +27,14 @@ Json as_response(const Answer& answer) {
   return {{"error", error}};
 }
 
-// What the client's own envelope cannot say is not for it to play.
+// Whether the client can send the request: it always writes a correct JSON-RPC envelope.
 bool is_a_call(const Json& request) {
   return request.is_object() && request["jsonrpc"] == "2.0" && !request["id"].is_object();
 }
 
 class GoldenExchanges : public ::testing::TestWithParam<std::tuple<const char*, bool>> {};
 
-TEST_P(GoldenExchanges, ReachTheClientAsTheyAre) {
+TEST_P(GoldenExchanges, ReachTheClientUnchanged) {
   const auto& [name, over_tcp] = GetParam();
   const Json exchanges =
       Json::parse(text_of_file(std::string{SELVAGE_SOURCE_DIR} + "/tests/golden/rpc/" + name + ".json"));
@@ -48,9 +48,9 @@ TEST_P(GoldenExchanges, ReachTheClientAsTheyAre) {
     Json expected = exchange["response"];
     expected.erase("jsonrpc");
     expected.erase("id");
-    const Json came =
+    const Json received =
         as_response(client.call(request["method"].get<std::string>(), request.value("params", Json::object())));
-    EXPECT_TRUE(alike(expected, came)) << request << "\nexpected " << expected << "\nanswered " << came;
+    EXPECT_TRUE(alike(expected, received)) << request << "\nexpected " << expected << "\nanswered " << received;
   }
   EXPECT_GE(played, 6);
 }

@@ -1,4 +1,4 @@
-// selvaged as a user starts it, on a Unix socket and a free port.
+// A selvaged process that listens on a Unix socket and a free port.
 #pragma once
 
 #include <cstdlib>
@@ -49,10 +49,10 @@ class LiveDaemon {
   LiveDaemon& operator=(const LiveDaemon&) = delete;
 
   void start() {
-    std::vector<std::string> words{SELVAGED,     "--listen",      "127.0.0.1:0", "--port-file",
-                                   path("port"), "--listen-unix", path("socket")};
-    words.insert(words.end(), options_.begin(), options_.end());
-    process_ = std::make_unique<Process>(std::move(words));
+    std::vector<std::string> arguments{SELVAGED,     "--listen",      "127.0.0.1:0", "--port-file",
+                                       path("port"), "--listen-unix", path("socket")};
+    arguments.insert(arguments.end(), options_.begin(), options_.end());
+    process_ = std::make_unique<Process>(std::move(arguments));
     (void)process_->output_until(path("socket") + "\n");
   }
   void kill() {

@@ -1,4 +1,4 @@
-// The client by TLS, to daemons with a certificate of their own making.
+// The client over TLS, with daemons that have a self-signed certificate.
 #include <gtest/gtest.h>
 
 #include "tests/clients/cpp/live_daemon.h"
@@ -10,11 +10,11 @@ namespace {
 
 class Encrypted : public ::testing::Test {
  protected:
-  // "localhost" is whom the certificate is for.
+  // The certificate is for "localhost".
   [[nodiscard]] std::string address(const std::string& host = "localhost") const {
     return "tls://" + host + daemon_.tcp().substr(daemon_.tcp().find(':'));
   }
-  // Patient, so that a test hangs if it is tried again.
+  // With a long time limit, so that the test hangs if the client tries again.
   static Settings trusting(const std::string& certificate) {
     return {.trusted = certificate, .connect_for = std::chrono::hours{1}};
   }
@@ -24,7 +24,7 @@ class Encrypted : public ::testing::Test {
   LiveDaemon daemon_{{"--tls-cert", files_.certificate, "--tls-key", files_.key}};
 };
 
-TEST_F(Encrypted, CallsAndLongAnswersPass) {
+TEST_F(Encrypted, CallsAndLongAnswersArrive) {
   Client client{address(), trusting(files_.certificate)};
   const Answer opened = client.call("marker.open", {{"marker", garment("jeans_22g")}});
   ASSERT_TRUE(opened) << opened.error().message;
@@ -33,7 +33,7 @@ TEST_F(Encrypted, CallsAndLongAnswersPass) {
   EXPECT_GT(got->dump().size(), 100'000U);
 }
 
-TEST_F(Encrypted, ACertificateThatIsNotTrustedIsNotTriedAgain) {
+TEST_F(Encrypted, AnUntrustedCertificateIsNotRetried) {
   Client client{address(), trusting("")};
   const Answer answer = client.call("engine.info");
   ASSERT_FALSE(answer);
@@ -41,14 +41,14 @@ TEST_F(Encrypted, ACertificateThatIsNotTrustedIsNotTriedAgain) {
   EXPECT_NE(answer.error().message.find("certificate verify failed"), std::string::npos) << answer.error().message;
 }
 
-TEST_F(Encrypted, NorIsOneForAnotherHost) {
+TEST_F(Encrypted, ACertificateForAnotherHostIsNotTrusted) {
   Client client{address("127.0.0.1"), trusting(files_.certificate)};
   const Answer answer = client.call("engine.info");
   ASSERT_FALSE(answer);
   EXPECT_EQ(answer.error().code, CallCode::kUntrusted);
 }
 
-TEST(InClear, ADaemonDoesNotSpeakTls) {
+TEST(Plain, ADaemonWithoutTlsIsUntrusted) {
   const LiveDaemon daemon;
   Client client{"tls://" + daemon.tcp(), {.connect_for = std::chrono::hours{1}}};
   const Answer answer = client.call("engine.info");

@@ -92,9 +92,9 @@ TEST(CloserThan, IsExactBeyondDoubles) {
       const Integer area = below + more;
       const auto y = static_cast<Coord>(Integer{(area + m - 1) / m});
       const Vec corner{static_cast<Coord>(Integer{Integer{m} * y - area}), y};
-      const Polygon beside{corner, corner + Vec{5, 9}, corner + Vec{-5, 9}};
-      ASSERT_EQ(closer_than(placed(edge), placed(beside), distance), more == 0);
-      ASSERT_EQ(compare_distance(edge, beside, distance), more == 0 ? -1 : 1);
+      const Polygon neighbour{corner, corner + Vec{5, 9}, corner + Vec{-5, 9}};
+      ASSERT_EQ(closer_than(placed(edge), placed(neighbour), distance), more == 0);
+      ASSERT_EQ(compare_distance(edge, neighbour, distance), more == 0 ? -1 : 1);
     }
   }
 }

@@ -3,33 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/core/marker/random_layout.h"
 #include "tests/core/marker/squares.h"
 #include "tests/support/polygons.h"
 
 namespace selvage::test {
 namespace {
 
-Marker random_marker(Random& random, std::size_t pieces, Coord extent) {
-  Marker marker = squares({});
-  marker.strip.width = 1000;
-  marker.shapes.clear();
-  for (int k = 0; k < 5; ++k) {
-    marker.shapes.push_back(
-        {.id = std::to_string(k), .outline = random_polygon(random, 60), .rotations = {}, .tilt_limit = {}});
-  }
-  for (std::size_t k = 0; k < pieces; ++k) {
-    const Angle rotation = Angle::of_degrees(90.0 * static_cast<double>(random.between(0, 3)));
-    marker.pieces.push_back({.id = std::to_string(k),
-                             .shape = {static_cast<std::uint32_t>(random.below(5))},
-                             .orientation = {false, rotation, {}},
-                             .at = random.point(0, extent)});
-  }
-  return marker;
-}
-
 TEST(PlacedPieces, AreTheMarkersOutlines) {
   Random random{201};
-  const Marker marker = random_marker(random, 50, 1000);
+  const Marker marker = random_layout(random, 50, 1000);
   const marker::PlacedPieces pieces{marker};
   ASSERT_EQ(pieces.size(), 50U);
   EXPECT_EQ(pieces.length(), length_of(marker));
@@ -52,7 +35,7 @@ TEST(PlacedPieces, CanBeMoved) {
 TEST(PairsWithin, EqualBruteForce) {
   Random random{202};
   for (int trial = 0; trial < 200 / kSlowdown; ++trial) {
-    const Marker marker = random_marker(random, 40, random.between(10, 800));
+    const Marker marker = random_layout(random, 40, random.between(10, 800));
     const marker::PlacedPieces pieces{marker};
     const Coord distance = random.chance(30) ? 0 : random.between(1, 100);
     std::vector<marker::PiecePair> expected;
@@ -72,31 +55,9 @@ TEST(PairsWithin, ExcludePairsAtExactlyTheDistance) {
   EXPECT_EQ(pairs_within(pieces, 6), (std::vector<marker::PiecePair>{{0, 1}, {0, 2}, {1, 2}}));
 }
 
-TEST(Conflicts, EqualBruteForce) {
-  Random random{203};
-  for (int trial = 0; trial < 200 / kSlowdown; ++trial) {
-    Marker marker = random_marker(random, 20, random.between(50, 500));
-    if (random.chance(50)) marker.spacing = random.between(1, 40);
-    if (random.chance(50)) {
-      for (Piece& piece : marker.pieces) piece.buffer = random.between(0, 30);
-    }
-    const marker::PlacedPieces pieces{marker};
-    std::vector<marker::PiecePair> expected;
-    for (std::uint32_t i = 0; i < pieces.size(); ++i) {
-      for (std::uint32_t j = i + 1; j < pieces.size(); ++j) {
-        const Coord spacing = std::max(marker.spacing, marker.pieces[i].buffer + marker.pieces[j].buffer);
-        const bool conflict = spacing == 0 ? overlap(pieces[i], pieces[j]) : closer_than(pieces[i], pieces[j], spacing);
-        if (conflict) expected.emplace_back(i, j);
-      }
-    }
-    ASSERT_EQ(conflicts(pieces), expected);
-    ASSERT_EQ(any_conflict(pieces), !expected.empty());
-  }
-}
-
 TEST(PlacedPieces, CanReplaceTheOutlineOfOnePiece) {
   Random random{204};
-  Marker marker = random_marker(random, 6, 1000);
+  Marker marker = random_layout(random, 6, 1000);
   marker::PlacedPieces pieces{marker};
   const Vec far{5000, 7};
   const Polygon square{{0, 0}, {30, 0}, {30, 30}, {0, 30}};

@@ -134,10 +134,10 @@ class Boundary {
   }
   // True when another edge runs along this edge somewhere.
   [[nodiscard]] bool has_parallel_neighbour(std::size_t e) const {
-    const auto beside = [&](double t) { return neighbour_within(kRounding, along(ours_[e], t), e); };
+    const auto has_neighbour = [&](double t) { return neighbour_within(kRounding, along(ours_[e], t), e); };
     const double by_the_end = std::min(0.5, 16 / length_of(ours_[e]));
-    return std::any_of(std::begin(kSamples), std::end(kSamples), beside) || beside(by_the_end) ||
-           beside(1 - by_the_end);
+    return std::any_of(std::begin(kSamples), std::end(kSamples), has_neighbour) || has_neighbour(by_the_end) ||
+           has_neighbour(1 - by_the_end);
   }
 
   const minkowski::MinkowskiSum& sum_;

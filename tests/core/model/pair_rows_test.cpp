@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/core/motion/markers.h"
+
 namespace selvage::model {
 namespace {
 
@@ -23,6 +25,20 @@ TEST(RowOf, SlantedRowsKeepAMarginForRounding) {
   EXPECT_NEAR(row_of({0, 1}, side_at(slanted, {0, 0}, 0), kUnit, TightRows::kRestore).bound, 1.4, 1e-6);
   EXPECT_EQ(row_of({0, 1}, side_at(slanted, {0, 0}, 0), kUnit, TightRows::kKeep).bound, 0);
   EXPECT_NEAR(row_of({0, 1}, side_at(slanted, {-8, -6}, 0), kUnit, TightRows::kKeep).bound, 11.4, 1e-6);
+}
+
+TEST(PairRows, LeaveOutWhatASmallMotionCannotBreak) {
+  SumCache sums;
+  const auto square = sums.outline(test::rectangle(100, 100));
+  const minkowski::Obstacle obstacle = sums.obstacle({square, {}}, {square, {}});
+  const Vec r{130, 40};  // 30 units of room to the right of the first
+  const auto rows_within = [&](double motion) {
+    return pair_rows({0, 1}, {obstacle, r, r, 10}, region_within(1000, 10), {kUnit, TightRows::kRestore, motion});
+  };
+  ASSERT_EQ(rows_within(20).size(), 1U);
+  EXPECT_EQ(rows_within(20)[0].nx, 1);
+  EXPECT_EQ(rows_within(20)[0].bound, -20);  // 30 less the spacing
+  EXPECT_TRUE(rows_within(19).empty());
 }
 
 }  // namespace

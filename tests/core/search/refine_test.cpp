@@ -52,9 +52,9 @@ TEST(Refine, ExchangesWhatCompactionCannot) {
   EXPECT_EQ(standard_length(layout.marker()), 1200);
   EXPECT_EQ(refined(layout.marker(), brief(20'000)).length_after, 900);
   RefineSettings settings = brief(20'000);
-  settings.most_exchanged = 6;
+  settings.most_pieces_swapped = 6;
   EXPECT_EQ(refined(layout.marker(), settings).length_after, 900);
-  settings.most_exchanged = 5;
+  settings.most_pieces_swapped = 5;
   EXPECT_EQ(refined(layout.marker(), settings).length_after, 1200);
 }
 

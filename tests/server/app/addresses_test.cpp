@@ -22,7 +22,7 @@ TEST(Addresses, AreReadAndWritten) {
   EXPECT_EQ(std::get<TcpAddress>(read_address("localhost:1")).host, "127.0.0.1");
 }
 
-TEST(Addresses, MistakesAreTold) {
+TEST(Addresses, WrongOnesAreRefusedWithAReason) {
   for (const auto* text : {"", ":", "127.0.0.1", "127.0.0.1:", "127.0.0.1:-1", "127.0.0.1:65536", "127.0.0.1:80x",
                            "::1:80", "[127.0.0.1]:80", "[::1:80", "example.com:80", "127.1:80", "[]:80"}) {
     const auto read = read_address(text);
@@ -30,7 +30,7 @@ TEST(Addresses, MistakesAreTold) {
   }
 }
 
-TEST(Addresses, OfThisMachineOnly) {
+TEST(Addresses, LoopbackIsRecognised) {
   for (const auto* host : {"127.0.0.1", "127.8.9.10", "::1"}) EXPECT_TRUE(is_loopback(host)) << host;
   for (const auto* host : {"0.0.0.0", "::", "128.0.0.1", "192.168.1.127", "::ffff:1.2.3.4"}) {
     EXPECT_FALSE(is_loopback(host)) << host;

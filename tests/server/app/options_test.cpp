@@ -11,9 +11,9 @@
 namespace selvage::server::app {
 namespace {
 
-std::variant<Options, Farewell> parse(std::initializer_list<const char*> words) {
+std::variant<Options, EarlyExit> parse(std::initializer_list<const char*> arguments) {
   std::vector<const char*> argv{"selvaged"};
-  argv.insert(argv.end(), words);
+  argv.insert(argv.end(), arguments);
   return parse_options(static_cast<int>(argv.size()), argv.data());
 }
 
@@ -41,13 +41,13 @@ TEST(Options, AreRead) {
   EXPECT_EQ(options->log_level, "warn");
 }
 
-// The text with which these options are refused.
-std::string refusal(std::initializer_list<const char*> words) {
-  const auto parsed = parse(words);
-  const auto* farewell = std::get_if<Farewell>(&parsed);
-  if (farewell == nullptr) return "not refused";
-  EXPECT_EQ(farewell->exit_code, 2);
-  return farewell->text;
+// The error message for these options.
+std::string refusal(std::initializer_list<const char*> arguments) {
+  const auto parsed = parse(arguments);
+  const auto* early_exit = std::get_if<EarlyExit>(&parsed);
+  if (early_exit == nullptr) return "not refused";
+  EXPECT_EQ(early_exit->code, 2);
+  return early_exit->text;
 }
 
 class ExposedOptions : public ::testing::Test {
@@ -56,7 +56,7 @@ class ExposedOptions : public ::testing::Test {
   const std::string token_{folder_.write("token", "correct horse battery\nsecond line\n")};
 };
 
-TEST_F(ExposedOptions, NameWhatIsMissing) {
+TEST_F(ExposedOptions, TheErrorNamesTheMissingOption) {
   const char* token = token_.c_str();
   const auto misses = [](const std::string& text, const std::string& option) {
     return text.find("is reached by other machines: " + option) != std::string::npos;
@@ -73,40 +73,40 @@ TEST_F(ExposedOptions, NameWhatIsMissing) {
   EXPECT_NE(refusal({"--no-token", "--behind-proxy", "--token-file", token}).find("exclude"), std::string::npos);
 }
 
-TEST_F(ExposedOptions, AreTakenWhenAllIsThere) {
-  for (const auto& words : std::initializer_list<std::initializer_list<const char*>>{
+TEST_F(ExposedOptions, AreAcceptedWhenComplete) {
+  for (const auto& arguments : std::initializer_list<std::initializer_list<const char*>>{
            {"--listen", "0.0.0.0:0", "--token-file", token_.c_str(), "--tls-cert", "c", "--tls-key", "k"},
            {"--listen", "0.0.0.0:0", "--token-file", token_.c_str(), "--behind-proxy"},
            {"--listen", "0.0.0.0:0", "--no-token", "--behind-proxy"},
            {"--listen", "127.0.0.5:0"}}) {
-    const auto parsed = parse(words);
+    const auto parsed = parse(arguments);
     const auto* options = std::get_if<Options>(&parsed);
-    ASSERT_TRUE(options) << *(words.begin() + 1);
+    ASSERT_TRUE(options) << *(arguments.begin() + 1);
   }
   const auto parsed = parse({"--token-file", token_.c_str()});
   EXPECT_EQ(std::get<Options>(parsed).access.token, "correct horse battery");
 }
 
-TEST_F(ExposedOptions, ATokenMustBeThereAndLongEnough) {
+TEST_F(ExposedOptions, TheTokenFileMustExistAndTheTokenBeLongEnough) {
   EXPECT_NE(refusal({"--token-file", folder_.file("none").c_str()}).find("cannot read"), std::string::npos);
   EXPECT_NE(refusal({"--token-file", folder_.write("short", "123\n").c_str()}).find("too short"), std::string::npos);
   EXPECT_NE(refusal({"--token-file", folder_.write("empty", "").c_str()}).find("cannot read"), std::string::npos);
 }
 
-TEST(Options, DoorsAreListedHttpFirst) {
+TEST(Options, ListenersAreListedHttpFirst) {
   const auto parsed = parse({"--listen-unix", "/run/s", "--listen-tcp", "127.0.0.1:1", "--listen-tcp", "[::1]:2"});
   const auto* options = std::get_if<Options>(&parsed);
   ASSERT_TRUE(options);
-  const transport::access::Doors doors = doors_of(*options);
-  ASSERT_EQ(doors.listeners.size(), 4U);
-  EXPECT_EQ(doors.listeners[0].speaks, transport::access::Listener::Speaks::kHttp);
-  EXPECT_EQ(doors.listeners[0].port, 7171);
-  EXPECT_EQ(doors.listeners[1].port, 1);
-  EXPECT_EQ(doors.listeners[2].host, "::1");
-  EXPECT_EQ(doors.listeners[3].path, "/run/s");
+  const transport::access::ListenSettings listen = listen_settings(*options);
+  ASSERT_EQ(listen.listeners.size(), 4U);
+  EXPECT_EQ(listen.listeners[0].speaks, transport::access::Listener::Speaks::kHttp);
+  EXPECT_EQ(listen.listeners[0].port, 7171);
+  EXPECT_EQ(listen.listeners[1].port, 1);
+  EXPECT_EQ(listen.listeners[2].host, "::1");
+  EXPECT_EQ(listen.listeners[3].path, "/run/s");
 }
 
-TEST(Options, ComeFromAFileAndTheCommandLineComesFirst) {
+TEST(Options, TheCommandLineOverridesTheFile) {
   const test::TemporaryFolder folder;
   const std::string file = folder.write("selvaged.toml",
                                         "# how this machine serves\n"
@@ -118,14 +118,14 @@ TEST(Options, ComeFromAFileAndTheCommandLineComesFirst) {
                                         "log-level = \"warn\"\n");
   const auto parsed = parse({"--config", file.c_str(), "--workers", "2"});
   const auto* options = std::get_if<Options>(&parsed);
-  ASSERT_TRUE(options) << std::get<Farewell>(parsed).text;
+  ASSERT_TRUE(options) << std::get<EarlyExit>(parsed).text;
   EXPECT_EQ(options->port, 9000);
   EXPECT_EQ(options->listeners.size(), 2U);
   EXPECT_EQ(options->workers, 2U);
   EXPECT_EQ(options->log_level, "warn");
 }
 
-TEST(Options, AFileWithMistakesIsRefused) {
+TEST(Options, AFileWithErrorsIsRefused) {
   const test::TemporaryFolder folder;
   for (const auto* text : {"nonsense = 1\n", "workers = many\n", "listen = \"0.0.0.0:1\"\n", "check = \"x.json\"\n"}) {
     EXPECT_NE(refusal({"--config", folder.write("f", text).c_str()}), "not refused") << text;
@@ -143,35 +143,36 @@ TEST(Options, Tasks) {
   EXPECT_NE(refusal({"--svg", "out.svg"}), "not refused");
 }
 
-TEST(Options, MistakesAreRefused) {
-  for (const auto& words : std::initializer_list<std::initializer_list<const char*>>{{"--listen", "127.0.0.1"},
-                                                                                     {"--listen", "127.0.0.1:"},
-                                                                                     {"--listen", "127.0.0.1:65536"},
-                                                                                     {"--listen", "127.0.0.1:80x"},
-                                                                                     {"--workers", "-1"},
-                                                                                     {"--workers", "many"},
-                                                                                     {"--cache-mb", "0"},
-                                                                                     {"--log-level", "loud"},
-                                                                                     {"--listen", "example.com:80"},
-                                                                                     {"--listen", ":7171"},
-                                                                                     {"--listen-tcp", "::1:7171"},
-                                                                                     {"--drain-seconds", "-1"},
-                                                                                     {"--call-seconds", "0"},
-                                                                                     {"--nonsense"}}) {
-    const auto parsed = parse(words);
-    const auto* farewell = std::get_if<Farewell>(&parsed);
-    ASSERT_TRUE(farewell) << *words.begin();
-    EXPECT_EQ(farewell->exit_code, 2);
-    EXPECT_FALSE(farewell->text.empty());
+TEST(Options, ErrorsAreRefused) {
+  for (const auto& arguments :
+       std::initializer_list<std::initializer_list<const char*>>{{"--listen", "127.0.0.1"},
+                                                                 {"--listen", "127.0.0.1:"},
+                                                                 {"--listen", "127.0.0.1:65536"},
+                                                                 {"--listen", "127.0.0.1:80x"},
+                                                                 {"--workers", "-1"},
+                                                                 {"--workers", "many"},
+                                                                 {"--cache-mb", "0"},
+                                                                 {"--log-level", "loud"},
+                                                                 {"--listen", "example.com:80"},
+                                                                 {"--listen", ":7171"},
+                                                                 {"--listen-tcp", "::1:7171"},
+                                                                 {"--drain-seconds", "-1"},
+                                                                 {"--call-seconds", "0"},
+                                                                 {"--nonsense"}}) {
+    const auto parsed = parse(arguments);
+    const auto* early_exit = std::get_if<EarlyExit>(&parsed);
+    ASSERT_TRUE(early_exit) << *arguments.begin();
+    EXPECT_EQ(early_exit->code, 2);
+    EXPECT_FALSE(early_exit->text.empty());
   }
 }
 
-TEST(Options, VersionIsNoMistake) {
+TEST(Options, VersionExitsWithCode0) {
   const auto parsed = parse({"--version"});
-  const auto* farewell = std::get_if<Farewell>(&parsed);
-  ASSERT_TRUE(farewell);
-  EXPECT_EQ(farewell->exit_code, 0);
-  EXPECT_EQ(farewell->text.rfind("selvaged ", 0), 0U);
+  const auto* early_exit = std::get_if<EarlyExit>(&parsed);
+  ASSERT_TRUE(early_exit);
+  EXPECT_EQ(early_exit->code, 0);
+  EXPECT_EQ(early_exit->text.rfind("selvaged ", 0), 0U);
 }
 
 }  // namespace

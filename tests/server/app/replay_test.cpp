@@ -20,44 +20,44 @@ const std::string kOpen = R"({"jsonrpc":"2.0","id":1,"method":"marker.open","par
   "pieces":[{"id":"a","shape":"square","at":[0,0]},{"id":"b","shape":"square","at":[50,10]}]}}})";
 const std::string kCompact = R"({"jsonrpc":"2.0","id":2,"method":"motion.compact","params":{"markerId":"m1"}})";
 
-TEST(Replay, AnswersEachCallBeforeTheNextBegins) {
+TEST(Replay, AnswersEachCallBeforeTheNextStarts) {
   for (const std::size_t workers : {0, 2}) {
     Daemon daemon{without_sockets(workers)};
     EXPECT_TRUE(daemon.listeners().empty());
     const auto replayed = replay(daemon, "[" + kOpen + "," + kCompact + "]");
     ASSERT_TRUE(replayed);
-    EXPECT_TRUE(replayed->went_well);
+    EXPECT_TRUE(replayed->succeeded);
     ASSERT_EQ(replayed->answers.size(), 2U);
     EXPECT_EQ(Json::parse(replayed->answers[0])["result"]["markerId"], "m1");
     EXPECT_LT(Json::parse(replayed->answers[1])["result"]["lengthAfter"].get<double>(), 90);
   }
 }
 
-TEST(Replay, OneCallAndItsDrawing) {
+TEST(Replay, AnswersOneCallAndDrawsTheMarker) {
   Daemon daemon{without_sockets(1)};
-  EXPECT_FALSE(drawing_of_last(daemon));
+  EXPECT_FALSE(draw_last_marker(daemon));
   ASSERT_TRUE(replay(daemon, kOpen));
-  const auto drawing = drawing_of_last(daemon);
+  const auto drawing = draw_last_marker(daemon);
   ASSERT_TRUE(drawing);
   EXPECT_EQ(drawing->rfind("<svg", 0), 0U);
 }
 
-TEST(Replay, DrawsTheLastOfMoreThanNine) {
+TEST(Replay, DrawsTheLastOfMoreThanNineMarkers) {
   Daemon daemon{without_sockets(1)};
   for (int i = 1; i <= 11; ++i) {
     const std::string name = R"("name":"number )" + std::to_string(i) + R"(",)";
     ASSERT_TRUE(replay(daemon, std::string{kOpen}.insert(kOpen.find(R"("strip")"), name)));
   }
-  const auto drawing = drawing_of_last(daemon);
+  const auto drawing = draw_last_marker(daemon);
   ASSERT_TRUE(drawing);
   EXPECT_NE(drawing->find("number 11"), std::string::npos) << *drawing;
 }
 
-TEST(Replay, SaysWhenACallFailed) {
+TEST(Replay, ReportsThatACallFailed) {
   Daemon daemon{without_sockets(1)};
   const auto replayed = replay(daemon, "[" + kCompact + R"(,{"jsonrpc":"2.0","method":"engine.info"}])");
   ASSERT_TRUE(replayed);
-  EXPECT_FALSE(replayed->went_well);
+  EXPECT_FALSE(replayed->succeeded);
   EXPECT_EQ(replayed->answers.size(), 1U);  // none for the notification
   EXPECT_FALSE(replay(daemon, "{"));
 }

@@ -1,4 +1,4 @@
-// Every race is staged with latches; nothing sleeps.
+// Every race is staged with latches; no test sleeps.
 #include "server/jobs/job_queue.h"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ TEST(JobQueue, RunsJobsAtTheSameTime) {
   std::latch done{2};
   for (int i = 0; i < 2; ++i) {
     ASSERT_EQ(submit(queue, job([&](auto) {
-                       both.arrive_and_wait();  // ends only when both jobs are in
+                       both.arrive_and_wait();  // returns only when both jobs have started
                        done.count_down();
                      })),
               Admission::kAccepted);
@@ -52,8 +52,8 @@ TEST(JobQueue, RunsJobsAtTheSameTime) {
   done.wait();
 }
 
-TEST(JobQueue, RunsALaneInOrderAndOneAtATime) {
-  std::vector<int> order;  // not guarded: the lane is
+TEST(JobQueue, RunsTheJobsOfALaneInOrderOneAtATime) {
+  std::vector<int> order;  // needs no mutex, because the lane runs one job at a time
   {
     JobQueue queue{4, 64};
     std::latch first_may_end{1};
@@ -73,7 +73,7 @@ TEST(JobQueue, RunsALaneInOrderAndOneAtATime) {
   EXPECT_EQ(order, expected);
 }
 
-TEST(JobQueue, ABusyLaneHoldsUpNoOther) {
+TEST(JobQueue, ABusyLaneDoesNotDelayOthers) {
   JobQueue queue{2, 8};
   std::latch release{1};
   std::latch other_done{1};
@@ -84,7 +84,7 @@ TEST(JobQueue, ABusyLaneHoldsUpNoOther) {
   release.count_down();
 }
 
-TEST(JobQueue, RefusesWhatIsBeyondItsCapacityAndLeavesItWhole) {
+TEST(JobQueue, RefusesJobsBeyondItsCapacityAndLeavesThemUnchanged) {
   JobQueue queue{1, 2};
   std::latch started{1};
   std::latch release{1};
@@ -98,7 +98,7 @@ TEST(JobQueue, RefusesWhatIsBeyondItsCapacityAndLeavesItWhole) {
             Admission::kAccepted);
   started.wait();
   ASSERT_EQ(submit(queue, job(count, "m1")), Admission::kAccepted);
-  ASSERT_EQ(submit(queue, job(count, "m1")), Admission::kAccepted);  // behind in its lane: it counts too
+  ASSERT_EQ(submit(queue, job(count, "m1")), Admission::kAccepted);  // a job that waits in its lane counts, too
   EXPECT_EQ(queue.waiting(), 2U);
   bool ran = false;
   Job refused = job([&](auto) { ran = true; });
@@ -136,8 +136,8 @@ TEST(JobQueue, QuickJobsDoNotWaitForLongOnes) {
   EXPECT_TRUE(long_ran);
 }
 
-TEST(JobQueue, ALaneIsOneForQuickJobsAndLongOnes) {
-  std::vector<int> order;  // not guarded: the lane is
+TEST(JobQueue, QuickAndLongJobsOfALaneRunOneAtATime) {
+  std::vector<int> order;  // needs no mutex, because the lane runs one job at a time
   {
     JobQueue queue{2, 64, 1};
     std::latch first_may_end{1};
@@ -157,7 +157,7 @@ TEST(JobQueue, ALaneIsOneForQuickJobsAndLongOnes) {
   EXPECT_TRUE(std::is_sorted(order.begin(), order.end()));
 }
 
-TEST(JobQueue, AFullQueueTakesOneJobOfWhoHasNoneWaiting) {
+TEST(JobQueue, AFullQueueAdmitsASessionWithoutWaitingJobs) {
   JobQueue queue{1, 2};
   std::latch release{1};
   std::latch started{1};
@@ -181,7 +181,7 @@ TEST(JobQueue, AFullQueueTakesOneJobOfWhoHasNoneWaiting) {
   release.count_down();
 }
 
-TEST(JobQueue, TellsToRetryByWhatRunsNowToo) {
+TEST(JobQueue, TheRetryTimeIncludesTheRunningJobs) {
   JobQueue queue{1, 1};
   for (int i = 0; i < 100; ++i) {  // jobs are known to be short
     std::latch done{1};
@@ -199,7 +199,7 @@ TEST(JobQueue, TellsToRetryByWhatRunsNowToo) {
   release.count_down();
 }
 
-TEST(JobQueue, AJobThatThrowsEndsAloneAndDropsWhatItOwned) {
+TEST(JobQueue, AJobThatThrowsIsDestroyedAndAffectsNoOther) {
   JobQueue queue{1, 8};
   std::latch dropped{1};
   std::latch next_ran{1};
@@ -214,7 +214,7 @@ TEST(JobQueue, AJobThatThrowsEndsAloneAndDropsWhatItOwned) {
   EXPECT_EQ(owned.use_count(), 1);
 }
 
-TEST(JobQueue, StopsARunningJobWhoseCallerIsGone) {
+TEST(JobQueue, StopsARunningJobWhenItsCallerLeaves) {
   JobQueue queue{1, 8};
   std::stop_source caller;
   std::latch started{1};
@@ -232,7 +232,7 @@ TEST(JobQueue, StopsARunningJobWhoseCallerIsGone) {
   ended.wait();
 }
 
-TEST(JobQueue, AJobWhoseCallerWentWhileItWaitedStartsStopped) {
+TEST(JobQueue, AJobWhoseCallerHasLeftStartsStopped) {
   JobQueue queue{1, 8};
   std::stop_source caller;
   std::latch release{1};
@@ -252,7 +252,7 @@ TEST(JobQueue, AJobWhoseCallerWentWhileItWaitedStartsStopped) {
   EXPECT_TRUE(stopped);
 }
 
-TEST(JobQueue, DrainStopsWhatRunsAndWaitsForAllThatWasAccepted) {
+TEST(JobQueue, DrainingStopsRunningJobsAndWaitsForAllAccepted) {
   JobQueue queue{1, 8};
   std::latch started{1};
   std::vector<bool> stopped;

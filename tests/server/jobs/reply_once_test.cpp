@@ -11,7 +11,7 @@ namespace {
 
 using Reply = ReplyOnce<std::string>;
 
-TEST(ReplyOnce, SendsWhatItIsGiven) {
+TEST(ReplyOnce, SendsItsAnswer) {
   std::vector<std::string> sent;
   {
     Reply reply{[&](std::string answer) { sent.push_back(std::move(answer)); }, "lost"};
@@ -20,7 +20,7 @@ TEST(ReplyOnce, SendsWhatItIsGiven) {
   EXPECT_EQ(sent, std::vector<std::string>{"done"});
 }
 
-TEST(ReplyOnce, AnswersWhenItIsDropped) {
+TEST(ReplyOnce, AnswersWhenDestroyedUnused) {
   std::vector<std::string> sent;
   {
     const Reply reply{[&](std::string answer) { sent.push_back(std::move(answer)); }, "lost"};
@@ -28,7 +28,7 @@ TEST(ReplyOnce, AnswersWhenItIsDropped) {
   EXPECT_EQ(sent, std::vector<std::string>{"lost"});
 }
 
-TEST(ReplyOnce, MovesTheRightAndNotACopyOfIt) {
+TEST(ReplyOnce, MovingLeavesTheSourceUsed) {
   std::vector<std::string> sent;
   {
     Reply first{[&](std::string answer) { sent.push_back(std::move(answer)); }, "lost"};

@@ -22,7 +22,7 @@ TEST(Metrics, CountAnswersByMethodAndOutcome) {
   EXPECT_TRUE(has_line(text, R"(selvage_calls_total{method="marker.get",code="-32012"} 1)")) << text;
 }
 
-TEST(Metrics, HistogramsGrowToTheirCount) {
+TEST(Metrics, HistogramsAreCumulative) {
   Metrics metrics;
   for (const double milliseconds : {0.3, 2.0, 50.0, 1e6}) {
     metrics.count({.method = "motion.compact", .milliseconds = milliseconds});
@@ -32,7 +32,7 @@ TEST(Metrics, HistogramsGrowToTheirCount) {
   const auto bucket = [&](const std::string& bound, int count) {
     return has_line(text, start + R"(_bucket{method="motion.compact",le=")" + bound + "\"} " + std::to_string(count));
   };
-  EXPECT_TRUE(bucket("0.3", 1)) << text;  // a bound belongs to its bucket
+  EXPECT_TRUE(bucket("0.3", 1)) << text;  // a value on the bound belongs to the bucket
   EXPECT_TRUE(bucket("1", 1));
   EXPECT_TRUE(bucket("3", 2));
   EXPECT_TRUE(bucket("100", 3));
@@ -42,7 +42,7 @@ TEST(Metrics, HistogramsGrowToTheirCount) {
   EXPECT_TRUE(has_line(text, start + R"(_sum{method="motion.compact"} 1000052.3)")) << text;
 }
 
-TEST(Metrics, CallersMakeNoLabels) {
+TEST(Metrics, ClientsCannotCreateLabels) {
   Metrics metrics;
   metrics.count({.method = "no.such.method", .code = -32601});
   metrics.count({.method = "x\"} 1\nforged 2", .code = -32601});
@@ -53,7 +53,7 @@ TEST(Metrics, CallersMakeNoLabels) {
   EXPECT_EQ(text.find("forged"), std::string::npos);
 }
 
-TEST(Metrics, ValuesOfNow) {
+TEST(Metrics, CurrentValuesAreWritten) {
   EXPECT_EQ(metric_text({"markers", Metric::Type::kGauge, "Open.", "", {{"", 3}}}),
             "# HELP markers Open.\n# TYPE markers gauge\nmarkers 3\n");
   EXPECT_EQ(metric_text({"c", Metric::Type::kCounter, "Came.", "how", {{"in", 1}, {"out", 2.5}}}),

@@ -17,7 +17,7 @@ Coord x_of(const std::optional<MarkerFile>& file) {
   return file ? file->marker.pieces.at(0).at.x : -1;
 }
 
-TEST(History, RemembersSoManySteps) {
+TEST(History, KeepsALimitedNumberOfSteps) {
   History history;
   const Coord last = 3 * static_cast<Coord>(History::kMostSteps);
   for (Coord x = 0; x < last; ++x) {
@@ -34,7 +34,7 @@ TEST(History, RemembersSoManySteps) {
   EXPECT_EQ(x_of(history.after(Way::kRedo, *state(x))), x + 1);
 }
 
-TEST(History, KeepsWholeMarkersOnlyWhenMovesDoNotDoAndWithinItsMemory) {
+TEST(History, KeepsWholeMarkersOnlyIfMovesDoNotSufficeAndWithinItsMemory) {
   History history;
   constexpr std::size_t kPieces = 20'000;
   for (std::size_t extra = 0; extra < 40; ++extra) {

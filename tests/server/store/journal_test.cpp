@@ -1,4 +1,4 @@
-// The journal: what was acknowledged comes back; what is torn is cut off.
+// The journal restores what was acknowledged and removes what cannot be read.
 #include "server/store/journal.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <random>
 
 #include "server/store/journal_database.h"
-#include "tests/server/dispatch/desk.h"
+#include "tests/server/dispatch/local_server.h"
 
 namespace selvage::test {
 namespace {
@@ -22,12 +22,12 @@ class JournalTest : public ::testing::Test {
   }
   ~JournalTest() override { std::filesystem::remove_all(folder_); }
   [[nodiscard]] std::string path() const { return (folder_ / "store.db").string(); }
-  // Everything that can be asked of all markers, as text.
-  static std::string all_of(Desk& desk) {
-    std::string text = desk.ask(call(1, "marker.list"));
+  // The content of all open markers, as text.
+  static std::string all_of(LocalServer& local) {
+    std::string text = local.ask(call(1, "marker.list"));
     const Json list = Json::parse(text);
     for (const Json& marker : list["result"]["markers"]) {
-      text += desk.ask(call(1, "marker.get", R"({"markerId":)" + marker["markerId"].dump() + "}"));
+      text += local.ask(call(1, "marker.get", R"({"markerId":)" + marker["markerId"].dump() + "}"));
     }
     return text;
   }
@@ -35,33 +35,33 @@ class JournalTest : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
-TEST_F(JournalTest, EverythingIsThereAgain) {
+TEST_F(JournalTest, RestoresEverything) {
   std::string before;
   std::string answered;
   const std::string retry = call(1, "motion.compact", R"({"markerId":"m1","opId":"mine"})");
   {
     server::store::Journal journal{path(), server::store::Durability::kFull};
-    Desk desk{0, pushing_engine(), {}, &journal};
-    for (int i = 0; i < 3; ++i) (void)desk.open_small();
-    answered = desk.ask(retry);
-    (void)desk.result("marker.apply", R"({'markerId':'m1','ops':[{'op':'lock','piece':'low'},
+    LocalServer local{0, pushing_methods(), {}, &journal};
+    for (int i = 0; i < 3; ++i) (void)local.open_small();
+    answered = local.ask(retry);
+    (void)local.result("marker.apply", R"({'markerId':'m1','ops':[{'op':'lock','piece':'low'},
         {'op':'move','piece':'high','at':[0.125,5]}]})");
-    (void)desk.result("marker.apply", R"({'markerId':'m3','ops':[{'op':'setSpacing','spacing':0.5},
+    (void)local.result("marker.apply", R"({'markerId':'m3','ops':[{'op':'setSpacing','spacing':0.5},
         {'op':'add','piece':{'id':'new','shape':'tri','at':[5,5],'attributes':{'colour':'red'}},
          'shape':{'id':'tri','outline':[[0,0],[1,0],[0,1]],'rotations':'any','tilt_limit':3}},
         {'op':'tilt','piece':'new','to':1.5},{'op':'rotate','piece':'new','to':33}]})");
-    (void)desk.result("marker.close", "{'markerId':'m2'}");
-    before = all_of(desk);
+    (void)local.result("marker.close", "{'markerId':'m2'}");
+    before = all_of(local);
   }
   server::store::Journal journal{path(), server::store::Durability::kFull};
-  Desk desk{0, pushing_engine(), {}, &journal};
-  EXPECT_EQ(all_of(desk), before);
-  EXPECT_EQ(desk.ask(retry), answered);
-  EXPECT_EQ(desk.open_small(), "m4");  // m2 is never used twice
+  LocalServer local{0, pushing_methods(), {}, &journal};
+  EXPECT_EQ(all_of(local), before);
+  EXPECT_EQ(local.ask(retry), answered);
+  EXPECT_EQ(local.open_small(), "m4");  // m2 is never used twice
 }
 
-// One desk is left alone, the other's daemon ends and starts again every few calls.
-TEST_F(JournalTest, WhatCanBeUndoneAndRedoneIsThereAgain) {
+// Two servers get the same calls; one of them is restarted every few calls.
+TEST_F(JournalTest, RestoresTheUndoAndRedoHistory) {
   std::mt19937 random{20'26};
   const auto some_call = [&random](int number) -> std::pair<std::string, std::string> {
     const std::string n = std::to_string(number);
@@ -77,147 +77,147 @@ TEST_F(JournalTest, WhatCanBeUndoneAndRedoneIsThereAgain) {
       default: return {"marker.apply", "{'markerId':'m1','ops':[{'op':'move','piece':'low','at':[" + n + ".25,0]}]}"};
     }
   };
-  Desk steady;
+  LocalServer steady;
   (void)steady.open_small();
   {
     server::store::Journal journal{path(), server::store::Durability::kRelaxed};
-    Desk desk{0, pushing_engine(), {}, &journal};
-    (void)desk.open_small();
+    LocalServer local{0, pushing_methods(), {}, &journal};
+    (void)local.open_small();
   }
   for (int start = 0; start < 60; ++start) {
     server::store::Journal journal{path(), server::store::Durability::kRelaxed};
-    Desk desk{0, pushing_engine(), {}, &journal};
+    LocalServer local{0, pushing_methods(), {}, &journal};
     for (int k = 0; k < 5; ++k) {
       const auto [method, params] = some_call(5 * start + k);
-      ASSERT_EQ(desk.result(method, params), steady.result(method, params)) << method << params;
+      ASSERT_EQ(local.result(method, params), steady.result(method, params)) << method << params;
     }
-    ASSERT_EQ(all_of(desk), all_of(steady));
+    ASSERT_EQ(all_of(local), all_of(steady));
   }
 }
 
-TEST_F(JournalTest, AHistoryKeepsItsBounds) {
+TEST_F(JournalTest, ARestoredHistoryKeepsItsLimits) {
   {
     server::store::Journal journal{path(), server::store::Durability::kRelaxed};
-    Desk desk{0, pushing_engine(), {}, &journal};
-    (void)desk.open_small();
+    LocalServer local{0, pushing_methods(), {}, &journal};
+    (void)local.open_small();
     for (std::size_t i = 0; i < server::store::History::kMostSteps + 50; ++i) {
-      (void)desk.result("marker.apply",
-                        "{'markerId':'m1','ops':[{'op':'move','piece':'low','at':[" + std::to_string(i) + ".25,0]}]}");
+      (void)local.result("marker.apply",
+                         "{'markerId':'m1','ops':[{'op':'move','piece':'low','at':[" + std::to_string(i) + ".25,0]}]}");
     }
   }
   server::store::Journal journal{path(), server::store::Durability::kRelaxed};
-  Desk desk{0, pushing_engine(), {}, &journal};
+  LocalServer local{0, pushing_methods(), {}, &journal};
   std::size_t undone = 0;
-  while (desk.result("marker.undo", "{'markerId':'m1'}").contains("revision")) ++undone;
+  while (local.result("marker.undo", "{'markerId':'m1'}").contains("revision")) ++undone;
   EXPECT_EQ(undone, server::store::History::kMostSteps);
 }
 
-TEST_F(JournalTest, AHistoryThatCannotBeReadIsCutOffThere) {
+TEST_F(JournalTest, AHistoryIsCutOffWhereItCannotBeRead) {
   {
     server::store::Journal journal{path(), server::store::Durability::kFull};
-    Desk desk{0, pushing_engine(), {}, &journal};
-    (void)desk.open_small();
+    LocalServer local{0, pushing_methods(), {}, &journal};
+    (void)local.open_small();
     for (int x = 1; x <= 4; ++x) {
-      (void)desk.result("marker.apply",
-                        "{'markerId':'m1','ops':[{'op':'move','piece':'low','at':[" + std::to_string(x) + ",0]}]}");
+      (void)local.result("marker.apply",
+                         "{'markerId':'m1','ops':[{'op':'move','piece':'low','at':[" + std::to_string(x) + ",0]}]}");
     }
-    (void)desk.result("marker.undo", "{'markerId':'m1'}");
+    (void)local.result("marker.undo", "{'markerId':'m1'}");
   }
   server::store::Database{path()}.run("UPDATE history SET step = substr(step, 1, 20) WHERE way = 0 AND serial = 2");
-  for (int start = 0; start < 2; ++start) {  // the second start finds nothing to cut
+  for (int start = 0; start < 2; ++start) {  // the second start finds nothing to remove
     server::store::Journal journal{path(), server::store::Durability::kFull};
-    Desk desk{0, pushing_engine(), {}, &journal};
-    const auto way_back = desk.store.way_back("m1", server::store::Way::kUndo);
-    EXPECT_EQ(way_back->undo_steps, 1U);
-    EXPECT_EQ(way_back->redo_steps, 1U);
+    LocalServer local{0, pushing_methods(), {}, &journal};
+    const auto undo = local.store().peek("m1", server::store::UndoDirection::kUndo);
+    EXPECT_EQ(undo->undo_steps, 1U);
+    EXPECT_EQ(undo->redo_steps, 1U);
   }
 }
 
-TEST_F(JournalTest, AStoreThatKeptNoHistoryIsTakenOver) {
+TEST_F(JournalTest, AStoreWithoutHistoryIsUpgraded) {
   std::string before;
   {
     server::store::Journal journal{path(), server::store::Durability::kFull};
-    Desk desk{0, pushing_engine(), {}, &journal};
-    (void)desk.open_small();
-    (void)desk.result("motion.compact", "{'markerId':'m1'}");
-    before = all_of(desk);
+    LocalServer local{0, pushing_methods(), {}, &journal};
+    (void)local.open_small();
+    (void)local.result("motion.compact", "{'markerId':'m1'}");
+    before = all_of(local);
   }
   server::store::Database{path()}.run("DROP TABLE history; PRAGMA user_version = 1");
   for (std::size_t start = 0; start < 2; ++start) {
     server::store::Journal journal{path(), server::store::Durability::kFull};
-    Desk desk{0, pushing_engine(), {}, &journal};
-    EXPECT_EQ(desk.store.way_back("m1", server::store::Way::kUndo)->undo_steps, start);
+    LocalServer local{0, pushing_methods(), {}, &journal};
+    EXPECT_EQ(local.store().peek("m1", server::store::UndoDirection::kUndo)->undo_steps, start);
     if (start > 0) break;
-    EXPECT_EQ(all_of(desk), before);
-    (void)desk.result("motion.compact", "{'markerId':'m1'}");
+    EXPECT_EQ(all_of(local), before);
+    (void)local.result("motion.compact", "{'markerId':'m1'}");
   }
 }
 
-TEST_F(JournalTest, ManyStepsAndSnapshotsReplayToTheSame) {
+TEST_F(JournalTest, ManyStepsAndSnapshotsRestoreTheSameMarker) {
   std::string before;
   {
     server::store::Journal journal{path(), server::store::Durability::kRelaxed};
-    Desk desk{0, pushing_engine(), {}, &journal};
-    (void)desk.open_small();
+    LocalServer local{0, pushing_methods(), {}, &journal};
+    (void)local.open_small();
     for (int i = 0; i < 1500; ++i) {
-      (void)desk.result("marker.apply", "{'markerId':'m1','opId':'" + std::to_string(i) +
-                                            "','ops':[{'op':'move','piece':'low','at':[" + std::to_string(i % 77) +
-                                            ".25,0]}]}");
+      (void)local.result("marker.apply", "{'markerId':'m1','opId':'" + std::to_string(i) +
+                                             "','ops':[{'op':'move','piece':'low','at':[" + std::to_string(i % 77) +
+                                             ".25,0]}]}");
     }
-    before = all_of(desk);
+    before = all_of(local);
   }
-  EXPECT_LT(std::filesystem::file_size(path()), 4U << 20);  // snapshots take the place of steps
+  EXPECT_LT(std::filesystem::file_size(path()), 4U << 20);  // snapshots replace steps
   server::store::Journal journal{path(), server::store::Durability::kRelaxed};
-  Desk desk{0, pushing_engine(), {}, &journal};
-  EXPECT_EQ(all_of(desk), before);
-  EXPECT_FALSE(desk.store.answer("m1", std::to_string(1499 - server::store::KeptAnswers::kMost)));
-  EXPECT_TRUE(desk.store.answer("m1", "1499"));
+  LocalServer local{0, pushing_methods(), {}, &journal};
+  EXPECT_EQ(all_of(local), before);
+  EXPECT_FALSE(local.store().answer("m1", std::to_string(1499 - server::store::KeptAnswers::kMost)));
+  EXPECT_TRUE(local.store().answer("m1", "1499"));
 }
 
-TEST_F(JournalTest, WhatDoesNotFollowIsCutOff) {
+TEST_F(JournalTest, StepsAfterAMissingRevisionAreRemoved) {
   {
     server::store::Journal journal{path(), server::store::Durability::kFull};
-    Desk desk{0, pushing_engine(), {}, &journal};
-    (void)desk.open_small();
-    for (int i = 0; i < 3; ++i) (void)desk.result("motion.compact", "{'markerId':'m1'}");
+    LocalServer local{0, pushing_methods(), {}, &journal};
+    (void)local.open_small();
+    for (int i = 0; i < 3; ++i) (void)local.result("motion.compact", "{'markerId':'m1'}");
   }
   {
     server::store::Database database{path()};
     database.run("UPDATE step SET moves = substr(moves, 1, 20) WHERE revision = 3");
   }
-  for (int start = 0; start < 2; ++start) {  // the second start finds nothing to cut
+  for (int start = 0; start < 2; ++start) {  // the second start finds nothing to remove
     server::store::Journal journal{path(), server::store::Durability::kFull};
-    Desk desk{0, pushing_engine(), {}, &journal};
-    EXPECT_EQ(desk.store.current("m1")->revision, 2U);
-    EXPECT_EQ(desk.result("marker.check", "{'markerId':'m1'}")["valid"], true);
-    EXPECT_EQ(code_of(desk.result("marker.undo", "{'markerId':'m1'}")), -32000);
+    LocalServer local{0, pushing_methods(), {}, &journal};
+    EXPECT_EQ(local.store().current("m1")->revision, 2U);
+    EXPECT_EQ(local.result("marker.check", "{'markerId':'m1'}")["valid"], true);
+    EXPECT_EQ(code_of(local.result("marker.undo", "{'markerId':'m1'}")), -32000);
   }
   server::store::Journal journal{path(), server::store::Durability::kFull};
-  Desk desk{0, pushing_engine(), {}, &journal};
-  EXPECT_EQ(desk.result("motion.compact", "{'markerId':'m1'}")["revision"], 3);
+  LocalServer local{0, pushing_methods(), {}, &journal};
+  EXPECT_EQ(local.result("motion.compact", "{'markerId':'m1'}")["revision"], 3);
 }
 
-TEST_F(JournalTest, ATornTailOfTheFileIsLeftOut) {
+TEST_F(JournalTest, AnIncompleteEndOfTheFileIsIgnored) {
   const std::string log = path() + "-wal";
-  const std::string torn = (folder_ / "torn.db").string();
+  const std::string incomplete = (folder_ / "incomplete.db").string();
   {
     server::store::Journal journal{path(), server::store::Durability::kFull};
-    Desk desk{0, pushing_engine(), {}, &journal};
-    (void)desk.open_small();
-    (void)desk.result("motion.compact", "{'markerId':'m1'}");
-    (void)desk.result("motion.compact", "{'markerId':'m1'}");
-    // As a crash would leave it, the last write half done.
-    std::filesystem::copy(path(), torn);
-    std::filesystem::copy(log, torn + "-wal");
+    LocalServer local{0, pushing_methods(), {}, &journal};
+    (void)local.open_small();
+    (void)local.result("motion.compact", "{'markerId':'m1'}");
+    (void)local.result("motion.compact", "{'markerId':'m1'}");
+    // As after a crash in the middle of the last write.
+    std::filesystem::copy(path(), incomplete);
+    std::filesystem::copy(log, incomplete + "-wal");
   }
-  std::filesystem::resize_file(torn + "-wal", std::filesystem::file_size(torn + "-wal") - 100);
-  server::store::Journal journal{torn, server::store::Durability::kFull};
-  Desk desk{0, pushing_engine(), {}, &journal};
-  EXPECT_EQ(desk.store.current("m1")->revision, 2U);
-  EXPECT_EQ(desk.result("motion.compact", "{'markerId':'m1'}")["revision"], 3);
+  std::filesystem::resize_file(incomplete + "-wal", std::filesystem::file_size(incomplete + "-wal") - 100);
+  server::store::Journal journal{incomplete, server::store::Durability::kFull};
+  LocalServer local{0, pushing_methods(), {}, &journal};
+  EXPECT_EQ(local.store().current("m1")->revision, 2U);
+  EXPECT_EQ(local.result("motion.compact", "{'markerId':'m1'}")["revision"], 3);
 }
 
-TEST_F(JournalTest, RefusesWhatIsNotItsOwn) {
+TEST_F(JournalTest, RefusesFilesThatAreNotStores) {
   std::ofstream{path()} << "this is no database, and is long enough to be seen as none";
   EXPECT_THROW(server::store::Journal(path(), server::store::Durability::kFull), std::runtime_error);
   EXPECT_THROW(server::store::Journal((folder_ / "no" / "where").string(), server::store::Durability::kFull),
@@ -233,20 +233,20 @@ TEST_F(JournalTest, RefusesWhatIsNotItsOwn) {
 
 TEST_F(JournalTest, AStoreThatCannotBeWrittenChangesNothing) {
   server::store::Journal journal{path(), server::store::Durability::kFull};
-  Desk desk{0, pushing_engine(), {}, &journal};
-  (void)desk.open_small();
+  LocalServer local{0, pushing_methods(), {}, &journal};
+  (void)local.open_small();
   Listener watching;
-  (void)desk.ask(call(1, "marker.watch", R"({"markerId":"m1"})"), watching.session());
-  // A revision that is there already is what the store cannot write.
+  (void)local.ask(call(1, "marker.watch", R"({"markerId":"m1"})"), watching.session());
+  // The store cannot write a revision that it already contains.
   {
-    server::store::Committed now = *desk.store.current("m1");
+    server::store::Committed now = *local.store().current("m1");
     const std::optional<protocol::edits::Moves> moves = protocol::edits::Moves{{0, now.file->marker.pieces[0]}};
     const auto recorded = server::store::History{}.record(server::store::Origin::kChange, now.file, moves);
     ASSERT_TRUE(journal.changed("m1", {2, moves, *now.file, recorded, std::nullopt}));
   }
-  EXPECT_EQ(code_of(desk.result("motion.compact", "{'markerId':'m1'}")), -32603);
-  EXPECT_EQ(desk.store.current("m1")->revision, 1U);
-  EXPECT_EQ(watching.heard(), 0U);
+  EXPECT_EQ(code_of(local.result("motion.compact", "{'markerId':'m1'}")), -32603);
+  EXPECT_EQ(local.store().current("m1")->revision, 1U);
+  EXPECT_EQ(watching.pending(), 0U);
 }
 
 }  // namespace

@@ -15,14 +15,14 @@ MarkerFile named(const std::string& name) {
   return file;
 }
 
-// The id of a marker that opened; empty when none did.
+// Opens a marker and returns its id, or an empty text if it was not opened.
 std::string opened(MarkerStore& store, const std::string& name) {
   const auto outcome = store.open(named(name));
   const auto* marker = std::get_if<OpenMarker>(&outcome);
   return marker ? marker->id : std::string{};
 }
 
-TEST(MarkerStore, CountsIdsAndRevisionsUp) {
+TEST(MarkerStore, NumbersIdsAndRevisionsUpwards) {
   MarkerStore store{10};
   EXPECT_EQ(opened(store, "a"), "m1");
   EXPECT_EQ(store.current("m1")->revision, 1U);
@@ -42,7 +42,7 @@ TEST(MarkerStore, CommitsOnlyOnTheCurrentRevision) {
   EXPECT_EQ(late.outcome, Commit::Outcome::kMismatch);
   EXPECT_EQ(late.revision, 2U);
   EXPECT_EQ(store.current("m1")->file->marker.name, "two");
-  EXPECT_EQ(before->file->marker.name, "one");  // a reader keeps what it has
+  EXPECT_EQ(before->file->marker.name, "one");  // a reader's revision does not change
 }
 
 TEST(MarkerStore, KnowsNothingOfClosedMarkers) {
@@ -54,7 +54,7 @@ TEST(MarkerStore, KnowsNothingOfClosedMarkers) {
   EXPECT_EQ(store.commit("m1", 1, {.file = named("two")}).outcome, Commit::Outcome::kClosed);
 }
 
-TEST(MarkerStore, HoldsNoMoreThanItsLimit) {
+TEST(MarkerStore, OpensNoMoreThanItsLimit) {
   MarkerStore store{2};
   ASSERT_NE(opened(store, "a"), "");
   ASSERT_NE(opened(store, "b"), "");
@@ -63,7 +63,7 @@ TEST(MarkerStore, HoldsNoMoreThanItsLimit) {
   EXPECT_NE(opened(store, "c"), "");
 }
 
-TEST(MarkerStore, OfCommitsThatRaceOneWins) {
+TEST(MarkerStore, OneOfSeveralRacingCommitsSucceeds) {
   MarkerStore store{1};
   ASSERT_EQ(opened(store, "start"), "m1");
   std::atomic<int> won{};

@@ -1,4 +1,4 @@
-// A folder that is there as long as the test.
+// A folder that exists as long as this object.
 #pragma once
 
 #include <stdlib.h>
@@ -21,7 +21,7 @@ class TemporaryFolder {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] std::string file(const std::string& name) const { return (path_ / name).string(); }
-  // Writes a file; its path.
+  // Writes a file and returns its path.
   [[nodiscard]] std::string write(const std::string& name, const std::string& text) const {
     std::ofstream{path_ / name} << text;
     return file(name);

@@ -5,39 +5,39 @@
 namespace selvage::server::transport {
 namespace {
 
-TEST(Access, WithoutATokenAnythingFits) {
+TEST(Access, WithoutATokenAnyValueMatches) {
   const access::Access access;
-  EXPECT_TRUE(token_fits(access, ""));
-  EXPECT_TRUE(authorization_fits(access, ""));
-  EXPECT_TRUE(authorization_fits(access, "Basic abc"));
+  EXPECT_TRUE(token_matches(access, ""));
+  EXPECT_TRUE(authorization_matches(access, ""));
+  EXPECT_TRUE(authorization_matches(access, "Basic abc"));
 }
 
-TEST(Access, ATokenMustBeTheWholeOfIt) {
+TEST(Access, ATokenMustMatchCompletely) {
   const access::Access access{.token = "correct horse"};
-  EXPECT_TRUE(token_fits(access, "correct horse"));
+  EXPECT_TRUE(token_matches(access, "correct horse"));
   for (const auto* token : {"", "correct", "correct horse ", "correct hors\xff", "Correct horse"}) {
-    EXPECT_FALSE(token_fits(access, token)) << token;
+    EXPECT_FALSE(token_matches(access, token)) << token;
   }
-  EXPECT_TRUE(authorization_fits(access, "Bearer correct horse"));
-  EXPECT_TRUE(authorization_fits(access, "bEARER  correct horse"));
+  EXPECT_TRUE(authorization_matches(access, "Bearer correct horse"));
+  EXPECT_TRUE(authorization_matches(access, "bEARER  correct horse"));
   for (const auto* value : {"", "Bearer", "Bearer ", "Bearercorrect horse", "correct horse", "Basic correct horse"}) {
-    EXPECT_FALSE(authorization_fits(access, value)) << value;
+    EXPECT_FALSE(authorization_matches(access, value)) << value;
   }
 }
 
-TEST(Access, AnyHostWithATokenNamedOnesWithout) {
-  EXPECT_TRUE(access::host_may_be({.token = "correct horse"}, "anywhere.example"));
+TEST(Access, HostsAreCheckedOnlyWithoutAToken) {
+  EXPECT_TRUE(access::host_allowed({.token = "correct horse"}, "anywhere.example"));
   const access::Access named{.hosts = {"marker.example"}};
-  EXPECT_TRUE(host_may_be(named, "localhost:7171"));
-  EXPECT_TRUE(host_may_be(named, "marker.example:80"));
-  EXPECT_FALSE(host_may_be(named, "anywhere.example"));
+  EXPECT_TRUE(host_allowed(named, "localhost:7171"));
+  EXPECT_TRUE(host_allowed(named, "marker.example:80"));
+  EXPECT_FALSE(host_allowed(named, "anywhere.example"));
 }
 
-TEST(Access, OriginsAreJudgedWithATokenToo) {
+TEST(Access, OriginsAreCheckedWithATokenToo) {
   const access::Access access{.token = "correct horse", .origins = {"https://front.example"}};
-  EXPECT_TRUE(origin_may_be(access, "https://front.example"));
-  EXPECT_TRUE(origin_may_be(access, "http://127.0.0.1:8080"));
-  EXPECT_FALSE(origin_may_be(access, "https://anywhere.example"));
+  EXPECT_TRUE(origin_allowed(access, "https://front.example"));
+  EXPECT_TRUE(origin_allowed(access, "http://127.0.0.1:8080"));
+  EXPECT_FALSE(origin_allowed(access, "https://anywhere.example"));
 }
 
 }  // namespace

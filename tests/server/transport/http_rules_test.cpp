@@ -5,7 +5,7 @@
 namespace selvage::server::transport {
 namespace {
 
-TEST(HttpRules, HostsOfThisMachine) {
+TEST(HttpRules, LocalHosts) {
   for (const auto* host :
        {"localhost", "LocalHost", "localhost:7171", "127.0.0.1", "127.0.0.1:1", "[::1]", "[::1]:65535"}) {
     EXPECT_TRUE(access::is_local_host(host)) << host;

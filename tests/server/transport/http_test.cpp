@@ -1,4 +1,4 @@
-// HTTP over a real socket: what is served, what is refused, and that the server outlives all of it.
+// HTTP over a real socket: what is served and what is refused, after which the server still works.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,11 +22,10 @@ server::transport::access::TransportLimits small_limits() {
 
 class Http : public ::testing::Test {
  protected:
-  // Sends bytes on a connection of their own and expects one answer of this status; then the server is still
-  // well.
+  // Sends bytes on a new connection and expects one answer with this status.  Afterwards the server must still work.
   void expect_refused(std::string_view bytes, int status) {
     Wire wire{server_.port()};
-    (void)wire.try_send(bytes);  // the server may refuse, and close, before it has read all
+    (void)wire.try_send(bytes);  // the server may refuse and close before it has read everything
     const auto answer = wire.answer();
     ASSERT_TRUE(answer) << bytes.substr(0, 200);
     EXPECT_EQ(answer->status, status) << bytes.substr(0, 200) << "\n" << answer->body;
@@ -56,7 +55,7 @@ TEST_F(Http, AnswersManyRequestsOnOneConnection) {
   }
 }
 
-TEST_F(Http, TakesRequestsSentAheadAndInPieces) {
+TEST_F(Http, AcceptsPipelinedAndFragmentedRequests) {
   Wire wire{server_.port()};
   const std::string two = post_request("first") + post_request("second");
   for (const char byte : two) wire.send({&byte, 1});
@@ -85,7 +84,7 @@ TEST_F(Http, HealthIsAnsweredWhileACallIsHeld) {
   EXPECT_EQ(busy.answer().value_or(HttpAnswer{}).body, "done");
 }
 
-TEST_F(Http, PagesSayHowThingsStand) {
+TEST_F(Http, PagesReportTheState) {
   Wire wire{server_.port()};
   const auto get = [&wire](const std::string& target) {
     wire.send("GET " + target + " HTTP/1.1\r\nHost: localhost\r\n\r\n");
@@ -101,7 +100,7 @@ TEST_F(Http, PagesSayHowThingsStand) {
   EXPECT_EQ(metrics.status, 200);
   EXPECT_EQ(metrics.body, "up 1\n");
   EXPECT_TRUE(metrics.says("Content-Type: text/plain; version=0.0.4\r\n"));
-  EXPECT_EQ(get("/openrpc.json").status, 404);  // this service has none
+  EXPECT_EQ(get("/openrpc.json").status, 404);  // this service has no such page
 }
 
 TEST_F(Http, ConnectionsAreCountedWhileTheyAreOpen) {
@@ -126,7 +125,7 @@ TEST_F(Http, ClosesWhenAsked) {
   EXPECT_EQ(wire.rest(), "");
 }
 
-TEST_F(Http, SaysContinueToAClientThatWaitsForIt) {
+TEST_F(Http, SendsContinueToAClientThatWaitsForIt) {
   Wire wire{server_.port()};
   wire.send("POST /rpc HTTP/1.1\r\nHost: localhost\r\nExpect: 100-continue\r\nContent-Length: 2\r\n\r\n");
   EXPECT_EQ(wire.answer().value_or(HttpAnswer{}).status, 100);
@@ -139,12 +138,12 @@ TEST_F(Http, RefusesTransferEncodings) {
   expect_refused(start + "chunked\r\n\r\n2\r\n{}\r\n0\r\n\r\n", 411);
   expect_refused(start + "chunked\r\n\r\n0\r\nX: " + std::string(1 << 20, 'x') + "\r\n\r\n", 411);
   expect_refused(start + "chunked\r\n\r\n2;" + std::string(1 << 20, 'x') + "\r\n{}\r\n0\r\n\r\n", 411);
-  // The body must not be taken for a second request.
+  // The body must not be interpreted as a second request.
   expect_refused(start + "gzip\r\n\r\n" + post_request("smuggled"), 411);
   expect_refused(start + "identity\r\nContent-Length: 2\r\n\r\n{}", 411);
 }
 
-TEST_F(Http, RefusesLengthsThatAreWrong) {
+TEST_F(Http, RefusesWrongContentLengths) {
   const std::string start = "POST /rpc HTTP/1.1\r\nHost: localhost\r\n";
   expect_refused(start + "\r\n", 411);
   expect_refused(start + "Content-Length: two\r\n\r\n{}", 400);
@@ -154,7 +153,7 @@ TEST_F(Http, RefusesLengthsThatAreWrong) {
   expect_refused(start + "Content-Length: 2\r\nTransfer-Encoding: chunked\r\n\r\n{}", 400);
 }
 
-TEST_F(Http, ABodyThatNeverComesWholeIsNoCall) {
+TEST_F(Http, AnIncompleteBodyIsNotACall) {
   Wire wire{server_.port()};
   wire.send("POST /rpc HTTP/1.1\r\nHost: localhost\r\nContent-Length: 10\r\n\r\nhold");
   wire.half_close();
@@ -205,13 +204,13 @@ TEST_F(Http, RefusesOtherMethodsAndPaths) {
 
 TEST_F(Http, RefusesWhatIsNotHttp) {
   expect_refused("hello there\r\n\r\n", 400);
-  expect_refused("\x16\x03\x01\x02\x01\x01 \r\n\r\n", 400);  // as TLS begins
+  expect_refused("\x16\x03\x01\x02\x01\x01 \r\n\r\n", 400);  // the first bytes of a TLS connection
   expect_refused("POST /rpc HTTP/9.9\r\nHost: localhost\r\n\r\n", 400);
   expect_refused("POST /rpc HTTP/1.1\r\nHost : localhost\r\n\r\n", 400);
   expect_refused("POST /rpc HTTP/1.1\r\n folded: x\r\n\r\n", 400);
 }
 
-TEST_F(Http, AClientThatLeavesStopsItsCall) {
+TEST_F(Http, ADisconnectedClientStopsItsCall) {
   for (const bool broken : {false, true}) {
     Wire wire{server_.port()};
     wire.send(post_request("hold"));
@@ -224,14 +223,14 @@ TEST_F(Http, AClientThatLeavesStopsItsCall) {
   expect_well();
 }
 
-TEST_F(Http, AServiceThatThrowsEndsItsConnectionOnly) {
+TEST_F(Http, AnExceptionOfTheServiceEndsOnlyItsConnection) {
   Wire wire{server_.port()};
   wire.send(post_request("throw"));
   EXPECT_EQ(wire.rest(), "");
   expect_well();
 }
 
-TEST(HttpTimes, AClientThatIsTooSlowIsCutOff) {
+TEST(HttpTimes, ASlowClientIsDisconnected) {
   server::transport::access::TransportLimits limits;
   limits.request = 50ms;
   StagedServer server{limits};
@@ -244,7 +243,7 @@ TEST(HttpTimes, AClientThatIsTooSlowIsCutOff) {
   EXPECT_EQ(server.held(), 0U);
 }
 
-TEST(HttpTimes, ASilentClientIsCutOffButNotOneWhoseCallRuns) {
+TEST(HttpTimes, ASilentClientIsDisconnectedUnlessItsCallIsInProgress) {
   server::transport::access::TransportLimits limits;
   limits.idle = 50ms;
   limits.request = 50ms;
@@ -252,13 +251,13 @@ TEST(HttpTimes, ASilentClientIsCutOffButNotOneWhoseCallRuns) {
   Wire busy{server.port()};
   busy.send(post_request("hold"));
   const HeldCall held = server.next_held();
-  EXPECT_EQ(Wire{server.port()}.rest(), "");  // has waited longer than both limits
+  EXPECT_EQ(Wire{server.port()}.rest(), "");  // it has waited longer than both limits
   held.reply("done");
   EXPECT_EQ(busy.answer().value_or(HttpAnswer{}).body, "done");
   EXPECT_EQ(busy.rest(), "");
 }
 
-TEST(HttpTimes, AClientThatDoesNotReadItsAnswerIsCutOff) {
+TEST(HttpTimes, AClientThatDoesNotReadItsAnswerIsDisconnected) {
   server::transport::access::TransportLimits limits;
   limits.write = 50ms;
   limits.body_bytes = 64 << 20;
@@ -266,11 +265,11 @@ TEST(HttpTimes, AClientThatDoesNotReadItsAnswerIsCutOff) {
   Wire wire{server.port()};
   wire.send(post_request("hold"));
   const HeldCall held = server.next_held();
-  held.reply(std::string(64 << 20, 'x'));  // more than the buffers between two sockets hold
+  held.reply(std::string(64 << 20, 'x'));  // more than the buffers of the sockets hold
   EXPECT_TRUE(stops(held.caller));
 }
 
-TEST(HttpTimes, ManySlowWritersAndReadersKeepNobodyElseFromBeingServed) {
+TEST(HttpTimes, ManySlowClientsDoNotDelayOthers) {
   server::transport::access::TransportLimits limits;
   limits.request = 2s;
   limits.write = 2s;
@@ -293,7 +292,7 @@ TEST(HttpTimes, ManySlowWritersAndReadersKeepNobodyElseFromBeingServed) {
   for (int i = 0; i < 200; ++i) EXPECT_EQ(slow[static_cast<std::size_t>(i)]->rest(), "");
 }
 
-TEST(HttpConnections, ThoseBeyondTheLimitAreTurnedAway) {
+TEST(HttpConnections, ThoseBeyondTheLimitAreRefused) {
   server::transport::access::TransportLimits limits;
   limits.connections = 2;
   StagedServer server{limits};
@@ -305,7 +304,7 @@ TEST(HttpConnections, ThoseBeyondTheLimitAreTurnedAway) {
   EXPECT_TRUE(first.post("3"));
 }
 
-TEST(HttpDrain, IdleConnectionsEndAndRunningCallsAreAnswered) {
+TEST(HttpDrain, ClosesIdleConnectionsAndAnswersCallsInProgress) {
   StagedServer server;
   Wire idle{server.port()};
   ASSERT_TRUE(idle.post("{}"));
@@ -315,7 +314,7 @@ TEST(HttpDrain, IdleConnectionsEndAndRunningCallsAreAnswered) {
   server.transport().stop_reading();
   EXPECT_EQ(idle.rest(), "");
   EXPECT_THROW(Wire{server.port()}, std::system_error);
-  EXPECT_FALSE(held.caller.stop_requested());  // the caller is still there
+  EXPECT_FALSE(held.caller.stop_requested());  // the caller is still connected
   held.reply("done");
   server.transport().finish(kPatience);
   const auto answer = busy.answer();

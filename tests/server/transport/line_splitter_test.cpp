@@ -16,7 +16,7 @@ std::vector<std::string> texts(const std::vector<connections::Line>& lines) {
 }
 using Texts = std::vector<std::string>;
 
-TEST(LineSplitter, FindsTheSameLinesHoweverTheBytesArePortioned) {
+TEST(LineSplitter, FindsTheSameLinesForAnySplitOfTheBytes) {
   const std::string bytes = "{\"a\":1}\r\n\n  \t\r\n[2]\n{}\n";
   for (std::size_t portion = 1; portion <= bytes.size(); ++portion) {
     connections::LineSplitter splitter{100};
@@ -29,7 +29,7 @@ TEST(LineSplitter, FindsTheSameLinesHoweverTheBytesArePortioned) {
   }
 }
 
-TEST(LineSplitter, GivesUpALineAboveTheLimitOnceAndGoesOnBehindIt) {
+TEST(LineSplitter, ReportsALineBeyondTheLimitOnceAndContinuesAfterIt) {
   connections::LineSplitter splitter{4};
   EXPECT_EQ(texts(splitter.feed("abcd\nabc")), (Texts{"abcd"}));
   EXPECT_EQ(texts(splitter.feed("de")), (Texts{"(too long)"}));
@@ -38,7 +38,7 @@ TEST(LineSplitter, GivesUpALineAboveTheLimitOnceAndGoesOnBehindIt) {
   EXPECT_EQ(texts(splitter.feed("m\nok\n")), (Texts{"ok"}));
 }
 
-TEST(LineSplitter, TakesALastLineWithoutAnEnd) {
+TEST(LineSplitter, ReturnsALastLineWithoutAnEnd) {
   connections::LineSplitter splitter{10};
   EXPECT_EQ(texts(splitter.feed("{}")), Texts{});
   EXPECT_EQ(texts(splitter.finish()), (Texts{"{}"}));

@@ -1,6 +1,6 @@
-// A transport with a service that tests hold in their hand: messages that contain "hold" wait until the test
-// answers them, those that contain "silent" get no answer, those that contain "throw" make the service throw;
-// all others come back as they are.
+// A transport whose service the test controls: messages that contain "hold" wait until the test answers them, those
+// that contain "silent" get no answer, those that contain "throw" make the service throw an exception; all others are
+// sent back unchanged.
 #pragma once
 
 #include <condition_variable>
@@ -24,7 +24,7 @@ struct HeldCall {
   server::transport::access::Reply reply;
 };
 
-// Blocks until the token stops; false when it does not in time.
+// Blocks until the token stops.  Returns false if that does not happen in time.
 inline bool stops(const std::stop_token& token) {
   std::mutex mutex;
   std::condition_variable_any changed;
@@ -36,12 +36,12 @@ inline bool stops(const std::stop_token& token) {
 class StagedServer {
  public:
   explicit StagedServer(const server::transport::access::TransportLimits& limits = {})
-      : StagedServer{server::transport::access::Doors{}, limits} {}
-  // With a TCP listener for HTTP when the doors have none.
-  explicit StagedServer(server::transport::access::Doors doors,
+      : StagedServer{server::transport::access::ListenSettings{}, limits} {}
+  // Adds a TCP listener for HTTP if there are no listeners.
+  explicit StagedServer(server::transport::access::ListenSettings listen,
                         const server::transport::access::TransportLimits& limits = {})
       : transport_{
-            with_http(std::move(doors)), limits,
+            with_http(std::move(listen)), limits,
             server::transport::access::Service{
                 .call =
                     [this](std::string message, const std::shared_ptr<server::transport::access::Session>& session,
@@ -51,10 +51,10 @@ class StagedServer {
                 .health = [] { return std::string{"well"}; },
                 .ready = [this] { return why_not_ready(); },
                 .metrics = [] { return std::string{"up 1\n"}; },
-                .enter =
+                .authenticate =
                     [](std::string_view line, const server::transport::access::Access& access) {
-                      const bool granted = token_fits(access, line);
-                      return server::transport::access::Entry{granted, granted ? "come in" : "stay out"};
+                      const bool granted = token_matches(access, line);
+                      return server::transport::access::Authentication{granted, granted ? "come in" : "stay out"};
                     },
                 .line_too_long = "too long",
                 .counts = counts_}} {}
@@ -67,7 +67,7 @@ class StagedServer {
     why_not_ready_ = std::move(why);
   }
 
-  // The next held call, once it is there.
+  // Waits for the next held call.
   [[nodiscard]] HeldCall next_held() {
     std::unique_lock lock{mutex_};
     if (!changed_.wait_for(lock, kPatience, [this] { return !held_.empty(); })) {
@@ -83,10 +83,10 @@ class StagedServer {
   }
 
  private:
-  static server::transport::access::Doors with_http(server::transport::access::Doors doors) {
-    if (doors.listeners.empty())
-      doors.listeners.push_back({.speaks = server::transport::access::Listener::Speaks::kHttp, .host = "127.0.0.1"});
-    return doors;
+  static server::transport::access::ListenSettings with_http(server::transport::access::ListenSettings listen) {
+    if (listen.listeners.empty())
+      listen.listeners.push_back({.speaks = server::transport::access::Listener::Speaks::kHttp, .host = "127.0.0.1"});
+    return listen;
   }
   [[nodiscard]] std::string why_not_ready() {
     const std::lock_guard lock{mutex_};

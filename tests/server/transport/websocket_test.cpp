@@ -1,4 +1,4 @@
-// WebSocket over a real socket: messages both ways, and how each kind of trouble ends.
+// WebSocket over a real socket: messages in both directions, and how each kind of error ends.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -20,14 +20,14 @@ server::transport::access::TransportLimits small_limits() {
   return limits;
 }
 
-// The status with which a request for /ws is refused; 0 when the connection ends without an answer.
+// The status with which a request for /ws is refused; 0 if the connection ends without an answer.
 int status_of(const StagedServer& server, const std::string& request) {
   Wire wire{server.port()};
   wire.send(request);
   return wire.answer().value_or(HttpAnswer{}).status;
 }
 
-// What the connection closes with; the frames before it are passed over.
+// The close code of the connection; earlier frames are skipped.
 int close_code(WebSocketWire& socket) {
   while (const auto frame = socket.frame()) {
     if (frame->opcode == Opcode::kClose) return frame->close_code();
@@ -35,7 +35,7 @@ int close_code(WebSocketWire& socket) {
   return 0;
 }
 
-TEST(WebSocket, AnswersMessagesInTheOrderTheyAreDone) {
+TEST(WebSocket, AnswersMessagesInOrderOfCompletion) {
   StagedServer server;
   WebSocketWire socket{server.port()};
   ASSERT_EQ(socket.status(), 101);
@@ -50,7 +50,7 @@ TEST(WebSocket, AnswersMessagesInTheOrderTheyAreDone) {
   EXPECT_EQ(socket.text(), "one");
 }
 
-TEST(WebSocket, TakesMessagesInFragmentsAndOfAnySize) {
+TEST(WebSocket, AcceptsFragmentedMessagesOfAnySize) {
   StagedServer server;
   WebSocketWire socket{server.port()};
   socket.send({Opcode::kText, "{\"a\"", false});
@@ -68,7 +68,7 @@ TEST(WebSocket, TakesMessagesInFragmentsAndOfAnySize) {
   }
 }
 
-TEST(WebSocket, CarriesNotificationsInOrderFromAnyThread) {
+TEST(WebSocket, SendsNotificationsInOrderFromAnyThread) {
   StagedServer server;
   WebSocketWire socket{server.port()};
   socket.send_text("hold");
@@ -85,7 +85,7 @@ TEST(WebSocket, CarriesNotificationsInOrderFromAnyThread) {
   held.session->notify("nobody hears this");
 }
 
-TEST(WebSocket, ItsSessionIsTheSameForAllMessagesAndOfNobodyElse) {
+TEST(WebSocket, HasOneSessionOfItsOwnForAllMessages) {
   StagedServer server;
   WebSocketWire first{server.port()};
   WebSocketWire second{server.port()};
@@ -114,7 +114,7 @@ TEST(WebSocket, RefusesForeignHostsAndOrigins) {
   EXPECT_EQ(WebSocketWire(server.port(), "Origin: http://localhost:3000\r\n").status(), 101);
 }
 
-TEST(WebSocket, RefusesWhatIsNoUpgrade) {
+TEST(WebSocket, RefusesRequestsThatAreNotUpgrades) {
   StagedServer server;
   EXPECT_EQ(status_of(server, "GET /ws HTTP/1.1\r\nHost: localhost\r\n\r\n"), 426);
   EXPECT_EQ(status_of(server, "POST /ws HTTP/1.1\r\nHost: localhost\r\nContent-Length: 0\r\n\r\n"), 405);
@@ -136,7 +136,7 @@ TEST(WebSocket, OffersNoCompression) {
   EXPECT_FALSE(answer->says("permessage-deflate"));
 }
 
-TEST(WebSocket, ClosesWithTheCodeOfTheTrouble) {
+TEST(WebSocket, ClosesWithTheCodeOfTheError) {
   StagedServer server{small_limits()};
   const auto code_after = [&](const std::string& bytes) {
     WebSocketWire socket{server.port()};
@@ -149,9 +149,10 @@ TEST(WebSocket, ClosesWithTheCodeOfTheTrouble) {
                        frame_bytes({Opcode::kContinuation, std::string(600, 'x')})),
             1009);
   EXPECT_EQ(code_after(frame_bytes({Opcode::kText, "\xff\xfe"})), 1007);
-  EXPECT_EQ(code_after(frame_bytes({Opcode::kText, "{}"}, false)), 1002);            // unmasked
-  EXPECT_EQ(code_after(frame_bytes({Opcode::kContinuation, "{}"})), 1002);           // of nothing
-  EXPECT_EQ(code_after(frame_bytes({Opcode::kPing, std::string(126, 'x')})), 1002);  // a control frame is short
+  EXPECT_EQ(code_after(frame_bytes({Opcode::kText, "{}"}, false)), 1002);   // unmasked
+  EXPECT_EQ(code_after(frame_bytes({Opcode::kContinuation, "{}"})), 1002);  // continues no message
+  EXPECT_EQ(code_after(frame_bytes({Opcode::kPing, std::string(126, 'x')})),
+            1002);  // a control frame has at most 125 bytes
   EXPECT_EQ(code_after(frame_bytes({static_cast<Opcode>(3), "{}"})), 1002);
   EXPECT_EQ(code_after(frame_bytes({Opcode::kText, std::string(1000, 'x')}) +
                        frame_bytes({Opcode::kClose, std::string{"\x03\xe8", 2}})),
@@ -159,7 +160,7 @@ TEST(WebSocket, ClosesWithTheCodeOfTheTrouble) {
   EXPECT_EQ(server.held(), 0U);
 }
 
-TEST(WebSocket, AClientThatClosesOrBreaksStopsItsCalls) {
+TEST(WebSocket, ClosingOrBreakingTheConnectionStopsItsCalls) {
   StagedServer server;
   for (const bool broken : {false, true}) {
     WebSocketWire socket{server.port()};
@@ -176,7 +177,7 @@ TEST(WebSocket, AClientThatClosesOrBreaksStopsItsCalls) {
   }
 }
 
-TEST(WebSocket, IsNotReadWhileTooManyCallsAreUnanswered) {
+TEST(WebSocket, IsNotReadWhileTooManyCallsAreInProgress) {
   server::transport::access::TransportLimits limits;
   limits.calls_per_connection = 2;
   StagedServer server{limits};
@@ -184,8 +185,8 @@ TEST(WebSocket, IsNotReadWhileTooManyCallsAreUnanswered) {
   for (int i = 0; i < 4; ++i) socket.send_text("hold " + std::to_string(i));
   std::vector<HeldCall> held;
   for (int i = 0; i < 2; ++i) held.push_back(server.next_held());
-  ASSERT_TRUE(Wire{server.port()}.post("{}"));  // the I/O thread has gone round, and
-  EXPECT_EQ(server.held(), 0U);                 // the third has not been taken
+  ASSERT_TRUE(Wire{server.port()}.post("{}"));  // the I/O thread has handled everything,
+  EXPECT_EQ(server.held(), 0U);                 // but not accepted the third call
   for (std::size_t i = 0; i < 4; ++i) {
     held[i].reply(std::to_string(i));
     EXPECT_EQ(socket.text(), std::to_string(i));
@@ -193,7 +194,7 @@ TEST(WebSocket, IsNotReadWhileTooManyCallsAreUnanswered) {
   }
 }
 
-TEST(WebSocket, AServiceThatThrowsEndsItsConnectionOnly) {
+TEST(WebSocket, AnExceptionOfTheServiceEndsOnlyItsConnection) {
   StagedServer server;
   WebSocketWire socket{server.port()};
   WebSocketWire other{server.port()};
@@ -203,7 +204,7 @@ TEST(WebSocket, AServiceThatThrowsEndsItsConnectionOnly) {
   EXPECT_EQ(other.text(), "still here");
 }
 
-TEST(WebSocketTimes, ASilentClientIsPingedAndCutOffWhenItDoesNotAnswer) {
+TEST(WebSocketTimes, ASilentClientThatDoesNotAnswerPingsIsDisconnected) {
   server::transport::access::TransportLimits limits;
   limits.ping = 50ms;
   limits.silence = 2s;
@@ -214,7 +215,7 @@ TEST(WebSocketTimes, ASilentClientIsPingedAndCutOffWhenItDoesNotAnswer) {
   int pings = 0;
   while (const auto frame = dead.frame()) pings += frame->opcode == Opcode::kPing ? 1 : 0;
   EXPECT_GT(pings, 0);
-  // Its end is seen on the wire a moment before the server has done with it.
+  // The client sees the end of the connection slightly before the server has cleaned up.
   const auto patience = std::chrono::steady_clock::now() + kPatience;
   while (server.counts().websockets != 1 && std::chrono::steady_clock::now() < patience) {
     std::this_thread::sleep_for(1ms);
@@ -223,7 +224,7 @@ TEST(WebSocketTimes, ASilentClientIsPingedAndCutOffWhenItDoesNotAnswer) {
   server.transport().finish(kPatience);
 }
 
-TEST(WebSocketTimes, AMessageThatDoesNotEndIsCutOffWhateverPongsCome) {
+TEST(WebSocketTimes, PongsDoNotExtendTheTimeOfAMessage) {
   server::transport::access::TransportLimits limits;
   limits.request = 50ms;
   StagedServer server{limits};
@@ -232,7 +233,7 @@ TEST(WebSocketTimes, AMessageThatDoesNotEndIsCutOffWhateverPongsCome) {
   EXPECT_FALSE(socket.text());
 }
 
-TEST(WebSocketTimes, AClientThatDoesNotReadIsCutOff) {
+TEST(WebSocketTimes, AClientThatDoesNotReadIsDisconnected) {
   server::transport::access::TransportLimits limits;
   limits.write = 50ms;
   StagedServer server{limits};
@@ -243,7 +244,7 @@ TEST(WebSocketTimes, AClientThatDoesNotReadIsCutOff) {
   EXPECT_TRUE(stops(held.caller));
 }
 
-TEST(WebSocketTimes, AClientThatDoesNotTakeItsNotificationsIsCutOff) {
+TEST(WebSocketTimes, AClientThatDoesNotReadItsNotificationsIsDisconnected) {
   server::transport::access::TransportLimits limits;
   limits.backlog_bytes = 1 << 20;
   StagedServer server{limits};
@@ -256,7 +257,7 @@ TEST(WebSocketTimes, AClientThatDoesNotTakeItsNotificationsIsCutOff) {
   held.reply("nobody reads this");
 }
 
-TEST(WebSocketDrain, CallsUnderWayAreAnsweredThenItCloses) {
+TEST(WebSocketDrain, AnswersCallsInProgressAndThenCloses) {
   StagedServer server;
   WebSocketWire idle{server.port()};
   WebSocketWire busy{server.port()};

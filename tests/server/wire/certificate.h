@@ -1,4 +1,4 @@
-// A certificate of this machine's own making, for TLS in tests.
+// A self-signed certificate for TLS in tests.
 #pragma once
 
 #include <filesystem>

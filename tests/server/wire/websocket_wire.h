@@ -1,4 +1,4 @@
-// A WebSocket client for tests, frame by frame under the test's hand.
+// A WebSocket client for tests, which controls every frame.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ struct Frame {
   Opcode opcode{};
   std::string payload;
   bool last{true};  // of its message
-  // The code of a close frame; 0: it says none.
+  // The code of a close frame; 0 if it has none.
   [[nodiscard]] int close_code() const {
     return payload.size() < 2 ? 0
                               : (static_cast<unsigned char>(payload[0]) << 8) | static_cast<unsigned char>(payload[1]);
@@ -30,16 +30,16 @@ struct Frame {
 
 class WebSocketWire {
  public:
-  // Asks for the upgrade; answered_with() tells how that went.
+  // Requests the upgrade; status() is the status of the answer.
   explicit WebSocketWire(std::uint16_t port, std::string_view more_fields = "");
 
   [[nodiscard]] int status() const { return status_; }
   [[nodiscard]] Wire& wire() { return wire_; }
   void send(const Frame& frame) { wire_.send(frame_bytes(frame)); }
   void send_text(std::string text) { send({Opcode::kText, std::move(text)}); }
-  // The next frame, or nothing when the connection has ended.
+  // The next frame, or nothing if the connection has ended.
   [[nodiscard]] std::optional<Frame> frame();
-  // The next text message; pings before it are answered and passed over.
+  // The next text message; earlier pings are answered and skipped.
   [[nodiscard]] std::optional<std::string> text();
 
  private:

@@ -1,6 +1,5 @@
-// A client for tests: one blocking socket to a server on this machine, byte by byte under the test's hand; in clear or,
-// after begin_tls(), encrypted.
-// Every wait ends after kPatience, so that a test fails instead of hanging.
+// A client for tests: one blocking socket to a server on this machine, with which the test controls every byte.  Plain
+// text or, after begin_tls(), encrypted.  Every wait ends after kPatience, so that a test fails instead of hanging.
 #pragma once
 
 #include <chrono>
@@ -18,7 +17,7 @@ inline constexpr std::chrono::seconds kPatience{60};
 
 struct HttpAnswer {
   int status{};
-  std::string header;  // as it came, status line and all
+  std::string header;  // as received, including the status line
   std::string body;
   [[nodiscard]] bool says(std::string_view text) const { return header.find(text) != std::string::npos; }
 };
@@ -32,20 +31,20 @@ class Wire {
   Wire& operator=(const Wire&) = delete;
 
   void send(std::string_view bytes) const;
-  // False when the other side no longer takes bytes.
+  // Returns false if the server no longer accepts bytes.
   [[nodiscard]] bool try_send(std::string_view bytes) const;
-  void half_close() const;  // nothing more will be sent
+  void half_close() const;  // sends nothing more
   void close();
   void reset();  // breaks the connection
 
-  // From now on encrypted; false when the handshake fails.  Whoever the server is will do.
+  // Encrypts the connection from now on.  Returns false if the handshake fails.  Does not check the certificate.
   [[nodiscard]] bool begin_tls();
 
-  // The next line without its end, or nothing when the connection has ended.
+  // The next line without its end, or nothing if the connection has ended.
   [[nodiscard]] std::optional<std::string> line();
-  // The next HTTP answer, or nothing when the connection has ended.
+  // The next HTTP answer, or nothing if the connection has ended.
   [[nodiscard]] std::optional<HttpAnswer> answer();
-  // The next `count` bytes; fewer when the connection ends before.
+  // The next `count` bytes; fewer if the connection ends earlier.
   [[nodiscard]] std::string bytes(std::size_t count);
   // Everything until the connection ends.
   [[nodiscard]] std::string rest();

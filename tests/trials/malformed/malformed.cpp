@@ -21,12 +21,12 @@
 namespace selvage::trials {
 namespace {
 
-constexpr std::size_t kBatch = 16;            // messages between two sound calls
-constexpr std::size_t kPerExtreme = 100'000;  // of all requests, one round of the large ones
+constexpr std::size_t kBatch = 16;            // messages between two valid calls
+constexpr std::size_t kPerExtreme = 100'000;  // number of requests for each round of the large ones
 constexpr std::size_t kSweepAt = 300;         // open markers
 constexpr double kGoalMs = 100;
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr double kMostGrownMb = 4096;  // a sanitiser's own books grow, too
+constexpr double kMostGrownMb = 4096;  // a sanitiser's own memory grows, too
 #else
 constexpr double kMostGrownMb = 64;
 #endif
@@ -35,7 +35,7 @@ struct Tally {
   std::atomic<std::size_t> sent{}, answered{}, closed{};
 };
 
-// The markers that one of the attackers works on: none else may close them.
+// The markers that one of the attackers works on: nobody else may close them.
 class InUse {
  public:
   void exchange(const std::string& old, const std::string& fresh) {
@@ -53,18 +53,19 @@ class InUse {
   std::set<std::string> ids_;
 };
 
-// A well-behaved client beside an attack: its calls are what must be answered whatever else comes.
+// A well-behaved client during an attack, whose calls must always be answered.
 class SoundCaller {
  public:
-  SoundCaller(const LiveDaemon& daemon, InUse& in_use) : caller_{daemon, Door::kTcp}, in_use_{in_use} {}
+  SoundCaller(const LiveDaemon& daemon, InUse& in_use) : caller_{daemon, Endpoint::kTcp}, in_use_{in_use} {}
 
-  // One call, timed.  Opens the marker of the attack anew when a request that was sound after all has closed it.
+  // Makes one call and records its duration.  Reopens the marker of the attack if a request that was valid has closed
+  // it.
   void call() {
     const Json answer = latencies.time([&] { return caller_.ask("marker.get", {{"markerId", marker_id_}}); });
     if (code_of(answer) != 0) open();
     if (++calls_ % 50 == 0) sweep(kSweepAt);
   }
-  // Closes markers that requests which were sound after all have opened, when there are more than so many.
+  // Closes markers that valid requests have opened if there are more than this number.
   void sweep(std::size_t most) {
     const Json markers = caller_.result("marker.list")["markers"];
     if (markers.size() <= most) return;
@@ -92,7 +93,7 @@ class SoundCaller {
   std::size_t calls_{};
 };
 
-// Attacks one door with its part of the requests.
+// Attacks one listener with its share of the requests.
 class Attack {
  public:
   Attack(const LiveDaemon& daemon, std::uint64_t seed, InUse& in_use, Tally& tally)
@@ -116,7 +117,7 @@ class Attack {
         sound.call();
       }
     }
-    const std::size_t limit = Caller{daemon_, Door::kTcp}.result("engine.info")["limits"]["requestBytes"];
+    const std::size_t limit = Caller{daemon_, Endpoint::kTcp}.result("engine.info")["limits"]["requestBytes"];
     for (std::size_t round = 0; round < extreme_rounds; ++round) {
       for (std::size_t which = 0; which < kExtremes; ++which) {
         send({extreme_message(which, limit)});
@@ -128,9 +129,9 @@ class Attack {
   SoundCaller sound;
 
  protected:
-  // Sends the messages and waits until each is answered, or the connection closed.
+  // Sends the messages and waits until each is answered or the connection is closed.
   virtual void send(const std::vector<std::string>& batch) = 0;
-  // Sends bytes that need not end anywhere on a connection of their own, and waits until that is closed.
+  // Sends bytes on a new connection and waits until that is closed.
   virtual void send_raw() = 0;
 
   void await_close(test::Wire& wire, const std::string& bytes) {
@@ -154,7 +155,7 @@ class HttpAttack final : public Attack {
     for (const std::string& message : batch) {
       if (!wire_) wire_ = std::make_unique<test::Wire>(daemon_.port());
       ++tally_.sent;
-      (void)wire_->try_send(test::post_request(message));  // may be refused, and closed, before all is read
+      (void)wire_->try_send(test::post_request(message));  // may be refused and closed before everything is read
       const auto answer = wire_->answer();
       ++(answer ? tally_.answered : tally_.closed);
       if (!answer || answer->says("Connection: close")) wire_.reset();
@@ -170,8 +171,8 @@ class HttpAttack final : public Attack {
 
 class LineAttack final : public Attack {
  public:
-  LineAttack(Door door, const LiveDaemon& daemon, std::uint64_t seed, InUse& in_use, Tally& tally)
-      : Attack{daemon, seed, in_use, tally}, door_{door}, caller_{daemon, door} {}
+  LineAttack(Endpoint endpoint, const LiveDaemon& daemon, std::uint64_t seed, InUse& in_use, Tally& tally)
+      : Attack{daemon, seed, in_use, tally}, door_{endpoint}, caller_{daemon, endpoint} {}
 
  private:
   void send(const std::vector<std::string>& batch) override {
@@ -196,7 +197,7 @@ class LineAttack final : public Attack {
     await_close(other.wire(), bytes);
   }
 
-  Door door_;
+  Endpoint door_;
   Caller caller_;
 };
 
@@ -243,8 +244,8 @@ void malformed(std::size_t count, Faults& faults) {
   std::vector<std::unique_ptr<Attack>> attacks;
   attacks.push_back(std::make_unique<HttpAttack>(daemon, 1, in_use, tally));
   attacks.push_back(std::make_unique<WebSocketAttack>(daemon, 2, in_use, tally));
-  attacks.push_back(std::make_unique<LineAttack>(Door::kTcp, daemon, 3, in_use, tally));
-  attacks.push_back(std::make_unique<LineAttack>(Door::kUnix, daemon, 4, in_use, tally));
+  attacks.push_back(std::make_unique<LineAttack>(Endpoint::kTcp, daemon, 3, in_use, tally));
+  attacks.push_back(std::make_unique<LineAttack>(Endpoint::kUnix, daemon, 4, in_use, tally));
   const Resources before = daemon.resources();
   const auto began = std::chrono::steady_clock::now();
   {
@@ -263,13 +264,14 @@ void malformed(std::size_t count, Faults& faults) {
   for (const auto& attack : attacks) sound.join(attack->sound.latencies);
   std::printf("%zu malformed requests on HTTP, WebSocket, TCP and Unix in %.1f s: %zu answered, %zu closed\n",
               tally.sent.load(), seconds, tally.answered.load(), tally.closed.load());
-  std::printf("the next sound call: %s (goal: below %.0f)\n", sound.text().c_str(), kGoalMs);
+  std::printf("the next valid call: %s (goal: below %.0f)\n", sound.text().c_str(), kGoalMs);
   std::printf("resident %.1f MB before, %.1f after, %.1f at most\n", before.resident_mb, after.resident_mb,
               after.peak_mb);
-  faults.expect(tally.sent == tally.answered + tally.closed, "some were neither answered nor closed");
+  faults.expect(tally.sent == tally.answered + tally.closed,
+                "some requests were neither answered nor followed by closing the connection");
   faults.expect(after.resident_mb - before.resident_mb < kMostGrownMb, "resident memory has grown");
   attacks.clear();
-  faults.expect(daemon.end() == 0, "selvaged did not end well");
+  faults.expect(daemon.end() == 0, "selvaged did not exit with code 0");
 }
 
 }  // namespace selvage::trials

@@ -34,7 +34,7 @@ std::string malformed_http(Random& random) {
     case 4: return post + "Content-Length: 2\r\nContent-Length: 3\r\n\r\n{} ";
     case 5: return post + "Content-Length: 2\r\nTransfer-Encoding: chunked\r\n\r\n{}";
     case 6: return post + "Content-Length: 99999999999999999999999\r\n\r\n{}";
-    case 7: return post + "Content-Length: 1000\r\n\r\n{";  // the rest never comes
+    case 7: return post + "Content-Length: 1000\r\n\r\n{";  // the rest is never sent
     case 8: return test::post_request("{}", "X: " + some(random, "x", 100'000) + "\r\n");
     case 9: return "POST /" + some(random, "x", 100'000) + " HTTP/1.1\r\n\r\n";
     case 10: return test::post_request("{}", "Host: example.com\r\nOrigin: http://example.com\r\n");
@@ -61,7 +61,7 @@ std::string malformed_frames(Random& random) {
     case 4: return test::frame_bytes({Opcode::kPing, "x", false});
     case 5: return test::frame_bytes({Opcode::kContinuation, "x"});
     case 6: return test::frame_bytes({static_cast<Opcode>(3 + random.below(13)), bytes(random, 50)});
-    case 7: return "\x81\xff\x7f\xff\xff\xff\xff\xff\xff\xff" + bytes(random, 100);  // as long as can be said
+    case 7: return "\x81\xff\x7f\xff\xff\xff\xff\xff\xff\xff" + bytes(random, 100);  // the greatest possible length
     default: return bytes(random, 2000);
   }
 }

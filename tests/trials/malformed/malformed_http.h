@@ -1,5 +1,5 @@
-// Bytes that are no sound HTTP request, WebSocket frame or line, for connections of their own: each must end with the
-// connection closed, answered or not.
+// Bytes that are not a valid HTTP request, WebSocket frame or line, each for a connection of its own, which must end
+// closed, with or without an answer.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 namespace selvage::trials {
 
 [[nodiscard]] std::string malformed_http(test::Random& random);
-// What follows a sound upgrade to /ws.
+// Bytes after a valid upgrade to /ws.
 [[nodiscard]] std::string malformed_frames(test::Random& random);
 
 }  // namespace selvage::trials

@@ -1,4 +1,4 @@
-// Messages that are no sound calls: golden requests with something wrong in them, and what never was one.
+// Messages that are not valid calls: golden requests with an error in them, and texts that never were calls.
 #pragma once
 
 #include <string>
@@ -13,9 +13,9 @@ class MalformedMessages {
  public:
   explicit MalformedMessages(std::uint64_t seed);
 
-  // The next one, as one line.  `marker_id` is the marker that golden requests about "m1" are made to name: what is
-  // only a little wrong with them comes far.  Each gets exactly one answer; those that would get none, as they are
-  // notifications or blank, are passed over.  A few turn out to be sound.
+  // The next message, as one line.  Golden requests about "m1" are changed to name the marker `marker_id`, so that
+  // those with small errors are processed far.  Each message gets exactly one answer; those that would get none,
+  // because they are notifications or blank, are skipped.  A few turn out to be valid.
   [[nodiscard]] std::string next(const std::string& marker_id);
 
  private:
@@ -28,8 +28,8 @@ class MalformedMessages {
   std::vector<Json> golden_;
 };
 
-// The few that are large: nested up to 10^7 deep, and as long as the daemon takes (`limit` bytes) and longer.
-// Made one at a time, as together they would not fit.
+// The large messages: nested up to 10^7 deep, and as long as the daemon accepts (`limit` bytes) or longer.  They are
+// made one at a time, because together they would not fit into memory.
 inline constexpr std::size_t kExtremes = 11;
 [[nodiscard]] std::string extreme_message(std::size_t which, std::size_t limit);
 

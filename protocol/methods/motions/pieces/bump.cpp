@@ -48,7 +48,7 @@ Result<calls::Motion<BumpResult>> run(const BumpParams& params, const Marker& st
                     .touching = {},
                     .moved = done->bump.at != start.pieces[piece->value].at,
                     .stop = stop_cause(done->bump.reason, context)};
-  for (const std::uint32_t other : done->bump.touching) result.touching.push_back(start.pieces[other].id);
+  for (const PieceId other : done->bump.touching) result.touching.push_back(start.pieces[other.value].id);
   return calls::Motion<BumpResult>{{std::move(done->marker), done->repair, false, std::move(before)},
                                    std::move(result)};
 }

@@ -13,79 +13,80 @@ namespace {
 
 using test::Layout;
 
-Hold held(const Marker& marker) {
+CriticalPath held(const Marker& marker) {
   SumCache sums;
-  const auto result = what_holds(marker, {sums});
+  const auto result = critical_path(marker, {sums});
   EXPECT_TRUE(result) << (result ? "" : result.error().message);
-  return result ? *result : Hold{};
+  return result ? *result : CriticalPath{};
 }
-double load_on(const Hold& hold, Edge edge) {
+double load_on(const CriticalPath& hold, StripEdge edge) {
   double sum = 0;
   for (const LoadedContact& c : hold.contacts) sum += !c.second && c.edge == edge ? c.worth : 0;
   return sum;
 }
 
-TEST(Hold, ARowOfSquaresIsHeldByEveryContact) {
+TEST(CriticalPath, ARowOfSquaresIsHeldByEveryContact) {
   Layout layout{1'000'000};
   const auto square = layout.shape_of(test::rectangle(100'000, 100'000));
   layout.put(square, {0, 0}).put(square, {100'000, 0}).put(square, {200'000, 0}).put(square, {0, 500'000});
-  const Hold hold = held(layout.marker());
+  const CriticalPath hold = held(layout.marker());
   ASSERT_EQ(hold.contacts.size(), 4U);  // left edge, two contacts, right edge; not the square by itself
   for (const LoadedContact& c : hold.contacts) EXPECT_NEAR(c.worth, 1, 1e-6);
-  EXPECT_EQ(hold.contacts.front().edge, Edge::kLeft);
+  EXPECT_EQ(hold.contacts.front().edge, StripEdge::kLeft);
   EXPECT_EQ(hold.contacts[1].second, PieceId{1});
-  EXPECT_EQ(hold.contacts.back().edge, Edge::kRight);
+  EXPECT_EQ(hold.contacts.back().edge, StripEdge::kRight);
   EXPECT_NEAR(hold.per_spacing, 2, 1e-6);
 }
 
-TEST(Hold, SlantedContactsAreWorthWhatTheirSlopeSays) {
+TEST(CriticalPath, SlantedContactsAreWorthWhatTheirSlopeSays) {
   // A right triangle that would slide up another's long side is held down by the strip's upper edge.
   Layout layout{400'000};
   const auto ramp = layout.shape_of({{0, 0}, {400'000, 0}, {0, 400'000}});
   layout.put(ramp, {0, 0}).put(ramp, {400'000, 400'000}, 180);
-  const Hold hold = held(layout.marker());
-  EXPECT_NEAR(load_on(hold, Edge::kLeft), 1, 1e-6);
-  EXPECT_NEAR(load_on(hold, Edge::kRight), 1, 1e-6);
+  const CriticalPath hold = held(layout.marker());
+  EXPECT_NEAR(load_on(hold, StripEdge::kLeft), 1, 1e-6);
+  EXPECT_NEAR(load_on(hold, StripEdge::kRight), 1, 1e-6);
   // At 45 degrees a unit of room across the contact is worth sqrt(2) of length.
   double across = 0;
   for (const LoadedContact& c : hold.contacts) across += c.second ? c.worth : 0;
   EXPECT_NEAR(across, std::sqrt(2.0), 1e-6);
   EXPECT_NEAR(hold.per_spacing, std::sqrt(2.0), 1e-6);
-  EXPECT_NEAR(load_on(hold, Edge::kTop) + load_on(hold, Edge::kBottom), 2, 1e-6);  // pressed apart up and down
+  EXPECT_NEAR(load_on(hold, StripEdge::kTop) + load_on(hold, StripEdge::kBottom), 2,
+              1e-6);  // pressed apart up and down
 }
 
-TEST(Hold, SaysWhatATiltWouldBring) {
+TEST(CriticalPath, SaysWhatATiltWouldBring) {
   Layout layout{1'000'000};
   const Coord run = 100'000;
   const Coord rise = 50'000;
   // A needle from its left tip to its right one: turned so far, it is shorter by rise per radian.
   layout.put(layout.shape_of({{0, 0}, {run / 2, rise / 2 - 1000}, {run, rise}, {run / 2, rise / 2 + 1000}}),
              {0, 300'000});
-  const Hold hold = held(layout.marker());
+  const CriticalPath hold = held(layout.marker());
   ASSERT_EQ(hold.tilts.size(), 1U);
   EXPECT_NEAR(hold.tilts[0].per_degree, static_cast<double>(rise) * std::numbers::pi / 180, 1);
 }
 
-TEST(Hold, LoadsBalanceOnCompactedMarkers) {
+TEST(CriticalPath, LoadsBalanceOnCompactedMarkers) {
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
     SumCache sums;
     const auto tight = compact(test::loose_marker(seed), compaction_settings(Accuracy::kStandard), {sums});
     ASSERT_TRUE(tight);
-    const Hold hold = held(tight->marker);
-    EXPECT_NEAR(load_on(hold, Edge::kRight), 1, 1e-6);
-    EXPECT_NEAR(load_on(hold, Edge::kLeft), 1, 1e-6);  // nothing else pushes along x
+    const CriticalPath hold = held(tight->marker);
+    EXPECT_NEAR(load_on(hold, StripEdge::kRight), 1, 1e-6);
+    EXPECT_NEAR(load_on(hold, StripEdge::kLeft), 1, 1e-6);  // nothing else pushes along x
     for (const LoadedContact& c : hold.contacts) EXPECT_GT(c.worth, 0);
     EXPECT_GE(hold.contacts.size(), 2U);
   }
 }
 
-TEST(Hold, RoomInASpacingIsWorthWhatItSays) {
+TEST(CriticalPath, RoomInASpacingIsWorthWhatItSays) {
   SumCache sums;
   Marker marker = test::loose_marker(3);
   marker.spacing = 1000;
   const auto tight = compact(marker, compaction_settings(Accuracy::kFine), {sums});
   ASSERT_TRUE(tight);
-  const Hold hold = held(tight->marker);
+  const CriticalPath hold = held(tight->marker);
   Marker looser = tight->marker;
   looser.spacing -= 10;
   const auto shorter = compact(looser, compaction_settings(Accuracy::kFine), {sums});
@@ -93,20 +94,20 @@ TEST(Hold, RoomInASpacingIsWorthWhatItSays) {
   EXPECT_GE(static_cast<double>(tight->length_after - shorter->length_after), 10 * hold.per_spacing - 20);
 }
 
-TEST(Hold, StopsWhenAsked) {
+TEST(CriticalPath, StopsWhenAsked) {
   SumCache sums;
   std::stop_source source;
   source.request_stop();
-  const auto stopped = what_holds(test::loose_marker(3), {sums, source.get_token()});
+  const auto stopped = critical_path(test::loose_marker(3), {sums, source.get_token()});
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().code, ErrorCode::kStoppedEarly);
 }
 
-TEST(Hold, RefusesWhatIsNotValid) {
+TEST(CriticalPath, RefusesWhatIsNotValid) {
   Marker marker = test::loose_marker(3);
   marker.pieces[1].at = marker.pieces[0].at;
   SumCache sums;
-  EXPECT_FALSE(what_holds(marker, {sums}));
+  EXPECT_FALSE(critical_path(marker, {sums}));
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ using test::Layout;
 Bump bumped(const Marker& marker, std::uint32_t piece, double dx, double dy) {
   SumCache sums;
   scene::Scene scene{marker, sums};
-  const Bump result = bump(scene, piece, dx, dy);
+  const Bump result = bump(scene, PieceId{piece}, dx, dy);
   Marker moved = marker;
   moved.pieces[piece].at = result.at;
   EXPECT_TRUE(is_valid(moved));
@@ -66,7 +66,7 @@ TEST(Bump, KeepsTheSpacing) {
   layout.put(square, {0, 0}).put(square, {700, 50}).spaced(7);
   const Bump left = bumped(layout.marker(), 1, -1, 0);
   EXPECT_EQ(left.at.x, 107);
-  EXPECT_EQ(left.touching, (std::vector<std::uint32_t>{0}));
+  EXPECT_EQ(left.touching, (std::vector<PieceId>{PieceId{0}}));
 }
 
 TEST(Bump, OfAMarkerAsItComesHealsFirst) {

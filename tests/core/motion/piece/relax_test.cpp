@@ -14,7 +14,7 @@ using test::Layout;
 Relaxation relaxed(const Marker& marker, std::uint32_t piece, int tilts = 0) {
   SumCache sums;
   const scene::Scene scene{marker, sums};
-  return tilts == 0 ? relax(scene, piece) : relax_tilted(scene, piece, tilts);
+  return tilts == 0 ? relax(scene, PieceId{piece}) : relax_tilted(scene, PieceId{piece}, tilts);
 }
 
 // A square of 100 in a chamber of 300 x 200 whose walls are pieces; its lower left corner at (200, 100).

@@ -26,7 +26,7 @@ double distance(Vec a, Vec b) {
 std::optional<Place> placed(const Marker& marker, std::uint32_t piece, Vec wanted, bool may_grow = false) {
   SumCache sums;
   const scene::Scene scene{marker, sums};
-  const auto found = place(scene, piece, wanted, {may_grow});
+  const auto found = place(scene, PieceId{piece}, wanted, {may_grow});
   if (found) {
     EXPECT_TRUE(is_valid(with(marker, piece, found->at)));
     EXPECT_DOUBLE_EQ(found->distance, distance(found->at, wanted));

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/marker/clearance.h"
 #include "core/marker/validity.h"
 #include "core/motion/compaction/compact.h"
 #include "core/motion/compaction/open_gap.h"
@@ -29,14 +30,15 @@ constexpr std::size_t kPieces = 80;
 double way_apart(const Marker& marker, Coord length, model::Extent extent) {
   SumCache sums;
   const scene::Scene scene{marker, sums};
-  std::vector<separation::PartingPair> parting;
+  std::vector<separation::OverlappingPair> overlapping;
   for (const marker::PiecePair& pair : conflicts(scene.pieces)) {
-    parting.push_back({pair, separation_target(scene, pair, repair::TargetRule::kNearest), 100});
+    overlapping.push_back({pair, separation_target(scene, pair, repair::TargetRule::kNearest), 100});
   }
   const double reach = 0.05 * static_cast<double>(marker.strip.width);
-  const separation::PartingSettings settings{
+  const separation::SeparationStepSettings settings{
       reach, 100, {length, length, 10, 50}, lp::solver::SolverChoice::kAutomatic, extent};
-  const separation::SeparationStep step = separation_step(scene, parting, scene.pieces.positions(), settings, {sums});
+  const separation::SeparationStep step =
+      separation_step(scene, overlapping, scene.pieces.positions(), settings, {sums});
   EXPECT_EQ(step.status, lp::LpStatus::kOptimal);
   double sum = 0;
   for (std::size_t i = 0; i < step.positions.size(); ++i) {
@@ -61,7 +63,7 @@ TEST_P(GarmentExtents, CompactionComesToTheSameLength) {
     settings.solver_tolerance = 0;
     return static_cast<double>(compact(loose, settings, {sums})->length_after);
   };
-  EXPECT_NEAR(length(model::Extent::kReached), length(model::Extent::kWhole), 1e-7 * width_);
+  EXPECT_NEAR(length(model::Extent::kActiveSet), length(model::Extent::kWhole), 1e-7 * width_);
 }
 
 TEST_P(GarmentExtents, PushingOnePieceGainsAsMuch) {
@@ -77,7 +79,7 @@ TEST_P(GarmentExtents, PushingOnePieceGainsAsMuch) {
     for (const RealVec to : {RealVec{1, 0}, {-1, 0}, {0, 1}, {0.6, -0.8}}) {
       const compaction::Force force{PieceId{piece}, to.x, to.y};
       // Farther pieces need not give room for margins when they stay: never less, by a few units more.
-      EXPECT_NEAR(gain(force, model::Extent::kReached), gain(force, model::Extent::kWhole), 1e-5 * width_)
+      EXPECT_NEAR(gain(force, model::Extent::kActiveSet), gain(force, model::Extent::kWhole), 1e-5 * width_)
           << piece << ' ' << to.x;
     }
   }
@@ -96,7 +98,7 @@ TEST_P(GarmentExtents, OpeningAGapGainsAsMuch) {
   };
   for (std::size_t region = 0; region < count; region += 1 + count / 4) {
     const double whole = area(region, model::Extent::kWhole);
-    EXPECT_NEAR(area(region, model::Extent::kReached), whole, 1e-3 * whole) << region;
+    EXPECT_NEAR(area(region, model::Extent::kActiveSet), whole, 1e-3 * whole) << region;
   }
 }
 
@@ -106,7 +108,7 @@ TEST_P(GarmentExtents, PartingOnePieceMovesAsLittle) {
     Marker overlapping = marker_;
     overlapping.pieces[piece].at.x -= marker_.strip.width / 200;
     const Coord length = marker::PlacedPieces{overlapping}.length();
-    EXPECT_NEAR(way_apart(overlapping, length, model::Extent::kReached),
+    EXPECT_NEAR(way_apart(overlapping, length, model::Extent::kActiveSet),
                 way_apart(overlapping, length, model::Extent::kWhole), 1e-5 * width_)
         << piece;
   }
@@ -117,7 +119,7 @@ TEST(Extents, PartingPressesThroughAWholeRow) {
   const auto square = layout.shape_of(test::rectangle(1000, 1000));
   layout.put(square, {0, 0});
   for (Coord k = 1; k < 40; ++k) layout.put(square, {1000 * k - 50, 0});
-  for (const model::Extent extent : {model::Extent::kReached, model::Extent::kWhole}) {
+  for (const model::Extent extent : {model::Extent::kActiveSet, model::Extent::kWhole}) {
     EXPECT_NEAR(way_apart(layout.marker(), 40'000, extent), 39 * 50, 39);
   }
 }

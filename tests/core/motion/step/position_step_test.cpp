@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/marker/validity.h"
+#include "core/marker/clearance.h"
 #include "tests/support/garment.h"
 #include "tests/support/tiled_marker.h"
 

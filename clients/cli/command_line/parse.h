@@ -1,0 +1,39 @@
+// From the arguments of the process to the command that they choose.  The parsing library (CLI11) is visible in
+// parse.cpp only: its templates cost about ten seconds of compile time in every file that includes it.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "clients/cli/command_line/option.h"
+#include "clients/cli/command_line/values.h"
+#include "clients/cli/terminal/exit_code.h"
+
+namespace selvage::cli::command_line {
+
+// A subcommand.
+struct Command {
+  std::string name, summary;
+  std::vector<Option> options;  // positional arguments in their order
+  std::function<terminal::ExitCode(const Values&)> run;
+};
+
+struct Program {
+  std::string name, summary, version;
+  std::string footer;           // printed at the end of every --help
+  std::vector<Option> options;  // may stand before or after the command's name
+  std::vector<Command> commands;
+};
+
+struct Parsed {
+  const Command* command{};                               // null: there is nothing to run
+  Values values;                                          // of the command's options and of the program's
+  terminal::ExitCode exit_code{terminal::ExitCode::kOk};  // when there is nothing to run
+};
+
+// Prints --help, --version and mistakes itself; a mistake gives ExitCode::kBadUsage.  REQUIRES: the program outlives
+// the result, and the keys of a command's options differ from each other and from those of the program's.
+[[nodiscard]] Parsed parse(const Program& program, int argc, const char* const* argv);
+
+}  // namespace selvage::cli::command_line

@@ -1,0 +1,52 @@
+// selvage check: decides exactly whether a marker is valid, and lists what is wrong with it.
+#include <iostream>
+#include <utility>
+
+#include "clients/cli/commands/commands.h"
+#include "clients/cli/commands/shared_options.h"
+#include "clients/cli/run/local.h"
+#include "clients/cli/run/remote.h"
+#include "clients/cli/terminal/files.h"
+#include "clients/cli/terminal/summary.h"
+#include "protocol/formats/decimal_marker.h"
+
+namespace selvage::cli::commands {
+namespace {
+
+// The fields of marker.check's result.
+std::variant<Json, terminal::Failure> validity_of(const MarkerFile& file, const run::ServerChoice& server) {
+  if (server) return run::check_remotely(server, file);
+  return run::check_locally(file);
+}
+
+terminal::ExitCode run_check(const command_line::Values& values) {
+  auto file = terminal::load_marker(values.text("IN"));
+  if (const auto spacing = values.number("spacing"); file && spacing)
+    file = protocol::formats::with_spacing(*std::move(file), *spacing);
+  if (!file) return terminal::report(file.error());
+  const auto checked = validity_of(*file, server_choice(values));
+  if (const auto* failure = std::get_if<terminal::Failure>(&checked)) return terminal::report(*failure);
+  const Json& validity = std::get<Json>(checked);
+  const bool valid = validity["valid"] == true;
+  if (values.flag("json")) {
+    std::cout << protocol::json::to_text(validity) << "\n";
+  } else {
+    terminal::print_notes(file->notes);
+    std::cout << terminal::plain_figures(file->marker) << ": " << (valid ? "valid" : "NOT valid") << "\n"
+              << terminal::plain_violations(file->marker, validity);
+  }
+  return valid ? terminal::ExitCode::kOk : terminal::ExitCode::kNotValid;
+}
+
+}  // namespace
+
+command_line::Command check_command() {
+  return {"check",
+          "Check that no pieces overlap and that all lie within the strip; the test is exact",
+          {input_option(),
+           spacing_option(),
+           {.name = "--json", .kind = command_line::Kind::kFlag, .meaning = "Print the result as one line of JSON"}},
+          &run_check};
+}
+
+}  // namespace selvage::cli::commands

@@ -1,0 +1,101 @@
+#include "clients/cli/commands/marker_run.h"
+
+#include <unistd.h>
+
+#include <iostream>
+#include <utility>
+
+#include "clients/cli/run/local.h"
+#include "clients/cli/run/remote.h"
+#include "clients/cli/terminal/files.h"
+#include "clients/cli/terminal/interrupt.h"
+#include "clients/cli/terminal/summary.h"
+#include "protocol/calls/answer.h"
+#include "protocol/calls/choices.h"
+#include "protocol/execution/thread_pool.h"
+#include "protocol/methods/method_table.h"
+
+namespace selvage::cli::commands {
+namespace {
+
+using run::Invocation;
+using run::Outcome;
+using terminal::ExitCode;
+
+Result<MarkerFile> load(const MarkerFiles& files) {
+  auto file = terminal::load_marker(files.in);
+  if (!file || !files.spacing) return file;
+  return protocol::formats::with_spacing(*std::move(file), *files.spacing);
+}
+
+std::optional<Error> save(const MarkerFiles& files, const MarkerFile& file, const Marker& start, const Json& params) {
+  if (!files.out.empty()) {
+    if (auto error = terminal::save_marker(files.out, file, files.format.value_or(file.format))) return error;
+  }
+  if (!files.outlines.empty()) {
+    if (auto error = terminal::save_marker(files.outlines, file, Format::kOutlines)) return error;
+  }
+  if (files.svg.empty()) return std::nullopt;
+  return terminal::write_text(files.svg, to_svg(file.marker, result_drawing(file, start, params, files.overlays)));
+}
+
+std::variant<Outcome, terminal::Failure> run_invocation(const Invocation& invocation, const MarkerFiles& files,
+                                                        const std::stop_token& stop, terminal::ProgressLine& progress) {
+  if (files.server) return run::run_remotely(files.server, invocation, stop, progress);
+  return run::run_locally(invocation, protocol::execution::ThreadPool{files.threads - 1}, stop, progress);
+}
+
+// Decodes the call as a daemon does that has just opened the marker.
+Result<protocol::calls::ParsedCall> decode_call(const protocol::calls::Method& method, Json& params) {
+  if (params.is_object() && !params.contains("markerId")) params["markerId"] = run::kMarkerId;
+  auto call = method.read(params);
+  if (!call) return call;
+  if (const auto base = call->about.base_revision; base && *base != run::kFirstRevision) {
+    return Error{ErrorCode::kOutOfRange,
+                 std::to_string(*base) + " is not the marker's revision; a marker from a file is at revision 1",
+                 "/baseRev"};
+  }
+  return call;
+}
+
+std::string report_text(const Outcome& outcome, bool timing, const Marker& marker, Report report) {
+  if (report == Report::kJsonLine) return terminal::json_line(outcome.fields, outcome.times, outcome.cache);
+  if (report == Report::kSummary) return terminal::plain_summary(outcome.fields, outcome.times, marker);
+  Json fields = outcome.fields;
+  if (timing) protocol::calls::add_times(fields, outcome.times, outcome.cache);
+  return protocol::json::to_text(protocol::calls::result_json(outcome.marker_id, outcome.revision, fields)) + "\n";
+}
+
+ExitCode exit_code_of(const Outcome& outcome) {
+  if (!outcome.fields.value("valid", true)) return ExitCode::kNotValid;
+  const bool cancelled =
+      outcome.fields.value("stop", "") == protocol::schema::word_of(protocol::calls::StopCause::kCancelled);
+  return cancelled ? ExitCode::kCancelled : ExitCode::kOk;
+}
+
+}  // namespace
+
+ExitCode run_on_marker(std::string_view name, Json params, const MarkerFiles& files, Report report) {
+  const protocol::calls::Method& method = *protocol::methods::find_method(name);
+  const auto call = decode_call(method, params);
+  if (!call) return terminal::report(call.error());
+  const auto file = load(files);
+  if (!file) return terminal::report(file.error());
+  if (report == Report::kSummary) terminal::print_notes(file->notes);
+
+  const terminal::Interrupt interrupt;
+  terminal::ProgressLine progress{file->marker, report == Report::kSummary && isatty(STDERR_FILENO) != 0};
+  const auto done = run_invocation({method, params, *call, *file}, files, interrupt.token(), progress);
+  if (const auto* failure = std::get_if<terminal::Failure>(&done)) return terminal::report(*failure);
+  const Outcome& outcome = std::get<Outcome>(done);
+
+  std::ostream& stream = standard_outputs(files) > 0 ? std::cerr : std::cout;
+  stream << report_text(outcome, call->about.timing, file->marker, report) << std::flush;
+  const ExitCode code = exit_code_of(outcome);
+  const bool unchanged = outcome.revision == run::kFirstRevision;
+  if (code == ExitCode::kNotValid && unchanged) return code;
+  if (const auto error = save(files, outcome.end, file->marker, params)) return terminal::report(*error);
+  return code;
+}
+
+}  // namespace selvage::cli::commands

@@ -1,0 +1,26 @@
+// Runs one method on one marker: reads the files, runs the method here or on a daemon, prints the result and writes the
+// files.
+#pragma once
+
+#include <string_view>
+
+#include "clients/cli/commands/shared_options.h"
+#include "clients/cli/terminal/exit_code.h"
+#include "protocol/json/json_text.h"
+
+namespace selvage::cli::commands {
+
+// What is printed about the result.
+enum class Report {
+  kSummary,   // a few lines for people
+  kJsonLine,  // one line of JSON with names in snake_case, including the times
+  kResult,    // the result as the daemon returns it
+};
+
+// Runs the method like a daemon that has just opened the marker: as "m1", at revision 1.  A marker that is not proved
+// valid is not written, unless the call asks for it.  REQUIRES: the method table has the method; it works on one
+// marker, or it is marker.apply.
+[[nodiscard]] terminal::ExitCode run_on_marker(std::string_view method, Json params, const MarkerFiles& files,
+                                               Report report);
+
+}  // namespace selvage::cli::commands

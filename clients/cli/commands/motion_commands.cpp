@@ -1,0 +1,57 @@
+// A command for each motion: `selvage compact IN --rounds 5` is `selvage call motion.compact` with its parameters given
+// as options.  A motion that is added to the table of methods is a command without further code.
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "clients/cli/commands/commands.h"
+#include "clients/cli/commands/marker_run.h"
+#include "clients/cli/commands/motion_options.h"
+#include "protocol/methods/method_table.h"
+
+namespace selvage::cli::commands {
+namespace {
+
+using command_line::Kind;
+using command_line::Option;
+using protocol::calls::Method;
+
+// "motion.openGap" becomes "open-gap".
+std::string command_name(std::string_view method) {
+  method.remove_prefix(method.find('.') + 1);
+  return option_name(method).substr(2);
+}
+
+terminal::ExitCode run_motion(std::string_view method, const std::vector<ParameterOption>& options,
+                              const command_line::Values& values) {
+  const MarkerFiles files = marker_files(values, "IN");
+  if (const auto failure = check_outputs(files)) return report(*failure);
+  auto params = params_from(options, values);
+  if (!params) return terminal::report(params.error());
+  return run_on_marker(method, *std::move(params), files, values.flag("json") ? Report::kJsonLine : Report::kSummary);
+}
+
+command_line::Command command_of(const Method& method) {
+  std::vector<ParameterOption> parameters = parameter_options(method);
+  command_line::Command command{command_name(method.name), without_full_stop(method.summary), {input_option()}, {}};
+  for (const ParameterOption& parameter : parameters) command.options.push_back(parameter.option);
+  for (Option& option : file_options()) command.options.push_back(std::move(option));
+  command.options.push_back(
+      {.name = "--json", .kind = Kind::kFlag, .meaning = "Print one line of JSON instead of the summary"});
+  command.run = [name = method.name, parameters = std::move(parameters)](const command_line::Values& values) {
+    return run_motion(name, parameters, values);
+  };
+  return command;
+}
+
+}  // namespace
+
+std::vector<command_line::Command> motion_commands() {
+  std::vector<command_line::Command> commands;
+  for (const Method& method : protocol::methods::method_table().all()) {
+    if (method.motion) commands.push_back(command_of(method));
+  }
+  return commands;
+}
+
+}  // namespace selvage::cli::commands

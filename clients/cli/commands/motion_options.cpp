@@ -1,0 +1,146 @@
+#include "clients/cli/commands/motion_options.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "protocol/json/json_text.h"
+
+namespace selvage::cli::commands {
+namespace {
+
+using command_line::Kind;
+using command_line::Option;
+using command_line::Value;
+using protocol::schema::FieldDescription;
+using protocol::schema::Type;
+
+// Options that differ from their parameters in name, unit or meaning.
+struct Exception {
+  std::string_view method, parameter, option;
+  double divisor{1};
+  std::string_view meaning{};  // empty: that of the parameter
+};
+constexpr Exception kExceptions[] = {
+    {"motion.separate", "grow", "--grow", 100, "How much longer the marker may become, in per cent"},
+    {"motion.tilt", "shakes", "--restarts"},
+};
+
+const Exception* exception_of(std::string_view method, std::string_view parameter) {
+  const auto* const found = std::find_if(std::begin(kExceptions), std::end(kExceptions), [&](const Exception& one) {
+    return one.method == method && one.parameter == parameter;
+  });
+  return found == std::end(kExceptions) ? nullptr : found;
+}
+
+// The type itself, when it is only another name for a type.
+Type resolved(const Type& type) {
+  if (type.kind != Type::Kind::kNamed || !type.component().same_as) return type;
+  return resolved(*type.component().same_as);
+}
+
+bool may_be_text(const Type& type) {
+  if (type.kind == Type::Kind::kEither) return std::any_of(type.parts.begin(), type.parts.end(), &may_be_text);
+  return type.kind == Type::Kind::kString || !words_of(type).empty();
+}
+
+// None: the option takes JSON.
+std::optional<Kind> kind_of(const Type& type) {
+  switch (type.kind) {
+    case Type::Kind::kBoolean: return Kind::kFlag;
+    case Type::Kind::kInteger: return Kind::kInteger;
+    case Type::Kind::kNumber: return Kind::kNumber;
+    case Type::Kind::kPair:
+      if (type.parts[0].kind == Type::Kind::kNumber) return Kind::kNumbers;
+      return std::nullopt;
+    default: break;
+  }
+  if (may_be_text(type)) return Kind::kText;
+  return std::nullopt;
+}
+
+// The value of the option when the parameter is absent.
+std::optional<Value> standard_value(const Json& fallback, Kind kind, double divisor) {
+  if (kind == Kind::kText && fallback.is_string()) return fallback.get<std::string>();
+  if (kind == Kind::kInteger && fallback.is_number()) return fallback.get<std::int64_t>();
+  if (kind == Kind::kNumber && fallback.is_number()) return fallback.get<double>() * divisor;
+  return std::nullopt;
+}
+
+ParameterOption option_of(std::string_view method, const FieldDescription& parameter) {
+  const Exception* const exception = exception_of(method, parameter.name);
+  const Type type = resolved(parameter.type);
+  const std::optional<Kind> kind = kind_of(type);
+  const double divisor = exception != nullptr ? exception->divisor : 1;
+  Option option;
+  option.name = exception != nullptr ? std::string{exception->option} : option_name(parameter.name);
+  option.kind = kind.value_or(Kind::kText);
+  const bool own_meaning = exception != nullptr && !exception->meaning.empty();
+  option.meaning = without_full_stop(own_meaning ? exception->meaning : parameter.meaning);
+  option.required = parameter.required;
+  if (!kind) option.placeholder = "JSON";
+  if (kind) option.standard = standard_value(parameter.fallback, *kind, divisor);
+  if (const auto& range = parameter.limits.range; range && (kind == Kind::kInteger || kind == Kind::kNumber))
+    option.range = command_line::Range{range->least * divisor, range->most * divisor};
+  for (const std::string_view word : words_of(type)) option.choices.emplace_back(word);
+  if (kind == Kind::kNumbers) {
+    option.count = 2;
+    option.placeholder = "X,Y";
+  }
+  return {parameter, std::move(option), divisor};
+}
+
+Result<Json> parameter_value(const ParameterOption& option, const Value& value) {
+  if (const auto* flag = std::get_if<bool>(&value)) return Json(*flag);
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) return Json(*integer);
+  if (const auto* number = std::get_if<double>(&value)) return Json(*number / option.divisor);
+  if (const auto* text = std::get_if<std::string>(&value)) {
+    if (kind_of(resolved(option.parameter.type))) return Json(*text);
+    return protocol::json::parse(*text);
+  }
+  Json list = Json::array();
+  for (const double number : std::get<std::vector<double>>(value)) list.push_back(number);
+  return list;
+}
+
+}  // namespace
+
+std::string option_name(std::string_view parameter) {
+  std::string name = "--";
+  for (const char c : parameter) {
+    const bool capital = c >= 'A' && c <= 'Z';
+    if (capital) name += '-';
+    name += capital ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return name;
+}
+
+std::string without_full_stop(std::string_view text) {
+  if (text.ends_with('.')) text.remove_suffix(1);
+  return std::string{text};
+}
+
+std::vector<ParameterOption> parameter_options(const protocol::calls::Method& method) {
+  std::vector<ParameterOption> options;
+  for (const FieldDescription& parameter : method.params()) {
+    if (parameter.group != protocol::calls::CommonParams::kGroup) options.push_back(option_of(method.name, parameter));
+  }
+  return options;
+}
+
+Result<Json> params_from(const std::vector<ParameterOption>& options, const command_line::Values& values) {
+  Json params = Json::object();
+  for (const ParameterOption& option : options) {
+    const Value* const value = values.find(key_of(option.option));
+    if (value == nullptr) continue;
+    auto read = parameter_value(option, *value);
+    if (!read) return read.error();
+    params[std::string{option.parameter.name}] = *std::move(read);
+  }
+  return params;
+}
+
+}  // namespace selvage::cli::commands

@@ -1,0 +1,34 @@
+// The parameters of a method as options of the command line: both follow from the method's descriptor.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "clients/cli/command_line/option.h"
+#include "clients/cli/command_line/values.h"
+#include "core/base/result.h"
+#include "protocol/calls/method.h"
+
+namespace selvage::cli::commands {
+
+// An option that gives a parameter its value.
+struct ParameterOption {
+  protocol::schema::FieldDescription parameter;
+  command_line::Option option;
+  double divisor{1};  // of a number: the parameter is the option's value divided by this
+};
+
+// One for each parameter, apart from those that concern the call itself, such as revisions and deadlines.  "popOut"
+// becomes --pop-out; parameters that are lists or objects are given as JSON.
+[[nodiscard]] std::vector<ParameterOption> parameter_options(const protocol::calls::Method& method);
+
+// "popOut" becomes "--pop-out".
+[[nodiscard]] std::string option_name(std::string_view parameter);
+// The same text without a full stop at its end, as help texts have none.
+[[nodiscard]] std::string without_full_stop(std::string_view text);
+
+// The parameters of a call.  Errors: kSyntax and others of protocol::json::parse, for an option that is given as JSON.
+[[nodiscard]] Result<Json> params_from(const std::vector<ParameterOption>& options, const command_line::Values& values);
+
+}  // namespace selvage::cli::commands

@@ -1,0 +1,99 @@
+#include "clients/cli/commands/shared_options.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <thread>
+
+#include "clients/cli/terminal/files.h"
+
+namespace selvage::cli::commands {
+
+using command_line::Kind;
+using command_line::Option;
+
+Option input_option() {
+  return {.name = "IN",
+          .kind = Kind::kText,
+          .meaning = "Marker in native or sparrow format; - reads standard input",
+          .required = true};
+}
+
+Option spacing_option() {
+  return {.name = "--spacing",
+          .kind = Kind::kNumber,
+          .meaning = "Minimum distance between pieces, in the marker's unit; overrides the marker's own"};
+}
+
+std::vector<Option> file_options() {
+  const std::int64_t cores = std::max(1U, std::thread::hardware_concurrency());
+  return {
+      {.name = "-o,--out",
+       .kind = Kind::kText,
+       .meaning = "Write the resulting marker to this file; - writes standard output"},
+      {.name = "--svg", .kind = Kind::kText, .meaning = "Write a drawing of the result to this file"},
+      {.name = "--arrows",
+       .kind = Kind::kFlag,
+       .meaning = "Draw the displacements of the pieces and the forces on them"},
+      {.name = "--chain", .kind = Kind::kFlag, .meaning = "Draw the critical path, which determines the length"},
+      {.name = "--outlines", .kind = Kind::kText, .meaning = "Write the placed outlines, in exact coordinates"},
+      {.name = "--format",
+       .kind = Kind::kText,
+       .meaning = "Format of --out; default: the format of the input",
+       .choices = {"native", "sparrow"}},
+      spacing_option(),
+      {.name = "--threads",
+       .kind = Kind::kInteger,
+       .meaning = "Number of threads; it does not affect the result",
+       .standard = cores,
+       .range = command_line::Range{1, 256}},
+  };
+}
+
+std::vector<Option> server_options() {
+  return {
+      {.name = "--server",
+       .kind = Kind::kText,
+       .meaning = "Run on this daemon: HOST:PORT, tls://HOST:PORT or the path of a Unix socket"},
+      {.name = "--token-file", .kind = Kind::kText, .meaning = "File whose first line is the daemon's token"},
+      {.name = "--trust",
+       .kind = Kind::kText,
+       .meaning = "With tls://: file of certificates (PEM) to trust instead of the system's"},
+  };
+}
+
+MarkerFiles marker_files(const command_line::Values& values, const std::string& input_key) {
+  MarkerFiles files;
+  files.in = values.text(input_key);
+  files.out = values.text("out");
+  files.svg = values.text("svg");
+  files.outlines = values.text("outlines");
+  if (values.find("format") != nullptr) files.format = format_named(values.text("format"));
+  files.spacing = values.number("spacing");
+  files.overlays = {.arrows = values.flag("arrows"), .critical_path = values.flag("chain")};
+  files.threads = static_cast<std::size_t>(values.integer("threads").value_or(1));
+  files.server = server_choice(values);
+  return files;
+}
+
+run::ServerChoice server_choice(const command_line::Values& values) {
+  return {values.text("server"), values.text("token-file"), values.text("trust")};
+}
+
+int standard_outputs(const MarkerFiles& files) {
+  return (files.out == terminal::kStandardStream) + (files.svg == terminal::kStandardStream) +
+         (files.outlines == terminal::kStandardStream);
+}
+
+std::optional<terminal::Failure> check_outputs(const MarkerFiles& files) {
+  if (standard_outputs(files) <= 1) return std::nullopt;
+  return terminal::bad_usage("only one of --out, --svg, --outlines can be standard output");
+}
+
+Format format_named(const std::string& name) {
+  const auto* const found =
+      std::find(std::begin(protocol::document::kFormatNames), std::end(protocol::document::kFormatNames), name);
+  return static_cast<Format>(found - std::begin(protocol::document::kFormatNames));
+}
+
+}  // namespace selvage::cli::commands

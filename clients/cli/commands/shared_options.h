@@ -1,0 +1,49 @@
+// Options that several commands share: the marker's files, how to draw it, and the daemon to run on.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clients/cli/command_line/option.h"
+#include "clients/cli/command_line/values.h"
+#include "clients/cli/commands/drawing.h"
+#include "clients/cli/run/server_choice.h"
+#include "clients/cli/terminal/failure.h"
+#include "protocol/document/marker_file.h"
+
+namespace selvage::cli::commands {
+
+// Where the marker of a command comes from, where the results go and where the command runs.
+struct MarkerFiles {
+  std::string in;
+  std::string out, svg, outlines;  // empty: not written
+  std::optional<Format> format;    // of `out`; none: that of the input
+  std::optional<double> spacing;   // in the marker's unit; none: the marker's own
+  Overlays overlays;               // of `svg`
+  std::size_t threads{1};          // of this process
+  run::ServerChoice server;
+};
+
+// IN, the marker, as a positional argument.
+[[nodiscard]] command_line::Option input_option();
+// --out, --svg, --arrows, --chain, --outlines, --format, --spacing, --threads.
+[[nodiscard]] std::vector<command_line::Option> file_options();
+[[nodiscard]] command_line::Option spacing_option();
+// --server, --token-file, --trust: options of the program, valid for every command.
+[[nodiscard]] std::vector<command_line::Option> server_options();
+
+// REQUIRES: the values have the options above; `input_key` is the option that names the marker.
+[[nodiscard]] MarkerFiles marker_files(const command_line::Values& values, const std::string& input_key);
+[[nodiscard]] run::ServerChoice server_choice(const command_line::Values& values);
+
+// How many files of results are standard output.
+[[nodiscard]] int standard_outputs(const MarkerFiles& files);
+// At most one of them may be.
+[[nodiscard]] std::optional<terminal::Failure> check_outputs(const MarkerFiles& files);
+
+// REQUIRES: `name` is one of protocol::document::kFormatNames.
+[[nodiscard]] Format format_named(const std::string& name);
+
+}  // namespace selvage::cli::commands

@@ -1,0 +1,65 @@
+#include "clients/cli/run/local.h"
+
+#include <string>
+#include <utility>
+
+#include "protocol/calls/answer.h"
+#include "protocol/edits/changes.h"
+#include "protocol/methods/method_table.h"
+
+namespace selvage::cli::run {
+namespace {
+
+terminal::Failure failure_of_run(const protocol::calls::Method& method, const Error& error) {
+  if (protocol::calls::code_of_run(method, error) == protocol::rpc::RpcCode::kMotionRefused)
+    return {terminal::message_of(error), terminal::ExitCode::kRefused};
+  return terminal::failure_of(error);
+}
+
+std::variant<Outcome, terminal::Failure> apply_locally(const Invocation& invocation) {
+  auto after = apply_edits(invocation.file, invocation.call.params_as<protocol::edits::ApplyParams>().edits);
+  if (!after) return terminal::failure_of(after.error());
+  const protocol::edits::Change change = protocol::edits::change_between(invocation.file, *after);
+  Outcome outcome;
+  outcome.marker_id = invocation.call.about.marker_id;
+  outcome.revision = change.none() ? kFirstRevision : kFirstRevision + 1;
+  outcome.fields = protocol::schema::encode(change);
+  if (!after->notes.empty()) {
+    Json& notes = outcome.fields["notes"] = Json::array();
+    for (const auto& note : protocol::calls::notes_of(after->notes)) notes.push_back(protocol::schema::encode(note));
+  }
+  outcome.end = *std::move(after);
+  return outcome;
+}
+
+}  // namespace
+
+std::variant<Outcome, terminal::Failure> run_locally(const Invocation& invocation, const Executor& executor,
+                                                     const std::stop_token& stop, terminal::ProgressLine& progress) {
+  if (invocation.method.name == kApply) return apply_locally(invocation);
+  SumCache sums;
+  const scene::Run run{sums, stop, progress.observer(), &executor};
+  auto answer = invocation.call.run(invocation.file, protocol::calls::MethodContext{run});
+  const protocol::execution::StageTimes times = progress.finish();
+  if (!answer) return failure_of_run(invocation.method, answer.error());
+  const bool changed = answer->next.has_value();
+  return Outcome{invocation.call.about.marker_id,
+                 changed ? kFirstRevision + 1 : kFirstRevision,
+                 std::move(answer->fields),
+                 times,
+                 sums.counts(),
+                 changed ? protocol::edits::with_marker(invocation.file, *std::move(answer->next)) : invocation.file};
+}
+
+std::variant<Json, terminal::Failure> check_locally(const MarkerFile& file) {
+  const protocol::calls::Method& method = *protocol::methods::find_method("marker.check");
+  const auto call = method.read({{"markerId", kMarkerId}});
+  if (!call) return terminal::failure_of(call.error());
+  SumCache sums;
+  const scene::Run run{sums};
+  auto answer = call->run(file, protocol::calls::MethodContext{run});
+  if (!answer) return failure_of_run(method, answer.error());
+  return std::move(answer->fields);
+}
+
+}  // namespace selvage::cli::run

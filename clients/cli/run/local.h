@@ -1,0 +1,28 @@
+// Runs a method in this process, from the table of methods that the daemon uses too.
+#pragma once
+
+#include <stop_token>
+#include <string_view>
+#include <variant>
+
+#include "clients/cli/run/invocation.h"
+#include "clients/cli/terminal/failure.h"
+#include "clients/cli/terminal/progress.h"
+#include "core/base/executor.h"
+
+namespace selvage::cli::run {
+
+// The one method that runs here although the daemon serves it itself: besides the marker, it may change other parts of
+// the file, such as the attributes of the pieces that it adds.
+inline constexpr std::string_view kApply = "marker.apply";
+
+// REQUIRES: the method works on one marker, or it is kApply.
+[[nodiscard]] std::variant<Outcome, terminal::Failure> run_locally(const Invocation& invocation,
+                                                                   const Executor& executor,
+                                                                   const std::stop_token& stop,
+                                                                   terminal::ProgressLine& progress);
+
+// The fields of marker.check's result.
+[[nodiscard]] std::variant<Json, terminal::Failure> check_locally(const MarkerFile& file);
+
+}  // namespace selvage::cli::run

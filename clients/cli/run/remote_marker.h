@@ -1,0 +1,51 @@
+// A marker that this process has opened on a daemon; closed again at the end of its life.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "clients/cli/run/server_choice.h"
+#include "clients/cli/terminal/failure.h"
+#include "clients/cpp/client.h"
+#include "protocol/formats/format.h"
+
+namespace selvage::cli::run {
+
+// Of an error that a daemon answered with, or that prevented an answer.
+[[nodiscard]] terminal::Failure failure_of(const client::CallError& error);
+
+// A client of the daemon, which has answered once.
+[[nodiscard]] std::variant<std::unique_ptr<client::Client>, terminal::Failure> connect(const ServerChoice& server,
+                                                                                       client::Handlers handlers = {});
+
+class RemoteMarker {
+ public:
+  using OnRound = std::function<void(int round, double length)>;  // called on another thread
+
+  RemoteMarker() = default;
+  ~RemoteMarker();
+  RemoteMarker(const RemoteMarker&) = delete;
+  RemoteMarker& operator=(const RemoteMarker&) = delete;
+
+  // Called first.
+  [[nodiscard]] std::optional<terminal::Failure> open(const ServerChoice& server, const MarkerFile& file,
+                                                      OnRound on_round = {});
+  // The call's result; a stop request cancels the call.  markerId is added to `params`.
+  [[nodiscard]] std::variant<Json, terminal::Failure> call(std::string_view method, Json params,
+                                                           const std::stop_token& stop = {});
+  // The marker as it is on the daemon now, with the format of `file`.
+  [[nodiscard]] std::variant<MarkerFile, terminal::Failure> get(const MarkerFile& file);
+  // Its text in any format, as write_marker gives it.
+  [[nodiscard]] std::variant<std::string, terminal::Failure> text(Format format);
+
+ private:
+  std::unique_ptr<client::Client> client_;
+  std::string id_;
+};
+
+}  // namespace selvage::cli::run

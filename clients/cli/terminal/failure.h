@@ -1,0 +1,27 @@
+// Why a command cannot continue: a message for stderr and the exit code.
+#pragma once
+
+#include <string>
+
+#include "clients/cli/terminal/exit_code.h"
+#include "core/base/error.h"
+
+namespace selvage::cli::terminal {
+
+struct Failure {
+  std::string message;
+  ExitCode code{};
+};
+
+// Of an error met while reading, writing or decoding.
+[[nodiscard]] Failure failure_of(const Error& error);
+// "MESSAGE [NAME]", for an error of this process.
+[[nodiscard]] std::string message_of(const Error& error);
+// A mistake on the command line that only the command itself can see.
+[[nodiscard]] Failure bad_usage(std::string message);
+
+// Prints the message to stderr after the program's name, and returns the exit code.
+[[nodiscard]] ExitCode report(const Failure& failure);
+[[nodiscard]] ExitCode report(const Error& error);
+
+}  // namespace selvage::cli::terminal

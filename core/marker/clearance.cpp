@@ -1,0 +1,94 @@
+#include "core/marker/clearance.h"
+
+#include <algorithm>
+
+namespace selvage::marker {
+namespace {
+
+constexpr std::size_t kBlock = 512;  // pairs that one thread proves at a time
+// So few changed pieces are compared with all others one by one; the pairs of more are found by a sweep.
+constexpr std::size_t kFew = 16;
+
+// True when the polygon, in place of the piece, collides with none of the others but for those that skip(other) names.
+template <class Skip>
+bool clear_of_others(const PlacedPieces& pieces, std::uint32_t piece, const geometry::PlacedPolygon& polygon,
+                     const Skip& skip) {
+  const Box near = polygon.placed_box().grown(pieces.widest_spacing());
+  for (std::uint32_t other = 0; other < pieces.size(); ++other) {
+    if (other == piece || !near.overlaps(pieces.box(other)) || skip(other)) continue;
+    if (collide(polygon, pieces[other], pieces.spacing({piece, other}))) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool collide(const geometry::PlacedPolygon& p, const geometry::PlacedPolygon& q, Coord spacing) {
+  return spacing > 0 ? closer_than(p, q, spacing) : overlap(p, q);
+}
+
+bool conflict(const PlacedPieces& pieces, PiecePair pair) {
+  return collide(pieces[pair.first], pieces[pair.second], pieces.spacing(pair));
+}
+
+std::vector<PiecePair> conflicts(const PlacedPieces& pieces, const Executor& executor, const std::stop_token& stop) {
+  const std::vector<PiecePair> near = pairs_within(pieces, pieces.widest_spacing());
+  return gathered<PiecePair>(executor, near.size(), kBlock, [&](std::size_t k, std::vector<PiecePair>& found) {
+    if (!stop.stop_requested() && conflict(pieces, near[k])) found.push_back(near[k]);
+  });
+}
+
+bool any_conflict(const PlacedPieces& pieces) {
+  return any_pair_within(pieces, pieces.widest_spacing(), [&](PiecePair pair) { return conflict(pieces, pair); });
+}
+
+bool is_clear(const PlacedPieces& pieces, std::uint32_t piece, const geometry::PlacedPolygon& polygon) {
+  return clear_of_others(pieces, piece, polygon, [](std::uint32_t) { return false; });
+}
+
+bool are_clear(const PlacedPieces& pieces, const std::vector<bool>& moving, Vec by) {
+  for (std::uint32_t piece = 0; piece < pieces.size(); ++piece) {
+    if (!moving[piece]) continue;
+    geometry::PlacedPolygon polygon = pieces[piece];
+    polygon.at = polygon.at + by;
+    if (!clear_of_others(pieces, piece, polygon, [&](std::uint32_t other) { return moving[other]; })) return false;
+  }
+  return true;
+}
+
+bool are_clear(const PlacedPieces& pieces, std::span<const std::uint32_t> changed) {
+  if (changed.size() <= kFew) {
+    return std::all_of(changed.begin(), changed.end(),
+                       [&](std::uint32_t piece) { return is_clear(pieces, piece, pieces[piece]); });
+  }
+  std::vector<bool> is_changed(pieces.size());
+  for (const std::uint32_t piece : changed) is_changed[piece] = true;
+  return !any_pair_within(pieces, pieces.widest_spacing(), [&](PiecePair pair) {
+    return (is_changed[pair.first] || is_changed[pair.second]) && conflict(pieces, pair);
+  });
+}
+
+Coord protrusion_of(const Box& box, const Strip& strip) {
+  const Box room = strip.room(strip.last().value_or(box.high.x));
+  return std::max({room.low.x - box.low.x, room.low.y - box.low.y, box.high.x - room.high.x, box.high.y - room.high.y});
+}
+
+bool are_inside(const PlacedPieces& pieces, const Strip& strip) {
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (protrusion_of(pieces.box(i), strip) > 0) return false;
+  }
+  return true;
+}
+
+bool are_inside(const PlacedPieces& pieces, const Box& room) {
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (!room.contains(pieces.box(i))) return false;
+  }
+  return true;
+}
+
+bool all_clear(const PlacedPieces& pieces, const Strip& strip) {
+  return are_inside(pieces, strip) && !any_conflict(pieces);
+}
+
+}  // namespace selvage::marker

@@ -1,0 +1,48 @@
+// The proof of every answer: pieces may touch, but they never overlap, never come closer than their spacing, and never
+// leave the strip or enter its margins.  Decided in integers, and only here: whoever moves pieces asks one of these
+// functions before the answer is given.
+//
+// Pairs of pieces are found by a sweep over their boxes (placed_pieces.h); a single piece is compared with the boxes of
+// all others.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/base/executor.h"
+#include "core/marker/placed_pieces.h"
+
+namespace selvage::marker {
+
+// True when the two overlap, or are closer than the spacing.
+[[nodiscard]] bool collide(const geometry::PlacedPolygon& p, const geometry::PlacedPolygon& q, Coord spacing);
+// The same of two pieces and the spacing between them.
+[[nodiscard]] bool conflict(const PlacedPieces& pieces, PiecePair pair);
+
+// All pairs that collide, sorted.  When cancelled, only some of them: a caller that may be cancelled looks at the token
+// afterwards.
+[[nodiscard]] std::vector<PiecePair> conflicts(const PlacedPieces& pieces, const Executor& executor = serial(),
+                                               const std::stop_token& stop = {});
+// True when some pair collides.
+[[nodiscard]] bool any_conflict(const PlacedPieces& pieces);
+
+// True when `polygon`, in place of the piece, collides with no other piece.
+[[nodiscard]] bool is_clear(const PlacedPieces& pieces, std::uint32_t piece, const geometry::PlacedPolygon& polygon);
+// True when the moving pieces, all displaced by the same vector, collide with none of the others.
+[[nodiscard]] bool are_clear(const PlacedPieces& pieces, const std::vector<bool>& moving, Vec by);
+// True when none of the changed pieces collides with any piece.
+[[nodiscard]] bool are_clear(const PlacedPieces& pieces, std::span<const std::uint32_t> changed);
+
+// The largest distance by which a box leaves the strip or enters its margins; 0 or less when it does neither.
+[[nodiscard]] Coord protrusion_of(const Box& box, const Strip& strip);
+// True when no piece leaves the strip or enters its margins.
+[[nodiscard]] bool are_inside(const PlacedPieces& pieces, const Strip& strip);
+// True when no piece leaves the room.
+[[nodiscard]] bool are_inside(const PlacedPieces& pieces, const Box& room);
+
+// The whole proof: every piece is inside the strip, and no two collide.
+[[nodiscard]] bool all_clear(const PlacedPieces& pieces, const Strip& strip);
+
+}  // namespace selvage::marker

@@ -1,0 +1,93 @@
+#include "core/motion/repair/faults.h"
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+
+#include "core/marker/clearance.h"
+
+namespace selvage::motion::repair {
+namespace {
+
+constexpr std::size_t kNamed = 5;  // a message names at most this many pairs
+
+std::string decimal(const scene::Scene& scene, double lattice_units) {
+  std::ostringstream text;
+  text.precision(6);
+  text << lattice_units * to_decimal(1, scene.marker.resolution) << ' ' << scene.marker.unit;
+  return text.str();
+}
+
+std::string named(const scene::Scene& scene, const std::vector<Conflict>& conflicts) {
+  std::string text;
+  for (std::size_t k = 0; k < conflicts.size() && k < kNamed; ++k) {
+    const auto& [pair, target] = conflicts[k];
+    text += (k > 0 ? ", \"" : "\"") + scene.marker.pieces[pair.first].id + "\" and \"" +
+            scene.marker.pieces[pair.second].id + "\" by " + decimal(scene, target.depth);
+  }
+  if (conflicts.size() <= kNamed) return text;
+  return text + " and " + std::to_string(conflicts.size() - kNamed) + " more";
+}
+
+std::string leaves_the_strip(const scene::Scene& scene, std::size_t piece) {
+  return "piece \"" + scene.marker.pieces[piece].id + "\" leaves the strip by " +
+         decimal(scene, static_cast<double>(protrusion(scene, piece)));
+}
+
+std::string field_of(std::size_t piece) {
+  return "/pieces/" + std::to_string(piece) + "/at";
+}
+
+}  // namespace
+
+std::vector<Conflict> find_conflicts(const scene::Scene& scene, const scene::Run& run) {
+  run.observer.on_stage(scene::Stage::kVerify);
+  std::vector<Conflict> found;
+  for (const marker::PiecePair& pair : conflicts(scene.pieces, *run.executor, run.stop)) {
+    if (run.stopped()) break;
+    found.push_back({pair, separation_target(scene, pair, TargetRule::kNearest)});
+  }
+  return found;
+}
+
+Coord protrusion(const scene::Scene& scene, std::size_t piece) {
+  return std::max(protrusion_of(scene.pieces.box(piece), scene.marker.strip), Coord{0});
+}
+
+bool any_protrusion(const scene::Scene& scene) {
+  return !are_inside(scene.pieces, scene.marker.strip);
+}
+
+std::optional<Error> refuse_deep(const scene::Scene& scene, const std::vector<Conflict>& conflicts, double limit) {
+  for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
+    if (static_cast<double>(protrusion(scene, i)) <= limit) continue;
+    return Error{ErrorCode::kOutsideStrip,
+                 leaves_the_strip(scene, i) + "; at most " + decimal(scene, limit) + " is repaired", field_of(i)};
+  }
+  std::vector<Conflict> deep;
+  std::copy_if(conflicts.begin(), conflicts.end(), std::back_inserter(deep),
+               [&](const Conflict& conflict) { return conflict.target.depth > limit; });
+  if (deep.empty()) return std::nullopt;
+  const std::string pairs = deep.size() == 1 ? " pair of pieces overlaps" : " pairs of pieces overlap";
+  const std::string closer = scene.pieces.widest_spacing() > 0 ? ", or come closer than the spacing," : "";
+  return Error{ErrorCode::kMarkerOverlaps,
+               std::to_string(deep.size()) + pairs + closer + " by more than the " + decimal(scene, limit) +
+                   " that is repaired: " + named(scene, deep),
+               "/pieces"};
+}
+
+Error repair_failed(const scene::Scene& scene, const std::vector<Conflict>& conflicts) {
+  if (!conflicts.empty()) {
+    return {ErrorCode::kRepairFailed,
+            "small overlaps could not be separated: " + named(scene, conflicts) +
+                "; there is no room for them where they are, or the pieces are locked or of one group",
+            "/pieces"};
+  }
+  std::size_t piece = 0;
+  while (piece + 1 < scene.pieces.size() && protrusion(scene, piece) == 0) ++piece;
+  return {ErrorCode::kRepairFailed,
+          leaves_the_strip(scene, piece) + " and could not be put back; there is no room for it, or it is locked",
+          field_of(piece)};
+}
+
+}  // namespace selvage::motion::repair

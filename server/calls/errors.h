@@ -1,0 +1,47 @@
+// The errors that several of the server's methods answer with.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "protocol/calls/params.h"
+#include "server/calls/outcome.h"
+#include "server/jobs/job_queue.h"
+
+namespace selvage::server::calls {
+
+inline protocol::rpc::RpcError unknown_marker(const std::string& id) {
+  return {protocol::rpc::RpcCode::kUnknownMarker, "no marker '" + id + "' is open", Json{{"field", "/markerId"}}};
+}
+inline protocol::rpc::RpcError revision_mismatch(const std::string& id, Revision wanted, Revision present) {
+  return {protocol::rpc::RpcCode::kRevisionMismatch,
+          "marker '" + id + "' is at revision " + std::to_string(present) + ", not " + std::to_string(wanted),
+          Json{{"revision", present}}};
+}
+inline protocol::rpc::RpcError limit_reached(const std::string& what, std::size_t limit) {
+  return {protocol::rpc::RpcCode::kLimit, what + ": the limit is " + std::to_string(limit), Json{{"limit", limit}}};
+}
+// The answer to a call whose caller no longer waits for one.
+inline protocol::rpc::RpcError abandoned() {
+  return {
+      protocol::rpc::RpcCode::kCancelled, "the call was cancelled, or its caller disconnected, before it ended", {}};
+}
+inline protocol::rpc::RpcError shutting_down() {
+  return {protocol::rpc::RpcCode::kDraining, "the server is shutting down", {}};
+}
+inline protocol::rpc::RpcError not_written() {
+  return {protocol::rpc::RpcCode::kInternalError, "the store could not be written; nothing was changed", {}};
+}
+inline protocol::rpc::RpcError no_notifications() {
+  return {protocol::rpc::RpcCode::kInvalidRequest,
+          "this connection cannot receive notifications: use /ws or a line connection",
+          {}};
+}
+// REQUIRES: the queue did not accept the job.
+inline protocol::rpc::RpcError not_admitted(jobs::Admission admission, const jobs::JobQueue& queue,
+                                            const std::string& reason) {
+  if (admission == jobs::Admission::kDraining) return shutting_down();
+  return {protocol::rpc::RpcCode::kBusy, reason, Json{{"retryAfterMs", queue.retry_after_ms()}}};
+}
+
+}  // namespace selvage::server::calls

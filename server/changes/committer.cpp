@@ -1,0 +1,61 @@
+#include "server/changes/committer.h"
+
+#include <memory>
+#include <utility>
+
+#include "protocol/edits/changes.h"
+#include "server/calls/errors.h"
+
+namespace selvage::server::changes {
+namespace {
+
+std::string changed_message(const ReadyChange& change, const MarkerFile& before, const store::Committed& after) {
+  const protocol::edits::ChangedNotification params{{change.marker_id, after.revision},
+                                                    std::string{change.method},
+                                                    protocol::edits::change_between(before, *after.file)};
+  return protocol::json::to_text(protocol::rpc::notification("marker.changed", protocol::schema::encode(params)));
+}
+
+}  // namespace
+
+std::optional<calls::Outcome> Committer::earlier_answer(const std::string& marker_id,
+                                                        const std::optional<std::string>& op_id,
+                                                        std::string_view method) const {
+  if (!op_id) return std::nullopt;
+  const auto kept = store_.answer(marker_id, *op_id);
+  if (!kept) return std::nullopt;
+  if (kept->method == method) return kept->result;
+  return protocol::rpc::rpc_error(
+      Error{ErrorCode::kOutOfRange,
+            protocol::json::shortened(Json(*op_id)) + " was the opId of a call of " + kept->method, "/opId"});
+}
+
+calls::Outcome Committer::commit(ReadyChange change, calls::OpenCall& call) {
+  const Revision base = change.before.revision;
+  const auto text = std::make_shared<const std::string>(protocol::json::to_text(change.result));
+  store::NextRevision next{std::move(change.after), change.origin, {}, {}};
+  if (change.op_id) next.answer = store::KeptAnswer{*change.op_id, std::string{change.method}, text};
+  next.on_committed = [&](const store::Committed& after) {
+    if (!watchers_.any(change.marker_id)) return;
+    watchers_.notify(change.marker_id, changed_message(change, *change.before.file, after));
+  };
+  if (call.abandoned() || !call.settle()) return calls::abandoned();
+  const store::Commit commit = store_.commit(change.marker_id, base, std::move(next));
+  switch (commit.outcome) {
+    case store::Commit::Outcome::kClosed: return calls::unknown_marker(change.marker_id);
+    case store::Commit::Outcome::kMismatch: return calls::revision_mismatch(change.marker_id, base, commit.revision);
+    case store::Commit::Outcome::kNotWritten: return calls::not_written();
+    case store::Commit::Outcome::kDone: break;
+  }
+  return text;
+}
+
+calls::Outcome Committer::keep_unchanged(std::string_view method, const std::string& marker_id,
+                                         const std::optional<std::string>& op_id, Json result) {
+  if (!op_id) return result;
+  const auto text = std::make_shared<const std::string>(protocol::json::to_text(result));
+  if (!store_.keep(marker_id, {*op_id, std::string{method}, text})) return calls::not_written();
+  return text;
+}
+
+}  // namespace selvage::server::changes

@@ -1,0 +1,37 @@
+// Which sessions watch which marker.
+//
+// A watching session is notified of every revision from the next one on, in order, until it stops watching, its
+// connection ends or the marker is closed.  Every function may be called from any thread.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "server/transport/access/service.h"
+
+namespace selvage::server::changes {
+
+class Watchers {
+ public:
+  // REQUIRES: the session can be notified.
+  void watch(const std::string& marker, const std::shared_ptr<transport::access::Session>& session);
+  // Returns false if the session did not watch the marker.
+  bool unwatch(const std::string& marker, std::uint64_t session);
+  // Returns true if at least one session watches the marker.
+  [[nodiscard]] bool any(const std::string& marker) const;
+  void notify(const std::string& marker, const std::string& message);
+  // Sends the last notification about a marker and removes its watchers.
+  void notify_and_remove(const std::string& marker, const std::string& message);
+
+ private:
+  using Sessions = std::map<std::uint64_t, std::weak_ptr<transport::access::Session>>;
+  static void send(const Sessions& sessions, const std::string& message);
+
+  mutable std::mutex mutex_;
+  std::map<std::string, Sessions> watched_;
+};
+
+}  // namespace selvage::server::changes

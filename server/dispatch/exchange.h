@@ -1,0 +1,45 @@
+// One message in progress: its calls, of which one is executed at a time, and the answers so far.
+//
+// The thread that executes the current call uses the exchange alone and hands it on with the next call.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "protocol/rpc/json_rpc.h"
+#include "server/calls/outcome.h"
+#include "server/jobs/reply_once.h"
+#include "server/ops/freed_memory.h"
+#include "server/ops/log.h"
+#include "server/transport/access/service.h"
+
+namespace selvage::server::dispatch {
+
+struct Exchange {
+  using Clock = std::chrono::steady_clock;
+
+  ops::FreedMemory freed;  // first, so that it is destroyed last
+  protocol::rpc::Incoming incoming;
+  std::size_t bytes{};  // of the message
+  std::shared_ptr<transport::access::Session> session;
+  jobs::ReplyOnce<std::string> reply;
+  const ops::OnAnswered& on_answered;
+  Clock::time_point began{Clock::now()};
+  std::size_t calls_done{};
+  std::string marker_id{};  // the marker that the current call is about; empty: none or unknown
+  std::vector<std::string> answers{};
+
+  // Adds the answer to the current call, unless that is a notification, and reports it.
+  void add_answer(const protocol::rpc::Request& request, calls::Outcome outcome);
+  void add_refusal(const protocol::rpc::BadRequest& bad);
+  // All answers as one text; empty if every call was a notification.
+  [[nodiscard]] std::string text();
+};
+
+// An error that answers a whole message, as text.
+[[nodiscard]] std::string error_text(const protocol::rpc::RpcError& error);
+
+}  // namespace selvage::server::dispatch

@@ -1,0 +1,34 @@
+#include "server/dispatch/work_queues.h"
+
+#include <algorithm>
+
+namespace selvage::server::dispatch {
+namespace {
+
+constexpr std::size_t kParsingWorkers = 1;
+// Reads have workers of their own, so that no read waits behind a motion.  One of them is for quick reads only, so that
+// no quick read waits behind a long one.  Likewise there is one more worker for quick changes only.
+constexpr std::size_t kReadWorkers = 1, kQuickReadWorkers = 1, kQuickChangeWorkers = 1;
+// Nor does a drag session wait behind a motion, or behind one other session.
+constexpr std::size_t kMinDragWorkers = 2;
+
+}  // namespace
+
+WorkQueues::WorkQueues(std::size_t workers, const calls::Limits& limits)
+    : parsing{workers == 0 ? 0 : kParsingWorkers, limits.waiting_reads},
+      reads{workers == 0 ? 0 : kReadWorkers, limits.waiting_reads, kQuickReadWorkers},
+      motions{workers, limits.waiting_motions, kQuickChangeWorkers},
+      drags{workers == 0 ? 0 : std::max(workers, kMinDragWorkers), limits.waiting_moves} {}
+
+void WorkQueues::drain() {
+  motions.drain();
+  drags.drain();
+  parsing.drain();
+  reads.drain();
+}
+
+std::size_t WorkQueues::running() const {
+  return motions.running() + drags.running() + reads.running() + parsing.running();
+}
+
+}  // namespace selvage::server::dispatch

@@ -1,0 +1,54 @@
+// A queue that serves sessions round-robin.  Elements of one session come out in the order in which they were pushed;
+// between two of them, every other session that has one comes first.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace selvage::server::jobs {
+
+template <class Element>
+class FairQueue {
+ public:
+  void push(std::uint64_t session, Element element) {
+    const auto [own, first] = by_session_.try_emplace(session);
+    own->second.push_back(std::move(element));
+    if (first) turns_.push_back(session);
+    ++size_;
+  }
+  // Takes the first acceptable element of the first session in turn that has one; nothing if no session has one.
+  template <class Accepts>
+  [[nodiscard]] std::optional<Element> take(const Accepts& accepts) {
+    for (auto turn = turns_.begin(); turn != turns_.end(); ++turn) {
+      const std::uint64_t session = *turn;
+      const auto own = by_session_.find(session);
+      const auto found = std::find_if(own->second.begin(), own->second.end(), accepts);
+      if (found == own->second.end()) continue;
+      std::optional<Element> element{std::move(*found)};
+      own->second.erase(found);
+      turns_.erase(turn);
+      if (own->second.empty()) {
+        by_session_.erase(own);
+      } else {
+        turns_.push_back(session);
+      }
+      --size_;
+      return element;
+    }
+    return std::nullopt;
+  }
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+  [[nodiscard]] std::size_t size() const { return size_; }
+
+ private:
+  std::map<std::uint64_t, std::deque<Element>> by_session_;  // sessions that have at least one element
+  std::deque<std::uint64_t> turns_;                          // the same sessions, in turn
+  std::size_t size_{};
+};
+
+}  // namespace selvage::server::jobs

@@ -1,0 +1,61 @@
+// The methods that edit a marker: marker.apply, marker.undo and marker.redo.
+#include <utility>
+
+#include "protocol/edits/changes.h"
+#include "server/calls/errors.h"
+#include "server/methods/method_groups.h"
+
+namespace selvage::server::methods {
+namespace {
+
+using namespace protocol::edits;
+using protocol::schema::encode;
+using store::UndoDirection;
+
+calls::Outcome apply(const ApplyParams& params, const ServerContext& server, calls::OpenCall& call) {
+  const auto& [id, base, op_id] = params.call;
+  if (const auto earlier = server.committer.earlier_answer(id, op_id, "marker.apply")) return *earlier;
+  const auto now = server.store.current(id);
+  if (!now) return calls::unknown_marker(id);
+  if (base && *base != now->revision) return calls::revision_mismatch(id, *base, now->revision);
+  auto after = apply_edits(*now->file, params.edits);
+  if (!after) return protocol::rpc::rpc_error(after.error());
+  ApplyResult result{{{id, now->revision + 1}, change_between(*now->file, *after)}, {}};
+  if (!after->notes.empty()) result.notes = protocol::calls::notes_of(after->notes);
+  after->notes.clear();
+  if (result.committed.change.none()) {
+    result.committed.at.revision = now->revision;
+    return server.committer.keep_unchanged("marker.apply", id, op_id, encode(result));
+  }
+  return server.committer.commit(
+      {"marker.apply", id, *now, *std::move(after), store::Origin::kChange, op_id, encode(result)}, call);
+}
+
+template <UndoDirection direction>
+calls::Outcome undo_or_redo(const ChangeParams& params, const ServerContext& server, calls::OpenCall& call) {
+  constexpr bool kUndo = direction == UndoDirection::kUndo;
+  constexpr std::string_view kMethod = kUndo ? "marker.undo" : "marker.redo";
+  const auto& [id, base, op_id] = params;
+  if (const auto earlier = server.committer.earlier_answer(id, op_id, kMethod)) return *earlier;
+  auto next = server.store.peek(id, direction);
+  if (!next) return calls::unknown_marker(id);
+  if (base && *base != next->from.revision) return calls::revision_mismatch(id, *base, next->from.revision);
+  if (!next->file) {
+    return rpc_error(Error{ErrorCode::kNothingToUndo, kUndo ? "nothing to undo" : "nothing to redo", ""},
+                     protocol::rpc::RpcCode::kMotionRefused);
+  }
+  const CommittedChange result{{id, next->from.revision + 1}, change_between(*next->from.file, *next->file)};
+  return server.committer.commit({kMethod, id, next->from, *std::move(next->file),
+                                  kUndo ? store::Origin::kUndo : store::Origin::kRedo, op_id, encode(result)},
+                                 call);
+}
+
+}  // namespace
+
+std::vector<HandledMethod> change_methods() {
+  return {{"marker.apply", handle_with<ApplyParams, apply>},
+          {"marker.undo", handle_with<ChangeParams, undo_or_redo<UndoDirection::kUndo>>},
+          {"marker.redo", handle_with<ChangeParams, undo_or_redo<UndoDirection::kRedo>>}};
+}
+
+}  // namespace selvage::server::methods

@@ -1,0 +1,32 @@
+// The methods of the server: each method of the protocol with its handler.
+//
+// Tests pass a table of the protocol's methods in which some rows are replaced by functions of their own: ones that
+// wait, throw exceptions or never end.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "protocol/methods/method_table.h"
+#include "server/methods/handler.h"
+
+namespace selvage::server::methods {
+
+class HandlerTable {
+ public:
+  struct Row {
+    protocol::calls::Method method;
+    Handler handle;
+  };
+
+  explicit HandlerTable(const protocol::methods::MethodTable& methods = protocol::methods::method_table());
+
+  // Null if there is no method of this name.
+  [[nodiscard]] const Row* find(std::string_view name) const;
+  [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
+
+ private:
+  std::vector<Row> rows_;
+};
+
+}  // namespace selvage::server::methods

@@ -1,0 +1,115 @@
+// The methods about markers as a whole: marker.open, marker.list, marker.get and marker.close.
+#include <optional>
+#include <utility>
+
+#include "protocol/calls/answer.h"
+#include "protocol/calls/piece_state.h"
+#include "protocol/methods/daemon/engine.h"
+#include "protocol/methods/daemon/markers.h"
+#include "protocol/methods/readings/get.h"
+#include "server/calls/errors.h"
+#include "server/methods/method_groups.h"
+
+namespace selvage::server::methods {
+namespace {
+
+namespace daemon = protocol::methods::daemon;
+namespace schema = protocol::schema;
+using protocol::methods::readings::GetParams;
+
+calls::Outcome open(daemon::OpenParams& params, const ServerContext& server, calls::OpenCall& call) {
+  if (const auto earlier = server.committer.earlier_answer("", params.op_id, "marker.open")) return *earlier;
+  if (call.abandoned() || !call.settle()) return calls::abandoned();
+  Json result;
+  const auto opened = server.store.open(
+      std::move(params.file), [&](const store::OpenMarker& marker) -> std::optional<store::KeptAnswer> {
+        result = schema::encode(daemon::opened(marker.id, marker.now.revision, *marker.now.file));
+        if (!params.op_id) return std::nullopt;
+        return store::KeptAnswer{*params.op_id, "marker.open",
+                                 std::make_shared<const std::string>(protocol::json::to_text(result))};
+      });
+  if (const auto* why = std::get_if<store::NotOpened>(&opened)) {
+    if (*why == store::NotOpened::kLimit) return calls::limit_reached("too many open markers", server.store.limit());
+    return calls::not_written();
+  }
+  return result;
+}
+
+calls::Outcome list(const daemon::NoParams&, const ServerContext& server, const calls::OpenCall&) {
+  daemon::ListResult result;
+  for (const store::OpenMarker& open : server.store.all()) {
+    result.markers.push_back(daemon::listed(open.id, open.now.revision, open.now.file->marker));
+  }
+  return schema::encode(result);
+}
+
+// The pieces that moved after a revision.  Nothing if more than placements has changed since.
+std::optional<Json> placements_since(const store::Committed& now, Revision since) {
+  if (since < now.stamps->whole || since > now.revision) return std::nullopt;
+  const Marker& marker = now.file->marker;
+  std::vector<protocol::calls::PieceState> placements;
+  for (std::size_t i = 0; i < marker.pieces.size(); ++i) {
+    if (now.stamps->pieces[i] > since) placements.push_back(protocol::calls::state_of(marker, marker.pieces[i]));
+  }
+  return schema::Wire<decltype(placements)>::write(placements);
+}
+
+Json document_json(const std::string& id, Revision revision, Format format, Json document) {
+  return protocol::calls::result_json(id, revision, {{"format", name_of(format)}, {"marker", std::move(document)}});
+}
+
+calls::Outcome get(const GetParams& params, const ServerContext& server, const calls::OpenCall& call) {
+  const std::string& id = params.marker_id;
+  const auto now = server.store.current(id);
+  if (!now) return calls::unknown_marker(id);
+  if (params.format != Format::kNative) {
+    if (call.abandoned()) return calls::abandoned();
+    auto document = protocol::formats::marker_document(*now->file, params.format);
+    if (!document) return protocol::rpc::rpc_error(document.error());
+    return document_json(id, now->revision, params.format, *std::move(document));
+  }
+  if (params.since) {
+    if (auto placements = placements_since(*now, *params.since)) {
+      return protocol::calls::result_json(id, now->revision,
+                                          {{"since", *params.since}, {"placements", *std::move(placements)}});
+    }
+  }
+  return now->text->get([&] {
+    return protocol::json::to_text(document_json(id, now->revision, Format::kNative,
+                                                 *protocol::formats::marker_document(*now->file, Format::kNative)));
+  });
+}
+
+calls::Outcome close(const daemon::CloseParams& params, const ServerContext& server, calls::OpenCall& call) {
+  const std::string& id = params.marker_id;
+  const auto text =
+      std::make_shared<const std::string>(protocol::json::to_text(schema::encode(daemon::CloseResult{id})));
+  if (const auto earlier = server.committer.earlier_answer("", params.op_id, "marker.close")) {
+    const auto* kept = std::get_if<store::SharedText>(&*earlier);
+    if (!kept || **kept == *text) return *earlier;
+    return protocol::rpc::rpc_error(
+        Error{ErrorCode::kOutOfRange,
+              protocol::json::shortened(Json(*params.op_id)) + " was the opId of a call that closed another marker",
+              "/opId"});
+  }
+  if (call.abandoned() || !call.settle()) return calls::abandoned();
+  std::optional<store::KeptAnswer> answer;
+  if (params.op_id) answer = store::KeptAnswer{*params.op_id, "marker.close", text};
+  const auto on_closed = [&] {
+    server.watchers.notify_and_remove(id, protocol::json::to_text(protocol::rpc::notification(
+                                              "marker.closed", schema::encode(daemon::MarkerIdParams{id}))));
+  };
+  if (!server.store.close(id, answer, on_closed)) return calls::unknown_marker(id);
+  return text;
+}
+
+}  // namespace
+
+std::vector<HandledMethod> marker_methods() {
+  return {{"marker.open", handle_with<daemon::OpenParams, open>},
+          {"marker.list", handle_with<daemon::NoParams, list>},
+          {"marker.get", handle_with<GetParams, get>},
+          {"marker.close", handle_with<daemon::CloseParams, close>}};
+}
+
+}  // namespace selvage::server::methods

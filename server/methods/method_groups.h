@@ -1,0 +1,24 @@
+// The handlers of the methods, one group per source file.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "protocol/calls/method.h"
+#include "server/methods/handler.h"
+
+namespace selvage::server::methods {
+
+[[nodiscard]] std::vector<HandledMethod> engine_methods();  // engine.info, rpc.discover
+[[nodiscard]] std::vector<HandledMethod> marker_methods();  // marker.open, .list, .get, .close
+[[nodiscard]] std::vector<HandledMethod> watch_methods();   // marker.watch, .unwatch
+[[nodiscard]] std::vector<HandledMethod> change_methods();  // marker.apply, .undo, .redo
+[[nodiscard]] std::vector<HandledMethod> drag_methods();    // drag.begin, .move, .end
+
+// The handler of a method that works on one marker, which the command line runs, too.  REQUIRES: method.on_marker.
+[[nodiscard]] Handler motion_handler(const protocol::calls::Method& method);
+
+// The OpenRPC document of all methods, as text.
+[[nodiscard]] std::string openrpc_text();
+
+}  // namespace selvage::server::methods

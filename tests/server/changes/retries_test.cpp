@@ -1,0 +1,61 @@
+// A retry with the same `opId` gets the same answer.
+#include <gtest/gtest.h>
+
+#include "tests/server/dispatch/local_server.h"
+
+namespace selvage::test {
+namespace {
+
+TEST(Retries, GetTheSameAnswerAndDoNothingTwice) {
+  LocalServer local;
+  (void)local.open_small();
+  const std::vector<std::pair<std::string, std::string>> calls{
+      {"marker.apply", R"({"markerId":"m1","opId":"a","ops":[{"op":"move","piece":"low","by":[-1,0]}]})"},
+      {"motion.compact", R"({"markerId":"m1","opId":"b"})"},
+      {"marker.undo", R"({"markerId":"m1","opId":"c"})"},
+      {"marker.redo", R"({"markerId":"m1","opId":"d"})"},
+      {"motion.bump", R"({"markerId":"m1","opId":"e","piece":"low","direction":[0,1]})"},
+      {"marker.close", R"({"markerId":"m1","opId":"f"})"}};
+  for (const auto& [method, params] : calls) {
+    const std::string first = local.ask(call(1, method, params));
+    EXPECT_EQ(Json::parse(first).count("result"), 1U) << first;
+    const auto revision = local.store().current("m1").value_or(server::store::Committed{}).revision;
+    EXPECT_EQ(local.ask(call(1, method, params)), first);
+    EXPECT_EQ(local.store().current("m1").value_or(server::store::Committed{}).revision, revision) << method;
+  }
+  const std::string open = call(1, "marker.open", R"({"opId":"o","marker":)" + kSmallMarker + "}");
+  EXPECT_EQ(local.ask(open), local.ask(open));
+  EXPECT_EQ(local.store().count(), 1U);
+}
+
+TEST(Retries, AnOpIdBelongsToOneMethodAndOneMarker) {
+  LocalServer local;
+  (void)local.open_small();
+  (void)local.open_small();
+  (void)local.result("motion.compact", "{'markerId':'m1','opId':'a'}");
+  const Json other = local.result("marker.undo", "{'markerId':'m1','opId':'a'}");
+  EXPECT_EQ(other["error"]["data"]["field"], "/opId");
+  EXPECT_EQ(local.result("motion.compact", "{'markerId':'m2','opId':'a'}")["revision"], 2);
+}
+
+TEST(Retries, ARefusedCallCanBeRepeated) {
+  LocalServer local;
+  (void)local.open_small();
+  EXPECT_EQ(code_of(local.result("motion.compact", "{'markerId':'m1','opId':'a','baseRev':7}")), -32801);
+  EXPECT_EQ(local.result("motion.compact", "{'markerId':'m1','opId':'a','baseRev':1}")["revision"], 2);
+}
+
+TEST(Retries, AnOpIdOfACloseBelongsToOneMarker) {
+  LocalServer local;
+  (void)local.open_small();
+  (void)local.open_small();
+  const Json closed = local.result("marker.close", "{'markerId':'m2','opId':'a'}");
+  EXPECT_EQ(closed["closed"], true);
+  EXPECT_EQ(local.result("marker.close", "{'markerId':'m2','opId':'a'}"), closed);
+  EXPECT_EQ(local.result("marker.close", "{'markerId':'m1','opId':'a'}")["error"]["data"]["field"], "/opId");
+  EXPECT_TRUE(local.store().current("m1"));
+  EXPECT_EQ(local.result("marker.get", "{'markerId':'m2'}")["error"]["data"]["field"], "/markerId");
+}
+
+}  // namespace
+}  // namespace selvage::test
