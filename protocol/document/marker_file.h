@@ -16,14 +16,14 @@ inline constexpr std::string_view kFormatNames[] = {"native", "sparrow", "outlin
 inline constexpr Format kReadableFormats[] = {Format::kNative, Format::kSparrow};             // all are written
 [[nodiscard]] std::string_view name_of(Format format);
 
-// Something a reader mended, rounded or took differently than written, worth saying.
+// Something that a reader repaired, rounded or read differently than written.
 struct Note {
   std::string field;  // JSON pointer into the document that was read
   std::string text;
   friend bool operator==(const Note&, const Note&) = default;
 };
 
-// What a file says beside the marker itself; every entry is an object, empty when there is nothing.
+// What a file contains besides the marker itself; every entry is an object, empty when there is nothing.
 struct Attributes {
   Json whole = Json::object();
   std::vector<Json> shapes, pieces;  // one per shape, one per piece

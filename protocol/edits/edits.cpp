@@ -5,10 +5,12 @@
 
 #include "protocol/formats/native.h"
 
-namespace selvage::protocol::schema {
+namespace selvage::protocol::edits {
 namespace {
 
-using edits::Edit;
+using schema::Component;
+using schema::Type;
+using schema::Wire;
 
 template <std::size_t... index>
 constexpr auto ops_of(std::index_sequence<index...>) {
@@ -20,7 +22,7 @@ std::vector<Type> types_of(std::index_sequence<index...>) {
 }
 template <class Kind>
 Edit read_as(const Json& value, const std::string& at, json::Mistake& mistake) {
-  return decode_at<Kind>(value, at, mistake);
+  return schema::decode_at<Kind>(value, at, mistake);
 }
 using ReadEdit = Edit (*)(const Json&, const std::string&, json::Mistake&);
 template <std::size_t... index>
@@ -34,11 +36,27 @@ constexpr auto kReaders = readers_of(kAll);
 
 const Component& edit_component() {
   static const Component kEdit{
-      .name = "Edit", .meaning = "An operation of marker.apply.", .same_as = either(types_of(kAll))};
+      .name = "Edit", .meaning = "An operation of marker.apply.", .same_as = schema::either(types_of(kAll))};
   return kEdit;
 }
 
 }  // namespace
+
+Type edit_type() {
+  return {.kind = Type::Kind::kNamed, .component = &edit_component};
+}
+
+Edit read_edit(const Json& value, const std::string& at, json::Mistake& mistake) {
+  json::Fields op{value, at, mistake};
+  (void)op.required_any("op");
+  const std::size_t which = op.word_or("op", 0, kOps);
+  if (mistake) return RemovePiece{};
+  return kReaders[which](value, at, mistake);
+}
+
+}  // namespace selvage::protocol::edits
+
+namespace selvage::protocol::schema {
 
 void Wire<edits::NativePiece>::read(const FieldAt& at, edits::NativePiece& value) {
   value.piece = formats::read_native_piece(at.fields.object(at.key), at.pointer(), at.mistake, value.attributes);
@@ -53,18 +71,6 @@ void Wire<edits::NullableLength>::read(const FieldAt& at, edits::NullableLength&
   const Json* length = at.fields.required_any(at.key);
   if (!length || length->is_null()) return;
   value.value = checked_number(*length, at.limits.range.value(), at.mistake, at.pointer());
-}
-
-Type Wire<Edit>::type() {
-  return {.kind = Type::Kind::kNamed, .component = &edit_component};
-}
-
-Edit Wire<Edit>::read_entry(const Json& value, const std::string& at, json::Mistake& mistake) {
-  json::Fields op{value, at, mistake};
-  (void)op.required_any("op");
-  const std::size_t which = op.word_or("op", 0, kOps);
-  if (mistake) return edits::RemovePiece{};
-  return kReaders[which](value, at, mistake);
 }
 
 }  // namespace selvage::protocol::schema

@@ -196,6 +196,10 @@ using Edit = std::variant<AddPiece, RemovePiece, MovePiece, RotatePiece, FlipPie
 
 inline constexpr std::size_t kMaxEdits = 100'000;
 
+[[nodiscard]] schema::Type edit_type();
+// Errors: 10xx, `field` is a JSON pointer below `at`.
+[[nodiscard]] Edit read_edit(const Json& value, const std::string& at, json::Mistake& mistake);
+
 // The file after all edits; its notes list the repairs of shapes that were added, `field` pointing into the parameters
 // ("/ops/3/shape/outline").  Errors: those of make_marker, kOutOfRange for a piece that the marker does not have,
 // kBeyondLattice; `field` points at the operation, or into it.
@@ -222,8 +226,10 @@ struct Wire<edits::NullableLength> {
 };
 template <>
 struct Wire<edits::Edit> {
-  static Type type();
-  static edits::Edit read_entry(const Json& value, const std::string& at, json::Mistake& mistake);
+  static Type type() { return edits::edit_type(); }
+  static edits::Edit read_entry(const Json& value, const std::string& at, json::Mistake& mistake) {
+    return edits::read_edit(value, at, mistake);
+  }
 };
 
 }  // namespace selvage::protocol::schema

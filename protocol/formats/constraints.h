@@ -1,4 +1,4 @@
-// What a marker maker sets about a piece beside its placement: locks, its rigid group and its buffer.  The same words
+// What a marker maker sets for a piece besides its placement: locks, its rigid group and its buffer.  The same fields
 // in the native and the sparrow form:
 //   "locked": true, or the list of what is: "x", "y", "tilt"; "group": a name; "buffer": a length.
 #pragma once

@@ -1,8 +1,8 @@
-// A marker in decimals, as files write it, and its way onto the lattice.
+// A marker in decimals, as files contain it, and its conversion to the lattice.
 //
-// The readers of the file forms fill this in; on_lattice chooses the resolution, rounds, mends outlines, says
-// what it mended and checks the whole.  Errors and notes point into the native form ("/shapes/2/outline"); a
-// reader of another form renames them.
+// The readers of the file formats fill this in; on_lattice chooses the resolution, rounds, repairs outlines, lists the
+// repairs in the notes and checks the result.  Errors and notes point into the native format ("/shapes/2/outline"); the
+// reader of another format renames them.
 #pragma once
 
 #include <optional>
@@ -51,7 +51,7 @@ inline constexpr double kFarthest = 1e5;
 [[nodiscard]] Result<MarkerFile> on_lattice(const DecimalMarker& written, document::Attributes attributes,
                                             Format format);
 
-// One shape, with what was mended added to the notes.  REQUIRES: its coordinates fit the lattice.
+// One shape; repairs are added to the notes.  REQUIRES: its coordinates fit the lattice.
 // Errors: those of clean_polygon, below "/shapes/<index>/outline".
 [[nodiscard]] Result<Shape> shape_on_lattice(const DecimalShape& written, std::size_t index, Resolution resolution,
                                              std::vector<Note>& notes);

@@ -1,8 +1,8 @@
-// Marker files: which forms there are, and one way to read and write any of them.
+// Marker files: the formats, and how to read and write any of them.
 //
-// Read and written: Selvage's own form (native.h) and the jagua-rs / sparrow solution (sparrow.h).  Written
-// only: placed outlines (outlines.h) and a drawing (svg.h).  All coordinates pass through the lattice exactly
-// when the input's decimals fit it; what reading had to mend or round is said in the notes.
+// Read and written: Selvage's native format (native.h) and the jagua-rs / sparrow solution (sparrow.h).  Only written:
+// placed outlines (outlines.h) and a drawing (svg.h).  Coordinates are exact when the input's decimals fit the lattice;
+// repairs and rounding are listed in the notes.
 #pragma once
 
 #include <string>

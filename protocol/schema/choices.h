@@ -1,4 +1,4 @@
-// Enumerations on the wire: each is written as one of a list of words.  The words of an enumeration are spelled once,
+// Enumerations on the wire: each value is written as a word.  The words of an enumeration are spelled once,
 // in a specialisation of Choices; decoders, encoders, OpenRPC and the command line all read them there.
 #pragma once
 
