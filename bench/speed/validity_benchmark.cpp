@@ -4,7 +4,8 @@
 
 #include "bench/support/marker_file.h"
 #include "core/marker/validity.h"
-#include "protocol/methods/marker_methods.h"
+#include "protocol/calls/answer.h"
+#include "protocol/methods/method_table.h"
 
 namespace selvage::bench {
 namespace {
@@ -22,14 +23,14 @@ void prove(benchmark::State& state, const std::string& name) {
 
 void check_method(benchmark::State& state, const std::string& name) {
   const MarkerFile file{.marker = marker_in(path_of(name)), .format = Format::kNative, .notes = {}, .attributes = {}};
-  const protocol::calls::MarkerMethod& method = *protocol::methods::find_marker_method("marker.check");
-  const protocol::calls::Engine engine;
+  const protocol::calls::Method& method = *protocol::methods::find_method("marker.check");
   for (auto _ : state) {
     SumCache sums;
     const auto call = method.read(*protocol::json::parse(R"({"markerId":"m1"})"));
-    const auto answer = call->run(file, protocol::calls::MethodContext{engine, scene::Run{sums}});
+    const scene::Run run{sums};
+    const auto answer = call->run(file, protocol::calls::MethodContext{run});
     if (!answer->fields.at("valid").get<bool>()) state.SkipWithError("not valid");
-    benchmark::DoNotOptimize(protocol::json::to_text(protocol::methods::result_json("m1", 1, answer->fields)));
+    benchmark::DoNotOptimize(protocol::json::to_text(protocol::calls::result_json("m1", 1, answer->fields)));
   }
 }
 

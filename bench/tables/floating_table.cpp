@@ -13,6 +13,7 @@
 #include <string>
 
 #include "core/marker/validity.h"
+#include "core/motion/compaction/compact.h"
 #include "core/motion/floating/float_apart.h"
 #include "protocol/formats/format.h"
 

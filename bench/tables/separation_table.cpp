@@ -21,6 +21,7 @@
 
 #include "bench/support/marker_file.h"
 #include "core/minkowski/inner_fit.h"
+#include "core/motion/compaction/compact.h"
 #include "core/motion/separation/separate.h"
 
 namespace selvage::bench {

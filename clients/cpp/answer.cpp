@@ -15,7 +15,8 @@ Answer answer_in(const Json& response) {
   if (reported.contains("code") && reported["code"].is_number_integer()) {
     error.code = static_cast<CallCode>(reported["code"].get<int>());
   }
-  if (reported.contains("message") && reported["message"].is_string()) error.message = reported["message"].get<std::string>();
+  if (reported.contains("message") && reported["message"].is_string())
+    error.message = reported["message"].get<std::string>();
   if (reported.contains("data")) error.details = reported["data"];
   return error;
 }

@@ -19,19 +19,19 @@ Coord x_of(const std::optional<MarkerFile>& file) {
 
 TEST(History, KeepsALimitedNumberOfSteps) {
   History history;
-  const Coord last = 3 * static_cast<Coord>(History::kMostSteps);
+  const Coord last = 3 * static_cast<Coord>(History::kMaxSteps);
   for (Coord x = 0; x < last; ++x) {
     (void)history.record(Origin::kChange, state(x), protocol::edits::moves_between(*state(x), *state(x + 1)));
   }
-  EXPECT_EQ(history.steps(Way::kUndo), History::kMostSteps);
+  EXPECT_EQ(history.steps(UndoDirection::kUndo), History::kMaxSteps);
   Coord x = last;
-  for (auto now = state(x); const auto back = history.after(Way::kUndo, *now); now = state(x)) {
+  for (auto now = state(x); const auto back = history.after(UndoDirection::kUndo, *now); now = state(x)) {
     ASSERT_EQ(x_of(back), x - 1);
     (void)history.record(Origin::kUndo, now, protocol::edits::moves_between(*now, *back));
     --x;
   }
-  EXPECT_EQ(x, last - static_cast<Coord>(History::kMostSteps));
-  EXPECT_EQ(x_of(history.after(Way::kRedo, *state(x))), x + 1);
+  EXPECT_EQ(x, last - static_cast<Coord>(History::kMaxSteps));
+  EXPECT_EQ(x_of(history.after(UndoDirection::kRedo, *state(x))), x + 1);
 }
 
 TEST(History, KeepsWholeMarkersOnlyIfMovesDoNotSufficeAndWithinItsMemory) {
@@ -43,9 +43,9 @@ TEST(History, KeepsWholeMarkersOnlyIfMovesDoNotSufficeAndWithinItsMemory) {
     EXPECT_FALSE(moves);
     (void)history.record(Origin::kChange, before, moves);
   }
-  EXPECT_GT(history.steps(Way::kUndo), 3U);
-  EXPECT_LT(history.steps(Way::kUndo) * kPieces * sizeof(Piece), History::kMostBytes);
-  EXPECT_EQ(history.after(Way::kUndo, *state(0, kPieces + 40))->marker.pieces.size(), kPieces + 39);
+  EXPECT_GT(history.steps(UndoDirection::kUndo), 3U);
+  EXPECT_LT(history.steps(UndoDirection::kUndo) * kPieces * sizeof(Piece), History::kMaxBytes);
+  EXPECT_EQ(history.after(UndoDirection::kUndo, *state(0, kPieces + 40))->marker.pieces.size(), kPieces + 39);
 }
 
 }  // namespace

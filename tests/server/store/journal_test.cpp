@@ -100,7 +100,7 @@ TEST_F(JournalTest, ARestoredHistoryKeepsItsLimits) {
     server::store::Journal journal{path(), server::store::Durability::kRelaxed};
     LocalServer local{0, pushing_methods(), {}, &journal};
     (void)local.open_small();
-    for (std::size_t i = 0; i < server::store::History::kMostSteps + 50; ++i) {
+    for (std::size_t i = 0; i < server::store::History::kMaxSteps + 50; ++i) {
       (void)local.result("marker.apply",
                          "{'markerId':'m1','ops':[{'op':'move','piece':'low','at':[" + std::to_string(i) + ".25,0]}]}");
     }
@@ -109,7 +109,7 @@ TEST_F(JournalTest, ARestoredHistoryKeepsItsLimits) {
   LocalServer local{0, pushing_methods(), {}, &journal};
   std::size_t undone = 0;
   while (local.result("marker.undo", "{'markerId':'m1'}").contains("revision")) ++undone;
-  EXPECT_EQ(undone, server::store::History::kMostSteps);
+  EXPECT_EQ(undone, server::store::History::kMaxSteps);
 }
 
 TEST_F(JournalTest, AHistoryIsCutOffWhereItCannotBeRead) {
@@ -235,7 +235,7 @@ TEST_F(JournalTest, AStoreThatCannotBeWrittenChangesNothing) {
   server::store::Journal journal{path(), server::store::Durability::kFull};
   LocalServer local{0, pushing_methods(), {}, &journal};
   (void)local.open_small();
-  Listener watching;
+  Client watching;
   (void)local.ask(call(1, "marker.watch", R"({"markerId":"m1"})"), watching.session());
   // The store cannot write a revision that it already contains.
   {
