@@ -216,7 +216,7 @@ class Ends(unittest.TestCase):
             marker = client.open(SQUARES)
             with marker.drag("right") as drag:
                 drag.move((60, 10))
-            self.assertEqual((marker.revision, hand.ended.revision), (2, 2))
+            self.assertEqual((marker.revision, drag.ended.revision), (2, 2))
             self.assertEqual(marker.apply([ops.move("right", by=(7, 0))], base_rev=marker.revision).revision, 3)
 
     def test_a_dragged_piece_stays_when_the_drag_fails(self):

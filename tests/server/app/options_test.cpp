@@ -59,7 +59,7 @@ class ExposedOptions : public ::testing::Test {
 TEST_F(ExposedOptions, TheErrorNamesTheMissingOption) {
   const char* token = token_.c_str();
   const auto misses = [](const std::string& text, const std::string& option) {
-    return text.find("is reached by other machines: " + option) != std::string::npos;
+    return text.find("can be reached by other machines: " + option) != std::string::npos;
   };
   for (const auto* address : {"0.0.0.0:7171", "192.168.1.2:80", "[::]:7171"}) {
     EXPECT_TRUE(misses(refusal({"--listen", address}), "--token-file is missing")) << address;
