@@ -83,8 +83,8 @@ class Sync(LiveTest):
             self.assertTrue(rounds)
             self.assertEqual(marker.undo().length, 90)
             self.assertEqual(marker.apply([ops.move("right", by=(10, 0))]).length, 100)
-            with marker.drag("right") as hand:
-                self.assertEqual(hand.move((45, 0)).at, (45, 0))
+            with marker.drag("right") as drag:
+                self.assertEqual(drag.move((45, 0)).at, (45, 0))
             self.assertEqual(marker.check().revision, 5)
             self.assertTrue(marker.check().valid)
 

@@ -11,9 +11,14 @@
 #include "core/motion/compaction/compact.h"
 #include "core/motion/compaction/open_gap.h"
 #include "core/motion/compaction/push.h"
+#include "core/motion/dragging/drag.h"
 #include "core/motion/floating/float_apart.h"
 #include "core/motion/piece/bump.h"
+#include "core/motion/piece/relax.h"
+#include "core/motion/placing/place.h"
 #include "core/motion/separation/separate.h"
+#include "core/motion/tilting/tilt.h"
+#include "core/search/refine.h"
 #include "tests/laws/random_marker.h"
 #include "tests/laws/random_settings.h"
 
@@ -25,9 +30,9 @@ using test::Random;
 using test::random_settings;
 
 // The law that the motion broke; empty when it broke none.
-std::string broken_law(const Marker& before, const Marker& after) {
+std::string broken_law(const Marker& before, const Marker& after, bool may_lengthen = false) {
   if (!is_valid(after)) return "not valid";
-  if (length_of(after) > length_of(before)) return "longer";
+  if (!may_lengthen && length_of(after) > length_of(before)) return "longer";
   if (after.shapes != before.shapes || after.strip != before.strip || after.spacing != before.spacing ||
       after.pieces.size() != before.pieces.size()) {
     return "a different marker";
@@ -170,6 +175,125 @@ TEST(MotionLaws, OpeningAGap) {
     larger += result->after.area > result->before.area ? 1 : 0;
   }
   EXPECT_GT(larger, trials / 4);
+}
+
+// Any piece, and any position on the strip or a little outside it.
+PieceId any_piece(Random& random, const Marker& marker) {
+  return PieceId{static_cast<std::uint32_t>(random.below(marker.pieces.size()))};
+}
+Vec any_position(Random& random, const Marker& marker) {
+  const Coord outside = marker.strip.width / 8;
+  const Coord x = random.between(-outside, length_of(marker) + outside);
+  return {x, random.between(-outside, marker.strip.width + outside)};
+}
+// Empty when every piece but this one is as it was.
+std::string others_moved(const Marker& before, const Marker& after, PieceId piece) {
+  for (std::size_t k = 0; k < before.pieces.size(); ++k) {
+    if (k != piece.value && after.pieces[k] != before.pieces[k]) return "piece " + std::to_string(k) + " moved";
+  }
+  return "";
+}
+
+TEST(MotionLaws, Dragging) {
+  Random random{107};
+  int moved = 0;
+  const int trials = 1000 / kSlowdown;
+  for (int trial = 0; trial < trials; ++trial) {
+    const Marker marker = test::random_marker(random);
+    const PieceId piece = any_piece(random, marker);
+    const bool push = random.chance(50);
+    const auto mode = push ? motion::dragging::DragMode::kPush : motion::dragging::DragMode::kPlace;
+    SumCache sums;
+    const auto result = drag(marker, piece, any_position(random, marker), mode, {sums});
+    ASSERT_EQ(broken_law(marker, result.marker, true), "") << trial;
+    if (!push) {
+      ASSERT_EQ(others_moved(marker, result.marker, piece), "") << trial;
+    }
+    moved += result.marker == marker ? 0 : 1;
+  }
+  EXPECT_GT(moved, trials / 4);
+}
+
+TEST(MotionLaws, Placing) {
+  Random random{108};
+  for (int trial = 0; trial < 1000 / kSlowdown; ++trial) {
+    const Marker marker = test::random_marker(random);
+    const PieceId piece = any_piece(random, marker);
+    const Vec wanted = any_position(random, marker);
+    SumCache sums;
+    const auto result = motion::placing::repair_and_place(marker, piece, wanted, {}, {sums});
+    ASSERT_TRUE(result) << trial << ' ' << result.error().message;
+    ASSERT_EQ(broken_law(marker, result->marker), "") << trial;
+    ASSERT_EQ(others_moved(marker, result->marker, piece), "") << trial;
+  }
+}
+
+TEST(MotionLaws, Relaxing) {
+  Random random{109};
+  for (int trial = 0; trial < 1000 / kSlowdown; ++trial) {
+    const Marker marker = test::random_marker(random);
+    const PieceId piece = any_piece(random, marker);
+    SumCache sums;
+    const auto result = motion::piece::repair_and_relax(marker, piece, 0, {sums});
+    ASSERT_TRUE(result) << trial << ' ' << result.error().message;
+    ASSERT_EQ(broken_law(marker, result->marker), "") << trial;
+    ASSERT_EQ(others_moved(marker, result->marker, piece), "") << trial;
+    ASSERT_GE(result->relaxation.freedom, 0) << trial;
+  }
+}
+
+// What tilting may change: places and tilts, tilts within the limit.
+std::string broken_tilt_law(const Marker& before, const Marker& after, Angle limit) {
+  if (!is_valid(after)) return "not valid";
+  if (length_of(after) > length_of(before)) return "longer";
+  if (after.pieces.size() != before.pieces.size()) return "another marker";
+  for (std::size_t k = 0; k < before.pieces.size(); ++k) {
+    const Piece& was = before.pieces[k];
+    const Piece& is = after.pieces[k];
+    if (was.locked && is != was) return "locked piece " + std::to_string(k) + " moved";
+    if (is.orientation.rotation != was.orientation.rotation || is.orientation.flip != was.orientation.flip) {
+      return "piece " + std::to_string(k) + " was rotated or flipped";
+    }
+    if (std::abs(is.orientation.tilt.degrees) > limit.degrees + 1e-12) {
+      return "piece " + std::to_string(k) + " is tilted beyond the limit";
+    }
+  }
+  return "";
+}
+
+TEST(MotionLaws, Tilting) {
+  Random random{110};
+  for (int trial = 0; trial < 60 / kSlowdown; ++trial) {
+    const Marker marker = test::random_marker(random);
+    const auto method =
+        random.chance(50) ? motion::tilting::TiltMethod::kLinearisation : motion::tilting::TiltMethod::kRelaxation;
+    motion::tilting::TiltSettings settings = tilt_settings(method, motion::compaction::Accuracy::kDraft);
+    settings.limit = Angle::of_degrees(3 * random.part());
+    settings.rounds = 2;
+    SumCache sums;
+    const auto result = tilt(marker, settings, {sums});
+    ASSERT_TRUE(result) << trial << ' ' << result.error().message;
+    ASSERT_EQ(broken_tilt_law(marker, result->marker, *settings.limit), "") << trial;
+    ASSERT_LE(result->length_after, result->length_compacted) << trial;
+  }
+}
+
+TEST(MotionLaws, Refinement) {
+  Random random{111};
+  for (int trial = 0; trial < 60 / kSlowdown; ++trial) {
+    const Marker marker = test::random_marker(random);
+    SumCache sums;
+    const auto compaction = compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums});
+    ASSERT_TRUE(compaction) << trial << ' ' << compaction.error().message;
+    const auto seed = static_cast<std::uint32_t>(random.below(1000));
+    const auto result = search::refine(marker, {.variants = 2, .effort = 30, .tilts = false, .seed = seed}, {sums});
+    ASSERT_TRUE(result) << trial << ' ' << result.error().message;
+    ASSERT_TRUE(is_valid(result->marker)) << trial;
+    ASSERT_LE(result->length_after, compaction->length_after) << trial;
+    for (std::size_t k = 0; k < marker.pieces.size(); ++k) {
+      ASSERT_TRUE(!marker.pieces[k].locked || result->marker.pieces[k] == marker.pieces[k]) << trial;
+    }
+  }
 }
 
 }  // namespace

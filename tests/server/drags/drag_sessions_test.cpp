@@ -141,6 +141,7 @@ TEST(DragSessions, AnEndThatIsRefusedAsBusyCanBeSentAgain) {
     (void)local.result("drag.begin", std::string{"{'markerId':'m1','piece':'"} + piece + "'}");
   }
   auto first = local.send(call(1, "drag.move", R"({"dragId":"d1","to":[0,0]})"));
+  slow.await_begun(1);
   auto second = local.send(call(2, "drag.move", R"({"dragId":"d2","to":[0,0]})"));
   slow.await_begun(2);  // both workers are busy
   auto fills_the_queue = local.send(call(3, "drag.move", R"({"dragId":"d3","to":[6,5]})"));

@@ -41,14 +41,29 @@ TEST(Compact, ClosesGapsBetweenRectanglesExactly) {
   EXPECT_EQ(compacted(layout.marker()).length_after, 500);
 }
 
-TEST(Compact, MovesAPieceAsideToLetAnotherPass) {  // no single piece can gain: [Li94 1.2.2]
-  Layout layout{200};
-  const auto square = layout.shape_of(test::rectangle(100, 100));
-  const auto wedge = layout.shape_of({{0, 50}, {100, 0}, {100, 100}});
-  layout.put(square, {0, 0}).put(square, {0, 100}).put(wedge, {90 + 10, 50});
-  layout.put(square, {200, 50});
-  const auto result = compacted(layout.marker());
-  EXPECT_EQ(result.length_after, result.length_before);  // a wedge cannot split two squares held by the edges
+// A wedge whose tip fills the gap of 100 units between two squares: it gets farther only while the upper square moves
+// aside, so no motion of a single piece to the left gains anything [Li94 1.2.2].
+Layout wedge_between_squares(Coord width) {
+  Layout layout{width};
+  const auto square = layout.shape_of(test::rectangle(1000, 1000));
+  const auto wedge = layout.shape_of({{0, 500}, {1000, 0}, {1000, 1000}});
+  layout.put(square, {0, 0}).put(square, {0, 1100}).put(wedge, {900, 550}).put(square, {1900, 550});
+  return layout;
+}
+
+TEST(Compact, MovesAPieceAsideToLetAnotherPass) {
+  const auto result = compacted(wedge_between_squares(2500).marker());
+  EXPECT_GE(result.length_after, 2500);  // the wedge enters until it is as wide as the room of 500 units
+  EXPECT_LE(result.length_after, 2504);  // each slanted contact keeps a margin of a unit or two
+  EXPECT_GE(result.marker.pieces[1].at.y - result.marker.pieces[0].at.y, 1498);
+}
+
+TEST(Compact, CannotWedgePiecesApartThatTheEdgesHold) {
+  const Marker marker = wedge_between_squares(2100).marker();
+  const auto result = compacted(marker);
+  EXPECT_EQ(result.length_after, result.length_before);
+  EXPECT_EQ(result.marker.pieces[0].at, marker.pieces[0].at);
+  EXPECT_EQ(result.marker.pieces[1].at, marker.pieces[1].at);
 }
 
 TEST(Compact, KeepsLockedPiecesToTheUnit) {
@@ -119,10 +134,21 @@ TEST(Compact, TakesPiecesExactlyAsWideAsTheStrip) {
   EXPECT_LE(after, 6 * 600 + 5 * 4);
 }
 
+// Two squares as wide as the strip overlap by a little, so their repair needs more length than they have.
 TEST(Compact, RespectsTheClothsEnd) {
-  Marker marker = test::loose_marker(3);
-  marker.strip.longest = length_of(marker);
-  EXPECT_LT(compacted(marker).length_after, *marker.strip.longest);
+  constexpr Coord kSide = 100'000;
+  Layout layout{kSide};
+  const auto square = layout.shape_of(test::rectangle(kSide, kSide));
+  layout.put(square, {0, 0}).put(square, {kSide - 5, 0});
+  Marker marker = layout.marker();
+  EXPECT_EQ(compacted(marker).length_after, 2 * kSide);
+  marker.strip.longest = 2 * kSide;
+  EXPECT_EQ(compacted(marker).length_after, 2 * kSide);
+  marker.strip.longest = 2 * kSide - 1;
+  SumCache sums;
+  const auto refused = compact(marker, kStandard, {sums});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kRepairFailed);
 }
 
 TEST(Compact, NoRoundIsLongerThanTheOneBefore) {
