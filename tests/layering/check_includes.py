@@ -36,7 +36,7 @@ ONLY_IN = {
     "nlohmann/": ("protocol/", "clients/cpp/"),
     "sqlite3": ("server/store/journal_database.cpp",),
     "spdlog/": ("server/",),
-    "CLI/": ("server/app/", "clients/cli/"),
+    "CLI/": ("server/app/options.cpp", "clients/cli/command_line/parse.cpp"),
     "CGAL/": (),
 }
 # Motions that solve no linear program: neither they nor the sources of what they include know more of one than what it
