@@ -9,6 +9,12 @@ namespace selvage::server::transport::connections {
 
 using Clock = std::chrono::steady_clock;
 
+boost::asio::awaitable<void> Signal::wait() {
+  boost::system::error_code ignored;
+  timer_.expires_at(Clock::time_point::max());
+  co_await timer_.async_wait(boost::asio::redirect_error(boost::asio::use_awaitable, ignored));
+}
+
 Connection::Connection(Socket connected, std::uint64_t id, bool requires_token)
     : socket{std::move(connected)},
       read_watchdog{socket.get_executor()},

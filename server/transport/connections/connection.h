@@ -49,11 +49,9 @@ class Signal {
  public:
   explicit Signal(const boost::asio::any_io_executor& executor) : timer_{executor} {}
 
-  boost::asio::awaitable<void> wait() {
-    boost::system::error_code ignored;
-    timer_.expires_at(std::chrono::steady_clock::time_point::max());
-    co_await timer_.async_wait(boost::asio::redirect_error(boost::asio::use_awaitable, ignored));
-  }
+  // Not inline: g++ 12 numbers the fields of a coroutine's frame anew in every source that contains it, which the
+  // linker's check of the one-definition rule reports.
+  boost::asio::awaitable<void> wait();
   void notify() { timer_.cancel(); }
 
  private:
