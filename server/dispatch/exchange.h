@@ -1,6 +1,6 @@
 // One message in progress: its calls, of which one is executed at a time, and the answers so far.
 //
-// The thread that executes the current call uses the exchange alone and hands it on with the next call.
+// Only the thread that executes the current call uses the exchange; it passes it to the thread of the next call.
 #pragma once
 
 #include <chrono>

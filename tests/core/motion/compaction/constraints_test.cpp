@@ -74,10 +74,10 @@ RC_GTEST_PROP(Constraints, HoldWhenOverlapsAreParted, ()) {
     piece.at.x = std::max<Coord>(0, piece.at.x - *rc::gen::inRange<Coord>(0, 80'000));
   }
   SumCache sums;
-  const auto parted = separation::separate(start, {.grow = 1}, {sums});
-  RC_PRE(static_cast<bool>(parted));  // refused when a locked piece lies outside
-  expect_constraints_hold(start, parted->marker);
-  RC_ASSERT(parted->apart == marker::is_valid(parted->marker));
+  const auto separated = separation::separate(start, {.grow = 1}, {sums});
+  RC_PRE(static_cast<bool>(separated));  // refused when a locked piece lies outside
+  expect_constraints_hold(start, separated->marker);
+  RC_ASSERT(separated->apart == marker::is_valid(separated->marker));
 }
 
 Marker three_squares() {

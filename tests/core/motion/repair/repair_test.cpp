@@ -152,13 +152,13 @@ TEST(Heal, ShakenCompactedMarkersHealAndStayAsShort) {
     SumCache sums;
     const auto tight = compact(test::loose_marker(seed), compaction_settings(compaction::Accuracy::kStandard), {sums});
     ASSERT_TRUE(tight);
-    Marker shaken = tight->marker;
+    Marker perturbed = tight->marker;
     std::mt19937 random{seed};
-    for (Piece& piece : shaken.pieces) {
+    for (Piece& piece : perturbed.pieces) {
       piece.at.x += static_cast<Coord>(random() % 21) - 10;
       piece.at.y += static_cast<Coord>(random() % 21) - 10;
     }
-    const auto again = compact(shaken, compaction_settings(compaction::Accuracy::kStandard), {sums});
+    const auto again = compact(perturbed, compaction_settings(compaction::Accuracy::kStandard), {sums});
     ASSERT_TRUE(again) << again.error().message;
     EXPECT_TRUE(is_valid(again->marker));
     EXPECT_GT(again->repair.pairs + again->repair.protruding, 0U);

@@ -224,7 +224,7 @@ TEST(Separate, StoppedBetweenRoundsSpeaksOfWhatItHandsBack) {
   }
 }
 
-// A loose marker, tightened, shaken.
+// A loose marker, compacted and then perturbed.
 Marker shaken_marker() {
   const auto seed = *rc::gen::arbitrary<std::uint32_t>();
   Marker marker = test::loose_marker(seed, *rc::gen::inRange(1, 5), *rc::gen::inRange(1, 4));

@@ -168,9 +168,9 @@ TEST(Tilt, ShakesNeverMakeItLonger) {
   TiltSettings settings = settings_of(TiltMethod::kLinearisation);
   const Tilting once = tilted_marker(marker, settings);
   settings.perturbations = 3;
-  const Tilting shaken = tilted_marker(marker, settings);
-  EXPECT_LE(shaken.length_after, once.length_after);
-  EXPECT_GT(shaken.rounds, once.rounds);
+  const Tilting perturbed = tilted_marker(marker, settings);
+  EXPECT_LE(perturbed.length_after, once.length_after);
+  EXPECT_GT(perturbed.rounds, once.rounds);
 }
 
 TEST(Tilt, StopsWithTheBestSoFar) {
