@@ -54,7 +54,7 @@ export class Browser {
     const { browserContextId } = await this.send("Target.createBrowserContext");
     const { targetId } = await this.send("Target.createTarget", { url: "about:blank", browserContextId });
     const { sessionId } = await this.send("Target.attachToTarget", { targetId, flatten: true });
-    const page = new Page(this, sessionId);
+    const page = new Page(this, sessionId, browserContextId);
     await page.start({ width, height, language, media, touch, token });
     await page.send("Page.navigate", { url });
     return page;
@@ -75,9 +75,15 @@ export class Page {
   faults = [];
   requests = [];
 
-  constructor(browser, session) {
+  constructor(browser, session, context) {
     this.browser = browser;
     this.session = session;
+    this.context = context;
+  }
+
+  /** Files that the page saves go to a folder. */
+  saveTo(downloadPath) {
+    return this.browser.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath, browserContextId: this.context });
   }
 
   send(method, params) {

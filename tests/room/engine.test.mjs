@@ -79,7 +79,7 @@ test("the fine search shows its best so far, draws its curve, and stops with it"
 test("tilt, float, separate, relax", () =>
   story(here, async (page, port) => {
     const { markerId } = await shown(page, port);
-    for (const name of ["Tilt", "Float"]) {
+    for (const name of ["Float", "Tilt"]) {
       await page.press(name);
       await page.until(offered, name);
       const before = await revision(page);

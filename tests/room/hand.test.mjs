@@ -12,6 +12,7 @@ const onSquares = (count, act, change = {}) => async () => {
   const marker = { ...squares(count), ...change };
   const { markerId } = await call(daemon.port, "marker.open", { marker });
   const page = await visit(here.browser, daemon.port, { marker: markerId });
+  if (count > 4) await page.key("0"); // all of a long marker
   await act(page, daemon.port, markerId);
   await assertValid(daemon.port, markerId);
   assert.deepEqual(page.faults, []);
@@ -27,8 +28,8 @@ test("a drag pushes its neighbours aside", onSquares(6, async (page, port, marke
   await page.mouse("mouseReleased", x + 40 * scale, y);
   await atRevision(page, 2);
   const { marker } = await shown(page, port);
-  assert.ok(placed(marker, "p1")[0] > 80);
-  assert.ok(placed(marker, "p2")[0] > 100);
+  assert.ok(placed(marker, "p1")[0] > 61, "farther than it could go alone");
+  assert.ok(placed(marker, "p2")[0] > 101);
 }));
 
 test("the other kind of drag moves nothing else, and slides along what it meets", onSquares(6, async (page, port, markerId) => {

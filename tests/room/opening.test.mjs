@@ -65,7 +65,7 @@ test("files are opened by dropping them, and saved as they are shown", () =>
     })()`);
     await page.until(`document.querySelector("#marker-name").textContent === "seven"`);
     const folder = mkdtempSync(join(tmpdir(), "selvage-saved-"));
-    await page.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: folder }).catch(() => page.send("Page.setDownloadBehavior", { behavior: "allow", downloadPath: folder }));
+    await page.saveTo(folder);
     await page.key("s", "control");
     let saved;
     for (let k = 0; k < 200 && !saved; ++k, await new Promise((resolve) => setTimeout(resolve, 25))) {

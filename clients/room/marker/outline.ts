@@ -61,7 +61,7 @@ export function labelSpot(all: readonly Point[]): { x: number; y: number; radius
   const [wide, high] = [box.right - box.left, box.top - box.bottom];
   const points = all.length > 120 ? simplified(all, Math.max(wide, high) / 200) : all;
   const middle = { x: (box.left + box.right) / 2, y: (box.bottom + box.top) / 2, radius: 0 };
-  const across = wide > high ? [17, 9] : [9, 17];
+  const across = wide > high ? [18, 10] : [10, 18];
   const spots = [];
   for (let i = 1; i < across[0]!; ++i) {
     for (let j = 1; j < across[1]!; ++j) {

@@ -58,6 +58,11 @@ export function buildEnginePanel(host: HTMLElement, desk: Desk, engine: Engine, 
   follow([engine.beside, engine.compared, desk.figures, wording], () => drawBeside(beside, desk, engine));
 }
 
+/** The keyboard goes back to the marker when what it was at disappears. */
+function leave(host: HTMLElement): void {
+  if (host.contains(document.activeElement)) document.getElementById("top")?.focus();
+}
+
 function buildProgress(host: HTMLElement, engine: Engine): void {
   const title = h("span", { class: "card-title" });
   const stop = textButton("stop", () => engine.run.value?.stop(), "danger");
@@ -66,6 +71,7 @@ function buildProgress(host: HTMLElement, engine: Engine): void {
   let since = 0;
   follow([engine.run, wording], () => {
     const run = engine.run.value;
+    if (!run) leave(host);
     host.hidden = !run;
     if (!run) return;
     setText(title, run.round > 0 ? say("running", { what: run.title, round: numberText(run.round, 0) }) : say("starting", { what: run.title }));
@@ -111,6 +117,7 @@ export function buildOffer(host: HTMLElement, desk: Desk, engine: Engine): void 
   fill(host, title, gain, more, h("span", { class: "buttons" }, take, keys("↵"), keep, keys("K"), drop, keys("Esc")));
   follow([engine.preview, desk.figures, wording], () => {
     const result = engine.preview.value;
+    if (!result) leave(host);
     host.dataset["shown"] = result ? "yes" : "";
     host.inert = !result;
     if (!result) return;

@@ -35,7 +35,7 @@ export function buildHeader(host: HTMLElement, desk: Desk, engine: Engine, comma
   const use = figure("utilisation", "utilisation");
   const gain = figure("gain", "gain");
   const right = h("div", { class: "header-right" }, iconButton("settings", "settings", actions.settings), iconButton("help", "help", actions.help));
-  const brand = h("span", { class: "brand" }, "Selvage");
+  const brand = h("h1", { class: "brand" }, "Selvage");
   fill(host, brand, menu, undo, redo, h("div", { class: "figures" }, length.box, use.box, gain.box), right);
 
   follow([desk.figures, desk.marker, engine.preview, wording], () => {
