@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
@@ -19,19 +20,20 @@
 #include <thread>
 #include <vector>
 
-#include "protocol/json/json_text.h"
 #include "tests/server/wire/websocket_wire.h"
 #include "tests/server/wire/wire.h"
 
 namespace selvage::bench {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 using Clock = std::chrono::steady_clock;
 using test::WebSocketWire;
 using test::Wire;
 
 std::string call(const std::string& method, const Json& params) {
-  return protocol::json::to_text({{"jsonrpc", "2.0"}, {"id", 1}, {"method", method}, {"params", params}});
+  return Json{{"jsonrpc", "2.0"}, {"id", 1}, {"method", method}, {"params", params}}.dump();
 }
 
 Json ask(WebSocketWire& wire, const std::string& method, const Json& params) {

@@ -100,8 +100,7 @@ Type Wire<calls::ProgressToken>::type() {
 void Wire<calls::ProgressToken>::read(const FieldAt& at, calls::ProgressToken& value) {
   const Json* token = at.fields.maybe_any(at.key);
   const bool suits =
-      token && (token->is_number() ||
-                (token->is_string() && token->get_ref<const std::string&>().size() <= calls::kLongestToken));
+      token && (token->is_number() || (token->is_string() && token->text().size() <= calls::kLongestToken));
   if (suits) {
     value.value = *token;
     return;

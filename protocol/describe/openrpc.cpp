@@ -61,7 +61,9 @@ Json object_schema(const std::vector<FieldDescription>& fields) {
 Json component_schema(const schema::Component& component) {
   Json schema;
   if (!component.words.empty()) {
-    schema = {{"type", "string"}, {"enum", component.words}};
+    Json words = Json::array();
+    for (const std::string_view word : component.words) words.push_back(word);
+    schema = {{"type", "string"}, {"enum", std::move(words)}};
   } else if (component.same_as) {
     schema = type_schema(*component.same_as);
   } else {

@@ -20,7 +20,7 @@ Json read_attributes(json::Fields& fields) {
 std::vector<Angle> read_rotations(json::Fields& fields, json::Mistake& mistake) {
   const Json* value = fields.maybe_any("rotations");
   if (!value) return {Angle{}};
-  if (value->is_string() && value->get_ref<const std::string&>() == "any") return {};
+  if (value->is_string() && value->text() == "any") return {};
   if (!value->is_array() || value->empty()) {
     mistake.add(ErrorCode::kWrongType, json::shortened(*value) + R"( where a list of degrees or "any" is required)",
                 fields.pointer("rotations"));

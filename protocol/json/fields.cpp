@@ -53,8 +53,7 @@ bool Fields::has(std::string_view key) const {
 
 const Json* Fields::find(std::string_view key) {
   if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
-  const auto found = value_.find(key);
-  return found == value_.end() ? nullptr : &*found;
+  return value_.find(key);
 }
 
 const Json* Fields::require(std::string_view key) {
@@ -147,7 +146,7 @@ std::size_t Fields::word_or(std::string_view key, std::size_t fallback, std::spa
   const Json* value = find(key);
   value = typed(value, value && value->is_string(), key, "a string");
   if (!value) return fallback;
-  const auto found = std::find(words.begin(), words.end(), value->get_ref<const std::string&>());
+  const auto found = std::find(words.begin(), words.end(), value->text());
   if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
   std::string allowed;
   for (const std::string_view word : words) allowed += (allowed.empty() ? "" : ", ") + std::string{word};

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
@@ -50,15 +51,17 @@ std::optional<Error> check_shape(std::string_view text, std::size_t most) {
   return std::nullopt;
 }
 
+using Library = nlohmann::json;
+
 // Builds the document from the parser's events, so that what the parser itself lets pass can be refused on
 // the way.
 class Builder {
  public:
-  using number_integer_t = Json::number_integer_t;
-  using number_unsigned_t = Json::number_unsigned_t;
-  using number_float_t = Json::number_float_t;
-  using string_t = Json::string_t;
-  using binary_t = Json::binary_t;
+  using number_integer_t = Library::number_integer_t;
+  using number_unsigned_t = Library::number_unsigned_t;
+  using number_float_t = Library::number_float_t;
+  using string_t = Library::string_t;
+  using binary_t = Library::binary_t;
 
   explicit Builder(std::string_view text) : text_{text} {}
 
@@ -117,7 +120,7 @@ class Builder {
     return at;
   }
   // The field being filled is always the newest.
-  [[nodiscard]] static std::string last_key(const Json& object) { return std::prev(object.end()).key(); }
+  [[nodiscard]] static std::string last_key(const Json& object) { return object.items().back().first; }
 
   bool place(Json value) {
     slot(std::move(value));
@@ -129,14 +132,8 @@ class Builder {
       return &root_;
     }
     Json& outer = *open_.back();
-    if (outer.is_array()) {
-      outer.push_back(std::move(value));
-      return &outer.back();
-    }
-    // Appended without looking for the key once more: key() has made sure that it is new.
-    auto& fields = outer.get_ref<Json::object_t&>();
-    fields.emplace_back(std::move(key_), std::move(value));
-    return &fields.back().second;
+    if (outer.is_array()) return &outer.push_back(std::move(value));
+    return &outer.append(std::move(key_), std::move(value));  // key() has made sure that it is new
   }
   bool open(Json container) {
     open_.push_back(slot(std::move(container)));
@@ -160,7 +157,7 @@ void append_string(std::string& out, const std::string& text) {
   for (const char c : text) {
     if (c < 0x20 || c == '"' || c == '\\' || c == 0x7f) {
       // Rare: escapes, other alphabets.  Bad UTF-8 becomes the replacement character instead of bad JSON.
-      out += Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+      out += Library(text).dump(-1, ' ', false, Library::error_handler_t::replace);
       return;
     }
   }
@@ -194,15 +191,15 @@ void append_array(std::string& out, const Json& array) {
 }
 
 void append_text(std::string& out, const Json& value) {
-  switch (value.type()) {
-    case Json::value_t::object: return append_object(out, value);
-    case Json::value_t::array: return append_array(out, value);
-    case Json::value_t::string: return append_string(out, value.get_ref<const std::string&>());
-    case Json::value_t::boolean: out += value.get<bool>() ? "true" : "false"; return;
-    case Json::value_t::number_float: out += number_text(value.get<double>()); return;
-    case Json::value_t::number_integer: out += std::to_string(value.get<std::int64_t>()); return;
-    case Json::value_t::number_unsigned: out += std::to_string(value.get<std::uint64_t>()); return;
-    default: out += "null"; return;
+  switch (value.kind()) {
+    case Json::Kind::kObject: return append_object(out, value);
+    case Json::Kind::kArray: return append_array(out, value);
+    case Json::Kind::kText: return append_string(out, value.text());
+    case Json::Kind::kBoolean: out += value.get<bool>() ? "true" : "false"; return;
+    case Json::Kind::kDecimal: out += number_text(value.get<double>()); return;
+    case Json::Kind::kInteger: out += std::to_string(value.get<std::int64_t>()); return;
+    case Json::Kind::kUnsigned: out += std::to_string(value.get<std::uint64_t>()); return;
+    case Json::Kind::kNull: out += "null"; return;
   }
 }
 
@@ -219,7 +216,7 @@ bool holds_object(const Json& value) {
 bool fits_one_line(const Json& value) {
   constexpr std::size_t kShort = 110;
   if (!value.is_object()) return !holds_object(value);
-  for (const Json& field : value) {
+  for (const auto& [key, field] : value.items()) {
     if (holds_object(field) && !field.empty()) return false;
   }
   return to_text(value).size() <= kShort;
@@ -229,16 +226,21 @@ void append_indented(std::string& out, const Json& value, int level) {
   if (fits_one_line(value)) return append_text(out, value);
   const bool is_object = value.is_object();
   const std::string margin(static_cast<std::size_t>(level + 1), ' ');
-  out += is_object ? '{' : '[';
-  bool first = true;
-  for (const auto& [key, element] : value.items()) {
-    out += first ? "\n" : ",\n";
-    first = false;
+  const char* before = "\n";
+  const auto start_line = [&] {
+    out += before;
     out += margin;
-    if (is_object) {
-      append_string(out, key);
-      out += ": ";
-    }
+    before = ",\n";
+  };
+  out += is_object ? '{' : '[';
+  for (const auto& [key, field] : value.items()) {
+    start_line();
+    append_string(out, key);
+    out += ": ";
+    append_indented(out, field, level + 1);
+  }
+  for (const Json& element : value) {
+    start_line();
     append_indented(out, element, level + 1);
   }
   out += '\n';
@@ -264,7 +266,7 @@ Result<Json> parse(std::string_view text, std::size_t max_bytes) {
   }
   if (auto error = check_shape(text, most_values(max_bytes))) return *std::move(error);
   Builder builder{text};
-  Json::sax_parse(text.begin(), text.end(), &builder);
+  Library::sax_parse(text.begin(), text.end(), &builder);
   return std::move(builder).take();
 }
 

@@ -7,15 +7,13 @@
 #pragma once
 
 #include <cstddef>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
 #include "core/base/result.h"
+#include "protocol/json/value.h"
 
 namespace selvage::protocol::json {
-
-using Json = nlohmann::ordered_json;  // keeps the order of fields, so that what is passed through stays readable
 
 inline constexpr int kMaxDepth = 64;
 inline constexpr std::size_t kMaxFields = 256;                       // of one object
@@ -40,8 +38,3 @@ enum class Layout { kCompact, kIndented };
 [[nodiscard]] std::string shortened(const Json& value, std::size_t most = 60);
 
 }  // namespace selvage::protocol::json
-
-// Vocabulary: named in selvage itself as well, so that every room may use it unqualified.
-namespace selvage {
-using protocol::json::Json;
-}  // namespace selvage

@@ -18,24 +18,24 @@ bool usable_id(const Json& id) {
 Call read_call(Json& value) {
   if (!value.is_object()) return bad_request(nullptr, json::shortened(value) + " is no request; an object is required");
   Request request;
-  if (const auto id = value.find("id"); id != value.end()) {
+  if (const Json* id = value.find("id")) {
     if (!usable_id(*id)) return bad_request(nullptr, "/id: a string, a number or null is required");
     request.id = *id;
   }
   const Json id = request.id.value_or(nullptr);
-  const auto version = value.find("jsonrpc");
-  if (version == value.end() || *version != "2.0") return bad_request(id, R"(/jsonrpc: "2.0" is required)");
-  const auto method = value.find("method");
-  if (method == value.end() || !method->is_string()) return bad_request(id, "/method: a string is required");
+  const Json* version = value.find("jsonrpc");
+  if (!version || *version != "2.0") return bad_request(id, R"(/jsonrpc: "2.0" is required)");
+  const Json* method = value.find("method");
+  if (!method || !method->is_string()) return bad_request(id, "/method: a string is required");
   request.method = method->get<std::string>();
   for (const auto& [key, field] : value.items()) {
     if (key == "jsonrpc" || key == "id" || key == "method" || key == "params") continue;
     return bad_request(id, json::shortened(Json(key)) + " is not known; jsonrpc, id, method, params may be here");
   }
-  if (const auto params = value.find("params"); params != value.end()) {
+  if (Json* params = value.find("params")) {
     // An array is a request too, by the standard; the method's decoder refuses it, so that a notification
     // stays silent.
-    if (!params->is_structured()) return bad_request(id, "/params: an object is required");
+    if (!params->is_object() && !params->is_array()) return bad_request(id, "/params: an object is required");
     request.params = std::move(*params);
   }
   return request;

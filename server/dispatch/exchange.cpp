@@ -7,8 +7,8 @@ namespace {
 
 // The marker that a call has opened.
 std::string opened_marker(const Json& result) {
-  const auto found = result.is_object() ? result.find("markerId") : result.end();
-  return found != result.end() && found->is_string() ? found->get<std::string>() : std::string{};
+  const Json* found = result.find("markerId");
+  return found && found->is_string() ? found->get<std::string>() : std::string{};
 }
 
 std::string answer_text(const Json& id, calls::Outcome outcome) {

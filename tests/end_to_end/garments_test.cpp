@@ -21,7 +21,7 @@ TEST_P(Garments, CanBeOpenedCompactedCheckedReadAndClosed) {
   const Json opened = result_of(post_call(wire, "marker.open", open_params(garment(GetParam()))));
   ASSERT_FALSE(opened.is_null());
   EXPECT_EQ(opened["valid"], true);
-  const std::string id = opened["markerId"];
+  const std::string id = opened["markerId"].text();
 
   const Json compacted = result_of(post_call(wire, "motion.compact", id_params(id, R"(,"baseRev":1)")));
   ASSERT_FALSE(compacted.is_null());
@@ -31,14 +31,14 @@ TEST_P(Garments, CanBeOpenedCompactedCheckedReadAndClosed) {
   EXPECT_EQ(compacted["valid"], true);
 
   const Json checked = result_of(post_call(wire, "marker.check", id_params(id)));
-  EXPECT_EQ(checked["valid"], true) << checked.dump().substr(0, 500);
+  EXPECT_EQ(checked["valid"], true) << protocol::json::to_text(checked).substr(0, 500);
   EXPECT_EQ(checked["revision"], 2);
 
   const Json outlines = result_of(post_call(wire, "marker.get", id_params(id, R"(,"format":"outlines")")));
   EXPECT_EQ(outlines["marker"]["pieces"].size(), opened["pieces"]);
   // The returned document can be opened again and has the reported length.
   const Json native = result_of(post_call(wire, "marker.get", id_params(id)));
-  const Json again = result_of(post_call(wire, "marker.open", open_params(native["marker"].dump())));
+  const Json again = result_of(post_call(wire, "marker.open", open_params(protocol::json::to_text(native["marker"]))));
   EXPECT_EQ(again["length"], compacted["lengthAfter"]);
 
   EXPECT_EQ(result_of(post_call(wire, "marker.close", id_params(id)))["closed"], true);

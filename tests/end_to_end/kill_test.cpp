@@ -62,7 +62,7 @@ void edit(std::uint16_t port, Story& story, unsigned seed) {
     const Json parsed = Json::parse(*answer);
     if (!parsed.contains("result")) continue;  // nothing to undo
     ASSERT_LE(parsed["result"]["revision"], story.acknowledged + 1);
-    story.acknowledged = parsed["result"]["revision"];
+    story.acknowledged = parsed["result"]["revision"].get<std::uint64_t>();
     story.last_answer = *answer;
     story.last_call = asked;
   }
@@ -72,7 +72,7 @@ void edit(std::uint16_t port, Story& story, unsigned seed) {
 void expect_told(Wire& wire, const Story& story) {
   const Json got = result_of(post_call(wire, "marker.get", id_params(story.id)));
   ASSERT_TRUE(got.is_object());
-  const std::uint64_t revision = got["revision"];
+  const auto revision = got["revision"].get<std::uint64_t>();
   // At most one revision is not acknowledged: that of the call whose answer was not received.
   EXPECT_GE(revision, story.acknowledged);
   EXPECT_LE(revision, story.acknowledged + 1);

@@ -56,7 +56,7 @@ TEST(State, ALongMotionReportsProgressAndEndsWhenCancelledOrAtItsDeadline) {
   do {
     answer = Json::parse(line.line().value_or(R"({"id":5})"));
   } while (!answer.contains("id"));
-  EXPECT_EQ(code_of(answer.dump()), -32800);
+  EXPECT_EQ(code_of(protocol::json::to_text(answer)), -32800);
   const Json late = result_of(post_call(post, "motion.compact", id_params(id, fine + R"(,"deadlineMs":5)")));
   EXPECT_EQ(late["stop"], "deadline");
   EXPECT_EQ(late["valid"], true);
@@ -68,13 +68,14 @@ TEST(State, DraggingOverAGarmentMarkerKeepsItValid) {
   server::app::Daemon daemon{on_free_port(1)};
   Wire line{daemon.port()};
   const Json opened = ask_line(line, call(1, "marker.open", open_params(garment("jeans_02g"))));
-  const std::string id = opened["result"]["markerId"];
+  const std::string id = opened["result"]["markerId"].text();
   const Json piece = ask_line(line, call(1, "marker.get", id_params(id)))["result"]["marker"]["pieces"][3];
   for (const char* mode : {"place", "push"}) {
-    const Json begun = ask_line(
-        line, call(2, "drag.begin", id_params(id, R"(,"piece":)" + piece["id"].dump() + R"(,"mode":")" + mode + "\"")));
-    const std::string drag = R"("dragId":)" + begun["result"]["dragId"].dump();
-    const double x = piece["at"][0], y = piece["at"][1];
+    const Json begun = ask_line(line, call(2, "drag.begin",
+                                           id_params(id, R"(,"piece":)" + protocol::json::to_text(piece["id"]) +
+                                                             R"(,"mode":")" + mode + "\"")));
+    const std::string drag = R"("dragId":)" + protocol::json::to_text(begun["result"]["dragId"]);
+    const double x = piece["at"][0].number(), y = piece["at"][1].number();
     for (int step = 1; step <= 15; ++step) {
       const std::string to = "[" + std::to_string(x + 20 * step) + "," + std::to_string(y + 7 * step) + "]";
       const Json moved = ask_line(line, call(3, "drag.move", "{" + drag + R"(,"to":)" + to + "}"));

@@ -13,6 +13,7 @@
 #include "tests/extremes/reached.h"
 #include "tests/extremes/soundness.h"
 #include "tests/support/garment.h"
+#include "tests/support/json_at.h"
 #include "tests/support/polygons.h"
 
 namespace selvage::test {
@@ -41,9 +42,8 @@ double shifted(double value, int exponent) {
 template <class Change>
 void change_numbers(Json& value, const Change& change) {
   if (value.is_number()) value = change(value.get<double>());
-  if (value.is_structured()) {
-    for (Json& inner : value) change_numbers(inner, change);
-  }
+  for (Json& inner : value) change_numbers(inner, change);
+  for (const auto& [key, field] : value.items()) change_numbers(value[key], change);
 }
 // Applies a change to every length of the document, and lets the reader choose the resolution.
 template <class Change>
@@ -244,7 +244,7 @@ TEST(ExtremeCoordinates, BeyondTheEdgesIsRefusedByName) {
   const auto refused = [&](const char* pointer, double value, ErrorCode code, const char* field, const char* allowed) {
     SCOPED_TRACE(testing::Message() << pointer << ' ' << value);
     Json changed = document;
-    changed[Json::json_pointer{pointer}] = value;
+    test::json_at(changed, pointer) = value;
     const auto read = protocol::formats::read_document(changed);
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().code, code);

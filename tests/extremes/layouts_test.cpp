@@ -100,7 +100,7 @@ std::string jigsaw_in_thirds(int grid, bool local, bool dovetailed) {
       document["pieces"].push_back({{"id", id}, {"shape", id}, {"at", {third(local ? x : 0), third(local ? y : 0)}}});
     }
   }
-  return document.dump();
+  return protocol::json::to_text(document);
 }
 
 TEST(ExtremeLayouts, AJigsawWhoseCornersAreThirds) {

@@ -6,7 +6,7 @@
 namespace selvage::trials {
 
 std::string call_text(const Json& id, const std::string& method, const Json& params) {
-  return protocol::json::to_text({{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", params}});
+  return Json{{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", params}}.dump();
 }
 
 int code_of(const Json& answer) {
@@ -38,7 +38,7 @@ int Caller::send(const std::string& method, const Json& params) {
 }
 
 void Caller::notify(const std::string& method, const Json& params) {
-  send_text(protocol::json::to_text({{"jsonrpc", "2.0"}, {"method", method}, {"params", params}}));
+  send_text(Json{{"jsonrpc", "2.0"}, {"method", method}, {"params", params}}.dump());
 }
 
 Json Caller::next_answer() {

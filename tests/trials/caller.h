@@ -4,15 +4,18 @@
 
 #include <cstdint>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
-#include "protocol/json/json_text.h"
 #include "tests/server/wire/websocket_wire.h"
 #include "tests/server/wire/wire.h"
 #include "tests/trials/live_daemon.h"
 
 namespace selvage::trials {
+
+// Messages as the trials write and read them: a library's type, since they know only the wire.
+using Json = nlohmann::ordered_json;
 
 enum class Endpoint { kShared, kTcp, kUnix, kWebSocket };  // kShared: lines on HTTP's port
 inline constexpr int kEndpoints = 4;

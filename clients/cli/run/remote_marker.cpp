@@ -9,12 +9,20 @@ namespace {
 
 client::Handlers progress_handlers(RemoteMarker::OnRound on_round) {
   if (!on_round) return {};
-  return {.notified = [on_round = std::move(on_round)](std::string_view method, const Json& params) {
+  return {.notified = [on_round = std::move(on_round)](std::string_view method, const client::Json& params) {
     if (method == "$/progress") on_round(params.value("round", 0), params.value("length", 0.0));
   }};
 }
 
 }  // namespace
+
+client::Json to_wire(const Json& value) {
+  return client::Json::parse(protocol::json::to_text(value));
+}
+
+Json from_wire(const client::Json& value) {
+  return Json::parse(value.dump());
+}
 
 terminal::Failure failure_of(const client::CallError& error) {
   using client::CallCode;
@@ -59,7 +67,7 @@ std::optional<terminal::Failure> RemoteMarker::open(const ServerChoice& server, 
   client_ = std::get<std::unique_ptr<client::Client>>(std::move(connected));
   auto document = protocol::formats::marker_document(file, Format::kNative);
   if (!document) return terminal::failure_of(document.error());
-  const client::Answer opened = client_->call("marker.open", {{"marker", *std::move(document)}});
+  const client::Answer opened = client_->call("marker.open", {{"marker", to_wire(*document)}});
   if (!opened) return failure_of(opened.error());
   id_ = (*opened).value("markerId", "");
   return std::nullopt;
@@ -68,11 +76,11 @@ std::optional<terminal::Failure> RemoteMarker::open(const ServerChoice& server, 
 std::variant<Json, terminal::Failure> RemoteMarker::call(std::string_view method, Json params,
                                                          const std::stop_token& stop) {
   params["markerId"] = id_;
-  client::Call call = client_->begin(method, std::move(params));
+  client::Call call = client_->begin(method, to_wire(params));
   const std::stop_callback on_stop{stop, [this, id = call.id] { client_->cancel(id); }};
   client::Answer answer = call.answer.get();
   if (!answer) return failure_of(answer.error());
-  return *answer;
+  return from_wire(*answer);
 }
 
 std::variant<MarkerFile, terminal::Failure> RemoteMarker::get(const MarkerFile& file) {

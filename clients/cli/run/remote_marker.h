@@ -16,6 +16,10 @@
 
 namespace selvage::cli::run {
 
+// The client library has a JSON type of its own, since it shares no code with the engine.
+[[nodiscard]] client::Json to_wire(const Json& value);
+[[nodiscard]] Json from_wire(const client::Json& value);
+
 // Of an error that a daemon answered with, or that prevented an answer.
 [[nodiscard]] terminal::Failure failure_of(const client::CallError& error);
 

@@ -48,8 +48,8 @@ class EventQueue {
 
 client::Handlers handlers_into(EventQueue& events) {
   client::Handlers handlers;
-  handlers.notified = [&events](std::string_view method, const Json& params) {
-    if (method == "marker.changed") events.add({Event::Kind::kChanged, params});
+  handlers.notified = [&events](std::string_view method, const client::Json& params) {
+    if (method == "marker.changed") events.add({Event::Kind::kChanged, from_wire(params)});
     if (method == "marker.closed") events.add({Event::Kind::kClosed});
   };
   handlers.reconnected = [&events] { events.add({Event::Kind::kReconnected}); };
@@ -79,10 +79,10 @@ class Watch {
       if (!checked) return failure_of(checked.error());
       const client::Answer listed = client_.call("marker.list");
       if (!listed) return failure_of(listed.error());
-      for (Json figures : (*listed)["markers"]) {
+      for (client::Json figures : (*listed)["markers"]) {
         if (figures["markerId"] != marker_id_ || figures["revision"] != (*checked)["revision"]) continue;
         figures["valid"] = (*checked)["valid"];
-        print(figures);
+        print(from_wire(figures));
         return std::nullopt;
       }
     }  // The marker changed between the two calls: ask again.

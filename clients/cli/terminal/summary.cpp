@@ -53,33 +53,34 @@ Json in_snake_case(const Json& value) {
 }
 
 std::string repair_line(const Json& repair, const std::string& unit) {
-  const std::size_t pairs = repair["pairs"];
-  const std::size_t protruding = repair["protruding"];
+  const auto pairs = repair["pairs"].get<std::size_t>();
+  const auto protruding = repair["protruding"].get<std::size_t>();
   if (pairs == 0 && protruding == 0) return {};
   return "  repaired     " + counted(pairs, "overlap") + ", " + counted(protruding, "protrusion") + ", deepest " +
-         significant(repair["deepest"]) + unit + ", moves up to " + significant(repair["farthestMove"]) + unit + "\n";
+         significant(repair["deepest"].number()) + unit + ", moves up to " +
+         significant(repair["farthestMove"].number()) + unit + "\n";
 }
 
 // The final position of a piece that moved alone, and the pieces that stop it if the motion reports them.
 std::string position_line(const Json& fields, const std::string& unit) {
   const Json& at = fields["at"];
-  std::string out =
-      "  position     " + protocol::json::number_text(at[0]) + ", " + protocol::json::number_text(at[1]) + unit;
+  std::string out = "  position     " + protocol::json::number_text(at[0].number()) + ", " +
+                    protocol::json::number_text(at[1].number()) + unit;
   if (!fields.contains("touching")) return out + "\n";
   std::string by;
-  for (const Json& id : fields["touching"]) by += (by.empty() ? ", stopped by " : ", ") + id.get<std::string>();
+  for (const Json& id : fields["touching"]) by += (by.empty() ? ", stopped by " : ", ") + id.text();
   return out + by + "\n";
 }
 
 // How far a separation moved the pieces, the overlaps that remain and the pieces that it left out.
 std::string separation_lines(const Json& fields, const std::string& unit) {
-  std::string out = "  moved        " + significant(fields["moved"]) + unit + " in all, " +
-                    significant(fields["farthestMove"]) + unit + " at most\n";
+  std::string out = "  moved        " + significant(fields["moved"].number()) + unit + " in all, " +
+                    significant(fields["farthestMove"].number()) + unit + " at most\n";
   for (const Json& pair : fields["remaining"]) {
-    out += "  overlapping  " + pair["first"].get<std::string>() + " and " + pair["second"].get<std::string>() + " by " +
-           significant(pair["depth"]) + unit + "\n";
+    out += "  overlapping  " + pair["first"].text() + " and " + pair["second"].text() + " by " +
+           significant(pair["depth"].number()) + unit + "\n";
   }
-  for (const Json& id : fields["popped"]) out += "  popped out   " + id.get<std::string>() + "\n";
+  for (const Json& id : fields["popped"]) out += "  popped out   " + id.text() + "\n";
   return out;
 }
 
@@ -100,21 +101,24 @@ std::string json_line(const Json& fields, const protocol::execution::StageTimes&
 
 std::string plain_summary(const Json& f, const protocol::execution::StageTimes& times, const Marker& marker) {
   const std::string unit = " " + marker.unit;
-  const double before = f["lengthBefore"];
-  const double after = f["lengthAfter"];
-  std::string out = (marker.name.empty() ? "marker" : marker.name) + ": " + counted(f["pieces"], "piece") + "\n";
+  const double before = f["lengthBefore"].number();
+  const double after = f["lengthAfter"].number();
+  std::string out =
+      (marker.name.empty() ? "marker" : marker.name) + ": " + counted(f["pieces"].get<std::size_t>(), "piece") + "\n";
   out += repair_line(f["healed"], unit);
   if (f.contains("at")) out += position_line(f, unit);
   if (f.contains("remaining")) out += separation_lines(f, unit);
   if (f.contains("leastAfter")) {
-    out += "  least gap    " + significant(f["leastBefore"]) + " -> " + significant(f["leastAfter"]) + unit + "\n";
+    out += "  least gap    " + significant(f["leastBefore"].number()) + " -> " + significant(f["leastAfter"].number()) +
+           unit + "\n";
   }
-  if (f.contains("gain")) out += "  gain         " + significant(f["gain"]) + unit + "\n";
+  if (f.contains("gain")) out += "  gain         " + significant(f["gain"].number()) + unit + "\n";
   out += "  length       " + protocol::json::number_text(before) + " -> " + protocol::json::number_text(after) + unit +
          "  (" + rounded(100 * (after / before - 1), 3) + " %)\n";
-  out += "  utilisation  " + per_cent(f["utilisationBefore"]) + " -> " + per_cent(f["utilisationAfter"]) + "\n  ";
+  out += "  utilisation  " + per_cent(f["utilisationBefore"].number()) + " -> " +
+         per_cent(f["utilisationAfter"].number()) + "\n  ";
   if (f.contains("rounds")) {
-    out += f["stop"].get<std::string>() + " after " + counted(f["rounds"], "round") + ", ";
+    out += f["stop"].text() + " after " + counted(f["rounds"].get<std::size_t>(), "round") + ", ";
   }
   out += rounded(times.total, 1) + " ms; " + (f["valid"] == true ? "valid" : "NOT VALID") + "\n";
   return out;
@@ -130,13 +134,14 @@ std::string plain_violations(const Marker& marker, const Json& validity) {
   const std::string unit = " " + marker.unit;
   std::string out;
   for (const Json& overlap : validity["overlaps"]) {
-    out += "  pieces " + overlap["first"].get<std::string>() + " and " + overlap["second"].get<std::string>() +
-           (marker.spacing > 0 ? " are too close or overlap" : " overlap") + " by " + significant(overlap["depth"]) +
-           unit + " near (" + significant(overlap["witness"][0]) + ", " + significant(overlap["witness"][1]) + ")\n";
+    out += "  pieces " + overlap["first"].text() + " and " + overlap["second"].text() +
+           (marker.spacing > 0 ? " are too close or overlap" : " overlap") + " by " +
+           significant(overlap["depth"].number()) + unit + " near (" + significant(overlap["witness"][0].number()) +
+           ", " + significant(overlap["witness"][1].number()) + ")\n";
   }
   for (const Json& protrusion : validity["protrusions"]) {
-    out += "  piece " + protrusion["piece"].get<std::string>() + " leaves the strip by " +
-           significant(protrusion["by"]) + unit + "\n";
+    out += "  piece " + protrusion["piece"].text() + " leaves the strip by " + significant(protrusion["by"].number()) +
+           unit + "\n";
   }
   return out;
 }
@@ -144,8 +149,9 @@ std::string plain_violations(const Marker& marker, const Json& validity) {
 std::string plain_change(const Json& figures) {
   const std::string by = figures.value("by", "");
   return "revision " + protocol::json::to_text(figures["revision"]) + ": length " +
-         protocol::json::number_text(figures["length"]) + ", utilisation " + per_cent(figures["utilisation"]) + ", " +
-         (figures["valid"] == true ? "valid" : "NOT valid") + (by.empty() ? "" : "; " + by);
+         protocol::json::number_text(figures["length"].number()) + ", utilisation " +
+         per_cent(figures["utilisation"].number()) + ", " + (figures["valid"] == true ? "valid" : "NOT valid") +
+         (by.empty() ? "" : "; " + by);
 }
 
 }  // namespace selvage::cli::terminal

@@ -158,7 +158,7 @@ TEST(Descriptors, DefaultsAreAllowedValues) {
 
 void collect_references(const Json& schema, std::set<std::string>& found) {
   if (schema.is_object() && schema.contains("$ref")) found.insert(schema["$ref"].get<std::string>());
-  if (!schema.is_structured()) return;
+  for (const auto& [key, inside] : schema.items()) collect_references(inside, found);
   for (const Json& inside : schema) collect_references(inside, found);
 }
 

@@ -3,6 +3,7 @@
 
 #include "protocol/json/fields.h"
 #include "tests/protocol/formats/samples.h"
+#include "tests/support/json_at.h"
 
 namespace selvage::protocol::formats {
 namespace {
@@ -22,11 +23,12 @@ void PrintTo(const BadInput& bad, std::ostream* out) {
 }
 
 Json changed(Json document, const BadInput& bad) {
-  const nlohmann::json_pointer<std::string> pointer{bad.field};
+  const std::string_view pointer{bad.field};
   if (bad.value) {
-    document[pointer] = json(bad.value);
+    test::json_at(document, pointer) = json(bad.value);
   } else {
-    document[pointer.parent_pointer()].erase(pointer.back());
+    const std::size_t last = pointer.rfind('/');
+    test::json_at(document, pointer.substr(0, last)).erase(pointer.substr(last + 1));
   }
   return document;
 }

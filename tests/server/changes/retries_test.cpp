@@ -18,7 +18,7 @@ TEST(Retries, GetTheSameAnswerAndDoNothingTwice) {
       {"marker.close", R"({"markerId":"m1","opId":"f"})"}};
   for (const auto& [method, params] : calls) {
     const std::string first = local.ask(call(1, method, params));
-    EXPECT_EQ(Json::parse(first).count("result"), 1U) << first;
+    EXPECT_TRUE(Json::parse(first).contains("result")) << first;
     const auto revision = local.store().current("m1").value_or(server::store::Committed{}).revision;
     EXPECT_EQ(local.ask(call(1, method, params)), first);
     EXPECT_EQ(local.store().current("m1").value_or(server::store::Committed{}).revision, revision) << method;

@@ -167,7 +167,7 @@ TEST(Dispatcher, AFullQueueSaysWhenToRetry) {
   accepted.push_back(local.send(call(2, "motion.compact", params)));
   const Json refused = local.ask_json(call(3, "motion.compact", params));
   EXPECT_EQ(code_of(refused), -32010);
-  EXPECT_GT(refused["error"]["data"]["retryAfterMs"], 0);
+  EXPECT_GT(refused["error"]["data"]["retryAfterMs"].get<int>(), 0);
   EXPECT_EQ(refused["id"], 3);
   EXPECT_EQ(local.ask_json(call(4, "marker.get", params))["result"]["revision"], 1);
   gate.open();

@@ -65,7 +65,7 @@ TEST(Fairness, ASessionWithManyMotionsDelaysAnotherByOne) {
     local.backend.receive(call(number, "motion.compact", R"({"markerId":")" + local.open_small() + R"("})"), session,
                           [&](const std::string& answer) {
                             const std::lock_guard lock{mutex};
-                            order.push_back(Json::parse(answer)["id"]);
+                            order.push_back(Json::parse(answer)["id"].get<int>());
                           });
   };
   compact(0, local.client.session());

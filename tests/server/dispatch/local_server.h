@@ -85,7 +85,7 @@ class LocalServer {
     return answer.contains("result") ? answer["result"] : answer;
   }
   std::string open_small() {
-    return ask_json(call(0, "marker.open", R"({"marker":)" + kSmallMarker + "}"))["result"]["markerId"];
+    return ask_json(call(0, "marker.open", R"({"marker":)" + kSmallMarker + "}"))["result"]["markerId"].text();
   }
   [[nodiscard]] const server::store::MarkerStore& store() const { return backend.store(); }
 
@@ -94,7 +94,7 @@ class LocalServer {
 };
 
 inline int code_of(const Json& answer) {
-  return answer.at("error").at("code");
+  return answer["error"]["code"].get<int>();
 }
 
 }  // namespace selvage::test

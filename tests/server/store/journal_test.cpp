@@ -27,7 +27,7 @@ class JournalTest : public ::testing::Test {
     std::string text = local.ask(call(1, "marker.list"));
     const Json list = Json::parse(text);
     for (const Json& marker : list["result"]["markers"]) {
-      text += local.ask(call(1, "marker.get", R"({"markerId":)" + marker["markerId"].dump() + "}"));
+      text += local.ask(call(1, "marker.get", R"({"markerId":)" + protocol::json::to_text(marker["markerId"]) + "}"));
     }
     return text;
   }

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "protocol/json/json_text.h"
 #include "tests/support/random.h"
+#include "tests/trials/caller.h"
 
 namespace selvage::trials {
 
