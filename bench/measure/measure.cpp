@@ -29,8 +29,8 @@
 #include "core/search/refine.h"
 #include "protocol/execution/thread_pool.h"
 #include "protocol/formats/format.h"
+#include "tests/motions/motion_cases.h"
 #include "tests/support/digitised.h"
-#include "tests/support/one_round.h"
 #include "tests/support/tiled_marker.h"
 
 namespace selvage::bench {

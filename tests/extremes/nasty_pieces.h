@@ -12,10 +12,9 @@ namespace selvage::test {
 struct NastyPiece {
   std::string name;
   Polygon outline;
-  double compacts_to{};  // length after / before of a marker of several copies, rounded up slightly
-  bool stacked{};        // so long that two do not fit side by side within the lattice limit
-  bool many_parts{};     // it has hundreds of star-shaped parts, so a sum of two takes minutes
-  bool sum_judged{};     // it has few enough vertices for CGAL's Minkowski sums
+  bool stacked{};     // so long that two do not fit side by side within the lattice limit
+  bool many_parts{};  // it has hundreds of star-shaped parts, so a sum of two takes minutes
+  bool sum_judged{};  // it has few enough vertices for CGAL's Minkowski sums
 };
 [[nodiscard]] std::vector<NastyPiece> nasty_pieces();
 // The pieces whose sums are checked with CGAL.

@@ -3,7 +3,7 @@
 #include "core/marker/validity.h"
 #include "protocol/formats/native.h"
 #include "tests/fuzz/entry.h"
-#include "tests/soak/judge.h"
+#include "tests/judge/judge.h"
 
 namespace selvage::test {
 

@@ -12,7 +12,7 @@
 #include "core/outline/star.h"
 #include "tests/fuzz/any_polygon.h"
 #include "tests/fuzz/entry.h"
-#include "tests/soak/exact_pairs.h"
+#include "tests/judge/exact_pairs.h"
 
 namespace selvage::test {
 namespace {

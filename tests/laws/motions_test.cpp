@@ -20,7 +20,7 @@
 #include "core/motion/tilting/tilt.h"
 #include "core/search/refine.h"
 #include "tests/laws/random_marker.h"
-#include "tests/laws/random_settings.h"
+#include "tests/motions/arguments.h"
 
 namespace selvage::test {
 namespace {
@@ -177,15 +177,6 @@ TEST(MotionLaws, OpeningAGap) {
   EXPECT_GT(larger, trials / 4);
 }
 
-// Any piece, and any position on the strip or a little outside it.
-PieceId any_piece(Random& random, const Marker& marker) {
-  return PieceId{static_cast<std::uint32_t>(random.below(marker.pieces.size()))};
-}
-Vec any_position(Random& random, const Marker& marker) {
-  const Coord outside = marker.strip.width / 8;
-  const Coord x = random.between(-outside, length_of(marker) + outside);
-  return {x, random.between(-outside, marker.strip.width + outside)};
-}
 // Empty when every piece but this one is as it was.
 std::string others_moved(const Marker& before, const Marker& after, PieceId piece) {
   for (std::size_t k = 0; k < before.pieces.size(); ++k) {
@@ -204,7 +195,7 @@ TEST(MotionLaws, Dragging) {
     const bool push = random.chance(50);
     const auto mode = push ? motion::dragging::DragMode::kPush : motion::dragging::DragMode::kPlace;
     SumCache sums;
-    const auto result = drag(marker, piece, any_position(random, marker), mode, {sums});
+    const auto result = drag(marker, piece, any_place(random, marker), mode, {sums});
     ASSERT_EQ(broken_law(marker, result.marker, true), "") << trial;
     if (!push) {
       ASSERT_EQ(others_moved(marker, result.marker, piece), "") << trial;
@@ -219,7 +210,7 @@ TEST(MotionLaws, Placing) {
   for (int trial = 0; trial < 1000 / kSlowdown; ++trial) {
     const Marker marker = test::random_marker(random);
     const PieceId piece = any_piece(random, marker);
-    const Vec wanted = any_position(random, marker);
+    const Vec wanted = any_place(random, marker);
     SumCache sums;
     const auto result = motion::placing::repair_and_place(marker, piece, wanted, {}, {sums});
     ASSERT_TRUE(result) << trial << ' ' << result.error().message;

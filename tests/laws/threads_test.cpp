@@ -13,7 +13,7 @@
 #include "core/search/refine.h"
 #include "protocol/execution/thread_pool.h"
 #include "tests/laws/random_marker.h"
-#include "tests/laws/random_settings.h"
+#include "tests/motions/arguments.h"
 #include "tests/support/garment.h"
 #include "tests/support/tiled_marker.h"
 

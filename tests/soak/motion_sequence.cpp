@@ -5,9 +5,9 @@
 
 #include "core/marker/validity.h"
 #include "core/motion/repair/repair.h"
+#include "tests/judge/judge.h"
 #include "tests/laws/random_marker.h"
-#include "tests/soak/judge.h"
-#include "tests/soak/motions.h"
+#include "tests/motions/motion_cases.h"
 
 namespace selvage::test {
 namespace {
@@ -110,7 +110,7 @@ class SequenceRunner {
   SequenceResult run(int motions) && {
     for (int step = 1; step <= motions && !result_.fault; ++step) {
       if (random_.chance(25)) edit(random_, marker_);
-      const NamedMotion& motion = drawn_motion(random_);
+      const MotionCase& motion = drawn_motion(random_);
       ++result_.motions;
       ++result_.of_each[motion.name];
       Marker given = motion.repairs && random_.chance(15) ? nudged(random_, marker_) : marker_;
@@ -122,7 +122,7 @@ class SequenceRunner {
 
  private:
   // Runs one motion and returns its fault, or an empty string; marker_ then becomes the result.
-  std::string fault_of(const NamedMotion& motion, const Marker& given) {
+  std::string fault_of(const MotionCase& motion, const Marker& given) {
     const bool valid = judge_.fault_of(given).empty();
     if (valid != is_valid(given)) return "is_valid is wrong about the marker it was given";
     if (judge_.length_of(given) != length_of(given)) return "length_of is wrong about the marker it was given";
@@ -151,7 +151,7 @@ class SequenceRunner {
     return !answer.apart && fault.empty() ? "reports overlaps in a valid marker" : "";
   }
 
-  static bool repeats(const NamedMotion& motion, const Marker& given, Random chance, const Marker& expected) {
+  static bool repeats(const MotionCase& motion, const Marker& given, Random chance, const Marker& expected) {
     SumCache fresh{1};
     StopAfter stop_after{chance.chance(kCancelledPercent) ? chance.below(30) + 1 : 0};
     const auto again = motion.run(given, {chance, stop_after.run(fresh)});

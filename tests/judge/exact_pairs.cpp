@@ -1,4 +1,4 @@
-#include "tests/soak/exact_pairs.h"
+#include "tests/judge/exact_pairs.h"
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>

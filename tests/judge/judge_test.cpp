@@ -1,10 +1,10 @@
 // Tests the judge of the soak test against CGAL, and on markers with one known fault each.
-#include "tests/soak/judge.h"
+#include "tests/judge/judge.h"
 
 #include <gtest/gtest.h>
 
+#include "tests/judge/exact_pairs.h"
 #include "tests/laws/random_marker.h"
-#include "tests/soak/exact_pairs.h"
 #include "tests/support/exact.h"
 #include "tests/support/polygons.h"
 

@@ -1,11 +1,11 @@
-#include "tests/soak/judge.h"
+#include "tests/judge/judge.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
-#include "tests/soak/exact_pairs.h"
+#include "tests/judge/exact_pairs.h"
 
 namespace selvage::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/laws/random_settings.h"
+#include "tests/motions/arguments.h"
 
 #include <array>
 
