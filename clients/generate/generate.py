@@ -45,6 +45,7 @@ def generated(document: dict) -> dict[pathlib.Path, str]:
     page = ROOT / "protocol" / "README.md"
     files = {
         PYTHON / "motions.py": python_client.motions(document),
+        PYTHON / "blocking_motions.py": python_client.blocking_motions(document),
         PYTHON / "messages/motion_results.py": python_client.motion_results(document),
         page: calls_table.with_table(page.read_text("utf-8"), document),
     }

@@ -25,6 +25,10 @@ def own_name(method: dict) -> str:
     return method["name"].removeprefix("motion.")
 
 
+def python_name(method: dict) -> str:
+    return METHOD_NAMES.get(own_name(method), snake(own_name(method)))
+
+
 class Types:
     """Type expressions of JSON Schemas, and the components that they use."""
 
@@ -162,8 +166,7 @@ def motion(types: Types, method: dict, common: list[str]) -> str:
                  "progress: OnProgress | None = None"]
     arguments = [f'"{method["name"]}"', "progress", *[argument(param) for param in [*own, *call]]]
     result = result_name(method, common)
-    name = METHOD_NAMES.get(own_name(method), snake(own_name(method)))
-    lines = [f"    async def {name}("]
+    lines = [f"    async def {python_name(method)}("]
     lines += [f"        {each}," for each in signature]
     lines += [f"    ) -> {result}:", f'        """{method["summary"]}"""', "        return await self._move("]
     lines += [f"            {each}," for each in [result, *arguments]]
@@ -210,3 +213,20 @@ class AsyncMotions:
         return moved
 
 ''' + "\n\n".join(methods) + "\n"
+
+
+def blocking_motions(document: dict) -> str:
+    lines = "".join(f"    {name} = blocking(AsyncMotions.{name})\n" for name in map(python_name, motions_of(document)))
+    return f'''"""The motions of a marker, as calls that wait.  See AsyncMotions.
+
+{HEADER}
+"""
+
+from __future__ import annotations
+
+from .motions import AsyncMotions
+from .wire.portal import Blocking, blocking
+
+
+class BlockingMotions(Blocking):
+{lines}'''

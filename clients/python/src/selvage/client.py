@@ -10,6 +10,7 @@ from types import TracebackType
 
 from .wire.address import DEFAULT
 from .async_client import AsyncClient, Document
+from .blocking_motions import BlockingMotions
 from .drag import AsyncDrag
 from .marker import AsyncMarker
 from .wire.portal import Blocking, Portal, blocking
@@ -76,7 +77,7 @@ class Drag(Blocking):
         self._portal.run(self._twin.__aexit__(kind, error, trace))
 
 
-class Marker(Blocking):
+class Marker(BlockingMotions):
     """A handle: the marker lives in the daemon.  `with` closes it there at the end.  See AsyncMarker."""
 
     def __init__(self, portal: Portal, twin: AsyncMarker) -> None:
@@ -106,19 +107,6 @@ class Marker(Blocking):
     undo = blocking(AsyncMarker.undo)
     redo = blocking(AsyncMarker.redo)
     close = blocking(AsyncMarker.close)
-
-    compact = blocking(AsyncMarker.compact)
-    push = blocking(AsyncMarker.push)
-    gravity = blocking(AsyncMarker.gravity)
-    bump = blocking(AsyncMarker.bump)
-    separate = blocking(AsyncMarker.separate)
-    float_apart = blocking(AsyncMarker.float_apart)
-    place = blocking(AsyncMarker.place)
-    open_gap = blocking(AsyncMarker.open_gap)
-    tilt = blocking(AsyncMarker.tilt)
-    relax = blocking(AsyncMarker.relax)
-    one_at_a_time = blocking(AsyncMarker.one_at_a_time)
-    velocity = blocking(AsyncMarker.velocity)
 
     def watch(self) -> Watch:
         """Every change from now on, whoever makes it: a context manager and an iterator."""
