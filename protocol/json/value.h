@@ -141,10 +141,11 @@ class Json {
 
   // Numbers are equal when their values are; objects whatever the order of their fields.
   friend bool operator==(const Json& a, const Json& b) { return equal(a, b); }
-  // Numbers by their value; anything else is unordered.
+  // Numbers by their value, texts by their characters; anything else is unordered.
   friend std::partial_ordering operator<=>(const Json& a, const Json& b) {
-    if (!a.is_number() || !b.is_number()) return std::partial_ordering::unordered;
-    return a.number() <=> b.number();
+    if (a.is_number() && b.is_number()) return a.number() <=> b.number();
+    if (a.is_string() && b.is_string()) return a.text() <=> b.text();
+    return std::partial_ordering::unordered;
   }
   // As compact text, for messages of tests.
   friend std::ostream& operator<<(std::ostream& out, const Json& value) { return print(out, value); }
