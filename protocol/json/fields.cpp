@@ -129,11 +129,16 @@ std::string Fields::text_or(std::string_view key, std::string fallback) {
   return value ? value->get<std::string>() : std::move(fallback);
 }
 
+std::string checked_id(const Json& value, Mistake& mistake, const std::string& at) {
+  if (value.is_number_integer()) return to_text(value);
+  if (value.is_string()) return value.text();
+  mistake.add(ErrorCode::kWrongType, shortened(value) + " where a string or a whole number is required", at);
+  return {};
+}
+
 std::string Fields::id(std::string_view key) {
   const Json* value = require(key);
-  if (value && value->is_number_integer()) return to_text(*value);
-  value = typed(value, value && value->is_string(), key, "a string or a whole number");
-  return value ? value->get<std::string>() : std::string{};
+  return value ? checked_id(*value, mistake_, pointer(key)) : std::string{};
 }
 
 bool Fields::flag_or(std::string_view key, bool fallback) {

@@ -92,6 +92,9 @@ class Fields {
 // One number outside an object, such as an element of an array.  `at` is called only for a mistake.
 [[nodiscard]] double checked_number(const Json& value, Range allowed, Mistake& mistake, const std::string& at);
 
+// An id that is an element of an array: a string, or an integer read as its digits.
+[[nodiscard]] std::string checked_id(const Json& value, Mistake& mistake, const std::string& at);
+
 // The error with its field moved below `prefix`: "/shapes/0" becomes "/marker/shapes/0".
 [[nodiscard]] Error within(std::string_view prefix, Error error);
 // An error as one line: "/strip/width: -5 is out of range; 1e-06 to 1000000000 is allowed".

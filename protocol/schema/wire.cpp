@@ -67,6 +67,10 @@ void Wire<Id>::read(const FieldAt& at, Id& value) {
   value.text = at.fields.id(at.key);
 }
 
+Id Wire<Id>::read_entry(const Json& value, const std::string& at, json::Mistake& mistake) {
+  return {json::checked_id(value, mistake, at)};
+}
+
 std::vector<std::pair<const Json*, std::string>> read_entries(const FieldAt& at) {
   const Json& list = at.fields.array(at.key);
   if (at.mistake) return {};

@@ -90,6 +90,7 @@ struct Wire<Id> {
   static Type type();
   static Json write(const Id& value);
   static void read(const FieldAt& at, Id& value);
+  static Id read_entry(const Json& value, const std::string& at, json::Mistake& mistake);
 };
 
 template <Choice Enum>
@@ -103,6 +104,7 @@ struct Wire<Enum> {
   static Type type() { return {.kind = Type::Kind::kNamed, .component = &component}; }
   static Json write(Enum value) { return Wire<std::string_view>::write(word_of(value)); }
   static void read(const FieldAt& at, Enum& value) {
+    if (at.required && !at.fields.required_any(at.key)) return;
     value =
         static_cast<Enum>(at.fields.word_or(at.key, static_cast<std::size_t>(value), std::span{Choices<Enum>::kWords}));
   }

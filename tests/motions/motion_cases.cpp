@@ -16,6 +16,7 @@ namespace selvage::test {
   X(bump)                       \
   X(place)                      \
   X(turn_and_place)             \
+  X(align)                      \
   X(drag)                       \
   X(separate)                   \
   X(float)                      \

@@ -1,9 +1,11 @@
-// Placing and dragging of one piece.
+// Placing and dragging of one piece, and the alignment of several.
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "core/marker/validity.h"
 #include "core/motion/dragging/drag.h"
+#include "core/motion/placing/align.h"
 #include "core/motion/placing/place.h"
 #include "tests/motions/answer.h"
 #include "tests/motions/arguments.h"
@@ -32,6 +34,15 @@ Result<Answer> placing(const Marker& start, const Occasion& on) {
   auto done = repair_and_place(start, piece, wanted, settings, on.run);
   if (!done) return done.error();
   return placed_answer(*std::move(done), piece, settings, start);
+}
+
+Result<Answer> aligning(const Marker& start, const Occasion& on) {
+  std::vector<PieceId> pieces;
+  for (std::uint32_t i = 0; i < start.pieces.size(); ++i) {
+    if (on.random.chance(30)) pieces.push_back({i});
+  }
+  if (pieces.size() < 2) return unmoved(start);
+  return answer(motion::placing::align(start, pieces, static_cast<StripEdge>(on.random.below(4)), on.run));
 }
 
 // Places a piece, turned by any allowed angle, where there is room for it.
@@ -68,6 +79,11 @@ void place_once(const Marker& marker, const scene::Run& run) {
   require(motion::placing::repair_and_place(marker, middle_of(marker), right_of_middle(marker, 0.1), {}, run));
 }
 
+// Aligns the middle piece and the one after it.
+void align_once(const Marker& marker, const scene::Run& run) {
+  const std::array pieces{middle_of(marker), PieceId{middle_of(marker).value + 1}};
+  require(motion::placing::align(marker, pieces, StripEdge::kLeft, run));
+}
 template <motion::dragging::DragMode kMode>
 void drag_once(const Marker& marker, const scene::Run& run) {
   (void)drag(marker, middle_of(marker), right_of_middle(marker, 0.02), kMode, run);
@@ -77,6 +93,9 @@ void drag_once(const Marker& marker, const scene::Run& run) {
 
 MotionCase place_case() {
   return {"place", 10, true, placing, {{"place", kAnySize, place_once}}};
+}
+MotionCase align_case() {
+  return {"align", 4, true, aligning, {{"align", kAnySize, align_once}}};
 }
 MotionCase turn_and_place_case() {
   return {"turn and place", 10, true, turning_and_placing};

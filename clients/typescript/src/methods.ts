@@ -1107,6 +1107,63 @@ export interface Methods {
       cache?: CacheCounts;
     };
   };
+  /** Moves pieces along one axis until one side of each lies on one line. */
+  "motion.align": {
+    params: {
+      /** The marker's id. */
+      markerId: string;
+      /** The ids of the pieces to align; two or more. */
+      pieces: Array<Id>;
+      /** The side of the pieces that is aligned: the one facing this edge of the strip. */
+      side: StripEdge;
+      /** Refuse the call when the marker is at another revision. */
+      baseRev?: number;
+      /** False: return the result, but leave the marker as it is. */
+      commit?: boolean;
+      /** True: also return ms and cache, which vary from run to run. */
+      timing?: boolean;
+      /** A name for this call: a retry of it gets the same result. */
+      opId?: string;
+      /** After this many milliseconds the motion returns its best result so far; 1 to 86,400,000. */
+      deadlineMs?: number;
+      /** Progress notifications, one after each round, carry this token. */
+      progressToken?: ProgressToken;
+    };
+    result: {
+      /** The marker's id. */
+      markerId: string;
+      /** The marker's revision. */
+      revision: number;
+      /** The marker's name. */
+      name: string;
+      /** Number of pieces. */
+      pieces: number;
+      /** The marker's length before the motion; exact. */
+      lengthBefore: number;
+      /** Its length after the motion; exact. */
+      lengthAfter: number;
+      /** 0 to 1. */
+      utilisationBefore: number;
+      /** 0 to 1. */
+      utilisationAfter: number;
+      /** Where the sides lie: an x for left and right, a y for bottom and top. */
+      line: number;
+      /** How many of the pieces lie on the line; others are in the way of the rest. */
+      aligned: number;
+      /** Why the motion ended. */
+      stop: StopReason;
+      /** Whether the result is valid, proved in integers. */
+      valid: boolean;
+      /** The repair of small overlaps in the input. */
+      healed: Healing;
+      /** Of the pieces that moved. */
+      placements: Array<Placement>;
+      /** Milliseconds by stage; only with timing. */
+      ms?: StageTimes;
+      /** The cache of Minkowski sums; only with timing. */
+      cache?: CacheCounts;
+    };
+  };
   /** Separates overlapping pieces with little motion. */
   "motion.separate": {
     params: {
@@ -1612,6 +1669,7 @@ export const retriable: ReadonlySet<string> = new Set([
   "motion.gravity",
   "motion.bump",
   "motion.place",
+  "motion.align",
   "motion.separate",
   "motion.float",
   "motion.openGap",

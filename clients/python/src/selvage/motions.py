@@ -13,6 +13,7 @@ from typing import Any, TypeVar
 
 from .wire.link import Link, OnProgress
 from .messages.motion_results import (
+    AlignResult,
     Bumped,
     Floated,
     GapOpened,
@@ -176,6 +177,32 @@ class AsyncMotions:
             piece=piece,
             to=to,
             may_grow=may_grow,
+            commit=commit,
+            base_rev=base_rev,
+            op_id=op_id,
+            deadline_ms=deadline_ms,
+            timing=timing,
+        )
+
+    async def align(
+        self,
+        pieces: tuple[str, ...],
+        side: str,
+        *,
+        commit: bool | None = None,
+        base_rev: int | None = None,
+        op_id: str | None = None,
+        deadline_ms: float | None = None,
+        timing: bool | None = None,
+        progress: OnProgress | None = None,
+    ) -> AlignResult:
+        """Moves pieces along one axis until one side of each lies on one line."""
+        return await self._move(
+            AlignResult,
+            "motion.align",
+            progress,
+            pieces=pieces,
+            side=side,
             commit=commit,
             base_rev=base_rev,
             op_id=op_id,

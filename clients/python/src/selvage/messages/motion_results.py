@@ -95,6 +95,14 @@ class Placed(Moved):
 
 
 @dataclass(frozen=True, kw_only=True)
+class AlignResult(Moved):
+    """What motion.align returns."""
+
+    line: float
+    aligned: int
+
+
+@dataclass(frozen=True, kw_only=True)
 class Separated(MovedInRounds):
     """What motion.separate returns."""
 
