@@ -10,8 +10,8 @@
 
 namespace selvage::test {
 
-// How far a figure may exceed its pin, as a part of it.  The last digits of floating-point results differ between compilers,
-// and with them how far a motion looks around.
+// How far a figure may exceed its pin, as a part of it.  The last digits of floating-point results differ between
+// compilers, and with them how far a motion looks around.
 inline constexpr double kPinSlack = 0.03;
 
 // Expects `measured` to be at most the pin `key` of `file`, which is a file of this folder without its ending; fails
