@@ -113,9 +113,9 @@ export class Page {
     return result.value;
   }
 
-  /** Waits until an expression is true, and answers with its value; fails after twenty seconds and says what it waited for. */
+  /** Waits until an expression is true, and answers with its value; fails after a minute and says what it waited for. */
   async until(expression, what = expression) {
-    for (const end = Date.now() + 20_000; Date.now() < end; await new Promise((resolve) => setTimeout(resolve, 20))) {
+    for (const end = Date.now() + 60_000; Date.now() < end; await new Promise((resolve) => setTimeout(resolve, 20))) {
       const value = await this.ask(expression).catch(() => undefined);
       if (value) return value;
     }

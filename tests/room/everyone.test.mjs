@@ -16,8 +16,14 @@ const faint = `(() => {
   return [...document.querySelectorAll("body *")].filter((e) => e.offsetParent && !e.disabled && !e.closest("#toast, #offer, [inert]") && [...e.childNodes].some((n) => n.nodeType === 3 && n.data.trim())).map((e) => { const [a, b] = [light(getComputedStyle(e).color), light(ground(e))]; return [(Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05), e.outerHTML.slice(0, 90)]; }).filter(([ratio]) => ratio < 4.5);
 })()`;
 
-for (const theme of ["light", "dark"]) {
-  test(`every control has a name, texts are 12 px or more and stand out: ${theme}`, () =>
+const looks = {
+  light: [{ name: "prefers-color-scheme", value: "light" }],
+  dark: [{ name: "prefers-color-scheme", value: "dark" }],
+  "high contrast": [{ name: "prefers-contrast", value: "more" }],
+  "high contrast, dark": [{ name: "prefers-contrast", value: "more" }, { name: "prefers-color-scheme", value: "dark" }],
+};
+for (const [look, media] of Object.entries(looks)) {
+  test(`every control has a name, texts are 12 px or more and stand out: ${look}`, () =>
     story(here, async (page) => {
       for (const tab of ["engine", "pieces", "length"]) {
         await page.click(`#tab-${tab}`);
@@ -26,7 +32,7 @@ for (const theme of ["light", "dark"]) {
         assert.deepEqual(await page.ask(nameless), []);
         assert.deepEqual(await page.ask(faint), []);
       }
-    }, { page: { media: [{ name: "prefers-color-scheme", value: theme }] } }));
+    }, { page: { media } }));
 }
 
 test("all by keyboard: from piece to piece, bump, compact, take; the figures are read out", () =>

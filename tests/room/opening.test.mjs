@@ -78,6 +78,21 @@ test("files are opened by dropping them, and saved as they are shown", () =>
     assert.equal(length, 340);
   }));
 
+test("the drawing is saved as an SVG", () =>
+  story(here, async (page) => {
+    const folder = mkdtempSync(join(tmpdir(), "selvage-saved-"));
+    await page.saveTo(folder);
+    await page.click("#menu");
+    await page.press("Save drawing (SVG)", "#marker-menu");
+    let drawing = "";
+    for (let k = 0; k < 400 && !drawing.includes("</svg>"); ++k, await new Promise((resolve) => setTimeout(resolve, 25))) {
+      try {
+        drawing = readFileSync(join(folder, "jeans_02g.svg"), "utf8");
+      } catch {}
+    }
+    assert.match(drawing, /<svg[^]*<\/svg>/);
+  }));
+
 test("a file that is no marker is refused in words", () =>
   story(here, async (page) => {
     await page.ask(`(() => {

@@ -34,8 +34,7 @@ const pick = async (page, piece) => {
 const states = {
   opened: () => state("opened", () => {}),
   push: () => state("push", async (page) => {
-    const [x, y] = await spot(page, "20");
-    await page.drag([x, y], [x + 70, y + 30], { hold: true, steps: 30 });
+    await page.drag([818, 372], [850, 362], { hold: true, steps: 30 });
     await page.until("selvageRoom.view().shown > 1");
   }),
   free: () => state("free", async (page) => {

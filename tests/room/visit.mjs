@@ -5,6 +5,8 @@ import { after, before } from "node:test";
 import { startDaemon } from "../../clients/typescript/test/daemon.mjs";
 import { Browser } from "./browser.mjs";
 
+process.setMaxListeners(64); // a daemon and a browser each end with the process
+
 export { squares, startDaemon, token } from "../../clients/typescript/test/daemon.mjs";
 
 export const example = (name) => JSON.parse(readFileSync(new URL(`../../examples/markers/${name}.json`, import.meta.url), "utf8"));

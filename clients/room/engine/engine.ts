@@ -20,6 +20,9 @@ export interface Run {
   round: number;
   curve: CurvePoint[];
   best: number | undefined;
+  /** Whether it ends as soon as it has handed over what it has found. */
+  stopping: boolean;
+  searching: boolean;
   stop(): void;
 }
 
@@ -94,11 +97,13 @@ export class Engine {
     if (this.run.value) return;
     await this.takeOrDrop(true);
     await this.underWay(title, async (run, signal, since) => {
+      run.searching = true;
       const client = await this.desk.link.ready();
       const marker = this.desk.marker.value!;
       const start = marker.poses();
       const { revision, length } = this.desk.figures.value;
       await searchFine(client, marker.toDocument(), signal, {
+        goesOn: () => !run.stopping,
         round: (round, best) => this.round(run, round, best, since),
         better: (answer, placements) => {
           if (this.preview.value && this.preview.value.title !== title) return; // something else is looked at
@@ -121,7 +126,7 @@ export class Engine {
     const controller = new AbortController();
     const since = performance.now();
     const curve = [{ seconds: 0, length: this.desk.figures.value.length }];
-    const run: Run = { title, round: 0, curve, best: undefined, stop: () => controller.abort() };
+    const run: Run = { title, round: 0, curve, best: undefined, stopping: false, searching: false, stop: () => this.stop(run, controller) };
     this.run.value = run;
     try {
       await act(run, controller.signal, since);
@@ -130,6 +135,15 @@ export class Engine {
     } finally {
       this.run.value = undefined;
     }
+  }
+
+  // A search that has found something better than what it has shown ends with it; asked twice, or without, it ends at once.
+  private stop(run: Run, controller: AbortController): void {
+    const shown = this.preview.value?.length ?? this.desk.figures.value.length;
+    const found = run.searching && run.best !== undefined && run.best < shown - 1e-9;
+    if (run.stopping || !found) return controller.abort();
+    run.stopping = true;
+    this.run.announce();
   }
 
   private offer(title: string, answer: MotionAnswer, poses: Map<string, Pose>, since: number): void {

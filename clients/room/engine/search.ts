@@ -4,8 +4,9 @@ import type { MarkerDocument } from "../marker/document";
 const FIRST = 1500; // milliseconds of the first turn
 const LONGEST = 30_000;
 
-/** What a search tells on its way. */
+/** What a search tells on its way, and whether it shall begin another turn. */
 export interface SearchListener {
+  goesOn(): boolean;
   round(round: number, length: number): void;
   better(answer: Answer<"motion.compact">, all: Answer<"motion.compact">["placements"]): void;
 }
@@ -20,7 +21,7 @@ export async function searchFine(client: Client, document: MarkerDocument, signa
   const { markerId } = await client.call("marker.open", { marker: copy });
   try {
     let rounds = 0;
-    for (let turn = FIRST; turn <= LONGEST && !signal.aborted; ) {
+    for (let turn = FIRST; turn <= LONGEST && !signal.aborted && listener.goesOn(); ) {
       const run = client.start("motion.compact", { markerId, accuracy: "fine", deadlineMs: Math.round(turn) }, { signal });
       let last = 0;
       for await (const { round, length } of run.progress) listener.round(rounds + (last = round), length);

@@ -74,7 +74,7 @@ function buildProgress(host: HTMLElement, engine: Engine): void {
     if (!run) leave(host);
     host.hidden = !run;
     if (!run) return;
-    setText(title, run.round > 0 ? say("running", { what: run.title, round: numberText(run.round, 0) }) : say("starting", { what: run.title }));
+    setText(title, run.stopping ? say("stopping", { length: lengthText(run.best ?? 0) }) : run.round > 0 ? say("running", { what: run.title, round: numberText(run.round, 0) }) : say("starting", { what: run.title }));
     const now = performance.now();
     if (now - since < 80 && run.curve.length > 2) return;
     since = now;

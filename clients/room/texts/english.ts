@@ -58,6 +58,7 @@ export const english = {
   gapWidth: "Gap",
   stop: "Stop",
   running: "{what}: round {round}",
+  stopping: "Finishing with {length}…",
   starting: "{what}…",
   result: "Result",
   take: "Take",

@@ -57,6 +57,7 @@ export const german: Texts = {
   gapWidth: "Abstand",
   stop: "Anhalten",
   running: "{what}: Runde {round}",
+  stopping: "Schließt mit {length} ab…",
   starting: "{what}…",
   result: "Ergebnis",
   take: "Übernehmen",
