@@ -57,7 +57,7 @@ function buildPage(): void {
   buildOffer(element("offer"), desk, engine);
   const { open, panels } = buildTabs(element("panel"), ["engine", "pieces", "length"]);
   buildEnginePanel(panels.engine, desk, engine, scene);
-  buildPiecePanel(panels.pieces, desk, scene, insight, commands);
+  buildPiecePanel(panels.pieces, desk, scene, insight, engine, commands);
   buildSpacing(panels.pieces, desk, commands);
   buildPieceList(panels.pieces, desk, scene, stage, insight);
   buildLengthPanel(panels.length, desk, scene, insight);

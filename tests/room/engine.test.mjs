@@ -98,6 +98,21 @@ test("tilt, float, separate, relax", () =>
     await assertValid(port, markerId);
   }));
 
+test("several pieces are aligned", async () => {
+  const daemon = await startDaemon();
+  const { markerId } = await call(daemon.port, "marker.open", { marker: squares(4) });
+  const page = await visit(here.browser, daemon.port, { marker: markerId });
+  await page.key("a", "control");
+  await page.click("#tab-pieces");
+  await page.press("⤒ align");
+  await page.until(offered);
+  await page.key("Enter");
+  await atRevision(page, 2);
+  const tops = (await shown(page, daemon.port)).marker.pieces.map(({ at }) => at[1]);
+  assert.deepEqual(new Set(tops).size, 1);
+  await daemon.stop();
+});
+
 test("a gap opens along a drawn line, and pieces fall along a drawn arrow", async () => {
   const daemon = await startDaemon();
   const marker = { ...squares(4), strip: { width: 100, longest: 400 } };

@@ -27,6 +27,7 @@ export function buildPieceList(host: HTMLElement, desk: Desk, scene: Scene, stag
   let sorted: Piece[] = [];
   let at = 0;
   const sorting = choice([["order", "sortOrder"], ["name", "sortName"], ["area", "sortArea"], ["worth", "sortWorth"]], "order", (chosen: Order) => (order.value = chosen));
+  worded(sorting, "worthHelp", "title");
   host.append(row("sortBy", sorting), list);
 
   const sort = () => {
@@ -53,8 +54,8 @@ export function buildPieceList(host: HTMLElement, desk: Desk, scene: Scene, stag
     const { shape, pose } = piece;
     const swatch = h("span", { class: "swatch" });
     if (palette.value) swatch.style.background = scene.colouring.value.fillOf(piece, palette.value);
-    const worth = insight.worth.value.get(piece.id);
-    const detail = order.value === "area" ? areaText(shape.area) : worth !== undefined ? numberText(worth, 2) : shape.size;
+    const worth = insight.worth.value.get(piece.id) ?? 0;
+    const detail = order.value === "area" ? areaText(shape.area) : order.value === "worth" ? numberText(worth, 2) : shape.size;
     const label = say("listRow", { name: shape.name, size: shape.size || "–", x: lengthText(pose.x), y: lengthText(pose.y) });
     const element = h("div", { role: "option", id: `piece-${k}`, class: k === at ? "option at" : "option", "aria-selected": String(scene.selection.value.has(piece.id)), "aria-setsize": sorted.length, "aria-posinset": k + 1, "aria-label": label, onclick: (event: MouseEvent) => pick(k, event.ctrlKey || event.metaKey) }, swatch, h("span", { class: "option-name" }, shape.name), h("span", { class: "option-detail" }, detail));
     element.style.top = `${k * ROW}px`;

@@ -1,5 +1,6 @@
 import { fill, h, setText } from "../base/dom";
 import { follow } from "../base/signal";
+import type { Engine } from "../engine/engine";
 import type { Insight } from "../engine/insight";
 import type { Commands } from "../hand/commands";
 import { isLocked, type Piece } from "../marker/marker";
@@ -10,10 +11,11 @@ import type { Scene } from "../view/scene";
 import { heading, textButton, worded } from "./controls";
 
 const CORNERS = [["↖", [-1, 1]], ["↗", [1, 1]], ["↙", [-1, -1]], ["↘", [1, -1]]] as const;
+const ALIGN = { left: "alignLeft", right: "alignRight", bottom: "alignBottom", top: "alignTop" } as const;
 const SIDES = [["↑", [0, 1]], ["←", [-1, 0]], ["→", [1, 0]], ["↓", [0, -1]]] as const;
 
 /** The selected piece or pieces, and what can be done to them. */
-export function buildPiecePanel(host: HTMLElement, desk: Desk, scene: Scene, insight: Insight, commands: Commands): void {
+export function buildPiecePanel(host: HTMLElement, desk: Desk, scene: Scene, insight: Insight, engine: Engine, commands: Commands): void {
   const title = h("h2", { id: "piece-title" });
   const facts = h("dl", { class: "facts" });
   const lockButtons = (["all", "x", "y", "tilt"] as const).map((part) => {
@@ -39,7 +41,11 @@ export function buildPiecePanel(host: HTMLElement, desk: Desk, scene: Scene, ins
     textButton("group", () => void commands.group()),
     textButton("ungroup", () => void commands.ungroup()),
   );
-  const tools = h("div", { class: "piece-tools" }, h("div", { class: "side-by-side" }, arrows, turns), h("div", { class: "segments locks" }, ...lockButtons), h("label", { class: "row" }, bufferName, buffer));
+  const align = h("div", { class: "segments", id: "align" }, ...(["left", "right", "bottom", "top"] as const).map((side) => textButton(ALIGN[side], () => {
+    const pieces = scene.selected().map(({ id }) => id);
+    void engine.start("motion.align", { pieces, side }, say(ALIGN[side]));
+  })));
+  const tools = h("div", { class: "piece-tools" }, h("div", { class: "side-by-side" }, arrows, turns), h("div", { class: "segments locks" }, ...lockButtons), align, h("label", { class: "row" }, bufferName, buffer));
   const empty = h("p", { class: "note" });
   worded(empty, "noSelection");
   fill(host, title, empty, facts, tools);
@@ -50,6 +56,7 @@ export function buildPiecePanel(host: HTMLElement, desk: Desk, scene: Scene, ins
     empty.hidden = pieces.length > 0;
     title.hidden = facts.hidden = tools.hidden = pieces.length === 0;
     if (!first) return;
+    align.hidden = pieces.length < 2;
     setText(title, pieces.length === 1 ? first.shape.name : say("selectedCount", { count: pieces.length }));
     fill(facts, ...(pieces.length === 1 ? factsOf(first, insight) : sums(pieces)).flatMap(([name, value]) => [h("dt", {}, name), h("dd", {}, value)]));
     if (document.activeElement !== buffer) buffer.value = lengthText(first.buffer, { unit: false });
