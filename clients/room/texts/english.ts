@@ -192,3 +192,7 @@ export const english = {
   keysViews: "H, E, M, 0: critical path, free cloth, ruler, fit",
   keysTab: "Tab, Shift+Tab, Ctrl+A: next piece, previous, all",
 };
+
+export type TextName = keyof typeof english;
+/** What a table of another language must say, too. */
+export type Texts = Record<TextName, string>;

@@ -1,10 +1,9 @@
 import { Signal } from "../base/signal";
 import { preferences } from "../base/preferences";
-import { english } from "./english";
+import { english, type TextName, type Texts } from "./english";
 import { german } from "./german";
 
-export type TextName = keyof typeof english;
-export type Texts = Record<TextName, string>;
+export type { TextName };
 
 const tables: Record<"en" | "de", Texts> = { en: english, de: german };
 const table = (): Texts => tables[preferences.value.language];
