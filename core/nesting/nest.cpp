@@ -1,0 +1,143 @@
+#include "core/nesting/nest.h"
+
+#include <algorithm>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/marker/clearance.h"
+#include "core/marker/placed_pieces.h"
+#include "core/motion/compaction/compact.h"
+#include "core/nesting/cloth_end.h"
+#include "core/nesting/layout/layout.h"
+#include "core/nesting/shelves.h"
+
+namespace selvage::nesting {
+namespace {
+
+// Passes on what is better than everything that was passed on before, from searches on any thread.
+class Reporter {
+ public:
+  Reporter(const scene::Observer& observer, Coord length) : observer_{observer}, length_{length} {}
+
+  void report(const Improvement& improvement) {
+    const std::scoped_lock lock{mutex_};
+    if (improvement.length >= length_) return;
+    length_ = improvement.length;
+    observer_.on_round({++rounds_, length_});
+  }
+
+ private:
+  const scene::Observer& observer_;
+  std::mutex mutex_;
+  Coord length_;
+  int rounds_{};
+};
+
+// Pieces that no search may move must lie validly.
+std::optional<Error> defect_of_fixed(const Marker& start, const layout::PieceSet& set) {
+  const marker::PlacedPieces pieces{start};
+  for (std::uint32_t i = 0; i < start.pieces.size(); ++i) {
+    if (!set.fixed[i]) continue;
+    if (marker::protrusion_of(pieces.box(i), start.strip) > 0) {
+      return Error{ErrorCode::kOutsideStrip,
+                   "piece \"" + start.pieces[i].id + "\" must stay where it is, but leaves the strip",
+                   "/pieces/" + std::to_string(i)};
+    }
+  }
+  for (const auto& [first, second] : conflicts(pieces)) {
+    if (!set.fixed[first] || !set.fixed[second]) continue;
+    return Error{ErrorCode::kMarkerOverlaps,
+                 "pieces \"" + start.pieces[first].id + "\" and \"" + start.pieces[second].id +
+                     "\" must stay where they are, but overlap or are too close",
+                 "/pieces/" + std::to_string(second)};
+  }
+  return std::nullopt;
+}
+
+// The pieces that stay where they are on shelves: all placed ones when they lie validly, else those that are fixed.
+std::vector<bool> kept_on_shelves(const Marker& start, const layout::PieceSet& set) {
+  if (all_clear(marker::PlacedPieces{start}, start.strip)) return std::vector<bool>(start.pieces.size(), true);
+  return {set.fixed.begin(), set.fixed.begin() + static_cast<std::ptrdiff_t>(start.pieces.size())};
+}
+
+struct Searched {
+  Marker best;
+  Coord length{};
+  std::vector<Improvement> history{};
+  std::uint64_t moves{};
+  int programs{};
+  bool converged{};
+};
+
+// Instead of a search, when there are too many pieces for one.
+Searched compacted(const Marker& shelves, const scene::Run& run) {
+  using motion::compaction::Accuracy;
+  auto compaction = compact(shelves, compaction_settings(Accuracy::kDraft), run.quiet());
+  if (!compaction) return {.best = shelves, .length = length_of(shelves)};
+  return {.best = std::move(compaction->marker), .length = compaction->length_after, .programs = compaction->programs};
+}
+
+// Every search has its own seed, and starts from the pieces where they lie or, every other one, from scratch.
+Searched search(std::size_t number, const Marker& start, const Marker& shelves, const layout::PieceSet& set,
+                const NestSettings& settings, const scene::Run& run, Reporter& reporter) {
+  const NestTuning& tuning = settings.tuning;
+  const Budget budget{settings.moves, settings.elapsed, run.stop, tuning.explored, tuning.first_epoch};
+  const auto on_better = [&reporter](const Improvement& better) { reporter.report(better); };
+  Exploration exploration{set, shelves, settings.seed + number, tuning, budget, run, on_better};
+  std::vector<bool> kept = set.fixed;
+  for (std::size_t i = 0; i < start.pieces.size() && number % 2 == 0; ++i) kept[i] = true;
+  Marker from = shelves;
+  std::copy(start.pieces.begin(), start.pieces.end(), from.pieces.begin());
+  exploration.run(to_layout(set, from), kept);
+  return {.best = exploration.best(),
+          .length = exploration.length(),
+          .history = exploration.history(),
+          .moves = exploration.moves(),
+          .programs = exploration.programs(),
+          .converged = exploration.converged()};
+}
+
+}  // namespace
+
+Result<Nesting> nest(const Marker& start, const NestSettings& settings, const scene::Run& run) {
+  const auto set = piece_set_of(start, settings.placed, run.sums);
+  if (!set) return set.error();
+  if (const auto defect = defect_of_fixed(start, *set)) return *defect;
+  Marker endless = start;  // the search itself takes the cloth to be endless
+  endless.strip = start.strip.ending(std::nullopt);
+  const std::vector<bool> kept = kept_on_shelves(endless, *set);
+  auto shelves = on_shelves(endless, *set, kept);
+  if (!shelves) return shelves.error();
+
+  Reporter reporter{run.observer, kLatticeLimit};
+  const bool too_many = set->size() > settings.tuning.most_pieces;
+  std::vector<std::optional<Searched>> searched(too_many ? 1 : std::max<std::size_t>(1, settings.searches));
+  run.executor->for_each(searched.size(), [&](std::size_t k) {
+    const scene::Run own = searched.size() == 1 ? run : scene::Run{run.sums, run.stop};
+    searched[k] = too_many ? compacted(*shelves, own) : search(k, start, *shelves, *set, settings, own, reporter);
+  });
+  const auto best = std::min_element(searched.begin(), searched.end(),
+                                     [](const auto& a, const auto& b) { return (*a).length < (*b).length; });
+
+  Nesting nesting;
+  nesting.length_before = length_of(start);
+  nesting.search = static_cast<std::size_t>(best - searched.begin());
+  for (const auto& one : searched) {
+    nesting.moves += one->moves;
+    nesting.programs += one->programs;
+  }
+  nesting.history = std::move((*best)->history);
+  nesting.rounds = static_cast<int>(nesting.history.size());
+  nesting.marker = std::move((*best)->best);
+  nesting.marker.strip = start.strip;
+  nesting.left_over = end_with_cloth(nesting.marker, *set, run);
+  nesting.length_after = length_of(nesting.marker);
+  nesting.reason = (*best)->converged ? scene::StopReason::kConverged
+                   : run.stopped()    ? scene::StopReason::kCancelled
+                                      : scene::StopReason::kWorkLimit;
+  return nesting;
+}
+
+}  // namespace selvage::nesting
