@@ -80,7 +80,7 @@ Result<Answer> compaction(const Marker& start, const Occasion& on) {
 
 Result<Answer> sweeps(const Marker& start, const Occasion& on) {
   const motion::baseline::SweepSettings settings{.sweeps = static_cast<int>(on.random.between(1, 20))};
-  return answer(compact_one_at_a_time(start, settings, on.run));
+  return answer(motion::baseline::compact_one_at_a_time(start, settings, on.run));
 }
 
 Result<Answer> velocities(const Marker& start, const Occasion& on) {

@@ -118,7 +118,7 @@ void bump_once(const Marker& marker, const scene::Run& run) {
 void sweep_once(const Marker& marker, const scene::Run& run) {
   motion::baseline::SweepSettings settings;
   settings.sweeps = 1;
-  require(compact_one_at_a_time(marker, settings, run));
+  require(motion::baseline::compact_one_at_a_time(marker, settings, run));
 }
 void step_once(const Marker& marker, const scene::Run& run) {
   motion::baseline::VelocitySettings settings;
