@@ -25,8 +25,7 @@ template <>
 struct Choices<calls::StopCause> {
   static constexpr std::string_view kName = "StopReason";
   static constexpr std::string_view kMeaning =
-      "Why a motion ended; in every case the result is the best valid marker so far.  lattice_end: the marker "
-      "would have to become longer than its resolution allows.";
+      "Why a motion ended; in every case the result is the best valid marker so far.";
   static constexpr std::string_view kWords[] = {"converged",     "work_limit",  "cancelled",
                                                 "solver_failed", "lattice_end", "deadline"};
 };

@@ -105,8 +105,11 @@ class Loads {
   void add_pair(const model::PairRow& row, double worth, CriticalPath& path) {
     if (worth < tuning_.least_worth) return;
     const auto [p, q] = row.pair;
+    const Coord near = std::llround(in_widths(tuning_.contact)) + scene_.pieces.spacing(row.pair);
     const RealVec at = nearest_point(scene_.pieces[p], scene_.pieces[q]);
-    path.contacts.push_back({PieceId{p}, PieceId{q}, {}, worth, at});
+    if (closer_than(scene_.pieces[p], scene_.pieces[q], near)) {
+      path.contacts.push_back({PieceId{p}, PieceId{q}, {}, worth, at});
+    }
     path.per_spacing += worth;
     turn(q, worth, row.nx, row.ny, at);
     turn(p, worth, -row.nx, -row.ny, at);
@@ -154,9 +157,11 @@ class Loads {
   }
   // `(nx, ny)`: from the edge into the strip.
   void add_edge(std::uint32_t piece, StripEdge edge, double worth, int nx, int ny, CriticalPath& path) {
-    if (worth < tuning_.least_worth || distance_to(edge, piece) > in_widths(tuning_.reach)) return;
+    if (worth < tuning_.least_worth) return;
     const RealVec at = touching_point(piece, nx, ny);
-    path.contacts.push_back({PieceId{piece}, std::nullopt, edge, worth, at});
+    if (distance_to(edge, piece) <= in_widths(tuning_.contact)) {
+      path.contacts.push_back({PieceId{piece}, std::nullopt, edge, worth, at});
+    }
     turn(piece, worth, nx, ny, at);
   }
   [[nodiscard]] double distance_to(StripEdge edge, std::uint32_t piece) const {

@@ -1,6 +1,8 @@
 // The critical path of a marker: the contacts between its left and its right edge that determine its length, from the
 // dual values of the position model [Li94 4.1.4; duals as in chapter 10].
 //
+// Only true contacts are reported: pieces and edges that touch (CriticalPathTuning::contact).  In a marker that is not
+// compacted, some or all of what will hold its length may not touch yet.
 // The dual value of a contact is the length that one unit of room in this contact would save, to first order.
 #pragma once
 

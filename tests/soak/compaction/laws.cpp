@@ -36,7 +36,7 @@ bool is_contact(const Marker& marker, const motion::compaction::LoadedContact& c
   }
   const Box box = box_of(first);
   switch (contact.edge) {
-    case StripEdge::kLeft: return box.low.x <= near;
+    case StripEdge::kLeft: return box.low.x <= marker.strip.margin + near;
     case StripEdge::kRight: return box.high.x >= length_of(marker) - near;
     case StripEdge::kBottom: return box.low.y <= marker.strip.margin + near;
     case StripEdge::kTop: return box.high.y >= marker.strip.width - marker.strip.margin - near;

@@ -144,7 +144,7 @@ void lay_out(Random& random, Marker& marker) {
   }
   marker.strip.width =
       std::max(static_cast<Coord>(kUnit) * random.between(200, 1000), largest.y + 2 * marker.strip.margin);
-  Vec corner{0, marker.strip.margin};
+  Vec corner{marker.strip.margin, marker.strip.margin};
   Coord next = 0;
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     Piece& piece = marker.pieces[k];

@@ -94,6 +94,26 @@ TEST(CriticalPath, RoomInASpacingIsWorthWhatItSays) {
   EXPECT_GE(static_cast<double>(tight->length_after - shorter->length_after), 10 * hold.per_spacing - 20);
 }
 
+TEST(CriticalPath, ReportsOnlyWhatTouches) {
+  Layout layout{1'000'000};
+  const auto square = layout.shape_of(test::rectangle(100'000, 100'000));
+  layout.put(square, {0, 0}).put(square, {104'000, 0});  // 4 mm apart
+  const CriticalPath hold = held(layout.marker());
+  ASSERT_EQ(hold.contacts.size(), 2U);
+  EXPECT_EQ(hold.contacts.front().edge, StripEdge::kLeft);
+  EXPECT_EQ(hold.contacts.front().first, PieceId{0});
+  EXPECT_EQ(hold.contacts.back().edge, StripEdge::kRight);
+  EXPECT_EQ(hold.contacts.back().first, PieceId{1});
+}
+
+// The second square is on the line of the first one's right edge, but above it.
+TEST(CriticalPath, ALineIsNoContactBeyondItsEdge) {
+  Layout layout{1'000'000};
+  const auto square = layout.shape_of(test::rectangle(100'000, 100'000));
+  layout.put(square, {0, 0}).put(square, {100'000, 103'000});
+  for (const LoadedContact& c : held(layout.marker()).contacts) EXPECT_FALSE(c.second);
+}
+
 TEST(CriticalPath, StopsWhenAsked) {
   SumCache sums;
   std::stop_source source;
