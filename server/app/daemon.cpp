@@ -9,6 +9,7 @@
 
 #include "server/app/authentication.h"
 #include "server/methods/method_groups.h"
+#include "server/room/room.h"
 
 namespace selvage::server::app {
 namespace {
@@ -54,6 +55,7 @@ transport::access::Service Daemon::service(const Options& options) {
           .ready = [this] { return why_not_ready(); },
           .metrics = [this] { return metrics_text(); },
           .openrpc = server::methods::openrpc_text,
+          .file = room::find_file,
           .authenticate = authenticate_first_message,
           .line_too_long = dispatch::Dispatcher::too_long(options.limits.transport.body_bytes),
           .counts = connections_};

@@ -16,6 +16,7 @@ calls::Outcome info(const NoParams&, const ServerContext& server, const calls::O
   for (const HandlerTable::Row& row : server.methods.rows()) info.methods.push_back(row.method.name);
   info.workers = server.workers;
   info.markers = server.store.count();
+  info.durable = server.store.is_durable();
   info.cache = protocol::calls::cache_counts_of(server.sums.counts());
   info.limits.open_markers = server.limits.open_markers;
   info.limits.waiting_motions = server.limits.waiting_motions;

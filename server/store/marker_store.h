@@ -97,6 +97,8 @@ class MarkerStore {
 
   [[nodiscard]] std::size_t count() const;
   [[nodiscard]] std::size_t limit() const { return limit_; }
+  // Whether markers survive the end of the process.
+  [[nodiscard]] bool is_durable() const { return journal_ != nullptr; }
 
  private:
   // The store's mutex protects `current` and `answers`; `writing` protects the rest.  `writing` is locked first, and

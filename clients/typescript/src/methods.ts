@@ -409,6 +409,8 @@ export interface Methods {
       workers: number;
       /** Number of open markers. */
       markers: number;
+      /** Whether markers survive the end of the daemon. */
+      durable: boolean;
       /** The limits of this server. */
       limits: Limits;
       /** The cache of Minkowski sums. */

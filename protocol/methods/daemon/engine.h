@@ -48,6 +48,7 @@ struct EngineInfo {
   std::vector<Format> reads, writes;
   std::vector<motion::compaction::Accuracy> accuracies;
   std::size_t workers{}, markers{};
+  bool durable{};
   Limits limits;
   calls::CacheCounts cache;
 
@@ -60,6 +61,7 @@ struct EngineInfo {
     v.required("accuracies", self.accuracies, "The accuracies of motions.");
     v.required("workers", self.workers, "Threads for motions.");
     v.required("markers", self.markers, "Number of open markers.");
+    v.required("durable", self.durable, "Whether markers survive the end of the daemon.");
     v.required("limits", self.limits, "The limits of this server.");
     v.required("cache", self.cache, "The cache of Minkowski sums.");
   }

@@ -13,8 +13,8 @@ bool host_allowed(const Access& access, std::string_view host) {
   return !access.token.empty() || is_local_host(host) || std::any_of(access.hosts.begin(), access.hosts.end(), names);
 }
 
-bool origin_allowed(const Access& access, std::string_view origin) {
-  return is_local_origin(origin) ||
+bool origin_allowed(const Access& access, std::string_view origin, std::string_view host) {
+  return is_local_origin(origin) || is_origin_of(origin, host) ||
          std::find(access.origins.begin(), access.origins.end(), origin) != access.origins.end();
 }
 

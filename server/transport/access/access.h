@@ -18,7 +18,8 @@ struct Access {
 };
 
 [[nodiscard]] bool host_allowed(const Access& access, std::string_view host);
-[[nodiscard]] bool origin_allowed(const Access& access, std::string_view origin);
+// `host` is the Host header, which must have been allowed: a page that this server itself has served has its name.
+[[nodiscard]] bool origin_allowed(const Access& access, std::string_view origin, std::string_view host = {});
 
 // Compares in constant time for tokens of the same length.  Always true if no token is required.
 [[nodiscard]] bool token_matches(const Access& access, std::string_view token);

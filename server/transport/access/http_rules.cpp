@@ -39,6 +39,10 @@ bool is_local_origin(std::string_view origin) {
   return (take(origin, "http://") || take(origin, "https://")) && is_local_host(origin);
 }
 
+bool is_origin_of(std::string_view origin, std::string_view host) {
+  return !host.empty() && (take(origin, "http://") || take(origin, "https://")) && take(origin, host) && origin.empty();
+}
+
 bool take_scheme(std::string_view& authorization, std::string_view scheme) {
   if (!take(authorization, scheme) || !authorization.starts_with(' ')) return false;
   authorization.remove_prefix(std::min(authorization.find_first_not_of(' '), authorization.size()));

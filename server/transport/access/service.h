@@ -31,6 +31,14 @@ struct Authentication {
   std::string answer;
 };
 
+// A file that anyone may GET, such as a part of the page in the browser.
+struct StaticFile {
+  std::string_view type;    // its media type
+  std::string_view policy;  // its Content-Security-Policy; none if empty
+  std::string_view gzip;    // its content, compressed
+  bool forever{};           // its name changes with its content, so browsers may keep it
+};
+
 // Written by the transport, read by anyone.
 struct TransportCounts {
   std::atomic<std::uint64_t> accepted{}, turned_away{};    // connections since the start
@@ -51,6 +59,8 @@ struct Service {
   std::function<std::string()> metrics{};
   // The body of GET /openrpc.json.
   std::function<std::string()> openrpc{};
+  // The file at a path, served without a token; null if there is none.
+  std::function<const StaticFile*(std::string_view path)> file{};
   // Checks the token in the first message of a line connection, or of a WebSocket whose upgrade request had none.  If
   // it is empty, no such connection is accepted.
   std::function<Authentication(std::string_view message, const Access& access)> authenticate{};

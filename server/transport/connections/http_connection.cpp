@@ -76,6 +76,20 @@ const Resource* find_resource(std::string_view target) {
   return found == kResources.end() ? nullptr : found;
 }
 
+// The file that a GET request asks for, or null.
+const access::StaticFile* find_file(const Header& request, const access::Service& service) {
+  return service.file && request.method() == http::verb::get ? service.file(view(request.target())) : nullptr;
+}
+
+Answer file_answer(const access::StaticFile& file) {
+  Answer answer = make_answer(http::status::ok, file.type, std::string{file.gzip});
+  answer.set(http::field::content_encoding, "gzip");
+  answer.set(http::field::cache_control, file.forever ? "public, max-age=31536000, immutable" : "no-cache");
+  answer.set("Referrer-Policy", "no-referrer");
+  if (!file.policy.empty()) answer.set("Content-Security-Policy", {file.policy.data(), file.policy.size()});
+  return answer;
+}
+
 bool has_token(const Header& request, const access::Access& access) {
   return is_once(request, http::field::authorization) &&
          authorization_matches(access, view(request[http::field::authorization]));
@@ -92,7 +106,7 @@ std::optional<Answer> refusal_of_caller(const Header& request, const access::Acc
   }
   const auto origins = request.equal_range(http::field::origin);
   for (auto origin = origins.first; origin != origins.second; ++origin) {
-    if (!origin_allowed(access, view(origin->value()))) {
+    if (!origin_allowed(access, view(origin->value()), view(request[http::field::host]))) {
       return refuse(http::status::forbidden, "Pages of another origin may not call this server.");
     }
   }
@@ -121,11 +135,13 @@ std::optional<Answer> refusal_of_upgrade(const Header& request) {
 std::optional<Answer> refusal_of(const Header& request, const ConnectionContext& context, bool needs_token) {
   const Resource* resource = find_resource(view(request.target()));
   if (resource != nullptr && resource->page != nullptr && !(context.service.*resource->page)) resource = nullptr;
-  const bool open = (resource != nullptr && !resource->needs_token) || may_authenticate_later(request);
+  const bool is_file = resource == nullptr && find_file(request, context.service) != nullptr;
+  const bool open = is_file || (resource != nullptr && !resource->needs_token) || may_authenticate_later(request);
   if (auto refusal = refusal_of_caller(request, context.access, needs_token && !open)) return refusal;
   if (request.count(http::field::transfer_encoding) != 0) {
     return refuse(http::status::length_required, "Send the body with a Content-Length, not a Transfer-Encoding.");
   }
+  if (is_file) return std::nullopt;
   if (resource == nullptr) {
     return refuse(http::status::not_found,
                   "There is POST /rpc, and GET of /ws, /healthz, /readyz, /metrics, /openrpc.json.");
@@ -226,6 +242,7 @@ class HttpConnection {
   }
 
   asio::awaitable<Answer> answer_to(Header request) {
+    if (const access::StaticFile* file = find_file(request, context_.service)) co_return file_answer(*file);
     const Resource& resource = *find_resource(view(request.target()));
     if (resource.page != nullptr) co_return page(resource);
     std::string text = co_await called(std::move(request.body()));

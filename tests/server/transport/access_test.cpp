@@ -40,5 +40,16 @@ TEST(Access, OriginsAreCheckedWithATokenToo) {
   EXPECT_FALSE(origin_allowed(access, "https://anywhere.example"));
 }
 
+TEST(Access, PagesThatTheServerItselfHasServedMayCall) {
+  const access::Access access{.hosts = {"marker.example"}};
+  EXPECT_TRUE(origin_allowed(access, "https://marker.example", "marker.example"));
+  EXPECT_TRUE(origin_allowed(access, "http://Marker.example:8080", "marker.example:8080"));
+  EXPECT_FALSE(origin_allowed(access, "http://marker.example:8081", "marker.example:8080"));
+  EXPECT_FALSE(origin_allowed(access, "http://marker.example.evil.example", "marker.example"));
+  EXPECT_FALSE(origin_allowed(access, "https://evil.example", "marker.example"));
+  EXPECT_FALSE(origin_allowed(access, "null", "null"));
+  EXPECT_FALSE(origin_allowed(access, "https://", ""));
+}
+
 }  // namespace
 }  // namespace selvage::server::transport

@@ -1,0 +1,57 @@
+import { Signal } from "./signal";
+
+export interface Preferences {
+  language: "en" | "de";
+  unit: "mm" | "cm" | "in" | "yd";
+  decimal: "auto" | "point" | "comma";
+  theme: "system" | "light" | "dark";
+  colourBy: "size" | "bundle" | "shape" | "none";
+  dragMode: "push" | "place";
+  price: number; // of a metre of cloth
+  plies: number;
+  currency: string;
+  repeatX: number; // of stripes, in the marker's unit; 0: none
+  repeatY: number;
+  fold: boolean; // draw the fold line in the middle of the width
+  labels: boolean;
+}
+
+const KEY = "selvage-room";
+const german = navigator.language.toLowerCase().startsWith("de");
+const defaults: Preferences = {
+  language: german ? "de" : "en",
+  unit: "mm",
+  decimal: "auto",
+  theme: "system",
+  colourBy: "size",
+  dragMode: "push",
+  price: 8,
+  plies: 60,
+  currency: "€",
+  repeatX: 0,
+  repeatY: 0,
+  fold: false,
+  labels: true,
+};
+
+function load(): Preferences {
+  try {
+    const kept = JSON.parse(localStorage.getItem(KEY) ?? "{}") as Partial<Preferences>;
+    const known = Object.entries(kept).filter(([name, value]) => typeof value === typeof defaults[name as keyof Preferences]);
+    return { ...defaults, ...Object.fromEntries(known) };
+  } catch {
+    return { ...defaults }; // storage is forbidden or holds something else
+  }
+}
+
+/** What the user chose, kept in this browser. */
+export const preferences = new Signal<Preferences>(load());
+
+export function prefer(change: Partial<Preferences>): void {
+  preferences.value = { ...preferences.value, ...change };
+  try {
+    localStorage.setItem(KEY, JSON.stringify(preferences.value));
+  } catch {
+    // The choice then lasts as long as the page.
+  }
+}

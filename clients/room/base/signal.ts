@@ -1,0 +1,41 @@
+/** A value that tells its followers when it changes. Followers run at once, in the order in which they began to follow. */
+export class Signal<T> {
+  private readonly followers = new Set<(value: T) => void>();
+
+  constructor(private current: T) {}
+
+  get value(): T {
+    return this.current;
+  }
+  set value(next: T) {
+    if (Object.is(next, this.current)) return;
+    this.current = next;
+    this.announce();
+  }
+
+  /** Tells the followers although the value is the same object, because something inside it changed. */
+  announce(): void {
+    for (const follower of [...this.followers]) follower(this.current);
+  }
+
+  /** Calls the follower now and after every change; the answer ends it. */
+  follow(follower: (value: T) => void): () => void {
+    this.followers.add(follower);
+    follower(this.current);
+    return () => void this.followers.delete(follower);
+  }
+}
+
+/** Calls `draw` once per turn of the event loop, however many of the signals have changed in it. */
+export function follow(signals: ReadonlyArray<Signal<any>>, draw: () => void): void {
+  let waiting = false;
+  const later = () => {
+    if (waiting) return;
+    waiting = true;
+    queueMicrotask(() => {
+      waiting = false;
+      draw();
+    });
+  };
+  for (const signal of signals) signal.follow(later);
+}

@@ -1,0 +1,188 @@
+import { Code, type Motion, type Params, type Placement } from "../../typescript/src/index";
+import { Signal } from "../base/signal";
+import { editsTo } from "../marker/edits";
+import type { Pose } from "../marker/pose";
+import type { Desk } from "../session/desk";
+import { hasCode, inWords } from "../session/words";
+import { say } from "../texts/texts";
+import { lengthText } from "../texts/units";
+import type { Scene } from "../view/scene";
+import { differences, posesAfter, type Result } from "./result";
+import { searchFine } from "./search";
+
+export interface CurvePoint {
+  seconds: number;
+  length: number;
+}
+/** A motion under way. */
+export interface Run {
+  title: string;
+  round: number;
+  curve: CurvePoint[];
+  best: number | undefined;
+  stop(): void;
+}
+
+// What every motion answers, as far as a result needs it.
+interface MotionAnswer {
+  revision: number;
+  lengthBefore: number;
+  lengthAfter: number;
+  utilisationAfter: number;
+  placements: Placement[];
+}
+type Choice<M extends Motion> = Omit<Params<M>, "markerId" | "baseRev" | "commit">;
+
+/** Runs motions without committing them, and keeps what they offer until the user takes or drops it. */
+export class Engine {
+  readonly run = new Signal<Run | undefined>(undefined);
+  readonly preview = new Signal<Result | undefined>(undefined);
+  readonly beside = new Signal<readonly Result[]>([]);
+  readonly compared = new Signal<Result | "opening" | undefined>(undefined);
+  private results = 0;
+
+  constructor(
+    private readonly desk: Desk,
+    private readonly scene: Scene,
+    private readonly tell: (text: string) => void,
+  ) {
+    this.preview.follow((result) => this.showPreview(result));
+    this.compared.follow(() => this.showCompared());
+    desk.changed.follow(() => {
+      this.showPreview(this.preview.value);
+      this.showCompared();
+    });
+  }
+
+  private showPreview(result: Result | undefined): void {
+    const marker = this.scene.marker;
+    if (!marker || this.scene.held.size > 0) return;
+    const fits = result && result.markerId === this.desk.markerId;
+    this.scene.length = fits ? result.length : this.desk.figures.value.length;
+    this.scene.showPoses(fits ? differences(marker, result.poses) : new Map<string, Pose>(), true);
+  }
+
+  private showCompared(): void {
+    const { marker } = this.scene;
+    const compared = this.compared.value;
+    if (!marker) return;
+    const poses = compared === "opening" ? this.desk.opening?.poses : compared?.poses;
+    const differing = poses ? differences(marker, poses) : new Map<string, Pose>();
+    this.scene.ghosts = [...differing].map(([id, pose]) => ({ piece: marker.byId.get(id)!, pose }));
+    this.scene.onChange("moving");
+  }
+
+  /** Runs a motion; its result is looked at before it is taken. */
+  async start<M extends Motion>(method: M, choice: Choice<M>, title: string): Promise<void> {
+    if (this.run.value) return;
+    await this.takeOrDrop(true);
+    await this.underWay(title, async (run, signal, since) => {
+      const client = await this.desk.link.ready();
+      const start = this.desk.marker.value!.poses();
+      const { markerId } = this.desk;
+      const params = { ...choice, markerId, baseRev: this.desk.figures.value.revision, commit: false } as Params<M>;
+      const call = client.start(method, params, { signal });
+      for await (const { round, length } of call.progress) this.round(run, round, length, since);
+      const answer = (await call.result) as unknown as MotionAnswer;
+      if (answer.placements.length === 0) return this.tell(say("noGain", { what: title }));
+      this.offer(title, answer, posesAfter(start, answer.placements), since);
+    });
+  }
+
+  /** Searches until it is stopped, and shows the best so far. */
+  async search(title: string): Promise<void> {
+    if (this.run.value) return;
+    await this.takeOrDrop(true);
+    await this.underWay(title, async (run, signal, since) => {
+      const client = await this.desk.link.ready();
+      const marker = this.desk.marker.value!;
+      const start = marker.poses();
+      const { revision, length } = this.desk.figures.value;
+      await searchFine(client, marker.toDocument(), signal, {
+        round: (round, best) => this.round(run, round, best, since),
+        better: (answer, placements) => {
+          if (this.preview.value && this.preview.value.title !== title) return; // something else is looked at
+          this.offer(title, { ...answer, revision, lengthBefore: length, placements }, posesAfter(start, placements), since);
+        },
+      });
+      if (!this.preview.value) this.tell(say("noGain", { what: title }));
+    });
+  }
+
+  private round(run: Run, round: number, length: number, since: number): void {
+    run.round = round;
+    run.best = Math.min(run.best ?? Infinity, length);
+    run.curve.push({ seconds: (performance.now() - since) / 1000, length: run.best });
+    this.run.announce();
+  }
+
+  private async underWay(title: string, act: (run: Run, signal: AbortSignal, since: number) => Promise<void>): Promise<void> {
+    if (this.run.value || !this.desk.marker.value) return;
+    const controller = new AbortController();
+    const since = performance.now();
+    const curve = [{ seconds: 0, length: this.desk.figures.value.length }];
+    const run: Run = { title, round: 0, curve, best: undefined, stop: () => controller.abort() };
+    this.run.value = run;
+    try {
+      await act(run, controller.signal, since);
+    } catch (error) {
+      if (!hasCode(error, Code.Cancelled)) this.tell(inWords(error));
+    } finally {
+      this.run.value = undefined;
+    }
+  }
+
+  private offer(title: string, answer: MotionAnswer, poses: Map<string, Pose>, since: number): void {
+    this.preview.value = {
+      id: ++this.results,
+      title,
+      markerId: this.desk.markerId,
+      base: answer.revision,
+      before: answer.lengthBefore,
+      length: answer.lengthAfter,
+      utilisation: answer.utilisationAfter,
+      seconds: (performance.now() - since) / 1000,
+      poses,
+    };
+  }
+
+  /** Brings all pieces to their places in the result: one step to undo. */
+  async take(result = this.preview.value): Promise<void> {
+    const marker = this.desk.marker.value;
+    if (!result || !marker) return;
+    const ops = editsTo(marker, result.poses);
+    try {
+      if (ops.length > 0) await this.desk.apply(ops);
+      this.tell(say("taken", { length: lengthText(this.desk.figures.value.length) }));
+    } catch (error) {
+      this.tell(inWords(error));
+    }
+    if (this.preview.value === result) this.preview.value = undefined;
+    this.beside.value = this.beside.value.filter((kept) => kept !== result);
+    if (this.compared.value === result) this.compared.value = undefined;
+  }
+
+  keepBeside(): void {
+    const result = this.preview.value;
+    if (!result) return;
+    this.beside.value = [...this.beside.value, result];
+    this.preview.value = undefined;
+  }
+
+  drop(result = this.preview.value): void {
+    if (!result) return;
+    if (this.preview.value === result) {
+      this.preview.value = undefined;
+      this.tell(say("dropped"));
+    }
+    if (this.compared.value === result) this.compared.value = undefined;
+    this.beside.value = this.beside.value.filter((kept) => kept !== result);
+  }
+
+  /** Before other work begins: who goes on working with a result in view has accepted it. */
+  async takeOrDrop(taking: boolean): Promise<void> {
+    if (!this.preview.value) return;
+    if (taking) await this.take();
+    else this.drop();
+  }
+}

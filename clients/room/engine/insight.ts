@@ -1,0 +1,75 @@
+import type { Answer } from "../../typescript/src/index";
+import { Signal } from "../base/signal";
+import type { Desk } from "../session/desk";
+import type { Scene } from "../view/scene";
+
+/** What the daemon says of the present revision: its critical path and its free cloth, asked for only while they are shown. */
+export class Insight {
+  readonly chainShown = new Signal(false);
+  readonly regionsShown = new Signal(false);
+  readonly chain = new Signal<Answer<"marker.hold"> | undefined>(undefined);
+  readonly regions = new Signal<Answer<"marker.regions"> | undefined>(undefined);
+  /** How much the marker's length depends on each piece: the load of the contacts on its left. */
+  readonly worth = new Signal<ReadonlyMap<string, number>>(new Map());
+  private waiting = 0;
+  private panelOpen = false;
+
+  constructor(
+    private readonly desk: Desk,
+    private readonly scene: Scene,
+  ) {
+    desk.figures.follow(() => this.renew());
+    this.chainShown.follow(() => this.renew());
+    this.regionsShown.follow(() => this.renew());
+  }
+
+  /** The panel that explains the length needs the chain, too. */
+  set wanted(open: boolean) {
+    this.panelOpen = open;
+    this.renew();
+  }
+
+  private renew(): void {
+    clearTimeout(this.waiting);
+    this.waiting = window.setTimeout(() => void this.ask(), 120);
+    this.show();
+  }
+
+  private async ask(): Promise<void> {
+    const { markerId } = this.desk;
+    const { revision, valid } = this.desk.figures.value;
+    if (!markerId || !valid) return;
+    const client = await this.desk.link.ready();
+    try {
+      if ((this.chainShown.value || this.panelOpen) && this.chain.value?.revision !== revision) {
+        this.chain.value = await client.call("marker.hold", { markerId, deadlineMs: 20_000 });
+        this.worth.value = worths(this.chain.value);
+      }
+      if (this.regionsShown.value && this.regions.value?.revision !== revision) {
+        this.regions.value = await client.call("marker.regions", { markerId, deadlineMs: 20_000 });
+      }
+    } catch {
+      return; // the next revision asks again
+    }
+    this.show();
+  }
+
+  private show(): void {
+    const current = <T extends { revision: number; markerId: string }>(answer: T | undefined) =>
+      answer && answer.revision === this.desk.figures.value.revision && answer.markerId === this.desk.markerId ? answer : undefined;
+    this.scene.chain = this.chainShown.value ? current(this.chain.value) : undefined;
+    this.scene.regions = this.regionsShown.value ? current(this.regions.value) : undefined;
+    this.scene.onChange("settled");
+  }
+}
+
+// Each contact loads both its pieces; a piece passes on to the right what it takes from the left.
+function worths(chain: Answer<"marker.hold">): Map<string, number> {
+  const loads = new Map<string, number>();
+  const add = (id: string | undefined, worth: number) => id !== undefined && loads.set(id, (loads.get(id) ?? 0) + worth / 2);
+  for (const { piece, other, edge, worth } of chain.contacts) {
+    add(piece, edge === "top" || edge === "bottom" ? 0 : worth);
+    add(other, worth);
+  }
+  return loads;
+}

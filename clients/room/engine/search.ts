@@ -1,0 +1,46 @@
+import type { Answer, Client } from "../../typescript/src/index";
+import type { MarkerDocument } from "../marker/document";
+
+const FIRST = 1500; // milliseconds of the first turn
+const LONGEST = 30_000;
+
+/** What a search tells on its way. */
+export interface SearchListener {
+  round(round: number, length: number): void;
+  better(answer: Answer<"motion.compact">, all: Answer<"motion.compact">["placements"]): void;
+}
+
+/**
+ * A fine compaction that shows its best marker on the way and can be stopped at any time with the best so far. It works on a
+ * copy of the marker, in turns with a deadline: after each turn the copy holds the best found. A turn that gains nothing is
+ * followed by one twice as long, because it would begin with the same trials.
+ */
+export async function searchFine(client: Client, document: MarkerDocument, signal: AbortSignal, listener: SearchListener): Promise<void> {
+  const copy = { ...document, name: `${document.name ?? ""} (search)` } as unknown as Record<string, unknown>;
+  const { markerId } = await client.call("marker.open", { marker: copy });
+  try {
+    let rounds = 0;
+    for (let turn = FIRST; turn <= LONGEST && !signal.aborted; ) {
+      const run = client.start("motion.compact", { markerId, accuracy: "fine", deadlineMs: Math.round(turn) }, { signal });
+      let last = 0;
+      for await (const { round, length } of run.progress) listener.round(rounds + (last = round), length);
+      rounds += last;
+      const answer = await run.result;
+      const gained = answer.lengthBefore - answer.lengthAfter > 1e-6 * answer.lengthBefore;
+      if (gained) listener.better(answer, await placementsOf(client, markerId));
+      if (answer.stop !== "deadline") return;
+      turn = gained ? turn : turn * 2;
+    }
+  } catch (error) {
+    if (!signal.aborted) throw error;
+  } finally {
+    void client.call("marker.close", { markerId }).catch(() => {});
+  }
+}
+
+// All that has moved since the copy was opened.
+async function placementsOf(client: Client, markerId: string): Promise<Answer<"motion.compact">["placements"]> {
+  const { placements, marker } = await client.call("marker.get", { markerId, since: 1 });
+  if (placements) return placements;
+  return (marker as unknown as MarkerDocument).pieces.map(({ id, at, rotation = 0, flip = false, tilt = 0 }) => ({ id, at: at!, rotation, flip, tilt }));
+}

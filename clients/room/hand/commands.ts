@@ -1,0 +1,190 @@
+import type { Edit, Point } from "../../typescript/src/index";
+import type { Engine } from "../engine/engine";
+import { nextRotation } from "../marker/edits";
+import type { Piece } from "../marker/marker";
+import { Pose } from "../marker/pose";
+import type { Desk } from "../session/desk";
+import { inWords } from "../session/words";
+import { say } from "../texts/texts";
+import { lengthText, unitOf } from "../texts/units";
+import type { Scene } from "../view/scene";
+import { after, type Settling } from "./settling";
+
+const TILT_STEP = 0.25; // degrees
+
+/** What keys and buttons do to the selected pieces. Each is carried out after the one before it. */
+export class Commands {
+  private line: Promise<unknown> = Promise.resolve();
+  private tilting = 0;
+
+  constructor(
+    private readonly desk: Desk,
+    private readonly scene: Scene,
+    private readonly engine: Engine,
+    private readonly settling: Settling,
+    private readonly tell: (text: string) => void,
+  ) {}
+
+  /** Carries out one thing after another, and tells what was refused. */
+  queue(act: () => Promise<unknown>): Promise<void> {
+    const done = this.line.then(() => this.engine.takeOrDrop(true)).then(act);
+    const told = done.then(() => {}, (error) => this.tell(inWords(error)));
+    this.line = told;
+    return told;
+  }
+
+  /** Fulfilled when all that was begun before is done. */
+  idle(): Promise<unknown> {
+    return this.line;
+  }
+
+  undo = (): Promise<void> => (this.engine.preview.value ? Promise.resolve(this.engine.drop()) : this.queue(this.desk.undo));
+  redo = (): Promise<void> => this.queue(this.desk.redo);
+
+  /** Slides each selected piece as far as it goes. */
+  bump(direction: Point): Promise<void> {
+    return this.queue(async () => {
+      const pieces = [...this.scene.selected()].sort((a, b) => b.box.right * direction[0] + b.box.top * direction[1] - a.box.right * direction[0] - a.box.top * direction[1]);
+      await this.desk.gesture(async () => {
+        for (const piece of pieces) {
+          const moved = await this.bumpOne(piece, direction);
+          this.tell(moved > 0 ? say("bumped", { name: piece.shape.label, by: lengthText(moved) }) : say("stays", { name: piece.shape.label }));
+        }
+      });
+    });
+  }
+
+  private bumpOne(piece: Piece, direction: Point): Promise<number> {
+    return this.desk.change(async (client) => {
+      const answer = await client.call("motion.bump", { markerId: this.desk.markerId, piece: piece.id, direction });
+      this.desk.absorb({ ...answer, ...after(answer) }, "");
+      return answer.moved ? answer.gain : 0;
+    });
+  }
+
+  /** Bumps along and across in turn, until the piece lies in the corner. */
+  shoot([along, across]: Point): Promise<void> {
+    return this.queue(() =>
+      this.desk.gesture(async () => {
+        for (const piece of this.scene.selected()) {
+          for (let k = 0; k < 12; ++k) {
+            const gain = (await this.bumpOne(piece, [along, 0])) + (await this.bumpOne(piece, [0, across]));
+            if (gain === 0) break;
+          }
+        }
+      }),
+    );
+  }
+
+  nudge([dx, dy]: Point): Promise<void> {
+    const by = unitOf({ unit: "mm" }) * (this.desk.marker.value ? 1 : 0);
+    return this.queue(async () => {
+      const [first] = this.scene.selected();
+      if (!first) return;
+      await this.settling.apply(this.ownMoves([dx * by, dy * by]));
+      const { x, y } = first.pose;
+      this.tell(say("nudged", { name: first.shape.label, x: lengthText(x), y: lengthText(y) }));
+    });
+  }
+
+  private ownMoves(by: Point): Edit[] {
+    const all = new Set(this.scene.selected().flatMap((piece) => this.desk.marker.value!.together(piece)));
+    return [...all].map((piece) => ({ op: "move", piece: piece.id, by }));
+  }
+
+  rotate(steps: 1 | -1): Promise<void> {
+    return this.turn((piece) => {
+      const rotation = nextRotation(piece, steps);
+      if (rotation === piece.pose.rotation) this.tell(say("notTurned", { name: piece.shape.label }));
+      return new Pose(0, 0, rotation, piece.pose.flip, piece.pose.tilt);
+    });
+  }
+
+  flip(): Promise<void> {
+    return this.turn((piece) => {
+      if (!piece.shape.mayFlip) this.tell(say("notFlipped", { name: piece.shape.label }));
+      return new Pose(0, 0, piece.pose.rotation, piece.pose.flip !== piece.shape.mayFlip, piece.pose.tilt);
+    });
+  }
+
+  /** Tilts by steps of a quarter of a degree, counter-clockwise. Steps that come while one is carried out are added up. */
+  tilt(steps: number): Promise<void> {
+    this.tilting += steps;
+    return this.turn((piece) => {
+      const { tiltLimit, label } = piece.shape;
+      if (tiltLimit === 0) this.tell(say("notTilted", { name: label }));
+      const wanted = Math.round((piece.pose.tilt + this.tilting * TILT_STEP) * 100) / 100;
+      return new Pose(0, 0, piece.pose.rotation, piece.pose.flip, Math.min(tiltLimit, Math.max(-tiltLimit, wanted)));
+    }, () => (this.tilting = 0));
+  }
+
+  // Turns the selected pieces in place: the middle of each stays where it is.
+  private turn(turned: (piece: Piece) => Pose, after: () => void = () => {}): Promise<void> {
+    return this.queue(async () => {
+      const pieces = this.scene.selected();
+      const poses = new Map(pieces.map((piece) => [piece.id, aboutItsMiddle(piece, turned(piece))]));
+      after();
+      await this.settling.dropped(pieces, poses);
+    });
+  }
+
+  lock(part: "x" | "y" | "tilt" | "all"): Promise<void> {
+    const pieces = this.scene.selected();
+    const parts = (piece: Piece): Array<"x" | "y" | "tilt"> =>
+      piece.locked === true ? ["x", "y", "tilt"] : Array.isArray(piece.locked) ? piece.locked : [];
+    const all = pieces.every((piece) => (part === "all" ? piece.locked === true : parts(piece).includes(part)));
+    const ops = pieces.map((piece): Edit => {
+      if (part === "all") return { op: "lock", piece: piece.id, locked: !all };
+      const left = all ? parts(piece).filter((one) => one !== part) : [...new Set([...parts(piece), part])];
+      return { op: "lock", piece: piece.id, locked: left.length === 3 ? true : left.length > 0 ? left : false };
+    });
+    return this.edit(ops);
+  }
+
+  group(): Promise<void> {
+    const pieces = this.scene.selected();
+    if (pieces.length < 2) return Promise.resolve(this.tell(say("noGroup")));
+    const taken = new Set(this.desk.marker.value!.pieces.map((piece) => piece.group));
+    let number = 1;
+    while (taken.has(`g${number}`)) ++number;
+    return this.edit(pieces.map((piece) => ({ op: "group", piece: piece.id, group: `g${number}` })));
+  }
+  ungroup(): Promise<void> {
+    return this.edit(this.scene.selected().filter((piece) => piece.group).map((piece) => ({ op: "group", piece: piece.id })));
+  }
+
+  buffer(length: number): Promise<void> {
+    const ops = this.scene.selected().map((piece): Edit => ({ op: "buffer", piece: piece.id, buffer: length }));
+    return this.queue(() => this.settling.apply(ops));
+  }
+  spacing(length: number): Promise<void> {
+    return this.queue(() => this.settling.apply([{ op: "setSpacing", spacing: length }]));
+  }
+
+  private edit(ops: Edit[]): Promise<void> {
+    return ops.length === 0 ? Promise.resolve() : this.queue(() => this.desk.apply(ops));
+  }
+
+  selectAll(): void {
+    this.scene.select(this.desk.marker.value?.byId.keys() ?? []);
+  }
+  /** Goes to the next or the previous piece, from left to right. */
+  step(by: 1 | -1): void {
+    const marker = this.desk.marker.value;
+    if (!marker || marker.pieces.length === 0) return;
+    const order = [...marker.pieces].sort((a, b) => a.box.left - b.box.left || a.box.bottom - b.box.bottom || a.index - b.index);
+    const now = order.findIndex(({ id }) => this.scene.selection.value.has(id));
+    const next = now < 0 ? (by > 0 ? 0 : order.length - 1) : (now + by + order.length) % order.length;
+    this.scene.select([order[next]!.id]);
+  }
+}
+
+/** The pose moved so that the middle of the piece's box stays where it is. */
+function aboutItsMiddle({ shape, pose }: Piece, turned: Pose): Pose {
+  const { left, right, bottom, top } = shape.box;
+  const middle: Point = [(left + right) / 2, (bottom + top) / 2];
+  const [x, y] = pose.place(middle);
+  const [u, v] = turned.place(middle);
+  const same = turned.rotation === pose.rotation && turned.flip === pose.flip && turned.tilt === pose.tilt;
+  return same ? pose : turned.moved(x - u, y - v);
+}

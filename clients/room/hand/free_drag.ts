@@ -1,0 +1,35 @@
+import type { Point } from "../../typescript/src/index";
+import type { Piece } from "../marker/marker";
+import type { Pose } from "../marker/pose";
+import type { Scene } from "../view/scene";
+
+/** Pieces in hand that nothing holds back: the overlaps are drawn, and removed when the hand lets go. */
+export class FreeDrag {
+  private readonly from: Map<string, Pose>;
+  private to: Map<string, Pose>;
+  private readonly held: Set<string>;
+
+  constructor(
+    private readonly scene: Scene,
+    pieces: readonly Piece[],
+    private readonly drop: (moved: Map<string, Pose>) => Promise<void>,
+  ) {
+    this.from = new Map(pieces.map((piece) => [piece.id, piece.pose]));
+    this.to = this.from;
+    this.held = scene.held = new Set(this.from.keys());
+    scene.free = true;
+    scene.showPoses(new Map(this.from), false);
+  }
+
+  move([dx, dy]: Point): void {
+    this.to = new Map([...this.from].map(([id, pose]) => [id, pose.moved(pose.x + dx, pose.y + dy)]));
+    this.scene.showPoses(this.to, false);
+  }
+
+  async end(commit: boolean): Promise<void> {
+    this.scene.free = false;
+    if (this.scene.held === this.held) this.scene.held = new Set();
+    if (commit) await this.drop(this.to);
+    if (this.scene.held.size === 0) this.scene.showPoses(new Map(), true);
+  }
+}

@@ -1,0 +1,110 @@
+import type { Point } from "../../typescript/src/index";
+import { prefer, preferences } from "../base/preferences";
+import type { Engine } from "../engine/engine";
+import type { Insight } from "../engine/insight";
+import { say } from "../texts/texts";
+import type { Scene } from "../view/scene";
+import type { Stage } from "../view/stage";
+import type { Commands } from "./commands";
+import type { Pointer } from "./pointer";
+import { tool, type Tool } from "./tools";
+
+const ARROWS: Record<string, Point> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+// As these keys lie on a keyboard: upper left, lower left, upper right, lower right.
+const CORNERS: Record<string, Point> = { Home: [-1, 1], End: [-1, -1], PageUp: [1, 1], PageDown: [1, -1] };
+const TOOLS: Record<string, Tool> = { v: "select", m: "ruler", g: "gap", a: "gravity" };
+
+export interface Parts {
+  stage: Stage;
+  scene: Scene;
+  engine: Engine;
+  insight: Insight;
+  commands: Commands;
+  pointer: Pointer;
+  save(): void;
+  help(): void;
+}
+
+/** What every key does. Keys of fields and open dialogues are left alone. */
+export function listenForKeys(canvas: HTMLElement, parts: Parts): void {
+  addEventListener("pointerdown", () => (document.body.dataset["keys"] = ""), true);
+  addEventListener("keydown", (event) => {
+    if (event.key === "Tab") document.body.dataset["keys"] = "yes";
+    const target = event.target as HTMLElement;
+    if (event.defaultPrevented || target.closest("input, select, textarea, dialog")) return;
+    const onControl = target.closest("button, a, [role=option], [role=tab], [role=menuitem]") !== null;
+    if (onControl && ["Enter", " ", "Tab", ...Object.keys(ARROWS), ...Object.keys(CORNERS)].includes(event.key)) return;
+    const act = event.ctrlKey || event.metaKey ? withControl(event, parts) : plain(event, canvas, parts);
+    if (!act) return;
+    event.preventDefault();
+    act();
+  });
+  addEventListener("keyup", (event) => {
+    if (event.key === " ") parts.pointer.panning = false;
+  });
+}
+
+function withControl(event: KeyboardEvent, { commands, save }: Parts): (() => void) | undefined {
+  switch (event.key.toLowerCase()) {
+    case "z": return () => void (event.shiftKey ? commands.redo() : commands.undo());
+    case "y": return () => void commands.redo();
+    case "a": return () => commands.selectAll();
+    case "s": return save;
+    default: return undefined;
+  }
+}
+
+function plain(event: KeyboardEvent, canvas: HTMLElement, parts: Parts): (() => void) | undefined {
+  const { stage, scene, engine, insight, commands, pointer } = parts;
+  const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+  const arrow = ARROWS[key];
+  if (arrow) {
+    if (scene.selection.value.size === 0) return () => stage.look(scene.camera.value!.panned(-arrow[0] * 60, arrow[1] * 60));
+    return () => void (event.shiftKey ? commands.nudge(arrow) : commands.bump(arrow));
+  }
+  const corner = CORNERS[key];
+  if (corner) return () => void commands.shoot(corner);
+  const chosen = TOOLS[key];
+  if (chosen) return () => (tool.value = chosen);
+  switch (key) {
+    case "Tab": {
+      // At either end of the pieces Tab leaves the marker, so that the keyboard is never caught in it.
+      if (event.target !== canvas || atTheEnd(scene, event.shiftKey)) return undefined;
+      return () => commands.step(event.shiftKey ? -1 : 1);
+    }
+    case "Escape": return () => void (pointer.cancel() || dropOrDeselect(parts));
+    case "Enter": return engine.preview.value ? () => void engine.take() : undefined;
+    case "k": return () => engine.keepBeside();
+    case "c": return () => void engine.start("motion.compact", { accuracy: "standard" }, say("compact"));
+    case "r": return () => void commands.rotate(event.shiftKey ? -1 : 1);
+    case "f": return () => void commands.flip();
+    case "l": return () => void commands.lock("all");
+    case "u": return () => void (event.shiftKey ? commands.ungroup() : commands.group());
+    case "[": return () => void commands.tilt(1);
+    case "]": return () => void commands.tilt(-1);
+    case "h": return () => (insight.chainShown.value = !insight.chainShown.value);
+    case "e": return () => (insight.regionsShown.value = !insight.regionsShown.value);
+    case "p": return () => prefer({ dragMode: preferences.value.dragMode === "push" ? "place" : "push" });
+    case "0": return () => stage.fit();
+    case "+": case "=": return () => stage.zoom(1.25);
+    case "-": return () => stage.zoom(0.8);
+    case "?": return parts.help;
+    case " ": return () => (pointer.panning = true);
+    default: return undefined;
+  }
+}
+
+function dropOrDeselect({ engine, scene }: Parts): void {
+  if (engine.run.value) engine.run.value.stop();
+  else if (engine.preview.value) engine.drop();
+  else if (tool.value !== "select") tool.value = "select";
+  else scene.select([]);
+}
+
+function atTheEnd(scene: Scene, backwards: boolean): boolean {
+  const [selected] = scene.selected();
+  const pieces = scene.marker?.pieces ?? [];
+  if (!selected || pieces.length === 0) return pieces.length === 0;
+  const before = (a: typeof selected, b: typeof selected) => a.box.left - b.box.left || a.box.bottom - b.box.bottom || a.index - b.index;
+  return backwards ? pieces.every((piece) => before(selected, piece) <= 0) : pieces.every((piece) => before(selected, piece) >= 0);
+}

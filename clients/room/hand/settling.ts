@@ -1,0 +1,71 @@
+import { CallError, type Edit, type Point } from "../../typescript/src/index";
+import { editsBetween } from "../marker/edits";
+import type { Piece } from "../marker/marker";
+import type { Pose } from "../marker/pose";
+import type { Desk } from "../session/desk";
+import { inWords } from "../session/words";
+import { say } from "../texts/texts";
+
+const MAY_GROW = 0.1; // of the marker's length, when dropped pieces are separated
+
+/** Edits by hand that may make pieces overlap, and what makes the marker valid again: all of it is one step to undo. */
+export class Settling {
+  constructor(
+    private readonly desk: Desk,
+    private readonly tell: (text: string) => void,
+  ) {}
+
+  /** Applies operations, and separates what overlaps then; when that fails, the marker stays as it was. */
+  async apply(ops: Edit[], settled = say("separated")): Promise<boolean> {
+    if (ops.length === 0) return true;
+    try {
+      return await this.desk.gesture(async () => {
+        const answer = await this.desk.apply(ops);
+        if (answer.valid || (await this.separate())) {
+          if (!answer.valid) this.tell(settled);
+          return true;
+        }
+        await this.desk.undo();
+        this.tell(say("noPlace"));
+        return false;
+      });
+    } catch (error) {
+      this.tell(say("refusedDrop", { why: inWords(error) }));
+      return false;
+    }
+  }
+
+  private async separate(): Promise<boolean> {
+    try {
+      return await this.desk.change(async (client) => {
+        const answer = await client.call("motion.separate", { markerId: this.desk.markerId, grow: MAY_GROW });
+        this.desk.absorb({ ...answer, ...after(answer), removed: answer.popped }, "");
+        return answer.apart;
+      });
+    } catch (error) {
+      if (error instanceof CallError) return false;
+      throw error;
+    }
+  }
+
+  dropped(pieces: readonly Piece[], to: ReadonlyMap<string, Pose>): Promise<boolean> {
+    return this.apply(pieces.flatMap((piece) => editsBetween(piece.id, piece.pose, to.get(piece.id) ?? piece.pose)));
+  }
+
+  /** Puts a piece to the free position nearest to a point. */
+  async place(piece: string, to: Point): Promise<void> {
+    await this.desk.change(async (client) => {
+      const answer = await client.call("motion.place", { markerId: this.desk.markerId, piece, to, mayGrow: true });
+      if (!answer.found) return this.tell(say("noPlace"));
+      this.desk.absorb({ ...answer, ...after(answer) }, "");
+      this.tell(say("placed"));
+    });
+  }
+}
+
+/** What a motion's answer says of the marker after it, in the words of a change. */
+export const after = (answer: { lengthAfter: number; utilisationAfter: number }) => ({
+  length: answer.lengthAfter,
+  utilisation: answer.utilisationAfter,
+  removed: [] as string[],
+});

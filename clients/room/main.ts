@@ -1,0 +1,137 @@
+// The marker room: a page for one marker at a time, on the TypeScript client.
+import { h } from "./base/dom";
+import { Signal } from "./base/signal";
+import { Engine } from "./engine/engine";
+import { Insight } from "./engine/insight";
+import { Commands } from "./hand/commands";
+import { listenForKeys } from "./hand/keys";
+import { Pointer } from "./hand/pointer";
+import { Settling } from "./hand/settling";
+import { worded } from "./panels/controls";
+import { askForToken, openHelp, openSettings } from "./panels/dialogs";
+import { buildEnginePanel, buildOffer } from "./panels/engine_panel";
+import { buildHeader } from "./panels/header";
+import { buildLengthPanel } from "./panels/length_panel";
+import { openMenu } from "./panels/menu";
+import { buildPieceList } from "./panels/piece_list";
+import { buildPiecePanel, buildSpacing } from "./panels/piece_panel";
+import { announceFigures, buildStatus, teller } from "./panels/status";
+import { buildTabs } from "./panels/tabs";
+import { buildLegend, buildToolbar } from "./panels/toolbar";
+import { Desk } from "./session/desk";
+import { Link } from "./session/link";
+import { MarkerFiles } from "./session/marker_files";
+import { say } from "./texts/texts";
+import { lengthText, measureIn } from "./texts/units";
+import { times } from "./view/frame_times";
+import { Overview } from "./view/overview";
+import { Scene } from "./view/scene";
+import { Stage } from "./view/stage";
+import "./styles/tokens.css";
+import "./styles/layout.css";
+import "./styles/controls.css";
+
+const element = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
+
+const link = new Link();
+const desk = new Desk(link);
+const scene = new Scene();
+const tell = teller(element("toast"));
+const stage = new Stage(element("stage"), element<HTMLCanvasElement>("base"), element<HTMLCanvasElement>("top"), scene);
+const overview = new Overview(element<HTMLCanvasElement>("overview"), scene, stage);
+const engine = new Engine(desk, scene, tell);
+const insight = new Insight(desk, scene);
+const settling = new Settling(desk, tell);
+const commands = new Commands(desk, scene, engine, settling, tell);
+const pointer = new Pointer(stage.top, stage, scene, desk, engine, commands, settling, tell);
+const files = new MarkerFiles(desk, tell, element("dropzone"));
+const keepsNothing = new Signal(false);
+
+function buildPage(): void {
+  worded(stage.top, "canvas", "aria-label");
+  worded(element("overview"), "overview", "aria-label");
+  element("overview").setAttribute("role", "img");
+  const menu = (from: HTMLElement) => void openMenu(from, desk, files);
+  buildHeader(element("header"), desk, engine, commands, { menu, settings: openSettings, help: openHelp });
+  buildToolbar(element("toolbar"), stage, insight);
+  buildOffer(element("offer"), desk, engine);
+  const { open, panels } = buildTabs(element("panel"), ["engine", "pieces", "length"]);
+  buildEnginePanel(panels.engine, desk, engine, scene);
+  buildPiecePanel(panels.pieces, desk, scene, insight, commands);
+  buildSpacing(panels.pieces, desk, commands);
+  buildPieceList(panels.pieces, desk, scene, stage, insight);
+  buildLengthPanel(panels.length, desk, scene, insight);
+  open.follow((name) => (insight.wanted = name !== "engine"));
+  const legend = h("span", { id: "legend" });
+  buildLegend(legend, scene);
+  buildStatus(element("status"), desk, keepsNothing, legend);
+  announceFigures(element("live"), desk);
+  askForToken(link);
+  listenForKeys(stage.top, { stage, scene, engine, insight, commands, pointer, save: () => files.save(), help: openHelp });
+}
+
+// The marker on the table, and every change of it, reaches the canvas here.
+function connectScene(): void {
+  desk.marker.follow((marker) => {
+    if (!marker) return;
+    measureIn(marker.unit);
+    const isNew = scene.marker?.document !== marker.document && location.hash !== `#${desk.markerId}`;
+    scene.opening = desk.opening?.figures.length;
+    scene.length = desk.figures.value.length;
+    scene.show(marker);
+    // A strip with the whole marker helps where the marker is long.
+    document.querySelector<HTMLElement>("main")!.dataset["strip"] = stage.isLong ? "yes" : "";
+    if (isNew || !scene.camera.value) stage.fit(!stage.isLong);
+    history.replaceState(null, "", `#${desk.markerId}`);
+    overview.renew();
+  });
+  desk.figures.follow(({ length, valid, revision }) => {
+    if (!engine.preview.value && scene.held.size === 0) scene.length = length;
+    scene.opening = desk.opening?.figures.length;
+    scene.overlaps = [];
+    if (!valid) void showFaults(revision);
+    overview.renew();
+  });
+  desk.changed.follow((change) => {
+    if (!change) return;
+    const from = new Map([...change.before].map(([id, pose]) => [id, scene.shown.get(id) ?? pose]));
+    scene.fly(from);
+    if (change.by === "reopened" || change.by === "refreshed") tell(say(change.by === "reopened" ? "reopened" : "reconnected"));
+    else if (change.by === "closed") tell(say("closedElsewhere"));
+    else if (!change.mine) tell(say("changedBy", { what: change.by, length: lengthText(desk.figures.value.length) }));
+  });
+  scene.colouring.follow(() => overview.renew());
+}
+
+async function showFaults(revision: number): Promise<void> {
+  const client = await link.ready();
+  const check = await client.call("marker.check", { markerId: desk.markerId, deadlineMs: 10_000 }).catch(() => undefined);
+  if (!check || check.revision !== revision || desk.figures.value.revision !== revision) return;
+  scene.overlaps = check.overlaps;
+  scene.onChange("moving");
+}
+
+async function start(): Promise<void> {
+  buildPage();
+  connectScene();
+  await files.openFirst(decodeURIComponent(location.hash.slice(1)));
+  const { durable } = await (await link.ready()).call("engine.info", {});
+  keepsNothing.value = !durable;
+}
+
+// For tests and measurements: what is on the table, where a piece is on the screen, and how long frames and answers took.
+Object.assign(globalThis, {
+  selvageRoom: {
+    times,
+    revision: () => desk.figures.value.revision,
+    view: () => scene.camera.value && { markerId: desk.markerId, shown: scene.shown.size, selected: [...scene.selection.value], length: scene.length, scale: scene.camera.value.scale },
+    spotOf(id: string) {
+      const piece = scene.marker?.byId.get(id);
+      if (!piece || !scene.camera.value) return undefined;
+      const { left, top } = stage.top.getBoundingClientRect();
+      const [x, y] = scene.camera.value.toScreen(scene.poseOf(piece, performance.now()).place([piece.shape.spot.x, piece.shape.spot.y]));
+      return [x + left, y + top];
+    },
+  },
+});
+void start();

@@ -1,0 +1,136 @@
+import type { Locks, PieceState, Placement, Point } from "../../typescript/src/index";
+import type { MarkerDocument, PieceDocument } from "./document";
+import { contains, type Box } from "./outline";
+import { Pose } from "./pose";
+import { Shape } from "./shape";
+
+/** A piece of the marker, at its committed pose. */
+export interface Piece {
+  readonly id: string;
+  readonly shape: Shape;
+  readonly bundle: string;
+  /** Its place in the list of pieces. */
+  index: number;
+  pose: Pose;
+  box: Box;
+  locked: Locks;
+  group: string;
+  buffer: number;
+}
+
+export const isLocked = (piece: Piece, part: "x" | "y" | "tilt"): boolean =>
+  piece.locked === true || (Array.isArray(piece.locked) && piece.locked.includes(part));
+
+const bundleOf = (document: PieceDocument): string => {
+  const bundle = document.attributes?.["bundle"];
+  return typeof bundle === "string" || typeof bundle === "number" ? String(bundle) : "";
+};
+
+/** The marker as this page knows it: always a revision that the daemon has acknowledged. */
+export class Marker {
+  readonly pieces: Piece[] = [];
+  readonly byId = new Map<string, Piece>();
+  readonly shapes = new Map<string, Shape>();
+  readonly name: string;
+  readonly unit: string;
+  readonly width: number;
+  readonly longest: number | undefined;
+  readonly margin: number;
+  readonly spacing: number;
+
+  constructor(readonly document: MarkerDocument) {
+    this.name = document.name ?? "";
+    this.unit = document.unit ?? "mm";
+    this.width = document.strip.width;
+    this.longest = document.strip.longest;
+    this.margin = document.strip.margin ?? 0;
+    this.spacing = document.spacing ?? 0;
+    for (const shape of document.shapes) this.shapes.set(String(shape.id), new Shape(shape));
+    for (const piece of document.pieces) this.add(piece);
+  }
+
+  private add(document: PieceDocument): void {
+    const shape = this.shapes.get(String(document.shape));
+    if (!shape || !document.at) return;
+    const { at, rotation = 0, flip = false, tilt = 0, locked = false, group = "", buffer = 0 } = document;
+    const pose = new Pose(at[0], at[1], rotation, flip, tilt);
+    const id = String(document.id);
+    const bundle = bundleOf(document) || shape.bundle;
+    const piece: Piece = { id, shape, bundle, index: this.pieces.length, pose, box: pose.boxOf(shape), locked, group, buffer };
+    this.pieces.push(piece);
+    this.byId.set(piece.id, piece);
+  }
+
+  /** Takes over what a change says of pieces. Answers false when it speaks of a piece or a shape that is not known here. */
+  absorb(placements: ReadonlyArray<Placement | PieceState>): boolean {
+    for (const placement of placements) {
+      const piece = this.byId.get(placement.id);
+      if (!piece) return false;
+      const pose = Pose.of(placement);
+      if (!pose.equals(piece.pose)) {
+        piece.pose = pose;
+        piece.box = pose.boxOf(piece.shape);
+      }
+      if ("locked" in placement) {
+        piece.locked = placement.locked;
+        piece.group = placement.group ?? "";
+        piece.buffer = placement.buffer ?? 0;
+      }
+    }
+    return true;
+  }
+
+  remove(ids: readonly string[]): void {
+    if (ids.length === 0) return;
+    const gone = new Set(ids);
+    const left = this.pieces.filter((piece) => !gone.has(piece.id));
+    this.pieces.splice(0, this.pieces.length, ...left);
+    this.pieces.forEach((piece, index) => (piece.index = index));
+    for (const id of ids) this.byId.delete(id);
+  }
+
+  /** The topmost piece at a point of the cloth. `poseOf` says where a piece is shown. */
+  pieceAt([x, y]: Point, slack: number, shown: ReadonlyMap<string, Pose>): Piece | undefined {
+    for (let k = this.pieces.length - 1; k >= 0; --k) {
+      const piece = this.pieces[k]!;
+      const pose = shown.get(piece.id);
+      const box = pose ? pose.boxOf(piece.shape) : piece.box;
+      if (x < box.left - slack || x > box.right + slack || y < box.bottom - slack || y > box.top + slack) continue;
+      const [u, v] = (pose ?? piece.pose).unplace(x, y);
+      if (contains(piece.shape.outline, u, v)) return piece;
+    }
+    return undefined;
+  }
+
+  /** The pieces that move when this one does: itself, or its group. */
+  together(piece: Piece): Piece[] {
+    return piece.group ? this.pieces.filter((other) => other.group === piece.group) : [piece];
+  }
+
+  poses(): Map<string, Pose> {
+    return new Map(this.pieces.map((piece) => [piece.id, piece.pose]));
+  }
+
+  /** The document at the present poses, for files and for opening the marker again. */
+  toDocument(): MarkerDocument {
+    const pieces = this.document.pieces.flatMap((piece): PieceDocument[] => {
+      const known = this.byId.get(String(piece.id));
+      if (!known) return piece.at ? [] : [piece];
+      const { pose, locked, group, buffer } = known;
+      const { group: _group, buffer: _buffer, locked: _locked, ...rest } = piece;
+      return [
+        {
+          ...rest,
+          at: [pose.x, pose.y],
+          rotation: pose.rotation,
+          flip: pose.flip,
+          tilt: pose.tilt,
+          locked,
+          ...(group ? { group } : {}),
+          ...(buffer ? { buffer } : {}),
+        },
+      ];
+    });
+    return { ...this.document, pieces };
+  }
+}

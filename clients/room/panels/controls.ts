@@ -1,0 +1,56 @@
+import { h } from "../base/dom";
+import { say, wording, type TextName } from "../texts/texts";
+import { drawn, type IconName } from "./icons";
+
+/** Keeps a text or an attribute of an element in the user's language. */
+export function worded(element: Element, name: TextName, attribute?: string): void {
+  wording.follow(() => {
+    if (attribute) element.setAttribute(attribute, say(name));
+    else element.textContent = say(name);
+  });
+}
+
+/** A button with an icon; its name is its title and what is read out. */
+export function iconButton(name: IconName, title: TextName, act: () => void): HTMLButtonElement {
+  const button = h("button", { class: "icon-button", type: "button", onclick: act }, drawn(name));
+  worded(button, title, "title");
+  worded(button, title, "aria-label");
+  return button;
+}
+
+export function textButton(title: TextName, act: () => void, style = ""): HTMLButtonElement {
+  const button = h("button", { type: "button", class: `button ${style}`, onclick: act });
+  worded(button, title);
+  return button;
+}
+
+/** A labelled field in a row. */
+export function row(title: TextName, control: HTMLElement): HTMLElement {
+  const text = h("span");
+  worded(text, title);
+  return h("label", { class: "row" }, text, control);
+}
+
+export function choice<T extends string>(options: ReadonlyArray<readonly [T, TextName]>, value: T, choose: (value: T) => void): HTMLSelectElement {
+  const select: HTMLSelectElement = h("select", { onchange: () => choose(select.value as T) });
+  for (const [name, text] of options) {
+    const option = h("option", { value: name });
+    worded(option, text);
+    select.append(option);
+  }
+  select.value = value;
+  return select;
+}
+
+export function heading(title: TextName): HTMLElement {
+  const element = h("h2");
+  worded(element, title);
+  return element;
+}
+
+/** A paragraph whose text follows the language. */
+export function note(title: TextName): HTMLElement {
+  const element = h("p", { class: "note" });
+  worded(element, title);
+  return element;
+}

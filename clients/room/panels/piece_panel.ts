@@ -1,0 +1,97 @@
+import { fill, h, setText } from "../base/dom";
+import { follow } from "../base/signal";
+import type { Insight } from "../engine/insight";
+import type { Commands } from "../hand/commands";
+import { isLocked, type Piece } from "../marker/marker";
+import type { Desk } from "../session/desk";
+import { say, wording, type TextName } from "../texts/texts";
+import { areaText, lengthText, numberText, parseLength, parseNumber } from "../texts/units";
+import type { Scene } from "../view/scene";
+import { heading, textButton, worded } from "./controls";
+
+const CORNERS = [["↖", [-1, 1]], ["↗", [1, 1]], ["↙", [-1, -1]], ["↘", [1, -1]]] as const;
+const SIDES = [["↑", [0, 1]], ["←", [-1, 0]], ["→", [1, 0]], ["↓", [0, -1]]] as const;
+
+/** The selected piece or pieces, and what can be done to them. */
+export function buildPiecePanel(host: HTMLElement, desk: Desk, scene: Scene, insight: Insight, commands: Commands): void {
+  const title = h("h2", { id: "piece-title" });
+  const facts = h("dl", { class: "facts" });
+  const lockButtons = (["all", "x", "y", "tilt"] as const).map((part) => {
+    const names: Record<typeof part, TextName> = { all: "lockPiece", x: "lockX", y: "lockY", tilt: "lockTilt" };
+    const button = textButton(names[part], () => void commands.lock(part));
+    button.dataset["part"] = part;
+    return button;
+  });
+  const buffer = h("input", { type: "text", inputmode: "decimal", size: 5, onchange: () => {
+    const length = parseLength(buffer.value);
+    if (length !== undefined && length >= 0) void commands.buffer(length);
+  } });
+  const bufferName = h("span");
+  worded(bufferName, "buffer");
+  const arrows = h("div", { class: "pad" });
+  for (const [sign, way] of SIDES) arrows.append(h("button", { type: "button", class: "button", "data-way": sign, "aria-label": sign, onclick: () => void commands.bump([way[0], way[1]]) }, sign));
+  for (const [sign, way] of CORNERS) arrows.append(h("button", { type: "button", class: "button", "data-way": sign, "aria-label": sign, onclick: () => void commands.shoot([way[0], way[1]]) }, sign));
+  const turns = h(
+    "div",
+    { class: "pair" },
+    textButton("rotate", () => void commands.rotate(1)),
+    textButton("flip", () => void commands.flip()),
+    textButton("group", () => void commands.group()),
+    textButton("ungroup", () => void commands.ungroup()),
+  );
+  const tools = h("div", { class: "piece-tools" }, h("div", { class: "side-by-side" }, arrows, turns), h("div", { class: "segments locks" }, ...lockButtons), h("label", { class: "row" }, bufferName, buffer));
+  const empty = h("p", { class: "note" });
+  worded(empty, "noSelection");
+  fill(host, title, empty, facts, tools);
+
+  follow([scene.selection, desk.figures, insight.chain, wording], () => {
+    const pieces = scene.selected();
+    const [first] = pieces;
+    empty.hidden = pieces.length > 0;
+    title.hidden = facts.hidden = tools.hidden = pieces.length === 0;
+    if (!first) return;
+    setText(title, pieces.length === 1 ? first.shape.name : say("selectedCount", { count: pieces.length }));
+    fill(facts, ...(pieces.length === 1 ? factsOf(first, insight) : sums(pieces)).flatMap(([name, value]) => [h("dt", {}, name), h("dd", {}, value)]));
+    if (document.activeElement !== buffer) buffer.value = lengthText(first.buffer, { unit: false });
+    for (const button of lockButtons) {
+      const part = button.dataset["part"] as "all" | "x" | "y" | "tilt";
+      const on = pieces.every((piece) => (part === "all" ? piece.locked === true : isLocked(piece, part)));
+      button.setAttribute("aria-pressed", String(on));
+    }
+  });
+}
+
+function factsOf(piece: Piece, insight: Insight): Array<[string, string]> {
+  const { shape, pose, group } = piece;
+  const facts: Array<[string, string]> = [];
+  if (shape.size) facts.push([say("size"), shape.size]);
+  if (piece.bundle) facts.push([say("bundle"), piece.bundle]);
+  facts.push([say("position"), `${lengthText(pose.x, { unit: false })}, ${lengthText(pose.y)}`]);
+  facts.push([say("rotation"), `${numberText(pose.rotation, 2, 0)}°${pose.flip ? ` · ${say("flip")}` : ""}`]);
+  if (shape.tiltLimit > 0) facts.push([say("tiltAngle"), `${numberText(pose.tilt, 2)}° (± ${numberText(shape.tiltLimit, 1, 0)}°)`]);
+  facts.push([say("area"), areaText(shape.area)]);
+  if (group) facts.push([say("group"), group]);
+  const worth = insight.worth.value.get(piece.id);
+  if (worth !== undefined) facts.push([say("worth"), numberText(worth, 2)]);
+  const degree = insight.chain.value?.tilts.find((tilt) => tilt.piece === piece.id)?.perDegree;
+  if (degree !== undefined && shape.tiltLimit > 0) facts.push([say("degreeWorth"), `${degree > 0 ? "" : "+"}${lengthText(-degree)}`]);
+  return facts;
+}
+
+const sums = (pieces: readonly Piece[]): Array<[string, string]> => [
+  [say("area"), areaText(pieces.reduce((sum, { shape }) => sum + shape.area, 0))],
+];
+
+/** The spacing and the heading of the list of pieces. */
+export function buildSpacing(host: HTMLElement, desk: Desk, commands: Commands): void {
+  const field = h("input", { type: "text", inputmode: "decimal", size: 5, id: "spacing", onchange: () => {
+    const length = parseLength(field.value);
+    if (length !== undefined && length >= 0 && parseNumber(field.value) !== undefined) void commands.spacing(length);
+  } });
+  const name = h("span");
+  worded(name, "spacing");
+  host.append(heading("pieces"), h("label", { class: "row" }, name, field));
+  follow([desk.marker, desk.figures, wording], () => {
+    if (document.activeElement !== field) field.value = lengthText(desk.marker.value?.spacing ?? 0, { unit: false });
+  });
+}

@@ -1,0 +1,184 @@
+import { Code, type Answer, type Client, type Edit, type Notifications, type PieceState, type Placement } from "../../typescript/src/index";
+import { Signal } from "../base/signal";
+import type { MarkerDocument } from "../marker/document";
+import { Marker } from "../marker/marker";
+import type { Pose } from "../marker/pose";
+import type { Link } from "./link";
+import { hasCode } from "./words";
+
+/** What is known of the marker's revision. */
+export interface Figures {
+  revision: number;
+  length: number;
+  utilisation: number;
+  valid: boolean;
+}
+
+/** What is said of a new revision, by a notification or by the answer to a call. */
+export interface Change extends Pick<Notifications["marker.changed"], "revision" | "removed" | "length" | "utilisation" | "valid" | "whole"> {
+  placements: ReadonlyArray<Placement | PieceState>;
+}
+/** The poses that pieces had before a change. */
+export type Before = ReadonlyMap<string, Pose>;
+
+/** The marker on the table: opened, watched, and changed only by what the daemon says. */
+export class Desk {
+  readonly marker = new Signal<Marker | undefined>(undefined);
+  readonly figures = new Signal<Figures>({ revision: 0, length: 0, utilisation: 0, valid: true });
+  /** Told after each change, with the poses before it; `by` is the method, or "" for a change of this page's own. */
+  readonly changed = new Signal<{ before: Before; by: string; mine: boolean } | undefined>(undefined);
+  markerId = "";
+  /** The figures and the poses when the marker was opened here. */
+  opening: { figures: Figures; poses: Map<string, Pose> } | undefined;
+  private listening: Client | undefined;
+  private underWay = 0; // calls of this page that change the marker
+  // How many revisions a gesture made, by the last of them: one undo takes back all of them.
+  private readonly undoSteps = new Map<number, number>();
+  private readonly redoSteps = new Map<number, number>();
+
+  constructor(readonly link: Link) {
+    let first = true;
+    link.joined.follow(() => {
+      if (!first && this.markerId) void this.resume();
+      first = false;
+    });
+  }
+
+  /** Opens a document as a new marker, and puts it on the table. */
+  async open(document: MarkerDocument | Record<string, unknown>): Promise<Answer<"marker.open">> {
+    const client = await this.link.ready();
+    const opened = await client.call("marker.open", { marker: document as Record<string, unknown> });
+    await this.show(opened.markerId);
+    return opened;
+  }
+
+  /** Puts a marker of the daemon on the table. */
+  async show(markerId: string): Promise<void> {
+    const client = await this.link.ready();
+    this.listen(client);
+    if (this.markerId && this.markerId !== markerId) void client.call("marker.unwatch", { markerId: this.markerId }).catch(() => {});
+    this.markerId = markerId;
+    this.undoSteps.clear();
+    this.redoSteps.clear();
+    await client.call("marker.watch", { markerId });
+    await this.load(client);
+    this.opening = { figures: this.figures.value, poses: this.marker.value!.poses() };
+    this.marker.announce();
+  }
+
+  private async load(client: Client): Promise<void> {
+    const { markerId } = this;
+    const [listed, got] = await Promise.all([client.call("marker.list", {}), client.call("marker.get", { markerId })]);
+    if (markerId !== this.markerId) return;
+    const entry = listed.markers.find((marker) => marker.markerId === markerId);
+    const { valid } = this.figures.value;
+    const figures = { revision: got.revision, length: entry?.length ?? 0, utilisation: entry?.utilisation ?? 0, valid };
+    this.figures.value = entry?.revision === got.revision ? figures : { ...figures, revision: got.revision };
+    this.marker.value = new Marker(got.marker as unknown as MarkerDocument);
+    void client
+      .call("marker.check", { markerId })
+      .then((check) => {
+        if (check.revision === this.figures.value.revision) this.figures.value = { ...this.figures.value, valid: check.valid };
+      })
+      .catch(() => {});
+  }
+
+  // After a lost connection: watches again, and reads the marker anew, or opens it again when the daemon has lost it.
+  private async resume(): Promise<void> {
+    const client = await this.link.ready();
+    this.listen(client);
+    const kept = this.marker.value;
+    try {
+      await client.call("marker.watch", { markerId: this.markerId });
+      await this.refresh(client);
+    } catch (error) {
+      if (!hasCode(error, Code.UnknownMarker) || !kept) return;
+      const opened = await client.call("marker.open", { marker: kept.toDocument() as unknown as Record<string, unknown> });
+      const { opening } = this;
+      await this.show(opened.markerId);
+      this.opening = opening;
+      this.changed.value = { before: new Map(), by: "reopened", mine: true };
+    }
+  }
+
+  private async refresh(client: Client): Promise<void> {
+    const before = this.marker.value?.poses() ?? new Map();
+    await this.load(client);
+    this.changed.value = { before, by: "refreshed", mine: true };
+  }
+
+  private listen(client: Client): void {
+    if (this.listening === client) return;
+    this.listening = client;
+    client.on("marker.changed", (change) => {
+      if (change.markerId === this.markerId) this.absorb(change, change.by);
+    });
+    client.on("marker.closed", ({ markerId }) => {
+      if (markerId === this.markerId) this.changed.value = { before: new Map(), by: "closed", mine: false };
+    });
+  }
+
+  /** Takes over a change; older ones than the present revision have been taken over already. */
+  absorb(change: Change, by: string): void {
+    const marker = this.marker.value;
+    const { revision } = this.figures.value;
+    if (!marker || change.revision <= revision) return;
+    const before = new Map<string, Pose>();
+    for (const { id } of change.placements) {
+      const piece = marker.byId.get(id);
+      if (piece) before.set(id, piece.pose);
+    }
+    const follows = change.revision === revision + 1 && !change.whole;
+    if (!follows || !marker.absorb(change.placements)) {
+      void this.link.ready().then((client) => this.refresh(client));
+      return;
+    }
+    marker.remove(change.removed);
+    const { length, utilisation, valid } = change;
+    this.figures.value = { revision: change.revision, length, utilisation, valid };
+    this.changed.value = { before, by, mine: this.underWay > 0 };
+  }
+
+  /** Does something that changes the marker: while it is under way, changes count as this page's own. */
+  async change<T>(act: (client: Client) => Promise<T>): Promise<T> {
+    const client = await this.link.ready();
+    this.underWay += 1;
+    try {
+      return await act(client);
+    } finally {
+      this.underWay -= 1;
+    }
+  }
+
+  /** Several changes that one undo takes back. */
+  async gesture<T>(act: () => Promise<T>): Promise<T> {
+    const from = this.figures.value.revision;
+    try {
+      return await act();
+    } finally {
+      const to = this.figures.value.revision;
+      if (to > from + 1) this.undoSteps.set(to, to - from);
+    }
+  }
+
+  /** Applies operations; refused when the marker has changed meanwhile. */
+  apply(ops: Edit[]): Promise<Answer<"marker.apply">> {
+    return this.change(async (client) => {
+      const { markerId } = this;
+      const answer = await client.call("marker.apply", { markerId, ops, baseRev: this.figures.value.revision });
+      this.absorb(answer, "");
+      return answer;
+    });
+  }
+
+  undo = (): Promise<void> => this.step("marker.undo", this.undoSteps, this.redoSteps);
+  redo = (): Promise<void> => this.step("marker.redo", this.redoSteps, this.undoSteps);
+
+  private step(method: "marker.undo" | "marker.redo", here: Map<number, number>, there: Map<number, number>): Promise<void> {
+    return this.change(async (client) => {
+      const steps = here.get(this.figures.value.revision) ?? 1;
+      for (let k = 0; k < steps; ++k) this.absorb(await client.call(method, { markerId: this.markerId }), method);
+      if (steps > 1) there.set(this.figures.value.revision, steps);
+    });
+  }
+}

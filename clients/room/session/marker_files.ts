@@ -1,0 +1,102 @@
+import type { Desk } from "./desk";
+import { example, examples, type Example } from "./examples";
+import { chooseFiles, fileName, markerText, readMarker, saveText } from "./files";
+import { inWords } from "./words";
+import { say } from "../texts/texts";
+
+/** Markers as files: opened by dialogue or by dropping them on the page, saved, drawn, printed. */
+export class MarkerFiles {
+  constructor(
+    private readonly desk: Desk,
+    private readonly tell: (text: string) => void,
+    private readonly dropzone: HTMLElement,
+  ) {
+    addEventListener("dragover", (event) => {
+      event.preventDefault();
+      dropzone.textContent = say("dropFiles");
+      dropzone.hidden = false;
+    });
+    addEventListener("dragleave", (event) => event.relatedTarget === null && (this.dropzone.hidden = true));
+    addEventListener("drop", (event) => {
+      event.preventDefault();
+      this.dropzone.hidden = true;
+      void this.openAll([...(event.dataTransfer?.files ?? [])]);
+    });
+  }
+
+  /** The marker that the address names, or the first that is open, or else an example: there is always one to play with. */
+  async openFirst(markerId: string): Promise<void> {
+    const client = await this.desk.link.ready();
+    const { markers } = await client.call("marker.list", {});
+    const named = markers.find((marker) => marker.markerId === markerId) ?? markers[0];
+    if (named) return this.trying(() => this.desk.show(named.markerId));
+    const [first] = await examples();
+    if (first) await this.trying(async () => void (await this.desk.open(await example(first.file))));
+  }
+
+  openFile = (): void => void chooseFiles().then((files) => this.openAll(files));
+
+  private async openAll(files: File[]): Promise<void> {
+    for (const file of files) {
+      await this.trying(async () => {
+        const { pieces, notes } = await this.desk.open(await readMarker(file));
+        const [first] = notes;
+        const values = { name: file.name, pieces, count: notes.length, note: first?.text ?? "" };
+        this.tell(say(first ? "openedNotes" : "opened", values));
+      });
+    }
+  }
+
+  show = (markerId: string): void => void this.trying(() => this.desk.show(markerId));
+  example = ({ file }: Example): void => void this.trying(async () => void (await this.desk.open(await example(file))));
+
+  duplicate = (): void =>
+    void this.trying(async () => {
+      const document = this.desk.marker.value?.toDocument();
+      if (document) await this.desk.open({ ...document, name: `${document.name ?? ""} 2`.trim() });
+    });
+
+  save = (): void => {
+    const marker = this.desk.marker.value;
+    if (marker) saveText(fileName(marker.name, "json"), markerText(marker.toDocument()), "application/json");
+  };
+
+  saveSvg = (): void =>
+    void this.trying(async () => saveText(fileName(this.desk.marker.value?.name ?? "", "svg"), await this.drawing(), "image/svg+xml"));
+
+  private async drawing(): Promise<string> {
+    const client = await this.desk.link.ready();
+    const { marker } = await client.call("marker.get", { markerId: this.desk.markerId, format: "svg" });
+    return String(marker);
+  }
+
+  print = (): void =>
+    void this.trying(async () => {
+      const url = URL.createObjectURL(new Blob([await this.drawing()], { type: "image/svg+xml" }));
+      const picture = document.createElement("img");
+      picture.id = "print";
+      picture.alt = this.desk.marker.value?.name ?? "";
+      picture.src = url;
+      document.body.append(picture);
+      await picture.decode();
+      print();
+      picture.remove();
+      URL.revokeObjectURL(url);
+    });
+
+  close = (): void =>
+    void this.trying(async () => {
+      const client = await this.desk.link.ready();
+      await client.call("marker.close", { markerId: this.desk.markerId });
+      this.desk.markerId = "";
+      await this.openFirst("");
+    });
+
+  private async trying(act: () => Promise<void>): Promise<void> {
+    try {
+      await act();
+    } catch (error) {
+      this.tell(inWords(error));
+    }
+  }
+}

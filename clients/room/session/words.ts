@@ -1,0 +1,19 @@
+import { CallError, Code, ConnectionLost } from "../../typescript/src/index";
+import { say } from "../texts/texts";
+
+/** An error in the user's words; the daemon's own message where it names what is wrong. */
+export function inWords(error: unknown): string {
+  if (error instanceof ConnectionLost) return say("errorConnection");
+  if (!(error instanceof CallError)) return error instanceof Error ? error.message : String(error);
+  if (error.data.name === "history.nothing_to_undo") return say("errorNothingToUndo");
+  switch (error.code) {
+    case Code.RevisionMismatch: return say("errorClash", { revision: error.data.revision ?? "?" });
+    case Code.Busy: return say("errorBusy");
+    case Code.UnknownMarker: return say("errorGone");
+    case Code.TooLarge: return say("errorTooLarge");
+    case Code.Draining: return say("errorDraining");
+    default: return error.message;
+  }
+}
+
+export const hasCode = (error: unknown, code: number): boolean => error instanceof CallError && error.code === code;

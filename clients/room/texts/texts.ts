@@ -1,0 +1,22 @@
+import { Signal } from "../base/signal";
+import { preferences } from "../base/preferences";
+import { english } from "./english";
+import { german } from "./german";
+
+export type TextName = keyof typeof english;
+export type Texts = Record<TextName, string>;
+
+const tables: Record<"en" | "de", Texts> = { en: english, de: german };
+const table = (): Texts => tables[preferences.value.language];
+
+/** The text in the user's language, with what stands in braces replaced. */
+export function say(name: TextName, values: Record<string, string | number> = {}): string {
+  return table()[name].replace(/\{(\w+)\}/g, (_, key: string) => String(values[key] ?? ""));
+}
+
+/** Tells when texts must be written anew: another language, unit or decimal sign. */
+export const wording = new Signal("");
+preferences.follow(({ language, unit, decimal, currency, price, plies }) => {
+  document.documentElement.lang = language;
+  wording.value = [language, unit, decimal, currency, price, plies].join(" ");
+});

@@ -1,0 +1,28 @@
+/** Milliseconds of the last measurements of one kind. */
+export class Times {
+  private readonly kept: number[] = [];
+  private next = 0;
+
+  constructor(private readonly capacity = 2000) {}
+
+  add(milliseconds: number): void {
+    this.kept[this.next] = milliseconds;
+    this.next = (this.next + 1) % this.capacity;
+  }
+  clear(): void {
+    this.kept.length = 0;
+    this.next = 0;
+  }
+  get last(): number {
+    return this.kept[(this.next + this.capacity - 1) % this.capacity] ?? 0;
+  }
+
+  summary(): { count: number; p50: number; p95: number; p99: number; most: number } {
+    const sorted = [...this.kept].sort((a, b) => a - b);
+    const at = (part: number) => sorted[Math.min(sorted.length - 1, Math.floor(part * sorted.length))] ?? 0;
+    return { count: sorted.length, p50: at(0.5), p95: at(0.95), p99: at(0.99), most: at(1) };
+  }
+}
+
+/** What the page measures of itself: script per frame, from a drag's move to the answer, and from its answer to the frame. */
+export const times = { frame: new Times(), settled: new Times(), answer: new Times() };

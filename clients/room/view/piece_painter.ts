@@ -1,0 +1,108 @@
+import { isLocked, type Piece } from "../marker/marker";
+import type { Pose } from "../marker/pose";
+import type { Camera } from "./camera";
+import type { Colouring, Palette } from "./palette";
+
+const LABEL = '500 12px "Inter", system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif';
+const TINY = 3; // pixels: a piece smaller than this is a rectangle
+const SMALL = 200; // pixels: below this an outline of fewer points looks the same
+
+export interface Brush {
+  context: CanvasRenderingContext2D;
+  camera: Camera;
+  ratio: number; // device pixels per CSS pixel
+  colours: Palette;
+}
+
+/** Lays the shape's coordinates onto the canvas. */
+export function enter({ context, camera, ratio }: Brush, pose: Pose): void {
+  const k = camera.scale * ratio;
+  const { cos, sin, mirror, x, y } = pose;
+  context.setTransform(k * cos, -k * sin, -k * sin * mirror, -k * cos * mirror, ratio * camera.x + k * x, ratio * camera.y - k * y);
+}
+
+export const pathAt = (piece: Piece, camera: Camera): Path2D =>
+  piece.shape.extent * camera.scale < SMALL ? piece.shape.coarse : piece.shape.path;
+
+/** A piece's outline in a colour and a width in CSS pixels. */
+export function outline(brush: Brush, piece: Piece, pose: Pose, colour: string, width: number, dash: number[] = []): void {
+  const { context, camera } = brush;
+  enter(brush, pose);
+  context.strokeStyle = colour;
+  context.lineWidth = width / camera.scale;
+  context.setLineDash(dash.map((length) => length / camera.scale));
+  context.stroke(pathAt(piece, camera));
+  if (dash.length > 0) context.setLineDash([]);
+}
+
+export function paintPiece(brush: Brush, piece: Piece, pose: Pose, colouring: Colouring): void {
+  const { context, camera, colours } = brush;
+  const pixels = piece.shape.extent * camera.scale;
+  enter(brush, pose);
+  context.fillStyle = colouring.fillOf(piece, colours);
+  if (pixels < TINY) {
+    const { left, bottom, right, top } = piece.shape.box;
+    context.fillRect(left, bottom, right - left, top - bottom);
+    return;
+  }
+  const path = pathAt(piece, camera);
+  context.fill(path);
+  if (pixels < 8) return;
+  context.strokeStyle = colours.line;
+  context.lineWidth = (colours.contrast ? 1.6 : 0.9) / camera.scale;
+  context.stroke(path);
+}
+
+/** The grain line, the name and the marks of locks, where there is room for them. */
+export function paintLabel(brush: Brush, piece: Piece, pose: Pose, labels: boolean): void {
+  const { context, camera, ratio, colours } = brush;
+  const { spot, label, size } = piece.shape;
+  const room = spot.radius * camera.scale;
+  if (room < 7) return;
+  const [x, y] = camera.toScreen(pose.place([spot.x, spot.y]));
+  if (labels && room > 26 && piece.shape.extent * camera.scale > 110) paintGrain(brush, piece, pose);
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  if (piece.locked !== false) paintLock(context, x, room > 24 && labels ? y - 13 : y, colours, isLocked(piece, "x") && isLocked(piece, "y"));
+  if (!labels) return;
+  context.font = LABEL;
+  context.fillStyle = colours.ink;
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  const text = room > 60 || label.length < 10 ? label : size || label.slice(0, 8);
+  const wide = context.measureText(text).width;
+  if (room >= 9 && wide < room * 2.6) context.fillText(text, x, y);
+}
+
+function paintGrain(brush: Brush, piece: Piece, pose: Pose): void {
+  const { context, camera, colours } = brush;
+  const { spot } = piece.shape;
+  const half = Math.min(spot.radius * 0.85, 70 / camera.scale);
+  const tip = 4 / camera.scale;
+  const y = spot.y - 13 / camera.scale;
+  enter(brush, pose);
+  context.strokeStyle = colours.faint;
+  context.lineWidth = 1 / camera.scale;
+  context.beginPath();
+  context.moveTo(spot.x - half + tip, y + tip * 0.7);
+  context.lineTo(spot.x - half, y);
+  context.lineTo(spot.x - half + tip, y - tip * 0.7);
+  context.moveTo(spot.x - half, y);
+  context.lineTo(spot.x + half, y);
+  context.moveTo(spot.x + half - tip, y + tip * 0.7);
+  context.lineTo(spot.x + half, y);
+  context.lineTo(spot.x + half - tip, y - tip * 0.7);
+  context.stroke();
+}
+
+function paintLock(context: CanvasRenderingContext2D, x: number, y: number, colours: Palette, whole: boolean): void {
+  context.fillStyle = colours.ink;
+  context.strokeStyle = colours.ink;
+  context.lineWidth = 1.5;
+  context.beginPath();
+  context.arc(x, y - 2, 3, Math.PI, 0);
+  context.stroke();
+  context.beginPath();
+  context.rect(x - 5, y - 2, 10, 7);
+  if (whole) context.fill();
+  else context.stroke();
+}

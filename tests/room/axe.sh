@@ -1,0 +1,8 @@
+#!/bin/sh
+# Fetches axe-core into a folder, and has it judge the page: axe.sh FOLDER
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+mkdir -p "$1"
+cp "$here/package.json" "$here/package-lock.json" "$1"
+[ -f "$1/node_modules/axe-core/axe.min.js" ] || (cd "$1" && npm ci --no-audit --no-fund)
+AXE="$1/node_modules/axe-core/axe.min.js" exec node --test "$here/axe.mjs"

@@ -1,0 +1,124 @@
+// By engine: every result is looked at first, and then taken, kept beside, or dropped.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { assertValid, atRevision, call, example, revision, shown, spot, squares, startDaemon, story, visit, withBrowser } from "./visit.mjs";
+
+const here = withBrowser();
+const offered = `document.querySelector("#offer").dataset.shown === "yes"`;
+const gone = `document.querySelector("#offer").dataset.shown !== "yes"`;
+
+test("compact, look, take, undo", () =>
+  story(here, async (page, port) => {
+    const { markerId } = await shown(page, port);
+    const expected = await call(port, "motion.compact", { markerId, commit: false });
+    await page.key("c");
+    await page.until(offered);
+    assert.equal(await revision(page), 1);
+    assert.equal(await page.text("#length"), "2,452.2 mm");
+    await page.key("Enter");
+    await atRevision(page, 2);
+    await page.until(gone);
+    const { length, revision: now } = (await call(port, "marker.list")).markers[0];
+    assert.equal(length, expected.lengthAfter);
+    assert.equal(now, 2);
+    await assertValid(port, markerId);
+    await page.key("z", "control");
+    await atRevision(page, 3);
+    assert.equal((await call(port, "marker.list")).markers[0].length, 2460.35);
+  }));
+
+test("a dropped result leaves the marker as it was", () =>
+  story(here, async (page) => {
+    await page.press("Standard");
+    await page.until(offered);
+    await page.key("Escape");
+    await page.until(gone);
+    assert.equal(await revision(page), 1);
+    assert.equal(await page.text("#length"), "2,460.4 mm");
+  }));
+
+test("results kept beside are compared and taken later, in one step, although the marker was edited meanwhile", () =>
+  story(here, async (page, port) => {
+    await page.press("Standard");
+    await page.until(offered);
+    await page.key("k");
+    await page.until(`document.querySelectorAll("#beside .card").length === 2`);
+    const [x, y] = await spot(page, "20");
+    await page.drag([x, y], [x, y]);
+    await page.key("ArrowRight");
+    await page.until(`selvageRoom.revision() > 1 || document.querySelector("#toast").textContent.includes("cannot move")`);
+    const { markerId } = await shown(page, port);
+    await call(port, "marker.apply", { markerId, ops: [{ op: "lock", piece: "3", locked: true }] });
+    await page.until(`document.querySelector("#beside").textContent.includes("edited while")`);
+    const before = await revision(page);
+    await page.press("Take", "#beside");
+    await atRevision(page, before + 1);
+    assert.equal((await call(port, "marker.list")).markers[0].length, 2452.178013);
+    await assertValid(port, markerId);
+    await page.key("z", "control");
+    await atRevision(page, before + 2);
+  }));
+
+test("the fine search shows its best so far, draws its curve, and stops with it", () =>
+  story(here, async (page, port) => {
+    await page.press("Fine");
+    await page.until(offered, "a better marker while the search goes on");
+    assert.ok(await page.ask(`!document.querySelector("#progress").hidden && !!document.querySelector("#progress .curve-line")`));
+    await page.press("Stop");
+    await page.until(`document.querySelector("#progress").hidden`);
+    await page.until(offered);
+    await page.key("Enter");
+    await atRevision(page, 2);
+    const [{ length, markerId }] = (await call(port, "marker.list")).markers;
+    assert.ok(length < 2455);
+    await assertValid(port, markerId);
+    await page.until(`fetch("/healthz").then((r) => r.ok)`);
+    assert.equal((await call(port, "marker.list")).markers.length, 1, "the search's copy is closed");
+  }));
+
+test("tilt, float, separate, relax", () =>
+  story(here, async (page, port) => {
+    const { markerId } = await shown(page, port);
+    for (const name of ["Float", "Tilt"]) {
+      await page.press(name);
+      await page.until(offered, name);
+      const before = await revision(page);
+      await page.key("Enter");
+      await atRevision(page, before + 1);
+      await assertValid(port, markerId);
+    }
+    const { at } = (await shown(page, port)).marker.pieces[20];
+    await call(port, "marker.apply", { markerId, ops: [{ op: "move", piece: "20", at: [at[0] + 15, at[1] + 5] }] });
+    await page.until(`document.querySelector("#length + .figure-side").textContent === "overlaps"`);
+    await page.press("Separate");
+    await page.until(offered, "separate");
+    const before = await revision(page);
+    await page.key("Enter");
+    await atRevision(page, before + 1);
+    await assertValid(port, markerId);
+  }));
+
+test("a gap opens along a drawn line, and pieces fall along a drawn arrow", async () => {
+  const daemon = await startDaemon();
+  const marker = { ...squares(4), strip: { width: 100, longest: 400 } };
+  const { markerId } = await call(daemon.port, "marker.open", { marker });
+  const page = await visit(here.browser, daemon.port, { marker: markerId });
+  const [ax, ay] = await spot(page, "p1");
+  const [bx] = await spot(page, "p2");
+  await page.key("a");
+  await page.drag([ax, ay], [ax, ay + 80]);
+  await page.until(offered);
+  await page.key("Enter");
+  await atRevision(page, 2);
+  const fallen = (await shown(page, daemon.port)).marker.pieces;
+  assert.ok(fallen.every(({ at }) => at[1] === 0));
+  await page.key("g");
+  const middle = (ax + bx) / 2;
+  await page.drag([middle, ay - 120], [middle, ay + 120]);
+  await page.until(offered);
+  await page.key("Enter");
+  await atRevision(page, 3);
+  const parted = (await shown(page, daemon.port)).marker.pieces;
+  assert.ok(parted[2].at[0] - parted[1].at[0] > fallen[2].at[0] - fallen[1].at[0]);
+  await daemon.stop();
+});

@@ -1,0 +1,95 @@
+// The pictures of docs/marker-room.md: pictures.mjs FOLDER. Each is a state that a user comes to.
+import { writeFileSync } from "node:fs";
+import { Browser } from "./browser.mjs";
+import { atRevision, call, example, spot, startDaemon, visit } from "./visit.mjs";
+
+const folder = process.argv[2];
+const size = { width: 1280, height: 760 };
+const browser = await Browser.launch();
+const rest = (milliseconds = 450) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+const offered = `document.querySelector("#offer").dataset.shown === "yes"`;
+
+async function state(name, act, { marker = "jeans_02g", ...options } = {}) {
+  const daemon = await startDaemon();
+  const { markerId } = await call(daemon.port, "marker.open", { marker: example(marker) });
+  const page = await visit(browser, daemon.port, { ...size, marker: markerId, ...options });
+  await act(page, daemon.port, markerId);
+  await rest();
+  writeFileSync(`${folder}/room-${name}.png`, await page.picture());
+  await daemon.stop();
+}
+
+const compacted = async (page) => {
+  await page.key("c");
+  await page.until(offered);
+  await page.key("Enter");
+  await atRevision(page, 2);
+  await page.ask(`document.querySelector("#toast").dataset.shown = ""`);
+};
+const pick = async (page, piece) => {
+  const [x, y] = await spot(page, piece);
+  await page.drag([x, y], [x, y]);
+};
+
+const states = {
+  opened: () => state("opened", () => {}),
+  push: () => state("push", async (page) => {
+    const [x, y] = await spot(page, "20");
+    await page.drag([x, y], [x + 70, y + 30], { hold: true, steps: 30 });
+    await page.until("selvageRoom.view().shown > 1");
+  }),
+  free: () => state("free", async (page) => {
+    const [x, y] = await spot(page, "20");
+    await page.drag([x, y], [x - 40, y - 45], { hold: true, modifiers: 8 });
+  }),
+  result: () => state("result", async (page) => {
+    await page.key("c");
+    await page.until(offered);
+  }, { marker: "jeans_06g" }),
+  fine: () => state("fine", async (page) => {
+    await page.press("Fine");
+    await page.until(offered);
+    await rest(6000);
+  }),
+  beside: () => state("beside", async (page) => {
+    for (const name of ["Draft", "Tilt"]) {
+      await page.press(name);
+      await page.until(offered);
+      await page.key("k");
+    }
+    await page.press("Compare", "#beside");
+  }),
+  chain: () => state("chain", async (page) => {
+    await compacted(page);
+    await page.key("h");
+    await page.click("#tab-length");
+    await page.until(`!!document.querySelector("#why .facts")`);
+  }),
+  cloth: () => state("cloth", async (page) => {
+    await page.key("e");
+    await page.click("#tab-length");
+    await page.until(`document.querySelector("#cloth").textContent.length > 5`);
+  }),
+  piece: () => state("piece", async (page) => {
+    await compacted(page);
+    await page.key("h");
+    await page.click("#tab-pieces");
+    await pick(page, "3");
+    await page.key("l");
+    await atRevision(page, 3);
+  }),
+  long: () => state("long", async (page) => {
+    for (let k = 0; k < 7; ++k) await page.wheel(500, 330, -200);
+  }, { marker: "jeans_22g" }),
+  dark: () => state("dark", async (page) => {
+    await compacted(page);
+    await page.key("h");
+  }, { media: [{ name: "prefers-color-scheme", value: "dark" }] }),
+  german: () => state("german", async (page) => {
+    await page.press("Tasten");
+  }, { language: "de-DE" }),
+  phone: () => state("phone", () => {}, { width: 390, height: 780, touch: true }),
+};
+const chosen = process.argv[3] ? process.argv[3].split(",") : Object.keys(states);
+for (const name of chosen) await states[name]();
+await browser.close();
