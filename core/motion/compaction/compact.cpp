@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/marker/figures.h"
-#include "core/model/contact.h"
+#include "core/model/contacts/contact.h"
 #include "core/motion/compaction/escape.h"
 #include "core/motion/step/position_step.h"
 #include "core/scene/scene.h"
@@ -21,7 +21,8 @@ bool are_firm(const scene::Scene& scene, const std::vector<model::PairRow>& pres
   return std::all_of(pressed.begin(), pressed.end(), [&](const model::PairRow& row) {
     const minkowski::Obstacle obstacle = scene.obstacle(row.pair);
     const Vec r = scene.relative_position(row.pair);
-    return backing_of(row, {obstacle, r, r, scene.pieces.spacing(row.pair)}, tolerance) == model::Backing::kEdge;
+    return model::contacts::backing_of(row, {obstacle, r, r, scene.pieces.spacing(row.pair)}, tolerance) ==
+           model::contacts::Backing::kEdge;
   });
 }
 

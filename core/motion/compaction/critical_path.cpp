@@ -7,7 +7,7 @@
 
 #include "core/lp/solver/solve.h"
 #include "core/marker/validity.h"
-#include "core/model/contact.h"
+#include "core/model/contacts/contact.h"
 #include "core/model/position_model.h"
 #include "core/scene/scene.h"
 
@@ -99,7 +99,8 @@ class Loads {
     const double apart = std::max(0.0, -row.bound);
     const model::PairPosition position =
         position_of(obstacle, scene_.relative_position(row.pair), scene_.pieces.spacing(row.pair));
-    return backing_of(row, position, in_widths(tuning_.touching) + tuning_.beside * apart) != model::Backing::kNone;
+    return model::contacts::backing_of(row, position, in_widths(tuning_.touching) + tuning_.beside * apart) !=
+           model::contacts::Backing::kNone;
   }
 
   void add_pair(const model::PairRow& row, double worth, CriticalPath& path) {

@@ -35,9 +35,10 @@ struct TiltWorth {
 };
 
 struct CriticalPath {
-  std::vector<LoadedContact> contacts;  // from left to right; the loads on the right edge add up to 1
-  std::vector<TiltWorth> tilts;         // of the pieces that carry load, the largest effect first
-  double per_spacing{};                 // the length that one unit less of spacing would save
+  // From left to right; in a marker compacted to the end, the loads on the right edge add up to 1.
+  std::vector<LoadedContact> contacts;
+  std::vector<TiltWorth> tilts;  // of the pieces that carry load, the largest effect first
+  double per_spacing{};          // the length that one unit less of spacing would save
 };
 
 // REQUIRES: a valid marker.  It need not be compacted.

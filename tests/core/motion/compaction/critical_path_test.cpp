@@ -70,7 +70,7 @@ TEST(CriticalPath, SaysWhatATiltWouldBring) {
 TEST(CriticalPath, LoadsBalanceOnCompactedMarkers) {
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
     SumCache sums;
-    const auto tight = compact(test::loose_marker(seed), compaction_settings(Accuracy::kStandard), {sums});
+    const auto tight = compact(test::loose_marker(seed), compaction_settings(Accuracy::kFine), {sums});
     ASSERT_TRUE(tight);
     const CriticalPath hold = held(tight->marker);
     EXPECT_NEAR(load_on(hold, StripEdge::kRight), 1, 1e-6);

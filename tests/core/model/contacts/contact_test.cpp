@@ -1,10 +1,10 @@
-#include "core/model/contact.h"
+#include "core/model/contacts/contact.h"
 
 #include <gtest/gtest.h>
 
 #include "tests/core/motion/markers.h"
 
-namespace selvage::model {
+namespace selvage::model::contacts {
 namespace {
 
 constexpr double kTolerance = 4;
@@ -59,4 +59,4 @@ TEST(Backing, TheFootOfANotchIsFirm) {
 }
 
 }  // namespace
-}  // namespace selvage::model
+}  // namespace selvage::model::contacts

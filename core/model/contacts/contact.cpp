@@ -1,4 +1,4 @@
-#include "core/model/contact.h"
+#include "core/model/contacts/contact.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "core/minkowski/edges_near.h"
 
-namespace selvage::model {
+namespace selvage::model::contacts {
 namespace {
 
 // The cosine of the angle between normals that count as the same: about 0.1 degrees.
@@ -97,4 +97,4 @@ Backing backing_of(const PairRow& row, const PairPosition& position, double tole
   return best;
 }
 
-}  // namespace selvage::model
+}  // namespace selvage::model::contacts

@@ -6,7 +6,7 @@
 
 #include "core/model/pair_rows.h"
 
-namespace selvage::model {
+namespace selvage::model::contacts {
 
 enum class Backing {
   kEdge,    // the pieces touch along the row: they cannot move against it
@@ -18,4 +18,4 @@ enum class Backing {
 // the spacing aside.
 [[nodiscard]] Backing backing_of(const PairRow& row, const PairPosition& position, double tolerance);
 
-}  // namespace selvage::model
+}  // namespace selvage::model::contacts
