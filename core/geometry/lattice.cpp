@@ -49,11 +49,17 @@ int decimals_of(double value) {
 }
 
 Resolution choose_resolution(int decimals, double extent, double width) {
+  const auto first_that_fits = [](int exponent, double far) {
+    Resolution resolution{std::clamp(exponent, kFinestExponent, kCoarsestExponent)};
+    while (resolution.exponent < kCoarsestExponent && !fits_lattice(far, resolution)) ++resolution.exponent;
+    return resolution;
+  };
   int wanted = decimals;
   if (width > 0) wanted = std::max(wanted, static_cast<int>(std::ceil(std::log10(kFinestWidth / width))));
-  Resolution resolution{std::clamp(-wanted, kFinestExponent, kCoarsestExponent)};
-  while (resolution.exponent < kCoarsestExponent && !fits_lattice(extent, resolution)) ++resolution.exponent;
-  return resolution;
+  const Resolution roomy = first_that_fits(-wanted, kHeadroom * extent);
+  const Resolution exact = first_that_fits(-decimals, extent);
+  const bool is_exact = exact.exponent <= -decimals;
+  return is_exact || !fits_lattice(kHeadroom * extent, roomy) ? std::min(roomy, exact) : roomy;
 }
 
 Coord to_lattice(double value, Resolution resolution) {

@@ -79,9 +79,12 @@ inline constexpr int kCoarsestExponent = 6;
 
 // The default resolution.  `decimals` is the largest number of decimal places in the input; `extent` is the largest
 // absolute coordinate and `width` is the strip's width, both in the marker's unit.
-// The resolution represents all input exactly and makes the strip at least 2^28 units wide, unless that would exceed
-// the lattice limit; then it is as fine as the limit allows.
+// The resolution represents all input exactly where the lattice limit allows it.  It is finer still, so that the strip
+// is at least 2^28 units wide, or, where it cannot be exact, as fine as possible, as long as coordinates may grow to
+// kHeadroom times the extent: markers become longer when pieces are separated or added.
 [[nodiscard]] Resolution choose_resolution(int decimals, double extent, double width);
+
+inline constexpr double kHeadroom = 8;
 
 // The nearest lattice coordinate.  Exact when `value` has no more decimal places than the resolution.
 // REQUIRES: fits_lattice(value, resolution).

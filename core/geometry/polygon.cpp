@@ -1,13 +1,19 @@
 #include "core/geometry/polygon.h"
 
+#include <algorithm>
 #include <numeric>
 #include <string>
 
 namespace selvage::geometry {
 namespace {
 
-std::string name(Vec v) {
-  return "(" + std::to_string(v.x) + ", " + std::to_string(v.y) + ")";
+// The edge from p to q by the numbers of these vertices, counted from 0: coordinates mean nothing to whoever wrote the
+// outline in another unit.
+std::string edge_name(std::span<const Vec> vertices, Vec p, Vec q) {
+  const auto number = [&](Vec v) {
+    return std::to_string(std::find(vertices.begin(), vertices.end(), v) - vertices.begin());
+  };
+  return "edge from vertex " + number(p) + " to vertex " + number(q);
 }
 
 // Removes repeated vertices, vertices in the middle of straight edges and tips of zero-width spikes until none is left.
@@ -142,9 +148,9 @@ Result<CleanPolygon> clean_polygon(std::span<const Vec> vertices) {
   if (const auto [i, j] = meeting_edges(clean.polygon); i != j) {
     const auto& p = clean.polygon;
     return Error{ErrorCode::kSelfIntersecting,
-                 "the outline must not cross or touch itself: its edge from " + name(p[i]) + " to " +
-                     name(p[(i + 1) % p.size()]) + " meets its edge from " + name(p[j]) + " to " +
-                     name(p[(j + 1) % p.size()]) + " (lattice units)",
+                 "the outline must not cross or touch itself: its " +
+                     edge_name(vertices, p[i], p[(i + 1) % p.size()]) + " meets its " +
+                     edge_name(vertices, p[j], p[(j + 1) % p.size()]) + " (counted from 0)",
                  {}};
   }
   const Wide area = doubled_area(clean.polygon);

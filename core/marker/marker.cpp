@@ -1,6 +1,8 @@
 #include "core/marker/marker.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <map>
 #include <string>
@@ -16,11 +18,14 @@ std::string at_index(const char* list, std::size_t index) {
   return std::string{"/"} + list + "/" + std::to_string(index);
 }
 
+// The shortest text of a number, without an exponent.
+std::string decimal(double value) {
+  std::array<char, 400> text{};  // the smallest numbers have more than 300 digits
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed).ptr;
+  return {text.data(), end};
+}
 std::string decimal(Coord coord, Resolution resolution) {
-  std::string text = std::to_string(to_decimal(coord, resolution));
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.ends_with('.')) text.pop_back();
-  return text;
+  return decimal(to_decimal(coord, resolution));
 }
 
 using Ids = std::unordered_set<std::string_view>;
@@ -84,8 +89,8 @@ std::optional<Error> piece_defect(const Marker& marker, const Piece& piece, cons
   const Shape& shape = marker.shapes[piece.shape.value];
   if (allows(shape, piece.orientation)) return std::nullopt;
   return Error{ErrorCode::kOrientationNotAllowed,
-               "rotation " + std::to_string(piece.orientation.rotation.degrees) + ", tilt " +
-                   std::to_string(piece.orientation.tilt.degrees) + (piece.orientation.flip ? ", flipped" : "") +
+               "rotation " + decimal(piece.orientation.rotation.degrees) + ", tilt " +
+                   decimal(piece.orientation.tilt.degrees) + (piece.orientation.flip ? ", flipped" : "") +
                    " is not among the orientations that shape \"" + shape.id + "\" allows",
                at + "/rotation"};
 }

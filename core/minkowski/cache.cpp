@@ -228,7 +228,8 @@ Obstacle SumCache::obstacle(const outline::OrientedOutline& p, const outline::Or
   return {std::move(sum), kept.frame, kept.swapped};
 }
 
-std::vector<Obstacle> SumCache::obstacles(std::span<const OutlinePair> pairs, const Executor& executor) {
+std::vector<Obstacle> SumCache::obstacles(std::span<const OutlinePair> pairs, const Executor& executor,
+                                          const std::stop_token& stop) {
   std::vector<StoredAs> kept;
   std::vector<Sum> sums;
   kept.reserve(pairs.size());
@@ -242,9 +243,13 @@ std::vector<Obstacle> SumCache::obstacles(std::span<const OutlinePair> pairs, co
   }
   store_->count(pairs.size() - missing.size(), missing.size());
 
-  const auto made = gathered<Sum>(executor, missing.size(), kBlock,
-                                  [&](std::size_t k, std::vector<Sum>& out) { out.push_back(make(missing[k])); });
-  for (std::size_t k = 0; k < missing.size(); ++k) store_->keep(missing[k], made[k]);
+  const auto made = gathered<Sum>(executor, missing.size(), kBlock, [&](std::size_t k, std::vector<Sum>& out) {
+    out.push_back(stop.stop_requested() ? nullptr : make(missing[k]));
+  });
+  for (std::size_t k = 0; k < missing.size(); ++k) {
+    if (!made[k]) return {};
+    store_->keep(missing[k], made[k]);
+  }
 
   std::vector<Obstacle> obstacles;
   obstacles.reserve(pairs.size());

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -73,8 +74,10 @@ class SumCache {
   // Returns the obstacle of a pair, computing its sum if necessary.  The least recently used entries are evicted when
   // the limit is exceeded; an obstacle shares ownership of its sum, so it stays usable.
   [[nodiscard]] Obstacle obstacle(const outline::OrientedOutline& p, const outline::OrientedOutline& q);
-  // Returns one obstacle per pair.  Missing sums are computed in parallel by the executor, each exactly once.
-  [[nodiscard]] std::vector<Obstacle> obstacles(std::span<const OutlinePair> pairs, const Executor& executor);
+  // Returns one obstacle per pair.  Missing sums are computed in parallel by the executor, each exactly once.  When
+  // cancelled, it begins no further sum and returns nothing.
+  [[nodiscard]] std::vector<Obstacle> obstacles(std::span<const OutlinePair> pairs, const Executor& executor,
+                                                const std::stop_token& stop = {});
 
   [[nodiscard]] CacheCounts counts() const;
 

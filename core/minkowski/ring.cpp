@@ -21,6 +21,23 @@ bool run_along(const convolution::SumEdge& e, const convolution::SumEdge& f) {
 
 }  // namespace
 
+bool holds(const convolution::StarSum& sum, RealVec point, double margin) {
+  const auto angle_to = [&](RealVec to) { return angle_of(to.x - sum.centre.x, to.y - sum.centre.y); };
+  const double first = angle_to(real(sum.edges.front().from));
+  const auto turned = [&](RealVec to) {  // from the first corner, counter-clockwise
+    const double angle = angle_to(to) - first;
+    return angle < 0 ? angle + geometry::kFullTurn : angle;
+  };
+  const auto after =
+      std::upper_bound(sum.edges.begin() + 1, sum.edges.end(), turned(point),
+                       [&](double angle, const convolution::SumEdge& edge) { return angle < turned(real(edge.from)); });
+  const convolution::SumEdge& facing = *(after - 1);
+  const RealVec along = real(facing.line_to - facing.line_from);
+  const RealVec from = real(facing.from);
+  const double across = along.x * (point.y - from.y) - along.y * (point.x - from.x);
+  return across > margin * std::hypot(along.x, along.y);
+}
+
 Ring::Ring(const convolution::StarSum& sum) : centre_{sum.centre} {
   corners_.reserve(sum.edges.size());
   for (const convolution::SumEdge& e : sum.edges) {
@@ -40,12 +57,6 @@ std::size_t Ring::corner_before(double angle) const {
   const auto after = std::upper_bound(corners_.begin(), corners_.end(), angle,
                                       [](double value, const Corner& c) { return value < c.angle; });
   return after == corners_.begin() ? corners_.size() - 1 : static_cast<std::size_t>(after - corners_.begin()) - 1;
-}
-
-bool Ring::holds(RealVec point, double margin) const {
-  const double x = point.x - centre_.x;
-  const double y = point.y - centre_.y;
-  return depth(corners_[corner_before(angle_of(x, y))], x, y) > margin;
 }
 
 void Ring::append_inside(const convolution::SumEdge& edge, double margin, bool own_edges, Stretches& stretches) const {

@@ -11,14 +11,15 @@ namespace selvage::minkowski {
 
 using Stretches = std::vector<std::pair<double, double>>;
 
-// A star-shaped sum prepared for queries: its vertices relative to the centre, sorted by angle.
+// True when the point is inside by more than `margin`, measured from the edge that faces the point.  Takes logarithmic
+// time and prepares nothing: for single questions.
+[[nodiscard]] bool holds(const convolution::StarSum& sum, RealVec point, double margin);
+
+// A star-shaped sum prepared for queries about many edges: its vertices relative to the centre, sorted by angle.
 class Ring {
  public:
   // REQUIRES: `sum` outlives the ring.
   explicit Ring(const convolution::StarSum& sum);
-
-  // True when the point is inside by more than `margin`, measured from the edge that faces the point.
-  [[nodiscard]] bool holds(RealVec point, double margin) const;
 
   // Appends the intervals [t0, t1] of another ring's edge (t = 0 at its start, 1 at its end) that lie inside by more
   // than `margin`; they are not sorted.  Intervals that run along an edge of this ring, on the same exact line and in

@@ -116,7 +116,7 @@ bool MinkowskiSum::contains(RealVec point) const {
         point.y <= static_cast<double>(b.low.y) || point.y >= static_cast<double>(b.high.y)) {
       continue;
     }
-    if (Ring{rings_[r]}.holds(point, kHidden)) return true;
+    if (holds(rings_[r], point, kHidden)) return true;
   }
   return false;
 }

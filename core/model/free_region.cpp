@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <boost/container/small_vector.hpp>
 
@@ -15,6 +16,8 @@ namespace {
 constexpr double kRounding = 1.5;
 // Lattice units.  A position that lies no deeper than this behind an edge's line counts as facing the edge.
 constexpr double kFacing = 3.0;
+// Lattice units.  A position this near to an edge touches it.
+constexpr double kTouching = 4.0;
 
 HalfPlane side_along(const minkowski::convolution::SumEdge& edge) {
   return {edge.line_from, edge.line_to - edge.line_from};
@@ -105,6 +108,7 @@ class GreedyRegion {
     auto next = edges_.next(skip);
     while (next) {
       const double equally_near = std::sqrt(next->squared_distance) + kRounding;
+      touches_ = equally_near <= static_cast<double>(settings_.spacing) + kTouching;
       tied_.clear();
       for (; next && next->squared_distance <= equally_near * equally_near; next = edges_.next(skip)) {
         if (slack_of(side_along(*next->edge), r_) >= -kFacing) tied_.push_back(next->edge);
@@ -131,15 +135,19 @@ class GreedyRegion {
   }
   [[nodiscard]] double merit(const minkowski::convolution::SumEdge& edge) const {
     const HalfPlane line = side_along(edge);
-    if (settings_.towards.x == 0 && settings_.towards.y == 0) return slack_of(line, r_);
+    const auto& [towards, closing] = std::pair{settings_.towards, settings_.closing};
+    const bool directed = towards.x != 0 || towards.y != 0;
+    if (!directed && !(touches_ && (closing.x != 0 || closing.y != 0))) return slack_of(line, r_);
+    const RealVec wanted = directed ? towards : closing;
     const Side side = side_of_plane(line, r_);
-    return side.nx * settings_.towards.x + side.ny * settings_.towards.y;
+    return side.nx * wanted.x + side.ny * wanted.y;
   }
 
   Vec r_;
   const RegionSettings& settings_;
   Cell cell_;
   minkowski::NearestEdges edges_;
+  bool touches_{};  // the edges of tied_
   boost::container::small_vector<const minkowski::convolution::SumEdge*, kAtOnce> tied_;
 };
 
@@ -242,6 +250,8 @@ std::vector<HalfPlane> free_region(const minkowski::Obstacle& obstacle, Vec r, c
     RegionSettings in_frame = settings;
     const auto [x, y] = obstacle.direction_to_frame(settings.towards.x, settings.towards.y);
     in_frame.towards = {x, y};
+    const auto [closing_x, closing_y] = obstacle.direction_to_frame(settings.closing.x, settings.closing.y);
+    in_frame.closing = {closing_x, closing_y};
     planes = GreedyRegion{obstacle.sum(), at, in_frame}.run();
   }
   for (HalfPlane& plane : planes) {

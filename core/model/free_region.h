@@ -31,6 +31,8 @@ struct RegionSettings {
   Coord spacing{};    // the caller moves the half-planes outwards by this, and the position still fits
   RealVec towards{};  // of edges equally near (at a corner), prefer the one that is least in the way of this direction;
                       // (0, 0): the one whose line is farthest
+  RealVec closing{};  // without `towards`: the same preference at a corner that the position touches, where all lines
+                      // are equally far; (0, 0): none
 };
 
 // A free region about the relative position `r` = q - p, as the half-planes that bound it within reach.

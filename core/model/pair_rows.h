@@ -50,7 +50,7 @@ struct FreeSide {
 
 // The greedy region that looks at edges which come within `reach` of taking the pair's spacing.
 [[nodiscard]] inline RegionSettings region_within(double reach, Coord spacing, RealVec towards = {}) {
-  return {RegionRule::kGreedy, reach + static_cast<double>(spacing), spacing, towards};
+  return {RegionRule::kGreedy, reach + static_cast<double>(spacing), spacing, towards, {}};
 }
 
 // The sides of the free region.

@@ -37,12 +37,12 @@ void Scene::reorient(PieceId piece, const Orientation& orientation, Vec at) {
   pieces.replace(piece.value, oriented(marker.shapes[own.shape.value].outline, orientation), at);
 }
 
-std::vector<minkowski::Obstacle> Scene::obstacles(std::span<const marker::PiecePair> pairs,
-                                                  const Executor& executor) const {
+std::vector<minkowski::Obstacle> Scene::obstacles(std::span<const marker::PiecePair> pairs, const Executor& executor,
+                                                  const std::stop_token& stop) const {
   std::vector<minkowski::OutlinePair> asked;
   asked.reserve(pairs.size());
   for (const auto& [p, q] : pairs) asked.emplace_back(&outlines[p], &outlines[q]);
-  return sums.obstacles(asked, executor);
+  return sums.obstacles(asked, executor, stop);
 }
 
 Marker Scene::result() const {

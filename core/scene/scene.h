@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "core/marker/placed_pieces.h"
@@ -27,8 +28,9 @@ struct Scene {
   [[nodiscard]] minkowski::Obstacle obstacle(marker::PiecePair pair) const {
     return sums.obstacle(outlines[pair.first], outlines[pair.second]);
   }
+  // One for each pair; none when cancelled.
   [[nodiscard]] std::vector<minkowski::Obstacle> obstacles(std::span<const marker::PiecePair> pairs,
-                                                           const Executor& executor) const;
+                                                           const Executor& executor, const std::stop_token& stop) const;
   [[nodiscard]] Vec relative_position(marker::PiecePair pair) const {
     return pieces.at(pair.second) - pieces.at(pair.first);
   }

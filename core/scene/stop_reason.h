@@ -8,6 +8,7 @@ enum class StopReason {
   kWorkLimit,     // all allowed rounds were used
   kCancelled,     // cancelled; the answer is the best marker so far
   kSolverFailed,  // no solver could solve the program of a round; the answer is the best marker so far
+  kLatticeEnd,    // the marker would have to become longer than the lattice reaches (core/geometry/lattice.h)
 };
 
 }  // namespace selvage::scene

@@ -137,9 +137,14 @@ class Refiner {
     const bool any = std::any_of(start_.shapes.begin(), start_.shapes.end(),
                                  [](const Shape& shape) { return shape.tilt_limit.degrees > 0; });
     if (!any || run_.stopped()) return;
+    // Of the marker refined so far, and of the start: tilts may find their way from the one and not from the other.
+    tilt_and_keep(best_.marker);
+    if (!run_.stopped()) tilt_and_keep(start_);
+  }
+  void tilt_and_keep(const Marker& marker) {
     const motion::tilting::TiltSettings tilt_settings_used =
         tilt_settings(motion::tilting::TiltMethod::kLinearisation, motion::compaction::Accuracy::kStandard);
-    auto tilting = tilt(best_.marker, tilt_settings_used, quiet_);
+    auto tilting = tilt(marker, tilt_settings_used, quiet_);
     if (!tilting) return;
     best_.programs += tilting->programs;
     if (tilting->length_after < best_.length_after) keep(std::move(tilting->marker), tilting->length_after);

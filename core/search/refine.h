@@ -2,14 +2,15 @@
 //
 // First standard compaction.  Then compaction from the same start with other region rules, trust radii and weights of
 // gravity, because a descent's end depends on its path.  Then swaps of pieces (swap.h), one after another, each kept if
-// the marker does not become longer.  Last, where shapes allow tilts, tilting (core/motion/tilting/tilt.h).  Threads
-// try swaps in parallel; only those that a sequential run would try are kept.
+// the marker does not become longer.  Last, where shapes allow tilts, tilting of the result and of
+// the start (core/motion/tilting/tilt.h).  Threads try swaps in parallel; only those that a sequential run would try
+// are kept.
 //
-// Laws.  (1) The answer is valid, proved in integers.  (2) It is never longer than the answer of standard compaction,
-// unless cancelled before that was done, and never longer than the input, except by what the repair of the input
-// reports.  (3) Locked pieces stay in place to the lattice unit, groups stay rigid, tilts and rotations are those that
-// shapes allow.  (4) The same input and settings give the same answer, whatever the cache holds and however many
-// threads are used.  (5) When cancelled, it returns the best marker so far.
+// Laws.  (1) The answer is valid, proved in integers.  (2) It is never longer than the answers of standard compaction
+// and, where tilts are allowed, of standard tilting, unless cancelled before that was done, and never longer than the
+// input, except by what the repair of the input reports.  (3) Locked pieces stay in place to the lattice unit, groups
+// stay rigid, tilts and rotations are those that shapes allow.  (4) The same input and settings give the same answer,
+// whatever the cache holds and however many threads are used.  (5) When cancelled, it returns the best marker so far.
 #pragma once
 
 #include <cstdint>

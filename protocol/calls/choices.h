@@ -14,8 +14,8 @@
 
 namespace selvage::protocol::calls {
 
-// Why a motion ended.  The first four are scene::StopReason's; the core does not know deadlines.
-enum class StopCause { kConverged, kWorkLimit, kCancelled, kSolverFailed, kDeadline };
+// Why a motion ended.  The first five are scene::StopReason's; the core does not know deadlines.
+enum class StopCause { kConverged, kWorkLimit, kCancelled, kSolverFailed, kLatticeEnd, kDeadline };
 
 }  // namespace selvage::protocol::calls
 
@@ -26,7 +26,8 @@ struct Choices<calls::StopCause> {
   static constexpr std::string_view kName = "StopReason";
   static constexpr std::string_view kMeaning =
       "Why a motion ended; in every case the result is the best valid marker so far.";
-  static constexpr std::string_view kWords[] = {"converged", "work_limit", "cancelled", "solver_failed", "deadline"};
+  static constexpr std::string_view kWords[] = {"converged",     "work_limit",  "cancelled",
+                                                "solver_failed", "lattice_end", "deadline"};
 };
 
 template <>

@@ -46,7 +46,7 @@ void read_constraints(json::Fields& fields, json::Mistake& mistake, DecimalPiece
   if (const Json* locked = fields.maybe_any("locked")) {
     piece.piece.locked = locks_from(*locked, fields.pointer("locked"), mistake);
   }
-  if (fields.has("group")) piece.piece.group = fields.id("group");
+  if (fields.maybe_any("group") != nullptr) piece.piece.group = fields.id("group");
   piece.buffer = fields.number_or("buffer", 0, {0, kStripWidths.most});
 }
 

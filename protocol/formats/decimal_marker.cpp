@@ -164,6 +164,13 @@ void note_rounding(std::vector<Note>& notes, const Survey& all, const Marker& ma
                            json::number_text(to_decimal(1, marker.resolution)) + " " + marker.unit});
 }
 
+// An automatic resolution that is exact may leave little room beyond the present marker.
+void note_headroom(std::vector<Note>& notes, const DecimalMarker& written, const Survey& all, const Marker& marker) {
+  if (written.resolution || fits_lattice(geometry::kHeadroom * all.extent, marker.resolution)) return;
+  notes.push_back({"", "coordinates can grow to " + json::number_text(to_decimal(kLatticeLimit, marker.resolution)) +
+                           " " + marker.unit + "; a coarser resolution allows more"});
+}
+
 }  // namespace
 
 Result<MarkerFile> on_lattice(const DecimalMarker& written, document::Attributes attributes, Format format) {
@@ -183,6 +190,7 @@ Result<MarkerFile> on_lattice(const DecimalMarker& written, document::Attributes
   marker.strip.margin = spacing_on_lattice(written.margin, *resolution);
   marker.spacing = spacing_on_lattice(written.spacing, *resolution);
   note_rounding(file.notes, all, marker);
+  note_headroom(file.notes, written, all, marker);
   for (std::size_t i = 0; i < written.shapes.size(); ++i) {
     auto shape = shape_on_lattice(written.shapes[i], i, *resolution, file.notes);
     if (!shape) return shape.error();

@@ -90,7 +90,7 @@ void read_heading(json::Fields& fields, json::Mistake& mistake) {
   constexpr std::string_view kNames[] = {kNativeName};
   if (!fields.has("format")) (void)fields.text("format");
   (void)fields.word_or("format", 0, kNames);
-  if (!fields.maybe_integer("version", kNativeVersion, kNativeVersion)) {
+  if (!fields.maybe_number("version", {kNativeVersion, kNativeVersion})) {
     mistake.add(ErrorCode::kMissingField, "the field is missing; 1 is required", fields.pointer("version"));
   }
 }
@@ -129,7 +129,7 @@ Result<MarkerFile> read_native(const Json& document) {
   marker.unit = fields.text_or("unit", "mm");
   marker.resolution = read_resolution(fields, mistake);
   read_strip(fields, mistake, marker);
-  marker.spacing = fields.number_or("spacing", 0, {0, kStripWidths.most});
+  marker.spacing = fields.number_or("spacing", 0, {0, marker.width});
   for (const Json& shape : fields.array("shapes")) {
     if (mistake) return mistake.error();
     const std::string at = "/shapes/" + std::to_string(marker.shapes.size());

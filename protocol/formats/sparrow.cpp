@@ -20,27 +20,38 @@ constexpr json::Range kTurns{-1e6, 1e6};        // degrees or radians, any numbe
 constexpr double kAngleSlack = 1e-3;            // degrees; what single precision makes of a quarter turn is far closer
 
 // A pointer into the native form as one into this form.  `filled`: the shapes written as {outer, inner}.
-std::string renamed(std::string pointer, const std::vector<bool>& filled) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kEnds{{
-      {"/outline", "/shape/data"},
-      {"/holes", "/shape/data/inner"},
-      {"/rotations", "/allowed_orientations"},
-      {"/at", "/transformation/translation"},
-      {"/rotation", "/transformation/rotation"},
-      {"/shape", "/item_id"},
-  }};
-  if (pointer == "/strip/width") return "/strip_height";
+std::string renamed(const std::string& pointer, const std::vector<bool>& filled) {
+  using Names = std::pair<std::string_view, std::string_view>;
+  static constexpr std::array<Names, 5> kWhole{{{"/strip/width", "/strip_height"},
+                                                {"/strip/margin", "/margin"},
+                                                {"/unit", "/units"},
+                                                {"/shapes", "/items"},
+                                                {"/pieces", "/solution/layout/placed_items"}}};
+  static constexpr std::array<Names, 7> kParts{{{"/outline", "/shape/data"},
+                                                {"/holes", "/shape/data/inner"},
+                                                {"/rotations", "/allowed_orientations"},
+                                                {"/tilt_limit", "/tilt_limit_deg"},
+                                                {"/at", "/transformation/translation"},
+                                                {"/rotation", "/transformation/rotation"},
+                                                {"/shape", "/item_id"}}};
+  for (const auto& [native, ours] : kWhole) {
+    if (pointer == native) return std::string{ours};
+  }
   const bool of_shape = pointer.starts_with("/shapes/");
   if (!of_shape && !pointer.starts_with("/pieces/")) return pointer;
   constexpr std::size_t kPrefix = std::string_view{"/shapes/"}.size();
-  const auto index = static_cast<std::size_t>(std::stoul("0" + pointer.substr(kPrefix)));
-  for (const auto& [native, ours] : kEnds) {
-    if (!pointer.ends_with(native)) continue;
-    pointer.replace(pointer.size() - native.size(), native.size(), ours);
-    if (native == "/outline" && index < filled.size() && filled[index]) pointer += "/outer";
+  const std::size_t slash = std::min(pointer.find('/', kPrefix), pointer.size());
+  const std::string number = pointer.substr(kPrefix, slash - kPrefix);
+  std::string part = pointer.substr(slash);
+  for (const auto& [native, ours] : kParts) {
+    const bool whole_name = part.size() == native.size() || (part.size() > native.size() && part[native.size()] == '/');
+    if (!part.starts_with(native) || !whole_name) continue;
+    const auto index = static_cast<std::size_t>(std::stoul("0" + number));
+    const bool outer = native == "/outline" && index < filled.size() && filled[index];
+    part.replace(0, native.size(), std::string{ours} + (outer ? "/outer" : ""));
     break;
   }
-  return pointer.replace(0, kPrefix, of_shape ? "/items/" : "/solution/layout/placed_items/");
+  return (of_shape ? "/items/" : "/solution/layout/placed_items/") + number + part;
 }
 
 struct Reading {
@@ -214,7 +225,7 @@ Result<MarkerFile> read_sparrow(const Json& document) {
   }
   marker.width = fields.number("strip_height", kStripWidths);
   marker.margin = fields.number_or("margin", 0, {0, kStripWidths.most});
-  marker.spacing = fields.number_or("spacing", 0, {0, kStripWidths.most});
+  marker.spacing = fields.number_or("spacing", 0, {0, marker.width});
   read_solution(fields, reading);
   list_unplaced(reading);
   reading.attributes.whole = fields.rest();
@@ -224,10 +235,10 @@ Result<MarkerFile> read_sparrow(const Json& document) {
   auto file = on_lattice(marker, std::move(reading.attributes), Format::kSparrow);
   if (!file) {
     Error error = file.error();
-    error.field = renamed(std::move(error.field), reading.filled);
+    error.field = renamed(error.field, reading.filled);
     return error;
   }
-  for (Note& note : file->notes) note.field = renamed(std::move(note.field), reading.filled);
+  for (Note& note : file->notes) note.field = renamed(note.field, reading.filled);
   file->notes.insert(file->notes.begin(), reading.notes.begin(), reading.notes.end());
   return file;
 }

@@ -67,6 +67,17 @@ class Compact(CliTest):
         self.assertIs(line["valid"], True)
         self.assertEqual(run("check", self.path("out.json")).returncode, OK)
 
+    def test_a_motion_ends_when_its_time_is_up(self):
+        ran = run("compact", MARKERS / "jeans_06g.json", "-o", self.path("out.json"), "--json", "--accuracy", "fine",
+                  "--time", "0.05")
+        self.assertEqual(ran.returncode, OK)
+        self.assertEqual(json.loads(ran.stdout)["stop"], "deadline")
+        self.assertEqual(run("check", self.path("out.json")).returncode, OK)
+        self.assertEqual(run("compact", MARKERS / "jeans_06g.json", "--time", "0").returncode, BAD_USAGE)
+
+    def test_an_empty_server_is_not_this_process(self):
+        self.assertNotEqual(run("compact", MARKERS / "jeans_06g.json", "--server", "").returncode, OK)
+
     def test_the_number_of_threads_does_not_affect_the_result(self):
         results = []
         for threads in ("1", "2", "5"):

@@ -11,7 +11,7 @@ constexpr int kFewSteps = 60;  // step limit of the velocity model, which would 
 
 Result<Answer> sweeps(const Marker& start, const Occasion& on) {
   const motion::baseline::SweepSettings settings{.sweeps = static_cast<int>(on.random.between(1, 20))};
-  return answer(compact_one_at_a_time(start, settings, on.run));
+  return answer(motion::baseline::compact_one_at_a_time(start, settings, on.run));
 }
 
 Result<Answer> velocities(const Marker& start, const Occasion& on) {
@@ -23,7 +23,7 @@ Result<Answer> velocities(const Marker& start, const Occasion& on) {
 void sweep_once(const Marker& marker, const scene::Run& run) {
   motion::baseline::SweepSettings settings;
   settings.sweeps = 1;
-  require(compact_one_at_a_time(marker, settings, run));
+  require(motion::baseline::compact_one_at_a_time(marker, settings, run));
 }
 
 void step_once(const Marker& marker, const scene::Run& run) {

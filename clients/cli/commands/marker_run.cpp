@@ -2,7 +2,9 @@
 
 #include <unistd.h>
 
+#include <chrono>
 #include <iostream>
+#include <optional>
 #include <utility>
 
 #include "clients/cli/run/local.h"
@@ -10,6 +12,7 @@
 #include "clients/cli/terminal/files.h"
 #include "clients/cli/terminal/interrupt.h"
 #include "clients/cli/terminal/summary.h"
+#include "clients/cli/terminal/time_limit.h"
 #include "protocol/calls/answer.h"
 #include "protocol/calls/choices.h"
 #include "protocol/execution/thread_pool.h"
@@ -45,9 +48,14 @@ std::optional<Error> save(const MarkerFiles& files, const MarkerFile& file, cons
 }
 
 std::variant<Outcome, terminal::Failure> run_invocation(const Invocation& invocation, const MarkerFiles& files,
-                                                        const std::stop_token& stop, terminal::ProgressLine& progress) {
-  if (files.server) return run::run_remotely(files.server, invocation, stop, progress);
-  return run::run_locally(invocation, protocol::execution::ThreadPool{files.threads - 1}, stop, progress);
+                                                        const terminal::TimeLimit::Clock::time_point begin,
+                                                        const std::stop_token& interrupt,
+                                                        terminal::ProgressLine& progress) {
+  if (files.server) return run::run_remotely(files.server, invocation, interrupt, progress);
+  std::optional<std::chrono::duration<double>> seconds;
+  if (const auto& ms = invocation.call.about.deadline_ms) seconds = std::chrono::duration<double, std::milli>{*ms};
+  const terminal::TimeLimit limit{interrupt, begin, seconds};
+  return run::run_locally(invocation, protocol::execution::ThreadPool{files.threads - 1}, limit, progress);
 }
 
 // Decodes the call as a daemon does that has just opened the marker.
@@ -81,6 +89,7 @@ ExitCode exit_code_of(const Outcome& outcome) {
 }  // namespace
 
 ExitCode run_on_marker(std::string_view name, Json params, const MarkerFiles& files, Report report) {
+  const auto begin = terminal::TimeLimit::Clock::now();
   const protocol::calls::Method& method = *protocol::methods::find_method(name);
   const auto call = decode_call(method, params);
   if (!call) return terminal::report(call.error());
@@ -90,7 +99,7 @@ ExitCode run_on_marker(std::string_view name, Json params, const MarkerFiles& fi
 
   const terminal::Interrupt interrupt;
   terminal::ProgressLine progress{file->marker, report == Report::kSummary && isatty(STDERR_FILENO) != 0};
-  const auto done = run_invocation({method, params, *call, *file}, files, interrupt.token(), progress);
+  const auto done = run_invocation({method, params, *call, *file}, files, begin, interrupt.token(), progress);
   if (const auto* failure = std::get_if<terminal::Failure>(&done)) return terminal::report(*failure);
   const Outcome& outcome = std::get<Outcome>(done);
 

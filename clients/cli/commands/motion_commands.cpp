@@ -28,6 +28,7 @@ terminal::ExitCode run_motion(std::string_view method, const std::vector<Paramet
   if (const auto failure = check_outputs(files)) return report(*failure);
   auto params = params_from(options, values);
   if (!params) return terminal::report(params.error());
+  if (const auto seconds = values.number("time")) (*params)["deadlineMs"] = 1000 * *seconds;
   return run_on_marker(method, *std::move(params), files, values.flag("json") ? Report::kJsonLine : Report::kSummary);
 }
 
@@ -36,6 +37,10 @@ command_line::Command command_of(const Method& method) {
   command_line::Command command{command_name(method.name), without_full_stop(method.summary), {input_option()}, {}};
   for (const ParameterOption& parameter : parameters) command.options.push_back(parameter.option);
   for (Option& option : file_options()) command.options.push_back(std::move(option));
+  command.options.push_back({.name = "--time",
+                             .kind = Kind::kNumber,
+                             .meaning = "After this many seconds the best result so far is returned",
+                             .range = command_line::Range{0.001, 86'400}});
   command.options.push_back(
       {.name = "--json", .kind = Kind::kFlag, .meaning = "Print one line of JSON instead of the summary"});
   command.run = [name = method.name, parameters = std::move(parameters)](const command_line::Values& values) {

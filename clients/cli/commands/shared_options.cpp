@@ -75,7 +75,7 @@ MarkerFiles marker_files(const command_line::Values& values, const std::string& 
 }
 
 run::ServerChoice server_choice(const command_line::Values& values) {
-  return {values.text("server"), values.text("token-file"), values.text("trust")};
+  return {values.find("server") != nullptr, values.text("server"), values.text("token-file"), values.text("trust")};
 }
 
 int standard_outputs(const MarkerFiles& files) {

@@ -35,11 +35,13 @@ std::variant<Outcome, terminal::Failure> apply_locally(const Invocation& invocat
 }  // namespace
 
 std::variant<Outcome, terminal::Failure> run_locally(const Invocation& invocation, const Executor& executor,
-                                                     const std::stop_token& stop, terminal::ProgressLine& progress) {
+                                                     const terminal::TimeLimit& limit,
+                                                     terminal::ProgressLine& progress) {
   if (invocation.method.name == kApply) return apply_locally(invocation);
   SumCache sums;
-  const scene::Run run{sums, stop, progress.observer(), &executor};
-  auto answer = invocation.call.run(invocation.file, protocol::calls::MethodContext{run});
+  const scene::Run run{sums, limit.token(), progress.observer(), &executor};
+  auto answer = invocation.call.run(invocation.file,
+                                    protocol::calls::MethodContext{run, nullptr, [&limit] { return limit.is_up(); }});
   const protocol::execution::StageTimes times = progress.finish();
   if (!answer) return failure_of_run(invocation.method, answer.error());
   const bool changed = answer->next.has_value();

@@ -1,13 +1,13 @@
 // Runs a method in this process, from the table of methods that the daemon uses too.
 #pragma once
 
-#include <stop_token>
 #include <string_view>
 #include <variant>
 
 #include "clients/cli/run/invocation.h"
 #include "clients/cli/terminal/failure.h"
 #include "clients/cli/terminal/progress.h"
+#include "clients/cli/terminal/time_limit.h"
 #include "core/base/executor.h"
 
 namespace selvage::cli::run {
@@ -19,7 +19,7 @@ inline constexpr std::string_view kApply = "marker.apply";
 // REQUIRES: the method works on one marker, or it is kApply.
 [[nodiscard]] std::variant<Outcome, terminal::Failure> run_locally(const Invocation& invocation,
                                                                    const Executor& executor,
-                                                                   const std::stop_token& stop,
+                                                                   const terminal::TimeLimit& limit,
                                                                    terminal::ProgressLine& progress);
 
 // The fields of marker.check's result.

@@ -6,10 +6,11 @@
 namespace selvage::cli::run {
 
 struct ServerChoice {
-  std::string address;     // empty: this process
+  bool asked{};  // false: the command runs in this process
+  std::string address;
   std::string token_file;  // empty: the daemon needs no token
   std::string trusted;     // PEM file of certificates for TLS; empty: those of the system
-  explicit operator bool() const { return !address.empty(); }
+  explicit operator bool() const { return asked; }
 };
 
 }  // namespace selvage::cli::run

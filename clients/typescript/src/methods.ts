@@ -346,7 +346,7 @@ export type StageTimes = {
 };
 
 /** Why a motion ended; in every case the result is the best valid marker so far. */
-export type StopReason = "converged" | "work_limit" | "cancelled" | "solver_failed" | "deadline";
+export type StopReason = "converged" | "work_limit" | "cancelled" | "solver_failed" | "lattice_end" | "deadline";
 
 /** An edge of the strip. */
 export type StripEdge = "left" | "right" | "bottom" | "top";

@@ -1,8 +1,11 @@
 #include "core/motion/compaction/compact.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/marker/figures.h"
+#include "core/model/contacts/contact.h"
+#include "core/motion/compaction/escape.h"
 #include "core/motion/step/position_step.h"
 #include "core/scene/scene.h"
 
@@ -11,6 +14,16 @@ namespace {
 
 scene::StopReason reason_of(step::StepEnd end) {
   return end == step::StepEnd::kSolverFailed ? scene::StopReason::kSolverFailed : scene::StopReason::kConverged;
+}
+
+// True when every row that the last program pressed on is a contact that no other half-plane would lift.
+bool are_firm(const scene::Scene& scene, const std::vector<model::PairRow>& pressed, double tolerance) {
+  return std::all_of(pressed.begin(), pressed.end(), [&](const model::PairRow& row) {
+    const minkowski::Obstacle obstacle = scene.obstacle(row.pair);
+    const Vec r = scene.relative_position(row.pair);
+    return model::contacts::backing_of(row, {obstacle, r, r, scene.pieces.spacing(row.pair)}, tolerance) ==
+           model::contacts::Backing::kEdge;
+  });
 }
 
 }  // namespace
@@ -31,6 +44,7 @@ CompactionSettings compaction_settings(Accuracy accuracy) {
               .least_gain = 2e-5,
               .trust = 0.1,
               .gravity = 0.003,
+              .sweeps = true,
               .region = model::RegionRule::kGreedy,
               .solver = lp::solver::SolverChoice::kAutomatic,
               .solver_tolerance = 1e-4};
@@ -40,6 +54,7 @@ CompactionSettings compaction_settings(Accuracy accuracy) {
           .least_gain = 1e-8,
           .trust = 0.3,
           .gravity = 0.003,
+          .sweeps = true,
           .region = model::RegionRule::kGreedy,
           .solver = lp::solver::SolverChoice::kAutomatic};
 }
@@ -60,8 +75,10 @@ Progress improve(scene::Scene& scene, const step::Goal& goal, const CompactionSe
   const double least_gain =
       settings.least_gain * (goal.shorten > 0 ? std::max(1.0, widths / settings.tuning.long_from) : 1.0);
   step_settings.worth = std::min(settings.least_gain, settings.tuning.little);
+  std::vector<model::PairRow> pressed;
   while (progress.rounds < settings.rounds) {
-    const step::PositionStep step = position_step(scene, goal, step_settings, run);
+    step::PositionStep step = position_step(scene, goal, step_settings, run);
+    pressed = std::move(step.pressed);
     progress.programs += step.programs;
     run.observer.on_stage(scene::Stage::kOther);
     if (step.end != step::StepEnd::kMoved || run.stopped()) {
@@ -84,6 +101,9 @@ Progress improve(scene::Scene& scene, const step::Goal& goal, const CompactionSe
       break;
     }
   }
+  const double touching = settings.tuning.touching * static_cast<double>(scene.marker.strip.width);
+  progress.firm = settings.sweeps && progress.reason != scene::StopReason::kSolverFailed && !run.stopped() &&
+                  are_firm(scene, pressed, touching);
   return progress;
 }
 
@@ -105,7 +125,7 @@ Result<Compaction> shortened(const Marker& start, const scene::Run& run,
 
 Result<Compaction> compact(const Marker& start, const CompactionSettings& settings, const scene::Run& run) {
   return shortened(start, run, [&](scene::Scene& scene) {
-    return improve(scene, step::leftward_goal(scene, settings.gravity), settings, run);
+    return shorten(scene, step::leftward_goal(scene, settings.gravity), settings, run);
   });
 }
 

@@ -29,6 +29,7 @@ struct CompactionSettings {
   double trust{};    // trust radius: in the first round, pairs within this part of the width are neighbours, in later
                      // rounds closer ones (position_step.h)
   double gravity{};  // weight of the mean leftward motion, relative to the length
+  bool sweeps{};     // single-piece moves look for ways that the programs do not have (escape.h)
   model::RegionRule region{};
   lp::solver::SolverChoice solver{};
   model::Extent extent{model::Extent::kActiveSet};
@@ -47,6 +48,8 @@ struct Progress {
   int rounds{};
   int programs{};  // linear programs solved
   double gain{};   // of the goal; lattice units
+  bool firm{};  // what the last program pressed on are contacts, none of them doubtful (core/model/contacts/contact.h);
+                // known only with CompactionSettings::sweeps
 };
 // Rounds of position_step until the goal stops improving: the core of every motion of many pieces at once.
 // REQUIRES: the scene's pieces are valid.

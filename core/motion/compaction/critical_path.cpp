@@ -7,6 +7,7 @@
 
 #include "core/lp/solver/solve.h"
 #include "core/marker/validity.h"
+#include "core/model/contacts/contact.h"
 #include "core/model/position_model.h"
 #include "core/scene/scene.h"
 
@@ -20,13 +21,15 @@ class Loads {
       : scene_{marker, sums}, tuning_{tuning} {}
 
   Result<CriticalPath> run(const scene::Run& run) {
-    const lp::LpSolution solution = solve_model(run);
+    find_rows(run);
+    lp::LpSolution solution = solve_model(run);
+    while (solution.status == lp::LpStatus::kOptimal && lift_unbacked(solution)) solution = solve_model(run);
     if (run.stopped()) {
       return Error{ErrorCode::kStoppedEarly, "stopped before it was known what holds the length", ""};
     }
     CriticalPath path;
     if (solution.status != lp::LpStatus::kOptimal) return path;  // empty: there is no solution to read
-    for (std::size_t k = 0; k < rows_.size(); ++k) add_pair(rows_[k], solution.dual[k], path);
+    for (std::size_t k = 0; k < rows_.size(); ++k) add_pair(rows_[k].row, load_on(k, solution), path);
     add_edges(solution, path);
     merge(path);
     for (const auto& [piece, per_degree] : tilts_) path.tilts.push_back({PieceId{piece}, per_degree});
@@ -37,24 +40,37 @@ class Loads {
   }
 
  private:
-  lp::LpSolution solve_model(const scene::Run& run) {
+  // A row, and its number in the present program; none when the pieces never move against each other.
+  struct Row {
+    model::PairRow row;
+    std::optional<int> in_program;
+  };
+  [[nodiscard]] double in_widths(double part) const { return part * static_cast<double>(scene_.marker.strip.width); }
+  [[nodiscard]] static model::PairPosition position_of(const minkowski::Obstacle& obstacle, Vec r, Coord spacing) {
+    return {obstacle, r, r, spacing};
+  }
+
+  void find_rows(const scene::Run& run) {
     run.observer.on_stage(scene::Stage::kRows);
-    const Strip& strip = scene_.marker.strip;
-    const double reach = tuning_.reach * static_cast<double>(strip.width);
-    model_.emplace(scene_.pieces, strip, scene_.ties);
+    const double reach = in_widths(tuning_.reach);
+    const model::ModelUnit unit{scene_.marker.strip};
     for (const marker::PiecePair& pair :
          pairs_within(scene_.pieces, std::llround(reach) + scene_.pieces.widest_spacing())) {
-      if (run.stopped()) return {};
-      const Vec r = scene_.relative_position(pair);
+      if (run.stopped()) return;
       if (scene_.ties.joined(pair.first, pair.second)) continue;
       const Coord spacing = scene_.pieces.spacing(pair);
       const minkowski::Obstacle obstacle = scene_.obstacle(pair);
-      for (const model::PairRow& row :
-           pair_rows(pair, {obstacle, r, r, spacing}, model::region_within(reach, spacing), {model_->unit()})) {
-        rows_.push_back(row);
-        model_->add(row);
+      for (const model::PairRow& row : pair_rows(pair, position_of(obstacle, scene_.relative_position(pair), spacing),
+                                                 model::region_within(reach, spacing), {unit})) {
+        rows_.push_back({row, {}});
       }
     }
+  }
+
+  lp::LpSolution solve_model(const scene::Run& run) {
+    if (run.stopped()) return {};
+    model_.emplace(scene_.pieces, scene_.marker.strip, scene_.ties);
+    for (Row& row : rows_) row.in_program = model_->add(row.row);
     const auto length = static_cast<double>(scene_.pieces.length());
     model_->add_length(1, length, model_->unit().to_lattice(tuning_.spare));
     for (std::size_t i = 0; i < scene_.pieces.size(); ++i) model_->add_right_wall(i);
@@ -63,11 +79,38 @@ class Loads {
     return solve(model_->program(), lp::solver::SolverChoice::kSimplex, {}, run.stop);
   }
 
+  [[nodiscard]] double load_on(std::size_t k, const lp::LpSolution& solution) const {
+    const std::optional<int> row = rows_[k].in_program;
+    return row ? solution.dual[static_cast<std::size_t>(*row)] : 0;
+  }
+  // Leaves out the rows that carry load although the pieces do not meet there: the line of an edge, beyond the edge.
+  // True when there were any.
+  bool lift_unbacked(const lp::LpSolution& solution) {
+    std::vector<Row> kept;
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      if (load_on(k, solution) < tuning_.least_worth || is_contact(rows_[k].row)) kept.push_back(rows_[k]);
+    }
+    const bool any = kept.size() < rows_.size();
+    rows_ = std::move(kept);
+    return any;
+  }
+  [[nodiscard]] bool is_contact(const model::PairRow& row) const {
+    const minkowski::Obstacle obstacle = scene_.obstacle(row.pair);
+    const double apart = std::max(0.0, -row.bound);
+    const model::PairPosition position =
+        position_of(obstacle, scene_.relative_position(row.pair), scene_.pieces.spacing(row.pair));
+    return model::contacts::backing_of(row, position, in_widths(tuning_.touching) + tuning_.beside * apart) !=
+           model::contacts::Backing::kNone;
+  }
+
   void add_pair(const model::PairRow& row, double worth, CriticalPath& path) {
     if (worth < tuning_.least_worth) return;
     const auto [p, q] = row.pair;
+    const Coord near = std::llround(in_widths(tuning_.contact)) + scene_.pieces.spacing(row.pair);
     const RealVec at = nearest_point(scene_.pieces[p], scene_.pieces[q]);
-    path.contacts.push_back({PieceId{p}, PieceId{q}, {}, worth, at});
+    if (closer_than(scene_.pieces[p], scene_.pieces[q], near)) {
+      path.contacts.push_back({PieceId{p}, PieceId{q}, {}, worth, at});
+    }
     path.per_spacing += worth;
     turn(q, worth, row.nx, row.ny, at);
     turn(p, worth, -row.nx, -row.ny, at);
@@ -117,8 +160,21 @@ class Loads {
   void add_edge(std::uint32_t piece, StripEdge edge, double worth, int nx, int ny, CriticalPath& path) {
     if (worth < tuning_.least_worth) return;
     const RealVec at = touching_point(piece, nx, ny);
-    path.contacts.push_back({PieceId{piece}, std::nullopt, edge, worth, at});
+    if (distance_to(edge, piece) <= in_widths(tuning_.contact)) {
+      path.contacts.push_back({PieceId{piece}, std::nullopt, edge, worth, at});
+    }
     turn(piece, worth, nx, ny, at);
+  }
+  [[nodiscard]] double distance_to(StripEdge edge, std::uint32_t piece) const {
+    const Box room = scene_.marker.strip.room(scene_.pieces.length());
+    const Box box = scene_.pieces.box(piece);
+    switch (edge) {
+      case StripEdge::kLeft: return static_cast<double>(box.low.x - room.low.x);
+      case StripEdge::kRight: return static_cast<double>(room.high.x - box.high.x);
+      case StripEdge::kBottom: return static_cast<double>(box.low.y - room.low.y);
+      case StripEdge::kTop: return static_cast<double>(room.high.y - box.high.y);
+    }
+    return 0;
   }
   // The mean of the vertices that lie farthest against the direction.
   [[nodiscard]] RealVec touching_point(std::uint32_t piece, int nx, int ny) const {
@@ -159,7 +215,7 @@ class Loads {
 
   scene::Scene scene_;
   const CriticalPathTuning& tuning_;
-  std::vector<model::PairRow> rows_;
+  std::vector<Row> rows_;
   std::optional<model::PositionModel> model_;
   std::map<std::uint32_t, double> tilts_;
 };

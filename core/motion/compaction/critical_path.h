@@ -1,6 +1,8 @@
 // The critical path of a marker: the contacts between its left and its right edge that determine its length, from the
 // dual values of the position model [Li94 4.1.4; duals as in chapter 10].
 //
+// Only true contacts are reported: pieces and edges that touch (CriticalPathTuning::contact).  In a marker that is not
+// compacted, some or all of what will hold its length may not touch yet.
 // The dual value of a contact is the length that one unit of room in this contact would save, to first order.
 #pragma once
 
@@ -33,9 +35,10 @@ struct TiltWorth {
 };
 
 struct CriticalPath {
-  std::vector<LoadedContact> contacts;  // from left to right; the loads on the right edge add up to 1
-  std::vector<TiltWorth> tilts;         // of the pieces that carry load, the largest effect first
-  double per_spacing{};                 // the length that one unit less of spacing would save
+  // From left to right; in a marker compacted to the end, the loads on the right edge add up to 1.
+  std::vector<LoadedContact> contacts;
+  std::vector<TiltWorth> tilts;  // of the pieces that carry load, the largest effect first
+  double per_spacing{};          // the length that one unit less of spacing would save
 };
 
 // REQUIRES: a valid marker.  It need not be compacted.

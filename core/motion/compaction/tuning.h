@@ -2,17 +2,24 @@
 // values were tuned on the example markers (docs/measurements-trade.md).
 #pragma once
 
+#include <cstddef>
+
 #include "core/motion/step/tuning.h"
 
 namespace selvage::motion::compaction {
 
 struct CompactionTuning {
-  double trust_ahead{2};     // the next round's trust radius, as a multiple of the last round's farthest move
-  double least_trust{0.05};  // the trust radius never shrinks below this part of the first round's
-  double long_from{10};      // widths: in markers longer than this, the least gain grows with the length
-  double little{2e-5};       // part of the width: a program that gains less is not solved again for rows left out
-                             // (position_step.h); only the last round of a standard compaction gains so little
-  step::StepTuning step{};   // of each round
+  double trust_ahead{2};       // the next round's trust radius, as a multiple of the last round's farthest move
+  double least_trust{0.05};    // the trust radius never shrinks below this part of the first round's
+  double long_from{10};        // widths: in markers longer than this, the least gain grows with the length
+  double little{2e-5};         // part of the width: a program that gains less is not solved again for rows left out
+                               // (position_step.h); only the last round of a standard compaction gains so little
+  double touching{1e-5};       // part of the width: pieces this close count as touching
+  double loose_below{0.75};    // utilisation below which a marker counts as loose (escape.h)
+  double worth_a_sweep{5e-5};  // part of the length: sweeps and rounds that gain less together are the last
+  int sweeps{200};             // single-piece sweeps at a time, at most
+  std::size_t most_pieces_swept{400};  // in markers with more pieces, sweeps take too long for what they gain
+  step::StepTuning step{};             // of each round
   friend bool operator==(const CompactionTuning&, const CompactionTuning&) = default;
 };
 
@@ -24,6 +31,9 @@ struct GapTuning {
 
 struct CriticalPathTuning {
   double reach{0.005};       // part of the width: contacts are looked for this near
+  double contact{1e-4};      // part of the width: only pieces and edges this near are in contact, and reported
+  double touching{1e-5};     // part of the width: a contact lies along an edge that is this near, beyond its line's
+  double beside{1.5};        // distance, of which this multiple is allowed for as well
   double least_worth{1e-6};  // smaller loads are rounding of the solver; all loads on the right edge add up to 1
   double spare{1e-2};        // model units by which the length may grow, so that rows' margins leave a feasible point
   friend bool operator==(const CriticalPathTuning&, const CriticalPathTuning&) = default;

@@ -243,6 +243,16 @@ std::optional<Vec> nearest_free(const scene::Scene& scene, const Body& body, Vec
   }
 }
 
+// Where the marker ends when the body lies behind all other pieces.
+Coord end_with_room(const scene::Scene& scene, const Body& body) {
+  Coord reach = 0;  // of the body, from the position of the piece it is named after
+  for (const auto& [member, offset] : body.members) {
+    const Box box = scene.pieces[member].box.moved(offset);
+    reach = std::max({reach, std::abs(box.low.x), std::abs(box.high.x)});
+  }
+  return scene.pieces.length() + 2 * reach + scene.pieces.widest_spacing();
+}
+
 }  // namespace
 
 std::optional<Place> place(const scene::Scene& scene, PieceId piece, Vec wanted, const PlaceSettings& settings) {
@@ -257,12 +267,7 @@ std::optional<Place> place(const scene::Scene& scene, PieceId piece, Vec wanted,
       nearest_free(scene, body, wanted, fit, free(body.at) ? std::optional{body.at} : std::nullopt, settings.tuning);
   if (found) return Place{*found, distance_between(*found, wanted), false};
   if (!settings.may_grow || strip.longest) return std::nullopt;
-  Coord reach = 0;  // of the body, from the position of the piece it is named after
-  for (const auto& [member, offset] : body.members) {
-    const Box box = scene.pieces[member].box.moved(offset);
-    reach = std::max({reach, std::abs(box.low.x), std::abs(box.high.x)});
-  }
-  const Box longer = body.fit(scene, end + 2 * reach + scene.pieces.widest_spacing());
+  const Box longer = body.fit(scene, std::min(end_with_room(scene, body), kLatticeLimit - 1));
   const auto beyond = nearest_free(scene, body, wanted, longer, std::nullopt, settings.tuning);
   if (!beyond) return std::nullopt;
   return Place{*beyond, distance_between(*beyond, wanted), true};
@@ -297,6 +302,10 @@ Result<PlacedMarker> repair_and_place(const Marker& start, PieceId piece, Vec wa
     run.observer.on_stage(scene::Stage::kSolve);
     placed.place = place(scene, piece, wanted, settings);
     run.observer.on_stage(scene::Stage::kOther);
+    const bool could_grow = settings.may_grow && !start.strip.longest;
+    if (!placed.place && could_grow && end_with_room(scene, Body{scene, piece}) >= kLatticeLimit) {
+      placed.reason = scene::StopReason::kLatticeEnd;
+    }
     if (placed.place) scene.shift(piece, placed.place->at - scene.pieces.at(piece.value));
   });
 }

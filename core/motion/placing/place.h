@@ -17,7 +17,7 @@ namespace selvage::motion::placing {
 
 struct PlaceSettings {
   bool may_grow{};  // when no position within the marker's length is free, take the nearest one beyond it, but not
-                    // beyond the end of the cloth
+                    // beyond the end of the cloth or of the lattice
   PlaceTuning tuning{};
 };
 struct Place {
@@ -34,7 +34,9 @@ struct Place {
                                          const PlaceSettings& settings = {});
 
 struct PlacedMarker : repair::MotionResult {
-  std::optional<Place> place;  // none: there is no free position, and the piece stays where it was
+  // None: there is no free position, and the piece stays where it was; the reason is kLatticeEnd when the marker was to
+  // grow and only the lattice has no room for it.
+  std::optional<Place> place;
 };
 // The same for a marker as it comes in: small overlaps among the other pieces are repaired first
 // (core/motion/repair/repair.h); the piece itself may overlap them by any depth, unless it is in a group or locked.

@@ -71,9 +71,10 @@ class RepairProgram {
     std::vector<marker::PiecePair> pairs;
     std::copy_if(near_.begin(), near_.end(), std::back_inserter(pairs),
                  [&](const marker::PiecePair& pair) { return active_.holds_any(pair); });
-    const auto obstacles = scene_.obstacles(pairs, *run_.executor);
+    const auto obstacles = scene_.obstacles(pairs, *run_.executor, run_.stop);
     std::vector<model::PairRow> rows;
-    auto conflict = conflicts_.begin();  // both lists are sorted by pair
+    if (obstacles.size() < pairs.size()) return rows;  // cancelled: the solver stops at once
+    auto conflict = conflicts_.begin();                // both lists are sorted by pair
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       while (conflict != conflicts_.end() && conflict->pair < pairs[k]) ++conflict;
       const bool in_conflict = conflict != conflicts_.end() && conflict->pair == pairs[k];

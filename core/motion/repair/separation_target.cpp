@@ -22,7 +22,7 @@ Vec just_outside(RealVec at, const minkowski::convolution::SumEdge& edge) {
 // The centre of the first star sum that holds r: a point of its kernel.
 RealVec kernel_about(const minkowski::MinkowskiSum& sum, Vec r) {
   for (const minkowski::convolution::StarSum& ring : sum.rings()) {
-    if (minkowski::Ring{ring}.holds({static_cast<double>(r.x), static_cast<double>(r.y)}, 0)) return ring.centre;
+    if (minkowski::holds(ring, real(r), 0)) return ring.centre;
   }
   return sum.rings()[0].centre;
 }

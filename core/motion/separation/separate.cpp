@@ -203,6 +203,7 @@ class Rounds {
         std::clamp(tuning().reach * farthest, tuning().least_reach * width, tuning().most_reach * width);
     return {reach,
             tuning().overlap_price,
+            deepest_ <= tuning().rounding ? model::TightRows::kRestore : model::TightRows::kKeep,
             {free_, allowed_, tuning().length_price, tuning().excess_price},
             settings_.solver};
   }
@@ -247,7 +248,7 @@ std::optional<Error> refuse(const Marker& start, const SeparationSettings& setti
 }
 
 Coord allowed_length(const Marker& start, Coord length, double grow) {
-  const double more = std::min(grow * static_cast<double>(length), static_cast<double>(kLatticeLimit - length));
+  const double more = std::min(grow * static_cast<double>(length), static_cast<double>(kLatticeLimit - 1 - length));
   const Coord allowed = length + static_cast<Coord>(more);
   return std::min(allowed, start.strip.last().value_or(allowed));
 }
@@ -316,6 +317,8 @@ Result<Separation> separate(const Marker& start, const SeparationSettings& setti
     erase_at(pieces.ids, gone);
     erase_at(pieces.home, gone);
   }
+  const bool at_end = allowed == kLatticeLimit - 1 && result.reason != scene::StopReason::kCancelled;
+  if (!result.apart && at_end) result.reason = scene::StopReason::kLatticeEnd;
   sum_up(result, pieces.home, run);
   return result;
 }

@@ -86,7 +86,7 @@ class SeparationProgram {
     const Vec r = scene_.relative_position(pair);
     const minkowski::Obstacle obstacle = scene_.obstacle(pair);
     const auto rows = pair_rows(pair, {obstacle, r, about, spacing}, model::region_within(settings_.reach, spacing),
-                                {model_.unit(), model::TightRows::kKeep});
+                                {model_.unit(), settings_.tight});
     std::optional<int> give;
     if (std::any_of(rows.begin(), rows.end(), [](const model::PairRow& row) { return row.bound > 0; })) {
       give = model_.program().add_column(price, 0, lp::kInfinity);

@@ -33,6 +33,7 @@ struct LengthAllowance {
 struct SeparationStepSettings {
   double reach{};  // lattice units: pairs and rows within this distance are modelled
   double price{};  // of rows of pairs that do not overlap but have no room for their margins
+  model::TightRows tight{model::TightRows::kKeep};  // whether those rows are to regain their margins
   LengthAllowance length;
   lp::solver::SolverChoice solver{};
   model::Extent extent{model::Extent::kActiveSet};  // kWhole: of all pieces; pairs and rows as the reach says

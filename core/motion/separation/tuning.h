@@ -14,6 +14,8 @@ struct SeparationTuning {
   double reach{2};            // pairs within this multiple of the deepest overlap are modelled,
   double least_reach{1e-3};   // but at least within this part of the width,
   double most_reach{0.25};    // and at most within this one
+  double rounding{64};        // lattice units: overlaps that are no deeper come from rounding, and rows then regain the
+                              // margins that prevent it; before, they keep the room that they have
   int leap_after{2};          // rounds without progress before pieces leap
   double leap_reach{1.5};     // first leaps go up to this multiple of the depth, second ones up to twice that, ...
   int leap_steps{8};          // of the grid that a leap searches, from the present position to either side

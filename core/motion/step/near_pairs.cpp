@@ -8,8 +8,8 @@
 namespace selvage::motion::step {
 namespace {
 
-constexpr std::size_t kBlock = 64;                 // pairs whose rows one thread makes at a time
-constexpr std::size_t kCancelCheckInterval = 512;  // pairs between two looks at whether the run was cancelled
+constexpr std::size_t kBlock = 64;         // pairs whose rows one thread makes at a time
+constexpr std::size_t kPairsAtOnce = 512;  // pairs whose sums are found together
 
 Coord trust_radius(const scene::Scene& scene, const StepSettings& settings) {
   return std::llround(settings.trust * static_cast<double>(scene.marker.strip.width));
@@ -46,13 +46,13 @@ std::size_t NearPairs::extend(const model::ActiveSet& active, const PairSet& mod
     if (!active.holds_any(pair) || active.ties().joined(pair.first, pair.second)) continue;
     if (!modelled.contains(pair)) pairs_.push_back(pair);
   }
-  for (std::size_t done = known; done < pairs_.size(); done += kCancelCheckInterval) {
-    if (run.stopped()) {
+  for (std::size_t done = known; done < pairs_.size(); done += kPairsAtOnce) {
+    const std::size_t count = std::min(kPairsAtOnce, pairs_.size() - done);
+    auto found = obstacles_.of(std::span{pairs_}.subspan(done, count), *run.executor, run.stop);
+    if (found.size() < count) {
       pairs_.resize(done);
       break;
     }
-    const std::size_t count = std::min(kCancelCheckInterval, pairs_.size() - done);
-    auto found = obstacles_.of(std::span{pairs_}.subspan(done, count), *run.executor);
     std::move(found.begin(), found.end(), std::back_inserter(obstacle_of_));
   }
   return known;
@@ -85,6 +85,7 @@ void NearPairs::append(marker::PiecePair pair, const minkowski::Obstacle& obstac
   model::RegionSettings region =
       model::region_within(settings_.tuning.region_reach * motion, spacing, {second.x - first.x, second.y - first.y});
   region.rule = settings_.region;
+  if (!goal_.fixes_length()) region.closing = {r.x > 0 ? -1.0 : 1.0, 0};
   const bool every_row = settings_.extent == model::Extent::kWhole;
   const model::RowSettings row{model::ModelUnit{scene_.marker.strip}, tight,
                                every_row ? std::numeric_limits<double>::infinity() : motion};

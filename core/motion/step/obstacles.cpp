@@ -38,12 +38,12 @@ minkowski::Obstacle Obstacles::of(marker::PiecePair pair) const {
   return scene_.sums.obstacle(*p, *q);
 }
 
-std::vector<minkowski::Obstacle> Obstacles::of(std::span<const marker::PiecePair> pairs,
-                                               const Executor& executor) const {
+std::vector<minkowski::Obstacle> Obstacles::of(std::span<const marker::PiecePair> pairs, const Executor& executor,
+                                               const std::stop_token& stop) const {
   std::vector<minkowski::OutlinePair> all;
   all.reserve(pairs.size());
   for (const marker::PiecePair& pair : pairs) all.push_back(outlines(pair));
-  return scene_.sums.obstacles(all, executor);
+  return scene_.sums.obstacles(all, executor, stop);
 }
 
 }  // namespace selvage::motion::step

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "core/scene/scene.h"
@@ -19,9 +20,9 @@ class Obstacles {
   // The obstacle that the pair's first piece is to its second.  When the two keep their spacing, their present relative
   // position is outside of it.
   [[nodiscard]] minkowski::Obstacle of(marker::PiecePair pair) const;
-  // One for each pair.
-  [[nodiscard]] std::vector<minkowski::Obstacle> of(std::span<const marker::PiecePair> pairs,
-                                                    const Executor& executor) const;
+  // One for each pair; none when cancelled.
+  [[nodiscard]] std::vector<minkowski::Obstacle> of(std::span<const marker::PiecePair> pairs, const Executor& executor,
+                                                    const std::stop_token& stop) const;
 
  private:
   struct Grown {

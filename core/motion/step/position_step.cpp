@@ -62,6 +62,7 @@ PositionStep position_step(const scene::Scene& scene, const Goal& goal, const St
     const bool rows_added = gains && model.add_broken_rows(moves, gain);
     const bool pieces_added = model.add_pressed_pieces(solution);
     if (rows_added || pieces_added) continue;
+    if (!goal.fixes_length()) step.pressed = model.pressed_rows(solution);
     if (!gains) return ended(StepEnd::kNoGain);
 
     const ProvedStep proved =

@@ -8,6 +8,7 @@
 #include "core/lp/solver/solve.h"
 #include "core/model/active_set.h"
 #include "core/model/free_region.h"
+#include "core/model/pair_rows.h"
 #include "core/motion/step/tuning.h"
 #include "core/scene/run.h"
 #include "core/scene/scene.h"
@@ -66,10 +67,11 @@ enum class StepEnd {
 
 struct PositionStep {
   StepEnd end{StepEnd::kNoGain};
-  std::vector<Vec> positions;  // one per piece: proved valid, the goal better served, the marker no longer
-  double gain{};               // of the goal, in widths of the strip
-  int programs{};              // linear programs solved
-  double farthest{};           // the most that two near pieces moved against each other on an axis, in widths
+  std::vector<Vec> positions;           // one per piece: proved valid, the goal better served, the marker no longer
+  double gain{};                        // of the goal, in widths of the strip
+  int programs{};                       // linear programs solved
+  double farthest{};                    // the most that two near pieces moved against each other on an axis, in widths
+  std::vector<model::PairRow> pressed;  // the rows that the last program presses on; only where it shortens the marker
 };
 
 // The best step towards the goal.  Pairs farther apart than the trust radius are modelled when a solution makes them

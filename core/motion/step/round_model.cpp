@@ -119,6 +119,16 @@ bool RoundModel::add_pressed_pieces(const lp::LpSolution& solution) {
   return true;
 }
 
+std::vector<model::PairRow> RoundModel::pressed_rows(const lp::LpSolution& solution) const {
+  std::vector<model::PairRow> pressed;
+  for (const auto& [row, k] : row_of_) {
+    const auto r = static_cast<std::size_t>(row);
+    if (r < solution.dual.size() && solution.dual[r] > settings_.tuning.pressed * goal_.shorten)
+      pressed.push_back(rows_[k]);
+  }
+  return pressed;
+}
+
 bool RoundModel::add_pairs(const std::vector<marker::PiecePair>& pairs) {
   std::vector<marker::PiecePair> fresh;
   std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(fresh),

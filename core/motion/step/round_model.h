@@ -38,6 +38,8 @@ class RoundModel {
   bool add_broken_rows(Moves& moves, double gain);
   // Activates the pieces that the solution's rows press on harder than moving them costs.  True when there were any.
   bool add_pressed_pieces(const lp::LpSolution& solution);
+  // The rows that the solution presses on, other than a little.
+  [[nodiscard]] std::vector<model::PairRow> pressed_rows(const lp::LpSolution& solution) const;
   // Models those of the pairs that it does not model yet.  True when there were any.
   bool add_pairs(const std::vector<marker::PiecePair>& pairs);
   // Pieces that collide after rounding although their pairs are modelled move as one from now on: their relative

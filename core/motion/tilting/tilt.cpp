@@ -130,7 +130,9 @@ class Tilter {
   }
 
   std::optional<Marker> compacted(const Marker& marker) {
-    auto compaction = compact(marker, settings_.compaction, quiet_);
+    compaction::CompactionSettings rounds_only = settings_.compaction;
+    rounds_only.sweeps = false;  // the first compaction has taken the ways that they find
+    auto compaction = compact(marker, rounds_only, quiet_);
     if (!compaction) return std::nullopt;
     total_.programs += compaction->programs;
     return std::move(compaction->marker);

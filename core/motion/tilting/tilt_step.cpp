@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kRadian = 180 / std::numbers::pi;  // degrees
 constexpr std::size_t kBlock = 16;                  // near pairs whose rows one task finds
-constexpr std::size_t kCancelCheckInterval = 512;   // near pairs between two checks for cancellation
+constexpr std::size_t kPairsAtOnce = 512;           // near pairs whose sums are found together
 
 class Program {
  public:
@@ -49,17 +49,18 @@ class Program {
     const std::vector<marker::PiecePair> overlapping = conflicts(scene_.pieces, *run.executor);
     auto near = pairs_within(scene_.pieces, std::llround(reach) + scene_.pieces.widest_spacing());
     std::erase_if(near, [&](const marker::PiecePair& pair) { return scene_.ties.joined(pair.first, pair.second); });
-    for (std::size_t done = 0; done < near.size(); done += kCancelCheckInterval) {
-      if (run.stopped()) return false;
-      add_rows(std::span{near}.subspan(done, std::min(kCancelCheckInterval, near.size() - done)), overlapping, reach,
-               run);
+    for (std::size_t done = 0; done < near.size(); done += kPairsAtOnce) {
+      const std::size_t count = std::min(kPairsAtOnce, near.size() - done);
+      if (!add_rows(std::span{near}.subspan(done, count), overlapping, reach, run)) return false;
     }
     return true;
   }
 
-  void add_rows(std::span<const marker::PiecePair> near, const std::vector<marker::PiecePair>& overlapping,
+  // False when cancelled.
+  bool add_rows(std::span<const marker::PiecePair> near, const std::vector<marker::PiecePair>& overlapping,
                 double reach, const scene::Run& run) {
-    const auto obstacles = scene_.obstacles(near, *run.executor);
+    const auto obstacles = scene_.obstacles(near, *run.executor, run.stop);
+    if (obstacles.size() < near.size()) return false;
     using Rows = std::vector<model::tilting::TiltRow>;
     const auto found = gathered<Rows>(*run.executor, near.size(), kBlock, [&](std::size_t k, std::vector<Rows>& out) {
       const bool overlaps = std::binary_search(overlapping.begin(), overlapping.end(), near[k]);
@@ -73,6 +74,7 @@ class Program {
       }
       for (const model::tilting::TiltRow& made : rows) model_.add(made, made.row.bound > 0 ? give : std::nullopt);
     }
+    return true;
   }
 
   [[nodiscard]] std::vector<model::tilting::TiltRow> rows_of(marker::PiecePair pair,

@@ -97,19 +97,26 @@ RC_GTEST_PROP(ChosenResolution, KeepsDecimalsWhereTheLatticeAllows, ()) {
   const Resolution chosen = geometry::choose_resolution(decimals, extent, width);
   RC_ASSERT(fits_lattice(extent, chosen));
   const Resolution finer{chosen.exponent - 1};
-  // It is coarser than the decimals, or than 2^28 units across, only if a finer resolution could not represent the
-  // extent.
+  const bool roomy = fits_lattice(geometry::kHeadroom * extent, chosen);
   const bool exact = chosen.exponent <= -decimals;
   const bool fine = width / std::pow(10.0, chosen.exponent) >= (1 << 28);
+  // It is coarser than the decimals only if the lattice cannot be exact, and then it has headroom.
+  if (!exact) {
+    RC_ASSERT(!fits_lattice(extent, Resolution{-decimals}) || -decimals < geometry::kFinestExponent);
+    RC_ASSERT(roomy);
+  }
+  // It has less headroom only if it is just exact, and is coarser than 2^28 units across only for headroom.
+  if (!roomy) RC_ASSERT(chosen.exponent == -decimals);
   if (!exact || !fine) {
-    RC_ASSERT(chosen.exponent == geometry::kFinestExponent || !fits_lattice(extent, finer));
+    RC_ASSERT(chosen.exponent == geometry::kFinestExponent || !fits_lattice(geometry::kHeadroom * extent, finer));
   }
 }
 
 TEST(ChosenResolution, HasKnownValuesForTypicalMarkers) {
   EXPECT_EQ(geometry::choose_resolution(3, 9000, 1500), (Resolution{-6}));  // 1.5e9 units wide
-  EXPECT_EQ(geometry::choose_resolution(14, 100, 60), (Resolution{-10}));   // as fine as the lattice allows
-  EXPECT_EQ(geometry::choose_resolution(0, 1e15, 1e15), (Resolution{3}));
+  EXPECT_EQ(geometry::choose_resolution(14, 100, 60), (Resolution{-9}));    // as fine as headroom allows
+  EXPECT_EQ(geometry::choose_resolution(9, 990, 1000), (Resolution{-9}));   // exact, with little headroom
+  EXPECT_EQ(geometry::choose_resolution(0, 1e15, 1e15), (Resolution{4}));
   EXPECT_EQ(geometry::choose_resolution(8, 10, 0), (Resolution{-8}));  // without a strip only the decimals count
 }
 

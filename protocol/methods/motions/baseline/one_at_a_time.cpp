@@ -10,7 +10,7 @@ Result<calls::Motion<calls::RoundsResult>> run(const BaselineParams& params, con
                                                const calls::MethodContext& context) {
   motion::baseline::SweepSettings settings;
   settings.sweeps = params.rounds.value_or(settings.sweeps);
-  return motion_of(compact_one_at_a_time(start, settings, context.run), context);
+  return motion_of(motion::baseline::compact_one_at_a_time(start, settings, context.run), context);
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ TEST(CriticalPath, SaysWhatATiltWouldBring) {
 TEST(CriticalPath, LoadsBalanceOnCompactedMarkers) {
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
     SumCache sums;
-    const auto tight = compact(test::loose_marker(seed), compaction_settings(Accuracy::kStandard), {sums});
+    const auto tight = compact(test::loose_marker(seed), compaction_settings(Accuracy::kFine), {sums});
     ASSERT_TRUE(tight);
     const CriticalPath hold = held(tight->marker);
     EXPECT_NEAR(load_on(hold, StripEdge::kRight), 1, 1e-6);
@@ -92,6 +92,26 @@ TEST(CriticalPath, RoomInASpacingIsWorthWhatItSays) {
   const auto shorter = compact(looser, compaction_settings(Accuracy::kFine), {sums});
   ASSERT_TRUE(shorter);
   EXPECT_GE(static_cast<double>(tight->length_after - shorter->length_after), 10 * hold.per_spacing - 20);
+}
+
+TEST(CriticalPath, ReportsOnlyWhatTouches) {
+  Layout layout{1'000'000};
+  const auto square = layout.shape_of(test::rectangle(100'000, 100'000));
+  layout.put(square, {0, 0}).put(square, {104'000, 0});  // 4 mm apart
+  const CriticalPath hold = held(layout.marker());
+  ASSERT_EQ(hold.contacts.size(), 2U);
+  EXPECT_EQ(hold.contacts.front().edge, StripEdge::kLeft);
+  EXPECT_EQ(hold.contacts.front().first, PieceId{0});
+  EXPECT_EQ(hold.contacts.back().edge, StripEdge::kRight);
+  EXPECT_EQ(hold.contacts.back().first, PieceId{1});
+}
+
+// The second square is on the line of the first one's right edge, but above it.
+TEST(CriticalPath, ALineIsNoContactBeyondItsEdge) {
+  Layout layout{1'000'000};
+  const auto square = layout.shape_of(test::rectangle(100'000, 100'000));
+  layout.put(square, {0, 0}).put(square, {100'000, 103'000});
+  for (const LoadedContact& c : held(layout.marker()).contacts) EXPECT_FALSE(c.second);
 }
 
 TEST(CriticalPath, StopsWhenAsked) {

@@ -1,0 +1,21 @@
+#include "clients/cli/terminal/time_limit.h"
+
+#include <utility>
+
+namespace selvage::cli::terminal {
+
+TimeLimit::TimeLimit(std::stop_token caller, Clock::time_point begin,
+                     std::optional<std::chrono::duration<double>> limit)
+    : on_caller_{std::move(caller), [this] { stop_.request_stop(); }} {
+  if (!limit) return;
+  const auto end = begin + std::chrono::duration_cast<Clock::duration>(*limit);
+  waiter_ = std::jthread{[this, end](const std::stop_token& over) {
+    std::unique_lock lock{mutex_};
+    ended_.wait_until(lock, over, end, [] { return false; });
+    if (over.stop_requested() || stop_.stop_requested()) return;
+    up_.request_stop();
+    stop_.request_stop();
+  }};
+}
+
+}  // namespace selvage::cli::terminal

@@ -1,0 +1,34 @@
+// Stops a run when its time is up, or when its caller asks for it.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <thread>
+
+namespace selvage::cli::terminal {
+
+class TimeLimit {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  // The time counts from `begin`; none: there is no limit.
+  TimeLimit(std::stop_token caller, Clock::time_point begin, std::optional<std::chrono::duration<double>> limit);
+
+  // Stops when the time is up and when the caller asks for it.
+  [[nodiscard]] std::stop_token token() const { return stop_.get_token(); }
+  // True when the time was up before the caller asked for a stop.
+  [[nodiscard]] bool is_up() const { return up_.stop_requested(); }
+
+ private:
+  std::stop_source stop_, up_;
+  std::stop_callback<std::function<void()>> on_caller_;
+  std::mutex mutex_;
+  std::condition_variable_any ended_;
+  std::jthread waiter_;  // joined before what it uses is gone
+};
+
+}  // namespace selvage::cli::terminal

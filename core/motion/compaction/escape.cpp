@@ -1,0 +1,83 @@
+#include "core/motion/compaction/escape.h"
+
+#include <utility>
+
+#include "core/marker/figures.h"
+#include "core/motion/compaction/sweep.h"
+
+namespace selvage::motion::compaction {
+namespace {
+
+class Escape {
+ public:
+  Escape(const step::Goal& goal, const CompactionSettings& settings, const scene::Run& run)
+      : goal_{goal}, settings_{settings}, run_{run}, quiet_{run.quiet()} {}
+
+  // Sweeps and rounds in turn while they gain.
+  void take_turns(scene::Scene& scene, Progress& progress) const {
+    for (Coord before = kLatticeLimit; is_worth(before, scene.pieces.length()) && may_go_on(progress);) {
+      before = scene.pieces.length();
+      sweep_and_round(scene, progress);
+    }
+  }
+  // Sweeps until nothing moves, which count as one round, then rounds.
+  void sweep_and_round(scene::Scene& scene, Progress& progress) const {
+    int sweeps = 0;
+    if (sweep_until_still(scene, {.sweeps = settings_.tuning.sweeps}, quiet_, sweeps) ==
+        scene::StopReason::kCancelled) {
+      progress.reason = scene::StopReason::kCancelled;
+      return;
+    }
+    CompactionSettings rest = settings_;
+    rest.rounds = settings_.rounds - ++progress.rounds;
+    const Progress more = improve(scene, goal_, rest, quiet_);
+    progress.reason = more.reason;
+    progress.rounds += more.rounds;
+    progress.programs += more.programs;
+    progress.gain += more.gain;
+    progress.firm = more.firm;
+    run_.observer.on_round({progress.rounds, scene.pieces.length()});
+  }
+  [[nodiscard]] bool may_go_on(const Progress& progress) const {
+    return progress.reason != scene::StopReason::kCancelled && progress.rounds < settings_.rounds;
+  }
+  [[nodiscard]] bool is_worth(Coord before, Coord after) const {
+    return static_cast<double>(before - after) > settings_.tuning.worth_a_sweep * static_cast<double>(before);
+  }
+
+ private:
+  const step::Goal& goal_;
+  const CompactionSettings& settings_;
+  const scene::Run& run_;
+  const scene::Run quiet_;  // the observer is told of a round after each turn, not of those within
+};
+
+}  // namespace
+
+Progress shorten(scene::Scene& scene, const step::Goal& goal, const CompactionSettings& settings,
+                 const scene::Run& run) {
+  const Escape escape{goal, settings, run};
+  const std::vector<Vec> start = scene.pieces.positions();
+  const Coord start_length = scene.pieces.length();
+  Progress progress = improve(scene, goal, settings, run);
+  if (!settings.sweeps || scene.pieces.size() > settings.tuning.most_pieces_swept || !escape.may_go_on(progress)) {
+    return progress;
+  }
+  const double used = marker::utilisation_at(scene.marker, scene.pieces.length());
+  const bool loose = used < settings.tuning.loose_below;
+  const bool stuck = !progress.firm && !escape.is_worth(start_length, scene.pieces.length());
+  if (loose || stuck) escape.take_turns(scene, progress);
+  if (!loose || !escape.may_go_on(progress)) return progress;
+  const std::vector<Vec> reached = scene.pieces.positions();
+  const Coord length = scene.pieces.length();
+  scene.pieces.place(start);
+  Progress other = progress;
+  escape.take_turns(scene, other);
+  if (scene.pieces.length() >= length) {
+    scene.pieces.place(reached);
+    other.gain = progress.gain;
+  }
+  return other;
+}
+
+}  // namespace selvage::motion::compaction

@@ -1,0 +1,26 @@
+// Compaction beyond the optimum of its programs.
+//
+// A round's program keeps each pair in one convex part of the free space around it.  Where the pieces touch at corners,
+// or a half-plane's line holds them beyond the edge it belongs to, another part would let them pass; to choose the best
+// is NP-hard [Li94 8.1].  Sweeps of single-piece moves (sweep.h) choose a part for every piece and every step.  They
+// are used in two ways:
+// (1) In a loose marker, or when the rounds gain next to nothing and end at a doubtful contact
+// (core/model/contacts/contact.h),
+//     sweeps and rounds take turns while both together still gain.
+// (2) In a loose marker, where pieces travel far and the way decides where they end, the sweeps also start from where
+//     the rounds started, rounds follow, and the shorter answer is kept.
+// A tight marker that the rounds shorten, or that they leave at firm contacts only, is spared both.  Each turn of
+// sweeps counts as one round.
+#pragma once
+
+#include "core/motion/compaction/compact.h"
+
+namespace selvage::motion::compaction {
+
+// Rounds towards the goal, then sweeps as above where the settings allow them.  Law: in a loose marker of not too many
+// pieces (CompactionTuning) the answer is never longer than that of sweeps alone, unless cancelled.
+// REQUIRES: the goal shortens the marker; the scene's pieces are valid.
+[[nodiscard]] Progress shorten(scene::Scene& scene, const step::Goal& goal, const CompactionSettings& settings,
+                               const scene::Run& run);
+
+}  // namespace selvage::motion::compaction

@@ -1,0 +1,116 @@
+// Compaction where programs alone find no way: corners that touch, and lines that reach beyond their edges.
+#include "core/motion/compaction/escape.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/marker/validity.h"
+#include "core/motion/baseline/one_at_a_time.h"
+#include "tests/core/motion/markers.h"
+
+namespace selvage::motion::compaction {
+namespace {
+
+using test::Layout;
+
+Compaction compacted(const Marker& marker, bool sweeps = true) {
+  EXPECT_TRUE(is_valid(marker));
+  SumCache sums;
+  CompactionSettings settings = compaction_settings(Accuracy::kStandard);
+  settings.sweeps = sweeps;
+  auto done = compact(marker, settings, {sums});
+  EXPECT_TRUE(done);
+  EXPECT_TRUE(is_valid(done->marker));
+  return *std::move(done);
+}
+Coord swept(const Marker& marker) {
+  SumCache sums;
+  return baseline::compact_one_at_a_time(marker, {}, {sums})->length_after;
+}
+
+// Squares on their corners, each corner on that of its neighbours.
+Marker diamonds(int columns, int rows, Coord width) {
+  Layout layout{width};
+  const auto diamond = layout.shape_of({{50'000, 0}, {100'000, 50'000}, {50'000, 100'000}, {0, 50'000}});
+  for (int c = 0; c < columns; ++c) {
+    for (int r = 0; r < rows; ++r) layout.put(diamond, {c * 100'000, r * 100'000});
+  }
+  return layout.marker();
+}
+
+TEST(Escape, DiamondsCornerToCornerInterlock) {
+  const Marker roomy = diamonds(4, 2, 260'000);
+  EXPECT_LE(compacted(roomy).length_after, 240'010);
+  const Marker full = diamonds(8, 4, 400'000);
+  EXPECT_LE(compacted(full).length_after, swept(full));
+  EXPECT_LT(compacted(full).length_after, 700'000);
+}
+
+// The wedge's tip lies on the common corner of two blocks; it can only go on while the upper one rises, which no sweep
+// of single pieces finds.
+TEST(Escape, AWedgeEntersWhereTwoCornersMeet) {
+  Layout layout{304'000};
+  const auto wedge = layout.shape_of({{0, 0}, {100'000, 50'000}, {0, 100'000}});
+  const auto block = layout.shape_of(test::rectangle(100'000, 150'000));
+  layout.put(block, {0, 0}).put(block, {0, 150'000}).put(wedge, {200'000, 200'000}, 180);
+  EXPECT_EQ(swept(layout.marker()), 200'000);
+  EXPECT_LE(compacted(layout.marker(), false).length_after, 196'010);
+}
+
+// A wheel with square teeth that meets another beyond a tooth's flank: the flank's line passes through free space.
+Polygon gear(int teeth, double radius, double depth) {
+  Polygon polygon;
+  for (int k = 0; k < 4 * teeth; ++k) {
+    const double angle = std::numbers::pi * k / (2 * teeth);
+    const double r = k / 2 % 2 == 0 ? radius : radius - depth;
+    polygon.push_back({std::llround(r * std::cos(angle)), std::llround(r * std::sin(angle))});
+  }
+  return polygon;
+}
+
+TEST(Escape, NothingHoldsAGearInFreeSpace) {
+  // Wherever the second one starts, it passes the first and comes to the edge.
+  for (int step = 0; step < 24; ++step) {
+    Layout layout{1'000'000};
+    const auto wheel = layout.shape_of(gear(24, 100'000, 8'000));
+    layout.put(wheel, {100'000, 120'000}).put(wheel, {310'000 + 2'000 * step, 330'000 + 7'000 * step});
+    const Marker marker = layout.marker();
+    EXPECT_LE(compacted(marker).length_after, swept(marker) + 100) << step;
+  }
+}
+
+TEST(Escape, IsNeverLongerThanSweepsOnLooseMarkers) {
+  for (std::uint32_t seed = 1; seed <= 30; ++seed) {
+    const Marker marker = test::loose_marker(seed);
+    const Compaction done = compacted(marker);
+    if (done.utilisation_after > CompactionTuning{}.loose_below) continue;
+    EXPECT_LE(done.length_after, swept(marker)) << seed;
+  }
+}
+
+TEST(Escape, KeepsToItsRounds) {
+  SumCache sums;
+  CompactionSettings settings = compaction_settings(Accuracy::kStandard);
+  settings.rounds = 1;
+  const auto done = compact(diamonds(4, 2, 260'000), settings, {sums});
+  ASSERT_TRUE(done);
+  EXPECT_EQ(done->rounds, 1);
+  EXPECT_EQ(done->reason, scene::StopReason::kWorkLimit);
+}
+
+TEST(Escape, StopsWhenAsked) {
+  SumCache sums;
+  std::stop_source source;
+  scene::Observer observer;
+  observer.on_round = [&](const scene::Round&) { source.request_stop(); };
+  const auto done =
+      compact(diamonds(8, 4, 400'000), compaction_settings(Accuracy::kStandard), {sums, source.get_token(), observer});
+  ASSERT_TRUE(done);
+  EXPECT_TRUE(is_valid(done->marker));
+  EXPECT_EQ(done->reason, scene::StopReason::kCancelled);
+}
+
+}  // namespace
+}  // namespace selvage::motion::compaction
