@@ -1,0 +1,62 @@
+#include "core/packing/branching/subtree.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "core/packing/branching/branch.h"
+
+namespace selvage::packing::branching {
+
+Subtree::Subtree(const Problem& problem, const BranchTuning& tuning, Node node, double ceiling)
+    : problem_{&problem}, tuning_{tuning}, relaxation_{problem, tuning} {
+  for (RingState& ring : node.rings) ring.hull_begin = RingState::kNone;
+  node.hulls = 0;
+  relaxation_.lower_ceiling(ceiling);
+  stack_.push_back(std::move(node));
+}
+
+void Subtree::lower_ceiling(double ceiling) {
+  relaxation_.lower_ceiling(std::min(ceiling, relaxation_.ceiling()));
+}
+
+void Subtree::explore(std::uint64_t nodes, double gap, const std::stop_token& stop) {
+  for (std::uint64_t count = 0; count < nodes && !stack_.empty() && !stop.stop_requested(); ++count) {
+    Node node = std::move(stack_.back());
+    stack_.pop_back();
+    if (node.bound > relaxation_.ceiling() || !relaxation_.limit_length(node)) continue;
+    ++relaxation_.work().nodes;
+    relaxation_.forget_hulls_from(node.hulls);
+    auto below = children(relaxation_, *problem_, node, tuning_);
+    if (!below) {
+      record(node, gap);
+      if (!problem_->minimises_length) return;
+      continue;
+    }
+    for (Node& child : *below) {
+      child.hulls = relaxation_.hulls();
+      stack_.push_back(std::move(child));
+    }
+  }
+}
+
+void Subtree::record(const Node& node, double gap) {
+  Leaf leaf{.positions = {}, .variant = node.variant, .length = 0};
+  for (std::uint32_t body = 0; body < problem_->world(); ++body) {
+    leaf.positions.push_back(relaxation_.position(node, body));
+    const double width = problem_->bodies[body].variants[node.variant[body]].width;
+    leaf.length = std::max(leaf.length, leaf.positions.back().x + width);
+  }
+  if (problem_->minimises_length) lower_ceiling(std::max(leaf.length, node.bound) - gap);
+  leaves_.push_back(std::move(leaf));
+}
+
+double Subtree::bound() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Node& node : stack_) least = std::min(least, node.bound);
+  return least;
+}
+
+Work Subtree::take_work() { return std::exchange(relaxation_.work(), {}); }
+
+}  // namespace selvage::packing::branching
