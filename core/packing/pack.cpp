@@ -5,10 +5,9 @@
 #include <optional>
 #include <utility>
 
-#include "core/marker/clearance.h"
-#include "core/motion/compaction/compact.h"
 #include "core/packing/bodies.h"
 #include "core/packing/first_layout.h"
+#include "core/packing/mend.h"
 
 namespace selvage::packing {
 namespace {
@@ -68,7 +67,6 @@ class Packer {
   void climb(const Bodies& bodies, double bound, double longest) {
     double step = kFirstStep;
     packing_.reason = scene::StopReason::kConverged;
-    packing_.proved = true;
     while (bound < longest && packing_.reason == scene::StopReason::kConverged) {
       const double ceiling = std::min(longest, std::ceil(bound * (1 + step)) + 1);
       const auto outcome = search_below(bodies, ceiling);
@@ -79,6 +77,9 @@ class Packer {
     }
     packing_.bound = static_cast<Coord>(std::floor(bound));
     if (best_) packing_.bound = std::min(packing_.bound, packing_.length_after);
+    const bool complete = packing_.reason == scene::StopReason::kConverged;
+    const auto left = static_cast<double>(packing_.length_after - packing_.bound);
+    packing_.proved = complete && (best_ ? left <= 2 * gap_ : !in_doubt_);
   }
 
   branching::SearchOutcome search_below(const Bodies& bodies, double ceiling) {
@@ -86,7 +87,9 @@ class Packer {
     left.nodes -= std::min(left.nodes, packing_.work.nodes);
     left.pivots -= std::min(left.pivots, packing_.work.pivots);
     branching::SearchCalls calls;
-    calls.accept = [&](const branching::Leaf& leaf) { return accept(bodies, leaf); };
+    const Box room = start_.strip.room(start_.strip.last().value_or(kLatticeLimit));
+    calls.mend = [&bodies, room, this](branching::Leaf& leaf) { return mend(start_, bodies, room, leaf); };
+    calls.on_leaf = [&](const branching::Leaf& leaf) { take(bodies, leaf); };
     calls.on_round = [&](double, const branching::Work&) {
       run_.observer.on_round({++packing_.rounds, packing_.length_after});
     };
@@ -94,23 +97,15 @@ class Packer {
     calls.executor = run_.executor;
     auto outcome = branching::search(bodies.problem, ceiling, gap_, left, settings_.tuning, calls);
     packing_.work += outcome.work;
-    if (outcome.doubtful) packing_.proved = false;
+    in_doubt_ = in_doubt_ || outcome.in_doubt;
     if (outcome.end == branching::SearchEnd::kWorkLimit) packing_.reason = scene::StopReason::kWorkLimit;
     if (outcome.end == branching::SearchEnd::kCancelled) packing_.reason = scene::StopReason::kCancelled;
-    if (packing_.reason != scene::StopReason::kConverged) packing_.proved = false;
     return outcome;
   }
 
-  // Compaction mends what rounding broke, and proves the layout.
-  std::optional<double> accept(const Bodies& bodies, const branching::Leaf& leaf) {
-    const motion::compaction::CompactionSettings settings =
-        compaction_settings(motion::compaction::Accuracy::kStandard);
-    auto mended = compact(placed(start_, bodies, leaf), settings, run_.quiet());
-    if (!mended) return std::nullopt;
-    packing_.programs += mended->programs;
-    const auto length = static_cast<double>(mended->length_after);
-    if (!best_ || mended->length_after < packing_.length_after) keep(std::move(mended->marker));
-    return length;
+  void take(const Bodies& bodies, const branching::Leaf& leaf) {
+    Marker layout = placed(start_, bodies, leaf);
+    if (!best_ || length_of(layout) < packing_.length_after) keep(std::move(layout));
   }
 
   void keep(Marker marker) {
@@ -123,6 +118,7 @@ class Packer {
   const scene::Run& run_;
   double gap_;  // lattice units
   std::optional<Marker> best_;
+  bool in_doubt_{};
   Packing packing_;
 };
 

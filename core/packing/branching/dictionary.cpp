@@ -6,8 +6,7 @@
 namespace selvage::packing::branching {
 namespace {
 
-constexpr double kFeasible = 1e-9;      // a basic variable above minus this is feasible
-constexpr double kPivot = 1e-9;         // smaller entries are no pivots
+constexpr double kPivot = 1e-7;         // smaller entries are no pivots: most are the rounding of a zero
 constexpr double kTie = 1e-13;          // ratios nearer than this are equal; the larger pivot wins
 constexpr double kGenericCost = 1e-8;   // of the columns besides the length, which costs 1
 constexpr int kMostPivots = 500;        // of one program; more mean that rounding has spoilt it
@@ -64,9 +63,9 @@ void Dictionary::add(const Columns& columns, const Row& added) {
   basic_.push_back({-1, added});
 }
 
-std::size_t Dictionary::most_violated() const {
+std::size_t Dictionary::most_violated(double tolerance) const {
   std::size_t worst = kNone;
-  double least = -kFeasible;
+  double least = -tolerance;
   for (std::size_t k = 0; k < basic_.size(); ++k) {
     const double value = row(k)[columns_];
     if (value < least) {
@@ -114,11 +113,11 @@ void Dictionary::pivot(std::size_t leaving, std::size_t entering) {
   note_place(basic_[leaving], ~static_cast<std::int32_t>(leaving));
 }
 
-Dictionary::End Dictionary::solve(const Columns& columns, double ceiling, std::uint64_t& pivots) {
+Dictionary::End Dictionary::solve(const Columns& columns, double ceiling, std::uint64_t& pivots, double tolerance) {
   const double most = (ceiling - columns.low_length) * columns.scale;
   for (int count = 0; count < kMostPivots; ++count) {
     if (cost_[columns_] > most) return End::kAboveCeiling;
-    const std::size_t leaving = most_violated();
+    const std::size_t leaving = most_violated(tolerance);
     if (leaving == kNone) return End::kOptimal;
     const std::size_t entering = entering_for(leaving);
     if (entering == kNone) {

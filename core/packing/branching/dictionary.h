@@ -40,6 +40,8 @@ struct Columns {
 
 class Dictionary {
  public:
+  static constexpr double kUsualTolerance = 1e-9;
+
   enum class End { kOptimal, kInfeasible, kAboveCeiling, kTrouble };
   // A row with its multiplier in a proof; multipliers are positive.
   struct Multiplier {
@@ -52,7 +54,9 @@ class Dictionary {
 
   void add(const Columns& columns, const Row& row);
   // Pivots until optimal, infeasible, or the length exceeds the ceiling; counts the pivots.
-  [[nodiscard]] End solve(const Columns& columns, double ceiling, std::uint64_t& pivots);
+  // A row may be violated by the tolerance, in units of the columns.
+  [[nodiscard]] End solve(const Columns& columns, double ceiling, std::uint64_t& pivots,
+                          double tolerance = kUsualTolerance);
   // Drops the rows with more room than `room`, in lattice units, but keeps those of the length.
   void drop_slack_rows(const Columns& columns, double room);
 
@@ -83,7 +87,7 @@ class Dictionary {
   }
   void add_term(double* into, std::size_t column, double factor);
   void pivot(std::size_t leaving, std::size_t entering);
-  [[nodiscard]] std::size_t most_violated() const;
+  [[nodiscard]] std::size_t most_violated(double tolerance) const;
   [[nodiscard]] std::size_t entering_for(std::size_t leaving) const;
   void note_place(const Variable& variable, std::int32_t at) {
     if (variable.column >= 0) where_[static_cast<std::size_t>(variable.column)] = at;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/packing/branching/hull.h"
 
@@ -36,10 +37,8 @@ Work& Work::operator+=(const Work& other) {
   return *this;
 }
 
-Relaxation::Relaxation(const Problem& problem, const BranchTuning& tuning)
-    : problem_{&problem}, tuning_{tuning}, positions_(problem.bodies.size() + 1) {
-  columns_.bodies = problem.bodies.size();
-  columns_.low_length = problem.least_length;
+Columns columns_of(const Problem& problem) {
+  Columns columns{.bodies = problem.bodies.size(), .low = {}, .low_length = problem.least_length};
   double extent = 1;
   for (const Body& body : problem.bodies) {
     RealVec low{kInfinite, kInfinite};
@@ -47,10 +46,14 @@ Relaxation::Relaxation(const Problem& problem, const BranchTuning& tuning)
       low = {std::min(low.x, variant.range.low_x), std::min(low.y, variant.range.low_y)};
       extent = std::max(extent, variant.range.height());
     }
-    columns_.low.push_back(low);
+    columns.low.push_back(low);
   }
-  columns_.scale = 1 / std::exp2(std::ceil(std::log2(extent)));
+  columns.scale = 1 / std::exp2(std::ceil(std::log2(extent)));
+  return columns;
 }
+
+Relaxation::Relaxation(const Problem& problem, const BranchTuning& tuning)
+    : problem_{&problem}, tuning_{tuning}, columns_{columns_of(problem)}, positions_(problem.bodies.size() + 1) {}
 
 std::optional<Node> Relaxation::root(double ceiling) {
   const std::size_t count = problem_->bodies.size();
@@ -64,19 +67,15 @@ std::optional<Node> Relaxation::root(double ceiling) {
   const std::size_t world = problem_->world();
   for (std::uint32_t body = 0; body < count; ++body) {
     RealBox range{kInfinite, kInfinite, -kInfinite, -kInfinite};
-    double width = kInfinite;
     for (const BodyVariant& variant : problem_->bodies[body].variants) {
       range = {std::min(range.low_x, variant.range.low_x), std::min(range.low_y, variant.range.low_y),
                std::max(range.high_x, variant.range.high_x), std::max(range.high_y, variant.range.high_y)};
-      width = std::min(width, variant.width);
     }
     if (!node.x.raise(world, body, range.low_x) || !node.x.raise(body, world, -range.high_x) ||
         !node.y.raise(world, body, range.low_y) || !node.y.raise(body, world, -range.high_y))
       return std::nullopt;
-    if (problem_->minimises_length) {
-      node.program.add(columns_, {.first = body, .second = body, .length = true, .plane = {1, 0, width}});
-    }
   }
+  start_program(node);
   for (std::uint32_t body = 0; body < count; ++body) {
     if (problem_->bodies[body].variants.size() == 1 && !decide(node, body, 0)) return std::nullopt;
   }
@@ -93,7 +92,7 @@ bool Relaxation::decide(Node& node, std::uint32_t body, std::uint32_t variant) {
       !node.y.raise(world, body, chosen.range.low_y) || !node.y.raise(body, world, -chosen.range.high_y))
     return false;
   if (problem_->minimises_length && decided.variants.size() > 1) {
-    node.program.add(columns_, {.first = body, .second = body, .length = true, .plane = {1, 0, chosen.width}});
+    node.program.add(columns_, {body, body, true, {1, 0, chosen.width}});
   }
   if (!order_alike(node, body)) return false;
   const Chosen own{body, variant};
@@ -132,14 +131,19 @@ bool Relaxation::activate_pair(Node& node, const Chosen& first, const Chosen& se
   return true;
 }
 
+double Relaxation::least_width(const Node& node, std::uint32_t body) const {
+  const std::vector<BodyVariant>& variants = problem_->bodies[body].variants;
+  if (node.variant[body] != Node::kUndecided) return variants[node.variant[body]].width;
+  double width = kInfinite;
+  for (const BodyVariant& variant : variants) width = std::min(width, variant.width);
+  return width;
+}
+
 bool Relaxation::limit_length(Node& node) {
   if (!problem_->minimises_length) return true;
   for (std::uint32_t body = 0; body < problem_->bodies.size(); ++body) {
-    const Body& limited = problem_->bodies[body];
-    double width = kInfinite;
-    for (const BodyVariant& variant : limited.variants) width = std::min(width, variant.width);
-    if (node.variant[body] != Node::kUndecided) width = limited.variants[node.variant[body]].width;
-    if (!node.x.raise(body, problem_->world(), width - std::floor(ceiling_))) return false;
+    const double latest = std::floor(ceiling_) - least_width(node, body);
+    if (!node.x.raise(body, problem_->world(), -latest)) return false;
   }
   return true;
 }
@@ -157,6 +161,16 @@ RealVec Relaxation::difference(const Node& node, const RingState& ring) const {
   const RealVec first = position(node, ring.first);
   const RealVec second = position(node, ring.second);
   return {second.x - first.x, second.y - first.y};
+}
+
+std::vector<Row> Relaxation::exact_rows(const Node& node) const {
+  std::vector<Row> rows;
+  for (const RingState& ring : node.rings) {
+    const WedgeRing& wedges = problem_->rings[ring.ring];
+    const std::uint32_t wedge = ring.arc.count == 1 ? ring.arc.first : wedges.facing(difference(node, ring));
+    rows.push_back({ring.first, ring.second, false, wedges.line(wedge)});
+  }
+  return rows;
 }
 
 RealBox Relaxation::pair_box(const Node& node, const RingState& ring) const {
@@ -297,22 +311,37 @@ bool Relaxation::add_violated_rows(Node& node) {
   return any;
 }
 
+void Relaxation::start_program(Node& node) {
+  node.program = Dictionary{columns_, problem_->minimises_length};
+  if (!problem_->minimises_length) return;
+  for (std::uint32_t body = 0; body < problem_->bodies.size(); ++body) {
+    node.program.add(columns_, {body, body, true, {1, 0, least_width(node, body)}});
+  }
+}
+
 bool Relaxation::settle(Node& node) {
   if (!propagate(node)) return false;
+  bool fresh = false;
   double ceiling = problem_->minimises_length ? ceiling_ : kInfinite;
+  // What rounding has spoilt is computed anew once, from no rows.
+  const auto start_again = [&] {
+    if (fresh) ++work_.unproved;
+    if (!fresh) start_program(node);
+    return !std::exchange(fresh, true);
+  };
   for (int count = 0; count < tuning_.programs; ++count) {
     switch (node.program.solve(columns_, ceiling, work_.pivots)) {
       case Dictionary::End::kInfeasible:
         if (refutes(node.program.refuting(), ranges(node))) return false;
-        ++work_.unproved;
-        return true;
+        if (!start_again()) return true;
+        break;
       case Dictionary::End::kAboveCeiling:
         if (least_length(node.program.bounding(), ranges(node)) > ceiling_) return false;
         ceiling = kInfinite;
         break;
       case Dictionary::End::kTrouble:
-        ++work_.unproved;
-        return true;
+        if (!start_again()) return true;
+        break;
       case Dictionary::End::kOptimal:
         if (!add_violated_rows(node)) count = tuning_.programs;
         break;

@@ -25,6 +25,9 @@ struct Work {
   Work& operator+=(const Work& other);
 };
 
+// The columns of a problem's programs: the least positions, and a scale at which the room is about 1 wide.
+[[nodiscard]] Columns columns_of(const Problem& problem);
+
 class Relaxation {
  public:
   // The problem must outlive this.
@@ -44,6 +47,8 @@ class Relaxation {
   [[nodiscard]] double ceiling() const { return ceiling_; }
   [[nodiscard]] RealVec position(const Node& node, std::uint32_t body) const;
   [[nodiscard]] RealVec difference(const Node& node, const RingState& ring) const;
+  // For every ring, the exact line of the wedge that the solution lies in.
+  [[nodiscard]] std::vector<Row> exact_rows(const Node& node) const;
   [[nodiscard]] const Columns& columns() const { return columns_; }
   // The depth at which a solution counts as inside a ring; lattice units.
   [[nodiscard]] double tolerance() const { return tuning_.tolerance / columns_.scale; }
@@ -54,6 +59,8 @@ class Relaxation {
   [[nodiscard]] Work& work() { return work_; }
 
  private:
+  [[nodiscard]] double least_width(const Node& node, std::uint32_t body) const;
+  void start_program(Node& node);
   [[nodiscard]] RealBox pair_box(const Node& node, const RingState& ring) const;
   [[nodiscard]] bool raise_to(Node& node, const RingState& ring, const RealBox& box);
   [[nodiscard]] bool activate_pair(Node& node, const Chosen& first, const Chosen& second);

@@ -1,6 +1,7 @@
 #include "core/packing/branching/search.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -55,7 +56,7 @@ class Rounds {
     const std::uint64_t burst = spreading ? 1 : std::clamp<std::uint64_t>(left / count, 1, tuning_.burst);
     sort_most_promising(count);
     const Executor& executor = count > 1 ? *calls_.executor : serial();
-    executor.for_each(count, [&](std::size_t k) { open_[k].explore(burst, gap_, calls_.stop); });
+    executor.for_each(count, [&](std::size_t k) { open_[k].explore(burst, gap_, calls_.mend, calls_.stop); });
     for (std::size_t k = 0; k < count && !answered_; ++k) collect(open_[k]);
     if (spreading) spread(0);
     std::erase_if(open_, [](const Subtree& subtree) { return subtree.done(); });
@@ -78,15 +79,12 @@ class Rounds {
   void collect(Subtree& subtree) {
     outcome_.work += subtree.take_work();
     for (const Leaf& leaf : subtree.take_leaves()) {
-      const auto length = calls_.accept(leaf);
-      if (!length) outcome_.doubtful = true;
-      if (!problem_.minimises_length) {
-        answered_ = answered_ || length.has_value();
-        continue;
-      }
-      if (length) ceiling_ = std::min(ceiling_, *length - gap_);
+      calls_.on_leaf(leaf);
+      if (problem_.minimises_length) ceiling_ = std::min(ceiling_, leaf.length - gap_);
+      if (!problem_.minimises_length) answered_ = true;
     }
-    closed_at_ = std::min({closed_at_, subtree.ceiling(), ceiling_});
+    outcome_.in_doubt = outcome_.in_doubt || std::isfinite(subtree.in_doubt());
+    closed_at_ = std::min({closed_at_, subtree.ceiling(), subtree.in_doubt(), ceiling_});
   }
 
   // Makes every open node of a subtree a subtree of its own.
@@ -98,7 +96,7 @@ class Rounds {
 
   const Problem& problem_;
   double ceiling_;    // of the layouts that are still of interest
-  double closed_at_;  // the least ceiling of any subtree so far
+  double closed_at_;  // the least ceiling, or length in doubt, of any subtree so far
   double gap_;
   WorkLimits limits_;
   SearchTuning tuning_;

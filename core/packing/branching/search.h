@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <stop_token>
 
 #include "core/base/executor.h"
@@ -26,21 +25,20 @@ enum class SearchEnd { kExhausted, kAnswered, kWorkLimit, kCancelled };
 struct SearchOutcome {
   SearchEnd end{};
   double bound{};  // proved: no layout up to the ceiling is shorter; above the ceiling when there is none
-  bool doubtful{};  // some leaf was not accepted: that there is no layout is not proved
+  bool in_doubt{};  // some leaf could not be mended: that there is no layout is not proved
   Work work;
 };
 
 struct SearchCalls {
-  // Mends and proves a leaf.  Answers with the length that layouts have to beat from now on; nothing when the leaf
-  // could not be mended.
-  std::function<std::optional<double>(const Leaf&)> accept;
+  Mend mend;
+  std::function<void(const Leaf&)> on_leaf;  // mended
   std::function<void(double bound, const Work&)> on_round = [](double, const Work&) {};
   std::stop_token stop{};
   const Executor* executor = &serial();
 };
 
-// Searches the layouts up to the ceiling.  Where the length is minimised, until none is shorter than the shortest
-// accepted one by more than the gap; otherwise until one is accepted.
+// Searches the layouts up to the ceiling.  Where the length is minimised, until none is shorter than the shortest one
+// found by more than the gap; otherwise until one is found.
 [[nodiscard]] SearchOutcome search(const Problem& problem, double ceiling, double gap, const WorkLimits& limits,
                                    const SearchTuning& tuning, const SearchCalls& calls);
 

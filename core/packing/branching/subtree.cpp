@@ -20,7 +20,8 @@ void Subtree::lower_ceiling(double ceiling) {
   relaxation_.lower_ceiling(std::min(ceiling, relaxation_.ceiling()));
 }
 
-void Subtree::explore(std::uint64_t nodes, double gap, const std::stop_token& stop) {
+void Subtree::explore(std::uint64_t nodes, double gap, const Mend& mend,
+                      const std::stop_token& stop) {
   for (std::uint64_t count = 0; count < nodes && !stack_.empty() && !stop.stop_requested(); ++count) {
     Node node = std::move(stack_.back());
     stack_.pop_back();
@@ -29,8 +30,7 @@ void Subtree::explore(std::uint64_t nodes, double gap, const std::stop_token& st
     relaxation_.forget_hulls_from(node.hulls);
     auto below = children(relaxation_, *problem_, node, tuning_);
     if (!below) {
-      record(node, gap);
-      if (!problem_->minimises_length) return;
+      if (record(node, gap, mend) && !problem_->minimises_length) return;
       continue;
     }
     for (Node& child : *below) {
@@ -40,15 +40,21 @@ void Subtree::explore(std::uint64_t nodes, double gap, const std::stop_token& st
   }
 }
 
-void Subtree::record(const Node& node, double gap) {
-  Leaf leaf{.positions = {}, .variant = node.variant, .length = 0};
+bool Subtree::record(const Node& node, double gap, const Mend& mend) {
+  Leaf leaf{.positions = {}, .variant = node.variant, .rows = relaxation_.exact_rows(node), .length = node.bound};
   for (std::uint32_t body = 0; body < problem_->world(); ++body) {
     leaf.positions.push_back(relaxation_.position(node, body));
-    const double width = problem_->bodies[body].variants[node.variant[body]].width;
-    leaf.length = std::max(leaf.length, leaf.positions.back().x + width);
   }
-  if (problem_->minimises_length) lower_ceiling(std::max(leaf.length, node.bound) - gap);
+  if (!mend(leaf)) {
+    in_doubt_ = std::min(in_doubt_, node.bound);
+    return false;
+  }
+  if (problem_->minimises_length) {
+    if (leaf.length > node.bound + gap) in_doubt_ = std::min(in_doubt_, node.bound);
+    lower_ceiling(leaf.length - gap);
+  }
   leaves_.push_back(std::move(leaf));
+  return true;
 }
 
 double Subtree::bound() const {

@@ -61,6 +61,11 @@ class WedgeRing {
   [[nodiscard]] std::uint32_t facing(RealVec p) const;
   // How far the point lies inside the wedge's line, beyond the slack; negative outside.
   [[nodiscard]] double depth(std::uint32_t wedge, RealVec p) const { return -wedges_[wedge].beyond.room(p); }
+  // The exact line of the wedge's edge.
+  [[nodiscard]] HalfPlane line(std::uint32_t wedge) const {
+    const HalfPlane& beyond = wedges_[wedge].beyond;
+    return {beyond.nx, beyond.ny, beyond.c + kSlack};
+  }
   // The corner nearest in angle to the ray at `quarters` quarter turns from the point's ray, named by the wedge that
   // starts there.
   [[nodiscard]] std::uint32_t corner_near(RealVec p, int quarters) const;
