@@ -201,16 +201,15 @@ bool Relaxation::look(Node& node, RingState& ring) {
   RealBox found{kInfinite, kInfinite, -kInfinite, -kInfinite};
   std::uint32_t first = UINT32_MAX;
   std::uint32_t last = 0;
+  Cell cell;
   for (std::uint32_t k = 0; k < ring.arc.count; ++k) {
     const std::uint32_t at = ring.arc.first + k;
-    const Cell cell = wedges.cell(at < wedges.size() ? at : at - wedges.size(), box);
-    if (cell.count == 0) continue;
+    if (!wedges.clip(at < wedges.size() ? at : at - wedges.size(), box, cell)) continue;
     if (first == UINT32_MAX) first = k;
     last = k;
     for (std::size_t c = 0; c < cell.count; ++c) {
-      const RealVec p = cell.corners[c];
-      found = {std::min(found.low_x, p.x), std::min(found.low_y, p.y), std::max(found.high_x, p.x),
-               std::max(found.high_y, p.y)};
+      found = {std::min(found.low_x, cell.x[c]), std::min(found.low_y, cell.y[c]), std::max(found.high_x, cell.x[c]),
+               std::max(found.high_y, cell.y[c])};
     }
   }
   if (first == UINT32_MAX) return false;
@@ -240,9 +239,10 @@ bool Relaxation::propagate(Node& node) {
 void Relaxation::gather(const RingState& ring, const RealBox& box) {
   const WedgeRing& wedges = problem_->rings[ring.ring];
   points_.clear();
+  Cell cell;
   for (std::uint32_t k = 0; k < ring.arc.count; ++k) {
-    const Cell cell = wedges.cell((ring.arc.first + k) % wedges.size(), box);
-    points_.insert(points_.end(), cell.corners.begin(), cell.corners.begin() + static_cast<std::ptrdiff_t>(cell.count));
+    if (!wedges.clip((ring.arc.first + k) % wedges.size(), box, cell)) continue;
+    for (std::size_t c = 0; c < cell.count; ++c) points_.push_back(cell.corner(c));
   }
 }
 

@@ -61,23 +61,29 @@ HalfPlane beside_ray(RealVec centre, RealVec corner, double side) {
   return {nx, ny, nx * centre.x + ny * centre.y - 1};
 }
 
-bool clip(Cell& cell, const HalfPlane& plane) {
-  Cell kept;
-  RealVec p = cell.corners[cell.count - 1];
-  double room_p = plane.room(p);
+// The part of `cell` in the half-plane.
+void clip_into(const Cell& cell, const HalfPlane& plane, Cell& kept) {
+  kept.count = 0;
+  const auto keep = [&](double x, double y) {
+    kept.x[kept.count] = x;
+    kept.y[kept.count++] = y;
+  };
+  double px = cell.x[cell.count - 1];
+  double py = cell.y[cell.count - 1];
+  double room_p = plane.room({px, py});
   for (std::size_t k = 0; k < cell.count; ++k) {
-    const RealVec q = cell.corners[k];
-    const double room_q = plane.room(q);
+    const double qx = cell.x[k];
+    const double qy = cell.y[k];
+    const double room_q = plane.room({qx, qy});
     if ((room_p >= 0) != (room_q >= 0)) {
       const double t = room_p / (room_p - room_q);
-      kept.corners[kept.count++] = {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
+      keep(px + t * (qx - px), py + t * (qy - py));
     }
-    if (room_q >= 0) kept.corners[kept.count++] = q;
-    p = q;
+    if (room_q >= 0) keep(qx, qy);
+    px = qx;
+    py = qy;
     room_p = room_q;
   }
-  cell = kept;
-  return cell.count > 0;
 }
 
 // The least and the largest room that a point of the box has.
@@ -118,15 +124,29 @@ WedgeRing::WedgeRing(const minkowski::convolution::StarSum& sum, const minkowski
   }
 }
 
-Cell WedgeRing::cell(std::uint32_t wedge, const RealBox& box) const {
+bool WedgeRing::clip(std::uint32_t wedge, const RealBox& box, Cell& cell) const {
   const Wedge& w = wedges_[wedge];
-  Cell cell{{{{box.low_x, box.low_y}, {box.high_x, box.low_y}, {box.high_x, box.high_y}, {box.low_x, box.high_y}}}, 4};
-  for (const HalfPlane* plane : {&w.beyond, &w.after, &w.before}) {
-    const Rooms rooms = rooms_of(*plane, box);
-    if (rooms.most < 0) return {};
-    if (rooms.least < 0 && !clip(cell, *plane)) return {};
-  }
-  return cell;
+  const Rooms beyond = rooms_of(w.beyond, box);
+  if (beyond.most < 0) return false;
+  const Rooms after = rooms_of(w.after, box);
+  if (after.most < 0) return false;
+  const Rooms before = rooms_of(w.before, box);
+  if (before.most < 0) return false;
+  cell.x[0] = cell.x[3] = box.low_x;
+  cell.x[1] = cell.x[2] = box.high_x;
+  cell.y[0] = cell.y[1] = box.low_y;
+  cell.y[2] = cell.y[3] = box.high_y;
+  cell.count = 4;
+  Cell other;
+  const auto cut = [&](const HalfPlane& plane, double least) {
+    if (least >= 0 || cell.count == 0) return;
+    clip_into(cell, plane, other);
+    cell = other;
+  };
+  cut(w.beyond, beyond.least);
+  cut(w.after, after.least);
+  cut(w.before, before.least);
+  return cell.count > 0;
 }
 
 std::uint32_t WedgeRing::corner_before(double angle) const {

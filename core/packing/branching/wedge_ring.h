@@ -36,10 +36,12 @@ struct RealBox {
   [[nodiscard]] double height() const { return high_y - low_y; }
 };
 
-// A convex polygon of at most seven corners: a box clipped by the three half-planes of a wedge.
+// A convex polygon of at most seven corners: a box clipped by the three half-planes of a wedge.  Only the first `count`
+// corners are set: cells are the innermost loop of a search.
 struct Cell {
-  std::array<RealVec, 8> corners;
-  std::size_t count{};
+  std::array<double, 8> x, y;
+  std::size_t count;
+  [[nodiscard]] RealVec corner(std::size_t k) const { return {x[k], y[k]}; }
 };
 
 // Consecutive wedges of a ring.
@@ -55,8 +57,8 @@ class WedgeRing {
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(wedges_.size()); }
   [[nodiscard]] Arc whole() const { return {0, size()}; }
   [[nodiscard]] const RealBox& box() const { return box_; }
-  // The part of the box in a wedge.
-  [[nodiscard]] Cell cell(std::uint32_t wedge, const RealBox& box) const;
+  // Sets `cell` to the part of the box in a wedge.  False when there is none.
+  [[nodiscard]] bool clip(std::uint32_t wedge, const RealBox& box, Cell& cell) const;
   // The wedge that the point's ray passes.
   [[nodiscard]] std::uint32_t facing(RealVec p) const;
   // How far the point lies inside the wedge's line, beyond the slack; negative outside.
