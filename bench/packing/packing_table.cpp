@@ -28,8 +28,7 @@ void print_row(const std::string& path, bool turns, const selvage::packing::Pack
   std::printf("| %s | %zu | %.6g | %.6g | %s | %.3f | %llu | %llu | %llu | %llu |\n", marker.name.c_str(),
               marker.pieces.size(), to_decimal(packing.length_after, marker.resolution),
               to_decimal(packing.bound, marker.resolution), packing.proved ? "proved" : "open", seconds,
-              static_cast<unsigned long long>(packing.work.nodes),
-              static_cast<unsigned long long>(packing.work.pivots),
+              static_cast<unsigned long long>(packing.work.nodes), static_cast<unsigned long long>(packing.work.pivots),
               static_cast<unsigned long long>(packing.work.looks),
               static_cast<unsigned long long>(packing.work.unproved));
   std::fflush(stdout);

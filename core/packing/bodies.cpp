@@ -48,7 +48,11 @@ struct Draft {
 class BodyMaker {
  public:
   BodyMaker(const Marker& marker, const Freedom& freedom, const scene::Run& run)
-      : marker_{marker}, scratch_{marker}, freedom_{freedom}, run_{run}, ties_{model::ties_of(marker)},
+      : marker_{marker},
+        scratch_{marker},
+        freedom_{freedom},
+        run_{run},
+        ties_{model::ties_of(marker)},
         placed_{marker} {}
 
   Bodies make() {

@@ -31,12 +31,12 @@ struct BodyLayout {
 
 struct Bodies {
   branching::Problem problem;
-  std::vector<std::vector<std::uint32_t>> pieces;   // of each body
-  std::vector<std::vector<BodyLayout>> layouts;     // of each body, by variant
+  std::vector<std::vector<std::uint32_t>> pieces;  // of each body
+  std::vector<std::vector<BodyLayout>> layouts;    // of each body, by variant
 };
 
-// The bodies of a marker.  Variants that fit the room nowhere are left out; a body without variants makes the problem
-// impossible, and `problem.bodies` then has it with none.
+// The bodies of a marker.  Variants that fit the room nowhere are left out; with a body that has none left, the problem
+// has no layout.
 [[nodiscard]] Bodies bodies_of(const Marker& marker, const Freedom& freedom, const scene::Run& run);
 
 // The marker with its bodies where the leaf has them, rounded to the lattice.

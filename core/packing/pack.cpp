@@ -12,13 +12,15 @@
 namespace selvage::packing {
 namespace {
 
-constexpr double kFirstStep = 0.01;  // the first ceiling above the area's bound, a part of it
+constexpr double kFirstStep = 0.01;   // the first ceiling above the area's bound, a part of it
 constexpr double kLaterSteps = 0.03;  // each further ceiling above the last
 
 class Packer {
  public:
   Packer(const Marker& start, const PackSettings& settings, const scene::Run& run)
-      : start_{start}, settings_{settings}, run_{run},
+      : start_{start},
+        settings_{settings},
+        run_{run},
         gap_{std::max(1.0, settings.gap * static_cast<double>(start.strip.width))} {}
 
   Packing pack() {
@@ -31,9 +33,6 @@ class Packer {
     double bound = static_cast<double>(least_length(bodies, pieces));
     bodies.problem.minimises_length = true;
     bodies.problem.least_length = bound;
-    const bool fits = std::none_of(bodies.problem.bodies.begin(), bodies.problem.bodies.end(),
-                                   [](const branching::Body& body) { return body.variants.empty(); });
-    if (!fits) bound = longest;
     climb(bodies, bound, longest);
     packing_.found = best_.has_value();
     packing_.marker = best_ ? *std::move(best_) : start_;

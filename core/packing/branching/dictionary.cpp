@@ -6,10 +6,10 @@
 namespace selvage::packing::branching {
 namespace {
 
-constexpr double kPivot = 1e-7;         // smaller entries are no pivots: most are the rounding of a zero
-constexpr double kTie = 1e-13;          // ratios nearer than this are equal; the larger pivot wins
-constexpr double kGenericCost = 1e-8;   // of the columns besides the length, which costs 1
-constexpr int kMostPivots = 500;        // of one program; more mean that rounding has spoilt it
+constexpr double kPivot = 1e-7;        // smaller entries are no pivots: most are the rounding of a zero
+constexpr double kTie = 1e-13;         // ratios nearer than this are equal; the larger pivot wins
+constexpr double kGenericCost = 1e-8;  // of the columns besides the length, which costs 1
+constexpr int kMostPivots = 500;       // of one program; more mean that rounding has spoilt it
 constexpr std::size_t kNone = SIZE_MAX;
 
 // A fixed sequence without pattern in [0.5, 1.5).

@@ -28,8 +28,7 @@ void append_plane(RealVec from, RealVec to, std::vector<HalfPlane>& planes) {
 }  // namespace
 
 void append_hull(std::vector<RealVec>& points, std::vector<HalfPlane>& planes) {
-  std::sort(points.begin(), points.end(),
-            [](RealVec a, RealVec b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  std::sort(points.begin(), points.end(), [](RealVec a, RealVec b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
   std::vector<RealVec> chain(points.size() + 1);
   const auto append_chain = [&](auto begin, auto end) {
     std::size_t count = 0;

@@ -29,7 +29,7 @@ struct Node {
   std::vector<std::uint32_t> variant;  // by body
   std::vector<RingState> rings;
   Dictionary program;
-  double bound{};  // proved: no layout below this node is shorter
+  double bound{};       // proved: no layout below this node is shorter
   std::size_t hulls{};  // the size of the store when the node and its siblings were complete
 };
 

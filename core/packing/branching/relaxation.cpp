@@ -257,8 +257,8 @@ Ranges Relaxation::ranges(const Node& node) const {
   Ranges all{{}, columns_.low_length, ceiling_};
   const std::size_t world = problem_->world();
   for (std::size_t body = 0; body < world; ++body) {
-    all.bodies.push_back({node.x.lower(world, body), node.y.lower(world, body), node.x.upper(world, body),
-                          node.y.upper(world, body)});
+    all.bodies.push_back(
+        {node.x.lower(world, body), node.y.lower(world, body), node.x.upper(world, body), node.y.upper(world, body)});
   }
   return all;
 }

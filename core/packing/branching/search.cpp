@@ -14,12 +14,19 @@ class Rounds {
  public:
   Rounds(const Problem& problem, double ceiling, double gap, const WorkLimits& limits, const SearchTuning& tuning,
          const SearchCalls& calls)
-      : problem_{problem}, ceiling_{ceiling}, closed_at_{ceiling}, gap_{gap}, limits_{limits}, tuning_{tuning},
+      : problem_{problem},
+        ceiling_{ceiling},
+        closed_at_{ceiling},
+        gap_{gap},
+        limits_{limits},
+        tuning_{tuning},
         calls_{calls} {}
 
   SearchOutcome run() {
+    const bool possible = std::none_of(problem_.bodies.begin(), problem_.bodies.end(),
+                                       [](const Body& body) { return body.variants.empty(); });
     Relaxation relaxation{problem_, tuning_.branch};
-    auto root = relaxation.root(ceiling_);
+    auto root = possible ? relaxation.root(ceiling_) : std::nullopt;
     outcome_.work += relaxation.work();
     if (root) open_.emplace_back(problem_, tuning_.branch, *std::move(root), ceiling_);
     while (!over()) round();

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <stop_token>
 
 #include "core/base/executor.h"
@@ -24,7 +25,7 @@ enum class SearchEnd { kExhausted, kAnswered, kWorkLimit, kCancelled };
 
 struct SearchOutcome {
   SearchEnd end{};
-  double bound{};  // proved: no layout up to the ceiling is shorter; above the ceiling when there is none
+  double bound{};   // proved: no layout up to the ceiling is shorter; above the ceiling when there is none
   bool in_doubt{};  // some leaf could not be mended: that there is no layout is not proved
   Work work;
 };

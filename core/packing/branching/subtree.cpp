@@ -20,8 +20,7 @@ void Subtree::lower_ceiling(double ceiling) {
   relaxation_.lower_ceiling(std::min(ceiling, relaxation_.ceiling()));
 }
 
-void Subtree::explore(std::uint64_t nodes, double gap, const Mend& mend,
-                      const std::stop_token& stop) {
+void Subtree::explore(std::uint64_t nodes, double gap, const Mend& mend, const std::stop_token& stop) {
   for (std::uint64_t count = 0; count < nodes && !stack_.empty() && !stop.stop_requested(); ++count) {
     Node node = std::move(stack_.back());
     stack_.pop_back();
@@ -63,6 +62,8 @@ double Subtree::bound() const {
   return least;
 }
 
-Work Subtree::take_work() { return std::exchange(relaxation_.work(), {}); }
+Work Subtree::take_work() {
+  return std::exchange(relaxation_.work(), {});
+}
 
 }  // namespace selvage::packing::branching

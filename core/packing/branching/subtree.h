@@ -15,12 +15,12 @@ namespace selvage::packing::branching {
 struct Leaf {
   std::vector<RealVec> positions;      // of the bodies; lattice units
   std::vector<std::uint32_t> variant;  // of the bodies
-  std::vector<Row> rows;  // the exact lines of the wedges that the solution lies in
+  std::vector<Row> rows;               // the exact lines of the wedges that the solution lies in
   double length{};
 };
 
-// Moves the leaf's positions to lattice points at which its layout is valid, proved, and sets its length.  False when it
-// finds none.  Called concurrently.
+// Moves the leaf's positions to lattice points at which its layout is valid, proved, and sets its length.  False when
+// it finds none.  Called concurrently.
 using Mend = std::function<bool(Leaf&)>;
 
 class Subtree {

@@ -116,8 +116,8 @@ WedgeRing::WedgeRing(const minkowski::convolution::StarSum& sum, const minkowski
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const RealVec from = geometry::real(edges[k].from);
     const RealVec to = geometry::real(edges[(k + 1) % edges.size()].from);
-    wedges_.push_back({beyond_line(edges[k].line_from, edges[k].line_to), beside_ray(centre_, from, 1),
-                       beside_ray(centre_, to, -1)});
+    wedges_.push_back(
+        {beyond_line(edges[k].line_from, edges[k].line_to), beside_ray(centre_, from, 1), beside_ray(centre_, to, -1)});
     angles_.push_back(std::max(angles_.empty() ? 0.0 : angles_.back(), angle_of(edges[k])));
     box_ = {std::min(box_.low_x, from.x), std::min(box_.low_y, from.y), std::max(box_.high_x, from.x),
             std::max(box_.high_y, from.y)};
