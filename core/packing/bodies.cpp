@@ -221,8 +221,8 @@ class BodyMaker {
   [[nodiscard]] bool reaches(const Chosen& body, const branching::WedgeRing& ring) const {
     const RealBox& range = bodies_.problem.bodies[body.body].variants[body.variant].range;
     const RealBox& box = ring.box();
-    return box.low_x < range.high_x + branching::kSlack && range.low_x < box.high_x + branching::kSlack &&
-           box.low_y < range.high_y + branching::kSlack && range.low_y < box.high_y + branching::kSlack;
+    return box.low_x < range.high_x + branching::kRaySlack && range.low_x < box.high_x + branching::kRaySlack &&
+           box.low_y < range.high_y + branching::kRaySlack && range.low_y < box.high_y + branching::kRaySlack;
   }
 
   const Marker& marker_;

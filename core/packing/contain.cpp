@@ -54,7 +54,7 @@ Containment contain(const Marker& start, std::span<const PieceId> pieces, const 
   const Bodies bodies = bodies_of(start, {with_groups(start, pieces), inside, settings.turns}, run);
   run.observer.on_stage(scene::Stage::kSolve);
   branching::SearchCalls calls;
-  calls.mend = [&](branching::Leaf& leaf) { return mend(start, bodies, inside, leaf); };
+  calls.mend = [&](branching::Leaf& leaf) { return mend(start, bodies, inside, run, leaf); };
   calls.on_leaf = [&](const branching::Leaf& leaf) { result.marker = placed(start, bodies, leaf); };
   calls.on_round = [&](double, const branching::Work&) {
     run.observer.on_round({++result.rounds, result.length_before});

@@ -8,6 +8,8 @@
 
 #include "core/marker/clearance.h"
 #include "core/model/snap.h"
+#include "core/motion/repair/repair.h"
+#include "core/scene/scene.h"
 
 namespace selvage::packing {
 namespace {
@@ -54,6 +56,27 @@ std::vector<RealVec> snapped_to_lattice(const std::vector<RealVec>& positions) {
   return whole;
 }
 
+// The bodies' positions once the small overlaps of a layout are repaired; all other pieces stay.
+std::optional<std::vector<RealVec>> repaired(Marker layout, const Bodies& bodies, const branching::Leaf& leaf,
+                                             const scene::Run& run) {
+  std::vector<bool> moving(layout.pieces.size());
+  for (const auto& body : bodies.pieces) {
+    for (const std::uint32_t piece : body) moving[piece] = true;
+  }
+  for (std::size_t k = 0; k < moving.size(); ++k) {
+    if (!moving[k]) layout.pieces[k].locked = true;
+  }
+  scene::Scene scene{std::move(layout), run.sums};
+  // Leaves are mended concurrently, so nothing is reported.
+  if (!motion::repair::repair_overlaps(scene, {run.sums, run.stop})) return std::nullopt;
+  std::vector<RealVec> positions;
+  for (std::size_t body = 0; body < bodies.pieces.size(); ++body) {
+    const Vec offset = bodies.layouts[body][leaf.variant[body]].offsets.front();
+    positions.push_back(geometry::real(scene.pieces.at(bodies.pieces[body].front()) - offset));
+  }
+  return positions;
+}
+
 bool is_proved(const Marker& marker, const Bodies& bodies, const Box& room) {
   const marker::PlacedPieces pieces{marker};
   std::vector<std::uint32_t> changed;
@@ -66,8 +89,9 @@ bool is_proved(const Marker& marker, const Bodies& bodies, const Box& room) {
 
 }  // namespace
 
-bool mend(const Marker& marker, const Bodies& bodies, const Box& room, branching::Leaf& leaf) {
+bool mend(const Marker& marker, const Bodies& bodies, const Box& room, const scene::Run& run, branching::Leaf& leaf) {
   const Columns columns = branching::columns_of(bodies.problem);
+  const std::vector<RealVec> original = leaf.positions;
   const auto attempt = [&](std::vector<RealVec> positions) {
     leaf.positions = std::move(positions);
     const Marker layout = placed(marker, bodies, leaf);
@@ -80,7 +104,9 @@ bool mend(const Marker& marker, const Bodies& bodies, const Box& room, branching
     const auto positions = solved(bodies, leaf, columns, margins);
     if (positions && (attempt(snapped_to_lattice(*positions)) || attempt(*positions))) return true;
   }
-  return false;
+  leaf.positions = original;
+  const auto positions = repaired(placed(marker, bodies, leaf), bodies, leaf, run);
+  return positions && attempt(*positions);
 }
 
 }  // namespace selvage::packing

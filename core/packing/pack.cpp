@@ -12,6 +12,7 @@
 namespace selvage::packing {
 namespace {
 
+constexpr double kLeastGap = 8;       // lattice units: rounding lengthens a layout by about as much
 constexpr double kFirstStep = 0.01;   // the first ceiling above the area's bound, a part of it
 constexpr double kLaterSteps = 0.03;  // each further ceiling above the last
 
@@ -21,11 +22,11 @@ class Packer {
       : start_{start},
         settings_{settings},
         run_{run},
-        gap_{std::max(1.0, settings.gap * static_cast<double>(start.strip.width))} {}
+        gap_{std::max(kLeastGap, settings.gap * static_cast<double>(start.strip.width))} {}
 
   Packing pack() {
     const marker::PlacedPieces pieces{start_};
-    packing_.length_before = pieces.length();
+    packing_.length_before = packing_.length_after = pieces.length();
     if (auto first = first_layout(start_, run_)) keep(*std::move(first));
     const double limit = static_cast<double>(start_.strip.last().value_or(kLatticeLimit));
     const double longest = best_ ? static_cast<double>(packing_.length_after) - gap_ : limit;
@@ -87,7 +88,7 @@ class Packer {
     left.pivots -= std::min(left.pivots, packing_.work.pivots);
     branching::SearchCalls calls;
     const Box room = start_.strip.room(start_.strip.last().value_or(kLatticeLimit));
-    calls.mend = [&bodies, room, this](branching::Leaf& leaf) { return mend(start_, bodies, room, leaf); };
+    calls.mend = [&bodies, room, this](branching::Leaf& leaf) { return mend(start_, bodies, room, run_, leaf); };
     calls.on_leaf = [&](const branching::Leaf& leaf) { take(bodies, leaf); };
     calls.on_round = [&](double, const branching::Work&) {
       run_.observer.on_round({++packing_.rounds, packing_.length_after});

@@ -25,7 +25,7 @@ std::optional<std::uint32_t> undecided(const Problem& problem, const Node& node)
   return largest;
 }
 
-std::optional<Split> deepest(const Relaxation& relaxation, const Problem& problem, const Node& node) {
+std::optional<Split> deepest(const Relaxation& relaxation, const Problem& problem, const Node& node, double least) {
   std::optional<Split> split;
   double most = 0;
   for (std::size_t k = 0; k < node.rings.size(); ++k) {
@@ -36,8 +36,8 @@ std::optional<Split> deepest(const Relaxation& relaxation, const Problem& proble
     const std::uint32_t wedge = wedges.facing(way);
     const double depth = wedges.depth(wedge, way);
     // A solution outside the ring but beyond the arc is in the hull of the arc's cells only.
-    if (depth <= relaxation.tolerance()) continue;
-    const double weight = depth * std::sqrt(wedges.box().width() * wedges.box().height());
+    if (depth <= least) continue;
+    const double weight = (depth - least) * std::sqrt(wedges.box().width() * wedges.box().height());
     if (weight <= most) continue;
     most = weight;
     split = Split{k, wedge};
@@ -78,7 +78,7 @@ std::vector<Arc> arcs_of(const WedgeRing& wedges, Arc arc, std::uint32_t wedge, 
 }  // namespace
 
 std::optional<std::vector<Node>> children(Relaxation& relaxation, const Problem& problem, const Node& node,
-                                          const BranchTuning& tuning) {
+                                          const BranchTuning& tuning, double depth) {
   std::vector<Node> found;
   const double slack = tuning.slack / relaxation.columns().scale;
   const auto attempt = [&](const auto& restrict) {
@@ -91,7 +91,7 @@ std::optional<std::vector<Node>> children(Relaxation& relaxation, const Problem&
       attempt([&](Node& child) { return relaxation.decide(child, *body, variant) && relaxation.limit_length(child); });
     }
   } else {
-    const auto split = deepest(relaxation, problem, node);
+    const auto split = deepest(relaxation, problem, node, depth);
     if (!split) return std::nullopt;
     const RingState& ring = node.rings[split->ring];
     const WedgeRing& wedges = problem.rings[ring.ring];

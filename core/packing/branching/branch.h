@@ -12,9 +12,9 @@
 
 namespace selvage::packing::branching {
 
-// The settled children, the cheapest last; none when no layout is left.  Nothing when the node is a leaf: its solution
-// satisfies all rings.
+// The settled children, the cheapest last; none when no layout is left.  Nothing when the solution is at most `depth`
+// inside every ring that can be split: with the relaxation's tolerance, when the node is a leaf.
 [[nodiscard]] std::optional<std::vector<Node>> children(Relaxation& relaxation, const Problem& problem,
-                                                        const Node& node, const BranchTuning& tuning);
+                                                        const Node& node, const BranchTuning& tuning, double depth);
 
 }  // namespace selvage::packing::branching

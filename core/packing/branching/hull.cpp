@@ -8,7 +8,6 @@ namespace {
 
 constexpr double kAlongAxis = 1e-9;  // a unit normal this near to an axis
 constexpr double kShortest = 1;      // shorter hull edges are left out: lattice units
-constexpr double kRounding = kSlack / 4;
 
 double turn(RealVec a, RealVec b, RealVec c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);

@@ -9,7 +9,7 @@
 namespace selvage::packing::branching {
 
 // Appends the half-planes of the points' convex hull, but for those along the axes, which the box of a pair has.  Each
-// is moved outwards by a part of kSlack, so that it contains all points in spite of rounding.  Sorts the points.
+// is moved outwards by kRounding, so that it contains all points in spite of rounding.  Sorts the points.
 void append_hull(std::vector<RealVec>& points, std::vector<HalfPlane>& planes);
 
 }  // namespace selvage::packing::branching

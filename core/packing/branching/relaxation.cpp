@@ -17,8 +17,8 @@ bool apart(const RealBox& a, const RealBox& b) {
 }
 // Whether `inner` lies inside with room to spare, so that no part of the box's border is in the ring.
 bool surrounds(const RealBox& box, const RealBox& inner) {
-  return box.low_x < inner.low_x - kSlack && inner.high_x + kSlack < box.high_x && box.low_y < inner.low_y - kSlack &&
-         inner.high_y + kSlack < box.high_y;
+  return box.low_x < inner.low_x - kRaySlack && inner.high_x + kRaySlack < box.high_x &&
+         box.low_y < inner.low_y - kRaySlack && inner.high_y + kRaySlack < box.high_y;
 }
 // Whether `now` is much smaller than `before`.
 bool shrank(const RealBox& before, const RealBox& now, double part) {
@@ -215,9 +215,8 @@ bool Relaxation::look(Node& node, RingState& ring) {
   if (first == UINT32_MAX) return false;
   if (!whole) ring.arc = {(ring.arc.first + first) % wedges.size(), last - first + 1};
   // Differences are whole, so the box may be rounded inwards, as far as clipping is exact.
-  const double error = kSlack / 4;
-  const RealBox inner{std::ceil(found.low_x - error), std::ceil(found.low_y - error), std::floor(found.high_x + error),
-                      std::floor(found.high_y + error)};
+  const RealBox inner{std::ceil(found.low_x - kRounding), std::ceil(found.low_y - kRounding),
+                      std::floor(found.high_x + kRounding), std::floor(found.high_y + kRounding)};
   if (!raise_to(node, ring, inner)) return false;
   ring.looked_at = pair_box(node, ring);
   return true;

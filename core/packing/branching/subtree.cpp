@@ -27,10 +27,15 @@ void Subtree::explore(std::uint64_t nodes, double gap, const Mend& mend, const s
     if (node.bound > relaxation_.ceiling() || !relaxation_.limit_length(node)) continue;
     ++relaxation_.work().nodes;
     relaxation_.forget_hulls_from(node.hulls);
-    auto below = children(relaxation_, *problem_, node, tuning_);
+    auto below = children(relaxation_, *problem_, node, tuning_, relaxation_.tolerance());
     if (!below) {
-      if (record(node, gap, mend) && !problem_->minimises_length) return;
-      continue;
+      const bool mended = record(node, gap, mend);
+      if (mended && !problem_->minimises_length) return;
+      if (mended) continue;
+      // Rounding may have chosen the wrong one of two wedges that meet near the solution.
+      below = children(relaxation_, *problem_, node, tuning_, -tuning_.contact);
+      if (!below) in_doubt_ = std::min(in_doubt_, node.bound);
+      if (!below) continue;
     }
     for (Node& child : *below) {
       child.hulls = relaxation_.hulls();
@@ -44,10 +49,7 @@ bool Subtree::record(const Node& node, double gap, const Mend& mend) {
   for (std::uint32_t body = 0; body < problem_->world(); ++body) {
     leaf.positions.push_back(relaxation_.position(node, body));
   }
-  if (!mend(leaf)) {
-    in_doubt_ = std::min(in_doubt_, node.bound);
-    return false;
-  }
+  if (!mend(leaf)) return false;
   if (problem_->minimises_length) {
     if (leaf.length > node.bound + gap) in_doubt_ = std::min(in_doubt_, node.bound);
     lower_ceiling(leaf.length - gap);

@@ -8,7 +8,7 @@
 namespace selvage::packing::branching {
 namespace {
 
-constexpr double kLeastRadius = 8 * kSlack;  // nearer corners have rays too uncertain to bound a cell
+constexpr double kLeastRadius = 8 * kRaySlack;  // nearer corners have rays too uncertain to bound a cell
 
 struct Edge {
   Vec from, line_from, line_to;
@@ -43,22 +43,22 @@ HalfPlane beyond_line(Vec from, Vec to) {
   const double length = std::hypot(along.x, along.y);
   const double nx = along.y / length;
   const double ny = -along.x / length;
-  return {nx, ny, nx * a.x + ny * a.y - kSlack};
+  return {nx, ny, nx * a.x + ny * a.y - kLineSlack};
 }
 
-// The points to the left (side 1) or right (side -1) of the ray through the corner, turned by the slack.
-HalfPlane beside_ray(RealVec centre, RealVec corner, double side) {
+// The points to the left (side 1) or right (side -1) of the ray through the corner, turned by `slack` there.
+HalfPlane beside_ray(RealVec centre, RealVec corner, double side, double slack) {
   const double x = corner.x - centre.x;
   const double y = corner.y - centre.y;
   const double radius = std::hypot(x, y);
   if (radius < kLeastRadius) return {0, 0, -1};
-  const double turn = side * kSlack / radius;
+  const double turn = side * slack / radius;
   const double along_x = x + turn * y;
   const double along_y = y - turn * x;
   const double length = std::hypot(along_x, along_y);
   const double nx = -side * along_y / length;
   const double ny = side * along_x / length;
-  return {nx, ny, nx * centre.x + ny * centre.y - 1};
+  return {nx, ny, nx * centre.x + ny * centre.y - kLineSlack};
 }
 
 // The part of `cell` in the half-plane.
@@ -84,6 +84,11 @@ void clip_into(const Cell& cell, const HalfPlane& plane, Cell& kept) {
     py = qy;
     room_p = room_q;
   }
+}
+
+// How far the common corner of two edges may be from the exact one.
+double slack_between(const Edge& edge, const Edge& next) {
+  return next.from == next.line_from || next.from == edge.line_to ? 0 : kRaySlack;
 }
 
 // The least and the largest room that a point of the box has.
@@ -115,9 +120,12 @@ WedgeRing::WedgeRing(const minkowski::convolution::StarSum& sum, const minkowski
   box_ = {start.x, start.y, start.x, start.y};
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const RealVec from = geometry::real(edges[k].from);
-    const RealVec to = geometry::real(edges[(k + 1) % edges.size()].from);
-    wedges_.push_back(
-        {beyond_line(edges[k].line_from, edges[k].line_to), beside_ray(centre_, from, 1), beside_ray(centre_, to, -1)});
+    const Edge& previous = edges[(k + edges.size() - 1) % edges.size()];
+    const Edge& next = edges[(k + 1) % edges.size()];
+    const RealVec to = geometry::real(next.from);
+    wedges_.push_back({beyond_line(edges[k].line_from, edges[k].line_to),
+                       beside_ray(centre_, from, 1, slack_between(previous, edges[k])),
+                       beside_ray(centre_, to, -1, slack_between(edges[k], next))});
     angles_.push_back(std::max(angles_.empty() ? 0.0 : angles_.back(), angle_of(edges[k])));
     box_ = {std::min(box_.low_x, from.x), std::min(box_.low_y, from.y), std::max(box_.high_x, from.x),
             std::max(box_.high_y, from.y)};

@@ -2,12 +2,13 @@
 // the rays from the centre through the edge's ends.  The cells cover the whole outside, so they are a convex covering
 // in the sense of [Li94 8.2.1] that needs no union and no search.
 //
-// Outward rounding.  An edge's line passes through exact lattice points, but its ends and the centre are rounded.
-// Every half-plane of a cell is therefore moved outwards: the edge's line by kSlack units, and each ray by as much at
-// the edge's end, in angle, so that it still lies outside the exact ray at any distance.  Coordinates stay below 2^42,
-// so computing a half-plane and clipping by it is wrong by less than 2^-7 units, far less than the slack.  A cell
-// thus contains all positions that it stands for, and what is concluded from cells holds for all valid layouts.  What
-// a search finds in the cells may overlap by a few units in turn, and has to be mended and proved.
+// Outward rounding.  An edge's line passes through exact lattice points; coordinates stay below 2^42, so computing it
+// in doubles and clipping by it is wrong by less than 2^-7 units, and the line is moved outwards by kLineSlack.  The
+// centre may be any point of the kernel.  An end of an edge that is the crossing of two lines is rounded by up to a
+// unit: its ray is turned outwards by kRaySlack units there, so that it stays outside of the exact ray at any distance.
+// A cell thus contains all positions that it stands for, and what is concluded from cells holds for all valid layouts.
+// What a search finds in them may overlap by a little in turn, and has to be mended and proved.
+//
 // Units: lattice units.
 #pragma once
 
@@ -21,7 +22,9 @@
 
 namespace selvage::packing::branching {
 
-inline constexpr double kSlack = 2;  // lattice units
+inline constexpr double kLineSlack = 0x1p-6;  // lattice units
+inline constexpr double kRaySlack = 1;        // lattice units
+inline constexpr double kRounding = 0x1p-4;   // more than a clipped cell exceeds what it stands for along its edge
 
 // The points with nx * x + ny * y >= c; the normal is a unit vector.
 struct HalfPlane {
@@ -66,7 +69,7 @@ class WedgeRing {
   // The exact line of the wedge's edge.
   [[nodiscard]] HalfPlane line(std::uint32_t wedge) const {
     const HalfPlane& beyond = wedges_[wedge].beyond;
-    return {beyond.nx, beyond.ny, beyond.c + kSlack};
+    return {beyond.nx, beyond.ny, beyond.c + kLineSlack};
   }
   // The corner nearest in angle to the ray at `quarters` quarter turns from the point's ray, named by the wedge that
   // starts there.

@@ -21,7 +21,9 @@ Containment contained(const Marker& marker, const std::vector<PieceId>& pieces, 
                       const ContainSettings& settings = {}) {
   SumCache sums;
   Containment result = contain(marker, pieces, room, settings, {sums});
-  if (result.verdict != Verdict::kFound) EXPECT_EQ(result.marker, marker);
+  if (result.verdict != Verdict::kFound) {
+    EXPECT_EQ(result.marker, marker);
+  }
   return result;
 }
 
@@ -107,7 +109,9 @@ TEST(Contain, AgreesWithExhaustiveSearchOnAGrid) {
     const Containment result = contained(marker, all_of(marker), room, settings);
     const bool fits = test::fit_on_grid(pieces, width, length);
     EXPECT_EQ(result.verdict, fits ? Verdict::kFound : Verdict::kImpossible) << "trial " << trial;
-    if (result.verdict == Verdict::kFound) EXPECT_TRUE(is_valid(result.marker)) << "trial " << trial;
+    if (result.verdict == Verdict::kFound) {
+      EXPECT_TRUE(is_valid(result.marker)) << "trial " << trial;
+    }
     possible += fits ? 1 : 0;
   }
   EXPECT_GT(possible, kTrials / 10);

@@ -42,7 +42,9 @@ TEST(ContainLaws, FindsWhatWasCutOutOfAValidMarker) {
     SumCache sums;
     const Containment result = contain(with_pieces_at_origin(valid, pieces), pieces, room, {}, {sums});
     EXPECT_EQ(result.verdict, Verdict::kFound) << "trial " << trial;
-    if (result.verdict == Verdict::kFound) EXPECT_TRUE(is_valid(result.marker)) << "trial " << trial;
+    if (result.verdict == Verdict::kFound) {
+      EXPECT_TRUE(is_valid(result.marker)) << "trial " << trial;
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/minkowski/nearest_edges.h"
 #include "core/outline/outline.h"
 #include "core/packing/branching/hull.h"
 #include "tests/support/polygons.h"
@@ -50,8 +51,12 @@ TEST(WedgeRing, CellsCoverExactlyTheOutside) {
       const bool is_inside = obstacle.sum().contains(geometry::real(obstacle.to_frame(at)));
       const bool in_all = std::all_of(rings.begin(), rings.end(),
                                       [&](const WedgeRing& ring) { return in_some_cell(ring, at + offset); });
-      if (!is_inside) EXPECT_TRUE(in_all) << "trial " << trial << ", " << at.x << " " << at.y;
-      if (is_inside && nearest.distance > 64) EXPECT_FALSE(in_all) << "trial " << trial;
+      if (!is_inside) {
+        EXPECT_TRUE(in_all) << "trial " << trial << ", " << at.x << " " << at.y;
+      }
+      if (is_inside && nearest.distance > 64) {
+        EXPECT_FALSE(in_all) << "trial " << trial;
+      }
       ++(is_inside ? inside : outside);
     }
   }
@@ -64,11 +69,11 @@ TEST(WedgeRing, FacesTheWedgeOfAPoint) {
   const auto square = sums.outline({{-500, -500}, {500, -500}, {500, 500}, {-500, 500}});
   const auto obstacle = sums.obstacle({square, {}}, {square, {}});
   const WedgeRing ring = rings_of(obstacle, {}).front();
-  ASSERT_EQ(ring.size(), 4U);
-  for (const RealVec p : {RealVec{900, 1}, RealVec{1, 900}, RealVec{-900, 1}, RealVec{1, -900}}) {
+  ASSERT_EQ(ring.size(), 8U);  // each side in two collinear edges
+  for (const RealVec p : {RealVec{1100, 1}, RealVec{1, 1100}, RealVec{-1100, 1}, RealVec{1, -1100}}) {
     const std::uint32_t wedge = ring.facing(p);
-    EXPECT_NEAR(ring.depth(wedge, p), 100 - kSlack, 1e-9);
-    EXPECT_NEAR(ring.line(wedge).room(p), -100, 1e-9);
+    EXPECT_NEAR(ring.depth(wedge, p), -100 - kLineSlack, 1e-9);
+    EXPECT_NEAR(ring.line(wedge).room(p), 100, 1e-9);
   }
   EXPECT_EQ(ring.corner_near({900, 800}, 0), ring.corner_near({800, -900}, 1));
 }
@@ -87,7 +92,7 @@ TEST(Hull, ContainsAllPoints) {
     }
     // Every plane touches some point, but for the slack.
     for (const HalfPlane& plane : planes) {
-      const auto touches = [&](RealVec p) { return plane.room(p) < kSlack; };
+      const auto touches = [&](RealVec p) { return plane.room(p) < 2 * kRounding; };
       EXPECT_TRUE(std::any_of(points.begin(), points.end(), touches));
     }
   }
