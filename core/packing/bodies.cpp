@@ -14,7 +14,7 @@ namespace selvage::packing {
 namespace {
 
 using branching::Chosen;
-using branching::RealBox;
+using cells::RealBox;
 
 // One piece in one orientation.
 struct Figure {
@@ -208,7 +208,7 @@ class BodyMaker {
       const Figure& other = draft.figures[second.variant][k];
       const Vec offset = at - bodies_.layouts[second.body][second.variant].offsets[k];
       const marker::PiecePair pair = std::minmax(piece, draft.pieces[k]);
-      for (branching::WedgeRing& ring :
+      for (cells::WedgeRing& ring :
            spaced_rings(figure.outline, other.outline, placed_.spacing(pair), offset, run_.sums)) {
         if (first.body == drafts_.size() && !reaches(second, ring)) continue;
         bodies_.problem.between[{first, second}].push_back(static_cast<std::uint32_t>(bodies_.problem.rings.size()));
@@ -218,11 +218,11 @@ class BodyMaker {
   }
 
   // Whether the ring of a fixed piece meets the positions of the body at all.
-  [[nodiscard]] bool reaches(const Chosen& body, const branching::WedgeRing& ring) const {
+  [[nodiscard]] bool reaches(const Chosen& body, const cells::WedgeRing& ring) const {
     const RealBox& range = bodies_.problem.bodies[body.body].variants[body.variant].range;
     const RealBox& box = ring.box();
-    return box.low_x < range.high_x + branching::kRaySlack && range.low_x < box.high_x + branching::kRaySlack &&
-           box.low_y < range.high_y + branching::kRaySlack && range.low_y < box.high_y + branching::kRaySlack;
+    return box.low_x < range.high_x + cells::kRaySlack && range.low_x < box.high_x + cells::kRaySlack &&
+           box.low_y < range.high_y + cells::kRaySlack && range.low_y < box.high_y + cells::kRaySlack;
   }
 
   const Marker& marker_;

@@ -14,14 +14,14 @@
 namespace selvage::packing {
 namespace {
 
-using branching::Columns;
-using branching::Dictionary;
-using branching::Row;
+using programs::Columns;
+using programs::Dictionary;
+using programs::Row;
 
 constexpr double kTolerance = 1e-13;  // of the program, in widths: a small part of a unit
 
 // Rounding moves each of two positions by less than a unit on an axis, together by less than one.
-double margin_of(const branching::HalfPlane& plane) {
+double margin_of(const cells::HalfPlane& plane) {
   const bool along_axis = plane.nx == 0 || plane.ny == 0;
   return along_axis ? 0 : std::abs(plane.nx) + std::abs(plane.ny);
 }

@@ -29,10 +29,10 @@ std::size_t true_edges(const minkowski::convolution::StarSum& sum) {
 
 }  // namespace
 
-std::vector<branching::WedgeRing> spaced_rings(const outline::OrientedOutline& p, const outline::OrientedOutline& q,
-                                               Coord spacing, Vec offset, SumCache& sums) {
+std::vector<cells::WedgeRing> spaced_rings(const outline::OrientedOutline& p, const outline::OrientedOutline& q,
+                                           Coord spacing, Vec offset, SumCache& sums) {
   const minkowski::Obstacle obstacle = sums.obstacle(p, q);
-  std::vector<branching::WedgeRing> rings;
+  std::vector<cells::WedgeRing> rings;
   const auto add = [&](const minkowski::convolution::StarSum& sum) {
     if (true_edges(sum) >= 3) rings.emplace_back(sum, obstacle, offset);
   };

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "core/minkowski/cache.h"
-#include "core/packing/branching/wedge_ring.h"
+#include "core/packing/cells/wedge_ring.h"
 
 namespace selvage::packing {
 
 // The rings that the position of q relative to p must stay outside of, moved by `offset`.
-[[nodiscard]] std::vector<branching::WedgeRing> spaced_rings(const outline::OrientedOutline& p,
-                                                             const outline::OrientedOutline& q, Coord spacing,
-                                                             Vec offset, SumCache& sums);
+[[nodiscard]] std::vector<cells::WedgeRing> spaced_rings(const outline::OrientedOutline& p,
+                                                         const outline::OrientedOutline& q, Coord spacing, Vec offset,
+                                                         SumCache& sums);
 
 }  // namespace selvage::packing

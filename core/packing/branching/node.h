@@ -4,11 +4,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/packing/branching/dictionary.h"
-#include "core/packing/branching/difference_bounds.h"
 #include "core/packing/branching/problem.h"
+#include "core/packing/programs/dictionary.h"
+#include "core/packing/programs/difference_bounds.h"
 
 namespace selvage::packing::branching {
+
+using cells::Arc;
+using programs::Dictionary;
+using programs::DifferenceBounds;
 
 // One ring whose two bodies have their variants, and the arc of its wedges that is left.
 struct RingState {

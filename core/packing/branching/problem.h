@@ -12,9 +12,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/packing/branching/wedge_ring.h"
+#include "core/packing/cells/wedge_ring.h"
 
 namespace selvage::packing::branching {
+
+using cells::RealBox;
+using cells::WedgeRing;
 
 struct BodyVariant {
   RealBox range;   // allowed positions; where the length is minimised, the ceiling limits x further

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/packing/branching/hull.h"
+#include "core/packing/cells/hull.h"
 
 namespace selvage::packing::branching {
 namespace {
@@ -17,8 +17,8 @@ bool apart(const RealBox& a, const RealBox& b) {
 }
 // Whether `inner` lies inside with room to spare, so that no part of the box's border is in the ring.
 bool surrounds(const RealBox& box, const RealBox& inner) {
-  return box.low_x < inner.low_x - kRaySlack && inner.high_x + kRaySlack < box.high_x &&
-         box.low_y < inner.low_y - kRaySlack && inner.high_y + kRaySlack < box.high_y;
+  return box.low_x < inner.low_x - cells::kRaySlack && inner.high_x + cells::kRaySlack < box.high_x &&
+         box.low_y < inner.low_y - cells::kRaySlack && inner.high_y + cells::kRaySlack < box.high_y;
 }
 // Whether `now` is much smaller than `before`.
 bool shrank(const RealBox& before, const RealBox& now, double part) {
@@ -215,8 +215,8 @@ bool Relaxation::look(Node& node, RingState& ring) {
   if (first == UINT32_MAX) return false;
   if (!whole) ring.arc = {(ring.arc.first + first) % wedges.size(), last - first + 1};
   // Differences are whole, so the box may be rounded inwards, as far as clipping is exact.
-  const RealBox inner{std::ceil(found.low_x - kRounding), std::ceil(found.low_y - kRounding),
-                      std::floor(found.high_x + kRounding), std::floor(found.high_y + kRounding)};
+  const RealBox inner{std::ceil(found.low_x - cells::kRounding), std::ceil(found.low_y - cells::kRounding),
+                      std::floor(found.high_x + cells::kRounding), std::floor(found.high_y + cells::kRounding)};
   if (!raise_to(node, ring, inner)) return false;
   ring.looked_at = pair_box(node, ring);
   return true;
@@ -248,7 +248,7 @@ void Relaxation::gather(const RingState& ring, const RealBox& box) {
 void Relaxation::make_hull(const Node& node, RingState& ring) {
   gather(ring, pair_box(node, ring));
   ring.hull_begin = static_cast<std::uint32_t>(hulls_.size());
-  append_hull(points_, hulls_);
+  cells::append_hull(points_, hulls_);
   ring.hull_end = static_cast<std::uint32_t>(hulls_.size());
 }
 

@@ -12,11 +12,17 @@
 #include <optional>
 #include <vector>
 
-#include "core/packing/branching/leaf_proof.h"
 #include "core/packing/branching/node.h"
 #include "core/packing/branching/tuning.h"
+#include "core/packing/programs/leaf_proof.h"
 
 namespace selvage::packing::branching {
+
+using cells::Cell;
+using cells::HalfPlane;
+using programs::Columns;
+using programs::Ranges;
+using programs::Row;
 
 // What a search has done so far, in units that do not depend on the machine.
 struct Work {

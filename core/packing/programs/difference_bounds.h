@@ -9,7 +9,7 @@
 
 #include "core/geometry/lattice.h"
 
-namespace selvage::packing::branching {
+namespace selvage::packing::programs {
 
 class DifferenceBounds {
  public:
@@ -33,4 +33,4 @@ class DifferenceBounds {
   std::vector<double> lower_;  // row by row
 };
 
-}  // namespace selvage::packing::branching
+}  // namespace selvage::packing::programs

@@ -1,9 +1,9 @@
-#include "core/packing/branching/hull.h"
+#include "core/packing/cells/hull.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace selvage::packing::branching {
+namespace selvage::packing::cells {
 namespace {
 
 constexpr double kAlongAxis = 1e-9;  // a unit normal this near to an axis
@@ -41,4 +41,4 @@ void append_hull(std::vector<RealVec>& points, std::vector<HalfPlane>& planes) {
   append_chain(points.rbegin(), points.rend());
 }
 
-}  // namespace selvage::packing::branching
+}  // namespace selvage::packing::cells

@@ -1,4 +1,4 @@
-#include "core/packing/branching/dictionary.h"
+#include "core/packing/programs/dictionary.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <limits>
 #include <vector>
 
-#include "core/packing/branching/leaf_proof.h"
+#include "core/packing/programs/leaf_proof.h"
 
-namespace selvage::packing::branching {
+namespace selvage::packing::programs {
 namespace {
 
 constexpr double kNoCeiling = std::numeric_limits<double>::infinity();
@@ -89,4 +89,4 @@ TEST(Dictionary, DropsRowsWithRoomAndKeepsItsSolution) {
 }
 
 }  // namespace
-}  // namespace selvage::packing::branching
+}  // namespace selvage::packing::programs

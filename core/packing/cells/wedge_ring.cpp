@@ -1,11 +1,11 @@
-#include "core/packing/branching/wedge_ring.h"
+#include "core/packing/cells/wedge_ring.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/geometry/pseudo_angle.h"
 
-namespace selvage::packing::branching {
+namespace selvage::packing::cells {
 namespace {
 
 constexpr double kLeastRadius = 8 * kRaySlack;  // nearer corners have rays too uncertain to bound a cell
@@ -182,4 +182,4 @@ std::uint32_t WedgeRing::corner_near(RealVec p, int quarters) const {
   return back <= ahead ? before : after;
 }
 
-}  // namespace selvage::packing::branching
+}  // namespace selvage::packing::cells

@@ -1,9 +1,9 @@
-#include "core/packing/branching/leaf_proof.h"
+#include "core/packing/programs/leaf_proof.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace selvage::packing::branching {
+namespace selvage::packing::programs {
 namespace {
 
 constexpr double kRounding = 0x1p-44;  // of the sizes of all terms
@@ -72,4 +72,4 @@ double least_length(std::span<const Dictionary::Multiplier> multipliers, const R
   return std::max(ranges.low_length, -Combination{multipliers, ranges}.most_below_length());
 }
 
-}  // namespace selvage::packing::branching
+}  // namespace selvage::packing::programs

@@ -20,7 +20,7 @@
 #include "core/geometry/real_vec.h"
 #include "core/minkowski/cache.h"
 
-namespace selvage::packing::branching {
+namespace selvage::packing::cells {
 
 inline constexpr double kLineSlack = 0x1p-6;  // lattice units
 inline constexpr double kRaySlack = 1;        // lattice units
@@ -87,4 +87,4 @@ class WedgeRing {
   RealBox box_;
 };
 
-}  // namespace selvage::packing::branching
+}  // namespace selvage::packing::cells

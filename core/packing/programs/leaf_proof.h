@@ -11,9 +11,11 @@
 #include <span>
 #include <vector>
 
-#include "core/packing/branching/dictionary.h"
+#include "core/packing/programs/dictionary.h"
 
-namespace selvage::packing::branching {
+namespace selvage::packing::programs {
+
+using cells::RealBox;
 
 // Where the bodies, and the length, can be.
 struct Ranges {
@@ -27,4 +29,4 @@ struct Ranges {
 // No solution within the ranges has a length below this.
 [[nodiscard]] double least_length(std::span<const Dictionary::Multiplier> multipliers, const Ranges& ranges);
 
-}  // namespace selvage::packing::branching
+}  // namespace selvage::packing::programs

@@ -13,9 +13,11 @@
 #include <vector>
 
 #include "core/geometry/real_vec.h"
-#include "core/packing/branching/wedge_ring.h"
+#include "core/packing/cells/wedge_ring.h"
 
-namespace selvage::packing::branching {
+namespace selvage::packing::programs {
+
+using cells::HalfPlane;
 
 // The row  plane.n . (position of `second` - position of `first`) >= plane.c, in lattice units.  The body `world` stays
 // at the origin.  Where `length` is set: the length - plane.nx * (x of `second`) >= plane.c.
@@ -101,4 +103,4 @@ class Dictionary {
   std::size_t refuted_{};               // the row that cannot be satisfied, after kInfeasible
 };
 
-}  // namespace selvage::packing::branching
+}  // namespace selvage::packing::programs

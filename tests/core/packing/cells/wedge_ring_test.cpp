@@ -1,4 +1,4 @@
-#include "core/packing/branching/wedge_ring.h"
+#include "core/packing/cells/wedge_ring.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 
 #include "core/minkowski/nearest_edges.h"
 #include "core/outline/outline.h"
-#include "core/packing/branching/hull.h"
+#include "core/packing/cells/hull.h"
 #include "tests/support/polygons.h"
 
-namespace selvage::packing::branching {
+namespace selvage::packing::cells {
 namespace {
 
 // The rings of two random pieces, as the search makes them.
@@ -99,4 +99,4 @@ TEST(Hull, ContainsAllPoints) {
 }
 
 }  // namespace
-}  // namespace selvage::packing::branching
+}  // namespace selvage::packing::cells

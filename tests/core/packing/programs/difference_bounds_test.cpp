@@ -1,4 +1,4 @@
-#include "core/packing/branching/difference_bounds.h"
+#include "core/packing/programs/difference_bounds.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "tests/support/random.h"
 
-namespace selvage::packing::branching {
+namespace selvage::packing::programs {
 namespace {
 
 using Raise = std::tuple<std::size_t, std::size_t, double>;
@@ -63,4 +63,4 @@ TEST(DifferenceBounds, AreClosedByLongestPaths) {
 }
 
 }  // namespace
-}  // namespace selvage::packing::branching
+}  // namespace selvage::packing::programs

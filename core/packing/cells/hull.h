@@ -4,12 +4,12 @@
 
 #include <vector>
 
-#include "core/packing/branching/wedge_ring.h"
+#include "core/packing/cells/wedge_ring.h"
 
-namespace selvage::packing::branching {
+namespace selvage::packing::cells {
 
 // Appends the half-planes of the points' convex hull, but for those along the axes, which the box of a pair has.  Each
 // is moved outwards by kRounding, so that it contains all points in spite of rounding.  Sorts the points.
 void append_hull(std::vector<RealVec>& points, std::vector<HalfPlane>& planes);
 
-}  // namespace selvage::packing::branching
+}  // namespace selvage::packing::cells

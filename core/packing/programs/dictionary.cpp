@@ -1,9 +1,9 @@
-#include "core/packing/branching/dictionary.h"
+#include "core/packing/programs/dictionary.h"
 
 #include <algorithm>
 #include <limits>
 
-namespace selvage::packing::branching {
+namespace selvage::packing::programs {
 namespace {
 
 constexpr double kPivot = 1e-7;        // smaller entries are no pivots: most are the rounding of a zero
@@ -163,4 +163,4 @@ std::vector<Dictionary::Multiplier> Dictionary::refuting() const {
   return multipliers;
 }
 
-}  // namespace selvage::packing::branching
+}  // namespace selvage::packing::programs

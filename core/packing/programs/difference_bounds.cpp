@@ -1,8 +1,8 @@
-#include "core/packing/branching/difference_bounds.h"
+#include "core/packing/programs/difference_bounds.h"
 
 #include <algorithm>
 
-namespace selvage::packing::branching {
+namespace selvage::packing::programs {
 
 bool DifferenceBounds::raise(std::size_t a, std::size_t b, double bound) {
   if (bound <= lower(a, b)) return true;
@@ -19,4 +19,4 @@ bool DifferenceBounds::raise(std::size_t a, std::size_t b, double bound) {
   return true;
 }
 
-}  // namespace selvage::packing::branching
+}  // namespace selvage::packing::programs
