@@ -1,0 +1,260 @@
+#include "core/packing/bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/marker/placed_pieces.h"
+#include "core/marker/validity.h"
+#include "core/model/ties.h"
+#include "core/packing/spaced_rings.h"
+
+namespace selvage::packing {
+namespace {
+
+using branching::Chosen;
+using cells::RealBox;
+
+// One piece in one orientation.
+struct Figure {
+  outline::OrientedOutline outline;
+  Polygon polygon;  // oriented
+  Box box;
+};
+
+Figure figure_of(Marker& scratch, std::uint32_t piece, const Orientation& orientation, const scene::Run& run) {
+  scratch.pieces[piece].orientation = orientation;
+  Polygon polygon = oriented(scratch.shapes[scratch.pieces[piece].shape.value].outline, orientation);
+  const Box box = box_of(polygon);
+  return {marker::oriented_outline(scratch, PieceId{piece}, run.sums), std::move(polygon), box};
+}
+
+// The polygon with its box's low corner at the origin, starting at its smallest vertex: equal for equal outlines.
+Polygon normal_form(const Figure& figure) {
+  Polygon normal = figure.polygon;
+  for (Vec& vertex : normal) vertex = vertex - figure.box.low;
+  std::rotate(normal.begin(), std::min_element(normal.begin(), normal.end()), normal.end());
+  return normal;
+}
+
+// A body being made: its pieces' figures in every variant.
+struct Draft {
+  std::vector<std::uint32_t> pieces;
+  std::vector<std::vector<Figure>> figures;  // by variant
+  bool alone{};                              // one piece, free on both axes
+};
+
+class BodyMaker {
+ public:
+  BodyMaker(const Marker& marker, const Freedom& freedom, const scene::Run& run)
+      : marker_{marker},
+        scratch_{marker},
+        freedom_{freedom},
+        run_{run},
+        ties_{model::ties_of(marker)},
+        placed_{marker} {}
+
+  Bodies make() {
+    for (std::uint32_t piece = 0; piece < marker_.pieces.size(); ++piece) sort_in(piece);
+    for (Draft& draft : drafts_) add_variants(draft);
+    for (const Draft& draft : drafts_) add_body(draft);
+    set_kinds();
+    add_rings();
+    return std::move(bodies_);
+  }
+
+ private:
+  void sort_in(std::uint32_t piece) {
+    if (!freedom_.moving[piece] || ties_.fixed(piece)) {
+      fixed_.push_back(piece);
+      return;
+    }
+    for (Draft& draft : drafts_) {
+      if (!ties_.joined(draft.pieces.front(), piece)) continue;
+      draft.pieces.push_back(piece);
+      draft.alone = false;
+      return;
+    }
+    drafts_.push_back({{piece}, {}, ties_.free(piece)});
+  }
+
+  void add_variants(Draft& draft) {
+    std::vector<Figure> present;
+    for (const std::uint32_t piece : draft.pieces) {
+      present.push_back(figure_of(scratch_, piece, marker_.pieces[piece].orientation, run_));
+    }
+    const std::uint32_t piece = draft.pieces.front();
+    const Piece& first = marker_.pieces[piece];
+    const Shape& shape = marker_.shapes[first.shape.value];
+    layouts_.emplace_back();
+    if (!freedom_.turns || !draft.alone || first.locked.tilt || shape.rotations.empty()) {
+      add_variant(draft, std::move(present));
+      return;
+    }
+    for (const bool flip : {false, true}) {
+      if (flip && !shape.may_flip) break;
+      for (const Angle rotation : shape.rotations) {
+        add_variant(draft, {figure_of(scratch_, piece, {flip, rotation, first.orientation.tilt}, run_)});
+      }
+    }
+    scratch_.pieces[piece].orientation = first.orientation;
+  }
+
+  // Adds the variant unless it has the same outline as one before, or fits the room nowhere.
+  void add_variant(Draft& draft, std::vector<Figure> figures) {
+    if (figures.size() == 1) {
+      const Polygon normal = normal_form(figures.front());
+      for (const auto& known : draft.figures) {
+        if (normal_form(known.front()) == normal) return;
+      }
+    }
+    BodyLayout layout;
+    std::optional<Box> box;
+    for (std::size_t k = 0; k < figures.size(); ++k) {
+      const Vec at = figures.size() == 1 ? Vec{} : marker_.pieces[draft.pieces[k]].at;
+      const Box own = figures[k].box.moved(at);
+      box = box ? united(*box, own) : own;
+      layout.orientations.push_back(scratch_.pieces[draft.pieces[k]].orientation);
+      layout.offsets.push_back(at);
+    }
+    if (box->width() > freedom_.room.width() || box->height() > freedom_.room.height()) return;
+    for (Vec& offset : layout.offsets) offset = offset - box->low;
+    draft.figures.push_back(std::move(figures));
+    layouts_.back().push_back(std::move(layout));
+  }
+
+  void add_body(const Draft& draft) {
+    const std::size_t number = bodies_.problem.bodies.size();
+    const std::uint32_t piece = draft.pieces.front();
+    branching::Body body;
+    for (std::size_t v = 0; v < draft.figures.size(); ++v) {
+      const BodyLayout& layout = layouts_[number][v];
+      std::optional<Box> box;
+      for (std::size_t k = 0; k < layout.offsets.size(); ++k) {
+        const Box own = draft.figures[v][k].box.moved(layout.offsets[k]);
+        box = box ? united(*box, own) : own;
+      }
+      Box range{freedom_.room.low, freedom_.room.high - box->high};
+      const Vec now = marker_.pieces[piece].at - layout.offsets.front();
+      if (ties_.x[piece] == model::Ties::kFixed) range.low.x = range.high.x = now.x;
+      if (ties_.y[piece] == model::Ties::kFixed) range.low.y = range.high.y = now.y;
+      const RealVec low = geometry::real(range.low);
+      const RealVec high = geometry::real(range.high);
+      body.variants.push_back({{low.x, low.y, high.x, high.y}, static_cast<double>(box->width())});
+    }
+    if (!draft.figures.empty()) {
+      for (const Figure& figure : draft.figures.front())
+        body.area += static_cast<double>(doubled_area(figure.polygon)) / 2;
+    }
+    bodies_.problem.bodies.push_back(std::move(body));
+    bodies_.pieces.push_back(draft.pieces);
+    bodies_.layouts.push_back(layouts_[number]);
+  }
+
+  [[nodiscard]] bool alike(const Draft& a, const Draft& b) const {
+    if (!a.alone || !b.alone || a.figures.size() != b.figures.size()) return false;
+    if (marker_.pieces[a.pieces.front()].buffer != marker_.pieces[b.pieces.front()].buffer) return false;
+    for (std::size_t v = 0; v < a.figures.size(); ++v) {
+      if (normal_form(a.figures[v].front()) != normal_form(b.figures[v].front())) return false;
+    }
+    return true;
+  }
+
+  void set_kinds() {
+    for (std::uint32_t k = 0; k < drafts_.size(); ++k) {
+      std::uint32_t first = 0;
+      while (first < k && !alike(drafts_[first], drafts_[k])) ++first;
+      bodies_.problem.bodies[k].kind = first;
+    }
+  }
+
+  void add_rings() {
+    const auto count = static_cast<std::uint32_t>(drafts_.size());
+    for (const std::uint32_t piece : fixed_) {
+      const Figure figure = figure_of(scratch_, piece, marker_.pieces[piece].orientation, run_);
+      for (std::uint32_t body = 0; body < count; ++body) {
+        for_each_variant(body, [&](const Chosen& chosen) {
+          add_rings_of({count, 0}, piece, figure, marker_.pieces[piece].at, chosen);
+        });
+      }
+    }
+    for (std::uint32_t first = 0; first < count; ++first) {
+      for (std::uint32_t second = first + 1; second < count; ++second) {
+        for_each_variant(first, [&](const Chosen& own) {
+          for_each_variant(second, [&](const Chosen& other) { add_rings_between(own, other); });
+        });
+      }
+    }
+  }
+
+  template <class Visit>
+  void for_each_variant(std::uint32_t body, const Visit& visit) {
+    for (std::uint32_t v = 0; v < drafts_[body].figures.size(); ++v) visit(Chosen{body, v});
+  }
+
+  void add_rings_between(const Chosen& first, const Chosen& second) {
+    const Draft& draft = drafts_[first.body];
+    for (std::size_t k = 0; k < draft.pieces.size(); ++k) {
+      add_rings_of(first, draft.pieces[k], draft.figures[first.variant][k],
+                   bodies_.layouts[first.body][first.variant].offsets[k], second);
+    }
+  }
+
+  // The rings of one piece of the first body, at `at` from the body, with all pieces of the second.
+  void add_rings_of(const Chosen& first, std::uint32_t piece, const Figure& figure, Vec at, const Chosen& second) {
+    const Draft& draft = drafts_[second.body];
+    for (std::size_t k = 0; k < draft.pieces.size(); ++k) {
+      const Figure& other = draft.figures[second.variant][k];
+      const Vec offset = at - bodies_.layouts[second.body][second.variant].offsets[k];
+      const marker::PiecePair pair = std::minmax(piece, draft.pieces[k]);
+      for (cells::WedgeRing& ring :
+           spaced_rings(figure.outline, other.outline, placed_.spacing(pair), offset, run_.sums)) {
+        if (first.body == drafts_.size() && !reaches(second, ring)) continue;
+        bodies_.problem.between[{first, second}].push_back(static_cast<std::uint32_t>(bodies_.problem.rings.size()));
+        bodies_.problem.rings.push_back(std::move(ring));
+      }
+    }
+  }
+
+  // Whether the ring of a fixed piece meets the positions of the body at all.
+  [[nodiscard]] bool reaches(const Chosen& body, const cells::WedgeRing& ring) const {
+    const RealBox& range = bodies_.problem.bodies[body.body].variants[body.variant].range;
+    const RealBox& box = ring.box();
+    return box.low_x < range.high_x + cells::kRaySlack && range.low_x < box.high_x + cells::kRaySlack &&
+           box.low_y < range.high_y + cells::kRaySlack && range.low_y < box.high_y + cells::kRaySlack;
+  }
+
+  const Marker& marker_;
+  Marker scratch_;
+  const Freedom& freedom_;
+  const scene::Run& run_;
+  model::Ties ties_;
+  marker::PlacedPieces placed_;
+  std::vector<Draft> drafts_;
+  std::vector<std::uint32_t> fixed_;
+  std::vector<std::vector<BodyLayout>> layouts_;
+  Bodies bodies_;
+};
+
+}  // namespace
+
+Bodies bodies_of(const Marker& marker, const Freedom& freedom, const scene::Run& run) {
+  return BodyMaker{marker, freedom, run}.make();
+}
+
+Marker placed(const Marker& marker, const Bodies& bodies, const branching::Leaf& leaf) {
+  Marker result = marker;
+  for (std::size_t body = 0; body < bodies.pieces.size(); ++body) {
+    const BodyLayout& layout = bodies.layouts[body][leaf.variant[body]];
+    const Vec at{std::llround(leaf.positions[body].x), std::llround(leaf.positions[body].y)};
+    for (std::size_t k = 0; k < bodies.pieces[body].size(); ++k) {
+      Piece& piece = result.pieces[bodies.pieces[body][k]];
+      piece.orientation = layout.orientations[k];
+      piece.at = at + layout.offsets[k];
+    }
+  }
+  return result;
+}
+
+}  // namespace selvage::packing

@@ -1,0 +1,45 @@
+// From the pieces of a marker to the bodies of a search, and back.
+//
+// Pieces that are free to move become bodies, those of one group one body together; all others stay where they are and
+// are obstacles.  A piece that is alone, unlocked and whose shape allows it can take other orientations: rotations and
+// flips, with the tilt that it has.  Spacings and buffers are rings grown by a polygon inside the circle of that
+// radius, so that every layout that keeps the spacing keeps the rings.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/marker/marker.h"
+#include "core/packing/branching/problem.h"
+#include "core/packing/branching/subtree.h"
+#include "core/scene/run.h"
+
+namespace selvage::packing {
+
+// What a search may change.
+struct Freedom {
+  std::vector<bool> moving;  // by piece; pieces of a group move only together
+  Box room;                  // in which moving pieces stay
+  bool turns{};              // pieces may take other orientations that their shapes allow
+};
+
+// A body's pieces in one variant: the orientation of each, and its position when the body's is the origin.
+struct BodyLayout {
+  std::vector<Orientation> orientations;
+  std::vector<Vec> offsets;
+};
+
+struct Bodies {
+  branching::Problem problem;
+  std::vector<std::vector<std::uint32_t>> pieces;  // of each body
+  std::vector<std::vector<BodyLayout>> layouts;    // of each body, by variant
+};
+
+// The bodies of a marker.  Variants that fit the room nowhere are left out; with a body that has none left, the problem
+// has no layout.
+[[nodiscard]] Bodies bodies_of(const Marker& marker, const Freedom& freedom, const scene::Run& run);
+
+// The marker with its bodies where the leaf has them, rounded to the lattice.
+[[nodiscard]] Marker placed(const Marker& marker, const Bodies& bodies, const branching::Leaf& leaf);
+
+}  // namespace selvage::packing

@@ -1,0 +1,51 @@
+// A packing as a search sees it: bodies that move without turning, each in one of several variants, and rings that keep
+// the relative positions of two bodies apart.
+//
+// A body is a piece, or a rigid group of pieces; a variant is one of its allowed orientations.  A body's position is
+// the low corner of its box, so that all its variants share one meaning of it.  The body `world()` is the plane that
+// fixed pieces lie in.
+// Units: lattice units, in doubles.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "core/packing/cells/wedge_ring.h"
+
+namespace selvage::packing::branching {
+
+using cells::RealBox;
+using cells::WedgeRing;
+
+struct BodyVariant {
+  RealBox range;   // allowed positions; where the length is minimised, the ceiling limits x further
+  double width{};  // along x
+};
+
+struct Body {
+  std::vector<BodyVariant> variants;  // at least one
+  double area{};
+  std::uint32_t kind{};  // bodies of one kind can change places without changing anything else
+};
+
+// A body in one of its variants.
+struct Chosen {
+  std::uint32_t body{}, variant{};
+  friend auto operator<=>(const Chosen&, const Chosen&) = default;
+};
+
+struct Problem {
+  std::vector<Body> bodies;
+  std::vector<WedgeRing> rings;
+  // The rings of two bodies in given variants, the first before the second; fixed pieces are `{world(), 0}`, which
+  // comes last as a body but first in pairs.
+  std::map<std::pair<Chosen, Chosen>, std::vector<std::uint32_t>> between;
+  bool minimises_length{};
+  double least_length{};  // no layout is shorter
+
+  [[nodiscard]] std::uint32_t world() const { return static_cast<std::uint32_t>(bodies.size()); }
+};
+
+}  // namespace selvage::packing::branching

@@ -1,0 +1,93 @@
+// The work at a node: trimming arcs, propagating boxes and solving the linear relaxation.
+//
+// A look at a ring clips its arc's cells by the pair's box.  Cells at the arc's ends that are empty are cut off; the
+// box of all cells bounds the pair's difference, and through shortest paths those of other pairs; the hull of all cells
+// gives rows to the program, made when a solution violates them.  Looks repeat while boxes shrink (Daniels and
+// Milenkovic's "restrict" [DM97]).
+// Everything that is concluded holds for all valid layouts on the lattice: cells contain what they stand for
+// (wedge_ring.h), differences of lattice points are whole, and what the program claims is proved (leaf_proof.h).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/packing/branching/node.h"
+#include "core/packing/branching/tuning.h"
+#include "core/packing/programs/leaf_proof.h"
+
+namespace selvage::packing::branching {
+
+using cells::Cell;
+using cells::HalfPlane;
+using programs::Columns;
+using programs::Ranges;
+using programs::Row;
+
+// What a search has done so far, in units that do not depend on the machine.
+struct Work {
+  std::uint64_t nodes{}, pivots{}, looks{};
+  std::uint64_t unproved{};  // claims of the linear program that could not be proved, and so were not used
+  Work& operator+=(const Work& other);
+};
+
+// The columns of a problem's programs: the least positions, and a scale at which the room is about 1 wide.
+[[nodiscard]] Columns columns_of(const Problem& problem);
+
+class Relaxation {
+ public:
+  // The problem must outlive this.
+  Relaxation(const Problem& problem, const BranchTuning& tuning);
+
+  // The node of all layouts not longer than the ceiling; nothing when there are none.
+  [[nodiscard]] std::optional<Node> root(double ceiling);
+  // The four ways to go on.  False, or nothing, when no layout is left.
+  [[nodiscard]] bool decide(Node& node, std::uint32_t body, std::uint32_t variant);
+  [[nodiscard]] bool keep_arc(Node& node, std::size_t ring, Arc arc);
+  [[nodiscard]] bool limit_length(Node& node);
+  // Propagates and solves.  Afterwards the program's solution satisfies all rows.
+  [[nodiscard]] bool settle(Node& node);
+
+  // Layouts longer than this do not count any more.
+  void lower_ceiling(double ceiling) { ceiling_ = ceiling; }
+  [[nodiscard]] double ceiling() const { return ceiling_; }
+  [[nodiscard]] RealVec position(const Node& node, std::uint32_t body) const;
+  [[nodiscard]] RealVec difference(const Node& node, const RingState& ring) const;
+  // For every ring, the exact line of the wedge that the solution lies in.
+  [[nodiscard]] std::vector<Row> exact_rows(const Node& node) const;
+  [[nodiscard]] const Columns& columns() const { return columns_; }
+  // The depth at which a solution counts as inside a ring; lattice units.
+  [[nodiscard]] double tolerance() const { return tuning_.tolerance / columns_.scale; }
+
+  [[nodiscard]] std::size_t hulls() const { return hulls_.size(); }
+  void forget_hulls_from(std::size_t size) { hulls_.resize(size); }
+  [[nodiscard]] const Work& work() const { return work_; }
+  [[nodiscard]] Work& work() { return work_; }
+
+ private:
+  [[nodiscard]] double least_width(const Node& node, std::uint32_t body) const;
+  void start_program(Node& node);
+  [[nodiscard]] RealBox pair_box(const Node& node, const RingState& ring) const;
+  [[nodiscard]] bool raise_to(Node& node, const RingState& ring, const RealBox& box);
+  [[nodiscard]] bool activate_pair(Node& node, const Chosen& first, const Chosen& second);
+  [[nodiscard]] bool order_alike(Node& node, std::uint32_t body);
+  [[nodiscard]] bool look(Node& node, RingState& ring);
+  [[nodiscard]] bool propagate(Node& node);
+  void gather(const RingState& ring, const RealBox& box);
+  void make_hull(const Node& node, RingState& ring);
+  [[nodiscard]] bool add_violated_rows(Node& node);
+  [[nodiscard]] bool add_violated_bounds(Node& node);
+  [[nodiscard]] bool add_violated_hull(Node& node, RingState& ring);
+  [[nodiscard]] Ranges ranges(const Node& node) const;
+
+  const Problem* problem_;
+  BranchTuning tuning_;
+  Columns columns_;
+  double ceiling_{};
+  std::vector<HalfPlane> hulls_;
+  std::vector<RealVec> points_;     // of the cells last gathered
+  std::vector<RealVec> positions_;  // of the bodies and the world, at the solution
+  Work work_;
+};
+
+}  // namespace selvage::packing::branching

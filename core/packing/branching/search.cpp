@@ -1,0 +1,123 @@
+#include "core/packing/branching/search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace selvage::packing::branching {
+namespace {
+
+class Rounds {
+ public:
+  Rounds(const Problem& problem, double ceiling, double gap, const WorkLimits& limits, const SearchTuning& tuning,
+         const SearchCalls& calls)
+      : problem_{problem},
+        ceiling_{ceiling},
+        closed_at_{ceiling},
+        gap_{gap},
+        limits_{limits},
+        tuning_{tuning},
+        calls_{calls} {}
+
+  SearchOutcome run() {
+    const bool possible = std::none_of(problem_.bodies.begin(), problem_.bodies.end(),
+                                       [](const Body& body) { return body.variants.empty(); });
+    Relaxation relaxation{problem_, tuning_.branch};
+    auto root = possible ? relaxation.root(ceiling_) : std::nullopt;
+    outcome_.work += relaxation.work();
+    if (root) open_.emplace_back(problem_, tuning_.branch, *std::move(root), ceiling_);
+    while (!over()) round();
+    outcome_.bound = bound();
+    return outcome_;
+  }
+
+ private:
+  [[nodiscard]] double bound() const {
+    double least = closed_at_;
+    for (const Subtree& subtree : open_) least = std::min(least, subtree.bound());
+    return least;
+  }
+
+  bool over() {
+    if (answered_) {
+      outcome_.end = SearchEnd::kAnswered;
+    } else if (open_.empty()) {
+      outcome_.end = SearchEnd::kExhausted;
+    } else if (calls_.stop.stop_requested()) {
+      outcome_.end = SearchEnd::kCancelled;
+    } else if (outcome_.work.nodes >= limits_.nodes || outcome_.work.pivots >= limits_.pivots) {
+      outcome_.end = SearchEnd::kWorkLimit;
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  void round() {
+    const bool spreading = open_.size() < tuning_.subtrees;
+    const std::size_t count = std::min(open_.size(), spreading ? 1 : tuning_.at_once);
+    const std::uint64_t left = limits_.nodes - outcome_.work.nodes;
+    const std::uint64_t burst = spreading ? 1 : std::clamp<std::uint64_t>(left / count, 1, tuning_.burst);
+    sort_most_promising(count);
+    const Executor& executor = count > 1 ? *calls_.executor : serial();
+    executor.for_each(count, [&](std::size_t k) { open_[k].explore(burst, gap_, calls_.mend, calls_.stop); });
+    for (std::size_t k = 0; k < count && !answered_; ++k) collect(open_[k]);
+    if (spreading) spread(0);
+    std::erase_if(open_, [](const Subtree& subtree) { return subtree.done(); });
+    for (Subtree& subtree : open_) subtree.lower_ceiling(ceiling_);
+    calls_.on_round(bound(), outcome_.work);
+  }
+
+  // Brings the subtrees with the least bounds to the front.
+  void sort_most_promising(std::size_t count) {
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t k = 0; k < open_.size(); ++k) order.emplace_back(open_[k].bound(), k);
+    std::sort(order.begin(), order.end());
+    order.resize(count);
+    std::vector<std::size_t> chosen;
+    for (const auto& [bound, k] : order) chosen.push_back(k);
+    std::sort(chosen.begin(), chosen.end());
+    for (std::size_t k = 0; k < count; ++k) std::swap(open_[k], open_[chosen[k]]);
+  }
+
+  void collect(Subtree& subtree) {
+    outcome_.work += subtree.take_work();
+    for (const Leaf& leaf : subtree.take_leaves()) {
+      calls_.on_leaf(leaf);
+      if (problem_.minimises_length) ceiling_ = std::min(ceiling_, leaf.length - gap_);
+      if (!problem_.minimises_length) answered_ = true;
+    }
+    outcome_.in_doubt = outcome_.in_doubt || std::isfinite(subtree.in_doubt());
+    closed_at_ = std::min({closed_at_, subtree.ceiling(), subtree.in_doubt(), ceiling_});
+  }
+
+  // Makes every open node of a subtree a subtree of its own.
+  void spread(std::size_t k) {
+    const double ceiling = open_[k].ceiling();
+    std::vector<Node> nodes = open_[k].take_nodes();
+    for (Node& node : nodes) open_.emplace_back(problem_, tuning_.branch, std::move(node), ceiling);
+  }
+
+  const Problem& problem_;
+  double ceiling_;    // of the layouts that are still of interest
+  double closed_at_;  // the least ceiling, or length in doubt, of any subtree so far
+  double gap_;
+  WorkLimits limits_;
+  SearchTuning tuning_;
+  const SearchCalls& calls_;
+  std::vector<Subtree> open_;
+  bool answered_{};
+  SearchOutcome outcome_;
+};
+
+}  // namespace
+
+SearchOutcome search(const Problem& problem, double ceiling, double gap, const WorkLimits& limits,
+                     const SearchTuning& tuning, const SearchCalls& calls) {
+  return Rounds{problem, ceiling, gap, limits, tuning, calls}.run();
+}
+
+}  // namespace selvage::packing::branching

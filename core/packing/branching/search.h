@@ -1,0 +1,46 @@
+// The search: best first near the root, then rounds of depth-first bursts in the most promising subtrees.
+//
+// The schedule of rounds does not depend on the number of threads: a round takes the same subtrees, explores each of
+// them with the ceiling of the round's start, and combines the outcomes in their order.  So do answers and counts.
+// A bound is proved at any time: the least of the open nodes' bounds and of the ceilings at which others were closed.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stop_token>
+
+#include "core/base/executor.h"
+#include "core/packing/branching/subtree.h"
+#include "core/packing/branching/tuning.h"
+
+namespace selvage::packing::branching {
+
+struct WorkLimits {
+  std::uint64_t nodes{UINT64_MAX}, pivots{UINT64_MAX};
+  friend bool operator==(const WorkLimits&, const WorkLimits&) = default;
+};
+
+enum class SearchEnd { kExhausted, kAnswered, kWorkLimit, kCancelled };
+
+struct SearchOutcome {
+  SearchEnd end{};
+  double bound{};   // proved: no layout up to the ceiling is shorter; above the ceiling when there is none
+  bool in_doubt{};  // some leaf could not be mended: that there is no layout is not proved
+  Work work;
+};
+
+struct SearchCalls {
+  Mend mend;
+  std::function<void(const Leaf&)> on_leaf;  // mended
+  std::function<void(double bound, const Work&)> on_round = [](double, const Work&) {};
+  std::stop_token stop{};
+  const Executor* executor = &serial();
+};
+
+// Searches the layouts up to the ceiling.  Where the length is minimised, until none is shorter than the shortest one
+// found by more than the gap; otherwise until one is found.
+[[nodiscard]] SearchOutcome search(const Problem& problem, double ceiling, double gap, const WorkLimits& limits,
+                                   const SearchTuning& tuning, const SearchCalls& calls);
+
+}  // namespace selvage::packing::branching

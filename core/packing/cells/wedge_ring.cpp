@@ -1,0 +1,185 @@
+#include "core/packing/cells/wedge_ring.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/pseudo_angle.h"
+
+namespace selvage::packing::cells {
+namespace {
+
+constexpr double kLeastRadius = 8 * kRaySlack;  // nearer corners have rays too uncertain to bound a cell
+
+struct Edge {
+  Vec from, line_from, line_to;
+};
+
+RealVec real_in(const minkowski::Obstacle& obstacle, RealVec p) {
+  const RealVec x = geometry::real(obstacle.from_frame({1, 0}));
+  const RealVec y = geometry::real(obstacle.from_frame({0, 1}));
+  return {p.x * x.x + p.y * y.x, p.x * x.y + p.y * y.y};
+}
+
+// The sum's edges in the marker's frame, counter-clockwise, without those of no length.
+std::vector<Edge> edges_in(const minkowski::convolution::StarSum& sum, const minkowski::Obstacle& obstacle,
+                           Vec offset) {
+  std::vector<Edge> edges;
+  const auto map = [&](Vec v) { return obstacle.from_frame(v) + offset; };
+  for (const auto& edge : sum.edges) {
+    if (edge.from == edge.to) continue;
+    if (obstacle.flips()) {
+      edges.push_back({map(edge.to), map(edge.line_to), map(edge.line_from)});
+    } else {
+      edges.push_back({map(edge.from), map(edge.line_from), map(edge.line_to)});
+    }
+  }
+  if (obstacle.flips()) std::reverse(edges.begin(), edges.end());
+  return edges;
+}
+
+HalfPlane beyond_line(Vec from, Vec to) {
+  const RealVec a = geometry::real(from);
+  const RealVec along = geometry::real(to - from);
+  const double length = std::hypot(along.x, along.y);
+  const double nx = along.y / length;
+  const double ny = -along.x / length;
+  return {nx, ny, nx * a.x + ny * a.y - kLineSlack};
+}
+
+// The points to the left (side 1) or right (side -1) of the ray through the corner, turned by `slack` there.
+HalfPlane beside_ray(RealVec centre, RealVec corner, double side, double slack) {
+  const double x = corner.x - centre.x;
+  const double y = corner.y - centre.y;
+  const double radius = std::hypot(x, y);
+  if (radius < kLeastRadius) return {0, 0, -1};
+  const double turn = side * slack / radius;
+  const double along_x = x + turn * y;
+  const double along_y = y - turn * x;
+  const double length = std::hypot(along_x, along_y);
+  const double nx = -side * along_y / length;
+  const double ny = side * along_x / length;
+  return {nx, ny, nx * centre.x + ny * centre.y - kLineSlack};
+}
+
+// The part of `cell` in the half-plane.
+void clip_into(const Cell& cell, const HalfPlane& plane, Cell& kept) {
+  kept.count = 0;
+  const auto keep = [&](double x, double y) {
+    kept.x[kept.count] = x;
+    kept.y[kept.count++] = y;
+  };
+  double px = cell.x[cell.count - 1];
+  double py = cell.y[cell.count - 1];
+  double room_p = plane.room({px, py});
+  for (std::size_t k = 0; k < cell.count; ++k) {
+    const double qx = cell.x[k];
+    const double qy = cell.y[k];
+    const double room_q = plane.room({qx, qy});
+    if ((room_p >= 0) != (room_q >= 0)) {
+      const double t = room_p / (room_p - room_q);
+      keep(px + t * (qx - px), py + t * (qy - py));
+    }
+    if (room_q >= 0) keep(qx, qy);
+    px = qx;
+    py = qy;
+    room_p = room_q;
+  }
+}
+
+// How far the common corner of two edges may be from the exact one.
+double slack_between(const Edge& edge, const Edge& next) {
+  return next.from == next.line_from || next.from == edge.line_to ? 0 : kRaySlack;
+}
+
+// The least and the largest room that a point of the box has.
+struct Rooms {
+  double least{}, most{};
+};
+Rooms rooms_of(const HalfPlane& plane, const RealBox& box) {
+  const double x0 = plane.nx * box.low_x;
+  const double x1 = plane.nx * box.high_x;
+  const double y0 = plane.ny * box.low_y;
+  const double y1 = plane.ny * box.high_y;
+  return {std::min(x0, x1) + std::min(y0, y1) - plane.c, std::max(x0, x1) + std::max(y0, y1) - plane.c};
+}
+
+}  // namespace
+
+WedgeRing::WedgeRing(const minkowski::convolution::StarSum& sum, const minkowski::Obstacle& obstacle, Vec offset) {
+  const RealVec moved = real_in(obstacle, sum.centre);
+  centre_ = {moved.x + static_cast<double>(offset.x), moved.y + static_cast<double>(offset.y)};
+  std::vector<Edge> edges = edges_in(sum, obstacle, offset);
+  const auto angle_of = [&](const Edge& edge) {
+    const RealVec corner = geometry::real(edge.from);
+    return geometry::pseudo_angle(corner.x - centre_.x, corner.y - centre_.y);
+  };
+  const auto first = std::min_element(edges.begin(), edges.end(),
+                                      [&](const Edge& a, const Edge& b) { return angle_of(a) < angle_of(b); });
+  std::rotate(edges.begin(), first, edges.end());
+  const RealVec start = geometry::real(edges.front().from);
+  box_ = {start.x, start.y, start.x, start.y};
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const RealVec from = geometry::real(edges[k].from);
+    const Edge& previous = edges[(k + edges.size() - 1) % edges.size()];
+    const Edge& next = edges[(k + 1) % edges.size()];
+    const RealVec to = geometry::real(next.from);
+    wedges_.push_back({beyond_line(edges[k].line_from, edges[k].line_to),
+                       beside_ray(centre_, from, 1, slack_between(previous, edges[k])),
+                       beside_ray(centre_, to, -1, slack_between(edges[k], next))});
+    angles_.push_back(std::max(angles_.empty() ? 0.0 : angles_.back(), angle_of(edges[k])));
+    box_ = {std::min(box_.low_x, from.x), std::min(box_.low_y, from.y), std::max(box_.high_x, from.x),
+            std::max(box_.high_y, from.y)};
+  }
+}
+
+bool WedgeRing::clip(std::uint32_t wedge, const RealBox& box, Cell& cell) const {
+  const Wedge& w = wedges_[wedge];
+  const Rooms beyond = rooms_of(w.beyond, box);
+  if (beyond.most < 0) return false;
+  const Rooms after = rooms_of(w.after, box);
+  if (after.most < 0) return false;
+  const Rooms before = rooms_of(w.before, box);
+  if (before.most < 0) return false;
+  cell.x[0] = cell.x[3] = box.low_x;
+  cell.x[1] = cell.x[2] = box.high_x;
+  cell.y[0] = cell.y[1] = box.low_y;
+  cell.y[2] = cell.y[3] = box.high_y;
+  cell.count = 4;
+  Cell other;
+  const auto cut = [&](const HalfPlane& plane, double least) {
+    if (least >= 0 || cell.count == 0) return;
+    clip_into(cell, plane, other);
+    cell = other;
+  };
+  cut(w.beyond, beyond.least);
+  cut(w.after, after.least);
+  cut(w.before, before.least);
+  return cell.count > 0;
+}
+
+std::uint32_t WedgeRing::corner_before(double angle) const {
+  const auto after = std::upper_bound(angles_.begin(), angles_.end(), angle);
+  if (after == angles_.begin()) return size() - 1;
+  return static_cast<std::uint32_t>(after - angles_.begin()) - 1;
+}
+
+std::uint32_t WedgeRing::facing(RealVec p) const {
+  const double x = p.x - centre_.x;
+  const double y = p.y - centre_.y;
+  return x == 0 && y == 0 ? 0 : corner_before(geometry::pseudo_angle(x, y));
+}
+
+std::uint32_t WedgeRing::corner_near(RealVec p, int quarters) const {
+  const double x = p.x - centre_.x;
+  const double y = p.y - centre_.y;
+  const double full = geometry::kFullTurn;
+  const double own = x == 0 && y == 0 ? 0 : geometry::pseudo_angle(x, y);
+  const double angle = std::fmod(own + quarters, full);
+  const std::uint32_t before = corner_before(angle);
+  const std::uint32_t after = (before + 1) % size();
+  const double back = std::fmod(angle - angles_[before] + full, full);
+  const double ahead = std::fmod(angles_[after] - angle + full, full);
+  return back <= ahead ? before : after;
+}
+
+}  // namespace selvage::packing::cells

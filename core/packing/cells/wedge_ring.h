@@ -1,0 +1,90 @@
+// The outside of one star-shaped Minkowski sum as a ring of wedge cells: each lies beyond one edge of the sum, between
+// the rays from the centre through the edge's ends.  The cells cover the whole outside, so they are a convex covering
+// in the sense of [Li94 8.2.1] that needs no union and no search.
+//
+// Outward rounding.  An edge's line passes through exact lattice points; coordinates stay below 2^42, so computing it
+// in doubles and clipping by it is wrong by less than 2^-7 units, and the line is moved outwards by kLineSlack.  The
+// centre may be any point of the kernel.  An end of an edge that is the crossing of two lines is rounded by up to a
+// unit: its ray is turned outwards by kRaySlack units there, so that it stays outside of the exact ray at any distance.
+// A cell thus contains all positions that it stands for, and what is concluded from cells holds for all valid layouts.
+// What a search finds in them may overlap by a little in turn, and has to be mended and proved.
+//
+// Units: lattice units.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry/real_vec.h"
+#include "core/minkowski/cache.h"
+
+namespace selvage::packing::cells {
+
+inline constexpr double kLineSlack = 0x1p-6;  // lattice units
+inline constexpr double kRaySlack = 1;        // lattice units
+inline constexpr double kRounding = 0x1p-4;   // more than a clipped cell exceeds what it stands for along its edge
+
+// The points with nx * x + ny * y >= c; the normal is a unit vector.
+struct HalfPlane {
+  double nx{}, ny{}, c{};
+  [[nodiscard]] double room(RealVec p) const { return nx * p.x + ny * p.y - c; }
+};
+
+// A closed box between lattice points, in doubles.
+struct RealBox {
+  double low_x{}, low_y{}, high_x{}, high_y{};
+  [[nodiscard]] double width() const { return high_x - low_x; }
+  [[nodiscard]] double height() const { return high_y - low_y; }
+};
+
+// A convex polygon of at most seven corners: a box clipped by the three half-planes of a wedge.  Only the first `count`
+// corners are set: cells are the innermost loop of a search.
+struct Cell {
+  std::array<double, 8> x, y;
+  std::size_t count;
+  [[nodiscard]] RealVec corner(std::size_t k) const { return {x[k], y[k]}; }
+};
+
+// Consecutive wedges of a ring.
+struct Arc {
+  std::uint32_t first{}, count{};
+};
+
+class WedgeRing {
+ public:
+  // The sum in the frame of its obstacle, moved by `offset`.  REQUIRES: at least three edges of more than no length.
+  WedgeRing(const minkowski::convolution::StarSum& sum, const minkowski::Obstacle& obstacle, Vec offset);
+
+  [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(wedges_.size()); }
+  [[nodiscard]] Arc whole() const { return {0, size()}; }
+  [[nodiscard]] const RealBox& box() const { return box_; }
+  // Sets `cell` to the part of the box in a wedge.  False when there is none.
+  [[nodiscard]] bool clip(std::uint32_t wedge, const RealBox& box, Cell& cell) const;
+  // The wedge that the point's ray passes.
+  [[nodiscard]] std::uint32_t facing(RealVec p) const;
+  // How far the point lies inside the wedge's line, beyond the slack; negative outside.
+  [[nodiscard]] double depth(std::uint32_t wedge, RealVec p) const { return -wedges_[wedge].beyond.room(p); }
+  // The exact line of the wedge's edge.
+  [[nodiscard]] HalfPlane line(std::uint32_t wedge) const {
+    const HalfPlane& beyond = wedges_[wedge].beyond;
+    return {beyond.nx, beyond.ny, beyond.c + kLineSlack};
+  }
+  // The corner nearest in angle to the ray at `quarters` quarter turns from the point's ray, named by the wedge that
+  // starts there.
+  [[nodiscard]] std::uint32_t corner_near(RealVec p, int quarters) const;
+
+ private:
+  struct Wedge {
+    HalfPlane beyond, after, before;  // the edge's line, the ray through its start, the ray through its end
+  };
+  [[nodiscard]] std::uint32_t corner_before(double angle) const;
+
+  RealVec centre_;
+  std::vector<Wedge> wedges_;   // counter-clockwise
+  std::vector<double> angles_;  // of each wedge's start; ascending
+  RealBox box_;
+};
+
+}  // namespace selvage::packing::cells

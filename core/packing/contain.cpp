@@ -1,0 +1,73 @@
+#include "core/packing/contain.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "core/packing/bodies.h"
+#include "core/packing/mend.h"
+
+namespace selvage::packing {
+namespace {
+
+Box intersection(const Box& a, const Box& b) {
+  return {{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y)},
+          {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y)}};
+}
+
+// The pieces and all pieces of their groups.
+std::vector<bool> with_groups(const Marker& marker, std::span<const PieceId> pieces) {
+  std::vector<bool> moving(marker.pieces.size());
+  for (const PieceId id : pieces) {
+    const std::string& group = marker.pieces[id.value].group;
+    moving[id.value] = true;
+    if (group.empty()) continue;
+    for (std::size_t k = 0; k < moving.size(); ++k) moving[k] = moving[k] || marker.pieces[k].group == group;
+  }
+  return moving;
+}
+
+Verdict verdict_of(const branching::SearchOutcome& outcome) {
+  if (outcome.end == branching::SearchEnd::kAnswered) return Verdict::kFound;
+  if (outcome.end == branching::SearchEnd::kExhausted && !outcome.in_doubt) return Verdict::kImpossible;
+  return Verdict::kUndecided;
+}
+
+scene::StopReason reason_of(branching::SearchEnd end) {
+  if (end == branching::SearchEnd::kWorkLimit) return scene::StopReason::kWorkLimit;
+  return end == branching::SearchEnd::kCancelled ? scene::StopReason::kCancelled : scene::StopReason::kConverged;
+}
+
+}  // namespace
+
+Box room_until(const Strip& strip, Coord end) {
+  return strip.room(std::min(end, strip.last().value_or(end)));
+}
+
+Containment contain(const Marker& start, std::span<const PieceId> pieces, const Box& room,
+                    const ContainSettings& settings, const scene::Run& run) {
+  run.observer.on_stage(scene::Stage::kSums);
+  Containment result;
+  result.marker = start;
+  result.length_before = length_of(start);
+  const Box inside = intersection(room, room_until(start.strip, kLatticeLimit));
+  const Bodies bodies = bodies_of(start, {with_groups(start, pieces), inside, settings.turns}, run);
+  run.observer.on_stage(scene::Stage::kSolve);
+  branching::SearchCalls calls;
+  calls.mend = [&](branching::Leaf& leaf) { return mend(start, bodies, inside, run, leaf); };
+  calls.on_leaf = [&](const branching::Leaf& leaf) { result.marker = placed(start, bodies, leaf); };
+  calls.on_round = [&](double, const branching::Work&) {
+    run.observer.on_round({++result.rounds, result.length_before});
+  };
+  calls.stop = run.stop;
+  calls.executor = run.executor;
+  const auto outcome =
+      branching::search(bodies.problem, static_cast<double>(kLatticeLimit), 0, settings.limits, settings.tuning, calls);
+  result.verdict = verdict_of(outcome);
+  result.reason = reason_of(outcome.end);
+  result.work = outcome.work;
+  result.length_after = length_of(result.marker);
+  return result;
+}
+
+}  // namespace selvage::packing

@@ -1,0 +1,53 @@
+#include "core/packing/first_layout.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "core/marker/placed_pieces.h"
+#include "core/model/ties.h"
+#include "core/motion/compaction/compact.h"
+
+namespace selvage::packing {
+namespace {
+
+// Every free piece, or group of them, behind all that came before.
+Marker in_a_row(const Marker& start) {
+  Marker row = start;
+  const model::Ties ties = model::ties_of(start);
+  const marker::PlacedPieces pieces{start};
+  const auto count = static_cast<std::uint32_t>(start.pieces.size());
+  Coord end = start.strip.margin;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    if (ties.x[k] == model::Ties::kFixed) end = std::max(end, pieces.box(k).high.x + pieces.widest_spacing());
+  }
+  std::vector<bool> moved(count);
+  for (std::uint32_t k = 0; k < count; ++k) {
+    if (moved[k] || ties.x[k] == model::Ties::kFixed) continue;
+    Box box = pieces.box(k);
+    for (std::uint32_t other = k; other < count; ++other) {
+      if (ties.x[other] == ties.x[k]) box = united(box, pieces.box(other));
+    }
+    const Vec by{end - box.low.x, ties.y[k] == model::Ties::kFixed ? 0 : start.strip.margin - box.low.y};
+    for (std::uint32_t other = k; other < count; ++other) {
+      if (ties.x[other] != ties.x[k]) continue;
+      row.pieces[other].at = row.pieces[other].at + by;
+      moved[other] = true;
+    }
+    end += box.width() + pieces.widest_spacing();
+  }
+  return row;
+}
+
+}  // namespace
+
+std::optional<Marker> first_layout(const Marker& start, const scene::Run& run) {
+  const auto settings = compaction_settings(motion::compaction::Accuracy::kStandard);
+  for (const bool row : {false, true}) {
+    auto compacted = compact(row ? in_a_row(start) : start, settings, run.quiet());
+    if (compacted) return std::move(compacted->marker);
+  }
+  return std::nullopt;
+}
+
+}  // namespace selvage::packing

@@ -1,0 +1,131 @@
+#include "core/packing/pack.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/packing/bodies.h"
+#include "core/packing/first_layout.h"
+#include "core/packing/mend.h"
+
+namespace selvage::packing {
+namespace {
+
+constexpr double kLeastGap = 8;       // lattice units: rounding lengthens a layout by about as much
+constexpr double kFirstStep = 0.01;   // the first ceiling above the area's bound, a part of it
+constexpr double kLaterSteps = 0.03;  // each further ceiling above the last
+
+class Packer {
+ public:
+  Packer(const Marker& start, const PackSettings& settings, const scene::Run& run)
+      : start_{start},
+        settings_{settings},
+        run_{run},
+        gap_{std::max(kLeastGap, settings.gap * static_cast<double>(start.strip.width))} {}
+
+  Packing pack() {
+    const marker::PlacedPieces pieces{start_};
+    packing_.length_before = packing_.length_after = pieces.length();
+    if (auto first = first_layout(start_, run_)) keep(*std::move(first));
+    const double limit = static_cast<double>(start_.strip.last().value_or(kLatticeLimit));
+    const double longest = best_ ? static_cast<double>(packing_.length_after) - gap_ : limit;
+    Bodies bodies = bodies_of(start_, freedom(longest), run_);
+    double bound = static_cast<double>(least_length(bodies, pieces));
+    bodies.problem.minimises_length = true;
+    bodies.problem.least_length = bound;
+    climb(bodies, bound, longest);
+    packing_.found = best_.has_value();
+    packing_.marker = best_ ? *std::move(best_) : start_;
+    return std::move(packing_);
+  }
+
+ private:
+  [[nodiscard]] Freedom freedom(double longest) const {
+    return {std::vector<bool>(start_.pieces.size(), true), start_.strip.room(static_cast<Coord>(longest)),
+            settings_.turns};
+  }
+
+  // By area, and by the pieces that cannot move.
+  [[nodiscard]] Coord least_length(const Bodies& bodies, const marker::PlacedPieces& pieces) const {
+    std::vector<bool> moves(start_.pieces.size());
+    for (const auto& body : bodies.pieces) {
+      for (const std::uint32_t piece : body) moves[piece] = true;
+    }
+    double area = 0;
+    Coord fixed_end = 0;
+    for (std::uint32_t piece = 0; piece < pieces.size(); ++piece) {
+      area += static_cast<double>(doubled_area(pieces[piece].vertices)) / 2;
+      if (!moves[piece]) fixed_end = std::max(fixed_end, pieces.box(piece).high.x);
+    }
+    const Box room = start_.strip.room(0);
+    const double by_area = static_cast<double>(room.low.x) + area / static_cast<double>(room.height());
+    return std::max(static_cast<Coord>(by_area * (1 - 1e-9)), fixed_end);
+  }
+
+  // Raises the ceiling until there is a layout below it, or until there is none below `longest`.
+  void climb(const Bodies& bodies, double bound, double longest) {
+    double step = kFirstStep;
+    packing_.reason = scene::StopReason::kConverged;
+    while (bound < longest && packing_.reason == scene::StopReason::kConverged) {
+      const double ceiling = std::min(longest, std::ceil(bound * (1 + step)) + 1);
+      const auto outcome = search_below(bodies, ceiling);
+      bound = std::max(bound, std::min(outcome.bound, ceiling));
+      if (best_) longest = std::min(longest, static_cast<double>(packing_.length_after) - gap_);
+      if (outcome.bound < ceiling) break;
+      step = kLaterSteps;
+    }
+    packing_.bound = static_cast<Coord>(std::floor(bound));
+    if (best_) packing_.bound = std::min(packing_.bound, packing_.length_after);
+    const bool complete = packing_.reason == scene::StopReason::kConverged;
+    const auto left = static_cast<double>(packing_.length_after - packing_.bound);
+    packing_.proved = complete && (best_ ? left <= 2 * gap_ : !in_doubt_);
+  }
+
+  branching::SearchOutcome search_below(const Bodies& bodies, double ceiling) {
+    branching::WorkLimits left = settings_.limits;
+    left.nodes -= std::min(left.nodes, packing_.work.nodes);
+    left.pivots -= std::min(left.pivots, packing_.work.pivots);
+    branching::SearchCalls calls;
+    const Box room = start_.strip.room(start_.strip.last().value_or(kLatticeLimit));
+    calls.mend = [&bodies, room, this](branching::Leaf& leaf) { return mend(start_, bodies, room, run_, leaf); };
+    calls.on_leaf = [&](const branching::Leaf& leaf) { take(bodies, leaf); };
+    calls.on_round = [&](double, const branching::Work&) {
+      run_.observer.on_round({++packing_.rounds, packing_.length_after});
+    };
+    calls.stop = run_.stop;
+    calls.executor = run_.executor;
+    auto outcome = branching::search(bodies.problem, ceiling, gap_, left, settings_.tuning, calls);
+    packing_.work += outcome.work;
+    in_doubt_ = in_doubt_ || outcome.in_doubt;
+    if (outcome.end == branching::SearchEnd::kWorkLimit) packing_.reason = scene::StopReason::kWorkLimit;
+    if (outcome.end == branching::SearchEnd::kCancelled) packing_.reason = scene::StopReason::kCancelled;
+    return outcome;
+  }
+
+  void take(const Bodies& bodies, const branching::Leaf& leaf) {
+    Marker layout = placed(start_, bodies, leaf);
+    if (!best_ || length_of(layout) < packing_.length_after) keep(std::move(layout));
+  }
+
+  void keep(Marker marker) {
+    packing_.length_after = length_of(marker);
+    best_ = std::move(marker);
+  }
+
+  const Marker& start_;
+  const PackSettings& settings_;
+  const scene::Run& run_;
+  double gap_;  // lattice units
+  std::optional<Marker> best_;
+  bool in_doubt_{};
+  Packing packing_;
+};
+
+}  // namespace
+
+Packing pack(const Marker& start, const PackSettings& settings, const scene::Run& run) {
+  return Packer{start, settings, run}.pack();
+}
+
+}  // namespace selvage::packing

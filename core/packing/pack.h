@@ -1,0 +1,37 @@
+// Packing: the shortest marker that the pieces allow, whatever the order they lie in [Li94 8.2].
+//
+// Where compaction stays in one convex part of each pair's free space, packing searches all of them
+// (core/packing/branching).  Layouts are looked for up to a ceiling that rises from the area of the pieces: every
+// ceiling without a layout is a proved lower bound, and the search under the ceiling that has one proves the optimum.
+//
+// Laws.  (1) The answer is valid, proved in integers, and never longer than the input when that is valid.  (2) No
+// marker of these pieces is shorter than `bound`, in exact arithmetic (branching/relaxation.h).  (3) Locked pieces stay
+// in place to the lattice unit, groups stay rigid.  (4) The same input and settings give the same answer, whatever the
+// cache holds and however many threads are used.  (5) Cancelled or at its work limit, it returns the best marker and
+// the best bound so far.
+#pragma once
+
+#include "core/motion/repair/motion_result.h"
+#include "core/packing/branching/search.h"
+
+namespace selvage::packing {
+
+struct PackSettings {
+  branching::WorkLimits limits{};
+  bool turns{true};  // pieces may take other orientations that their shapes allow
+  double gap{1e-6};  // the search ends when the marker is this near to the bound; a part of the width
+  branching::SearchTuning tuning{};
+  friend bool operator==(const PackSettings&, const PackSettings&) = default;
+};
+
+struct Packing : motion::repair::MotionResult {
+  bool found{};   // there is a layout: `marker` is the shortest known; otherwise it is the input
+  bool proved{};  // the search is complete: no layout is shorter, but for the gap and rounding, or there is none at all
+  Coord bound{};  // no marker of these pieces is shorter; lattice units
+  branching::Work work;
+};
+
+// The input may overlap.
+[[nodiscard]] Packing pack(const Marker& start, const PackSettings& settings, const scene::Run& run);
+
+}  // namespace selvage::packing

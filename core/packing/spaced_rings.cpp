@@ -1,0 +1,56 @@
+#include "core/packing/spaced_rings.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/geometry/polygon.h"
+#include "core/outline/outline.h"
+
+namespace selvage::packing {
+namespace {
+
+constexpr int kCorners = 24;  // of the polygon inside the circle: it reaches 99.1 % of the radius everywhere
+
+Polygon inside_circle(Coord radius) {
+  Polygon corners;
+  for (int k = 0; k < kCorners; ++k) {
+    const double angle = 2 * std::numbers::pi * k / kCorners;
+    const double r = static_cast<double>(radius);
+    corners.push_back({static_cast<Coord>(r * std::cos(angle)), static_cast<Coord>(r * std::sin(angle))});
+  }
+  return corners;
+}
+
+std::size_t true_edges(const minkowski::convolution::StarSum& sum) {
+  std::size_t count = 0;
+  for (const auto& edge : sum.edges) count += edge.from == edge.to ? 0 : 1;
+  return count;
+}
+
+}  // namespace
+
+std::vector<cells::WedgeRing> spaced_rings(const outline::OrientedOutline& p, const outline::OrientedOutline& q,
+                                           Coord spacing, Vec offset, SumCache& sums) {
+  const minkowski::Obstacle obstacle = sums.obstacle(p, q);
+  std::vector<cells::WedgeRing> rings;
+  const auto add = [&](const minkowski::convolution::StarSum& sum) {
+    if (true_edges(sum) >= 3) rings.emplace_back(sum, obstacle, offset);
+  };
+  const auto circle = spacing > 0 ? clean_polygon(inside_circle(spacing)) : Result<geometry::CleanPolygon>{Error{}};
+  for (const minkowski::convolution::StarSum& sum : obstacle.sum().rings()) {
+    Polygon corners;
+    for (const auto& edge : sum.edges) corners.push_back(edge.from);
+    const auto clean = circle ? clean_polygon(corners) : Result<geometry::CleanPolygon>{Error{}};
+    if (!clean) {  // no spacing, or one too small to matter: the ring itself lies in the forbidden region, too
+      add(sum);
+      continue;
+    }
+    const auto ring = outline::make_outline(clean->polygon);
+    const auto disc = outline::make_outline(circle->polygon);
+    const minkowski::MinkowskiSum grown = minkowski::minkowski_sum(ring->parts, disc->parts);
+    for (const auto& part : grown.rings()) add(part);
+  }
+  return rings;
+}
+
+}  // namespace selvage::packing

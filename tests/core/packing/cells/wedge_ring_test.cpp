@@ -1,0 +1,102 @@
+#include "core/packing/cells/wedge_ring.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/minkowski/nearest_edges.h"
+#include "core/outline/outline.h"
+#include "core/packing/cells/hull.h"
+#include "tests/support/polygons.h"
+
+namespace selvage::packing::cells {
+namespace {
+
+// The rings of two random pieces, as the search makes them.
+std::vector<WedgeRing> rings_of(const minkowski::Obstacle& obstacle, Vec offset) {
+  std::vector<WedgeRing> rings;
+  for (const auto& sum : obstacle.sum().rings()) rings.emplace_back(sum, obstacle, offset);
+  return rings;
+}
+
+bool in_some_cell(const WedgeRing& ring, Vec at) {
+  const RealVec p = geometry::real(at);
+  const RealBox box{p.x - 1, p.y - 1, p.x + 1, p.y + 1};
+  Cell cell;
+  for (std::uint32_t k = 0; k < ring.size(); ++k) {
+    if (ring.clip(k, box, cell)) return true;
+  }
+  return false;
+}
+
+// (1) Positions outside a sum are in a cell of each of its rings.  (2) Positions well inside the sum are in no cell of
+// some ring.
+TEST(WedgeRing, CellsCoverExactlyTheOutside) {
+  test::Random random{5};
+  int inside = 0;
+  int outside = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const Coord extent = Coord{1} << random.between(12, 34);
+    SumCache sums;
+    const auto p = sums.outline(clean_polygon(test::random_polygon(random, extent))->polygon);
+    const auto q = sums.outline(clean_polygon(test::random_polygon(random, extent))->polygon);
+    const auto obstacle = sums.obstacle({p, random.symmetry()}, {q, random.symmetry()});
+    const Vec offset = random.point(-extent, extent);
+    const auto rings = rings_of(obstacle, offset);
+    for (int point = 0; point < 200; ++point) {
+      const Vec at = random.point(-2 * extent, 2 * extent);
+      const auto nearest = nearest_boundary_point(obstacle.sum(), obstacle.to_frame(at));
+      const bool is_inside = obstacle.sum().contains(geometry::real(obstacle.to_frame(at)));
+      const bool in_all = std::all_of(rings.begin(), rings.end(),
+                                      [&](const WedgeRing& ring) { return in_some_cell(ring, at + offset); });
+      if (!is_inside) {
+        EXPECT_TRUE(in_all) << "trial " << trial << ", " << at.x << " " << at.y;
+      }
+      if (is_inside && nearest.distance > 64) {
+        EXPECT_FALSE(in_all) << "trial " << trial;
+      }
+      ++(is_inside ? inside : outside);
+    }
+  }
+  EXPECT_GT(inside, 1000);
+  EXPECT_GT(outside, 1000);
+}
+
+TEST(WedgeRing, FacesTheWedgeOfAPoint) {
+  SumCache sums;
+  const auto square = sums.outline({{-500, -500}, {500, -500}, {500, 500}, {-500, 500}});
+  const auto obstacle = sums.obstacle({square, {}}, {square, {}});
+  const WedgeRing ring = rings_of(obstacle, {}).front();
+  ASSERT_EQ(ring.size(), 8U);  // each side in two collinear edges
+  for (const RealVec p : {RealVec{1100, 1}, RealVec{1, 1100}, RealVec{-1100, 1}, RealVec{1, -1100}}) {
+    const std::uint32_t wedge = ring.facing(p);
+    EXPECT_NEAR(ring.depth(wedge, p), -100 - kLineSlack, 1e-9);
+    EXPECT_NEAR(ring.line(wedge).room(p), 100, 1e-9);
+  }
+  EXPECT_EQ(ring.corner_near({900, 800}, 0), ring.corner_near({800, -900}, 1));
+}
+
+TEST(Hull, ContainsAllPoints) {
+  test::Random random{9};
+  for (int trial = 0; trial < 200; ++trial) {
+    std::vector<RealVec> points;
+    for (int k = 0; k < 30; ++k) points.push_back(geometry::real(random.point(0, 10'000)));
+    std::vector<RealVec> sorted = points;
+    std::vector<HalfPlane> planes;
+    append_hull(sorted, planes);
+    EXPECT_GT(planes.size(), 2U);
+    for (const RealVec p : points) {
+      for (const HalfPlane& plane : planes) EXPECT_GE(plane.room(p), 0);
+    }
+    // Every plane touches some point, but for the slack.
+    for (const HalfPlane& plane : planes) {
+      const auto touches = [&](RealVec p) { return plane.room(p) < 2 * kRounding; };
+      EXPECT_TRUE(std::any_of(points.begin(), points.end(), touches));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace selvage::packing::cells

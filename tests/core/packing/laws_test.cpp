@@ -1,0 +1,126 @@
+// Laws of packing and containment on random markers.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "core/marker/validity.h"
+#include "core/packing/contain.h"
+#include "core/packing/pack.h"
+#include "protocol/execution/thread_pool.h"
+#include "tests/core/packing/polyominoes.h"
+#include "tests/laws/random_marker.h"
+
+namespace selvage::packing {
+namespace {
+
+constexpr Coord kRounding = 16;  // lattice units by which rounding lengthens a layout at most in these tests
+
+// Up to `most` pieces that may move, in random order.
+std::vector<PieceId> some_pieces(test::Random& random, const Marker& marker, std::size_t most) {
+  std::vector<PieceId> pieces;
+  for (std::uint32_t k = 0; k < marker.pieces.size(); ++k) {
+    if (!marker.pieces[k].locked) pieces.push_back({k});
+  }
+  for (std::size_t k = pieces.size(); k > 1; --k) std::swap(pieces[k - 1], pieces[random.below(k)]);
+  pieces.resize(std::min(pieces.size(), 1 + random.below(most)));
+  return pieces;
+}
+
+Marker with_pieces_at_origin(Marker marker, const std::vector<PieceId>& pieces) {
+  for (const PieceId piece : pieces) marker.pieces[piece.value].at = {};
+  return marker;
+}
+
+TEST(ContainLaws, FindsWhatWasCutOutOfAValidMarker) {
+  test::Random random{31};
+  for (int trial = 0; trial < 150 / test::kSlowdown; ++trial) {
+    const Marker valid = test::random_marker(random);
+    const auto pieces = some_pieces(random, valid, 5);
+    const Box room = room_until(valid.strip, length_of(valid));
+    SumCache sums;
+    const Containment result = contain(with_pieces_at_origin(valid, pieces), pieces, room, {}, {sums});
+    EXPECT_EQ(result.verdict, Verdict::kFound) << "trial " << trial;
+    if (result.verdict == Verdict::kFound) {
+      EXPECT_TRUE(is_valid(result.marker)) << "trial " << trial;
+    }
+  }
+}
+
+std::vector<test::Squares> random_pieces(test::Random& random, std::size_t count) {
+  std::vector<test::Squares> pieces;
+  while (pieces.size() < count) {
+    auto squares = test::random_squares(random, 1 + random.below(5));
+    if (box_of(squares).high.y < 4) pieces.push_back(std::move(squares));
+  }
+  return pieces;
+}
+
+Coord shortest(const Marker& marker) {
+  SumCache sums;
+  const Packing packing = pack(marker, {}, {sums});
+  EXPECT_TRUE(packing.proved);
+  EXPECT_TRUE(is_valid(packing.marker));
+  return packing.length_after;
+}
+
+TEST(PackLaws, AddingAPieceNeverShortens) {
+  test::Random random{37};
+  for (int trial = 0; trial < 25 / test::kSlowdown + 1; ++trial) {
+    const auto pieces = random_pieces(random, 5);
+    const auto fewer = std::vector<test::Squares>{pieces.begin(), pieces.end() - 1};
+    EXPECT_LE(shortest(test::marker_of(fewer, 4)), shortest(test::marker_of(pieces, 4)) + kRounding);
+  }
+}
+
+TEST(PackLaws, AgreesWithExhaustiveSearchOnAGrid) {
+  test::Random random{41};
+  for (int trial = 0; trial < 25 / test::kSlowdown + 1; ++trial) {
+    const auto pieces = random_pieces(random, 4);
+    Coord length = 1;
+    while (!test::fit_on_grid(pieces, 4, length)) ++length;
+    EXPECT_NEAR(static_cast<double>(shortest(test::marker_of(pieces, 4))), static_cast<double>(length * test::kSquare),
+                kRounding);
+  }
+}
+
+TEST(PackLaws, MirrorAndScaleDoNotMatter) {
+  test::Random random{43};
+  for (int trial = 0; trial < 15 / test::kSlowdown + 1; ++trial) {
+    Marker marker = test::marker_of(random_pieces(random, 4), 4);
+    for (Shape& shape : marker.shapes) shape.may_flip = true;
+    PackSettings settings;
+    settings.turns = false;
+    SumCache sums;
+    const auto length = [&](const Marker& one) { return pack(one, settings, {sums}).length_after; };
+    const Coord expected = length(marker);
+    EXPECT_NEAR(static_cast<double>(length(test::mirrored(marker))), static_cast<double>(expected), kRounding);
+    EXPECT_NEAR(static_cast<double>(length(test::on_finer_lattice(marker))), static_cast<double>(10 * expected),
+                10 * kRounding);
+  }
+}
+
+TEST(PackLaws, ThreadsDoNotMatter) {
+  test::Random random{47};
+  for (int trial = 0; trial < 5 / test::kSlowdown + 1; ++trial) {
+    const Marker marker = test::marker_of(random_pieces(random, 6), 4);
+    SumCache sums;
+    PackSettings settings;
+    settings.limits.nodes = 3000;
+    const Packing expected = pack(marker, settings, {sums});
+    for (const std::size_t threads : {2U, 4U}) {
+      const protocol::execution::ThreadPool pool{threads - 1};
+      scene::Run run{sums};
+      run.executor = &pool;
+      const Packing packing = pack(marker, settings, run);
+      EXPECT_EQ(packing.marker, expected.marker);
+      EXPECT_EQ(packing.bound, expected.bound);
+      EXPECT_EQ(packing.work.nodes, expected.work.nodes);
+      EXPECT_EQ(packing.work.pivots, expected.work.pivots);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace selvage::packing

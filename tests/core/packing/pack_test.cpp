@@ -1,0 +1,172 @@
+#include "core/packing/pack.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "core/marker/validity.h"
+#include "tests/core/motion/markers.h"
+
+namespace selvage::packing {
+namespace {
+
+Packing packed(const Marker& marker, const PackSettings& settings = {}) {
+  SumCache sums;
+  Packing packing = pack(marker, settings, {sums});
+  EXPECT_EQ(packing.length_after, length_of(packing.marker));
+  if (packing.found) {
+    EXPECT_LE(packing.bound, packing.length_after);
+    EXPECT_TRUE(is_valid(packing.marker));
+  }
+  return packing;
+}
+
+// The pieces' shortest length is `optimum`, and the search proves it: within the gap of a millionth of the width and
+// the few units by which rounding lengthens a layout.
+void expect_optimum(const Marker& marker, Coord optimum, const PackSettings& settings = {}) {
+  const Packing packing = packed(marker, settings);
+  EXPECT_TRUE(packing.proved);
+  EXPECT_EQ(packing.reason, scene::StopReason::kConverged);
+  EXPECT_LE(packing.bound, optimum);
+  EXPECT_GE(packing.length_after, optimum);
+  EXPECT_LE(packing.length_after, optimum + 16);
+}
+
+Marker limited(Marker marker, Coord longest) {
+  marker.strip.longest = longest;
+  return marker;
+}
+
+TEST(Pack, ExchangesBarsThatCompactionCannot) {
+  test::Layout layout{100'000};
+  const auto tall = layout.shape_of(test::rectangle(30'000, 65'000));
+  const auto low = layout.shape_of(test::rectangle(30'000, 35'000));
+  layout.put(tall, {0, 0}).put(low, {0, 65'000});
+  layout.put(tall, {30'000, 0}).put(tall, {60'000, 0}).put(low, {90'000, 0}).put(low, {90'000, 35'000});
+  expect_optimum(layout.marker(), 90'000);
+}
+
+// [Li94 8.1]: rectangles of height 1 and lengths a_i can fill two rows of equal length exactly when PARTITION has a
+// solution.
+TEST(Pack, SolvesPartition) {
+  const auto optimum_of = [](const std::vector<Coord>& lengths, Coord optimum) {
+    test::Layout layout{20'000};
+    for (const Coord length : lengths) layout.put(layout.shape_of(test::rectangle(length * 1000, 10'000)), {0, 0});
+    expect_optimum(layout.marker(), optimum * 1000);
+  };
+  optimum_of({3, 1, 1, 2, 2, 1}, 5);
+  optimum_of({7, 5, 4, 3, 1}, 10);
+  optimum_of({7, 7, 5, 1}, 12);  // 20 in all, but no two sets of 10
+}
+
+// [Li94 figure 8.1]: two long pieces side by side, which only fit one above the other after passing a corner.
+TEST(Pack, StacksWhereCompactionKeepsPiecesInARow) {
+  test::Layout layout{20'000};
+  const auto bar = layout.shape_of(test::rectangle(50'000, 10'000));
+  layout.put(bar, {0, 0}).put(bar, {50'000, 0});
+  expect_optimum(layout.marker(), 50'000);
+}
+
+TEST(Pack, FindsFitsWithoutSlack) {
+  test::Layout layout{40'000};
+  const auto chevron = layout.shape_of(test::chevron(60'000, 10'000, 10'000));
+  layout.put(chevron, {0, 0}).put(chevron, {70'000, 0}).put(chevron, {140'000, 0});
+  expect_optimum(layout.marker(), 60'000);
+}
+
+TEST(Pack, PutsPiecesIntoNotches) {
+  test::Layout layout{30'000};
+  const auto u = layout.shape_of({{0, 0},
+                                  {30'000, 0},
+                                  {30'000, 10'000},
+                                  {10'000, 10'000},
+                                  {10'000, 20'000},
+                                  {30'000, 20'000},
+                                  {30'000, 30'000},
+                                  {0, 30'000}});
+  const auto bar = layout.shape_of(test::rectangle(20'000, 10'000));
+  layout.put(u, {0, 0}).put(bar, {50'000, 0});
+  expect_optimum(layout.marker(), 30'000);
+}
+
+TEST(Pack, TurnsPiecesOnlyWhereAllowed) {
+  test::Layout layout{20'000};
+  const auto upright = layout.shape_of(test::rectangle(10'000, 20'000));
+  const auto lying = layout.shape_of(test::rectangle(20'000, 10'000));
+  layout.put(upright, {0, 0}).put(lying, {20'000, 0}).put(lying, {50'000, 0});
+  Marker marker = layout.marker();
+  for (Shape& shape : marker.shapes) shape.rotations = {Angle{}};
+  expect_optimum(marker, 30'000);
+  // An isosceles triangle and its half turn interlock.
+  test::Layout triangles{10'000};
+  const auto triangle = triangles.shape_of({{0, 0}, {20'000, 0}, {10'000, 10'000}});
+  triangles.put(triangle, {0, 0}).put(triangle, {30'000, 0});
+  Marker turning = triangles.marker();
+  turning.shapes[0].rotations = {Angle{}, Angle::of_degrees(180)};
+  expect_optimum(turning, 30'000);
+  PackSettings fixed;
+  fixed.turns = false;
+  expect_optimum(turning, 40'000, fixed);
+}
+
+TEST(Pack, KeepsTheSpacing) {
+  test::Layout layout{21'000};
+  const auto square = layout.shape_of(test::rectangle(10'000, 10'000));
+  layout.put(square, {0, 0}).put(square, {20'000, 0}).put(square, {40'000, 0}).put(square, {60'000, 0}).spaced(1000);
+  expect_optimum(layout.marker(), 21'000);
+}
+
+TEST(Pack, KeepsLockedPiecesAndGroups) {
+  test::Layout layout{20'000};
+  const auto square = layout.shape_of(test::rectangle(10'000, 10'000));
+  layout.put(square, {10'000, 0}, 0, true).put(square, {60'000, 0}).put(square, {80'000, 10'000});
+  Marker marker = layout.marker();
+  marker.pieces[1].group = marker.pieces[2].group = "pair";
+  const Packing packing = packed(marker);
+  EXPECT_TRUE(packing.proved);
+  EXPECT_EQ(packing.marker.pieces[0], marker.pieces[0]);
+  EXPECT_EQ(packing.marker.pieces[2].at - packing.marker.pieces[1].at, (Vec{20'000, 10'000}));
+  EXPECT_EQ(packing.length_after, 30'000);  // on both sides of the locked square
+}
+
+TEST(Pack, ProvesThatTheClothIsTooShort) {
+  test::Layout layout{20'000};
+  const auto square = layout.shape_of(test::rectangle(11'000, 11'000));
+  layout.put(square, {0, 0}).put(square, {20'000, 0}).put(square, {40'000, 0});
+  const Packing short_of = packed(limited(layout.marker(), 32'999));
+  EXPECT_FALSE(short_of.found);
+  EXPECT_TRUE(short_of.proved);
+  expect_optimum(limited(layout.marker(), 33'000), 33'000);
+}
+
+TEST(Pack, HoldsItsBestAnswerAtTheWorkLimit) {
+  const Marker marker = test::loose_marker(3, 3, 2);
+  PackSettings settings;
+  settings.limits.nodes = 40;
+  const Packing packing = packed(marker, settings);
+  EXPECT_EQ(packing.reason, scene::StopReason::kWorkLimit);
+  EXPECT_TRUE(packing.found);
+  EXPECT_FALSE(packing.proved);
+  EXPECT_LE(packing.length_after, packing.length_before);
+  EXPECT_GT(packing.bound, 0);
+  EXPECT_LT(packing.work.nodes, 400U);
+}
+
+TEST(Pack, StopsWhenAsked) {
+  const Marker marker = test::loose_marker(5, 3, 2);
+  SumCache sums;
+  std::stop_source source;
+  scene::Run run{sums, source.get_token()};
+  run.observer.on_round = [&](const scene::Round& round) {
+    if (round.number == 5) source.request_stop();
+  };
+  const Packing packing = pack(marker, {}, run);
+  EXPECT_EQ(packing.reason, scene::StopReason::kCancelled);
+  EXPECT_EQ(packing.rounds, 5);
+  EXPECT_TRUE(is_valid(packing.marker));
+}
+
+}  // namespace
+}  // namespace selvage::packing
