@@ -23,9 +23,11 @@ std::string decimal(Coord coord, Resolution resolution) {
   return text;
 }
 
+using Ids = std::unordered_set<std::string_view>;
+
+// Adds the ids to those seen so far.
 template <class Entries>
-std::optional<Error> repeated_id(const Entries& entries, const char* list) {
-  std::unordered_set<std::string_view> seen;
+std::optional<Error> repeated_id(const Entries& entries, const char* list, Ids& seen) {
   for (std::size_t k = 0; k < entries.size(); ++k) {
     if (!seen.insert(entries[k].id).second) {
       return Error{ErrorCode::kDuplicateId, "id \"" + entries[k].id + "\" is used twice; ids must differ",
@@ -66,12 +68,38 @@ std::optional<Error> strip_defect(const Marker& marker) {
   return std::nullopt;
 }
 
-std::optional<Error> buffer_defect(const Marker& marker, std::size_t k) {
-  const Coord buffer = marker.pieces[k].buffer;
-  if (buffer >= 0 && buffer <= marker.strip.width) return std::nullopt;
-  return Error{ErrorCode::kOutOfRange,
-               "the buffer is " + decimal(buffer, marker.resolution) + "; it must be from 0 to the strip's width",
-               at_index("pieces", k) + "/buffer"};
+// What is wrong with a piece wherever it lies; `at` points to it.
+std::optional<Error> piece_defect(const Marker& marker, const Piece& piece, const std::string& at) {
+  if (piece.shape.value >= marker.shapes.size()) {
+    return Error{ErrorCode::kUnknownShape,
+                 "shape number " + std::to_string(piece.shape.value) + " of " + std::to_string(marker.shapes.size()),
+                 at + "/shape"};
+  }
+  if (piece.buffer < 0 || piece.buffer > marker.strip.width) {
+    return Error{
+        ErrorCode::kOutOfRange,
+        "the buffer is " + decimal(piece.buffer, marker.resolution) + "; it must be from 0 to the strip's width",
+        at + "/buffer"};
+  }
+  const Shape& shape = marker.shapes[piece.shape.value];
+  if (allows(shape, piece.orientation)) return std::nullopt;
+  return Error{ErrorCode::kOrientationNotAllowed,
+               "rotation " + std::to_string(piece.orientation.rotation.degrees) + ", tilt " +
+                   std::to_string(piece.orientation.tilt.degrees) + (piece.orientation.flip ? ", flipped" : "") +
+                   " is not among the orientations that shape \"" + shape.id + "\" allows",
+               at + "/rotation"};
+}
+
+std::optional<Error> count_defect(const Marker& marker) {
+  const std::size_t pieces = marker.pieces.size() + marker.unplaced.size();
+  if (pieces == 0) {
+    return Error{ErrorCode::kEmptyMarker, "the marker has no piece; at least 1 is needed", "/pieces"};
+  }
+  if (pieces > kMaxPieces) {
+    return Error{ErrorCode::kTooManyPieces,
+                 std::to_string(pieces) + " pieces; at most " + std::to_string(kMaxPieces) + " are allowed", "/pieces"};
+  }
+  return std::nullopt;
 }
 
 // A turned outline is rounded to the lattice once, and the rounded outline is used from then on, so it must be a
@@ -97,37 +125,25 @@ std::optional<Error> orientation_defect(const Shape& shape, const Orientation& o
 
 Result<Marker> make_marker(Marker marker) {
   if (const auto defect = strip_defect(marker)) return *defect;
-  if (marker.pieces.empty()) {
-    return Error{ErrorCode::kEmptyMarker, "the marker has no piece; at least 1 is needed", "/pieces"};
-  }
-  if (marker.pieces.size() > kMaxPieces) {
-    return Error{
-        ErrorCode::kTooManyPieces,
-        std::to_string(marker.pieces.size()) + " pieces; at most " + std::to_string(kMaxPieces) + " are allowed",
-        "/pieces"};
-  }
-  if (const auto defect = repeated_id(marker.shapes, "shapes")) return *defect;
-  if (const auto defect = repeated_id(marker.pieces, "pieces")) return *defect;
+  if (const auto defect = count_defect(marker)) return *defect;
+  Ids shape_ids, piece_ids;
+  if (const auto defect = repeated_id(marker.shapes, "shapes", shape_ids)) return *defect;
+  if (const auto defect = repeated_id(marker.pieces, "pieces", piece_ids)) return *defect;
+  if (const auto defect = repeated_id(marker.unplaced, "unplaced", piece_ids)) return *defect;
   std::map<std::pair<ShapeId, Orientation>, std::optional<Error>> seen;
   for (std::size_t k = 0; k < marker.pieces.size(); ++k) {
     const Piece& piece = marker.pieces[k];
-    if (piece.shape.value >= marker.shapes.size()) {
-      return Error{ErrorCode::kUnknownShape,
-                   "shape number " + std::to_string(piece.shape.value) + " of " + std::to_string(marker.shapes.size()),
-                   at_index("pieces", k) + "/shape"};
-    }
-    if (const auto defect = buffer_defect(marker, k)) return *defect;
-    const Shape& shape = marker.shapes[piece.shape.value];
-    if (!allows(shape, piece.orientation)) {
-      return Error{ErrorCode::kOrientationNotAllowed,
-                   "rotation " + std::to_string(piece.orientation.rotation.degrees) + ", tilt " +
-                       std::to_string(piece.orientation.tilt.degrees) + (piece.orientation.flip ? ", flipped" : "") +
-                       " is not among the orientations that shape \"" + shape.id + "\" allows",
-                   at_index("pieces", k) + "/rotation"};
-    }
+    if (const auto defect = piece_defect(marker, piece, at_index("pieces", k))) return *defect;
     const auto [at, fresh] = seen.try_emplace({piece.shape, piece.orientation});
-    if (fresh) at->second = orientation_defect(shape, piece.orientation, marker.strip, marker.resolution);
+    if (fresh) {
+      at->second =
+          orientation_defect(marker.shapes[piece.shape.value], piece.orientation, marker.strip, marker.resolution);
+    }
     if (at->second) return Error{at->second->code, at->second->message, at_index("pieces", k)};
+  }
+  for (std::size_t k = 0; k < marker.unplaced.size(); ++k) {
+    if (const auto defect = piece_defect(marker, marker.unplaced[k], at_index("unplaced", k))) return *defect;
+    marker.unplaced[k].at = {};
   }
   return marker;
 }

@@ -3,9 +3,11 @@
 // The strip spans 0 to `width` along y and starts at x = 0.  A marker's length is the x coordinate at which its
 // rightmost piece ends.  All coordinates are in lattice units; Resolution gives the length of a unit in the marker's
 // own unit (usually mm).
-// Invariant of a Marker that make_marker returned: ids are unique, every piece names an existing shape, every shape is
-// a Polygon, and every oriented piece fits the strip's width.  Pieces may still overlap or leave the strip: see
-// core/marker/validity.h.
+// A marker may also have pieces that do not lie on the cloth: they are listed apart from the placed ones and have no
+// position.  Length, utilisation, validity and motions concern placed pieces only; nesting places the others.
+// Invariant of a Marker that make_marker returned: ids are unique, also between placed and unplaced pieces; every piece
+// names an existing shape, every shape is a Polygon, every piece has an orientation that its shape allows, and every
+// placed piece fits the strip's width.  Pieces may still overlap or leave the strip: see core/marker/validity.h.
 #pragma once
 
 #include <optional>
@@ -77,10 +79,11 @@ struct Marker {
   Coord spacing{};  // the least distance between two pieces; 0: pieces may touch
   std::vector<Shape> shapes;
   std::vector<Piece> pieces;
+  std::vector<Piece> unplaced{};  // pieces that do not lie on the cloth; their position is 0 and means nothing
   friend bool operator==(const Marker&, const Marker&) = default;
 };
 
-inline constexpr std::size_t kMaxPieces = 20'000;
+inline constexpr std::size_t kMaxPieces = 20'000;  // placed and unplaced ones together
 
 // Checks the invariant above.
 // Errors: kEmptyMarker, kTooManyPieces, kDuplicateId, kUnknownShape, kPieceTooWide, kOrientationNotAllowed, kOutOfRange

@@ -21,6 +21,7 @@ namespace selvage::protocol::calls {
 inline constexpr std::string_view kRevisionMeaning = "The marker's revision.";
 inline constexpr std::string_view kNameMeaning = "The marker's name.";
 inline constexpr std::string_view kPiecesMeaning = "Number of pieces.";
+inline constexpr std::string_view kUnplacedMeaning = "Number of pieces that do not lie on the cloth; absent: none.";
 inline constexpr std::string_view kLengthMeaning = "The x coordinate where the rightmost piece ends; exact.";
 inline constexpr std::string_view kUtilisationMeaning = "The pieces' area divided by width times length, 0 to 1.";
 inline constexpr std::string_view kValidMeaning =
@@ -66,6 +67,11 @@ struct Placement {
     v.required("tilt", self.tilt, "Degrees, added to the rotation.");
   }
 };
+// The number as messages give it: nothing when all pieces are placed.
+[[nodiscard]] inline std::optional<std::size_t> unplaced_count(const Marker& marker) {
+  return marker.unplaced.empty() ? std::nullopt : std::optional{marker.unplaced.size()};
+}
+
 // The pieces whose placement differs, or that are new.  Pieces that are gone are not listed.
 // REQUIRES: pieces in the same order.
 [[nodiscard]] std::vector<Placement> changed_placements(const Marker& before, const Marker& after);

@@ -26,7 +26,7 @@ struct Note {
 // What a file contains besides the marker itself; every entry is an object, empty when there is nothing.
 struct Attributes {
   Json whole = Json::object();
-  std::vector<Json> shapes, pieces;  // one per shape, one per piece
+  std::vector<Json> shapes, pieces, unplaced;  // one per shape, one per placed piece, one per unplaced piece
 };
 
 struct MarkerFile {

@@ -21,12 +21,14 @@ MarkerFile with_marker(const MarkerFile& file, Marker next) {
   MarkerFile after{.marker = {}, .format = file.format, .notes = {}, .attributes = {}};
   after.attributes.whole = file.attributes.whole;
   after.attributes.shapes = file.attributes.shapes;
-  after.attributes.pieces.reserve(next.pieces.size());
-  std::size_t old = 0;  // pieces keep their order
-  for (const Piece& piece : next.pieces) {
-    while (old + 1 < file.marker.pieces.size() && file.marker.pieces[old].id != piece.id) ++old;
-    after.attributes.pieces.push_back(file.attributes.pieces[old++]);
-  }
+  std::unordered_map<std::string_view, const Json*> attributes;
+  const auto list = [&attributes](const std::vector<Piece>& pieces, const std::vector<Json>& of_pieces) {
+    for (std::size_t i = 0; i < pieces.size(); ++i) attributes.emplace(pieces[i].id, &of_pieces[i]);
+  };
+  list(file.marker.pieces, file.attributes.pieces);
+  list(file.marker.unplaced, file.attributes.unplaced);
+  for (const Piece& piece : next.pieces) after.attributes.pieces.push_back(*attributes.at(piece.id));
+  for (const Piece& piece : next.unplaced) after.attributes.unplaced.push_back(*attributes.at(piece.id));
   after.marker = std::move(next);
   return after;
 }

@@ -97,7 +97,8 @@ struct ChangedNotification {
   }
 };
 
-// The file with its marker's next state, which may have lost pieces: each that stays keeps its attributes.
+// The file with its marker's next state, which may have lost pieces, placed some or taken some off the cloth: each that
+// stays keeps its attributes.  REQUIRES: the next state has no piece that the file does not have.
 [[nodiscard]] MarkerFile with_marker(const MarkerFile& file, Marker next);
 
 }  // namespace selvage::protocol::edits

@@ -11,7 +11,8 @@ std::optional<Moves> moves_between(const MarkerFile& before, const MarkerFile& a
   const std::vector<Piece>& from = before.marker.pieces;
   const std::vector<Piece>& to = after.marker.pieces;
   if (from.size() != to.size() || before.attributes.pieces != after.attributes.pieces ||
-      before.attributes.shapes != after.attributes.shapes || before.attributes.whole != after.attributes.whole) {
+      before.attributes.unplaced != after.attributes.unplaced || before.attributes.shapes != after.attributes.shapes ||
+      before.attributes.whole != after.attributes.whole) {
     return std::nullopt;
   }
   Moves moves;

@@ -48,6 +48,16 @@ double placed_extent(const std::vector<Decimal>& outline, const Orientation& ori
 
 using ShapeIndex = std::unordered_map<std::string, std::size_t>;
 
+std::optional<Error> unknown_shape(const std::vector<DecimalPiece>& pieces, std::string_view list,
+                                   const ShapeIndex& index) {
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (index.contains(pieces[i].shape)) continue;
+    return Error{ErrorCode::kUnknownShape, json::shortened(Json(pieces[i].shape)) + " is the id of no shape",
+                 indexed(list, i, "/shape")};
+  }
+  return std::nullopt;
+}
+
 Result<ShapeIndex> index_shapes(const DecimalMarker& written) {
   ShapeIndex index;
   for (std::size_t i = 0; i < written.shapes.size(); ++i) {
@@ -57,11 +67,8 @@ Result<ShapeIndex> index_shapes(const DecimalMarker& written) {
                    indexed("/shapes/", i, "/id")};
     }
   }
-  for (std::size_t i = 0; i < written.pieces.size(); ++i) {
-    if (index.contains(written.pieces[i].shape)) continue;
-    return Error{ErrorCode::kUnknownShape, json::shortened(Json(written.pieces[i].shape)) + " is the id of no shape",
-                 indexed("/pieces/", i, "/shape")};
-  }
+  if (auto error = unknown_shape(written.pieces, "/pieces/", index)) return *error;
+  if (auto error = unknown_shape(written.unplaced, "/unplaced/", index)) return *error;
   return index;
 }
 
@@ -85,6 +92,9 @@ Survey survey(const DecimalMarker& written, const ShapeIndex& shapes) {
     all.add(piece.at.x, at);
     all.add(piece.at.y, at);
     all.reach(placed_extent(written.shapes[shapes.at(piece.shape)].outline, piece.piece.orientation, piece.at), at);
+  }
+  for (std::size_t i = 0; i < written.unplaced.size(); ++i) {
+    all.add(written.unplaced[i].buffer, indexed("/unplaced/", i, "/buffer"));
   }
   return all;
 }
@@ -178,13 +188,15 @@ Result<MarkerFile> on_lattice(const DecimalMarker& written, document::Attributes
     if (!shape) return shape.error();
     marker.shapes.push_back(*std::move(shape));
   }
-  for (const DecimalPiece& piece : written.pieces) {
-    Piece placed = piece.piece;
-    placed.shape = ShapeId{static_cast<std::uint32_t>(shapes->at(piece.shape))};
-    placed.at = rounded(piece.at, *resolution);
-    placed.buffer = spacing_on_lattice(piece.buffer, *resolution);
-    marker.pieces.push_back(std::move(placed));
-  }
+  const auto piece_on_lattice = [&](const DecimalPiece& decimal) {
+    Piece piece = decimal.piece;
+    piece.shape = ShapeId{static_cast<std::uint32_t>(shapes->at(decimal.shape))};
+    piece.at = rounded(decimal.at, *resolution);
+    piece.buffer = spacing_on_lattice(decimal.buffer, *resolution);
+    return piece;
+  };
+  for (const DecimalPiece& piece : written.pieces) marker.pieces.push_back(piece_on_lattice(piece));
+  for (const DecimalPiece& piece : written.unplaced) marker.unplaced.push_back(piece_on_lattice(piece));
   auto made = make_marker(std::move(marker));
   if (!made) return made.error();
   file.marker = *std::move(made);

@@ -40,6 +40,7 @@ struct DecimalMarker {
   std::optional<double> longest;
   std::vector<DecimalShape> shapes;
   std::vector<DecimalPiece> pieces;
+  std::vector<DecimalPiece> unplaced;  // their position is ignored
 };
 
 inline constexpr json::Range kStripWidths{1e-6, 1e9};

@@ -56,12 +56,15 @@ DecimalShape read_shape(const Json& value, const std::string& at, json::Mistake&
   return shape;
 }
 
-DecimalPiece read_piece(const Json& value, const std::string& at, json::Mistake& mistake, Json& attributes) {
+enum class Placed { kNo, kYes };
+
+DecimalPiece read_piece(const Json& value, const std::string& at, json::Mistake& mistake, Json& attributes,
+                        Placed placed = Placed::kYes) {
   json::Fields fields{value, at, mistake};
   DecimalPiece piece;
   piece.piece.id = fields.id("id");
   piece.shape = fields.id("shape");
-  piece.at = read_point(fields.array("at"), fields.pointer("at"), mistake);
+  if (placed == Placed::kYes) piece.at = read_point(fields.array("at"), fields.pointer("at"), mistake);
   piece.piece.orientation.rotation = Angle::of_degrees(fields.number_or("rotation", 0, kDegrees));
   piece.piece.orientation.flip = fields.flag_or("flip", false);
   piece.piece.orientation.tilt = Angle::of_degrees(fields.number_or("tilt", 0, {-45, 45}));
@@ -104,11 +107,13 @@ void read_strip(json::Fields& fields, json::Mistake& mistake, DecimalMarker& mar
 void settle_rotations(DecimalMarker& marker) {
   std::unordered_map<std::string, const std::vector<Angle>*> allowed;
   for (const DecimalShape& shape : marker.shapes) allowed.emplace(shape.shape.id, &shape.shape.rotations);
-  for (DecimalPiece& piece : marker.pieces) {
-    const auto found = allowed.find(piece.shape);
-    if (found == allowed.end()) continue;
-    Angle& rotation = piece.piece.orientation.rotation;
-    rotation = matching_rotation(rotation.degrees, *found->second, 0).value_or(rotation);
+  for (auto* pieces : {&marker.pieces, &marker.unplaced}) {
+    for (DecimalPiece& piece : *pieces) {
+      const auto found = allowed.find(piece.shape);
+      if (found == allowed.end()) continue;
+      Angle& rotation = piece.piece.orientation.rotation;
+      rotation = matching_rotation(rotation.degrees, *found->second, 0).value_or(rotation);
+    }
   }
 }
 
@@ -135,6 +140,13 @@ Result<MarkerFile> read_native(const Json& document) {
     const std::string at = "/pieces/" + std::to_string(marker.pieces.size());
     marker.pieces.push_back(read_piece(piece, at, mistake, attributes.pieces.emplace_back()));
   }
+  if (const Json* unplaced = fields.maybe_array("unplaced")) {
+    for (const Json& piece : *unplaced) {
+      if (mistake) return mistake.error();
+      const std::string at = "/unplaced/" + std::to_string(marker.unplaced.size());
+      marker.unplaced.push_back(read_piece(piece, at, mistake, attributes.unplaced.emplace_back(), Placed::kNo));
+    }
+  }
   attributes.whole = read_attributes(fields);
   fields.finish();
   if (mistake) return mistake.error();
@@ -158,11 +170,10 @@ Json shape_json(const Shape& shape, const Json& attributes, Resolution resolutio
   return json;
 }
 
-Json piece_json(const Marker& marker, const Piece& piece, const Json& attributes) {
-  Json json{{"id", piece.id},
-            {"shape", marker.shapes[piece.shape.value].id},
-            {"at", point_json(piece.at, marker.resolution)},
-            {"rotation", piece.orientation.rotation.degrees}};
+Json piece_json(const Marker& marker, const Piece& piece, const Json& attributes, Placed placed = Placed::kYes) {
+  Json json{{"id", piece.id}, {"shape", marker.shapes[piece.shape.value].id}};
+  if (placed == Placed::kYes) json["at"] = point_json(piece.at, marker.resolution);
+  json["rotation"] = piece.orientation.rotation.degrees;
   if (piece.orientation.flip) json["flip"] = true;
   if (piece.orientation.tilt.degrees != 0) json["tilt"] = piece.orientation.tilt.degrees;
   write_constraints(json, marker, piece);
@@ -192,6 +203,11 @@ Json native_document(const MarkerFile& file) {
   Json& pieces = document["pieces"] = Json::array();
   for (std::size_t i = 0; i < marker.pieces.size(); ++i) {
     pieces.push_back(piece_json(marker, marker.pieces[i], file.attributes.pieces[i]));
+  }
+  if (marker.unplaced.empty()) return document;
+  Json& unplaced = document["unplaced"] = Json::array();
+  for (std::size_t i = 0; i < marker.unplaced.size(); ++i) {
+    unplaced.push_back(piece_json(marker, marker.unplaced[i], file.attributes.unplaced[i], Placed::kNo));
   }
   return document;
 }

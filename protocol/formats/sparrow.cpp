@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "protocol/formats/constraints.h"
@@ -45,7 +46,8 @@ std::string renamed(std::string pointer, const std::vector<bool>& filled) {
 struct Reading {
   DecimalMarker marker;
   document::Attributes attributes;
-  std::vector<bool> filled;  // per item: its shape is written as {outer, inner}
+  std::vector<bool> filled;          // per item: its shape is written as {outer, inner}
+  std::vector<std::int64_t> demand;  // per item; 0 when it does not say
   std::vector<Note> notes;
   json::Mistake mistake;
 };
@@ -92,7 +94,10 @@ void read_item(const Json& value, const std::string& at, Reading& reading) {
   shape.shape.rotations = read_orientations(fields, reading.mistake);
   shape.shape.tilt_limit = Angle::of_degrees(fields.number_or("tilt_limit_deg", 0, {0, 45}));
   read_outline(fields.object("shape"), fields.pointer("shape"), shape, reading);
+  // Kept among the attributes, so that it is written back where it stood.
   reading.attributes.shapes.push_back(fields.rest());
+  constexpr auto kMost = static_cast<std::int64_t>(marker::kMaxPieces);
+  reading.demand.push_back(fields.maybe_integer("demand", 0, kMost).value_or(0));
   reading.marker.shapes.push_back(std::move(shape));
 }
 
@@ -110,16 +115,37 @@ void read_placed(const Json& value, const std::string& at, Reading& reading) {
 }
 
 void read_solution(json::Fields& fields, Reading& reading) {
-  if (!fields.has("solution")) {
-    reading.mistake.add(ErrorCode::kMissingField, "nothing is placed: the instance comes without a solution",
-                        fields.pointer("solution"));
-    return;
-  }
+  if (!fields.has("solution")) return;
   json::Fields solution{fields.object("solution"), fields.pointer("solution"), reading.mistake};
   json::Fields layout{solution.object("layout"), solution.pointer("layout"), reading.mistake};
   for (const Json& placed : layout.array("placed_items")) {
     if (reading.mistake) return;
     read_placed(placed, layout.pointer("placed_items") + "/" + std::to_string(reading.marker.pieces.size()), reading);
+  }
+}
+
+// The copies that are asked for and not placed.
+void list_unplaced(Reading& reading) {
+  DecimalMarker& marker = reading.marker;
+  std::unordered_map<std::string, std::int64_t> placed;
+  std::unordered_set<std::string> ids;
+  for (const DecimalPiece& piece : marker.pieces) {
+    ++placed[piece.shape];
+    ids.insert(piece.piece.id);
+  }
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < marker.shapes.size(); ++i) {
+    const Shape& shape = marker.shapes[i].shape;
+    for (std::int64_t copy = placed[shape.id]; copy < reading.demand[i]; ++copy) {
+      if (marker.pieces.size() + marker.unplaced.size() > marker::kMaxPieces) return;  // make_marker refuses it
+      while (ids.contains(std::to_string(next))) ++next;
+      DecimalPiece piece;
+      piece.shape = shape.id;
+      piece.piece.id = std::to_string(next++);
+      if (!shape.rotations.empty()) piece.piece.orientation.rotation = shape.rotations.front();
+      marker.unplaced.push_back(std::move(piece));
+      reading.attributes.unplaced.push_back(Json::object());
+    }
   }
 }
 
@@ -190,6 +216,7 @@ Result<MarkerFile> read_sparrow(const Json& document) {
   marker.margin = fields.number_or("margin", 0, {0, kStripWidths.most});
   marker.spacing = fields.number_or("spacing", 0, {0, kStripWidths.most});
   read_solution(fields, reading);
+  list_unplaced(reading);
   reading.attributes.whole = fields.rest();
   if (reading.mistake) return reading.mistake.error();
   settle_rotations(reading);
@@ -233,7 +260,7 @@ Json item_json(const Marker& marker, const Shape& shape, std::uint64_t id, std::
   Json item{{"id", id}};
   if (std::to_string(id) != shape.id && !attributes.contains("name")) item["name"] = shape.id;
   add_attributes(item, attributes);
-  if (!item.contains("demand")) item["demand"] = copies;
+  item["demand"] = copies;
   if (tilting) item["tilt_limit_deg"] = shape.tilt_limit.degrees;
   if (!shape.rotations.empty()) {
     Json& allowed = item["allowed_orientations"] = Json::array();
@@ -279,6 +306,7 @@ Result<Json> sparrow_document(const MarkerFile& file) {
     }
     ++copies[marker.pieces[i].shape.value];
   }
+  for (const Piece& piece : marker.unplaced) ++copies[piece.shape.value];
   const auto ids = item_ids(marker);
   const bool tilting = std::any_of(marker.shapes.begin(), marker.shapes.end(),
                                    [](const Shape& shape) { return shape.tilt_limit.degrees > 0; });
@@ -293,7 +321,7 @@ Result<Json> sparrow_document(const MarkerFile& file) {
   document["strip_height"] = to_decimal(marker.strip.width, marker.resolution);
   if (marker.strip.margin > 0) document["margin"] = to_decimal(marker.strip.margin, marker.resolution);
   if (marker.spacing > 0) document["spacing"] = to_decimal(marker.spacing, marker.resolution);
-  document["solution"] = solution_json(file, ids);
+  if (!marker.pieces.empty()) document["solution"] = solution_json(file, ids);
   return document;
 }
 

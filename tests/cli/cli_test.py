@@ -506,11 +506,6 @@ class BadInput(CliTest):
         document["shapes"][0]["outline"] = [[0, 0], [9, 9], [9, 0], [0, 9]]
         self.refused(document, BAD_INPUT, "/shapes/0/outline", "shape.self_intersecting")
 
-    def test_a_sparrow_instance_without_a_solution(self):
-        document = json.loads((MARKERS / "jeans_02g.json").read_text())
-        del document["solution"]
-        self.refused(document, BAD_INPUT, "/solution: nothing is placed")
-
     def test_a_spacing_that_is_not_a_valid_number(self):
         for spacing in ("nan", "inf", "-1", "1e308"):
             ran = run("compact", MARKERS / "jeans_02g.json", "--spacing=" + spacing)

@@ -112,11 +112,19 @@ std::string plain_summary(const Json& f, const protocol::execution::StageTimes& 
     out += "  least gap    " + significant(f["leastBefore"].number()) + " -> " + significant(f["leastAfter"].number()) +
            unit + "\n";
   }
-  if (f.contains("gain")) out += "  gain         " + significant(f["gain"].number()) + unit + "\n";
-  out += "  length       " + protocol::json::number_text(before) + " -> " + protocol::json::number_text(after) + unit +
-         "  (" + rounded(100 * (after / before - 1), 3) + " %)\n";
+  if (f.contains("gain")) out += "  gain         " + significant(f["gain"].number()) + unit + "
+";
+  if (f.contains("unplaced") && f["unplaced"].get<std::size_t>() > 0) {
+    out += "  left over    " + counted(f["unplaced"].get<std::size_t>(), "piece") + "
+";
+  }
+  out += "  length       " + protocol::json::number_text(before) + " -> " + protocol::json::number_text(after) + unit;
+  if (before > 0) out += "  (" + rounded(100 * (after / before - 1), 3) + " %)";
+  out += "
+";
   out += "  utilisation  " + per_cent(f["utilisationBefore"].number()) + " -> " +
-         per_cent(f["utilisationAfter"].number()) + "\n  ";
+         per_cent(f["utilisationAfter"].number()) + "
+  ";
   if (f.contains("rounds")) {
     out += f["stop"].text() + " after " + counted(f["rounds"].get<std::size_t>(), "round") + ", ";
   }
@@ -125,9 +133,11 @@ std::string plain_summary(const Json& f, const protocol::execution::StageTimes& 
 }
 
 std::string plain_figures(const Marker& marker) {
-  return (marker.name.empty() ? "marker" : marker.name) + ": " + counted(marker.pieces.size(), "piece") + ", length " +
-         protocol::json::number_text(to_decimal(length_of(marker), marker.resolution)) + " " + marker.unit +
-         ", utilisation " + per_cent(utilisation_of(marker));
+  const std::string unplaced =
+      marker.unplaced.empty() ? "" : ", " + std::to_string(marker.unplaced.size()) + " unplaced";
+  return (marker.name.empty() ? "marker" : marker.name) + ": " + counted(marker.pieces.size(), "piece") + unplaced +
+         ", length " + protocol::json::number_text(to_decimal(length_of(marker), marker.resolution)) + " " +
+         marker.unit + ", utilisation " + per_cent(utilisation_of(marker));
 }
 
 std::string plain_violations(const Marker& marker, const Json& validity) {

@@ -40,6 +40,7 @@ OpenResult opened(const std::string& marker_id, Revision revision, const MarkerF
   const Marker& marker = file.marker;
   return {.at = {marker_id, revision},
           .pieces = marker.pieces.size(),
+          .unplaced = calls::unplaced_count(marker),
           .length = to_decimal(length_of(marker), marker.resolution),
           .utilisation = utilisation_of(marker),
           .valid = is_valid(marker),
@@ -50,6 +51,7 @@ ListedMarker listed(const std::string& marker_id, Revision revision, const Marke
   return {.at = {marker_id, revision},
           .name = marker.name,
           .pieces = marker.pieces.size(),
+          .unplaced = calls::unplaced_count(marker),
           .length = to_decimal(length_of(marker), marker.resolution),
           .utilisation = utilisation_of(marker)};
 }

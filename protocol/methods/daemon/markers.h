@@ -21,6 +21,7 @@ struct OpenParams {
 struct OpenResult {
   calls::AtRevision at;
   std::size_t pieces{};
+  std::optional<std::size_t> unplaced;
   double length{}, utilisation{};
   bool valid{};
   std::vector<calls::Note> notes;
@@ -28,6 +29,7 @@ struct OpenResult {
   static void describe(auto& v, auto& self) {
     v.part(self.at);
     v.required("pieces", self.pieces, calls::kPiecesMeaning);
+    v.optional("unplaced", self.unplaced, calls::kUnplacedMeaning);
     v.required("length", self.length, calls::kLengthMeaning);
     v.required("utilisation", self.utilisation, calls::kUtilisationMeaning);
     v.required("valid", self.valid, calls::kValidMeaning);
@@ -41,12 +43,14 @@ struct ListedMarker {
   calls::AtRevision at;
   std::string name;
   std::size_t pieces{};
+  std::optional<std::size_t> unplaced;
   double length{}, utilisation{};
 
   static void describe(auto& v, auto& self) {
     v.part(self.at);
     v.required("name", self.name, calls::kNameMeaning);
     v.required("pieces", self.pieces, calls::kPiecesMeaning);
+    v.optional("unplaced", self.unplaced, calls::kUnplacedMeaning);
     v.required("length", self.length, calls::kLengthMeaning);
     v.required("utilisation", self.utilisation, calls::kUtilisationMeaning);
   }

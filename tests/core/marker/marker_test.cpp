@@ -45,6 +45,30 @@ TEST(MakeMarker, RejectsNoPiecesAndTooManyPieces) {
   EXPECT_EQ(error_of(squares(std::vector<Vec>(marker::kMaxPieces))), Found());
 }
 
+TEST(MakeMarker, ChecksUnplacedPieces) {
+  const auto unplaced = [](Piece piece) {
+    Marker marker = squares({{0, 0}});
+    marker.unplaced = {std::move(piece)};
+    return marker;
+  };
+  EXPECT_EQ(error_of(unplaced({.id = "0", .shape = {0}, .orientation = {}, .at = {}})),
+            Found(ErrorCode::kDuplicateId, "/unplaced/0/id"));
+  EXPECT_EQ(error_of(unplaced({.id = "a", .shape = {1}, .orientation = {}, .at = {}})),
+            Found(ErrorCode::kUnknownShape, "/unplaced/0/shape"));
+  EXPECT_EQ(error_of(unplaced({.id = "a", .shape = {0}, .orientation = {false, {90}, {}}, .at = {}})),
+            Found(ErrorCode::kOrientationNotAllowed, "/unplaced/0/rotation"));
+  EXPECT_EQ(error_of(unplaced({.id = "a", .shape = {0}, .orientation = {}, .at = {}, .buffer = -1})),
+            Found(ErrorCode::kOutOfRange, "/unplaced/0/buffer"));
+  Marker many = squares(std::vector<Vec>(marker::kMaxPieces));
+  many.unplaced = {{.id = "one more", .shape = {0}, .orientation = {}, .at = {}}};
+  EXPECT_EQ(error_of(many), Found(ErrorCode::kTooManyPieces, "/pieces"));
+
+  const auto made = make_marker(unplaced({.id = "a", .shape = {0}, .orientation = {}, .at = {7, 7}}));
+  ASSERT_TRUE(made);
+  EXPECT_EQ(made->unplaced[0].at, Vec{});
+  EXPECT_EQ(length_of(*made), length_of(squares({{0, 0}})));
+}
+
 TEST(MakeMarker, RejectsDuplicateIdsAndUnknownShapes) {
   EXPECT_EQ(error_of(with([](Marker& m) { m.pieces[1].id = "0"; })), Found(ErrorCode::kDuplicateId, "/pieces/1/id"));
   EXPECT_EQ(error_of(with([](Marker& m) { m.shapes.push_back(m.shapes[0]); })),

@@ -96,6 +96,13 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"ShapeTwice", "/shapes/1", R"({"id": "square", "outline": [[0,0],[1,0],[0,1]]})", kDuplicateId,
                  "/shapes/1/id"},
         BadInput{"NoPiece", "/pieces", "[]", kEmptyMarker, "/pieces"},
+        BadInput{"UnplacedANumber", "/unplaced", "1", kWrongType, "/unplaced"},
+        BadInput{"UnplacedSomewhere", "/unplaced", R"([{"id": "x", "shape": "square", "at": [0, 0]}])", kUnknownField,
+                 "/unplaced/0/at"},
+        BadInput{"UnplacedOfNoShape", "/unplaced", R"([{"id": "x", "shape": "circle"}])", kUnknownShape,
+                 "/unplaced/0/shape"},
+        BadInput{"UnplacedAlsoPlaced", "/unplaced", R"([{"id": "left", "shape": "square"}])", kDuplicateId,
+                 "/unplaced/0/id"},
         BadInput{"WiderThanTheStrip", "/strip/width", "39.5", kPieceTooWide, "/pieces/0"}),
     [](const auto& test) { return test.param.name; });
 
@@ -107,8 +114,9 @@ TEST_P(BadSparrow, IsRefused) {
 constexpr char kPlaced0[] = "/solution/layout/placed_items/0/transformation/translation";
 INSTANTIATE_TEST_SUITE_P(
     All, BadSparrow,
-    testing::Values(BadInput{"NoSolution", "/solution", nullptr, kMissingField, "/solution"},
-                    BadInput{"NothingPlaced", "/solution/layout/placed_items", "[]", kEmptyMarker, "/pieces"},
+    testing::Values(BadInput{"SolutionANumber", "/solution", "1", kWrongType, "/solution"},
+                    BadInput{"DemandNegative", "/items/0/demand", "-1", kOutOfRange, "/items/0/demand"},
+                    BadInput{"DemandTooLarge", "/items/0/demand", "20001", kOutOfRange, "/items/0/demand"},
                     BadInput{"HeightMissing", "/strip_height", nullptr, kMissingField, "/strip_height"},
                     BadInput{"TooWide", "/strip_height", "20", kPieceTooWide, "/solution/layout/placed_items/0"},
                     BadInput{"Rectangle", "/items/0/shape", R"({"type": "rectangle", "data": {}})", kOutOfRange,

@@ -24,6 +24,36 @@ TEST(Native, ReadsAMarker) {
   EXPECT_TRUE(file.notes.empty());
 }
 
+TEST(Native, RoundTripsUnplacedPieces) {
+  Json document = native_squares();
+  document["shapes"][0]["rotations"] = json("[0,90]");
+  document["unplaced"] = json(R"([{"id": "spare", "shape": "square", "rotation": 90, "buffer": 0.5, "group": "pair",
+                                   "attributes": {"bundle": "B"}}, {"id": 7, "shape": "square"}])");
+  const MarkerFile once = test::read(document);
+  ASSERT_EQ(once.marker.unplaced.size(), 2u);
+  EXPECT_EQ(once.marker.pieces, test::read(native_squares()).marker.pieces);
+  EXPECT_EQ(once.marker.unplaced[0].orientation.rotation, Angle::of_degrees(90));
+  EXPECT_EQ(once.marker.unplaced[0].group, "pair");
+  EXPECT_EQ(once.marker.unplaced[1].id, "7");
+  EXPECT_EQ(length_of(once.marker), length_of(test::read(native_squares()).marker));
+
+  const Json written = native_document(once);
+  EXPECT_EQ(
+      json::to_text(written["unplaced"][0]),
+      R"({"id":"spare","shape":"square","rotation":90.0,"group":"pair","buffer":0.5,"attributes":{"bundle":"B"}})");
+  EXPECT_EQ(test::read(written).marker, once.marker);
+}
+
+TEST(Native, ReadsAMarkerOfWhichNothingIsPlaced) {
+  Json document = native_squares();
+  document["pieces"] = Json::array();
+  document["unplaced"] = json(R"([{"id": "spare", "shape": "square"}])");
+  const MarkerFile file = test::read(document);
+  EXPECT_EQ(length_of(file.marker), 0);
+  EXPECT_EQ(utilisation_of(file.marker), 0);
+  EXPECT_TRUE(is_valid(file.marker));
+}
+
 TEST(Native, RoundTripsEverything) {
   Json document = native_squares();
   document["unit"] = "in";

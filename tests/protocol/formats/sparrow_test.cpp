@@ -26,6 +26,37 @@ TEST(Sparrow, ReadsASolution) {
   EXPECT_TRUE(file.notes.empty());
 }
 
+TEST(Sparrow, TakesAnInstanceForUnplacedPieces) {
+  Json document = sparrow_squares();
+  document.erase("solution");
+  document["items"][0]["demand"] = 3;
+  document["items"][0]["allowed_orientations"] = json("[180, 0]");
+  const MarkerFile file = test::read(document);
+  EXPECT_TRUE(file.marker.pieces.empty());
+  ASSERT_EQ(file.marker.unplaced.size(), 3u);
+  EXPECT_EQ(file.marker.unplaced[2].id, "2");
+  EXPECT_EQ(file.marker.unplaced[2].orientation.rotation, Angle::of_degrees(180));
+  const auto written = sparrow_document(file);
+  ASSERT_TRUE(written);
+  EXPECT_FALSE(written->contains("solution"));
+  EXPECT_EQ(test::read(*written).marker, file.marker);
+}
+
+TEST(Sparrow, TakesTheDemandThatIsNotMetForUnplacedPieces) {
+  Json document = sparrow_squares();
+  document["items"][0]["demand"] = 4;
+  placed(document)[0]["id"] = "2";
+  const MarkerFile file = test::read(document);
+  EXPECT_EQ(file.marker.pieces.size(), 2u);
+  ASSERT_EQ(file.marker.unplaced.size(), 2u);
+  EXPECT_EQ(file.marker.unplaced[0].id, "0");  // "1" and "2" are taken
+  EXPECT_EQ(file.marker.unplaced[1].id, "3");
+  const auto written = sparrow_document(file);
+  ASSERT_TRUE(written);
+  EXPECT_EQ((*written)["items"][0]["demand"], 4);
+  EXPECT_EQ(test::read(*written).marker, file.marker);
+}
+
 TEST(Sparrow, KeepsWhatItDoesNotKnow) {
   Json document = sparrow_squares();
   document["description"] = "two";
