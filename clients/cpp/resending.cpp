@@ -6,8 +6,8 @@
 namespace selvage::client {
 namespace {
 
-constexpr std::array<std::string_view, 6> kChanges{"marker.open", "marker.close", "marker.apply",
-                                                   "marker.undo", "marker.redo",  "drag.end"};
+constexpr std::array<std::string_view, 7> kChanges{"marker.open", "marker.close", "marker.apply", "marker.undo",
+                                                   "marker.redo", "marker.nest",  "drag.end"};
 constexpr std::array<std::string_view, 8> kReadings{"engine.info", "marker.list",    "marker.get",   "marker.check",
                                                     "marker.hold", "marker.regions", "marker.watch", "marker.unwatch"};
 

@@ -9,18 +9,23 @@ END = "<!-- End of the table of calls -->"
 SECTIONS = {"marker.apply": "edits", "marker.undo": "edits", "marker.redo": "edits",
             "marker.get": "changes-since-a-revision", "marker.watch": "notifications", "drag.begin": "drag-sessions",
             "drag.move": "drag-sessions", "drag.end": "drag-sessions", "$/cancelRequest": "stopping-a-call-early"}
+NESTING = "marker.nest"  # a motion, too: it takes and returns what all motions do
 MOTION_PARAMS = ("markerId", "baseRev", "commit", "timing", "opId", "deadlineMs", "progressToken")
+
+
+def is_motion(name: str) -> bool:
+    return name.startswith("motion.") or name == NESTING
 
 
 def common_results(document: dict) -> set[str]:
     lists = [set(method["result"]["schema"]["properties"]) for method in document["methods"]
-             if method["name"].startswith("motion.")]
+             if is_motion(method["name"])]
     return set.intersection(*lists) if lists else set()
 
 
 def row(method: dict, page: str, common: set[str]) -> str:
     name = method["name"]
-    motion = name.startswith("motion.")
+    motion = is_motion(name)
     params = [f"`{param['name']}`" + ("" if param["required"] else "?") for param in method["params"]
               if not (motion and param["name"] in MOTION_PARAMS)]
     results = [f"`{field}`" for field in method["result"]["schema"]["properties"] if not (motion and field in common)]

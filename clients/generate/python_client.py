@@ -7,9 +7,11 @@ from __future__ import annotations
 
 import re
 
+from calls_table import is_motion
+
 METHOD_NAMES = {"float": "float_apart"}
 RESULT_NAMES = {"push": "Pushed", "gravity": "Pushed", "bump": "Bumped", "separate": "Separated", "float": "Floated",
-                "place": "Placed", "openGap": "GapOpened", "tilt": "Tilted", "relax": "Relaxed"}
+                "place": "Placed", "openGap": "GapOpened", "tilt": "Tilted", "relax": "Relaxed", "nest": "Nested"}
 TYPE_NAMES = {"CacheCounts": "Cache", "Healing": "Healed", "GapWidths": "Gap", "StageTimes": "dict[str, float]",
               "Id": "str"}
 IMPORTED = ("Cache", "Overlap", "Placement", "Point", "Region")  # of results.py
@@ -22,7 +24,7 @@ def snake(name: str) -> str:
 
 
 def own_name(method: dict) -> str:
-    return method["name"].removeprefix("motion.")
+    return method["name"].partition(".")[2]
 
 
 def python_name(method: dict) -> str:
@@ -56,7 +58,7 @@ class Types:
 
 
 def motions_of(document: dict) -> list[dict]:
-    return [method for method in document["methods"] if method["name"].startswith("motion.")]
+    return [method for method in document["methods"] if is_motion(method["name"])]
 
 
 def fields_of(schema: dict) -> dict[str, dict]:

@@ -27,6 +27,7 @@ struct Exception {
 constexpr Exception kExceptions[] = {
     {"motion.separate", "grow", "--grow", 100, "How much longer the marker may become, in per cent"},
     {"motion.tilt", "shakes", "--restarts"},
+    {"marker.nest", "seconds", "--time"},
 };
 
 const Exception* exception_of(std::string_view method, std::string_view parameter) {

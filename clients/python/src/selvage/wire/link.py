@@ -26,14 +26,18 @@ _READS = {"engine.info", "marker.list", "marker.get", "marker.check", "marker.ho
 _CHANGES = {"marker.open", "marker.close", "marker.apply", "marker.undo", "marker.redo", "drag.end"}
 
 
+def is_motion(method: str) -> bool:
+    return method.startswith("motion.") or method == "marker.nest"
+
+
 def changes(method: str, params: dict[str, Any]) -> bool:
     """Does the call change what the daemon keeps, so that it wants an opId?"""
-    return (method in _CHANGES or method.startswith("motion.")) and params.get("commit") is not False
+    return (method in _CHANGES or is_motion(method)) and params.get("commit") is not False
 
 
 def may_repeat(method: str, params: dict[str, Any]) -> bool:
     """May the call be sent again when its answer was lost?"""
-    dry = method.startswith("motion.") and params.get("commit") is False
+    dry = is_motion(method) and params.get("commit") is False
     return method in _READS or dry or "opId" in params
 
 

@@ -1,0 +1,162 @@
+#include "core/nesting/depth/boundary.h"
+
+#include <algorithm>
+
+#include "core/nesting/depth/lanes.h"
+
+namespace selvage::nesting::depth {
+namespace {
+
+constexpr float kFar = 1e9F;  // model units: coordinate of the padding
+
+float lowest_of(const Lanes& lanes) {
+  float lowest = lanes[0];
+  for (std::size_t k = 1; k < kLanes; ++k) lowest = std::min(lowest, lanes[k]);
+  return lowest;
+}
+
+bool odd(const LaneMask& parity) {
+  std::int32_t all = 0;
+  for (std::size_t k = 0; k < kLanes; ++k) all ^= parity[k];
+  return all != 0;
+}
+
+}  // namespace
+
+void Boundary::add(float from_x, float from_y, float to_x, float to_y) {
+  ax.push_back(from_x);
+  ay.push_back(from_y);
+  dx.push_back(to_x - from_x);
+  dy.push_back(to_y - from_y);
+  const float square = dx.back() * dx.back() + dy.back() * dy.back();
+  inverse_square.push_back(square > 0 ? 1 / square : 0);
+  end_y.push_back(to_y);
+  run.push_back(dy.back() != 0 ? dx.back() / dy.back() : 0);
+  ++edges;
+}
+
+void Boundary::add(const Boundary& other, std::size_t edge) {
+  ax.push_back(other.ax[edge]);
+  ay.push_back(other.ay[edge]);
+  dx.push_back(other.dx[edge]);
+  dy.push_back(other.dy[edge]);
+  inverse_square.push_back(other.inverse_square[edge]);
+  end_y.push_back(other.end_y[edge]);
+  run.push_back(other.run[edge]);
+  ++edges;
+}
+
+void Boundary::finish() {
+  const std::size_t real = edges;
+  while (ax.size() % kLanes != 0) add(kFar, kFar, kFar, kFar);
+  edges = real;
+}
+
+void Boundary::clear() {
+  for (auto* component : {&ax, &ay, &dx, &dy, &inverse_square, &end_y, &run}) component->clear();
+  edges = 0;
+}
+
+Boundary boundary_of(std::span<const minkowski::convolution::SumEdge> edges, double lattice_units) {
+  Boundary boundary;
+  for (auto* component : {&boundary.ax, &boundary.ay, &boundary.dx, &boundary.dy, &boundary.inverse_square,
+                          &boundary.end_y, &boundary.run}) {
+    component->reserve(edges.size() + kLanes);
+  }
+  const auto units = [lattice_units](Coord coord) {
+    return static_cast<float>(static_cast<double>(coord) / lattice_units);
+  };
+  for (const auto& edge : edges)
+    boundary.add(units(edge.from.x), units(edge.from.y), units(edge.to.x), units(edge.to.y));
+  boundary.finish();
+  return boundary;
+}
+
+// In the loops below, `t` is the parameter of the edge's point that is nearest, and (qx, qy) leads from it to the
+// point.
+#define SELVAGE_LOAD(name, component) \
+  Lanes name;                         \
+  std::memcpy(&name, (component).data() + k, sizeof name)
+#define SELVAGE_SQUARED_DISTANCE                  \
+  SELVAGE_LOAD(ax, boundary.ax);                  \
+  SELVAGE_LOAD(ay, boundary.ay);                  \
+  SELVAGE_LOAD(dx, boundary.dx);                  \
+  SELVAGE_LOAD(dy, boundary.dy);                  \
+  SELVAGE_LOAD(inverse, boundary.inverse_square); \
+  const Lanes px = x - ax;                        \
+  const Lanes py = y - ay;                        \
+  Lanes t = (px * dx + py * dy) * inverse;        \
+  t = t < zero ? zero : t;                        \
+  t = t > one ? one : t;                          \
+  const Lanes qx = px - t * dx;                   \
+  const Lanes qy = py - t * dy;                   \
+  const Lanes squared = qx * qx + qy * qy;        \
+  best = squared < best ? squared : best
+
+SELVAGE_FOR_EACH_PROCESSOR float squared_distance(const Boundary& boundary, float x, float y) {
+  const Lanes zero{};
+  const Lanes one = zero + 1.0F;
+  Lanes best = zero + kFar * kFar;
+  for (std::size_t k = 0; k < boundary.ax.size(); k += kLanes) {
+    SELVAGE_SQUARED_DISTANCE;
+  }
+  return lowest_of(best);
+}
+
+SELVAGE_FOR_EACH_PROCESSOR Nearness nearness(const Boundary& boundary, float x, float y) {
+  const Lanes zero{};
+  const Lanes one = zero + 1.0F;
+  Lanes best = zero + kFar * kFar;
+  LaneMask parity{};
+  for (std::size_t k = 0; k < boundary.ax.size(); k += kLanes) {
+    SELVAGE_SQUARED_DISTANCE;
+    SELVAGE_LOAD(end_y, boundary.end_y);
+    SELVAGE_LOAD(run, boundary.run);
+    parity ^= ((ay > y) ^ (end_y > y)) & (px < py * run);
+  }
+  return {lowest_of(best), odd(parity)};
+}
+
+SELVAGE_FOR_EACH_PROCESSOR Nearness nearness_of_each(const Boundary& boundary, float x, float y,
+                                                     std::vector<float>& squared_of) {
+  const Lanes zero{};
+  const Lanes one = zero + 1.0F;
+  Lanes best = zero + kFar * kFar;
+  LaneMask parity{};
+  squared_of.resize(boundary.ax.size());
+  for (std::size_t k = 0; k < boundary.ax.size(); k += kLanes) {
+    SELVAGE_SQUARED_DISTANCE;
+    SELVAGE_LOAD(end_y, boundary.end_y);
+    SELVAGE_LOAD(run, boundary.run);
+    parity ^= ((ay > y) ^ (end_y > y)) & (px < py * run);
+    std::memcpy(squared_of.data() + k, &squared, sizeof squared);
+  }
+  return {lowest_of(best), odd(parity)};
+}
+
+// The segment from (from_x, from_y) to (x, y) crosses an edge when each separates the other's ends.
+SELVAGE_FOR_EACH_PROCESSOR Nearness nearness_along(const Boundary& boundary, float from_x, float from_y,
+                                                   bool from_inside, float x, float y) {
+  const Lanes zero{};
+  const Lanes one = zero + 1.0F;
+  Lanes best = zero + kFar * kFar;
+  LaneMask parity{};
+  const float step_x = x - from_x;
+  const float step_y = y - from_y;
+  for (std::size_t k = 0; k < boundary.ax.size(); k += kLanes) {
+    SELVAGE_SQUARED_DISTANCE;
+    const Lanes wx = from_x - ax;
+    const Lanes wy = from_y - ay;
+    const Lanes start_side = dx * wy - dy * wx;
+    const Lanes end_side = dx * py - dy * px;
+    const Lanes edge_start_side = step_y * wx - step_x * wy;
+    const Lanes edge_end_side = edge_start_side + (step_x * dy - step_y * dx);
+    parity ^= ((start_side > zero) ^ (end_side > zero)) & ((edge_start_side > zero) ^ (edge_end_side > zero));
+  }
+  return {lowest_of(best), odd(parity) != from_inside};
+}
+
+#undef SELVAGE_SQUARED_DISTANCE
+#undef SELVAGE_LOAD
+
+}  // namespace selvage::nesting::depth

@@ -1,0 +1,129 @@
+#include "core/nesting/depth/depth_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace selvage::nesting::depth {
+namespace {
+
+constexpr float kDiagonal = 0.7072F;  // half of a pixel's diagonal: no point is farther from the nearest sample
+
+}  // namespace
+
+DepthMap::DepthMap(Boundary boundary, float clearance, MapScale scale)
+    : boundary_{std::move(boundary)}, clearance_{clearance}, scale_{scale} {
+  bound();
+  sample();
+}
+
+void DepthMap::bound() {
+  constexpr float kNothing = std::numeric_limits<float>::max();
+  low_x_ = low_y_ = kNothing;
+  high_x_ = high_y_ = -kNothing;
+  for (std::size_t k = 0; k < boundary_.edges; ++k) {
+    low_x_ = std::min({low_x_, boundary_.ax[k], boundary_.ax[k] + boundary_.dx[k]});
+    high_x_ = std::max({high_x_, boundary_.ax[k], boundary_.ax[k] + boundary_.dx[k]});
+    low_y_ = std::min({low_y_, boundary_.ay[k], boundary_.end_y[k]});
+    high_y_ = std::max({high_y_, boundary_.ay[k], boundary_.end_y[k]});
+  }
+  low_x_ -= clearance_;
+  low_y_ -= clearance_;
+  high_x_ += clearance_;
+  high_y_ += clearance_;
+}
+
+// The inside is found row by row: between the first crossing with the boundary and the second, and so on.
+void DepthMap::sample() {
+  const float pixel = scale_.pixel;
+  first_column_ = static_cast<int>(std::floor(low_x_ / pixel)) - 1;
+  first_row_ = static_cast<int>(std::floor(low_y_ / pixel)) - 1;
+  columns_ = static_cast<int>(std::ceil(high_x_ / pixel)) + 2 - first_column_;
+  rows_ = static_cast<int>(std::ceil(high_y_ / pixel)) + 2 - first_row_;
+  samples_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+  std::vector<float> crossings;
+  std::int16_t* sample = samples_.data();
+  for (int row = 0; row < rows_; ++row) {
+    const float y = static_cast<float>(first_row_ + row) * pixel;
+    crossings.clear();
+    for (std::size_t k = 0; k < boundary_.edges; ++k) {
+      if ((boundary_.ay[k] > y) == (boundary_.end_y[k] > y)) continue;
+      crossings.push_back(boundary_.ax[k] + (y - boundary_.ay[k]) * boundary_.run[k]);
+    }
+    std::sort(crossings.begin(), crossings.end());
+    std::size_t passed = 0;
+    for (int column = 0; column < columns_; ++column, ++sample) {
+      const float x = static_cast<float>(first_column_ + column) * pixel;
+      while (passed < crossings.size() && crossings[passed] <= x) ++passed;
+      const float distance = std::sqrt(squared_distance(boundary_, x, y));
+      *sample = encoded((passed % 2 == 1 ? distance : -distance) + clearance_);
+    }
+  }
+}
+
+std::int16_t DepthMap::encoded(float signed_depth) const {
+  constexpr float kMost = std::numeric_limits<std::int16_t>::max();
+  const float charged = signed_depth > 0 ? signed_depth + scale_.charge : signed_depth;
+  return static_cast<std::int16_t>(std::lround(std::clamp(charged / (scale_.pixel * kSample), -kMost, kMost)));
+}
+
+float DepthMap::decoded(std::int16_t sample) const {
+  const float value = static_cast<float>(sample) * scale_.pixel * kSample;
+  return sample > 0 ? value - scale_.charge : value;
+}
+
+DepthMap::Grid DepthMap::transposed() {
+  if (transposed_.empty()) {
+    transposed_.resize(samples_.size());
+    const auto columns = static_cast<std::size_t>(columns_);
+    const auto rows = static_cast<std::size_t>(rows_);
+    for (std::size_t row = 0; row < rows; ++row) {
+      for (std::size_t column = 0; column < columns; ++column) {
+        transposed_[column * rows + row] = samples_[row * columns + column];
+      }
+    }
+  }
+  return {transposed_.data(), first_row_, first_column_, rows_, columns_};
+}
+
+float DepthMap::depth(float x, float y) const {
+  if (x <= low_x_ || x >= high_x_ || y <= low_y_ || y >= high_y_) return 0;
+  const auto column = static_cast<int>(std::lround(x / scale_.pixel)) - first_column_;
+  const auto row = static_cast<int>(std::lround(y / scale_.pixel)) - first_row_;
+  const std::int16_t sample =
+      samples_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)];
+  if (decoded(sample) < -(kDiagonal + kSample) * scale_.pixel) return 0;
+  const Nearness near = nearness(boundary_, x, y);
+  const float distance = std::sqrt(near.squared_distance);
+  return std::max(0.0F, (near.inside ? distance : -distance) + clearance_);
+}
+
+float DepthMap::rough_depth(float x, float y) const {
+  if (x <= low_x_ || x >= high_x_ || y <= low_y_ || y >= high_y_) return 0;
+  const float column = x / scale_.pixel - static_cast<float>(first_column_);
+  const float row = y / scale_.pixel - static_cast<float>(first_row_);
+  const float left = std::floor(column);
+  const float below = std::floor(row);
+  const float u = column - left;
+  const float v = row - below;
+  const std::int16_t* sample = samples_.data() + static_cast<std::size_t>(below) * static_cast<std::size_t>(columns_) +
+                               static_cast<std::size_t>(left);
+  const float lower = decoded(sample[0]) + u * (decoded(sample[1]) - decoded(sample[0]));
+  const float upper = decoded(sample[columns_]) + u * (decoded(sample[columns_ + 1]) - decoded(sample[columns_]));
+  return lower + v * (upper - lower);
+}
+
+std::size_t DepthMap::bytes() const {
+  return sizeof(DepthMap) + boundary_.bytes() + 2 * samples_.size() * sizeof samples_[0];
+}
+
+MapFrame frame_of(Symmetry symmetry, bool negated) {
+  const Symmetry inverse = symmetry.inverse();
+  const Vec x = inverse.apply({1, 0});
+  const Vec y = inverse.apply({0, 1});
+  const float sign = negated ? -1.0F : 1.0F;
+  return {x.x == 0, sign * static_cast<float>(x.x + y.x), sign * static_cast<float>(x.y + y.y)};
+}
+
+}  // namespace selvage::nesting::depth

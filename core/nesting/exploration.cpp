@@ -1,0 +1,134 @@
+#include "core/nesting/exploration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/motion/compaction/compact.h"
+#include "core/motion/separation/separate.h"
+
+namespace selvage::nesting {
+namespace {
+
+// No layout is shorter than its longest piece, than what is fixed, or than the area of its pieces.
+double least_length(const layout::PieceSet& set, const Marker& marker) {
+  double least = set.low + set.area / (set.high - set.low);
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    double piece = std::numeric_limits<double>::max();
+    for (const layout::Turned& turned : set.kind(i).turned) piece = std::min(piece, set.low + turned.box.width());
+    if (set.fixed[i]) {
+      const Box box = box_of(placed_outline(marker, PieceId{static_cast<std::uint32_t>(i)}));
+      piece = static_cast<double>(box.high.x) / set.lattice_units;
+    }
+    least = std::max(least, piece);
+  }
+  return least;
+}
+
+}  // namespace
+
+Exploration::Exploration(const layout::PieceSet& set, Marker best, std::uint64_t seed, const NestTuning& tuning,
+                         Budget budget, const scene::Run& run, OnBetter on_better)
+    : set_{&set},
+      tuning_{tuning},
+      budget_{std::move(budget)},
+      run_{&run},
+      on_better_{std::move(on_better)},
+      search_{set, run.sums, seed, tuning.map_bytes, tuning.search},
+      best_{std::move(best)},
+      length_{length_of(best_)},
+      least_length_{least_length(set, best_)},
+      step_{tuning.first_step} {}
+
+void Exploration::run(layout::Layout start, const std::vector<bool>& kept) {
+  layout_ = std::move(start);
+  search_.build(layout_, kept, [this] { return over(); });
+  (void)separate({tuning_.search.patience, tuning_.search.strikes});
+  pool_.clear();
+  while (!over() && !converged_) {
+    if (budget_.exploring(search_.moves())) {
+      shorten(step_, best_length() / 2);
+      explore();
+    } else {
+      compress();
+    }
+  }
+}
+
+void Exploration::explore() {
+  while (!over() && !converged_ && budget_.exploring(search_.moves())) {
+    const bool bold = step_ > tuning_.least_step;
+    const local_search::Persistence bold_persistence{tuning_.bold_patience, 1};
+    if (separate(bold ? bold_persistence
+                      : local_search::Persistence{tuning_.search.patience, tuning_.search.strikes})) {
+      pool_.clear();
+      shorten(step_, best_length() / 2);
+    } else if (bold) {
+      step_ = std::max(tuning_.least_step, step_ * tuning_.step_factor);
+      pool_.clear();
+      shorten(step_, best_length() / 2);
+    } else {
+      take_from_pool();
+      search_.disrupt(layout_);
+    }
+  }
+}
+
+void Exploration::compress() {
+  while (!over() && !converged_ && !budget_.exploring(search_.moves())) {
+    const double done = budget_.compressed(search_.moves());
+    const double part = tuning_.first_squeeze + done * (tuning_.last_squeeze - tuning_.first_squeeze);
+    shorten(part, search_.dice().unit() * best_length());
+    (void)separate({tuning_.squeeze_patience, tuning_.squeeze_strikes});
+  }
+  pool_.clear();
+}
+
+// The best layout, shorter by a part of its length.
+void Exploration::shorten(double part, double split) {
+  const double length = std::max(least_length_, best_length() * (1 - part));
+  converged_ = length >= best_length() - 2 / set_->lattice_units;
+  layout_ = to_layout(*set_, best_);
+  set_length(*set_, layout_, length, split);
+}
+
+bool Exploration::separate(local_search::Persistence persistence) {
+  auto outcome = search_.separate(layout_, persistence, [this] { return over(); });
+  if (outcome.loss == 0 && accept(outcome.layout)) return true;
+  pool_.push_back(std::move(outcome));
+  std::stable_sort(pool_.begin(), pool_.end(), [](const auto& a, const auto& b) { return a.loss < b.loss; });
+  if (pool_.size() > tuning_.pool) pool_.pop_back();
+  return false;
+}
+
+void Exploration::take_from_pool() {
+  const double skewed = std::pow(search_.dice().unit(), tuning_.pool_skew);
+  layout_ = pool_[static_cast<std::size_t>(skewed * static_cast<double>(pool_.size()))].layout;
+}
+
+bool Exploration::accept(const layout::Layout& layout) {
+  namespace compaction = motion::compaction;
+  const auto settings = compaction_settings(compaction::Accuracy::kStandard);
+  const scene::Run quiet = run_->quiet();
+  const Marker marker = to_marker(*set_, layout, best_);
+  auto compacted = compact(marker, settings, quiet);
+  if (!compacted) {
+    motion::separation::SeparationSettings separation;
+    separation.rounds = tuning_.separation_rounds;
+    const auto separated = motion::separation::separate(marker, separation, quiet);
+    if (!separated || !separated->apart) return false;
+    programs_ += separated->programs;
+    compacted = compact(separated->marker, settings, quiet);
+    if (!compacted) return false;
+  }
+  programs_ += compacted->programs;
+  if (compacted->length_after >= length_) return false;
+  best_ = std::move(compacted->marker);
+  length_ = compacted->length_after;
+  history_.push_back({search_.moves(), length_});
+  on_better_(history_.back());
+  return true;
+}
+
+}  // namespace selvage::nesting

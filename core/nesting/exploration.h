@@ -1,0 +1,78 @@
+// One search for the shortest marker, from one start [GVW25].
+//
+//     put the pieces down one after another; separate and compact them
+//     explore: shorten the strip, separate, compact; after a failure, disrupt a layout that failed and try again
+//     compress: shorten the best layout by a little at a random place, separate, compact
+//
+// Every layout that the guided local search has separated is compacted by linear programs and proved in integers before
+// it counts; the strip is then shortened from the compacted length.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "core/marker/marker.h"
+#include "core/nesting/budget.h"
+#include "core/nesting/layout/layout.h"
+#include "core/nesting/local_search/guided_search.h"
+#include "core/nesting/tuning.h"
+#include "core/scene/run.h"
+
+namespace selvage::nesting {
+
+// The best marker of a search after so many moves.
+struct Improvement {
+  std::uint64_t moves{};
+  Coord length{};  // lattice units
+  friend bool operator==(const Improvement&, const Improvement&) = default;
+};
+
+class Exploration {
+ public:
+  using OnBetter = std::function<void(const Improvement&)>;
+
+  // `best` is valid, places all pieces, and is what the search has to beat.  REQUIRES: the set and the run outlive it.
+  Exploration(const layout::PieceSet& set, Marker best, std::uint64_t seed, const NestTuning& tuning, Budget budget,
+              const scene::Run& run, OnBetter on_better);
+
+  // Builds a layout; the pieces that are `kept` stay where `start` has them, to begin with.  Then searches until the
+  // budget is used up, or nothing shorter is possible.
+  void run(layout::Layout start, const std::vector<bool>& kept);
+
+  [[nodiscard]] const Marker& best() const { return best_; }
+  [[nodiscard]] Coord length() const { return length_; }
+  [[nodiscard]] const std::vector<Improvement>& history() const { return history_; }
+  [[nodiscard]] std::uint64_t moves() const { return search_.moves(); }
+  [[nodiscard]] int programs() const { return programs_; }
+  [[nodiscard]] bool converged() const { return converged_; }
+
+ private:
+  void explore();
+  void compress();
+  void shorten(double part, double split);
+  [[nodiscard]] bool separate(local_search::Persistence persistence);
+  void take_from_pool();
+  // Makes a valid marker of a layout that hardly overlaps; true when it is shorter than the best.
+  [[nodiscard]] bool accept(const layout::Layout& layout);
+  [[nodiscard]] bool over() const { return budget_.over(search_.moves()); }
+  [[nodiscard]] double best_length() const { return static_cast<double>(length_) / set_->lattice_units; }
+
+  const layout::PieceSet* set_;
+  NestTuning tuning_;
+  Budget budget_;
+  const scene::Run* run_;
+  OnBetter on_better_;
+  local_search::GuidedSearch search_;
+  Marker best_;
+  Coord length_;
+  double least_length_;  // no marker is shorter; model units
+  double step_;
+  bool converged_{};
+  layout::Layout layout_;                                  // the one that is worked on
+  std::vector<local_search::GuidedSearch::Outcome> pool_;  // failures at the present length, by loss
+  std::vector<Improvement> history_;
+  int programs_{};
+};
+
+}  // namespace selvage::nesting

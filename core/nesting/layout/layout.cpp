@@ -1,0 +1,83 @@
+#include "core/nesting/layout/layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace selvage::nesting::layout {
+namespace {
+
+// std::clamp for limits that may be empty: then the lower one counts.
+double within(double value, double low, double high) {
+  return std::max(low, std::min(value, high));
+}
+
+std::uint32_t turn_of(const Kind& kind, const Orientation& orientation) {
+  for (std::uint32_t turn = 0; turn < kind.turned.size(); ++turn) {
+    const Orientation& allowed = kind.turned[turn].orientation;
+    if (allowed.flip == orientation.flip && allowed.rotation == orientation.rotation) return turn;
+  }
+  return 0;  // a rotation of a shape that may turn freely
+}
+
+}  // namespace
+
+RealBox inner_fit(const PieceSet& set, std::size_t piece, std::uint32_t turn, double length) {
+  const RealBox& box = set.kind(piece).turned[turn].box;
+  return {set.low - box.low_x, set.low - box.low_y, length - box.high_x, set.high - box.high_y};
+}
+
+RealBox placed_box(const PieceSet& set, const Layout& layout, std::size_t piece) {
+  const Place& place = layout.places[piece];
+  const RealBox& box = set.kind(piece).turned[place.turn].box;
+  return {box.low_x + place.x, box.low_y + place.y, box.high_x + place.x, box.high_y + place.y};
+}
+
+void centre_at(const PieceSet& set, Layout& layout, std::size_t piece, double x, double y) {
+  Place& place = layout.places[piece];
+  const RealBox& box = set.kind(piece).turned[place.turn].box;
+  const RealBox room = inner_fit(set, piece, place.turn, layout.length);
+  place.x = within(x - box.middle_x(), room.low_x, room.high_x);
+  place.y = within(y - box.middle_y(), room.low_y, room.high_y);
+}
+
+void set_length(const PieceSet& set, Layout& layout, double length, double split) {
+  const double by = length - layout.length;
+  layout.length = length;
+  for (std::size_t piece = 0; piece < set.size(); ++piece) {
+    if (set.fixed[piece]) continue;
+    const RealBox box = placed_box(set, layout, piece);
+    centre_at(set, layout, piece, box.middle_x() + (box.middle_x() > split ? by : 0), box.middle_y());
+  }
+}
+
+Marker to_marker(const PieceSet& set, const Layout& layout, const Marker& start) {
+  Marker marker = start;
+  marker.pieces.insert(marker.pieces.end(), start.unplaced.begin(), start.unplaced.end());
+  marker.unplaced.clear();
+  const Box room = marker.strip.room(kLatticeLimit);
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    if (set.fixed[i]) continue;
+    Piece& piece = marker.pieces[i];
+    const Place& place = layout.places[i];
+    piece.orientation = set.kind(i).turned[place.turn].orientation;
+    const Box box = box_of(oriented(marker.shapes[piece.shape.value].outline, piece.orientation));
+    piece.at = {std::llround(place.x * set.lattice_units), std::llround(place.y * set.lattice_units)};
+    piece.at.x = std::max(piece.at.x, room.low.x - box.low.x);
+    piece.at.y = std::max(room.low.y - box.low.y, std::min(piece.at.y, room.high.y - box.high.y));
+  }
+  return marker;
+}
+
+Layout to_layout(const PieceSet& set, const Marker& marker) {
+  Layout layout;
+  layout.length = static_cast<double>(length_of(marker)) / set.lattice_units;
+  for (std::size_t i = 0; i < marker.pieces.size(); ++i) {
+    const Piece& piece = marker.pieces[i];
+    layout.places.push_back({static_cast<double>(piece.at.x) / set.lattice_units,
+                             static_cast<double>(piece.at.y) / set.lattice_units,
+                             turn_of(set.kind(i), piece.orientation)});
+  }
+  return layout;
+}
+
+}  // namespace selvage::nesting::layout

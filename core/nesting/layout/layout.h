@@ -1,0 +1,40 @@
+// A layout: where every piece of a set lies, and the length in which it should lie.
+// Units: model units.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/marker/marker.h"
+#include "core/nesting/layout/piece_set.h"
+
+namespace selvage::nesting::layout {
+
+struct Place {
+  double x{}, y{};       // position of the outline's origin
+  std::uint32_t turn{};  // index into the kind's `turned`
+};
+
+struct Layout {
+  std::vector<Place> places;  // by piece
+  double length{};            // the x that no piece should exceed
+};
+
+// The positions at which the piece lies within the strip up to `length`; empty (high < low) where it does not fit.
+[[nodiscard]] RealBox inner_fit(const PieceSet& set, std::size_t piece, std::uint32_t turn, double length);
+// The piece's box where it lies.
+[[nodiscard]] RealBox placed_box(const PieceSet& set, const Layout& layout, std::size_t piece);
+// Puts the piece's middle there, or as near as the strip allows.
+void centre_at(const PieceSet& set, Layout& layout, std::size_t piece, double x, double y);
+
+// Changes the length.  Pieces whose middle lies beyond `split` move by the difference, and all stay within the strip;
+// fixed pieces stay where they are.
+void set_length(const PieceSet& set, Layout& layout, double length, double split);
+
+// The marker with every piece placed as in the layout, rounded to the lattice: first the pieces that `start` had
+// placed, then those it had not.  Fixed pieces stay exactly where they were. REQUIRES: the set is that of `start`.
+[[nodiscard]] Marker to_marker(const PieceSet& set, const Layout& layout, const Marker& start);
+// The layout of a marker that to_marker returned, or that a motion made of one; tilts are not looked at.
+[[nodiscard]] Layout to_layout(const PieceSet& set, const Marker& marker);
+
+}  // namespace selvage::nesting::layout

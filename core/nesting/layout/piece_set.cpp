@@ -1,0 +1,138 @@
+#include "core/nesting/layout/piece_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "core/model/model_unit.h"
+
+namespace selvage::nesting::layout {
+namespace {
+
+// Twice the area of the convex hull, by Andrew's monotone chain.
+double doubled_hull_area(Polygon points) {
+  std::sort(points.begin(), points.end());
+  Polygon hull;
+  const auto add_chain = [&hull](auto begin, auto end) {
+    const std::size_t kept = hull.size();
+    for (auto at = begin; at != end; ++at) {
+      while (hull.size() >= kept + 2 && side_of(hull[hull.size() - 2], hull.back(), *at) <= 0) hull.pop_back();
+      hull.push_back(*at);
+    }
+    hull.pop_back();
+  };
+  add_chain(points.begin(), points.end());
+  add_chain(points.rbegin(), points.rend());
+  return static_cast<double>(doubled_area(hull));
+}
+
+class Builder {
+ public:
+  Builder(const Marker& marker, SumCache& sums) : marker_{marker}, sums_{sums} {
+    const double unit = model::ModelUnit{marker.strip}.lattice_units();
+    set_.lattice_units = unit;
+    set_.low = static_cast<double>(marker.strip.margin) / unit;
+    set_.high = model::ModelUnit::kAcross - set_.low;
+    set_.spacing = marker.spacing;
+  }
+
+  // False when the piece fits the strip in none of its orientations.
+  bool add(const Piece& piece, bool fixed) {
+    const bool keeps_orientation = fixed || piece.locked.tilt;
+    const KindKey key{piece.shape, piece.buffer, keeps_orientation ? std::optional{piece.orientation} : std::nullopt};
+    const auto [found, fresh] = kinds_.try_emplace(key, static_cast<std::uint32_t>(set_.kinds.size()));
+    if (fresh) set_.kinds.push_back(kind_of(piece, keeps_orientation));
+    const Kind& kind = set_.kinds[found->second];
+    if (kind.turned.empty()) return false;
+    set_.kind_of.push_back(found->second);
+    set_.fixed.push_back(fixed);
+    set_.area += kind.area;
+    return true;
+  }
+  [[nodiscard]] PieceSet take() { return std::move(set_); }
+
+ private:
+  using KindKey = std::tuple<ShapeId, Coord, std::optional<Orientation>>;
+  using OutlineKey = std::tuple<ShapeId, Coord, Angle>;
+
+  Kind kind_of(const Piece& piece, bool keeps_orientation) {
+    const Shape& shape = marker_.shapes[piece.shape.value];
+    const double square = set_.lattice_units * set_.lattice_units;
+    Kind kind{.shape = piece.shape,
+              .buffer = piece.buffer,
+              .turned = {},
+              .area = static_cast<double>(doubled_area(shape.outline)) / 2 / square,
+              .hull_area = doubled_hull_area(shape.outline) / 2 / square};
+    for (const Orientation& orientation : keeps_orientation ? std::vector{piece.orientation} : orientations_of(shape)) {
+      const Polygon polygon = oriented(shape.outline, orientation);
+      const Box box = box_of(polygon);
+      if (box.height() > marker_.strip.width - 2 * marker_.strip.margin) continue;
+      if (!clean_polygon(polygon)) continue;  // rounding to the lattice made it touch itself
+      kind.turned.push_back(turned(piece, shape, orientation, box));
+    }
+    return kind;
+  }
+
+  static std::vector<Orientation> orientations_of(const Shape& shape) {
+    std::vector<Angle> rotations = shape.rotations;
+    for (int k = 0; shape.rotations.empty() && k < kFreeRotations; ++k) {
+      rotations.push_back(Angle::of_degrees(360.0 * k / kFreeRotations));
+    }
+    std::vector<Orientation> all;
+    for (const bool flip : {false, true}) {
+      for (const Angle rotation : rotations) {
+        if (!flip || shape.may_flip) all.push_back({flip, rotation, {}});
+      }
+    }
+    return all;
+  }
+
+  Turned turned(const Piece& piece, const Shape& shape, const Orientation& orientation, const Box& box) {
+    const auto [turn, symmetry] = split(orientation);
+    const auto [found, fresh] = outlines_.try_emplace(OutlineKey{piece.shape, piece.buffer, turn},
+                                                      static_cast<std::uint32_t>(set_.outlines.size()));
+    if (fresh) set_.outlines.push_back({sums_.outline(geometry::turned(shape.outline, turn)), piece.buffer});
+    const auto units = [this](Coord coord) { return static_cast<double>(coord) / set_.lattice_units; };
+    return {orientation,
+            found->second,
+            symmetry,
+            {units(box.low.x), units(box.low.y), units(box.high.x), units(box.high.y)}};
+  }
+
+  const Marker& marker_;
+  SumCache& sums_;
+  PieceSet set_;
+  std::map<KindKey, std::uint32_t> kinds_;
+  std::map<OutlineKey, std::uint32_t> outlines_;
+};
+
+}  // namespace
+
+double PieceSet::clearance(std::uint32_t first, std::uint32_t second) const {
+  const Coord distance = std::max(spacing, outlines[first].buffer + outlines[second].buffer);
+  return static_cast<double>(distance) / lattice_units;
+}
+
+Result<PieceSet> piece_set_of(const Marker& marker, PlacedPiecesMay placed, SumCache& sums) {
+  Builder builder{marker, sums};
+  for (const Piece& piece : marker.pieces) {
+    const bool held = piece.locked.x || piece.locked.y || !piece.group.empty();
+    // A piece that fits the strip only because it is tilted stays where it is.
+    if (!builder.add(piece, held || placed == PlacedPiecesMay::kNotMove)) (void)builder.add(piece, true);
+  }
+  for (std::size_t k = 0; k < marker.unplaced.size(); ++k) {
+    const Piece& piece = marker.unplaced[k];
+    if (builder.add(piece, false)) continue;
+    return Error{ErrorCode::kPieceTooWide,
+                 "shape \"" + marker.shapes[piece.shape.value].id +
+                     "\" is wider than the strip in every orientation that is allowed",
+                 "/unplaced/" + std::to_string(k)};
+  }
+  return builder.take();
+}
+
+}  // namespace selvage::nesting::layout

@@ -1,0 +1,77 @@
+// The pieces of a marker as a nesting search sees them: which are alike, in which orientations each may lie, and which
+// stay where they are.
+//
+// Units: model units, a thousandth of the strip's width (core/model/model_unit.h), except where lattice units are
+// named.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/marker/marker.h"
+#include "core/minkowski/cache.h"
+#include "core/outline/outline.h"
+
+namespace selvage::nesting::layout {
+
+struct RealBox {
+  double low_x{}, low_y{}, high_x{}, high_y{};
+
+  [[nodiscard]] double width() const { return high_x - low_x; }
+  [[nodiscard]] double height() const { return high_y - low_y; }
+  [[nodiscard]] double middle_x() const { return (low_x + high_x) / 2; }
+  [[nodiscard]] double middle_y() const { return (low_y + high_y) / 2; }
+};
+
+// An outline up to the eight exact symmetries, with the clearance around it.
+struct BaseOutline {
+  std::shared_ptr<const outline::Outline> outline;
+  Coord buffer{};  // lattice units
+};
+
+// A kind of piece in one of its allowed orientations.
+struct Turned {
+  Orientation orientation;
+  std::uint32_t outline{};  // index of the base outline
+  Symmetry symmetry;        // of the base outline
+  RealBox box;              // at position 0
+};
+
+// Pieces of one kind are interchangeable.
+struct Kind {
+  ShapeId shape;
+  Coord buffer{};              // lattice units
+  std::vector<Turned> turned;  // at least one
+  double area{}, hull_area{};  // of the outline and of its convex hull
+};
+
+struct PieceSet {
+  std::vector<BaseOutline> outlines;
+  std::vector<Kind> kinds;
+  // One entry per piece: first the placed ones of the marker, then the unplaced ones.
+  std::vector<std::uint32_t> kind_of;
+  std::vector<bool> fixed;
+  double lattice_units{};  // in a model unit
+  double low{}, high{};    // pieces lie between these across the strip, and at x >= low
+  Coord spacing{};         // lattice units
+  double area{};           // of all pieces
+
+  [[nodiscard]] std::size_t size() const { return kind_of.size(); }
+  [[nodiscard]] const Kind& kind(std::size_t piece) const { return kinds[kind_of[piece]]; }
+  // The least distance between two pieces with these base outlines.
+  [[nodiscard]] double clearance(std::uint32_t first, std::uint32_t second) const;
+};
+
+// What a search may move.
+enum class PlacedPiecesMay { kMove, kNotMove };
+
+// The rotations that are tried for a shape that may turn freely.
+inline constexpr int kFreeRotations = 8;
+
+// Placed pieces that are locked on an axis or belong to a group stay where they are.
+// Errors: kPieceTooWide for an unplaced piece that fits the strip in no allowed orientation.
+[[nodiscard]] Result<PieceSet> piece_set_of(const Marker& marker, PlacedPiecesMay placed, SumCache& sums);
+
+}  // namespace selvage::nesting::layout

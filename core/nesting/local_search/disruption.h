@@ -1,0 +1,16 @@
+// Disruption: two large pieces change places, so that the search leaves a part of the space that it has exhausted
+// [GVW25].  Smaller pieces that then lie under one of them go where it came from.
+#pragma once
+
+#include "core/nesting/depth/depth_maps.h"
+#include "core/nesting/layout/dice.h"
+#include "core/nesting/layout/layout.h"
+
+namespace selvage::nesting::local_search {
+
+// Large are the largest pieces that together have `large_part` of the area of all convex hulls.  Does nothing when
+// fewer than two pieces may move.
+void swap_large_pieces(const layout::PieceSet& set, depth::DepthMaps& maps, double large_part, layout::Dice& dice,
+                       layout::Layout& layout);
+
+}  // namespace selvage::nesting::local_search

@@ -1,0 +1,153 @@
+#include "core/nesting/local_search/field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "core/nesting/depth/lanes.h"
+
+namespace selvage::nesting::local_search {
+namespace {
+
+// A block of a grid, and the block of the field that it is added to: rows of equal length.  The field's rows run
+// forwards; the grid's may run backwards.
+struct Blocks {
+  float* to{};
+  const std::int16_t* from{};
+  std::ptrdiff_t to_stride{}, from_stride{};
+  std::ptrdiff_t columns{}, rows{};
+};
+
+SELVAGE_FOR_EACH_PROCESSOR void add_forwards(Blocks blocks, float weight) {
+  for (std::ptrdiff_t row = 0; row < blocks.rows; ++row) {
+    float* __restrict to = blocks.to + row * blocks.to_stride;
+    const std::int16_t* __restrict from = blocks.from + row * blocks.from_stride;
+    for (std::ptrdiff_t k = 0; k < blocks.columns; ++k) {
+      const auto sample = static_cast<std::int32_t>(from[k]);
+      to[k] += weight * static_cast<float>(sample > 0 ? sample : 0);
+    }
+  }
+}
+
+SELVAGE_FOR_EACH_PROCESSOR void add_backwards(Blocks blocks, float weight) {
+  for (std::ptrdiff_t row = 0; row < blocks.rows; ++row) {
+    float* __restrict to = blocks.to + row * blocks.to_stride;
+    const std::int16_t* __restrict from = blocks.from + row * blocks.from_stride;
+    for (std::ptrdiff_t k = 0; k < blocks.columns; ++k) {
+      const auto sample = static_cast<std::int32_t>(from[-k]);
+      to[k] += weight * static_cast<float>(sample > 0 ? sample : 0);
+    }
+  }
+}
+
+SELVAGE_FOR_EACH_PROCESSOR float lowest_of(const float* values, std::size_t count) {
+  depth::Lanes low{};
+  low += std::numeric_limits<float>::max();
+  std::size_t k = 0;
+  for (; k + depth::kLanes <= count; k += depth::kLanes) {
+    depth::Lanes next;
+    std::memcpy(&next, values + k, sizeof next);
+    low = next < low ? next : low;
+  }
+  float lowest = std::numeric_limits<float>::max();
+  for (std::size_t lane = 0; lane < depth::kLanes; ++lane) lowest = std::min(lowest, low[lane]);
+  for (; k < count; ++k) lowest = std::min(lowest, values[k]);
+  return lowest;
+}
+
+// How one axis of the field runs through an axis of the grid: field cell k reads grid cell first + sign * k.
+struct Overlap1D {
+  int begin{}, end{};  // field cells that lie within the grid
+  int grid{};          // the grid cell that `begin` reads
+};
+Overlap1D overlap_of(double offset, float sign, int grid_first, int grid_cells, int field_cells) {
+  const int first = static_cast<int>(std::lround(sign * offset)) - grid_first;
+  if (sign > 0) {
+    const int begin = std::max(0, -first);
+    return {begin, std::min(field_cells, grid_cells - first), first + begin};
+  }
+  const int begin = std::max(0, first - grid_cells + 1);
+  return {begin, std::min(field_cells, first + 1), first - begin};
+}
+
+}  // namespace
+
+bool Field::compute(const layout::Layout& layout, std::size_t piece, std::uint32_t turn,
+                    const std::vector<std::uint32_t>& others, const Losses& losses, FieldWeights weights) {
+  room_ = inner_fit(*set_, piece, turn, layout.length);
+  if (room_.high_x < room_.low_x || room_.high_y < room_.low_y) return false;
+  turn_ = turn;
+  // The last column and the last row lie on the edge of the room.
+  const float pixel = maps_->scale().pixel;
+  columns_ = static_cast<std::size_t>(room_.width() / pixel) + 2;
+  rows_ = static_cast<std::size_t>(room_.height() / pixel) + 2;
+  values_.assign(columns_ * rows_, 0);
+  const layout::Turned& own = set_->kind(piece).turned[turn];
+  for (const std::uint32_t other : others) {
+    if (other == piece) continue;
+    const layout::Place& place = layout.places[other];
+    const float weight =
+        weights == FieldWeights::kEqual ? 1 : losses.weight(piece, other) * losses.importance(piece, other);
+    add(place, maps_->view(set_->kind(other).turned[place.turn], own), weight);
+  }
+  return true;
+}
+
+void Field::add(const layout::Place& other, const depth::MapView& view, float weight) {
+  const bool exchanged = view.frame.exchanged;
+  const depth::DepthMap::Grid grid = exchanged ? view.map->transposed() : view.map->grid();
+  const float sign_x = exchanged ? view.frame.sign_y : view.frame.sign_x;
+  const float sign_y = exchanged ? view.frame.sign_x : view.frame.sign_y;
+  const double pixel = maps_->scale().pixel;
+  const Overlap1D across =
+      overlap_of((room_.low_x - other.x) / pixel, sign_x, grid.first_column, grid.columns, static_cast<int>(columns_));
+  const Overlap1D up =
+      overlap_of((room_.low_y - other.y) / pixel, sign_y, grid.first_row, grid.rows, static_cast<int>(rows_));
+  if (across.begin >= across.end || up.begin >= up.end) return;
+  const Blocks blocks{
+      .to = values_.data() + static_cast<std::size_t>(up.begin) * columns_ + static_cast<std::size_t>(across.begin),
+      .from = grid.samples + static_cast<std::ptrdiff_t>(up.grid) * grid.columns + across.grid,
+      .to_stride = static_cast<std::ptrdiff_t>(columns_),
+      .from_stride = sign_y > 0 ? grid.columns : -grid.columns,
+      .columns = across.end - across.begin,
+      .rows = up.end - up.begin};
+  const float unit = weight * static_cast<float>(pixel) * depth::DepthMap::kSample;
+  if (sign_x > 0) {
+    add_forwards(blocks, unit);
+  } else {
+    add_backwards(blocks, unit);
+  }
+}
+
+layout::Place Field::place_at(std::size_t column, std::size_t row) const {
+  const double pixel = maps_->scale().pixel;
+  return {std::min(room_.low_x + static_cast<double>(column) * pixel, room_.high_x),
+          std::min(room_.low_y + static_cast<double>(row) * pixel, room_.high_y), turn_};
+}
+
+void Field::append_lowest(std::size_t rows, layout::Dice& dice, std::vector<Candidate>& candidates) const {
+  std::vector<std::pair<float, std::size_t>> lowest;
+  for (std::size_t row = 0; row < rows_; ++row) lowest.emplace_back(lowest_of(&values_[row * columns_], columns_), row);
+  const std::size_t wanted = std::min(rows, lowest.size());
+  std::partial_sort(lowest.begin(), lowest.begin() + static_cast<std::ptrdiff_t>(wanted), lowest.end());
+  for (std::size_t k = 0; k < wanted; ++k) {
+    const auto [value, row] = lowest[k];
+    const float* const values = &values_[row * columns_];
+    std::size_t column = dice.below(columns_);  // of several equally low places, a random one
+    while (values[column] != value) column = column + 1 == columns_ ? 0 : column + 1;
+    candidates.push_back({value, place_at(column, row)});
+  }
+}
+
+std::optional<layout::Place> Field::leftmost_free() const {
+  for (std::size_t column = 0; column < columns_; ++column) {
+    for (std::size_t row = 0; row < rows_; ++row) {
+      if (values_[row * columns_ + column] == 0) return place_at(column, row);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace selvage::nesting::local_search

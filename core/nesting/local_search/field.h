@@ -1,0 +1,55 @@
+// The field of a piece: what it would lose at every position of the strip, in one orientation, from the sampled depth
+// maps of all other pieces.  Its lowest places are where a move may take the piece.
+//
+// That the whole strip is searched, and not a sample of positions, follows [UYI+09] and [Egeblad07] in spirit; they
+// search along lines, exactly.
+// Units: model units.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/nesting/depth/depth_maps.h"
+#include "core/nesting/layout/dice.h"
+#include "core/nesting/layout/layout.h"
+#include "core/nesting/local_search/losses.h"
+
+namespace selvage::nesting::local_search {
+
+struct Candidate {
+  float loss{};
+  layout::Place place;
+};
+
+// Which pieces count, and how much.
+enum class FieldWeights { kGuided, kEqual };
+
+class Field {
+ public:
+  // REQUIRES: all of them outlive the field.
+  Field(const layout::PieceSet& set, depth::DepthMaps& maps) : set_{&set}, maps_{&maps} {}
+
+  // Computes the field of the piece in an orientation, against the pieces `others`.  False, and nothing is computed,
+  // when the piece fits nowhere.
+  [[nodiscard]] bool compute(const layout::Layout& layout, std::size_t piece, std::uint32_t turn,
+                             const std::vector<std::uint32_t>& others, const Losses& losses, FieldWeights weights);
+
+  // Appends the lowest position of each of the `rows` lowest rows.
+  void append_lowest(std::size_t rows, layout::Dice& dice, std::vector<Candidate>& candidates) const;
+  // The leftmost position without any loss, and among those the lowest; nothing when there is none.
+  [[nodiscard]] std::optional<layout::Place> leftmost_free() const;
+
+ private:
+  void add(const layout::Place& other, const depth::MapView& view, float weight);
+  [[nodiscard]] layout::Place place_at(std::size_t column, std::size_t row) const;
+
+  const layout::PieceSet* set_;
+  depth::DepthMaps* maps_;
+  layout::RealBox room_;  // the positions
+  std::uint32_t turn_{};
+  std::size_t columns_{}, rows_{};
+  std::vector<float> values_;  // row after row
+};
+
+}  // namespace selvage::nesting::local_search

@@ -1,0 +1,99 @@
+#include "core/nesting/local_search/guided_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/nesting/local_search/disruption.h"
+
+namespace selvage::nesting::local_search {
+
+double pixel_of(const layout::PieceSet& set, double pixels_per_side) {
+  double sides = 0;
+  double largest = 0;
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    const layout::RealBox& box = set.kind(i).turned.front().box;
+    sides += std::sqrt(set.kind(i).area);
+    largest = std::max({largest, box.width(), box.height()});
+  }
+  const double mean = sides / static_cast<double>(std::max<std::size_t>(1, set.size()));
+  // One giant among thousands of tiny pieces: the grids of its pairs, and of the strip, stay small enough.
+  constexpr double kMostAcross = 500;
+  return std::max(mean / pixels_per_side, std::max(largest, set.high - set.low) / kMostAcross);
+}
+
+GuidedSearch::GuidedSearch(const layout::PieceSet& set, SumCache& sums, std::uint64_t seed, std::size_t map_bytes,
+                           const SearchTuning& tuning)
+    : set_{&set},
+      tuning_{tuning},
+      dice_{seed},
+      maps_{set,
+            sums,
+            {static_cast<float>(pixel_of(set, tuning.pixels_per_side)), static_cast<float>(tuning.charge)},
+            map_bytes},
+      losses_{set, maps_, tuning},
+      mover_{set, maps_, losses_, dice_, tuning} {}
+
+GuidedSearch::Outcome GuidedSearch::separate(layout::Layout layout, Persistence persistence,
+                                             const std::function<bool()>& over) {
+  ++moves_;  // so that attempts without any move use up a budget, too
+  losses_.reset(layout);
+  Outcome best{layout, losses_.total()};
+  std::size_t strikes = 0;
+  while (best.loss > 0 && strikes < persistence.strikes && !over()) {
+    const double before = best.loss;
+    for (std::size_t idle = 0; idle < persistence.patience && best.loss > 0 && !over(); ++idle) {
+      for (const std::size_t piece : overlapping()) {
+        if (losses_.of(piece) == 0) continue;  // another one has moved out of its way
+        if (over()) break;
+        maps_.trim();
+        mover_.move(layout, piece);
+        ++moves_;
+      }
+      const double loss = losses_.total();
+      if (loss < tuning_.progress * best.loss) idle = 0;
+      if (loss < best.loss) best = {layout, loss};
+      losses_.reweigh();
+    }
+    strikes = best.loss > tuning_.progress * before ? strikes + 1 : 0;
+    layout = best.layout;
+    losses_.measure(layout);
+  }
+  return best;
+}
+
+std::vector<std::size_t> GuidedSearch::overlapping() {
+  std::vector<std::size_t> pieces;
+  for (std::size_t i = 0; i < set_->size(); ++i) {
+    if (!set_->fixed[i] && losses_.of(i) > 0) pieces.push_back(i);
+  }
+  dice_.shuffle(pieces);
+  return pieces;
+}
+
+void GuidedSearch::build(layout::Layout& layout, const std::vector<bool>& kept, const std::function<bool()>& over) {
+  std::vector<std::uint32_t> down, order;
+  for (std::uint32_t i = 0; i < set_->size(); ++i) (kept[i] ? down : order).push_back(i);
+  std::stable_sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) {
+    return set_->kind(a).hull_area > set_->kind(b).hull_area;
+  });
+  double end = 0;
+  for (const std::uint32_t i : down) end = std::max(end, placed_box(*set_, layout, i).high_x);
+  for (const std::uint32_t piece : order) {
+    maps_.trim();
+    // Beyond the end there is always room.
+    const layout::RealBox& box = set_->kind(piece).turned[layout.places[piece].turn].box;
+    layout.length = end + box.width() + 2 * maps_.scale().pixel;
+    if (over() || !mover_.insert(layout, piece, down)) centre_at(*set_, layout, piece, layout.length, set_->high / 2);
+    end = std::max(end, placed_box(*set_, layout, piece).high_x);
+    down.push_back(piece);
+  }
+  layout.length = end;
+}
+
+void GuidedSearch::disrupt(layout::Layout& layout) {
+  maps_.trim();
+  swap_large_pieces(*set_, maps_, tuning_.large_part, dice_, layout);
+}
+
+}  // namespace selvage::nesting::local_search

@@ -1,0 +1,63 @@
+// The guided local search for a layout without overlaps in a given length ([UYI+09], [GVW25]).
+//
+//     until nothing overlaps, or `strikes` times in a row nothing was gained:
+//       until `patience` iterations in a row bring no progress:
+//         move every piece that overlaps, in random order
+//         raise the weights of the pairs that still overlap
+//       go back to the best layout
+//
+// Units: model units.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "core/nesting/local_search/mover.h"
+
+namespace selvage::nesting::local_search {
+
+// How long a separation may take.
+struct Persistence {
+  std::size_t patience{}, strikes{};
+};
+
+class GuidedSearch {
+ public:
+  // `pixel` of the sampled maps: see pixel_of.  REQUIRES: the set and the cache outlive the search.
+  GuidedSearch(const layout::PieceSet& set, SumCache& sums, std::uint64_t seed, std::size_t map_bytes,
+               const SearchTuning& tuning);
+
+  // The layout of least loss that was found, and its loss: 0 when nothing overlaps by more than the tolerance.
+  struct Outcome {
+    layout::Layout layout;
+    double loss{};
+  };
+  // `over` is asked before every move.
+  [[nodiscard]] Outcome separate(layout::Layout layout, Persistence persistence, const std::function<bool()>& over);
+
+  // Puts the pieces down, largest first, each where it ends leftmost; `kept` pieces stay where the layout has them.
+  // The layout becomes as long as it needs to be.  Pieces that were not put down because it was `over` are beyond the
+  // others' ends.
+  void build(layout::Layout& layout, const std::vector<bool>& kept, const std::function<bool()>& over);
+  // Large pieces change places, and small ones that lay on them follow [GVW25].
+  void disrupt(layout::Layout& layout);
+
+  [[nodiscard]] std::uint64_t moves() const { return moves_; }
+  [[nodiscard]] layout::Dice& dice() { return dice_; }
+
+ private:
+  [[nodiscard]] std::vector<std::size_t> overlapping();
+
+  const layout::PieceSet* set_;
+  SearchTuning tuning_;
+  layout::Dice dice_;
+  depth::DepthMaps maps_;
+  Losses losses_;
+  Mover mover_;
+  std::uint64_t moves_{};
+};
+
+// The side of a grid cell that suits the pieces.
+[[nodiscard]] double pixel_of(const layout::PieceSet& set, double pixels_per_side);
+
+}  // namespace selvage::nesting::local_search

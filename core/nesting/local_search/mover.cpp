@@ -1,0 +1,114 @@
+#include "core/nesting/local_search/mover.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+#include "core/nesting/local_search/descent.h"
+
+namespace selvage::nesting::local_search {
+
+Mover::Mover(const layout::PieceSet& set, depth::DepthMaps& maps, Losses& losses, layout::Dice& dice,
+             const SearchTuning& tuning)
+    : set_{&set},
+      losses_{&losses},
+      dice_{&dice},
+      tuning_{tuning},
+      pixel_{maps.scale().pixel},
+      field_{set, maps},
+      neighbourhood_{set, maps, losses},
+      all_(set.size()) {
+  std::iota(all_.begin(), all_.end(), 0U);
+}
+
+void Mover::move(layout::Layout& layout, std::size_t piece) {
+  Candidate best = stay(layout, piece);
+  collect(layout, piece);
+  pick();
+  for (const Candidate& candidate : picked_) {
+    if (best.loss <= 0) break;
+    const Candidate found = refined(layout, piece, candidate, best.loss);
+    if (found.loss < best.loss) best = found;
+  }
+  if (best.loss > 0) best = finished(layout, piece, best);
+  layout.places[piece] = best.place;
+  losses_->measure(layout, piece);
+}
+
+void Mover::collect(const layout::Layout& layout, std::size_t piece) {
+  candidates_.clear();
+  const std::size_t rows = tuning_.best_places * tuning_.rows_per_place;
+  for (std::uint32_t turn = 0; turn < set_->kind(piece).turned.size(); ++turn) {
+    if (field_.compute(layout, piece, turn, all_, *losses_, FieldWeights::kGuided)) {
+      field_.append_lowest(rows, *dice_, candidates_);
+    }
+  }
+}
+
+// The lowest candidates that are not neighbours of each other.
+void Mover::pick() {
+  std::stable_sort(candidates_.begin(), candidates_.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.loss < b.loss; });
+  picked_.clear();
+  const double apart = tuning_.apart * pixel_;
+  for (const Candidate& candidate : candidates_) {
+    if (picked_.size() == tuning_.best_places) break;
+    const bool close = std::any_of(picked_.begin(), picked_.end(), [&](const Candidate& other) {
+      return other.place.turn == candidate.place.turn && std::abs(other.place.x - candidate.place.x) < apart &&
+             std::abs(other.place.y - candidate.place.y) < apart;
+    });
+    if (!close) picked_.push_back(candidate);
+  }
+}
+
+Candidate Mover::stay(const layout::Layout& layout, std::size_t piece) {
+  const double step = tuning_.stay_step * pixel_;
+  return exact(layout, piece, layout.places[piece], 3 * step, step, tuning_.fine_limit);
+}
+
+Candidate Mover::refined(const layout::Layout& layout, std::size_t piece, const Candidate& candidate, double best) {
+  const layout::Place& from = candidate.place;
+  const layout::RealBox room = inner_fit(*set_, piece, from.turn, layout.length);
+  neighbourhood_.gather(layout, piece, from, 3 * pixel_);
+  const auto rough_loss = [this](double x, double y, double bound) { return neighbourhood_.rough_loss(x, y, bound); };
+  const Descended rough = descend(rough_loss, {from.x, from.y}, room, tuning_.rough_step * pixel_,
+                                  std::min(tuning_.rough_limit, tuning_.fine_step * pixel_), *dice_);
+  if (rough.loss > tuning_.hopeless * best + 1) return {std::numeric_limits<float>::max(), from};
+  const double step = tuning_.fine_step * pixel_;
+  return exact(layout, piece, {rough.at.x, rough.at.y, from.turn}, 3 * step, step, tuning_.fine_limit);
+}
+
+Candidate Mover::finished(const layout::Layout& layout, std::size_t piece, const Candidate& candidate) {
+  constexpr double kReach = 10;  // steps
+  return exact(layout, piece, candidate.place, kReach * tuning_.last_step, tuning_.last_step, tuning_.last_limit);
+}
+
+Candidate Mover::exact(const layout::Layout& layout, std::size_t piece, const layout::Place& from, double reach,
+                       double step, double limit) {
+  const layout::RealBox room = inner_fit(*set_, piece, from.turn, layout.length);
+  neighbourhood_.gather(layout, piece, from, 2 * reach);
+  neighbourhood_.keep_edges(from, reach);
+  const auto loss = [this](double x, double y, double bound) { return neighbourhood_.loss(x, y, bound); };
+  const Descended found = descend(loss, {from.x, from.y}, room, step, std::min(limit, step / 2), *dice_);
+  return {static_cast<float>(found.loss), {found.at.x, found.at.y, from.turn}};
+}
+
+bool Mover::insert(layout::Layout& layout, std::size_t piece, const std::vector<std::uint32_t>& others) {
+  std::optional<layout::Place> best;
+  double leftmost = std::numeric_limits<double>::max();
+  for (std::uint32_t turn = 0; turn < set_->kind(piece).turned.size(); ++turn) {
+    if (!field_.compute(layout, piece, turn, others, *losses_, FieldWeights::kEqual)) continue;
+    const auto place = field_.leftmost_free();
+    if (!place) continue;
+    const double right = place->x + set_->kind(piece).turned[turn].box.high_x;
+    if (right >= leftmost) continue;
+    leftmost = right;
+    best = place;
+  }
+  if (best) layout.places[piece] = *best;
+  return best.has_value();
+}
+
+}  // namespace selvage::nesting::local_search

@@ -1,0 +1,49 @@
+// One move of the search: a piece goes to where it loses least, among all positions in all its orientations.
+//
+// The field of every orientation gives the places to look at, descents over the exact depths refine the best of them,
+// and the place where the piece lies competes, too.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/nesting/local_search/field.h"
+#include "core/nesting/local_search/neighbourhood.h"
+
+namespace selvage::nesting::local_search {
+
+class Mover {
+ public:
+  // REQUIRES: all of them outlive the mover.
+  Mover(const layout::PieceSet& set, depth::DepthMaps& maps, Losses& losses, layout::Dice& dice,
+        const SearchTuning& tuning);
+
+  // Moves the piece and measures its losses anew.
+  void move(layout::Layout& layout, std::size_t piece);
+  // Puts the piece where it ends leftmost without overlapping any of `others`, as far as the sampled maps can tell;
+  // false when it fits nowhere, and the layout stays as it is.
+  [[nodiscard]] bool insert(layout::Layout& layout, std::size_t piece, const std::vector<std::uint32_t>& others);
+
+ private:
+  void collect(const layout::Layout& layout, std::size_t piece);
+  void pick();
+  [[nodiscard]] Candidate stay(const layout::Layout& layout, std::size_t piece);
+  [[nodiscard]] Candidate refined(const layout::Layout& layout, std::size_t piece, const Candidate& candidate,
+                                  double best);
+  [[nodiscard]] Candidate finished(const layout::Layout& layout, std::size_t piece, const Candidate& candidate);
+  // Descends over exact losses, with the edges that matter within `reach` of the place.
+  [[nodiscard]] Candidate exact(const layout::Layout& layout, std::size_t piece, const layout::Place& from,
+                                double reach, double step, double limit);
+
+  const layout::PieceSet* set_;
+  Losses* losses_;
+  layout::Dice* dice_;
+  SearchTuning tuning_;
+  double pixel_;
+  Field field_;
+  Neighbourhood neighbourhood_;
+  std::vector<std::uint32_t> all_;
+  std::vector<Candidate> candidates_, picked_;
+};
+
+}  // namespace selvage::nesting::local_search

@@ -1,0 +1,146 @@
+#include "core/nesting/nest.h"
+
+#include <algorithm>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/marker/clearance.h"
+#include "core/marker/placed_pieces.h"
+#include "core/motion/compaction/compact.h"
+#include "core/nesting/layout/layout.h"
+#include "core/nesting/shelves.h"
+
+namespace selvage::nesting {
+namespace {
+
+// Passes on what is better than everything that was passed on before, from searches on any thread.
+class Reporter {
+ public:
+  Reporter(const scene::Observer& observer, Coord length) : observer_{observer}, length_{length} {}
+
+  void report(const Improvement& improvement) {
+    const std::scoped_lock lock{mutex_};
+    if (improvement.length >= length_) return;
+    length_ = improvement.length;
+    observer_.on_round({++rounds_, length_});
+  }
+
+ private:
+  const scene::Observer& observer_;
+  std::mutex mutex_;
+  Coord length_;
+  int rounds_{};
+};
+
+// Pieces that no search may move must lie validly.
+std::optional<Error> defect_of_fixed(const Marker& start, const layout::PieceSet& set) {
+  const marker::PlacedPieces pieces{start};
+  for (std::uint32_t i = 0; i < start.pieces.size(); ++i) {
+    if (!set.fixed[i]) continue;
+    if (marker::protrusion_of(pieces.box(i), start.strip) > 0) {
+      return Error{ErrorCode::kOutsideStrip,
+                   "piece \"" + start.pieces[i].id + "\" must stay where it is, but leaves the strip",
+                   "/pieces/" + std::to_string(i)};
+    }
+  }
+  for (const auto& [first, second] : conflicts(pieces)) {
+    if (!set.fixed[first] || !set.fixed[second]) continue;
+    return Error{ErrorCode::kMarkerOverlaps,
+                 "pieces \"" + start.pieces[first].id + "\" and \"" + start.pieces[second].id +
+                     "\" must stay where they are, but overlap or are too close",
+                 "/pieces/" + std::to_string(second)};
+  }
+  return std::nullopt;
+}
+
+// The pieces that stay where they are on shelves: all placed ones when they lie validly, else those that are fixed.
+std::vector<bool> kept_on_shelves(const Marker& start, const layout::PieceSet& set) {
+  if (all_clear(marker::PlacedPieces{start}, start.strip)) return std::vector<bool>(start.pieces.size(), true);
+  return {set.fixed.begin(), set.fixed.begin() + static_cast<std::ptrdiff_t>(start.pieces.size())};
+}
+
+// Takes the pieces off the cloth that reach beyond its end.  Fixed ones do not: they lie validly.
+std::size_t leave_over(Marker& marker) {
+  const auto last = marker.strip.last();
+  if (!last) return 0;
+  std::vector<Piece> placed;
+  for (std::size_t i = 0; i < marker.pieces.size(); ++i) {
+    const bool fits = box_of(placed_outline(marker, PieceId{static_cast<std::uint32_t>(i)})).high.x <= *last;
+    (fits ? placed : marker.unplaced).push_back(marker.pieces[i]);
+  }
+  for (Piece& piece : marker.unplaced) piece.at = {};
+  marker.pieces = std::move(placed);
+  return marker.unplaced.size();
+}
+
+struct Searched {
+  Marker best;
+  Coord length{};
+  std::vector<Improvement> history;
+  std::uint64_t moves{};
+  int programs{};
+  bool converged{};
+};
+
+// Every search has its own seed, and starts from the pieces where they lie or, every other one, from scratch.
+Searched search(std::size_t number, const Marker& start, const Marker& shelves, const layout::PieceSet& set,
+                const NestSettings& settings, const scene::Run& run, Reporter& reporter) {
+  const NestTuning& tuning = settings.tuning;
+  const Budget budget{settings.moves, settings.elapsed, run.stop, tuning.explored, tuning.first_epoch};
+  Exploration exploration{
+      set, shelves, settings.seed + number, tuning, budget, run, [&reporter](const Improvement& better) {
+        reporter.report(better);
+      }};
+  std::vector<bool> kept = set.fixed;
+  for (std::size_t i = 0; i < start.pieces.size() && number % 2 == 0; ++i) kept[i] = true;
+  Marker from = shelves;
+  std::copy(start.pieces.begin(), start.pieces.end(), from.pieces.begin());
+  layout::Layout layout = to_layout(set, from);
+  if (set.size() <= tuning.most_pieces) exploration.run(std::move(layout), kept);
+  return {exploration.best(),  exploration.length(),   exploration.history(),
+          exploration.moves(), exploration.programs(), exploration.converged()};
+}
+
+}  // namespace
+
+Result<Nesting> nest(const Marker& start, const NestSettings& settings, const scene::Run& run) {
+  const auto set = piece_set_of(start, settings.placed, run.sums);
+  if (!set) return set.error();
+  if (const auto defect = defect_of_fixed(start, *set)) return *defect;
+  Marker endless = start;  // the search itself takes the cloth to be endless
+  endless.strip = start.strip.ending(std::nullopt);
+  const std::vector<bool> kept = kept_on_shelves(endless, *set);
+  auto shelves = on_shelves(endless, *set, kept);
+  if (!shelves) return shelves.error();
+
+  Reporter reporter{run.observer, kLatticeLimit};
+  std::vector<std::optional<Searched>> searched(std::max<std::size_t>(1, settings.searches));
+  run.executor->for_each(searched.size(), [&](std::size_t k) {
+    const scene::Run own = searched.size() == 1 ? run : scene::Run{run.sums, run.stop};
+    searched[k] = search(k, start, *shelves, *set, settings, own, reporter);
+  });
+  const auto best = std::min_element(searched.begin(), searched.end(),
+                                     [](const auto& a, const auto& b) { return (*a).length < (*b).length; });
+
+  Nesting nesting;
+  nesting.length_before = length_of(start);
+  nesting.search = static_cast<std::size_t>(best - searched.begin());
+  for (const auto& one : searched) {
+    nesting.moves += one->moves;
+    nesting.programs += one->programs;
+  }
+  nesting.history = std::move((*best)->history);
+  nesting.rounds = static_cast<int>(nesting.history.size());
+  nesting.marker = std::move((*best)->best);
+  nesting.marker.strip = start.strip;
+  nesting.left_over = leave_over(nesting.marker);
+  nesting.length_after = length_of(nesting.marker);
+  nesting.reason = (*best)->converged ? scene::StopReason::kConverged
+                   : run.stopped()    ? scene::StopReason::kCancelled
+                                      : scene::StopReason::kWorkLimit;
+  return nesting;
+}
+
+}  // namespace selvage::nesting

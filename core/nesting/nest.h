@@ -1,0 +1,54 @@
+// Nesting: places all pieces of a marker, also those that do not lie on the cloth yet, so that the marker is as short
+// as the search can make it.
+//
+// Method.  A guided local search over penetration depths ([UYI+09], [IYN09], [GVW25]) finds layouts that hardly overlap
+// in a given length; linear programs ([Li94], core/motion) remove what is left, compact the layout, and prove it; then
+// the strip is shortened (exploration.h).  What is new here: the field of a whole strip, added up from rasterised
+// Minkowski sums (local_search/field.h), and the compaction after every success.
+//
+// Laws.  (1) The answer is valid, proved in integers.  (2) Every piece of the input is in the answer, placed or, when
+// the cloth ends before it, unplaced.  (3) Locked pieces and pieces of groups stay in place, but for compaction, which
+// moves groups as one.  (4) If the input places all pieces and is valid, the answer is no longer than it.  (5) The same
+// input and settings give the same answer, whatever the cache holds and however many threads are used; with `elapsed`
+// or when cancelled, the best marker so far.  (6) More moves never give a longer marker.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/marker/marker.h"
+#include "core/motion/repair/motion_result.h"
+#include "core/nesting/exploration.h"
+#include "core/nesting/layout/piece_set.h"
+#include "core/nesting/tuning.h"
+#include "core/scene/run.h"
+
+namespace selvage::nesting {
+
+struct NestSettings {
+  std::uint64_t moves{};    // budget of every search
+  std::size_t searches{1};  // independent ones; the best answer counts
+  std::uint64_t seed{};
+  layout::PlacedPiecesMay placed{layout::PlacedPiecesMay::kMove};
+  // The part of the caller's time that is used up, 0..1; empty when only moves are limited.  Called by the thread of
+  // every search.
+  std::function<double()> elapsed{};
+  NestTuning tuning{};
+};
+
+// `rounds` counts the markers that were better than any before; `length_before` is that of the placed pieces.
+struct Nesting : motion::repair::MotionResult {
+  std::uint64_t moves{};             // of all searches
+  std::size_t search{};              // the one that the answer is from
+  std::vector<Improvement> history;  // of that search
+  std::size_t left_over{};           // pieces that are unplaced because the cloth ends
+};
+
+// The observer's rounds are the better markers as they are found, by any of the searches.
+// Errors: kPieceTooWide for an unplaced piece that fits the strip in no allowed orientation; kMarkerOverlaps and
+// kOutsideStrip when pieces that must stay in place do not lie validly; kBeyondLattice.
+[[nodiscard]] Result<Nesting> nest(const Marker& start, const NestSettings& settings, const scene::Run& run);
+
+}  // namespace selvage::nesting

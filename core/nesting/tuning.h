@@ -1,0 +1,31 @@
+// The tuning constants of nesting as a whole.  Lengths are parts of the marker's length.  Those of the local search are
+// in local_search/tuning.h; docs/nesting.md shows what halving and doubling them does.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/nesting/local_search/tuning.h"
+
+namespace selvage::nesting {
+
+struct NestTuning {
+  double first_step{0.02};        // the first attempts shorten the layout by this part,
+  double step_factor{0.4};        // after each failure by this much less,
+  double least_step{0.001};       // down to this part, from where on failures lead to disruptions
+  std::size_t bold_patience{60};  // iterations without progress that end an attempt while steps are larger than that
+  std::size_t pool{50};           // layouts that overlap least, kept to be disrupted
+  double pool_skew{3};            // the larger, the more the best of them are preferred
+  double explored{0.8};           // part of the budget; the rest is for compression:
+  double first_squeeze{5e-4};     // attempts that shorten the best layout by this part,
+  double last_squeeze{1e-5};      // at the end by this one,
+  std::size_t squeeze_patience{100}, squeeze_strikes{5};
+  std::uint64_t first_epoch{2'000};  // moves of the first exploration with its compression; later ones double it
+  int separation_rounds{12};         // when repair cannot remove what the search has left
+  std::size_t most_pieces{2'000};    // larger sets are laid on shelves and compacted, without a search
+  std::size_t map_bytes{std::size_t{192} << 20};  // of the sampled maps of a search
+  local_search::SearchTuning search{};
+  friend bool operator==(const NestTuning&, const NestTuning&) = default;
+};
+
+}  // namespace selvage::nesting

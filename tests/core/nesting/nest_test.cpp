@@ -1,0 +1,216 @@
+// Tests of core/nesting/nest.h: its laws on random markers, and what it does in corner cases.
+#include "core/nesting/nest.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "core/marker/validity.h"
+#include "protocol/execution/thread_pool.h"
+#include "tests/core/nesting/unplaced_pieces.h"
+#include "tests/laws/random_marker.h"
+
+namespace selvage::nesting {
+namespace {
+
+using test::Random;
+using test::rectangle;
+using test::unplaced_pieces;
+
+constexpr Coord kWidth = 1'000'000;
+
+NestSettings settings_of(std::uint64_t moves) {
+  NestSettings settings;
+  settings.moves = moves;
+  settings.tuning.first_epoch = 40;
+  return settings;
+}
+
+Nesting nested(const Marker& marker, const NestSettings& settings, const Executor& executor = serial()) {
+  SumCache sums;
+  auto done = nest(marker, settings, {sums, {}, {}, &executor});
+  if (!done) throw std::runtime_error{done.error().message};
+  return *std::move(done);
+}
+
+std::multiset<std::string> ids_of(const Marker& marker) {
+  std::multiset<std::string> ids;
+  for (const auto* pieces : {&marker.pieces, &marker.unplaced}) {
+    for (const Piece& piece : *pieces) ids.insert(piece.id);
+  }
+  return ids;
+}
+
+// A random marker, some of its pieces unplaced.
+Marker partly_placed(Random& random) {
+  Marker marker = test::random_marker(random);
+  Marker rest = test::taken_off(marker);
+  if (random.chance(50)) return rest;
+  for (std::size_t k = rest.unplaced.size(); k-- > 0;) {
+    if (random.chance(50)) continue;
+    const auto was = std::find_if(marker.pieces.begin(), marker.pieces.end(),
+                                  [&](const Piece& piece) { return piece.id == rest.unplaced[k].id; });
+    rest.pieces.push_back(*was);
+    rest.unplaced.erase(rest.unplaced.begin() + static_cast<std::ptrdiff_t>(k));
+  }
+  return rest;
+}
+
+TEST(Nest, ItsAnswersAreValidAndComplete) {
+  Random random{1};
+  for (int trial = 0; trial < 60 / test::kSlowdown; ++trial) {
+    const Marker marker = partly_placed(random);
+    const Nesting nesting = nested(marker, settings_of(150));
+    EXPECT_TRUE(is_valid(nesting.marker)) << "trial " << trial;
+    EXPECT_EQ(ids_of(nesting.marker), ids_of(marker)) << "trial " << trial;
+    EXPECT_EQ(nesting.length_after, length_of(nesting.marker));
+    EXPECT_EQ(nesting.left_over, nesting.marker.unplaced.size());
+    EXPECT_EQ(nesting.marker.strip, marker.strip);
+    EXPECT_TRUE(make_marker(nesting.marker)) << "trial " << trial;
+    for (const Piece& piece : marker.pieces) {
+      if (!piece.locked) continue;
+      EXPECT_NE(std::find(nesting.marker.pieces.begin(), nesting.marker.pieces.end(), piece),
+                nesting.marker.pieces.end())
+          << "trial " << trial << ": a locked piece moved";
+    }
+  }
+}
+
+TEST(Nest, MoreMovesAreNeverWorse) {
+  Random random{2};
+  for (int trial = 0; trial < 12 / test::kSlowdown; ++trial) {
+    Marker marker = partly_placed(random);
+    marker.strip.longest.reset();
+    Coord length = kLatticeLimit;
+    for (const std::uint64_t moves : {0, 40, 90, 200, 400}) {
+      const Coord next = nested(marker, settings_of(moves)).length_after;
+      EXPECT_LE(next, length) << "trial " << trial << ", " << moves << " moves";
+      length = next;
+    }
+  }
+}
+
+TEST(Nest, IsTheSameOnAnyNumberOfThreads) {
+  Random random{3};
+  for (int trial = 0; trial < 5; ++trial) {
+    const Marker marker = partly_placed(random);
+    NestSettings settings = settings_of(100);
+    settings.searches = 3;
+    const Nesting expected = nested(marker, settings);
+    for (const std::size_t threads : {1U, 2U, 4U}) {
+      const Nesting found = nested(marker, settings, protocol::execution::ThreadPool{threads - 1});
+      EXPECT_EQ(found.marker, expected.marker) << "trial " << trial << ", " << threads << " threads";
+      EXPECT_EQ(found.history, expected.history);
+      EXPECT_EQ(found.moves, expected.moves);
+      EXPECT_EQ(found.search, expected.search);
+    }
+  }
+}
+
+TEST(Nest, IsNeverLongerThanAValidInput) {
+  Random random{4};
+  for (int trial = 0; trial < 20 / test::kSlowdown; ++trial) {
+    const Marker marker = test::random_marker(random);
+    EXPECT_LE(nested(marker, settings_of(100)).length_after, length_of(marker)) << "trial " << trial;
+  }
+}
+
+TEST(Nest, FillsAStripThatSquaresFillCompletely) {
+  const Marker marker = unplaced_pieces({rectangle(250'000, 250'000)}, 16, kWidth);
+  const Nesting nesting = nested(marker, settings_of(5'000));
+  EXPECT_EQ(nesting.length_after, kWidth);
+  EXPECT_EQ(nesting.reason, scene::StopReason::kConverged);
+}
+
+TEST(Nest, TurnsTrianglesIntoEachOther) {
+  // Two of them make a square, which only half turns allow.
+  const Marker marker = unplaced_pieces({{{0, 0}, {500'000, 0}, {0, 500'000}}}, 8, kWidth);
+  const Nesting nesting = nested(marker, settings_of(3'000));
+  EXPECT_LE(nesting.length_after, kWidth + kWidth / 100);
+}
+
+TEST(Nest, WithoutABudgetPlacesAllPieces) {
+  const Marker marker = unplaced_pieces({rectangle(300'000, 200'000), rectangle(100'000, 400'000)}, 20, kWidth);
+  const Nesting nesting = nested(marker, settings_of(0));
+  EXPECT_TRUE(is_valid(nesting.marker));
+  EXPECT_TRUE(nesting.marker.unplaced.empty());
+  EXPECT_EQ(nesting.reason, scene::StopReason::kWorkLimit);
+  EXPECT_EQ(nesting.moves, 0u);
+}
+
+TEST(Nest, KeepsTheBestWhenItIsCancelled) {
+  const Marker marker = unplaced_pieces({rectangle(300'000, 200'000), rectangle(130'000, 410'000)}, 20, kWidth);
+  std::stop_source stop;
+  SumCache sums;
+  scene::Run run{sums, stop.get_token()};
+  Coord last = 0;
+  run.observer.on_round = [&](const scene::Round& round) {
+    last = round.length;
+    if (round.number == 2) stop.request_stop();
+  };
+  const auto nesting = nest(marker, settings_of(1'000'000'000), run);
+  ASSERT_TRUE(nesting);
+  EXPECT_EQ(nesting->reason, scene::StopReason::kCancelled);
+  EXPECT_EQ(nesting->length_after, last);
+  EXPECT_TRUE(is_valid(nesting->marker));
+}
+
+TEST(Nest, ListsWhatTheClothHasNoRoomFor) {
+  Marker marker = unplaced_pieces({rectangle(500'000, 500'000)}, 9, kWidth);
+  marker.strip.longest = 1'200'000;
+  const Nesting nesting = nested(marker, settings_of(500));
+  EXPECT_TRUE(is_valid(nesting.marker));
+  EXPECT_EQ(nesting.marker.pieces.size(), 4u);
+  EXPECT_EQ(nesting.left_over, 5u);
+  EXPECT_EQ(nesting.marker.unplaced[0].at, Vec{});
+}
+
+TEST(Nest, PlacesNewPiecesBesidesThoseThatStay) {
+  Marker marker = unplaced_pieces({rectangle(400'000, 400'000)}, 4, kWidth);
+  marker.pieces = {marker.unplaced[0]};
+  marker.pieces[0].at = {200'000, 300'000};
+  marker.pieces[0].locked = true;
+  marker.unplaced.erase(marker.unplaced.begin());
+  const Nesting nesting = nested(marker, settings_of(500));
+  EXPECT_TRUE(is_valid(nesting.marker));
+  EXPECT_EQ(nesting.marker.pieces[0], marker.pieces[0]);
+  EXPECT_EQ(nesting.marker.pieces.size(), 4u);
+}
+
+TEST(Nest, RefusesPiecesThatMustStayButOverlap) {
+  Marker marker = unplaced_pieces({rectangle(400'000, 400'000)}, 3, kWidth);
+  marker.pieces = {marker.unplaced[0], marker.unplaced[1]};
+  marker.unplaced.resize(1);
+  marker.unplaced[0].id = "2";
+  for (Piece& piece : marker.pieces) piece.locked = true;
+  SumCache sums;
+  const auto overlapping = nest(marker, settings_of(10), {sums});
+  ASSERT_FALSE(overlapping);
+  EXPECT_EQ(overlapping.error().code, ErrorCode::kMarkerOverlaps);
+  marker.pieces[1].at = {0, 700'000};
+  const auto outside = nest(marker, settings_of(10), {sums});
+  ASSERT_FALSE(outside);
+  EXPECT_EQ(outside.error().code, ErrorCode::kOutsideStrip);
+}
+
+TEST(Nest, OfAPileOfPiecesMakesAMarker) {
+  Marker marker = unplaced_pieces({rectangle(300'000, 200'000), rectangle(130'000, 410'000)}, 10, kWidth);
+  marker.pieces = std::move(marker.unplaced);
+  marker.unplaced.clear();
+  const Nesting nesting = nested(marker, settings_of(300));
+  EXPECT_TRUE(is_valid(nesting.marker));
+  EXPECT_EQ(ids_of(nesting.marker), ids_of(marker));
+}
+
+TEST(Nest, LaysMorePiecesThanItSearchesOnShelves) {
+  const Marker marker = unplaced_pieces({rectangle(30'000, 20'000)}, 300, kWidth);
+  NestSettings settings = settings_of(1'000);
+  settings.tuning.most_pieces = 200;
+  const Nesting nesting = nested(marker, settings);
+  EXPECT_TRUE(is_valid(nesting.marker));
+  EXPECT_EQ(nesting.marker.pieces.size(), 300u);
+}
+
+}  // namespace
+}  // namespace selvage::nesting

@@ -1,0 +1,48 @@
+// Markers whose pieces wait to be nested.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "core/marker/marker.h"
+#include "tests/support/polygons.h"
+
+namespace selvage::test {
+
+// The marker with all its pieces taken off the cloth, but for those that are locked or grouped.
+[[nodiscard]] inline Marker taken_off(Marker marker) {
+  std::vector<Piece> placed;
+  for (Piece& piece : marker.pieces) {
+    const bool held = piece.locked.x || piece.locked.y || !piece.group.empty();
+    if (!held) piece.at = {};
+    (held ? placed : marker.unplaced).push_back(std::move(piece));
+  }
+  marker.pieces = std::move(placed);
+  return marker;
+}
+
+// So many unplaced pieces, of the given outlines in turn, on a strip of this width without an end.
+[[nodiscard]] inline Marker unplaced_pieces(const std::vector<Polygon>& outlines, std::size_t pieces, Coord width) {
+  Marker marker;
+  marker.strip.width = width;
+  for (const Polygon& outline : outlines) {
+    marker.shapes.push_back({.id = std::to_string(marker.shapes.size()),
+                             .outline = outline,
+                             .rotations = {{0}, {90}, {180}, {270}},
+                             .tilt_limit = {}});
+  }
+  for (std::size_t i = 0; i < pieces; ++i) {
+    marker.unplaced.push_back({.id = std::to_string(i),
+                               .shape = {static_cast<std::uint32_t>(i % outlines.size())},
+                               .orientation = {},
+                               .at = {}});
+  }
+  return marker;
+}
+
+inline constexpr Coord kSide = 100'000;  // lattice units
+[[nodiscard]] inline Polygon rectangle(Coord width, Coord height) {
+  return {{0, 0}, {width, 0}, {width, height}, {0, height}};
+}
+
+}  // namespace selvage::test
