@@ -44,6 +44,7 @@ Exploration::Exploration(const layout::PieceSet& set, Marker best, std::uint64_t
 void Exploration::run(layout::Layout start, const std::vector<bool>& kept) {
   layout_ = std::move(start);
   search_.build(layout_, kept, [this] { return over(); });
+  if (over()) return;
   (void)separate({tuning_.search.patience, tuning_.search.strikes});
   pool_.clear();
   while (!over() && !converged_) {

@@ -9,6 +9,7 @@
 #include "core/marker/clearance.h"
 #include "core/marker/placed_pieces.h"
 #include "core/motion/compaction/compact.h"
+#include "core/nesting/cloth_end.h"
 #include "core/nesting/layout/layout.h"
 #include "core/nesting/shelves.h"
 
@@ -61,46 +62,41 @@ std::vector<bool> kept_on_shelves(const Marker& start, const layout::PieceSet& s
   return {set.fixed.begin(), set.fixed.begin() + static_cast<std::ptrdiff_t>(start.pieces.size())};
 }
 
-// Takes the pieces off the cloth that reach beyond its end.  Fixed ones do not: they lie validly.
-std::size_t leave_over(Marker& marker) {
-  const auto last = marker.strip.last();
-  if (!last) return 0;
-  std::vector<Piece> placed;
-  for (std::size_t i = 0; i < marker.pieces.size(); ++i) {
-    const bool fits = box_of(placed_outline(marker, PieceId{static_cast<std::uint32_t>(i)})).high.x <= *last;
-    (fits ? placed : marker.unplaced).push_back(marker.pieces[i]);
-  }
-  for (Piece& piece : marker.unplaced) piece.at = {};
-  marker.pieces = std::move(placed);
-  return marker.unplaced.size();
-}
-
 struct Searched {
   Marker best;
   Coord length{};
-  std::vector<Improvement> history;
+  std::vector<Improvement> history{};
   std::uint64_t moves{};
   int programs{};
   bool converged{};
 };
+
+// Instead of a search, when there are too many pieces for one.
+Searched compacted(const Marker& shelves, const scene::Run& run) {
+  using motion::compaction::Accuracy;
+  auto compaction = compact(shelves, compaction_settings(Accuracy::kDraft), run.quiet());
+  if (!compaction) return {.best = shelves, .length = length_of(shelves)};
+  return {.best = std::move(compaction->marker), .length = compaction->length_after, .programs = compaction->programs};
+}
 
 // Every search has its own seed, and starts from the pieces where they lie or, every other one, from scratch.
 Searched search(std::size_t number, const Marker& start, const Marker& shelves, const layout::PieceSet& set,
                 const NestSettings& settings, const scene::Run& run, Reporter& reporter) {
   const NestTuning& tuning = settings.tuning;
   const Budget budget{settings.moves, settings.elapsed, run.stop, tuning.explored, tuning.first_epoch};
-  Exploration exploration{
-      set, shelves, settings.seed + number, tuning, budget, run, [&reporter](const Improvement& better) {
-        reporter.report(better);
-      }};
+  const auto on_better = [&reporter](const Improvement& better) { reporter.report(better); };
+  Exploration exploration{set, shelves, settings.seed + number, tuning, budget, run, on_better};
   std::vector<bool> kept = set.fixed;
   for (std::size_t i = 0; i < start.pieces.size() && number % 2 == 0; ++i) kept[i] = true;
   Marker from = shelves;
   std::copy(start.pieces.begin(), start.pieces.end(), from.pieces.begin());
-  layout::Layout layout = to_layout(set, from);
-  if (set.size() <= tuning.most_pieces) exploration.run(std::move(layout), kept);
-  return {exploration.best(),  exploration.length(),   exploration.history(),
-          exploration.moves(), exploration.programs(), exploration.converged()};
+  exploration.run(to_layout(set, from), kept);
+  return {.best = exploration.best(),
+          .length = exploration.length(),
+          .history = exploration.history(),
+          .moves = exploration.moves(),
+          .programs = exploration.programs(),
+          .converged = exploration.converged()};
 }
 
 }  // namespace
@@ -116,10 +112,11 @@ Result<Nesting> nest(const Marker& start, const NestSettings& settings, const sc
   if (!shelves) return shelves.error();
 
   Reporter reporter{run.observer, kLatticeLimit};
-  std::vector<std::optional<Searched>> searched(std::max<std::size_t>(1, settings.searches));
+  const bool too_many = set->size() > settings.tuning.most_pieces;
+  std::vector<std::optional<Searched>> searched(too_many ? 1 : std::max<std::size_t>(1, settings.searches));
   run.executor->for_each(searched.size(), [&](std::size_t k) {
     const scene::Run own = searched.size() == 1 ? run : scene::Run{run.sums, run.stop};
-    searched[k] = search(k, start, *shelves, *set, settings, own, reporter);
+    searched[k] = too_many ? compacted(*shelves, own) : search(k, start, *shelves, *set, settings, own, reporter);
   });
   const auto best = std::min_element(searched.begin(), searched.end(),
                                      [](const auto& a, const auto& b) { return (*a).length < (*b).length; });
@@ -135,7 +132,7 @@ Result<Nesting> nest(const Marker& start, const NestSettings& settings, const sc
   nesting.rounds = static_cast<int>(nesting.history.size());
   nesting.marker = std::move((*best)->best);
   nesting.marker.strip = start.strip;
-  nesting.left_over = leave_over(nesting.marker);
+  nesting.left_over = end_with_cloth(nesting.marker, *set, run);
   nesting.length_after = length_of(nesting.marker);
   nesting.reason = (*best)->converged ? scene::StopReason::kConverged
                    : run.stopped()    ? scene::StopReason::kCancelled

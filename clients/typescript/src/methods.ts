@@ -171,6 +171,8 @@ export type ListedMarker = {
   name: string;
   /** Number of pieces. */
   pieces: number;
+  /** Number of pieces that do not lie on the cloth; absent: none. */
+  unplaced?: number;
   /** The x coordinate where the rightmost piece ends; exact. */
   length: number;
   /** The pieces' area divided by width times length, 0 to 1. */
@@ -450,6 +452,8 @@ export interface Methods {
       revision: number;
       /** Number of pieces. */
       pieces: number;
+      /** Number of pieces that do not lie on the cloth; absent: none. */
+      unplaced?: number;
       /** The x coordinate where the rightmost piece ends; exact. */
       length: number;
       /** The pieces' area divided by width times length, 0 to 1. */
@@ -802,6 +806,73 @@ export interface Methods {
       revision: number;
       /** From left to right. */
       regions: Array<Region>;
+    };
+  };
+  /** Places all pieces, so that the marker is as short as the budget allows. */
+  "marker.nest": {
+    params: {
+      /** The marker's id. */
+      markerId: string;
+      /** Refuse the call when the marker is at another revision. */
+      baseRev?: number;
+      /** False: return the result, but leave the marker as it is. */
+      commit?: boolean;
+      /** True: also return ms and cache, which vary from run to run. */
+      timing?: boolean;
+      /** A name for this call: a retry of it gets the same result. */
+      opId?: string;
+      /** After this many milliseconds the motion returns its best result so far; 1 to 86,400,000. */
+      deadlineMs?: number;
+      /** Progress notifications, one after each round, carry this token. */
+      progressToken?: ProgressToken;
+      /** The budget of every search in moves of a piece; 20,000 when absent, without limit when seconds are given. */
+      moves?: number;
+      /** The budget of every search in seconds, 0 to 86,400. The result then depends on the machine. */
+      seconds?: number;
+      /** Of the random choices. */
+      seed?: number;
+      /** Number of independent searches, 1 to 64, of which the best counts; they run in parallel. */
+      searches?: number;
+      /** True: pieces that lie on the cloth stay there, up to compaction; false: they are nested again. */
+      keepPlaced?: boolean;
+    };
+    result: {
+      /** The marker's id. */
+      markerId: string;
+      /** The marker's revision. */
+      revision: number;
+      /** The marker's name. */
+      name: string;
+      /** Number of pieces. */
+      pieces: number;
+      /** The marker's length before the motion; exact. */
+      lengthBefore: number;
+      /** Its length after the motion; exact. */
+      lengthAfter: number;
+      /** 0 to 1. */
+      utilisationBefore: number;
+      /** 0 to 1. */
+      utilisationAfter: number;
+      /** Number of pieces that lie on the cloth afterwards. */
+      placed: number;
+      /** Number of pieces that do not, because the cloth ends before them. */
+      unplaced: number;
+      /** Moves of a piece that all searches have made. */
+      moves: number;
+      /** Number of rounds done. */
+      rounds: number;
+      /** Why the motion ended. */
+      stop: StopReason;
+      /** Whether the result is valid, proved in integers. */
+      valid: boolean;
+      /** The repair of small overlaps in the input. */
+      healed: Healing;
+      /** Of the pieces that moved. */
+      placements: Array<Placement>;
+      /** Milliseconds by stage; only with timing. */
+      ms?: StageTimes;
+      /** The cache of Minkowski sums; only with timing. */
+      cache?: CacheCounts;
     };
   };
   /** Shortens the marker, moving all pieces at once. */
@@ -1664,6 +1735,7 @@ export const retriable: ReadonlySet<string> = new Set([
   "marker.undo",
   "marker.redo",
   "drag.end",
+  "marker.nest",
   "motion.compact",
   "motion.push",
   "motion.gravity",

@@ -33,10 +33,12 @@ class Losses {
   [[nodiscard]] float importance(std::size_t first, std::size_t second) const {
     return importance_[set_->kind_of[first]] * importance_[set_->kind_of[second]];
   }
-  // What a depth costs, before it is multiplied by the importance and the weight.
-  [[nodiscard]] float charged(float depth) const { return depth > tolerance_ ? charge_ + depth : 0; }
+  // What a depth costs a move, before it is multiplied by the importance and the weight.  Moves aim at half of the
+  // tolerance, so that the rounding of a position does not charge a pair that the move has parted.
+  [[nodiscard]] float aimed(float depth) const { return depth > tolerance_ / 2 ? charge_ + depth : 0; }
 
  private:
+  [[nodiscard]] float charged(float depth) const { return depth > tolerance_ ? charge_ + depth : 0; }
   [[nodiscard]] float pair_loss(const layout::Layout& layout, std::size_t first, std::size_t second);
 
   const layout::PieceSet* set_;

@@ -41,10 +41,16 @@ void Mover::collect(const layout::Layout& layout, std::size_t piece) {
   candidates_.clear();
   const std::size_t rows = tuning_.best_places * tuning_.rows_per_place;
   for (std::uint32_t turn = 0; turn < set_->kind(piece).turned.size(); ++turn) {
-    if (field_.compute(layout, piece, turn, all_, *losses_, FieldWeights::kGuided)) {
+    if (looks_at(layout, piece, turn) && field_.compute(layout, piece, turn, all_, *losses_, FieldWeights::kGuided)) {
       field_.append_lowest(rows, *dice_, candidates_);
     }
   }
+}
+
+bool Mover::looks_at(const layout::Layout& layout, std::size_t piece, std::uint32_t turn) {
+  const std::size_t turns = set_->kind(piece).turned.size();
+  if (set_->size() * turns < tuning_.dear_fields || turns <= 2 || turn == layout.places[piece].turn) return true;
+  return dice_->below(turns - 1) == 0;
 }
 
 // The lowest candidates that are not neighbours of each other.

@@ -26,6 +26,9 @@ class Mover {
 
  private:
   void collect(const layout::Layout& layout, std::size_t piece);
+  // Whether a move looks at this orientation: where fields are dear, always at the present one and at one other on
+  // average.
+  [[nodiscard]] bool looks_at(const layout::Layout& layout, std::size_t piece, std::uint32_t turn);
   void pick();
   [[nodiscard]] Candidate stay(const layout::Layout& layout, std::size_t piece);
   [[nodiscard]] Candidate refined(const layout::Layout& layout, std::size_t piece, const Candidate& candidate,

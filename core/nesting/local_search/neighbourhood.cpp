@@ -78,7 +78,7 @@ double Neighbourhood::loss(double x, double y, double bound) const {
     const auto to_x = static_cast<float>(x - near.x);
     const auto to_y = static_cast<float>(y - near.y);
     const float deep = kept_reach_ > 0 ? depth(near, to_x, to_y) : near.view.depth(to_x, to_y);
-    total += near.weight * losses_->charged(deep);
+    total += near.weight * losses_->aimed(deep);
     if (total >= bound) break;
   }
   return total;
@@ -91,7 +91,7 @@ double Neighbourhood::rough_loss(double x, double y, double bound) const {
     const auto to_y = static_cast<float>(y - near.y);
     const depth::MapFrame& frame = near.view.frame;
     const float deep = near.view.map->rough_depth(frame.map_x(to_x, to_y), frame.map_y(to_x, to_y));
-    total += near.weight * losses_->charged(deep);
+    total += near.weight * losses_->aimed(deep);
     if (total >= bound) break;
   }
   return total;

@@ -84,7 +84,8 @@ TEST(DepthMap, IsTheDistanceToTheNearestFreePosition) {
   EXPECT_EQ(view.depth(100, 0), 0);
   EXPECT_EQ(view.depth(0, 201), 0);
   const MapView upright_and_lying = pair.maps.view(pair.turned(0, 0), pair.turned(1, 1));
-  EXPECT_NEAR(upright_and_lying.depth(100 - 20, 50), 20, 1e-3);  // the second one spans x from -200 to 0 of its own
+  EXPECT_NEAR(upright_and_lying.depth(20, 50), 20, 1e-3);  // the second one lies from -200 to 0 of its own x
+  EXPECT_NEAR(upright_and_lying.depth(280, 50), 20, 1e-3);
 }
 
 TEST(DepthMap, IncludesTheClearance) {

@@ -19,6 +19,7 @@ from .messages.motion_results import (
     GapOpened,
     Moved,
     MovedInRounds,
+    Nested,
     Placed,
     Pushed,
     Relaxed,
@@ -41,6 +42,38 @@ class AsyncMotions:
         moved = read(kind, answer)
         self.revision = moved.revision
         return moved
+
+    async def nest(
+        self,
+        *,
+        moves: int | None = None,
+        seconds: float | None = None,
+        seed: int | None = None,
+        searches: int | None = None,
+        keep_placed: bool | None = None,
+        commit: bool | None = None,
+        base_rev: int | None = None,
+        op_id: str | None = None,
+        deadline_ms: float | None = None,
+        timing: bool | None = None,
+        progress: OnProgress | None = None,
+    ) -> Nested:
+        """Places all pieces, so that the marker is as short as the budget allows."""
+        return await self._move(
+            Nested,
+            "marker.nest",
+            progress,
+            moves=moves,
+            seconds=seconds,
+            seed=seed,
+            searches=searches,
+            keep_placed=keep_placed,
+            commit=commit,
+            base_rev=base_rev,
+            op_id=op_id,
+            deadline_ms=deadline_ms,
+            timing=timing,
+        )
 
     async def compact(
         self,

@@ -68,6 +68,15 @@ class MovedInRounds(Moved):
 
 
 @dataclass(frozen=True, kw_only=True)
+class Nested(MovedInRounds):
+    """What marker.nest returns."""
+
+    placed: int
+    unplaced: int
+    moves: int
+
+
+@dataclass(frozen=True, kw_only=True)
 class Pushed(MovedInRounds):
     """What motion.push returns."""
 

@@ -49,6 +49,7 @@ class Opened:
     utilisation: float
     valid: bool
     notes: tuple[Note, ...]
+    unplaced: int | None = None
 
 
 @dataclass(frozen=True)
@@ -59,6 +60,7 @@ class Listed:
     pieces: int
     length: float
     utilisation: float
+    unplaced: int | None = None
 
 
 @dataclass(frozen=True)
