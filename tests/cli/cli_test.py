@@ -40,6 +40,15 @@ class CliTest(unittest.TestCase):
         self.path(name).write_text(document if isinstance(document, str) else json.dumps(document))
         return self.path(name)
 
+    def wait_until_sigint_is_handled(self, pid):
+        bit = 1 << (signal.SIGINT - 1)
+        while True:
+            status = pathlib.Path(f"/proc/{pid}/status").read_text()
+            blocked = int(next(s for s in status.splitlines() if s.startswith("SigBlk")).split()[1], 16)
+            if blocked & bit:
+                return
+            time.sleep(0.001)
+
 
 class Compact(CliTest):
     def test_shortens_a_marker_and_reports_it_in_one_line(self):
@@ -162,15 +171,6 @@ class Compact(CliTest):
             for k in range(copies) for p in placed]
         return self.write(document)
 
-    def wait_until_sigint_is_handled(self, pid):
-        bit = 1 << (signal.SIGINT - 1)
-        while True:
-            status = pathlib.Path(f"/proc/{pid}/status").read_text()
-            blocked = int(next(s for s in status.splitlines() if s.startswith("SigBlk")).split()[1], 16)
-            if blocked & bit:
-                return
-            time.sleep(0.001)
-
 
 class Bump(CliTest):
     def test_moves_one_piece_and_reports_its_position(self):
@@ -263,12 +263,82 @@ class Tilt(CliTest):
         self.assertEqual(run("check", self.path("out.json")).returncode, OK)
 
 
+class Nest(CliTest):
+    def instance(self):
+        document = json.loads((MARKERS / "jeans_02g.json").read_text())
+        del document["solution"]
+        return document
+
+    def test_makes_a_marker_of_an_instance_without_a_solution(self):
+        ran = run("nest", self.write(self.instance()), "--moves", 500, "-o", self.path("out.json"), "--json")
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        line = json.loads(ran.stdout)
+        self.assertEqual((line["placed"], line["unplaced"], line["stop"]), (40, 0, "work_limit"))
+        self.assertGreater(line["utilisation_after"], 0.7)
+        checked = run("check", self.path("out.json"))
+        self.assertEqual(checked.returncode, OK)
+        self.assertIn("40 pieces, length", checked.stdout)
+
+    def test_the_number_of_threads_does_not_affect_the_result(self):
+        results = []
+        for threads in (1, 2, 4):
+            ran = run("nest", self.write(self.instance()), "--moves", 60, "--searches", 3, "--threads", threads,
+                      "-o", self.path("out.json"))
+            self.assertEqual(ran.returncode, OK, ran.stderr)
+            results.append(self.path("out.json").read_text())
+        self.assertEqual(results[1:], results[:1] * 2)
+
+    def test_without_time_places_all_pieces(self):
+        ran = run("nest", self.write(self.instance()), "--time", 0, "--json")
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        self.assertEqual(json.loads(ran.stdout)["placed"], 40)
+
+    def test_ctrl_c_keeps_the_best(self):
+        process = subprocess.Popen([SELVAGE, "nest", self.write(self.instance()), "--moves", "1000000000000",
+                                    "-o", self.path("out.json")], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.wait_until_sigint_is_handled(process.pid)
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=120)
+        self.assertEqual(process.returncode, CANCELLED)
+        self.assertEqual(run("check", self.path("out.json")).returncode, OK)
+
+    def test_keeps_placed_pieces_if_asked_to(self):
+        document = squares((30, 50))
+        document["unplaced"] = [{"id": "new", "shape": "square"}]
+        for options, length in ((["--keep-placed"], 40), ([], 40)):
+            ran = run("nest", self.write(document), "--moves", 50, *options, "-o", self.path("out.json"))
+            self.assertEqual(ran.returncode, OK, ran.stderr)
+            written = json.loads(self.path("out.json").read_text())
+            self.assertEqual([piece["id"] for piece in written["pieces"]], ["p0", "new"])
+            self.assertNotIn("unplaced", written)
+            self.assertLessEqual(max(piece["at"][0] for piece in written["pieces"]) + 40, 30 + length)
+
+    def test_says_what_the_cloth_has_no_room_for(self):
+        document = squares()
+        document["strip"]["longest"] = 50
+        document["unplaced"] = [{"id": name, "shape": "square"} for name in "abc"]
+        ran = run("nest", self.write(document), "--moves", 50, "-o", self.path("out.json"))
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        self.assertIn("left over    1 piece", ran.stdout)
+        written = json.loads(self.path("out.json").read_text())
+        self.assertEqual((len(written["pieces"]), len(written["unplaced"])), (2, 1))
+
+    def test_names_the_piece_that_fits_in_no_orientation(self):
+        document = squares((0, 0))
+        document["shapes"].append({"id": "board", "outline": [[0, 0], [150, 0], [150, 120], [0, 120]], "rotations": [0, 90]})
+        document["unplaced"] = [{"id": "a", "shape": "board"}]
+        ran = run("nest", self.write(document))
+        self.assertNotEqual(ran.returncode, OK)
+        self.assertIn("board", ran.stderr)
+        self.assertIn("marker.piece_too_wide", ran.stderr)
+
+
 class EveryMotion(CliTest):
     """Motions without a section of their own: their options follow from the descriptors of the methods."""
 
     def test_every_motion_of_the_daemon_is_a_command(self):
         listed = run("--help").stdout
-        for command in ("compact", "push", "gravity", "bump", "place", "separate", "float", "open-gap", "tilt", "relax",
+        for command in ("nest", "compact", "push", "gravity", "bump", "place", "separate", "float", "open-gap", "tilt", "relax",
                         "one-at-a-time", "velocity"):
             self.assertIn(f"\n  {command} ", listed)
             shown = run(command, "--help")

@@ -9,6 +9,17 @@
 #include "core/nesting/local_search/descent.h"
 
 namespace selvage::nesting::local_search {
+namespace {
+
+// The part of the room that is within reach of the place.  A place outside the room counts as the nearest one in it.
+layout::RealBox around(const layout::Place& place, double reach, const layout::RealBox& room) {
+  const double x = std::max(room.low_x, std::min(place.x, room.high_x));
+  const double y = std::max(room.low_y, std::min(place.y, room.high_y));
+  return {std::max(room.low_x, x - reach), std::max(room.low_y, y - reach), std::min(room.high_x, x + reach),
+          std::min(room.high_y, y + reach)};
+}
+
+}  // namespace
 
 Mover::Mover(const layout::PieceSet& set, depth::DepthMaps& maps, Losses& losses, layout::Dice& dice,
              const SearchTuning& tuning)
@@ -76,8 +87,9 @@ Candidate Mover::stay(const layout::Layout& layout, std::size_t piece) {
 
 Candidate Mover::refined(const layout::Layout& layout, std::size_t piece, const Candidate& candidate, double best) {
   const layout::Place& from = candidate.place;
-  const layout::RealBox room = inner_fit(*set_, piece, from.turn, layout.length);
-  neighbourhood_.gather(layout, piece, from, 3 * pixel_);
+  const double reach = 3 * pixel_;
+  const layout::RealBox room = around(from, reach, inner_fit(*set_, piece, from.turn, layout.length));
+  neighbourhood_.gather(layout, piece, from, reach);
   const auto rough_loss = [this](double x, double y, double bound) { return neighbourhood_.rough_loss(x, y, bound); };
   const Descended rough = descend(rough_loss, {from.x, from.y}, room, tuning_.rough_step * pixel_,
                                   std::min(tuning_.rough_limit, tuning_.fine_step * pixel_), *dice_);
@@ -93,8 +105,9 @@ Candidate Mover::finished(const layout::Layout& layout, std::size_t piece, const
 
 Candidate Mover::exact(const layout::Layout& layout, std::size_t piece, const layout::Place& from, double reach,
                        double step, double limit) {
-  const layout::RealBox room = inner_fit(*set_, piece, from.turn, layout.length);
-  neighbourhood_.gather(layout, piece, from, 2 * reach);
+  // Losses are exact within the reach only, so the descent stays there.
+  const layout::RealBox room = around(from, reach, inner_fit(*set_, piece, from.turn, layout.length));
+  neighbourhood_.gather(layout, piece, from, reach);
   neighbourhood_.keep_edges(from, reach);
   const auto loss = [this](double x, double y, double bound) { return neighbourhood_.loss(x, y, bound); };
   const Descended found = descend(loss, {from.x, from.y}, room, step, std::min(limit, step / 2), *dice_);

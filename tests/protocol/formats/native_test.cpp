@@ -40,7 +40,7 @@ TEST(Native, RoundTripsUnplacedPieces) {
   const Json written = native_document(once);
   EXPECT_EQ(
       json::to_text(written["unplaced"][0]),
-      R"({"id":"spare","shape":"square","rotation":90.0,"group":"pair","buffer":0.5,"attributes":{"bundle":"B"}})");
+      R"({"id":"spare","shape":"square","rotation":90,"group":"pair","buffer":0.5,"attributes":{"bundle":"B"}})");
   EXPECT_EQ(test::read(written).marker, once.marker);
 }
 
