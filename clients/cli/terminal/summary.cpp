@@ -112,19 +112,15 @@ std::string plain_summary(const Json& f, const protocol::execution::StageTimes& 
     out += "  least gap    " + significant(f["leastBefore"].number()) + " -> " + significant(f["leastAfter"].number()) +
            unit + "\n";
   }
-  if (f.contains("gain")) out += "  gain         " + significant(f["gain"].number()) + unit + "
-";
+  if (f.contains("gain")) out += "  gain         " + significant(f["gain"].number()) + unit + "\n";
   if (f.contains("unplaced") && f["unplaced"].get<std::size_t>() > 0) {
-    out += "  left over    " + counted(f["unplaced"].get<std::size_t>(), "piece") + "
-";
+    out += "  left over    " + counted(f["unplaced"].get<std::size_t>(), "piece") + "\n";
   }
   out += "  length       " + protocol::json::number_text(before) + " -> " + protocol::json::number_text(after) + unit;
   if (before > 0) out += "  (" + rounded(100 * (after / before - 1), 3) + " %)";
-  out += "
-";
+  out += "\n";
   out += "  utilisation  " + per_cent(f["utilisationBefore"].number()) + " -> " +
-         per_cent(f["utilisationAfter"].number()) + "
-  ";
+         per_cent(f["utilisationAfter"].number()) + "\n  ";
   if (f.contains("rounds")) {
     out += f["stop"].text() + " after " + counted(f["rounds"].get<std::size_t>(), "round") + ", ";
   }

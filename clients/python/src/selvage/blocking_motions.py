@@ -10,6 +10,7 @@ from .wire.portal import Blocking, blocking
 
 
 class BlockingMotions(Blocking):
+    nest = blocking(AsyncMotions.nest)
     compact = blocking(AsyncMotions.compact)
     push = blocking(AsyncMotions.push)
     gravity = blocking(AsyncMotions.gravity)
