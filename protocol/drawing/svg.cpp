@@ -8,6 +8,7 @@
 
 #include "protocol/drawing/label_spot.h"
 #include "protocol/drawing/palette.h"
+#include "protocol/drawing/svg_annotations.h"
 #include "protocol/drawing/svg_overlay.h"
 #include "protocol/drawing/svg_view.h"
 
@@ -46,6 +47,14 @@ text { font-family: "Source Sans 3", "Helvetica Neue", Helvetica, Arial, sans-se
 .force-head { fill: #b3423a; }
 .chain { stroke: #7a2fa0; stroke-linecap: round; }
 .contact { fill: #7a2fa0; }
+.inner { fill: none; stroke: #6d685f; stroke-width: 0.5; }
+.sew, .mirror { stroke-dasharray: 3 2; }
+.stripe, .plaid, .instruction { stroke: #8b857a; stroke-dasharray: 1 2; }
+.cut_out { stroke: #4a4843; }
+.grain { stroke: #8b857a; }
+.notch { stroke: #1d1c1a; stroke-width: 0.9; }
+.drill { fill: none; stroke: #1d1c1a; stroke-width: 0.7; }
+.remark { fill: #56524b; }
 </style>
 )";
   out += "<rect class=\"page\" width=\"" + pixels(view.width()) + "\" height=\"" + pixels(view.height()) + "\"/>\n";
@@ -104,6 +113,9 @@ std::string pieces(const Marker& marker, const SvgOptions& options, const View& 
     out += std::string{"<path class=\"piece"} + (piece.locked ? " locked" : "") + "\" fill=\"" +
            colours[piece.shape.value] + "\" d=\"" + outline_path(placed[i], view) + "\"><title>" + escaped(piece.id) +
            "</title></path>\n";
+    if (piece.shape.value < options.annotations.size()) {
+      out += annotations(options.annotations[piece.shape.value], marker, piece, placed[i], view);
+    }
     labels += label(placed[i], i < options.labels.size() ? options.labels[i] : piece.id, piece.id, view);
   }
   return out + labels + "</g>\n";
@@ -197,9 +209,12 @@ SvgOptions svg_options(const MarkerFile& file) {
   SvgOptions options;
   for (const Piece& piece : file.marker.pieces) {
     const Json& attributes = file.attributes.shapes[piece.shape.value];
-    const auto name = attributes.find("name");
-    const bool named = name != attributes.end() && name->is_string();
-    options.labels.push_back(named ? piece.id + " " + name->get<std::string>() : piece.id);
+    const Json* const name = attributes.find("name");
+    const bool named = name && name->is_string() && piece.id.find(name->text()) == std::string::npos;
+    options.labels.push_back(named ? piece.id + " " + name->text() : piece.id);
+  }
+  for (const Json& attributes : file.attributes.shapes) {
+    options.annotations.push_back(document::annotations_of(attributes));
   }
   return options;
 }

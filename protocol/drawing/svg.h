@@ -11,22 +11,24 @@
 #include <vector>
 
 #include "core/marker/marker.h"
+#include "protocol/document/annotations.h"
 #include "protocol/document/marker_file.h"
 #include "protocol/drawing/svg_overlay.h"
 
 namespace selvage::protocol::drawing {
 
 struct SvgOptions {
-  std::vector<std::string> labels;     // one per piece; empty: the pieces' ids
-  std::optional<Coord> length_before;  // where the marker ended before a motion: a second, dashed line
-  double height = 400;                 // of the strip, in pixels
-  SvgOverlay overlay;                  // what happened, and why it went no farther
+  std::vector<std::string> labels;                 // one per piece; empty: the pieces' ids
+  std::vector<document::Annotations> annotations;  // one per shape; empty: none
+  std::optional<Coord> length_before;              // where the marker ended before a motion: a second, dashed line
+  double height = 400;                             // of the strip, in pixels
+  SvgOverlay overlay;                              // what happened, and why it went no farther
 };
 
 [[nodiscard]] std::string to_svg(const Marker& marker, const SvgOptions& options = {});
 
 // The options that suit a file: pieces are labelled by the id, together with the "name" their shape has, if
-// any.
+// the id does not contain it; annotations are those among the shapes' attributes.
 [[nodiscard]] SvgOptions svg_options(const MarkerFile& file);
 
 }  // namespace selvage::protocol::drawing

@@ -33,6 +33,7 @@ ONLY_IN = {
         "server/transport/connections/websocket_connection.",
     ),
     "openssl/": ("server/transport/", "clients/cpp/"),
+    "pugixml": ("protocol/trade/svg/", "protocol/trade/esicup/"),
     "nlohmann/": ("protocol/", "clients/cpp/"),
     "sqlite3": ("server/store/journal_database.cpp",),
     "spdlog/": ("server/",),

@@ -1,0 +1,35 @@
+// Where a drawn piece lies: flipped, turned and moved.  Floating point, for drawings and annotations; the exact outline
+// of a placed piece is placed_outline (core/marker/marker.h).
+#pragma once
+
+#include "protocol/document/annotations.h"
+
+namespace selvage::protocol::document {
+
+// First the flip (y becomes -y), then the turn, then the shift.  Multiples of 90 degrees are exact.
+class Frame {
+ public:
+  Frame(bool flip, double degrees, Spot at);
+  [[nodiscard]] Spot apply(Spot spot) const {
+    const double y = flip_ ? -spot.y : spot.y;
+    return {cosine_ * spot.x - sine_ * y + at_.x, sine_ * spot.x + cosine_ * y + at_.y};
+  }
+  [[nodiscard]] double angle(double degrees) const { return degrees_ + (flip_ ? -degrees : degrees); }
+  [[nodiscard]] bool flips() const { return flip_; }
+
+ private:
+  bool flip_;
+  double degrees_, cosine_, sine_;
+  Spot at_;
+};
+// The reflection about the line through two different points.
+[[nodiscard]] Frame reflection(Spot a, Spot b);
+
+// The annotations where the frame puts them; their angles lie in [0, 360).
+[[nodiscard]] Annotations placed(const Annotations& annotations, const Frame& frame);
+
+// The direction into the piece, in degrees, of a notch on a counter-clockwise outline: its own angle, or perpendicular
+// to the edge that it lies nearest to.
+[[nodiscard]] double direction_of(const Notch& notch, const std::vector<Spot>& outline);
+
+}  // namespace selvage::protocol::document

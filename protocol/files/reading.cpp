@@ -1,0 +1,78 @@
+#include "protocol/files/reading.h"
+
+#include "protocol/formats/format.h"
+#include "protocol/trade/aama/nest.h"
+#include "protocol/trade/aama/pattern_file.h"
+#include "protocol/trade/cut/cut_marker.h"
+#include "protocol/trade/cut/cut_words.h"
+#include "protocol/trade/dxf/plain.h"
+#include "protocol/trade/dxf/tags.h"
+#include "protocol/trade/esicup/esicup.h"
+#include "protocol/trade/orders/bundles.h"
+#include "protocol/trade/style_marker.h"
+#include "protocol/trade/svg/svg_pattern.h"
+#include "protocol/trade/text.h"
+
+namespace selvage::protocol::files {
+namespace {
+
+using trade::ReadingOptions;
+using trade::Style;
+
+// The style that a reader makes of the text, as a marker of one garment.
+template <class Reader>
+Result<MarkerFile> one_garment(std::string_view text, const ReadingOptions& options, Reader read) {
+  const Result<Style> style = read(text, options);
+  if (!style) return style.error();
+  return trade::marker_of(*style, trade::one_of_each(*style), options);
+}
+
+// The bundles of the order, which tells sizes, material and width.
+Result<MarkerFile> ordered(std::string_view text, ReadingOptions options) {
+  const auto order = trade::orders::read_order(*options.order);
+  if (!order) return json::within("/order", order.error());
+  options.sizes.clear();
+  for (const auto& [size, bundles] : order->ratio) options.sizes.push_back(size);
+  if (!options.width) options.width = order->width;
+  auto style = trade::aama::read_pattern(text, options);
+  if (!style) return style.error();
+  style->notes.insert(style->notes.end(), order->notes.begin(), order->notes.end());
+  const auto copies = trade::orders::bundles_of(*style, *order);
+  if (!copies) return json::within("/order", copies.error());
+  return trade::marker_of(*style, *copies, options);
+}
+
+Result<MarkerFile> read_dxf(std::string_view text, const ReadingOptions& options) {
+  if (options.plain) return one_garment(text, options, trade::dxf::read_plain);
+  if (trade::aama::is_nest(text)) return trade::aama::read_nest(text);
+  if (options.order) return ordered(text, options);
+  return one_garment(text, options, trade::aama::read_pattern);
+}
+
+}  // namespace
+
+std::optional<FileKind> kind_of(std::string_view text) {
+  if (trade::dxf::looks_like_dxf(text)) return FileKind::kDxf;
+  if (trade::svg::looks_like_svg(text)) return FileKind::kSvg;
+  if (trade::esicup::looks_like_esicup(text)) return FileKind::kEsicup;
+  const std::string_view begun = trade::trimmed(text.substr(0, 4096));
+  if (begun.starts_with('{') || begun.starts_with('[')) return FileKind::kJson;
+  if (trade::cut::looks_like_cut(text)) return FileKind::kCut;
+  return std::nullopt;
+}
+
+Result<MarkerFile> read_file(std::string_view text, const ReadingOptions& options) {
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  if (text.size() > json::kMaxFileBytes) return formats::read_marker(text);  // which tells the limit
+  switch (kind_of(text).value_or(FileKind::kJson)) {
+    case FileKind::kDxf: return read_dxf(text, options);
+    case FileKind::kSvg: return one_garment(text, options, trade::svg::read_svg_pattern);
+    case FileKind::kEsicup: return trade::esicup::read_esicup(text, options);
+    case FileKind::kCut: return trade::cut::read_cut_marker(text, options);
+    case FileKind::kJson: break;
+  }
+  return formats::read_marker(text);
+}
+
+}  // namespace selvage::protocol::files

@@ -1,0 +1,23 @@
+// Reading a marker from the text of any file: what kind of file it is, is recognised by its content.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "core/base/result.h"
+#include "protocol/document/marker_file.h"
+#include "protocol/trade/options.h"
+
+namespace selvage::protocol::files {
+
+// The kinds of files that are told apart.
+enum class FileKind { kJson, kDxf, kCut, kSvg, kEsicup };
+
+// By its first characters; none when it is like none of them.
+[[nodiscard]] std::optional<FileKind> kind_of(std::string_view text);
+
+// A file that is not JSON is read as a marker in millimetres, to be written in the native form.
+// Errors: kUnknownFormat for a text of no known kind, and those of the kind's reader.
+[[nodiscard]] Result<MarkerFile> read_file(std::string_view text, const trade::ReadingOptions& options = {});
+
+}  // namespace selvage::protocol::files

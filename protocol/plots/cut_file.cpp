@@ -1,0 +1,101 @@
+#include "protocol/plots/cut_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "protocol/document/frame.h"
+#include "protocol/plots/route.h"
+
+namespace selvage::protocol::plots {
+namespace {
+
+constexpr double kPerMillimetre = 10;  // G71
+
+std::string number(double millimetres) {
+  // The form has no negative coordinates.
+  return std::to_string(std::max(0LL, std::llround(millimetres * kPerMillimetre)));
+}
+
+std::string place(Spot spot) {
+  return "X" + number(spot.x) + "Y" + number(spot.y);
+}
+
+// Text that contains no end of a block.
+std::string label_text(const std::string& text) {
+  std::string label = in_ascii(text);
+  std::replace(label.begin(), label.end(), '*', '.');
+  return label.empty() ? "-" : label;
+}
+
+double distance(Spot a, Spot b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+class Cutter {
+ public:
+  explicit Cutter(const Sheet& sheet) : sheet_{sheet} {}
+
+  CutFile write() {
+    std::vector<std::vector<Spot>> outlines;
+    for (const SheetPiece& piece : sheet_.pieces) outlines.push_back(piece.outline);
+    const Route route = route_through(outlines);
+    text_ = "H1*G71*M70*M15*M20*" + label_text(sheet_.name) + "*";
+    std::size_t number_of_piece = 0;
+    for (const RouteStop& stop : route.stops) {
+      text_ += "N" + std::to_string(++number_of_piece) + "*";
+      cut_piece(sheet_.pieces[stop.piece], stop.vertex);
+    }
+    text_ += "M15*M0*\n";
+    return {std::move(text_), route.travel, travel_as_given(outlines)};
+  }
+
+ private:
+  void cut_piece(const SheetPiece& piece, std::size_t first) {
+    text_ += place(label_spot(piece)) + "M31*" + label_text(piece.label) + "*";
+    for (const Spot& drill : piece.annotations.drills) text_ += place(drill) + "M43*";
+    Spot here = piece.outline[first];
+    for (const document::Notch& notch : piece.annotations.notches) {
+      if (notch.depth <= 0) continue;
+      const double angle = direction_of(notch, piece.outline) * std::numbers::pi / 180;
+      here = {notch.at.x + notch.depth * std::cos(angle), notch.at.y + notch.depth * std::sin(angle)};
+      cut({notch.at, here});
+    }
+    for (const document::DrawnLine& line : piece.annotations.lines) {
+      if (line.kind != document::LineKind::kCutOut) continue;
+      std::vector<Spot> points = line.points;
+      if (line.closed) points.push_back(points.front());
+      if (distance(here, points.back()) < distance(here, points.front())) std::reverse(points.begin(), points.end());
+      cut(points);
+      here = points.back();
+    }
+    std::vector<Spot> around{piece.outline.begin() + static_cast<std::ptrdiff_t>(first), piece.outline.end()};
+    around.insert(around.end(), piece.outline.begin(), piece.outline.begin() + static_cast<std::ptrdiff_t>(first) + 1);
+    cut(around);
+  }
+
+  void cut(const std::vector<Spot>& points) {
+    text_ += place(points.front()) + "*M14*";
+    for (std::size_t k = 1; k < points.size(); ++k) text_ += place(points[k]) + "*";
+    text_ += "M15*";
+  }
+
+  // The middle of the outline's vertices: inside, or at least near.
+  static Spot label_spot(const SheetPiece& piece) {
+    Spot sum;
+    for (const Spot& point : piece.outline) sum = {sum.x + point.x, sum.y + point.y};
+    const auto count = static_cast<double>(piece.outline.size());
+    return {sum.x / count, sum.y / count};
+  }
+
+  const Sheet& sheet_;
+  std::string text_;
+};
+
+}  // namespace
+
+CutFile cut_file(const Sheet& sheet) {
+  return Cutter{sheet}.write();
+}
+
+}  // namespace selvage::protocol::plots

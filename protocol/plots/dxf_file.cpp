@@ -1,0 +1,294 @@
+#include "protocol/plots/dxf_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "protocol/document/frame.h"
+#include "protocol/plots/sheet.h"
+
+namespace selvage::protocol::plots {
+namespace {
+
+using document::Spot;
+
+constexpr double kSharp = 20;  // degrees: a vertex that turns more is a turn point, others are points of a curve
+
+// Text of R12: ASCII, other characters as \U+XXXX, those beyond four digits as ?.
+std::string dxf_text(std::string_view text) {
+  std::string out;
+  for (std::size_t k = 0; k < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[k]);
+    const std::size_t length = lead < 0x80 ? 1 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
+    unsigned code = length == 1 ? lead : lead & (0xffU >> (length + 1));
+    for (std::size_t j = 1; j < length && k + j < text.size(); ++j)
+      code = code << 6 | (static_cast<unsigned char>(text[k + j]) & 0x3f);
+    k += length;
+    if (code >= 0x20 && code < 0x7f) {
+      out += static_cast<char>(code);
+    } else if (code < 0x20 || code > 0xffff) {
+      out += '?';
+    } else {
+      constexpr std::string_view kDigits = "0123456789ABCDEF";
+      out += "\\U+";
+      for (int shift = 12; shift >= 0; shift -= 4) out += kDigits[code >> static_cast<unsigned>(shift) & 0xf];
+    }
+  }
+  return out;
+}
+
+// Decimals of one unit, written from lattice coordinates without rounding.
+struct Unit {
+  std::string_view name;  // for "Units:"
+  Resolution resolution;  // of the marker, in this unit
+  double factor{};        // from the marker's unit
+};
+std::optional<Unit> unit_of(const Marker& marker) {
+  const auto metric = [&](int tens) {
+    return Unit{"METRIC", {marker.resolution.exponent + tens}, to_decimal(1, Resolution{tens})};
+  };
+  if (marker.unit == "mm") return metric(0);
+  if (marker.unit == "cm") return metric(1);
+  if (marker.unit == "m") return metric(3);
+  if (marker.unit == "in" || marker.unit == "inch") return Unit{"ENGLISH", marker.resolution, 1};
+  return std::nullopt;
+}
+
+class DxfWriter {
+ public:
+  DxfWriter(const MarkerFile& file, Unit unit) : file_{file}, marker_{file.marker}, unit_{unit} {}
+
+  std::string write() {
+    tag(0, "SECTION");
+    tag(2, "HEADER");
+    tag(0, "ENDSEC");
+    tag(0, "SECTION");
+    tag(2, "BLOCKS");
+    for (std::size_t k = 0; k < marker_.shapes.size(); ++k) {
+      const auto [right, left] = copies(k);
+      if (right > 0 || left == 0) write_block(k, false, right, left);
+      if (left > 0) write_block(k, true, right, left);
+    }
+    tag(0, "ENDSEC");
+    tag(0, "SECTION");
+    tag(2, "ENTITIES");
+    write_file_texts();
+    for (std::size_t k = 0; k < marker_.pieces.size(); ++k) write_insert(k);
+    tag(0, "ENDSEC");
+    tag(0, "EOF");
+    return std::move(out_);
+  }
+
+ private:
+  void tag(int code, std::string_view value) {
+    out_ += std::to_string(code);
+    out_ += '\n';
+    out_ += value;
+    out_ += '\n';
+  }
+  void tag(int code, double value) { tag(code, json::number_text(value)); }
+  void entity(std::string_view type, int layer) {
+    tag(0, type);
+    tag(8, std::to_string(layer));
+  }
+  void point(int code, Spot spot) {
+    tag(code, spot.x);
+    tag(code + 10, spot.y);
+  }
+  [[nodiscard]] double decimal(Coord coord) const { return to_decimal(coord, unit_.resolution); }
+  [[nodiscard]] Spot decimal(Vec v) const { return {decimal(v.x), decimal(v.y)}; }
+
+  [[nodiscard]] std::pair<int, int> copies(std::size_t shape) const {
+    std::pair<int, int> count{0, 0};
+    for (const Piece& piece : marker_.pieces) {
+      if (piece.shape.value == shape) ++(piece.orientation.flip ? count.second : count.first);
+    }
+    return count;
+  }
+
+  static std::string block_name(std::size_t shape, bool flipped) {
+    return "P" + std::to_string(shape + 1) + (flipped ? "_L" : "");
+  }
+
+  void text(int layer, Spot at, std::string_view content, double height = 5, double angle = 0) {
+    entity("TEXT", layer);
+    point(10, at);
+    tag(40, height > 0 ? height : 5.0);
+    tag(1, dxf_text(content));
+    if (angle != 0) tag(50, angle);
+  }
+
+  [[nodiscard]] std::string attribute(std::size_t shape, const char* key) const {
+    const Json& attributes = file_.attributes.shapes[shape];
+    const Json* const found = attributes.find(key);
+    return found && found->is_string() ? found->get<std::string>() : std::string{};
+  }
+
+  void write_block(std::size_t k, bool flipped, int right, int left) {
+    const Shape& shape = marker_.shapes[k];
+    const std::string name = block_name(k, flipped);
+    entity("BLOCK", 0);
+    tag(2, name);
+    tag(70, "0");
+    point(10, {0, 0});
+    tag(3, name);
+    const Polygon outline = flipped ? transformed(shape.outline, Symmetry{true, 0}) : shape.outline;
+    const Spot at = decimal(outline.front());
+    text(1, at, "Piece Name: " + shape.id);
+    text(1, at, "Quantity: " + std::to_string(right) + "," + std::to_string(left));
+    for (const auto& [key, word] : {std::pair{"size", "Size: "},
+                                    {"material", "Material: "},
+                                    {"category", "Category: "},
+                                    {"annotation", "Annotation: "}}) {
+      if (const std::string value = attribute(k, key); !value.empty()) text(1, at, word + value);
+    }
+    write_permissions(shape, at, flipped);
+    write_outline(outline);
+    write_annotations(scaled_annotations(k, flipped));
+    entity("ENDBLK", 0);
+  }
+
+  void write_permissions(const Shape& shape, Spot at, bool flipped) {
+    std::string rotations;
+    for (const Angle angle : shape.rotations)
+      rotations += (rotations.empty() ? "" : " ") + json::number_text(angle.degrees);
+    text(1, at, "Marker Rotations: " + (rotations.empty() ? "any" : rotations));
+    if (shape.may_flip) text(1, at, "Marker Flip: yes");
+    if (shape.tilt_limit.degrees > 0) text(1, at, "Marker Tilt Limit: " + json::number_text(shape.tilt_limit.degrees));
+    if (flipped) text(1, at, "Marker Mirrored: yes");
+  }
+
+  void write_outline(const Polygon& outline) {
+    entity("POLYLINE", 1);
+    tag(66, "1");
+    point(10, {0, 0});
+    tag(70, "1");
+    for (const Vec vertex : outline) {
+      entity("VERTEX", 1);
+      point(10, decimal(vertex));
+    }
+    entity("SEQEND", 1);
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+      const Vec before = outline[(k + outline.size() - 1) % outline.size()], here = outline[k];
+      const Vec after = outline[(k + 1) % outline.size()];
+      const auto angle = [](Vec v) { return std::atan2(static_cast<double>(v.y), static_cast<double>(v.x)); };
+      const double turn = std::remainder(angle(after - here) - angle(here - before), 2 * 3.14159265358979323846);
+      entity("POINT", std::abs(turn) * 180 / 3.14159265358979323846 > kSharp ? 2 : 3);
+      point(10, decimal(here));
+    }
+  }
+
+  [[nodiscard]] document::Annotations scaled_annotations(std::size_t k, bool flipped) const {
+    document::Annotations annotations = document::annotations_of(file_.attributes.shapes[k]);
+    if (flipped) annotations = document::placed(annotations, {true, 0, {}});
+    return annotations;
+  }
+
+  [[nodiscard]] Spot in_unit(Spot spot) const { return {spot.x * unit_.factor, spot.y * unit_.factor}; }
+
+  void write_annotations(const document::Annotations& annotations) {
+    static constexpr int kNotchLayers[] = {4, 4, 80, 81, 82, 83};       // by NotchKind
+    static constexpr int kLineLayers[] = {7, 8, 11, 14, 6, 9, 10, 12};  // by LineKind
+    for (const document::Notch& notch : annotations.notches) {
+      entity("POINT", kNotchLayers[static_cast<int>(notch.kind)]);
+      point(10, in_unit(notch.at));
+      tag(30, notch.depth * unit_.factor);
+      tag(39, notch.width * unit_.factor);
+      if (notch.angle) tag(50, *notch.angle);
+    }
+    for (const Spot& drill : annotations.drills) {
+      entity("POINT", 13);
+      point(10, in_unit(drill));
+    }
+    for (const document::DrawnLine& line : annotations.lines) {
+      const int layer = kLineLayers[static_cast<int>(line.kind)];
+      if (line.points.size() == 2 && !line.closed) {
+        entity("LINE", layer);
+        point(10, in_unit(line.points[0]));
+        point(11, in_unit(line.points[1]));
+        continue;
+      }
+      entity("POLYLINE", layer);
+      tag(66, "1");
+      point(10, {0, 0});
+      tag(70, line.closed ? "1" : "0");
+      for (const Spot& spot : line.points) {
+        entity("VERTEX", layer);
+        point(10, in_unit(spot));
+      }
+      entity("SEQEND", layer);
+    }
+    for (const document::DrawnText& drawn : annotations.texts) {
+      text(15, in_unit(drawn.at), drawn.text, drawn.height * unit_.factor, drawn.angle);
+    }
+  }
+
+  void write_file_texts() {
+    const Strip& strip = marker_.strip;
+    const auto say = [&](const std::string& key, const std::string& value) { text(1, {0, 0}, key + ": " + value); };
+    say("Style Name", marker_.name);
+    say("Author", "Selvage");
+    say("Units", std::string{unit_.name});
+    say("Marker Width", json::number_text(decimal(strip.width)));
+    if (strip.margin > 0) say("Marker Margin", json::number_text(decimal(strip.margin)));
+    if (strip.longest) say("Marker Longest", json::number_text(decimal(*strip.longest)));
+    if (marker_.spacing > 0) say("Marker Spacing", json::number_text(decimal(marker_.spacing)));
+    say("Marker Resolution", json::number_text(to_decimal(1, unit_.resolution)));
+  }
+
+  // An attribute of the insert that was begun last.
+  void attribute(Spot at, std::string_view name, const std::string& value) {
+    entity("ATTRIB", 1);
+    point(10, at);
+    tag(40, "5");
+    tag(1, dxf_text(value));
+    tag(2, name);
+    tag(70, "1");  // not shown
+  }
+
+  void write_insert(std::size_t k) {
+    const Piece& piece = marker_.pieces[k];
+    const Spot at = decimal(piece.at);
+    entity("INSERT", 1);
+    tag(66, "1");
+    tag(2, block_name(piece.shape.value, piece.orientation.flip));
+    point(10, at);
+    const double degrees = piece.orientation.rotation.degrees + piece.orientation.tilt.degrees;
+    if (degrees != 0) tag(50, degrees);
+    attribute(at, "PIECE", piece.id);
+    if (piece.orientation.tilt.degrees != 0) {
+      attribute(at, "ROTATION", json::number_text(piece.orientation.rotation.degrees));
+      attribute(at, "TILT", json::number_text(piece.orientation.tilt.degrees));
+    }
+    if (!piece.group.empty()) attribute(at, "GROUP", piece.group);
+    if (piece.buffer > 0) attribute(at, "BUFFER", json::number_text(decimal(piece.buffer)));
+    const Locks locks = piece.locked;
+    const std::string locked = std::string{locks.x ? "x" : ""} + (locks.y ? "y" : "") + (locks.tilt ? "t" : "");
+    if (!locked.empty()) attribute(at, "LOCKED", locked);
+    const Json& attributes = file_.attributes.pieces[k];
+    if (const Json* bundle = attributes.find("bundle"); bundle && bundle->is_string()) {
+      attribute(at, "BUNDLE", bundle->get<std::string>());
+    }
+    entity("SEQEND", 1);
+  }
+
+  const MarkerFile& file_;
+  const Marker& marker_;
+  Unit unit_;
+  std::string out_;
+};
+
+}  // namespace
+
+Result<std::string> dxf_file(const MarkerFile& file) {
+  const auto unit = unit_of(file.marker);
+  if (!unit) {
+    return Error{ErrorCode::kOutOfRange,
+                 json::shortened(Json(file.marker.unit)) + " is not a unit of DXF patterns; mm, cm, m and in are",
+                 "/unit"};
+  }
+  return DxfWriter{file, *unit}.write();
+}
+
+}  // namespace selvage::protocol::plots

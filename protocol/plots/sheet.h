@@ -1,0 +1,41 @@
+// What cutters and plotters are given: every piece where it lies, with all that is drawn on it.
+//
+// Units: millimetres; the strip spans 0 to `width` along y and begins at x = 0.  Floating point: the exact outlines are
+// those of the marker.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "protocol/document/annotations.h"
+#include "protocol/document/marker_file.h"
+
+namespace selvage::protocol::plots {
+
+using document::Spot;
+
+struct SheetPiece {
+  std::string id;
+  std::string label;          // for people: id, size and bundle
+  std::vector<Spot> outline;  // counter-clockwise
+  document::Annotations annotations;
+};
+
+struct Sheet {
+  std::string name;
+  double width{}, length{};
+  double utilisation{};  // 0..1
+  std::vector<SheetPiece> pieces;
+};
+
+// A marker in an unknown unit is taken for one in millimetres.
+[[nodiscard]] Sheet sheet_of(const MarkerFile& file);
+// The length of the marker's unit in millimetres; 1 when it is not known.
+[[nodiscard]] double millimetres_in(const std::string& unit);
+
+// Text for files that hold nothing but ASCII: what is not becomes `otherwise`, a character each.
+[[nodiscard]] std::string in_ascii(std::string_view text, char otherwise = '?');
+// The shortest decimal of a value rounded to a thousandth.
+[[nodiscard]] std::string thousandths(double value);
+
+}  // namespace selvage::protocol::plots

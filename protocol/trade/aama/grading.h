@@ -1,0 +1,21 @@
+// The sizes of a style that is drawn in its sample size only, made by its rule table.
+//
+// A point "# n" moves by rule n, along the grade reference (layer 5; the file's x axis when there is none).  The
+// standard says nothing of what lies between two graded points: here a vertex moves by the mean of its two graded
+// neighbours' movements, weighted by the arc length to them.  Annotations move with their own rules where they have
+// them, and else with the nearest vertex of the outline. Units: millimetres.
+#pragma once
+
+#include <vector>
+
+#include "protocol/trade/aama/pattern_block.h"
+#include "protocol/trade/aama/rule_table.h"
+
+namespace selvage::protocol::trade::aama {
+
+// `size` is the position of the size in the table; `unit` is that of the table, in millimetres.
+// Every oddity is noted once for each block: call it with `notes` for one size only.
+void grade(PatternBlock& block, std::vector<Spot>& outline, const RuleTable& table, std::size_t size, double unit,
+           std::vector<Note>* notes);
+
+}  // namespace selvage::protocol::trade::aama

@@ -1,0 +1,17 @@
+// A nest as Selvage writes it to DXF (protocol/plots/dxf_file.h): read back as the same marker, to the lattice unit.
+#pragma once
+
+#include <string_view>
+
+#include "core/base/result.h"
+#include "protocol/document/marker_file.h"
+
+namespace selvage::protocol::trade::aama {
+
+// Whether the text is such a nest: it says how wide its marker is.
+[[nodiscard]] bool is_nest(std::string_view text);
+
+// Errors: those of read_tags, read_drawing and on_lattice; kMissingField and kUnknownShape for a nest that was damaged.
+[[nodiscard]] Result<MarkerFile> read_nest(std::string_view text);
+
+}  // namespace selvage::protocol::trade::aama

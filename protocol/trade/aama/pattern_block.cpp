@@ -1,0 +1,178 @@
+#include "protocol/trade/aama/pattern_block.h"
+#include "protocol/trade/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "protocol/trade/dxf/curves.h"
+
+namespace selvage::protocol::trade::aama {
+namespace {
+
+using document::LineKind;
+using document::NotchKind;
+using dxf::Entity;
+
+constexpr std::array<std::string_view, 21> kKeys{
+    "PIECE NAME",    "SIZE",     "SIZE NAME", "SAMPLE SIZE", "QUANTITY", "ANNOTATION", "CATEGORY",
+    "MATERIAL",      "ROTATION", "FLIP",      "TILT",        "FOLD",     "STYLE NAME", "CREATION DATE",
+    "CREATION TIME", "AUTHOR",   "PRODUCT",   "VERSION",     "UNITS",    "TOLERANCE",  "GRADE RULE TABLE"};
+
+std::optional<LineKind> line_kind(int layer) {
+  switch (layer) {
+    case 8: return LineKind::kInternal;
+    case 9: return LineKind::kStripe;
+    case 10: return LineKind::kPlaid;
+    case 11: return LineKind::kCutOut;
+    case 12: return LineKind::kInstruction;
+    case 14: return LineKind::kSew;
+    default: return std::nullopt;
+  }
+}
+
+std::optional<NotchKind> notch_kind(int layer, double width) {
+  switch (layer) {
+    case 4: return width > 0 ? NotchKind::kV : NotchKind::kSlit;
+    case 80: return NotchKind::kT;
+    case 81: return NotchKind::kCastle;
+    case 82: return NotchKind::kCheck;
+    case 83: return NotchKind::kU;
+    default: return std::nullopt;
+  }
+}
+
+Spot spot_of(const dxf::DxfVertex& vertex) {
+  return {vertex.x, vertex.y};
+}
+
+class BlockReader {
+ public:
+  BlockReader(PatternBlock& block, BlockReading& reading) : block_{block}, reading_{reading} {}
+
+  void read(const Entity& entity) {
+    if (entity.type == "TEXT" || entity.type == "MTEXT" || entity.type == "ATTDEF") return read_text(entity);
+    const auto layer = whole_number_in(entity.layer);
+    if (!layer || !read_drawn(entity, *layer)) pass_over(entity);
+  }
+
+ private:
+  // Whether something was made of the entity, or it is known to add nothing.
+  bool read_drawn(const Entity& entity, int layer) {
+    constexpr int kTurnPoints = 2, kCurvePoints = 3, kDrill = 13, kNotes = 15, kFirstCopy = 84, kLastCopy = 87;
+    const bool point = entity.type == "POINT";
+    if (layer == kTurnPoints || layer == kCurvePoints) return true;
+    if (layer >= kFirstCopy && layer <= kLastCopy) return true;  // copies of 1, 8, 11 and 14 for validation
+    if (layer == 1) {
+      if (auto run = dxf::run_of(entity, reading_.tolerance)) block_.boundary.push_back(*std::move(run));
+      return true;
+    }
+    if (notch_kind(layer, 0)) return read_notch(entity, layer);
+    if (layer == kDrill && (point || entity.type == "CIRCLE") && !entity.vertices.empty()) {
+      block_.annotations.drills.push_back(spot_of(entity.vertices.front()));
+      return true;
+    }
+    if (layer >= 5 && layer <= 7) return read_reference(entity, layer);
+    const auto kind = line_kind(layer == kNotes ? 8 : layer);
+    if (point || !kind) return point;
+    auto run = dxf::run_of(entity, reading_.tolerance);
+    if (!run || run->points.size() < 2) return false;
+    block_.annotations.lines.push_back({*kind, run->closed, std::move(run->points)});
+    return true;
+  }
+
+  // A POINT with depth, width and angle; or a LINE, whose length is the depth.
+  bool read_notch(const Entity& entity, int layer) {
+    if (entity.vertices.empty()) return false;
+    document::Notch notch;
+    notch.at = spot_of(entity.vertices.front());
+    if (entity.type == "POINT") {
+      const auto elevation = entity.number(38);
+      notch.depth = std::abs(entity.number(30).value_or(elevation.value_or(0)));
+      notch.width = std::abs(entity.number(39).value_or(0));
+      notch.angle = entity.number(50);
+    } else if (entity.type == "LINE" && entity.vertices.size() > 1) {
+      const Spot end = spot_of(entity.vertices.back());
+      notch.depth = distance(notch.at, end);
+      notch.angle = std::atan2(end.y - notch.at.y, end.x - notch.at.x) * 180 / std::numbers::pi;
+    } else {
+      return false;
+    }
+    notch.kind = *notch_kind(layer, notch.width);
+    block_.annotations.notches.push_back(notch);
+    return true;
+  }
+
+  // Layers 5, 6 and 7: the reference for grading, the mirror line and the grain.
+  bool read_reference(const Entity& entity, int layer) {
+    if (entity.type == "POINT") return true;
+    if (entity.vertices.size() < 2) return false;
+    const std::pair<Spot, Spot> line{spot_of(entity.vertices.front()), spot_of(entity.vertices.back())};
+    if (line.first == line.second) return false;
+    (layer == 5 ? block_.grade_references : layer == 6 ? block_.mirror_lines : block_.grains).push_back(line);
+    return true;
+  }
+
+  void read_text(const Entity& entity) {
+    const std::string text = decoded(entity.text(1), reading_.encoding);
+    if (text.empty() || entity.vertices.empty()) return;
+    const Spot at = spot_of(entity.vertices.front());
+    if (text.front() == '#') {
+      const auto rule = whole_number_in(trimmed(std::string_view{text}.substr(1)));
+      if (rule) block_.graded_points.push_back({*rule, at, entity.line});
+      return;
+    }
+    if (in_capitals(text) == "NM") {
+      block_.unmirrored_spots.push_back(at);
+      return;
+    }
+    if (auto pair = key_and_value(text)) {
+      const auto [place, fresh] = block_.texts.emplace(pair->first, pair->second);
+      if (!fresh && place->second != pair->second) {
+        reading_.notes.push_back(note_at(entity.line, pair->first + " is given again, as " +
+                                                          json::shortened(Json(pair->second)) + "; the first counts"));
+      }
+      return;
+    }
+    block_.annotations.texts.push_back({text, at, entity.number(40).value_or(0), entity.number(50).value_or(0)});
+  }
+
+  void pass_over(const Entity& entity) {
+    const std::string what = std::string{entity.type} + " on layer " + printable(entity.layer);
+    reading_.passed_over.emplace(what, entity.line);
+  }
+
+  PatternBlock& block_;
+  BlockReading& reading_;
+};
+
+}  // namespace
+
+const std::string* PatternBlock::text(const std::string& key) const {
+  const auto found = texts.find(key);
+  return found == texts.end() || found->second.empty() ? nullptr : &found->second;
+}
+
+PatternBlock read_pattern_block(const dxf::Block& block, BlockReading& reading) {
+  PatternBlock read;
+  read.name = decoded(block.name, reading.encoding);
+  read.line = block.line;
+  BlockReader reader{read, reading};
+  for (const Entity& entity : block.entities) reader.read(entity);
+  for (const document::DrawnLine& line : read.annotations.lines) {
+    const auto starts_here = [&](const Spot& spot) { return spot == line.points.front(); };
+    read.mirrored.push_back(std::none_of(read.unmirrored_spots.begin(), read.unmirrored_spots.end(), starts_here));
+  }
+  return read;
+}
+
+std::optional<std::pair<std::string, std::string>> key_and_value(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos) return std::nullopt;
+  std::string key = in_capitals(trimmed(text.substr(0, colon)));
+  if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end()) return std::nullopt;
+  return std::pair{std::move(key), std::string{trimmed(text.substr(colon + 1))}};
+}
+
+}  // namespace selvage::protocol::trade::aama

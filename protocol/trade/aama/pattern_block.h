@@ -1,0 +1,55 @@
+// One block of a pattern file: a piece as its writer drew it, sorted by the layers of ASTM D6673.
+//
+// Units: the file's, in the file's own orientation.  What the block does not say stays empty: AccuMark writes quantity,
+// material and "NM" only into the block of the sample size, and the style gives them to the other sizes
+// (pattern_file.h).
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "protocol/trade/dxf/drawing.h"
+#include "protocol/trade/loops.h"
+#include "protocol/trade/style.h"
+#include "protocol/trade/text.h"
+
+namespace selvage::protocol::trade::aama {
+
+// A point that moves with the size: "# 12".
+struct GradedPoint {
+  int rule{};
+  Spot at;
+  std::size_t line{};
+};
+
+struct PatternBlock {
+  std::string name;                          // of the block
+  std::map<std::string, std::string> texts;  // "QUANTITY" -> "1,1"; keys in capitals
+  std::vector<Run> boundary;                 // layer 1
+  document::Annotations annotations;
+  std::vector<bool> mirrored;          // of each of the annotations' lines: drawn on both halves of a folded piece
+  std::vector<Spot> unmirrored_spots;  // where "NM" stands
+  std::vector<std::pair<Spot, Spot>> grains, mirror_lines, grade_references;  // layers 7, 6, 5
+  std::vector<GradedPoint> graded_points;
+  std::size_t line{};
+
+  [[nodiscard]] const std::string* text(const std::string& key) const;
+};
+
+// What a whole file's blocks have in common, and where their oddities are collected.
+struct BlockReading {
+  Encoding encoding{};
+  double tolerance{};                              // for curves, in the file's unit
+  std::map<std::string, std::size_t> passed_over;  // a layer that is not read -> the first line of it
+  std::vector<Note> notes;
+};
+
+[[nodiscard]] PatternBlock read_pattern_block(const dxf::Block& block, BlockReading& reading);
+
+// "Piece Name: FRONT" as its key in capitals and its value; none when the text is no such pair of a known key.
+[[nodiscard]] std::optional<std::pair<std::string, std::string>> key_and_value(std::string_view text);
+
+}  // namespace selvage::protocol::trade::aama

@@ -1,0 +1,359 @@
+#include "protocol/trade/aama/pattern_file.h"
+#include "protocol/trade/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "protocol/document/frame.h"
+#include "protocol/json/json_text.h"
+#include "protocol/trade/aama/finishing.h"
+#include "protocol/trade/aama/grading.h"
+#include "protocol/trade/aama/pattern_block.h"
+#include "protocol/trade/aama/rule_table.h"
+#include "protocol/trade/dxf/units.h"
+
+namespace selvage::protocol::trade::aama {
+namespace {
+
+using Texts = std::map<std::string, std::string>;
+
+std::string in_quotes(const std::string& text) {
+  return json::shortened(Json(text));
+}
+
+const std::string& text_or_empty(const Texts& texts, const std::string& key) {
+  static const std::string kEmpty;
+  const auto found = texts.find(key);
+  return found == texts.end() ? kEmpty : found->second;
+}
+
+// "2", or "1,1": right and left.
+std::optional<Quantity> quantity_in(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  const auto right = whole_number_in(trimmed(std::string_view{text}.substr(0, comma)));
+  const auto left = comma == std::string::npos ? std::optional{0}
+                                               : whole_number_in(trimmed(std::string_view{text}.substr(comma + 1)));
+  const auto sensible = [](std::optional<int> n) { return n && *n >= 0 && *n <= kMostCopies; };
+  if (!sensible(right) || !sensible(left)) return std::nullopt;
+  return Quantity{*right, *left};
+}
+
+class StyleReader {
+ public:
+  StyleReader(const dxf::DxfDrawing& drawing, const ReadingOptions& options) : drawing_{drawing}, options_{options} {}
+
+  Result<Style> read() {
+    settle_encoding();
+    read_file_texts();
+    read_blocks();
+    if (blocks_.empty()) return no_pattern();
+    const auto unit = dxf::settle_unit(texts_, drawing_.insert_units, options_.unit, style_.notes);
+    if (!unit) return unit.error();
+    for (PatternBlock& block : blocks_) scale(block, *unit);
+    check_notches();
+    check_inserts();
+    share_texts();
+    if (const auto error = make_pieces(*unit)) return *error;
+    tell_what_was_passed_over();
+    return std::move(style_);
+  }
+
+ private:
+  void settle_encoding() {
+    std::string bytes;
+    std::size_t line = 0;
+    const auto look_at = [&](std::span<const dxf::Entity> entities) {
+      for (const dxf::Entity& entity : entities) {
+        const std::string_view text = entity.text(1);
+        if (std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; }))
+          continue;
+        if (line == 0) line = entity.line;
+        bytes += text;
+      }
+    };
+    look_at(drawing_.entities);
+    for (const dxf::Block& block : drawing_.blocks) look_at(block.entities);
+    Encoding encoding = encoding_of(bytes);
+    if (encoding != Encoding::kUtf8 && drawing_.code_page == "ANSI_936") encoding = Encoding::kGbk;
+    if (encoding != Encoding::kUtf8 && drawing_.code_page == "ANSI_950") encoding = Encoding::kBig5;
+    reading_.encoding = encoding;
+    reading_.tolerance = options_.tolerance;
+    if (encoding != Encoding::kUtf8) {
+      style_.notes.push_back(note_at(line, "texts are read as " + std::string{name_of(encoding)}));
+    }
+  }
+
+  void read_file_texts() {
+    for (const dxf::Entity& entity : drawing_.entities) {
+      if (entity.type != "TEXT") continue;
+      const std::string text = decoded(entity.text(1), reading_.encoding);
+      if (auto pair = key_and_value(text)) texts_.emplace(std::move(*pair));
+    }
+    style_.name = text_or_empty(texts_, "STYLE NAME");
+    style_.sample_size = text_or_empty(texts_, "SAMPLE SIZE");
+    for (const auto& [key, name] :
+         {std::pair{"AUTHOR", "author"}, {"PRODUCT", "product"}, {"VERSION", "version"}, {"CREATION DATE", "date"}}) {
+      if (const std::string& text = text_or_empty(texts_, key); !text.empty()) style_.attributes[name] = text;
+    }
+  }
+
+  void read_blocks() {
+    for (const dxf::Block& block : drawing_.blocks) {
+      if (block.name.starts_with('*')) continue;  // model and paper space
+      PatternBlock read = read_pattern_block(block, reading_);
+      if (read.boundary.empty()) {
+        style_.notes.push_back(note_at(block.line, "block " + in_quotes(read.name) + " has no boundary; left out"));
+        continue;
+      }
+      blocks_.push_back(std::move(read));
+    }
+    style_.notes.insert(style_.notes.end(), reading_.notes.begin(), reading_.notes.end());
+  }
+
+  [[nodiscard]] Error no_pattern() const {
+    return {ErrorCode::kUnknownFormat,
+            "no pattern file: of " + std::to_string(drawing_.blocks.size()) +
+                " blocks none has a boundary on layer 1, as AAMA/ASTM D6673 requires.  Ask for plain DXF to read every "
+                "closed outline as a piece",
+            ""};
+  }
+
+  // Depths of less than a millimetre in a file of millimetres are centimetres: so Browzwear writes them.
+  void check_notches() {
+    double deepest = 0;
+    for (const PatternBlock& block : blocks_) {
+      for (const document::Notch& notch : block.annotations.notches) deepest = std::max(deepest, notch.depth);
+    }
+    if (deepest <= 0 || deepest >= 1) return;
+    for (PatternBlock& block : blocks_) {
+      for (document::Notch& notch : block.annotations.notches) {
+        notch.depth *= 10;
+        notch.width *= 10;
+      }
+    }
+    style_.notes.push_back({"", "no notch is as deep as 1 mm: their depths and widths are read as centimetres"});
+  }
+
+  void check_inserts() {
+    std::set<std::string, std::less<>> known, inserted;
+    for (const dxf::Block& block : drawing_.blocks) known.insert(decoded(block.name, reading_.encoding));
+    for (const dxf::Entity& entity : drawing_.entities) {
+      if (entity.type != "INSERT") continue;
+      const std::string name = decoded(entity.text(2), reading_.encoding);
+      if (!known.contains(name)) {
+        style_.notes.push_back(
+            note_at(entity.line, "INSERT of block " + in_quotes(name) + ", which is not in the file"));
+      }
+      inserted.insert(name);
+    }
+    if (inserted.empty()) return;
+    for (const PatternBlock& block : blocks_) {
+      if (inserted.contains(block.name)) continue;
+      style_.notes.push_back(
+          note_at(block.line, "block " + in_quotes(block.name) + " is never inserted; read all the same"));
+    }
+  }
+
+  [[nodiscard]] std::string name_of_piece(const PatternBlock& block) {
+    if (const std::string* name = block.text("PIECE NAME")) return *name;
+    style_.notes.push_back(
+        note_at(block.line, "block " + in_quotes(block.name) + " has no Piece Name; the block's is taken"));
+    return block.name;
+  }
+
+  [[nodiscard]] std::string size_of(const PatternBlock& block, const std::string& name) const {
+    for (const char* key : {"SIZE", "SIZE NAME", "SAMPLE SIZE"}) {
+      if (const std::string* size = block.text(key)) return *size;
+    }
+    if (block.name.size() > name.size() + 1 && block.name.starts_with(name) && block.name[name.size()] == '_') {
+      return block.name.substr(name.size() + 1);
+    }
+    return style_.sample_size;
+  }
+
+  // In a nest the blocks of one piece share what only one of them says, most often that of the sample size: quantity,
+  // material, and which internal lines are not mirrored.
+  void share_texts() {
+    std::map<std::string, std::vector<std::size_t>> by_name;
+    for (std::size_t k = 0; k < blocks_.size(); ++k) {
+      names_.push_back(name_of_piece(blocks_[k]));
+      sizes_.push_back(size_of(blocks_[k], names_.back()));
+      by_name[names_.back()].push_back(k);
+    }
+    for (const auto& [name, members] : by_name) {
+      const auto fullest = *std::max_element(members.begin(), members.end(), [&](std::size_t a, std::size_t b) {
+        return blocks_[a].texts.size() < blocks_[b].texts.size();
+      });
+      const PatternBlock& said = blocks_[fullest];
+      for (const std::size_t k : members) {
+        PatternBlock& block = blocks_[k];
+        for (const auto& [key, text] : said.texts) {
+          if (!key.starts_with("SIZE")) block.texts.emplace(key, text);
+        }
+        if (block.unmirrored_spots.empty() && block.mirrored.size() == said.mirrored.size()) {
+          block.mirrored = said.mirrored;
+        }
+      }
+    }
+  }
+
+  std::optional<Error> make_pieces(double unit) {
+    std::optional<RuleTable> table;
+    if (options_.rules) {
+      auto read = read_rule_table(*options_.rules);
+      if (!read) return json::within("/rules", read.error());
+      table = *std::move(read);
+      style_.sizes = table->sizes;
+    } else {
+      for (const std::string& size : sizes_) {
+        if (std::find(style_.sizes.begin(), style_.sizes.end(), size) == style_.sizes.end())
+          style_.sizes.push_back(size);
+      }
+    }
+    if (const auto error = check_sizes()) return error;
+    for (std::size_t k = 0; k < blocks_.size(); ++k) {
+      if (table) {
+        if (const auto error = grade_block(k, *table, table_unit(*table, unit))) return error;
+      } else if (wanted(sizes_[k])) {
+        if (const auto error = finish(blocks_[k], k, sizes_[k], nullptr)) return error;
+      }
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] bool wanted(const std::string& size) const {
+    return options_.sizes.empty() ||
+           std::find(options_.sizes.begin(), options_.sizes.end(), size) != options_.sizes.end();
+  }
+
+  [[nodiscard]] std::optional<Error> check_sizes() const {
+    for (const std::string& size : options_.sizes) {
+      if (std::find(style_.sizes.begin(), style_.sizes.end(), size) != style_.sizes.end()) continue;
+      std::string known;
+      for (const std::string& one : style_.sizes) known += (known.empty() ? "" : ", ") + one;
+      return Error{ErrorCode::kOutOfRange, "size " + in_quotes(size) + " is not in the style; its sizes are " + known,
+                   "/sizes"};
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] static double table_unit(const RuleTable& table, double unit) {
+    return table.units == "METRIC" ? 1 : table.units == "ENGLISH" ? in_millimetres(LengthUnit::kInch) : unit;
+  }
+
+  // A block in each size of the table.
+  std::optional<Error> grade_block(std::size_t k, const RuleTable& table, double unit) {
+    const std::string& sample = table.sample_size.empty() ? style_.sample_size : table.sample_size;
+    bool first = true;
+    for (std::size_t size = 0; size < table.sizes.size(); ++size) {
+      if (!wanted(table.sizes[size])) continue;
+      const Grading grading{table, size, unit, table.sizes[size] == sample, first};
+      if (const auto error = finish(blocks_[k], k, table.sizes[size], &grading)) return error;
+      first = false;
+    }
+    return std::nullopt;
+  }
+
+  struct Grading {
+    const RuleTable& table;
+    std::size_t size;
+    double unit;
+    bool sample;  // it is the size as drawn
+    bool noted;   // its oddities are told: those of the other sizes are the same
+  };
+
+  // The piece of a block in one size.
+  std::optional<Error> finish(PatternBlock block, std::size_t k, const std::string& size, const Grading* grading) {
+    std::vector<Note> notes;
+    auto outline = boundary_of(block, notes);
+    if (!outline) return outline.error();
+    if (grading && !grading->sample) {
+      grade(block, *outline, grading->table, grading->size, grading->unit, &notes);
+    }
+    if (options_.fold == FoldRule::kUnfold) {
+      unfold(block, *outline, notes);
+    } else {
+      for (const auto& [from, to] : block.mirror_lines) {
+        block.annotations.lines.push_back({document::LineKind::kMirror, false, {from, to}});
+      }
+    }
+    if (!block.grains.empty()) {
+      const auto& [from, to] = block.grains.front();
+      block.annotations.lines.push_back({document::LineKind::kGrain, false, {from, to}});
+    }
+    if (doubled_area(*outline) < 0) std::reverse(outline->begin() + 1, outline->end());
+    const document::Frame turn{false, turn_of_grain(block, notes), {}};
+    PatternPiece piece = described(block, k, notes);
+    piece.size = size;
+    for (const Spot& point : *outline) piece.outline.push_back(rounded(turn.apply(point)));
+    piece.annotations = rounded(placed(block.annotations, turn));
+    check_extent(piece, notes);
+    if (!grading || grading->noted) style_.notes.insert(style_.notes.end(), notes.begin(), notes.end());
+    style_.pieces.push_back(std::move(piece));
+    return std::nullopt;
+  }
+
+  // What the texts say of the piece.
+  [[nodiscard]] PatternPiece described(const PatternBlock& block, std::size_t k, std::vector<Note>& notes) const {
+    PatternPiece piece;
+    piece.name = names_[k];
+    piece.line = block.line;
+    piece.material = text_or_empty(block.texts, "MATERIAL");
+    piece.category = text_or_empty(block.texts, "CATEGORY");
+    piece.annotation = text_or_empty(block.texts, "ANNOTATION");
+    for (const auto& [key, name] :
+         {std::pair{"ROTATION", "rotation"}, {"FLIP", "flip"}, {"TILT", "tilt"}, {"FOLD", "fold"}}) {
+      if (const std::string* text = block.text(key)) piece.attributes[name] = *text;
+    }
+    const std::string* said = block.text("QUANTITY");
+    const auto quantity = said ? quantity_in(*said) : std::nullopt;
+    if (!said) {
+      notes.push_back(note_at(block.line, "no quantity: 1"));
+    } else if (!quantity) {
+      notes.push_back(note_at(block.line, "the quantity " + in_quotes(*said) + " is not understood: 1"));
+    } else if (quantity->right > 1 && said->find(',') == std::string::npos) {
+      notes.push_back(
+          note_at(block.line, "quantity " + *said + ": that some of them are mirrored is not said; none is"));
+    }
+    piece.quantity = quantity.value_or(Quantity{});
+    return piece;
+  }
+
+  static void check_extent(const PatternPiece& piece, std::vector<Note>& notes) {
+    constexpr double kLeast = 10, kMost = 5000;
+    Spot low = piece.outline.front(), high = low;
+    for (const Spot& point : piece.outline) {
+      low = {std::min(low.x, point.x), std::min(low.y, point.y)};
+      high = {std::max(high.x, point.x), std::max(high.y, point.y)};
+    }
+    const double extent = std::max(high.x - low.x, high.y - low.y);
+    if (extent >= kLeast && extent <= kMost) return;
+    notes.push_back(note_at(piece.line, "the piece is " + json::number_text(std::round(extent * 100) / 100) +
+                                            " mm long: is the unit right?"));
+  }
+
+  void tell_what_was_passed_over() {
+    for (const auto& [what, line] : reading_.passed_over) style_.notes.push_back(note_at(line, what + " is not read"));
+  }
+
+  const dxf::DxfDrawing& drawing_;
+  const ReadingOptions& options_;
+  Texts texts_;  // of the file
+  BlockReading reading_;
+  std::vector<PatternBlock> blocks_;
+  std::vector<std::string> names_, sizes_;  // of the blocks
+  Style style_;
+};
+
+}  // namespace
+
+Result<Style> read_pattern(std::string_view text, const ReadingOptions& options) {
+  const auto tags = dxf::read_tags(text);
+  if (!tags) return tags.error();
+  const auto drawing = dxf::read_drawing(*tags);
+  if (!drawing) return drawing.error();
+  return StyleReader{*drawing, options}.read();
+}
+
+}  // namespace selvage::protocol::trade::aama

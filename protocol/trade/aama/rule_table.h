@@ -1,0 +1,28 @@
+// The grade rule table of a style (.rul): how far every graded point moves from the sample size to each other size
+// [ASTM D6673].
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "protocol/trade/style.h"
+
+namespace selvage::protocol::trade::aama {
+
+struct RuleTable {
+  std::string name, sample_size;
+  std::string units;                           // "METRIC" or "ENGLISH"; empty: the table does not say
+  std::vector<std::string> sizes;              // in the table's order
+  std::map<int, std::vector<Spot>> movements;  // by the rule's number: one per size, in the table's unit
+};
+
+// Numbers may be separated by commas, blanks and line ends.
+// Errors: kUnknownFormat (no list of sizes), kSyntax (a rule without a number, or with too few or too many), with the
+// line.
+[[nodiscard]] Result<RuleTable> read_rule_table(std::string_view text);
+
+}  // namespace selvage::protocol::trade::aama

@@ -1,0 +1,133 @@
+#include "protocol/trade/cut/cut_marker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "protocol/formats/decimal_marker.h"
+#include "protocol/trade/cut/cut_words.h"
+#include "protocol/trade/placed_marker.h"
+
+namespace selvage::protocol::trade::cut {
+namespace {
+
+constexpr double kTenthMillimetre = 0.1, kHundredthInch = 0.254;
+constexpr double kReach = 0.15;     // millimetres, between the ends of runs
+constexpr double kOvercut = 3;      // millimetres: how far a knife may cut beyond a corner
+constexpr double kLeastArea = 100;  // square millimetres: smaller loops that such a gap closes are notches
+
+double settle_unit(const CutCommands& commands, const ReadingOptions& options, std::vector<Note>& notes) {
+  if (options.unit) {
+    notes.push_back({"", "unit: " + std::string{kUnitWords[static_cast<int>(*options.unit)]} + ", as asked for"});
+    return in_millimetres(*options.unit);
+  }
+  if (commands.unit == 71) {
+    notes.push_back({"", "unit: 0.1 mm, by G71"});
+    return kTenthMillimetre;
+  }
+  notes.push_back(
+      {"", "unit: 1/100 in, since the file " + std::string{commands.unit ? "says G70" : "has neither G70 nor G71"}});
+  return kHundredthInch;
+}
+
+void scale(CutPiece& piece, double unit) {
+  const auto scale_spot = [unit](Spot& spot) { spot = rounded({spot.x * unit, spot.y * unit}); };
+  for (Run& run : piece.runs) {
+    for (Spot& point : run.points) scale_spot(point);
+  }
+  for (Spot& drill : piece.drills) scale_spot(drill);
+}
+
+// The part of a label "S:XL-A M:STYLE N:FRONT" that the letter begins; empty when there is none.
+std::string part_of(const std::string& label, char letter) {
+  const std::string key = std::string{letter} + ":";
+  const std::size_t at = label.starts_with(key) ? 0 : label.find(" " + key);
+  if (at == std::string::npos) return {};
+  const std::size_t from = at + key.size() + (at == 0 ? 0 : 1);
+  std::size_t end = label.size();
+  for (const char other : {'S', 'M', 'N'}) end = std::min(end, label.find(std::string{" "} + other + ":", from));
+  return label.substr(from, end - from);
+}
+
+void describe(PlacedPattern& piece, const std::string& label) {
+  const std::string bundle = part_of(label, 'S'), style = part_of(label, 'M'), name = part_of(label, 'N');
+  piece.name = name.empty() ? label : name;
+  if (!bundle.empty() && !name.empty()) {
+    const std::size_t dash = bundle.rfind('-');
+    piece.size = bundle.substr(0, dash);
+    piece.attributes["bundle"] = bundle;
+    if (!style.empty()) piece.attributes["style"] = style;
+  }
+  if (!label.empty()) piece.attributes["label"] = label;
+}
+
+// The loops of one piece, its largest first.  A knife may begin and end an outline a little beside the same place.
+std::vector<Loop> loops_of(CutPiece& piece, std::vector<Run>& open, std::vector<Note>& notes,
+                           const std::string& field) {
+  Loops loops = joined(std::move(piece.runs), kReach);
+  Loops wide = joined(loops.open, kOvercut);
+  const auto is_piece = [](const Loop& loop) { return std::abs(doubled_area(loop.points)) / 2 >= kLeastArea; };
+  open = std::move(loops.open);
+  if (std::any_of(wide.closed.begin(), wide.closed.end(), is_piece)) {
+    notes.push_back({field, "runs of the knife are joined over up to 3 mm"});
+    open = std::move(wide.open);
+    for (Loop& loop : wide.closed) loops.closed.push_back(std::move(loop));
+  }
+  std::stable_sort(loops.closed.begin(), loops.closed.end(), [](const Loop& a, const Loop& b) {
+    return std::abs(doubled_area(a.points)) > std::abs(doubled_area(b.points));
+  });
+  return std::move(loops.closed);
+}
+
+PlacedPattern pattern_of(const CutPiece& piece, Loop outline, const std::vector<Loop>& inner,
+                         const std::vector<Run>& open) {
+  PlacedPattern placed;
+  describe(placed, piece.label);
+  std::size_t dropped = 0;
+  placed.outline = without_repeats(outline.points, dropped);
+  for (const Loop& loop : inner) {
+    placed.annotations.lines.push_back({document::LineKind::kCutOut, true, loop.points});
+  }
+  for (const Run& run : open) placed.annotations.lines.push_back({document::LineKind::kCutOut, false, run.points});
+  placed.annotations.drills = piece.drills;
+  return placed;
+}
+
+}  // namespace
+
+Result<MarkerFile> read_cut_marker(std::string_view text, const ReadingOptions& options) {
+  CutCommands commands = read_commands(text);
+  PlacedMarker marker;
+  marker.name = commands.message;
+  marker.notes = std::move(commands.notes);
+  const double unit = settle_unit(commands, options, marker.notes);
+  for (CutPiece& piece : commands.pieces) {
+    const std::string field = piece.number > 0 ? "/piece/" + std::to_string(piece.number) : "";
+    scale(piece, unit);
+    std::vector<Run> open;
+    std::vector<Loop> loops = loops_of(piece, open, marker.notes, field);
+    if (loops.empty()) {
+      marker.notes.push_back({field, "no closed outline is cut; left out"});
+      continue;
+    }
+    // Without N, every loop that lies in no other is a piece.
+    while (!loops.empty()) {
+      Loop outline = std::move(loops.front());
+      loops.erase(loops.begin());
+      const auto inside = [&](const Loop& loop) {
+        return commands.numbered || contains(outline.points, loop.points.front());
+      };
+      const auto others = std::stable_partition(loops.begin(), loops.end(), inside);
+      const std::vector<Loop> inner{loops.begin(), others};
+      loops.erase(loops.begin(), others);
+      marker.pieces.push_back(pattern_of(piece, std::move(outline), inner, open));
+      marker.pieces.back().field = field;
+      if (commands.numbered) break;
+    }
+  }
+  return file_of(std::move(marker), options);
+}
+
+}  // namespace selvage::protocol::trade::cut

@@ -1,0 +1,14 @@
+// The runs of points that DXF entities draw: polylines with or without bulges, lines, arcs, circles, ellipses, splines.
+#pragma once
+
+#include <optional>
+
+#include "protocol/trade/dxf/drawing.h"
+#include "protocol/trade/loops.h"
+
+namespace selvage::protocol::trade::dxf {
+
+// None for an entity that draws no line.
+[[nodiscard]] std::optional<Run> run_of(const Entity& entity, double tolerance);
+
+}  // namespace selvage::protocol::trade::dxf

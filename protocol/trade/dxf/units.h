@@ -1,0 +1,24 @@
+// The unit of a DXF file's coordinates.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "protocol/trade/options.h"
+#include "protocol/trade/style.h"
+
+namespace selvage::protocol::trade::dxf {
+
+// In millimetres: the caller's, else that of the text "Units:", else $INSUNITS.  A note says which.
+// Errors: kMissingField when none of them tells.
+[[nodiscard]] Result<double> settle_unit(const std::map<std::string, std::string>& texts,
+                                         std::optional<int> insert_units, std::optional<LengthUnit> asked,
+                                         std::vector<Note>& notes);
+
+// The unit of a value of $INSUNITS; none for those that no pattern is drawn in.
+[[nodiscard]] std::optional<LengthUnit> unit_of_insunits(int value);
+
+}  // namespace selvage::protocol::trade::dxf

@@ -1,0 +1,27 @@
+// The nesting XML of ESICUP (github.com/ESICUP/datasets): a lot of pieces, a board, and perhaps solutions.
+//
+// Its coordinates grow downwards from the upper left ("up-left"); ours grow upwards, so y and angles change sign.  The
+// form states no unit: the caller's is taken, else millimetres, and numbers stay as they are.  The shortest solution
+// places the pieces; without one they lie in columns, as those of a pattern do.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/base/result.h"
+#include "protocol/document/marker_file.h"
+#include "protocol/trade/options.h"
+
+namespace selvage::protocol::trade::esicup {
+
+[[nodiscard]] bool looks_like_esicup(std::string_view text);
+
+// Errors: kSyntax (no well-formed XML), kUnknownFormat (no <nesting> with a lot), kUnknownShape (a piece without its
+// polygon), kOutOfRange (too many pieces), and those of on_lattice.
+[[nodiscard]] Result<MarkerFile> read_esicup(std::string_view text, const ReadingOptions& options);
+
+// The lot, the board as long as the marker, and the marker as the solution.  A flipped piece is a piece of its own,
+// whose polygon is mirrored.
+[[nodiscard]] std::string esicup_file(const MarkerFile& file);
+
+}  // namespace selvage::protocol::trade::esicup

@@ -1,0 +1,128 @@
+#include <map>
+#include <pugixml.hpp>
+#include <sstream>
+
+#include "protocol/formats/decimal_marker.h"
+#include "protocol/json/json_text.h"
+#include "protocol/trade/esicup/esicup.h"
+
+namespace selvage::protocol::trade::esicup {
+namespace {
+
+class NestingWriter {
+ public:
+  explicit NestingWriter(const MarkerFile& file) : marker_{file.marker} {}
+
+  std::string write() {
+    pugi::xml_node nesting = document_.append_child("nesting");
+    nesting.append_attribute("xmlns") = "http://www.fe.up.pt/~esicup/nesting.xsd";
+    child(nesting, "name", marker_.name);
+    child(nesting, "author", "Selvage");
+    child(nesting, "verticesOrientation", "clockwise");  // counter-clockwise, with y downwards
+    child(nesting, "coordinatesOrigin", "up-left");
+    count_copies();
+    pugi::xml_node problem = nesting.append_child("problem");
+    write_board(problem.append_child("boards"));
+    pugi::xml_node lot = problem.append_child("lot");
+    pugi::xml_node polygons = nesting.append_child("polygons");
+    const Coord length = length_of(marker_), width = marker_.strip.width;
+    write_polygon(polygons, "polygon0", {{0, 0}, {length, 0}, {length, width}, {0, width}}, width);
+    std::size_t number = 0;
+    for (const auto& [key, copies] : copies_) {
+      const std::string polygon = "polygon" + std::to_string(++number);
+      const Shape& shape = marker_.shapes[key.first];
+      write_lot_piece(lot, key, copies, polygon);
+      write_polygon(polygons, polygon, key.second ? transformed(shape.outline, Symmetry{true, 0}) : shape.outline, 0);
+    }
+    write_solution(nesting.append_child("solutions").append_child("solution"));
+    std::ostringstream out;
+    document_.save(out, "  ");
+    return out.str();
+  }
+
+ private:
+  using Key = std::pair<std::uint32_t, bool>;  // a shape, flipped or not
+
+  static void child(pugi::xml_node& parent, const char* name, const std::string& text) {
+    parent.append_child(name).text() = text.c_str();
+  }
+  [[nodiscard]] std::string decimal(Coord coord) const {
+    return json::number_text(to_decimal(coord, marker_.resolution));
+  }
+  [[nodiscard]] std::string id_of(const Key& key) const {
+    return marker_.shapes[key.first].id + (key.second ? "_L" : "");
+  }
+  // The other way round, since y points down.
+  static std::string angle_text(double degrees) { return json::number_text(degrees == 0 ? 0 : 360 - degrees); }
+
+  void count_copies() {
+    for (const Piece& piece : marker_.pieces) ++copies_[{piece.shape.value, piece.orientation.flip}];
+  }
+
+  void write_board(pugi::xml_node boards) {
+    pugi::xml_node board = boards.append_child("piece");
+    board.append_attribute("id") = "board0";
+    board.append_attribute("quantity") = 1;
+    write_component(board, "polygon0");
+  }
+
+  static void write_component(pugi::xml_node& piece, const std::string& polygon) {
+    pugi::xml_node component = piece.append_child("component");
+    component.append_attribute("idPolygon") = polygon.c_str();
+    for (const char* key : {"type", "xOffset", "yOffset"}) component.append_attribute(key) = 0;
+  }
+
+  void write_lot_piece(pugi::xml_node& lot, const Key& key, int copies, const std::string& polygon) {
+    pugi::xml_node piece = lot.append_child("piece");
+    piece.append_attribute("id") = id_of(key).c_str();
+    piece.append_attribute("quantity") = copies;
+    pugi::xml_node orientation = piece.append_child("orientation");
+    for (const Angle angle : marker_.shapes[key.first].rotations) {
+      orientation.append_child("enumeration").append_attribute("angle") = angle_text(angle.degrees).c_str();
+    }
+    write_component(piece, polygon);
+  }
+
+  // y becomes base - y.
+  void write_polygon(pugi::xml_node& polygons, const std::string& id, const Polygon& outline, Coord base) {
+    pugi::xml_node polygon = polygons.append_child("polygon");
+    polygon.append_attribute("id") = id.c_str();
+    polygon.append_attribute("nVertices") = static_cast<unsigned>(outline.size());
+    pugi::xml_node lines = polygon.append_child("lines");
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+      const Vec from = outline[k], to = outline[(k + 1) % outline.size()];
+      pugi::xml_node segment = lines.append_child("segment");
+      segment.append_attribute("n") = static_cast<unsigned>(k + 1);
+      segment.append_attribute("x0") = decimal(from.x).c_str();
+      segment.append_attribute("x1") = decimal(to.x).c_str();
+      segment.append_attribute("y0") = decimal(base - from.y).c_str();
+      segment.append_attribute("y1") = decimal(base - to.y).c_str();
+    }
+  }
+
+  void write_solution(pugi::xml_node solution) {
+    for (const Piece& piece : marker_.pieces) {
+      pugi::xml_node placement = solution.append_child("placement");
+      const double degrees = piece.orientation.rotation.degrees + piece.orientation.tilt.degrees;
+      placement.append_attribute("angle") = angle_text(degrees).c_str();
+      placement.append_attribute("boardNumber") = 1;
+      placement.append_attribute("idBoard") = "board0";
+      placement.append_attribute("idPiece") = id_of({piece.shape.value, piece.orientation.flip}).c_str();
+      placement.append_attribute("mirror") = "none";
+      placement.append_attribute("x") = decimal(piece.at.x).c_str();
+      placement.append_attribute("y") = decimal(marker_.strip.width - piece.at.y).c_str();
+    }
+  }
+
+  const Marker& marker_;
+  std::map<Key, int> copies_;
+  pugi::xml_document document_;
+};
+
+}  // namespace
+
+std::string esicup_file(const MarkerFile& file) {
+  return NestingWriter{file}.write();
+}
+
+}  // namespace selvage::protocol::trade::esicup

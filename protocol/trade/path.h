@@ -1,0 +1,34 @@
+// A path of lines, arcs and Bezier curves, flattened to a run of points as it is drawn.
+//
+// Every chord lies within the tolerance of its curve, and so does the apex that is kept with it (loops.h), from which
+// an outline is made that contains the true one.  Units: those of the drawing.
+#pragma once
+
+#include "protocol/trade/loops.h"
+
+namespace selvage::protocol::trade {
+
+class Path {
+ public:
+  // `tolerance` is greater than 0.
+  Path(document::Spot start, double tolerance, std::size_t line);
+
+  void line_to(document::Spot to);
+  void cubic_to(document::Spot first, document::Spot second, document::Spot to);
+  // centre + u cos(t) + v sin(t), t from `from` to `from + sweep` radians; the path is at its start already.
+  void arc(document::Spot centre, document::Spot u, document::Spot v, double from, double sweep);
+  [[nodiscard]] document::Spot end() const { return run_.points.back(); }
+  [[nodiscard]] Run take(bool closed);
+
+ private:
+  struct Cubic {
+    document::Spot from, first, second, to;
+  };
+  void add(document::Spot to, Edge edge);
+  void flatten(const Cubic& cubic, int depth);
+
+  double tolerance_;
+  Run run_;
+};
+
+}  // namespace selvage::protocol::trade

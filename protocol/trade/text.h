@@ -1,0 +1,46 @@
+// Text files of the trade: their lines, numbers and encodings.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace selvage::protocol::trade {
+
+// The lines of a text, ended by LF, CR LF or CR.
+class Lines {
+ public:
+  explicit Lines(std::string_view text) : rest_{text} {}
+  [[nodiscard]] std::optional<std::string_view> next();
+  [[nodiscard]] std::size_t number() const { return number_; }  // of the line that next() returned; 1 is the first
+
+ private:
+  std::string_view rest_;
+  std::size_t number_{};
+};
+
+// Without blanks and control characters at its ends.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+[[nodiscard]] std::string in_capitals(std::string_view text);  // of the Latin letters a to z
+
+// The value as a number; none when it is not a finite one.
+[[nodiscard]] std::optional<double> number_in(std::string_view text);
+[[nodiscard]] std::optional<int> whole_number_in(std::string_view text);
+
+// The JSON pointer under which notes and errors name a line of a text file: "/line/12".
+[[nodiscard]] std::string line_field(std::size_t line);
+
+// The encodings in which names were found in pattern files.
+enum class Encoding { kUtf8, kGbk, kBig5, kLatin1 };
+[[nodiscard]] std::string_view name_of(Encoding encoding);
+// The encoding of bytes that have no other sign: UTF-8 when they are valid as such.  Otherwise GBK when every pair of
+// bytes is a character of GB 2312, Big5 when every pair is one of Big5's frequent characters, GBK when it is valid, and
+// Latin-1 when nothing else is.
+[[nodiscard]] Encoding encoding_of(std::string_view bytes);
+// As UTF-8; what the encoding does not define becomes U+FFFD.  \U+XXXX, by which DXF writes characters, is resolved.
+[[nodiscard]] std::string decoded(std::string_view bytes, Encoding encoding);
+// For an error message, whatever the bytes are.
+[[nodiscard]] std::string printable(std::string_view bytes);
+
+}  // namespace selvage::protocol::trade

@@ -1,0 +1,14 @@
+// Properties of reading any text as a file of the trade.
+#pragma once
+
+#include <string_view>
+
+#include "protocol/files/reading.h"
+
+namespace selvage::test {
+
+// The reader either accepts the text or rejects it with an error message.  A marker that was accepted is a Marker, and
+// its native form reads back as the same marker; small ones can be written in every format.
+void demand_sound_file(std::string_view text, const protocol::trade::ReadingOptions& options = {});
+
+}  // namespace selvage::test

@@ -1,0 +1,173 @@
+// Every format that is written: what reads it back, or what must be in it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/marker/validity.h"
+#include "protocol/document/annotations.h"
+#include "protocol/files/writing.h"
+#include "tests/protocol/formats/samples.h"
+#include "tests/protocol/trade/example.h"
+
+namespace selvage {
+namespace {
+
+using protocol::files::FileFormat;
+using protocol::files::format_of_name;
+using protocol::files::read_file;
+using protocol::files::write_marker;
+using test::read_example;
+
+std::string written(const MarkerFile& file, FileFormat format) {
+  auto text = write_marker(file, format);
+  if (!text) throw std::runtime_error(text.error().message);
+  return *std::move(text);
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+// A marker with everything that a nest must keep: flips, tilts, locks, a group, a buffer, a margin.
+MarkerFile rich_marker() {
+  return test::read(test::json(R"({
+    "format": "selvage-marker", "version": 1, "name": "t\u00eate \u65e0", "unit": "mm",
+    "strip": {"width": 1500.5, "margin": 2, "longest": 9000}, "spacing": 0.5,
+    "shapes": [
+      {"id": "FRONT/S", "outline": [[0, 0], [300.123457, 10], [290, 200], [5, 180]], "rotations": [0, 180], "flip": true,
+       "tilt_limit": 3,
+       "attributes": {"size": "S", "material": "SHL", "annotations": {
+         "notches": [{"kind": "v", "at": [150, 5], "depth": 4, "width": 2, "angle": 90}],
+         "drills": [[100, 100]],
+         "lines": [{"kind": "sew", "closed": true, "points": [[10, 10], [280, 20], [270, 180]]},
+                   {"kind": "grain", "points": [[50, 90], [250, 90]]}],
+         "texts": [{"text": "CF", "at": [20, 20], "height": 8, "angle": 30}]}}},
+      {"id": "free", "outline": [[0, 0], [100, 0], [0, 50]], "rotations": "any"}],
+    "pieces": [
+      {"id": "a", "shape": "FRONT/S", "at": [10, 10], "attributes": {"bundle": "S-A"}},
+      {"id": "b", "shape": "FRONT/S", "at": [700, 300], "rotation": 180, "flip": true, "tilt": 1.5, "locked": ["x"]},
+      {"id": "c", "shape": "free", "at": [900, 700], "rotation": 37.25, "group": "g", "buffer": 1.5},
+      {"id": "d", "shape": "free", "at": [1200, 700], "group": "g", "locked": true}]
+  })"));
+}
+
+TEST(DxfNest, ReadsBackAsTheSameMarker) {
+  for (const MarkerFile& file :
+       {rich_marker(), read_example("polypattern_like.dxf"), read_example("gemini_like.cut")}) {
+    const auto back = read_file(written(file, FileFormat::kDxf));
+    ASSERT_TRUE(back) << back.error().field << ": " << back.error().message;
+    EXPECT_EQ(back->marker, file.marker);
+    for (std::size_t k = 0; k < file.marker.shapes.size(); ++k) {
+      auto before = protocol::document::annotations_of(file.attributes.shapes[k]);
+      auto after = protocol::document::annotations_of(back->attributes.shapes[k]);
+      EXPECT_EQ(after.notches, before.notches);
+      EXPECT_EQ(after.drills, before.drills);
+      EXPECT_EQ(after.texts, before.texts);
+      EXPECT_EQ(after.lines.size(), before.lines.size());
+    }
+  }
+}
+
+TEST(DxfNest, IsInInchesForAMarkerInInches) {
+  MarkerFile file = rich_marker();
+  file.marker.unit = "in";
+  const auto back = read_file(written(file, FileFormat::kDxf));
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->marker, file.marker);
+  file.marker.unit = "ell";
+  EXPECT_EQ(write_marker(file, FileFormat::kDxf).error().code, ErrorCode::kOutOfRange);
+}
+
+TEST(DxfNest, HasABlockForEachShapeAndAMirroredOneForFlippedPieces) {
+  const std::string text = written(rich_marker(), FileFormat::kDxf);
+  EXPECT_EQ(count_of(text, "\nBLOCK\n"), 3U);
+  EXPECT_EQ(count_of(text, "\nINSERT\n"), 4U);
+  EXPECT_EQ(text.find("\n41\n"), std::string::npos);  // no scales
+  EXPECT_NE(text.find("t\\U+00EAte \\U+65E0"), std::string::npos);
+}
+
+TEST(Hpgl, DrawsEveryOutlineInPositiveUnits) {
+  const MarkerFile file = read_example("polypattern_like.dxf");
+  const std::string text = written(file, FileFormat::kHpgl);
+  EXPECT_TRUE(text.starts_with("IN;CO\"ASTMD6959-03\";SP1;"));
+  EXPECT_NE(text.find("FRONT R1\x03"), std::string::npos);
+  EXPECT_EQ(text.find("PU-"), std::string::npos);
+  EXPECT_EQ(text.find("PD-"), std::string::npos);
+}
+
+TEST(Pdf, OnePageAtFullSizeHasAUserUnitWhenItIsLong) {
+  MarkerFile file = read_example("polypattern_like.dxf");
+  EXPECT_EQ(written(file, FileFormat::kPdf).find("/UserUnit"), std::string::npos);
+  file.marker.pieces.back().at.x += to_lattice(9000, file.marker.resolution);
+  const std::string text = written(file, FileFormat::kPdf);
+  EXPECT_NE(text.find("/UserUnit 2"), std::string::npos);
+  EXPECT_EQ(count_of(text, "/Type /Page "), 1U);
+}
+
+TEST(Pdf, TilesCoverTheMarker) {
+  const MarkerFile file = read_example("polypattern_like.dxf");  // of 1500 mm
+  const double length = to_decimal(length_of(file.marker), file.marker.resolution);
+  const auto columns = static_cast<std::size_t>(std::ceil(length / 190)), rows = std::size_t{6};
+  EXPECT_EQ(count_of(written(file, FileFormat::kPdfTiles), "/Type /Page "), columns * rows);
+}
+
+// Every offset of the table of objects leads to its object.
+TEST(Pdf, TableOfObjectsIsRight) {
+  for (const FileFormat format : {FileFormat::kPdf, FileFormat::kPdfTiles, FileFormat::kReport}) {
+    const std::string text = written(read_example("polypattern_like.dxf"), format);
+    const std::size_t table = std::stoul(text.substr(text.find("startxref\n") + 10));
+    ASSERT_EQ(text.substr(table, 5), "xref\n");
+    const std::size_t count = std::stoul(text.substr(table + 7));
+    const std::size_t first = text.find('\n', table + 5) + 1;
+    for (std::size_t k = 1; k < count; ++k) {
+      const std::size_t offset = std::stoul(text.substr(first + 20 * k, 10));
+      const std::string head = std::to_string(k) + " 0 obj";
+      EXPECT_EQ(text.substr(offset, head.size()), head);
+    }
+  }
+}
+
+TEST(Esicup, ReadsBackWithTheSameOutlinesInTheSamePlaces) {
+  for (const MarkerFile& file : {read_example("polypattern_like.dxf"), read_example("gemini_like.cut")}) {
+    const auto back = read_file(written(file, FileFormat::kEsicup));
+    ASSERT_TRUE(back) << back.error().message;
+    ASSERT_EQ(back->marker.pieces.size(), file.marker.pieces.size());
+    EXPECT_EQ(back->marker.strip.width, file.marker.strip.width);
+    for (std::uint32_t k = 0; k < file.marker.pieces.size(); ++k) {
+      Polygon before = placed_outline(file.marker, PieceId{k}), after = placed_outline(back->marker, PieceId{k});
+      std::sort(before.begin(), before.end());
+      std::sort(after.begin(), after.end());
+      EXPECT_EQ(after, before);
+    }
+  }
+}
+
+TEST(Svg, DrawsAnnotations) {
+  const std::string text = written(rich_marker(), FileFormat::kSvg);
+  EXPECT_EQ(count_of(text, "class=\"notch\""), 2U);
+  EXPECT_EQ(count_of(text, "class=\"drill\""), 2U);
+  EXPECT_EQ(count_of(text, "class=\"inner sew\""), 2U);
+}
+
+TEST(NativeForm, KeepsAnnotations) {
+  const MarkerFile file = read_example("polypattern_like.dxf");
+  const auto back = read_file(written(file, FileFormat::kNative));
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->marker, file.marker);
+  EXPECT_EQ(back->attributes.shapes, file.attributes.shapes);
+}
+
+TEST(FormatOfName, IsTheSuffix) {
+  EXPECT_EQ(format_of_name("a.DXF", FileFormat::kNative), FileFormat::kDxf);
+  EXPECT_EQ(format_of_name("a.b/c.plt", FileFormat::kNative), FileFormat::kHpgl);
+  EXPECT_EQ(format_of_name("a.json", FileFormat::kSparrow), FileFormat::kSparrow);
+  EXPECT_EQ(format_of_name("a.json", FileFormat::kSvg), FileFormat::kNative);
+  EXPECT_EQ(format_of_name("a", FileFormat::kNative), std::nullopt);
+}
+
+}  // namespace
+}  // namespace selvage

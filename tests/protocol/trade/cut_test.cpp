@@ -1,0 +1,109 @@
+// Cut files in and out.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <set>
+
+#include "protocol/document/annotations.h"
+#include "protocol/files/writing.h"
+#include "protocol/plots/cut_file.h"
+#include "protocol/plots/route.h"
+#include "tests/protocol/trade/example.h"
+
+namespace selvage {
+namespace {
+
+using protocol::document::Spot;
+using protocol::files::FileFormat;
+using protocol::plots::route_through;
+using test::read_example;
+
+TEST(CutIn, LabelsGiveSizeBundleAndName) {
+  const MarkerFile file = read_example("gemini_like.cut");
+  ASSERT_EQ(file.marker.pieces.size(), 3U);
+  EXPECT_EQ(file.marker.name, "TEE-1");
+  EXPECT_EQ(file.marker.pieces[0].id, "M-A FRONT");
+  EXPECT_EQ(file.attributes.pieces[2]["bundle"], "L-A");
+  EXPECT_EQ(file.attributes.shapes[2]["size"], "L");
+  EXPECT_EQ(to_decimal(length_of(file.marker), file.marker.resolution), 1050);
+  EXPECT_EQ(to_decimal(file.marker.strip.width, file.marker.resolution), 640);
+  EXPECT_TRUE(test::has_note(file, "0.1 mm, by G71"));
+}
+
+TEST(CutIn, AnOutlineOfTwoRunsIsJoinedAndInnerCutsStay) {
+  const MarkerFile file = read_example("gerber_like.cut");
+  ASSERT_EQ(file.marker.pieces.size(), 2U);
+  EXPECT_EQ(file.marker.pieces[0].id, "FRONT 40");
+  EXPECT_NEAR(to_decimal(length_of(file.marker), file.marker.resolution), 4000 * 0.254, 1e-6);
+  const auto drawn = protocol::document::annotations_of(file.attributes.shapes[0]);
+  ASSERT_EQ(drawn.lines.size(), 1U);
+  EXPECT_EQ(drawn.lines[0].kind, protocol::document::LineKind::kCutOut);
+  EXPECT_EQ(drawn.drills.size(), 1U);
+}
+
+TEST(CutOut, IsReadBackToATenthOfAMillimetre) {
+  const MarkerFile file = read_example("polypattern_like.dxf");
+  const auto text = protocol::files::write_marker(file, FileFormat::kCut);
+  ASSERT_TRUE(text);
+  const auto back = protocol::files::read_file(*text);
+  ASSERT_TRUE(back) << back.error().message;
+  ASSERT_EQ(back->marker.pieces.size(), file.marker.pieces.size());
+  EXPECT_NEAR(to_decimal(length_of(back->marker), back->marker.resolution),
+              to_decimal(length_of(file.marker), file.marker.resolution), 0.051);
+  double area = 0, area_back = 0;
+  for (std::uint32_t k = 0; k < file.marker.pieces.size(); ++k) {
+    const double unit = to_decimal(1, file.marker.resolution), unit_back = to_decimal(1, back->marker.resolution);
+    area += static_cast<double>(geometry::doubled_area(placed_outline(file.marker, PieceId{k}))) * unit * unit;
+    area_back +=
+        static_cast<double>(geometry::doubled_area(placed_outline(back->marker, PieceId{k}))) * unit_back * unit_back;
+  }
+  EXPECT_NEAR(area_back / area, 1, 1e-3);
+  // The outline is cut last: drill holes and notches come before it.
+  EXPECT_LT(text->find("M43"), text->find("N2*"));
+}
+
+TEST(Route, VisitsEveryPieceOnceAndTravelsLessThanAsGiven) {
+  std::mt19937 random{7};
+  std::uniform_real_distribution<double> place{0, 3000};
+  std::vector<std::vector<Spot>> outlines;
+  for (int k = 0; k < 60; ++k) {
+    const double x = place(random), y = place(random);
+    outlines.push_back({{x, y}, {x + 80, y}, {x + 80, y + 50}, {x, y + 50}});
+  }
+  const auto route = route_through(outlines);
+  ASSERT_EQ(route.stops.size(), outlines.size());
+  std::vector<int> visits(outlines.size());
+  double travel = 0;
+  Spot here;
+  for (const auto& stop : route.stops) {
+    ++visits[stop.piece];
+    const Spot next = outlines[stop.piece].at(stop.vertex);
+    travel += std::hypot(next.x - here.x, next.y - here.y);
+    here = next;
+  }
+  EXPECT_EQ(visits, std::vector<int>(outlines.size(), 1));
+  EXPECT_NEAR(route.travel, travel, 1e-6);
+  EXPECT_LT(route.travel, protocol::plots::travel_as_given(outlines) / 3);
+}
+
+TEST(Route, OfThreePiecesInARowIsTheShortest) {
+  const auto square = [](double x) { return std::vector<Spot>{{x, 0}, {x + 10, 0}, {x + 10, 10}, {x, 10}}; };
+  EXPECT_DOUBLE_EQ(route_through({square(200), square(0), square(100)}).travel, 200);
+}
+
+TEST(RealCut, GeminiIsReadWhole) {
+  const std::string text = test::real_file("cutter/GEMINI.cut");
+  if (text.empty()) GTEST_SKIP() << "SELVAGE_TRADE_DATA does not name the folder of real files";
+  const auto file = protocol::files::read_file(text);
+  ASSERT_TRUE(file) << file.error().message;
+  EXPECT_EQ(file->marker.pieces.size(), 160U);
+  EXPECT_NEAR(to_decimal(length_of(file->marker), file->marker.resolution), 9419.5, 1e-9);
+  EXPECT_EQ(to_decimal(file->marker.strip.width, file->marker.resolution), 1800);
+  std::set<std::string> bundles;
+  for (const Json& attributes : file->attributes.pieces) bundles.insert(attributes["bundle"].get<std::string>());
+  EXPECT_EQ(bundles.size(), 10U);
+}
+
+}  // namespace
+}  // namespace selvage
