@@ -4,6 +4,7 @@
 
 #include "protocol/calls/answer.h"
 #include "protocol/calls/piece_state.h"
+#include "protocol/files/writing.h"
 #include "protocol/methods/daemon/engine.h"
 #include "protocol/methods/daemon/markers.h"
 #include "protocol/methods/readings/get.h"
@@ -54,17 +55,18 @@ std::optional<Json> placements_since(const store::Committed& now, Revision since
   return schema::Wire<decltype(placements)>::write(placements);
 }
 
-Json document_json(const std::string& id, Revision revision, Format format, Json document) {
-  return protocol::calls::result_json(id, revision, {{"format", name_of(format)}, {"marker", std::move(document)}});
+Json document_json(const std::string& id, Revision revision, protocol::files::FileFormat format, Json document) {
+  return protocol::calls::result_json(id, revision,
+                                      {{"format", schema::word_of(format)}, {"marker", std::move(document)}});
 }
 
 calls::Outcome get(const GetParams& params, const ServerContext& server, const calls::OpenCall& call) {
   const std::string& id = params.marker_id;
   const auto now = server.store.current(id);
   if (!now) return calls::unknown_marker(id);
-  if (params.format != Format::kNative) {
+  if (params.format != protocol::files::FileFormat::kNative) {
     if (call.abandoned()) return calls::abandoned();
-    auto document = protocol::formats::marker_document(*now->file, params.format);
+    auto document = protocol::files::marker_document(*now->file, params.format);
     if (!document) return protocol::rpc::rpc_error(document.error());
     return document_json(id, now->revision, params.format, *std::move(document));
   }
@@ -75,8 +77,9 @@ calls::Outcome get(const GetParams& params, const ServerContext& server, const c
     }
   }
   return now->text->get([&] {
-    return protocol::json::to_text(document_json(id, now->revision, Format::kNative,
-                                                 *protocol::formats::marker_document(*now->file, Format::kNative)));
+    return protocol::json::to_text(
+        document_json(id, now->revision, protocol::files::FileFormat::kNative,
+                      *protocol::files::marker_document(*now->file, protocol::files::FileFormat::kNative)));
   });
 }
 

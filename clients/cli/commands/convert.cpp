@@ -1,5 +1,7 @@
 // selvage convert and selvage show: write a marker, unchanged, in another format.
+#include <algorithm>
 #include <iostream>
+#include <iterator>
 #include <string>
 
 #include "clients/cli/commands/commands.h"
@@ -7,22 +9,26 @@
 #include "clients/cli/run/remote.h"
 #include "clients/cli/terminal/files.h"
 #include "clients/cli/terminal/summary.h"
+#include "protocol/files/writing.h"
+#include "protocol/plots/cut_file.h"
 
 namespace selvage::cli::commands {
 namespace {
 
+namespace trade = protocol::trade;
 using command_line::Kind;
+using protocol::files::FileFormat;
 using terminal::ExitCode;
 
-std::variant<std::string, terminal::Failure> text_of(const MarkerFile& file, Format format,
+std::variant<std::string, terminal::Failure> text_of(const MarkerFile& file, FileFormat format,
                                                      const run::ServerChoice& server) {
-  if (server) return run::text_remotely(server, file, format);
-  auto text = protocol::formats::write_marker(file, format);
+  if (server) return run::text_remotely(server, file, protocol::schema::word_of(format));
+  auto text = protocol::files::write_marker(file, format);
   if (!text) return terminal::failure_of(text.error());
   return *std::move(text);
 }
 
-ExitCode write_as(const MarkerFile& file, Format format, const std::string& path, const run::ServerChoice& server) {
+ExitCode write_as(const MarkerFile& file, FileFormat format, const std::string& path, const run::ServerChoice& server) {
   terminal::print_notes(file.notes);
   const auto text = text_of(file, format, server);
   if (const auto* failure = std::get_if<terminal::Failure>(&text)) return terminal::report(*failure);
@@ -30,17 +36,77 @@ ExitCode write_as(const MarkerFile& file, Format format, const std::string& path
   return ExitCode::kOk;
 }
 
+// The position of the word among `words`; the first when the option was not given.
+template <class Enum, std::size_t N>
+Enum choice_of(const command_line::Values& values, const char* key, const std::string_view (&words)[N]) {
+  const auto* const found = std::find(std::begin(words), std::end(words), values.text(key));
+  return found == std::end(words) ? Enum{} : static_cast<Enum>(found - std::begin(words));
+}
+
+std::vector<std::string> listed(const std::string& text) {
+  std::vector<std::string> parts;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t end = std::min(text.find(',', from), text.size());
+    if (end > from) parts.push_back(text.substr(from, end - from));
+    from = end + 1;
+  }
+  return parts;
+}
+
+Result<trade::ReadingOptions> reading_options(const command_line::Values& values) {
+  trade::ReadingOptions options;
+  if (values.find("unit") != nullptr) options.unit = choice_of<trade::LengthUnit>(values, "unit", trade::kUnitWords);
+  options.tolerance = values.number("tolerance").value_or(options.tolerance);
+  options.fold = choice_of<trade::FoldRule>(values, "fold", trade::kFoldWords);
+  options.nap = choice_of<trade::Nap>(values, "nap", trade::kNapWords);
+  options.width = values.number("width");
+  options.sizes = listed(values.text("sizes"));
+  options.plain = values.flag("plain");
+  for (const auto& [key, kept] : {std::pair{"rules", &options.rules}, {"order", &options.order}}) {
+    const std::string path = values.text(key);
+    if (path.empty()) continue;
+    auto text = terminal::read_text(path);
+    if (!text) return text.error();
+    *kept = *std::move(text);
+  }
+  return options;
+}
+
+// The file to write: OUT, or that of --out.
+std::optional<std::string> output_of(const command_line::Values& values) {
+  const std::string second = values.text("OUT"), option = values.text("out");
+  if (second.empty() == option.empty()) return std::nullopt;
+  return second.empty() ? option : second;
+}
+
+void tell_travel(const MarkerFile& file) {
+  const auto cut = protocol::plots::cut_file(protocol::plots::sheet_of(file));
+  std::cerr << "note: the knife travels " << protocol::plots::thousandths(cut.travel / 1000)
+            << " m between pieces; in the marker's order it would be "
+            << protocol::plots::thousandths(cut.travel_in_order / 1000) << " m\n";
+}
+
 ExitCode run_convert(const command_line::Values& values) {
-  const auto file = terminal::load_marker(values.text("IN"));
+  const auto out = output_of(values);
+  if (!out) return terminal::report(terminal::bad_usage("name one file to write: OUT, or --out OUT"));
+  const auto options = reading_options(values);
+  if (!options) return terminal::report(options.error());
+  const auto file = terminal::load_marker(values.text("IN"), *options);
   if (!file) return terminal::report(file.error());
-  return write_as(*file, format_named(values.text("format")), values.text("out"), server_choice(values));
+  const auto format = values.find("format") != nullptr
+                          ? std::optional{format_named(values.text("format"))}
+                          : protocol::files::format_of_name(*out, protocol::files::file_format(file->format));
+  if (!format) return terminal::report(terminal::bad_usage(*out + " names no format by its suffix; give --format"));
+  const ExitCode code = write_as(*file, *format, *out, server_choice(values));
+  if (code == ExitCode::kOk && *format == FileFormat::kCut) tell_travel(*file);
+  return code;
 }
 
 ExitCode run_show(const command_line::Values& values) {
   const auto file = terminal::load_marker(values.text("IN"));
   if (!file) return terminal::report(file.error());
   const std::string path = values.text("svg");
-  const ExitCode code = write_as(*file, Format::kSvg, path, server_choice(values));
+  const ExitCode code = write_as(*file, FileFormat::kSvg, path, server_choice(values));
   if (code == ExitCode::kOk && path != terminal::kStandardStream)
     std::cout << terminal::plain_figures(file->marker) << "\n";
   return code;
@@ -49,18 +115,43 @@ ExitCode run_show(const command_line::Values& values) {
 }  // namespace
 
 command_line::Command convert_command() {
+  using trade::kFoldWords, trade::kNapWords, trade::kUnitWords;
+  const auto& formats = protocol::files::kFileFormatNames;
   return {"convert",
-          "Convert a marker to another format",
+          "Convert a marker or a pattern file to another format",
           {input_option(),
-           {.name = "-o,--out",
-            .kind = Kind::kText,
-            .meaning = "Write to this file; - writes standard output",
-            .required = true},
+           {.name = "OUT", .kind = Kind::kText, .meaning = "File to write; - writes standard output"},
+           {.name = "-o,--out", .kind = Kind::kText, .meaning = "The same as OUT"},
            {.name = "--format",
             .kind = Kind::kText,
-            .meaning = "Format to write",
-            .required = true,
-            .choices = {"native", "sparrow", "outlines", "svg"}}},
+            .meaning = "Format to write; default: by the suffix of OUT",
+            .choices = {std::begin(formats), std::end(formats)}},
+           {.name = "--unit",
+            .kind = Kind::kText,
+            .meaning = "Unit of a pattern or cut file, instead of the one it states",
+            .choices = {std::begin(kUnitWords), std::end(kUnitWords)}},
+           {.name = "--width",
+            .kind = Kind::kNumber,
+            .meaning = "Width of the cloth in mm, which a pattern file does not state; default: 1500",
+            .range = command_line::Range{1, 1e6}},
+           {.name = "--sizes",
+            .kind = Kind::kText,
+            .meaning = "Sizes of a graded style, separated by commas; default: all"},
+           {.name = "--rules", .kind = Kind::kText, .meaning = "Grade rule table (.rul) that makes the sizes"},
+           {.name = "--order", .kind = Kind::kText, .meaning = "Order (JSON or CSV) whose bundles are cut"},
+           {.name = "--fold",
+            .kind = Kind::kText,
+            .meaning = "Unfold half pieces about their mirror line, or keep them; default: unfold",
+            .choices = {std::begin(kFoldWords), std::end(kFoldWords)}},
+           {.name = "--nap",
+            .kind = Kind::kText,
+            .meaning = "Whether pieces of a pattern may also lie turned by 180 degrees; default: one_way",
+            .choices = {std::begin(kNapWords), std::end(kNapWords)}},
+           {.name = "--tolerance",
+            .kind = Kind::kNumber,
+            .meaning = "How far a flattened curve may lie from the true one, in mm; default: 0.05",
+            .range = command_line::Range{1e-4, 100}},
+           {.name = "--plain", .kind = Kind::kFlag, .meaning = "Read every closed outline of a DXF as a piece"}},
           &run_convert};
 }
 

@@ -13,11 +13,13 @@
 #include "protocol/calls/answer.h"
 #include "protocol/calls/choices.h"
 #include "protocol/execution/thread_pool.h"
+#include "protocol/files/writing.h"
 #include "protocol/methods/method_table.h"
 
 namespace selvage::cli::commands {
 namespace {
 
+using protocol::files::FileFormat;
 using run::Invocation;
 using run::Outcome;
 using terminal::ExitCode;
@@ -30,10 +32,13 @@ Result<MarkerFile> load(const MarkerFiles& files) {
 
 std::optional<Error> save(const MarkerFiles& files, const MarkerFile& file, const Marker& start, const Json& params) {
   if (!files.out.empty()) {
-    if (auto error = terminal::save_marker(files.out, file, files.format.value_or(file.format))) return error;
+    const FileFormat of_file = protocol::files::file_format(file.format);
+    const auto by_name = protocol::files::format_of_name(files.out, of_file);
+    const FileFormat format = files.format.value_or(by_name.value_or(of_file));
+    if (auto error = terminal::save_marker(files.out, file, format)) return error;
   }
   if (!files.outlines.empty()) {
-    if (auto error = terminal::save_marker(files.outlines, file, Format::kOutlines)) return error;
+    if (auto error = terminal::save_marker(files.outlines, file, FileFormat::kOutlines)) return error;
   }
   if (files.svg.empty()) return std::nullopt;
   return terminal::write_text(files.svg, to_svg(file.marker, result_drawing(file, start, params, files.overlays)));

@@ -13,10 +13,8 @@ using command_line::Kind;
 using command_line::Option;
 
 Option input_option() {
-  return {.name = "IN",
-          .kind = Kind::kText,
-          .meaning = "Marker in native or sparrow format; - reads standard input",
-          .required = true};
+  return {
+      .name = "IN", .kind = Kind::kText, .meaning = "Marker or pattern file; - reads standard input", .required = true};
 }
 
 Option spacing_option() {
@@ -39,8 +37,8 @@ std::vector<Option> file_options() {
       {.name = "--outlines", .kind = Kind::kText, .meaning = "Write the placed outlines, in exact coordinates"},
       {.name = "--format",
        .kind = Kind::kText,
-       .meaning = "Format of --out; default: the format of the input",
-       .choices = {"native", "sparrow"}},
+       .meaning = "Format of --out; default: by its suffix, else the format of the input",
+       .choices = {std::begin(protocol::files::kFileFormatNames), std::end(protocol::files::kFileFormatNames)}},
       spacing_option(),
       {.name = "--threads",
        .kind = Kind::kInteger,
@@ -90,10 +88,8 @@ std::optional<terminal::Failure> check_outputs(const MarkerFiles& files) {
   return terminal::bad_usage("only one of --out, --svg, --outlines can be standard output");
 }
 
-Format format_named(const std::string& name) {
-  const auto* const found =
-      std::find(std::begin(protocol::document::kFormatNames), std::end(protocol::document::kFormatNames), name);
-  return static_cast<Format>(found - std::begin(protocol::document::kFormatNames));
+protocol::files::FileFormat format_named(const std::string& name) {
+  return *protocol::schema::value_of<protocol::files::FileFormat>(name);
 }
 
 }  // namespace selvage::cli::commands

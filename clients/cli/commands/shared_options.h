@@ -11,18 +11,18 @@
 #include "clients/cli/commands/drawing.h"
 #include "clients/cli/run/server_choice.h"
 #include "clients/cli/terminal/failure.h"
-#include "protocol/document/marker_file.h"
+#include "protocol/files/file_format.h"
 
 namespace selvage::cli::commands {
 
 // Where the marker of a command comes from, where the results go and where the command runs.
 struct MarkerFiles {
   std::string in;
-  std::string out, svg, outlines;  // empty: not written
-  std::optional<Format> format;    // of `out`; none: that of the input
-  std::optional<double> spacing;   // in the marker's unit; none: the marker's own
-  Overlays overlays;               // of `svg`
-  std::size_t threads{1};          // of this process
+  std::string out, svg, outlines;                     // empty: not written
+  std::optional<protocol::files::FileFormat> format;  // of `out`; none: by its suffix
+  std::optional<double> spacing;                      // in the marker's unit; none: the marker's own
+  Overlays overlays;                                  // of `svg`
+  std::size_t threads{1};                             // of this process
   run::ServerChoice server;
 };
 
@@ -43,7 +43,7 @@ struct MarkerFiles {
 // At most one of them may be.
 [[nodiscard]] std::optional<terminal::Failure> check_outputs(const MarkerFiles& files);
 
-// REQUIRES: `name` is one of protocol::document::kFormatNames.
-[[nodiscard]] Format format_named(const std::string& name);
+// REQUIRES: `name` is one of protocol::files::kFileFormatNames.
+[[nodiscard]] protocol::files::FileFormat format_named(const std::string& name);
 
 }  // namespace selvage::cli::commands

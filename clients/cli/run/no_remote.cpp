@@ -21,7 +21,7 @@ std::variant<Json, terminal::Failure> check_remotely(const ServerChoice&, const 
   return no_client();
 }
 
-std::variant<std::string, terminal::Failure> text_remotely(const ServerChoice&, const MarkerFile&, Format) {
+std::variant<std::string, terminal::Failure> text_remotely(const ServerChoice&, const MarkerFile&, std::string_view) {
   return no_client();
 }
 

@@ -69,7 +69,7 @@ std::variant<Json, terminal::Failure> check_remotely(const ServerChoice& server,
 }
 
 std::variant<std::string, terminal::Failure> text_remotely(const ServerChoice& server, const MarkerFile& file,
-                                                           Format format) {
+                                                           std::string_view format) {
   RemoteMarker remote;
   if (auto failure = remote.open(server, file)) return *std::move(failure);
   return remote.text(format);

@@ -6,6 +6,7 @@
 
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "clients/cli/run/invocation.h"
@@ -23,9 +24,10 @@ namespace selvage::cli::run {
 // The fields of marker.check's result.
 [[nodiscard]] std::variant<Json, terminal::Failure> check_remotely(const ServerChoice& server, const MarkerFile& file);
 
-// The text of a marker in any format, written by the daemon.
+// The text of a marker in the format of this name, written by the daemon.
 [[nodiscard]] std::variant<std::string, terminal::Failure> text_remotely(const ServerChoice& server,
-                                                                         const MarkerFile& file, Format format);
+                                                                         const MarkerFile& file,
+                                                                         std::string_view format);
 
 // Prints one line for the present state of a marker that is open on the daemon and one for every change, until it is
 // closed or SIGINT arrives.  `json`: the daemon's messages instead of lines for people.

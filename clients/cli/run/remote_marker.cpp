@@ -92,8 +92,8 @@ std::variant<MarkerFile, terminal::Failure> RemoteMarker::get(const MarkerFile& 
   return *std::move(read);
 }
 
-std::variant<std::string, terminal::Failure> RemoteMarker::text(Format format) {
-  auto got = call("marker.get", {{"format", name_of(format)}});
+std::variant<std::string, terminal::Failure> RemoteMarker::text(std::string_view format) {
+  auto got = call("marker.get", {{"format", format}});
   if (auto* failure = std::get_if<terminal::Failure>(&got)) return std::move(*failure);
   const Json& marker = std::get<Json>(got)["marker"];
   if (marker.is_string()) return marker.get<std::string>();

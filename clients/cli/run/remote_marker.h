@@ -45,7 +45,7 @@ class RemoteMarker {
   // The marker as it is on the daemon now, with the format of `file`.
   [[nodiscard]] std::variant<MarkerFile, terminal::Failure> get(const MarkerFile& file);
   // Its text in any format, as write_marker gives it.
-  [[nodiscard]] std::variant<std::string, terminal::Failure> text(Format format);
+  [[nodiscard]] std::variant<std::string, terminal::Failure> text(std::string_view format);
 
  private:
   std::unique_ptr<client::Client> client_;

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "protocol/files/writing.h"
 #include "protocol/json/json_text.h"
 
 namespace selvage::cli::terminal {
@@ -55,14 +56,14 @@ std::optional<Error> write_text(const std::string& path, std::string_view text) 
   return std::nullopt;
 }
 
-Result<MarkerFile> load_marker(const std::string& path) {
+Result<MarkerFile> load_marker(const std::string& path, const protocol::trade::ReadingOptions& options) {
   const auto text = read_text(path);
   if (!text) return text.error();
-  return protocol::formats::read_marker(*text);
+  return protocol::files::read_file(*text, options);
 }
 
-std::optional<Error> save_marker(const std::string& path, const MarkerFile& file, Format format) {
-  const auto text = protocol::formats::write_marker(file, format);
+std::optional<Error> save_marker(const std::string& path, const MarkerFile& file, protocol::files::FileFormat format) {
+  const auto text = protocol::files::write_marker(file, format);
   if (!text) return text.error();
   return write_text(path, *text);
 }

@@ -6,6 +6,8 @@
 #include <string_view>
 
 #include "core/base/result.h"
+#include "protocol/files/file_format.h"
+#include "protocol/files/reading.h"
 #include "protocol/formats/format.h"
 
 namespace selvage::cli::terminal {
@@ -18,10 +20,12 @@ inline constexpr std::string_view kStandardStream = "-";
 // Errors: kFile.
 [[nodiscard]] std::optional<Error> write_text(const std::string& path, std::string_view text);
 
-// read_text followed by read_marker; the errors of both.
-[[nodiscard]] Result<MarkerFile> load_marker(const std::string& path);
+// read_text followed by read_file; the errors of both.
+[[nodiscard]] Result<MarkerFile> load_marker(const std::string& path,
+                                             const protocol::trade::ReadingOptions& options = {});
 // write_marker followed by write_text; the errors of both.
-[[nodiscard]] std::optional<Error> save_marker(const std::string& path, const MarkerFile& file, Format format);
+[[nodiscard]] std::optional<Error> save_marker(const std::string& path, const MarkerFile& file,
+                                               protocol::files::FileFormat format);
 
 // Prints the notes of a reader to stderr: the first few, and how many more there are.
 void print_notes(const std::vector<Note>& notes);

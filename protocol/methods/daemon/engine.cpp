@@ -48,8 +48,8 @@ Limits protocol_limits(std::size_t request_bytes) {
 
 EngineInfo engine_info(std::size_t request_bytes) {
   EngineInfo info;
-  info.reads = {std::begin(document::kReadableFormats), std::end(document::kReadableFormats)};
-  info.writes = all_values<Format>();
+  info.reads = {std::begin(files::kReadFormats), std::end(files::kReadFormats)};
+  info.writes = all_values<files::FileFormat>();
   info.accuracies = all_values<motion::compaction::Accuracy>();
   info.limits = protocol_limits(request_bytes);
   return info;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "protocol/calls/results.h"
+#include "protocol/files/file_format.h"
 
 namespace selvage::protocol::methods::daemon {
 
@@ -45,7 +46,7 @@ struct Limits {
 struct EngineInfo {
   std::string name{"selvage"}, version;
   std::vector<std::string_view> methods;
-  std::vector<Format> reads, writes;
+  std::vector<files::FileFormat> reads, writes;
   std::vector<motion::compaction::Accuracy> accuracies;
   std::size_t workers{}, markers{};
   bool durable{};

@@ -5,29 +5,108 @@
 #include "core/marker/figures.h"
 #include "core/marker/validity.h"
 #include "protocol/calls/method.h"
+#include "protocol/files/reading.h"
 #include "protocol/methods/daemon/engine.h"
+
+namespace selvage::protocol::methods::daemon {
+
+// A marker in parameters: a JSON object, or the text of a file.  Valid only as long as the parameters are.
+struct SourceView {
+  const Json* value{};
+};
+
+}  // namespace selvage::protocol::methods::daemon
+
+namespace selvage::protocol::schema {
+
+template <>
+struct Wire<methods::daemon::SourceView> {
+  static Type type() { return either({{Type::Kind::kObject}, {Type::Kind::kString}}); }
+  static void read(const FieldAt& at, methods::daemon::SourceView& value) {
+    value.value = at.fields.required_any(at.key);
+    if (!value.value || value.value->is_object() || value.value->is_string()) return;
+    at.mistake.add(ErrorCode::kWrongType, json::shortened(*value.value) + " where an object or a text is required",
+                   at.pointer());
+  }
+};
+
+template <>
+struct Choices<trade::LengthUnit> {
+  static constexpr std::string_view kName = "LengthUnit";
+  static constexpr std::string_view kMeaning = "A unit of length.";
+  static constexpr auto& kWords = trade::kUnitWords;
+};
+
+template <>
+struct Choices<trade::FoldRule> {
+  static constexpr std::string_view kName = "FoldRule";
+  static constexpr std::string_view kMeaning = "What becomes of a half piece that is drawn up to its mirror line.";
+  static constexpr auto& kWords = trade::kFoldWords;
+};
+
+template <>
+struct Choices<trade::Nap> {
+  static constexpr std::string_view kName = "Nap";
+  static constexpr std::string_view kMeaning = "Whether pieces may also lie turned by 180 degrees.";
+  static constexpr auto& kWords = trade::kNapWords;
+};
+
+}  // namespace selvage::protocol::schema
 
 namespace selvage::protocol::methods::daemon {
 namespace {
 
-struct OpenFields {
-  calls::DocumentView marker;
-  std::optional<double> spacing;
-  std::optional<std::string> op_id;
+constexpr json::Range kWidths{1, 1e6};         // millimetres
+constexpr json::Range kTolerances{1e-4, 100};  // millimetres
+
+// How a text is to be read; without meaning for JSON documents.
+struct ReadingFields {
+  static constexpr std::string_view kGroup = "reading";
+
+  trade::ReadingOptions options;
 
   static void describe(auto& v, auto& self) {
-    v.required("marker", self.marker, "A native or sparrow document.");
+    v.optional("unit", self.options.unit, "Of a pattern or cut file, instead of the unit that it states.");
+    v.optional("width", self.options.width, "Of the cloth, in mm; a pattern file does not state it. 1500 when absent.",
+               {.range = kWidths});
+    v.optional("fold", self.options.fold, "Unfold half pieces, or keep them; unfold when absent.");
+    v.optional("nap", self.options.nap,
+               "Whether pieces of a pattern may be turned by 180 degrees; one_way when absent.");
+    v.optional("tolerance", self.options.tolerance,
+               "How far a flattened curve may lie from the true one, in mm; 0.05 when absent.", {.range = kTolerances});
+    v.optional("rules", self.options.rules, "The text of a grade rule table, which makes the sizes of a pattern.");
+    v.optional("order", self.options.order, "The text of an order, in JSON or CSV: the pieces of its bundles are cut.");
+    v.optional("plain", self.options.plain, "True: every closed outline of a DXF is a piece.");
+  }
+};
+
+struct OpenFields {
+  SourceView marker;
+  std::optional<double> spacing;
+  std::optional<std::string> op_id;
+  ReadingFields reading;
+
+  static void describe(auto& v, auto& self) {
+    v.required("marker", self.marker,
+               "A native or sparrow document, or the text of a file in any format that is read.");
     v.optional("spacing", self.spacing, "Overrides the document's spacing.");
+    v.part(self.reading);
     v.optional("opId", self.op_id, calls::kOpIdMeaning, calls::kOpIds);
   }
 };
+
+Result<MarkerFile> read_source(const OpenFields& fields) {
+  const Json& source = *fields.marker.value;
+  if (!source.is_string()) return formats::read_document(source);
+  return files::read_file(source.text(), fields.reading.options);
+}
 
 }  // namespace
 
 Result<OpenParams> decode_open(const Json& params) {
   auto fields = schema::decode<OpenFields>(params);
   if (!fields) return fields.error();
-  auto file = formats::read_document(*fields->marker.value);
+  auto file = read_source(*fields);
   if (!file) return json::within("/marker", file.error());
   for (Note& note : file->notes) note.field.insert(0, "/marker");
   if (!fields->spacing) return OpenParams{*std::move(file), std::move(fields->op_id)};

@@ -1,13 +1,14 @@
 #include "protocol/methods/readings/get.h"
 
 #include "protocol/calls/piece_state.h"
+#include "protocol/files/writing.h"
 #include "protocol/methods/readings/reading.h"
 
 namespace selvage::protocol::methods::readings {
 namespace {
 
 struct GetResult {
-  std::optional<Format> format;
+  std::optional<files::FileFormat> format;
   std::optional<calls::Document> marker;
   std::optional<Revision> since;
   std::optional<std::vector<calls::PieceState>> placements;
@@ -21,7 +22,7 @@ struct GetResult {
 };
 
 Result<GetResult> run(const GetParams& params, const MarkerFile& file, const calls::MethodContext&) {
-  auto document = formats::marker_document(file, params.format);
+  auto document = files::marker_document(file, params.format);
   if (!document) return document.error();
   GetResult result;
   result.format = params.format;

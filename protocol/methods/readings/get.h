@@ -6,13 +6,14 @@
 #include <string>
 
 #include "protocol/calls/method.h"
+#include "protocol/files/file_format.h"
 
 namespace selvage::protocol::methods::readings {
 
 struct GetParams {
   std::string marker_id;
   std::optional<Revision> since;  // only what changed after it, where that is known
-  Format format{Format::kNative};
+  files::FileFormat format{files::FileFormat::kNative};
 
   static void describe(auto& v, auto& self) {
     v.required("markerId", self.marker_id, calls::kMarkerIdMeaning);

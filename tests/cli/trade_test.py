@@ -1,0 +1,103 @@
+#!/usr/bin/env python3
+"""selvage convert on files of the trade.  An independent reader, ezdxf, judges the DXF that it writes.
+
+usage: trade_test.py SELVAGE EXAMPLES
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+try:
+    import ezdxf
+except ImportError:
+    ezdxf = None
+
+SELVAGE, EXAMPLES = sys.argv[1], pathlib.Path(sys.argv[2])
+
+
+def run(*arguments):
+    return subprocess.run([SELVAGE, *map(str, arguments)], capture_output=True, text=True)
+
+
+class Convert(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, name):
+        return pathlib.Path(self.folder.name) / name
+
+    def convert(self, source, target, *options):
+        ran = run("convert", source, target, *options)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        return ran
+
+    def test_every_example_goes_to_every_format(self):
+        for source in sorted([*EXAMPLES.glob("*.dxf"), *EXAMPLES.glob("*.cut")]):
+            for suffix in ("json", "svg", "dxf", "cut", "plt", "pdf", "xml"):
+                self.convert(source, self.path("out." + suffix))
+            self.convert(source, self.path("tiles.pdf"), "--format", "pdf_tiles")
+            self.convert(source, self.path("report.pdf"), "--format", "report")
+
+    def test_a_nest_of_a_compacted_marker_reads_back_the_same(self):
+        marker, nest, back = self.path("m.json"), self.path("m.dxf"), self.path("b.json")
+        ran = run("compact", EXAMPLES / "polypattern_like.dxf", "-o", marker)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        self.convert(marker, nest)
+        self.convert(nest, back)
+        before, after = json.loads(marker.read_text()), json.loads(back.read_text())
+        for field in ("strip", "unit", "resolution"):
+            self.assertEqual(before[field], after[field])
+        for key in ("id", "shape", "at"):
+            self.assertEqual([p[key] for p in before["pieces"]], [p[key] for p in after["pieces"]])
+        self.assertEqual([s["outline"] for s in before["shapes"]], [s["outline"] for s in after["shapes"]])
+
+    @unittest.skipIf(ezdxf is None, "ezdxf is not installed")
+    def test_the_auditor_of_ezdxf_finds_nothing_and_agrees_on_every_outline(self):
+        for name in ("accumark_like_nest.dxf", "polypattern_like.dxf", "gemini_like.cut"):
+            nest, outlines = self.path("n.dxf"), self.path("o.json")
+            self.convert(EXAMPLES / name, nest)
+            self.convert(EXAMPLES / name, outlines, "--format", "outlines")
+            document = ezdxf.readfile(nest)
+            auditor = document.audit()
+            self.assertEqual((auditor.errors, auditor.fixes), ([], []))
+            expected = json.loads(outlines.read_text())["pieces"]
+            inserts = list(document.modelspace().query("INSERT"))
+            self.assertEqual(len(inserts), len(expected))
+            for insert, piece in zip(inserts, expected):
+                self.assertEqual(insert.get_attrib_text("PIECE"), piece["id"])
+                boundary = next(e for e in insert.virtual_entities() if e.dxf.layer == "1" and e.dxftype() == "POLYLINE")
+                found = sorted((round(p.x, 4), round(p.y, 4)) for p in boundary.points())
+                self.assertEqual(found, sorted((round(x, 4), round(y, 4)) for x, y in piece["outline"]))
+
+    def test_options_of_reading(self):
+        out = self.path("o.json")
+        self.convert(EXAMPLES / "richpeace_like.dxf", out, "--rules", EXAMPLES / "richpeace_like.rul", "--sizes", "M,XL", "--width", 1400,
+                     "--nap", "either_way")
+        marker = json.loads(out.read_text())
+        self.assertEqual(len(marker["shapes"]), 2)
+        self.assertEqual(marker["strip"]["width"], 1400)
+        self.assertEqual(marker["shapes"][0]["rotations"], [0, 180])
+        self.convert(EXAMPLES / "polypattern_like.dxf", out, "--rules", EXAMPLES / "polypattern_like.rul", "--order", EXAMPLES / "order.json")
+        self.assertEqual(len(json.loads(out.read_text())["pieces"]), 9)
+
+    def test_the_travel_of_the_knife_is_told(self):
+        self.assertIn("the knife travels", self.convert(EXAMPLES / "gemini_like.cut", self.path("k.cut")).stderr)
+
+    def test_what_cannot_be_read_is_refused_with_a_reason(self):
+        self.path("no.dxf").write_text("0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n")
+        ran = run("convert", self.path("no.dxf"), self.path("x.json"))
+        self.assertEqual(ran.returncode, 3)
+        self.assertIn("no pattern file", ran.stderr)
+
+    def test_one_output_with_a_known_suffix_is_required(self):
+        source = EXAMPLES / "gemini_like.cut"
+        for arguments in ([], [self.path("a.json"), "-o", self.path("b.json")], [self.path("a.unknown")]):
+            self.assertEqual(run("convert", source, *arguments).returncode, 2)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
