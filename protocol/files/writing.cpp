@@ -6,7 +6,7 @@
 #include "protocol/plots/cut_file.h"
 #include "protocol/plots/dxf_file.h"
 #include "protocol/plots/hpgl_file.h"
-#include "protocol/plots/pdf_file.h"
+#include "protocol/plots/pdf/pdf_file.h"
 #include "protocol/trade/esicup/esicup.h"
 #include "protocol/trade/text.h"
 
@@ -24,9 +24,9 @@ Result<std::string> write_marker(const MarkerFile& file, FileFormat format) {
     case FileFormat::kDxf: return plots::dxf_file(file);
     case FileFormat::kCut: return plots::cut_file(plots::sheet_of(file)).text;
     case FileFormat::kHpgl: return plots::hpgl_file(plots::sheet_of(file));
-    case FileFormat::kPdf: return plots::pdf_file(plots::sheet_of(file));
-    case FileFormat::kPdfTiles: return plots::tiled_pdf_file(plots::sheet_of(file));
-    case FileFormat::kReport: return plots::report_file(plots::sheet_of(file));
+    case FileFormat::kPdf: return plots::pdf::pdf_file(plots::sheet_of(file));
+    case FileFormat::kPdfTiles: return plots::pdf::tiled_pdf_file(plots::sheet_of(file));
+    case FileFormat::kReport: return plots::pdf::report_file(plots::sheet_of(file));
     case FileFormat::kEsicup: return trade::esicup::esicup_file(file);
     default: return formats::write_marker(file, static_cast<Format>(format));
   }

@@ -51,4 +51,17 @@ struct Loops {
 // Whether the point lies inside the closed outline; on its boundary, either.
 [[nodiscard]] bool contains(const std::vector<document::Spot>& outline, document::Spot point);
 
+// A loop that lies in no other.
+struct NestedLoop {
+  Loop loop;
+  std::vector<Loop> inner;   // all that lie in it, however deep
+  document::Spot low, high;  // of the loop's box
+};
+// The largest first; loops without area are left out.
+[[nodiscard]] std::vector<NestedLoop> nested(std::vector<Loop> loops);
+
+// The first loop in which most of the points lie, and at least the first, the last or the middle one; null when there
+// is none.
+[[nodiscard]] NestedLoop* around_of(std::vector<NestedLoop>& outer, const std::vector<document::Spot>& points);
+
 }  // namespace selvage::protocol::trade

@@ -7,7 +7,7 @@
 
 #include "protocol/trade/dxf/curves.h"
 #include "protocol/trade/dxf/units.h"
-#include "protocol/trade/nested.h"
+#include "protocol/trade/loops.h"
 #include "protocol/trade/text.h"
 
 namespace selvage::protocol::trade::dxf {

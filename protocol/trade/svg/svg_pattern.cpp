@@ -9,7 +9,7 @@
 #include "protocol/document/frame.h"
 #include "protocol/json/json_text.h"
 #include "protocol/trade/aama/finishing.h"
-#include "protocol/trade/nested.h"
+#include "protocol/trade/loops.h"
 #include "protocol/trade/svg/svg_path.h"
 #include "protocol/trade/text.h"
 
