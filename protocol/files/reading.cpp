@@ -1,6 +1,7 @@
 #include "protocol/files/reading.h"
 
 #include "protocol/formats/format.h"
+#include "protocol/json/fields.h"
 #include "protocol/trade/aama/nest.h"
 #include "protocol/trade/aama/pattern_file.h"
 #include "protocol/trade/cut/cut_marker.h"
