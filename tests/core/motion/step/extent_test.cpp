@@ -36,7 +36,7 @@ double way_apart(const Marker& marker, Coord length, model::Extent extent) {
   }
   const double reach = 0.05 * static_cast<double>(marker.strip.width);
   const separation::SeparationStepSettings settings{
-      reach, 100, {length, length, 10, 50}, lp::solver::SolverChoice::kAutomatic, extent};
+      reach, 100, model::TightRows::kKeep, {length, length, 10, 50}, lp::solver::SolverChoice::kAutomatic, extent};
   const separation::SeparationStep step =
       separation_step(scene, overlapping, scene.pieces.positions(), settings, {sums});
   EXPECT_EQ(step.status, lp::LpStatus::kOptimal);
