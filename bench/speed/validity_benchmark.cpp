@@ -29,7 +29,7 @@ void check_method(benchmark::State& state, const std::string& name) {
     const auto call = method.read(*protocol::json::parse(R"({"markerId":"m1"})"));
     const scene::Run run{sums};
     const auto answer = call->run(file, protocol::calls::MethodContext{run});
-    if (!answer->fields.at("valid").get<bool>()) state.SkipWithError("not valid");
+    if (answer->fields["valid"] != true) state.SkipWithError("not valid");
     benchmark::DoNotOptimize(protocol::json::to_text(protocol::calls::result_json("m1", 1, answer->fields)));
   }
 }

@@ -28,6 +28,7 @@ const char* word_of(scene::StopReason reason) {
     case scene::StopReason::kConverged: return "converged";
     case scene::StopReason::kWorkLimit: return "work limit";
     case scene::StopReason::kCancelled: return "cancelled";
+    case scene::StopReason::kLatticeEnd: return "end of the lattice";
     case scene::StopReason::kSolverFailed: break;
   }
   return "solver failed";

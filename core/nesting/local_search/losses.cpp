@@ -6,6 +6,10 @@
 
 namespace selvage::nesting::local_search {
 
+// Far more than any layout needs; sums of many weighted depths remain finite.  Pairs that nothing can part, such as a
+// locked piece and one with no other place, would otherwise outgrow a float.
+constexpr float kMostWeight = 1e20F;
+
 Losses::Losses(const layout::PieceSet& set, depth::DepthMaps& maps, const SearchTuning& tuning)
     : set_{&set},
       maps_{&maps},
@@ -71,7 +75,7 @@ void Losses::reweigh() {
   if (largest <= 0) return;
   for (std::size_t k = 0; k < losses_.size(); ++k) {
     const double factor = losses_[k] == 0 ? decay_ : growth_ + extra_growth_ * losses_[k] / largest;
-    weights_[k] = std::max(1.0F, static_cast<float>(weights_[k] * factor));
+    weights_[k] = std::clamp(static_cast<float>(weights_[k] * factor), 1.0F, kMostWeight);
   }
 }
 

@@ -44,11 +44,14 @@ std::optional<Frame> WebSocketWire::frame() {
 }
 
 std::optional<std::string> WebSocketWire::text() {
+  std::string message;  // a long one comes in several frames
   for (;;) {
     auto next = frame();
     if (!next || next->opcode == Opcode::kClose) return std::nullopt;
-    if (next->opcode == Opcode::kText) return std::move(next->payload);
     if (next->opcode == Opcode::kPing) send({Opcode::kPong, next->payload});
+    if (next->opcode != Opcode::kText && next->opcode != Opcode::kContinuation) continue;
+    message += next->payload;
+    if (next->last) return message;
   }
 }
 
