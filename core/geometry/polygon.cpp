@@ -148,9 +148,8 @@ Result<CleanPolygon> clean_polygon(std::span<const Vec> vertices) {
   if (const auto [i, j] = meeting_edges(clean.polygon); i != j) {
     const auto& p = clean.polygon;
     return Error{ErrorCode::kSelfIntersecting,
-                 "the outline must not cross or touch itself: its " +
-                     edge_name(vertices, p[i], p[(i + 1) % p.size()]) + " meets its " +
-                     edge_name(vertices, p[j], p[(j + 1) % p.size()]) + " (counted from 0)",
+                 "the outline must not cross or touch itself: its " + edge_name(vertices, p[i], p[(i + 1) % p.size()]) +
+                     " meets its " + edge_name(vertices, p[j], p[(j + 1) % p.size()]) + " (counted from 0)",
                  {}};
   }
   const Wide area = doubled_area(clean.polygon);

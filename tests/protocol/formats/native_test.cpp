@@ -38,9 +38,8 @@ TEST(Native, RoundTripsUnplacedPieces) {
   EXPECT_EQ(length_of(once.marker), length_of(test::read(native_squares()).marker));
 
   const Json written = native_document(once);
-  EXPECT_EQ(
-      json::to_text(written["unplaced"][0]),
-      R"({"id":"spare","shape":"square","rotation":90,"group":"pair","buffer":0.5,"attributes":{"bundle":"B"}})");
+  EXPECT_EQ(json::to_text(written["unplaced"][0]),
+            R"({"id":"spare","shape":"square","rotation":90,"group":"pair","buffer":0.5,"attributes":{"bundle":"B"}})");
   EXPECT_EQ(test::read(written).marker, once.marker);
 }
 
