@@ -58,7 +58,7 @@ class Typed(unittest.TestCase):
                     kinds, name = (selvage.Client, selvage.AsyncClient), OF_CLIENT[method]
                 elif method in OF_DRAG:
                     kinds, name = (selvage.Drag, selvage.AsyncDrag), OF_DRAG[method]
-                elif method.startswith("$"):
+                elif method.startswith(("$", "admin.")):
                     continue
                 else:
                     kinds, name = (selvage.Marker, selvage.AsyncMarker), python_name(method)

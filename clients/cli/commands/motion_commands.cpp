@@ -1,5 +1,6 @@
 // A command for each motion: `selvage compact IN --rounds 5` is `selvage call motion.compact` with its parameters given
 // as options.  A motion that is added to the table of methods is a command without further code.
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,13 +23,21 @@ std::string command_name(std::string_view method) {
   return option_name(method).substr(2);
 }
 
+// A method with a limit of its own, such as the seconds of a search, keeps it.
+bool limits_time_itself(const std::vector<ParameterOption>& options) {
+  return std::ranges::any_of(options,
+                             [](const ParameterOption& parameter) { return parameter.option.name == "--time"; });
+}
+
 terminal::ExitCode run_motion(std::string_view method, const std::vector<ParameterOption>& options,
                               const command_line::Values& values) {
   const MarkerFiles files = marker_files(values, "IN");
   if (const auto failure = check_outputs(files)) return report(*failure);
   auto params = params_from(options, values);
   if (!params) return terminal::report(params.error());
-  if (const auto seconds = values.number("time")) (*params)["deadlineMs"] = 1000 * *seconds;
+  if (const auto seconds = values.number("time"); seconds && !limits_time_itself(options)) {
+    (*params)["deadlineMs"] = 1000 * *seconds;
+  }
   return run_on_marker(method, *std::move(params), files, values.flag("json") ? Report::kJsonLine : Report::kSummary);
 }
 
@@ -37,10 +46,12 @@ command_line::Command command_of(const Method& method) {
   command_line::Command command{command_name(method.name), without_full_stop(method.summary), {input_option()}, {}};
   for (const ParameterOption& parameter : parameters) command.options.push_back(parameter.option);
   for (Option& option : file_options()) command.options.push_back(std::move(option));
-  command.options.push_back({.name = "--time",
-                             .kind = Kind::kNumber,
-                             .meaning = "After this many seconds the best result so far is returned",
-                             .range = command_line::Range{0.001, 86'400}});
+  if (!limits_time_itself(parameters)) {
+    command.options.push_back({.name = "--time",
+                               .kind = Kind::kNumber,
+                               .meaning = "After this many seconds the best result so far is returned",
+                               .range = command_line::Range{0.001, 86'400}});
+  }
   command.options.push_back(
       {.name = "--json", .kind = Kind::kFlag, .meaning = "Print one line of JSON instead of the summary"});
   command.run = [name = method.name, parameters = std::move(parameters)](const command_line::Values& values) {

@@ -67,6 +67,9 @@ export type FlipEdit = {
 /** The objective of motion.float. */
 export type FloatMode = "largest_minimum" | "given_distance" | "largest_total" | "uniform" | "two_step";
 
+/** What becomes of a half piece that is drawn up to its mirror line. */
+export type FoldRule = "unfold" | "keep";
+
 /** A force on a piece. */
 export type Force = {
   /** The piece's id. */
@@ -76,7 +79,7 @@ export type Force = {
 };
 
 /** A document format. */
-export type Format = "native" | "sparrow" | "outlines" | "svg";
+export type Format = "native" | "sparrow" | "outlines" | "svg" | "pdf" | "pdf_tiles" | "report" | "dxf" | "cut" | "hpgl" | "esicup";
 
 /** A gap between two pieces, or a piece and an edge. */
 export type Gap = {
@@ -128,6 +131,9 @@ export type Healing = {
 
 /** An id; a whole number is read as the string of its digits. */
 export type Id = string | number;
+
+/** A unit of length. */
+export type LengthUnit = "mm" | "cm" | "m" | "in" | "ft" | "yd";
 
 /** The limits of this server. */
 export type Limits = {
@@ -220,6 +226,9 @@ export type MoveEdit = {
   /** The displacement. */
   by?: Point;
 };
+
+/** Whether pieces may also lie turned by 180 degrees. */
+export type Nap = "one_way" | "either_way";
 
 /** A repair made while reading. */
 export type Note = {
@@ -438,10 +447,26 @@ export interface Methods {
   /** Opens a marker from a document. */
   "marker.open": {
     params: {
-      /** A native or sparrow document. */
-      marker: Record<string, unknown>;
+      /** A native or sparrow document, or the text of a file in any format that is read. */
+      marker: Record<string, unknown> | string;
       /** Overrides the document's spacing. */
       spacing?: number;
+      /** Of a pattern or cut file, instead of the unit that it states. */
+      unit?: LengthUnit;
+      /** Of the cloth, in mm; a pattern file does not state it. 1500 when absent. */
+      width?: number;
+      /** Unfold half pieces, or keep them; unfold when absent. */
+      fold?: FoldRule;
+      /** Whether pieces of a pattern may be turned by 180 degrees; one_way when absent. */
+      nap?: Nap;
+      /** How far a flattened curve may lie from the true one, in mm; 0.05 when absent. */
+      tolerance?: number;
+      /** The text of a grade rule table, which makes the sizes of a pattern. */
+      rules?: string;
+      /** The text of an order, in JSON or CSV: the pieces of its bundles are cut. */
+      order?: string;
+      /** True: every closed outline of a DXF is a piece. */
+      plain?: boolean;
       /** A name for this call: a retry of it gets the same result. */
       opId?: string;
     };
@@ -741,6 +766,19 @@ export interface Methods {
     result: {
       /** Whether the request came in time. */
       cancelled: boolean;
+    };
+  };
+  /** Copies the store, as it is at one moment, to a new file of the daemon's backup folder. */
+  "admin.backup": {
+    params: {
+      /** The new file's name in the daemon's backup folder: letters, digits, '.', '_' and '-', not beginning with '.'. */
+      name: string;
+    };
+    result: {
+      /** The name of the file. */
+      name: string;
+      /** Its size. */
+      bytes: number;
     };
   };
   /** Checks whether the marker is valid, and lists where it is not. */

@@ -100,7 +100,7 @@ TEST(CleanPolygon, RejectsOutlinesThatCrossOrTouchThemselves) {
             ErrorCode::kSelfIntersecting);  // two crossings
   const auto clean = clean_polygon(std::vector<Vec>{{0, 0}, {40, 40}, {40, 0}, {0, 39}});
   ASSERT_FALSE(clean);
-  for (const char* corner : {"(0, 0)", "(40, 40)", "(40, 0)", "(0, 39)"}) {
+  for (const char* corner : {"vertex 0", "vertex 1", "vertex 2", "vertex 3"}) {
     EXPECT_NE(clean.error().message.find(corner), std::string::npos) << clean.error().message;
   }
 }
