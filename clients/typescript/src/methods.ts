@@ -768,19 +768,6 @@ export interface Methods {
       cancelled: boolean;
     };
   };
-  /** Copies the store, as it is at one moment, to a new file of the daemon's backup folder. */
-  "admin.backup": {
-    params: {
-      /** The new file's name in the daemon's backup folder: letters, digits, '.', '_' and '-', not beginning with '.'. */
-      name: string;
-    };
-    result: {
-      /** The name of the file. */
-      name: string;
-      /** Its size. */
-      bytes: number;
-    };
-  };
   /** Checks whether the marker is valid, and lists where it is not. */
   "marker.check": {
     params: {

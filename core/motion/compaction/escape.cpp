@@ -52,6 +52,13 @@ class Escape {
   const scene::Run quiet_;  // the observer is told of a round after each turn, not of those within
 };
 
+bool nothing_moves(const scene::Scene& scene) {
+  for (std::size_t k = 0; k < scene.pieces.size(); ++k) {
+    if (!scene.fixed(k)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Progress shorten(scene::Scene& scene, const step::Goal& goal, const CompactionSettings& settings,
@@ -60,7 +67,8 @@ Progress shorten(scene::Scene& scene, const step::Goal& goal, const CompactionSe
   const std::vector<Vec> start = scene.pieces.positions();
   const Coord start_length = scene.pieces.length();
   Progress progress = improve(scene, goal, settings, run);
-  if (!settings.sweeps || scene.pieces.size() > settings.tuning.most_pieces_swept || !escape.may_go_on(progress)) {
+  if (!settings.sweeps || scene.pieces.size() > settings.tuning.most_pieces_swept || !escape.may_go_on(progress) ||
+      nothing_moves(scene)) {
     return progress;
   }
   const double used = marker::utilisation_at(scene.marker, scene.pieces.length());
@@ -72,10 +80,13 @@ Progress shorten(scene::Scene& scene, const step::Goal& goal, const CompactionSe
   const Coord length = scene.pieces.length();
   scene.pieces.place(start);
   Progress other = progress;
-  escape.take_turns(scene, other);
+  const scene::Run quiet = run.quiet();  // rounds that are longer than those reported before are not reported
+  Escape{goal, settings, quiet}.take_turns(scene, other);
   if (scene.pieces.length() >= length) {
     scene.pieces.place(reached);
     other.gain = progress.gain;
+  } else {
+    run.observer.on_round({other.rounds, scene.pieces.length()});
   }
   return other;
 }

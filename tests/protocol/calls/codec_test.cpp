@@ -94,7 +94,7 @@ TEST(Codec, RefusesUnknownParametersOfEveryMethod) {
 TEST(Codec, ReadsTheFormatOfMarkerGet) {
   EXPECT_EQ(understood("marker.get", R"({"markerId":"m1"})"), R"({"markerId":"m1","format":"native"})");
   EXPECT_EQ(understood("marker.get", R"({"markerId":"m1","format":"svg"})"), R"({"markerId":"m1","format":"svg"})");
-  EXPECT_EQ(error_of("marker.get", {{"markerId", "m1"}, {"format", "dxf"}}).field, "/format");
+  EXPECT_EQ(error_of("marker.get", {{"markerId", "m1"}, {"format", "docx"}}).field, "/format");
 }
 
 TEST(Codec, NamesOverlapsByIdAndInTheMarkersUnit) {
