@@ -18,6 +18,7 @@ constexpr double kRounding = 1.5;
 constexpr double kFacing = 3.0;
 // Lattice units.  A position this near to an edge touches it.
 constexpr double kTouching = 4.0;
+constexpr double kTouchingPart = 1e-3;  // of the relative position, at most: on a coarse lattice 4 units are far
 
 HalfPlane side_along(const minkowski::convolution::SumEdge& edge) {
   return {edge.line_from, edge.line_to - edge.line_from};
@@ -108,7 +109,9 @@ class GreedyRegion {
     auto next = edges_.next(skip);
     while (next) {
       const double equally_near = std::sqrt(next->squared_distance) + kRounding;
-      touches_ = equally_near <= static_cast<double>(settings_.spacing) + kTouching;
+      const double touching =
+          std::min(kTouching, kTouchingPart * std::hypot(static_cast<double>(r_.x), static_cast<double>(r_.y)));
+      touches_ = equally_near <= static_cast<double>(settings_.spacing) + touching;
       tied_.clear();
       for (; next && next->squared_distance <= equally_near * equally_near; next = edges_.next(skip)) {
         if (slack_of(side_along(*next->edge), r_) >= -kFacing) tied_.push_back(next->edge);

@@ -261,7 +261,7 @@ TEST(ExtremeCoordinates, BeyondTheEdgesIsRefusedByName) {
   refused("/resolution", 1e-23, kOutOfRange, "/resolution", "1e-22");
   refused("/resolution", 1e7, kOutOfRange, "/resolution", "1e6");
   refused("/resolution", 1e-9, kBeyondLattice, "/pieces/4/at", "1099.511627776");
-  refused("/spacing", 2001, kOutOfRange, "/spacing", "strip's width");
+  refused("/spacing", 2001, kOutOfRange, "/spacing", "0 to 2000");
   reached("refusals with field, value and range", 9);
 }
 
