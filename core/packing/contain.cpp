@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/packing/bodies.h"
-#include "core/packing/mend.h"
+#include "core/packing/place_leaf.h"
 
 namespace selvage::packing {
 namespace {
@@ -29,7 +29,7 @@ std::vector<bool> with_groups(const Marker& marker, std::span<const PieceId> pie
 
 Verdict verdict_of(const branching::SearchOutcome& outcome) {
   if (outcome.end == branching::SearchEnd::kAnswered) return Verdict::kFound;
-  if (outcome.end == branching::SearchEnd::kExhausted && !outcome.in_doubt) return Verdict::kImpossible;
+  if (outcome.end == branching::SearchEnd::kExhausted && !outcome.undecided) return Verdict::kImpossible;
   return Verdict::kUndecided;
 }
 
@@ -54,7 +54,7 @@ Containment contain(const Marker& start, std::span<const PieceId> pieces, const 
   const Bodies bodies = bodies_of(start, {with_groups(start, pieces), inside, settings.turns}, run);
   run.observer.on_stage(scene::Stage::kSolve);
   branching::SearchCalls calls;
-  calls.mend = [&](branching::Leaf& leaf) { return mend(start, bodies, inside, run, leaf); };
+  calls.place_leaf = [&](branching::Leaf& leaf) { return place_leaf(start, bodies, inside, run, leaf); };
   calls.on_leaf = [&](const branching::Leaf& leaf) { result.marker = placed(start, bodies, leaf); };
   calls.on_round = [&](double, const branching::Work&) {
     run.observer.on_round({++result.rounds, result.length_before});

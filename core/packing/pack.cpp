@@ -7,7 +7,7 @@
 
 #include "core/packing/bodies.h"
 #include "core/packing/first_layout.h"
-#include "core/packing/mend.h"
+#include "core/packing/place_leaf.h"
 
 namespace selvage::packing {
 namespace {
@@ -79,7 +79,7 @@ class Packer {
     if (best_) packing_.bound = std::min(packing_.bound, packing_.length_after);
     const bool complete = packing_.reason == scene::StopReason::kConverged;
     const auto left = static_cast<double>(packing_.length_after - packing_.bound);
-    packing_.proved = complete && (best_ ? left <= 2 * gap_ : !in_doubt_);
+    packing_.proved = complete && (best_ ? left <= 2 * gap_ : !undecided_);
   }
 
   branching::SearchOutcome search_below(const Bodies& bodies, double ceiling) {
@@ -88,7 +88,9 @@ class Packer {
     left.pivots -= std::min(left.pivots, packing_.work.pivots);
     branching::SearchCalls calls;
     const Box room = start_.strip.room(start_.strip.last().value_or(kLatticeLimit));
-    calls.mend = [&bodies, room, this](branching::Leaf& leaf) { return mend(start_, bodies, room, run_, leaf); };
+    calls.place_leaf = [&bodies, room, this](branching::Leaf& leaf) {
+      return place_leaf(start_, bodies, room, run_, leaf);
+    };
     calls.on_leaf = [&](const branching::Leaf& leaf) { take(bodies, leaf); };
     calls.on_round = [&](double, const branching::Work&) {
       run_.observer.on_round({++packing_.rounds, packing_.length_after});
@@ -97,7 +99,7 @@ class Packer {
     calls.executor = run_.executor;
     auto outcome = branching::search(bodies.problem, ceiling, gap_, left, settings_.tuning, calls);
     packing_.work += outcome.work;
-    in_doubt_ = in_doubt_ || outcome.in_doubt;
+    undecided_ = undecided_ || outcome.undecided;
     if (outcome.end == branching::SearchEnd::kWorkLimit) packing_.reason = scene::StopReason::kWorkLimit;
     if (outcome.end == branching::SearchEnd::kCancelled) packing_.reason = scene::StopReason::kCancelled;
     return outcome;
@@ -118,7 +120,7 @@ class Packer {
   const scene::Run& run_;
   double gap_;  // lattice units
   std::optional<Marker> best_;
-  bool in_doubt_{};
+  bool undecided_{};
   Packing packing_;
 };
 

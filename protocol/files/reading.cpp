@@ -28,7 +28,7 @@ Result<MarkerFile> one_garment(std::string_view text, const ReadingOptions& opti
   return trade::marker_of(*style, trade::one_of_each(*style), options);
 }
 
-// The bundles of the order, which tells sizes, material and width.
+// The bundles of the order, which gives sizes, material and width.
 Result<MarkerFile> ordered(std::string_view text, ReadingOptions options) {
   const auto order = trade::orders::read_order(*options.order);
   if (!order) return json::within("/order", order.error());
@@ -65,7 +65,7 @@ std::optional<FileKind> kind_of(std::string_view text) {
 Result<MarkerFile> read_file(std::string_view text, const ReadingOptions& options) {
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-  if (text.size() > json::kMaxFileBytes) return formats::read_marker(text);  // which tells the limit
+  if (text.size() > json::kMaxFileBytes) return formats::read_marker(text);  // its error names the limit
   switch (kind_of(text).value_or(FileKind::kJson)) {
     case FileKind::kDxf: return read_dxf(text, options);
     case FileKind::kSvg: return one_garment(text, options, trade::svg::read_svg_pattern);

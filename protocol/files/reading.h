@@ -10,7 +10,7 @@
 
 namespace selvage::protocol::files {
 
-// The kinds of files that are told apart.
+// The kinds of files that are distinguished.
 enum class FileKind { kJson, kDxf, kCut, kSvg, kEsicup };
 
 // By its first characters; none when it is like none of them.

@@ -35,6 +35,6 @@ struct ReadingOptions {
   bool plain{};                      // a DXF without pattern pieces: every closed outline is a piece
 };
 
-inline constexpr double kUsualWidth = 1500;  // millimetres, of cloth whose width nobody tells
+inline constexpr double kUsualWidth = 1500;  // millimetres, of cloth whose width is not given
 
 }  // namespace selvage::protocol::trade

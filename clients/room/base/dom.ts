@@ -22,7 +22,7 @@ export function fill(element: Element, ...children: Child[]): void {
   element.replaceChildren(...children.filter((child): child is Node | string => !!child || child === ""));
 }
 
-/** Sets a text only when it differs, so that assistive technology is not told twice. */
+/** Sets a text only when it differs, so that assistive technology does not announce it twice. */
 export function setText(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }

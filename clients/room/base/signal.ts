@@ -1,4 +1,4 @@
-/** A value that tells its followers when it changes. Followers run at once, in the order in which they began to follow. */
+/** A value that calls its followers when it changes, at once and in the order in which they began to follow. */
 export class Signal<T> {
   private readonly followers = new Set<(value: T) => void>();
 
@@ -13,7 +13,7 @@ export class Signal<T> {
     this.announce();
   }
 
-  /** Tells the followers although the value is the same object, because something inside it changed. */
+  /** Calls the followers although the value is the same object, because something inside it changed. */
   announce(): void {
     for (const follower of [...this.followers]) follower(this.current);
   }

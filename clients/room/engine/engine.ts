@@ -14,7 +14,7 @@ export interface CurvePoint {
   seconds: number;
   length: number;
 }
-/** A motion under way. */
+/** A motion in progress. */
 export interface Run {
   title: string;
   round: number;

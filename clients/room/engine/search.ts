@@ -4,7 +4,7 @@ import type { MarkerDocument } from "../marker/document";
 const FIRST = 1500; // milliseconds of the first turn
 const LONGEST = 30_000;
 
-/** What a search tells on its way, and whether it shall begin another turn. */
+/** What a search reports while it runs, and whether it should begin another turn. */
 export interface SearchListener {
   goesOn(): boolean;
   round(round: number, length: number): void;

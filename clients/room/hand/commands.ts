@@ -25,7 +25,7 @@ export class Commands {
     private readonly tell: (text: string) => void,
   ) {}
 
-  /** Carries out one thing after another, and tells what was refused. */
+  /** Carries out actions one after another, and shows what was refused. */
   queue(act: () => Promise<unknown>): Promise<void> {
     const done = this.line.then(() => this.engine.takeOrDrop(true)).then(act);
     const told = done.then(() => {}, (error) => this.tell(inWords(error)));

@@ -3,7 +3,7 @@ import type { Piece } from "../marker/marker";
 import type { Pose } from "../marker/pose";
 import type { Scene } from "../view/scene";
 
-/** Pieces in hand that nothing holds back: the overlaps are drawn, and removed when the hand lets go. */
+/** A free drag: pieces may overlap others meanwhile; overlaps are drawn, and removed when the drag ends. */
 export class FreeDrag {
   private readonly from: Map<string, Pose>;
   private to: Map<string, Pose>;

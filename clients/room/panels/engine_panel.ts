@@ -10,7 +10,7 @@ import type { Scene } from "../view/scene";
 import { heading, note, row, textButton, worded } from "./controls";
 import { drawCurve } from "./curve";
 
-/** The motions, the one under way, and results kept beside. */
+/** The motions, the one in progress, and results kept for comparison. */
 export function buildEnginePanel(host: HTMLElement, desk: Desk, engine: Engine, scene: Scene): void {
   const compact = (accuracy: Accuracy, title: TextName) => textButton(title, () => void engine.start("motion.compact", { accuracy }, say("compact")));
   const standard = compact("standard", "standard");

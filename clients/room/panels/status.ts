@@ -40,7 +40,7 @@ export function teller(host: HTMLElement): (text: string) => void {
   };
 }
 
-/** Reads the figures out after a change, once they have come to rest. */
+/** Announces the figures after a change, once they no longer change. */
 export function announceFigures(live: HTMLElement, desk: Desk): void {
   let timer = 0;
   desk.figures.follow(({ revision, length, utilisation }) => {

@@ -25,7 +25,7 @@ export type Before = ReadonlyMap<string, Pose>;
 export class Desk {
   readonly marker = new Signal<Marker | undefined>(undefined);
   readonly figures = new Signal<Figures>({ revision: 0, length: 0, utilisation: 0, valid: true });
-  /** Told after each change, with the poses before it; `by` is the method, or "" for a change of this page's own. */
+  /** Called after each change, with the poses before it; `by` is the method, or "" for a change of this page's own. */
   readonly changed = new Signal<{ before: Before; by: string; mine: boolean } | undefined>(undefined);
   markerId = "";
   /** The figures and the poses when the marker was opened here. */
@@ -139,7 +139,7 @@ export class Desk {
     this.changed.value = { before, by, mine: this.underWay > 0 };
   }
 
-  /** Does something that changes the marker: while it is under way, changes count as this page's own. */
+  /** Does something that changes the marker: until it ends, changes count as made by this page. */
   async change<T>(act: (client: Client) => Promise<T>): Promise<T> {
     const client = await this.link.ready();
     this.underWay += 1;

@@ -19,7 +19,7 @@ export function chooseFiles(): Promise<File[]> {
   });
 }
 
-/** Hands the user a file. */
+/** Downloads a text as a file. */
 export function saveText(name: string, text: string, type: string): void {
   const url = URL.createObjectURL(new Blob([text], { type }));
   const link = document.createElement("a");

@@ -10,12 +10,12 @@ const wait = (milliseconds: number) => new Promise((resolve) => setTimeout(resol
 const address = () => `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws`;
 
 /**
- * The connection to the daemon, for as long as the page is open. The client resends what was under way when a connection is
+ * The connection to the daemon, for as long as the page is open. The client resends what was in progress when a connection is
  * lost; when it gives up, a new client is made, until the daemon answers again.
  */
 export class Link {
   readonly state = new Signal<LinkState>("connecting");
-  /** Counts the connections: whoever watches a marker does so again when it changes. */
+  /** Counts the connections: code that watches a marker watches it again when this changes. */
   readonly joined = new Signal(0);
   private client: Client | undefined;
   private opening: Promise<Client> | undefined;
@@ -57,7 +57,7 @@ export class Link {
     this.state.value = "connecting";
   }
 
-  // Connects as the client does, and tells the state of the connection.
+  // Connects as the client does, and reports the state of the connection.
   private observed(): Connect {
     return async (listener) => {
       const token = sessionStorage.getItem(TOKEN) ?? undefined;

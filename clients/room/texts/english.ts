@@ -161,7 +161,7 @@ export const english = {
   announce: "Length {length}, utilisation {utilisation}.",
   errorConnection: "The connection was lost before the answer came.",
   errorNothingToUndo: "There is nothing more to undo or redo.",
-  errorClash: "Somebody else changed this marker first (it is at revision {revision}). Your change was not made; you see the marker as it is now.",
+  errorClash: "Someone else changed this marker first (it is at revision {revision}). Your change was not made; you see the marker as it is now.",
   errorBusy: "The daemon is busy. Try again in a moment.",
   errorGone: "The daemon does not have this marker any more.",
   errorTooLarge: "The marker is larger than this daemon accepts.",

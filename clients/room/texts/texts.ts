@@ -13,7 +13,7 @@ export function say(name: TextName, values: Record<string, string | number> = {}
   return table()[name].replace(/\{(\w+)\}/g, (_, key: string) => String(values[key] ?? ""));
 }
 
-/** Tells when texts must be written anew: another language, unit or decimal sign. */
+/** Changes when texts must be rewritten: another language, unit or decimal sign. */
 export const wording = new Signal("");
 preferences.follow(({ language, unit, decimal, currency, price, plies }) => {
   document.documentElement.lang = language;

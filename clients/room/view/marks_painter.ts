@@ -79,7 +79,7 @@ export function paintGhosts(brush: Brush, scene: Scene): void {
   }
 }
 
-/** Where pieces in hand cover others: the intersection itself, by clipping, and nothing else. */
+/** Draws where dragged pieces cover others: exactly the intersections, by clipping. */
 export function paintOverlaps(brush: Brush, scene: Scene, now: number): void {
   const { context, camera, colours } = brush;
   const marker = scene.marker!;

@@ -27,10 +27,10 @@ export class Scene {
   marker: Marker | undefined;
   /** Poses that differ from the committed ones: a drag, or a result that is looked at. */
   shown = new Map<string, Pose>();
-  /** The pieces in hand, and where the hand wants them. */
+  /** The dragged pieces, and the positions that the pointer asks for. */
   held = new Set<string>();
   wanted = new Map<string, Pose>();
-  free = false; // the pieces in hand may overlap others, and overlaps are drawn
+  free = false; // the dragged pieces may overlap others, and overlaps are drawn
   hovered: string | undefined;
   ghosts: Ghost[] = [];
   stroke: Stroke | undefined;

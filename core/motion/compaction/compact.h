@@ -48,8 +48,8 @@ struct Progress {
   int rounds{};
   int programs{};  // linear programs solved
   double gain{};   // of the goal; lattice units
-  bool firm{};  // what the last program pressed on are contacts, none of them doubtful (core/model/contacts/contact.h);
-                // known only with CompactionSettings::sweeps
+  bool firm{};     // everything that the last program pressed on is a real contact (core/model/contacts/contact.h);
+                   // known only with CompactionSettings::sweeps
 };
 // Rounds of position_step until the goal stops improving: the core of every motion of many pieces at once.
 // REQUIRES: the scene's pieces are valid.

@@ -49,7 +49,7 @@ class Escape {
   const step::Goal& goal_;
   const CompactionSettings& settings_;
   const scene::Run& run_;
-  const scene::Run quiet_;  // the observer is told of a round after each turn, not of those within
+  const scene::Run quiet_;  // reports nothing: a turn is reported as one round, when it has ended
 };
 
 bool nothing_moves(const scene::Scene& scene) {

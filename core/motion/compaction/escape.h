@@ -4,9 +4,8 @@
 // or a half-plane's line holds them beyond the edge it belongs to, another part would let them pass; to choose the best
 // is NP-hard [Li94 8.1].  Sweeps of single-piece moves (sweep.h) choose a part for every piece and every step.  They
 // are used in two ways:
-// (1) In a loose marker, or when the rounds gain next to nothing and end at a doubtful contact
-// (core/model/contacts/contact.h),
-//     sweeps and rounds take turns while both together still gain.
+// (1) In a loose marker, or when the rounds gain next to nothing and end at contacts that may not be real
+//     (core/model/contacts/contact.h), sweeps and rounds alternate while both together still gain.
 // (2) In a loose marker, where pieces travel far and the way decides where they end, the sweeps also start from where
 //     the rounds started, rounds follow, and the shorter answer is kept.
 // A tight marker that the rounds shorten, or that they leave at firm contacts only, is spared both.  Each turn of

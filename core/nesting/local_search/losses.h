@@ -34,7 +34,7 @@ class Losses {
     return importance_[set_->kind_of[first]] * importance_[set_->kind_of[second]];
   }
   // What a depth costs a move, before it is multiplied by the importance and the weight.  Moves aim at half of the
-  // tolerance, so that the rounding of a position does not charge a pair that the move has parted.
+  // tolerance, so that rounding a position does not make a pair count as overlapping that the move has separated.
   [[nodiscard]] float aimed(float depth) const { return depth > tolerance_ / 2 ? charge_ + depth : 0; }
 
  private:

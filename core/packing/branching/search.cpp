@@ -63,7 +63,7 @@ class Rounds {
     const std::uint64_t burst = spreading ? 1 : std::clamp<std::uint64_t>(left / count, 1, tuning_.burst);
     sort_most_promising(count);
     const Executor& executor = count > 1 ? *calls_.executor : serial();
-    executor.for_each(count, [&](std::size_t k) { open_[k].explore(burst, gap_, calls_.mend, calls_.stop); });
+    executor.for_each(count, [&](std::size_t k) { open_[k].explore(burst, gap_, calls_.place_leaf, calls_.stop); });
     for (std::size_t k = 0; k < count && !answered_; ++k) collect(open_[k]);
     if (spreading) spread(0);
     std::erase_if(open_, [](const Subtree& subtree) { return subtree.done(); });
@@ -90,8 +90,8 @@ class Rounds {
       if (problem_.minimises_length) ceiling_ = std::min(ceiling_, leaf.length - gap_);
       if (!problem_.minimises_length) answered_ = true;
     }
-    outcome_.in_doubt = outcome_.in_doubt || std::isfinite(subtree.in_doubt());
-    closed_at_ = std::min({closed_at_, subtree.ceiling(), subtree.in_doubt(), ceiling_});
+    outcome_.undecided = outcome_.undecided || std::isfinite(subtree.undecided());
+    closed_at_ = std::min({closed_at_, subtree.ceiling(), subtree.undecided(), ceiling_});
   }
 
   // Makes every open node of a subtree a subtree of its own.

@@ -25,14 +25,14 @@ enum class SearchEnd { kExhausted, kAnswered, kWorkLimit, kCancelled };
 
 struct SearchOutcome {
   SearchEnd end{};
-  double bound{};   // proved: no layout up to the ceiling is shorter; above the ceiling when there is none
-  bool in_doubt{};  // some leaf could not be mended: that there is no layout is not proved
+  double bound{};    // proved: no layout up to the ceiling is shorter; above the ceiling when there is none
+  bool undecided{};  // some leaf could not be placed: that there is no layout is not proved
   Work work;
 };
 
 struct SearchCalls {
-  Mend mend;
-  std::function<void(const Leaf&)> on_leaf;  // mended
+  PlaceLeaf place_leaf;
+  std::function<void(const Leaf&)> on_leaf;  // of every leaf that is placed
   std::function<void(double bound, const Work&)> on_round = [](double, const Work&) {};
   std::stop_token stop{};
   const Executor* executor = &serial();

@@ -20,7 +20,7 @@ void Subtree::lower_ceiling(double ceiling) {
   relaxation_.lower_ceiling(std::min(ceiling, relaxation_.ceiling()));
 }
 
-void Subtree::explore(std::uint64_t nodes, double gap, const Mend& mend, const std::stop_token& stop) {
+void Subtree::explore(std::uint64_t nodes, double gap, const PlaceLeaf& place_leaf, const std::stop_token& stop) {
   for (std::uint64_t count = 0; count < nodes && !stack_.empty() && !stop.stop_requested(); ++count) {
     Node node = std::move(stack_.back());
     stack_.pop_back();
@@ -29,12 +29,12 @@ void Subtree::explore(std::uint64_t nodes, double gap, const Mend& mend, const s
     relaxation_.forget_hulls_from(node.hulls);
     auto below = children(relaxation_, *problem_, node, tuning_, relaxation_.tolerance());
     if (!below) {
-      const bool mended = record(node, gap, mend);
-      if (mended && !problem_->minimises_length) return;
-      if (mended) continue;
+      const bool placed_leaf = record(node, gap, place_leaf);
+      if (placed_leaf && !problem_->minimises_length) return;
+      if (placed_leaf) continue;
       // Rounding may have chosen the wrong one of two wedges that meet near the solution.
       below = children(relaxation_, *problem_, node, tuning_, -tuning_.contact);
-      if (!below) in_doubt_ = std::min(in_doubt_, node.bound);
+      if (!below) undecided_ = std::min(undecided_, node.bound);
       if (!below) continue;
     }
     for (Node& child : *below) {
@@ -44,14 +44,14 @@ void Subtree::explore(std::uint64_t nodes, double gap, const Mend& mend, const s
   }
 }
 
-bool Subtree::record(const Node& node, double gap, const Mend& mend) {
+bool Subtree::record(const Node& node, double gap, const PlaceLeaf& place_leaf) {
   Leaf leaf{.positions = {}, .variant = node.variant, .rows = relaxation_.exact_rows(node), .length = node.bound};
   for (std::uint32_t body = 0; body < problem_->world(); ++body) {
     leaf.positions.push_back(relaxation_.position(node, body));
   }
-  if (!mend(leaf)) return false;
+  if (!place_leaf(leaf)) return false;
   if (problem_->minimises_length) {
-    if (leaf.length > node.bound + gap) in_doubt_ = std::min(in_doubt_, node.bound);
+    if (leaf.length > node.bound + gap) undecided_ = std::min(undecided_, node.bound);
     lower_ceiling(leaf.length - gap);
   }
   leaves_.push_back(std::move(leaf));

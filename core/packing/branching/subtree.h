@@ -11,7 +11,8 @@
 
 namespace selvage::packing::branching {
 
-// A solution of a leaf's program: a layout up to rounding, until it is mended.
+// A solution of a leaf's program: first a layout up to rounding, then placed, which means on lattice points and proved
+// valid.
 struct Leaf {
   std::vector<RealVec> positions;      // of the bodies; lattice units
   std::vector<std::uint32_t> variant;  // of the bodies
@@ -21,25 +22,25 @@ struct Leaf {
 
 // Moves the leaf's positions to lattice points at which its layout is valid, proved, and sets its length.  False when
 // it finds none.  Called concurrently.
-using Mend = std::function<bool(Leaf&)>;
+using PlaceLeaf = std::function<bool(Leaf&)>;
 
 class Subtree {
  public:
   // The subtree below one node.  The problem must outlive this.
   Subtree(const Problem& problem, const BranchTuning& tuning, Node node, double ceiling);
 
-  // Explores at most so many nodes.  Where the length is minimised, a mended leaf lowers the ceiling to `gap` below its
+  // Explores at most so many nodes.  Where the length is minimised, a placed leaf lowers the ceiling to `gap` below its
   // length; otherwise the exploration stops there.
-  void explore(std::uint64_t nodes, double gap, const Mend& mend, const std::stop_token& stop);
+  void explore(std::uint64_t nodes, double gap, const PlaceLeaf& place_leaf, const std::stop_token& stop);
   void lower_ceiling(double ceiling);
 
   [[nodiscard]] bool done() const { return stack_.empty(); }
   // No layout that is still to be found in it is shorter; infinite when done.
   [[nodiscard]] double bound() const;
-  // The least length of a leaf that was not mended, or was mended to be longer than the gap; infinite when there is
+  // The least length of a leaf that was not placed, or was placed to be longer than the gap; infinite when there is
   // none.  Layouts of about this length are neither found nor ruled out.
-  [[nodiscard]] double in_doubt() const { return in_doubt_; }
-  // The mended leaves since the last call.
+  [[nodiscard]] double undecided() const { return undecided_; }
+  // The placed leaves since the last call.
   [[nodiscard]] std::vector<Leaf> take_leaves() { return std::move(leaves_); }
   // The work since the last call.
   [[nodiscard]] Work take_work();
@@ -48,14 +49,14 @@ class Subtree {
   [[nodiscard]] double ceiling() const { return relaxation_.ceiling(); }
 
  private:
-  [[nodiscard]] bool record(const Node& node, double gap, const Mend& mend);
+  [[nodiscard]] bool record(const Node& node, double gap, const PlaceLeaf& place_leaf);
 
   const Problem* problem_;
   BranchTuning tuning_;
   Relaxation relaxation_;
   std::vector<Node> stack_;
   std::vector<Leaf> leaves_;
-  double in_doubt_{std::numeric_limits<double>::infinity()};
+  double undecided_{std::numeric_limits<double>::infinity()};
 };
 
 }  // namespace selvage::packing::branching

@@ -13,7 +13,7 @@ struct BranchTuning {
   double tolerance{2e-8};       // depth at which a solution counts as inside a ring, in widths of the room
   double violated{1e-8};        // by which a row must be violated before it enters, in widths of the room
   double slack{0.02};           // rows with more room than this, in widths, are dropped from the programs of children
-  double contact{8};            // pairs this near to contact, in lattice units, are split when a leaf cannot be mended
+  double contact{8};            // pairs this near to contact, in lattice units, are split when a leaf cannot be placed
   std::uint32_t few_wedges{4};  // an arc of at most so many wedges is split into single wedges
   friend bool operator==(const BranchTuning&, const BranchTuning&) = default;
 };

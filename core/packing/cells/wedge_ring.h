@@ -7,7 +7,7 @@
 // centre may be any point of the kernel.  An end of an edge that is the crossing of two lines is rounded by up to a
 // unit: its ray is turned outwards by kRaySlack units there, so that it stays outside of the exact ray at any distance.
 // A cell thus contains all positions that it stands for, and what is concluded from cells holds for all valid layouts.
-// What a search finds in them may overlap by a little in turn, and has to be mended and proved.
+// What a search finds in them may overlap by a little in turn, and has to be placed and proved.
 //
 // Units: lattice units.
 #pragma once

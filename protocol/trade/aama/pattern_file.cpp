@@ -260,7 +260,7 @@ class StyleReader {
     std::size_t size;
     double unit;
     bool sample;  // it is the size as drawn
-    bool noted;   // its oddities are told: those of the other sizes are the same
+    bool noted;   // its oddities are reported: those of the other sizes are the same
   };
 
   // The piece of a block in one size.

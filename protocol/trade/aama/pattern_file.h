@@ -3,7 +3,7 @@
 // The unit is the caller's, else that of the text "Units:", else $INSUNITS, else the file is refused.  A piece's
 // outline is the largest closed loop of layer 1, a half piece is unfolded about its mirror line, and every piece is
 // turned so that its grain lies along x.  A graded nest has a block for every size; otherwise the rule table makes the
-// sizes. What is odd about a file is told in the style's notes, by line.
+// sizes. What is odd about a file is reported in the style's notes, by line.
 #pragma once
 
 #include <string_view>

@@ -13,7 +13,7 @@
 namespace selvage::protocol::trade::dxf {
 
 // In millimetres: the caller's, else that of the text "Units:", else $INSUNITS.  A note says which.
-// Errors: kMissingField when none of them tells.
+// Errors: kMissingField when none of them says it.
 [[nodiscard]] Result<double> settle_unit(const std::map<std::string, std::string>& texts,
                                          std::optional<int> insert_units, std::optional<LengthUnit> asked,
                                          std::vector<Note>& notes);

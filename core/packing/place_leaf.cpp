@@ -1,4 +1,4 @@
-#include "core/packing/mend.h"
+#include "core/packing/place_leaf.h"
 
 #include <cmath>
 #include <limits>
@@ -67,7 +67,7 @@ std::optional<std::vector<RealVec>> repaired(Marker layout, const Bodies& bodies
     if (!moving[k]) layout.pieces[k].locked = true;
   }
   scene::Scene scene{std::move(layout), run.sums};
-  // Leaves are mended concurrently, so nothing is reported.
+  // Leaves are placed concurrently, so nothing is reported.
   if (!motion::repair::repair_overlaps(scene, {run.sums, run.stop})) return std::nullopt;
   std::vector<RealVec> positions;
   for (std::size_t body = 0; body < bodies.pieces.size(); ++body) {
@@ -89,7 +89,8 @@ bool is_proved(const Marker& marker, const Bodies& bodies, const Box& room) {
 
 }  // namespace
 
-bool mend(const Marker& marker, const Bodies& bodies, const Box& room, const scene::Run& run, branching::Leaf& leaf) {
+bool place_leaf(const Marker& marker, const Bodies& bodies, const Box& room, const scene::Run& run,
+                branching::Leaf& leaf) {
   const Columns columns = branching::columns_of(bodies.problem);
   const std::vector<RealVec> original = leaf.positions;
   const auto attempt = [&](std::vector<RealVec> positions) {

@@ -12,7 +12,7 @@ namespace selvage::packing {
 
 // Moves the leaf's positions to where its layout is valid, as core/marker/clearance.h proves.  False when no rounding
 // of it is.
-[[nodiscard]] bool mend(const Marker& marker, const Bodies& bodies, const Box& room, const scene::Run& run,
-                        branching::Leaf& leaf);
+[[nodiscard]] bool place_leaf(const Marker& marker, const Bodies& bodies, const Box& room, const scene::Run& run,
+                              branching::Leaf& leaf);
 
 }  // namespace selvage::packing
