@@ -7,7 +7,7 @@
 namespace selvage::geometry {
 namespace {
 
-struct Edge {
+struct Segment {
   Vec from, to;
   Box box;
 };
@@ -20,8 +20,8 @@ double gap_between(const Box& a, const Box& b) {
 }
 
 // The edges of the polygon whose boxes are nearer than `reach` to the box `other`.
-std::vector<Edge> edges_near(const PlacedPolygon& polygon, const Box& other, double reach) {
-  std::vector<Edge> edges;
+std::vector<Segment> edges_near(const PlacedPolygon& polygon, const Box& other, double reach) {
+  std::vector<Segment> edges;
   const auto& v = polygon.vertices;
   for (std::size_t i = 0; i < v.size(); ++i) {
     const Vec a = v[i] + polygon.at;
@@ -36,7 +36,7 @@ double length_of_vector(Vec v) {
   return std::sqrt(static_cast<double>(dot(v, v)));
 }
 
-double distance_to_edge(Vec point, const Edge& edge) {
+double distance_to_edge(Vec point, const Segment& edge) {
   const Vec along = edge.to - edge.from;
   const Vec out = point - edge.from;
   const Wide projection = dot(out, along);
@@ -55,9 +55,9 @@ double distance_within(const PlacedPolygon& p, const PlacedPolygon& q, double re
   const auto p_edges = edges_near(p, q_box, reach);
   const auto q_edges = edges_near(q, p_box, reach);
   double least = reach;
-  for (const Edge& e : p_edges) {
+  for (const Segment& e : p_edges) {
     if (gap_between(e.box, q_box) >= least) continue;
-    for (const Edge& f : q_edges) {
+    for (const Segment& f : q_edges) {
       // The distance of two edges that do not cross is attained at an end of one of them.
       if (gap_between(e.box, f.box) >= least) continue;
       least = std::min({least, distance_to_edge(e.from, f), distance_to_edge(e.to, f), distance_to_edge(f.from, e),

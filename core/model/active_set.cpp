@@ -6,7 +6,7 @@
 namespace selvage::model {
 namespace {
 
-constexpr double kSolverResidual = 1e-6;  // a fraction of the price: dual values may be off by this
+constexpr double kDualResidual = 1e-6;  // a fraction of the price: dual values may be off by this
 
 // The force on all pieces of one tie along one axis, and how far they can move.
 struct TieLoad {
@@ -15,7 +15,7 @@ struct TieLoad {
 };
 
 bool moves(const TieLoad& tie, double price) {
-  const double most = price * (1 + kSolverResidual);
+  const double most = price * (1 + kDualResidual);
   return (tie.load > most && tie.up > 0) || (tie.load < -most && tie.down > 0);
 }
 

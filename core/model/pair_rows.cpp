@@ -5,7 +5,7 @@
 namespace selvage::model {
 namespace {
 
-constexpr double kSolverResidual = 1e-9;  // column units: no solver breaks a row by more
+constexpr double kRowResidual = 1e-9;  // column units: no solver breaks a row by more
 
 }  // namespace
 
@@ -27,7 +27,7 @@ std::vector<FreeSide> free_sides(const PairPosition& position, const RegionSetti
 PairRow row_of(marker::PiecePair pair, const FreeSide& side, ModelUnit unit, TightRows tight) {
   PairRow row{pair, side.normal.x, side.normal.y, 0};
   const double rounding = std::abs(row.nx) + std::abs(row.ny);
-  const double margin = side.slanted() ? rounding + 2 * kSolverResidual * unit.lattice_units() : 0;
+  const double margin = side.slanted() ? rounding + 2 * kRowResidual * unit.lattice_units() : 0;
   row.bound = margin - side.slack;
   if (tight == TightRows::kKeep && side.slack >= 0 && side.slack < margin) row.bound = 0;
   return row;

@@ -45,20 +45,20 @@ Point centroid(const std::vector<Point>& outline) {
   return {sum.x / area, sum.y / area};
 }
 
-struct Spot {
+struct Candidate {
   Point at;
   double radius = -INFINITY;
   double off_centre = INFINITY;
 };
 
 // More room up to `enough`, then nearer to the middle.
-bool better(const Spot& a, const Spot& b, double enough) {
+bool better(const Candidate& a, const Candidate& b, double enough) {
   const double room_a = std::min(a.radius, enough), room_b = std::min(b.radius, enough);
   return room_a != room_b ? room_a > room_b : a.off_centre < b.off_centre;
 }
 
 // A grid over the box, then finer grids round the best point so far.
-Spot best_spot(const std::vector<Point>& outline, double enough) {
+Candidate best_spot(const std::vector<Point>& outline, double enough) {
   constexpr int kSteps = 6, kRefinements = 4;
   Point low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
   for (const Point p : outline) {
@@ -66,14 +66,14 @@ Spot best_spot(const std::vector<Point>& outline, double enough) {
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
   const Point middle = centroid(outline);
-  Spot best;
+  Candidate best;
   Point centre{(low.x + high.x) / 2, (low.y + high.y) / 2};
   double half_width = (high.x - low.x) / 2, half_height = (high.y - low.y) / 2;
   for (int round = 0; round <= kRefinements; ++round) {
     for (int i = -kSteps; i <= kSteps; ++i) {
       for (int j = -kSteps; j <= kSteps; ++j) {
         const Point p{centre.x + half_width * i / kSteps, centre.y + half_height * j / kSteps};
-        const Spot spot{p, clearance(p, outline), std::hypot(p.x - middle.x, p.y - middle.y)};
+        const Candidate spot{p, clearance(p, outline), std::hypot(p.x - middle.x, p.y - middle.y)};
         if (better(spot, best, enough)) best = spot;
       }
     }
@@ -85,7 +85,7 @@ Spot best_spot(const std::vector<Point>& outline, double enough) {
 }
 
 // In coordinates squeezed along the text a label is a square, and a square fits into a circle.
-Spot best_squeezed(const Polygon& outline, double squeeze_x, double squeeze_y, double enough) {
+Candidate best_squeezed(const Polygon& outline, double squeeze_x, double squeeze_y, double enough) {
   constexpr std::size_t kEnoughVertices = 64;  // a rough outline will do
   const std::size_t stride = outline.size() / kEnoughVertices + 1;
   std::vector<Point> squeezed;
@@ -93,14 +93,14 @@ Spot best_squeezed(const Polygon& outline, double squeeze_x, double squeeze_y, d
     const Vec v = outline[i];
     squeezed.push_back({static_cast<double>(v.x) / squeeze_x, static_cast<double>(v.y) / squeeze_y});
   }
-  Spot spot = best_spot(squeezed, enough);
+  Candidate spot = best_spot(squeezed, enough);
   spot.at = {spot.at.x * squeeze_x, spot.at.y * squeeze_y};
   return spot;
 }
 
 constexpr double kSquareInCircle = 0.70710678;
 
-LabelSpot spot_of(const Spot& spot, bool upright) {
+LabelSpot spot_of(const Candidate& spot, bool upright) {
   return {spot.at.x, spot.at.y, std::max(0.0, spot.radius * kSquareInCircle), upright};
 }
 
@@ -109,9 +109,9 @@ LabelSpot spot_of(const Spot& spot, bool upright) {
 LabelSpot find_label_spot(const Polygon& outline, double aspect, double enough) {
   constexpr double kPreferLevel = 1.4;  // upright text must be this much larger to be worth the turned head
   const double radius = enough / kSquareInCircle;
-  const Spot level = best_squeezed(outline, aspect, 1, radius);
+  const Candidate level = best_squeezed(outline, aspect, 1, radius);
   if (kPreferLevel * level.radius >= radius) return spot_of(level, false);
-  const Spot upright = best_squeezed(outline, 1, aspect, radius);
+  const Candidate upright = best_squeezed(outline, 1, aspect, radius);
   return upright.radius > kPreferLevel * level.radius ? spot_of(upright, true) : spot_of(level, false);
 }
 

@@ -10,14 +10,14 @@
 namespace selvage::protocol::plots {
 namespace {
 
-constexpr double kPerMillimetre = 10;  // G71
+constexpr double kCutUnits = 10;  // G71
 
 std::string number(double millimetres) {
   // The form has no negative coordinates.
-  return std::to_string(std::max(0LL, std::llround(millimetres * kPerMillimetre)));
+  return std::to_string(std::max(0LL, std::llround(millimetres * kCutUnits)));
 }
 
-std::string place(Spot spot) {
+std::string point(Spot spot) {
   return "X" + number(spot.x) + "Y" + number(spot.y);
 }
 
@@ -52,8 +52,8 @@ class Cutter {
 
  private:
   void cut_piece(const SheetPiece& piece, std::size_t first) {
-    text_ += place(label_spot(piece)) + "M31*" + label_text(piece.label) + "*";
-    for (const Spot& drill : piece.annotations.drills) text_ += place(drill) + "M43*";
+    text_ += point(label_spot(piece)) + "M31*" + label_text(piece.label) + "*";
+    for (const Spot& drill : piece.annotations.drills) text_ += point(drill) + "M43*";
     Spot here = piece.outline[first];
     for (const document::Notch& notch : piece.annotations.notches) {
       if (notch.depth <= 0) continue;
@@ -75,8 +75,8 @@ class Cutter {
   }
 
   void cut(const std::vector<Spot>& points) {
-    text_ += place(points.front()) + "*M14*";
-    for (std::size_t k = 1; k < points.size(); ++k) text_ += place(points[k]) + "*";
+    text_ += point(points.front()) + "*M14*";
+    for (std::size_t k = 1; k < points.size(); ++k) text_ += point(points[k]) + "*";
     text_ += "M15*";
   }
 

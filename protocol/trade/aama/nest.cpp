@@ -10,12 +10,12 @@
 #include "protocol/formats/decimal_marker.h"
 #include "protocol/json/json_text.h"
 #include "protocol/trade/aama/pattern_block.h"
+#include "protocol/trade/aama/piece_texts.h"
 #include "protocol/trade/dxf/drawing.h"
 
 namespace selvage::protocol::trade::aama {
 namespace {
 
-using Texts = std::map<std::string, std::string>;
 constexpr std::string_view kWidthKey = "Marker Width:";
 constexpr json::Range kLengths{0, 1e9};
 constexpr json::Range kTurns{-360, 360};  // degrees
@@ -27,11 +27,6 @@ void keep_text(const dxf::Entity& entity, Texts& texts) {
   if (entity.type == "TEXT" && colon != std::string::npos) {
     texts.emplace(text.substr(0, colon), trimmed(std::string_view{text}.substr(colon + 1)));
   }
-}
-
-std::string text_or_empty(const Texts& texts, const std::string& key) {
-  const auto found = texts.find(key);
-  return found == texts.end() ? std::string{} : found->second;
 }
 
 class NestReader {

@@ -18,6 +18,8 @@
 
 namespace selvage::protocol::trade::aama {
 
+using Texts = std::map<std::string, std::string>;  // key -> value
+
 // A point that moves with the size: "# 12".
 struct GradedPoint {
   int rule{};
@@ -26,9 +28,9 @@ struct GradedPoint {
 };
 
 struct PatternBlock {
-  std::string name;                          // of the block
-  std::map<std::string, std::string> texts;  // "QUANTITY" -> "1,1"; keys in capitals
-  std::vector<Run> boundary;                 // layer 1
+  std::string name;           // of the block
+  Texts texts;                // "QUANTITY" -> "1,1"; keys in capitals
+  std::vector<Run> boundary;  // layer 1
   document::Annotations annotations;
   std::vector<bool> mirrored;          // of each of the annotations' lines: drawn on both halves of a folded piece
   std::vector<Spot> unmirrored_spots;  // where "NM" stands

@@ -10,34 +10,12 @@
 #include "protocol/trade/aama/finishing.h"
 #include "protocol/trade/aama/grading.h"
 #include "protocol/trade/aama/pattern_block.h"
+#include "protocol/trade/aama/piece_texts.h"
 #include "protocol/trade/aama/rule_table.h"
 #include "protocol/trade/dxf/units.h"
 
 namespace selvage::protocol::trade::aama {
 namespace {
-
-using Texts = std::map<std::string, std::string>;
-
-std::string in_quotes(const std::string& text) {
-  return json::shortened(Json(text));
-}
-
-const std::string& text_or_empty(const Texts& texts, const std::string& key) {
-  static const std::string kEmpty;
-  const auto found = texts.find(key);
-  return found == texts.end() ? kEmpty : found->second;
-}
-
-// "2", or "1,1": right and left.
-std::optional<Quantity> quantity_in(const std::string& text) {
-  const std::size_t comma = text.find(',');
-  const auto right = whole_number_in(trimmed(std::string_view{text}.substr(0, comma)));
-  const auto left = comma == std::string::npos ? std::optional{0}
-                                               : whole_number_in(trimmed(std::string_view{text}.substr(comma + 1)));
-  const auto sensible = [](std::optional<int> n) { return n && *n >= 0 && *n <= kMostCopies; };
-  if (!sensible(right) || !sensible(left)) return std::nullopt;
-  return Quantity{*right, *left};
-}
 
 class StyleReader {
  public:
@@ -55,7 +33,7 @@ class StyleReader {
     check_inserts();
     share_texts();
     if (const auto error = make_pieces(*unit)) return *error;
-    tell_what_was_passed_over();
+    note_what_was_skipped();
     return std::move(style_);
   }
 
@@ -284,7 +262,7 @@ class StyleReader {
     }
     if (doubled_area(*outline) < 0) std::reverse(outline->begin() + 1, outline->end());
     const document::Frame turn{false, turn_of_grain(block, notes), {}};
-    PatternPiece piece = described(block, k, notes);
+    PatternPiece piece = described(block, names_[k], notes);
     piece.size = size;
     for (const Spot& point : *outline) piece.outline.push_back(rounded(turn.apply(point)));
     piece.annotations = rounded(placed(block.annotations, turn));
@@ -294,46 +272,7 @@ class StyleReader {
     return std::nullopt;
   }
 
-  // What the texts say of the piece.
-  [[nodiscard]] PatternPiece described(const PatternBlock& block, std::size_t k, std::vector<Note>& notes) const {
-    PatternPiece piece;
-    piece.name = names_[k];
-    piece.line = block.line;
-    piece.material = text_or_empty(block.texts, "MATERIAL");
-    piece.category = text_or_empty(block.texts, "CATEGORY");
-    piece.annotation = text_or_empty(block.texts, "ANNOTATION");
-    for (const auto& [key, name] :
-         {std::pair{"ROTATION", "rotation"}, {"FLIP", "flip"}, {"TILT", "tilt"}, {"FOLD", "fold"}}) {
-      if (const std::string* text = block.text(key)) piece.attributes[name] = *text;
-    }
-    const std::string* said = block.text("QUANTITY");
-    const auto quantity = said ? quantity_in(*said) : std::nullopt;
-    if (!said) {
-      notes.push_back(note_at(block.line, "no quantity: 1"));
-    } else if (!quantity) {
-      notes.push_back(note_at(block.line, "the quantity " + in_quotes(*said) + " is not understood: 1"));
-    } else if (quantity->right > 1 && said->find(',') == std::string::npos) {
-      notes.push_back(
-          note_at(block.line, "quantity " + *said + ": that some of them are mirrored is not said; none is"));
-    }
-    piece.quantity = quantity.value_or(Quantity{});
-    return piece;
-  }
-
-  static void check_extent(const PatternPiece& piece, std::vector<Note>& notes) {
-    constexpr double kLeast = 10, kMost = 5000;
-    Spot low = piece.outline.front(), high = low;
-    for (const Spot& point : piece.outline) {
-      low = {std::min(low.x, point.x), std::min(low.y, point.y)};
-      high = {std::max(high.x, point.x), std::max(high.y, point.y)};
-    }
-    const double extent = std::max(high.x - low.x, high.y - low.y);
-    if (extent >= kLeast && extent <= kMost) return;
-    notes.push_back(note_at(piece.line, "the piece is " + json::number_text(std::round(extent * 100) / 100) +
-                                            " mm long: is the unit right?"));
-  }
-
-  void tell_what_was_passed_over() {
+  void note_what_was_skipped() {
     for (const auto& [what, line] : reading_.passed_over) style_.notes.push_back(note_at(line, what + " is not read"));
   }
 
