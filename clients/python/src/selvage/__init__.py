@@ -10,6 +10,7 @@ from .drag import AsyncDrag
 from .drawing import draw
 from .messages.errors import CallError, ConnectionLost, HandshakeFailed, SelvageError
 from .marker import AsyncMarker
+from .nesting import NestedMarker, NestedPiece, Pattern, nest
 from .outlines import Outline, Outlines
 from .watch import AsyncWatch
 
@@ -24,13 +25,17 @@ __all__ = [
     "Drag",
     "HandshakeFailed",
     "Marker",
+    "NestedMarker",
+    "NestedPiece",
     "Outline",
     "Outlines",
+    "Pattern",
     "SelvageError",
     "Watch",
     "draw",
     "errors",
     "motion_results",
+    "nest",
     "ops",
     "results",
 ]

@@ -1,0 +1,120 @@
+"""The names of spyrrow, the Python package of the nester sparrow, for programs that use it already.
+
+    from selvage import spyrrow
+
+in place of `import spyrrow` is the only change: items, instances, configurations and solutions have the same names, fields
+and units.  The work is done by a running selvaged at `address`.
+
+Differences.  `num_workers` is the number of independent searches, of which the best counts.  `quadtree_depth` and
+`early_termination` are accepted and ignored.  Exploration and compression share one budget, so only their sum counts.
+There are no progress queues.
+"""
+
+from __future__ import annotations
+
+import json
+import random
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass, field
+from datetime import timedelta
+
+from .nesting import Pattern, nest
+from .wire.address import DEFAULT
+
+Point = tuple[float, float]
+
+address: str = DEFAULT
+"""Where the daemon listens: HOST:PORT, tls://HOST:PORT or unix:PATH."""
+
+
+@dataclass
+class Item:
+    """A shape, how often it is wanted, and the rotations that it may have in degrees: empty for 0 only, None for any."""
+
+    id: str
+    shape: Sequence[Point]
+    demand: int
+    allowed_orientations: Sequence[float] | None
+
+    def to_json_str(self) -> str:
+        return json.dumps(asdict(self))
+
+
+@dataclass(frozen=True)
+class PlacedItem:
+    """A copy of an item: rotated about the origin by `rotation` degrees, then translated."""
+
+    id: str
+    translation: Point
+    rotation: float
+
+
+@dataclass(frozen=True)
+class StripPackingSolution:
+    """`width` is the length of strip that is used, `density` the part of it that items cover, 0 to 1."""
+
+    width: float
+    density: float
+    placed_items: list[PlacedItem] = field(default_factory=list)
+
+
+class StripPackingConfig:
+    """Times in seconds: either the total, or those of exploration and of compression."""
+
+    def __init__(
+        self,
+        early_termination: bool = True,
+        quadtree_depth: int = 4,
+        min_items_separation: float | None = None,
+        total_computation_time: int | None = 600,
+        exploration_time: int | None = None,
+        compression_time: int | None = None,
+        num_workers: int | None = None,
+        seed: int | None = None,
+    ) -> None:
+        parts = (exploration_time, compression_time)
+        if parts != (None, None) if total_computation_time is not None else None in parts:
+            raise ValueError("give either total_computation_time, or both exploration_time and compression_time")
+        total = total_computation_time
+        self.exploration_time = timedelta(seconds=total * 0.8 if total is not None else exploration_time or 0)
+        self.compression_time = timedelta(seconds=total * 0.2 if total is not None else compression_time or 0)
+        self.early_termination = early_termination
+        self.quadtree_depth = quadtree_depth
+        self.min_items_separation = min_items_separation
+        self.num_workers = num_workers
+        self.seed = random.getrandbits(32) if seed is None else seed
+
+
+class StripPackingInstance:
+    """Items to be placed on a strip of fixed height, on as little width as possible; their ids are unique."""
+
+    def __init__(self, name: str, strip_height: float, items: Sequence[Item]) -> None:
+        if len({item.id for item in items}) != len(items):
+            raise ValueError("every item needs an id of its own")
+        self.name = name
+        self.strip_height = strip_height
+        self.items = list(items)
+
+    def to_json_str(self) -> str:
+        return json.dumps({"name": self.name, "strip_height": self.strip_height, "items": list(map(asdict, self.items))})
+
+    def solve(self, config: StripPackingConfig) -> StripPackingSolution:
+        """Raises selvage.CallError for items that fit in no allowed rotation, and other bad values."""
+        found = nest(
+            [
+                Pattern(
+                    outline=item.shape,
+                    quantity=item.demand,
+                    rotations="any" if item.allowed_orientations is None else list(item.allowed_orientations) or [0.0],
+                )
+                for item in self.items
+            ],
+            self.strip_height,
+            seconds=(config.exploration_time + config.compression_time).total_seconds(),
+            searches=config.num_workers,
+            seed=config.seed,
+            spacing=config.min_items_separation or 0.0,
+            address=address,
+        )
+        placed = [PlacedItem(self.items[piece.pattern].id, piece.at, piece.rotation) for piece in found.pieces]
+        return StripPackingSolution(found.length, found.utilisation, placed)

@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+"""selvage.nest and the names of spyrrow, with a live daemon.  usage: python_nesting_test.py SELVAGED"""
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from live_daemon import LiveDaemon
+
+import selvage
+from selvage import spyrrow
+
+SELVAGED = sys.argv.pop(1) if len(sys.argv) > 1 else "selvaged"
+JUDGE = pathlib.Path(__file__).resolve().parents[1] / "judge" / "judge_layout.py"
+ELL = [(0, 0), (40, 0), (40, 15), (15, 15), (15, 40), (0, 40)]
+SQUARE = [(0, 0), (20, 0), (20, 20), (0, 20)]
+
+
+def placed(outline, rotation, at, flip=False):
+    """Quarter turns only, so that the points are exact."""
+    cosine, sine = round(math.cos(math.radians(rotation))), round(math.sin(math.radians(rotation)))
+    mirrored = [(x, -y if flip else y) for x, y in outline]
+    return [[x * cosine - y * sine + at[0], x * sine + y * cosine + at[1]] for x, y in mirrored]
+
+
+class Nesting(unittest.TestCase):
+    def setUp(self):
+        self.daemon = LiveDaemon(SELVAGED)
+        self.daemon.__enter__()
+        self.addCleanup(self.daemon.__exit__)
+
+    def judge(self, width, length, outlines):
+        """Whether the independent judge finds the layout valid."""
+        layout = {"strip_height": width, "strip_length": length,
+                  "pieces": [{"id": str(k), "outline": outline} for k, outline in enumerate(outlines)]}
+        with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
+            json.dump(layout, file)
+            file.flush()
+            return subprocess.run([sys.executable, JUDGE, file.name], capture_output=True).returncode == 0
+
+    def test_pieces_and_a_width_give_a_valid_marker(self):
+        patterns = [selvage.Pattern(outline=ELL, quantity=4, rotations=(0, 90, 180, 270), flip=True), SQUARE]
+        found = selvage.nest(patterns, 60, moves=2000, seed=3, address=self.daemon.address)
+        self.assertEqual([piece.pattern for piece in found.pieces].count(0), 4)
+        self.assertEqual([piece.pattern for piece in found.pieces].count(1), 1)
+        self.assertEqual(found.left_over, ())
+        outlines = [placed(SQUARE if piece.pattern else ELL, piece.rotation, piece.at, piece.flip)
+                    for piece in found.pieces]
+        self.assertTrue(self.judge(60, found.length, outlines))
+        self.assertAlmostEqual(found.utilisation, (4 * 975 + 400) / (60 * found.length))
+        self.assertGreater(found.utilisation, 0.6)
+
+    def test_the_same_request_gives_the_same_marker(self):
+        markers = [selvage.nest([selvage.Pattern(outline=ELL, quantity=3)], 60, moves=500, seed=1,
+                                address=self.daemon.address) for _ in range(2)]
+        self.assertEqual(markers[0], markers[1])
+
+    def test_copies_beyond_the_end_of_the_cloth_are_left_over(self):
+        found = selvage.nest([selvage.Pattern(outline=SQUARE, quantity=5)], 40, longest=50, moves=200,
+                             address=self.daemon.address)
+        self.assertEqual(len(found.pieces), 4)
+        self.assertEqual(found.left_over, (0,))
+
+    def test_spacing_and_margin_are_kept(self):
+        found = selvage.nest([selvage.Pattern(outline=SQUARE, quantity=2)], 50, spacing=4, margin=3, moves=200,
+                             address=self.daemon.address)
+        self.assertEqual(sorted(piece.at for piece in found.pieces), [(3, 3), (3, 27)])
+
+    def test_a_piece_wider_than_the_cloth_is_named(self):
+        with self.assertRaises(selvage.CallError) as raised:
+            selvage.nest([SQUARE], 10, address=self.daemon.address)
+        self.assertIn("/unplaced/0", str(raised.exception))
+
+    def test_programs_written_for_spyrrow_work(self):
+        spyrrow.address = self.daemon.address
+        items = [spyrrow.Item("ell", [*ELL, ELL[0]], 3, [0.0, 180.0]), spyrrow.Item("square", SQUARE, 2, [])]
+        strip = spyrrow.StripPackingInstance("test", 60.0, items)
+        config = spyrrow.StripPackingConfig(total_computation_time=1, num_workers=1, seed=0)
+        solution = strip.solve(config)
+        self.assertEqual(sorted(item.id for item in solution.placed_items), ["ell"] * 3 + ["square"] * 2)
+        outlines = [placed(ELL if item.id == "ell" else SQUARE, item.rotation, item.translation)
+                    for item in solution.placed_items]
+        self.assertTrue(self.judge(60, solution.width, outlines))
+        self.assertAlmostEqual(solution.density, (3 * 975 + 2 * 400) / (60 * solution.width))
+
+    def test_a_configuration_has_one_kind_of_budget(self):
+        self.assertEqual(spyrrow.StripPackingConfig().exploration_time.total_seconds(), 480)
+        parts = spyrrow.StripPackingConfig(total_computation_time=None, exploration_time=3, compression_time=1)
+        self.assertEqual(parts.compression_time.total_seconds(), 1)
+        for times in ({"exploration_time": 3}, {"total_computation_time": None, "exploration_time": 3},
+                      {"total_computation_time": None}):
+            with self.assertRaises(ValueError):
+                spyrrow.StripPackingConfig(**times)
+
+
+if __name__ == "__main__":
+    unittest.main()
