@@ -4,16 +4,12 @@
 #include <optional>
 #include <vector>
 
-#include "core/packing/bodies.h"
-#include "core/packing/place_leaf.h"
+#include "core/packing/bodies/bodies.h"
+#include "core/packing/bodies/on_cloth.h"
+#include "core/packing/bodies/place_leaf.h"
 
 namespace selvage::packing {
 namespace {
-
-Box intersection(const Box& a, const Box& b) {
-  return {{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y)},
-          {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y)}};
-}
 
 // The pieces and all pieces of their groups.
 std::vector<bool> with_groups(const Marker& marker, std::span<const PieceId> pieces) {
@@ -44,18 +40,29 @@ Box room_until(const Strip& strip, Coord end) {
   return strip.room(std::min(end, strip.last().value_or(end)));
 }
 
-Containment contain(const Marker& start, std::span<const PieceId> pieces, const Box& room,
+Containment contain(const Marker& start, std::span<const PieceId> pieces, const Container& container,
                     const ContainSettings& settings, const scene::Run& run) {
   run.observer.on_stage(scene::Stage::kSums);
   Containment result;
   result.marker = start;
-  result.length_before = length_of(start);
-  const Box inside = intersection(room, room_until(start.strip, kLatticeLimit));
-  const Bodies bodies = bodies_of(start, {with_groups(start, pieces), inside, settings.turns}, run);
+  result.length_before = result.length_after = length_of(start);
+  const bodies::OnCloth cloth = bodies::on_cloth(start, pieces, settings.clearance);
+  const Box strip = room_until(start.strip, kLatticeLimit);
+  bodies::Freedom freedom{with_groups(cloth.marker, cloth.wanted), within(container, strip), settings.turns,
+                          settings.clearance};
+  freedom.container.box = freedom.container.box.grown(-settings.clearance);
+  const bodies::Bodies bodies = bodies_of(cloth.marker, freedom, run);
+  if (!bodies.complete) {
+    result.verdict = Verdict::kUndecided;
+    result.reason = run.stopped() ? scene::StopReason::kCancelled : scene::StopReason::kWorkLimit;
+    return result;
+  }
   run.observer.on_stage(scene::Stage::kSolve);
   branching::SearchCalls calls;
-  calls.place_leaf = [&](branching::Leaf& leaf) { return place_leaf(start, bodies, inside, run, leaf); };
-  calls.on_leaf = [&](const branching::Leaf& leaf) { result.marker = placed(start, bodies, leaf); };
+  calls.place_leaf = [&](branching::Leaf& leaf) { return place_leaf(cloth.marker, bodies, freedom, run, leaf); };
+  calls.on_leaf = [&](const branching::Leaf& leaf) {
+    result.marker = bodies::as_in(start, placed(cloth.marker, bodies, leaf));
+  };
   calls.on_round = [&](double, const branching::Work&) {
     run.observer.on_round({++result.rounds, result.length_before});
   };

@@ -3,21 +3,27 @@
 // All other pieces stay where they are.  The search stops at the first layout; when there is none, it proves that.
 //
 // Laws.  (1) A layout that is found is valid, proved in integers, unless other pieces of the marker collide with each
-// other; these are not looked at.  (2) `kImpossible` is proved: no layout on the lattice has the pieces inside the room
-// in any of the orientations that the search may use.  (3) In a larger room, what was found does not become impossible.
-// (4) The same input and settings give the same answer, whatever the cache holds and however many threads are used.
+// other; these are not looked at.  (2) `kImpossible` is proved: no layout on the lattice has the pieces inside the
+// container in any of the orientations that the search may use.  (3) In a larger container, what was found does not
+// become impossible. (4) The same input and settings give the same answer, whatever the cache holds and however many
+// threads are used.
 #pragma once
 
 #include <span>
 
 #include "core/motion/repair/motion_result.h"
+#include "core/packing/bodies/container.h"
+#include "core/packing/bodies/on_cloth.h"
 #include "core/packing/branching/search.h"
 
 namespace selvage::packing {
 
+using bodies::Container;
+
 struct ContainSettings {
   branching::WorkLimits limits{};
-  bool turns{true};  // pieces may take other orientations that their shapes allow
+  bool turns{true};   // pieces may take other orientations that their shapes allow
+  Coord clearance{};  // the pieces keep this much more than their spacing, and from the container's border; even
   branching::SearchTuning tuning{.subtrees = 4, .at_once = 2, .burst = 64};
   friend bool operator==(const ContainSettings&, const ContainSettings&) = default;
 };
@@ -25,7 +31,8 @@ struct ContainSettings {
 enum class Verdict {
   kFound,       // `marker` has the pieces in the room
   kImpossible,  // they do not fit
-  kUndecided,   // the work limit or a stop came first, or a fit so tight that rounding to the lattice decides
+  kUndecided,  // the work limit or a stop came first, or a fit so tight that rounding to the lattice decides; also with
+               // more than kMostBodies pieces, or outlines with too many edges (bodies.h)
 };
 
 struct Containment : motion::repair::MotionResult {
@@ -33,9 +40,10 @@ struct Containment : motion::repair::MotionResult {
   branching::Work work;
 };
 
-// The pieces, with those of their groups, go to places inside `room` and inside the strip.  Where they lie now does not
-// matter.  When none of them can move, it is `kFound` if they fit where they are.
-[[nodiscard]] Containment contain(const Marker& start, std::span<const PieceId> pieces, const Box& room,
+// The pieces, with those of their groups, go to places inside the container and inside the strip.  Where they lie now
+// does not matter, and unplaced pieces (on_cloth.h) are among those that may be named.  When none of them can move, it
+// is `kFound` if they fit where they are.  Unless they are found, `marker` is the input.
+[[nodiscard]] Containment contain(const Marker& start, std::span<const PieceId> pieces, const Container& container,
                                   const ContainSettings& settings, const scene::Run& run);
 
 // The marker's room up to x = `end`, in the strip's margins and before the end of the cloth.

@@ -5,9 +5,10 @@
 #include <optional>
 #include <utility>
 
-#include "core/packing/bodies.h"
+#include "core/packing/bodies/bodies.h"
+#include "core/packing/bodies/on_cloth.h"
+#include "core/packing/bodies/place_leaf.h"
 #include "core/packing/first_layout.h"
-#include "core/packing/place_leaf.h"
 
 namespace selvage::packing {
 namespace {
@@ -30,24 +31,29 @@ class Packer {
     if (auto first = first_layout(start_, run_)) keep(*std::move(first));
     const double limit = static_cast<double>(start_.strip.last().value_or(kLatticeLimit));
     const double longest = best_ ? static_cast<double>(packing_.length_after) - gap_ : limit;
-    Bodies bodies = bodies_of(start_, freedom(longest), run_);
+    bodies::Bodies bodies = bodies_of(start_, freedom(longest), run_);
     double bound = static_cast<double>(least_length(bodies, pieces));
     bodies.problem.minimises_length = true;
     bodies.problem.least_length = bound;
-    climb(bodies, bound, longest);
+    if (bodies.complete) {
+      climb(bodies, bound, longest);
+    } else {
+      packing_.reason = run_.stopped() ? scene::StopReason::kCancelled : scene::StopReason::kWorkLimit;
+      packing_.bound = static_cast<Coord>(bound);
+    }
     packing_.found = best_.has_value();
     packing_.marker = best_ ? *std::move(best_) : start_;
     return std::move(packing_);
   }
 
  private:
-  [[nodiscard]] Freedom freedom(double longest) const {
+  [[nodiscard]] bodies::Freedom freedom(double longest) const {
     return {std::vector<bool>(start_.pieces.size(), true), start_.strip.room(static_cast<Coord>(longest)),
             settings_.turns};
   }
 
   // By area, and by the pieces that cannot move.
-  [[nodiscard]] Coord least_length(const Bodies& bodies, const marker::PlacedPieces& pieces) const {
+  [[nodiscard]] Coord least_length(const bodies::Bodies& bodies, const marker::PlacedPieces& pieces) const {
     std::vector<bool> moves(start_.pieces.size());
     for (const auto& body : bodies.pieces) {
       for (const std::uint32_t piece : body) moves[piece] = true;
@@ -64,7 +70,7 @@ class Packer {
   }
 
   // Raises the ceiling until there is a layout below it, or until there is none below `longest`.
-  void climb(const Bodies& bodies, double bound, double longest) {
+  void climb(const bodies::Bodies& bodies, double bound, double longest) {
     double step = kFirstStep;
     packing_.reason = scene::StopReason::kConverged;
     while (bound < longest && packing_.reason == scene::StopReason::kConverged) {
@@ -82,14 +88,14 @@ class Packer {
     packing_.proved = complete && (best_ ? left <= 2 * gap_ : !undecided_);
   }
 
-  branching::SearchOutcome search_below(const Bodies& bodies, double ceiling) {
+  branching::SearchOutcome search_below(const bodies::Bodies& bodies, double ceiling) {
     branching::WorkLimits left = settings_.limits;
     left.nodes -= std::min(left.nodes, packing_.work.nodes);
     left.pivots -= std::min(left.pivots, packing_.work.pivots);
     branching::SearchCalls calls;
-    const Box room = start_.strip.room(start_.strip.last().value_or(kLatticeLimit));
-    calls.place_leaf = [&bodies, room, this](branching::Leaf& leaf) {
-      return place_leaf(start_, bodies, room, run_, leaf);
+    const double limit = static_cast<double>(start_.strip.last().value_or(kLatticeLimit));
+    calls.place_leaf = [&bodies, freedom = freedom(limit), this](branching::Leaf& leaf) {
+      return place_leaf(start_, bodies, freedom, run_, leaf);
     };
     calls.on_leaf = [&](const branching::Leaf& leaf) { take(bodies, leaf); };
     calls.on_round = [&](double, const branching::Work&) {
@@ -105,7 +111,7 @@ class Packer {
     return outcome;
   }
 
-  void take(const Bodies& bodies, const branching::Leaf& leaf) {
+  void take(const bodies::Bodies& bodies, const branching::Leaf& leaf) {
     Marker layout = placed(start_, bodies, leaf);
     if (!best_ || length_of(layout) < packing_.length_after) keep(std::move(layout));
   }
@@ -127,7 +133,14 @@ class Packer {
 }  // namespace
 
 Packing pack(const Marker& start, const PackSettings& settings, const scene::Run& run) {
-  return Packer{start, settings, run}.pack();
+  std::vector<PieceId> unplaced;
+  for (std::size_t k = 0; k < start.unplaced.size(); ++k) unplaced.push_back(bodies::unplaced_piece(start, k));
+  const bodies::OnCloth cloth = bodies::on_cloth(start, unplaced);
+  Packing packing = Packer{cloth.marker, settings, run}.pack();
+  packing.marker = packing.found ? bodies::as_in(start, std::move(packing.marker)) : start;
+  packing.length_before = length_of(start);
+  packing.length_after = length_of(packing.marker);
+  return packing;
 }
 
 }  // namespace selvage::packing

@@ -1,8 +1,9 @@
 // Packing: the shortest marker that the pieces allow, whatever the order they lie in [Li94 8.2].
 //
 // Where compaction stays in one convex part of each pair's free space, packing searches all of them
-// (core/packing/branching).  Layouts are looked for up to a ceiling that rises from the area of the pieces: every
-// ceiling without a layout is a proved lower bound, and the search under the ceiling that has one proves the optimum.
+// (core/packing/branching).  Unplaced pieces are placed, too.  Layouts are looked for up to a ceiling that rises from
+// the area of the pieces: every ceiling without a layout is a proved lower bound, and the search under the ceiling that
+// has one proves the optimum.
 //
 // Laws.  (1) The answer is valid, proved in integers, and never longer than the input when that is valid.  (2) No
 // marker of these pieces is shorter than `bound`, in exact arithmetic (branching/relaxation.h).  (3) Locked pieces stay
@@ -25,13 +26,14 @@ struct PackSettings {
 };
 
 struct Packing : motion::repair::MotionResult {
-  bool found{};   // there is a layout: `marker` is the shortest known; otherwise it is the input
+  bool found{};   // there is a layout of all pieces: `marker` is the shortest known; otherwise it is the input
   bool proved{};  // the search is complete: no layout is shorter, but for the gap and rounding, or there is none at all
   Coord bound{};  // no marker of these pieces is shorter; lattice units
   branching::Work work;
 };
 
-// The input may overlap.
+// The input may overlap.  With more than kMostBodies movable pieces (bodies.h), or outlines with too many edges, it
+// ends with kWorkLimit after the first layout.
 [[nodiscard]] Packing pack(const Marker& start, const PackSettings& settings, const scene::Run& run);
 
 }  // namespace selvage::packing

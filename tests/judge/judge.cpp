@@ -107,7 +107,7 @@ std::string orientation_fault(const Marker& before, std::size_t k, const Orienta
   const bool held = piece.locked.x || piece.locked.y || piece.locked.tilt || !piece.group.empty();
   if (held) return "was turned although it is locked";
   const Shape& shape = before.shapes[piece.shape.value];
-  if (after.flip != was.flip) return "was flipped";
+  if (after.flip != was.flip && !(leave.flips && shape.may_flip)) return "was flipped";
   if (after.rotation != was.rotation) {
     const bool allowed =
         shape.rotations.empty() || std::any_of(shape.rotations.begin(), shape.rotations.end(), [&](Angle angle) {

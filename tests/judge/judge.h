@@ -19,6 +19,7 @@ struct Leave {
   bool tilts{};                       // pieces without locks may tilt within their limit
   std::optional<Angle> tilt_limit{};  // replaces the shapes' tilt limits; the result then has this limit
   bool turns{};                       // pieces may change to another allowed rotation of their shape
+  bool flips{};                       // pieces whose shapes may be mirrored may be
 };
 
 class Judge {

@@ -11,6 +11,8 @@ namespace selvage::test {
   X(velocities)                 \
   X(refine)                     \
   X(swap)                       \
+  X(pack)                       \
+  X(contain)                    \
   X(push)                       \
   X(gravity)                    \
   X(bump)                       \

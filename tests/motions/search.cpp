@@ -1,4 +1,6 @@
-// Searches that use motions: refinement, and swaps of pieces.
+// Searches: refinement and swaps of pieces, which use motions, and the exact searches.
+#include "core/packing/contain.h"
+#include "core/packing/pack.h"
 #include "core/search/refine.h"
 #include "core/search/swap.h"
 #include "tests/motions/answer.h"
@@ -27,6 +29,42 @@ Result<Answer> swapping(const Marker& start, const Occasion& on) {
   return Answer{.marker = done.marker ? std::move(*done.marker) : start, .leave = leave};
 }
 
+constexpr std::uint64_t kFewNodes = 300;
+
+packing::ContainSettings containing(Random& random) {
+  packing::ContainSettings settings;
+  settings.limits.nodes = kFewNodes;
+  settings.turns = random.chance(50);
+  return settings;
+}
+
+Result<Answer> packing_shortest(const Marker& start, const Occasion& on) {
+  packing::PackSettings settings;
+  settings.limits.nodes = kFewNodes;
+  settings.turns = on.random.chance(50);
+  packing::Packing done = pack(start, settings, on.run);
+  std::string contradiction;
+  if (done.found && done.bound > done.length_after) contradiction = "reports a bound that its own marker breaks";
+  if (!done.found && done.proved && is_valid(start)) contradiction = "proves a valid marker impossible";
+  Answer checked = *answer(Result<packing::Packing>{std::move(done)}, {.turns = true, .flips = true});
+  if (!contradiction.empty()) checked.contradiction = contradiction;
+  return checked;
+}
+
+// Some pieces lose their positions: there is room for them in the marker as it was.
+Result<Answer> refitting(const Marker& start, const Occasion& on) {
+  std::vector<PieceId> pieces;
+  for (std::size_t k = 1 + on.random.below(4); k > 0; --k) pieces.push_back(any_piece(on.random, start));
+  const Box room = packing::room_until(start.strip, length_of(start));
+  packing::Containment done = contain(start, pieces, room, containing(on.random), on.run);
+  const bool lost = done.verdict == packing::Verdict::kImpossible;
+  const bool moved = done.verdict != packing::Verdict::kFound && done.marker != start;
+  Answer checked = *answer(Result<packing::Containment>{std::move(done)}, {.turns = true, .flips = true});
+  if (lost && is_valid(start)) checked.contradiction = "finds no room where the pieces lay";
+  if (moved) checked.contradiction = "changes a marker in which it found nothing";
+  return checked;
+}
+
 }  // namespace
 
 MotionCase refine_case() {
@@ -34,6 +72,12 @@ MotionCase refine_case() {
 }
 MotionCase swap_case() {
   return {"swap", 4, false, swapping};
+}
+MotionCase pack_case() {
+  return {"pack", 2, false, packing_shortest};
+}
+MotionCase contain_case() {
+  return {"contain", 4, false, refitting};
 }
 
 }  // namespace selvage::test

@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "core/marker/validity.h"
+#include "core/packing/bodies/on_cloth.h"
+#include "core/packing/roomiest.h"
 #include "tests/core/motion/markers.h"
 #include "tests/core/packing/polyominoes.h"
 
@@ -17,7 +22,7 @@ std::vector<PieceId> all_of(const Marker& marker) {
   return pieces;
 }
 
-Containment contained(const Marker& marker, const std::vector<PieceId>& pieces, const Box& room,
+Containment contained(const Marker& marker, const std::vector<PieceId>& pieces, const Container& room,
                       const ContainSettings& settings = {}) {
   SumCache sums;
   Containment result = contain(marker, pieces, room, settings, {sums});
@@ -47,19 +52,40 @@ TEST(Contain, FillsAGapWithoutSlack) {
   const auto half = layout.shape_of(test::rectangle(10'000, 10'000));
   layout.put(half, {50'000, 0}).put(half, {60'000, 0});
   const std::vector<PieceId> halves{{1}, {2}};
-  const Containment result = contained(layout.marker(), halves, {{0, 0}, {30'000, 30'000}});
+  const Containment result = contained(layout.marker(), halves, Box{{0, 0}, {30'000, 30'000}});
   ASSERT_EQ(result.verdict, Verdict::kFound);
   EXPECT_TRUE(is_valid(result.marker));
   EXPECT_EQ(result.length_after, 30'000);
 }
 
+TEST(Contain, PlacesUnplacedPiecesAndLeavesTheOthers) {
+  test::Layout layout = with_slot();
+  const auto half = layout.shape_of(test::rectangle(10'000, 10'000));
+  layout.put(half, {0, 0}).put(half, {0, 0}).put(half, {0, 0});
+  Marker marker = layout.marker();
+  marker.unplaced.assign(marker.pieces.begin() + 1, marker.pieces.end());
+  marker.pieces.resize(1);
+  const Box room{{0, 0}, {30'000, 30'000}};
+  const Containment result =
+      contained(marker, {bodies::unplaced_piece(marker, 2), bodies::unplaced_piece(marker, 0)}, room);
+  ASSERT_EQ(result.verdict, Verdict::kFound);
+  EXPECT_TRUE(is_valid(result.marker));
+  ASSERT_EQ(result.marker.pieces.size(), 3U);
+  EXPECT_EQ(result.marker.pieces[1].id, "p1");
+  EXPECT_EQ(result.marker.pieces[2].id, "p3");
+  ASSERT_EQ(result.marker.unplaced.size(), 1U);
+  EXPECT_EQ(result.marker.unplaced[0], marker.unplaced[1]);
+  const std::vector<PieceId> all{{1}, {2}, {3}};
+  EXPECT_EQ(contained(marker, all, room).verdict, Verdict::kImpossible);
+}
+
 TEST(Contain, ProvesThatPiecesAreTooLarge) {
   test::Layout layout = with_slot();
   layout.put(layout.shape_of(test::rectangle(10'000, 10'010)), {50'000, 0});
-  EXPECT_EQ(contained(layout.marker(), {{1}}, {{0, 0}, {30'000, 30'000}}).verdict, Verdict::kImpossible);
+  EXPECT_EQ(contained(layout.marker(), {{1}}, Box{{0, 0}, {30'000, 30'000}}).verdict, Verdict::kImpossible);
   layout = with_slot();
   layout.put(layout.shape_of(test::rectangle(20'010, 10'000)), {50'000, 0});
-  EXPECT_EQ(contained(layout.marker(), {{1}}, {{0, 0}, {30'000, 30'000}}).verdict, Verdict::kImpossible);
+  EXPECT_EQ(contained(layout.marker(), {{1}}, Box{{0, 0}, {30'000, 30'000}}).verdict, Verdict::kImpossible);
 }
 
 TEST(Contain, IsUndecidedAtTheWorkLimit) {
@@ -68,9 +94,99 @@ TEST(Contain, IsUndecidedAtTheWorkLimit) {
   for (int k = 0; k < 10; ++k) layout.put(square, {0, 0});
   ContainSettings settings;
   settings.limits.nodes = 2;
-  const Containment result = contained(layout.marker(), all_of(layout.marker()), {{0, 0}, {31'000, 31'000}}, settings);
+  const Containment result =
+      contained(layout.marker(), all_of(layout.marker()), Box{{0, 0}, {31'000, 31'000}}, settings);
   EXPECT_EQ(result.verdict, Verdict::kUndecided);
   EXPECT_EQ(result.reason, scene::StopReason::kWorkLimit);
+}
+
+// An arrow to the right: its tip and the two sides of its shaft leave walls with slanted and with upright borders.
+Polygon arrow() {
+  return {{0, 10'000},      {40'000, 10'000}, {40'000, 0}, {60'000, 20'000},
+          {40'000, 40'000}, {40'000, 30'000}, {0, 30'000}};
+}
+
+TEST(Contain, KeepsToAPolygon) {
+  test::Layout layout{100'000};
+  const auto bar = layout.shape_of(test::rectangle(40'000, 20'000));
+  const auto corner = layout.shape_of({{0, 0}, {20'000, 20'000}, {0, 40'000}});
+  layout.put(bar, {0, 0}).put(corner, {0, 0});
+  const Marker marker = layout.marker();
+  const Containment both = contained(marker, all_of(marker), Container{arrow()});
+  ASSERT_EQ(both.verdict, Verdict::kFound);
+  EXPECT_EQ(both.marker.pieces[0].at, (Vec{0, 10'000}));
+  EXPECT_EQ(both.marker.pieces[1].at, (Vec{40'000, 0}));
+  // The same in the box of the arrow has much room; in an arrow a little smaller it has none.
+  Polygon smaller = arrow();
+  smaller[3].x -= 10;
+  EXPECT_EQ(contained(marker, all_of(marker), Container{smaller}).verdict, Verdict::kImpossible);
+  EXPECT_EQ(contained(marker, all_of(marker), Container{box_of(arrow())}).verdict, Verdict::kFound);
+}
+
+TEST(Contain, KeepsToThePolygonInTheFreeSpaceBetweenFixedPieces) {
+  test::Layout layout{100'000};
+  const auto block = layout.shape_of(test::rectangle(10'000, 10'000));
+  layout.put(block, {20'000, 10'000}).put(block, {0, 0}).put(block, {0, 0}).put(block, {0, 0});
+  const Marker marker = layout.marker();
+  Polygon shaft = arrow();
+  const std::vector<PieceId> two{{1}, {2}};
+  const Containment result = contained(marker, two, Container{shaft});
+  ASSERT_EQ(result.verdict, Verdict::kFound);
+  EXPECT_EQ(result.marker.pieces[0], marker.pieces[0]);
+  for (const PieceId piece : two) {
+    for (const Vec corner : placed_outline(result.marker, piece)) {
+      EXPECT_NE(geometry::locate(corner, shaft), geometry::Location::kOutside);
+    }
+  }
+}
+
+// The walls and the polygon together cover the box exactly once.
+TEST(Container, HasWallsForEverythingOutsideThePolygon) {
+  test::Random random{67};
+  for (int trial = 0; trial < 200 / test::kSlowdown; ++trial) {
+    Polygon star;
+    const int corners = 3 + static_cast<int>(random.below(9));
+    for (int k = 0; k < corners; ++k) {
+      const double angle = 2 * std::numbers::pi * (k + 0.5 * random.part()) / corners;
+      const double radius = 20 + 1000 * random.part();
+      star.push_back({std::llround(radius * std::cos(angle)), std::llround(radius * std::sin(angle))});
+    }
+    const auto clean = geometry::clean_polygon(star);
+    if (!clean) continue;
+    const Container container{clean->polygon};
+    auto area = doubled_area(clean->polygon);
+    for (const Polygon& wall : container.walls) {
+      EXPECT_GT(doubled_area(wall), 0);
+      EXPECT_FALSE(geometry::overlap({wall, box_of(wall), {}}, {clean->polygon, container.box, {}}));
+      area += doubled_area(wall);
+    }
+    EXPECT_EQ(area, 2 * geometry::Wide{container.box.width()} * container.box.height()) << "trial " << trial;
+  }
+}
+
+TEST(Contain, FindsTheLayoutWithMostRoom) {
+  test::Layout layout{100'000};
+  const auto square = layout.shape_of(test::rectangle(10'000, 10'000));
+  layout.put(square, {0, 0}).put(square, {0, 0});
+  const Marker marker = layout.marker();
+  SumCache sums;
+  // Three gaps of 10 mm beside two squares along the room, or of 15 mm across it.
+  const auto roomy = contain_with_most_room(marker, all_of(marker), Box{{0, 0}, {50'000, 40'000}}, {}, {sums});
+  ASSERT_EQ(roomy.verdict, Verdict::kFound);
+  EXPECT_TRUE(is_valid(roomy.marker));
+  EXPECT_EQ(roomy.marker.spacing, 0);
+  EXPECT_EQ(roomy.marker.pieces[0].buffer, 0);
+  EXPECT_GT(roomy.clearance, 9'800);
+  ASSERT_TRUE(roomy.clearance_bound);
+  EXPECT_GT(*roomy.clearance_bound, roomy.clearance);
+  EXPECT_LT(*roomy.clearance_bound, roomy.clearance * 65 / 64 + 16);
+  const Vec between = roomy.marker.pieces[1].at - roomy.marker.pieces[0].at;
+  const double gap =
+      std::hypot(std::max<Coord>(0, std::abs(between.x) - 10'000), std::max<Coord>(0, std::abs(between.y) - 10'000));
+  EXPECT_GE(gap, static_cast<double>(roomy.clearance));
+  const auto none = contain_with_most_room(marker, all_of(marker), Box{{0, 0}, {15'000, 15'000}}, {}, {sums});
+  EXPECT_EQ(none.verdict, Verdict::kImpossible);
+  EXPECT_EQ(none.marker, marker);
 }
 
 TEST(Contain, KeepsTheStripsMarginsAndTheSpacing) {

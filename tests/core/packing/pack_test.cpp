@@ -141,6 +141,41 @@ TEST(Pack, ProvesThatTheClothIsTooShort) {
   expect_optimum(limited(layout.marker(), 33'000), 33'000);
 }
 
+TEST(Pack, PlacesUnplacedPieces) {
+  test::Layout layout{20'000};
+  const auto square = layout.shape_of(test::rectangle(10'000, 10'000));
+  layout.put(square, {10'000, 0}, 0, true).put(square, {0, 0}).put(square, {0, 0}).put(square, {0, 0});
+  Marker marker = layout.marker();
+  // Locks and groups of unplaced pieces say nothing about where they may go, and stay with them.
+  marker.pieces[2].locked = Locks{true, true, false};
+  marker.pieces[2].group = marker.pieces[3].group = "pair";
+  marker.unplaced.assign(marker.pieces.begin() + 2, marker.pieces.end());
+  marker.pieces.resize(2);
+  const Packing packing = packed(marker);
+  EXPECT_TRUE(packing.proved);
+  ASSERT_EQ(packing.marker.pieces.size(), 4U);
+  EXPECT_TRUE(packing.marker.unplaced.empty());
+  EXPECT_EQ(packing.length_before, 20'000);
+  EXPECT_EQ(packing.length_after, 20'000);
+  EXPECT_EQ(packing.marker.pieces[2].locked, marker.unplaced[0].locked);
+  EXPECT_EQ(packing.marker.pieces[3].group, "pair");
+  const Packing impossible = packed(limited(marker, 19'000));
+  EXPECT_FALSE(impossible.found);
+  EXPECT_TRUE(impossible.proved);
+  EXPECT_EQ(impossible.marker, limited(marker, 19'000));
+}
+
+TEST(Pack, SearchesNothingWithTooManyPieces) {
+  test::Layout layout{100'000};
+  const auto square = layout.shape_of(test::rectangle(1'000, 1'000));
+  for (int k = 0; k < 65; ++k) layout.put(square, {k * 1'000, 0});
+  const Packing packing = packed(layout.marker());
+  EXPECT_EQ(packing.reason, scene::StopReason::kWorkLimit);
+  EXPECT_TRUE(packing.found);
+  EXPECT_FALSE(packing.proved);
+  EXPECT_EQ(packing.work.nodes, 0U);
+}
+
 TEST(Pack, HoldsItsBestAnswerAtTheWorkLimit) {
   const Marker marker = test::loose_marker(3, 3, 2);
   PackSettings settings;

@@ -10,17 +10,19 @@
 #include <vector>
 
 #include "core/marker/marker.h"
+#include "core/packing/bodies/container.h"
 #include "core/packing/branching/problem.h"
 #include "core/packing/branching/subtree.h"
 #include "core/scene/run.h"
 
-namespace selvage::packing {
+namespace selvage::packing::bodies {
 
 // What a search may change.
 struct Freedom {
   std::vector<bool> moving;  // by piece; pieces of a group move only together
-  Box room;                  // in which moving pieces stay
+  Container container;       // in which moving pieces stay
   bool turns{};              // pieces may take other orientations that their shapes allow
+  Coord clearance{};         // of moving pieces from the container's walls; its box keeps none
 };
 
 // A body's pieces in one variant: the orientation of each, and its position when the body's is the origin.
@@ -33,7 +35,11 @@ struct Bodies {
   branching::Problem problem;
   std::vector<std::vector<std::uint32_t>> pieces;  // of each body
   std::vector<std::vector<BodyLayout>> layouts;    // of each body, by variant
+  bool complete{true};  // false: stopped, or more than a search can hold; then there is no use in searching
 };
+
+inline constexpr std::size_t kMostBodies = 64;       // the bounds of a node grow with the square of their number
+inline constexpr std::size_t kMostWedges = 4 << 20;  // of all rings together: about 400 MB
 
 // The bodies of a marker.  Variants that fit the room nowhere are left out; with a body that has none left, the problem
 // has no layout.
@@ -42,4 +48,4 @@ struct Bodies {
 // The marker with its bodies where the leaf has them, rounded to the lattice.
 [[nodiscard]] Marker placed(const Marker& marker, const Bodies& bodies, const branching::Leaf& leaf);
 
-}  // namespace selvage::packing
+}  // namespace selvage::packing::bodies

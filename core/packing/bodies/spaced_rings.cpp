@@ -1,4 +1,4 @@
-#include "core/packing/spaced_rings.h"
+#include "core/packing/bodies/spaced_rings.h"
 
 #include <cmath>
 #include <numbers>
@@ -6,7 +6,7 @@
 #include "core/geometry/polygon.h"
 #include "core/outline/outline.h"
 
-namespace selvage::packing {
+namespace selvage::packing::bodies {
 namespace {
 
 constexpr int kCorners = 24;  // of the polygon inside the circle: it reaches 99.1 % of the radius everywhere
@@ -53,4 +53,4 @@ std::vector<cells::WedgeRing> spaced_rings(const outline::OrientedOutline& p, co
   return rings;
 }
 
-}  // namespace selvage::packing
+}  // namespace selvage::packing::bodies

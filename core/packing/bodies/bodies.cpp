@@ -1,4 +1,4 @@
-#include "core/packing/bodies.h"
+#include "core/packing/bodies/bodies.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include "core/marker/placed_pieces.h"
 #include "core/marker/validity.h"
 #include "core/model/ties.h"
-#include "core/packing/spaced_rings.h"
+#include "core/packing/bodies/spaced_rings.h"
 
-namespace selvage::packing {
+namespace selvage::packing::bodies {
 namespace {
 
 using branching::Chosen;
@@ -28,6 +28,14 @@ Figure figure_of(Marker& scratch, std::uint32_t piece, const Orientation& orient
   Polygon polygon = oriented(scratch.shapes[scratch.pieces[piece].shape.value].outline, orientation);
   const Box box = box_of(polygon);
   return {marker::oriented_outline(scratch, PieceId{piece}, run.sums), std::move(polygon), box};
+}
+
+Figure figure_of(const Polygon& wall, const scene::Run& run) {
+  Figure figure;
+  figure.outline.outline = run.sums.outline(wall);
+  figure.polygon = wall;
+  figure.box = box_of(wall);
+  return figure;
 }
 
 // The polygon with its box's low corner at the origin, starting at its smallest vertex: equal for equal outlines.
@@ -57,6 +65,8 @@ class BodyMaker {
 
   Bodies make() {
     for (std::uint32_t piece = 0; piece < marker_.pieces.size(); ++piece) sort_in(piece);
+    bodies_.complete = drafts_.size() <= kMostBodies;
+    if (!bodies_.complete) return std::move(bodies_);
     for (Draft& draft : drafts_) add_variants(draft);
     for (const Draft& draft : drafts_) add_body(draft);
     set_kinds();
@@ -118,7 +128,7 @@ class BodyMaker {
       layout.orientations.push_back(scratch_.pieces[draft.pieces[k]].orientation);
       layout.offsets.push_back(at);
     }
-    if (box->width() > freedom_.room.width() || box->height() > freedom_.room.height()) return;
+    if (box->width() > freedom_.container.box.width() || box->height() > freedom_.container.box.height()) return;
     for (Vec& offset : layout.offsets) offset = offset - box->low;
     draft.figures.push_back(std::move(figures));
     layouts_.back().push_back(std::move(layout));
@@ -135,7 +145,7 @@ class BodyMaker {
         const Box own = draft.figures[v][k].box.moved(layout.offsets[k]);
         box = box ? united(*box, own) : own;
       }
-      Box range{freedom_.room.low, freedom_.room.high - box->high};
+      Box range{freedom_.container.box.low, freedom_.container.box.high - box->high};
       const Vec now = marker_.pieces[piece].at - layout.offsets.front();
       if (ties_.x[piece] == model::Ties::kFixed) range.low.x = range.high.x = now.x;
       if (ties_.y[piece] == model::Ties::kFixed) range.low.y = range.high.y = now.y;
@@ -171,11 +181,19 @@ class BodyMaker {
 
   void add_rings() {
     const auto count = static_cast<std::uint32_t>(drafts_.size());
+    for (const Polygon& wall : freedom_.container.walls) {
+      const Figure figure = figure_of(wall, run_);
+      for (std::uint32_t body = 0; body < count; ++body) {
+        for_each_variant(body, [&](const Chosen& chosen) {
+          add_rings_of({count, 0}, figure, {}, chosen, std::nullopt);
+        });
+      }
+    }
     for (const std::uint32_t piece : fixed_) {
       const Figure figure = figure_of(scratch_, piece, marker_.pieces[piece].orientation, run_);
       for (std::uint32_t body = 0; body < count; ++body) {
         for_each_variant(body, [&](const Chosen& chosen) {
-          add_rings_of({count, 0}, piece, figure, marker_.pieces[piece].at, chosen);
+          add_rings_of({count, 0}, figure, marker_.pieces[piece].at, chosen, piece);
         });
       }
     }
@@ -196,25 +214,40 @@ class BodyMaker {
   void add_rings_between(const Chosen& first, const Chosen& second) {
     const Draft& draft = drafts_[first.body];
     for (std::size_t k = 0; k < draft.pieces.size(); ++k) {
-      add_rings_of(first, draft.pieces[k], draft.figures[first.variant][k],
-                   bodies_.layouts[first.body][first.variant].offsets[k], second);
+      add_rings_of(first, draft.figures[first.variant][k], bodies_.layouts[first.body][first.variant].offsets[k],
+                   second, draft.pieces[k]);
     }
   }
 
-  // The rings of one piece of the first body, at `at` from the body, with all pieces of the second.
-  void add_rings_of(const Chosen& first, std::uint32_t piece, const Figure& figure, Vec at, const Chosen& second) {
+  // The rings of one figure of the first body, at `at` from the body, with all pieces of the second.  The figure is
+  // that of a piece, or else of a wall.
+  void add_rings_of(const Chosen& first, const Figure& figure, Vec at, const Chosen& second,
+                    std::optional<std::uint32_t> piece) {
     const Draft& draft = drafts_[second.body];
     for (std::size_t k = 0; k < draft.pieces.size(); ++k) {
+      bodies_.complete = bodies_.complete && wedges_ <= kMostWedges && !run_.stopped();
+      if (!bodies_.complete) return;
       const Figure& other = draft.figures[second.variant][k];
       const Vec offset = at - bodies_.layouts[second.body][second.variant].offsets[k];
-      const marker::PiecePair pair = std::minmax(piece, draft.pieces[k]);
-      for (cells::WedgeRing& ring :
-           spaced_rings(figure.outline, other.outline, placed_.spacing(pair), offset, run_.sums)) {
+      const Coord spacing = piece ? placed_.spacing(std::minmax(*piece, draft.pieces[k])) : freedom_.clearance;
+      if (first.body == drafts_.size() && !may_meet(figure.box.moved(at).grown(spacing), second, k)) continue;
+      for (cells::WedgeRing& ring : spaced_rings(figure.outline, other.outline, spacing, offset, run_.sums)) {
         if (first.body == drafts_.size() && !reaches(second, ring)) continue;
         bodies_.problem.between[{first, second}].push_back(static_cast<std::uint32_t>(bodies_.problem.rings.size()));
+        wedges_ += ring.size();
         bodies_.problem.rings.push_back(std::move(ring));
       }
     }
+  }
+
+  // Whether the body's piece k reaches the box from some position of the body.
+  [[nodiscard]] bool may_meet(const Box& box, const Chosen& body, std::size_t k) const {
+    const RealBox& range = bodies_.problem.bodies[body.body].variants[body.variant].range;
+    const Vec offset = bodies_.layouts[body.body][body.variant].offsets[k];
+    const Box own = drafts_[body.body].figures[body.variant][k].box.moved(offset);
+    const auto real = [](Coord coord) { return static_cast<double>(coord); };
+    return real(box.low.x) < range.high_x + real(own.high.x) && range.low_x + real(own.low.x) < real(box.high.x) &&
+           real(box.low.y) < range.high_y + real(own.high.y) && range.low_y + real(own.low.y) < real(box.high.y);
   }
 
   // Whether the ring of a fixed piece meets the positions of the body at all.
@@ -234,6 +267,7 @@ class BodyMaker {
   std::vector<Draft> drafts_;
   std::vector<std::uint32_t> fixed_;
   std::vector<std::vector<BodyLayout>> layouts_;
+  std::size_t wedges_{};
   Bodies bodies_;
 };
 
@@ -257,4 +291,4 @@ Marker placed(const Marker& marker, const Bodies& bodies, const branching::Leaf&
   return result;
 }
 
-}  // namespace selvage::packing
+}  // namespace selvage::packing::bodies

@@ -9,11 +9,11 @@
 #include "core/minkowski/cache.h"
 #include "core/packing/cells/wedge_ring.h"
 
-namespace selvage::packing {
+namespace selvage::packing::bodies {
 
 // The rings that the position of q relative to p must stay outside of, moved by `offset`.
 [[nodiscard]] std::vector<cells::WedgeRing> spaced_rings(const outline::OrientedOutline& p,
                                                          const outline::OrientedOutline& q, Coord spacing, Vec offset,
                                                          SumCache& sums);
 
-}  // namespace selvage::packing
+}  // namespace selvage::packing::bodies

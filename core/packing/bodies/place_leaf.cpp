@@ -1,4 +1,4 @@
-#include "core/packing/place_leaf.h"
+#include "core/packing/bodies/place_leaf.h"
 
 #include <cmath>
 #include <limits>
@@ -11,7 +11,7 @@
 #include "core/motion/repair/repair.h"
 #include "core/scene/scene.h"
 
-namespace selvage::packing {
+namespace selvage::packing::bodies {
 namespace {
 
 using programs::Columns;
@@ -77,26 +77,30 @@ std::optional<std::vector<RealVec>> repaired(Marker layout, const Bodies& bodies
   return positions;
 }
 
-bool is_proved(const Marker& marker, const Bodies& bodies, const Box& room) {
+bool is_proved(const Marker& marker, const Bodies& bodies, const Freedom& freedom) {
   const marker::PlacedPieces pieces{marker};
   std::vector<std::uint32_t> changed;
   for (const auto& body : bodies.pieces) changed.insert(changed.end(), body.begin(), body.end());
+  const Container& container = freedom.container;
   for (const std::uint32_t piece : changed) {
-    if (!room.contains(pieces.box(piece))) return false;
+    if (!container.box.contains(pieces.box(piece))) return false;
+    for (const Polygon& wall : container.walls) {
+      if (marker::collide(pieces[piece], {wall, box_of(wall), {}}, freedom.clearance)) return false;
+    }
   }
   return are_clear(pieces, changed);
 }
 
 }  // namespace
 
-bool place_leaf(const Marker& marker, const Bodies& bodies, const Box& room, const scene::Run& run,
+bool place_leaf(const Marker& marker, const Bodies& bodies, const Freedom& freedom, const scene::Run& run,
                 branching::Leaf& leaf) {
   const Columns columns = branching::columns_of(bodies.problem);
   const std::vector<RealVec> original = leaf.positions;
   const auto attempt = [&](std::vector<RealVec> positions) {
     leaf.positions = std::move(positions);
     const Marker layout = placed(marker, bodies, leaf);
-    if (!is_proved(layout, bodies, room)) return false;
+    if (!is_proved(layout, bodies, freedom)) return false;
     leaf.length = static_cast<double>(length_of(layout));
     return true;
   };
@@ -110,4 +114,4 @@ bool place_leaf(const Marker& marker, const Bodies& bodies, const Box& room, con
   return positions && attempt(*positions);
 }
 
-}  // namespace selvage::packing
+}  // namespace selvage::packing::bodies

@@ -6,13 +6,13 @@
 // help, as at corners that keep a spacing, small overlaps are repaired (core/motion/repair/repair.h).
 #pragma once
 
-#include "core/packing/bodies.h"
+#include "core/packing/bodies/bodies.h"
 
-namespace selvage::packing {
+namespace selvage::packing::bodies {
 
 // Moves the leaf's positions to where its layout is valid, as core/marker/clearance.h proves.  False when no rounding
 // of it is.
-[[nodiscard]] bool place_leaf(const Marker& marker, const Bodies& bodies, const Box& room, const scene::Run& run,
+[[nodiscard]] bool place_leaf(const Marker& marker, const Bodies& bodies, const Freedom& freedom, const scene::Run& run,
                               branching::Leaf& leaf);
 
-}  // namespace selvage::packing
+}  // namespace selvage::packing::bodies

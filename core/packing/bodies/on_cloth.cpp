@@ -1,0 +1,51 @@
+#include "core/packing/bodies/on_cloth.h"
+
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+namespace selvage::packing::bodies {
+
+OnCloth on_cloth(const Marker& start, std::span<const PieceId> wanted, Coord clearance) {
+  const std::size_t placed = start.pieces.size();
+  std::vector<bool> moves(start.unplaced.size());
+  for (const PieceId id : wanted) {
+    if (id.value >= placed) moves[id.value - placed] = true;
+  }
+  OnCloth result{start, {}};
+  result.marker.unplaced.clear();
+  std::vector<std::uint32_t> place(start.unplaced.size());
+  for (std::size_t k = 0; k < moves.size(); ++k) {
+    if (!moves[k]) {
+      result.marker.unplaced.push_back(start.unplaced[k]);
+      continue;
+    }
+    place[k] = static_cast<std::uint32_t>(result.marker.pieces.size());
+    Piece piece = start.unplaced[k];
+    piece.group.clear();
+    piece.locked.x = piece.locked.y = false;
+    result.marker.pieces.push_back(std::move(piece));
+  }
+  result.marker.spacing += clearance;
+  for (Piece& piece : result.marker.pieces) piece.buffer += clearance / 2;
+  for (const PieceId id : wanted) {
+    result.wanted.push_back(id.value < placed ? id : PieceId{place[id.value - placed]});
+  }
+  return result;
+}
+
+Marker as_in(const Marker& start, Marker layout) {
+  std::unordered_map<std::string_view, const Piece*> unplaced;
+  for (const Piece& piece : start.unplaced) unplaced.emplace(piece.id, &piece);
+  layout.spacing = start.spacing;
+  for (std::size_t k = 0; k < layout.pieces.size(); ++k) {
+    Piece& piece = layout.pieces[k];
+    const Piece& was = k < start.pieces.size() ? start.pieces[k] : *unplaced.at(piece.id);
+    piece.group = was.group;
+    piece.locked = was.locked;
+    piece.buffer = was.buffer;
+  }
+  return layout;
+}
+
+}  // namespace selvage::packing::bodies
