@@ -13,6 +13,7 @@ from decimal import Decimal
 
 SELVAGE = sys.argv.pop(1)
 MARKERS = pathlib.Path(__file__).parents[2] / "examples" / "markers"
+PACKING = MARKERS.parent / "packing"
 OK, NOT_VALID, BAD_USAGE, BAD_INPUT, FILE, REFUSED, CANCELLED = 0, 1, 2, 3, 4, 5, 130
 
 SQUARE = {"id": "square", "outline": [[0, 0], [40, 0], [40, 40], [0, 40]]}
@@ -93,7 +94,7 @@ class Compact(CliTest):
     def test_names_an_unknown_subcommand(self):
         ran = run("compakt", MARKERS / "jeans_06g.json")
         self.assertEqual(ran.returncode, BAD_USAGE)
-        self.assertIn("compakt is not a subcommand; the subcommands are: nest compact ", ran.stderr)
+        self.assertIn("compakt is not a subcommand; the subcommands are: nest pack contain compact ", ran.stderr)
 
     def test_keeps_the_format_of_the_input_by_default(self):
         run("compact", MARKERS / "jeans_02g.json", "-o", self.path("same.json"))
@@ -344,12 +345,60 @@ class Nest(CliTest):
         self.assertIn("marker.piece_too_wide", ran.stderr)
 
 
+class Pack(CliTest):
+    def test_proves_the_shortest_marker(self):
+        for name, pieces, length in (("partition", 5, 100), ("no_partition", 4, 120), ("bars", 6, 90)):
+            with self.subTest(name):
+                ran = run("pack", PACKING / f"{name}.json", "-o", self.path("out.json"), "--json")
+                self.assertEqual(ran.returncode, OK, ran.stderr)
+                line = json.loads(ran.stdout)
+                self.assertEqual((line["found"], line["proved"], line["unplaced"]), (True, True, 0))
+                self.assertAlmostEqual(line["length_after"], length, places=4)
+                self.assertAlmostEqual(line["bound"], length, places=3)
+                self.assertEqual(line["placed"], pieces)
+                self.assertEqual(run("check", self.path("out.json")).returncode, OK)
+
+    def test_takes_an_instance_without_a_solution_and_a_limit_of_nodes(self):
+        document = json.loads((MARKERS / "jeans_02g.json").read_text())
+        del document["solution"]
+        ran = run("pack", self.write(document), "--nodes", 50, "-o", self.path("out.json"), "--json")
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        line = json.loads(ran.stdout)
+        self.assertEqual((line["found"], line["proved"], line["stop"]), (True, False, "work_limit"))
+        self.assertLess(line["bound"], line["length_after"])
+        self.assertEqual(run("check", self.path("out.json")).returncode, OK)
+
+    def test_the_summary_says_what_is_proved(self):
+        ran = run("pack", PACKING / "partition.json")
+        self.assertIn("the shortest, proved", ran.stdout)
+        ran = run("contain", PACKING / "slot.json")
+        self.assertIn("pieces       found", ran.stdout)
+
+    def test_refuses_more_pieces_than_a_search_takes(self):
+        ran = run("pack", MARKERS / "jeans_06g.json")
+        self.assertEqual(ran.returncode, REFUSED)
+        self.assertIn("120 pieces are not locked; an exact search takes at most 64", ran.stderr)
+
+    def test_contain_places_what_fits_and_proves_what_does_not(self):
+        ran = run("contain", PACKING / "slot.json", "-o", self.path("out.json"), "--json")
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        line = json.loads(ran.stdout)
+        self.assertEqual((line["verdict"], line["pieces"], line["length_after"]), ("found", 3, 30))
+        self.assertEqual(run("check", self.path("out.json")).returncode, OK)
+        ran = run("contain", PACKING / "slot.json", "--room", "[[0,0],[29,30]]", "-o", self.path("none.json"), "--json")
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        self.assertEqual(json.loads(ran.stdout)["verdict"], "impossible")
+        ran = run("contain", PACKING / "slot.json", "--room", "[[30,0],[30,30]]")
+        self.assertEqual(ran.returncode, BAD_INPUT)
+        self.assertIn("/room", ran.stderr)
+
+
 class EveryMotion(CliTest):
     """Motions without a section of their own: their options follow from the descriptors of the methods."""
 
     def test_every_motion_of_the_daemon_is_a_command(self):
         listed = run("--help").stdout
-        for command in ("nest", "compact", "push", "gravity", "bump", "place", "separate", "float", "open-gap", "tilt", "relax",
+        for command in ("nest", "pack", "contain", "compact", "push", "gravity", "bump", "place", "separate", "float", "open-gap", "tilt", "relax",
                         "one-at-a-time", "velocity"):
             self.assertIn(f"\n  {command} ", listed)
             shown = run(command, "--help")

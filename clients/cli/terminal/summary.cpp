@@ -84,6 +84,27 @@ std::string separation_lines(const Json& fields, const std::string& unit) {
   return out;
 }
 
+// What an exact search has proved.
+std::string search_lines(const Json& fields, const std::string& unit) {
+  std::string out;
+  if (fields.contains("verdict")) out += "  pieces       " + fields["verdict"].text() + "\n";
+  if (fields.contains("bound")) {
+    const double bound = fields["bound"].number();
+    const double length = fields["lengthAfter"].number();
+    out += "  bound        " + protocol::json::number_text(bound) + unit;
+    if (fields["found"] != true) {
+      out += fields["proved"] == true ? ", no layout, proved" : ", no layout so far";
+    } else if (fields["proved"] == true) {
+      out += ", the shortest, proved";
+    } else if (bound > 0) {
+      out += ", at most " + rounded(100 * (length / bound - 1), 3) + " % shorter";
+    }
+    out += "\n";
+  }
+  if (fields.contains("nodes")) out += "  nodes        " + std::to_string(fields["nodes"].get<std::uint64_t>()) + "\n";
+  return out;
+}
+
 }  // namespace
 
 std::string json_line(const Json& fields, const protocol::execution::StageTimes& times,
@@ -113,6 +134,7 @@ std::string plain_summary(const Json& f, const protocol::execution::StageTimes& 
            unit + "\n";
   }
   if (f.contains("gain")) out += "  gain         " + significant(f["gain"].number()) + unit + "\n";
+  out += search_lines(f, unit);
   if (f.contains("unplaced") && f["unplaced"].get<std::size_t>() > 0) {
     out += "  left over    " + counted(f["unplaced"].get<std::size_t>(), "piece") + "\n";
   }

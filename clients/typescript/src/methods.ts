@@ -13,6 +13,9 @@ export type AddEdit = {
   shape?: Record<string, unknown>;
 };
 
+/** Which layout motion.contain returns: the first that it finds, or the one in which the pieces have most room. */
+export type BestContainment = "first" | "room";
+
 /** Sets the clearance around a piece. */
 export type BufferEdit = {
   /** The operation. */
@@ -397,6 +400,9 @@ export type TiltWorth = {
   /** How much the marker would shorten per degree of counter-clockwise tilt. */
   perDegree: number;
 };
+
+/** What a search for room came to: found, impossible (proved), or undecided because it ended early or the fit is as tight as rounding. */
+export type Verdict = "found" | "impossible" | "undecided";
 
 /** The parameters and the result of every method. */
 export interface Methods {
@@ -884,6 +890,144 @@ export interface Methods {
       unplaced: number;
       /** Moves of a piece that all searches have made. */
       moves: number;
+      /** Number of rounds done. */
+      rounds: number;
+      /** Why the motion ended. */
+      stop: StopReason;
+      /** Whether the result is valid, proved in integers. */
+      valid: boolean;
+      /** The repair of small overlaps in the input. */
+      healed: Healing;
+      /** Of the pieces that moved. */
+      placements: Array<Placement>;
+      /** Milliseconds by stage; only with timing. */
+      ms?: StageTimes;
+      /** The cache of Minkowski sums; only with timing. */
+      cache?: CacheCounts;
+    };
+  };
+  /** Searches all layouts of the pieces for the shortest, and proves how short it can be. */
+  "motion.pack": {
+    params: {
+      /** The marker's id. */
+      markerId: string;
+      /** Refuse the call when the marker is at another revision. */
+      baseRev?: number;
+      /** False: return the result, but leave the marker as it is. */
+      commit?: boolean;
+      /** True: also return ms and cache, which vary from run to run. */
+      timing?: boolean;
+      /** A name for this call: a retry of it gets the same result. */
+      opId?: string;
+      /** After this many milliseconds the motion returns its best result so far; 1 to 86,400,000. */
+      deadlineMs?: number;
+      /** Progress notifications, one after each round, carry this token. */
+      progressToken?: ProgressToken;
+      /** The largest number of nodes of the search; 1,000,000 when absent, without limit with a deadline. */
+      nodes?: number;
+      /** Whether pieces may take other orientations that their shapes allow. */
+      turns?: boolean;
+      /** The search ends when the marker is longer than the bound by at most this fraction of the width, 1e-9 to 1. */
+      gap?: number;
+    };
+    result: {
+      /** The marker's id. */
+      markerId: string;
+      /** The marker's revision. */
+      revision: number;
+      /** The marker's name. */
+      name: string;
+      /** Number of pieces. */
+      pieces: number;
+      /** The marker's length before the motion; exact. */
+      lengthBefore: number;
+      /** Its length after the motion; exact. */
+      lengthAfter: number;
+      /** 0 to 1. */
+      utilisationBefore: number;
+      /** 0 to 1. */
+      utilisationAfter: number;
+      /** Whether there is a layout of all pieces; if not, the marker stays as it is. */
+      found: boolean;
+      /** Whether it is proved that no layout is shorter, up to the gap, or that there is none. */
+      proved: boolean;
+      /** No marker of these pieces is shorter: proved at any time. */
+      bound: number;
+      /** Number of pieces that lie on the cloth afterwards. */
+      placed: number;
+      /** Number of pieces that do not. */
+      unplaced: number;
+      /** Number of nodes searched. */
+      nodes: number;
+      /** Number of rounds done. */
+      rounds: number;
+      /** Why the motion ended. */
+      stop: StopReason;
+      /** Whether the result is valid, proved in integers. */
+      valid: boolean;
+      /** The repair of small overlaps in the input. */
+      healed: Healing;
+      /** Of the pieces that moved. */
+      placements: Array<Placement>;
+      /** Milliseconds by stage; only with timing. */
+      ms?: StageTimes;
+      /** The cache of Minkowski sums; only with timing. */
+      cache?: CacheCounts;
+    };
+  };
+  /** Places pieces, all at once, in the room that the others leave, or proves that they do not fit. */
+  "motion.contain": {
+    params: {
+      /** The marker's id. */
+      markerId: string;
+      /** Refuse the call when the marker is at another revision. */
+      baseRev?: number;
+      /** False: return the result, but leave the marker as it is. */
+      commit?: boolean;
+      /** True: also return ms and cache, which vary from run to run. */
+      timing?: boolean;
+      /** A name for this call: a retry of it gets the same result. */
+      opId?: string;
+      /** After this many milliseconds the motion returns its best result so far; 1 to 86,400,000. */
+      deadlineMs?: number;
+      /** Progress notifications, one after each round, carry this token. */
+      progressToken?: ProgressToken;
+      /** The ids of the pieces, placed or unplaced; all unplaced pieces when absent. */
+      pieces?: Array<Id>;
+      /** Where the pieces must lie: two opposite corners of a rectangle, or 3 to 1,000 corners of a polygon; when absent, the strip up to the end of the marker as it is. */
+      room?: Array<Point>;
+      /** Which layout is returned: the first one when absent. */
+      best?: BestContainment;
+      /** The largest number of nodes of the search; 1,000,000 when absent, without limit with a deadline. */
+      nodes?: number;
+      /** Whether pieces may take other orientations that their shapes allow. */
+      turns?: boolean;
+    };
+    result: {
+      /** The marker's id. */
+      markerId: string;
+      /** The marker's revision. */
+      revision: number;
+      /** The marker's name. */
+      name: string;
+      /** Number of pieces. */
+      pieces: number;
+      /** The marker's length before the motion; exact. */
+      lengthBefore: number;
+      /** Its length after the motion; exact. */
+      lengthAfter: number;
+      /** 0 to 1. */
+      utilisationBefore: number;
+      /** 0 to 1. */
+      utilisationAfter: number;
+      /** Whether the pieces fit; unless they are found to, the marker stays as it is. */
+      verdict: Verdict;
+      /** With best room, when they fit: the distance that the pieces keep beyond their spacing from each other, from all others and from the border of the room. */
+      clearance?: number;
+      /** With best room: no layout has so large a clearance; absent when that is not proved of any. */
+      clearanceBound?: number;
+      /** Number of nodes searched. */
+      nodes: number;
       /** Number of rounds done. */
       rounds: number;
       /** Why the motion ended. */
@@ -1761,6 +1905,8 @@ export const retriable: ReadonlySet<string> = new Set([
   "marker.redo",
   "drag.end",
   "marker.nest",
+  "motion.pack",
+  "motion.contain",
   "motion.compact",
   "motion.push",
   "motion.gravity",

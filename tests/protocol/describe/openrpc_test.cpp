@@ -45,10 +45,17 @@ Json sample(const schema::Type& type) {
   }
 }
 
+// The value of a parameter; a list has as many entries as it must have.
+Json sample(const FieldDescription& param) {
+  Json value = sample(param.type);
+  while (param.limits.entries && value.size() < param.limits.entries->least) value.push_back(Json(value[0]));
+  return value;
+}
+
 Json required_params(const calls::Method& method) {
   Json params = Json::object();
   for (const FieldDescription& param : method.params()) {
-    if (param.required) params[std::string{param.name}] = sample(param.type);
+    if (param.required) params[std::string{param.name}] = sample(param);
   }
   if (method.name == "motion.openGap") params["point"] = Json::array({1, 2});  // or a region
   return params;
@@ -91,7 +98,7 @@ TEST(Descriptors, EveryParameterIsReadAndChecked) {
     for (const FieldDescription& param : method.params()) {
       Json params = required_params(method);
       if (param.name == "region") params.erase("point");
-      params[std::string{param.name}] = sample(param.type);
+      params[std::string{param.name}] = sample(param);
       const auto wrong = mistake_in(method, params);
       EXPECT_FALSE(wrong) << method.name << " " << param.name << " " << wrong->message;
       params[std::string{param.name}] = Json::array({Json::object()});

@@ -71,6 +71,66 @@ TEST(Motions, AllTellTheSameFieldsBesideTheirOwn) {
             (std::set<std::string>{"at", "gain", "touching", "moved", "stop"}));
 }
 
+TEST(Pack, ProvesTheShortestMarker) {
+  const auto packed = ran("motion.pack", test::native_squares(), json("{}"));
+  ASSERT_TRUE(packed.answer) << packed.error->message;
+  const Json& fields = packed.answer->fields;
+  EXPECT_EQ(fields["found"], true);
+  EXPECT_EQ(fields["proved"], true);
+  EXPECT_EQ(fields["lengthAfter"], 40);
+  EXPECT_LE(fields["bound"].number(), 40);
+  EXPECT_GT(fields["bound"].number(), 39.99);
+  ASSERT_TRUE(packed.answer->next);
+  // A cloth that is too short: the marker stays as it is.
+  Json document = test::native_squares();
+  document["strip"]["longest"] = 39;
+  const auto impossible = ran("motion.pack", document, json("{}"));
+  ASSERT_TRUE(impossible.answer);
+  EXPECT_EQ(impossible.answer->fields["found"], false);
+  EXPECT_EQ(impossible.answer->fields["proved"], true);
+  EXPECT_FALSE(impossible.answer->next);
+}
+
+TEST(Contain, PlacesUnplacedPiecesInTheGivenRoom) {
+  Json document = test::native_squares();
+  document["unplaced"] = json(R"([{"id":"third","shape":"square"}])");
+  const auto contained = ran("motion.contain", document, json(R"({"room":[[0,60],[40,100]]})"));
+  ASSERT_TRUE(contained.answer) << contained.error->message;
+  EXPECT_EQ(contained.answer->fields["verdict"], "found");
+  EXPECT_EQ(contained.answer->fields["pieces"], 3);
+  EXPECT_EQ(contained.answer->fields["placements"],
+            json(R"([{"id":"third","at":[0,60],"rotation":0,"flip":false,"tilt":0}])"));
+  const auto tight = ran("motion.contain", document, json(R"({"room":[[0,61],[40,100]]})"));
+  ASSERT_TRUE(tight.answer);
+  EXPECT_EQ(tight.answer->fields["verdict"], "impossible");
+  EXPECT_FALSE(tight.answer->next);
+}
+
+TEST(Contain, TellsTheClearanceWhereMostRoomIsAskedFor) {
+  const auto roomy = ran("motion.contain", test::native_squares(),
+                         json(R"({"pieces":["right"],"room":[[40,0],[100,60]],"best":"room"})"));
+  ASSERT_TRUE(roomy.answer) << roomy.error->message;
+  const Json& fields = roomy.answer->fields;
+  EXPECT_NEAR(fields["clearance"].number(), 10, 0.2);
+  EXPECT_GT(fields["clearanceBound"].number(), 10);
+  EXPECT_LT(fields["clearanceBound"].number(), 10.2);
+}
+
+TEST(Contain, RefusesWhatItCannotPlace) {
+  const auto none = ran("motion.contain", test::native_squares(), json("{}"));
+  ASSERT_TRUE(none.error);
+  EXPECT_EQ(none.error->field, "/pieces");
+  const auto stranger = ran("motion.contain", test::native_squares(), json(R"({"pieces":["left","middle"]})"));
+  ASSERT_TRUE(stranger.error);
+  EXPECT_EQ(stranger.error->field, "/pieces/1");
+  for (const char* room : {"[[10,0],[10,100]]", "[[0,0],[10,0],[20,0]]", "[[0,0],[9,9],[9,0],[0,9]]"}) {
+    const auto bad =
+        ran("motion.contain", test::native_squares(), json(R"({"pieces":["left"],"room":)" + std::string{room} + "}"));
+    ASSERT_TRUE(bad.error) << room;
+    EXPECT_EQ(bad.error->field, "/room") << room;
+  }
+}
+
 TEST(Bump, TellsWhereWhatHoldsItAndHowFar) {
   const auto bumped = ran("motion.bump", test::native_squares(), json(R"({"piece":"right","direction":[-3,0]})"));
   ASSERT_TRUE(bumped.answer);

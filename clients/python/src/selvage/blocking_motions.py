@@ -11,6 +11,8 @@ from .wire.portal import Blocking, blocking
 
 class BlockingMotions(Blocking):
     nest = blocking(AsyncMotions.nest)
+    pack = blocking(AsyncMotions.pack)
+    contain = blocking(AsyncMotions.contain)
     compact = blocking(AsyncMotions.compact)
     push = blocking(AsyncMotions.push)
     gravity = blocking(AsyncMotions.gravity)

@@ -77,6 +77,28 @@ class Nested(MovedInRounds):
 
 
 @dataclass(frozen=True, kw_only=True)
+class PackResult(MovedInRounds):
+    """What motion.pack returns."""
+
+    found: bool
+    proved: bool
+    bound: float
+    placed: int
+    unplaced: int
+    nodes: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class ContainResult(MovedInRounds):
+    """What motion.contain returns."""
+
+    verdict: str
+    nodes: int
+    clearance: float | None = None
+    clearance_bound: float | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
 class Pushed(MovedInRounds):
     """What motion.push returns."""
 
