@@ -68,10 +68,7 @@ void Daemon::call(std::string message, const std::shared_ptr<transport::access::
 
 std::string Daemon::why_not_ready() const {
   if (draining_) return "shutting down";
-  const dispatch::WorkQueues& queues = backend_.queues();
-  if (queues.motions.waiting() >= queues.motions.capacity()) return "the queue of motions is full";
-  if (queues.reads.waiting() >= queues.reads.capacity()) return "the queue of reads is full";
-  return {};
+  return backend_.why_not_ready();
 }
 
 std::string Daemon::metrics_text() const {

@@ -32,6 +32,13 @@ inline protocol::rpc::RpcError shutting_down() {
 inline protocol::rpc::RpcError not_written() {
   return {protocol::rpc::RpcCode::kInternalError, "the store could not be written; nothing was changed", {}};
 }
+inline protocol::rpc::RpcError busy(const jobs::JobQueue& queue, const std::string& reason) {
+  return {protocol::rpc::RpcCode::kBusy, reason, Json{{"retryAfterMs", queue.retry_after_ms()}}};
+}
+// The answer to a call whose turn had not come at its deadline.
+inline protocol::rpc::RpcError not_begun(const jobs::JobQueue& queue) {
+  return busy(queue, "the call's turn had not come at its deadline; nothing was done");
+}
 inline protocol::rpc::RpcError no_notifications() {
   return {protocol::rpc::RpcCode::kInvalidRequest,
           "this connection cannot receive notifications: use /ws or a line connection",
@@ -41,7 +48,10 @@ inline protocol::rpc::RpcError no_notifications() {
 inline protocol::rpc::RpcError not_admitted(jobs::Admission admission, const jobs::JobQueue& queue,
                                             const std::string& reason) {
   if (admission == jobs::Admission::kDraining) return shutting_down();
-  return {protocol::rpc::RpcCode::kBusy, reason, Json{{"retryAfterMs", queue.retry_after_ms()}}};
+  if (admission == jobs::Admission::kTooLate) {
+    return busy(queue, "calls now wait longer than this one can: its turn would not come before its deadline");
+  }
+  return busy(queue, reason);
 }
 
 }  // namespace selvage::server::calls

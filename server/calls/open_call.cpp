@@ -14,9 +14,21 @@ StopCause OpenCall::stop_cause() const {
   return draining_ ? StopCause::kDraining : StopCause::kNone;
 }
 
+bool OpenCall::begin() {
+  State state = State::kWaiting;
+  return state_.compare_exchange_strong(state, State::kBegun);
+}
+
+bool OpenCall::leave_open(State to) {
+  State state = state_;
+  while (state == State::kWaiting || state == State::kBegun) {
+    if (state_.compare_exchange_weak(state, to)) return true;
+  }
+  return false;
+}
+
 bool OpenCall::settle() {
-  State state = State::kOpen;
-  return state_.compare_exchange_strong(state, State::kSettled) || state == State::kSettled;
+  return leave_open(State::kSettled) || state_ == State::kSettled;
 }
 
 void OpenCall::answer(Outcome outcome) {
@@ -24,8 +36,7 @@ void OpenCall::answer(Outcome outcome) {
 }
 
 bool OpenCall::cancel() {
-  State state = State::kOpen;
-  if (!state_.compare_exchange_strong(state, State::kCancelled)) return false;
+  if (!leave_open(State::kCancelled)) return false;
   stop_.request_stop();
   std::move(reply_)(protocol::rpc::RpcError{protocol::rpc::RpcCode::kCancelled, "the call was cancelled", {}});
   return true;
@@ -38,12 +49,17 @@ void OpenCall::drain() {
 }
 
 void OpenCall::set_deadline(const std::shared_ptr<OpenCall>& call, jobs::DeadlineClock& clock,
-                            jobs::DeadlineClock::Time time) {
-  call->deadline_ = clock.at(time, [weak = std::weak_ptr{call}] {
+                            jobs::DeadlineClock::Time time, AtDeadline then) {
+  call->deadline_ = clock.at(time, [weak = std::weak_ptr{call}, then = std::move(then)] {
     const auto open = weak.lock();
     if (!open) return;
     open->late_ = true;
+    State state = State::kWaiting;
+    const bool expired = open->state_.compare_exchange_strong(state, State::kExpired);
     open->stop_.request_stop();
+    if (!expired) return;
+    std::move(open->reply_)(then.if_waiting());
+    then.on_removed();
   });
 }
 

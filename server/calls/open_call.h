@@ -1,4 +1,5 @@
-// A call in progress and how it ends: either with the outcome of its method or cancelled, never both.
+// A call in progress and how it ends: with the outcome of its method, cancelled, or refused at its deadline because its
+// turn had not come; never with two of them.
 //
 // Whoever settles the call first decides.  A worker that settles it goes on to commit and to answer.  A client that
 // cancels it first is answered at once, whatever the solver is doing, and the worker's result is dropped.
@@ -32,6 +33,8 @@ class OpenCall {
   [[nodiscard]] StopCause stop_cause() const;
   [[nodiscard]] bool abandoned() const { return is_abandoned(stop_cause()); }
 
+  // The call's turn has come: from now on its deadline only stops it.  Returns false if it has been answered already.
+  [[nodiscard]] bool begin();
   // Returns true if the call is the worker's to end; from then on it cannot be cancelled.  May be called repeatedly.
   [[nodiscard]] bool settle();
   // Answers the call unless it was cancelled.  At most once.
@@ -41,15 +44,22 @@ class OpenCall {
   // Stops the call because the server is shutting down.  Changes nothing if it was stopped before.
   void drain();
 
-  // REQUIRES: nobody else uses the call yet.
+  // At that time the call is stopped or, if it is still waiting for its turn, answered with what `if_waiting` returns;
+  // then `on_removed` is called.  Both are called on the clock's thread.  REQUIRES: nobody else uses the call yet.
+  struct AtDeadline {
+    std::function<protocol::rpc::RpcError()> if_waiting;
+    std::function<void()> on_removed;
+  };
   static void set_deadline(const std::shared_ptr<OpenCall>& call, jobs::DeadlineClock& clock,
-                           jobs::DeadlineClock::Time time);
+                           jobs::DeadlineClock::Time time, AtDeadline then);
 
  private:
-  enum class State { kOpen, kSettled, kCancelled };
+  enum class State { kWaiting, kBegun, kSettled, kCancelled, kExpired };
+  // Returns true if this changes the state to `to`, from one in which the call is neither settled nor answered.
+  [[nodiscard]] bool leave_open(State to);
 
   const std::shared_ptr<transport::access::Session> session_;
-  std::atomic<State> state_{State::kOpen};
+  std::atomic<State> state_{State::kWaiting};
   std::atomic<bool> late_{}, draining_{};
   std::stop_source stop_;
   jobs::ReplyOnce<Outcome> reply_;

@@ -36,6 +36,7 @@ struct BackendSettings {
 class Backend {
  public:
   explicit Backend(BackendSettings settings);
+  ~Backend();  // drains
   Backend(const Backend&) = delete;
   Backend& operator=(const Backend&) = delete;
 
@@ -47,10 +48,13 @@ class Backend {
 
   [[nodiscard]] WorkQueues& queues() { return queues_; }
   [[nodiscard]] const WorkQueues& queues() const { return queues_; }
+  [[nodiscard]] jobs::DeadlineClock& clock() { return clock_; }
   [[nodiscard]] const SumCache& sums() const { return sums_; }
   [[nodiscard]] const store::MarkerStore& store() const { return store_; }
   [[nodiscard]] const drags::DragSessions& drags() const { return drags_; }
   [[nodiscard]] std::size_t open_calls() const { return dispatcher_.open_calls(); }
+  // Why no work should be sent here now; empty: it may be sent.
+  [[nodiscard]] std::string why_not_ready() const;
 
  private:
   // Of this number of cores, those that no job uses now.

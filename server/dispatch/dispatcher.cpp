@@ -17,7 +17,7 @@ namespace {
 
 using protocol::calls::MethodKind;
 using protocol::calls::ParsedCall;
-using Clock = std::chrono::steady_clock;
+using Duration = jobs::DeadlineClock::Duration;
 
 constexpr std::size_t kSmallMessage = std::size_t{16} << 10;   // bytes; parsed in a fraction of a millisecond
 constexpr std::size_t kLargeMessage = std::size_t{256} << 10;  // bytes; takes milliseconds and more
@@ -33,12 +33,12 @@ protocol::rpc::RpcError unknown_method(const std::string& name) {
 }
 
 // How long the call may take: as long as it asks for and, if it may take long, no longer than the limit.
-std::optional<Clock::duration> time_limit(const ParsedCall& call, std::chrono::milliseconds limit) {
-  std::optional<Clock::duration> time;
+std::optional<Duration> time_limit(const ParsedCall& call, std::chrono::milliseconds limit) {
+  std::optional<Duration> time;
   if (const auto& asked = call.about.deadline_ms) {
-    time = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double, std::milli>{*asked});
+    time = std::chrono::duration_cast<Duration>(std::chrono::duration<double, std::milli>{*asked});
   }
-  return call.bounded() ? std::min<Clock::duration>(time.value_or(limit), limit) : time;
+  return call.bounded() ? std::min<Duration>(time.value_or(limit), limit) : time;
 }
 
 // Whether the marker is open and so large that writing it takes about 10 ms or more.
@@ -57,7 +57,8 @@ bool is_large(const store::MarkerStore& store, const std::string& marker_id) {
 void Dispatcher::receive(std::string message, const std::shared_ptr<transport::access::Session>& session,
                          transport::access::Reply reply) {
   jobs::ReplyOnce<std::string> once{std::move(reply), error_text(internal_error())};
-  if (message.size() <= kSmallMessage) return parse(std::move(message), session, std::move(once));
+  const jobs::DeadlineClock::Time arrived = clock_.now();
+  if (message.size() <= kSmallMessage) return parse(std::move(message), arrived, session, std::move(once));
   jobs::JobQueue& queue = message.size() <= kLargeMessage ? queues_.reads : queues_.parsing;
   // Shared, so that the reply is still available if the queue does not accept the job.
   const auto shared_reply = std::make_shared<jobs::ReplyOnce<std::string>>(std::move(once));
@@ -65,8 +66,8 @@ void Dispatcher::receive(std::string message, const std::shared_ptr<transport::a
                 .lane = {},
                 .quick = true,
                 .caller = session->gone,
-                .work = jobs::Work{[this, shared_reply, session, text = std::move(message)](auto&&) mutable {
-                  parse(std::move(text), session, std::move(*shared_reply));
+                .work = jobs::Work{[this, arrived, shared_reply, session, text = std::move(message)](auto&&) mutable {
+                  parse(std::move(text), arrived, session, std::move(*shared_reply));
                 }}};
   const jobs::Admission admission = queue.submit(job);
   if (admission == jobs::Admission::kAccepted) return;
@@ -78,8 +79,8 @@ std::string Dispatcher::too_long(std::size_t limit) {
                      "the message is longer than " + std::to_string(limit) + " bytes", Json{{"limit", limit}}});
 }
 
-void Dispatcher::parse(std::string message, std::shared_ptr<transport::access::Session> session,
-                       jobs::ReplyOnce<std::string> reply) {
+void Dispatcher::parse(std::string message, jobs::DeadlineClock::Time arrived,
+                       std::shared_ptr<transport::access::Session> session, jobs::ReplyOnce<std::string> reply) {
   const std::size_t bytes = message.size();
   protocol::rpc::Incoming incoming = protocol::rpc::parse_incoming(message, server_.limits.transport.body_bytes);
   std::string{}.swap(message);  // frees it now, because it may be large
@@ -88,11 +89,14 @@ void Dispatcher::parse(std::string message, std::shared_ptr<transport::access::S
                                                    .bytes = bytes,
                                                    .session = std::move(session),
                                                    .reply = std::move(reply),
-                                                   .on_answered = on_answered_}));
+                                                   .on_answered = on_answered_,
+                                                   .arrived = arrived}));
 }
 
 void Dispatcher::execute_next(const std::shared_ptr<Exchange>& exchange) {
   const std::vector<protocol::rpc::Call>& calls = exchange->incoming.calls;
+  const bool elsewhere = std::exchange(exchange->continue_on_worker, false) && exchange->calls_done < calls.size();
+  if (elsewhere && execute_next_on_worker(exchange)) return;
   while (exchange->calls_done < calls.size()) {
     const protocol::rpc::Call& call = calls[exchange->calls_done++];
     if (const auto* request = std::get_if<protocol::rpc::Request>(&call)) {
@@ -113,6 +117,15 @@ void Dispatcher::execute_next(const std::shared_ptr<Exchange>& exchange) {
   std::move(exchange->reply)(exchange->text());
 }
 
+bool Dispatcher::execute_next_on_worker(const std::shared_ptr<Exchange>& exchange) {
+  jobs::Job job{.session = exchange->session->id,
+                .lane = {},
+                .quick = true,
+                .caller = {},
+                .work = jobs::Work{[this, exchange](auto&&) { execute_next(exchange); }}};
+  return queues_.parsing.submit(job) == jobs::Admission::kAccepted;
+}
+
 void Dispatcher::start(const std::shared_ptr<Exchange>& exchange, const protocol::rpc::Request& request,
                        jobs::ReplyOnce<calls::Outcome> reply) {
   if (request.method == kCancel) return std::move(reply)(cancel(request.params, exchange->session->id));
@@ -123,11 +136,17 @@ void Dispatcher::start(const std::shared_ptr<Exchange>& exchange, const protocol
 
   exchange->marker_id = parsed->about.marker_id;
   const auto call = std::make_shared<calls::OpenCall>(exchange->session, std::move(reply));
-  if (const auto time = time_limit(*parsed, server_.limits.call)) {
-    calls::OpenCall::set_deadline(call, clock_, Clock::now() + *time);
-  }
   if (request.id) calls_.add(*request.id, call);
   schedule(*std::move(parsed), row->handle, exchange, call);
+}
+
+void Dispatcher::set_deadline(const std::shared_ptr<Exchange>& exchange, const std::shared_ptr<calls::OpenCall>& call,
+                              jobs::JobQueue& queue, jobs::DeadlineClock::Time time) {
+  const auto if_waiting = [exchange, &queue] {
+    exchange->continue_on_worker = true;
+    return calls::not_begun(queue);
+  };
+  calls::OpenCall::set_deadline(call, clock_, time, {if_waiting, [&queue] { queue.remove_stopped(); }});
 }
 
 void Dispatcher::schedule(ParsedCall parsed, const methods::Handler& handle, const std::shared_ptr<Exchange>& exchange,
@@ -141,14 +160,20 @@ void Dispatcher::schedule(ParsedCall parsed, const methods::Handler& handle, con
   const bool is_change = kind == MethodKind::kStep || kind == MethodKind::kMotion;
   jobs::JobQueue& queue = is_change ? queues_.motions : queues_.reads;
   std::string lane = parsed.lane();
+  std::optional<jobs::DeadlineClock::Time> deadline;
+  if (const auto time = time_limit(parsed, server_.limits.call)) {
+    // A call of a batch arrives when its turn in the batch comes.
+    deadline = (exchange->incoming.batch ? clock_.now() : exchange->arrived) + *time;
+    set_deadline(exchange, call, queue, *deadline);
+  }
   jobs::Job job{.session = exchange->session->id,
                 .lane = std::move(lane),
                 .quick = quick,
+                .deadline = deadline,
                 .caller = call->stop(),
                 .work = jobs::Work{
                     [this, exchange, &handle, held = std::move(parsed), call](const std::stop_token& stop) mutable {
-                      // Nobody waits for the outcome of a call that was cancelled before its turn came.
-                      if (call->abandoned() && !call->settle()) return;
+                      if (!call->begin()) return;  // it was cancelled, or refused at its deadline
                       const std::stop_callback on_drain{stop, [&call] { call->drain(); }};
                       handle(std::move(held), server_, call);
                     }}};
@@ -159,7 +184,9 @@ void Dispatcher::schedule(ParsedCall parsed, const methods::Handler& handle, con
 calls::Outcome Dispatcher::cancel(const Json& params, std::uint64_t session) {
   const auto cancel = protocol::schema::decode<protocol::methods::daemon::CancelParams>(params);
   if (!cancel) return protocol::rpc::rpc_error(cancel.error());
-  return protocol::schema::encode(protocol::methods::daemon::CancelResult{calls_.cancel(cancel->id.value, session)});
+  const bool cancelled = calls_.cancel(cancel->id.value, session);
+  if (cancelled) queues_.remove_stopped();
+  return protocol::schema::encode(protocol::methods::daemon::CancelResult{cancelled});
 }
 
 }  // namespace selvage::server::dispatch

@@ -37,11 +37,15 @@ class Dispatcher {
   [[nodiscard]] std::size_t open_calls() const { return calls_.count(); }
 
  private:
-  void parse(std::string message, std::shared_ptr<transport::access::Session> session,
-             jobs::ReplyOnce<std::string> reply);
+  void parse(std::string message, jobs::DeadlineClock::Time arrived,
+             std::shared_ptr<transport::access::Session> session, jobs::ReplyOnce<std::string> reply);
   void execute_next(const std::shared_ptr<Exchange>& exchange);
+  // Returns false if no worker accepts it.
+  [[nodiscard]] bool execute_next_on_worker(const std::shared_ptr<Exchange>& exchange);
   void start(const std::shared_ptr<Exchange>& exchange, const protocol::rpc::Request& request,
              jobs::ReplyOnce<calls::Outcome> reply);
+  void set_deadline(const std::shared_ptr<Exchange>& exchange, const std::shared_ptr<calls::OpenCall>& call,
+                    jobs::JobQueue& queue, jobs::DeadlineClock::Time time);
   void schedule(protocol::calls::ParsedCall parsed, const methods::Handler& handle,
                 const std::shared_ptr<Exchange>& exchange, const std::shared_ptr<calls::OpenCall>& call);
   [[nodiscard]] calls::Outcome cancel(const Json& params, std::uint64_t session);

@@ -11,6 +11,7 @@
 
 #include "protocol/rpc/json_rpc.h"
 #include "server/calls/outcome.h"
+#include "server/jobs/deadline_clock.h"
 #include "server/jobs/reply_once.h"
 #include "server/ops/freed_memory.h"
 #include "server/ops/log.h"
@@ -27,9 +28,11 @@ struct Exchange {
   std::shared_ptr<transport::access::Session> session;
   jobs::ReplyOnce<std::string> reply;
   const ops::OnAnswered& on_answered;
+  jobs::DeadlineClock::Time arrived{};
   Clock::time_point began{Clock::now()};
   std::size_t calls_done{};
-  std::string marker_id{};  // the marker that the current call is about; empty: none or unknown
+  bool continue_on_worker{};  // the current call was answered on a thread that must not execute the next one
+  std::string marker_id{};    // the marker that the current call is about; empty: none or unknown
   std::vector<std::string> answers{};
 
   // Adds the answer to the current call, unless that is a notification, and reports it.

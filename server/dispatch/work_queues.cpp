@@ -12,19 +12,32 @@ constexpr std::size_t kReadWorkers = 1, kQuickReadWorkers = 1, kQuickChangeWorke
 // Nor does a drag session wait behind a motion, or behind one other session.
 constexpr std::size_t kMinDragWorkers = 2;
 
+jobs::JobQueue::Now time_of(const jobs::DeadlineClock& clock) {
+  return [&clock] { return clock.now(); };
+}
+
 }  // namespace
 
-WorkQueues::WorkQueues(std::size_t workers, const calls::Limits& limits)
-    : parsing{workers == 0 ? 0 : kParsingWorkers, limits.waiting_reads},
-      reads{workers == 0 ? 0 : kReadWorkers, limits.waiting_reads, kQuickReadWorkers},
-      motions{workers, limits.waiting_motions, kQuickChangeWorkers},
-      drags{workers == 0 ? 0 : std::max(workers, kMinDragWorkers), limits.waiting_moves} {}
+WorkQueues::WorkQueues(std::size_t workers, const calls::Limits& limits, const jobs::DeadlineClock& clock)
+    : parsing{workers == 0 ? 0 : kParsingWorkers, limits.waiting_reads, 0, time_of(clock)},
+      reads{workers == 0 ? 0 : kReadWorkers, limits.waiting_reads, kQuickReadWorkers, time_of(clock)},
+      motions{workers, limits.waiting_motions, kQuickChangeWorkers, time_of(clock)},
+      drags{workers == 0 ? 0 : std::max(workers, kMinDragWorkers), limits.waiting_moves, 0, time_of(clock)} {}
 
 void WorkQueues::drain() {
   motions.drain();
   drags.drain();
   parsing.drain();
   reads.drain();
+}
+
+jobs::JobQueue::Milliseconds WorkQueues::longest_quick_wait() const {
+  return std::max({motions.longest_quick_wait(), drags.longest_quick_wait(), reads.longest_quick_wait()});
+}
+
+void WorkQueues::remove_stopped() {
+  motions.remove_stopped();
+  reads.remove_stopped();
 }
 
 std::size_t WorkQueues::running() const {

@@ -4,17 +4,23 @@
 #include <cstddef>
 
 #include "server/calls/limits.h"
+#include "server/jobs/deadline_clock.h"
 #include "server/jobs/job_queue.h"
 
 namespace selvage::server::dispatch {
 
 struct WorkQueues {
   // `workers`: for motions.  With 0, all queues are without workers and everything is executed inline.
-  WorkQueues(std::size_t workers, const calls::Limits& limits);
+  // REQUIRES: `clock` outlives the queues.
+  WorkQueues(std::size_t workers, const calls::Limits& limits, const jobs::DeadlineClock& clock);
 
   // Asks all jobs to stop and returns when the last one has ended.
   void drain();
   [[nodiscard]] std::size_t running() const;
+  // How long the quick call that has waited longest for a worker has done so; 0 if none waits.
+  [[nodiscard]] jobs::JobQueue::Milliseconds longest_quick_wait() const;
+  // Removes the waiting calls that are to stop.
+  void remove_stopped();
 
   jobs::JobQueue parsing;  // of large messages, so that no read waits behind one
   jobs::JobQueue reads;

@@ -101,6 +101,7 @@ void DragSessions::move(const protocol::methods::dragging::MoveParams& params,
 void DragSessions::schedule(const std::shared_ptr<Drag>& drag) {
   jobs::Job job{.session = drag->session->id,
                 .lane = drag->id,
+                .quick = true,
                 .caller = drag->session->gone,
                 .work = jobs::Work{[this, drag](const std::stop_token& stop) { execute_waiting_move(*drag, stop); }}};
   const jobs::Admission admission = queue_.submit(job);
@@ -139,6 +140,7 @@ void DragSessions::end(const protocol::methods::dragging::EndParams& params,
   if (!drag || drag->marker_id != params.marker_id) return call->answer(unknown_drag(params.drag_id));
   jobs::Job job{.session = call->session()->id,
                 .lane = drag->id,
+                .quick = true,
                 .caller = call->stop(),
                 .work = jobs::Work{[this, drag, call, params](const std::stop_token& stop) {
                   execute_waiting_move(*drag, stop);

@@ -12,22 +12,37 @@ DeadlineClock::Alarm DeadlineClock::at(Time time, std::function<void()> on_time)
   return Alarm{*this, key};
 }
 
-void DeadlineClock::remove(const Alarm::Key& key) {
+void DeadlineClock::advance(Duration by) {
   const std::lock_guard lock{mutex_};
-  alarms_.erase(key);
+  advanced_ = advanced_.load() + by;
+  changed_.notify_all();
+}
+
+void DeadlineClock::stop() {
+  thread_.request_stop();
+  if (thread_.joinable()) thread_.join();
+}
+
+void DeadlineClock::remove(const Alarm::Key& key) {
+  decltype(alarms_)::node_type removed;  // destroyed without the lock: it may own much
+  const std::lock_guard lock{mutex_};
+  removed = alarms_.extract(key);
 }
 
 void DeadlineClock::tick(const std::stop_token& stop) {
   std::unique_lock lock{mutex_};
   while (!stop.stop_requested()) {
     const Time next = alarms_.empty() ? Time::max() : alarms_.begin()->first.first;
-    if (std::chrono::steady_clock::now() < next) {
+    if (now() < next) {
       wakes_at_ = next;
-      const auto earlier = [&] { return !alarms_.empty() && alarms_.begin()->first.first < next; };
+      const Duration advanced = advanced_;
+      const auto earlier = [&] {
+        return advanced != advanced_.load() || (!alarms_.empty() && alarms_.begin()->first.first < next);
+      };
       if (next == Time::max()) {
         changed_.wait(lock, stop, earlier);  // wait_until() overflows at Time::max()
       } else {
-        changed_.wait_until(lock, stop, next, earlier);
+        changed_.wait_until(lock, stop, next - advanced, earlier);
       }
       continue;
     }

@@ -1,6 +1,8 @@
-// Calls a function at each deadline, from one thread that sleeps until the next one.
+// The server's clock: it gives the time, and calls a function at each deadline, from one thread that sleeps until the
+// next one.  A test can advance it, as if time had passed.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -14,6 +16,7 @@ namespace selvage::server::jobs {
 
 class DeadlineClock {
  public:
+  using Duration = std::chrono::steady_clock::duration;
   using Time = std::chrono::steady_clock::time_point;
 
   // A deadline that is pending as long as this object lives.
@@ -40,13 +43,20 @@ class DeadlineClock {
 
   DeadlineClock();
 
+  // Any thread.
+  [[nodiscard]] Time now() const { return std::chrono::steady_clock::now() + advanced_.load(); }
   // Calls `on_time` at that time, on the clock's thread; it must not block.  REQUIRES: the clock outlives the alarm.
   [[nodiscard]] Alarm at(Time time, std::function<void()> on_time);
+  // For tests: the time is later by this from now on.
+  void advance(Duration by);
+  // Waits for the function that is being called, and calls no more.
+  void stop();
 
  private:
   void remove(const Alarm::Key& key);
   void tick(const std::stop_token& stop);
 
+  std::atomic<Duration> advanced_{Duration{}};
   std::mutex mutex_;
   std::condition_variable_any changed_;
   std::uint64_t alarms_set_{};

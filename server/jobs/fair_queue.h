@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace selvage::server::jobs {
 
@@ -41,6 +42,36 @@ class FairQueue {
       return element;
     }
     return std::nullopt;
+  }
+  // Takes all elements that `leaves` accepts.
+  template <class Leaves>
+  [[nodiscard]] std::vector<Element> take_all(const Leaves& leaves) {
+    std::vector<Element> taken;
+    for (auto own = by_session_.begin(); own != by_session_.end();) {
+      std::deque<Element> stay;
+      for (Element& element : own->second) {
+        if (leaves(element)) {
+          taken.push_back(std::move(element));
+        } else {
+          stay.push_back(std::move(element));
+        }
+      }
+      own->second = std::move(stay);
+      if (own->second.empty()) {
+        std::erase(turns_, own->first);
+        own = by_session_.erase(own);
+      } else {
+        ++own;
+      }
+    }
+    size_ -= taken.size();
+    return taken;
+  }
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    for (const auto& [session, own] : by_session_) {
+      for (const Element& element : own) visit(element);
+    }
   }
   [[nodiscard]] bool empty() const { return size_ == 0; }
   [[nodiscard]] std::size_t size() const { return size_; }

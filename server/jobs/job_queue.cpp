@@ -15,8 +15,8 @@ constexpr double kMinRetry = 20, kMaxRetry = 10'000;  // milliseconds
 
 }  // namespace
 
-JobQueue::JobQueue(std::size_t workers, std::size_t capacity, std::size_t quick_workers)
-    : workers_{workers}, capacity_{capacity} {
+JobQueue::JobQueue(std::size_t workers, std::size_t capacity, std::size_t quick_workers, Now now)
+    : workers_{workers}, capacity_{capacity}, now_{std::move(now)} {
   if (workers == 0) return;
   threads_.reserve(workers + quick_workers);
   for (std::size_t i = 0; i < workers + quick_workers; ++i) {
@@ -32,17 +32,18 @@ Admission JobQueue::submit(Job& job) {
   std::unique_lock lock{mutex_};
   if (draining_) return Admission::kDraining;
   if (workers_ == 0) {
-    const RunningJob running = running_.emplace(running_.end());
+    const RunningJob running = running_.insert(running_.end(), {{}, now_()});
     lock.unlock();
     run(std::move(job), running);
     return Admission::kAccepted;
   }
   if (all_waiting() >= capacity_ && waiting_of_.contains(job.session)) return Admission::kFull;
+  if (job.deadline && now_() + expected_wait(job) > *job.deadline) return Admission::kTooLate;
   ++waiting_of_[job.session];
   if (!job.lane.empty()) {
     const auto [lane, idle] = lanes_.try_emplace(job.lane);
     if (!idle) {
-      lane->second.push_back(std::move(job));
+      lane->second.blocked.push_back(std::move(job));
       ++blocked_;
       return Admission::kAccepted;
     }
@@ -51,19 +52,75 @@ Admission JobQueue::submit(Job& job) {
   return Admission::kAccepted;
 }
 
+// Workers serve whoever is next, so what a new job has to wait is what those before it have waited: the recent ones, or
+// the ones that wait now if that is longer.  Behind a running job of its lane it is expected to wait as long again as
+// that job has taken so far.
+JobQueue::Milliseconds JobQueue::expected_wait(const Job& job) const {
+  const std::size_t idle = idle_ + (job.quick ? idle_quick_ : 0);
+  Milliseconds wait{};
+  if (idle <= ready_.size()) {
+    wait = std::max((job.quick ? waited_quick_ : waited_).recent(), longest_wait(job.quick));
+  }
+  const auto lane = lanes_.find(job.lane);
+  if (lane != lanes_.end() && lane->second.running) wait = std::max<Milliseconds>(wait, now_() - *lane->second.running);
+  return wait;
+}
+
+JobQueue::Milliseconds JobQueue::longest_wait(bool quick) const {
+  Milliseconds longest{};
+  ready_.for_each([&](const Job& job) {
+    if (job.quick == quick) longest = std::max<Milliseconds>(longest, now_() - job.ready_at);
+  });
+  return longest;
+}
+
 void JobQueue::make_ready(Job job) {
   if (job.quick) quick_.notify_one();
   work_.notify_one();
+  job.ready_at = now_();
   const std::uint64_t session = job.session;
   ready_.push(session, std::move(job));
 }
 
-JobQueue::RunningJob JobQueue::begin(const Job& job) {
-  const auto own = waiting_of_.find(job.session);
+void JobQueue::count_as_gone(std::uint64_t session) {
+  const auto own = waiting_of_.find(session);
   if (--own->second == 0) waiting_of_.erase(own);
-  const RunningJob running = running_.emplace(running_.end());
+}
+
+JobQueue::RunningJob JobQueue::begin(const Job& job) {
+  count_as_gone(job.session);
+  const Job::Time now = now_();
+  (job.quick ? waited_quick_ : waited_).record(now - job.ready_at);
+  if (const auto lane = lanes_.find(job.lane); lane != lanes_.end()) lane->second.running = now;
+  const RunningJob running = running_.insert(running_.end(), {{}, now});
   if (draining_) running->stop.request_stop();
   return running;
+}
+
+void JobQueue::remove_stopped() {
+  std::vector<Job> removed;  // destroyed without the lock: a job may own the last reference to its call
+  const std::lock_guard lock{mutex_};
+  removed = take_stopped();
+  if (draining_ && !removed.empty()) notify_of_drain();
+}
+
+std::vector<Job> JobQueue::take_stopped() {
+  const auto stopped = [](const Job& job) { return job.caller.stop_requested(); };
+  std::vector<Job> removed;
+  for (auto& [name, lane] : lanes_) {
+    const auto stay = std::stable_partition(lane.blocked.begin(), lane.blocked.end(), stopped);
+    blocked_ -= static_cast<std::size_t>(stay - lane.blocked.begin());
+    std::move(lane.blocked.begin(), stay, std::back_inserter(removed));
+    lane.blocked.erase(lane.blocked.begin(), stay);
+  }
+  std::vector<Job> ready = ready_.take_all(stopped);
+  for (Job& job : ready) {
+    (job.quick ? waited_quick_ : waited_).record(now_() - job.ready_at);
+    free_lane(job.lane);
+    removed.push_back(std::move(job));
+  }
+  for (const Job& job : removed) count_as_gone(job.session);
+  return removed;
 }
 
 void JobQueue::drain() {
@@ -84,9 +141,16 @@ int JobQueue::retry_after_ms() const {
   const auto ahead = static_cast<double>(all_waiting() + 1);
   const auto parallelism = static_cast<double>(std::max<std::size_t>(workers_, 1));
   // The running jobs may take longer than all that have ended.
-  double elapsed = 0;
-  for (const Running& job : running_) elapsed += job.milliseconds() / static_cast<double>(running_.size());
-  return static_cast<int>(std::clamp(std::max(recent_ms_, elapsed) * ahead / parallelism, kMinRetry, kMaxRetry));
+  Milliseconds elapsed{};
+  for (const Running& job : running_)
+    elapsed += Milliseconds{now_() - job.began} / static_cast<double>(running_.size());
+  return static_cast<int>(
+      std::clamp(std::max(recent_ms_, elapsed.count()) * ahead / parallelism, kMinRetry, kMaxRetry));
+}
+
+JobQueue::Milliseconds JobQueue::longest_quick_wait() const {
+  const std::lock_guard lock{mutex_};
+  return longest_wait(true);
 }
 
 std::size_t JobQueue::waiting() const {
@@ -102,10 +166,13 @@ std::size_t JobQueue::running() const {
 void JobQueue::serve(bool only_quick) {
   const auto accepts = [only_quick](const Job& job) { return job.quick || !only_quick; };
   std::condition_variable& changed = only_quick ? quick_ : work_;
+  std::size_t& idle = only_quick ? idle_quick_ : idle_;
   std::unique_lock lock{mutex_};
   for (;;) {
     std::optional<Job> job;
+    ++idle;
     changed.wait(lock, [&] { return (job = ready_.take(accepts)).has_value() || (draining_ && blocked_ == 0); });
+    --idle;
     if (!job) return;
     const RunningJob running = begin(*job);
     lock.unlock();
@@ -136,23 +203,32 @@ void JobQueue::run(Job job, RunningJob running) {
 
 void JobQueue::end(const std::string& lane, RunningJob running) {
   const std::lock_guard lock{mutex_};
-  recent_ms_ += kWeightOfLastJob * (running->milliseconds() - recent_ms_);
+  recent_ms_ += kWeightOfLastJob * (Milliseconds{now_() - running->began}.count() - recent_ms_);
   running_.erase(running);
-  if (const auto found = lanes_.find(lane); found != lanes_.end()) {
-    if (found->second.empty()) {
-      lanes_.erase(found);
-    } else {
-      // Another worker may have to take it: this one may be for quick jobs only, or another session comes first.
-      make_ready(std::move(found->second.front()));
-      found->second.pop_front();
-      --blocked_;
-    }
+  free_lane(lane);
+  if (draining_) notify_of_drain();
+}
+
+void JobQueue::notify_of_drain() {
+  work_.notify_all();
+  quick_.notify_all();
+  drained_.notify_all();
+}
+
+// The first job of the lane has ended or was removed.
+void JobQueue::free_lane(const std::string& lane) {
+  const auto found = lanes_.find(lane);
+  if (found == lanes_.end()) return;
+  if (found->second.blocked.empty()) {
+    lanes_.erase(found);
+    return;
   }
-  if (draining_) {
-    work_.notify_all();
-    quick_.notify_all();
-    drained_.notify_all();
-  }
+  // Another worker may have to take it: this one may be for quick jobs only, or another session comes first.
+  Job next = std::move(found->second.blocked.front());
+  found->second.blocked.pop_front();
+  found->second.running.reset();
+  --blocked_;
+  make_ready(std::move(next));
 }
 
 }  // namespace selvage::server::jobs

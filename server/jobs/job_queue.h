@@ -1,7 +1,8 @@
 // The worker pool: jobs wait in a queue of limited capacity, and each job has a token that asks it to stop.
 //
 // Sessions are served round-robin, so a session with many queued jobs delays another session by at most one job.  A
-// session without queued jobs is always admitted, even when the queue is full.
+// session without queued jobs is always admitted, even when the queue is full.  A job with a deadline is refused at
+// once if it would have to wait, and the jobs before it have waited for longer than it can.
 //
 // Some workers take only jobs that are declared quick, so that these wait neither for long jobs nor for busy workers.
 //
@@ -16,16 +17,19 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <future>
 #include <list>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "server/jobs/fair_queue.h"
+#include "server/jobs/waiting_time.h"
 
 namespace selvage::server::jobs {
 
@@ -33,25 +37,35 @@ namespace selvage::server::jobs {
 using Work = std::packaged_task<void(std::stop_token)>;
 
 struct Job {
-  std::uint64_t session{};  // the session whose turn it uses
-  std::string lane;         // empty: none
-  bool quick{};             // never takes long
-  std::stop_token caller;   // stops when the caller wants the job to stop
-  Work work;                // an exception is logged and ends only this job
+  using Time = std::chrono::steady_clock::time_point;
+
+  std::uint64_t session{};         // the session whose turn it uses
+  std::string lane;                // empty: none
+  bool quick{};                    // never takes long
+  std::optional<Time> deadline{};  // useless if it has not started by then
+  std::stop_token caller;          // stops when the caller wants the job to stop
+  Work work;                       // an exception is logged and ends only this job
+  Time ready_at{};                 // when only workers were missing; set by the queue
 };
 
-enum class Admission { kAccepted, kFull, kDraining };
+enum class Admission { kAccepted, kFull, kTooLate, kDraining };
 
 class JobQueue {
  public:
-  // `quick_workers` are added to `workers`, unless that is 0.
-  JobQueue(std::size_t workers, std::size_t capacity, std::size_t quick_workers = 0);
+  using Milliseconds = WaitingTime::Duration;
+  using Now = std::function<Job::Time()>;
+
+  // `quick_workers` are added to `workers`, unless that is 0.  `now` gives the time, from any thread.
+  JobQueue(std::size_t workers, std::size_t capacity, std::size_t quick_workers = 0,
+           Now now = std::chrono::steady_clock::now);
   ~JobQueue();  // drains
   JobQueue(const JobQueue&) = delete;
   JobQueue& operator=(const JobQueue&) = delete;
 
   // A job that is not accepted is left unchanged.
   [[nodiscard]] Admission submit(Job& job);
+  // Removes the waiting jobs whose caller wants them to stop, without executing them.
+  void remove_stopped();
 
   // Accepts no more jobs, asks every job to stop, and returns when the last one has ended.
   void drain();
@@ -61,40 +75,51 @@ class JobQueue {
   // When a full queue is likely to have room again: the number of waiting jobs times the time of a recent job, or of
   // the running ones if they have taken longer.
   [[nodiscard]] int retry_after_ms() const;
+  // How long the quick job that has waited longest for a worker has done so; 0 if none waits.
+  [[nodiscard]] Milliseconds longest_quick_wait() const;
   [[nodiscard]] std::size_t waiting() const;
   [[nodiscard]] std::size_t running() const;
 
  private:
-  using Clock = std::chrono::steady_clock;
   struct Running {
     std::stop_source stop;
-    Clock::time_point began{Clock::now()};
-    [[nodiscard]] double milliseconds() const {
-      return std::chrono::duration<double, std::milli>{Clock::now() - began}.count();
-    }
+    Job::Time began;
   };
   using RunningJob = std::list<Running>::iterator;
+  struct Lane {
+    std::deque<Job> blocked;           // they wait for the lane's first job, which is ready or running
+    std::optional<Job::Time> running;  // since when
+  };
 
   void serve(bool only_quick);
   void run(Job job, RunningJob running);
   void end(const std::string& lane, RunningJob running);
   // These need the mutex.
   void make_ready(Job job);
+  void free_lane(const std::string& lane);
+  void count_as_gone(std::uint64_t session);
   [[nodiscard]] RunningJob begin(const Job& job);
   [[nodiscard]] std::size_t all_waiting() const { return ready_.size() + blocked_; }
+  [[nodiscard]] Milliseconds longest_wait(bool quick) const;
+  [[nodiscard]] Milliseconds expected_wait(const Job& job) const;
+  [[nodiscard]] std::vector<Job> take_stopped();
+  void notify_of_drain();
 
   const std::size_t workers_;
   const std::size_t capacity_;
+  const Now now_;
   mutable std::mutex mutex_;
   std::condition_variable work_;     // a job is ready, or no more will come
   std::condition_variable quick_;    // a quick job is ready, or no more will come
   std::condition_variable drained_;  // the last job has ended
   FairQueue<Job> ready_;
-  std::map<std::string, std::deque<Job>> lanes_;     // lanes with a ready or running job, and the jobs that wait for it
+  std::map<std::string, Lane> lanes_;                // those with a ready or running job
   std::size_t blocked_{};                            // jobs waiting in lanes_
   std::map<std::uint64_t, std::size_t> waiting_of_;  // by session, ready or blocked; sessions with none are absent
   std::list<Running> running_;
-  double recent_ms_{100};  // the time of a recent job, smoothed
+  std::size_t idle_{}, idle_quick_{};  // workers of either kind that wait for a job
+  WaitingTime waited_, waited_quick_;  // for a worker, by jobs that are long and quick
+  double recent_ms_{100};              // the time of a recent job, smoothed
   bool draining_{};
   std::vector<std::jthread> threads_;
 };

@@ -19,6 +19,7 @@ class Latencies {
     times_.push_back(std::chrono::duration<double, std::milli>{std::chrono::steady_clock::now() - began}.count());
     return result;
   }
+  void add(double milliseconds) { times_.push_back(milliseconds); }
   void join(const Latencies& other) { times_.insert(times_.end(), other.times_.begin(), other.times_.end()); }
   // The quantile `p` of the durations, 0 <= p <= 1; 0 if there are none.
   [[nodiscard]] double part(double p) const {

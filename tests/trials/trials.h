@@ -21,4 +21,8 @@ void soak(std::size_t seconds, Faults& faults);
 // 500 connections that send a byte now and then and 50 that hardly read, alternating with none of them, `rounds` times.
 void slow(std::size_t rounds, Faults& faults);
 
+// `count` compactions with a deadline of 200 ms while every worker compacts for long, and as many bumps behind one of
+// these compactions; then the same again.
+void deadlines(std::size_t count, Faults& faults);
+
 }  // namespace selvage::trials

@@ -9,6 +9,8 @@
 namespace selvage::test {
 namespace {
 
+namespace jobs = server::jobs;
+
 std::string cancel(int id) {
   return R"({"jsonrpc":"2.0","method":"$/cancelRequest","params":{"id":)" + std::to_string(id) + "}}";
 }
@@ -95,8 +97,8 @@ TEST(Deadlines, IncludeTheWaitingTimeAndAreChecked) {
   (void)local.open_small();
   auto first = local.send(call(1, "motion.compact", R"({"markerId":"m1","deadlineMs":30})"));
   auto second = local.send(call(2, "motion.compact", R"({"markerId":"m1","deadlineMs":1})"));
+  EXPECT_EQ(code_of(Json::parse(second.get())), -32010);
   EXPECT_EQ(Json::parse(first.get())["result"]["stop"], "deadline");
-  EXPECT_EQ(Json::parse(second.get())["result"]["stop"], "deadline");
   for (const char* wrong : {"0", "-5", "1e300", "'soon'"}) {
     const Json answer = local.result("motion.compact", "{'markerId':'m1','deadlineMs':" + std::string{wrong} + "}");
     EXPECT_EQ(answer["error"]["data"]["field"], "/deadlineMs") << wrong;
@@ -115,6 +117,101 @@ TEST(Deadlines, TheServersLimitAppliesToMotionsWithoutOrWithALongerDeadline) {
     EXPECT_EQ(done["valid"], true) << asked;
   }
   EXPECT_EQ(local.result("engine.info", "{}")["limits"]["callMs"], 20);
+}
+
+// A server whose only worker executes a motion that ends when the test releases it, whatever its stop token says.
+class BlockedServer : public ::testing::Test {
+ protected:
+  BlockedServer() {
+    (void)local.open_small();
+    (void)local.open_small();
+    blocking = local.send(call(1, "motion.compact", R"({"markerId":"m1"})"));
+    arrived.get_future().wait();
+  }
+  ~BlockedServer() override {
+    if (!released) release.set_value();
+  }
+  void end() {
+    released = true;
+    release.set_value();
+    EXPECT_EQ(Json::parse(blocking.get())["result"]["revision"], 2);
+  }
+  static Json answer_of(std::future<std::string>& sent) {
+    if (sent.wait_for(kPatience) != std::future_status::ready) return Json{{"error", {{"code", 0}}}};
+    return Json::parse(sent.get());
+  }
+
+  std::promise<void> release, arrived;
+  std::shared_future<void> may_end = release.get_future().share();
+  bool released{};
+  LocalServer local{1, methods_with({"motion.compact"},
+                                    [this](const CommonParams& about, const MarkerFile& file,
+                                           const MethodContext& context) -> Result<MethodAnswer> {
+                                      arrived.set_value();  // a second motion would throw
+                                      may_end.wait();
+                                      return motion_answer(about, file.marker, push_left(file.marker), context);
+                                    })};
+  std::future<std::string> blocking;
+};
+
+using namespace std::chrono_literals;
+
+TEST_F(BlockedServer, AnswersWaitingCallsAtTheirDeadlines) {
+  auto compact = local.send(call(2, "motion.compact", R"({"markerId":"m2","deadlineMs":60000})"));
+  auto bump =
+      local.send(call(3, "motion.bump", R"({"markerId":"m1","piece":"low","direction":[-1,0],"deadlineMs":90000})"));
+  local.backend.clock().advance(61s);
+  const Json late = answer_of(compact);
+  EXPECT_EQ(code_of(late), -32010);
+  EXPECT_GE(late["error"]["data"]["retryAfterMs"].number(), 20);
+  EXPECT_EQ(bump.wait_for(0s), std::future_status::timeout);
+  local.backend.clock().advance(30s);
+  EXPECT_EQ(code_of(answer_of(bump)), -32010);
+  EXPECT_EQ(local.backend.queues().motions.waiting(), 0U);  // they take no room in the queue
+  end();
+  EXPECT_EQ(local.store().current("m1")->revision, 2U);
+  EXPECT_EQ(local.store().current("m2")->revision, 1U);
+}
+
+TEST_F(BlockedServer, ExecutesTheRestOfABatchAfterACallThatWaitedTooLong) {
+  auto batch = local.send("[" + call(2, "motion.compact", R"({"markerId":"m2","deadlineMs":60000})") + "," +
+                          call(3, "marker.get", R"({"markerId":"m2"})") + "]");
+  local.backend.clock().advance(61s);
+  const Json answers = answer_of(batch);
+  ASSERT_EQ(answers.size(), 2U);
+  EXPECT_EQ(code_of(answers[0]), -32010);
+  EXPECT_EQ(answers[1]["result"]["revision"], 1);
+  end();
+}
+
+TEST_F(BlockedServer, RefusesAtOnceACallWhoseTurnWouldComeTooLate) {
+  local.backend.clock().advance(5s);
+  const std::string bump = R"({"markerId":"m1","piece":"low","direction":[-1,0],"deadlineMs":)";
+  const Json refused = local.ask_json(call(2, "motion.bump", bump + "200}"));
+  EXPECT_EQ(code_of(refused), -32010);
+  EXPECT_GE(refused["error"]["data"]["retryAfterMs"].number(), 20);
+  auto patient = local.send(call(3, "motion.bump", bump + "3600000}"));
+  end();
+  EXPECT_EQ(answer_of(patient)["result"]["revision"], 3);
+}
+
+TEST_F(BlockedServer, IsNotReadyWhileInteractiveCallsWait) {
+  std::promise<void> unblock;
+  auto unblocked = unblock.get_future().share();
+  std::promise<void> blocked;
+  jobs::Job quick{.session = 99, .lane = {}, .quick = true, .caller = {}, .work = jobs::Work{[&](auto&&) {
+                                                                            blocked.set_value();
+                                                                            unblocked.wait();
+                                                                          }}};
+  ASSERT_EQ(local.backend.queues().motions.submit(quick), jobs::Admission::kAccepted);
+  blocked.get_future().wait();
+  auto bump = local.send(call(2, "motion.bump", R"({"markerId":"m2","piece":"low","direction":[-1,0]})"));
+  EXPECT_EQ(local.backend.why_not_ready(), "");
+  local.backend.clock().advance(2s);
+  EXPECT_NE(local.backend.why_not_ready().find("interactive calls"), std::string::npos);
+  unblock.set_value();
+  EXPECT_EQ(answer_of(bump)["result"]["revision"], 2);
+  EXPECT_EQ(local.backend.why_not_ready(), "");
 }
 
 // A marker.check that ends only when it is stopped.

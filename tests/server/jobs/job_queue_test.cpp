@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <latch>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace selvage::server::jobs {
@@ -250,6 +252,66 @@ TEST(JobQueue, AJobWhoseCallerHasLeftStartsStopped) {
   release.count_down();
   ended.wait();
   EXPECT_TRUE(stopped);
+}
+
+// A queue with one worker, which is blocked, and a time that the test sets.
+class LateQueue : public ::testing::Test {
+ protected:
+  LateQueue() {
+    EXPECT_EQ(submit(queue, job(
+                                [this](auto) {
+                                  started.count_down();
+                                  release.wait();
+                                },
+                                "m1")),
+              Admission::kAccepted);
+    started.wait();
+  }
+  ~LateQueue() override { unblock(); }
+  void unblock() {
+    if (!std::exchange(unblocked, true)) release.count_down();
+  }
+  [[nodiscard]] Job until(std::chrono::seconds deadline, std::string lane = {}, std::stop_token caller = {}) {
+    Job made = job([](auto) {}, std::move(lane), std::move(caller));
+    made.deadline = now.load() + deadline;
+    return made;
+  }
+
+  bool unblocked{};
+  std::latch started{1};
+  std::latch release{1};
+  std::atomic<Job::Time> now{Job::Time{std::chrono::hours{1}}};
+  JobQueue queue{1, 8, 0, [this] { return now.load(); }};
+};
+
+TEST_F(LateQueue, RefusesAJobWhenThoseBeforeItHaveWaitedLonger) {
+  EXPECT_EQ(submit(queue, until(std::chrono::seconds{2})), Admission::kAccepted);  // nothing has waited yet
+  now = now.load() + std::chrono::seconds{5};
+  EXPECT_EQ(submit(queue, until(std::chrono::seconds{2})), Admission::kTooLate);
+  EXPECT_EQ(submit(queue, until(std::chrono::seconds{9})), Admission::kAccepted);
+  EXPECT_EQ(submit(queue, job([](auto) {})), Admission::kAccepted);  // one without a deadline may wait
+}
+
+TEST_F(LateQueue, RefusesAJobBehindALongOneOfItsLane) {
+  now = now.load() + std::chrono::seconds{5};
+  EXPECT_EQ(submit(queue, until(std::chrono::seconds{2}, "m1")), Admission::kTooLate);
+  EXPECT_EQ(submit(queue, until(std::chrono::seconds{2}, "m2")), Admission::kAccepted);
+}
+
+TEST_F(LateQueue, RemovesStoppedJobsAndServesTheirLanes) {
+  std::stop_source caller;
+  std::latch ran{1};
+  for (const char* lane : {"m1", "m2"}) {
+    EXPECT_EQ(submit(queue, job([](auto) { ADD_FAILURE() << "it was removed"; }, lane, caller.get_token())),
+              Admission::kAccepted);
+  }
+  EXPECT_EQ(submit(queue, job([&](auto) { ran.count_down(); }, "m2")), Admission::kAccepted);
+  EXPECT_EQ(queue.waiting(), 3U);
+  caller.request_stop();
+  queue.remove_stopped();
+  EXPECT_EQ(queue.waiting(), 1U);
+  unblock();
+  ran.wait();
 }
 
 TEST(JobQueue, DrainingStopsRunningJobsAndWaitsForAllAccepted) {
