@@ -35,6 +35,20 @@ class Reporter {
   int rounds_{};
 };
 
+// The marker with all pieces off the cloth but the fixed ones; they are the first unplaced ones.
+Marker with_pieces_taken_off(const Marker& given, const layout::PieceSet& set) {
+  Marker bare = given;
+  bare.pieces.clear();
+  bare.unplaced.clear();
+  for (std::size_t i = 0; i < given.pieces.size(); ++i) {
+    Piece piece = given.pieces[i];
+    if (!set.fixed[i]) piece.at = {};
+    (set.fixed[i] ? bare.pieces : bare.unplaced).push_back(std::move(piece));
+  }
+  bare.unplaced.insert(bare.unplaced.end(), given.unplaced.begin(), given.unplaced.end());
+  return bare;
+}
+
 // Pieces that no search may move must lie validly.
 std::optional<Error> defect_of_fixed(const Marker& start, const layout::PieceSet& set) {
   const marker::PlacedPieces pieces{start};
@@ -101,9 +115,15 @@ Searched search(std::size_t number, const Marker& start, const Marker& shelves, 
 
 }  // namespace
 
-Result<Nesting> nest(const Marker& start, const NestSettings& settings, const scene::Run& run) {
-  const auto set = piece_set_of(start, settings.placed, run.sums);
+Result<Nesting> nest(const Marker& given, const NestSettings& settings, const scene::Run& run) {
+  auto set = piece_set_of(given, settings.placed, run.sums);
   if (!set) return set.error();
+  Marker start = given;
+  if (settings.from_scratch) {
+    start = with_pieces_taken_off(given, *set);
+    set = piece_set_of(start, settings.placed, run.sums);
+    if (!set) return set.error();
+  }
   if (const auto defect = defect_of_fixed(start, *set)) return *defect;
   Marker endless = start;  // the search itself takes the cloth to be endless
   endless.strip = start.strip.ending(std::nullopt);
@@ -122,7 +142,7 @@ Result<Nesting> nest(const Marker& start, const NestSettings& settings, const sc
                                      [](const auto& a, const auto& b) { return (*a).length < (*b).length; });
 
   Nesting nesting;
-  nesting.length_before = length_of(start);
+  nesting.length_before = length_of(given);
   nesting.search = static_cast<std::size_t>(best - searched.begin());
   for (const auto& one : searched) {
     nesting.moves += one->moves;

@@ -8,7 +8,8 @@
 //
 // Laws.  (1) The answer is valid, proved in integers.  (2) Every piece of the input is in the answer, placed or, when
 // the cloth ends before it, unplaced.  (3) Locked pieces and pieces of groups stay in place, but for compaction, which
-// moves groups as one.  (4) If the input places all pieces and is valid, the answer is no longer than it.  (5) The same
+// moves groups as one.  (4) If the input places all pieces and is valid, and the search
+// is not from scratch, the answer is no longer than it.  (5) The same
 // input and settings give the same answer, whatever the cache holds and however many threads are used; with `elapsed`
 // or when cancelled, the best marker so far.  (6) More moves never give a longer marker.
 #pragma once
@@ -32,6 +33,8 @@ struct NestSettings {
   std::size_t searches{1};  // independent ones; the best answer counts
   std::uint64_t seed{};
   layout::PlacedPiecesMay placed{layout::PlacedPiecesMay::kMove};
+  // Takes all pieces off the cloth first, but for locked ones and groups: the answer may then be longer than the input.
+  bool from_scratch{};
   // The part of the caller's time that is used up, 0..1; empty when only moves are limited.  Called by the thread of
   // every search.
   std::function<double()> elapsed{};

@@ -4,15 +4,21 @@
 #include <utility>
 
 #include "core/geometry/orientation.h"
+#include "protocol/edits/blame.h"
 #include "protocol/edits/edits.h"
 
 namespace selvage::protocol::edits {
 namespace {
 
-constexpr std::size_t kNoEdit = SIZE_MAX;
-
-std::string pointer_of(std::size_t edit, std::string_view field = "") {
-  return "/ops/" + std::to_string(edit) + std::string{field};
+template <class Entry>
+void erase_marked(std::vector<Entry>& list, const std::vector<bool>& marked) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (marked[i]) continue;
+    if (kept != i) list[kept] = std::move(list[i]);
+    ++kept;
+  }
+  list.resize(kept);
 }
 
 // A marker file while it is edited.  Pieces that are removed keep their place until the end, so that indices stay.
@@ -21,9 +27,13 @@ class Editor {
   explicit Editor(MarkerFile file) : file_{std::move(file)} {
     for (std::uint32_t i = 0; i < file_.marker.pieces.size(); ++i) by_id_.emplace(file_.marker.pieces[i].id, i);
     for (std::uint32_t i = 0; i < file_.marker.shapes.size(); ++i) shapes_.emplace(file_.marker.shapes[i].id, i);
+    for (std::uint32_t i = 0; i < file_.marker.unplaced.size(); ++i) {
+      unplaced_by_id_.emplace(file_.marker.unplaced[i].id, i);
+    }
     removed_.resize(file_.marker.pieces.size());
-    edited_by_.resize(file_.marker.pieces.size(), kNoEdit);
-    shaped_by_.resize(file_.marker.shapes.size(), kNoEdit);
+    taken_.resize(file_.marker.unplaced.size());
+    blame_.pieces.resize(file_.marker.pieces.size(), kNoEdit);
+    blame_.shapes.resize(file_.marker.shapes.size(), kNoEdit);
     file_.notes.clear();
   }
 
@@ -36,7 +46,7 @@ class Editor {
     check_reach();
     if (mistake_) return mistake_.error();
     auto made = make_marker(std::move(file_.marker));
-    if (!made) return at_its_edit(made.error());
+    if (!made) return blame_.at_its_edit(made.error());
     file_.marker = *std::move(made);
     return std::move(file_);
   }
@@ -54,7 +64,7 @@ class Editor {
                    pointer_of(edit_, "/piece"));
       return nullptr;
     }
-    edited_by_[found->second] = edit_;
+    blame_.pieces[found->second] = edit_;
     return &file_.marker.pieces[found->second];
   }
 
@@ -72,7 +82,7 @@ class Editor {
       mistake_.add(ErrorCode::kUnknownShape, json::shortened(Json(add.piece.piece.shape)) + " is the id of no shape",
                    pointer_of(edit_, "/piece/shape"));
     }
-    if (by_id_.contains(add.piece.piece.piece.id)) {
+    if (by_id_.contains(add.piece.piece.piece.id) || unplaced_by_id_.contains(add.piece.piece.piece.id)) {
       mistake_.add(ErrorCode::kDuplicateId,
                    json::shortened(Json(add.piece.piece.piece.id)) + " is the id of a piece already",
                    pointer_of(edit_, "/piece/id"));
@@ -83,11 +93,7 @@ class Editor {
     piece.at = {coordinate(add.piece.piece.at.x, "/piece/at"), coordinate(add.piece.piece.at.y, "/piece/at")};
     piece.buffer = clearance(add.piece.piece.buffer, "/piece/buffer");
     settle(piece);
-    by_id_.emplace(piece.id, static_cast<std::uint32_t>(file_.marker.pieces.size()));
-    file_.marker.pieces.push_back(std::move(piece));
-    file_.attributes.pieces.push_back(add.piece.attributes);
-    removed_.push_back(false);
-    edited_by_.push_back(edit_);
+    append(std::move(piece), add.piece.attributes);
   }
 
   void add_shape(const AddPiece& add) {
@@ -115,7 +121,7 @@ class Editor {
     shapes_.emplace(id, static_cast<std::uint32_t>(file_.marker.shapes.size()));
     file_.marker.shapes.push_back(*std::move(shape));
     file_.attributes.shapes.push_back(add.shape->attributes);
-    shaped_by_.push_back(edit_);
+    blame_.shapes.push_back(edit_);
   }
 
   // A rotation becomes the allowed one that it equals up to whole turns: -90 is 270.
@@ -127,11 +133,63 @@ class Editor {
   }
 
   void apply(const RemovePiece& remove) {
-    if (!piece_of(remove.piece.text)) return;
-    const auto found = by_id_.find(remove.piece.text);
+    if (unplaced_by_id_.contains(remove.piece.text)) {
+      (void)take_unplaced(remove.piece.text);
+    } else if (piece_of(remove.piece.text)) {
+      leave_out(remove.piece.text);
+    }
+  }
+  // Its place in the list stays until the end.
+  void leave_out(const std::string& id) {
+    const auto found = by_id_.find(id);
     removed_[found->second] = true;
     by_id_.erase(found);
   }
+
+  void apply(const PlacePiece& place) {
+    const std::string& id = place.piece.text;
+    if (!unplaced_by_id_.contains(id)) {
+      mistake_.add(ErrorCode::kOutOfRange,
+                   json::shortened(Json(id)) + " is no unplaced piece of this marker; the id of one of its " +
+                       std::to_string(unplaced_by_id_.size()) + " unplaced pieces is allowed",
+                   pointer_of(edit_, "/piece"));
+      return;
+    }
+    auto [piece, attributes] = take_unplaced(id);
+    piece.at = {coordinate(place.at.x, "/at"), coordinate(place.at.y, "/at")};
+    piece.orientation.rotation.degrees = place.rotation.value_or(piece.orientation.rotation.degrees);
+    piece.orientation.flip = place.flip.value_or(piece.orientation.flip);
+    settle(piece);
+    append(std::move(piece), std::move(attributes));
+  }
+  void apply(const TakeOffPiece& take) {
+    const Piece* piece = piece_of(take.piece.text);
+    if (!piece) return;
+    const std::uint32_t index = by_id_.at(take.piece.text);
+    file_.marker.unplaced.push_back(*piece);
+    file_.marker.unplaced.back().at = {};
+    file_.attributes.unplaced.push_back(file_.attributes.pieces[index]);
+    unplaced_by_id_.emplace(piece->id, static_cast<std::uint32_t>(taken_.size()));
+    taken_.push_back(false);
+    leave_out(take.piece.text);
+  }
+
+  // REQUIRES: there is an unplaced piece of this id.  Its place in the list stays until the end.
+  std::pair<Piece, Json> take_unplaced(const std::string& id) {
+    const auto found = unplaced_by_id_.find(id);
+    const std::uint32_t index = found->second;
+    taken_[index] = true;
+    unplaced_by_id_.erase(found);
+    return {std::move(file_.marker.unplaced[index]), std::move(file_.attributes.unplaced[index])};
+  }
+  void append(Piece piece, Json attributes) {
+    by_id_.emplace(piece.id, static_cast<std::uint32_t>(file_.marker.pieces.size()));
+    file_.marker.pieces.push_back(std::move(piece));
+    file_.attributes.pieces.push_back(std::move(attributes));
+    removed_.push_back(false);
+    blame_.pieces.push_back(edit_);
+  }
+
   void apply(const MovePiece& move) {
     Piece* piece = piece_of(move.piece.text);
     if (!piece) return;
@@ -181,11 +239,11 @@ class Editor {
     if (strip.margin) mine.margin = clearance(*strip.margin, "/margin");
     if (strip.longest) mine.longest.reset();
     if (strip.longest && strip.longest->value) mine.longest = length(*strip.longest->value, "/longest");
-    strip_by_ = edit_;
+    blame_.strip = edit_;
   }
   void apply(const SetSpacing& spacing) {
     file_.marker.spacing = clearance(spacing.spacing, "/spacing");
-    spacing_by_ = edit_;
+    blame_.spacing = edit_;
   }
   // A distance to keep: rounded up, so that it holds.
   Coord clearance(double distance, std::string_view field) {
@@ -195,60 +253,30 @@ class Editor {
   }
 
   void leave_out_removed() {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < removed_.size(); ++i) {
-      if (removed_[i]) continue;
-      if (kept != i) {
-        file_.marker.pieces[kept] = std::move(file_.marker.pieces[i]);
-        file_.attributes.pieces[kept] = std::move(file_.attributes.pieces[i]);
-        edited_by_[kept] = edited_by_[i];
-      }
-      ++kept;
-    }
-    file_.marker.pieces.resize(kept);
-    file_.attributes.pieces.resize(kept);
-    edited_by_.resize(kept);
+    erase_marked(file_.marker.pieces, removed_);
+    erase_marked(file_.attributes.pieces, removed_);
+    erase_marked(blame_.pieces, removed_);
+    erase_marked(file_.marker.unplaced, taken_);
+    erase_marked(file_.attributes.unplaced, taken_);
   }
 
   // No edited piece reaches beyond the lattice: moves add up.
   void check_reach() {
-    for (std::uint32_t i = 0; i < edited_by_.size(); ++i) {
-      if (edited_by_[i] == kNoEdit) continue;
+    for (std::uint32_t i = 0; i < blame_.pieces.size(); ++i) {
+      if (blame_.pieces[i] == kNoEdit) continue;
       const Box box = box_of(placed_outline(file_.marker, PieceId{i}));
       const Coord reach = std::max({-box.low.x, -box.low.y, box.high.x, box.high.y});
       if (reach < kLatticeLimit) continue;
-      mistake_.add(ErrorCode::kBeyondLattice, "the piece comes to lie too far out", pointer_of(edited_by_[i]));
+      mistake_.add(ErrorCode::kBeyondLattice, "the piece comes to lie too far out", pointer_of(blame_.pieces[i]));
     }
-  }
-
-  // make_marker's error, its field pointing at the edit that is to blame.
-  [[nodiscard]] Error at_its_edit(Error error) const {
-    const std::string field = std::exchange(error.field, {});
-    const auto below = [&](std::string_view list, const std::vector<std::size_t>& by, std::string_view name) {
-      if (!field.starts_with(list)) return false;
-      const std::size_t index = std::stoul(field.substr(list.size()));
-      const std::size_t edit = index < by.size() ? by[index] : kNoEdit;
-      if (edit != kNoEdit) error.field = pointer_of(edit, name);
-      return edit != kNoEdit;
-    };
-    if (below("/pieces/", edited_by_, "") || below("/shapes/", shaped_by_, "/shape")) return error;
-    if (field.starts_with("/spacing") && spacing_by_ != kNoEdit) {
-      error.field = pointer_of(spacing_by_, "/spacing");
-    } else if (strip_by_ != kNoEdit && (field.starts_with("/strip") || field.starts_with("/pieces/"))) {
-      error.field = pointer_of(strip_by_);
-    } else {
-      error.field = "/ops";
-    }
-    return error;
   }
 
   MarkerFile file_;
   json::Mistake mistake_;
   std::size_t edit_{};
-  std::unordered_map<std::string, std::uint32_t> by_id_, shapes_;
-  std::vector<bool> removed_;
-  std::vector<std::size_t> edited_by_, shaped_by_;  // the last edit of each piece, the one that added each shape
-  std::size_t strip_by_{kNoEdit}, spacing_by_{kNoEdit};
+  std::unordered_map<std::string, std::uint32_t> by_id_, unplaced_by_id_, shapes_;
+  std::vector<bool> removed_, taken_;  // of placed and of unplaced pieces: left out at the end
+  Blame blame_;
 };
 
 }  // namespace

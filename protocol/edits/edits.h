@@ -21,6 +21,7 @@ namespace selvage::protocol::edits {
 
 inline constexpr std::string_view kOpMeaning = "The operation.";
 inline constexpr std::string_view kPieceMeaning = "The piece's id.";
+inline constexpr std::string_view kUnplacedMeaning = "The unplaced piece's id.";
 inline constexpr schema::Limits kDegrees{.range = {{-360, 360}}}, kTilts{.range = {{-45, 45}}};
 inline constexpr schema::Limits kLengths{.range = {{0, formats::kStripWidths.most}}};
 
@@ -63,7 +64,33 @@ struct AddPiece {
 };
 struct RemovePiece {
   static constexpr std::string_view kOp = "remove", kName = "RemoveEdit",
-                                    kMeaning = "Removes a piece; its shape stays.";
+                                    kMeaning = "Removes a piece, placed or not; its shape stays.";
+  calls::Id piece;
+
+  static void describe(auto& v, auto& self) {
+    v.constant("op", kOp, kOpMeaning);
+    v.required("piece", self.piece, kPieceMeaning);
+  }
+};
+struct PlacePiece {
+  static constexpr std::string_view kOp = "place", kName = "PlaceEdit",
+                                    kMeaning = "Lays an unplaced piece on the cloth, after the other pieces.";
+  calls::Id piece;
+  calls::Point at{};
+  std::optional<double> rotation;  // degrees
+  std::optional<bool> flip;
+
+  static void describe(auto& v, auto& self) {
+    v.constant("op", kOp, kOpMeaning);
+    v.required("piece", self.piece, kUnplacedMeaning);
+    v.required("at", self.at, "The position of its origin.");
+    v.optional("rotation", self.rotation, "One that the shape allows; absent: as it is.", kDegrees);
+    v.optional("flip", self.flip, "Whether it is mirrored; absent: as it is.");
+  }
+};
+struct TakeOffPiece {
+  static constexpr std::string_view kOp = "takeOff", kName = "TakeOffEdit",
+                                    kMeaning = "Takes a piece off the cloth: it becomes the last unplaced piece.";
   calls::Id piece;
 
   static void describe(auto& v, auto& self) {
@@ -191,8 +218,8 @@ struct SetSpacing {
   }
 };
 
-using Edit = std::variant<AddPiece, RemovePiece, MovePiece, RotatePiece, FlipPiece, TiltPiece, LockPiece, GroupPiece,
-                          BufferPiece, SetStrip, SetSpacing>;
+using Edit = std::variant<AddPiece, RemovePiece, PlacePiece, TakeOffPiece, MovePiece, RotatePiece, FlipPiece, TiltPiece,
+                          LockPiece, GroupPiece, BufferPiece, SetStrip, SetSpacing>;
 
 inline constexpr std::size_t kMaxEdits = 100'000;
 

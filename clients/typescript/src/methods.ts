@@ -55,7 +55,7 @@ export type Direction = [number, number];
 export type DragMode = "place" | "push";
 
 /** An operation of marker.apply. */
-export type Edit = AddEdit | RemoveEdit | MoveEdit | RotateEdit | FlipEdit | TiltEdit | LockEdit | GroupEdit | BufferEdit | StripEdit | SpacingEdit;
+export type Edit = AddEdit | RemoveEdit | PlaceEdit | TakeOffEdit | MoveEdit | RotateEdit | FlipEdit | TiltEdit | LockEdit | GroupEdit | BufferEdit | StripEdit | SpacingEdit;
 
 /** Mirrors a piece. */
 export type FlipEdit = {
@@ -275,6 +275,20 @@ export type PieceState = {
   buffer?: number;
 };
 
+/** Lays an unplaced piece on the cloth, after the other pieces. */
+export type PlaceEdit = {
+  /** The operation. */
+  op: "place";
+  /** The unplaced piece's id. */
+  piece: Id;
+  /** The position of its origin. */
+  at: Point;
+  /** One that the shape allows; absent: as it is. */
+  rotation?: number;
+  /** Whether it is mirrored; absent: as it is. */
+  flip?: boolean;
+};
+
 /** The position and orientation of a piece. */
 export type Placement = {
   /** The piece's id. */
@@ -315,7 +329,7 @@ export type Region = {
   around: Array<string>;
 };
 
-/** Removes a piece; its shape stays. */
+/** Removes a piece, placed or not; its shape stays. */
 export type RemoveEdit = {
   /** The operation. */
   op: "remove";
@@ -373,6 +387,14 @@ export type StripEdit = {
   longest?: number | null;
   /** The distance that pieces keep from the strip's edges. */
   margin?: number;
+};
+
+/** Takes a piece off the cloth: it becomes the last unplaced piece. */
+export type TakeOffEdit = {
+  /** The operation. */
+  op: "takeOff";
+  /** The piece's id. */
+  piece: Id;
 };
 
 /** How motion.separate chooses the target of an overlapping pair: the nearest point where the two are apart, or the point on the ray from the kernel of their Minkowski sum. */
@@ -866,6 +888,8 @@ export interface Methods {
       searches?: number;
       /** True: pieces that lie on the cloth stay there, up to compaction; false: they are nested again. */
       keepPlaced?: boolean;
+      /** True: all pieces but locked ones and groups are taken off the cloth first, and the result may be longer than the marker was.  Not together with keepPlaced. */
+      fromScratch?: boolean;
     };
     result: {
       /** The marker's id. */

@@ -17,7 +17,7 @@ struct NestParams {
   std::optional<double> seconds;
   std::uint64_t seed{1};
   std::size_t searches{1};
-  bool keep_placed{};
+  bool keep_placed{}, from_scratch{};
 
   static void describe(auto& v, auto& self) {
     v.part(self.call);
@@ -34,6 +34,9 @@ struct NestParams {
                {.range = {{1, kMostSearches}}});
     v.optional("keepPlaced", self.keep_placed,
                "True: pieces that lie on the cloth stay there, up to compaction; false: they are nested again.");
+    v.optional("fromScratch", self.from_scratch,
+               "True: all pieces but locked ones and groups are taken off the cloth first, and the result may be longer "
+               "than the marker was.  Not together with keepPlaced.");
   }
 };
 
@@ -55,6 +58,7 @@ nesting::NestSettings settings_of(const NestParams& params) {
   settings.moves = params.moves.value_or(params.seconds ? static_cast<std::uint64_t>(kMostMoves) : kStandardMoves);
   settings.searches = params.searches;
   settings.seed = params.seed;
+  settings.from_scratch = params.from_scratch;
   if (params.keep_placed) settings.placed = nesting::layout::PlacedPiecesMay::kNotMove;
   if (params.seconds) {
     const auto start = std::chrono::steady_clock::now();
@@ -68,6 +72,10 @@ nesting::NestSettings settings_of(const NestParams& params) {
 
 Result<calls::Motion<NestResult>> run(const NestParams& params, const Marker& start,
                                       const calls::MethodContext& context) {
+  if (params.keep_placed && params.from_scratch) {
+    return Error{ErrorCode::kOutOfRange, "fromScratch is true, and keepPlaced, too; at most one of them may be true",
+                 "/fromScratch"};
+  }
   auto done = nest(start, settings_of(params), context.run);
   if (!done) return done.error();
   const NestResult result{.placed = done->marker.pieces.size(),

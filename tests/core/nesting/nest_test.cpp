@@ -212,5 +212,23 @@ TEST(Nest, LaysMorePiecesThanItSearchesOnShelves) {
   EXPECT_EQ(nesting.marker.pieces.size(), 300u);
 }
 
+TEST(Nest, FromScratchDoesNotKnowWherePiecesLay) {
+  Marker marker = unplaced_pieces({rectangle(400'000, 500'000)}, 4, kWidth);
+  const Nesting first = nested(marker, settings_of(40));
+  NestSettings scratch = settings_of(40);
+  scratch.from_scratch = true;
+  Marker moved = first.marker;
+  moved.pieces[3].locked = true;
+  moved.pieces[3].at.x += 5'000'000;
+  const Nesting again = nested(moved, scratch);
+  EXPECT_EQ(ids_of(again.marker), ids_of(moved));
+  const auto locked = std::find_if(again.marker.pieces.begin(), again.marker.pieces.end(),
+                                   [](const Piece& piece) { return static_cast<bool>(piece.locked); });
+  ASSERT_NE(locked, again.marker.pieces.end());
+  EXPECT_EQ(locked->at, moved.pieces[3].at);
+  // Without locks the answer is that of the pieces alone.
+  EXPECT_EQ(nested(first.marker, scratch).length_after, first.length_after);
+}
+
 }  // namespace
 }  // namespace selvage::nesting

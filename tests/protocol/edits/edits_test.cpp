@@ -34,6 +34,43 @@ void expect_error(const MarkerFile& file, const std::string& ops, ErrorCode code
   EXPECT_EQ(after.error().field, field) << ops;
 }
 
+TEST(Edits, PiecesAreTakenOffTheClothAndLaidOnItAgain) {
+  const auto off = edited(loose(), "{'op':'takeOff','piece':'left'}");
+  ASSERT_TRUE(off) << off.error().message;
+  ASSERT_EQ(off->marker.unplaced.size(), 1U);
+  EXPECT_EQ(off->marker.unplaced[0].id, "left");
+  EXPECT_EQ(off->marker.unplaced[0].at, Vec{});
+  EXPECT_EQ(off->attributes.unplaced[0], test::json("{\"bundle\":7}"));
+  EXPECT_EQ(off->marker.pieces.size(), 1U);
+  const Change change = change_between(loose(), *off);
+  EXPECT_EQ(change.removed, std::vector<std::string>{"left"});
+  EXPECT_TRUE(change.whole);
+
+  const auto on = edited(*off, "{'op':'place','piece':'left','at':[3,40],'rotation':90,'flip':true}");
+  ASSERT_TRUE(on) << on.error().message;
+  EXPECT_TRUE(on->marker.unplaced.empty());
+  EXPECT_TRUE(on->attributes.unplaced.empty());
+  EXPECT_EQ(on->marker.pieces[1].id, "left");
+  EXPECT_EQ(on->marker.pieces[1].orientation, (Orientation{true, Angle{90}, Angle{}}));
+  EXPECT_EQ(formats::point_json(on->marker.pieces[1].at, on->marker.resolution), test::json("[3,40]"));
+  EXPECT_EQ(on->attributes.pieces[1], test::json("{\"bundle\":7}"));
+
+  // Within one call, and removed from the tray.
+  EXPECT_TRUE(edited(loose(), "{'op':'takeOff','piece':'left'},{'op':'place','piece':'left','at':[0,0]}"));
+  EXPECT_TRUE(edited(*off, "{'op':'remove','piece':'left'}")->marker.unplaced.empty());
+}
+
+TEST(Edits, ThatConcernUnplacedPiecesNameWhatIsWrong) {
+  expect_error(loose(), "{'op':'place','piece':'left','at':[0,0]}", ErrorCode::kOutOfRange, "/ops/0/piece");
+  expect_error(loose(), "{'op':'takeOff','piece':'none'}", ErrorCode::kOutOfRange, "/ops/0/piece");
+  const auto off = edited(loose(), "{'op':'takeOff','piece':'left'}");
+  ASSERT_TRUE(off);
+  expect_error(*off, "{'op':'move','piece':'left','by':[1,0]}", ErrorCode::kOutOfRange, "/ops/0/piece");
+  expect_error(*off, "{'op':'add','piece':{'id':'left','shape':'square','at':[0,0]}}", ErrorCode::kDuplicateId,
+               "/ops/0/piece/id");
+  expect_error(*off, "{'op':'place','piece':'left','at':[1e300,0]}", ErrorCode::kBeyondLattice, "/ops/0/at");
+}
+
 TEST(Edits, EachDoesWhatItSays) {
   const auto after = edited(loose(), R"({'op':'move','piece':'left','by':[1.5,2]},
       {'op':'rotate','piece':'left','to':80},{'op':'rotate','piece':'left','by':10},

@@ -20,6 +20,16 @@ def remove(piece: str) -> Op:
     return named(op="remove", piece=piece)
 
 
+def place(piece: str, at: Point, *, rotation: float | None = None, flip: bool | None = None) -> Op:
+    """Lays an unplaced piece on the cloth."""
+    return named(op="place", piece=piece, at=at, rotation=rotation, flip=flip)
+
+
+def take_off(piece: str) -> Op:
+    """Takes a piece off the cloth: it is unplaced then."""
+    return named(op="takeOff", piece=piece)
+
+
 def move(piece: str, *, at: Point | None = None, by: Point | None = None) -> Op:
     return named(op="move", piece=piece, at=at, by=by)
 
