@@ -18,6 +18,7 @@ import { buildPiecePanel, buildSpacing } from "./panels/piece_panel";
 import { announceFigures, buildStatus, teller } from "./panels/status";
 import { buildTabs } from "./panels/tabs";
 import { buildLegend, buildToolbar } from "./panels/toolbar";
+import { buildTray } from "./panels/tray";
 import { Desk } from "./session/desk";
 import { Link } from "./session/link";
 import { MarkerFiles } from "./session/marker_files";
@@ -55,6 +56,7 @@ function buildPage(): void {
   buildHeader(element("header"), desk, engine, commands, { menu, settings: openSettings, help: openHelp });
   buildToolbar(element("toolbar"), stage, insight);
   buildOffer(element("offer"), desk, engine);
+  buildTray(element("panel"), desk, scene, stage, commands);
   const { open, panels } = buildTabs(element("panel"), ["engine", "pieces", "length"]);
   buildEnginePanel(panels.engine, desk, engine, scene);
   buildPiecePanel(panels.pieces, desk, scene, insight, engine, commands);
@@ -100,6 +102,8 @@ function connectScene(): void {
     else if (change.by === "closed") tell(say("closedElsewhere"));
     else if (!change.mine) tell(say("changedBy", { what: change.by, length: lengthText(desk.figures.value.length) }));
   });
+  // A marker that was empty, or nearly, comes into view as it is nested.
+  engine.preview.follow(() => scene.newcomers.length > 0 && stage.fit(!stage.isLong));
   scene.colouring.follow(() => overview.renew());
 }
 

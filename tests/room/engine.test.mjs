@@ -137,3 +137,24 @@ test("a gap opens along a drawn line, and pieces fall along a drawn arrow", asyn
   assert.ok(parted[2].at[0] - parted[1].at[0] > fallen[2].at[0] - fallen[1].at[0]);
   await daemon.stop();
 });
+
+test("nesting places what is not on the cloth, shows its best so far, and is taken in one step", async () => {
+  const daemon = await startDaemon();
+  const marker = { ...squares(1), unplaced: Array.from({ length: 9 }, (_, k) => ({ id: `u${k}`, shape: "square" })) };
+  const { markerId } = await call(daemon.port, "marker.open", { marker });
+  const page = await visit(here.browser, daemon.port, { marker: markerId });
+  await page.press("Nest");
+  await page.until(offered, "a first marker");
+  assert.equal(await revision(page), 1);
+  await page.until(`document.querySelector("#progress").hidden || !document.querySelector("#progress button").disabled`);
+  await page.key("Enter");
+  await page.until(`document.querySelector("#tray").hidden`, "an empty tray");
+  const now = (await shown(page, daemon.port)).marker;
+  assert.equal(now.pieces.length, 10);
+  assert.equal(now.unplaced?.length ?? 0, 0);
+  await assertValid(daemon.port, markerId);
+  const { length } = (await call(daemon.port, "marker.list")).markers.find((one) => one.markerId === markerId);
+  assert.equal(length, 200);
+  assert.deepEqual(page.faults, []);
+  await daemon.stop();
+});

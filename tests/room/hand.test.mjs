@@ -147,3 +147,36 @@ test("wheel zooms at the pointer, right button pans, 0 fits", (t) =>
     const [s, w] = await spot(page, "20");
     assert.ok(Math.hypot(s - x, w - y) < 1);
   }));
+
+const centre = (page, selector) => page.ask(`(() => { const r = document.querySelector(${JSON.stringify(selector)}).getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]; })()`);
+
+test("unplaced pieces wait in the tray: one is dragged onto the cloth, one pressed, and counts fall", onSquares(2, async (page, port, markerId) => {
+  await page.until(`document.querySelector("#tray")?.textContent.includes("× 3")`, "the tray");
+  const from = await centre(page, ".tray-row");
+  const canvas = await centre(page, "#top");
+  await page.drag(from, canvas, { hold: true });
+  assert.equal(await revision(page), 1);
+  await page.mouse("mouseReleased", ...canvas);
+  await page.until(`document.querySelector("#tray")?.textContent.includes("× 2")`, "a piece less in the tray");
+  await page.click(".tray-row");
+  await page.until(`document.querySelector("#tray")?.textContent.includes("× 1")`, "another piece less");
+  const { marker } = await shown(page, port);
+  assert.equal(marker.pieces.length, 4);
+  assert.equal(marker.unplaced.length, 1);
+  await assertValid(port, markerId);
+  await page.key("z", "control");
+  await page.until(`document.querySelector("#tray")?.textContent.includes("× 2")`, "one undo takes back one piece");
+  assert.equal((await shown(page, port)).marker.pieces.length, 3);
+}, { unplaced: ["u1", "u2", "u3"].map((id) => ({ id, shape: "square" })) }));
+
+test("Delete takes the selected piece off the cloth", onSquares(2, async (page, port) => {
+  assert.ok(await page.ask(`document.querySelector("#tray").hidden`));
+  const [x, y] = await spot(page, "p1");
+  await page.drag([x, y], [x, y]);
+  await page.key("Delete");
+  await page.until(`document.querySelector("#tray")?.textContent.includes("× 1")`, "the piece in the tray");
+  const { marker } = await shown(page, port);
+  assert.deepEqual(marker.unplaced.map(({ id }) => id), ["p1"]);
+  await page.key("z", "control");
+  await page.until(`document.querySelector("#tray").hidden`, "undone");
+}));

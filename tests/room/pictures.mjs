@@ -9,9 +9,12 @@ const browser = await Browser.launch();
 const rest = (milliseconds = 450) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 const offered = `document.querySelector("#offer").dataset.shown === "yes"`;
 
-async function state(name, act, { marker = "jeans_02g", ...options } = {}) {
+/** The marker with all its pieces off the cloth. */
+const withoutSolution = ({ solution: _, ...instance }) => instance;
+
+async function state(name, act, { marker = "jeans_02g", unplaced = false, ...options } = {}) {
   const daemon = await startDaemon();
-  const { markerId } = await call(daemon.port, "marker.open", { marker: example(marker) });
+  const { markerId } = await call(daemon.port, "marker.open", { marker: unplaced ? withoutSolution(example(marker)) : example(marker) });
   const page = await visit(browser, daemon.port, { ...size, marker: markerId, ...options });
   await act(page, daemon.port, markerId);
   await rest();
@@ -58,6 +61,18 @@ const states = {
     }
     await page.press("Compare", "#beside");
   }),
+  tray: () => state("tray", async (page, port, markerId) => {
+    const { marker } = await call(port, "marker.get", { markerId });
+    const off = marker.pieces.slice(-14).map(({ id }) => ({ op: "takeOff", piece: id }));
+    await call(port, "marker.apply", { markerId, ops: off });
+    await page.until(`!document.querySelector("#tray").hidden`);
+    const { x, y } = await page.ask(`(({ x, y, width, height }) => ({ x: x + width / 2, y: y + height / 2 }))(document.querySelector(".tray-row").getBoundingClientRect())`);
+    await page.drag([x, y], [640, 330], { hold: true });
+  }),
+  nest: () => state("nest", async (page) => {
+    await page.press("Nest");
+    await page.until(offered);
+  }, { marker: "jeans_02g", unplaced: true }),
   chain: () => state("chain", async (page) => {
     await compacted(page);
     await page.key("h");

@@ -7,8 +7,8 @@ import { hasCode, inWords } from "../session/words";
 import { say } from "../texts/texts";
 import { lengthText } from "../texts/units";
 import type { Scene } from "../view/scene";
-import { differences, posesAfter, type Result } from "./result";
-import { searchFine } from "./search";
+import { differences, newcomers, posesAfter, type Result } from "./result";
+import { search, type SearchKind } from "./search";
 
 export interface CurvePoint {
   seconds: number;
@@ -62,6 +62,7 @@ export class Engine {
     if (!marker || this.scene.held.size > 0) return;
     const fits = result && result.markerId === this.desk.markerId;
     this.scene.length = fits ? result.length : this.desk.figures.value.length;
+    this.scene.newcomers = fits ? newcomers(marker, result.poses) : [];
     this.scene.showPoses(fits ? differences(marker, result.poses) : new Map<string, Pose>(), true);
   }
 
@@ -93,7 +94,7 @@ export class Engine {
   }
 
   /** Searches until it is stopped, and shows the best so far. */
-  async search(title: string): Promise<void> {
+  async search(kind: SearchKind, title: string): Promise<void> {
     if (this.run.value) return;
     await this.takeOrDrop(true);
     await this.underWay(title, async (run, signal, since) => {
@@ -102,7 +103,8 @@ export class Engine {
       const marker = this.desk.marker.value!;
       const start = marker.poses();
       const { revision, length } = this.desk.figures.value;
-      await searchFine(client, marker.toDocument(), signal, {
+      const best = marker.unplaced.length === 0 ? length : Infinity; // placing all comes first
+      await search(kind, client, marker.toDocument(), best, signal, {
         goesOn: () => !run.stopping,
         round: (round, best) => this.round(run, round, best, since),
         better: (answer, placements) => {
@@ -125,7 +127,8 @@ export class Engine {
     if (this.run.value || !this.desk.marker.value) return;
     const controller = new AbortController();
     const since = performance.now();
-    const curve = [{ seconds: 0, length: this.desk.figures.value.length }];
+    // A marker that lacks pieces is shorter than any result.
+    const curve = this.desk.marker.value.unplaced.length > 0 ? [] : [{ seconds: 0, length: this.desk.figures.value.length }];
     const run: Run = { title, round: 0, curve, best: undefined, stopping: false, searching: false, stop: () => this.stop(run, controller) };
     this.run.value = run;
     try {

@@ -1,6 +1,7 @@
 import type { Placement } from "../../typescript/src/index";
 import type { Marker } from "../marker/marker";
 import { Pose } from "../marker/pose";
+import type { Ghost } from "../view/scene";
 
 /** A marker that the engine offers: where every piece would lie, and how long the marker would be. */
 export interface Result {
@@ -21,6 +22,13 @@ export function posesAfter(start: ReadonlyMap<string, Pose>, placements: readonl
   for (const placement of placements) poses.set(placement.id, Pose.of(placement));
   return poses;
 }
+
+/** The unplaced pieces that lie on the cloth in the result. */
+export const newcomers = (marker: Marker, poses: ReadonlyMap<string, Pose>): Ghost[] =>
+  marker.unplaced.flatMap((piece) => {
+    const pose = poses.get(piece.id);
+    return pose ? [{ piece: marker.asPlaced(piece, pose), pose }] : [];
+  });
 
 /** The poses that differ from the marker's own. */
 export function differences(marker: Marker, poses: ReadonlyMap<string, Pose>): Map<string, Pose> {

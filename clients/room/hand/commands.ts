@@ -153,6 +153,31 @@ export class Commands {
     return this.edit(this.scene.selected().filter((piece) => piece.group).map((piece) => ({ op: "group", piece: piece.id })));
   }
 
+  /** Lays an unplaced piece on the cloth, at the free position nearest to the point. */
+  layDown(id: string, to: Point): Promise<void> {
+    return this.queue(async () => {
+      const marker = this.desk.marker.value;
+      const piece = marker?.unplaced.find((one) => one.id === id);
+      if (!marker || !piece) return;
+      const pose = new Pose(0, 0, piece.rotation, piece.flip, 0);
+      const box = pose.boxOf(piece.shape);
+      // Beyond the end nothing is in its way; from there it goes where it is wanted.
+      const beyond: Point = [this.desk.figures.value.length + marker.width - box.left, marker.margin - box.bottom];
+      const wanted: Point = [to[0] - (box.left + box.right) / 2, to[1] - (box.bottom + box.top) / 2];
+      const { rotation, flip } = piece;
+      await this.desk.gesture(async () => {
+        await this.desk.apply([{ op: "place", piece: id, at: marker.longest === undefined ? beyond : wanted, rotation, flip }]);
+        if (await this.settling.place(id, wanted)) this.tell(say("laidDown", { name: piece.shape.label }));
+        else await this.desk.undo();
+      });
+      this.scene.select([id]);
+    });
+  }
+  /** Takes the selected pieces off the cloth. */
+  takeOff(): Promise<void> {
+    return this.edit(this.scene.selected().map((piece): Edit => ({ op: "takeOff", piece: piece.id })));
+  }
+
   buffer(length: number): Promise<void> {
     const ops = this.scene.selected().map((piece): Edit => ({ op: "buffer", piece: piece.id, buffer: length }));
     return this.queue(() => this.settling.apply(ops));

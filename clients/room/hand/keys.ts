@@ -80,6 +80,7 @@ function plain(event: KeyboardEvent, canvas: HTMLElement, parts: Parts): (() => 
     case "f": return () => void commands.flip();
     case "l": return () => void commands.lock("all");
     case "u": return () => void (event.shiftKey ? commands.ungroup() : commands.group());
+    case "Delete": case "Backspace": return () => void commands.takeOff();
     case "[": return () => void commands.tilt(1);
     case "]": return () => void commands.tilt(-1);
     case "h": return () => (insight.chainShown.value = !insight.chainShown.value);

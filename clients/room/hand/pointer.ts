@@ -148,7 +148,7 @@ export class Pointer {
       await this.engine.take();
       if (this.down.size !== 1) return;
     }
-    const rescue = (to: Point) => this.settling.place(piece.id, to);
+    const rescue = async (to: Point) => void (await this.settling.place(piece.id, to));
     const drag: Drag =
       free || several.length > 0
         ? this.freeDrag(several.length > 0 ? [...this.scene.selected()] : together)

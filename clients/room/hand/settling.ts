@@ -52,13 +52,13 @@ export class Settling {
     return this.apply(pieces.flatMap((piece) => editsBetween(piece.id, piece.pose, to.get(piece.id) ?? piece.pose)));
   }
 
-  /** Puts a piece to the free position nearest to a point. */
-  async place(piece: string, to: Point): Promise<void> {
-    await this.desk.change(async (client) => {
+  /** Puts a piece to the free position nearest to a point. Answers whether there is one. */
+  async place(piece: string, to: Point): Promise<boolean> {
+    return this.desk.change(async (client) => {
       const answer = await client.call("motion.place", { markerId: this.desk.markerId, piece, to, mayGrow: true });
-      if (!answer.found) return this.tell(say("noPlace"));
-      this.desk.absorb({ ...answer, ...after(answer) }, "");
-      this.tell(say("placed"));
+      if (answer.found) this.desk.absorb({ ...answer, ...after(answer) }, "");
+      this.tell(say(answer.found ? "placed" : "noPlace"));
+      return answer.found;
     });
   }
 }

@@ -11,6 +11,8 @@ export interface MarkerDocument {
   spacing?: number;
   shapes: ShapeDocument[];
   pieces: PieceDocument[];
+  /** Pieces that do not lie on the cloth: without `at`. */
+  unplaced?: PieceDocument[];
   attributes?: Record<string, unknown>;
 }
 

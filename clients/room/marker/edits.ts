@@ -13,12 +13,17 @@ export function editsBetween(piece: string, from: Pose, to: Pose): Edit[] {
   return edits;
 }
 
-/** The operations that bring all pieces of the marker to the given poses; pieces without one stay. */
+/** The operations that bring all pieces of the marker, also unplaced ones, to the given poses; pieces without one stay. */
 export function editsTo(marker: Marker, poses: ReadonlyMap<string, Pose>): Edit[] {
-  return marker.pieces.flatMap((piece) => {
+  const moves = marker.pieces.flatMap((piece) => {
     const pose = poses.get(piece.id);
     return pose ? editsBetween(piece.id, piece.pose, pose) : [];
   });
+  const placings = marker.unplaced.flatMap(({ id }): Edit[] => {
+    const pose = poses.get(id);
+    return pose ? [{ op: "place", piece: id, at: [pose.x, pose.y], rotation: pose.rotation, flip: pose.flip }] : [];
+  });
+  return [...moves, ...placings];
 }
 
 /** The rotation that follows the piece's own among those its shape allows; with "any", 15 degrees on. */

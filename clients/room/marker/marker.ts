@@ -18,6 +18,15 @@ export interface Piece {
   buffer: number;
 }
 
+/** A piece that does not lie on the cloth, in the orientation that it would have there. */
+export interface Unplaced {
+  readonly id: string;
+  readonly shape: Shape;
+  readonly bundle: string;
+  readonly rotation: number;
+  readonly flip: boolean;
+}
+
 export const isLocked = (piece: Piece, part: "x" | "y" | "tilt"): boolean =>
   piece.locked === true || (Array.isArray(piece.locked) && piece.locked.includes(part));
 
@@ -29,6 +38,7 @@ const bundleOf = (document: PieceDocument): string => {
 /** The marker as this page knows it: always a revision that the daemon has acknowledged. */
 export class Marker {
   readonly pieces: Piece[] = [];
+  readonly unplaced: Unplaced[] = [];
   readonly byId = new Map<string, Piece>();
   readonly shapes = new Map<string, Shape>();
   readonly name: string;
@@ -47,6 +57,19 @@ export class Marker {
     this.spacing = document.spacing ?? 0;
     for (const shape of document.shapes) this.shapes.set(String(shape.id), new Shape(shape));
     for (const piece of document.pieces) this.add(piece);
+    for (const piece of document.unplaced ?? []) this.addUnplaced(piece);
+  }
+
+  private addUnplaced(document: PieceDocument): void {
+    const shape = this.shapes.get(String(document.shape));
+    if (!shape) return;
+    const { id, rotation = 0, flip = false } = document;
+    this.unplaced.push({ id: String(id), shape, bundle: bundleOf(document) || shape.bundle, rotation, flip });
+  }
+
+  /** An unplaced piece as it would be on the cloth; for drawing. */
+  asPlaced({ id, shape, bundle }: Unplaced, pose: Pose): Piece {
+    return { id, shape, bundle, index: this.pieces.length, pose, box: pose.boxOf(shape), locked: false, group: "", buffer: 0 };
   }
 
   private add(document: PieceDocument): void {

@@ -50,7 +50,7 @@ export function openSettings(): void {
   );
 }
 
-const KEYS: TextName[] = ["keysDrag", "keysShiftDrag", "keysBand", "keysPan", "keysWheel", "keysTilt", "keysBump", "keysNudge", "keysShoot", "keysTurn", "keysLock", "keysUndo", "keysEngine", "keysViews", "keysTab"];
+const KEYS: TextName[] = ["keysDrag", "keysShiftDrag", "keysBand", "keysPan", "keysWheel", "keysTilt", "keysBump", "keysNudge", "keysShoot", "keysTurn", "keysLock", "keysTakeOff", "keysUndo", "keysEngine", "keysViews", "keysTab"];
 
 export function openHelp(): void {
   const lines = KEYS.map((name) => {

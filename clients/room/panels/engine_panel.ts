@@ -15,7 +15,7 @@ export function buildEnginePanel(host: HTMLElement, desk: Desk, engine: Engine, 
   const compact = (accuracy: Accuracy, title: TextName) => textButton(title, () => void engine.start("motion.compact", { accuracy }, say("compact")));
   const standard = compact("standard", "standard");
   standard.classList.add("primary");
-  const fine = textButton("fine", () => void engine.search(`${say("compact")}, ${say("fine").toLowerCase()}`));
+  const fine = textButton("fine", () => void engine.search("fine", `${say("compact")}, ${say("fine").toLowerCase()}`));
   worded(fine, "fineHelp", "title");
   const distance = h("input", { type: "text", inputmode: "decimal", value: "5", size: 5, id: "float-distance" });
   const unit = h("span", { class: "unit" });
@@ -36,6 +36,7 @@ export function buildEnginePanel(host: HTMLElement, desk: Desk, engine: Engine, 
   });
   const separate = motion("separate", "separateHelp", () => void engine.start("motion.separate", { grow: 0.1 }, say("separate")));
   const tilt = motion("tilt", "tiltHelp", () => void engine.start("motion.tilt", { accuracy: "standard" }, say("tilt")));
+  const nest = motion("nest", "nestHelp", () => void engine.search("nest", say("nest")));
   const progress = h("div", { id: "progress", class: "card", hidden: true });
   const beside = h("div", { id: "beside" });
   fill(
@@ -44,7 +45,7 @@ export function buildEnginePanel(host: HTMLElement, desk: Desk, engine: Engine, 
     note("compactHelp"),
     h("div", { class: "segments" }, compact("draft", "draft"), standard, fine),
     progress,
-    h("div", { class: "pair" }, tilt, separate, relax, float),
+    h("div", { class: "pair" }, nest, tilt, separate, relax, float),
     row("gapWidth", h("span", { class: "with-unit" }, distance, unit)),
     heading("beside"),
     beside,
@@ -123,7 +124,8 @@ export function buildOffer(host: HTMLElement, desk: Desk, engine: Engine): void 
     if (!result) return;
     setText(title, result.title);
     const saved = result.before - result.length;
-    setText(gain, `${saved > 0 ? "−" : saved < 0 ? "+" : "±"}${lengthText(Math.abs(saved))}`);
+    const lacksPieces = (desk.marker.value?.unplaced.length ?? 0) > 0;
+    setText(gain, lacksPieces ? lengthText(result.length) : `${saved > 0 ? "−" : saved < 0 ? "+" : "±"}${lengthText(Math.abs(saved))}`);
     const stale = result.base !== desk.figures.value.revision;
     setText(more, stale ? say("changedMeanwhile") : `${lengthText(result.length)} · ${percentText(result.utilisation)} · ${numberText(result.seconds, 2)} s`);
   });

@@ -48,8 +48,10 @@ export function buildHeader(host: HTMLElement, desk: Desk, engine: Engine, comma
     setText(length.value, lengthText(seen.length));
     setText(length.side, figures.value.valid ? "" : say("notValid"));
     setText(use.value, percentText(seen.utilisation));
-    const saved = (opening?.figures.length ?? seen.length) - seen.length;
-    setText(gain.value, `${saved > 0 ? "−" : saved < 0 ? "+" : ""}${lengthText(Math.abs(saved))}`);
+    // Lengths of markers with more pieces or fewer say nothing of each other.
+    const alike = opening?.poses.size === (engine.preview.value?.poses.size ?? marker.value.pieces.length);
+    const saved = opening && alike ? opening.figures.length - seen.length : 0;
+    setText(gain.value, !alike ? "–" : `${saved > 0 ? "−" : saved < 0 ? "+" : ""}${lengthText(Math.abs(saved))}`);
     gain.box.dataset["sign"] = saved > 1e-9 ? "gain" : saved < -1e-9 ? "loss" : "";
     const money = Math.abs(saved) > 1e-9 ? moneyText(Math.abs(saved), preferences.value.plies) : "";
     setText(gain.side, money && say("inPlies", { money, plies: preferences.value.plies }));

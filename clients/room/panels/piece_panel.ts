@@ -40,6 +40,7 @@ export function buildPiecePanel(host: HTMLElement, desk: Desk, scene: Scene, ins
     textButton("flip", () => void commands.flip()),
     textButton("group", () => void commands.group()),
     textButton("ungroup", () => void commands.ungroup()),
+    textButton("takeOff", () => void commands.takeOff()),
   );
   const align = h("div", { class: "segments", id: "align" }, ...(["left", "right", "bottom", "top"] as const).map((side) => textButton(ALIGN[side], () => {
     const pieces = scene.selected().map(({ id }) => id);

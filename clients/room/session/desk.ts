@@ -31,6 +31,7 @@ export class Desk {
   /** The figures and the poses when the marker was opened here. */
   opening: { figures: Figures; poses: Map<string, Pose> } | undefined;
   private listening: Client | undefined;
+  private refreshing: Promise<void> = Promise.resolve(); // of what only a new document shows
   private underWay = 0; // calls of this page that change the marker
   // How many revisions a gesture made, by the last of them: one undo takes back all of them.
   private readonly undoSteps = new Map<number, number>();
@@ -101,10 +102,10 @@ export class Desk {
     }
   }
 
-  private async refresh(client: Client): Promise<void> {
+  private async refresh(client: Client, by = "refreshed", mine = true): Promise<void> {
     const before = this.marker.value?.poses() ?? new Map();
     await this.load(client);
-    this.changed.value = { before, by: "refreshed", mine: true };
+    this.changed.value = { before, by, mine };
   }
 
   private listen(client: Client): void {
@@ -130,7 +131,8 @@ export class Desk {
     }
     const follows = change.revision === revision + 1 && !change.whole;
     if (!follows || !marker.absorb(change.placements)) {
-      void this.link.ready().then((client) => this.refresh(client));
+      const mine = this.underWay > 0;
+      this.refreshing = this.link.ready().then((client) => this.refresh(client, by, mine));
       return;
     }
     marker.remove(change.removed);
@@ -156,6 +158,7 @@ export class Desk {
     try {
       return await act();
     } finally {
+      await this.refreshing;
       const to = this.figures.value.revision;
       if (to > from + 1) this.undoSteps.set(to, to - from);
     }

@@ -1,6 +1,6 @@
 import type { Piece } from "../marker/marker";
 import { lengthText, numberText } from "../texts/units";
-import { enter, outline, pathAt, type Brush } from "./piece_painter";
+import { enter, outline, paintPiece, pathAt, type Brush } from "./piece_painter";
 import type { Scene, Stroke } from "./scene";
 
 const BOLD = '600 12px "Inter", system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif';
@@ -68,6 +68,11 @@ export function paintSelection(brush: Brush, scene: Scene, now: number): void {
     });
   }
   drawn(scene.focus, (piece) => outline(brush, piece, scene.poseOf(piece, now), colours.ink, 1.2, [3, 3]));
+}
+
+/** Unplaced pieces where a result lays them. */
+export function paintNewcomers(brush: Brush, scene: Scene): void {
+  for (const { piece, pose } of scene.newcomers) paintPiece(brush, piece, pose, scene.colouring.value);
 }
 
 /** Outlines of where pieces were, or would be. */

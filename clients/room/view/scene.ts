@@ -33,6 +33,7 @@ export class Scene {
   free = false; // the dragged pieces may overlap others, and overlaps are drawn
   hovered: string | undefined;
   ghosts: Ghost[] = [];
+  newcomers: Ghost[] = []; // unplaced pieces where a result lays them
   stroke: Stroke | undefined;
   chain: Answer<"marker.hold"> | undefined;
   regions: Answer<"marker.regions"> | undefined;
@@ -51,7 +52,9 @@ export class Scene {
   }
 
   private colour(by: typeof preferences.value.colourBy): void {
-    const pieces = this.marker?.pieces ?? [];
+    const { marker } = this;
+    const unplaced = marker?.unplaced.map((piece) => marker.asPlaced(piece, new Pose(0, 0, 0, false, 0))) ?? [];
+    const pieces = [...(marker?.pieces ?? []), ...unplaced];
     const told = by !== "size" || pieces.some((piece) => piece.shape.size);
     this.colouring.value = new Colouring(told ? by : "shape", pieces);
     this.onChange("settled");
@@ -65,6 +68,7 @@ export class Scene {
     this.shown.clear();
     this.flights.clear();
     this.ghosts = [];
+    this.newcomers = [];
     this.overlaps = [];
     if (known !== marker) this.colour(preferences.value.colourBy);
     this.onChange("settled");

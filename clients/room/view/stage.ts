@@ -4,7 +4,7 @@ import { paintChain, paintRegions } from "./chain_painter";
 import { Camera } from "./camera";
 import { paintCloth, paintRuler } from "./cloth_painter";
 import { times } from "./frame_times";
-import { paintFaults, paintGhosts, paintLength, paintOverlaps, paintSelection, paintStroke, paintTiltWorth } from "./marks_painter";
+import { paintFaults, paintGhosts, paintLength, paintNewcomers, paintOverlaps, paintSelection, paintStroke, paintTiltWorth } from "./marks_painter";
 import { palette, readPalette } from "./palette";
 import { paintLabel, paintPiece, type Brush } from "./piece_painter";
 import type { Scene } from "./scene";
@@ -180,6 +180,7 @@ export class Stage {
     for (const piece of moving) paintPiece(brush, piece, scene.poseOf(piece, now), scene.colouring.value);
     for (const piece of moving) paintLabel(brush, piece, scene.poseOf(piece, now), preferences.value.labels);
     paintOverlaps(brush, scene, now);
+    paintNewcomers(brush, scene);
     paintGhosts(brush, scene);
     paintLength(brush, scene);
     paintChain(brush, scene, now);
