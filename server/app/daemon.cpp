@@ -49,21 +49,28 @@ dispatch::BackendSettings Daemon::backend_settings(const Options& options, proto
 }
 
 transport::access::Service Daemon::service(const Options& options) {
-  return {.call = [this](std::string message, const std::shared_ptr<transport::access::Session>& session,
-                         transport::access::Reply reply) { call(std::move(message), session, std::move(reply)); },
-          .health = [] { return std::string{"{\"status\":\"ok\"}"}; },
-          .ready = [this] { return why_not_ready(); },
-          .metrics = [this] { return metrics_text(); },
-          .openrpc = server::methods::openrpc_text,
-          .file = room::find_file,
-          .authenticate = authenticate_first_message,
-          .line_too_long = dispatch::Dispatcher::too_long(options.limits.transport.body_bytes),
-          .counts = connections_};
+  return {
+      .call = [this](std::string message, const std::shared_ptr<transport::access::Session>& session,
+                     transport::access::Reply reply) { call(std::move(message), session, std::move(reply)); },
+      .health = [] { return std::string{"{\"status\":\"ok\"}"}; },
+      .ready = [this] { return why_not_ready(); },
+      .metrics = [this] { return metrics_text(); },
+      .openrpc = server::methods::openrpc_text,
+      .file = room::find_file,
+      .authenticate = authenticate_first_message,
+      .on_refused = [this](transport::access::Refusal refusal, const std::string& peer) { log_refusal(refusal, peer); },
+      .line_too_long = dispatch::Dispatcher::too_long(options.limits.transport.body_bytes),
+      .counts = connections_};
 }
 
 void Daemon::call(std::string message, const std::shared_ptr<transport::access::Session>& session,
                   transport::access::Reply reply) {
   backend_.receive(std::move(message), session, std::move(reply));
+}
+
+void Daemon::log_refusal(transport::access::Refusal refusal, const std::string& peer) {
+  const auto withheld = refusals_.at(static_cast<std::size_t>(refusal)).pass(std::chrono::steady_clock::now());
+  if (withheld) ops::log_refusal({.reason = name_of(refusal), .peer = peer, .withheld = *withheld});
 }
 
 std::string Daemon::why_not_ready() const {
@@ -108,6 +115,11 @@ std::string Daemon::metrics_text() const {
                   "Connections since the start, by whether they were accepted.",
                   "outcome",
                   {{"accepted", value(open.accepted.load())}, {"turned_away", value(open.turned_away.load())}}},
+      ops::Metric{"selvage_log_lines_dropped_total",
+                  kCounter,
+                  "Lines of the log that could not be written, or not soon enough.",
+                  "",
+                  {{"", value(ops::dropped_log_lines())}}},
       ops::Metric{"selvage_sums_total",
                   kCounter,
                   "Minkowski sums requested, by whether the cache had them.",
@@ -115,7 +127,12 @@ std::string Daemon::metrics_text() const {
                   {{"hit", value(sums.hits)}, {"miss", value(sums.misses)}}},
       ops::Metric{"selvage_sums_bytes", kGauge, "Memory of the cached sums.", "", {{"", value(sums.bytes)}}},
   };
-  std::string text = metrics_.text();
+  ops::Metric refused{
+      "selvage_refused_total", kCounter, "Connections and requests refused because of their caller.", "reason", {}};
+  for (std::size_t k = 0; k < open.refused.size(); ++k) {
+    refused.values.push_back({transport::access::kRefusals.at(k), value(open.refused.at(k).load())});
+  }
+  std::string text = metrics_.text() + metric_text(refused);
   for (const ops::Metric& metric : kNow) text += metric_text(metric);
   return text;
 }

@@ -1,6 +1,7 @@
 // The daemon: a backend behind a transport, with its metrics and its journal, and the order in which they end.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
@@ -12,6 +13,7 @@
 #include "server/app/options.h"
 #include "server/dispatch/backend.h"
 #include "server/ops/metrics.h"
+#include "server/ops/throttle.h"
 #include "server/store/journal.h"
 #include "server/transport/transport.h"
 
@@ -45,13 +47,15 @@ class Daemon {
   [[nodiscard]] dispatch::BackendSettings backend_settings(const Options& options,
                                                            protocol::methods::MethodTable methods);
   [[nodiscard]] transport::access::Service service(const Options& options);
+  void log_refusal(transport::access::Refusal refusal, const std::string& peer);
 
   const std::chrono::seconds drain_time_;
   std::atomic<bool> draining_{};
   ops::Metrics metrics_;
   const std::shared_ptr<transport::access::TransportCounts> connections_ =
       std::make_shared<transport::access::TransportCounts>();
-  std::unique_ptr<store::Journal> journal_;  // null: markers live in memory only
+  std::array<ops::Throttle, transport::access::kRefusals.size()> refusals_{};  // the I/O thread's
+  std::unique_ptr<store::Journal> journal_;                                    // null: markers live in memory only
   dispatch::Backend backend_;
   transport::Transport transport_;
 };

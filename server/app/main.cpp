@@ -31,6 +31,9 @@
 namespace selvage::server::app {
 namespace {
 
+// How long the end of the process waits for a log that nobody reads.
+constexpr std::chrono::seconds kLogPatience{1};
+
 // Blocks the signals in every thread, so that only wait_to_stop receives them.
 sigset_t block_signals() {
   std::signal(SIGPIPE, SIG_IGN);
@@ -47,7 +50,7 @@ int wait_to_stop(const sigset_t& signals, const Options& options) {
     int signal{};
     if (sigwait(&signals, &signal) != 0) continue;
     if (signal != SIGHUP) return signal;
-    ops::reopen_log(options.log_file);
+    ops::reopen_log(options.log.file);
   }
 }
 
@@ -77,6 +80,7 @@ class DrainWatchdog {
           if (wake_.wait_for(lock, ended, limit, [&ended] { return ended.stop_requested(); })) return;
           if (ended.stop_requested()) return;
           spdlog::error("not drained after {} s: exiting without the remaining answers", limit.count());
+          ops::flush_log(kLogPatience);
           std::_Exit(1);
         }} {}
 
@@ -87,7 +91,6 @@ class DrainWatchdog {
 };
 
 int serve(const Options& options) {
-  ops::bound_freed_memory();
   const sigset_t signals = block_signals();
   Daemon daemon{options};
   if (!options.port_file.empty()) write_ports(options.port_file, daemon);
@@ -116,7 +119,7 @@ void check_writable(const std::string& option, const std::string& path) {
 
 int check_config(const Options& options) {
   check_writable("--store", options.store);
-  check_writable("--log", options.log_file);
+  check_writable("--log", options.log.file);
   check_writable("--port-file", options.port_file);
   const transport::Transport without_listeners{
       {.access = options.access, .tls = options.tls}, options.limits.transport, {}};
@@ -153,8 +156,10 @@ int replay_file(const Options& options) {
 
 int run(const Options& options) {
   // A check creates no file, not even a log.
-  const bool checks_only = options.task == Options::Task::kCheckConfig;
-  ops::set_up_log(options.log_level, checks_only ? std::string{} : options.log_file);
+  ops::LogSettings log = options.log;
+  if (options.task == Options::Task::kCheckConfig) log.file.clear();
+  if (options.task == Options::Task::kServe) ops::bound_freed_memory();
+  ops::set_up_log(log);
   switch (options.task) {
     case Options::Task::kServe: return serve(options);
     case Options::Task::kCheckConfig: return check_config(options);
@@ -174,8 +179,11 @@ int main(int argc, char** argv) {
   }
   const auto& options = std::get<selvage::server::app::Options>(parsed);
   try {
-    return selvage::server::app::run(options);
+    const int code = selvage::server::app::run(options);
+    selvage::server::ops::flush_log(selvage::server::app::kLogPatience);
+    return code;
   } catch (const std::exception& error) {
+    selvage::server::ops::flush_log(selvage::server::app::kLogPatience);
     std::cerr << "selvaged: " << error.what() << "\n";
     return options.task == selvage::server::app::Options::Task::kCheckConfig ? 2 : 1;
   }

@@ -27,6 +27,7 @@ struct RawOptions {
   std::size_t body_mb{};
   std::int64_t call_seconds{}, drain_seconds{};
   std::string durability{"full"};
+  std::string log_format{"text"};
 };
 
 using OptionError = std::optional<std::string>;  // a message for stderr
@@ -78,12 +79,18 @@ void declare_work(CLI::App& app, Options& options, RawOptions& raw) {
                  "full: an acknowledged change survives a power failure; relaxed: any end of the process")
       ->check(CLI::IsMember({"full", "relaxed"}))
       ->capture_default_str();
-  app.add_option("--log-level", options.log_level, "The least severe messages that are logged")
-      ->check(CLI::IsMember({"debug", "info", "warn", "error", "off"}))
-      ->capture_default_str();
-  app.add_option("--log", options.log_file, "The log file, reopened on SIGHUP; without it the log goes to stderr");
   app.add_option("--drain-seconds", raw.drain_seconds, "Time limit for shutting down after SIGTERM or SIGINT")
       ->check(CLI::Range(0, 3600))
+      ->capture_default_str();
+}
+
+void declare_log(CLI::App& app, Options& options, RawOptions& raw) {
+  app.add_option("--log-level", options.log.level, "The least severe messages that are logged")
+      ->check(CLI::IsMember({"debug", "info", "warn", "error", "off"}))
+      ->capture_default_str();
+  app.add_option("--log", options.log.file, "The log file, reopened on SIGHUP; without it the log goes to stderr");
+  app.add_option("--log-format", raw.log_format, "text, or json: an object per line")
+      ->check(CLI::IsMember({"text", "json"}))
       ->capture_default_str();
 }
 
@@ -152,6 +159,7 @@ OptionError convert(const RawOptions& raw, Options& options) {
   options.drain = std::chrono::seconds{raw.drain_seconds};
   if (options.store == "none") options.store.clear();
   options.durability = raw.durability == "relaxed" ? store::Durability::kRelaxed : store::Durability::kFull;
+  options.log.format = raw.log_format == "json" ? ops::LogFormat::kJson : ops::LogFormat::kText;
   if (!options.replay_file.empty()) options.task = Options::Task::kReplay;
   if (raw.check_config) options.task = Options::Task::kCheckConfig;
   return std::nullopt;
@@ -181,6 +189,7 @@ std::variant<Options, EarlyExit> parse_options(int argc, const char* const* argv
   app.allow_config_extras(CLI::config_extras_mode::error);
   declare_listeners(app, options, raw);
   declare_work(app, options, raw);
+  declare_log(app, options, raw);
   declare_tasks(app, options, raw);
   try {
     app.parse(argc, argv);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "server/calls/limits.h"
+#include "server/ops/log.h"
 #include "server/store/journal.h"
 #include "server/transport/access/listener.h"
 
@@ -34,8 +35,7 @@ struct Options {
   std::size_t cache_mb{256};  // for Minkowski sums
   std::string store;          // the journal's file; empty: markers live in memory only
   store::Durability durability{};
-  std::string log_level{"info"};
-  std::string log_file;            // empty: stderr
+  ops::LogSettings log;
   std::chrono::seconds drain{10};  // the longest time from the signal to the end
   calls::Limits limits;
 };

@@ -24,7 +24,12 @@ std::string answer_text(const Json& id, calls::Outcome outcome) {
 }  // namespace
 
 void Exchange::add_answer(const protocol::rpc::Request& request, calls::Outcome outcome) {
-  ops::AnsweredRequest line{.method = request.method, .marker = marker_id, .bytes_in = bytes};
+  ops::AnsweredRequest line{.method = request.method,
+                            .marker = marker_id,
+                            .bytes_in = bytes,
+                            .peer = session->peer,
+                            .session = session->id,
+                            .request = request.id ? protocol::json::shortened(*request.id, 40) : std::string{}};
   line.milliseconds = std::chrono::duration<double, std::milli>{Clock::now() - began}.count();
   if (const auto* error = std::get_if<protocol::rpc::RpcError>(&outcome)) {
     line.code = static_cast<int>(error->code);
@@ -43,7 +48,9 @@ void Exchange::add_refusal(const protocol::rpc::BadRequest& bad) {
   on_answered({.method = "bad-request",
                .code = static_cast<int>(bad.error.code),
                .bytes_in = bytes,
-               .bytes_out = answers.back().size()});
+               .bytes_out = answers.back().size(),
+               .peer = session->peer,
+               .session = session->id});
 }
 
 std::string Exchange::text() {

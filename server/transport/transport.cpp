@@ -2,6 +2,7 @@
 
 #include "server/transport/acceptor.h"
 #include "server/transport/connections/connection.h"
+#include "server/transport/peer.h"
 #include "server/transport/tls.h"
 
 #include <spdlog/spdlog.h>
@@ -105,7 +106,7 @@ struct Transport::Implementation {
         co_await acceptor.pause();
       } else if (connections.size() >= limits.connections) {
         ++service.counts->turned_away;
-        spdlog::warn("a connection was refused: {} are open", connections.size());
+        connections::report(access::Refusal::kConnections, peer_of(socket, acceptor.listener()), service);
       } else {
         ++service.counts->accepted;
         open(std::move(socket), acceptor.listener());
@@ -115,11 +116,12 @@ struct Transport::Implementation {
 
   void open(connections::Socket socket, const access::Listener& listener) {
     const bool tcp = listener.path.empty();
+    const std::string peer = peer_of(socket, listener);
     Error ignored;
     if (tcp) socket.set_option(asio::ip::tcp::no_delay{true}, ignored);
     if (tcp && tls) socket = tls->unwrap(std::move(socket));
     const auto connection =
-        std::make_shared<connections::Connection>(std::move(socket), ++sessions, tcp && !access.token.empty());
+        std::make_shared<connections::Connection>(std::move(socket), ++sessions, peer, tcp && !access.token.empty());
     connections.insert(connection);
     asio::co_spawn(io, serve(connection, context, listener.speaks),
                    [this, connection](const std::exception_ptr& thrown) {

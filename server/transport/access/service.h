@@ -1,6 +1,7 @@
 // The interface between the transport and the service that answers its messages: text in, text out.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
@@ -12,6 +13,7 @@
 #include <string_view>
 
 #include "server/transport/access/access.h"
+#include "server/transport/access/refusal.h"
 
 namespace selvage::server::transport::access {
 
@@ -20,6 +22,7 @@ struct Session {
   std::uint64_t id{};                       // unique in this process
   std::function<void(std::string)> notify;  // sends a notification, from any thread; empty on plain HTTP
   std::stop_token gone;                     // stops when the connection has ended
+  std::string peer{};                       // the client's address, or the path of the Unix socket that it uses
 };
 
 // Takes the answer to one message: call it once, from any thread.  Nothing is sent for an empty text.
@@ -41,8 +44,9 @@ struct StaticFile {
 
 // Written by the transport, read by anyone.
 struct TransportCounts {
-  std::atomic<std::uint64_t> accepted{}, turned_away{};    // connections since the start
-  std::atomic<std::size_t> http{}, lines{}, websockets{};  // connections open now
+  std::atomic<std::uint64_t> accepted{}, turned_away{};                // connections since the start
+  std::atomic<std::size_t> http{}, lines{}, websockets{};              // connections open now
+  std::array<std::atomic<std::uint64_t>, kRefusals.size()> refused{};  // connections and requests, by Refusal
 };
 
 // Every function is called on the I/O thread.
@@ -64,6 +68,8 @@ struct Service {
   // Checks the token in the first message of a line connection, or of a WebSocket whose upgrade request had none.  If
   // it is empty, no such connection is accepted.
   std::function<Authentication(std::string_view message, const Access& access)> authenticate{};
+  // Called for every refusal after it has been counted.
+  std::function<void(Refusal refusal, const std::string& peer)> on_refused{};
   // The answer to a line that is longer than the limit.
   std::string line_too_long{};
   const std::shared_ptr<TransportCounts> counts = std::make_shared<TransportCounts>();

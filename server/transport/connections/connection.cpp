@@ -15,11 +15,17 @@ boost::asio::awaitable<void> Signal::wait() {
   co_await timer_.async_wait(boost::asio::redirect_error(boost::asio::use_awaitable, ignored));
 }
 
-Connection::Connection(Socket connected, std::uint64_t id, bool requires_token)
+void report(access::Refusal refusal, const std::string& peer, const access::Service& service) {
+  ++service.counts->refused.at(static_cast<std::size_t>(refusal));
+  if (service.on_refused) service.on_refused(refusal, peer);
+}
+
+Connection::Connection(Socket connected, std::uint64_t id, std::string peer, bool requires_token)
     : socket{std::move(connected)},
       read_watchdog{socket.get_executor()},
       write_watchdog{socket.get_executor()},
-      session{std::make_shared<access::Session>(access::Session{.id = id, .notify = {}, .gone = gone.get_token()})},
+      session{std::make_shared<access::Session>(
+          access::Session{.id = id, .notify = {}, .gone = gone.get_token(), .peer = std::move(peer)})},
       needs_token{requires_token} {}
 
 void Connection::watch() {

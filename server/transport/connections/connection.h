@@ -58,10 +58,13 @@ class Signal {
   boost::asio::steady_timer timer_;
 };
 
+// Counts and reports that a caller was refused.
+void report(access::Refusal refusal, const std::string& peer, const access::Service& service);
+
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
-  // `id`: the session's.
-  Connection(Socket connected, std::uint64_t id, bool needs_token);
+  // `id` and `peer`: the session's.
+  Connection(Socket connected, std::uint64_t id, std::string peer, bool needs_token);
 
   // Detects from now on that the connection breaks.
   void watch();

@@ -199,6 +199,7 @@ class HttpConnection {
     const std::optional<Answer> refusal = co_await read(parser);
     if (!connection_.socket.is_open() || failed_) co_return false;
     if (refusal) {
+      report(*refusal);
       co_await write(*refusal);
       co_await connection_.linger();
       co_return false;
@@ -216,6 +217,14 @@ class HttpConnection {
     answer.keep_alive(keep_alive && !connection_.draining);
     co_await write(answer);
     co_return answer.keep_alive() && !failed_;
+  }
+
+  // Counts and reports the refusal of a caller; other refusals concern the request.
+  void report(const Answer& refusal) const {
+    const bool unauthorised = refusal.result() == http::status::unauthorized;
+    if (!unauthorised && refusal.result() != http::status::forbidden) return;
+    connections::report(unauthorised ? access::Refusal::kToken : access::Refusal::kForeign, connection_.session->peer,
+                        context_.service);
   }
 
   // Reads one request.  Returns an answer if it is refused; sets failed_ if the connection is no longer usable.

@@ -25,6 +25,7 @@ class LineConnection final : public Conversation {
 
   asio::awaitable<void> serve(std::string received) {
     if (connection_->needs_token && !co_await authenticate(received)) {
+      report(access::Refusal::kToken, connection_->session->peer, context_.service);
       co_await settle();
       co_return co_await connection_->linger();
     }

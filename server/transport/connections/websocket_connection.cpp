@@ -47,6 +47,7 @@ class WebSocketConnection final : public Conversation {
     const bool unauthenticated =
         connection_->needs_token && upgrade.count(boost::beast::http::field::authorization) == 0;
     if (unauthenticated && !co_await authenticate()) {
+      report(access::Refusal::kToken, connection_->session->peer, context_.service);
       begin_close(websocket::close_code::policy_error);
     } else {
       enable_notifications();

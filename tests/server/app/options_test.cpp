@@ -38,7 +38,12 @@ TEST(Options, AreRead) {
   EXPECT_EQ(options->limits.transport.body_bytes, 3U << 20);
   EXPECT_EQ(options->limits.call, std::chrono::seconds{90});
   EXPECT_EQ(options->port_file, "p");
-  EXPECT_EQ(options->log_level, "warn");
+  EXPECT_EQ(options->log.level, "warn");
+  EXPECT_EQ(options->log.format, ops::LogFormat::kText);
+}
+
+TEST(Options, TheLogMayBeWrittenAsJson) {
+  EXPECT_EQ(std::get<Options>(parse({"--log-format", "json"})).log.format, ops::LogFormat::kJson);
 }
 
 // The error message for these options.
@@ -122,7 +127,7 @@ TEST(Options, TheCommandLineOverridesTheFile) {
   EXPECT_EQ(options->port, 9000);
   EXPECT_EQ(options->listeners.size(), 2U);
   EXPECT_EQ(options->workers, 2U);
-  EXPECT_EQ(options->log_level, "warn");
+  EXPECT_EQ(options->log.level, "warn");
 }
 
 TEST(Options, AFileWithErrorsIsRefused) {
@@ -153,6 +158,7 @@ TEST(Options, ErrorsAreRefused) {
                                                                  {"--workers", "many"},
                                                                  {"--cache-mb", "0"},
                                                                  {"--log-level", "loud"},
+                                                                 {"--log-format", "xml"},
                                                                  {"--listen", "example.com:80"},
                                                                  {"--listen", ":7171"},
                                                                  {"--listen-tcp", "::1:7171"},

@@ -1,0 +1,14 @@
+// Who is at the other end of a connection.
+#pragma once
+
+#include <string>
+
+#include "server/transport/access/listener.h"
+#include "server/transport/connections/connection.h"
+
+namespace selvage::server::transport {
+
+// "192.0.2.7:40112", "[2001:db8::1]:40112", or the path of the Unix socket.  REQUIRES: not yet behind TLS.
+[[nodiscard]] std::string peer_of(connections::Socket& socket, const access::Listener& listener);
+
+}  // namespace selvage::server::transport
