@@ -50,7 +50,14 @@ asio::awaitable<void> serve(std::shared_ptr<connections::Connection> connection,
   connection->watch();
   std::string received = co_await first_bytes(connection, context.limits.idle);
   if (received.empty()) co_return;
-  if (speaks == access::Listener::Speaks::kLines || received.front() == '{' || received.front() == '[') {
+  const bool json = received.front() == '{' || received.front() == '[';
+  if (speaks == access::Listener::Speaks::kLines && !json && !connection->needs_token) {
+    // A page can make a browser send an HTTP request here, whose body would contain lines of JSON.  With a token such a
+    // request fails to authenticate.
+    connections::report(access::Refusal::kNotJson, connection->session->peer, context.service);
+    co_return;
+  }
+  if (speaks == access::Listener::Speaks::kLines || json) {
     co_await serve_lines(connection, context, std::move(received));
   } else {
     co_await serve_http(connection, context, std::move(received));

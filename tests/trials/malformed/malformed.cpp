@@ -172,7 +172,9 @@ class HttpAttack final : public Attack {
 class LineAttack final : public Attack {
  public:
   LineAttack(Endpoint endpoint, const LiveDaemon& daemon, std::uint64_t seed, InUse& in_use, Tally& tally)
-      : Attack{daemon, seed, in_use, tally}, door_{endpoint}, caller_{daemon, endpoint} {}
+      : Attack{daemon, seed, in_use, tally}, door_{endpoint}, caller_{daemon, endpoint} {
+    (void)caller_.result("engine.info");  // a connection whose first line is not JSON would be closed
+  }
 
  private:
   void send(const std::vector<std::string>& batch) override {
