@@ -24,7 +24,9 @@ struct RawOptions {
   std::string token_file;
   transport::access::TlsFiles tls;
   bool behind_proxy{}, no_token{}, check_config{};
+  std::string listen_health;
   std::size_t body_mb{};
+  std::optional<std::size_t> connections_per_address;
   std::int64_t call_seconds{}, drain_seconds{};
   std::string durability{"full"};
   std::string log_format{"text"};
@@ -39,6 +41,9 @@ void declare_listeners(CLI::App& app, Options& options, RawOptions& raw) {
   app.add_option("--listen-tcp", raw.listen_tcp, "HOST:PORT for lines of JSON only; may be repeated");
   app.add_option("--listen-unix", raw.listen_unix,
                  "Path of a Unix socket for lines of JSON, open to this user only; may be repeated");
+  app.add_option(
+      "--listen-health", raw.listen_health,
+      "HOST:PORT for health checks: plain HTTP GET of /healthz and /readyz without token, outside all limits");
   app.add_option("--port-file", options.port_file, "Write the actual ports to this file, HTTP first");
   app.add_option("--token-file", raw.token_file,
                  "A file whose first line is the token that every TCP connection must send");
@@ -67,6 +72,9 @@ void declare_work(CLI::App& app, Options& options, RawOptions& raw) {
   app.add_option("--max-connections", options.limits.transport.connections, "Connections open at the same time")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
+  app.add_option("--max-connections-per-address", raw.connections_per_address,
+                 "Of these, from one address; without it three quarters, or with --behind-proxy all of them")
+      ->check(CLI::Range(1, 100'000));
   app.add_option(
          "--call-seconds", raw.call_seconds,
          "Time limit of a call, including waiting: a motion then returns its best result so far, a long read fails")
@@ -129,6 +137,12 @@ OptionError read_listeners(const RawOptions& raw, Options& options) {
   for (const std::string& path : raw.listen_unix) {
     options.listeners.push_back({.speaks = transport::access::Listener::Speaks::kLines, .path = path});
   }
+  if (!raw.listen_health.empty()) {
+    const auto address = read_address(raw.listen_health);
+    if (const auto* wrong = std::get_if<std::string>(&address)) return "--listen-health: " + *wrong;
+    const auto& [host, port] = std::get<TcpAddress>(address);
+    options.listeners.push_back({.speaks = transport::access::Listener::Speaks::kHealth, .host = host, .port = port});
+  }
   if (raw.tls.certificate.empty() != raw.tls.key.empty()) {
     return raw.tls.key.empty() ? "--tls-cert needs --tls-key" : "--tls-key needs --tls-cert";
   }
@@ -141,7 +155,8 @@ OptionError read_listeners(const RawOptions& raw, Options& options) {
 // An address that other machines can reach requires a token, and TLS so that nobody can read it on the way.
 OptionError check_exposure(const RawOptions& raw, const Options& options) {
   for (const transport::access::Listener& listener : listen_settings(options).listeners) {
-    if (!listener.path.empty() || is_loopback(listener.host)) continue;
+    const bool health = listener.speaks == transport::access::Listener::Speaks::kHealth;  // reveals nothing more
+    if (!listener.path.empty() || is_loopback(listener.host) || health) continue;
     const std::string reached = address_text({listener.host, listener.port}) + " can be reached by other machines: ";
     if (options.access.token.empty() && !raw.no_token) return reached + "--token-file is missing";
     if (!options.tls && !raw.behind_proxy) {
@@ -155,6 +170,10 @@ OptionError convert(const RawOptions& raw, Options& options) {
   if (auto error = read_listeners(raw, options)) return error;
   if (auto error = check_exposure(raw, options)) return error;
   options.limits.transport.body_bytes = raw.body_mb << 20;
+  const std::size_t connections = options.limits.transport.connections;
+  // Behind a proxy all connections have the proxy's address.
+  options.limits.transport.connections_per_address =
+      raw.connections_per_address.value_or(raw.behind_proxy ? connections : connections - connections / 4);
   options.limits.call = std::chrono::seconds{raw.call_seconds};
   options.drain = std::chrono::seconds{raw.drain_seconds};
   if (options.store == "none") options.store.clear();

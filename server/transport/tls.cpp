@@ -49,9 +49,11 @@ class Tunnel : public std::enable_shared_from_this<Tunnel> {
   static asio::awaitable<void> run(std::shared_ptr<Tunnel> self) {
     Error error;
     self->arm(self->patience_);
+    self->watch_inside();
     co_await self->outside_.async_handshake(ssl::stream_base::server, asio::redirect_error(asio::use_awaitable, error));
     self->disarm();
     if (error) co_return self->cut();
+    self->open_ = true;
     self->watch();
     asio::co_spawn(self->inside_.get_executor(), inwards(self), asio::detached);
     co_await self->outwards();
@@ -102,6 +104,13 @@ class Tunnel : public std::enable_shared_from_this<Tunnel> {
     co_await outside_.async_shutdown(asio::redirect_error(asio::use_awaitable, error));
   }
 
+  // Ends a handshake whose connection has been closed on the plain side: nothing else comes from there so early.
+  void watch_inside() {
+    inside_.async_wait(connections::Socket::wait_read, [self = shared_from_this()](Error error) {
+      if (!error && !self->open_) self->cut();
+    });
+  }
+
   // Detects a broken connection while nothing is read from it.
   void watch() {
     outside_.lowest_layer().async_wait(connections::Socket::wait_error, [self = shared_from_this()](Error error) {
@@ -121,6 +130,7 @@ class Tunnel : public std::enable_shared_from_this<Tunnel> {
   connections::Socket inside_;
   asio::steady_timer watchdog_;
   const std::chrono::milliseconds patience_;
+  bool open_{};  // the handshake has succeeded
 };
 
 }  // namespace

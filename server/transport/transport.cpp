@@ -1,6 +1,7 @@
 #include "server/transport/transport.h"
 
 #include "server/transport/acceptor.h"
+#include "server/transport/connection_table.h"
 #include "server/transport/connections/connection.h"
 #include "server/transport/peer.h"
 #include "server/transport/tls.h"
@@ -14,9 +15,9 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
 #include <exception>
 #include <optional>
-#include <set>
 #include <string_view>
 #include <thread>
 #include <utility>
@@ -57,11 +58,20 @@ asio::awaitable<void> serve(std::shared_ptr<connections::Connection> connection,
     connections::report(access::Refusal::kNotJson, connection->session->peer, context.service);
     co_return;
   }
-  if (speaks == access::Listener::Speaks::kLines || json) {
+  const bool lines = speaks == access::Listener::Speaks::kLines || (speaks == access::Listener::Speaks::kHttp && json);
+  if (lines) {
     co_await serve_lines(connection, context, std::move(received));
   } else {
     co_await serve_http(connection, context, std::move(received));
   }
+}
+
+// Probes are small and quick.
+access::TransportLimits limits_for_health(access::TransportLimits limits) {
+  constexpr std::chrono::seconds kPatience{5};
+  limits.body_bytes = 0;
+  limits.idle = limits.request = limits.write = kPatience;
+  return limits;
 }
 
 void log_exception(std::string_view where, const std::exception_ptr& thrown) {
@@ -111,25 +121,31 @@ struct Transport::Implementation {
       if (error) {
         spdlog::warn("accepting failed: {}", error.message());
         co_await acceptor.pause();
-      } else if (connections.size() >= limits.connections) {
-        ++service.counts->turned_away;
-        connections::report(access::Refusal::kConnections, peer_of(socket, acceptor.listener()), service);
       } else {
-        ++service.counts->accepted;
-        open(std::move(socket), acceptor.listener());
+        take(std::move(socket), acceptor.listener());
       }
     }
   }
 
-  void open(connections::Socket socket, const access::Listener& listener) {
+  // Opens the connection if there is room for it.
+  void take(connections::Socket socket, const access::Listener& listener) {
+    const Peer peer = peer_of(socket, listener);
+    if (listener.speaks == access::Listener::Speaks::kHealth) return open_for_health(std::move(socket), peer);
+    const auto refusal = connections.make_room(peer.address, [this](const ConnectionTable::Entry& closed) {
+      connections::report(access::Refusal::kSilent, closed->session->peer, service);
+    });
+    if (refusal) {
+      ++service.counts->turned_away;
+      return connections::report(*refusal, peer.text, service);
+    }
+    ++service.counts->accepted;
     const bool tcp = listener.path.empty();
-    const std::string peer = peer_of(socket, listener);
     Error ignored;
     if (tcp) socket.set_option(asio::ip::tcp::no_delay{true}, ignored);
     if (tcp && tls) socket = tls->unwrap(std::move(socket));
-    const auto connection =
-        std::make_shared<connections::Connection>(std::move(socket), ++sessions, peer, tcp && !access.token.empty());
-    connections.insert(connection);
+    const auto connection = std::make_shared<connections::Connection>(std::move(socket), ++sessions, peer.text,
+                                                                      tcp && !access.token.empty());
+    connections.insert(connection, peer.address);
     asio::co_spawn(io, serve(connection, context, listener.speaks),
                    [this, connection](const std::exception_ptr& thrown) {
                      log_exception("a connection", thrown);
@@ -139,9 +155,27 @@ struct Transport::Implementation {
                    });
   }
 
+  // The oldest connection for health checks makes room for a further one.
+  void open_for_health(connections::Socket socket, const Peer& peer) {
+    if (health.size() >= limits.health_connections) {
+      health.front()->cut();
+      health.pop_front();
+    }
+    const auto connection = std::make_shared<connections::Connection>(std::move(socket), ++sessions, peer.text, false);
+    health.push_back(connection);
+    asio::co_spawn(io, serve(connection, health_context, access::Listener::Speaks::kHealth),
+                   [this, connection](const std::exception_ptr& thrown) {
+                     log_exception("a connection for health checks", thrown);
+                     connection->cut();
+                     std::erase(health, connection);
+                     end_when_empty();
+                   });
+  }
+
   void stop_reading() {
     for (const auto& acceptor : acceptors) acceptor->close();
-    for (const auto& connection : connections) connection->drain();
+    for (const auto& [connection, address] : connections) connection->drain();
+    for (const auto& connection : health) connection->drain();
   }
 
   void finish(std::chrono::milliseconds time) {
@@ -150,14 +184,15 @@ struct Transport::Implementation {
     patience.expires_after(time);
     patience.async_wait([this](Error error) {
       if (error) return;
-      for (const auto& connection : connections) connection->cut();
+      for (const auto& [connection, address] : connections) connection->cut();
+      for (const auto& connection : health) connection->cut();
       if (tls) tls->cut();
     });
     end_when_empty();
   }
 
   void end_when_empty() {
-    if (!finishing || !connections.empty() || (tls && !tls->idle())) return;
+    if (!finishing || connections.size() != 0 || !health.empty() || (tls && !tls->idle())) return;
     patience.cancel();
     work.reset();
   }
@@ -166,14 +201,20 @@ struct Transport::Implementation {
   const access::Service service;
   const access::Access access;
   const connections::ConnectionContext context{service, limits, access};
+  const access::TransportLimits health_limits = limits_for_health(limits);
+  const access::Service health_service{
+      .call = {}, .health = service.health, .ready = service.ready, .counts = service.counts};
+  const access::Access access_to_health{.any_host = true};
+  const connections::ConnectionContext health_context{health_service, health_limits, access_to_health};
   asio::io_context io{1};
   asio::executor_work_guard<asio::io_context::executor_type> work{io.get_executor()};
   asio::steady_timer patience{io};
   std::optional<Tls> tls;
   std::vector<std::unique_ptr<Acceptor>> acceptors;
   std::vector<access::Listener> listeners;
-  std::set<std::shared_ptr<connections::Connection>> connections;
-  std::uint64_t sessions{};  // begun so far
+  ConnectionTable connections{limits};
+  std::deque<ConnectionTable::Entry> health;  // the oldest first
+  std::uint64_t sessions{};                   // begun so far
   bool finishing{};
   std::jthread thread;
 };

@@ -10,7 +10,8 @@ namespace selvage::server::transport::access {
 
 bool host_allowed(const Access& access, std::string_view host) {
   const auto names = [host](const std::string& name) { return is_host(host, name); };
-  return !access.token.empty() || is_local_host(host) || std::any_of(access.hosts.begin(), access.hosts.end(), names);
+  return access.any_host || !access.token.empty() || is_local_host(host) ||
+         std::any_of(access.hosts.begin(), access.hosts.end(), names);
 }
 
 bool origin_allowed(const Access& access, std::string_view origin, std::string_view host) {

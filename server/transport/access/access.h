@@ -14,6 +14,7 @@ namespace selvage::server::transport::access {
 struct Access {
   std::string token{};                 // required on every TCP connection; empty: none is required
   std::vector<std::string> hosts{};    // further names of this server, without a port, in addition to local ones
+  bool any_host{};                     // whatever name the server is called by
   std::vector<std::string> origins{};  // whose pages may call, in addition to local ones: "https://marker.example"
 };
 

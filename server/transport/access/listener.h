@@ -12,8 +12,9 @@ namespace selvage::server::transport::access {
 
 struct Listener {
   enum class Speaks {
-    kHttp,   // HTTP, WebSocket and newline-delimited JSON, distinguished by the first byte that is not blank
-    kLines,  // newline-delimited JSON
+    kHttp,    // HTTP, WebSocket and newline-delimited JSON, distinguished by the first byte that is not blank
+    kLines,   // newline-delimited JSON
+    kHealth,  // HTTP: /healthz and /readyz only, without token, TLS or limits on connections
   };
   Speaks speaks{};
   std::string host{};    // a numeric address

@@ -78,7 +78,9 @@ struct Service {
 struct TransportLimits {
   std::size_t body_bytes{std::size_t{32} << 20};   // of an HTTP body, of one line, of one WebSocket message
   std::size_t header_bytes{std::size_t{8} << 10};  // of an HTTP request, and of a message that must contain a token
-  std::size_t connections{512};                    // open at the same time; further ones are closed immediately
+  std::size_t connections{512};                    // open at the same time, without those for health checks
+  std::size_t connections_per_address{512};        // of these; for IPv6 of a /64 network
+  std::size_t health_connections{32};              // for health checks; the oldest makes room for a further one
   std::size_t calls_per_connection{
       64};  // in progress on one line or WebSocket connection, which is not read while there are more
   std::size_t backlog_bytes{std::size_t{16} << 20};  // not yet sent on one such connection; likewise

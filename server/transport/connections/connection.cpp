@@ -59,6 +59,10 @@ void Connection::disarm(boost::asio::steady_timer& watchdog) {
   watchdog.expires_at(Clock::time_point::max());
 }
 
+void Connection::set_standing(Standing standing) {
+  if (std::exchange(standing_, standing) != standing) standing_since_ = Clock::now();
+}
+
 void Connection::drain() {
   draining = true;
   if (on_drain) return on_drain();

@@ -63,6 +63,14 @@ void report(access::Refusal refusal, const std::string& peer, const access::Serv
 
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
+  using Time = std::chrono::steady_clock::time_point;
+  // Whether it may be closed to make room for another.
+  enum class Standing {
+    kSilent,  // it may: no whole request, or no correct token, has come yet
+    kIdle,    // it may: the next HTTP request is awaited
+    kServed,  // it may not
+  };
+
   // `id` and `peer`: the session's.
   Connection(Socket connected, std::uint64_t id, std::string peer, bool needs_token);
 
@@ -73,6 +81,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
   // Closes the socket unless the watchdog is disarmed, or armed again, in time.
   void arm(boost::asio::steady_timer& watchdog, std::chrono::milliseconds time);
   static void disarm(boost::asio::steady_timer& watchdog);
+  void set_standing(Standing standing);
+  [[nodiscard]] Standing standing() const { return standing_; }
+  [[nodiscard]] Time standing_since() const { return standing_since_; }
   // Reads nothing more; the calls in progress are still answered.  Calls `on_drain` instead if that is set.
   void drain();
   // Closes it immediately.
@@ -91,6 +102,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
   std::function<void()> on_drain;
 
  private:
+  Standing standing_{};
+  Time standing_since_{std::chrono::steady_clock::now()};
   bool watching_for_end_{};
 };
 

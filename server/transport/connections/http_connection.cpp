@@ -134,7 +134,10 @@ std::optional<Answer> refusal_of_upgrade(const Header& request) {
 // The refusal of a request by its header alone; nothing if the request is accepted.
 std::optional<Answer> refusal_of(const Header& request, const ConnectionContext& context, bool needs_token) {
   const Resource* resource = find_resource(view(request.target()));
-  if (resource != nullptr && resource->page != nullptr && !(context.service.*resource->page)) resource = nullptr;
+  const auto served = [&service = context.service](const Resource& wanted) {
+    return wanted.page != nullptr ? static_cast<bool>(service.*wanted.page) : static_cast<bool>(service.call);
+  };
+  if (resource != nullptr && !served(*resource)) resource = nullptr;
   const bool is_file = resource == nullptr && find_file(request, context.service) != nullptr;
   const bool open = is_file || (resource != nullptr && !resource->needs_token) || may_authenticate_later(request);
   if (auto refusal = refusal_of_caller(request, context.access, needs_token && !open)) return refusal;
@@ -205,6 +208,7 @@ class HttpConnection {
       co_return false;
     }
     if (view(parser.get().target()) == kWebSocket && buffer_.size() == 0) {
+      connection_.set_standing(Connection::Standing::kServed);
       upgrade_ = std::move(parser.get());
       co_return false;
     }
@@ -212,10 +216,12 @@ class HttpConnection {
       co_await write(refuse(http::status::bad_request, "Wait for the upgrade before you send more."));
       co_return false;
     }
+    connection_.set_standing(Connection::Standing::kServed);
     const bool keep_alive = parser.get().keep_alive();
     Answer answer = co_await answer_to(std::move(parser.get()));
     answer.keep_alive(keep_alive && !connection_.draining);
     co_await write(answer);
+    connection_.set_standing(Connection::Standing::kIdle);
     co_return answer.keep_alive() && !failed_;
   }
 

@@ -29,6 +29,7 @@ class LineConnection final : public Conversation {
       co_await settle();
       co_return co_await connection_->linger();
     }
+    if (connection_->needs_token) connection_->set_standing(Connection::Standing::kServed);
     enable_notifications();
     std::vector<Line> lines = splitter_.feed(received);
     co_await take(std::move(lines));
@@ -89,6 +90,7 @@ class LineConnection final : public Conversation {
   asio::awaitable<void> take(std::vector<Line> lines) {
     for (Line& line : lines) {
       co_await wait_for_room();
+      connection_->set_standing(Connection::Standing::kServed);
       if (line.too_long) {
         send(context_.service.line_too_long);
       } else {

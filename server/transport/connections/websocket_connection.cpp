@@ -46,10 +46,12 @@ class WebSocketConnection final : public Conversation {
     // An upgrade request with a wrong token has already been refused.
     const bool unauthenticated =
         connection_->needs_token && upgrade.count(boost::beast::http::field::authorization) == 0;
+    if (unauthenticated) connection_->set_standing(Connection::Standing::kSilent);
     if (unauthenticated && !co_await authenticate()) {
       report(access::Refusal::kToken, connection_->session->peer, context_.service);
       begin_close(websocket::close_code::policy_error);
     } else {
+      connection_->set_standing(Connection::Standing::kServed);
       enable_notifications();
       ping();
       co_await read_to_end();

@@ -98,6 +98,25 @@ TEST_F(ExposedOptions, TheTokenFileMustExistAndTheTokenBeLongEnough) {
   EXPECT_NE(refusal({"--token-file", folder_.write("empty", "").c_str()}).find("cannot read"), std::string::npos);
 }
 
+TEST(Options, ConnectionsPerAddressAreThreeQuartersUnlessAProxyHasThemAll) {
+  const auto limit = [](std::initializer_list<const char*> arguments) {
+    return std::get<Options>(parse(arguments)).limits.transport.connections_per_address;
+  };
+  EXPECT_EQ(limit({}), 384U);
+  EXPECT_EQ(limit({"--max-connections", "2"}), 2U);
+  EXPECT_EQ(limit({"--behind-proxy"}), 512U);
+  EXPECT_EQ(limit({"--behind-proxy", "--max-connections-per-address", "7"}), 7U);
+}
+
+TEST(Options, HealthMayBeServedToOtherMachinesWithoutToken) {
+  const auto parsed = parse({"--listen-health", "0.0.0.0:9000"});
+  const auto* options = std::get_if<Options>(&parsed);
+  ASSERT_TRUE(options);
+  EXPECT_EQ(listen_settings(*options).listeners.back().speaks, transport::access::Listener::Speaks::kHealth);
+  EXPECT_EQ(listen_settings(*options).listeners.back().port, 9000);
+  EXPECT_NE(refusal({"--listen-health", "9000"}).find("--listen-health"), std::string::npos);
+}
+
 TEST(Options, ListenersAreListedHttpFirst) {
   const auto parsed = parse({"--listen-unix", "/run/s", "--listen-tcp", "127.0.0.1:1", "--listen-tcp", "[::1]:2"});
   const auto* options = std::get_if<Options>(&parsed);

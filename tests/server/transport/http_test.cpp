@@ -298,9 +298,13 @@ TEST(HttpConnections, ThoseBeyondTheLimitAreRefused) {
   StagedServer server{limits};
   Wire first{server.port()};
   Wire second{server.port()};
-  ASSERT_TRUE(first.post("1"));
-  ASSERT_TRUE(second.post("2"));
+  for (Wire* wire : {&first, &second}) wire->send(post_request("hold"));
+  const HeldCall one = server.next_held();
+  const HeldCall two = server.next_held();
   EXPECT_EQ(Wire{server.port()}.rest(), "");
+  one.reply("1");
+  two.reply("2");
+  EXPECT_TRUE(first.answer() && second.answer());
   EXPECT_TRUE(first.post("3"));
 }
 
