@@ -1,5 +1,7 @@
 #include "server/app/authentication.h"
 
+#include <fstream>
+#include <stdexcept>
 #include <string>
 #include <variant>
 
@@ -10,6 +12,7 @@ namespace selvage::server::app {
 namespace {
 
 constexpr std::size_t kLongest = 8192;
+constexpr std::size_t kMinTokenLength = 16;
 
 // Empty if the call contains no token.
 std::string token_in(const protocol::rpc::Request& request) {
@@ -22,6 +25,16 @@ std::string token_in(const protocol::rpc::Request& request) {
 }
 
 }  // namespace
+
+std::string read_token(const std::string& path) {
+  std::ifstream file{path};
+  std::string token;
+  if (!file || !std::getline(file, token)) throw std::runtime_error{"--token-file: cannot read " + path};
+  while (!token.empty() && (token.back() == '\r' || token.back() == ' ')) token.pop_back();
+  if (token.size() >= kMinTokenLength) return token;
+  throw std::runtime_error{"--token-file: the first line of " + path + " is too short; at least " +
+                           std::to_string(kMinTokenLength) + " characters are required"};
+}
 
 transport::access::Authentication authenticate_first_message(std::string_view message,
                                                              const transport::access::Access& access) {

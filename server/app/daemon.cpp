@@ -1,5 +1,7 @@
 #include "server/app/daemon.h"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <array>
 #include <exception>
@@ -9,6 +11,8 @@
 
 #include "server/app/authentication.h"
 #include "server/methods/method_groups.h"
+#include "server/ops/process_metrics.h"
+#include "server/ops/version.h"
 #include "server/room/room.h"
 
 namespace selvage::server::app {
@@ -103,7 +107,7 @@ std::string Daemon::metrics_text() const {
                    {"parsing", value(queues.parsing.running())},
                    {"reads", value(queues.reads.running())},
                    {"hands", value(queues.drags.running())}}},
-      ops::Metric{"selvage_connections",
+      ops::Metric{"selvage_open_connections",
                   kGauge,
                   "Open connections, by protocol.",
                   "speaks",
@@ -133,12 +137,25 @@ std::string Daemon::metrics_text() const {
     refused.values.push_back({transport::access::kRefusals.at(k), value(open.refused.at(k).load())});
   }
   std::string text = metrics_.text() + metric_text(refused);
+  text += ops::metric_text(
+      {"selvage_build_info", kGauge, "The version of the program; always 1.", "version", {{ops::kVersion, 1}}});
+  for (const ops::Metric& metric : ops::process_metrics()) text += metric_text(metric);
   for (const ops::Metric& metric : kNow) text += metric_text(metric);
   return text;
 }
 
 Daemon::~Daemon() {
   drain();
+}
+
+void Daemon::reload(const Options& options) {
+  if (options.token_file.empty() && !options.tls) return;
+  try {
+    transport_.reload(options.token_file.empty() ? std::string{} : read_token(options.token_file), options.tls);
+    spdlog::info("the token and the certificate have been read again");
+  } catch (const std::exception& error) {
+    spdlog::error("the token and the certificate in use are kept: {}", error.what());
+  }
 }
 
 void Daemon::drain() {

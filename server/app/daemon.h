@@ -33,6 +33,10 @@ class Daemon {
   [[nodiscard]] std::uint16_t port() const { return listeners().front().port; }
   [[nodiscard]] const SumCache& sums() const { return backend_.sums(); }
 
+  // Reads the token and the TLS files again.  If one of them cannot be used, a line in the log says so, and nothing is
+  // replaced.
+  void reload(const Options& options);
+
   // Accepts nothing new, asks the running motions for their best results, sends every answer and closes.
   void drain();
 

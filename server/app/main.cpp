@@ -45,12 +45,13 @@ sigset_t block_signals() {
 }
 
 // Returns the signal that asks the process to stop.
-int wait_to_stop(const sigset_t& signals, const Options& options) {
+int wait_to_stop(const sigset_t& signals, const Options& options, Daemon& daemon) {
   for (;;) {
     int signal{};
     if (sigwait(&signals, &signal) != 0) continue;
     if (signal != SIGHUP) return signal;
     ops::reopen_log(options.log.file);
+    daemon.reload(options);
   }
 }
 
@@ -98,7 +99,7 @@ int serve(const Options& options) {
     std::cout << "listening on " << name_of(listener) << std::endl;
     spdlog::info("selvaged {} listening on {}, {} workers", ops::kVersion, name_of(listener), options.workers);
   }
-  const int signal = wait_to_stop(signals, options);
+  const int signal = wait_to_stop(signals, options, daemon);
   spdlog::info("draining: signal {}", signal);
   const DrainWatchdog watchdog{options.drain + std::chrono::seconds{1}};
   daemon.drain();

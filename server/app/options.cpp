@@ -3,25 +3,23 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <fstream>
+#include <exception>
 #include <sstream>
 #include <string_view>
 #include <thread>
 #include <utility>
 
 #include "server/app/addresses.h"
+#include "server/app/authentication.h"
 #include "server/ops/version.h"
 
 namespace selvage::server::app {
 namespace {
 
-constexpr std::size_t kMinTokenLength = 16;
-
 // Options as they were written, before they are checked and converted.
 struct RawOptions {
   std::string listen{"127.0.0.1:7171"};
   std::vector<std::string> listen_tcp, listen_unix;
-  std::string token_file;
   transport::access::TlsFiles tls;
   bool behind_proxy{}, no_token{}, check_config{};
   std::string listen_health;
@@ -45,7 +43,7 @@ void declare_listeners(CLI::App& app, Options& options, RawOptions& raw) {
       "--listen-health", raw.listen_health,
       "HOST:PORT for health checks: plain HTTP GET of /healthz and /readyz without token, outside all limits");
   app.add_option("--port-file", options.port_file, "Write the actual ports to this file, HTTP first");
-  app.add_option("--token-file", raw.token_file,
+  app.add_option("--token-file", options.token_file,
                  "A file whose first line is the token that every TCP connection must send");
   app.add_option("--tls-cert", raw.tls.certificate, "Certificate chain (PEM); enables TLS on every TCP listener");
   app.add_option("--tls-key", raw.tls.key, "Private key of the certificate (PEM)");
@@ -114,15 +112,6 @@ void declare_tasks(CLI::App& app, Options& options, RawOptions& raw) {
       ->configurable(false);
 }
 
-OptionError read_token(const std::string& path, std::string& token) {
-  std::ifstream file{path};
-  if (!file || !std::getline(file, token)) return "--token-file: cannot read " + path;
-  while (!token.empty() && (token.back() == '\r' || token.back() == ' ')) token.pop_back();
-  if (token.size() >= kMinTokenLength) return std::nullopt;
-  return "--token-file: the first line of " + path + " is too short; at least " + std::to_string(kMinTokenLength) +
-         " characters are required";
-}
-
 OptionError read_listeners(const RawOptions& raw, Options& options) {
   const auto http = read_address(raw.listen);
   if (const auto* wrong = std::get_if<std::string>(&http)) return "--listen: " + *wrong;
@@ -148,8 +137,13 @@ OptionError read_listeners(const RawOptions& raw, Options& options) {
   }
   if (!raw.tls.key.empty()) options.tls = raw.tls;
   if (raw.no_token && !raw.behind_proxy) return "--no-token needs --behind-proxy";
-  if (raw.no_token && !raw.token_file.empty()) return "--no-token and --token-file exclude each other";
-  return raw.token_file.empty() ? std::nullopt : read_token(raw.token_file, options.access.token);
+  if (raw.no_token && !options.token_file.empty()) return "--no-token and --token-file exclude each other";
+  try {
+    if (!options.token_file.empty()) options.access.token = read_token(options.token_file);
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return std::nullopt;
 }
 
 // An address that other machines can reach requires a token, and TLS so that nobody can read it on the way.

@@ -29,6 +29,7 @@ struct Options {
   std::uint16_t port{7171};                            // 0: any free port
   std::vector<transport::access::Listener> listeners;  // further ones
   transport::access::Access access;
+  std::string token_file;  // where the token is read again on SIGHUP; empty: there is none
   std::optional<transport::access::TlsFiles> tls;
   std::string port_file;      // receives the actual ports, one per line; empty: none
   std::size_t workers{};      // for motions; 0: inline, on the I/O thread (for tests)

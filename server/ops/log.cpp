@@ -53,7 +53,7 @@ std::string line_text(LogFormat format, Time time, spdlog::level::level_enum lev
                       Json::Parts more = {}) {
   if (format == LogFormat::kText) return fmt::format("{} {} {}", time_text(time), name_of(level), message);
   Json line{{"time", time_text(time)}, {"level", name_of(level)}, {"message", message}};
-  for (const auto& [key, value] : Json::object(more).items()) line.append(key, value);
+  line.update(Json::object(more));
   return protocol::json::to_text(line);
 }
 

@@ -52,12 +52,12 @@ struct LogWriter::State {
       const std::shared_ptr<const OpenFile> target = file;
       writing = true;
       lock.unlock();
-      if (torn) text.insert(0, 1, '\n');
       if (more != 0) text += missing(more) + '\n';
-      const std::string_view rest = std::string_view{text}.substr(write_all(target->descriptor(), text));
-      torn = !rest.empty();
+      if (torn && write_all(target->descriptor(), "\n") == 1) torn = false;
+      const std::size_t written = torn ? 0 : write_all(target->descriptor(), text);
+      if (written != 0) torn = text[written - 1] != '\n';
       lock.lock();
-      if (torn) give_up(rest, more);
+      if (written < text.size()) give_up(std::string_view{text}.substr(written), more);
       writing = false;
       idle.notify_all();
     }

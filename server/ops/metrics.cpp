@@ -32,18 +32,19 @@ bool is_plain(std::string_view name) {
 void Metrics::count(const AnsweredRequest& request) {
   const bool known =
       request.code != static_cast<int>(protocol::rpc::RpcCode::kMethodNotFound) && is_plain(request.method);
-  const auto bucket = std::lower_bound(kBucketsMs.begin(), kBucketsMs.end(), request.milliseconds) - kBucketsMs.begin();
+  const double seconds = request.milliseconds / 1000;
+  const auto bucket = std::lower_bound(kBuckets.begin(), kBuckets.end(), seconds) - kBuckets.begin();
   const std::lock_guard lock{mutex_};
   Method& method = methods_[known ? request.method : "unknown"];
   ++method.answers[request.code];
   ++method.durations.buckets[static_cast<std::size_t>(bucket)];
   ++method.durations.count;
-  method.durations.sum_ms += request.milliseconds;
+  method.durations.sum += seconds;
 }
 
 std::string Metrics::text() const {
   constexpr std::string_view kAnswers = "selvage_calls_total";
-  constexpr std::string_view kDuration = "selvage_call_duration_milliseconds";
+  constexpr std::string_view kDuration = "selvage_call_duration_seconds";
   const std::lock_guard lock{mutex_};
   std::string text = heading(kAnswers, "counter", "Calls answered, by method and by error code (0: a result).");
   for (const auto& [name, method] : methods_) {
@@ -58,11 +59,11 @@ std::string Metrics::text() const {
     std::uint64_t below = 0;
     for (std::size_t i = 0; i < method.durations.buckets.size(); ++i) {
       below += method.durations.buckets[i];
-      const std::string bound = i < kBucketsMs.size() ? protocol::json::number_text(kBucketsMs.at(i)) : "+Inf";
+      const std::string bound = i < kBuckets.size() ? protocol::json::number_text(kBuckets.at(i)) : "+Inf";
       text +=
           line(std::string{kDuration} + "_bucket", labels + "," + labelled("le", bound), static_cast<double>(below));
     }
-    text += line(std::string{kDuration} + "_sum", labels, method.durations.sum_ms);
+    text += line(std::string{kDuration} + "_sum", labels, method.durations.sum);
     text += line(std::string{kDuration} + "_count", labels, static_cast<double>(method.durations.count));
   }
   return text;

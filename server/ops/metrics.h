@@ -1,5 +1,5 @@
 // The daemon's metrics in Prometheus' text format 0.0.4: calls by method and outcome, their durations, and the current
-// state.
+// state.  Names follow https://prometheus.io/docs/practices/naming: base units, and `_total` for every counter.
 //
 // Methods that do not exist are counted as "unknown", so that no client can create labels.  Every function may be
 // called from any thread.
@@ -18,8 +18,8 @@
 
 namespace selvage::server::ops {
 
-// Upper bounds of the histogram's buckets, in milliseconds; the last bucket has none.
-inline constexpr std::array kBucketsMs{0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0, 10000.0, 30000.0};
+// Upper bounds of the histogram's buckets, in seconds; the last bucket has none.
+inline constexpr std::array kBuckets{0.0003, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0};
 
 class Metrics {
  public:
@@ -29,8 +29,8 @@ class Metrics {
 
  private:
   struct Durations {
-    std::array<std::uint64_t, kBucketsMs.size() + 1> buckets{};
-    double sum_ms{};
+    std::array<std::uint64_t, kBuckets.size() + 1> buckets{};
+    double sum{};  // seconds
     std::uint64_t count{};
   };
   struct Method {

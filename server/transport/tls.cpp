@@ -135,16 +135,25 @@ class Tunnel : public std::enable_shared_from_this<Tunnel> {
 
 }  // namespace
 
-struct Tls::Implementation {
+struct Tls::Credentials {
   ssl::context context;
+};
+
+struct Tls::Implementation {
+  std::shared_ptr<Credentials> credentials;
   const std::chrono::milliseconds patience;
   const std::function<void()> on_ended;
   std::set<std::shared_ptr<Tunnel>> tunnels{};
 };
 
-Tls::Tls(const access::TlsFiles& files, const access::TransportLimits& limits, std::function<void()> on_ended)
-    : implementation_{
-          std::make_shared<Implementation>(Implementation{make_context(files), limits.write, std::move(on_ended)})} {}
+std::shared_ptr<Tls::Credentials> Tls::load(const access::TlsFiles& files) {
+  return std::make_shared<Credentials>(Credentials{make_context(files)});
+}
+
+Tls::Tls(std::shared_ptr<Credentials> credentials, const access::TransportLimits& limits,
+         std::function<void()> on_ended)
+    : implementation_{std::make_shared<Implementation>(
+          Implementation{std::move(credentials), limits.write, std::move(on_ended)})} {}
 
 Tls::~Tls() = default;
 
@@ -153,8 +162,8 @@ connections::Socket Tls::unwrap(connections::Socket outside) {
   asio::local::stream_protocol::socket mine{executor};
   asio::local::stream_protocol::socket theirs{executor};
   asio::local::connect_pair(mine, theirs);
-  const auto tunnel = std::make_shared<Tunnel>(std::move(outside), std::move(mine), implementation_->context,
-                                               implementation_->patience);
+  const auto tunnel = std::make_shared<Tunnel>(std::move(outside), std::move(mine),
+                                               implementation_->credentials->context, implementation_->patience);
   implementation_->tunnels.insert(tunnel);
   asio::co_spawn(executor, Tunnel::run(tunnel),
                  [weak = std::weak_ptr{implementation_}, tunnel](const std::exception_ptr&) {
@@ -165,6 +174,10 @@ connections::Socket Tls::unwrap(connections::Socket outside) {
                    state->on_ended();
                  });
   return theirs;
+}
+
+void Tls::use(std::shared_ptr<Credentials> credentials) {
+  implementation_->credentials = std::move(credentials);  // OpenSSL keeps the old ones for the tunnels that use them
 }
 
 bool Tls::idle() const {

@@ -16,14 +16,20 @@ namespace selvage::server::transport {
 
 class Tls {
  public:
-  // Throws a std::exception that names the file if one cannot be used.  `on_ended` is called when a tunnel has ended.
-  Tls(const access::TlsFiles& files, const access::TransportLimits& limits, std::function<void()> on_ended);
+  struct Credentials;  // a certificate chain and its key
+  // Any thread.  Throws a std::exception that names the file if one cannot be used.
+  [[nodiscard]] static std::shared_ptr<Credentials> load(const access::TlsFiles& files);
+
+  // `on_ended` is called when a tunnel has ended.
+  Tls(std::shared_ptr<Credentials> credentials, const access::TransportLimits& limits, std::function<void()> on_ended);
   ~Tls();
   Tls(const Tls&) = delete;
   Tls& operator=(const Tls&) = delete;
 
   // Returns the plain side of `outside` while the handshake is still in progress; if that fails, both are closed.
   [[nodiscard]] connections::Socket unwrap(connections::Socket outside);
+  // For connections from now on.
+  void use(std::shared_ptr<Credentials> credentials);
   // Returns true if no tunnel is open, so that everything has been sent.
   [[nodiscard]] bool idle() const;
   // Closes all tunnels immediately.

@@ -69,7 +69,7 @@ asio::awaitable<void> serve(std::shared_ptr<connections::Connection> connection,
 // Probes are small and quick.
 access::TransportLimits limits_for_health(access::TransportLimits limits) {
   constexpr std::chrono::seconds kPatience{5};
-  limits.body_bytes = 0;
+  limits.body_bytes = 1024;
   limits.idle = limits.request = limits.write = kPatience;
   return limits;
 }
@@ -89,7 +89,7 @@ void log_exception(std::string_view where, const std::exception_ptr& thrown) {
 struct Transport::Implementation {
   Implementation(const access::ListenSettings& settings, const access::TransportLimits& with, access::Service answering)
       : limits{with}, service{std::move(answering)}, access{settings.access} {
-    if (settings.tls) tls.emplace(*settings.tls, limits, [this] { end_when_empty(); });
+    if (settings.tls) tls.emplace(Tls::load(*settings.tls), limits, [this] { end_when_empty(); });
     for (const access::Listener& listener : settings.listeners) {
       acceptors.push_back(std::make_unique<Acceptor>(io, listener));
       listeners.push_back(acceptors.back()->listener());
@@ -199,7 +199,7 @@ struct Transport::Implementation {
 
   const access::TransportLimits limits;
   const access::Service service;
-  const access::Access access;
+  access::Access access;  // the I/O thread's
   const connections::ConnectionContext context{service, limits, access};
   const access::TransportLimits health_limits = limits_for_health(limits);
   const access::Service health_service{
@@ -229,6 +229,14 @@ Transport::~Transport() {
 
 const std::vector<access::Listener>& Transport::listeners() const {
   return implementation_->listeners;
+}
+
+void Transport::reload(const std::string& token, const std::optional<access::TlsFiles>& tls) {
+  std::shared_ptr<Tls::Credentials> credentials = tls ? Tls::load(*tls) : nullptr;
+  asio::post(implementation_->io, [implementation = implementation_.get(), token, held = std::move(credentials)] {
+    implementation->access.token = token;
+    if (held && implementation->tls) implementation->tls->use(held);
+  });
 }
 
 void Transport::stop_reading() {

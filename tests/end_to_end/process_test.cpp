@@ -116,7 +116,7 @@ TEST_F(Selvaged, ListensOnTheGivenAddressesAndPrintsThem) {
   page.send("GET /metrics HTTP/1.1\r\nHost: localhost\r\n\r\n");
   const std::string metrics = page.answer().value_or(HttpAnswer{}).body;
   EXPECT_NE(metrics.find("selvage_calls_total{method=\"engine.info\",code=\"0\"} 2\n"), std::string::npos) << metrics;
-  EXPECT_NE(metrics.find("selvage_connections{speaks=\"lines\"} 2\n"), std::string::npos) << metrics;
+  EXPECT_NE(metrics.find("selvage_open_connections{speaks=\"lines\"} 2\n"), std::string::npos) << metrics;
   EXPECT_NE(metrics.find("selvage_open_markers 0\n"), std::string::npos) << metrics;
   selvaged.signal(SIGTERM);
   EXPECT_EQ(selvaged.exit_code(), 0);
@@ -139,6 +139,27 @@ TEST_F(Selvaged, ReopensItsLogOnSighup) {
   EXPECT_EQ(file_text(log + ".1").find("marker.list"), std::string::npos);
   EXPECT_NE(file_text(log).find("marker.list"), std::string::npos);
   EXPECT_NE(file_text(log).find("drained"), std::string::npos);
+}
+
+TEST_F(Selvaged, ReadsItsTokenAgainOnSighup) {
+  const std::string token = (folder_ / "token").string();
+  std::ofstream{token} << "correct horse battery\n";
+  Process selvaged{arguments({"--token-file", token})};
+  const std::uint16_t port = port_of(selvaged);
+  const auto status = [port](const std::string& with) {
+    Wire wire{port};
+    wire.send(post_request("{}", "Authorization: Bearer " + with + "\r\n"));
+    return wire.answer().value_or(HttpAnswer{}).status;
+  };
+  std::ofstream{token} << "short\n";
+  selvaged.signal(SIGHUP);
+  EXPECT_NE(selvaged.output_until("is too short").find("in use are kept"), std::string::npos);
+  EXPECT_EQ(status("correct horse battery"), 200);
+  std::ofstream{token} << "different horse staple\n";
+  selvaged.signal(SIGHUP);
+  EXPECT_NE(selvaged.output_until("have been read again").find("have been read again"), std::string::npos);
+  EXPECT_EQ(status("correct horse battery"), 401);
+  EXPECT_EQ(status("different horse staple"), 200);
 }
 
 TEST_F(Selvaged, ChecksItsConfigurationWithoutServing) {

@@ -29,6 +29,7 @@ ONLY_IN = {
     ("clipper", "polyclipping/"): ("core/outline/set_operations.cpp",),
     "boost/asio": ("server/transport/", "server/app/", "clients/cpp/"),
     "boost/beast": (
+        "server/transport/connections/http_answers.",
         "server/transport/connections/http_connection.cpp",
         "server/transport/connections/websocket_connection.",
     ),

@@ -86,7 +86,7 @@ struct TransportLimits {
   std::size_t backlog_bytes{std::size_t{16} << 20};  // not yet sent on one such connection; likewise
   std::chrono::milliseconds idle{300'000};    // between two HTTP requests, and before the first byte of a connection
   std::chrono::milliseconds request{30'000};  // from the first byte of a header, a body or a message to its last
-  std::chrono::milliseconds write{30'000};    // for the client to receive what is sent to it
+  std::chrono::milliseconds write{30'000};    // for the client to take some of what is sent to it
   std::chrono::milliseconds ping{20'000};     // between two pings on a WebSocket
   std::chrono::milliseconds silence{60'000};  // of a WebSocket client that does not answer pings
 };

@@ -59,6 +59,11 @@ void Connection::disarm(boost::asio::steady_timer& watchdog) {
   watchdog.expires_at(Clock::time_point::max());
 }
 
+void Connection::extend(boost::asio::steady_timer& watchdog, std::chrono::milliseconds time) {
+  const Time expiry = watchdog.expiry();
+  if (expiry != Time{} && expiry != Time::max()) arm(watchdog, time);  // that is, neither new nor disarmed
+}
+
 void Connection::set_standing(Standing standing) {
   if (std::exchange(standing_, standing) != standing) standing_since_ = Clock::now();
 }

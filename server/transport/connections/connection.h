@@ -81,6 +81,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
   // Closes the socket unless the watchdog is disarmed, or armed again, in time.
   void arm(boost::asio::steady_timer& watchdog, std::chrono::milliseconds time);
   static void disarm(boost::asio::steady_timer& watchdog);
+  // Arms it anew if it is armed: there has been progress.
+  void extend(boost::asio::steady_timer& watchdog, std::chrono::milliseconds time);
   void set_standing(Standing standing);
   [[nodiscard]] Standing standing() const { return standing_; }
   [[nodiscard]] Time standing_since() const { return standing_since_; }

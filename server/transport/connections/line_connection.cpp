@@ -106,7 +106,11 @@ class LineConnection final : public Conversation {
       bytes += text.size();
       writing_.append(text).push_back('\n');
     }
-    asio::async_write(connection_->socket, asio::buffer(writing_),
+    const auto extend = [this](Error error, std::size_t sent) {
+      connection_->extend(connection_->write_watchdog, context_.limits.write);
+      return asio::transfer_all()(error, sent);
+    };
+    asio::async_write(connection_->socket, asio::buffer(writing_), extend,
                       [this, self = shared_from_this()](Error error, std::size_t) { written(error); });
     return bytes;
   }

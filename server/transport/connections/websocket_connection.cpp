@@ -20,11 +20,44 @@ using Upgrade = boost::beast::http::request<boost::beast::http::string_body>;
 constexpr std::size_t kChunk = 65536;  // bytes per read, so that a long message is seen to progress
 constexpr std::chrono::seconds kClosePatience{2};
 
+// The socket below a WebSocket: a write that continues shows that the client has taken what came before.
+class WatchedSocket {
+ public:
+  using executor_type = Socket::executor_type;
+  using next_layer_type = Socket;
+  WatchedSocket(Connection& connection, std::chrono::milliseconds patience)
+      : connection_{connection}, patience_{patience} {}
+
+  executor_type get_executor() { return connection_.socket.get_executor(); }
+  Socket& next_layer() { return connection_.socket; }
+  const Socket& next_layer() const { return connection_.socket; }
+  template <class Buffers, class Handler>
+  auto async_read_some(const Buffers& buffers, Handler&& handler) {
+    return connection_.socket.async_read_some(buffers, std::forward<Handler>(handler));
+  }
+  template <class Buffers, class Handler>
+  auto async_write_some(const Buffers& buffers, Handler&& handler) {
+    connection_.extend(connection_.write_watchdog, patience_);
+    return connection_.socket.async_write_some(buffers, std::forward<Handler>(handler));
+  }
+
+ private:
+  Connection& connection_;
+  const std::chrono::milliseconds patience_;
+};
+
+// Beast finds it by its argument.
+template <class Handler>
+void async_teardown(boost::beast::role_type role, WatchedSocket& socket, Handler&& handler) {
+  using boost::beast::websocket::async_teardown;
+  async_teardown(role, socket.next_layer(), std::forward<Handler>(handler));
+}
+
 class WebSocketConnection final : public Conversation {
  public:
   WebSocketConnection(std::shared_ptr<Connection> connection, const ConnectionContext& context)
       : Conversation{std::move(connection), context},
-        stream_{connection_->socket},
+        stream_{*connection_, context.limits.write},
         ping_timer_{connection_->socket.get_executor()} {
     stream_.read_message_max(context_.limits.body_bytes);
     stream_.auto_fragment(false);
@@ -154,7 +187,7 @@ class WebSocketConnection final : public Conversation {
     return writing_.size();
   }
 
-  websocket::stream<Socket&> stream_;
+  websocket::stream<WatchedSocket> stream_;
   asio::steady_timer ping_timer_;
   std::string writing_;
   bool within_message_{};

@@ -28,18 +28,18 @@ TEST(Metrics, HistogramsAreCumulative) {
     metrics.count({.method = "motion.compact", .milliseconds = milliseconds});
   }
   const std::string text = metrics.text();
-  const std::string start = "selvage_call_duration_milliseconds";
+  const std::string start = "selvage_call_duration_seconds";
   const auto bucket = [&](const std::string& bound, int count) {
     return has_line(text, start + R"(_bucket{method="motion.compact",le=")" + bound + "\"} " + std::to_string(count));
   };
-  EXPECT_TRUE(bucket("0.3", 1)) << text;  // a value on the bound belongs to the bucket
-  EXPECT_TRUE(bucket("1", 1));
-  EXPECT_TRUE(bucket("3", 2));
-  EXPECT_TRUE(bucket("100", 3));
-  EXPECT_TRUE(bucket("30000", 3));
+  EXPECT_TRUE(bucket("0.0003", 1)) << text;  // a value on the bound belongs to the bucket
+  EXPECT_TRUE(bucket("0.001", 1));
+  EXPECT_TRUE(bucket("0.003", 2));
+  EXPECT_TRUE(bucket("0.1", 3));
+  EXPECT_TRUE(bucket("30", 3));
   EXPECT_TRUE(bucket("+Inf", 4));
   EXPECT_TRUE(has_line(text, start + R"(_count{method="motion.compact"} 4)"));
-  EXPECT_TRUE(has_line(text, start + R"(_sum{method="motion.compact"} 1000052.3)")) << text;
+  EXPECT_TRUE(has_line(text, start + R"(_sum{method="motion.compact"} 1000.0523)")) << text;
 }
 
 TEST(Metrics, ClientsCannotCreateLabels) {

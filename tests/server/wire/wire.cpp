@@ -109,7 +109,15 @@ std::optional<std::string> Wire::line() {
   return text;
 }
 
-std::optional<HttpAnswer> Wire::answer() {
+std::string Wire::certificate() const {
+  const std::unique_ptr<X509, decltype(&::X509_free)> found{::SSL_get1_peer_certificate(tls_.get()), &::X509_free};
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+  unsigned size{};
+  ::X509_digest(found.get(), ::EVP_sha256(), digest.data(), &size);
+  return {digest.begin(), digest.begin() + size};
+}
+
+std::optional<HttpAnswer> Wire::answer_without_body() {
   std::size_t end{};
   while ((end = received_.find("\r\n\r\n")) == std::string::npos) {
     if (!receive()) return std::nullopt;
@@ -118,6 +126,13 @@ std::optional<HttpAnswer> Wire::answer() {
   answer.header = received_.substr(0, end + 2);
   received_.erase(0, end + 4);
   answer.status = std::stoi(answer.header.substr(answer.header.find(' ')));
+  return answer;
+}
+
+std::optional<HttpAnswer> Wire::answer() {
+  std::optional<HttpAnswer> found = answer_without_body();
+  if (!found) return std::nullopt;
+  HttpAnswer& answer = *found;
   const std::size_t field = answer.header.find("Content-Length: ");
   const std::size_t length = field == std::string::npos ? 0 : std::stoul(answer.header.substr(field + 16));
   while (received_.size() < length) {

@@ -40,10 +40,15 @@ class Wire {
   // Encrypts the connection from now on.  Returns false if the handshake fails.  Does not check the certificate.
   [[nodiscard]] bool begin_tls();
 
+  // A digest of the server's certificate.  REQUIRES: begin_tls() has succeeded.
+  [[nodiscard]] std::string certificate() const;
+
   // The next line without its end, or nothing if the connection has ended.
   [[nodiscard]] std::optional<std::string> line();
   // The next HTTP answer, or nothing if the connection has ended.
   [[nodiscard]] std::optional<HttpAnswer> answer();
+  // The same for HEAD, whose answer has no body, whatever its Content-Length says.
+  [[nodiscard]] std::optional<HttpAnswer> answer_without_body();
   // The next `count` bytes; fewer if the connection ends earlier.
   [[nodiscard]] std::string bytes(std::size_t count);
   // Everything until the connection ends.
