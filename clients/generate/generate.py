@@ -18,7 +18,7 @@ import calls_table
 import python_client
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PYTHON = ROOT / "clients" / "python" / "src" / "selvage"
+PYTHON = ROOT / "clients" / "python" / "src" / "selvage_client"
 TYPESCRIPT = ROOT / "clients" / "typescript"
 
 

@@ -8,12 +8,12 @@ import json
 import pathlib
 import sys
 
-import selvage
+import selvage_client
 
 address, source, out, *budget = sys.argv[1:]
 target = pathlib.Path(out)
 target.mkdir(parents=True, exist_ok=True)
-with selvage.Client(address) as client:
+with selvage_client.Client(address) as client:
     for path in sorted(pathlib.Path(source).glob("*.json")):
         with client.open(path) as marker:
             nested = marker.nest(seconds=float(budget[0]) if budget else 20.0, seed=1)

@@ -13,10 +13,10 @@ import unittest
 
 from live_daemon import SQUARES, LiveDaemon, LossyProxy
 
-import selvage
-from selvage import errors, ops
-from selvage.messages import words
-from selvage.wire.link import may_repeat
+import selvage_client
+from selvage_client import errors, ops
+from selvage_client.messages import words
+from selvage_client.wire.link import may_repeat
 
 SELVAGED = sys.argv.pop(1) if len(sys.argv) > 1 else "selvaged"
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -52,23 +52,23 @@ def differences(expected, told, where=""):
 
 class Typed(unittest.TestCase):
     def test_every_method_of_the_daemon_has_a_python_method(self):
-        with LiveDaemon(SELVAGED) as daemon, selvage.Client(daemon.address) as client:
+        with LiveDaemon(SELVAGED) as daemon, selvage_client.Client(daemon.address) as client:
             for method in client.info().methods:
                 if method in OF_CLIENT:
-                    kinds, name = (selvage.Client, selvage.AsyncClient), OF_CLIENT[method]
+                    kinds, name = (selvage_client.Client, selvage_client.AsyncClient), OF_CLIENT[method]
                 elif method in OF_DRAG:
-                    kinds, name = (selvage.Drag, selvage.AsyncDrag), OF_DRAG[method]
+                    kinds, name = (selvage.Drag, selvage_client.AsyncDrag), OF_DRAG[method]
                 elif method.startswith(("$", "admin.")):
                     continue
                 else:
-                    kinds, name = (selvage.Marker, selvage.AsyncMarker), python_name(method)
+                    kinds, name = (selvage_client.Marker, selvage_client.AsyncMarker), python_name(method)
                 for kind in kinds:
                     self.assertTrue(callable(getattr(kind, name, None)), f"{kind.__name__}.{name} for {method}")
 
     def test_golden_exchanges_through_the_typed_methods(self):
         played = 0
         for name in ("motions", "places_and_tilts", "changes", "life_of_a_marker", "nesting"):
-            with LiveDaemon(SELVAGED) as daemon, selvage.Client(daemon.address) as client:
+            with LiveDaemon(SELVAGED) as daemon, selvage_client.Client(daemon.address) as client:
                 for exchange in json.loads((GOLDEN / f"{name}.json").read_text("utf-8")):
                     played += self.play(client, exchange["request"], exchange["response"])
         self.assertGreater(played, 40)
@@ -90,7 +90,7 @@ class Typed(unittest.TestCase):
         except TypeError:  # a required parameter is missing, which Python reports itself
             self.assertEqual(response["error"]["data"]["name"], "input.missing_field")
             return 0
-        except selvage.CallError as refused:
+        except selvage_client.CallError as refused:
             error = response.get("error")
             self.assertIsNotNone(error, f"{request}: {refused}")
             self.assertIs(type(refused), errors.CallError.by_code[error["code"]])
@@ -118,7 +118,7 @@ class Losses(unittest.TestCase):
         with LiveDaemon(SELVAGED) as daemon:
             proxy = LossyProxy(daemon, ["marker.open", "marker.apply"])
             self.addCleanup(proxy.close)
-            with selvage.Client(proxy.address) as client:
+            with selvage_client.Client(proxy.address) as client:
                 marker = client.open(SQUARES)
                 edited = marker.apply([ops.move("right", by=(7, 0))])
                 self.assertEqual((marker.id, edited.revision, edited.length), ("m1", 2, 97))
@@ -132,9 +132,9 @@ class Losses(unittest.TestCase):
         with LiveDaemon(SELVAGED) as daemon:
             proxy = LossyProxy(daemon, ["drag.move"])
             self.addCleanup(proxy.close)
-            with selvage.Client(proxy.address) as client:
+            with selvage_client.Client(proxy.address) as client:
                 marker = client.open(SQUARES)
-                with self.assertRaises(selvage.ConnectionLost), marker.drag("right") as hand:
+                with self.assertRaises(selvage_client.ConnectionLost), marker.drag("right") as hand:
                     hand.move((60, 10))
                 self.assertEqual(marker.check().revision, 1)
         self.assertFalse(may_repeat("drag.move", {}))
@@ -142,12 +142,12 @@ class Losses(unittest.TestCase):
         self.assertTrue(may_repeat("motion.compact", {"commit": False}))
 
     def test_a_watcher_receives_missed_changes_after_a_restart(self):
-        with LiveDaemon(SELVAGED) as daemon, selvage.Client(daemon.address) as client:
+        with LiveDaemon(SELVAGED) as daemon, selvage_client.Client(daemon.address) as client:
             marker = client.open(SQUARES)
             with marker.watch() as changes:
                 daemon.kill()
                 daemon.start()
-                with selvage.Client(daemon.address) as other:
+                with selvage_client.Client(daemon.address) as other:
                     other.marker(marker.id).compact()
                 heard = next(changes)
                 self.assertEqual((heard.marker_id, heard.revision), (marker.id, 2))
@@ -155,19 +155,19 @@ class Losses(unittest.TestCase):
                 self.assertEqual(list(changes), [])
 
     def test_reports_a_missing_daemon_within_the_time_limit(self):
-        with selvage.Client("unix:/nowhere/socket", patience=0.1) as client, self.assertRaises(selvage.ConnectionLost):
+        with selvage_client.Client("unix:/nowhere/socket", patience=0.1) as client, self.assertRaises(selvage_client.ConnectionLost):
             client.info()
 
     def test_closing_ends_pending_waits(self):
         with LiveDaemon(SELVAGED) as daemon:
-            client, raised = selvage.Client(daemon.address), []
+            client, raised = selvage_client.Client(daemon.address), []
             watch = client.open(SQUARES).watch()
             watch.__enter__()
 
             def wait():
                 try:
                     next(watch)
-                except selvage.ConnectionLost as lost:
+                except selvage_client.ConnectionLost as lost:
                     raised.append(lost)
 
             waiting = threading.Thread(target=wait, daemon=True)
@@ -176,13 +176,13 @@ class Losses(unittest.TestCase):
             client.close()
             waiting.join(30)
             self.assertEqual(len(raised), 1)
-            with self.assertRaises(selvage.ConnectionLost):
+            with self.assertRaises(selvage_client.ConnectionLost):
                 client.info()
 
 
 class Ends(unittest.TestCase):
     def test_an_exception_in_a_progress_handler_cancels_the_call(self):
-        with LiveDaemon(SELVAGED) as daemon, selvage.Client(daemon.address) as client:
+        with LiveDaemon(SELVAGED) as daemon, selvage_client.Client(daemon.address) as client:
             marker = client.open(ROOT / "examples" / "markers" / "jeans_06g.json")
 
             def stop(told):
@@ -195,7 +195,7 @@ class Ends(unittest.TestCase):
 
     def test_a_cancelled_task_changes_nothing(self):
         async def play(address):
-            async with selvage.AsyncClient(address) as client:
+            async with selvage_client.AsyncClient(address) as client:
                 marker = await client.open(ROOT / "examples" / "markers" / "jeans_22g.json")
                 begun = asyncio.Event()
                 motion = asyncio.create_task(marker.compact(accuracy="fine", progress=lambda _: begun.set()))
@@ -212,7 +212,7 @@ class Ends(unittest.TestCase):
             self.assertEqual(asyncio.run(play(daemon.address)), 2)
 
     def test_a_marker_has_the_revision_that_the_drag_committed(self):
-        with LiveDaemon(SELVAGED) as daemon, selvage.Client(daemon.address) as client:
+        with LiveDaemon(SELVAGED) as daemon, selvage_client.Client(daemon.address) as client:
             marker = client.open(SQUARES)
             with marker.drag("right") as drag:
                 drag.move((60, 10))
@@ -220,7 +220,7 @@ class Ends(unittest.TestCase):
             self.assertEqual(marker.apply([ops.move("right", by=(7, 0))], base_rev=marker.revision).revision, 3)
 
     def test_a_dragged_piece_stays_when_the_drag_fails(self):
-        with LiveDaemon(SELVAGED) as daemon, selvage.Client(daemon.address) as client:
+        with LiveDaemon(SELVAGED) as daemon, selvage_client.Client(daemon.address) as client:
             marker = client.open(SQUARES)
             with self.assertRaises(KeyError), marker.drag("right") as drag:
                 drag.move((60, 10))
@@ -235,7 +235,7 @@ class Outlines(unittest.TestCase):
             import shapely.geometry  # noqa: F401
         except ImportError as missing:
             self.skipTest(str(missing))
-        with LiveDaemon(SELVAGED) as daemon, selvage.Client(daemon.address) as client:
+        with LiveDaemon(SELVAGED) as daemon, selvage_client.Client(daemon.address) as client:
             outlines = client.open(SQUARES).outlines()
         self.assertEqual((outlines.strip_height, outlines.strip_length), (100, 90))
         self.assertEqual(outlines.arrays()["right"].max(axis=0).tolist(), [90, 50])
@@ -251,11 +251,11 @@ class Access(unittest.TestCase):
         token._options = ("--token-file", token.folder / "token")
         with token as daemon:
             address = f"127.0.0.1:{daemon.port}"
-            with selvage.Client(address, token="0123456789abcdef") as client:
+            with selvage_client.Client(address, token="0123456789abcdef") as client:
                 self.assertEqual(client.info().name, "selvage")
             for wrong in ("0123456789abcdeg", None):
-                with selvage.Client(address, token=wrong, patience=0.1) as client:
-                    with self.assertRaises((errors.Unauthorised, selvage.ConnectionLost)):
+                with selvage_client.Client(address, token=wrong, patience=0.1) as client:
+                    with self.assertRaises((errors.Unauthorised, selvage_client.ConnectionLost)):
                         client.info()
 
     def test_tls_needs_a_trusted_certificate(self):
@@ -267,7 +267,7 @@ class Access(unittest.TestCase):
         encrypted._options = ("--tls-cert", certificate, "--tls-key", key)
         with encrypted as daemon:
             address = f"tls://127.0.0.1:{daemon.port}"
-            with selvage.Client(address, tls=ssl.create_default_context(cafile=certificate)) as client:
+            with selvage_client.Client(address, tls=ssl.create_default_context(cafile=certificate)) as client:
                 self.assertEqual(client.open(SQUARES).compact().length_after, 80)
             self.assert_not_tried_again(address)
 
@@ -276,21 +276,21 @@ class Access(unittest.TestCase):
             self.assert_not_tried_again(f"tls://127.0.0.1:{daemon.port}")
 
     def assert_not_tried_again(self, address):
-        with selvage.Client(address, patience=1e9) as client, self.assertRaises(selvage.HandshakeFailed):
+        with selvage_client.Client(address, patience=1e9) as client, self.assertRaises(selvage_client.HandshakeFailed):
             client.info()
 
     def test_a_busy_daemon_is_retried_until_the_time_limit(self):
-        with LiveDaemon(SELVAGED, "--max-connections", "1") as daemon, selvage.Client(daemon.address) as client:
+        with LiveDaemon(SELVAGED, "--max-connections", "1") as daemon, selvage_client.Client(daemon.address) as client:
             client.info()
-            with selvage.Client(daemon.address, patience=0.1) as other, self.assertRaises(selvage.ConnectionLost):
+            with selvage_client.Client(daemon.address, patience=0.1) as other, self.assertRaises(selvage_client.ConnectionLost):
                 other.info()
             client.close()
-            with selvage.Client(daemon.address) as next_one:
+            with selvage_client.Client(daemon.address) as next_one:
                 self.assertEqual(next_one.info().name, "selvage")
 
     def test_reports_a_call_that_is_too_long(self):
         async def play(address):
-            async with selvage.AsyncClient(address) as client:
+            async with selvage_client.AsyncClient(address) as client:
                 others = [asyncio.create_task(client.list()) for _ in range(3)]
                 with self.assertRaises(errors.TooLarge):
                     await client.open(SQUARES | {"name": "x" * (1 << 20)})
@@ -301,7 +301,7 @@ class Access(unittest.TestCase):
     def test_rejects_invalid_addresses(self):
         for text in ("localhost", "http://localhost:1", "localhost:99999", ":80", "localhost:x"):
             with self.assertRaises(ValueError, msg=text):
-                selvage.Client(text)
+                selvage_client.Client(text)
 
 
 if __name__ == "__main__":

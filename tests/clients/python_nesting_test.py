@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""selvage.nest and the names of spyrrow, with a live daemon.  usage: python_nesting_test.py SELVAGED"""
+"""selvage_client.nest and the names of spyrrow, with a live daemon.  usage: python_nesting_test.py SELVAGED"""
 import json
 import math
 import pathlib
@@ -10,8 +10,8 @@ import unittest
 
 from live_daemon import LiveDaemon
 
-import selvage
-from selvage import spyrrow
+import selvage_client
+from selvage_client import spyrrow
 
 SELVAGED = sys.argv.pop(1) if len(sys.argv) > 1 else "selvaged"
 JUDGE = pathlib.Path(__file__).resolve().parents[1] / "judge" / "judge_layout.py"
@@ -42,8 +42,8 @@ class Nesting(unittest.TestCase):
             return subprocess.run([sys.executable, JUDGE, file.name], capture_output=True).returncode == 0
 
     def test_pieces_and_a_width_give_a_valid_marker(self):
-        patterns = [selvage.Pattern(outline=ELL, quantity=4, rotations=(0, 90, 180, 270), flip=True), SQUARE]
-        found = selvage.nest(patterns, 60, moves=2000, seed=3, address=self.daemon.address)
+        patterns = [selvage_client.Pattern(outline=ELL, quantity=4, rotations=(0, 90, 180, 270), flip=True), SQUARE]
+        found = selvage_client.nest(patterns, 60, moves=2000, seed=3, address=self.daemon.address)
         self.assertEqual([piece.pattern for piece in found.pieces].count(0), 4)
         self.assertEqual([piece.pattern for piece in found.pieces].count(1), 1)
         self.assertEqual(found.left_over, ())
@@ -54,24 +54,24 @@ class Nesting(unittest.TestCase):
         self.assertGreater(found.utilisation, 0.6)
 
     def test_the_same_request_gives_the_same_marker(self):
-        markers = [selvage.nest([selvage.Pattern(outline=ELL, quantity=3)], 60, moves=500, seed=1,
+        markers = [selvage_client.nest([selvage_client.Pattern(outline=ELL, quantity=3)], 60, moves=500, seed=1,
                                 address=self.daemon.address) for _ in range(2)]
         self.assertEqual(markers[0], markers[1])
 
     def test_copies_beyond_the_end_of_the_cloth_are_left_over(self):
-        found = selvage.nest([selvage.Pattern(outline=SQUARE, quantity=5)], 40, longest=50, moves=200,
+        found = selvage_client.nest([selvage_client.Pattern(outline=SQUARE, quantity=5)], 40, longest=50, moves=200,
                              address=self.daemon.address)
         self.assertEqual(len(found.pieces), 4)
         self.assertEqual(found.left_over, (0,))
 
     def test_spacing_and_margin_are_kept(self):
-        found = selvage.nest([selvage.Pattern(outline=SQUARE, quantity=2)], 50, spacing=4, margin=3, moves=200,
+        found = selvage_client.nest([selvage_client.Pattern(outline=SQUARE, quantity=2)], 50, spacing=4, margin=3, moves=200,
                              address=self.daemon.address)
         self.assertEqual(sorted(piece.at for piece in found.pieces), [(3, 3), (3, 27)])
 
     def test_a_piece_wider_than_the_cloth_is_named(self):
-        with self.assertRaises(selvage.CallError) as raised:
-            selvage.nest([SQUARE], 10, address=self.daemon.address)
+        with self.assertRaises(selvage_client.CallError) as raised:
+            selvage_client.nest([SQUARE], 10, address=self.daemon.address)
         self.assertIn("/unplaced/0", str(raised.exception))
 
     def test_programs_written_for_spyrrow_work(self):

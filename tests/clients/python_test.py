@@ -9,8 +9,8 @@ import tempfile
 import time
 import unittest
 
-import selvage
-from selvage import drawing, ops
+import selvage_client
+from selvage_client import drawing, ops
 
 SELVAGED = sys.argv.pop(1)
 ROOT = pathlib.Path(__file__).parents[2]
@@ -48,7 +48,7 @@ class LiveTest(unittest.TestCase):
         self.daemon.wait()
 
     def client(self):
-        client = selvage.Client(self.address)
+        client = selvage_client.Client(self.address)
         self.addCleanup(client.close)
         return client
 
@@ -70,7 +70,7 @@ class Golden(LiveTest):
                 try:
                     result = client.call(request["method"], request.get("params"))
                     self.assertTrue(alike(response.get("result"), result), (path.name, request, result))
-                except selvage.CallError as error:
+                except selvage_client.CallError as error:
                     self.assertEqual(response.get("error", {}).get("code"), error.code, (path.name, request, error))
 
 
@@ -95,10 +95,10 @@ class Sync(LiveTest):
         self.assertEqual(marker.compact().length_after, 80)
 
     def test_errors_have_classes_of_their_own(self):
-        with self.assertRaises(selvage.CallError) as caught:
+        with self.assertRaises(selvage_client.CallError) as caught:
             self.client().marker("m9").check()
         self.assertEqual(caught.exception.code, -32012)
-        self.assertIsNot(type(caught.exception), selvage.CallError)
+        self.assertIsNot(type(caught.exception), selvage_client.CallError)
 
     def test_tcp_and_dry_runs(self):
         ports = pathlib.Path(self.socket.parent / "ports")
@@ -108,7 +108,7 @@ class Sync(LiveTest):
         end = time.monotonic() + 30
         while not (ports.exists() and ports.read_text().strip()) and time.monotonic() < end:
             time.sleep(0.01)
-        with selvage.Client(f"127.0.0.1:{ports.read_text().split()[0]}") as client:
+        with selvage_client.Client(f"127.0.0.1:{ports.read_text().split()[0]}") as client:
             marker = client.open(SQUARES)
             self.assertEqual(marker.bump("right", (-1, 0), commit=False).at, (40, 10))
             self.assertEqual(marker.check().revision, 1)
@@ -134,7 +134,7 @@ class Sync(LiveTest):
 class Async(LiveTest):
     def test_a_watcher_receives_changes(self):
         async def play():
-            async with selvage.AsyncClient(self.address) as client:
+            async with selvage_client.AsyncClient(self.address) as client:
                 marker = await client.open(SQUARES)
                 async with marker.watch() as changes:
                     await marker.compact()

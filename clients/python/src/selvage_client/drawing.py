@@ -1,4 +1,4 @@
-"""A marker drawn with matplotlib: `pip install selvage[drawing]`."""
+"""A marker drawn with matplotlib: `pip install selvage-client[drawing]`."""
 
 from __future__ import annotations
 

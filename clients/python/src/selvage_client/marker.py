@@ -53,7 +53,7 @@ class AsyncMarker(AsyncMotions):
         return read(Regions, await self._call("marker.regions", least_area=least_area, clearance=clearance))
 
     async def apply(self, ops: Iterable[Op], *, base_rev: int | None = None, op_id: str | None = None) -> Edited:
-        """Operations, all or none: make them with selvage.ops."""
+        """Operations, all or none: make them with selvage_client.ops."""
         return await self._edit("marker.apply", ops=list(ops), base_rev=base_rev, op_id=op_id)
 
     async def undo(self, *, base_rev: int | None = None, op_id: str | None = None) -> Edited:

@@ -1,6 +1,6 @@
 """The names of spyrrow, the Python package of the nester sparrow, for programs that use it already.
 
-    from selvage import spyrrow
+    from selvage_client import spyrrow
 
 in place of `import spyrrow` is the only change: items, instances, configurations and solutions have the same names, fields
 and units.  The work is done by a running selvaged at `address`.
@@ -99,7 +99,7 @@ class StripPackingInstance:
         return json.dumps({"name": self.name, "strip_height": self.strip_height, "items": list(map(asdict, self.items))})
 
     def solve(self, config: StripPackingConfig) -> StripPackingSolution:
-        """Raises selvage.CallError for items that fit in no allowed rotation, and other bad values."""
+        """Raises selvage_client.CallError for items that fit in no allowed rotation, and other bad values."""
         found = nest(
             [
                 Pattern(

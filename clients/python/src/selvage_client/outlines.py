@@ -1,6 +1,6 @@
 """The outlines of a marker's pieces where they lie: plain points, numpy arrays or shapely polygons.
 
-numpy and shapely are imported only by the methods that give theirs: `pip install selvage[outlines]`.
+numpy and shapely are imported only by the methods that give theirs: `pip install selvage-client[outlines]`.
 """
 
 from __future__ import annotations
