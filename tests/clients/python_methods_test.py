@@ -57,7 +57,7 @@ class Typed(unittest.TestCase):
                 if method in OF_CLIENT:
                     kinds, name = (selvage_client.Client, selvage_client.AsyncClient), OF_CLIENT[method]
                 elif method in OF_DRAG:
-                    kinds, name = (selvage.Drag, selvage_client.AsyncDrag), OF_DRAG[method]
+                    kinds, name = (selvage_client.Drag, selvage_client.AsyncDrag), OF_DRAG[method]
                 elif method.startswith(("$", "admin.")):
                     continue
                 else:
