@@ -9,12 +9,13 @@ END = "<!-- End of the table of calls -->"
 SECTIONS = {"marker.apply": "edits", "marker.undo": "edits", "marker.redo": "edits",
             "marker.get": "changes-since-a-revision", "marker.watch": "notifications", "drag.begin": "drag-sessions",
             "drag.move": "drag-sessions", "drag.end": "drag-sessions", "$/cancelRequest": "stopping-a-call-early"}
-NESTING = "marker.nest"  # a motion, too: it takes and returns what all motions do
+# Motions, too: they take and return what all motions do.
+OF_MARKERS = ("marker.nest", "marker.fillGaps", "marker.compactExactly")
 MOTION_PARAMS = ("markerId", "baseRev", "commit", "timing", "opId", "deadlineMs", "progressToken")
 
 
 def is_motion(name: str) -> bool:
-    return name.startswith("motion.") or name == NESTING
+    return name.startswith("motion.") or name in OF_MARKERS
 
 
 def common_results(document: dict) -> set[str]:

@@ -94,7 +94,7 @@ class Compact(CliTest):
     def test_names_an_unknown_subcommand(self):
         ran = run("compakt", MARKERS / "jeans_06g.json")
         self.assertEqual(ran.returncode, BAD_USAGE)
-        self.assertIn("compakt is not a subcommand; the subcommands are: nest pack contain compact ", ran.stderr)
+        self.assertIn("compakt is not a subcommand; the subcommands are: nest pack contain fill compact-exactly compact ", ran.stderr)
 
     def test_keeps_the_format_of_the_input_by_default(self):
         run("compact", MARKERS / "jeans_02g.json", "-o", self.path("same.json"))
@@ -393,12 +393,45 @@ class Pack(CliTest):
         self.assertIn("/room", ran.stderr)
 
 
+class Fill(CliTest):
+    def test_is_shorter_than_standard_compaction(self):
+        compacted = run("compact", MARKERS / "jeans_02g.json", "--json")
+        ran = run("fill", MARKERS / "jeans_02g.json", "--trials", 60, "-o", self.path("out.json"), "--json")
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        line = json.loads(ran.stdout)
+        self.assertLess(line["length_after"], json.loads(compacted.stdout)["length_after"])
+        self.assertEqual((line["rounds"], line["stop"]), (60, "work_limit"))
+        self.assertGreater(line["kept"], 0)
+        self.assertEqual(run("check", self.path("out.json")).returncode, OK)
+
+    def test_places_unplaced_pieces_in_gaps(self):
+        document = squares((0, 0), (50, 0))
+        document["shapes"].append({"id": "strip", "outline": [[0, 0], [90, 0], [90, 20], [0, 20]]})
+        document["unplaced"] = [{"id": "long", "shape": "strip"}, {"id": "third", "shape": "square"}]
+        document["unplaced"].append({"id": "fourth", "shape": "square"})
+        ran = run("fill", self.write(document), "--trials", 0, "-o", self.path("out.json"), "--json")
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        line = json.loads(ran.stdout)
+        # Compacted, the squares leave 80 x 60: room for two more of them, and for no strip of 90.
+        self.assertEqual((line["placed"], line["unplaced"], line["length_after"]), (2, 1, 80))
+        self.assertEqual([piece["id"] for piece in json.loads(self.path("out.json").read_text())["unplaced"]], ["long"])
+
+    def test_the_number_of_threads_does_not_affect_the_result(self):
+        for command, options in (("fill", ["--trials", 30]), ("compact-exactly", ["--windows", 6, "--nodes", 40])):
+            results = []
+            for threads in (1, 2, 4):
+                ran = run(command, MARKERS / "jeans_02g.json", *options, "--threads", threads, "-o", self.path("out.json"))
+                self.assertEqual(ran.returncode, OK, ran.stderr)
+                results.append(self.path("out.json").read_text())
+            self.assertEqual(results[1:], results[:1] * 2, command)
+
+
 class EveryMotion(CliTest):
     """Motions without a section of their own: their options follow from the descriptors of the methods."""
 
     def test_every_motion_of_the_daemon_is_a_command(self):
         listed = run("--help").stdout
-        for command in ("nest", "pack", "contain", "compact", "push", "gravity", "bump", "place", "separate", "float", "open-gap", "tilt", "relax",
+        for command in ("nest", "pack", "contain", "fill", "compact-exactly", "compact", "push", "gravity", "bump", "place", "separate", "float", "open-gap", "tilt", "relax",
                         "one-at-a-time", "velocity"):
             self.assertIn(f"\n  {command} ", listed)
             shown = run(command, "--help")

@@ -13,6 +13,8 @@ namespace selvage::test {
   X(swap)                       \
   X(pack)                       \
   X(contain)                    \
+  X(fill)                       \
+  X(exact_compaction)           \
   X(push)                       \
   X(gravity)                    \
   X(bump)                       \

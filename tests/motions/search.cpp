@@ -1,6 +1,8 @@
 // Searches: refinement and swaps of pieces, which use motions, and the exact searches.
 #include "core/packing/contain.h"
 #include "core/packing/pack.h"
+#include "core/packing/refitting/compact_exactly.h"
+#include "core/packing/refitting/fill_gaps.h"
 #include "core/search/refine.h"
 #include "core/search/swap.h"
 #include "tests/motions/answer.h"
@@ -65,6 +67,24 @@ Result<Answer> refitting(const Marker& start, const Occasion& on) {
   return checked;
 }
 
+Result<Answer> filling(const Marker& start, const Occasion& on) {
+  packing::refitting::FillSettings settings;
+  settings.trials = 3;
+  settings.nodes = kFewNodes;
+  settings.seed = on.random.below(1000);
+  settings.turns = on.random.chance(50);
+  return answer(fill_gaps(start, settings, on.run), {.turns = true, .flips = true});
+}
+
+Result<Answer> compacting_windows(const Marker& start, const Occasion& on) {
+  packing::refitting::ExactCompactionSettings settings;
+  settings.windows = 3;
+  settings.pieces = 1 + on.random.below(5);
+  settings.nodes = kFewNodes;
+  settings.turns = on.random.chance(50);
+  return answer(compact_exactly(start, settings, on.run), {.turns = true, .flips = true});
+}
+
 }  // namespace
 
 MotionCase refine_case() {
@@ -78,6 +98,12 @@ MotionCase pack_case() {
 }
 MotionCase contain_case() {
   return {"contain", 4, false, refitting};
+}
+MotionCase fill_case() {
+  return {"fill", 2, true, filling};
+}
+MotionCase exact_compaction_case() {
+  return {"exact compaction", 2, true, compacting_windows};
 }
 
 }  // namespace selvage::test

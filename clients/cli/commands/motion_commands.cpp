@@ -17,8 +17,9 @@ using command_line::Kind;
 using command_line::Option;
 using protocol::calls::Method;
 
-// "motion.openGap" becomes "open-gap".
+// "motion.openGap" becomes "open-gap"; one command has a shorter name.
 std::string command_name(std::string_view method) {
+  if (method == "marker.fillGaps") return "fill";
   method.remove_prefix(method.find('.') + 1);
   return option_name(method).substr(2);
 }

@@ -1068,6 +1068,138 @@ export interface Methods {
       cache?: CacheCounts;
     };
   };
+  /** Shortens the marker by taking small pieces out and putting them back where there is room. */
+  "marker.fillGaps": {
+    params: {
+      /** The marker's id. */
+      markerId: string;
+      /** Refuse the call when the marker is at another revision. */
+      baseRev?: number;
+      /** False: return the result, but leave the marker as it is. */
+      commit?: boolean;
+      /** True: also return ms and cache, which vary from run to run. */
+      timing?: boolean;
+      /** A name for this call: a retry of it gets the same result. */
+      opId?: string;
+      /** After this many milliseconds the motion returns its best result so far; 1 to 86,400,000. */
+      deadlineMs?: number;
+      /** Progress notifications, one after each round, carry this token. */
+      progressToken?: ProgressToken;
+      /** How many times small pieces are taken out and put back; 200 when absent, without limit with a deadline. */
+      trials?: number;
+      /** How many pieces are taken out at most in a trial, 1 to 12. */
+      pieces?: number;
+      /** The largest number of nodes of every search for room. */
+      nodes?: number;
+      /** Of the random choices. */
+      seed?: number;
+      /** Whether pieces may take other orientations that their shapes allow. */
+      turns?: boolean;
+    };
+    result: {
+      /** The marker's id. */
+      markerId: string;
+      /** The marker's revision. */
+      revision: number;
+      /** The marker's name. */
+      name: string;
+      /** Number of pieces. */
+      pieces: number;
+      /** The marker's length before the motion; exact. */
+      lengthBefore: number;
+      /** Its length after the motion; exact. */
+      lengthAfter: number;
+      /** 0 to 1. */
+      utilisationBefore: number;
+      /** 0 to 1. */
+      utilisationAfter: number;
+      /** Number of unplaced pieces that found room. */
+      placed: number;
+      /** Number of pieces that do not lie on the cloth afterwards. */
+      unplaced: number;
+      /** Number of trials that made the marker shorter. */
+      kept: number;
+      /** Number of nodes of all searches for room. */
+      nodes: number;
+      /** Number of rounds done. */
+      rounds: number;
+      /** Why the motion ended. */
+      stop: StopReason;
+      /** Whether the result is valid, proved in integers. */
+      valid: boolean;
+      /** The repair of small overlaps in the input. */
+      healed: Healing;
+      /** Of the pieces that moved. */
+      placements: Array<Placement>;
+      /** Milliseconds by stage; only with timing. */
+      ms?: StageTimes;
+      /** The cache of Minkowski sums; only with timing. */
+      cache?: CacheCounts;
+    };
+  };
+  /** Shortens the marker by placing the pieces of one stretch after another anew, exactly. */
+  "marker.compactExactly": {
+    params: {
+      /** The marker's id. */
+      markerId: string;
+      /** Refuse the call when the marker is at another revision. */
+      baseRev?: number;
+      /** False: return the result, but leave the marker as it is. */
+      commit?: boolean;
+      /** True: also return ms and cache, which vary from run to run. */
+      timing?: boolean;
+      /** A name for this call: a retry of it gets the same result. */
+      opId?: string;
+      /** After this many milliseconds the motion returns its best result so far; 1 to 86,400,000. */
+      deadlineMs?: number;
+      /** Progress notifications, one after each round, carry this token. */
+      progressToken?: ProgressToken;
+      /** Number of pieces of a window, 1 to 12. */
+      pieces?: number;
+      /** The largest number of nodes of the search in a window. */
+      nodes?: number;
+      /** How many windows are searched at most; 1,000 when absent, without limit with a deadline. */
+      windows?: number;
+      /** Whether pieces may take other orientations that their shapes allow. */
+      turns?: boolean;
+    };
+    result: {
+      /** The marker's id. */
+      markerId: string;
+      /** The marker's revision. */
+      revision: number;
+      /** The marker's name. */
+      name: string;
+      /** Number of pieces. */
+      pieces: number;
+      /** The marker's length before the motion; exact. */
+      lengthBefore: number;
+      /** Its length after the motion; exact. */
+      lengthAfter: number;
+      /** 0 to 1. */
+      utilisationBefore: number;
+      /** 0 to 1. */
+      utilisationAfter: number;
+      /** Number of windows that made the marker shorter. */
+      kept: number;
+      /** Number of nodes of all searches. */
+      nodes: number;
+      /** Number of rounds done. */
+      rounds: number;
+      /** Why the motion ended. */
+      stop: StopReason;
+      /** Whether the result is valid, proved in integers. */
+      valid: boolean;
+      /** The repair of small overlaps in the input. */
+      healed: Healing;
+      /** Of the pieces that moved. */
+      placements: Array<Placement>;
+      /** Milliseconds by stage; only with timing. */
+      ms?: StageTimes;
+      /** The cache of Minkowski sums; only with timing. */
+      cache?: CacheCounts;
+    };
+  };
   /** Shortens the marker, moving all pieces at once. */
   "motion.compact": {
     params: {
@@ -1931,6 +2063,8 @@ export const retriable: ReadonlySet<string> = new Set([
   "marker.nest",
   "motion.pack",
   "motion.contain",
+  "marker.fillGaps",
+  "marker.compactExactly",
   "motion.compact",
   "motion.push",
   "motion.gravity",

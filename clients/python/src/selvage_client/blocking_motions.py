@@ -13,6 +13,8 @@ class BlockingMotions(Blocking):
     nest = blocking(AsyncMotions.nest)
     pack = blocking(AsyncMotions.pack)
     contain = blocking(AsyncMotions.contain)
+    fill_gaps = blocking(AsyncMotions.fill_gaps)
+    compact_exactly = blocking(AsyncMotions.compact_exactly)
     compact = blocking(AsyncMotions.compact)
     push = blocking(AsyncMotions.push)
     gravity = blocking(AsyncMotions.gravity)

@@ -15,7 +15,9 @@ from .wire.link import Link, OnProgress
 from .messages.motion_results import (
     AlignResult,
     Bumped,
+    CompactExactlyResult,
     ContainResult,
+    FillGapsResult,
     Floated,
     GapOpened,
     Moved,
@@ -131,6 +133,68 @@ class AsyncMotions:
             room=room,
             best=best,
             nodes=nodes,
+            turns=turns,
+            commit=commit,
+            base_rev=base_rev,
+            op_id=op_id,
+            deadline_ms=deadline_ms,
+            timing=timing,
+        )
+
+    async def fill_gaps(
+        self,
+        *,
+        trials: int | None = None,
+        pieces: int | None = None,
+        nodes: int | None = None,
+        seed: int | None = None,
+        turns: bool | None = None,
+        commit: bool | None = None,
+        base_rev: int | None = None,
+        op_id: str | None = None,
+        deadline_ms: float | None = None,
+        timing: bool | None = None,
+        progress: OnProgress | None = None,
+    ) -> FillGapsResult:
+        """Shortens the marker by taking small pieces out and putting them back where there is room."""
+        return await self._move(
+            FillGapsResult,
+            "marker.fillGaps",
+            progress,
+            trials=trials,
+            pieces=pieces,
+            nodes=nodes,
+            seed=seed,
+            turns=turns,
+            commit=commit,
+            base_rev=base_rev,
+            op_id=op_id,
+            deadline_ms=deadline_ms,
+            timing=timing,
+        )
+
+    async def compact_exactly(
+        self,
+        *,
+        pieces: int | None = None,
+        nodes: int | None = None,
+        windows: int | None = None,
+        turns: bool | None = None,
+        commit: bool | None = None,
+        base_rev: int | None = None,
+        op_id: str | None = None,
+        deadline_ms: float | None = None,
+        timing: bool | None = None,
+        progress: OnProgress | None = None,
+    ) -> CompactExactlyResult:
+        """Shortens the marker by placing the pieces of one stretch after another anew, exactly."""
+        return await self._move(
+            CompactExactlyResult,
+            "marker.compactExactly",
+            progress,
+            pieces=pieces,
+            nodes=nodes,
+            windows=windows,
             turns=turns,
             commit=commit,
             base_rev=base_rev,

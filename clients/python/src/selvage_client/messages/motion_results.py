@@ -99,6 +99,24 @@ class ContainResult(MovedInRounds):
 
 
 @dataclass(frozen=True, kw_only=True)
+class FillGapsResult(MovedInRounds):
+    """What marker.fillGaps returns."""
+
+    placed: int
+    unplaced: int
+    kept: int
+    nodes: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class CompactExactlyResult(MovedInRounds):
+    """What marker.compactExactly returns."""
+
+    kept: int
+    nodes: int
+
+
+@dataclass(frozen=True, kw_only=True)
 class Pushed(MovedInRounds):
     """What motion.push returns."""
 

@@ -22,9 +22,29 @@ bool small(const Marker& marker) {
   return marker.pieces.size() <= kMostPieces && vertices <= kMostVertices;
 }
 
-// All methods, except that compaction at accuracy "fine", which would take too long here, searches only briefly.
+// The exact searches with small limits; with larger ones they would take too long here.
+void limit_searches(protocol::methods::MethodTable& methods) {
+  for (const char* name : {"motion.pack", "motion.contain", "marker.fillGaps", "marker.compactExactly"}) {
+    protocol::calls::Method method = *methods.find(name);
+    method.read = [read = method.read](const Json& params) {
+      auto call = read(params);
+      if (!call) return call;
+      Json limited = params;
+      for (const char* limit : {"nodes", "trials", "windows"}) {
+        limited[limit] = 3;
+        if (!read(limited)) limited.erase(limit);  // a method without this limit
+      }
+      return read(limited);
+    };
+    methods.replace(std::move(method));
+  }
+}
+
+// All methods, except that compaction at accuracy "fine", which would take too long here, searches only briefly, and so
+// do the exact searches.
 protocol::methods::MethodTable quick_methods() {
   protocol::methods::MethodTable methods = protocol::methods::method_table();
+  limit_searches(methods);
   protocol::calls::Method compact = *methods.find("motion.compact");
   compact.read = [read = compact.read](const Json& params) {
     auto call = read(params);

@@ -1,0 +1,145 @@
+#include "core/packing/refitting/fill_gaps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "core/marker/placed_pieces.h"
+#include "core/motion/compaction/compact.h"
+#include "core/packing/contain.h"
+#include "core/packing/refitting/taken_out.h"
+#include "core/packing/refitting/trials.h"
+
+namespace selvage::packing::refitting {
+namespace {
+
+using motion::compaction::Accuracy;
+
+motion::compaction::CompactionSettings whole_compaction() {
+  auto settings = compaction_settings(Accuracy::kStandard);
+  settings.solver_tolerance = 0;
+  return settings;
+}
+
+double area_of(const Marker& marker, const Piece& piece) {
+  return static_cast<double>(doubled_area(marker.shapes[piece.shape.value].outline)) / 2;
+}
+
+class Filler {
+ public:
+  Filler(const Marker& start, const FillSettings& settings, const scene::Run& run)
+      : start_{start}, settings_{settings}, run_{run} {}
+
+  Result<GapFilling> fill() {
+    auto compaction = compact(start_, compaction_settings(Accuracy::kStandard), run_.quiet());
+    if (!compaction) return compaction.error();
+    static_cast<motion::repair::MotionResult&>(result_) = std::move(*compaction);
+    result_.rounds = 0;
+    place_unplaced();
+    choose_small();
+    const auto trial = [this](const Marker& best, std::uint64_t number, const scene::Run& run) {
+      return tried(best, number, run);
+    };
+    const TrialCounts counts = run_trials(result_, small_.empty() ? 0 : settings_.trials, UINT64_MAX, trial, run_);
+    result_.kept = counts.kept;
+    result_.work += counts.work;
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] ContainSettings containing() const {
+    ContainSettings settings;
+    settings.limits.nodes = settings_.nodes;
+    settings.turns = settings_.turns;
+    return settings;
+  }
+
+  // The largest first: a small piece often finds room where a large one has left some.
+  void place_unplaced() {
+    std::vector<std::pair<double, std::string>> order;
+    for (const Piece& piece : result_.marker.unplaced) order.emplace_back(-area_of(start_, piece), piece.id);
+    std::sort(order.begin(), order.end());
+    for (const auto& [area, id] : order) {
+      if (run_.stopped()) return;
+      const Marker& now = result_.marker;
+      const auto at = std::ranges::find(now.unplaced, id, &Piece::id) - now.unplaced.begin();
+      const PieceId piece = bodies::unplaced_piece(now, static_cast<std::size_t>(at));
+      const Box room = room_until(now.strip, result_.length_after);
+      Containment found = contain(now, std::array{piece}, room, containing(), run_.quiet());
+      result_.work += found.work;
+      if (found.verdict != Verdict::kFound) continue;
+      result_.marker = std::move(found.marker);
+      ++result_.placed;
+    }
+  }
+
+  // The smallest of the free pieces; never all of them.
+  void choose_small() {
+    small_ = free_pieces(result_.marker);
+    std::stable_sort(small_.begin(), small_.end(), [this](std::uint32_t a, std::uint32_t b) {
+      return area_of(start_, result_.marker.pieces[a]) < area_of(start_, result_.marker.pieces[b]);
+    });
+    const auto count = static_cast<std::size_t>(std::ceil(settings_.tuning.small * static_cast<double>(small_.size())));
+    small_.resize(std::min({small_.size(), count, result_.marker.pieces.size() - 1}));
+  }
+
+  // Up to `settings.pieces` small pieces that lie near each other.
+  [[nodiscard]] std::vector<std::uint32_t> drawn(const Marker& marker, std::uint64_t number) const {
+    std::seed_seq seed{settings_.seed, number};
+    std::mt19937_64 random{seed};
+    const marker::PlacedPieces pieces{marker};
+    const auto middle = [&pieces](std::uint32_t k) { return pieces.box(k).low.x / 2 + pieces.box(k).high.x / 2; };
+    const std::uint32_t first = small_[random() % small_.size()];
+    const auto reach = static_cast<Coord>(settings_.tuning.near * static_cast<double>(marker.strip.width));
+    std::vector<std::uint32_t> near;
+    for (const std::uint32_t k : small_) {
+      if (k != first && std::abs(middle(k) - middle(first)) <= reach) near.push_back(k);
+    }
+    std::vector<std::uint32_t> chosen{first};
+    const std::size_t count = 1 + random() % settings_.pieces;
+    while (chosen.size() < count && !near.empty()) {
+      const std::size_t k = random() % near.size();
+      chosen.push_back(near[k]);
+      near.erase(near.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+    return chosen;
+  }
+
+  [[nodiscard]] Tried tried(const Marker& best, std::uint64_t number, const scene::Run& run) const {
+    Tried outcome;
+    const Coord length = length_of(best);
+    const double least = settings_.tuning.least_gain * static_cast<double>(best.strip.width);
+    TakenOut out = taken_out(best, drawn(best, number));
+    const auto closed = compact(out.rest, whole_compaction(), run);
+    if (!closed) return outcome;
+    const auto gap = static_cast<double>(length - closed->length_after);
+    if (gap < least) return outcome;
+    for (const double part : settings_.tuning.parts) {
+      const Coord end = closed->length_after + static_cast<Coord>(part * gap);
+      const auto found = contain(closed->marker, out.wanted, room_until(best.strip, end), containing(), run);
+      outcome.work += found.work;
+      if (found.verdict != Verdict::kFound) continue;
+      auto again = compact(put_back(best, found.marker), whole_compaction(), run);
+      if (!again || static_cast<double>(length - again->length_after) < least) return outcome;
+      outcome.marker = std::move(again->marker);
+      return outcome;
+    }
+    return outcome;
+  }
+
+  const Marker& start_;
+  const FillSettings& settings_;
+  const scene::Run& run_;
+  std::vector<std::uint32_t> small_;
+  GapFilling result_;
+};
+
+}  // namespace
+
+Result<GapFilling> fill_gaps(const Marker& start, const FillSettings& settings, const scene::Run& run) {
+  return Filler{start, settings, run}.fill();
+}
+
+}  // namespace selvage::packing::refitting

@@ -1,0 +1,35 @@
+// A local search over valid markers: trials one after another, each of which may find a shorter marker.
+//
+// Trials are numbered, and a trial depends on its number and on the best marker only.  Threads run several at once, all
+// from the same marker; of these, only those count that a sequential run would have tried: up to the first that is
+// kept.  So the answer does not depend on the number of threads.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "core/marker/marker.h"
+#include "core/motion/repair/motion_result.h"
+#include "core/packing/branching/search.h"
+
+namespace selvage::packing::refitting {
+
+// What a trial came to.
+struct Tried {
+  std::optional<Marker> marker{};  // shorter than the best one, and valid; or none
+  branching::Work work{};
+};
+using Trial = std::function<Tried(const Marker& best, std::uint64_t number, const scene::Run& run)>;
+
+struct TrialCounts {
+  std::uint64_t trials{}, kept{};
+  branching::Work work;
+};
+
+// Runs trials from `best.marker` until there were `most`, or `fruitless` in a row that gained nothing, or it is
+// stopped; keeps what is shorter in `best` and sets its reason.  Every trial is a round.
+[[nodiscard]] TrialCounts run_trials(motion::repair::MotionResult& best, std::uint64_t most, std::uint64_t fruitless,
+                                     const Trial& trial, const scene::Run& run);
+
+}  // namespace selvage::packing::refitting

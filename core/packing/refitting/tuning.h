@@ -1,0 +1,25 @@
+// The tuning constants of refitting.  Values without another source were tuned on the example markers
+// (docs/packing.md).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace selvage::packing::refitting {
+
+struct FillTuning {
+  double small{0.8};  // the part of the pieces, from the smallest, that are taken out
+  double near{1};     // pieces are taken out together when their middles are this near along the strip, in widths
+  // Of the length that the other pieces give up: how much of it the refitted pieces may use, tried one after another.
+  std::array<double, 2> parts{0.3, 0.97};
+  double least_gain{1e-5};  // of a trial, in widths
+  friend bool operator==(const FillTuning&, const FillTuning&) = default;
+};
+
+struct WindowTuning {
+  double shift{5e-4};  // by which the pieces behind a window must come nearer, in widths
+  friend bool operator==(const WindowTuning&, const WindowTuning&) = default;
+};
+
+}  // namespace selvage::packing::refitting

@@ -1,0 +1,66 @@
+// marker.compactExactly: the pieces of a window placed anew, so that those behind it come nearer; windows slide over
+// the marker.
+#include "core/packing/refitting/compact_exactly.h"
+
+#include "protocol/methods/packing/search_params.h"
+
+namespace selvage::protocol::methods::packing {
+namespace {
+
+namespace refitting = selvage::packing::refitting;
+
+constexpr double kMostWindows = 1e9, kMostPieces = 12;
+
+struct ExactCompactionParams {
+  calls::CommonParams call;
+  std::size_t pieces{refitting::ExactCompactionSettings{}.pieces};
+  std::uint64_t nodes{refitting::ExactCompactionSettings{}.nodes};
+  std::optional<std::uint64_t> windows;
+  bool turns{true};
+
+  static void describe(auto& v, auto& self) {
+    v.part(self.call);
+    v.optional("pieces", self.pieces, "Number of pieces of a window, 1 to 12.", {.range = {{1, kMostPieces}}});
+    v.optional("nodes", self.nodes, "The largest number of nodes of the search in a window.",
+               {.range = {{1, kMostNodes}}});
+    v.optional("windows", self.windows,
+               "How many windows are searched at most; 1,000 when absent, without limit with a deadline.",
+               {.range = {{0, kMostWindows}}});
+    v.optional("turns", self.turns, "Whether pieces may take other orientations that their shapes allow.");
+  }
+};
+
+struct ExactCompactionResult {
+  std::uint64_t kept{}, nodes{};
+  calls::RoundsResult rounds;
+
+  static void describe(auto& v, auto& self) {
+    v.required("kept", self.kept, "Number of windows that made the marker shorter.");
+    v.required("nodes", self.nodes, "Number of nodes of all searches.");
+    v.part(self.rounds);
+  }
+};
+
+Result<calls::Motion<ExactCompactionResult>> run(const ExactCompactionParams& params, const Marker& start,
+                                                 const calls::MethodContext& context) {
+  refitting::ExactCompactionSettings settings;
+  settings.pieces = params.pieces;
+  settings.nodes = params.nodes;
+  settings.windows = params.windows.value_or(params.call.deadline_ms ? UINT64_MAX : settings.windows);
+  settings.turns = params.turns;
+  auto done = compact_exactly(start, settings, context.run);
+  if (!done) return done.error();
+  const ExactCompactionResult result{
+      .kept = done->kept, .nodes = done->work.nodes, .rounds = {done->rounds, stop_cause(done->reason, context)}};
+  return calls::Motion<ExactCompactionResult>{{std::move(done->marker), done->repair}, result};
+}
+
+}  // namespace
+
+calls::Method compact_exactly_method() {
+  return calls::motion_method("marker.compactExactly", calls::MethodKind::kMotion,
+                              "Shortens the marker by placing the pieces of one stretch after another anew, exactly.",
+                              run);
+}
+
+}  // namespace selvage::protocol::methods::packing

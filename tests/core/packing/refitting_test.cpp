@@ -1,0 +1,169 @@
+// Filling gaps and exact compaction of windows.
+#include <gtest/gtest.h>
+
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/marker/validity.h"
+#include "core/motion/compaction/compact.h"
+#include "core/packing/refitting/compact_exactly.h"
+#include "core/packing/refitting/fill_gaps.h"
+#include "protocol/execution/thread_pool.h"
+#include "tests/core/motion/markers.h"
+#include "tests/laws/random_marker.h"
+
+namespace selvage::packing::refitting {
+namespace {
+
+Coord standard_length(const Marker& marker) {
+  SumCache sums;
+  const auto settings = compaction_settings(motion::compaction::Accuracy::kStandard);
+  return compact(marker, settings, scene::Run{sums})->length_after;
+}
+
+// A hole between four blocks, which no piece reaches by sliding, and a small square at the end.
+Marker with_hole() {
+  test::Layout layout{50'000};
+  const auto lying = layout.shape_of(test::rectangle(60'000, 20'000));
+  const auto square = layout.shape_of(test::rectangle(9'000, 9'000));
+  const auto post = layout.shape_of(test::rectangle(25'000, 10'000));
+  layout.put(lying, {0, 0}).put(lying, {0, 30'000});
+  layout.put(post, {0, 20'000}).put(post, {35'000, 20'000}).put(square, {60'000, 0});
+  return layout.marker();
+}
+
+TEST(FillGaps, PutsASmallPieceIntoAHole) {
+  Marker marker = with_hole();
+  marker.pieces[3].locked = true;  // keeps the hole open
+  SumCache sums;
+  ASSERT_EQ(standard_length(marker), 69'000);
+  FillSettings settings;
+  settings.tuning.small = 0.25;
+  const auto filled = fill_gaps(marker, settings, scene::Run{sums});
+  ASSERT_TRUE(filled);
+  EXPECT_EQ(filled->length_after, 60'000);
+  EXPECT_EQ(filled->length_after, length_of(filled->marker));
+  EXPECT_EQ(filled->kept, 1U);
+  EXPECT_TRUE(is_valid(filled->marker));
+  EXPECT_EQ(filled->marker.pieces[3], marker.pieces[3]);
+}
+
+TEST(FillGaps, PlacesUnplacedPiecesWithinTheLength) {
+  Marker marker = with_hole();
+  marker.pieces[3].locked = true;
+  marker.unplaced.push_back(marker.pieces[4]);
+  marker.unplaced.push_back(marker.pieces[0]);
+  marker.unplaced[1].id = "too large";
+  for (Piece& piece : marker.unplaced) piece.at = {};
+  marker.pieces.pop_back();
+  SumCache sums;
+  FillSettings settings;
+  settings.trials = 0;
+  const auto filled = fill_gaps(marker, settings, scene::Run{sums});
+  ASSERT_TRUE(filled);
+  EXPECT_EQ(filled->placed, 1U);
+  ASSERT_EQ(filled->marker.unplaced.size(), 1U);
+  EXPECT_EQ(filled->marker.unplaced[0].id, "too large");
+  EXPECT_EQ(filled->length_after, 60'000);
+  EXPECT_TRUE(is_valid(filled->marker));
+}
+
+TEST(FillGaps, LeavesLockedPiecesAndGroups) {
+  Marker marker = with_hole();
+  for (Piece& piece : marker.pieces) piece.group = "all";
+  SumCache sums;
+  const auto filled = fill_gaps(marker, {}, scene::Run{sums});
+  ASSERT_TRUE(filled);
+  EXPECT_EQ(filled->rounds, 0);
+  EXPECT_EQ(filled->length_after, standard_length(marker));
+}
+
+TEST(FillGaps, RefusesWhatCompactionRefuses) {
+  test::Layout layout{50'000};
+  const auto square = layout.shape_of(test::rectangle(9'000, 9'000));
+  layout.put(square, {0, 0}).put(square, {1'000, 1'000});
+  SumCache sums;
+  const auto filled = fill_gaps(layout.marker(), {}, scene::Run{sums});
+  ASSERT_FALSE(filled);
+  EXPECT_EQ(filled.error().code, ErrorCode::kMarkerOverlaps);
+}
+
+TEST(FillGaps, StopsWhenAskedWithItsBestMarker) {
+  SumCache sums;
+  std::stop_source source;
+  scene::Run run{sums, source.get_token()};
+  run.observer.on_round = [&](const scene::Round& round) {
+    if (round.number == 3) source.request_stop();
+  };
+  const auto filled = fill_gaps(test::loose_marker(5, 4, 3), {}, run);
+  ASSERT_TRUE(filled);
+  EXPECT_EQ(filled->reason, scene::StopReason::kCancelled);
+  EXPECT_EQ(filled->rounds, 3);
+  EXPECT_TRUE(is_valid(filled->marker));
+}
+
+// A layout that compaction cannot shorten: the low bars have room above the tall ones, but no way to it.
+TEST(CompactExactly, PutsBarsWhereCompactionCannot) {
+  test::Layout layout{100'000};
+  const auto tall = layout.shape_of(test::rectangle(30'000, 65'000));
+  const auto low = layout.shape_of(test::rectangle(30'000, 35'000));
+  const auto whole = layout.shape_of(test::rectangle(20'000, 100'000));
+  layout.put(whole, {0, 0}).put(tall, {20'000, 0}).put(low, {20'000, 65'000});
+  layout.put(tall, {50'000, 0}).put(tall, {80'000, 0}).put(low, {110'000, 0}).put(low, {110'000, 35'000});
+  layout.put(whole, {140'000, 0});
+  const Marker marker = layout.marker();
+  ASSERT_EQ(standard_length(marker), 160'000);
+  SumCache sums;
+  const auto exact = compact_exactly(marker, {}, scene::Run{sums});
+  ASSERT_TRUE(exact);
+  EXPECT_EQ(exact->length_after, 130'000);
+  EXPECT_EQ(exact->reason, scene::StopReason::kConverged);
+  EXPECT_TRUE(is_valid(exact->marker));
+  // With one low bar alone the other one stays in the way.
+  ExactCompactionSettings narrow;
+  narrow.pieces = narrow.most_pieces = 1;
+  EXPECT_EQ(compact_exactly(marker, narrow, scene::Run{sums})->length_after, 160'000);
+}
+
+TEST(CompactExactly, MovesNothingBehindAWindowThatIsLocked) {
+  Marker marker = with_hole();
+  marker.pieces[4].locked = true;
+  SumCache sums;
+  const auto exact = compact_exactly(marker, {}, scene::Run{sums});
+  ASSERT_TRUE(exact);
+  EXPECT_EQ(exact->marker.pieces[4], marker.pieces[4]);
+  EXPECT_EQ(exact->length_after, 69'000);
+}
+
+TEST(RefittingLaws, ThreadsDoNotMatterAndAnswersAreNeverLonger) {
+  test::Random random{71};
+  for (int trial = 0; trial < 6 / test::kSlowdown + 1; ++trial) {
+    const Marker marker = test::random_marker(random);
+    FillSettings filling;
+    filling.trials = 12;
+    ExactCompactionSettings windows;
+    windows.pieces = 3;
+    windows.nodes = 100;
+    windows.windows = 12;
+    const Coord standard = standard_length(marker);
+    std::vector<Marker> answers[2];
+    for (const std::size_t threads : {1U, 2U, 4U}) {
+      const protocol::execution::ThreadPool pool{threads - 1};
+      SumCache sums;
+      scene::Run run{sums};
+      run.executor = &pool;
+      answers[0].push_back(fill_gaps(marker, filling, run)->marker);
+      answers[1].push_back(compact_exactly(marker, windows, run)->marker);
+    }
+    for (const auto& same : answers) {
+      EXPECT_EQ(same[1], same[0]) << "trial " << trial;
+      EXPECT_EQ(same[2], same[0]) << "trial " << trial;
+      EXPECT_TRUE(is_valid(same[0])) << "trial " << trial;
+      EXPECT_LE(length_of(same[0]), standard) << "trial " << trial;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace selvage::packing::refitting
