@@ -43,6 +43,6 @@ case ${1:-} in
     configure "$2"
     cmake --build "$2" --target selvaged selvage
     ;;
-  install) cmake --install "$2" --prefix "$3" --strip ;;
+  install) cmake --install "$2" --prefix "$3" --strip --component Runtime ;;
   *) usage; exit 2 ;;
 esac
