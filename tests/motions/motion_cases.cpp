@@ -11,6 +11,7 @@ namespace selvage::test {
   X(velocities)                 \
   X(refine)                     \
   X(swap)                       \
+  X(nest)                       \
   X(pack)                       \
   X(contain)                    \
   X(fill)                       \

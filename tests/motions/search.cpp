@@ -1,4 +1,5 @@
 // Searches: refinement and swaps of pieces, which use motions, and the exact searches.
+#include "core/nesting/nest.h"
 #include "core/packing/contain.h"
 #include "core/packing/pack.h"
 #include "core/packing/refitting/compact_exactly.h"
@@ -29,6 +30,16 @@ Result<Answer> swapping(const Marker& start, const Occasion& on) {
   auto done = drawn ? complete_swap(*drawn, settings, {on.run.sums, on.run.stop}) : search::SwapOutcome{};
   const Leave leave{.longest = kAnyLength, .turns = true};
   return Answer{.marker = done.marker ? std::move(*done.marker) : start, .leave = leave};
+}
+
+Result<Answer> nesting_anew(const Marker& start, const Occasion& on) {
+  nesting::NestSettings settings;
+  settings.moves = on.random.below(60);
+  settings.searches = 1 + on.random.below(2);
+  settings.seed = on.random.below(1000);
+  settings.tuning.first_epoch = 20;
+  if (on.random.chance(30)) settings.placed = nesting::layout::PlacedPiecesMay::kNotMove;
+  return answer(nest(start, settings, on.run), {.tilts = true, .turns = true, .flips = true});
 }
 
 constexpr std::uint64_t kFewNodes = 300;
@@ -92,6 +103,9 @@ MotionCase refine_case() {
 }
 MotionCase swap_case() {
   return {"swap", 4, false, swapping};
+}
+MotionCase nest_case() {
+  return {"nest", 2, false, nesting_anew};
 }
 MotionCase pack_case() {
   return {"pack", 2, false, packing_shortest};
