@@ -4,6 +4,8 @@
 #include "clients/cli/command_line/parse.h"
 #include "clients/cli/commands/commands.h"
 #include "clients/cli/commands/shared_options.h"
+#include "clients/cli/documents/completion.h"
+#include "clients/cli/documents/manual.h"
 
 namespace {
 
@@ -22,13 +24,15 @@ std::vector<selvage::cli::command_line::Command> all_commands() {
 
 int main(int argc, char** argv) {
   namespace cli = selvage::cli;
-  const cli::command_line::Program program{
+  cli::command_line::Program program{
       .name = "selvage",
       .summary = "Selvage shortens garment markers with exact geometry, so that pieces never overlap.",
       .version = SELVAGE_VERSION,
       .footer = cli::terminal::kExitCodesHelp,
       .options = cli::commands::server_options(),
       .commands = all_commands()};
+  program.commands.push_back(cli::documents::completion_command(program));
+  program.commands.push_back(cli::documents::manual_command(program));
   const cli::command_line::Parsed parsed = cli::command_line::parse(program, argc, argv);
   if (parsed.command == nullptr) return static_cast<int>(parsed.exit_code);
   return static_cast<int>(parsed.command->run(parsed.values));

@@ -34,7 +34,8 @@ done
 
 # The step that the Dockerfile runs, and what must have come of it.
 "$source/packaging/build.sh" install "$build" "$folder/usr" > /dev/null
-for file in bin/selvaged bin/selvage libexec/selvage/healthcheck.sh lib/systemd/system/selvaged.service; do
+for file in bin/selvaged bin/selvage libexec/selvage/healthcheck.sh lib/systemd/system/selvaged.service share/man/man1/selvage.1 \
+  share/bash-completion/completions/selvage; do
   [[ -f $folder/usr/$file ]] || fail "$file was not installed"
 done
 selvaged=$folder/usr/bin/selvaged

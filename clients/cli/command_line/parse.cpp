@@ -5,6 +5,8 @@
 #include <charconv>
 #include <iostream>
 
+#include "clients/cli/command_line/nearest.h"
+
 namespace selvage::cli::command_line {
 namespace {
 
@@ -69,9 +71,42 @@ bool is_unknown_command(const CLI::App& app, const CLI::ParseError& error) {
 }
 
 void report_unknown_command(const Program& program, const std::string& word) {
-  std::cerr << program.name << ": " << word << " is not a subcommand; the subcommands are:";
-  for (const Command& command : program.commands) std::cerr << ' ' << command.name;
+  std::cerr << program.name << ": " << word << " is not a subcommand";
+  std::vector<std::string> names;
+  for (const Command& command : program.commands) names.push_back(command.name);
+  if (const auto meant = nearest(word, names)) {
+    std::cerr << "; did you mean " << *meant << "?";
+  } else {
+    std::cerr << "; the subcommands are:";
+    for (const std::string& name : names) std::cerr << ' ' << name;
+  }
   std::cerr << "\nRun with --help for more information.\n";
+}
+
+// The first option that the chosen subcommand does not have, and what was probably meant; nothing when all is known.
+std::optional<std::string> unknown_option(const CLI::App& app, const CLI::ParseError& error) {
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr || app.get_subcommands().empty()) return std::nullopt;
+  const CLI::App& chosen = *app.get_subcommands().front();
+  std::vector<std::string> names;
+  for (const CLI::App* one : {&chosen, &app}) {
+    for (const CLI::Option* option : one->get_options()) {
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+  }
+  const std::vector<std::string> rest = app.remaining(true);
+  const auto unknown =
+      std::find_if(rest.begin(), rest.end(), [](const std::string& word) { return word.starts_with('-'); });
+  if (unknown == rest.end()) return std::nullopt;
+  const std::string name = unknown->substr(0, unknown->find('='));
+  const auto meant = nearest(name, names);
+  return name + " is not an option of " + chosen.get_name() + (meant ? "; did you mean " + *meant + "?" : "");
+}
+
+std::string footer_of(const Program& program, const Command& command) {
+  std::string footer;
+  for (const std::string& example : command.examples)
+    footer += (footer.empty() ? "Examples:\n  " : "  ") + example + "\n";
+  return footer + (footer.empty() ? "" : "\n") + program.footer;
 }
 
 }  // namespace
@@ -87,7 +122,7 @@ Parsed parse(const Program& program, int argc, const char* const* argv) {
   for (const Option& option : program.options) add(app, option, parsed.values);
   for (const Command& command : program.commands) {
     CLI::App* const added = app.add_subcommand(command.name, command.summary);
-    added->footer(program.footer);
+    added->footer(footer_of(program, command));
     for (const Option& option : command.options) add(*added, option, parsed.values);
     added->callback([&parsed, &command] { parsed.command = &command; });
   }
@@ -97,6 +132,9 @@ Parsed parse(const Program& program, int argc, const char* const* argv) {
     parsed.command = nullptr;
     if (is_unknown_command(app, error)) {
       report_unknown_command(program, app.remaining().front());
+      parsed.exit_code = terminal::ExitCode::kBadUsage;
+    } else if (const auto unknown = unknown_option(app, error)) {
+      std::cerr << program.name << ": " << *unknown << "\nRun with --help for more information.\n";
       parsed.exit_code = terminal::ExitCode::kBadUsage;
     } else {
       parsed.exit_code = app.exit(error) == 0 ? terminal::ExitCode::kOk : terminal::ExitCode::kBadUsage;

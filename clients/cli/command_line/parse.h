@@ -17,6 +17,7 @@ struct Command {
   std::string name, summary;
   std::vector<Option> options;  // positional arguments in their order
   std::function<terminal::ExitCode(const Values&)> run;
+  std::vector<std::string> examples{};  // command lines, printed by --help
 };
 
 struct Program {

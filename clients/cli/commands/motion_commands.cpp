@@ -30,6 +30,24 @@ bool limits_time_itself(const std::vector<ParameterOption>& options) {
                              [](const ParameterOption& parameter) { return parameter.option.name == "--time"; });
 }
 
+// Of the commands that are used most.
+std::vector<std::string> examples_of(std::string_view command) {
+  if (command == "compact") {
+    return {"selvage compact marker.json -o shorter.json --svg shorter.svg",
+            "selvage compact marker.json --accuracy fine --time 60 -o shorter.json",
+            "selvage compact marker.json --server localhost:7171 -o shorter.json"};
+  }
+  if (command == "nest") {
+    return {"selvage nest instance.json --time 60 -o marker.json --svg marker.svg",
+            "selvage nest instance.json --moves 50000 --searches 4 --seed 1 -o marker.json"};
+  }
+  if (command == "tilt") return {"selvage tilt marker.json --limit 2 -o tilted.json"};
+  if (command == "separate") return {"selvage separate overlapping.json --grow 5 -o valid.json"};
+  if (command == "bump") return {"selvage bump marker.json --piece sleeve --direction=-1,0 -o bumped.json"};
+  if (command == "pack") return {"selvage pack pieces.json --nodes 100000 -o packed.json"};
+  return {};
+}
+
 terminal::ExitCode run_motion(std::string_view method, const std::vector<ParameterOption>& options,
                               const command_line::Values& values) {
   const MarkerFiles files = marker_files(values, "IN");
@@ -55,6 +73,7 @@ command_line::Command command_of(const Method& method) {
   }
   command.options.push_back(
       {.name = "--json", .kind = Kind::kFlag, .meaning = "Print one line of JSON instead of the summary"});
+  command.examples = examples_of(command.name);
   command.run = [name = method.name, parameters = std::move(parameters)](const command_line::Values& values) {
     return run_motion(name, parameters, values);
   };
