@@ -36,6 +36,7 @@ std::unique_ptr<store::Journal> open_journal(const Options& options) {
 
 Daemon::Daemon(const Options& options, protocol::methods::MethodTable methods)
     : drain_time_{options.drain},
+      traffic_{std::make_shared<transport::access::ByteAccount>(options.limits.transport.traffic_bytes)},
       journal_{open_journal(options)},
       backend_{backend_settings(options, std::move(methods))},
       transport_{listening_for(options), options.limits.transport, service(options)} {}
@@ -64,6 +65,10 @@ transport::access::Service Daemon::service(const Options& options) {
       .authenticate = authenticate_first_message,
       .on_refused = [this](transport::access::Refusal refusal, const std::string& peer) { log_refusal(refusal, peer); },
       .line_too_long = dispatch::Dispatcher::too_long(options.limits.transport.body_bytes),
+      .no_room = dispatch::error_text({protocol::rpc::RpcCode::kLimit,
+                                       "too many bytes of requests and answers are in progress; try again later",
+                                       Json{{"limit", traffic_->limit()}}}),
+      .account = traffic_,
       .counts = connections_};
 }
 
@@ -107,6 +112,11 @@ std::string Daemon::metrics_text() const {
                    {"parsing", value(queues.parsing.running())},
                    {"reads", value(queues.reads.running())},
                    {"hands", value(queues.drags.running())}}},
+      ops::Metric{"selvage_traffic_bytes",
+                  kGauge,
+                  "Requests that are received or answered, and answers not yet sent.",
+                  "",
+                  {{"", value(traffic_->held())}}},
       ops::Metric{"selvage_open_connections",
                   kGauge,
                   "Open connections, by protocol.",

@@ -54,6 +54,7 @@ class Daemon {
   void log_refusal(transport::access::Refusal refusal, const std::string& peer);
 
   const std::chrono::seconds drain_time_;
+  const std::shared_ptr<transport::access::ByteAccount> traffic_;
   std::atomic<bool> draining_{};
   ops::Metrics metrics_;
   const std::shared_ptr<transport::access::TransportCounts> connections_ =

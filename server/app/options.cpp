@@ -23,7 +23,7 @@ struct RawOptions {
   transport::access::TlsFiles tls;
   bool behind_proxy{}, no_token{}, check_config{};
   std::string listen_health;
-  std::size_t body_mb{};
+  std::size_t body_mb{}, traffic_mb{};
   std::optional<std::size_t> connections_per_address;
   std::int64_t call_seconds{}, drain_seconds{};
   std::string durability{"full"};
@@ -66,6 +66,10 @@ void declare_work(CLI::App& app, Options& options, RawOptions& raw) {
       ->capture_default_str();
   app.add_option("--max-body-mb", raw.body_mb, "The largest request, in MiB")
       ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  app.add_option("--traffic-mb", raw.traffic_mb,
+                 "Memory for requests that are received or answered, and for answers not yet sent, in MiB")
+      ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str();
   app.add_option("--max-connections", options.limits.transport.connections, "Connections open at the same time")
       ->check(CLI::Range(1, 100'000))
@@ -164,6 +168,7 @@ OptionError convert(const RawOptions& raw, Options& options) {
   if (auto error = read_listeners(raw, options)) return error;
   if (auto error = check_exposure(raw, options)) return error;
   options.limits.transport.body_bytes = raw.body_mb << 20;
+  options.limits.transport.traffic_bytes = raw.traffic_mb << 20;
   const std::size_t connections = options.limits.transport.connections;
   // Behind a proxy all connections have the proxy's address.
   options.limits.transport.connections_per_address =
@@ -193,6 +198,7 @@ std::variant<Options, EarlyExit> parse_options(int argc, const char* const* argv
   options.workers = std::max(1U, std::thread::hardware_concurrency());
   RawOptions raw;
   raw.body_mb = options.limits.transport.body_bytes >> 20;
+  raw.traffic_mb = options.limits.transport.traffic_bytes >> 20;
   raw.call_seconds = std::chrono::duration_cast<std::chrono::seconds>(options.limits.call).count();
   raw.drain_seconds = options.drain.count();
 

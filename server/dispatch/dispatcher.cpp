@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "protocol/methods/daemon/engine.h"
+#include "protocol/rpc/verbatim_ids.h"
 #include "server/calls/errors.h"
 
 namespace selvage::server::dispatch {
@@ -30,6 +31,12 @@ protocol::rpc::RpcError internal_error() {
 
 protocol::rpc::RpcError unknown_method(const std::string& name) {
   return {protocol::rpc::RpcCode::kMethodNotFound, "there is no method '" + name + "'", {}};
+}
+
+protocol::rpc::RpcError batch_full(std::size_t most_bytes) {
+  return {protocol::rpc::RpcCode::kLimit,
+          "the answers of this batch have reached the memory that is left for them; send the call again, by itself",
+          Json{{"limit", most_bytes}}};
 }
 
 // How long the call may take: as long as it asks for and, if it may take long, no longer than the limit.
@@ -83,6 +90,8 @@ void Dispatcher::parse(std::string message, jobs::DeadlineClock::Time arrived,
                        std::shared_ptr<transport::access::Session> session, jobs::ReplyOnce<std::string> reply) {
   const std::size_t bytes = message.size();
   protocol::rpc::Incoming incoming = protocol::rpc::parse_incoming(message, server_.limits.transport.body_bytes);
+  std::vector<std::string> ids;
+  if (has_inexact_ids(incoming)) ids = verbatim_ids(message, incoming);
   std::string{}.swap(message);  // frees it now, because it may be large
   execute_next(std::make_shared<Exchange>(Exchange{.freed = ops::FreedMemory{bytes},
                                                    .incoming = std::move(incoming),
@@ -90,7 +99,8 @@ void Dispatcher::parse(std::string message, jobs::DeadlineClock::Time arrived,
                                                    .session = std::move(session),
                                                    .reply = std::move(reply),
                                                    .on_answered = on_answered_,
-                                                   .arrived = arrived}));
+                                                   .arrived = arrived,
+                                                   .ids = std::move(ids)}));
 }
 
 void Dispatcher::execute_next(const std::shared_ptr<Exchange>& exchange) {
@@ -101,6 +111,11 @@ void Dispatcher::execute_next(const std::shared_ptr<Exchange>& exchange) {
     const protocol::rpc::Call& call = calls[exchange->calls_done++];
     if (const auto* request = std::get_if<protocol::rpc::Request>(&call)) {
       exchange->marker_id.clear();
+      const std::size_t most_bytes = server_.limits.transport.backlog_bytes;
+      if (exchange->is_full(most_bytes)) {
+        exchange->add_answer(*request, batch_full(most_bytes));
+        continue;
+      }
       const auto answered = [this, exchange, request](calls::Outcome outcome) {
         exchange->add_answer(*request, std::move(outcome));
         execute_next(exchange);

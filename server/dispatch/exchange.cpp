@@ -21,6 +21,20 @@ std::string answer_text(const Json& id, calls::Outcome outcome) {
   return protocol::rpc::response_text(id, *std::get<store::SharedText>(outcome));
 }
 
+std::size_t bytes_of(const std::vector<std::string>& answers) {
+  std::size_t bytes = 0;
+  for (const std::string& answer : answers) bytes += answer.size();
+  return bytes;
+}
+
+// The same answer under an id that is given as JSON; empty: under the one that it has, which is null otherwise.
+std::string with_id(std::string answer, const std::string& id) {
+  constexpr std::string_view kStart = R"({"jsonrpc":"2.0","id":)";
+  constexpr std::string_view kNull = "null";
+  if (!id.empty()) answer.replace(kStart.size(), kNull.size(), id);
+  return answer;
+}
+
 }  // namespace
 
 void Exchange::add_answer(const protocol::rpc::Request& request, calls::Outcome outcome) {
@@ -37,14 +51,18 @@ void Exchange::add_answer(const protocol::rpc::Request& request, calls::Outcome 
     line.marker = opened_marker(*result);
   }
   if (request.id) {
-    answers.push_back(answer_text(*request.id, std::move(outcome)));
+    const std::string id = ids.empty() ? std::string{} : ids[calls_done - 1];
+    answers.push_back(with_id(answer_text(id.empty() ? *request.id : Json(), std::move(outcome)), id));
     line.bytes_out = answers.back().size();
+    held.add(line.bytes_out);
   }
   on_answered(line);
 }
 
 void Exchange::add_refusal(const protocol::rpc::BadRequest& bad) {
-  answers.push_back(protocol::json::to_text(error_response(bad.id, bad.error)));
+  const std::string id = ids.empty() ? std::string{} : ids[calls_done - 1];
+  answers.push_back(with_id(protocol::json::to_text(error_response(id.empty() ? bad.id : Json(), bad.error)), id));
+  held.add(answers.back().size());
   on_answered({.method = "bad-request",
                .code = static_cast<int>(bad.error.code),
                .bytes_in = bytes,
@@ -57,8 +75,17 @@ std::string Exchange::text() {
   if (answers.empty()) return {};
   if (!incoming.batch) return std::move(answers.front());
   std::string all;
-  for (const std::string& answer : answers) all += (all.empty() ? "[" : ",") + answer;
+  all.reserve(bytes_of(answers) + answers.size() + 1);
+  for (std::string& answer : answers) {
+    all.append(all.empty() ? "[" : ",").append(answer);
+    std::string{}.swap(answer);  // frees it now, because there may be many large ones
+  }
   return all + "]";
+}
+
+bool Exchange::is_full(std::size_t most_bytes) const {
+  if (!incoming.batch || answers.empty()) return false;
+  return bytes_of(answers) >= most_bytes || (session->account && !session->account->has_room());
 }
 
 std::string error_text(const protocol::rpc::RpcError& error) {

@@ -31,13 +31,17 @@ struct Exchange {
   jobs::DeadlineClock::Time arrived{};
   Clock::time_point began{Clock::now()};
   std::size_t calls_done{};
-  bool continue_on_worker{};  // the current call was answered on a thread that must not execute the next one
-  std::string marker_id{};    // the marker that the current call is about; empty: none or unknown
+  bool continue_on_worker{};       // the current call was answered on a thread that must not execute the next one
+  std::string marker_id{};         // the marker that the current call is about; empty: none or unknown
+  std::vector<std::string> ids{};  // of the calls, where they are numbers that no double holds (verbatim_ids.h)
   std::vector<std::string> answers{};
+  transport::access::HeldBytes held{session->account};  // of the answers
 
   // Adds the answer to the current call, unless that is a notification, and reports it.
   void add_answer(const protocol::rpc::Request& request, calls::Outcome outcome);
   void add_refusal(const protocol::rpc::BadRequest& bad);
+  // Whether the answers of a batch are so many bytes that its remaining calls are to be refused.
+  [[nodiscard]] bool is_full(std::size_t most_bytes) const;
   // All answers as one text; empty if every call was a notification.
   [[nodiscard]] std::string text();
 };

@@ -114,7 +114,9 @@ void reopen_log(const std::string& file) {
   const auto sink = queue();
   if (file.empty() || !sink) return;
   try {
-    sink->writer().change_file(open_file(file));
+    auto fresh = open_file(file);
+    sink->writer().flush(std::chrono::seconds{1});  // into the old file
+    sink->writer().change_file(std::move(fresh));
     spdlog::info("log reopened");
   } catch (const std::exception& error) {
     spdlog::error("the log cannot be reopened: {}", error.what());

@@ -144,7 +144,7 @@ struct Transport::Implementation {
     if (tcp) socket.set_option(asio::ip::tcp::no_delay{true}, ignored);
     if (tcp && tls) socket = tls->unwrap(std::move(socket));
     const auto connection = std::make_shared<connections::Connection>(std::move(socket), ++sessions, peer.text,
-                                                                      tcp && !access.token.empty());
+                                                                      tcp && !access.token.empty(), service.account);
     connections.insert(connection, peer.address);
     asio::co_spawn(io, serve(connection, context, listener.speaks),
                    [this, connection](const std::exception_ptr& thrown) {

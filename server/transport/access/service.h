@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "server/transport/access/access.h"
+#include "server/transport/access/byte_account.h"
 #include "server/transport/access/refusal.h"
 
 namespace selvage::server::transport::access {
@@ -23,6 +24,7 @@ struct Session {
   std::function<void(std::string)> notify;  // sends a notification, from any thread; empty on plain HTTP
   std::stop_token gone;                     // stops when the connection has ended
   std::string peer{};                       // the client's address, or the path of the Unix socket that it uses
+  std::shared_ptr<ByteAccount> account{};   // of the bytes that clients make the server hold; null: nobody counts
 };
 
 // Takes the answer to one message: call it once, from any thread.  Nothing is sent for an empty text.
@@ -72,6 +74,9 @@ struct Service {
   std::function<void(Refusal refusal, const std::string& peer)> on_refused{};
   // The answer to a line that is longer than the limit.
   std::string line_too_long{};
+  // The answer to a message that is dropped because the account has no room.
+  std::string no_room{};
+  const std::shared_ptr<ByteAccount> account = std::make_shared<ByteAccount>();
   const std::shared_ptr<TransportCounts> counts = std::make_shared<TransportCounts>();
 };
 
@@ -83,7 +88,12 @@ struct TransportLimits {
   std::size_t health_connections{32};              // for health checks; the oldest makes room for a further one
   std::size_t calls_per_connection{
       64};  // in progress on one line or WebSocket connection, which is not read while there are more
+  std::size_t request_bytes{std::size_t{32} << 20};  // of these calls; likewise
   std::size_t backlog_bytes{std::size_t{16} << 20};  // not yet sent on one such connection; likewise
+  // Of all connections: requests that are received or answered, and answers not yet sent.  Then no connection is read
+  // between messages, and a message that has begun is refused unless there is room in time.
+  std::size_t traffic_bytes{std::size_t{512} << 20};
+  std::chrono::milliseconds room{5'000};      // for room for a message that has begun
   std::chrono::milliseconds idle{300'000};    // between two HTTP requests, and before the first byte of a connection
   std::chrono::milliseconds request{30'000};  // from the first byte of a header, a body or a message to its last
   std::chrono::milliseconds write{30'000};    // for the client to take some of what is sent to it

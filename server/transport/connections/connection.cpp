@@ -20,12 +20,13 @@ void report(access::Refusal refusal, const std::string& peer, const access::Serv
   if (service.on_refused) service.on_refused(refusal, peer);
 }
 
-Connection::Connection(Socket connected, std::uint64_t id, std::string peer, bool requires_token)
+Connection::Connection(Socket connected, std::uint64_t id, std::string peer, bool requires_token,
+                       std::shared_ptr<access::ByteAccount> account)
     : socket{std::move(connected)},
       read_watchdog{socket.get_executor()},
       write_watchdog{socket.get_executor()},
-      session{std::make_shared<access::Session>(
-          access::Session{.id = id, .notify = {}, .gone = gone.get_token(), .peer = std::move(peer)})},
+      session{std::make_shared<access::Session>(access::Session{
+          .id = id, .notify = {}, .gone = gone.get_token(), .peer = std::move(peer), .account = std::move(account)})},
       needs_token{requires_token} {}
 
 void Connection::watch() {
@@ -66,6 +67,19 @@ void Connection::extend(boost::asio::steady_timer& watchdog, std::chrono::millis
 
 void Connection::set_standing(Standing standing) {
   if (std::exchange(standing_, standing) != standing) standing_since_ = Clock::now();
+}
+
+boost::asio::awaitable<bool> Connection::wait_for_room(const access::ByteAccount& account, std::size_t bytes,
+                                                       std::chrono::milliseconds time) {
+  constexpr std::chrono::milliseconds kPoll{10};  // rare, and other threads make room as well
+  boost::asio::steady_timer timer{socket.get_executor()};
+  boost::system::error_code ignored;
+  for (const Time end = Clock::now() + time; !account.has_room(bytes);) {
+    if (Clock::now() >= end || draining || !socket.is_open()) co_return false;
+    timer.expires_after(kPoll);
+    co_await timer.async_wait(boost::asio::redirect_error(boost::asio::use_awaitable, ignored));
+  }
+  co_return true;
 }
 
 void Connection::drain() {

@@ -9,7 +9,11 @@ namespace selvage::server::transport::connections {
 namespace asio = boost::asio;
 
 Conversation::Conversation(std::shared_ptr<Connection> connection, const ConnectionContext& context)
-    : connection_{std::move(connection)}, context_{context}, changed_{connection_->socket.get_executor()} {}
+    : connection_{std::move(connection)},
+      context_{context},
+      changed_{connection_->socket.get_executor()},
+      held_requests_{context.service.account},
+      held_answers_{context.service.account} {}
 
 void Conversation::enable_notifications() {
   const auto executor = connection_->socket.get_executor();
@@ -24,15 +28,22 @@ void Conversation::enable_notifications() {
 }
 
 asio::awaitable<void> Conversation::wait_for_room() {
+  constexpr std::chrono::seconds kAtATime{1};  // so that a connection that has ended, or drains, is seen
   while (crowded()) co_await changed_.wait();
+  bool room = false;
+  while (!room && connection_->socket.is_open() && !connection_->draining) {
+    room = co_await connection_->wait_for_room(*context_.service.account, 1, kAtATime);
+  }
 }
 
 void Conversation::call(std::string message) {
   ++unanswered_;
+  held_requests_.add(message.size());
   const auto executor = connection_->socket.get_executor();
-  access::Reply reply = [executor, self = shared_from_this()](std::string answer) {
-    asio::post(executor, [self, held = std::move(answer)]() mutable {
+  access::Reply reply = [executor, self = shared_from_this(), bytes = message.size()](std::string answer) {
+    asio::post(executor, [self, bytes, held = std::move(answer)]() mutable {
       --self->unanswered_;
+      self->held_requests_.remove(bytes);
       self->send(std::move(held));
       self->changed_.notify();
     });
@@ -43,6 +54,7 @@ void Conversation::call(std::string message) {
 void Conversation::send(std::string text) {
   if (text.empty() || !connection_->socket.is_open()) return;
   unsent_bytes_ += text.size();
+  held_answers_.set(unsent_bytes_);
   unsent_.push_back(std::move(text));
   if (writing_bytes_ == 0) write_next();
 }
@@ -64,12 +76,14 @@ void Conversation::written(boost::system::error_code error) {
     unsent_bytes_ = 0;
     connection_->cut();
   }
+  held_answers_.set(unsent_bytes_);
   if (!unsent_.empty()) write_next();
   changed_.notify();
 }
 
 bool Conversation::crowded() const {
-  return unanswered_ >= context_.limits.calls_per_connection || unsent_bytes_ >= context_.limits.backlog_bytes;
+  return unanswered_ >= context_.limits.calls_per_connection ||
+         held_requests_.bytes() >= context_.limits.request_bytes || unsent_bytes_ >= context_.limits.backlog_bytes;
 }
 
 }  // namespace selvage::server::transport::connections

@@ -1,6 +1,7 @@
 // Many calls in progress on one connection: answers in the order of completion, with notifications in between.
 //
-// A connection with too many unanswered calls, or too many unsent bytes, is not read until there are fewer.
+// A connection with too many unanswered calls, or too many of their bytes, or too many unsent bytes, is not read until
+// there are fewer; nor is any connection while all of them together have too many bytes.
 // Notifications cannot be held back in this way: a client that does not receive them is disconnected at twice the limit
 // of unsent bytes.
 // Everything here belongs to the I/O thread.
@@ -24,7 +25,7 @@ class Conversation : public std::enable_shared_from_this<Conversation> {
  protected:
   // Allows the service to send notifications from now on.
   void enable_notifications();
-  // Waits while too many calls are unanswered or too many bytes unsent.
+  // Waits while too many calls are unanswered or too many bytes unsent, here or on all connections together.
   boost::asio::awaitable<void> wait_for_room();
   void call(std::string message);
   // Nothing is sent for an empty text.
@@ -49,6 +50,8 @@ class Conversation : public std::enable_shared_from_this<Conversation> {
   std::size_t unsent_bytes_{};   // in unsent_ and being written
   std::size_t writing_bytes_{};  // being written; 0: none
   std::size_t unanswered_{};
+  access::HeldBytes held_requests_;  // of the unanswered calls
+  access::HeldBytes held_answers_;   // the unsent bytes
 };
 
 }  // namespace selvage::server::transport::connections

@@ -68,7 +68,9 @@ class HttpConnection {
     answer.keep_alive(keep_alive && !connection_.draining);
     allow_origin(answer, parser.get(), context_.access);
     const bool last = !answer.keep_alive();
+    held_.set(answer.body().size());
     co_await write(std::move(answer), header_only);
+    held_.set(0);
     connection_.set_standing(Connection::Standing::kIdle);
     co_return !last && !failed_;
   }
@@ -96,12 +98,25 @@ class HttpConnection {
     failed_ = error && !refusal;
     if (error || refusal) co_return refusal;
 
+    const auto bytes = static_cast<std::size_t>(parser.content_length().value_or(0));
+    bool room = bytes == 0;  // pages are always served
+    if (!room) room = co_await connection_.wait_for_room(*context_.service.account, bytes, context_.limits.room);
+    if (!room) co_return no_room();
+    held_.set(bytes);
     if (boost::beast::iequals(parser.get()[http::field::expect], "100-continue")) co_await write_continue();
     connection_.arm(connection_.read_watchdog, context_.limits.request);
     co_await http::async_read(connection_.socket, buffer_, parser, asio::redirect_error(asio::use_awaitable, error));
     Connection::disarm(connection_.read_watchdog);
     failed_ = failed_ || error;
     co_return std::nullopt;
+  }
+
+  // The error as the answer to a call that has not been read.
+  [[nodiscard]] HttpResponse no_room() const {
+    HttpResponse answer = make_answer(http::status::service_unavailable, "application/json", context_.service.no_room);
+    answer.set(http::field::retry_after, "1");
+    answer.keep_alive(false);
+    return answer;
   }
 
   // Takes the body out of the request.
@@ -157,6 +172,7 @@ class HttpConnection {
   Connection& connection_;
   const ConnectionContext context_;
   boost::beast::flat_buffer buffer_;
+  access::HeldBytes held_{context_.service.account};  // of the request, then of its answer
   std::optional<HttpRequest> upgrade_;
   bool failed_{};
 };

@@ -18,10 +18,14 @@ namespace {
 namespace asio = boost::asio;
 using Error = boost::system::error_code;
 
+constexpr std::size_t kKeptBuffer = std::size_t{64} << 10;  // for the next answers; a larger one is freed
+
 class LineConnection final : public Conversation {
  public:
   LineConnection(std::shared_ptr<Connection> connection, const ConnectionContext& context)
-      : Conversation{std::move(connection), context}, splitter_{context.limits.body_bytes} {}
+      : Conversation{std::move(connection), context},
+        splitter_{context.limits.body_bytes},
+        held_{context.service.account} {}
 
   asio::awaitable<void> serve(std::string received) {
     if (connection_->needs_token && !co_await authenticate(received)) {
@@ -73,7 +77,24 @@ class LineConnection final : public Conversation {
       std::vector<Line> lines = error ? splitter_.finish() : splitter_.feed({chunk.data(), count});
       co_await take(std::move(lines));
       if (error) co_return;
+      co_await make_room();
     }
+  }
+
+  // Before more is read: between lines, waits until there is room; a line that has begun is dropped if there is none in
+  // time, so that lines that wait for their ends cannot block each other.
+  asio::awaitable<void> make_room() {
+    held_.set(splitter_.partial_bytes());
+    if (held_.bytes() == 0) {
+      co_await wait_for_room();
+      co_return;
+    }
+    const access::ByteAccount& account = *context_.service.account;
+    const bool room = co_await connection_->wait_for_room(account, 1, context_.limits.room);
+    if (room) co_return;
+    splitter_.drop();
+    held_.set(0);
+    send(context_.service.no_room);
   }
 
   // A line that has begun must end in time.  Between lines a connection may be silent for hours.
@@ -111,11 +132,15 @@ class LineConnection final : public Conversation {
       return asio::transfer_all()(error, sent);
     };
     asio::async_write(connection_->socket, asio::buffer(writing_), extend,
-                      [this, self = shared_from_this()](Error error, std::size_t) { written(error); });
+                      [this, self = shared_from_this()](Error error, std::size_t) {
+                        if (writing_.capacity() > kKeptBuffer) std::string{}.swap(writing_);
+                        written(error);
+                      });
     return bytes;
   }
 
   LineSplitter splitter_;
+  access::HeldBytes held_;  // of the line that has begun
   std::string writing_;
   bool guarding_{};
 };

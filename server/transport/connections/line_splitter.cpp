@@ -21,12 +21,16 @@ std::vector<Line> LineSplitter::finish() {
   return lines;
 }
 
+void LineSplitter::drop() {
+  dropping_ = true;
+  std::string{}.swap(partial_);  // frees the memory, which an assignment would keep
+}
+
 void LineSplitter::append(std::string_view bytes, std::vector<Line>& lines) {
   if (dropping_) return;
   if (bytes.size() > limit_ - partial_.size()) {
     lines.push_back({{}, true});
-    dropping_ = true;
-    std::string{}.swap(partial_);  // frees the memory, which an assignment would keep
+    drop();
     return;
   }
   partial_ += bytes;

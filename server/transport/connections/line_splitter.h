@@ -24,6 +24,10 @@ class LineSplitter {
   [[nodiscard]] std::vector<Line> feed(std::string_view bytes);
   // The last line if the bytes end without \n; none or one.
   [[nodiscard]] std::vector<Line> finish();
+  // Drops the line that has begun, whose rest is skipped.  REQUIRES: partial_bytes() is not 0.
+  void drop();
+  // Of the line that has begun and not ended.
+  [[nodiscard]] std::size_t partial_bytes() const { return partial_.size(); }
   // Returns true if a line has begun and not ended.
   [[nodiscard]] bool within_line() const { return dropping_ || !partial_.empty(); }
 

@@ -119,6 +119,7 @@ class WebSocketConnection final : public Conversation {
 
   asio::awaitable<void> read_to_end() {
     boost::beast::flat_buffer message;
+    access::HeldBytes held{context_.service.account};  // of the message that has begun
     Error error;
     restart_silence_timer();
     for (;;) {
@@ -135,9 +136,20 @@ class WebSocketConnection final : public Conversation {
         if (!closing_) call(std::string{static_cast<const char*>(message.data().data()), message.size()});
         message.clear();
         message.shrink_to_fit();  // frees the memory of a large message
+        held.set(0);
         restart_silence_timer();
-      } else if (!std::exchange(within_message_, true)) {
-        connection_->arm(connection_->read_watchdog, context_.limits.request);
+      } else {
+        if (!std::exchange(within_message_, true)) {
+          connection_->arm(connection_->read_watchdog, context_.limits.request);
+        }
+        held.set(message.size());
+        const access::ByteAccount& account = *context_.service.account;
+        const bool room = co_await connection_->wait_for_room(account, 1, context_.limits.room);
+        if (!room) {
+          send(context_.service.no_room);
+          begin_close(websocket::close_code::try_again_later);
+          held.set(0);
+        }
       }
     }
   }

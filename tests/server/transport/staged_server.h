@@ -40,7 +40,8 @@ class StagedServer {
   // Adds a TCP listener for HTTP if there are no listeners.
   explicit StagedServer(server::transport::access::ListenSettings listen,
                         const server::transport::access::TransportLimits& limits = {})
-      : transport_{
+      : account_{std::make_shared<server::transport::access::ByteAccount>(limits.traffic_bytes)},
+        transport_{
             with_http(std::move(listen)), limits,
             server::transport::access::Service{
                 .call =
@@ -57,11 +58,15 @@ class StagedServer {
                       return server::transport::access::Authentication{granted, granted ? "come in" : "stay out"};
                     },
                 .line_too_long = "too long",
+                .no_room = "no room",
+                .account = account_,
                 .counts = counts_}} {}
 
   [[nodiscard]] std::uint16_t port() const { return transport_.listeners().front().port; }
   [[nodiscard]] server::transport::Transport& transport() { return transport_; }
   [[nodiscard]] const server::transport::access::TransportCounts& counts() const { return *counts_; }
+  // The bytes that clients make the server hold.
+  [[nodiscard]] const server::transport::access::ByteAccount& account() const { return *account_; }
   void set_why_not_ready(std::string why) {
     const std::lock_guard lock{mutex_};
     why_not_ready_ = std::move(why);
@@ -107,6 +112,7 @@ class StagedServer {
   std::condition_variable changed_;
   std::deque<HeldCall> held_;
   std::string why_not_ready_;
+  const std::shared_ptr<server::transport::access::ByteAccount> account_;
   const std::shared_ptr<server::transport::access::TransportCounts> counts_ =
       std::make_shared<server::transport::access::TransportCounts>();
   server::transport::Transport transport_;
