@@ -23,5 +23,5 @@ USER 10001:10001
 VOLUME /var/lib/selvage
 EXPOSE 7171
 STOPSIGNAL SIGTERM
-HEALTHCHECK --interval=10s --timeout=5s --start-period=10s CMD ["/usr/libexec/selvage/healthcheck.sh"]
+HEALTHCHECK --interval=10s --timeout=5s --start-period=10s CMD ["/usr/libexec/selvage/healthcheck.sh", "7172"]
 ENTRYPOINT ["/usr/bin/selvaged", "--config", "/etc/selvage/selvaged.toml"]

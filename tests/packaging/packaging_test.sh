@@ -53,7 +53,7 @@ done
 
 # The container's configuration, moved into the folder.
 printf 'a token of the test only\n' > "$folder/token"
-sed -e "s|/run/secrets/selvage-token|$folder/token|; s|/var/lib/selvage|$folder|; s|0.0.0.0:7171|0.0.0.0:0|" \
+sed -e "s|/run/secrets/selvage-token|$folder/token|; s|/var/lib/selvage|$folder|; s|0.0.0.0:7171|0.0.0.0:0|; s|127.0.0.1:7172|127.0.0.1:0|" \
   "$source/packaging/container.toml" > "$folder/selvaged.toml"
 "$selvaged" --config "$folder/selvaged.toml" --check-config > /dev/null || fail "--check-config"
 ! "$selvaged" --config "$source/packaging/container.toml" --check-config 2> "$folder/refusal" || fail "no token was missed"
@@ -67,6 +67,7 @@ daemon=$!
 port=$(port_in "$folder/port")
 healthcheck=$folder/usr/libexec/selvage/healthcheck.sh
 "$healthcheck" "$port" || fail "the healthcheck of a daemon that lives"
+"$healthcheck" "$(tail -n 1 "$folder/port")" || fail "the healthcheck by way of --listen-health"
 kill -TERM "$daemon"
 wait "$daemon" || fail "exit code $? after SIGTERM: $(< "$folder/log")"
 daemon=
