@@ -1,9 +1,11 @@
 #include "protocol/describe/openrpc.h"
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "protocol/describe/call_errors.h"
 #include "protocol/methods/method_table.h"
 
 namespace selvage::protocol::describe {
@@ -44,13 +46,33 @@ Json either_schema(const schema::Type& type) {
   return {{"anyOf", std::move(alternatives)}};
 }
 
+// The schema of a field with its limits and the value that stands for an absent one.
+Json field_schema(const FieldDescription& field) {
+  Json schema = type_schema(field.type);
+  // Other members of an object with a reference would be ignored.
+  if (schema.contains("$ref")) schema = Json{{"allOf", Json::array({std::move(schema)})}};
+  const schema::Limits& limits = field.limits;
+  if (limits.range) {
+    schema["minimum"] = limits.range->least;
+    schema["maximum"] = limits.range->most;
+  }
+  if (limits.bytes) {
+    schema["minLength"] = limits.bytes->least;
+    schema["maxLength"] = limits.bytes->most;
+  }
+  if (limits.entries) {
+    schema["minItems"] = limits.entries->least;
+    schema["maxItems"] = limits.entries->most;
+  }
+  if (!field.fallback.is_null()) schema["default"] = field.fallback;
+  return schema;
+}
+
 Json object_schema(const std::vector<FieldDescription>& fields) {
   Json properties = Json::object();
   Json required = Json::array();
   for (const FieldDescription& field : fields) {
-    Json schema = type_schema(field.type);
-    // Other members of an object with a reference would be ignored.
-    if (schema.contains("$ref")) schema = Json{{"allOf", Json::array({std::move(schema)})}};
+    Json schema = field_schema(field);
     schema["description"] = field.meaning;
     properties[std::string{field.name}] = std::move(schema);
     if (field.required) required.push_back(field.name);
@@ -81,10 +103,34 @@ Json params_json(const std::vector<FieldDescription>& params) {
       list.push_back({{"name", param.name},
                       {"description", param.meaning},
                       {"required", param.required},
-                      {"schema", type_schema(param.type)}});
+                      {"schema", field_schema(param)}});
     }
   }
   return list;
+}
+
+// References to the errors of the error catalogue that the method may answer.
+Json errors_json(const calls::Method& method, const std::vector<FieldDescription>& params) {
+  Json list = Json::array();
+  const auto has = [&params](std::string_view name) {
+    return std::any_of(params.begin(), params.end(), [&](const FieldDescription& param) { return param.name == name; });
+  };
+  for (const CallError& error : call_errors()) {
+    const bool possible = error.when == CallError::When::kAny ||
+                          (error.when == CallError::When::kWithMarker && has("markerId")) ||
+                          (error.when == CallError::When::kWithBaseRevision && has("baseRev")) ||
+                          (error.when == CallError::When::kMotion && method.motion);
+    if (possible) list.push_back({{"$ref", "#/components/errors/" + std::string{error.name}}});
+  }
+  return list;
+}
+
+Json error_components() {
+  Json errors = Json::object();
+  for (const CallError& error : call_errors()) {
+    errors[std::string{error.name}] = {{"code", static_cast<int>(error.code)}, {"message", error.meaning}};
+  }
+  return errors;
 }
 
 }  // namespace
@@ -119,7 +165,8 @@ Json openrpc_document(std::string_view version) {
                        {"summary", method.summary},
                        {"paramStructure", "by-name"},
                        {"params", params_json(params)},
-                       {"result", {{"name", "result"}, {"schema", object_schema(results)}}}});
+                       {"result", {{"name", "result"}, {"schema", object_schema(results)}}},
+                       {"errors", errors_json(method, params)}});
   }
   Json notifications = Json::array();
   for (const methods::Notification& notification : methods::notifications()) {
@@ -133,7 +180,7 @@ Json openrpc_document(std::string_view version) {
   return {{"openrpc", "1.2.6"},
           {"info", {{"title", "Selvage"}, {"version", version}}},
           {"methods", std::move(methods)},
-          {"components", {{"schemas", std::move(schemas)}}},
+          {"components", {{"schemas", std::move(schemas)}, {"errors", error_components()}}},
           {"x-notifications", std::move(notifications)}};
 }
 

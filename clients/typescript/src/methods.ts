@@ -436,6 +436,8 @@ export interface Methods {
       name: string;
       /** The daemon's version. */
       version: string;
+      /** The version of the protocol. */
+      protocolVersion: string;
       /** Names of all methods. */
       methods: Array<string>;
       /** Document formats that it reads. */

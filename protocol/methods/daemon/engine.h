@@ -43,8 +43,12 @@ struct Limits {
 // Those of the protocol; the server adds its own.
 [[nodiscard]] Limits protocol_limits(std::size_t request_bytes);
 
+// Its first number changes when a client written for an earlier version may break, its second when something is added.
+inline constexpr std::string_view kProtocolVersion = "0.2";
+
 struct EngineInfo {
   std::string name{"selvage"}, version;
+  std::string_view protocol_version{kProtocolVersion};
   std::vector<std::string_view> methods;
   std::vector<files::FileFormat> reads, writes;
   std::vector<motion::compaction::Accuracy> accuracies;
@@ -56,6 +60,7 @@ struct EngineInfo {
   static void describe(auto& v, auto& self) {
     v.required("name", self.name, "selvage");
     v.required("version", self.version, "The daemon's version.");
+    v.required("protocolVersion", self.protocol_version, "The version of the protocol.");
     v.required("methods", self.methods, "Names of all methods.");
     v.required("reads", self.reads, "Document formats that it reads.");
     v.required("writes", self.writes, "Document formats that it writes.");

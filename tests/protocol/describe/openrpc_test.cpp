@@ -176,10 +176,37 @@ TEST(OpenRpc, EveryReferenceLeadsSomewhereAndEveryTypeIsUsed) {
   std::set<std::string> used;
   collect_references(document, used);
   std::set<std::string> there;
-  for (const auto& [name, schema] : document["components"]["schemas"].items()) {
-    there.insert("#/components/schemas/" + name);
+  for (const char* kind : {"schemas", "errors"}) {
+    for (const auto& [name, component] : document["components"][kind].items()) {
+      there.insert(std::string{"#/components/"} + kind + "/" + name);
+    }
   }
   EXPECT_EQ(used, there);
+}
+
+const Json& named(const Json& list, std::string_view name) {
+  for (const Json& entry : list) {
+    if (entry["name"] == name) return entry;
+  }
+  throw std::runtime_error{"there is no " + std::string{name}};
+}
+
+TEST(OpenRpc, GivesLimitsDefaultsAndErrors) {
+  const Json document = openrpc_document("1.2.3");
+  const Json& nest = named(document["methods"], "marker.nest");
+  const Json& searches = named(nest["params"], "searches")["schema"];
+  EXPECT_EQ(searches["minimum"], 1);
+  EXPECT_EQ(searches["maximum"], 64);
+  EXPECT_EQ(searches["default"], 1);
+  const auto answers = [](const Json& method, const std::string& error) {
+    const Json wanted{{"$ref", "#/components/errors/" + error}};
+    return std::any_of(method["errors"].begin(), method["errors"].end(),
+                       [&](const Json& one) { return one == wanted; });
+  };
+  EXPECT_TRUE(answers(nest, "MotionRefused"));
+  EXPECT_TRUE(answers(nest, "RevisionMismatch"));
+  EXPECT_FALSE(answers(named(document["methods"], "engine.info"), "UnknownMarker"));
+  EXPECT_EQ(document["components"]["errors"]["Busy"]["code"], -32010);
 }
 
 TEST(OpenRpc, TypesBecomeSchemas) {

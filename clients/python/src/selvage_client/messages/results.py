@@ -30,12 +30,14 @@ class Cache:
 class Info:
     name: str
     version: str
+    protocol_version: str
     methods: tuple[str, ...]
     reads: tuple[str, ...]
     writes: tuple[str, ...]
     accuracies: tuple[str, ...]
     workers: int
     markers: int
+    durable: bool
     limits: dict[str, int]
     cache: Cache
 
