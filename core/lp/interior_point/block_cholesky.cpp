@@ -83,10 +83,17 @@ void BlockCholesky::find_rows() {
   }
 }
 
-bool BlockCholesky::factorise(std::span<const Block> diagonal, std::span<const Block> above) {
+bool BlockCholesky::factorise(std::span<const Block> diagonal, std::span<const Block> above,
+                              const std::stop_token& stop) {
   std::fill(filled_.begin(), filled_.end(), 0);
+  updates_ = 0;
+  std::uint64_t next_check = kUpdatesPerCheck;
   Block* const work = work_.data();
   for (std::size_t k = 0; k < diagonal.size(); ++k) {
+    if (updates_ >= next_check) {
+      if (stop.stop_requested()) return false;
+      next_check = updates_ + kUpdatesPerCheck;
+    }
     for (int t = pattern_.start[k]; t < pattern_.start[k + 1]; ++t) {
       const auto e = static_cast<std::size_t>(t);
       work[pattern_.row[e]] = above[e];
@@ -98,7 +105,8 @@ bool BlockCholesky::factorise(std::span<const Block> diagonal, std::span<const B
       solve_lower(diagonal_[i], part(0, 0), part(1, 0));
       solve_lower(diagonal_[i], part(0, 1), part(1, 1));
       const int* column = column_.data() + column_start_[i];
-      const int* const end = column + filled_[i]++;
+      const int* const end = column + filled_[i];
+      updates_ += static_cast<std::uint64_t>(filled_[i]++) + 1;
       Block* below = below_.data() + column_start_[i];
       for (; column != end; ++column, ++below) {
         Block& to = work[*column];

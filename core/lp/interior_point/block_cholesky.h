@@ -4,11 +4,15 @@
 // indices are needed inside a block.  The factorisation is up-looking: it computes the factor row by row, each row by a
 // sparse triangular solve [Dav06 4].  The pattern of every row is computed once.
 // Blocks are stored in column-major order.
+// Work is counted in block updates, each a product of two blocks.  When cancelled, a factorisation ends within
+// kUpdatesPerCheck of them and the longest row.
 // Invariant: block columns are in elimination order.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include <Eigen/Core>
@@ -27,11 +31,16 @@ struct BlockPattern {
 
 class BlockCholesky {
  public:
+  static constexpr std::uint64_t kUpdatesPerCheck = std::uint64_t{1} << 20;  // some milliseconds
+
   explicit BlockCholesky(BlockPattern pattern);
 
   // Only the lower triangles of the diagonal blocks are read.  False when the matrix is not positive definite in
-  // floating point.
-  [[nodiscard]] bool factorise(std::span<const Block> diagonal, std::span<const Block> above);
+  // floating point, or when cancelled.
+  [[nodiscard]] bool factorise(std::span<const Block> diagonal, std::span<const Block> above,
+                               const std::stop_token& stop = {});
+  // The block updates of the last factorisation.
+  [[nodiscard]] std::uint64_t updates() const { return updates_; }
   // Solves in place; a block column has two entries.
   void solve(std::span<double> right_side) const;
 
@@ -46,6 +55,7 @@ class BlockCholesky {
   std::vector<Block> diagonal_;  // the factor's diagonal blocks [a 0; b c], stored as 1/a, b and 1/c
   std::vector<Block> work_;      // the row of the factor being computed, transposed; zero between rows
   std::vector<int> filled_;      // the number of finished blocks of each column
+  std::uint64_t updates_{};
 };
 
 }  // namespace selvage::lp::interior_point

@@ -60,9 +60,10 @@ double longest_step(const Vector& v, const Vector& dv) {
 // the zero column of RowRuns, which is 0 in all of them.
 class Iteration {
  public:
-  Iteration(const InequalityForm& form, const InteriorPointSettings& settings)
+  Iteration(const InequalityForm& form, const InteriorPointSettings& settings, const std::stop_token& stop)
       : rows_{row_runs(form)},
         settings_{settings},
+        stop_{stop},
         normal_{rows_},
         cost_{vector_of(form.cost)},
         bound_{vector_of(form.bound)},
@@ -76,7 +77,7 @@ class Iteration {
 
   void start(std::span<const double> x);
   bool converged();
-  bool step();  // false when no further step is possible
+  bool step();  // false when no further step is possible, or when cancelled
 
   [[nodiscard]] const Vector& x() const { return x_; }
   [[nodiscard]] const Vector& z() const { return z_; }
@@ -88,6 +89,7 @@ class Iteration {
 
   const RowRuns rows_;
   const InteriorPointSettings& settings_;
+  const std::stop_token& stop_;
   NormalEquations normal_;
   Vector cost_, bound_;
   double largest_cost_;
@@ -134,7 +136,7 @@ bool Iteration::converged() {
 bool Iteration::factorise() {
   weight_ = z_ / (s_ + kDelta * z_);
   return std::any_of(kRho.begin(), kRho.end(),
-                     [&](double rho) { return normal_.factorise(span_of(weight_), rho_factor_ * rho); });
+                     [&](double rho) { return normal_.factorise(span_of(weight_), rho_factor_ * rho, stop_); });
 }
 
 // (dx, ds, dz) with A dx - ds + delta dz = rp, A^T dz - rho dx = rd, s dz + z ds = target.
@@ -194,12 +196,13 @@ LpSolution solve_by_interior_point(const LinearProgram& program, const InteriorP
     const auto k = static_cast<std::size_t>(j);
     x0.push_back(std::clamp(0.0, program.lower[k], program.upper[k]));
   }
-  Iteration iteration{*form, settings};
+  Iteration iteration{*form, settings, stop};
   iteration.start(x0);
   while (!iteration.converged()) {
     if (stop.stop_requested()) return {.status = LpStatus::kStopped, .iterations = solution.iterations};
     if (solution.iterations == settings.iterations || !iteration.step()) {
-      return {.status = LpStatus::kFailed, .iterations = solution.iterations};
+      return {.status = stop.stop_requested() ? LpStatus::kStopped : LpStatus::kFailed,
+              .iterations = solution.iterations};
     }
     ++solution.iterations;
   }

@@ -167,7 +167,7 @@ NormalEquations::NormalEquations(const RowRuns& rows) : parts_{std::make_unique<
 
 NormalEquations::~NormalEquations() = default;
 
-bool NormalEquations::factorise(std::span<const double> weight, double rho) {
+bool NormalEquations::factorise(std::span<const double> weight, double rho, const std::stop_token& stop) {
   Parts& p = *parts_;
   const auto above = p.matrix.begin() + static_cast<std::ptrdiff_t>(p.blocks);
   std::fill(p.matrix.begin(), above, rho * Block::Identity());
@@ -184,7 +184,7 @@ bool NormalEquations::factorise(std::span<const double> weight, double rho) {
   }
   const double* w = weight.data() + weight.size() - p.rows.bounds.size();
   for (std::size_t k = 0; k < p.rows.bounds.size(); ++k) matrix[*position++] += w[k];
-  return p.factor->factorise({p.matrix.begin(), above}, {above, p.matrix.end() - 1});
+  return p.factor->factorise({p.matrix.begin(), above}, {above, p.matrix.end() - 1}, stop);
 }
 
 void NormalEquations::solve(std::span<double> right_side) {

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <span>
+#include <stop_token>
 
 #include "core/lp/interior_point/row_runs.h"
 
@@ -16,8 +17,8 @@ class NormalEquations {
   explicit NormalEquations(const RowRuns& rows);
   ~NormalEquations();
 
-  // False when the matrix is not positive definite in floating point.
-  [[nodiscard]] bool factorise(std::span<const double> weight, double rho);
+  // False when the matrix is not positive definite in floating point, or when cancelled (block_cholesky.h).
+  [[nodiscard]] bool factorise(std::span<const double> weight, double rho, const std::stop_token& stop);
   // Solves in place; entries after the last column are unchanged.
   void solve(std::span<double> right_side);
 

@@ -1,6 +1,7 @@
 #include "core/motion/compaction/compact.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/marker/figures.h"
@@ -14,6 +15,21 @@ namespace {
 
 scene::StopReason reason_of(step::StepEnd end) {
   return end == step::StepEnd::kSolverFailed ? scene::StopReason::kSolverFailed : scene::StopReason::kConverged;
+}
+
+// The trust radius of the first round, a fraction of the width: that of the settings, halved while more pairs would be
+// near than the tuning allows.  Where pieces are tiny, the radius otherwise reaches hundreds of others.
+double first_trust(const scene::Scene& scene, const CompactionSettings& settings) {
+  const auto width = static_cast<double>(scene.marker.strip.width);
+  const double most = settings.tuning.most_near_pairs * static_cast<double>(scene.pieces.size());
+  const auto too_many = [&](double trust) {
+    double near = 0;
+    const Coord distance = std::llround(trust * width) + scene.pieces.widest_spacing();
+    return any_pair_within(scene.pieces, distance, [&](marker::PiecePair) { return ++near > most; });
+  };
+  double trust = settings.trust;
+  while (trust * width > 1 && too_many(trust)) trust /= 2;
+  return trust;
 }
 
 // True when every row that the last program pressed on is a contact that no other half-plane would lift.
@@ -63,7 +79,8 @@ Progress improve(scene::Scene& scene, const step::Goal& goal, const CompactionSe
                  const scene::Run& run) {
   Progress progress;
   progress.reason = scene::StopReason::kWorkLimit;
-  step::StepSettings step_settings{.trust = settings.trust,
+  const double trust = goal.fixes_length() ? settings.trust : first_trust(scene, settings);
+  step::StepSettings step_settings{.trust = trust,
                                    .region = settings.region,
                                    .solver = settings.solver,
                                    .extent = settings.extent,
@@ -91,8 +108,8 @@ Progress improve(scene::Scene& scene, const step::Goal& goal, const CompactionSe
     }
     scene.pieces.place(step.positions);
     // Pieces move less from round to round: look only as far as the next round may go.
-    step_settings.trust = std::clamp(settings.tuning.trust_ahead * step.farthest,
-                                     settings.tuning.least_trust * settings.trust, settings.trust);
+    step_settings.trust =
+        std::clamp(settings.tuning.trust_ahead * step.farthest, settings.tuning.least_trust * trust, trust);
     progress.gain += step.gain * static_cast<double>(scene.marker.strip.width);
     ++progress.rounds;
     run.observer.on_round({progress.rounds, scene.pieces.length()});

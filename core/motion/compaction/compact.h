@@ -26,8 +26,8 @@ struct CompactionSettings {
   int rounds{};         // at most this many
   double least_gain{};  // rounds end with the first one that gains less than this part of the width or, when a marker
                         // longer than ten widths becomes shorter, of a tenth of its length
-  double trust{};    // trust radius: in the first round, pairs within this part of the width are neighbours, in later
-                     // rounds closer ones (position_step.h)
+  double trust{};    // trust radius: in the first round, pairs within this part of the width are neighbours, or closer
+                     // ones where pieces are tiny (CompactionTuning); in later rounds closer ones (position_step.h)
   double gravity{};  // weight of the mean leftward motion, relative to the length
   bool sweeps{};     // single-piece moves look for ways that the programs do not have (escape.h)
   model::RegionRule region{};

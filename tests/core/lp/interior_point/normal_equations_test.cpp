@@ -123,7 +123,7 @@ TEST(NormalEquations, AreSolvedCorrectly) {
     NormalEquations normal{rows};
     for (const double rho : {1e-3, 1.0}) {  // repeatedly with the same pattern
       const auto weight = some(random, form->rows(), 0.01, 10);
-      ASSERT_TRUE(normal.factorise(weight, rho));
+      ASSERT_TRUE(normal.factorise(weight, rho, {}));
       const auto right_side = some(random, form->columns(), -1, 1);
       auto x = right_side;
       x.push_back(5);  // the value of the zero column has no meaning
@@ -157,6 +157,35 @@ TEST(BlockCholesky, RejectsIndefiniteMatricesAndStaysUsable) {
   EXPECT_NEAR(v[1], 2, 1e-14);
   EXPECT_NEAR(v[2], 2, 1e-14);
   EXPECT_NEAR(v[3], 2, 1e-14);
+}
+
+// A full matrix of `size` block columns: 4 times the unit matrix in every block on the diagonal, a little elsewhere.
+struct FullMatrix {
+  BlockPattern pattern;
+  std::vector<Block> diagonal, above;
+};
+FullMatrix full_matrix(int size) {
+  FullMatrix full;
+  for (int k = 0; k < size; ++k) {
+    for (int i = 0; i < k; ++i) full.pattern.row.push_back(i);
+    full.pattern.start.push_back(static_cast<int>(full.pattern.row.size()));
+    full.diagonal.emplace_back(4 * Block::Identity());
+  }
+  full.above.assign(full.pattern.row.size(), 1e-3 * Block::Identity());
+  return full;
+}
+
+TEST(BlockCholesky, StopsWithinTheWorkBetweenTwoChecks) {
+  constexpr int kSize = 300;  // 4.5 million block updates
+  const FullMatrix full = full_matrix(kSize);
+  BlockCholesky factor{full.pattern};
+  ASSERT_TRUE(factor.factorise(full.diagonal, full.above));
+  EXPECT_GT(factor.updates(), 4 * BlockCholesky::kUpdatesPerCheck);
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_FALSE(factor.factorise(full.diagonal, full.above, stop.get_token()));
+  EXPECT_LE(factor.updates(), BlockCholesky::kUpdatesPerCheck + kSize * kSize / 2);  // and the longest row
+  ASSERT_TRUE(factor.factorise(full.diagonal, full.above));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/marker/validity.h"
@@ -246,6 +247,27 @@ TEST(Compact, PiecesOfOneShapeWithinAnothersBoxAreNoNeighboursOfTrouble) {
   layout.put(cup, {500, 0}).put(square, {900, 350});
   const auto result = compacted(layout.marker());
   EXPECT_EQ(result.length_after, 900);
+}
+
+// In a strip of 1000, the usual trust radius of 100 reaches 220 neighbours of each of these squares.
+TEST(Compact, OfTinyPiecesModelsOnlyTheNearest) {
+  constexpr int kColumns = 20;
+  constexpr int kRows = 40;
+  constexpr int kPieces = kColumns * kRows;
+  Layout layout{1000};
+  const auto square = layout.shape_of(test::rectangle(4, 4));
+  for (int column = 0; column < kColumns; ++column) {
+    for (int row = 0; row < kRows; ++row) layout.put(square, {10 * column, 10 * row});
+  }
+  SumCache sums;
+  scene::Observer observer;
+  int most_rows = 0;
+  observer.on_program = [&](const lp::LinearProgram& program) { most_rows = std::max(most_rows, program.rows()); };
+  const auto result = compact(layout.marker(), kStandard, {sums, {}, observer});
+  ASSERT_TRUE(result);
+  EXPECT_TRUE(is_valid(result->marker));
+  EXPECT_EQ(result->length_after, 4 * kColumns);
+  EXPECT_LE(most_rows, 4 * kStandard.tuning.most_near_pairs * kPieces);
 }
 
 }  // namespace
