@@ -45,7 +45,7 @@ Ring::Ring(const convolution::StarSum& sum) : centre_{sum.centre} {
     const double y = static_cast<double>(e.from.y) - centre_.y;
     const auto dx = static_cast<double>(e.line_to.x - e.line_from.x);
     const auto dy = static_cast<double>(e.line_to.y - e.line_from.y);
-    const double length = std::hypot(dx, dy);
+    const double length = std::sqrt(dx * dx + dy * dy);
     corners_.push_back({angle_of(x, y), x, y, dx / length, dy / length, &e});
   }
   const auto first = std::min_element(corners_.begin(), corners_.end(),

@@ -3,26 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <random>
 #include <tuple>
 #include <utility>
-#include <vector>
 
-#include "core/marker/validity.h"
+#include "core/marker/figures.h"
+#include "core/marker/placed_pieces.h"
+#include "core/model/ties.h"
 #include "core/motion/tilting/tilt.h"
-#include "core/search/swap.h"
+#include "core/search/effort.h"
+#include "core/search/swap_search.h"
 
 namespace selvage::search {
 namespace {
-
-// A swap on trial.
-struct Trial {
-  std::optional<DrawnSwap> drawn;
-  std::mt19937 random;  // the generator's state after drawing the swap
-  SwapOutcome outcome{};
-  Coord length{};           // of the marker after the swap, if there is one
-  std::stop_source stop{};  // its result is no longer needed
-};
 
 // Settings that differ from the standard ones in one value each.
 std::array<motion::compaction::CompactionSettings, 4> other_settings() {
@@ -39,14 +31,21 @@ class Refiner {
  public:
   Refiner(const Marker& start, const RefineSettings& settings, const scene::Run& run,
           motion::compaction::Compaction& best)
-      : start_{start}, settings_{settings}, run_{run}, quiet_{run.quiet()}, best_{best} {}
+      : start_{start}, settings_{settings}, run_{run}, quiet_{run.quiet()}, best_{best} {
+    tilts_ = settings.tilts && std::any_of(start.shapes.begin(), start.shapes.end(),
+                                           [](const Shape& shape) { return shape.tilt_limit.degrees > 0; });
+  }
 
   void run() {
     best_.rounds = 0;
     attempted();
+    const Coord standard = best_.length_after;
     try_variants();
-    if (start_.pieces.size() <= settings_.most_pieces_swapped) try_swaps();
-    if (settings_.tilts) try_tilts();
+    const Found straight{best_.marker, best_.length_after};
+    // Of the marker refined so far, and of the start: tilts may find their way from the one and not from the other.
+    if (tilts_) tilt_and_keep(best_.marker);
+    if (tilts_) tilt_and_keep(start_);
+    if (start_.pieces.size() <= settings_.most_pieces_swapped && may_gain()) try_swaps(straight, standard);
     best_.reason = run_.stopped() ? scene::StopReason::kCancelled : scene::StopReason::kWorkLimit;
   }
 
@@ -82,86 +81,69 @@ class Refiner {
     attempted();
   }
 
-  // Swaps in the best marker so far, several in parallel.  Only those count that a sequential run would have tried: up
-  // to the first one that is kept, because the next one starts from the new marker.
-  void try_swaps() {
-    std::mt19937 random{settings_.seed};
-    std::uint64_t spent = 0;
-    std::uint64_t idle = 0;
-    const auto enough = [&] {
-      return spent >= settings_.effort || idle >= settings_.tuning.idle_trials || run_.stopped();
-    };
-    while (!enough()) {
-      std::vector<Trial> trials = drawn(at_once(), random);
-      run_.executor->for_each(trials.size(), [&](std::size_t k) { run(trials, k); });
-      for (Trial& trial : trials) {
-        random = trial.random;
-        const int programs = trial.outcome.programs;
-        idle = programs == 0 ? idle + 1 : 0;
-        spent += static_cast<std::uint64_t>(programs) * start_.pieces.size();
-        best_.programs += programs;
-        const bool kept = worth_keeping(trial);
-        if (kept) keep(*std::move(trial.outcome.marker), trial.length);
-        attempted();
-        if (kept || enough()) break;
+  // Swaps in the best marker without new tilts and, where tilts are allowed, in the best marker of all, in turn.
+  void try_swaps(Found straight, Coord standard) {
+    Effort effort{settings_.least_effort, settings_.effort, standard};
+    effort.spend(0, best_.length_after);
+    Found* swapped = &straight;
+    SwapSearch swaps{settings_.seed, settings_.tuning, run_, [&](int programs, bool kept) {
+                       best_.programs += programs;
+                       if (kept && swapped->length < best_.length_after) keep(swapped->marker, swapped->length);
+                       attempted();
+                     }};
+    Found tilted{best_.marker, best_.length_after};
+    Coord tilted_from = straight.length;
+    while (!effort.enough() && !swaps.exhausted() && !run_.stopped()) {
+      swapped = &straight;
+      swaps.search(straight, false, effort.spent() + settings_.tuning.turn, effort);
+      if (!tilts_) continue;
+      if (straight.length < tilted_from) {
+        tilted_from = straight.length;
+        effort.spend(tilt_and_keep(straight.marker) * start_.pieces.size(), best_.length_after);
       }
+      if (best_.length_after < tilted.length) tilted = {best_.marker, best_.length_after};
+      swapped = &tilted;
+      swaps.search(tilted, true, effort.spent() + settings_.tuning.turn, effort);
     }
   }
-  [[nodiscard]] std::vector<Trial> drawn(std::size_t count, std::mt19937 random) const {
-    std::vector<Trial> trials;
-    while (trials.size() < count) {
-      auto swap = draw_swap(best_.marker, random, settings_.tuning.swap);
-      trials.push_back({std::move(swap), random});
-    }
-    return trials;
-  }
-  void run(std::vector<Trial>& trials, std::size_t k) const {
-    Trial& trial = trials[k];
-    if (!trial.drawn) return;
-    const std::stop_callback with_all{run_.stop, [&trial] { trial.stop.request_stop(); }};
-    motion::compaction::CompactionSettings quick = compaction_settings(motion::compaction::Accuracy::kStandard);
-    quick.rounds = settings_.tuning.compaction_rounds;
-    quick.solver_tolerance = 0;  // a marker that is only nearly as short must not count as one on the plateau
-    trial.outcome = complete_swap(*trial.drawn, quick, {run_.sums, trial.stop.get_token()}, settings_.tuning.swap);
-    if (trial.outcome.marker) trial.length = length_of(*trial.outcome.marker);
-    if (!worth_keeping(trial)) return;
-    for (std::size_t later = k + 1; later < trials.size(); ++later) trials[later].stop.request_stop();
-  }
-  // Markers of equal length are kept, too: they lead across plateaus.
-  [[nodiscard]] bool worth_keeping(const Trial& trial) const {
-    return trial.outcome.marker && trial.length <= best_.length_after;
-  }
-  [[nodiscard]] std::size_t at_once() const { return run_.executor->parallelism(); }
 
-  void try_tilts() {
-    const bool any = std::any_of(start_.shapes.begin(), start_.shapes.end(),
-                                 [](const Shape& shape) { return shape.tilt_limit.degrees > 0; });
-    if (!any || run_.stopped()) return;
-    // Of the marker refined so far, and of the start: tilts may find their way from the one and not from the other.
-    tilt_and_keep(best_.marker);
-    if (!run_.stopped()) tilt_and_keep(start_);
+  // False when no search can shorten the marker: a locked piece ends it, or the pieces fill it.
+  [[nodiscard]] bool may_gain() const {
+    const marker::PlacedPieces pieces{best_.marker};
+    const model::Ties ties = model::ties_of(best_.marker);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      if (ties.x[i] == model::Ties::kFixed && pieces.box(i).high.x == best_.length_after) return false;
+    }
+    return utilisation_of(best_.marker) < 1 - settings_.tuning.least_room;
   }
-  void tilt_and_keep(const Marker& marker) {
+
+  // Returns the number of programs solved.
+  std::uint64_t tilt_and_keep(const Marker& marker) {
+    if (run_.stopped()) return 0;
     const motion::tilting::TiltSettings tilt_settings_used =
         tilt_settings(motion::tilting::TiltMethod::kLinearisation, motion::compaction::Accuracy::kStandard);
     auto tilting = tilt(marker, tilt_settings_used, quiet_);
-    if (!tilting) return;
+    if (!tilting) return 0;
     best_.programs += tilting->programs;
     if (tilting->length_after < best_.length_after) keep(std::move(tilting->marker), tilting->length_after);
     attempted();
+    return static_cast<std::uint64_t>(tilting->programs);
   }
+  [[nodiscard]] std::size_t at_once() const { return run_.executor->parallelism(); }
 
   const Marker& start_;
   const RefineSettings& settings_;
   const scene::Run& run_;
   const scene::Run quiet_;  // for the motions within an attempt, whose own rounds are not reported
   motion::compaction::Compaction& best_;
+  bool tilts_{};  // tilts are wanted, and some shape allows them
 };
 
 }  // namespace
 
 RefineSettings refine_settings() {
-  return {.variants = 4, .effort = 120'000, .tilts = true, .seed = 1, .most_pieces_swapped = 300};
+  return {
+      .variants = 4, .effort = 200'000, .least_effort = 12'000, .tilts = true, .seed = 1, .most_pieces_swapped = 300};
 }
 
 Result<motion::compaction::Compaction> refine(const Marker& start, const RefineSettings& settings,

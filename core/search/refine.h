@@ -1,10 +1,10 @@
 // Refinement: compaction for when length matters more than time; this is accuracy `fine` of a whole marker.
 //
 // First standard compaction.  Then compaction from the same start with other region rules, trust radii and weights of
-// gravity, because a descent's end depends on its path.  Then swaps of pieces (swap.h), one after another, each kept if
-// the marker does not become longer.  Last, where shapes allow tilts, tilting of the result and of
-// the start (core/motion/tilting/tilt.h).  Threads try swaps in parallel; only those that a sequential run would try
-// are kept.
+// gravity, because a descent's end depends on its path.  Then, where shapes allow tilts, tilting of the result and of
+// the start (core/motion/tilting/tilt.h).  Last swaps of pieces (swap_search.h), in turn in the best marker without new
+// tilts, which is tilted again when it has become shorter, and in the best marker of all.  The search ends when it is
+// predicted to gain little more (effort.h); there is none in a marker that a locked piece ends or that is full.
 //
 // Laws.  (1) The answer is valid, proved in integers.  (2) It is never longer than the answers of standard compaction
 // and, where tilts are allowed, of standard tilting, unless cancelled before that was done, and never longer than the
@@ -23,9 +23,10 @@ namespace selvage::search {
 
 struct RefineSettings {
   int variants{};          // number of other region rules, trust radii and weights of gravity tried, at most 4
-  std::uint64_t effort{};  // swaps end when the number of pieces, summed over all programs solved, reaches this
-  bool tilts{};            // tilt pieces where shapes allow it
-  std::uint32_t seed{};    // of the random swaps
+  std::uint64_t effort{};  // swaps end when the number of pieces, summed over all programs solved, reaches this,
+  std::uint64_t least_effort{effort};  // and from this much on when little more is to be gained (effort.h)
+  bool tilts{};                        // tilt pieces where shapes allow it
+  std::uint32_t seed{};                // of the random swaps
   std::size_t most_pieces_swapped{marker::kMaxPieces};  // in markers with more pieces no swaps are tried
   RefineTuning tuning{};
   friend bool operator==(const RefineSettings&, const RefineSettings&) = default;

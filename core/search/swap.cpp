@@ -52,9 +52,20 @@ bool turn(Piece& piece, const Shape& shape, const Box& box, std::mt19937& random
   return true;
 }
 
+// A piece of `free`, mostly one that is in the chain as well.
+std::uint32_t drawn_piece(const std::vector<std::uint32_t>& free, std::span<const PieceId> chain,
+                          const SwapTuning& tuning, std::mt19937& random) {
+  if (!chain.empty() && random() % tuning.chain_of != 0) {
+    const std::uint32_t piece = chain[random() % chain.size()].value;
+    if (std::binary_search(free.begin(), free.end(), piece)) return piece;
+  }
+  return free[random() % free.size()];
+}
+
 }  // namespace
 
-std::optional<DrawnSwap> draw_swap(const Marker& start, std::mt19937& random, const SwapTuning& tuning) {
+std::optional<DrawnSwap> draw_swap(const Marker& start, std::mt19937& random, std::span<const PieceId> chain,
+                                   const SwapTuning& tuning) {
   const model::Ties ties = model::ties_of(start);
   std::vector<std::uint32_t> free;
   for (std::uint32_t i = 0; i < start.pieces.size(); ++i) {
@@ -63,7 +74,7 @@ std::optional<DrawnSwap> draw_swap(const Marker& start, std::mt19937& random, co
   if (free.empty()) return std::nullopt;
   const marker::PlacedPieces pieces{start};
   Marker next = start;
-  const std::uint32_t i = free[random() % free.size()];
+  const std::uint32_t i = drawn_piece(free, chain, tuning, random);
   Piece& piece = next.pieces[i];
   if (random() % tuning.turns_one_in == 0) {
     if (!turn(piece, start.shapes[piece.shape.value], pieces.box(i), random)) return std::nullopt;

@@ -13,11 +13,16 @@ struct SwapTuning {
   double distance_weight{0.02};   // of the distance along the strip, relative to the difference of the boxes' sides
   int separation_rounds{12};      // of separation after a swap
   double separation_growth{0.1};  // part of the width by which separation may lengthen the marker
+  unsigned chain_of{3};           // of this many trials all but one begin with a piece that holds the length
   friend bool operator==(const SwapTuning&, const SwapTuning&) = default;
 };
 
 struct RefineTuning {
   int compaction_rounds{2};       // of compaction after a swap: they gain most of what can be gained
+  int tilt_rounds{4};             // of tilting after a swap in a tilted marker,
+  double tilt_within{4e-3};       // if it is longer than the best by at most this part of the length
+  std::uint64_t turn{20'000};     // work after which swaps in the straight and in the tilted marker take turns
+  double least_room{1e-6};        // part of the marker's area: a marker with less is full
   std::uint64_t idle_trials{50};  // consecutive trials that solve no program end the swaps: there is nothing to swap
   SwapTuning swap{};
   friend bool operator==(const RefineTuning&, const RefineTuning&) = default;

@@ -1,6 +1,8 @@
 // motion.compact: shortens the marker [Li94 4.1].
-#include "core/motion/compaction/compact.h"
+#include <cstdint>
+#include <limits>
 
+#include "core/motion/compaction/compact.h"
 #include "core/search/refine.h"
 #include "protocol/calls/motion.h"
 
@@ -17,13 +19,23 @@ struct CompactParams {
   }
 };
 
+// With a deadline the search goes on until then.
+search::RefineSettings search_settings(const calls::CommonParams& call) {
+  search::RefineSettings settings = search::refine_settings();
+  if (call.deadline_ms) {
+    settings.effort = settings.least_effort = std::numeric_limits<std::uint64_t>::max();
+    settings.most_pieces_swapped = marker::kMaxPieces;
+  }
+  return settings;
+}
+
 Result<calls::Motion<calls::RoundsResult>> run(const CompactParams& params, const Marker& start,
                                                const calls::MethodContext& context) {
   // A limit on the rounds or a simplification asks for a compaction alone.
   const calls::Effort& effort = params.effort;
   const bool search =
       effort.accuracy == motion::compaction::Accuracy::kFine && !effort.rounds && !effort.simplification;
-  auto done = search ? search::refine(start, search::refine_settings(), context.run)
+  auto done = search ? search::refine(start, search_settings(params.call), context.run)
                      : compact(start, settings_of(effort), context.run);
   if (!done) return done.error();
   return calls::Motion<calls::RoundsResult>{{std::move(done->marker), done->repair},

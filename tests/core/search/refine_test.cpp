@@ -106,7 +106,13 @@ TEST(Refine, TurnsNoPieceWhoseTiltIsLocked) {
       count += now.pieces[k].orientation != marker.pieces[k].orientation;
     return count;
   };
-  EXPECT_GT(turned(refined(marker, brief(20'000)).marker), 0);
+  int some = 0;
+  for (std::uint32_t seed = 1; seed <= 4; ++seed) {  // whether one seed turns a piece for good is luck
+    RefineSettings settings = brief(20'000);
+    settings.seed = seed;
+    some += turned(refined(marker, settings).marker);
+  }
+  EXPECT_GT(some, 0);
   for (Piece& piece : marker.pieces) piece.locked.tilt = true;
   EXPECT_EQ(turned(refined(marker, brief(20'000, true)).marker), 0);
 }
