@@ -26,7 +26,8 @@ constexpr std::array<double, 4> kRho{1e-9, 1e-6, 1e-4, 1e-2};
 // everything else has converged.
 constexpr double kRhoDecay = 0.1;
 constexpr double kLeastRhoFactor = 1e-4;
-constexpr double kRoundings = 4;  // roundings of the largest bound: no row can be met more exactly
+constexpr double kRoundings = 4;  // roundings of the largest bound: steps meet no row more exactly,
+constexpr double kMeasured = 16;  // and products of rows and columns are no more exact than this many
 constexpr double kDelta = 1e-11;  // proximal weight of the row multipliers
 constexpr double kLeastStartingSlack = 1;
 constexpr double kCentring = 3;  // exponent applied to the predicted ratio of the gaps, for the corrector's target
@@ -50,6 +51,10 @@ double largest(const Vector& a) {
   return a.size() == 0 ? 0 : a.abs().maxCoeff();
 }
 
+double roundings(double count, double of) {
+  return count * std::numeric_limits<double>::epsilon() * of;
+}
+
 // The step length at which the first entry of v reaches zero; infinite when none decreases.
 double longest_step(const Vector& v, const Vector& dv) {
   const double shrinks = v.size() == 0 ? 0 : (-dv / v).maxCoeff();
@@ -68,7 +73,7 @@ class Iteration {
         cost_{vector_of(form.cost)},
         bound_{vector_of(form.bound)},
         largest_cost_{largest(cost_)} {
-    primal_ = std::max(settings.primal, kRoundings * std::numeric_limits<double>::epsilon() * largest(bound_));
+    primal_ = std::max(settings.primal, roundings(kRoundings, largest(bound_)));
     cost_.conservativeResize(form.columns() + 1);
     cost_[form.columns()] = 0;
     for (Vector* v : {&x_, &dx_, &rd_}) v->setZero(form.columns() + 1);
@@ -130,7 +135,7 @@ bool Iteration::converged() {
   if (!closed || largest(rp_) > primal_) return false;
   if (dual > settings_.dual && !(stalled && dual <= settings_.dual_when_stalled)) return false;
   measure_primal();  // steps only update the residual, so it has gathered rounding errors
-  return largest(rp_) <= primal_;
+  return largest(rp_) <= std::max(primal_, roundings(kMeasured, largest(bound_)));
 }
 
 bool Iteration::factorise() {
@@ -175,6 +180,16 @@ bool Iteration::step() {
 }
 
 }  // namespace
+
+double attainable_violation(const LinearProgram& program) {
+  double most = 0;
+  for (const std::vector<double>* bounds : {&program.bound, &program.lower, &program.upper}) {
+    for (const double bound : *bounds) {
+      if (std::isfinite(bound)) most = std::max(most, std::abs(bound));
+    }
+  }
+  return roundings(kMeasured, most);
+}
 
 InteriorPointSettings settings_for_tolerance(double tolerance) {
   InteriorPointSettings settings;

@@ -22,6 +22,10 @@ struct InteriorPointSettings {
   double dual_when_stalled{1e-8};  // the same, once rounding prevents further progress
 };
 
+// The smallest row violation that rounding lets a solution be sure of: some roundings of the largest finite bound,
+// which in position models of long markers is the way to the strip's start.
+[[nodiscard]] double attainable_violation(const LinearProgram& program);
+
 // Settings for a solution whose objective exceeds the optimum by at most `tolerance` (of 1 + |objective|), or by the
 // default gap above if that is larger.  A larger tolerance saves iterations.  Rows are still met as accurately as
 // solve() requires.

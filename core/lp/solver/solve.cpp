@@ -15,7 +15,8 @@ namespace {
 // markers, and reaches the same lengths.  For small scenes a vertex solution is preferred: there it is one lattice unit
 // shorter and moves pieces less.
 constexpr int kInteriorPointFromRows = 60;
-// The largest row violation at which a solution of the interior point method is accepted.
+// The largest row violation at which a solution of the interior point method is accepted, unless rounding allows no
+// better.
 constexpr double kLargestInfeasibility = 1e-9;
 
 // Detects programs that neither solver should be given.  kFailed: not a linear program.
@@ -65,7 +66,8 @@ LpSolution solve(const LinearProgram& program, SolverChoice choice, const LpLimi
         solve_by_interior_point(program, interior_point::settings_for_tolerance(limits.tolerance), stop);
     if (solution.status == LpStatus::kStopped) return solution;
     const bool solved = solution.status == LpStatus::kOptimal;
-    if (solved && infeasibility(program, solution.x) <= kLargestInfeasibility) return solution;
+    const double allowed = std::max(kLargestInfeasibility, interior_point::attainable_violation(program));
+    if (solved && infeasibility(program, solution.x) <= allowed) return solution;
     return std::nullopt;
   };
   const bool interior_first = prefers_interior_point(program, choice);

@@ -77,7 +77,8 @@ class Rounds {
   };
 
   scene::StopReason iterate(Separation& total) {
-    const int last = total.rounds + settings_.rounds;
+    const int first = total.rounds;
+    const int last = first + settings_.rounds;
     for (int idle = 0; !apart(); ++idle) {
       if (run_.stopped()) return scene::StopReason::kCancelled;
       if (total.rounds == last) return scene::StopReason::kWorkLimit;
@@ -86,7 +87,8 @@ class Rounds {
         if (!leap(idle / tuning().leap_after)) return scene::StopReason::kCancelled;
         if (apart()) break;
       }
-      const SeparationStep step = separation_step(scene_, overlapping_, aim_, program_settings(), run_);
+      const std::vector<Vec> wanted = is_local(total.rounds - first) ? scene_.pieces.positions() : aim_;
+      const SeparationStep step = separation_step(scene_, overlapping_, wanted, program_settings(), run_);
       total.programs += step.programs;
       if (step.status != lp::LpStatus::kOptimal) {
         return step.status == lp::LpStatus::kStopped ? scene::StopReason::kCancelled : scene::StopReason::kSolverFailed;
@@ -104,7 +106,7 @@ class Rounds {
   // After a leap a piece aims at where it landed.  Once all pieces are apart, they move as close as possible to where
   // they were at the start.
   void return_towards_start(Separation& total) {
-    if (aim_ == home_) return;
+    if (aim_ == home_ || has_many()) return;
     const std::vector<Vec> separated = scene_.pieces.positions();
     const auto width = static_cast<double>(scene_.marker.strip.width);
     SeparationStepSettings settings = program_settings();
@@ -138,6 +140,9 @@ class Rounds {
   }
 
   [[nodiscard]] const SeparationTuning& tuning() const { return settings_.tuning; }
+  [[nodiscard]] bool has_many() const { return scene_.pieces.size() > tuning().many; }
+  // Whether this round, 0 being the first, moves only what overlaps.
+  [[nodiscard]] bool is_local(int round) const { return round > 0 && has_many(); }
   [[nodiscard]] Coord excess() const { return std::max(Coord{0}, scene_.pieces.length() - allowed_); }
   [[nodiscard]] bool apart() const { return known_ && overlapping_.empty() && excess() == 0; }
   // The overlap and excess length that remain; lattice units.
@@ -201,11 +206,15 @@ class Rounds {
     const double farthest = std::max(deepest_, static_cast<double>(excess()));
     const double reach =
         std::clamp(tuning().reach * farthest, tuning().least_reach * width, tuning().most_reach * width);
+    // Where most pieces overlap, all of them at once: one program instead of several of a growing set.
+    const bool most_overlap = has_many() && 4 * overlapping_.size() > scene_.pieces.size();
     return {reach,
             tuning().overlap_price,
             deepest_ <= tuning().rounding ? model::TightRows::kRestore : model::TightRows::kKeep,
             {free_, allowed_, tuning().length_price, tuning().excess_price},
-            settings_.solver};
+            settings_.solver,
+            has_many() ? tuning().tolerance : 0,
+            most_overlap ? model::Extent::kWhole : model::Extent::kActiveSet};
   }
   [[nodiscard]] std::uint32_t rightmost() const {
     std::uint32_t most = 0;

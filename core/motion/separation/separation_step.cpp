@@ -57,7 +57,9 @@ class SeparationProgram {
   }
 
   [[nodiscard]] lp::LpSolution solved(const std::stop_token& stop) const {
-    return solve(model_.program(), settings_.solver, {}, stop);
+    lp::solver::LpLimits limits;
+    limits.tolerance = settings_.tolerance;
+    return solve(model_.program(), settings_.solver, limits, stop);
   }
   // The pieces without columns that would move in the solution if they had columns.
   [[nodiscard]] std::vector<std::uint32_t> missed(const lp::LpSolution& solution) const {

@@ -3,6 +3,8 @@
 // of 1 to 5 % of the width (docs/measurements-separation.md).
 #pragma once
 
+#include <cstddef>
+
 namespace selvage::motion::separation {
 
 struct SeparationTuning {
@@ -19,6 +21,9 @@ struct SeparationTuning {
   int leap_after{2};          // rounds without progress before pieces leap
   double leap_reach{1.5};     // first leaps go up to this multiple of the depth, second ones up to twice that, ...
   int leap_steps{8};          // of the grid that a leap searches, from the present position to either side
+  std::size_t many{500};      // in markers with more pieces, only the first round brings pieces back towards where they
+                              // were: later ones move what overlaps, and what that presses on, from where it is now
+  double tolerance{1e-4};     // of the programs there: pieces may move this part more than necessary
   int patience{30};           // rounds without progress before separation gives up
   double progress{0.95};      // a round makes progress when at most this part of the overlap is left
   friend bool operator==(const SeparationTuning&, const SeparationTuning&) = default;

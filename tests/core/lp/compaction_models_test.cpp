@@ -96,5 +96,14 @@ TEST(CompactionModel, CanBeCancelledWhileSolving) {
   }
 }
 
+TEST(InteriorPoint, AllowsForTheRoundingOfDistantBounds) {
+  LinearProgram program;
+  program.add_column(1, -kInfinity, 3);
+  EXPECT_LT(interior_point::attainable_violation(program), 1e-13);
+  program.add_column(1, -1e6, kInfinity);  // the way to the start of a strip that is a thousand widths long
+  EXPECT_GT(interior_point::attainable_violation(program), 1e-9);
+  EXPECT_LT(interior_point::attainable_violation(program), 1e-8);
+}
+
 }  // namespace
 }  // namespace selvage::lp
