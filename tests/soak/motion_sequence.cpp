@@ -81,24 +81,34 @@ bool is_repair_error(ErrorCode code) {
 
 constexpr int kCancelledPercent = 15;  // percentage of the motions that are cancelled
 
-// Requests a stop after a given number of stages, programs and rounds.
+// Requests a stop after a given number of stages, programs and rounds, and counts what the motion begins afterwards.
 class StopAfter {
  public:
-  explicit StopAfter(std::size_t count) : left_{count} {
+  StopAfter(std::size_t count, SumCache& sums) : left_{count}, sums_{sums} {
     observer_.on_stage = [this](scene::Stage) { wait(); };
-    observer_.on_program = [this](const lp::LinearProgram&) { wait(); };
+    observer_.on_program = [this](const lp::LinearProgram&) { programs_ += stopped() ? 1 : 0, wait(); };
     observer_.on_round = [this](const scene::Round&) { wait(); };
   }
   StopAfter(const StopAfter&) = delete;
   StopAfter& operator=(const StopAfter&) = delete;
-  [[nodiscard]] scene::Run run(SumCache& sums) const { return {sums, source_.get_token(), observer_}; }
+  [[nodiscard]] scene::Run run() const { return {sums_, source_.get_token(), observer_}; }
+  // The programs and the Minkowski sums that were begun after the stop.
+  [[nodiscard]] WorkAfterStop afterwards() const {
+    return stopped() ? WorkAfterStop{programs_, sums_.counts().entries - known_} : WorkAfterStop{};
+  }
 
  private:
+  [[nodiscard]] bool stopped() const { return source_.stop_requested(); }
   void wait() {
-    if (left_ > 0 && --left_ == 0) source_.request_stop();
+    if (left_ == 0 || --left_ > 0) return;
+    known_ = sums_.counts().entries;
+    source_.request_stop();
   }
   std::size_t left_;  // 0: never
+  SumCache& sums_;
   std::stop_source source_;
+  std::uint64_t programs_{};
+  std::size_t known_{};  // sums in the cache at the stop; none is evicted
   scene::Observer observer_;
 };
 
@@ -128,8 +138,11 @@ class SequenceRunner {
     if (judge_.length_of(given) != length_of(given)) return "length_of is wrong about the marker it was given";
     const Marker kept = given;
     const Random same_random = random_;
-    StopAfter stop_after{random_.chance(kCancelledPercent) ? random_.below(30) + 1 : 0};
-    auto answer = motion.run(given, {random_, stop_after.run(sums_)});
+    const std::size_t events = random_.chance(kCancelledPercent) ? random_.below(30) + 1 : 0;
+    SumCache own;  // other threads share sums_, and their sums would be counted
+    StopAfter stop_after{events, events > 0 ? own : sums_};
+    auto answer = motion.run(given, {random_, stop_after.run()});
+    if (auto fault = fault_of(stop_after.afterwards(), given); !fault.empty()) return fault;
     if (given != kept) return "changed the marker it was given";
     if (!answer) {
       ++result_.refused;
@@ -139,6 +152,15 @@ class SequenceRunner {
     if (auto fault = fault_of(*answer, given); !fault.empty()) return fault;
     if (random_.chance(4) && !repeats(motion, given, same_random, answer->marker)) return "depends on the cache";
     if (answer->apart && random_.chance(90)) marker_ = std::move(answer->marker);
+    return "";
+  }
+
+  std::string fault_of(const WorkAfterStop& work, const Marker& given) {
+    result_.after_stop.programs = std::max(result_.after_stop.programs, work.programs);
+    result_.after_stop.sums = std::max(result_.after_stop.sums, work.sums);
+    if (work.programs > kMostProgramsAfterStop)
+      return "begins " + std::to_string(work.programs) + " programs after a stop";
+    if (work.sums > given.pieces.size()) return "begins " + std::to_string(work.sums) + " sums after a stop";
     return "";
   }
 
@@ -153,8 +175,8 @@ class SequenceRunner {
 
   static bool repeats(const MotionCase& motion, const Marker& given, Random chance, const Marker& expected) {
     SumCache fresh{1};
-    StopAfter stop_after{chance.chance(kCancelledPercent) ? chance.below(30) + 1 : 0};
-    const auto again = motion.run(given, {chance, stop_after.run(fresh)});
+    StopAfter stop_after{chance.chance(kCancelledPercent) ? chance.below(30) + 1 : 0, fresh};
+    const auto again = motion.run(given, {chance, stop_after.run()});
     return again && again->marker == expected;
   }
 

@@ -19,10 +19,18 @@ struct Fault {
   Marker before;  // the marker given to the motion
 };
 
+// What a motion begins after a stop was requested.  Requirement: no more than this many programs, each of which its
+// solver refuses at once, and no more Minkowski sums than the marker has pieces: those of one piece with the others.
+struct WorkAfterStop {
+  std::uint64_t programs{}, sums{};
+};
+inline constexpr std::uint64_t kMostProgramsAfterStop = 1;
+
 struct SequenceResult {
   int motions{};
   int refused{};  // motions that returned an error, which they may do for such markers
   std::map<std::string_view, int> of_each;
+  WorkAfterStop after_stop;  // the most of any motion
   std::optional<Fault> fault;
 };
 

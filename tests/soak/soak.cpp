@@ -53,6 +53,7 @@ std::vector<Marker> garments(const std::string& folder) {
 struct Totals {
   std::uint64_t motions{}, refused{}, faults{};
   std::map<std::string_view, std::uint64_t> of_each;
+  WorkAfterStop after_stop;
 };
 
 class Soak {
@@ -71,6 +72,8 @@ class Soak {
       totals_.motions += static_cast<std::uint64_t>(sequence.motions);
       totals_.refused += static_cast<std::uint64_t>(sequence.refused);
       for (const auto& [name, count] : sequence.of_each) totals_.of_each[name] += static_cast<std::uint64_t>(count);
+      totals_.after_stop.programs = std::max(totals_.after_stop.programs, sequence.after_stop.programs);
+      totals_.after_stop.sums = std::max(totals_.after_stop.sums, sequence.after_stop.sums);
       if (sequence.fault) report(seed, *sequence.fault);
       if (totals_.motions >= reported_ + kReportEvery) {
         reported_ = totals_.motions;
@@ -134,6 +137,7 @@ int main(int argc, char** argv) {
   for (const auto& [name, count] : totals.of_each) std::cout << count << '\t' << name << '\n';
   std::cout << totals.motions << " motions in " << sequences << " sequences from seed " << seed << ", " << threads
             << " threads, " << seconds.count() << " s: " << totals.faults << " faults, " << totals.refused
-            << " rejected overlapping input\n";
+            << " rejected overlapping input; after a stop at most " << totals.after_stop.programs << " programs and "
+            << totals.after_stop.sums << " sums begun\n";
   return totals.faults == 0 ? 0 : 1;
 }
