@@ -10,7 +10,7 @@ void Effort::spend(std::uint64_t work, Coord length) {
 
 bool Effort::enough() const {
   if (spent_ >= most_) return true;
-  if (spent_ < least_) return false;
+  if (spent_ < (gains_.empty() ? least_ / kInVain : least_)) return false;
   const auto all = static_cast<double>(gain_at(static_cast<double>(spent_)));
   const auto early = static_cast<double>(gain_at(static_cast<double>(spent_) / kFurtherWork));
   return all - early <= kWorthIt * all;

@@ -2,8 +2,8 @@
 //
 // Gains of a local search grow about with the logarithm of the work: what the last nine tenths of the work have gained,
 // nine times as much further work will hardly exceed.  A search is therefore ended when the last nine tenths of its
-// work brought no more than a tenth of all that it has gained.  A search that has gained nothing ends with the least
-// work.
+// work brought no more than a tenth of all that it has gained, once it has done its least work.  A search that has
+// gained nothing ends after a third of that.
 // Units: work is the number of pieces, summed over all programs solved; lengths are in lattice units.
 #pragma once
 
@@ -15,8 +15,9 @@
 
 namespace selvage::search {
 
-inline constexpr double kFurtherWork = 10;  // a search goes on while this many times the work may bring
-inline constexpr double kWorthIt = 0.1;     // this part more of the gain
+inline constexpr double kFurtherWork = 10;   // a search goes on while this many times the work may bring
+inline constexpr double kWorthIt = 0.1;      // this part more of the gain
+inline constexpr std::uint64_t kInVain = 3;  // a search without any gain ends after the least work divided by this
 
 class Effort {
  public:

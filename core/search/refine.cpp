@@ -143,7 +143,7 @@ class Refiner {
 
 RefineSettings refine_settings() {
   return {
-      .variants = 4, .effort = 200'000, .least_effort = 12'000, .tilts = true, .seed = 1, .most_pieces_swapped = 300};
+      .variants = 4, .effort = 150'000, .least_effort = 100'000, .tilts = true, .seed = 1, .most_pieces_swapped = 300};
 }
 
 Result<motion::compaction::Compaction> refine(const Marker& start, const RefineSettings& settings,

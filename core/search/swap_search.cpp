@@ -71,18 +71,27 @@ void SwapSearch::make(std::vector<Trial>& trials, std::size_t k, Coord best, boo
   if (!trial.outcome.marker) return;
   trial.length = length_of(*trial.outcome.marker);
   const auto close = static_cast<Coord>((1 + tuning_.tilt_within) * static_cast<double>(best));
-  if (tilted && trial.length <= close) tilt(trial, run);
+  if (tilted && trial.length <= close) tilt(trial, best, run);
   if (!trial.is_worth_keeping(best)) return;
   for (std::size_t later = k + 1; later < trials.size(); ++later) trials[later].stop.request_stop();
 }
 
-void SwapSearch::tilt(Trial& trial, const scene::Run& run) const {
+// Ends when the next rounds together would have to gain a multiple of what the last round has gained.
+void SwapSearch::tilt(Trial& trial, Coord best, const scene::Run& run) const {
   using motion::tilting::TiltMethod;
   motion::tilting::TiltSettings settings =
       tilt_settings(TiltMethod::kLinearisation, motion::compaction::Accuracy::kStandard);
   settings.rounds = tuning_.tilt_rounds;
   settings.compaction = quick_compaction(tuning_);
-  auto tilting = motion::tilting::tilt(*trial.outcome.marker, settings, run);
+  std::stop_source hopeless;
+  const std::stop_callback with_trial{run.stop, [&hopeless] { hopeless.request_stop(); }};
+  scene::Observer observer;
+  observer.on_round = [&, before = trial.length](const scene::Round& round) mutable {
+    const auto gain = static_cast<double>(before - round.length);
+    before = round.length;
+    if (static_cast<double>(round.length - best) > tuning_.hope * gain) hopeless.request_stop();
+  };
+  auto tilting = motion::tilting::tilt(*trial.outcome.marker, settings, {run.sums, hopeless.get_token(), observer});
   if (!tilting) return;
   trial.outcome.programs += tilting->programs;
   if (tilting->length_after >= trial.length) return;

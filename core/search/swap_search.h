@@ -2,9 +2,9 @@
 // marker if it does not become longer.
 //
 // Most trials begin with a piece that holds the length (core/motion/compaction/critical_path.h): no other swap can
-// shorten the marker.  In a tilted marker, a trial that comes close is also tilted for a few rounds.  Threads make
-// several trials in parallel, all on the same marker; only those count that a sequential run would have made: up to the
-// first one that is kept.  The answer therefore depends on no number of threads.
+// shorten the marker.  In a tilted marker, a trial that comes close is also tilted, for as many rounds as there is
+// hope. Threads make several trials in parallel, all on the same marker; only those count that a sequential run would
+// have made: up to the first one that is kept.  The answer therefore depends on no number of threads.
 #pragma once
 
 #include <cstdint>
@@ -45,7 +45,7 @@ class SwapSearch {
   struct Trial;
   [[nodiscard]] std::vector<Trial> drawn(std::size_t count, const Marker& marker) const;
   void make(std::vector<Trial>& trials, std::size_t k, Coord best, bool tilted) const;
-  void tilt(Trial& trial, const scene::Run& run) const;
+  void tilt(Trial& trial, Coord best, const scene::Run& run) const;
   void find_chain(const Marker& marker);
 
   const RefineTuning& tuning_;

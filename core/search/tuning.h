@@ -20,7 +20,8 @@ struct SwapTuning {
 struct RefineTuning {
   int compaction_rounds{2};       // of compaction after a swap: they gain most of what can be gained
   int tilt_rounds{4};             // of tilting after a swap in a tilted marker,
-  double tilt_within{4e-3};       // if it is longer than the best by at most this part of the length
+  double tilt_within{4e-3};       // if it is longer than the best by at most this part of the length;
+  double hope{3};                 // its rounds end when more than this many times what the last one gained is missing
   std::uint64_t turn{20'000};     // work after which swaps in the straight and in the tilted marker take turns
   double least_room{1e-6};        // part of the marker's area: a marker with less is full
   std::uint64_t idle_trials{50};  // consecutive trials that solve no program end the swaps: there is nothing to swap

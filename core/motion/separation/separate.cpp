@@ -213,8 +213,8 @@ class Rounds {
             deepest_ <= tuning().rounding ? model::TightRows::kRestore : model::TightRows::kKeep,
             {free_, allowed_, tuning().length_price, tuning().excess_price},
             settings_.solver,
-            has_many() ? tuning().tolerance : 0,
-            most_overlap ? model::Extent::kWhole : model::Extent::kActiveSet};
+            most_overlap ? model::Extent::kWhole : model::Extent::kActiveSet,
+            has_many() ? tuning().tolerance : 0};
   }
   [[nodiscard]] std::uint32_t rightmost() const {
     std::uint32_t most = 0;

@@ -36,8 +36,8 @@ struct SeparationStepSettings {
   model::TightRows tight{model::TightRows::kKeep};  // whether those rows are to regain their margins
   LengthAllowance length;
   lp::solver::SolverChoice solver{};
-  double tolerance{};                               // of the solver (core/lp/solver/solve.h)
   model::Extent extent{model::Extent::kActiveSet};  // kWhole: of all pieces; pairs and rows as the reach says
+  double tolerance{};                               // of the solver (core/lp/solver/solve.h)
 };
 
 struct SeparationStep {

@@ -15,8 +15,8 @@ TEST(Effort, EndsWithTheMostWork) {
   EXPECT_TRUE(effort.enough());
 }
 
-TEST(Effort, EndsWithTheLeastWorkWhenNothingWasGained) {
-  Effort effort{1'000, 100'000, kStart};
+TEST(Effort, EndsAfterAThirdOfTheLeastWorkWhenNothingWasGained) {
+  Effort effort{3'000, 100'000, kStart};
   effort.spend(999, kStart);
   EXPECT_FALSE(effort.enough());
   effort.spend(1, kStart);
