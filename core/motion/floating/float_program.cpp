@@ -69,10 +69,10 @@ double worth_of(const FloatAim& aim, std::span<const FloatGap> gaps, std::span<c
 }
 
 std::vector<WidthRow> width_rows(const scene::Scene& scene, const FloatAim& aim, std::span<const FloatGap> gaps,
-                                 double trust) {
+                                 double trust, const std::stop_token& stop) {
   std::vector<WidthRow> rows;
   const model::ModelUnit unit{scene.marker.strip};
-  for (std::size_t k = 0; k < gaps.size(); ++k) {
+  for (std::size_t k = 0; k < gaps.size() && !stop.stop_requested(); ++k) {
     const FloatGap& gap = gaps[k];
     if (!other_piece(gap.gap)) {
       const double width = width_within(gap.gap, scene.pieces, aim.strip, static_cast<double>(kLatticeLimit));

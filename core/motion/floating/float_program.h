@@ -5,6 +5,7 @@
 #pragma once
 
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "core/lp/linear_program.h"
@@ -49,9 +50,11 @@ struct WidthRow {
   double slack{};   // the distance to the half-plane's line now
   double margin{};  // covers the rounding of displacements to the lattice
 };
-// The rows of all gaps that can matter while no piece moves farther than `trust` (lattice units) on either axis.
+// The rows of all gaps that can matter while no piece moves farther than `trust` (lattice units) on either axis; only
+// some of them when cancelled.
 [[nodiscard]] std::vector<WidthRow> width_rows(const scene::Scene& scene, const FloatAim& aim,
-                                               std::span<const FloatGap> gaps, double trust);
+                                               std::span<const FloatGap> gaps, double trust,
+                                               const std::stop_token& stop);
 
 class FloatProgram {
  public:

@@ -18,7 +18,7 @@ class Attempt {
           const scene::Run& run)
       : scene_{scene}, aim_{aim}, gaps_{gaps}, trust_{trust}, run_{run}, ties_{scene.ties} {
     run_.observer.on_stage(scene::Stage::kRows);
-    rows_ = width_rows(scene, aim, gaps, trust);
+    rows_ = width_rows(scene, aim, gaps, trust, run.stop);
     std::vector<double> widths;
     for (const FloatGap& gap : gaps) widths.push_back(gap.now);
     worth_ = worth_of(aim, gaps, widths, scene.pieces);
