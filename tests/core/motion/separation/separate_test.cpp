@@ -4,14 +4,9 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
-#include <utility>
-#include <vector>
 
 #include "core/motion/compaction/compact.h"
 #include "tests/core/motion/markers.h"
-#include "tests/support/garment.h"
-#include "tests/support/random.h"
-#include "tests/support/tiled_marker.h"
 
 namespace selvage::motion::separation {
 namespace {
@@ -295,42 +290,6 @@ RC_GTEST_PROP(SeparateLaws, NeverWorse, ()) {
   RC_ASSERT(static_cast<bool>(result));
   RC_ASSERT(depth(result->marker) <= depth(marker) * (1 + 1e-9));
   if (is_valid(marker)) RC_ASSERT(result->marker == marker);
-}
-
-// Every piece displaced by up to 2 % of the width on each axis.
-Marker noisy(Marker marker) {
-  test::Random random{7};
-  const Coord most = marker.strip.width / 50;
-  for (Piece& piece : marker.pieces) piece.at = piece.at + random.point(-most, most);
-  return marker;
-}
-
-TEST(Separate, OfManyPiecesMovesOnlyWhatOverlapsAfterTheFirstRound) {
-  const Marker marker = noisy(test::tiled(test::garment("jeans_06g"), 720));
-  const SeparationSettings settings{.grow = 5};
-  ASSERT_GT(marker.pieces.size(), settings.tuning.many);
-  SumCache sums;
-  scene::Observer observer;
-  std::vector<std::pair<int, int>> programs;  // the round before, and columns
-  int rounds = 0;
-  observer.on_round = [&](const scene::Round& round) { rounds = round.number; };
-  observer.on_program = [&](const lp::LinearProgram& program) { programs.emplace_back(rounds, program.columns()); };
-  const auto result = separate(marker, settings, {sums, {}, observer});
-  ASSERT_TRUE(result);
-  EXPECT_TRUE(result->apart);
-  EXPECT_TRUE(is_valid(result->marker));
-  ASSERT_GT(rounds, 1);
-  int first = 0;
-  int later = 0;
-  for (const auto& [round, columns] : programs) {
-    if (round == 0) {
-      ++first;
-    } else if (columns >= programs.front().second) {
-      ++later;
-    }
-  }
-  EXPECT_EQ(first, 1);  // of all pieces at once, since most of them overlap
-  EXPECT_EQ(later, 0);
 }
 
 }  // namespace
