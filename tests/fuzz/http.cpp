@@ -64,14 +64,14 @@ Outcome serve(const std::string& bytes, bool needs_token) {
   };
   const access::TransportLimits limits{.body_bytes = 10'000, .header_bytes = 4096};
   const access::Access rules{.token = std::string{needs_token ? kToken : ""}, .origins = {"https://front.example"}};
+  const ConnectionContext context{service, limits, rules};
   const auto connection = std::make_shared<Connection>(std::move(inside), 1, "fuzz", needs_token);
   asio::write(client, asio::buffer(bytes));
   client.shutdown(Local::socket::shutdown_send);
-  asio::co_spawn(io, serve_http(connection, ConnectionContext{service, limits, rules}, {}),
-                 [connection](const std::exception_ptr& thrown) {
-                   demand(!thrown, "a connection threw an exception");
-                   connection->cut();
-                 });
+  asio::co_spawn(io, serve_http(connection, context, {}), [connection](const std::exception_ptr& thrown) {
+    demand(!thrown, "a connection threw an exception");
+    connection->cut();
+  });
   std::array<char, 65536> chunk{};
   std::function<void()> read = [&] {
     client.async_read_some(asio::buffer(chunk), [&](boost::system::error_code error, std::size_t count) {

@@ -75,6 +75,7 @@ class LineConnection final : public Conversation {
       if (error && error != asio::error::eof) co_return connection_->cut();
       // A named variable, because g++ 12.2 destroys the temporary of a conditional inside a co_await expression twice.
       std::vector<Line> lines = error ? splitter_.finish() : splitter_.feed({chunk.data(), count});
+      if (!lines.empty()) stop_guarding();
       co_await take(std::move(lines));
       if (error) co_return;
       co_await make_room();
@@ -100,12 +101,14 @@ class LineConnection final : public Conversation {
   // A line that has begun must end in time.  Between lines a connection may be silent for hours.
   void guard_partial_line() {
     if (splitter_.within_line() == guarding_) return;
-    guarding_ = !guarding_;
-    if (guarding_) {
-      connection_->arm(connection_->read_watchdog, context_.limits.request);
-    } else {
-      Connection::disarm(connection_->read_watchdog);
-    }
+    if (guarding_) return stop_guarding();
+    guarding_ = true;
+    connection_->arm(connection_->read_watchdog, context_.limits.request);
+  }
+  // While complete lines wait for room, nothing is read, so that the next line cannot end.
+  void stop_guarding() {
+    guarding_ = false;
+    Connection::disarm(connection_->read_watchdog);
   }
 
   asio::awaitable<void> take(std::vector<Line> lines) {

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <set>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "tests/server/transport/staged_server.h"
@@ -132,6 +133,23 @@ TEST(Lines, AnUnfinishedLineIsDisconnectedButASilentConnectionIsNot) {
   EXPECT_EQ(slow.rest(), "");  // disconnected, after the time of `request`
   silent.send("{\"n\":2}\n");
   EXPECT_EQ(silent.line(), "{\"n\":2}");
+}
+
+TEST(Lines, TheTimeInWhichALineWaitsForEarlierCallsIsNotLimited) {
+  server::transport::access::TransportLimits limits;
+  limits.request = 1s;
+  limits.calls_per_connection = 1;
+  StagedServer server{limits};
+  Wire wire{server.port()};
+  wire.send("{\"n\":");
+  ASSERT_TRUE(Wire{server.port()}.post("{}"));  // the I/O thread has seen that a line has begun
+  wire.send("0}\n{\"hold\":1}\n{\"n\":2}\n");
+  EXPECT_EQ(wire.line(), "{\"n\":0}");
+  const HeldCall held = server.next_held();
+  std::this_thread::sleep_for(limits.request + 500ms);
+  held.reply("done");
+  EXPECT_EQ(wire.line(), "done");
+  EXPECT_EQ(wire.line(), "{\"n\":2}");
 }
 
 TEST(Lines, AnswersOfAnySizeAreWholeLines) {
