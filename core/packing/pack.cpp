@@ -62,7 +62,8 @@ class Packer {
     Coord fixed_end = 0;
     for (std::uint32_t piece = 0; piece < pieces.size(); ++piece) {
       area += static_cast<double>(doubled_area(pieces[piece].vertices)) / 2;
-      if (!moves[piece]) fixed_end = std::max(fixed_end, pieces.box(piece).high.x);
+      // Of an incomplete set, pieces are missing that can move.
+      if (bodies.complete && !moves[piece]) fixed_end = std::max(fixed_end, pieces.box(piece).high.x);
     }
     const Box room = start_.strip.room(0);
     const double by_area = static_cast<double>(room.low.x) + area / static_cast<double>(room.height());
