@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/geometry/parting.h"
+
 namespace selvage::marker {
 namespace {
 
@@ -24,7 +26,8 @@ bool clear_of_others(const PlacedPieces& pieces, std::uint32_t piece, const geom
 }  // namespace
 
 bool collide(const geometry::PlacedPolygon& p, const geometry::PlacedPolygon& q, Coord spacing) {
-  return spacing > 0 ? closer_than(p, q, spacing) : overlap(p, q);
+  if (spacing > 0) return closer_than(p, q, spacing);
+  return spacing == 0 ? overlap(p, q) : !parting_translation(p, q, -spacing);
 }
 
 bool conflict(const PlacedPieces& pieces, PiecePair pair) {

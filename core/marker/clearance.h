@@ -1,6 +1,6 @@
-// The proof of every answer: pieces may touch, but they never overlap, never come closer than their spacing, and never
-// leave the strip or enter its margins.  Decided in integers, and only here: whoever moves pieces asks one of these
-// functions before the answer is given.
+// The proof of every answer: pieces may touch, but they never overlap by more than their allowance, never come closer
+// than their spacing, and never leave the strip or enter its margins.  Decided in integers, and only here: whoever
+// moves pieces asks one of these functions before the answer is given.
 //
 // Pairs of pieces are found by a sweep over their boxes (placed_pieces.h); a single piece is compared with the boxes of
 // all others.
@@ -16,7 +16,8 @@
 
 namespace selvage::marker {
 
-// True when the two overlap, or are closer than the spacing.
+// True when the two overlap, or are closer than the spacing.  With a negative spacing, when no translation of at most
+// its magnitude is found that parts them (core/geometry/parting.h).
 [[nodiscard]] bool collide(const geometry::PlacedPolygon& p, const geometry::PlacedPolygon& q, Coord spacing);
 // The same of two pieces and the spacing between them.
 [[nodiscard]] bool conflict(const PlacedPieces& pieces, PiecePair pair);

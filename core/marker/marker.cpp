@@ -51,6 +51,14 @@ bool allows(const Shape& shape, const Orientation& orientation) {
   });
 }
 
+std::optional<Error> overlap_defect(const Marker& marker, Coord overlap, const std::string& field) {
+  if (overlap >= 0 && overlap <= marker.strip.width) return std::nullopt;
+  return Error{
+      ErrorCode::kOutOfRange,
+      "the overlap allowance is " + decimal(overlap, marker.resolution) + "; it must be from 0 to the strip's width",
+      field};
+}
+
 std::optional<Error> strip_defect(const Marker& marker) {
   if (marker.strip.width <= 0) {
     return Error{
@@ -64,6 +72,7 @@ std::optional<Error> strip_defect(const Marker& marker) {
         "the spacing is " + decimal(marker.spacing, marker.resolution) + "; it must be from 0 to the strip's width",
         "/spacing"};
   }
+  if (const auto defect = overlap_defect(marker, marker.overlap, "/overlap")) return *defect;
   if (marker.strip.margin < 0 || 2 * marker.strip.margin >= marker.strip.width) {
     return Error{ErrorCode::kOutOfRange,
                  "the margin is " + decimal(marker.strip.margin, marker.resolution) +
@@ -86,6 +95,7 @@ std::optional<Error> piece_defect(const Marker& marker, const Piece& piece, cons
         "the buffer is " + decimal(piece.buffer, marker.resolution) + "; it must be from 0 to the strip's width",
         at + "/buffer"};
   }
+  if (const auto defect = overlap_defect(marker, piece.overlap.value_or(0), at + "/overlap")) return *defect;
   const Shape& shape = marker.shapes[piece.shape.value];
   if (allows(shape, piece.orientation)) return std::nullopt;
   return Error{ErrorCode::kOrientationNotAllowed,

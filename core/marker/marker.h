@@ -68,6 +68,7 @@ struct Piece {
   Locks locked{};
   std::string group{};  // pieces of one group move together and do not tilt; empty: no group
   Coord buffer{};       // clearance around the piece: two pieces are never closer than the sum of their buffers
+  std::optional<Coord> overlap{};  // its own overlap allowance; none: the marker's
   friend bool operator==(const Piece&, const Piece&) = default;
 };
 
@@ -77,6 +78,9 @@ struct Marker {
   Resolution resolution;
   Strip strip;
   Coord spacing{};  // the least distance between two pieces; 0: pieces may touch
+  Coord overlap{};  // the overlap allowance: two pieces may overlap when a translation of one of them by at most this
+                    // parts them.  A pair is allowed the smaller of its two allowances, and none when a spacing or
+                    // buffers keep it apart; the strip's edges allow none
   std::vector<Shape> shapes;
   std::vector<Piece> pieces;
   std::vector<Piece> unplaced{};  // pieces that do not lie on the cloth; their position is 0 and means nothing
@@ -87,8 +91,8 @@ inline constexpr std::size_t kMaxPieces = 20'000;  // placed and unplaced ones t
 
 // Checks the invariant above.
 // Errors: kEmptyMarker, kTooManyPieces, kDuplicateId, kUnknownShape, kPieceTooWide, kOrientationNotAllowed, kOutOfRange
-// (strip width, margin, spacing, buffers), and those of clean_polygon for an outline that is no Polygon once turned.
-// `field` is a JSON pointer into the native format.
+// (strip width, margin, spacing, buffers, overlap allowances), and those of clean_polygon for an outline that is no
+// Polygon once turned. `field` is a JSON pointer into the native format.
 [[nodiscard]] Result<Marker> make_marker(Marker marker);
 
 // A piece's outline at its position and in its orientation.

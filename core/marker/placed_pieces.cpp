@@ -46,6 +46,7 @@ PlacedPieces::PlacedPieces(const Marker& marker) : spacing_{marker.spacing} {
     polygons_.push_back(polygon);
     at_.push_back(piece.at);
     buffers_.push_back(piece.buffer);
+    overlaps_.push_back(piece.overlap.value_or(marker.overlap));
   }
   const Coord widest_buffer = buffers_.empty() ? 0 : *std::max_element(buffers_.begin(), buffers_.end());
   widest_spacing_ = std::max(spacing_, 2 * widest_buffer);

@@ -41,12 +41,14 @@ class PlacedPieces {
   void move_by(std::span<const Vec> by);
   // Replaces the polygon and position of one piece, for instance after a tilt.
   void replace(std::size_t piece, Polygon polygon, Vec at);
-  // The least distance that the two pieces must keep: the marker's spacing or the sum of their buffers, whichever is
-  // larger.
+  // The least signed distance that the two pieces must keep: the marker's spacing or the sum of their buffers,
+  // whichever is larger; when both are 0, the smaller of their overlap allowances, negated.
   [[nodiscard]] Coord spacing(PiecePair pair) const {
-    return std::max(spacing_, buffers_[pair.first] + buffers_[pair.second]);
+    const auto [p, q] = pair;
+    const Coord apart = std::max(spacing_, buffers_[p] + buffers_[q]);
+    return apart > 0 ? apart : -std::min(overlaps_[p], overlaps_[q]);
   }
-  // The largest spacing of any pair.
+  // The largest spacing of any pair; at least 0.
   [[nodiscard]] Coord widest_spacing() const { return widest_spacing_; }
   // The x coordinate at which the rightmost piece ends.
   [[nodiscard]] Coord length() const;
@@ -55,6 +57,7 @@ class PlacedPieces {
   std::vector<std::shared_ptr<const SharedPolygon>> polygons_;
   std::vector<Vec> at_;
   std::vector<Coord> buffers_;
+  std::vector<Coord> overlaps_;  // the overlap allowance of each piece
   Coord spacing_, widest_spacing_;
 };
 

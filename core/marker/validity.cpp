@@ -20,7 +20,7 @@ Overlap measured(PiecePair pair, const PlacedPieces& pieces, const Marker& marke
       sums.obstacle(oriented_outline(marker, PieceId{first}, sums), oriented_outline(marker, PieceId{second}, sums));
   const double distance = nearest_boundary_point(obstacle.sum(), obstacle.to_frame(q.at - p.at)).distance;
   const double depth = static_cast<double>(pieces.spacing(pair)) + (inside_both ? distance : -distance);
-  return {PieceId{first}, PieceId{second}, witness.x, witness.y, depth};
+  return {PieceId{first}, PieceId{second}, witness.x, witness.y, std::max(0.0, depth)};
 }
 
 Overlap unmeasured(PiecePair pair, const PlacedPieces& pieces) {

@@ -1,7 +1,6 @@
-// The validity of a marker, decided exactly in integers: pieces may touch, but they must not overlap, be closer than
-// the spacing and their buffers allow, leave the strip or enter its margins.  Every marker that Selvage returns has
-// been checked here.
-// Units: lattice units.
+// The validity of a marker, decided in integers: pieces may touch, but they must not overlap by more than their
+// allowance, be closer than the spacing and their buffers allow, leave the strip or enter its margins.  Every marker
+// that Selvage returns has been checked here. Units: lattice units.
 #pragma once
 
 #include <optional>
@@ -19,13 +18,13 @@ class SumCache;
 
 namespace selvage::marker {
 
-// Two pieces that overlap or are closer than their spacing.
+// Two pieces that overlap by more than their allowance, or are closer than their spacing.
 struct Overlap {
   PieceId first, second;  // first < second
   double witness_x{},
       witness_y{};  // a point inside both, or midway between them when only the spacing is violated; lattice units
-  double depth{};   // the shortest translation that separates them [Li94 7.1] plus the spacing; 0 when not measured;
-                    // lattice units
+  double depth{};   // the shortest translation that separates them [Li94 7.1] plus the spacing, or less the allowance;
+                    // 0 when not measured; lattice units
 };
 // A piece that extends beyond the strip or into its margins.
 struct Protrusion {

@@ -44,4 +44,18 @@ struct RegionSettings {
 [[nodiscard]] std::vector<HalfPlane> free_region(const minkowski::Obstacle& obstacle, Vec r,
                                                  const RegionSettings& settings);
 
+// A pair that may overlap: it lies at `r`, and is allowed to be as far inside the sum as `allowance`.
+struct OverlappingPosition {
+  Vec r;
+  Vec about;  // the relative position outside the sum that the region is chosen about; r: the nearest one
+  Coord allowance{};
+};
+// A free region whose half-planes the caller moves inwards by the allowance: it then contains r, and each of its points
+// is within the allowance of the outside of the sum.  Where two half-planes meet, the points within the allowance end
+// in an arc; chords of the arc are added, which touch it at the ends and at the point nearest to r.  Lines and chords
+// are accurate to a unit; the rule is always the greedy one.  (core/model/overlap_region.cpp)
+[[nodiscard]] std::vector<HalfPlane> overlap_region(const minkowski::Obstacle& obstacle,
+                                                    const OverlappingPosition& position,
+                                                    const RegionSettings& settings);
+
 }  // namespace selvage::model

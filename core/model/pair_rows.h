@@ -3,6 +3,7 @@
 // column units.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -35,8 +36,8 @@ struct PairPosition {
   const minkowski::Obstacle& obstacle;  // that the first piece is to the second
   Vec r;                                // where the second is now, relative to the first
   Vec about;        // the relative position that the free region is chosen about: r, or, for pieces that overlap, a
-                    // position just outside their sum
-  Coord spacing{};  // the least distance that the rows keep
+                    // position just outside their sum.  With a negative spacing r will do for those, too
+  Coord spacing{};  // the least signed distance that the rows keep
 };
 
 // A half-plane of a free region, seen from the present relative position.
@@ -44,20 +45,25 @@ struct FreeSide {
   HalfPlane line;
   RealVec normal;  // unit; points out of the sum
   double slack{};  // how far the second piece can move against the normal, the spacing kept; negative: it is too close
+  bool may_overlap{};  // the spacing is negative
   [[nodiscard]] bool slanted() const { return line.direction.x != 0 && line.direction.y != 0; }
 };
 [[nodiscard]] FreeSide side_at(const HalfPlane& line, Vec r, Coord spacing);
 
 // The greedy region that looks at edges which come within `reach` of taking the pair's spacing.
 [[nodiscard]] inline RegionSettings region_within(double reach, Coord spacing, RealVec towards = {}) {
-  return {RegionRule::kGreedy, reach + static_cast<double>(spacing), spacing, towards, {}};
+  const Coord apart = std::max(spacing, Coord{0});
+  return {RegionRule::kGreedy, reach + static_cast<double>(apart), apart, towards, {}};
 }
 
+// The half-planes of the pair's free region, to be moved outwards by the spacing: overlap_region when it is negative.
+[[nodiscard]] std::vector<HalfPlane> region_of(const PairPosition& position, const RegionSettings& region);
 // The sides of the free region.
 [[nodiscard]] std::vector<FreeSide> free_sides(const PairPosition& position, const RegionSettings& region);
 
 // The row that keeps the second piece inside a side.  A slanted row has a margin that covers the rounding of
-// displacements to the lattice and the tolerance of solvers; rows along the axes need none (core/model/snap.h).
+// displacements to the lattice and the tolerance of solvers; rows along the axes need none (core/model/snap.h).  For a
+// pair that may overlap it also covers the rounding of the translation that proves the overlap to be allowed.
 [[nodiscard]] PairRow row_of(marker::PiecePair pair, const FreeSide& side, ModelUnit unit, TightRows tight);
 
 struct RowSettings {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/marker/validity.h"
 #include "core/packing/bodies/bodies.h"
 #include "core/packing/bodies/on_cloth.h"
 #include "core/packing/bodies/place_leaf.h"
@@ -139,6 +140,16 @@ Packing pack(const Marker& start, const PackSettings& settings, const scene::Run
   const bodies::OnCloth cloth = bodies::on_cloth(start, unplaced);
   Packing packing = Packer{cloth.marker, settings, run}.pack();
   packing.marker = packing.found ? bodies::as_in(start, std::move(packing.marker)) : start;
+  if (bodies::allows_overlaps(
+          start)) {  // the search does not use them: nothing is proved, and the input may be shorter
+    packing.bound = 0;
+    packing.proved = false;
+    const bool shorter = !packing.found || length_of(start) < length_of(packing.marker);
+    if (start.unplaced.empty() && shorter && is_valid(start)) {
+      packing.found = true;
+      packing.marker = start;
+    }
+  }
   packing.length_before = length_of(start);
   packing.length_after = length_of(packing.marker);
   return packing;

@@ -18,7 +18,7 @@ Vec centre_of(const Box& box) {
 }
 
 bool alike(const Piece& a, const Piece& b) {
-  return a.shape == b.shape && a.orientation == b.orientation && a.buffer == b.buffer;
+  return a.shape == b.shape && a.orientation == b.orientation && a.buffer == b.buffer && a.overlap == b.overlap;
 }
 
 // One of the pieces that differ from piece i and would fit its place best.

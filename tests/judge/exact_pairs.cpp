@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace selvage::test {
@@ -106,6 +109,92 @@ bool point_nearer(const Edge& e, Vec c, Wide squared_distance) {
   return off * off < Wider{squared} * Wider{squared_distance};
 }
 
+constexpr Coord kParts = 16;  // of a lattice unit: the translations that are tried are multiples of a sixteenth
+
+Polygon in_parts(Polygon polygon, Vec by) {
+  for (Vec& v : polygon) v = {kParts * v.x + by.x, kParts * v.y + by.y};
+  return polygon;
+}
+
+struct Fine {
+  long double x{}, y{};
+  friend Fine operator+(Fine a, Fine b) { return {a.x + b.x, a.y + b.y}; }
+  friend Fine operator*(long double k, Fine a) { return {k * a.x, k * a.y}; }
+  [[nodiscard]] long double length() const { return std::hypot(x, y); }
+};
+Fine fine(Vec v) {
+  return {static_cast<long double>(v.x), static_cast<long double>(v.y)};
+}
+
+// A translation that may part two polygons, and the direction in which nearby ones do if it does.
+struct Way {
+  Fine by, out;
+};
+
+// The translations of q at which a vertex of one polygon lies on an edge of the other, as segments with the overlap on
+// their left, as far as they come within the distance of 0.
+class Slides {
+ public:
+  Slides(const Polygon& p, const Polygon& q, Coord distance) : reach_{static_cast<long double>(distance) + 2} {
+    for (const Edge& e : edges_of(p)) {
+      for (const Edge& f : edges_of(q)) {
+        add({{e.from.x - f.from.x, e.from.y - f.from.y}, {e.to.x - f.from.x, e.to.y - f.from.y}});
+        add({{e.from.x - f.from.x, e.from.y - f.from.y}, {e.from.x - f.to.x, e.from.y - f.to.y}});
+      }
+    }
+  }
+  // The point of each that is nearest to 0.
+  [[nodiscard]] std::vector<Way> feet() const {
+    std::vector<Way> ways;
+    for (const Edge& e : segments_) ways.push_back({nearest(e), out_of(e)});
+    return ways;
+  }
+  // Where two of them cross, and the way from 0 lies between their normals.
+  [[nodiscard]] std::vector<Way> crossings() const {
+    std::vector<Way> ways;
+    for (const Edge& e : segments_) {
+      for (const Edge& f : segments_) {
+        const Wide turn = product(e.along().x, f.along().y) - product(e.along().y, f.along().x);
+        if (turn <= 0 || !e.near(f, 1)) continue;
+        const long double t = static_cast<long double>(left_of(f, e.from)) / static_cast<long double>(turn);
+        const Fine at = fine(e.from) + t * fine(e.along());
+        const Fine a = out_of(e);
+        const Fine b = out_of(f);
+        const bool between = at.x * b.y - at.y * b.x >= -1 && a.x * at.y - a.y * at.x >= -1;
+        if (t > -0.01L && t < 1.01L && at.length() <= reach_ && between) ways.push_back({at, middle(a, b)});
+      }
+    }
+    return ways;
+  }
+
+ private:
+  static Fine nearest(const Edge& e) {
+    const auto square = static_cast<long double>(squared_length(e.along()));
+    const long double t = std::clamp(static_cast<long double>(advance(e, {0, 0})) / square, 0.0L, 1.0L);
+    return fine(e.from) + t * fine(e.along());
+  }
+  static Fine out_of(const Edge& e) {
+    const Fine along = fine(e.along());
+    return (1 / along.length()) * Fine{along.y, -along.x};
+  }
+  static Fine middle(Fine a, Fine b) {
+    const Fine sum = a + b;
+    return sum.length() > 1e-9L ? (1 / sum.length()) * sum : a;
+  }
+  void add(const Edge& e) {
+    if (nearest(e).length() <= reach_) segments_.push_back(e);
+  }
+
+  long double reach_;
+  std::vector<Edge> segments_;
+};
+
+std::pair<Coord, Coord> extent_along(const Polygon& p, Coord Vec::*axis) {
+  std::pair<Coord, Coord> extent{p.front().*axis, p.front().*axis};
+  for (const Vec v : p) extent = {std::min(extent.first, v.*axis), std::max(extent.second, v.*axis)};
+  return extent;
+}
+
 }  // namespace
 
 bool interiors_share(const Polygon& p, const Polygon& q) {
@@ -134,6 +223,37 @@ bool nearer_than(const Polygon& p, const Polygon& q, Coord distance) {
     }
   }
   return interiors_share(p, q);
+}
+
+bool parted_within(const Polygon& p, const Polygon& q, Coord distance) {
+  const Slides slides{p, q, distance};
+  const Polygon still = in_parts(p, {});
+  const Wide most = product(kParts * distance, kParts * distance);
+  std::set<Vec> tried;
+  const auto parts = [&](Vec t) {
+    if (squared_length(t) > most || !tried.insert(t).second) return false;
+    return !interiors_share(still, in_parts(q, t));
+  };
+  for (const auto& ways : {slides.feet(), slides.crossings()}) {
+    for (const Way& way : ways) {
+      for (const long double back : {0.0L, 1.0L, 4.0L, 16.0L, 64.0L, 256.0L}) {  // into acute notches as far as needed
+        const Fine by = static_cast<long double>(kParts) * way.by + back * way.out;
+        for (const Coord step : {Coord{1}, kParts}) {
+          const Vec about{step * std::llround(by.x / static_cast<long double>(step)),
+                          step * std::llround(by.y / static_cast<long double>(step))};
+          for (int k = 0; k < 9; ++k) {
+            if (parts({about.x + step * (k % 3 - 1), about.y + step * (k / 3 - 1)})) return true;
+          }
+        }
+      }
+    }
+  }
+  const auto [low_x, high_x] = extent_along(p, &Vec::x);
+  const auto [low_y, high_y] = extent_along(p, &Vec::y);
+  const auto [left, right] = extent_along(q, &Vec::x);
+  const auto [bottom, top] = extent_along(q, &Vec::y);
+  return parts({kParts * (high_x - left), 0}) || parts({kParts * (low_x - right), 0}) ||
+         parts({0, kParts * (high_y - bottom)}) || parts({0, kParts * (low_y - top)});
 }
 
 bool touches_itself(const Polygon& p) {

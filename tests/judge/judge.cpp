@@ -181,11 +181,15 @@ std::string Judge::fault_of(const Marker& marker) {
       const Piece& p = marker.pieces[i];
       const Piece& q = marker.pieces[j];
       const Coord spacing = std::max(marker.spacing, p.buffer + q.buffer);
+      const Coord allowed = std::min(p.overlap.value_or(marker.overlap), q.overlap.value_or(marker.overlap));
       if (!boxes[i].grown(spacing).touches(boxes[j])) continue;
       // Coordinates relative to the first piece are small.
       const Polygon& first = cut_of(marker, p).outline;
       const Polygon second = moved_by(cut_of(marker, q).outline, {q.at.x - p.at.x, q.at.y - p.at.y});
-      if (interiors_share(first, second)) return about(p, "overlaps piece " + q.id);
+      const bool overlapping = interiors_share(first, second);
+      if (overlapping && (spacing > 0 || allowed == 0 || !parted_within(first, second, allowed))) {
+        return about(p, "overlaps piece " + q.id);
+      }
       if (spacing > 0 && nearer_than(first, second, spacing)) return about(p, "is too close to piece " + q.id);
     }
   }

@@ -4,13 +4,18 @@
 usage: judge_layout.py FILE...
 
 FILE: placed outlines, as `selvage compact --outlines FILE` and `selvage convert --format outlines` write them:
-{"strip_height": H, "strip_length": L, "pieces": [{"id": ID, "outline": [[x, y], ...]}, ...]}.
+{"strip_height": H, "strip_length": L, "pieces": [{"id": ID, "outline": [[x, y], ...], "overlap": A}, ...]}.
 Numbers are read as exact decimals and all tests use integers and fractions, so there is no tolerance.
-Pieces may touch each other and the strip's edges.  Prints each violation; exit status 1 if there is any.
+Pieces may touch each other and the strip's edges.  Two pieces with an `overlap` may overlap when a translation of one of
+them, no longer than the smaller of their two, parts them; it is looked for among fractions, too.  Prints each violation; exit status 1 if there is any.
 
 Two pieces overlap when some vertical line intersects both in intervals that share more than a point.  Between the
 abscissas of two neighbouring vertices, a piece is a stack of trapezoids, so it suffices to compare trapezoids: two
 trapezoids between the same two vertical lines share no interior point exactly when one lies below the other.
+
+The translations that part two pieces are the outside of the Minkowski sum of one with the reflection of the other.  The
+shortest one leads to its boundary, which is part of the lines along which a vertex of one piece slides on an edge of the
+other: to the foot of the perpendicular on such a line, or to where two of them cross.  All of these points are tried.
 """
 import argparse
 import json
@@ -35,9 +40,10 @@ class Edge(NamedTuple):
 
 
 class Piece:
-    def __init__(self, name, outline):
+    def __init__(self, name, outline, allowance=0):
         self.name = name
         self.outline = outline
+        self.allowance = allowance
         self.abscissas = sorted({x for x, _ in outline})
         self.low_y, self.high_y = min(y for _, y in outline), max(y for _, y in outline)
         ends = (sorted(pair) for pair in zip(outline, outline[1:] + outline[:1]))
@@ -104,14 +110,71 @@ def overlap(one, other):
     return None
 
 
+def contact_lines(one, other, reach):
+    """The segments of translations of `other` along which a vertex of one piece slides on an edge of the other, as far
+    as they may come within `reach` of 0."""
+    for p, sign in ((one, 1), (other, -1)):
+        q = other if p is one else one
+        for vx, vy in p.outline:
+            for (ax, ay), (bx, by) in zip(q.outline, q.outline[1:] + q.outline[:1]):
+                start, end = (sign * (vx - ax), sign * (vy - ay)), (sign * (vx - bx), sign * (vy - by))
+                if all(min(s, e) <= reach and max(s, e) >= -reach for s, e in zip(start, end)):
+                    yield start, end
+
+
+def foot(line):
+    """The point of a segment nearest to 0."""
+    (ax, ay), (bx, by) = line
+    dx, dy = bx - ax, by - ay
+    part = min(max(Fraction(-(ax * dx + ay * dy), dx * dx + dy * dy), 0), 1)
+    return ax + part * dx, ay + part * dy
+
+
+def crossing(one, other):
+    """Where two segments cross; None for parallel ones, and when they do not."""
+    (ax, ay), (bx, by) = one
+    (cx, cy), (dx, dy) = other
+    turn = (bx - ax) * (dy - cy) - (by - ay) * (dx - cx)
+    if turn == 0:
+        return None
+    part = Fraction((cx - ax) * (dy - cy) - (cy - ay) * (dx - cx), turn)
+    along = Fraction((cx - ax) * (by - ay) - (cy - ay) * (bx - ax), turn)
+    if not (0 <= part <= 1 and 0 <= along <= 1):
+        return None
+    return ax + part * (bx - ax), ay + part * (by - ay)
+
+
+def parts(one, other, by):
+    """True when the pieces do not overlap with `other` moved by a vector of fractions."""
+    x, y = map(Fraction, by)
+    unit = math.lcm(x.denominator, y.denominator)
+    still = Piece("", [(a * unit, b * unit) for a, b in one.outline])
+    moved = Piece("", [(a * unit + int(x * unit), b * unit + int(y * unit)) for a, b in other.outline])
+    return overlap(still, moved) is None
+
+
+def may_overlap(one, other):
+    """True when a translation of one piece, no longer than what the two are allowed, parts them."""
+    reach = min(one.allowance, other.allowance)
+    if reach == 0:
+        return False
+    square = lambda point: point[0] ** 2 + point[1] ** 2
+    lines = [line for line in contact_lines(one, other, reach) if square(foot(line)) <= reach**2]
+    feet = {foot(line) for line in lines}
+    if any(parts(one, other, by) for by in sorted(feet, key=square)):
+        return True
+    crossings = {crossing(a, b) for k, a in enumerate(lines) for b in lines[:k]} - {None} - feet
+    return any(parts(one, other, by) for by in sorted(crossings, key=square) if square(by) <= reach**2)
+
+
 def overlaps(pieces):
-    """Yields (one, other, abscissas) for every pair that overlaps."""
+    """Yields (one, other, abscissas) for every pair that overlaps and may not."""
     near = []
     for piece in sorted(pieces, key=lambda p: p.low_x):
         near = [other for other in near if other.high_x > piece.low_x]
         for other in near:
             where = overlap(other, piece)
-            if where:
+            if where and not may_overlap(other, piece):
                 yield other, piece, where
         near.append(piece)
 
@@ -120,6 +183,7 @@ def violations(layout):
     """Yields a sentence for every violation in a layout, which is given as `read` returns it."""
     numbers = [layout["strip_height"], layout["strip_length"]]
     numbers += [c for piece in layout["pieces"] for point in piece["outline"] for c in point]
+    numbers += [piece.get("overlap", 0) for piece in layout["pieces"]]
     unit = math.lcm(*(Fraction(number).denominator for number in numbers))  # multiplied by it, all numbers are whole
     whole = lambda number: int(number * unit)
     decimal = lambda number: number / unit
@@ -127,7 +191,8 @@ def violations(layout):
     height, length = whole(layout["strip_height"]), whole(layout["strip_length"])
     sound = []
     for written in layout["pieces"]:
-        piece = Piece(f'"{written["id"]}"', [(whole(x), whole(y)) for x, y in written["outline"]])
+        outline = [(whole(x), whole(y)) for x, y in written["outline"]]
+        piece = Piece(f'"{written["id"]}"', outline, whole(written.get("overlap", 0)))
         for end, limit in ((piece.high_x, length), (piece.high_y, height)):
             if end > limit:
                 yield f"piece {piece.name} leaves the strip: {decimal(end)} is beyond {decimal(limit)}"

@@ -38,6 +38,44 @@ class Judged(unittest.TestCase):
             self.assertTrue(all(word in violation for violation in found), found)
 
 
+class OverlapsUpToTheAllowance(Judged):
+    def judged(self, one, other, *allowances, valid):
+        document = layout(one, other, height=40, length=40)
+        for piece, allowance in zip(document["pieces"], allowances):
+            piece["overlap"] = allowance
+        self.assertEqual(not list(violations(document)), valid)
+
+    def test_squares(self):
+        squares = box(3, 3, 10, 10), box(11, 5, 10, 10)  # overlap by 2 along x
+        self.judged(*squares, 2, 2, valid=True)
+        self.judged(*squares, 2 - LEAST, 2, valid=False)
+        self.judged(*squares, 2, 5, valid=True)
+        self.judged(*squares, 2, valid=False)
+        self.judged(*squares, valid=False)
+
+    def test_along_a_slanted_edge(self):
+        below = moved([(0, 0), (20, 0), (20, 15)], 5, 5)
+        above = moved([(0, 0), (20, 15), (0, 15)], 5 + Fraction(3, 10), 5 - Fraction(4, 10))  # half a unit across the edge
+        self.judged(below, above, Fraction(1, 2), 1, valid=True)
+        self.judged(below, above, Fraction(1, 2) - LEAST, 1, valid=False)
+
+    def test_whose_least_translation_is_no_decimal(self):
+        below = moved([(0, 0), (20, 0), (20, 10)], 5, 5)
+        above = moved([(0, 0), (20, 10), (0, 10)], 5, 5 - Fraction(1, 4))  # by 1 / sqrt(20) = 0.22360679...
+        self.judged(below, above, Fraction("0.2236068"), 1, valid=True)
+        self.judged(below, above, Fraction("0.2236067"), 1, valid=False)
+
+    def test_in_a_notch_the_least_translation_leads_to_its_foot(self):
+        notched = [(0, 0), (30, 0), (30, 10), (10, 10), (10, 30), (0, 30)]
+        block = box(10 - 3, 10 - 4, 8, 8)  # 3, 4, 5
+        self.judged(notched, block, 5, 5, valid=True)
+        self.judged(notched, block, 5 - LEAST, 5, valid=False)
+
+    def test_a_strap_thinner_than_the_allowance_may_lie_inside(self):
+        self.judged(box(0, 0, 20, 20), box(5, 0, 10, 1), 1, 1, valid=True)
+        self.judged(box(0, 0, 20, 20), box(5, 1, 10, 1), 1, 1, valid=False)
+
+
 class TouchingIsAllowed(Judged):
     def test_squares_along_a_whole_edge_and_part_of_one(self):
         for dx, dy in ((2, 0), (2, 1), (0, 2), (1, 2), (-1, 2)):

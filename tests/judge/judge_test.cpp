@@ -62,6 +62,18 @@ TEST(Judge, DetectsPolygonsThatTouchThemselves) {
   EXPECT_TRUE(touches_itself({{0, 0}, {4, 4}, {4, 0}, {0, 4}}));
 }
 
+TEST(ExactPairs, ArePartedByTheShortestTranslation) {
+  const Polygon square{{0, 0}, {100, 0}, {100, 100}, {0, 100}};
+  const Polygon aside{{92, 40}, {192, 40}, {192, 140}, {92, 140}};
+  EXPECT_TRUE(parted_within(square, aside, 8));
+  EXPECT_FALSE(parted_within(square, aside, 7));
+  // A block pushed by (8, 6) into the notch of an L.
+  const Polygon notched{{0, 0}, {300, 0}, {300, 100}, {100, 100}, {100, 300}, {0, 300}};
+  const Polygon block{{92, 94}, {192, 94}, {192, 194}, {92, 194}};
+  EXPECT_TRUE(parted_within(notched, block, 10));
+  EXPECT_FALSE(parted_within(notched, block, 9));
+}
+
 // Two squares of side 100, 10 apart and 5 from the edges of a strip 120 wide that ends at 300.
 Marker two_squares() {
   Marker marker;
@@ -89,6 +101,18 @@ TEST(Judge, DescribesFaults) {
   bad.pieces[1].buffer = 6;
   bad.pieces[0].buffer = 5;
   EXPECT_EQ(judge.fault_of(bad), "piece a is too close to piece b");
+  bad = good;
+  bad.overlap = 5;
+  bad.pieces[1].at.x = 100;
+  EXPECT_EQ(judge.fault_of(bad), "");
+  bad.pieces[1].at.x = 99;
+  EXPECT_EQ(judge.fault_of(bad), "piece a overlaps piece b");
+  bad.pieces[0].overlap = 6;  // the smaller allowance of the two counts
+  EXPECT_EQ(judge.fault_of(bad), "piece a overlaps piece b");
+  bad.pieces[1].overlap = 6;
+  EXPECT_EQ(judge.fault_of(bad), "");
+  bad.spacing = 1;
+  EXPECT_EQ(judge.fault_of(bad), "piece a overlaps piece b");
   for (const Vec by : {Vec{-1, 0}, Vec{0, -1}, Vec{0, 11}}) {
     bad = good;
     bad.pieces[0].at = bad.pieces[0].at + by;

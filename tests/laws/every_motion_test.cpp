@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "core/motion/compaction/compact.h"
 #include "protocol/execution/thread_pool.h"
 #include "tests/judge/judge.h"
 #include "tests/laws/random_marker.h"
@@ -16,13 +17,8 @@ namespace {
 class EveryMotion : public ::testing::TestWithParam<std::size_t> {
  protected:
   [[nodiscard]] static const MotionCase& motion() { return motion_cases()[GetParam()]; }
-  Random random_{static_cast<std::uint32_t>(300 + GetParam())};
-};
-
-TEST_P(EveryMotion, KeepsItsPromises) {
-  for (int trial = 0; trial < 150 / kSlowdown; ++trial) {
+  void keeps_its_promises(const Marker& marker, int trial) {
     SCOPED_TRACE(trial);
-    const Marker marker = random_marker(random_);
     SumCache sums;
     const auto answer = motion().run(marker, {random_, scene::Run{sums}});
     ASSERT_TRUE(answer) << answer.error().message;
@@ -31,6 +27,29 @@ TEST_P(EveryMotion, KeepsItsPromises) {
     const Marker& before = answer->started ? *answer->started : marker;
     ASSERT_EQ(judge.broken_promise(before, answer->marker, answer->leave), "");
     ASSERT_EQ(judge.fault_of(answer->marker).empty(), answer->apart) << judge.fault_of(answer->marker);
+  }
+  Random random_{static_cast<std::uint32_t>(300 + GetParam())};
+};
+
+TEST_P(EveryMotion, KeepsItsPromises) {
+  for (int trial = 0; trial < 150 / kSlowdown && !HasFatalFailure(); ++trial) {
+    keeps_its_promises(random_marker(random_), trial);
+  }
+}
+
+// Every other marker starts from overlaps that are allowed: those of a marker that was compacted.
+TEST_P(EveryMotion, KeepsItsPromisesWhereOverlapsAreAllowed) {
+  for (int trial = 0; trial < 60 / kSlowdown; ++trial) {
+    Marker marker = random_marker_with_allowances(random_);
+    if (trial % 2 == 0) {
+      SumCache sums;
+      const auto compacted = motion::compaction::compact(
+          marker, motion::compaction::compaction_settings(motion::compaction::Accuracy::kStandard), scene::Run{sums});
+      ASSERT_TRUE(compacted) << trial << ": " << compacted.error().message;
+      marker = compacted->marker;
+    }
+    keeps_its_promises(marker, trial);
+    if (HasFatalFailure()) return;
   }
 }
 

@@ -62,6 +62,22 @@ Marker random_marker(Random& random) {
   return marker;
 }
 
+Marker random_marker_with_allowances(Random& random) {
+  Marker marker = random_marker(random);
+  marker.spacing = 0;
+  Coord least = marker.strip.width;
+  for (const Shape& shape : marker.shapes) {
+    const Box box = box_of(shape.outline);
+    least = std::min({least, box.width(), box.height()});
+  }
+  marker.overlap = random.between(0, least / 10);
+  for (Piece& piece : marker.pieces) {
+    if (random.chance(20)) piece.overlap = random.between(0, least / 5);
+    if (random.chance(5)) piece.buffer = 1;
+  }
+  return marker;
+}
+
 Marker perturbed(Random& random, Marker marker, double part) {
   const auto most = static_cast<Coord>(part * static_cast<double>(marker.strip.width));
   for (Piece& piece : marker.pieces) {
@@ -83,10 +99,14 @@ Marker on_finer_lattice(Marker marker) {
   marker.resolution.exponent -= 1;
   marker.strip.width *= 10;
   marker.spacing *= 10;
+  marker.overlap *= 10;
   for (Shape& shape : marker.shapes) {
     for (Vec& v : shape.outline) v = {10 * v.x, 10 * v.y};
   }
-  for (Piece& piece : marker.pieces) piece.at = {10 * piece.at.x, 10 * piece.at.y};
+  for (Piece& piece : marker.pieces) {
+    piece.at = {10 * piece.at.x, 10 * piece.at.y};
+    if (piece.overlap) *piece.overlap *= 10;
+  }
   return marker;
 }
 

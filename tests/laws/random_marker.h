@@ -11,6 +11,10 @@ namespace selvage::test {
 // extents range from 2^8 to 2^34 lattice units.
 [[nodiscard]] Marker random_marker(Random& random);
 
+// A marker like that whose pieces may overlap: it has an overlap allowance and no spacing, and some of its pieces have
+// allowances of their own.
+[[nodiscard]] Marker random_marker_with_allowances(Random& random);
+
 // The same marker with every unlocked piece moved by up to `part` of the strip's width, so that pieces may overlap.
 [[nodiscard]] Marker perturbed(Random& random, Marker marker, double part);
 

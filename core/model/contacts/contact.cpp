@@ -15,6 +15,9 @@ constexpr double kSameNormal = 1 - 1e-6;
 // The sine of the least turn of a corner that is told from a straight edge: along flatter ones, such as those of a
 // curve's polygon, the half-planes of both edges let the piece pass.
 constexpr double kFlat = 0.2;
+// The cosine of the angle between a chord of an arc (core/model/free_region.h) and the arc's normals at its ends: at
+// most 0.25 radians.
+constexpr double kOnArc = 0.968;
 constexpr std::size_t kUsual = 8;  // few positions touch more edges
 
 // An edge near the position, in the frame of the sum with the position as origin.
@@ -72,19 +75,44 @@ Backing backing_along(const Touched& edge, const TouchedEdges& touched, double t
   return is_flat(touched, edge.normal) ? Backing::kEdge : Backing::kCorner;
 }
 
+// The same for a pair that may overlap, whose position is as deep inside the sum as it may be: an edge is in contact
+// when its distance is the allowance.  Where the position is nearest to the end of an edge, the boundary turns inwards
+// there and the contact is an arc.  Where several edges are in contact, the positions that are not allowed have a
+// corner. `touched`: the edges no farther than the allowance.
+Backing backing_within(const TouchedEdges& touched, RealVec normal, double allowance, double tolerance) {
+  const bool deepest = std::all_of(touched.begin(), touched.end(),
+                                   [&](const Touched& edge) { return edge.distance >= allowance - tolerance; });
+  if (!deepest) return Backing::kNone;
+  Backing best = Backing::kNone;
+  for (const Touched& edge : touched) {
+    const bool has_foot = dot(edge.out, edge.normal) < -kSameNormal;
+    if (!has_foot && -dot(edge.out, normal) > kOnArc) return Backing::kEdge;
+    if (!has_foot || dot(edge.normal, normal) < kSameNormal) continue;
+    const bool alone = std::all_of(touched.begin(), touched.end(), [&](const Touched& other) {
+      return dot(other.normal, edge.normal) >= kSameNormal || dot(other.out, other.normal) >= -kSameNormal;
+    });
+    if (alone || is_flat(touched, edge.normal)) return Backing::kEdge;
+    best = Backing::kCorner;
+  }
+  return best;
+}
+
 }  // namespace
 
 Backing backing_of(const PairRow& row, const PairPosition& position, double tolerance) {
   const Vec at = position.obstacle.to_frame(position.r);
   const auto [nx, ny] = position.obstacle.direction_to_frame(row.nx, row.ny);
   const RealVec normal{nx, ny};
-  const double reach = static_cast<double>(position.spacing) + tolerance;
+  const double reach = std::abs(static_cast<double>(position.spacing)) + tolerance;
   TouchedEdges touched;
   const Box window = Box{at, at}.grown(std::llround(reach) + 1);
   for_each_edge_near(position.obstacle.sum(), window, [&](const minkowski::convolution::SumEdge& edge) {
     const Touched found = touched_of(edge, at);
     if (found.distance <= reach) touched.push_back(found);
   });
+  if (position.spacing < 0) {
+    return backing_within(touched, normal, -static_cast<double>(position.spacing), tolerance);
+  }
   // About a corner, pieces with a spacing between them meet along an arc: its tangent is a contact like an edge.
   const bool on_arc = static_cast<double>(position.spacing) > tolerance;
   Backing best = Backing::kNone;

@@ -37,7 +37,7 @@ struct TiltRowSettings {
   double turn{};    // radians: the most that a piece turns either way
   double reach{};   // lattice units: rows with more room than this are left out
   double behind{};  // lattice units: how far vertices may lie behind the edge that keeps them out; 0 unless the pair
-                    // overlaps
+                    // overlaps or may overlap
   Coord spacing{};
   ModelUnit unit;
 };

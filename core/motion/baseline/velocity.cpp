@@ -101,9 +101,10 @@ class Simulation {
       const model::RegionSettings region{model::RegionRule::kGreedy,
                                          clearance(near.pair) + touching_ + tuning().least_touching, spacing};
       const FinePosition r = relative(near.pair);
-      for (const model::FreeSide& side : model::free_sides({near.obstacle, r.at, r.at, 0}, region)) {
+      const Coord apart = std::max(spacing, Coord{0});
+      for (const model::FreeSide& side : model::free_sides({near.obstacle, r.at, r.at, spacing - apart}, region)) {
         const auto [nx, ny] = side.normal;
-        const double slack = side.slack + nx * r.rest.x + ny * r.rest.y - static_cast<double>(spacing);
+        const double slack = side.slack + nx * r.rest.x + ny * r.rest.y - static_cast<double>(apart);
         if (slack > tuning().clearance + touching_ + tuning().least_touching) continue;
         const double lost = side.slanted() ? std::max(0.0, tuning().clearance - slack) : 0;
         rows.push_back({near.pair, nx, ny, lost / tuning().restoring});
@@ -201,6 +202,10 @@ class Simulation {
       const double reach = clearance(near.pair);
       const auto& [p, q] = near.pair;
       const RealVec towards{velocity[q].x - velocity[p].x, velocity[q].y - velocity[p].y};
+      if (scene_.pieces.spacing(near.pair) < 0) {
+        time = std::min(time, time_in_region(near, towards));
+        continue;
+      }
       time = collision_time(near.obstacle, relative(near.pair), towards, {reach, reach + touching_, time});
     }
     const auto meet = [&](double room, double speed) {
@@ -212,6 +217,22 @@ class Simulation {
       meet(room.bottom, -velocity[i].y);
       meet(room.top, velocity[i].y);
       meet(room.right, velocity[i].x - piston_velocity_);
+    }
+    return time;
+  }
+
+  // The time until a pair that may overlap leaves its free region: before that, it does not overlap by more than it
+  // may.
+  [[nodiscard]] double time_in_region(const Near& near, RealVec towards) const {
+    const FinePosition r = relative(near.pair);
+    double time = horizon_;
+    const model::RegionSettings region{model::RegionRule::kGreedy, 2 * horizon_, 0};
+    for (const model::FreeSide& side :
+         model::free_sides({near.obstacle, r.at, r.at, scene_.pieces.spacing(near.pair)}, region)) {
+      const auto [nx, ny] = side.normal;
+      const double room = side.slack + nx * r.rest.x + ny * r.rest.y - tuning().clearance;
+      const double approach = -(nx * towards.x + ny * towards.y);
+      if (room > touching_ && approach > 0) time = std::min(time, room / approach);
     }
     return time;
   }

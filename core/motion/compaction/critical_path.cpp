@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/lp/solver/solve.h"
+#include "core/marker/clearance.h"
 #include "core/marker/validity.h"
 #include "core/model/contacts/contact.h"
 #include "core/model/position_model.h"
@@ -108,7 +109,7 @@ class Loads {
     const auto [p, q] = row.pair;
     const Coord near = std::llround(in_widths(tuning_.contact)) + scene_.pieces.spacing(row.pair);
     const RealVec at = nearest_point(scene_.pieces[p], scene_.pieces[q]);
-    if (closer_than(scene_.pieces[p], scene_.pieces[q], near)) {
+    if (marker::collide(scene_.pieces[p], scene_.pieces[q], near)) {
       path.contacts.push_back({PieceId{p}, PieceId{q}, {}, worth, at});
     }
     path.per_spacing += worth;

@@ -82,15 +82,17 @@ std::vector<WidthRow> width_rows(const scene::Scene& scene, const FloatAim& aim,
     const marker::PiecePair pair = pair_of(gap.gap);
     const Vec r = scene.relative_position(pair);
     const RealVec apart = between_centres(scene.pieces.box(pair.first), scene.pieces.box(pair.second));
-    const model::RegionSettings region{model::RegionRule::kGreedy, 3 * trust + aim.most, static_cast<Coord>(gap.now),
+    const auto now = static_cast<Coord>(gap.now);
+    const Coord overlap = std::max(-now, Coord{0});
+    const model::RegionSettings region{model::RegionRule::kGreedy, 3 * trust + aim.most, std::max(now, Coord{0}),
                                        apart};
     const minkowski::Obstacle obstacle = scene.obstacle(pair);
-    for (const model::FreeSide& side : free_sides({obstacle, r, r, 0}, region)) {
-      WidthRow row{k, 0, 0, side.slack, 0};
+    for (const model::FreeSide& side : free_sides({obstacle, r, r, -overlap}, region)) {
+      WidthRow row{k, 0, 0, side.slack - static_cast<double>(overlap), 0};
       const model::PairRow moved = row_of(pair, side, unit, model::TightRows::kRestore);
       row.nx = moved.nx;
       row.ny = moved.ny;
-      row.margin = moved.bound + row.slack;
+      row.margin = moved.bound + side.slack;
       const double approach = 2 * trust * (std::abs(row.nx) + std::abs(row.ny));
       if (row.slack - row.margin < aim.most + approach) rows.push_back(row);
     }

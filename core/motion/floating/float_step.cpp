@@ -67,7 +67,7 @@ class Attempt {
       if (!other) continue;
       const marker::PiecePair pair = pair_of(gap.gap);
       if (gap.least <= moved.spacing(pair)) continue;
-      if (closer_than(moved[pair.first], moved[pair.second], gap.least)) broken.push_back(pair);
+      if (marker::collide(moved[pair.first], moved[pair.second], gap.least)) broken.push_back(pair);
     }
     if (!broken.empty()) return broken;
     const double gain = worth_of(aim_, gaps_, widths, moved) - worth_;

@@ -38,6 +38,7 @@ struct Bound {
   model::HalfPlane side;  // of the relative position; unused for the strip's edges
   std::uint32_t piece{};  // kEdge for the strip's edges and the cell's reach
   Vec offset;             // from the bumped piece to the one of its body that is bounded
+  bool touching{};        // the two may touch, and not overlap: the half-plane is exact
 };
 constexpr std::uint32_t kEdge = UINT32_MAX;
 
@@ -160,7 +161,7 @@ class Bumper {
       const auto region = model::region_within(1.5 * reach_, spacing, {towards_x, towards_y});
       for (const model::FreeSide& side : model::free_sides({obstacle, r, r, spacing}, region)) {
         cell_.push_back({side.normal.x, side.normal.y, std::max(0.0, side.slack)});
-        bounds_.push_back({side.line, other, member.offset});
+        bounds_.push_back({side.line, other, member.offset, spacing == 0});
       }
     }
   }
@@ -174,7 +175,7 @@ class Bumper {
   }
   void add_edge(double nx, double ny, double slack) {
     cell_.push_back({nx, ny, slack});
-    bounds_.push_back({{}, kEdge, {}});
+    bounds_.push_back({{}, kEdge, {}, false});
   }
 
   // The best lattice position near the cell's point that satisfies every half-plane.
@@ -218,7 +219,7 @@ class Bumper {
       const Vec by = candidate - at_;
       const double room =
           cell_[k].slack + cell_[k].nx * static_cast<double>(by.x) + cell_[k].ny * static_cast<double>(by.y);
-      if (spacing_ > 0) {  // approximate: the proof decides
+      if (!bound.touching) {  // approximate: the proof decides
         if (room < -kRounding) return false;
       } else if (cross(bound.side.direction,
                        candidate + bound.offset - scene_.pieces.at(bound.piece) - bound.side.anchor) > 0) {

@@ -69,7 +69,8 @@ double squared_distance(RealVec p, RealVec q) {
 RealVec nearest_on(const BorderLine& line, RealVec point) {
   if (line.arc()) {
     const RealVec out = outwards(line, point);
-    return {line.a.x + line.radius * out.x, line.a.y + line.radius * out.y};
+    const double radius = line.free_disc ? -line.radius : line.radius;
+    return {line.a.x + radius * out.x, line.a.y + radius * out.y};
   }
   const double dx = line.b.x - line.a.x;
   const double dy = line.b.y - line.a.y;
@@ -109,8 +110,8 @@ void append_crossings(const BorderLine& p, const BorderLine& q, std::vector<Real
 RealVec outwards(const BorderLine& line, RealVec at) {
   const double x = line.arc() ? at.x - line.a.x : line.b.y - line.a.y;
   const double y = line.arc() ? at.y - line.a.y : line.a.x - line.b.x;
-  const double length = std::hypot(x, y);
-  return length > 0 ? RealVec{x / length, y / length} : RealVec{1, 0};
+  const double length = line.free_disc ? -std::hypot(x, y) : std::hypot(x, y);
+  return length != 0 ? RealVec{x / length, y / length} : RealVec{1, 0};
 }
 
 }  // namespace selvage::motion::placing

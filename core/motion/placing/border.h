@@ -1,5 +1,6 @@
 // The border of the positions that are forbidden to a piece: the edges of a Minkowski sum, moved outwards by the
-// spacing, and the arcs that then join them.  Coordinates are lattice units relative to a nearby origin, in doubles,
+// spacing, and the arcs that then join them; moved inwards by the overlap allowance, they are joined by arcs where the
+// sum's boundary turns inwards.  Coordinates are lattice units relative to a nearby origin, in doubles,
 // accurate to a thousandth of a unit; positions found with them are proved elsewhere.
 #pragma once
 
@@ -11,12 +12,14 @@
 
 namespace selvage::motion::placing {
 
-// A part of the border.  The forbidden side is on the left, going from `a` to `b`; for an arc it is the disc.
+// A part of the border.  The forbidden side is on the left, going from `a` to `b`; for an arc it is the disc, or what
+// is outside of it.
 struct BorderLine {
   RealVec a, b;              // the ends; for an arc, the centre twice
   double radius{};           // of an arc; otherwise 0
   std::uint32_t obstacle{};  // that this line is part of
   Vec anchor, direction;     // the exact line of an edge that was not moved, relative to the origin; else (0, 0)
+  bool free_disc{};          // of an arc: the disc is free
   [[nodiscard]] bool arc() const { return radius > 0; }
 };
 

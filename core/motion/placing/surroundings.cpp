@@ -93,31 +93,36 @@ void Surroundings::append_lines(const Near& near, const Box& window) {
   const auto index = static_cast<std::uint32_t>(near_.size() - 1);
   const auto moved = static_cast<double>(near.spacing);
   std::optional<Vec> last_end;
-  for_each_edge_near(
-      near.obstacle.sum(), in_frame.grown(near.spacing + 2), [&](const minkowski::convolution::SumEdge& edge) {
-        const PlacedEdge e = placed(edge, near.obstacle, at);
-        BorderLine line{real(e.from), real(e.to), 0, index, e.line_from - origin_, e.line_to - e.line_from};
-        if (near.spacing > 0) {
-          const RealVec out = outwards(line, line.a);
-          const auto shifted = [&](RealVec p) { return RealVec{p.x + moved * out.x, p.y + moved * out.y}; };
-          for (const Vec corner : {e.from, e.to}) {
-            if (corner != last_end) lines_.push_back({real(corner), real(corner), moved, index, {}, {}});
-            last_end = corner;
-          }
-          line = {shifted(line.a), shifted(line.b), 0, index, {}, {}};
-        }
-        lines_.push_back(line);
-      });
+  const Box window_in_frame = in_frame.grown(std::abs(near.spacing) + 2);
+  for_each_edge_near(near.obstacle.sum(), window_in_frame, [&](const minkowski::convolution::SumEdge& edge) {
+    const PlacedEdge e = placed(edge, near.obstacle, at);
+    const BorderLine line{real(e.from), real(e.to), 0, index, e.line_from - origin_, e.line_to - e.line_from};
+    if (near.spacing == 0) {
+      lines_.push_back(line);
+      return;
+    }
+    const RealVec out = outwards(line, line.a);
+    const auto shifted = [&](RealVec p) { return RealVec{p.x + moved * out.x, p.y + moved * out.y}; };
+    for (const Vec corner : {e.from, e.to}) {
+      if (corner != last_end) {
+        lines_.push_back({real(corner), real(corner), std::abs(moved), index, {}, {}, near.spacing < 0});
+      }
+      last_end = corner;
+    }
+    lines_.push_back({shifted(line.a), shifted(line.b), 0, index, {}, {}});
+  });
 }
 
 bool Surroundings::forbids(std::size_t obstacle, RealVec point) const {
   const Near& near = near_[obstacle];
   const Vec position{origin_.x + std::llround(point.x), origin_.y + std::llround(point.y)};
   const Vec r = near.obstacle.to_frame(position + near.offset - scene_.pieces.at(near.other));
-  if (inside(near.obstacle.sum(), r)) return true;
-  if (near.spacing == 0) return false;
-  minkowski::NearestEdges edges{near.obstacle.sum(), r, static_cast<double>(near.spacing)};
-  return edges.next([](const Box&) { return false; }).has_value();
+  const auto near_boundary = [&](Coord distance) {
+    minkowski::NearestEdges edges{near.obstacle.sum(), r, static_cast<double>(distance)};
+    return edges.next([](const Box&) { return false; }).has_value();
+  };
+  if (inside(near.obstacle.sum(), r)) return near.spacing >= 0 || !near_boundary(-near.spacing);
+  return near.spacing > 0 && near_boundary(near.spacing);
 }
 
 bool Surroundings::free(Vec position) const {

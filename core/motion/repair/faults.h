@@ -11,7 +11,7 @@
 
 namespace selvage::motion::repair {
 
-// Two pieces that overlap, or are closer than their spacing.
+// Two pieces that overlap by more than their allowance, or are closer than their spacing.
 struct Conflict {
   marker::PiecePair pair;
   SeparationTarget target;

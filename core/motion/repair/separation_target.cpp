@@ -1,5 +1,6 @@
 #include "core/motion/repair/separation_target.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -10,6 +11,8 @@ namespace selvage::motion::repair {
 namespace {
 
 constexpr double kOutside = 2;  // lattice units beyond the boundary at which a region is chosen
+// Lattice units.  A pair that may overlap can be refused although it is less deep than that, because of rounding.
+constexpr double kLeastDepth = 1;
 
 Vec just_outside(RealVec at, const minkowski::convolution::SumEdge& edge) {
   const Vec along = edge.line_to - edge.line_from;
@@ -67,7 +70,9 @@ SeparationTarget separation_target(const minkowski::Obstacle& obstacle, Vec r, b
 SeparationTarget separation_target(const scene::Scene& scene, marker::PiecePair pair, TargetRule rule) {
   const bool overlapping = overlap(scene.pieces[pair.first], scene.pieces[pair.second]);
   SeparationTarget target = separation_target(scene.obstacle(pair), scene.relative_position(pair), overlapping, rule);
-  target.depth += static_cast<double>(scene.pieces.spacing(pair));
+  const Coord spacing = scene.pieces.spacing(pair);
+  target.depth += static_cast<double>(spacing);
+  if (spacing < 0) target.depth = std::max(target.depth, kLeastDepth);
   return target;
 }
 

@@ -13,10 +13,11 @@ enum class TargetRule {
 };
 
 struct SeparationTarget {
-  double depth{};  // the shortest move that separates them, spacing included, whatever the rule; lattice units
+  double depth{};  // the shortest move that separates them as far as they must be, whatever the rule: with the spacing,
+                   // or less the allowance of those that may overlap; lattice units
   Vec about;       // the relative position; the present one when the pieces are only too close
 };
-// REQUIRES: the pair overlaps, or is closer than the marker's spacing.
+// REQUIRES: the pair overlaps by more than its allowance, or is closer than its spacing.
 [[nodiscard]] SeparationTarget separation_target(const scene::Scene& scene, marker::PiecePair pair, TargetRule rule);
 
 // The same for two pieces at the relative position r, overlapping or too close, that need not be pieces of a scene.

@@ -34,7 +34,7 @@ double depth_at(const minkowski::Obstacle& obstacle, Vec r, Coord spacing) {
   const Vec at = obstacle.to_frame(r);
   if (!obstacle.sum().box().grown(spacing).touches({at, at})) return 0;
   const bool inside = obstacle.sum().contains({static_cast<double>(at.x), static_cast<double>(at.y)});
-  if (!inside && spacing == 0) return 0;
+  if (!inside && spacing <= 0) return 0;
   const double distance = nearest_boundary_point(obstacle.sum(), at).distance;
   return std::max(0.0, static_cast<double>(spacing) + (inside ? distance : -distance));
 }

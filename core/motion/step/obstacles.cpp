@@ -1,5 +1,6 @@
 #include "core/motion/step/obstacles.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -28,7 +29,8 @@ geometry::PlacedPolygon Obstacles::placed(std::uint32_t piece) const {
 
 minkowski::OutlinePair Obstacles::outlines(marker::PiecePair pair) const {
   const auto [p, q] = pair;
-  const bool own = tolerance_ == 0 || closer_than(placed(p), placed(q), scene_.pieces.spacing(pair) + tolerance_);
+  const bool own = tolerance_ == 0 ||
+                   closer_than(placed(p), placed(q), std::max(scene_.pieces.spacing(pair), Coord{0}) + tolerance_);
   if (own) return {&scene_.outlines[p], &scene_.outlines[q]};
   return {&grown_[grown_of_[p]].outline, &grown_[grown_of_[q]].outline};
 }

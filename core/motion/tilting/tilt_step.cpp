@@ -83,8 +83,10 @@ class Program {
     const Coord spacing = scene_.pieces.spacing(pair);
     repair::SeparationTarget target{0, scene_.relative_position(pair)};
     if (overlaps) target = separation_target(scene_, pair, repair::TargetRule::kNearest);
-    const auto sides = free_region(obstacle, target.about, model::region_within(1.5 * reach, spacing));
-    const model::tilting::TiltRowSettings row{turn_, 1.5 * reach, overlaps ? 2 * target.depth : 0,
+    const auto sides = region_of({obstacle, scene_.relative_position(pair), target.about, spacing},
+                                 model::region_within(1.5 * reach, spacing));
+    const auto allowance = static_cast<double>(std::max(-spacing, Coord{0}));
+    const model::tilting::TiltRowSettings row{turn_, 1.5 * reach, (overlaps ? 2 * target.depth : 0) + allowance,
                                               spacing + clearance(), model_.positions().unit()};
     return tilt_rows(pair, scene_.pieces[pair.first], scene_.pieces[pair.second], sides, row);
   }

@@ -27,23 +27,38 @@ OnCloth on_cloth(const Marker& start, std::span<const PieceId> wanted, Coord cle
     result.marker.pieces.push_back(std::move(piece));
   }
   result.marker.spacing += clearance;
-  for (Piece& piece : result.marker.pieces) piece.buffer += clearance / 2;
+  result.marker.overlap = 0;
+  for (Piece& piece : result.marker.pieces) {
+    piece.buffer += clearance / 2;
+    piece.overlap.reset();
+  }
   for (const PieceId id : wanted) {
     result.wanted.push_back(id.value < placed ? id : PieceId{place[id.value - placed]});
   }
   return result;
 }
 
+bool allows_overlaps(const Marker& marker) {
+  if (marker.spacing > 0) return false;
+  std::size_t pieces = 0;
+  for (const auto* list : {&marker.pieces, &marker.unplaced}) {
+    for (const Piece& piece : *list) pieces += piece.buffer == 0 && piece.overlap.value_or(marker.overlap) > 0 ? 1 : 0;
+  }
+  return pieces > 1;
+}
+
 Marker as_in(const Marker& start, Marker layout) {
   std::unordered_map<std::string_view, const Piece*> unplaced;
   for (const Piece& piece : start.unplaced) unplaced.emplace(piece.id, &piece);
   layout.spacing = start.spacing;
+  layout.overlap = start.overlap;
   for (std::size_t k = 0; k < layout.pieces.size(); ++k) {
     Piece& piece = layout.pieces[k];
     const Piece& was = k < start.pieces.size() ? start.pieces[k] : *unplaced.at(piece.id);
     piece.group = was.group;
     piece.locked = was.locked;
     piece.buffer = was.buffer;
+    piece.overlap = was.overlap;
   }
   return layout;
 }

@@ -23,10 +23,15 @@ struct OnCloth {
   Marker marker;                // the wanted ones of the unplaced pieces follow the placed ones, at the origin
   std::vector<PieceId> wanted;  // as given, but unplaced ones by their place in `marker.pieces`
 };
-// Every pair of pieces keeps `clearance` more than its spacing.  REQUIRES: the clearance is even.
+// Every pair of pieces keeps `clearance` more than its spacing, and no two may overlap.  REQUIRES: the clearance is
+// even.
 [[nodiscard]] OnCloth on_cloth(const Marker& start, std::span<const PieceId> wanted, Coord clearance = 0);
 
-// The layout of such a marker with the spacing, and its pieces with the locks, groups and buffers, of `start`.
+// True when some pair of the marker's pieces, placed or not, may overlap.
+[[nodiscard]] bool allows_overlaps(const Marker& marker);
+
+// The layout of such a marker with the spacing and the overlap allowances, and its pieces with the locks, groups and
+// buffers, of `start`.
 // REQUIRES: the ids of the pieces are those of `start`, and in their order.
 [[nodiscard]] Marker as_in(const Marker& start, Marker layout);
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/core/marker/random_layout.h"
+#include "tests/core/marker/squares.h"
 
 namespace selvage::test {
 namespace {
@@ -32,6 +33,35 @@ TEST(Conflicts, EqualBruteForce) {
     ASSERT_EQ(conflicts(pieces), expected);
     ASSERT_EQ(any_conflict(pieces), !expected.empty());
   }
+}
+
+TEST(Conflicts, AreOverlapsBeyondTheSmallerAllowance) {
+  Marker marker = squares({{0, 0}, {8, 3}, {15, 3}});
+  const auto found = [&] { return conflicts(marker::PlacedPieces{marker}); };
+  const std::vector<marker::PiecePair> both{{0, 1}, {1, 2}};
+  EXPECT_EQ(found(), both);
+  marker.overlap = 2;
+  EXPECT_EQ(found(), (std::vector<marker::PiecePair>{{1, 2}}));
+  marker.overlap = 3;
+  EXPECT_TRUE(found().empty());
+  marker.pieces[1].overlap = 2;
+  EXPECT_EQ(found(), (std::vector<marker::PiecePair>{{1, 2}}));
+  marker.pieces[1].overlap = 0;
+  EXPECT_EQ(found(), both);
+  marker.pieces[1].overlap = {};
+  marker.pieces[2].overlap = 50;  // the smaller of the two counts
+  EXPECT_TRUE(found().empty());
+  marker.pieces[0].buffer = 1;  // a buffer overrides the allowance of its pairs
+  EXPECT_EQ(found(), (std::vector<marker::PiecePair>{{0, 1}}));
+  marker.pieces[0].buffer = 0;
+  marker.spacing = 1;
+  EXPECT_EQ(found(), both);
+}
+
+TEST(Conflicts, WithTheStripAreNeverAllowed) {
+  Marker marker = squares({{-1, 0}});
+  marker.overlap = 5;
+  EXPECT_FALSE(all_clear(marker::PlacedPieces{marker}, marker.strip));
 }
 
 // Whether a conflict of the pieces has exactly one or, with `both`, at least one of these.

@@ -37,6 +37,10 @@ TEST(MakeMarker, RejectsInvalidStripsAndSpacings) {
   EXPECT_EQ(error_of(with([](Marker& m) { m.spacing = -1; })), Found(ErrorCode::kOutOfRange, "/spacing"));
   EXPECT_EQ(error_of(with([](Marker& m) { m.spacing = 101; })), Found(ErrorCode::kOutOfRange, "/spacing"));
   EXPECT_EQ(error_of(with([](Marker& m) { m.spacing = 100; })), Found());
+  EXPECT_EQ(error_of(with([](Marker& m) { m.overlap = -1; })), Found(ErrorCode::kOutOfRange, "/overlap"));
+  EXPECT_EQ(error_of(with([](Marker& m) { m.overlap = 101; })), Found(ErrorCode::kOutOfRange, "/overlap"));
+  EXPECT_EQ(error_of(with([](Marker& m) { m.pieces[0].overlap = 101; })),
+            Found(ErrorCode::kOutOfRange, "/pieces/0/overlap"));
 }
 
 TEST(MakeMarker, RejectsNoPiecesAndTooManyPieces) {

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "core/geometry/overlap.h"
+#include "core/geometry/parting.h"
 #include "tests/core/motion/markers.h"
 
 namespace selvage::model {
@@ -17,6 +18,11 @@ struct Pair {
 
   [[nodiscard]] bool overlaps_at(Vec r) const {
     return geometry::overlap({p_polygon, box_of(p_polygon), {0, 0}}, {q_polygon, box_of(q_polygon), r});
+  }
+  [[nodiscard]] bool parted_at(Vec r, Coord allowance) const {
+    return geometry::parting_translation({p_polygon, box_of(p_polygon), {0, 0}}, {q_polygon, box_of(q_polygon), r},
+                                         allowance)
+        .has_value();
   }
   [[nodiscard]] bool closer_at(Vec r, Coord distance) const {
     return geometry::closer_than({p_polygon, box_of(p_polygon), {0, 0}}, {q_polygon, box_of(q_polygon), r}, distance);
@@ -38,13 +44,15 @@ Polygon comb(Coord size) {
   return polygon;
 }
 
-Pair random_pair(std::mt19937& random) {
+Pair random_pair(std::mt19937& random, bool combs = true) {
   const auto polygon = [&]() -> Polygon {
     switch (random() % 4) {
       case 0:
         return test::rectangle(1000 + static_cast<Coord>(random() % 100'000),
                                1000 + static_cast<Coord>(random() % 100'000));
-      case 1: return comb(90'000);
+      case 1:
+        if (combs) return comb(90'000);
+        [[fallthrough]];
       default: return test::spiky(random, 4 + static_cast<int>(random() % 30), 80'000);
     }
   };
@@ -107,6 +115,51 @@ TEST_P(FreeRegion, WithASpacingHoldsNoPositionCloserThanIt) {
     }
   }
   EXPECT_GT(tried, 1'000);
+}
+
+TEST_P(FreeRegion, OfAnAllowanceHoldsThePositionAndOnlyAllowedOverlaps) {
+  std::mt19937 random{44};
+  SumCache sums;
+  int inside_sum = 0;
+  int tried = 0;
+  for (int k = 0; k < 400; ++k) {
+    const Pair pair = random_pair(random, false);  // teeth as wide as the gaps leave slots without an end
+    const Coord allowance = 2'000 + static_cast<Coord>(random() % 20'000);
+    const Vec r = random_vec(random, 150'000);
+    if (!pair.parted_at(r, allowance)) continue;
+    inside_sum += pair.overlaps_at(r) ? 1 : 0;
+    const auto sides = overlap_region(sums.obstacle(pair.p, pair.q), {r, r, allowance}, {GetParam(), 1e9, 0});
+    const auto a = static_cast<double>(allowance);
+    for (const HalfPlane& side : sides) EXPECT_GE(slack_of(side, r), -a - 3);
+    for (int sample = 0; sample < 100; ++sample) {
+      const Vec x = r + random_vec(random, 2 * allowance);
+      if (!std::all_of(sides.begin(), sides.end(), [&](const auto& side) { return slack_of(side, x) >= 4 - a; }))
+        continue;
+      ++tried;
+      EXPECT_TRUE(pair.parted_at(x, allowance))
+          << "pair " << k << " from " << r.x << ',' << r.y << " to " << x.x << ',' << x.y << " with " << allowance;
+    }
+  }
+  EXPECT_GT(inside_sum, 20);
+  EXPECT_GT(tried, 1'000);
+}
+
+TEST_P(FreeRegion, OfAnAllowanceFollowsTheArcOfANotch) {
+  // A square pushed into the corner of an L, as deep as it may be: it can turn about the corner both ways.
+  const auto notched = outline::make_outline({{0, 0}, {9000, 0}, {9000, 3000}, {3000, 3000}, {3000, 9000}, {0, 9000}});
+  const auto square = outline::make_outline(test::rectangle(1000, 1000));
+  SumCache sums;
+  const Vec r{2920, 2940};  // 100 from the corner
+  const auto sides = overlap_region(sums.obstacle({notched, {}}, {square, {}}), {r, r, 100}, {GetParam(), 1e6, 0});
+  const auto allows = [&](Vec x) {
+    return std::all_of(sides.begin(), sides.end(), [&](const HalfPlane& side) { return slack_of(side, x) >= -102; });
+  };
+  EXPECT_TRUE(allows(r));
+  EXPECT_TRUE(allows({2900, 3000}));
+  EXPECT_TRUE(allows({3000, 2900}));
+  EXPECT_TRUE(allows({2900, 3500}));
+  EXPECT_FALSE(allows({2910, 2930}));
+  EXPECT_FALSE(allows({2900, 2900}));
 }
 
 TEST_P(FreeRegion, AtAConvexCornerOneSideIsEnough) {

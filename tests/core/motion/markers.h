@@ -43,6 +43,10 @@ class Layout {
     marker_.spacing = spacing;
     return *this;
   }
+  Layout& overlapping(Coord allowance) {
+    marker_.overlap = allowance;
+    return *this;
+  }
   [[nodiscard]] const Marker& marker() const { return marker_; }
 
  private:

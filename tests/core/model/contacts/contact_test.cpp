@@ -46,6 +46,24 @@ TEST_F(SquareBySquare, ASpacingRoundsTheCorner) {
   EXPECT_EQ(backing(1, 0, {150, 120}, 50), Backing::kNone);      // farther than that
 }
 
+TEST_F(SquareBySquare, WithAnAllowanceTheContactIsThatDeep) {
+  EXPECT_EQ(backing(1, 0, {80, 30}, -20), Backing::kEdge);
+  EXPECT_EQ(backing(1, 0, {90, 30}, -20), Backing::kNone);    // not as deep as it may be
+  EXPECT_EQ(backing(0, 1, {80, 30}, -20), Backing::kNone);    // not along this row
+  EXPECT_EQ(backing(1, 0, {80, 80}, -20), Backing::kCorner);  // either way out is as short
+  EXPECT_EQ(backing(1, 0, {80, 90}, -20), Backing::kNone);    // the other way out is shorter
+}
+
+TEST(Backing, WithAnAllowanceANotchIsAnArc) {
+  SumCache sums;
+  const auto notched = sums.outline({{0, 0}, {300, 0}, {300, 100}, {100, 100}, {100, 300}, {0, 300}});
+  const auto square = sums.outline(test::rectangle(50, 50));
+  const minkowski::Obstacle obstacle = sums.obstacle({notched, {}}, {square, {}});
+  const Vec r{84, 88};  // 20 from the foot of the notch
+  EXPECT_EQ(backing_of({{0, 1}, 0.8, 0.6, 0}, {obstacle, r, r, -20}, kTolerance), Backing::kEdge);
+  EXPECT_EQ(backing_of({{0, 1}, 1, 0, 0}, {obstacle, r, r, -20}, kTolerance), Backing::kNone);
+}
+
 TEST(Backing, TheFootOfANotchIsFirm) {
   // A square in the notch of an L: it touches both sides.
   SumCache sums;

@@ -96,6 +96,28 @@ TEST(Compact, HoldsTheSpacingExactly) {
   }
 }
 
+TEST(Compact, UsesTheAllowanceOfEveryContact) {
+  Layout layout{400};
+  const auto brick = layout.shape_of(test::rectangle(200, 100));
+  for (int k = 0; k < 5; ++k) layout.put(brick, {k * 200, 0});
+  layout.overlapping(9);
+  const auto result = compacted(layout.marker());
+  EXPECT_EQ(result.length_after, 1000 - 4 * 9);
+  EXPECT_EQ(compacted(result.marker).length_after, result.length_after);
+}
+
+TEST(Compact, IsShorterTheMoreItMayOverlap) {
+  auto result = compacted(test::loose_marker(11));
+  for (const Coord more : {Coord{2000}, Coord{3000}}) {
+    Marker marker = result.marker;
+    marker.overlap += more;
+    const Coord longer = result.length_after;
+    result = compacted(marker);
+    EXPECT_TRUE(is_valid(result.marker));
+    EXPECT_LT(result.length_after, longer - more);  // each of the six columns may give way
+  }
+}
+
 TEST(Compact, FindsNothingInBricksWithoutSlack) {
   Layout layout{400};
   const auto brick = layout.shape_of(test::rectangle(200, 100));

@@ -94,6 +94,21 @@ TEST(CriticalPath, RoomInASpacingIsWorthWhatItSays) {
   EXPECT_GE(static_cast<double>(tight->length_after - shorter->length_after), 10 * hold.per_spacing - 20);
 }
 
+TEST(CriticalPath, AllowancesAreWorthWhatItSays) {
+  SumCache sums;
+  Marker marker = test::loose_marker(3);
+  marker.overlap = 1000;
+  const auto tight = compact(marker, compaction_settings(Accuracy::kFine), {sums});
+  ASSERT_TRUE(tight);
+  const CriticalPath hold = held(tight->marker);
+  EXPECT_FALSE(hold.contacts.empty());
+  Marker looser = tight->marker;
+  looser.overlap += 10;
+  const auto shorter = compact(looser, compaction_settings(Accuracy::kFine), {sums});
+  ASSERT_TRUE(shorter);
+  EXPECT_GE(static_cast<double>(tight->length_after - shorter->length_after), 10 * hold.per_spacing - 20);
+}
+
 TEST(CriticalPath, ReportsOnlyWhatTouches) {
   Layout layout{1'000'000};
   const auto square = layout.shape_of(test::rectangle(100'000, 100'000));

@@ -54,6 +54,17 @@ Marker bars(std::initializer_list<Coord> at = {0, 100, 250, 900}) {
   return layout.marker();
 }
 
+TEST(FloatApart, PartsWhatOverlapsAsItMay) {
+  Marker marker = bars({0, 99, 250, 900});
+  marker.overlap = 2 * kMm;
+  const auto result = floated(marker, settings_for(FloatMode::kLargestMinimum, 5000 * kMm));
+  EXPECT_EQ(result.least_before, -1 * kMm);
+  EXPECT_EQ(result.least_after, 200 * kMm);
+  marker = bars({0, 99, 198, 297});
+  marker.overlap = 2 * kMm;
+  EXPECT_EQ(floated(marker, settings_for(FloatMode::kLargestMinimum, 5000 * kMm)).least_after, -1 * kMm);
+}
+
 TEST(FloatApart, LargestMinimumSharesARowsRoomEqually) {
   const auto result = floated(bars(), settings_for(FloatMode::kLargestMinimum, 5000 * kMm));
   EXPECT_EQ(result.length_after, 1000 * kMm);  // the outer bars cannot come in without taking room away
@@ -236,6 +247,7 @@ RC_GTEST_PROP(FloatLaws, ValidNeverLongerNeverNarrowerLocksHold, ()) {
   }
   RC_PRE(is_valid(marker));
   marker.spacing = *rc::gen::element<Coord>(0, 0, 1, radius / 50);
+  marker.overlap = *rc::gen::element<Coord>(0, radius / 50);
   RC_PRE(is_valid(marker));
   SumCache sums;
   const auto compacted = compact(marker, compaction_settings(compaction::Accuracy::kDraft), {sums});

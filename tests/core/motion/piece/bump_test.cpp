@@ -69,6 +69,15 @@ TEST(Bump, KeepsTheSpacing) {
   EXPECT_EQ(left.touching, (std::vector<PieceId>{PieceId{0}}));
 }
 
+TEST(Bump, UsesTheAllowance) {
+  Layout layout{1000};
+  const auto square = layout.shape_of(test::rectangle(100, 100));
+  layout.put(square, {0, 0}).put(square, {700, 50}).overlapping(7);
+  const Bump left = bumped(layout.marker(), 1, -1, 0);
+  EXPECT_EQ(left.at.x, 93);
+  EXPECT_EQ(left.touching, (std::vector<PieceId>{PieceId{0}}));
+}
+
 TEST(Bump, OfAMarkerAsItComesHealsFirst) {
   Layout layout{1'000'000};
   const auto square = layout.shape_of(test::rectangle(100'000, 100'000));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/marker/clearance.h"
 #include "core/marker/validity.h"
 #include "core/minkowski/inner_fit.h"
 #include "tests/core/motion/markers.h"
@@ -89,6 +90,19 @@ TEST(Place, KeepsTheSpacingRoundCorners) {
   EXPECT_NEAR(static_cast<double>(found->at.x), static_cast<double>(found->at.y), 3);
 }
 
+TEST(Place, UsesTheAllowanceAndTurnsAboutTheFootOfANotch) {
+  Layout layout{100'000};
+  const auto square = layout.shape_of(test::rectangle(10'000, 10'000));
+  const auto notched =
+      layout.shape_of({{0, 0}, {60'000, 0}, {60'000, 20'000}, {20'000, 20'000}, {20'000, 60'000}, {0, 60'000}});
+  layout.put(notched, {0, 0}).put(square, {80'000, 80'000}).overlapping(500);
+  EXPECT_EQ(placed(layout.marker(), 1, {15'000, 40'000})->at, (Vec{19'500, 40'000}));
+  const auto found = placed(layout.marker(), 1, {19'000, 19'000});
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(distance(found->at, {20'000, 20'000}), 500, 3);
+  EXPECT_NEAR(static_cast<double>(found->at.x), static_cast<double>(found->at.y), 3);
+}
+
 TEST(Place, SaysWhenThereIsNoRoom) {
   Layout layout{100};
   const auto square = layout.shape_of(test::rectangle(100, 100));
@@ -150,9 +164,9 @@ double nearest_by_trying(const Marker& marker, std::uint32_t piece, Vec wanted, 
   const auto free = [&](Vec at) {
     geometry::PlacedPolygon moved = pieces[piece];
     moved.at = at;
-    for (std::size_t k = 0; k < pieces.size(); ++k) {
+    for (std::uint32_t k = 0; k < pieces.size(); ++k) {
       if (k == piece) continue;
-      if (marker.spacing > 0 ? closer_than(moved, pieces[k], marker.spacing) : overlap(moved, pieces[k])) return false;
+      if (marker::collide(moved, pieces[k], pieces.spacing({piece, k}))) return false;
     }
     return true;
   };
@@ -178,6 +192,7 @@ Drop random_drop() {
     piece.at = {1000 + (piece.at.x - 1000) * 17 / 20, 1000 + (piece.at.y - 1000) / 10 * 9};
   }
   drop.marker.spacing = *rc::gen::element<Coord>(0, 0, 0, 40);
+  drop.marker.overlap = *rc::gen::element<Coord>(0, 0, 30, 150);
   drop.piece = *rc::gen::inRange<std::uint32_t>(0, 12);
   drop.wanted = {*rc::gen::inRange<Coord>(-500, length_of(drop.marker) + 500),
                  *rc::gen::inRange<Coord>(-500, drop.marker.strip.width + 500)};

@@ -82,6 +82,15 @@ TEST(Separate, ObeysTheSpacing) {
   EXPECT_EQ(result.moved, 15);
 }
 
+TEST(Separate, LeavesAsMuchOverlapAsIsAllowed) {
+  Marker start = two_squares(10);
+  EXPECT_EQ(separated(start).moved, 10);
+  start.overlap = 4;
+  EXPECT_EQ(separated(start).moved, 6);
+  start.overlap = 10;
+  EXPECT_EQ(separated(start).moved, 0);
+}
+
 TEST(Separate, PutsPiecesBackIntoTheStrip) {
   Marker start = two_squares(0);
   start.pieces[0].at = {-20, 400};

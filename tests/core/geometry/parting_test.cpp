@@ -1,0 +1,90 @@
+// Tests of parting_translation (core/geometry/parting.h), on known cases and against CGAL's Minkowski sums.
+#include "core/geometry/parting.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/exact.h"
+#include "tests/support/placed.h"
+#include "tests/support/polygons.h"
+
+namespace selvage::test {
+namespace {
+
+const Polygon kBlock{{0, 0}, {100, 0}, {100, 100}, {0, 100}};
+
+TEST(Parting, IsZeroForPiecesThatDoNotOverlap) {
+  EXPECT_EQ(parting_translation(placed(kBlock), placed(kBlock, {100, 30}), 0), Vec{});
+  EXPECT_EQ(parting_translation(placed(kBlock), placed(kBlock, {250, 0}), 7), Vec{});
+}
+
+TEST(Parting, IsTheShortestWayOutOfABlock) {
+  EXPECT_EQ(parting_translation(placed(kBlock), placed(kBlock, {91, 30}), 9), (Vec{9, 0}));
+  EXPECT_EQ(parting_translation(placed(kBlock), placed(kBlock, {-30, -95}), 5), (Vec{0, -5}));
+  EXPECT_EQ(parting_translation(placed(kBlock), placed(kBlock, {91, 30}), 8), std::nullopt);
+  EXPECT_EQ(parting_translation(placed(kBlock), placed(kBlock, {91, 30}), 0), std::nullopt);
+}
+
+TEST(Parting, LeavesANotchAlongItsBisector) {
+  // A block pushed by (8, 6) into the corner between the two arms of an L.
+  const Polygon notched{{0, 0}, {300, 0}, {300, 100}, {100, 100}, {100, 300}, {0, 300}};
+  EXPECT_EQ(parting_translation(placed(notched), placed(kBlock, {92, 94}), 10), (Vec{8, 6}));
+  EXPECT_EQ(parting_translation(placed(notched), placed(kBlock, {92, 94}), 9), std::nullopt);
+}
+
+TEST(Parting, LetsAThinPartLieInsideAnother) {
+  const Polygon strap{{0, 0}, {60, 0}, {60, 4}, {0, 4}};
+  EXPECT_EQ(parting_translation(placed(kBlock), placed(strap, {20, 0}), 4), (Vec{0, -4}));
+  EXPECT_EQ(parting_translation(placed(kBlock), placed(strap, {20, 1}), 4), std::nullopt);
+}
+
+// The distance of a point from the boundary of a sum.
+double depth_of(const ExactSum& sum, Vec at) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [a, b] : sum.boundary()) {
+    const double dx = b.x - a.x;
+    const double dy = b.y - a.y;
+    const double px = static_cast<double>(at.x) - a.x;
+    const double py = static_cast<double>(at.y) - a.y;
+    const double square = dx * dx + dy * dy;
+    const double t = square > 0 ? std::clamp((px * dx + py * dy) / square, 0.0, 1.0) : 0;
+    least = std::min(least, std::hypot(px - t * dx, py - t * dy));
+  }
+  return least;
+}
+
+TEST(Parting, IsFoundWhereverTheExactSumLeavesRoom) {
+  Random random{77};
+  int parted = 0;
+  int refused = 0;
+  for (int trial = 0; trial < 300 / kSlowdown; ++trial) {
+    const Coord factor = Coord{1} << random.between(10, 30);
+    const Polygon p = scaled(random_polygon(random, 100), factor);
+    const Polygon q = scaled(random_polygon(random, 100), factor);
+    Polygon opposite = q;
+    for (Vec& v : opposite) v = -v;
+    const ExactSum sum{p, opposite, ExactSum::Method::kDecomposition};
+    for (int k = 0; k < 4; ++k) {
+      const Vec at = {random.between(-90 * factor, 90 * factor), random.between(-90 * factor, 90 * factor)};
+      if (!interiors_meet(p, moved(q, at))) continue;
+      const double depth = depth_of(sum, at);
+      // Just enough, or just too little: a hundredth of a unit of the small polygon either way.
+      const bool enough = random.chance(50);
+      const auto distance = static_cast<Coord>(depth * (enough ? 1.01 : 0.99));
+      const auto by = parting_translation(placed(p), placed(q, at), distance);
+      if (enough && static_cast<double>(distance) > depth + 3) {
+        ASSERT_TRUE(by) << text_of(p) << "\n" << text_of(q) << "\n" << at.x << ", " << at.y << ": " << depth;
+      }
+      ++(by ? parted : refused);
+      if (!by) continue;
+      ASSERT_LE(dot(*by, *by), static_cast<Wide>(distance) * distance);
+      ASSERT_FALSE(interiors_meet(p, moved(q, at + *by)));
+    }
+  }
+  EXPECT_GT(parted, 100 / kSlowdown);
+  EXPECT_GT(refused, 100 / kSlowdown);  // a slot as wide as what fits it is no part of CGAL's boundary
+}
+
+}  // namespace
+}  // namespace selvage::test
