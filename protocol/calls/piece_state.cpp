@@ -11,9 +11,11 @@ PieceState state_of(const Marker& marker, const Piece& piece) {
                    .tilt = piece.orientation.tilt.degrees,
                    .locked = piece.locked,
                    .group = {},
-                   .buffer = {}};
+                   .buffer = {},
+                   .overlap = {}};
   if (!piece.group.empty()) state.group = piece.group;
   if (piece.buffer > 0) state.buffer = to_decimal(piece.buffer, marker.resolution);
+  if (piece.overlap) state.overlap = to_decimal(*piece.overlap, marker.resolution);
   return state;
 }
 

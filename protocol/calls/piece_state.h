@@ -44,7 +44,7 @@ struct PieceState {
   double tilt{};
   Locks locked;
   std::optional<std::string> group;
-  std::optional<double> buffer;
+  std::optional<double> buffer, overlap;
 
   static void describe(auto& v, auto& self) {
     v.required("id", self.id, "The piece's id.");
@@ -56,6 +56,7 @@ struct PieceState {
     v.required("locked", self.locked, "What of it is locked.");
     v.optional("group", self.group, "Its group, if it has one.");
     v.optional("buffer", self.buffer, "The clearance around it, if it has one.");
+    v.optional("overlap", self.overlap, "Its own overlap allowance, if it has one.");
   }
 };
 [[nodiscard]] PieceState state_of(const Marker& marker, const Piece& piece);

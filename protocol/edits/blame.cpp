@@ -20,6 +20,8 @@ Error Blame::at_its_edit(Error error) const {
   if (below("/pieces/", pieces, "") || below("/shapes/", shapes, "/shape")) return error;
   if (field.starts_with("/spacing") && spacing != kNoEdit) {
     error.field = pointer_of(spacing, "/spacing");
+  } else if (field.starts_with("/overlap") && overlap != kNoEdit) {
+    error.field = pointer_of(overlap, "/overlap");
   } else if (strip != kNoEdit && (field.starts_with("/strip") || field.starts_with("/pieces/"))) {
     error.field = pointer_of(strip);
   } else {

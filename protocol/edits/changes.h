@@ -55,7 +55,8 @@ struct Change {
     v.required("placements", self.placements, "Of the pieces that are new, or whose placement or lock changed.");
     v.required("removed", self.removed, "Ids of the pieces that were removed.");
     v.optional("whole", self.whole,
-               "True: something else changed too, such as the strip, the spacing or shapes; absent otherwise.");
+               "True: something else changed too, such as the strip, the spacing, the overlap allowance or shapes; "
+               "absent otherwise.");
     v.required("name", self.name, calls::kNameMeaning);
     v.required("pieces", self.pieces, calls::kPiecesMeaning);
     v.required("length", self.length, calls::kLengthMeaning);

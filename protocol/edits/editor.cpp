@@ -92,6 +92,7 @@ class Editor {
     piece.shape = ShapeId{shape->second};
     piece.at = {coordinate(add.piece.piece.at.x, "/piece/at"), coordinate(add.piece.piece.at.y, "/piece/at")};
     piece.buffer = clearance(add.piece.piece.buffer, "/piece/buffer");
+    if (const auto& overlap = add.piece.piece.overlap) piece.overlap = allowance(*overlap, "/piece/overlap");
     settle(piece);
     append(std::move(piece), add.piece.attributes);
   }
@@ -227,6 +228,12 @@ class Editor {
     Piece* piece = piece_of(buffer.piece.text);
     if (piece) piece->buffer = clearance(buffer.buffer, "/buffer");
   }
+  void apply(const OverlapPiece& edit) {
+    Piece* piece = piece_of(edit.piece.text);
+    if (piece == nullptr) return;
+    piece->overlap.reset();
+    if (edit.overlap) piece->overlap = allowance(*edit.overlap, "/overlap");
+  }
   void apply(const SetStrip& strip) {
     Strip& mine = file_.marker.strip;
     // Checked against the lattice alone: how far out a coordinate may be is measured in widths.
@@ -245,9 +252,20 @@ class Editor {
     file_.marker.spacing = clearance(spacing.spacing, "/spacing");
     blame_.spacing = edit_;
   }
+  void apply(const SetOverlap& edit) {
+    file_.marker.overlap = allowance(edit.overlap, "/overlap");
+    blame_.overlap = edit_;
+  }
   // A distance to keep: rounded up, so that it holds.
   Coord clearance(double distance, std::string_view field) {
     if (fits_lattice(distance, resolution())) return formats::spacing_on_lattice(distance, resolution());
+    mistake_.add(ErrorCode::kBeyondLattice, json::number_text(distance) + " is too far", pointer_of(edit_, field));
+    return 0;
+  }
+
+  // An overlap allowance: rounded down, so that no more is allowed.
+  Coord allowance(double distance, std::string_view field) {
+    if (fits_lattice(distance, resolution())) return formats::overlap_on_lattice(distance, resolution());
     mistake_.add(ErrorCode::kBeyondLattice, json::number_text(distance) + " is too far", pointer_of(edit_, field));
     return 0;
   }

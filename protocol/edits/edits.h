@@ -189,6 +189,18 @@ struct BufferPiece {
     v.required("buffer", self.buffer, "A length.", kLengths);
   }
 };
+struct OverlapPiece {
+  static constexpr std::string_view kOp = "overlap", kName = "OverlapEdit",
+                                    kMeaning = "Sets the overlap allowance of a piece.";
+  calls::Id piece;
+  std::optional<double> overlap;
+
+  static void describe(auto& v, auto& self) {
+    v.constant("op", kOp, kOpMeaning);
+    v.required("piece", self.piece, kPieceMeaning);
+    v.optional("overlap", self.overlap, "A length; absent: the marker's allowance holds for the piece.", kLengths);
+  }
+};
 struct SetStrip {
   static constexpr std::string_view kOp = "setStrip", kName = "StripEdit",
                                     kMeaning = "Changes the strip; at least one of its fields is required.";
@@ -217,9 +229,19 @@ struct SetSpacing {
     v.required("spacing", self.spacing, "A length.", kLengths);
   }
 };
+struct SetOverlap {
+  static constexpr std::string_view kOp = "setOverlap", kName = "AllowanceEdit",
+                                    kMeaning = "Sets the marker's overlap allowance.";
+  double overlap{};
+
+  static void describe(auto& v, auto& self) {
+    v.constant("op", kOp, kOpMeaning);
+    v.required("overlap", self.overlap, "A length.", kLengths);
+  }
+};
 
 using Edit = std::variant<AddPiece, RemovePiece, PlacePiece, TakeOffPiece, MovePiece, RotatePiece, FlipPiece, TiltPiece,
-                          LockPiece, GroupPiece, BufferPiece, SetStrip, SetSpacing>;
+                          LockPiece, GroupPiece, BufferPiece, OverlapPiece, SetStrip, SetSpacing, SetOverlap>;
 
 inline constexpr std::size_t kMaxEdits = 100'000;
 

@@ -48,12 +48,14 @@ void read_constraints(json::Fields& fields, json::Mistake& mistake, DecimalPiece
   }
   if (fields.maybe_any("group") != nullptr) piece.piece.group = fields.id("group");
   piece.buffer = fields.number_or("buffer", 0, {0, kStripWidths.most});
+  piece.overlap = fields.maybe_number("overlap", {0, kStripWidths.most});
 }
 
 void write_constraints(Json& json, const Marker& marker, const Piece& piece) {
   if (piece.locked != Locks{}) json["locked"] = locks_json(piece.locked);
   if (!piece.group.empty()) json["group"] = piece.group;
   if (piece.buffer > 0) json["buffer"] = to_decimal(piece.buffer, marker.resolution);
+  if (piece.overlap) json["overlap"] = to_decimal(*piece.overlap, marker.resolution);
 }
 
 }  // namespace selvage::protocol::formats

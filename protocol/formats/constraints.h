@@ -1,6 +1,8 @@
-// What a marker maker sets for a piece besides its placement: locks, its rigid group and its buffer.  The same fields
+// What a marker maker sets for a piece besides its placement: locks, its rigid group, its buffer and its overlap
+// allowance.  The same fields
 // in the native and the sparrow form:
-//   "locked": true, or the list of what is: "x", "y", "tilt"; "group": a name; "buffer": a length.
+//   "locked": true, or the list of what is: "x", "y", "tilt"; "group": a name; "buffer": a length;
+//   "overlap": a length, absent when the marker's holds.
 #pragma once
 
 #include "protocol/formats/decimal_marker.h"

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <unordered_map>
 
+#include "core/outline/narrow.h"
+
 namespace selvage::protocol::formats {
 namespace {
 
@@ -76,6 +78,7 @@ Survey survey(const DecimalMarker& written, const ShapeIndex& shapes) {
   Survey all;
   all.add(written.width, "/strip/width");
   all.add(written.spacing, "/spacing");
+  all.add(written.overlap, "/overlap");
   all.add(written.margin, "/strip/margin");
   if (written.longest) all.add(*written.longest, "/strip/longest");
   for (std::size_t i = 0; i < written.shapes.size(); ++i) {
@@ -89,12 +92,14 @@ Survey survey(const DecimalMarker& written, const ShapeIndex& shapes) {
     const DecimalPiece& piece = written.pieces[i];
     const std::string at = indexed("/pieces/", i, "/at");
     all.add(piece.buffer, indexed("/pieces/", i, "/buffer"));
+    all.add(piece.overlap.value_or(0), indexed("/pieces/", i, "/overlap"));
     all.add(piece.at.x, at);
     all.add(piece.at.y, at);
     all.reach(placed_extent(written.shapes[shapes.at(piece.shape)].outline, piece.piece.orientation, piece.at), at);
   }
   for (std::size_t i = 0; i < written.unplaced.size(); ++i) {
     all.add(written.unplaced[i].buffer, indexed("/unplaced/", i, "/buffer"));
+    all.add(written.unplaced[i].overlap.value_or(0), indexed("/unplaced/", i, "/overlap"));
   }
   return all;
 }
@@ -173,6 +178,24 @@ void note_headroom(std::vector<Note>& notes, const DecimalMarker& written, const
 
 }  // namespace
 
+void note_narrow_parts(std::vector<Note>& notes, const Marker& marker) {
+  std::vector<Coord> allowed(marker.shapes.size());
+  if (marker.spacing > 0) return;
+  for (const auto* pieces : {&marker.pieces, &marker.unplaced}) {
+    for (const Piece& piece : *pieces) {
+      Coord& most = allowed[piece.shape.value];
+      if (piece.buffer == 0) most = std::max(most, piece.overlap.value_or(marker.overlap));
+    }
+  }
+  for (std::size_t i = 0; i < allowed.size(); ++i) {
+    if (allowed[i] == 0 || !outline::narrow_part(marker.shapes[i].outline, allowed[i])) continue;
+    notes.push_back(
+        {indexed("/shapes/", i, "/outline"), "has a part narrower than the overlap allowance of " +
+                                                 json::number_text(to_decimal(allowed[i], marker.resolution)) +
+                                                 ": another piece may lie over all of it"});
+  }
+}
+
 Result<MarkerFile> on_lattice(const DecimalMarker& written, document::Attributes attributes, Format format) {
   const auto shapes = index_shapes(written);
   if (!shapes) return shapes.error();
@@ -189,6 +212,7 @@ Result<MarkerFile> on_lattice(const DecimalMarker& written, document::Attributes
   if (written.longest) marker.strip.longest = to_lattice(*written.longest, *resolution);
   marker.strip.margin = spacing_on_lattice(written.margin, *resolution);
   marker.spacing = spacing_on_lattice(written.spacing, *resolution);
+  marker.overlap = overlap_on_lattice(written.overlap, *resolution);
   note_rounding(file.notes, all, marker);
   note_headroom(file.notes, written, all, marker);
   for (std::size_t i = 0; i < written.shapes.size(); ++i) {
@@ -201,6 +225,7 @@ Result<MarkerFile> on_lattice(const DecimalMarker& written, document::Attributes
     piece.shape = ShapeId{static_cast<std::uint32_t>(shapes->at(decimal.shape))};
     piece.at = rounded(decimal.at, *resolution);
     piece.buffer = spacing_on_lattice(decimal.buffer, *resolution);
+    if (decimal.overlap) piece.overlap = overlap_on_lattice(*decimal.overlap, *resolution);
     return piece;
   };
   for (const DecimalPiece& piece : written.pieces) marker.pieces.push_back(piece_on_lattice(piece));
@@ -208,6 +233,7 @@ Result<MarkerFile> on_lattice(const DecimalMarker& written, document::Attributes
   auto made = make_marker(std::move(marker));
   if (!made) return made.error();
   file.marker = *std::move(made);
+  note_narrow_parts(file.notes, file.marker);
   return file;
 }
 
@@ -243,6 +269,11 @@ std::vector<Decimal> read_points(const Json& array, const std::string& at, json:
 Coord spacing_on_lattice(double spacing, Resolution resolution) {
   const Coord nearest = to_lattice(spacing, resolution);
   return to_decimal(nearest, resolution) < spacing ? nearest + 1 : nearest;
+}
+
+Coord overlap_on_lattice(double overlap, Resolution resolution) {
+  const Coord nearest = to_lattice(overlap, resolution);
+  return to_decimal(nearest, resolution) > overlap ? nearest - 1 : nearest;
 }
 
 double in_unit(double lattice, Resolution resolution) {

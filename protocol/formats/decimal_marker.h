@@ -27,16 +27,17 @@ struct DecimalShape {
 };
 
 struct DecimalPiece {
-  Piece piece;  // all but shape, position and buffer
+  Piece piece;  // all but shape, position, buffer and overlap allowance
   std::string shape;
   Decimal at;
   double buffer{};
+  std::optional<double> overlap;  // absent: the marker's
 };
 
 struct DecimalMarker {
   std::string name, unit{"mm"};
   std::optional<Resolution> resolution;  // absent: chosen
-  double width{}, spacing{}, margin{};
+  double width{}, spacing{}, overlap{}, margin{};
   std::optional<double> longest;
   std::vector<DecimalShape> shapes;
   std::vector<DecimalPiece> pieces;
@@ -63,6 +64,11 @@ inline constexpr double kFarthest = 1e5;
 
 // The least distance that is at least `spacing` on the lattice: rounded up, so that it holds.
 [[nodiscard]] Coord spacing_on_lattice(double spacing, Resolution resolution);
+// The largest overlap allowance on the lattice that is at most `overlap`: rounded down, so that no more is allowed.
+[[nodiscard]] Coord overlap_on_lattice(double overlap, Resolution resolution);
+
+// Adds a note for every shape with a part narrower than the overlap allowance of a piece of it.
+void note_narrow_parts(std::vector<Note>& notes, const Marker& marker);
 
 // A length in lattice units that need not be whole, in the marker's unit.
 [[nodiscard]] double in_unit(double lattice, Resolution resolution);

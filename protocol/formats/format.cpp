@@ -43,21 +43,37 @@ Result<std::string> write_marker(const MarkerFile& file, Format format) {
   return to_text(*document, json::Layout::kIndented) + "\n";
 }
 
-Result<MarkerFile> with_spacing(MarkerFile file, double spacing) {
+namespace {
+
+// The file with another distance that holds for the whole marker; `rounding`: "rounded up" or "rounded down".
+Result<MarkerFile> with_distance(MarkerFile file, Coord Marker::*distance, double value, const std::string& field,
+                                 Coord (*on_lattice)(double, Resolution), const char* rounding) {
   const Resolution resolution = file.marker.resolution;
   const double width = to_decimal(file.marker.strip.width, resolution);
   json::Mistake mistake;
-  const double checked = checked_number(Json(spacing), {0, width}, mistake, "/spacing");
+  const double checked = checked_number(Json(value), {0, width}, mistake, field);
   if (mistake) return mistake.error();
-  file.marker.spacing = spacing_on_lattice(checked, resolution);
-  if (to_decimal(file.marker.spacing, resolution) != checked) {
-    file.notes.push_back(
-        {"/spacing", "rounded up to " + json::number_text(to_decimal(file.marker.spacing, resolution))});
+  const Coord rounded = on_lattice(checked, resolution);
+  if (const double kept = to_decimal(rounded, resolution); kept != checked) {
+    file.notes.push_back({field, std::string{rounding} + " to " + json::number_text(kept)});
   }
+  file.marker.*distance = rounded;
   auto made = make_marker(std::move(file.marker));
   if (!made) return made.error();
   file.marker = *std::move(made);
   return file;
+}
+
+}  // namespace
+
+Result<MarkerFile> with_spacing(MarkerFile file, double spacing) {
+  return with_distance(std::move(file), &Marker::spacing, spacing, "/spacing", spacing_on_lattice, "rounded up");
+}
+
+Result<MarkerFile> with_overlap(MarkerFile file, double overlap) {
+  auto made = with_distance(std::move(file), &Marker::overlap, overlap, "/overlap", overlap_on_lattice, "rounded down");
+  if (made) note_narrow_parts(made->notes, made->marker);
+  return made;
 }
 
 }  // namespace selvage::protocol::formats

@@ -29,4 +29,8 @@ namespace selvage::protocol::formats {
 // Errors: kOutOfRange (negative, not finite, wider than the strip), kBeyondLattice.
 [[nodiscard]] Result<MarkerFile> with_spacing(MarkerFile file, double spacing);
 
+// The file with another overlap allowance, in the marker's unit; pieces keep those of their own.  The errors are those
+// of with_spacing, at "/overlap".
+[[nodiscard]] Result<MarkerFile> with_overlap(MarkerFile file, double overlap);
+
 }  // namespace selvage::protocol::formats

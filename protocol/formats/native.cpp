@@ -130,6 +130,7 @@ Result<MarkerFile> read_native(const Json& document) {
   marker.resolution = read_resolution(fields, mistake);
   read_strip(fields, mistake, marker);
   marker.spacing = fields.number_or("spacing", 0, {0, marker.width});
+  marker.overlap = fields.number_or("overlap", 0, {0, marker.width});
   for (const Json& shape : fields.array("shapes")) {
     if (mistake) return mistake.error();
     const std::string at = "/shapes/" + std::to_string(marker.shapes.size());
@@ -195,6 +196,7 @@ Json native_document(const MarkerFile& file) {
                 {"resolution", to_decimal(1, marker.resolution)},
                 {"strip", std::move(strip)},
                 {"spacing", to_decimal(marker.spacing, marker.resolution)}};
+  if (marker.overlap > 0) document["overlap"] = to_decimal(marker.overlap, marker.resolution);
   if (!file.attributes.whole.empty()) document["attributes"] = file.attributes.whole;
   Json& shapes = document["shapes"] = Json::array();
   for (std::size_t i = 0; i < marker.shapes.size(); ++i) {

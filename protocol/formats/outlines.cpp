@@ -3,12 +3,22 @@
 #include "protocol/formats/decimal_marker.h"
 
 namespace selvage::protocol::formats {
+namespace {
+
+// The overlap allowance that holds for all pairs of the piece that it has an allowance with.
+Coord allowance_of(const Marker& marker, const Piece& piece) {
+  return marker.spacing > 0 || piece.buffer > 0 ? 0 : piece.overlap.value_or(marker.overlap);
+}
+
+}  // namespace
 
 Json outlines_document(const Marker& marker) {
   Json pieces = Json::array();
   for (std::uint32_t i = 0; i < marker.pieces.size(); ++i) {
     pieces.push_back({{"id", marker.pieces[i].id},
                       {"outline", outline_json(placed_outline(marker, PieceId{i}), marker.resolution)}});
+    const Coord allowance = allowance_of(marker, marker.pieces[i]);
+    if (allowance > 0) pieces.back()["overlap"] = to_decimal(allowance, marker.resolution);
   }
   return {{"strip_height", to_decimal(marker.strip.width, marker.resolution)},
           {"strip_length", to_decimal(length_of(marker), marker.resolution)},

@@ -1,8 +1,9 @@
 // Every piece's outline where it lies: what a cutter, a plotter or an independent check wants.  Written only.
 //
-// {"strip_height": H, "strip_length": L, "pieces": [{"id", "outline": [[x, y], ...]}]}; strip_height is the
+// {"strip_height": H, "strip_length": L, "pieces": [{"id", "outline": [[x, y], ...], "overlap"}]}; strip_height is the
 // strip's width across, strip_length the marker's length, outlines counter-clockwise, every number the exact
-// decimal of its lattice coordinate.
+// decimal of its lattice coordinate.  `overlap`: the overlap allowance of the piece when it has one and no spacing or
+// buffer overrides it; two pieces may overlap by the smaller of their two.
 #pragma once
 
 #include "core/marker/marker.h"

@@ -226,6 +226,7 @@ Result<MarkerFile> read_sparrow(const Json& document) {
   marker.width = fields.number("strip_height", kStripWidths);
   marker.margin = fields.number_or("margin", 0, {0, kStripWidths.most});
   marker.spacing = fields.number_or("spacing", 0, {0, marker.width});
+  marker.overlap = fields.number_or("overlap", 0, {0, marker.width});
   read_solution(fields, reading);
   list_unplaced(reading);
   reading.attributes.whole = fields.rest();
@@ -332,6 +333,7 @@ Result<Json> sparrow_document(const MarkerFile& file) {
   document["strip_height"] = to_decimal(marker.strip.width, marker.resolution);
   if (marker.strip.margin > 0) document["margin"] = to_decimal(marker.strip.margin, marker.resolution);
   if (marker.spacing > 0) document["spacing"] = to_decimal(marker.spacing, marker.resolution);
+  if (marker.overlap > 0) document["overlap"] = to_decimal(marker.overlap, marker.resolution);
   if (!marker.pieces.empty()) document["solution"] = solution_json(file, ids);
   return document;
 }

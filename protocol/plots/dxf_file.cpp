@@ -234,6 +234,7 @@ class DxfWriter {
     if (strip.margin > 0) say("Marker Margin", json::number_text(decimal(strip.margin)));
     if (strip.longest) say("Marker Longest", json::number_text(decimal(*strip.longest)));
     if (marker_.spacing > 0) say("Marker Spacing", json::number_text(decimal(marker_.spacing)));
+    if (marker_.overlap > 0) say("Marker Overlap", json::number_text(decimal(marker_.overlap)));
     say("Marker Resolution", json::number_text(to_decimal(1, unit_.resolution)));
   }
 
@@ -263,6 +264,7 @@ class DxfWriter {
     }
     if (!piece.group.empty()) attribute(at, "GROUP", piece.group);
     if (piece.buffer > 0) attribute(at, "BUFFER", json::number_text(decimal(piece.buffer)));
+    if (piece.overlap) attribute(at, "OVERLAP", json::number_text(decimal(*piece.overlap)));
     const Locks locks = piece.locked;
     const std::string locked = std::string{locks.x ? "x" : ""} + (locks.y ? "y" : "") + (locks.tilt ? "t" : "");
     if (!locked.empty()) attribute(at, "LOCKED", locked);

@@ -13,6 +13,14 @@ export type AddEdit = {
   shape?: Record<string, unknown>;
 };
 
+/** Sets the marker's overlap allowance. */
+export type AllowanceEdit = {
+  /** The operation. */
+  op: "setOverlap";
+  /** A length. */
+  overlap: number;
+};
+
 /** Which layout motion.contain returns: the first that it finds, or the one in which the pieces have most room. */
 export type BestContainment = "first" | "room";
 
@@ -55,7 +63,7 @@ export type Direction = [number, number];
 export type DragMode = "place" | "push";
 
 /** An operation of marker.apply. */
-export type Edit = AddEdit | RemoveEdit | PlaceEdit | TakeOffEdit | MoveEdit | RotateEdit | FlipEdit | TiltEdit | LockEdit | GroupEdit | BufferEdit | StripEdit | SpacingEdit;
+export type Edit = AddEdit | RemoveEdit | PlaceEdit | TakeOffEdit | MoveEdit | RotateEdit | FlipEdit | TiltEdit | LockEdit | GroupEdit | BufferEdit | OverlapEdit | StripEdit | SpacingEdit | AllowanceEdit;
 
 /** Mirrors a piece. */
 export type FlipEdit = {
@@ -253,6 +261,16 @@ export type Overlap = {
   depth: number;
 };
 
+/** Sets the overlap allowance of a piece. */
+export type OverlapEdit = {
+  /** The operation. */
+  op: "overlap";
+  /** The piece's id. */
+  piece: Id;
+  /** A length; absent: the marker's allowance holds for the piece. */
+  overlap?: number;
+};
+
 /** A piece with its placement and its locks. */
 export type PieceState = {
   /** The piece's id. */
@@ -273,6 +291,8 @@ export type PieceState = {
   group?: string;
   /** The clearance around it, if it has one. */
   buffer?: number;
+  /** Its own overlap allowance, if it has one. */
+  overlap?: number;
 };
 
 /** Lays an unplaced piece on the cloth, after the other pieces. */
@@ -481,6 +501,8 @@ export interface Methods {
       marker: Record<string, unknown> | string;
       /** Overrides the document's spacing. */
       spacing?: number;
+      /** Overrides the document's overlap allowance. */
+      overlap?: number;
       /** Of a pattern or cut file, instead of the unit that it states. */
       unit?: LengthUnit;
       /** Of the cloth, in mm; a pattern file does not state it. 1500 when absent. */
@@ -618,7 +640,7 @@ export interface Methods {
       placements: Array<PieceState>;
       /** Ids of the pieces that were removed. */
       removed: Array<string>;
-      /** True: something else changed too, such as the strip, the spacing or shapes; absent otherwise. */
+      /** True: something else changed too, such as the strip, the spacing, the overlap allowance or shapes; absent otherwise. */
       whole?: boolean;
       /** The marker's name. */
       name: string;
@@ -653,7 +675,7 @@ export interface Methods {
       placements: Array<PieceState>;
       /** Ids of the pieces that were removed. */
       removed: Array<string>;
-      /** True: something else changed too, such as the strip, the spacing or shapes; absent otherwise. */
+      /** True: something else changed too, such as the strip, the spacing, the overlap allowance or shapes; absent otherwise. */
       whole?: boolean;
       /** The marker's name. */
       name: string;
@@ -686,7 +708,7 @@ export interface Methods {
       placements: Array<PieceState>;
       /** Ids of the pieces that were removed. */
       removed: Array<string>;
-      /** True: something else changed too, such as the strip, the spacing or shapes; absent otherwise. */
+      /** True: something else changed too, such as the strip, the spacing, the overlap allowance or shapes; absent otherwise. */
       whole?: boolean;
       /** The marker's name. */
       name: string;
@@ -773,7 +795,7 @@ export interface Methods {
       placements: Array<PieceState>;
       /** Ids of the pieces that were removed. */
       removed: Array<string>;
-      /** True: something else changed too, such as the strip, the spacing or shapes; absent otherwise. */
+      /** True: something else changed too, such as the strip, the spacing, the overlap allowance or shapes; absent otherwise. */
       whole?: boolean;
       /** The marker's name. */
       name: string;
@@ -838,7 +860,7 @@ export interface Methods {
       contacts: Array<LoadedContact>;
       /** What tilting a piece would gain, the largest first. */
       tilts: Array<TiltWorth>;
-      /** How much the marker would shorten per unit less spacing. */
+      /** How much the marker would shorten per unit less spacing or more overlap allowance. */
       perSpacing: number;
     };
   };
@@ -2035,7 +2057,7 @@ export interface Notifications {
     utilisation: number;
     /** Proved in integers: no overlap, no distance below the spacing, nothing outside the strip. */
     valid: boolean;
-    /** True: something else changed too, such as the strip, the spacing or shapes; absent otherwise. */
+    /** True: something else changed too, such as the strip, the spacing, the overlap allowance or shapes; absent otherwise. */
     whole?: boolean;
   };
   /** A watched marker was closed. */

@@ -82,7 +82,7 @@ struct ReadingFields {
 
 struct OpenFields {
   SourceView marker;
-  std::optional<double> spacing;
+  std::optional<double> spacing, overlap;
   std::optional<std::string> op_id;
   ReadingFields reading;
 
@@ -90,6 +90,7 @@ struct OpenFields {
     v.required("marker", self.marker,
                "A native or sparrow document, or the text of a file in any format that is read.");
     v.optional("spacing", self.spacing, "Overrides the document's spacing.");
+    v.optional("overlap", self.overlap, "Overrides the document's overlap allowance.");
     v.part(self.reading);
     v.optional("opId", self.op_id, calls::kOpIdMeaning, calls::kOpIds);
   }
@@ -109,10 +110,10 @@ Result<OpenParams> decode_open(const Json& params) {
   auto file = read_source(*fields);
   if (!file) return json::within("/marker", file.error());
   for (Note& note : file->notes) note.field.insert(0, "/marker");
-  if (!fields->spacing) return OpenParams{*std::move(file), std::move(fields->op_id)};
-  auto spaced = formats::with_spacing(*std::move(file), *fields->spacing);
-  if (!spaced) return spaced.error();
-  return OpenParams{*std::move(spaced), std::move(fields->op_id)};
+  if (fields->spacing) file = formats::with_spacing(*std::move(file), *fields->spacing);
+  if (file && fields->overlap) file = formats::with_overlap(*std::move(file), *fields->overlap);
+  if (!file) return file.error();
+  return OpenParams{*std::move(file), std::move(fields->op_id)};
 }
 
 OpenResult opened(const std::string& marker_id, Revision revision, const MarkerFile& file) {

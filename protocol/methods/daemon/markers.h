@@ -12,7 +12,7 @@
 namespace selvage::protocol::methods::daemon {
 
 struct OpenParams {
-  MarkerFile file;  // with the spacing applied; notes point into the parameters
+  MarkerFile file;  // with the spacing and overlap allowance applied; notes point into the parameters
   std::optional<std::string> op_id;
 };
 // Errors: 10xx, 11xx and 12xx, `field` pointing into the parameters ("/marker/shapes/0/outline").

@@ -44,7 +44,8 @@ struct HoldResult {
     v.required("length", self.length, calls::kLengthMeaning);
     v.required("contacts", self.contacts, "The contacts that carry load, from left to right.");
     v.required("tilts", self.tilts, "What tilting a piece would gain, the largest first.");
-    v.required("perSpacing", self.per_spacing, "How much the marker would shorten per unit less spacing.");
+    v.required("perSpacing", self.per_spacing,
+               "How much the marker would shorten per unit less spacing or more overlap allowance.");
   }
 };
 

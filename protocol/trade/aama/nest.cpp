@@ -64,6 +64,7 @@ class NestReader {
     written_.width = number(texts, "Marker Width", 0, formats::kStripWidths);
     written_.margin = number(texts, "Marker Margin", 0, kLengths);
     written_.spacing = number(texts, "Marker Spacing", 0, kLengths);
+    written_.overlap = number(texts, "Marker Overlap", 0, kLengths);
     if (texts.contains("Marker Longest")) written_.longest = number(texts, "Marker Longest", 0, formats::kStripWidths);
     const double unit = number(texts, "Marker Resolution", 0, {});
     for (int exponent = geometry::kFinestExponent; exponent <= geometry::kCoarsestExponent; ++exponent) {
@@ -154,6 +155,7 @@ class NestReader {
     orientation.rotation = Angle::of_degrees(number(attributes, "ROTATION", turned, kTurns));
     piece.piece.group = text_or_empty(attributes, "GROUP");
     piece.buffer = number(attributes, "BUFFER", 0, kLengths);
+    if (attributes.contains("OVERLAP")) piece.overlap = number(attributes, "OVERLAP", 0, kLengths);
     const std::string locked = text_or_empty(attributes, "LOCKED");
     const auto has = [&](char lock) { return locked.find(lock) != std::string::npos; };
     piece.piece.locked = Locks{has('x'), has('y'), has('t')};

@@ -78,7 +78,8 @@ TEST(Edits, EachDoesWhatItSays) {
       {'op':'tilt','piece':'left','to':1},{'op':'tilt','piece':'left','by':-3},
       {'op':'lock','piece':'right'},{'op':'setStrip','width':90,'longest':300},{'op':'setSpacing','spacing':0.25},
       {'op':'group','piece':'left','group':'bundle'},{'op':'buffer','piece':'left','buffer':0.75},
-      {'op':'lock','piece':'left','locked':['x','tilt']},{'op':'setStrip','margin':2})");
+      {'op':'lock','piece':'left','locked':['x','tilt']},{'op':'setStrip','margin':2},
+      {'op':'setOverlap','overlap':1.5},{'op':'overlap','piece':'right','overlap':0.5})");
   ASSERT_TRUE(after) << after.error().message << after.error().field;
   const Marker& marker = after->marker;
   EXPECT_EQ(formats::point_json(marker.pieces[0].at, marker.resolution), test::json("[1.5,2]"));
@@ -94,6 +95,11 @@ TEST(Edits, EachDoesWhatItSays) {
   EXPECT_EQ(to_decimal(*marker.strip.longest, marker.resolution), 300);
   EXPECT_EQ(to_decimal(marker.spacing, marker.resolution), 0.25);
   EXPECT_FALSE(edited(*after, "{'op':'setStrip','longest':null}")->marker.strip.longest);
+  EXPECT_EQ(to_decimal(marker.overlap, marker.resolution), 1.5);
+  EXPECT_FALSE(marker.pieces[0].overlap);
+  EXPECT_EQ(to_decimal(marker.pieces[1].overlap.value(), marker.resolution), 0.5);
+  EXPECT_EQ(schema::encode(calls::state_of(marker, marker.pieces[1]))["overlap"], 0.5);
+  EXPECT_FALSE(edited(*after, "{'op':'overlap','piece':'right'}")->marker.pieces[1].overlap);
 }
 
 TEST(Edits, PiecesComeAndGoWithTheirShapesAndAttributes) {
@@ -120,6 +126,8 @@ TEST(Edits, MistakesAreNamedByTheirOperation) {
                "/ops/1");
   expect_error(file, "{'op':'setStrip','width':30}", kPieceTooWide, "/ops/0");
   expect_error(file, "{'op':'setSpacing','spacing':500}", kOutOfRange, "/ops/0/spacing");
+  expect_error(file, "{'op':'setOverlap','overlap':500}", kOutOfRange, "/ops/0/overlap");
+  expect_error(file, "{'op':'overlap','piece':'left','overlap':500}", kOutOfRange, "/ops/0");
   expect_error(file, "{'op':'remove','piece':'left'},{'op':'remove','piece':'right'}", kEmptyMarker, "/ops");
   expect_error(file, "{'op':'add','piece':{'id':'left','shape':'square','at':[0,0]}}", kDuplicateId, "/ops/0/piece/id");
   expect_error(file, "{'op':'add','piece':{'id':'x','shape':'round','at':[0,0]}}", kUnknownShape, "/ops/0/piece/shape");
@@ -147,7 +155,7 @@ TEST(Moves, LeadFromOneStateToTheOtherAndAreExactAsText) {
   const MarkerFile before = loose();
   const auto after = edited(before, R"({'op':'move','piece':'right','at':[61.0625,3]},
       {'op':'rotate','piece':'right','to':12.34},{'op':'lock','piece':'right','locked':['y']},
-      {'op':'buffer','piece':'right','buffer':0.125},{'op':'group','piece':'right','group':'g'},{'op':'tilt','piece':'right','to':-1})");
+      {'op':'buffer','piece':'right','buffer':0.125},{'op':'overlap','piece':'right','overlap':0.5},{'op':'group','piece':'right','group':'g'},{'op':'tilt','piece':'right','to':-1})");
   ASSERT_TRUE(after);
   const auto moves = moves_between(before, *after);
   ASSERT_TRUE(moves);

@@ -70,6 +70,8 @@ TEST(Native, RoundTripsEverything) {
   document["pieces"][0]["locked"] = json(R"(["x", "tilt"])");
   document["pieces"][0]["group"] = "pair";
   document["pieces"][0]["buffer"] = 0.125;
+  document["overlap"] = 0.375;
+  document["pieces"][1]["overlap"] = 0;
   document["strip"]["margin"] = 0.5;
   document["pieces"][1]["locked"] = true;
   document["pieces"][1]["at"] = json("[91.0000001, 50]");
@@ -80,6 +82,9 @@ TEST(Native, RoundTripsEverything) {
   EXPECT_EQ(once.marker.pieces[0].locked, (Locks{true, false, true}));
   EXPECT_EQ(to_decimal(once.marker.pieces[0].buffer, once.marker.resolution), 0.125);
   EXPECT_EQ(to_decimal(once.marker.strip.margin, once.marker.resolution), 0.5);
+  EXPECT_EQ(to_decimal(once.marker.overlap, once.marker.resolution), 0.375);
+  EXPECT_FALSE(once.marker.pieces[0].overlap);
+  EXPECT_EQ(once.marker.pieces[1].overlap, 0);
 
   const Json written = native_document(once);
   const MarkerFile twice = test::read(written);
@@ -89,6 +94,23 @@ TEST(Native, RoundTripsEverything) {
   EXPECT_EQ(json::to_text(written["pieces"][0]["locked"]), R"(["x","tilt"])");
   EXPECT_EQ(written["pieces"][0]["group"], "pair");
   EXPECT_EQ(json::to_text(written["attributes"]), R"({"customer":{"no":17}})");
+}
+
+TEST(Native, RoundsAllowancesDownAndNotesNarrowParts) {
+  Json document = native_squares();
+  document["resolution"] = 0.1;
+  document["overlap"] = 1.49;
+  document["shapes"][0]["outline"] = json("[[0,0],[40,0],[40,10],[60,10],[60,11],[40,11],[40,40],[0,40]]");
+  document["pieces"][1]["at"] = json("[70,0]");
+  const MarkerFile file = test::read(document);
+  EXPECT_EQ(to_decimal(file.marker.overlap, file.marker.resolution), 1.4);
+  const Note narrow{"/shapes/0/outline",
+                    "has a part narrower than the overlap allowance of 1.4: another piece may lie over all of it"};
+  EXPECT_EQ(std::count(file.notes.begin(), file.notes.end(), narrow), 1);
+  document["overlap"] = 0.9;
+  const auto notes = test::read(document).notes;
+  EXPECT_TRUE(
+      std::none_of(notes.begin(), notes.end(), [](const Note& note) { return note.field == "/shapes/0/outline"; }));
 }
 
 TEST(Native, ReadsWholeNumbersAsIds) {

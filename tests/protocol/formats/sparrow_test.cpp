@@ -140,8 +140,9 @@ TEST(Sparrow, ReadsPolygonsWithHolesAsFilled) {
 TEST(Sparrow, CarriesIdsLocksAndSpacingOfANativeMarker) {
   Json native = test::native_squares();
   native["spacing"] = 2.5;
+  native["overlap"] = 0.75;
   native["pieces"][1]["locked"] = true;
-  native["pieces"][0].update(json(R"({"locked": ["y"], "group": "g", "buffer": 0.5})"));
+  native["pieces"][0].update(json(R"({"locked": ["y"], "group": "g", "buffer": 0.5, "overlap": 0.25})"));
   native["shapes"][0]["attributes"] = json(R"({"size": 38})");
   const MarkerFile file = test::read(native);
   const auto written = sparrow_document(file);
@@ -156,6 +157,8 @@ TEST(Sparrow, CarriesIdsLocksAndSpacingOfANativeMarker) {
   EXPECT_EQ(back.marker.pieces[0].group, "g");
   EXPECT_EQ(to_decimal(back.marker.pieces[0].buffer, back.marker.resolution), 0.5);
   EXPECT_EQ(to_decimal(back.marker.spacing, back.marker.resolution), 2.5);
+  EXPECT_EQ(to_decimal(back.marker.overlap, back.marker.resolution), 0.75);
+  EXPECT_EQ(to_decimal(back.marker.pieces[0].overlap.value(), back.marker.resolution), 0.25);
 }
 
 TEST(Sparrow, HasNoWordForAFlippedPiece) {

@@ -113,7 +113,7 @@ TEST_P(Golden, AgreesWithTheCodec) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Golden, testing::Values("life_of_a_marker", "mistakes", "motions"),
+INSTANTIATE_TEST_SUITE_P(All, Golden, testing::Values("life_of_a_marker", "mistakes", "motions", "allowances"),
                          [](const auto& test) { return test.param; });
 
 }  // namespace

@@ -5,8 +5,10 @@
 #include <random>
 #include <set>
 
+#include "core/marker/validity.h"
 #include "protocol/document/annotations.h"
 #include "protocol/files/writing.h"
+#include "protocol/formats/format.h"
 #include "protocol/plots/cut_file.h"
 #include "protocol/plots/route.h"
 #include "tests/protocol/trade/example.h"
@@ -103,6 +105,10 @@ TEST(RealCut, GeminiIsReadWhole) {
   std::set<std::string> bundles;
   for (const Json& attributes : file->attributes.pieces) bundles.insert(attributes["bundle"].get<std::string>());
   EXPECT_EQ(bundles.size(), 10U);
+  EXPECT_FALSE(is_valid(file->marker));
+  const auto allowed = protocol::formats::with_overlap(*file, 1.4);
+  ASSERT_TRUE(allowed) << allowed.error().message;
+  EXPECT_TRUE(is_valid(allowed->marker));
 }
 
 }  // namespace

@@ -43,10 +43,13 @@ class AsyncClient:
     async def info(self) -> Info:
         return read(Info, await self.call("engine.info"))
 
-    async def open(self, marker: Document, *, spacing: float | None = None, op_id: str | None = None) -> AsyncMarker:
+    async def open(
+        self, marker: Document, *, spacing: float | None = None, overlap: float | None = None, op_id: str | None = None
+    ) -> AsyncMarker:
         """Opens a native or sparrow document, or the file of that path."""
         document = marker if isinstance(marker, Mapping) else json.loads(pathlib.Path(marker).read_text("utf-8"))
-        opened = read(Opened, await self.call("marker.open", named(marker=document, spacing=spacing, op_id=op_id)))
+        params = named(marker=document, spacing=spacing, overlap=overlap, op_id=op_id)
+        opened = read(Opened, await self.call("marker.open", params))
         return AsyncMarker(self._link, opened.marker_id, opened)
 
     def marker(self, marker_id: str) -> AsyncMarker:

@@ -144,9 +144,11 @@ class Client(Blocking):
     info = blocking(AsyncClient.info)
     list = blocking(AsyncClient.list)
 
-    def open(self, marker: Document, *, spacing: float | None = None, op_id: str | None = None) -> Marker:
+    def open(
+        self, marker: Document, *, spacing: float | None = None, overlap: float | None = None, op_id: str | None = None
+    ) -> Marker:
         """Opens a native or sparrow document, or the file of that path."""
-        return Marker(self._portal, self._portal.run(self._twin.open(marker, spacing=spacing, op_id=op_id)))
+        return Marker(self._portal, self._portal.run(self._twin.open(marker, spacing=spacing, overlap=overlap, op_id=op_id)))
 
     def marker(self, marker_id: str) -> Marker:
         """A marker that is open already.  Asks nothing: the first call of it does."""

@@ -61,6 +61,11 @@ def buffer(piece: str, buffer: float) -> Op:
     return named(op="buffer", piece=piece, buffer=buffer)
 
 
+def overlap(piece: str, overlap: float | None = None) -> Op:
+    """Without `overlap`, the marker's allowance holds for the piece."""
+    return named(op="overlap", piece=piece, overlap=overlap)
+
+
 def set_strip(
     *, width: float | None = None, longest: float | None = None, margin: float | None = None, endless: bool = False
 ) -> Op:
@@ -71,3 +76,7 @@ def set_strip(
 
 def set_spacing(spacing: float) -> Op:
     return named(op="setSpacing", spacing=spacing)
+
+
+def set_overlap(overlap: float) -> Op:
+    return named(op="setOverlap", overlap=overlap)

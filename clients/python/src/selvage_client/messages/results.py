@@ -67,7 +67,10 @@ class Listed:
 
 @dataclass(frozen=True)
 class Placement:
-    """Where a piece lies.  Motions leave out `shape`, `locked`, `group` and `buffer`: they never change them."""
+    """Where a piece lies.
+
+    Motions leave out `shape`, `locked`, `group`, `buffer` and `overlap`: they never change them.
+    """
 
     id: str
     at: Point
@@ -78,6 +81,7 @@ class Placement:
     locked: bool | tuple[str, ...] | None = None
     group: str | None = None
     buffer: float | None = None
+    overlap: float | None = None
 
 
 @dataclass(frozen=True)
