@@ -125,6 +125,14 @@ class Compact(CliTest):
         self.assertEqual([p["at"][0] for p in out["pieces"]], [0, 40])
         self.assertIn("length", ran.stderr)
 
+    def test_uses_the_overlap_allowance(self):
+        ran = run("compact", "-", "-o", "-", "--overlap", "1.5", text=json.dumps(squares((0, 0), (50, 0))))
+        out = json.loads(ran.stdout)
+        self.assertEqual(out["overlap"], 1.5)
+        self.assertEqual(out["pieces"][1]["at"][0], 38.5)
+        self.assertEqual(run("check", "-", text=ran.stdout).returncode, OK)
+        self.assertEqual(run("check", "-", "--overlap", "1.4", text=ran.stdout).returncode, NOT_VALID)
+
     def test_keeps_the_spacing(self):
         ran = run("compact", "-", "-o", "-", "--spacing", "2.5", text=json.dumps(squares((0, 0), (50, 0))))
         out = json.loads(ran.stdout)

@@ -23,6 +23,8 @@ terminal::ExitCode run_check(const command_line::Values& values) {
   auto file = terminal::load_marker(values.text("IN"));
   if (const auto spacing = values.number("spacing"); file && spacing)
     file = protocol::formats::with_spacing(*std::move(file), *spacing);
+  if (const auto overlap = values.number("overlap"); file && overlap)
+    file = protocol::formats::with_overlap(*std::move(file), *overlap);
   if (!file) return terminal::report(file.error());
   const auto checked = validity_of(*file, server_choice(values));
   if (const auto* failure = std::get_if<terminal::Failure>(&checked)) return terminal::report(*failure);
@@ -45,6 +47,7 @@ command_line::Command check_command() {
           "Check that no pieces overlap and that all lie within the strip; the test is exact",
           {input_option(),
            spacing_option(),
+           overlap_option(),
            {.name = "--json", .kind = command_line::Kind::kFlag, .meaning = "Print the result as one line of JSON"}},
           &run_check};
 }

@@ -91,7 +91,9 @@ ExitCode run_convert(const command_line::Values& values) {
   if (!out) return terminal::report(terminal::bad_usage("name one file to write: OUT, or --out OUT"));
   const auto options = reading_options(values);
   if (!options) return terminal::report(options.error());
-  const auto file = terminal::load_marker(values.text("IN"), *options);
+  auto file = terminal::load_marker(values.text("IN"), *options);
+  if (const auto overlap = values.number("overlap"); file && overlap)
+    file = protocol::formats::with_overlap(*std::move(file), *overlap);
   if (!file) return terminal::report(file.error());
   const auto format = values.find("format") != nullptr
                           ? std::optional{format_named(values.text("format"))}
@@ -134,6 +136,7 @@ command_line::Command convert_command() {
             .kind = Kind::kNumber,
             .meaning = "Width of the cloth in mm, which a pattern file does not state; default: 1500",
             .range = command_line::Range{1, 1e6}},
+           overlap_option(),
            {.name = "--sizes",
             .kind = Kind::kText,
             .meaning = "Sizes of a graded style, separated by commas; default: all"},

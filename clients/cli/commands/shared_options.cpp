@@ -23,6 +23,12 @@ Option spacing_option() {
           .meaning = "Minimum distance between pieces, in the marker's unit; overrides the marker's own"};
 }
 
+Option overlap_option() {
+  return {.name = "--overlap",
+          .kind = Kind::kNumber,
+          .meaning = "Overlap allowance of the pieces, in the marker's unit; overrides the marker's own"};
+}
+
 std::vector<Option> file_options() {
   const std::int64_t cores = std::max(1U, std::thread::hardware_concurrency());
   return {
@@ -40,6 +46,7 @@ std::vector<Option> file_options() {
        .meaning = "Format of --out; default: by its suffix, else the format of the input",
        .choices = {std::begin(protocol::files::kFileFormatNames), std::end(protocol::files::kFileFormatNames)}},
       spacing_option(),
+      overlap_option(),
       {.name = "--threads",
        .kind = Kind::kInteger,
        .meaning = "Number of threads; it does not affect the result",
@@ -68,6 +75,7 @@ MarkerFiles marker_files(const command_line::Values& values, const std::string& 
   files.outlines = values.text("outlines");
   if (values.find("format") != nullptr) files.format = format_named(values.text("format"));
   files.spacing = values.number("spacing");
+  files.overlap = values.number("overlap");
   files.overlays = {.arrows = values.flag("arrows"), .critical_path = values.flag("chain")};
   files.threads = static_cast<std::size_t>(values.integer("threads").value_or(1));
   files.server = server_choice(values);

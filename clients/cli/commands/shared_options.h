@@ -20,7 +20,7 @@ struct MarkerFiles {
   std::string in;
   std::string out, svg, outlines;                     // empty: not written
   std::optional<protocol::files::FileFormat> format;  // of `out`; none: by its suffix
-  std::optional<double> spacing;                      // in the marker's unit; none: the marker's own
+  std::optional<double> spacing, overlap;             // in the marker's unit; none: the marker's own
   Overlays overlays;                                  // of `svg`
   std::size_t threads{1};                             // of this process
   run::ServerChoice server;
@@ -28,9 +28,10 @@ struct MarkerFiles {
 
 // IN, the marker, as a positional argument.
 [[nodiscard]] command_line::Option input_option();
-// --out, --svg, --arrows, --chain, --outlines, --format, --spacing, --threads.
+// --out, --svg, --arrows, --chain, --outlines, --format, --spacing, --overlap, --threads.
 [[nodiscard]] std::vector<command_line::Option> file_options();
 [[nodiscard]] command_line::Option spacing_option();
+[[nodiscard]] command_line::Option overlap_option();
 // --server, --token-file, --trust: options of the program, valid for every command.
 [[nodiscard]] std::vector<command_line::Option> server_options();
 
