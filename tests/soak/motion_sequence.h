@@ -24,7 +24,7 @@ struct Fault {
 struct WorkAfterStop {
   std::uint64_t programs{}, sums{};
 };
-inline constexpr std::uint64_t kMostProgramsAfterStop = 1;
+inline constexpr std::uint64_t kMostProgramsAfterStop = 2;
 
 struct SequenceResult {
   int motions{};

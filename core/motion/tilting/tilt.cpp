@@ -87,10 +87,12 @@ class Tilter {
       next.pieces = step.pieces;
       run_.observer.on_stage(scene::Stage::kVerify);
       if (is_valid(next)) return next;
+      if (run_.stopped()) return std::nullopt;
       step_settings.turn.degrees *= tuning().correction_turn;
       if (correction > 0) step_settings.trust *= tuning().correction_turn;
     }
     if (auto repaired_marker = repaired(next)) return repaired_marker;
+    if (run_.stopped()) return std::nullopt;
     return separated(next, length_of(start));
   }
   std::optional<Marker> repaired(const Marker& marker) {
