@@ -20,7 +20,7 @@ struct Fault {
 };
 
 // What a motion begins after a stop was requested.  Requirement: no more than this many programs, each of which its
-// solver refuses at once, and no more Minkowski sums than the marker has pieces: those of one piece with the others.
+// solver refuses at once, and no more Minkowski sums than the square of the number of pieces.
 struct WorkAfterStop {
   std::uint64_t programs{}, sums{};
 };
