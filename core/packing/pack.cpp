@@ -7,6 +7,7 @@
 
 #include "core/marker/validity.h"
 #include "core/packing/bodies/bodies.h"
+#include "core/packing/bodies/mirror.h"
 #include "core/packing/bodies/on_cloth.h"
 #include "core/packing/bodies/place_leaf.h"
 #include "core/packing/first_layout.h"
@@ -36,6 +37,7 @@ class Packer {
     double bound = static_cast<double>(least_length(bodies, pieces));
     bodies.problem.minimises_length = true;
     bodies.problem.least_length = bound;
+    leave_out_mirror_images(start_, freedom(longest), bodies);
     if (bodies.complete) {
       climb(bodies, bound, longest);
     } else {

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -44,6 +45,9 @@ struct Problem {
   std::map<std::pair<Chosen, Chosen>, std::vector<std::uint32_t>> between;
   bool minimises_length{};
   double least_length{};  // no layout is shorter
+  // A body whose middle may be taken to lie in the left half of any length: of a layout and its mirror image, or its
+  // half turn, one has it there (core/packing/bodies/mirror.h).  Only where the length is minimised.
+  std::optional<std::uint32_t> left_half{};
 
   [[nodiscard]] std::uint32_t world() const { return static_cast<std::uint32_t>(bodies.size()); }
 };

@@ -145,6 +145,12 @@ bool Relaxation::limit_length(Node& node) {
     const double latest = std::floor(ceiling_) - least_width(node, body);
     if (!node.x.raise(body, problem_->world(), -latest)) return false;
   }
+  if (const auto half = problem_->left_half) {
+    const BodyVariant& variant = problem_->bodies[*half].variants.front();
+    // Rounded up: a position and its mirror image add up to a whole number.
+    const double middle = std::ceil((variant.range.low_x + std::floor(ceiling_) - variant.width) / 2);
+    if (!node.x.raise(*half, problem_->world(), -middle)) return false;
+  }
   return true;
 }
 

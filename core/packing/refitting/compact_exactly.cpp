@@ -40,7 +40,8 @@ class WindowSearch {
     const auto trial = [this, places](const Marker& best, std::uint64_t number, const scene::Run& run) {
       return tried(best, static_cast<std::size_t>(number % places), run);
     };
-    const TrialCounts counts = run_trials(result, places == 0 ? 0 : settings_.windows, places, trial, run_);
+    const TrialCounts counts = run_trials(
+        result, places == 0 ? 0 : settings_.windows, places, trial, [](const Marker&) {}, run_);
     result.windows = counts.trials;
     result.kept = counts.kept;
     result.work = counts.work;

@@ -8,7 +8,9 @@
 
 #include "core/marker/placed_pieces.h"
 #include "core/motion/compaction/compact.h"
+#include "core/motion/compaction/critical_path.h"
 #include "core/packing/contain.h"
+#include "core/packing/refitting/scatter.h"
 #include "core/packing/refitting/taken_out.h"
 #include "core/packing/refitting/trials.h"
 
@@ -42,7 +44,9 @@ class Filler {
     const auto trial = [this](const Marker& best, std::uint64_t number, const scene::Run& run) {
       return tried(best, number, run);
     };
-    const TrialCounts counts = run_trials(result_, small_.empty() ? 0 : settings_.trials, UINT64_MAX, trial, run_);
+    const auto on_present = [this](const Marker& present) { note_critical(present); };
+    const std::uint64_t trials = small_.empty() ? 0 : settings_.trials;
+    const TrialCounts counts = run_trials(result_, trials, UINT64_MAX, trial, on_present, run_);
     result_.kept = counts.kept;
     result_.work += counts.work;
     return std::move(result_);
@@ -85,13 +89,28 @@ class Filler {
     small_.resize(std::min({small_.size(), count, result_.marker.pieces.size() - 1}));
   }
 
-  // Up to `settings.pieces` small pieces that lie near each other.
-  [[nodiscard]] std::vector<std::uint32_t> drawn(const Marker& marker, std::uint64_t number) const {
-    std::seed_seq seed{settings_.seed, number};
-    std::mt19937_64 random{seed};
+  // The small pieces on the critical path, which the length depends on.
+  void note_critical(const Marker& best) {
+    critical_.clear();
+    const auto path = motion::compaction::critical_path(best, run_.quiet());
+    if (!path) return;
+    std::vector<bool> loaded(best.pieces.size());
+    for (const motion::compaction::LoadedContact& contact : path->contacts) {
+      loaded[contact.first.value] = true;
+      if (contact.second) loaded[contact.second->value] = true;
+    }
+    for (const std::uint32_t piece : small_) {
+      if (loaded[piece]) critical_.push_back(piece);
+    }
+  }
+
+  // Up to `settings.pieces` small pieces that lie near each other, mostly one of the critical path among them.
+  [[nodiscard]] std::vector<std::uint32_t> drawn(const Marker& marker, std::mt19937_64& random) const {
     const marker::PlacedPieces pieces{marker};
     const auto middle = [&pieces](std::uint32_t k) { return pieces.box(k).low.x / 2 + pieces.box(k).high.x / 2; };
-    const std::uint32_t first = small_[random() % small_.size()];
+    const bool any = critical_.empty() || random() % settings_.tuning.any_one_in == 0;
+    const std::vector<std::uint32_t>& from = any ? small_ : critical_;
+    const std::uint32_t first = from[random() % from.size()];
     const auto reach = static_cast<Coord>(settings_.tuning.near * static_cast<double>(marker.strip.width));
     std::vector<std::uint32_t> near;
     for (const std::uint32_t k : small_) {
@@ -107,23 +126,37 @@ class Filler {
     return chosen;
   }
 
+  // One after another or, where that fails, all at once.
+  [[nodiscard]] std::optional<Marker> refitted(const Marker& rest, const std::vector<PieceId>& wanted, Coord end,
+                                               std::mt19937_64& random, const scene::Run& run,
+                                               branching::Work& work) const {
+    if (auto layout = scattered(rest, end, settings_.turns, random, run)) return layout;
+    if (wanted.size() == 1) return std::nullopt;
+    auto found = contain(rest, wanted, room_until(rest.strip, end), containing(), run);
+    work += found.work;
+    if (found.verdict != Verdict::kFound) return std::nullopt;
+    return std::move(found.marker);
+  }
+
   [[nodiscard]] Tried tried(const Marker& best, std::uint64_t number, const scene::Run& run) const {
     Tried outcome;
     const Coord length = length_of(best);
     const double least = settings_.tuning.least_gain * static_cast<double>(best.strip.width);
-    TakenOut out = taken_out(best, drawn(best, number));
+    std::seed_seq seed{settings_.seed, number};
+    std::mt19937_64 random{seed};
+    const TakenOut out = taken_out(best, drawn(best, random));
     const auto closed = compact(out.rest, whole_compaction(), run);
     if (!closed) return outcome;
     const auto gap = static_cast<double>(length - closed->length_after);
-    if (gap < least) return outcome;
+    // When others hold the length as well, a piece may go elsewhere all the same: then the next trial has one less of
+    // them in its way.
+    const bool level = gap < least;
     for (const double part : settings_.tuning.parts) {
-      const Coord end = closed->length_after + static_cast<Coord>(part * gap);
-      const auto found = contain(closed->marker, out.wanted, room_until(best.strip, end), containing(), run);
-      outcome.work += found.work;
-      if (found.verdict != Verdict::kFound) continue;
-      auto again = compact(put_back(best, found.marker), whole_compaction(), run);
-      if (!again || static_cast<double>(length - again->length_after) < least) return outcome;
-      outcome.marker = std::move(again->marker);
+      const Coord end = level ? length : closed->length_after + static_cast<Coord>(part * gap);
+      const auto layout = refitted(closed->marker, out.wanted, end, random, run, outcome.work);
+      if (!layout) continue;
+      auto again = compact(put_back(best, *layout), whole_compaction(), run);
+      if (again) outcome.marker = std::move(again->marker);
       return outcome;
     }
     return outcome;
@@ -132,7 +165,7 @@ class Filler {
   const Marker& start_;
   const FillSettings& settings_;
   const scene::Run& run_;
-  std::vector<std::uint32_t> small_;
+  std::vector<std::uint32_t> small_, critical_;
   GapFilling result_;
 };
 

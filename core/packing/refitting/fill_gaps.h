@@ -2,8 +2,8 @@
 // there is room, which may be anywhere; then the marker is compacted [Li94 4.2.2 does this by hand].
 //
 // First the marker is compacted, and unplaced pieces go to gaps, the largest first.  Then come trials: each draws a few
-// small pieces that lie near each other, and keeps what becomes shorter.  Where they fit is found exactly (contain.h),
-// all of them at once.
+// small pieces that lie near each other, mostly one of the critical path, and puts them back one after another at
+// random places where they fit or, where that fails, all at once (contain.h).
 //
 // Laws.  (1) The answer is valid, proved in integers, and never longer than that of standard compaction.  (2) Locked
 // pieces and groups are not taken out; compaction moves groups as one.  (3) Unplaced pieces are placed only within the
@@ -23,7 +23,7 @@ namespace selvage::packing::refitting {
 struct FillSettings {
   std::uint64_t trials{200};
   std::size_t pieces{2};     // taken out in a trial at most
-  std::uint64_t nodes{300};  // of every search for room
+  std::uint64_t nodes{100};  // of every search for room
   std::uint64_t seed{1};
   bool turns{true};  // refitted pieces may take other orientations that their shapes allow
   FillTuning tuning{};

@@ -1,7 +1,8 @@
-// A local search over valid markers: trials one after another, each of which may find a shorter marker.
+// A local search over valid markers: trials one after another, each of which changes the present marker.  A change is
+// kept when the marker is no longer than before: changes of equal length lead across plateaus.
 //
-// Trials are numbered, and a trial depends on its number and on the best marker only.  Threads run several at once, all
-// from the same marker; of these, only those count that a sequential run would have tried: up to the first that is
+// Trials are numbered, and a trial depends on its number and on the present marker only.  Threads run several at once,
+// all from the same marker; of these, only those count that a sequential run would have tried: up to the first that is
 // kept.  So the answer does not depend on the number of threads.
 #pragma once
 
@@ -17,19 +18,21 @@ namespace selvage::packing::refitting {
 
 // What a trial came to.
 struct Tried {
-  std::optional<Marker> marker{};  // shorter than the best one, and valid; or none
+  std::optional<Marker> marker{};  // valid; or none
   branching::Work work{};
 };
-using Trial = std::function<Tried(const Marker& best, std::uint64_t number, const scene::Run& run)>;
+using Trial = std::function<Tried(const Marker& present, std::uint64_t number, const scene::Run& run)>;
+// Called with the marker that the next trials begin with; not concurrently.
+using OnPresent = std::function<void(const Marker& present)>;
 
 struct TrialCounts {
-  std::uint64_t trials{}, kept{};
+  std::uint64_t trials{}, kept{};  // kept: those that made the marker shorter
   branching::Work work;
 };
 
 // Runs trials from `best.marker` until there were `most`, or `fruitless` in a row that gained nothing, or it is
-// stopped; keeps what is shorter in `best` and sets its reason.  Every trial is a round.
+// stopped; keeps what is no longer in `best` and sets its reason.  Every trial is a round.
 [[nodiscard]] TrialCounts run_trials(motion::repair::MotionResult& best, std::uint64_t most, std::uint64_t fruitless,
-                                     const Trial& trial, const scene::Run& run);
+                                     const Trial& trial, const OnPresent& on_present, const scene::Run& run);
 
 }  // namespace selvage::packing::refitting

@@ -85,6 +85,34 @@ TEST(PackLaws, AgreesWithExhaustiveSearchOnAGrid) {
   }
 }
 
+// Where every piece is its own mirror image, half of the layouts are left out (core/packing/bodies/mirror.h).
+TEST(PackLaws, LeavesOutNothingButMirrorImages) {
+  test::Random random{43};
+  const auto bar = [&] {
+    test::Squares squares;
+    const Coord width = random.between(1, 3);
+    const Coord height = random.between(1, 2);
+    for (Coord x = 0; x < width; ++x) {
+      for (Coord y = 0; y < height; ++y) squares.push_back({x, y});
+    }
+    return squares;
+  };
+  // Its own image along the strip, across it, by half a turn.
+  const std::vector<test::Squares> others{
+      {{0, 0}, {1, 0}, {2, 0}, {1, 1}}, {{0, 0}, {0, 1}, {0, 2}, {1, 1}}, {{0, 0}, {1, 0}, {1, 1}, {2, 1}}};
+  for (int trial = 0; trial < 9 / test::kSlowdown + 3; ++trial) {
+    const std::size_t other = static_cast<std::size_t>(trial) % (others.size() + 1);
+    const std::size_t copies = other < others.size() ? 1 + random.below(3) : 0;
+    std::vector<test::Squares> pieces(copies, other < others.size() ? others[other] : test::Squares{});
+    while (pieces.size() < 5) pieces.push_back(bar());
+    Coord length = 1;
+    while (!test::fit_on_grid(pieces, 4, length)) ++length;
+    EXPECT_NEAR(static_cast<double>(shortest(test::marker_of(pieces, 4))), static_cast<double>(length * test::kSquare),
+                kRounding)
+        << "trial " << trial;
+  }
+}
+
 TEST(PackLaws, MirrorAndScaleDoNotMatter) {
   test::Random random{43};
   for (int trial = 0; trial < 15 / test::kSlowdown + 1; ++trial) {
