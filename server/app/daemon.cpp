@@ -14,6 +14,7 @@
 #include "server/ops/process_metrics.h"
 #include "server/ops/version.h"
 #include "server/room/room.h"
+#include "server/store/disk/schema.h"
 
 namespace selvage::server::app {
 namespace {
@@ -27,6 +28,8 @@ std::unique_ptr<store::Journal> open_journal(const Options& options) {
   if (options.store.empty()) return nullptr;
   try {
     return std::make_unique<store::Journal>(options.store, options.durability);
+  } catch (const store::disk::NewerStore& error) {
+    throw store::disk::NewerStore{"--store " + options.store + ": " + error.what()};
   } catch (const std::exception& error) {
     throw std::runtime_error{"--store " + options.store + ": " + error.what()};
   }
@@ -95,6 +98,11 @@ std::string Daemon::metrics_text() const {
   using enum ops::Metric::Type;
   const std::array kNow{
       ops::Metric{"selvage_open_markers", kGauge, "Open markers.", "", {{"", value(backend_.store().count())}}},
+      ops::Metric{"selvage_quarantined_markers",
+                  kGauge,
+                  "Markers that are damaged in the store and can only be closed.",
+                  "",
+                  {{"", value(backend_.store().quarantined())}}},
       ops::Metric{"selvage_open_calls", kGauge, "Calls in progress.", "", {{"", value(backend_.open_calls())}}},
       ops::Metric{"selvage_jobs_waiting",
                   kGauge,

@@ -1,6 +1,6 @@
 // selvaged: serves until a signal asks it to stop (SIGTERM, SIGINT), then drains; or answers the calls of a file.
 // Exit codes: 0 drained, or every call of the file succeeded; 1 could not serve, did not drain in time, or a call
-// failed; 2 bad command line or configuration.
+// failed; 2 bad command line or configuration; 78 the store is of a later version of the program.
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
@@ -27,6 +27,9 @@
 #include "server/ops/freed_memory.h"
 #include "server/ops/log.h"
 #include "server/ops/version.h"
+#include "server/store/disk/copy.h"
+#include "server/store/disk/schema.h"
+#include "server/store/verification.h"
 
 namespace selvage::server::app {
 namespace {
@@ -155,6 +158,20 @@ int replay_file(const Options& options) {
   return replayed.succeeded ? 0 : 1;
 }
 
+int verify_store(const std::string& path) {
+  const store::Verification found = store::verify_store(path);
+  for (const std::string& damage : found.damage) std::cout << "damaged: " << damage << '\n';
+  std::cout << path << ": " << found.markers << " markers are sound, " << found.damage.size() << " faults\n";
+  return found.damage.empty() ? 0 : 1;
+}
+
+int back_up(const Options& options) {
+  const std::uint64_t bytes =
+      store::disk::copy_store(options.store, options.backup_file, store::disk::Existing::kRefuse);
+  std::cout << options.backup_file << ": " << bytes << " bytes\n";
+  return verify_store(options.backup_file);
+}
+
 int run(const Options& options) {
   // A check creates no file, not even a log.
   ops::LogSettings log = options.log;
@@ -165,6 +182,8 @@ int run(const Options& options) {
     case Options::Task::kServe: return serve(options);
     case Options::Task::kCheckConfig: return check_config(options);
     case Options::Task::kReplay: return replay_file(options);
+    case Options::Task::kVerifyStore: return verify_store(options.store);
+    case Options::Task::kBackUp: return back_up(options);
   }
   return 2;
 }
@@ -183,6 +202,10 @@ int main(int argc, char** argv) {
     const int code = selvage::server::app::run(options);
     selvage::server::ops::flush_log(selvage::server::app::kLogPatience);
     return code;
+  } catch (const selvage::server::store::disk::NewerStore& error) {
+    selvage::server::ops::flush_log(selvage::server::app::kLogPatience);
+    std::cerr << "selvaged: " << error.what() << "\n";
+    return 78;  // EX_CONFIG: starting it again does not help
   } catch (const std::exception& error) {
     selvage::server::ops::flush_log(selvage::server::app::kLogPatience);
     std::cerr << "selvaged: " << error.what() << "\n";

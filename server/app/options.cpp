@@ -21,7 +21,7 @@ struct RawOptions {
   std::string listen{"127.0.0.1:7171"};
   std::vector<std::string> listen_tcp, listen_unix;
   transport::access::TlsFiles tls;
-  bool behind_proxy{}, no_token{}, check_config{};
+  bool behind_proxy{}, no_token{}, check_config{}, verify_store{};
   std::string listen_health;
   std::size_t body_mb{}, traffic_mb{};
   std::optional<std::size_t> connections_per_address;
@@ -114,6 +114,12 @@ void declare_tasks(CLI::App& app, Options& options, RawOptions& raw) {
   app.add_option("--svg", options.replay_svg, "With --check: draw the marker that is open at the end into this file")
       ->needs("--check")
       ->configurable(false);
+  app.add_flag("--verify-store", raw.verify_store,
+               "Check every row of the --store, which no daemon may be using, and exit")
+      ->configurable(false);
+  app.add_option("--backup", options.backup_file,
+                 "Copy the --store to this file, also while a daemon is using it, check the copy, and exit")
+      ->configurable(false);
 }
 
 OptionError read_listeners(const RawOptions& raw, Options& options) {
@@ -179,6 +185,10 @@ OptionError convert(const RawOptions& raw, Options& options) {
   options.durability = raw.durability == "relaxed" ? store::Durability::kRelaxed : store::Durability::kFull;
   options.log.format = raw.log_format == "json" ? ops::LogFormat::kJson : ops::LogFormat::kText;
   if (!options.replay_file.empty()) options.task = Options::Task::kReplay;
+  if (raw.verify_store) options.task = Options::Task::kVerifyStore;
+  if (!options.backup_file.empty()) options.task = Options::Task::kBackUp;
+  const bool needs_store = raw.verify_store || !options.backup_file.empty();
+  if (needs_store && options.store.empty()) return "--verify-store and --backup need --store";
   if (raw.check_config) options.task = Options::Task::kCheckConfig;
   return std::nullopt;
 }

@@ -21,9 +21,11 @@ struct Options {
     kServe,
     kCheckConfig,  // report whether the options and files are valid
     kReplay,       // answer the calls of a file, without sockets
+    kVerifyStore,  // check every row of the store
+    kBackUp,       // copy the store, also while a daemon uses it
   };
   Task task{};
-  std::string replay_file, replay_svg;
+  std::string replay_file, replay_svg, backup_file;
 
   std::string host{"127.0.0.1"};                       // of the HTTP listener; a numeric address
   std::uint16_t port{7171};                            // 0: any free port

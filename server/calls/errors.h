@@ -3,15 +3,21 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 
 #include "protocol/calls/params.h"
 #include "server/calls/outcome.h"
 #include "server/jobs/job_queue.h"
+#include "server/store/marker_store.h"
 
 namespace selvage::server::calls {
 
-inline protocol::rpc::RpcError unknown_marker(const std::string& id) {
-  return {protocol::rpc::RpcCode::kUnknownMarker, "no marker '" + id + "' is open", Json{{"field", "/markerId"}}};
+inline protocol::rpc::RpcError unknown_marker(const store::MarkerStore& store, const std::string& id) {
+  const std::string damage = store.quarantine(id);
+  std::string message = damage.empty()
+                            ? "no marker '" + id + "' is open"
+                            : "marker '" + id + "' is damaged in the store and can only be closed: " + damage;
+  return {protocol::rpc::RpcCode::kUnknownMarker, std::move(message), Json{{"field", "/markerId"}}};
 }
 inline protocol::rpc::RpcError revision_mismatch(const std::string& id, Revision wanted, Revision present) {
   return {protocol::rpc::RpcCode::kRevisionMismatch,

@@ -22,7 +22,10 @@ bool OpenCall::begin() {
 bool OpenCall::leave_open(State to) {
   State state = state_;
   while (state == State::kWaiting || state == State::kBegun) {
-    if (state_.compare_exchange_weak(state, to)) return true;
+    if (state_.compare_exchange_weak(state, to)) {
+      *ending_ = true;
+      return true;
+    }
   }
   return false;
 }
@@ -49,17 +52,15 @@ void OpenCall::drain() {
 }
 
 void OpenCall::set_deadline(const std::shared_ptr<OpenCall>& call, jobs::DeadlineClock& clock,
-                            jobs::DeadlineClock::Time time, AtDeadline then) {
-  call->deadline_ = clock.at(time, [weak = std::weak_ptr{call}, then = std::move(then)] {
+                            jobs::DeadlineClock::Time time, std::function<protocol::rpc::RpcError()> if_waiting) {
+  call->deadline_ = clock.at(time, [weak = std::weak_ptr{call}, refusal = std::move(if_waiting)] {
     const auto open = weak.lock();
     if (!open) return;
     open->late_ = true;
     State state = State::kWaiting;
     const bool expired = open->state_.compare_exchange_strong(state, State::kExpired);
     open->stop_.request_stop();
-    if (!expired) return;
-    std::move(open->reply_)(then.if_waiting());
-    then.on_removed();
+    if (expired) std::move(open->reply_)(refusal());
   });
 }
 

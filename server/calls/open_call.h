@@ -35,6 +35,8 @@ class OpenCall {
 
   // The call's turn has come: from now on its deadline only stops it.  Returns false if it has been answered already.
   [[nodiscard]] bool begin();
+  // Becomes true when the call has been settled or cancelled.
+  [[nodiscard]] std::shared_ptr<const std::atomic<bool>> ending() const { return ending_; }
   // Returns true if the call is the worker's to end; from then on it cannot be cancelled.  May be called repeatedly.
   [[nodiscard]] bool settle();
   // Answers the call unless it was cancelled.  At most once.
@@ -44,14 +46,10 @@ class OpenCall {
   // Stops the call because the server is shutting down.  Changes nothing if it was stopped before.
   void drain();
 
-  // At that time the call is stopped or, if it is still waiting for its turn, answered with what `if_waiting` returns;
-  // then `on_removed` is called.  Both are called on the clock's thread.  REQUIRES: nobody else uses the call yet.
-  struct AtDeadline {
-    std::function<protocol::rpc::RpcError()> if_waiting;
-    std::function<void()> on_removed;
-  };
+  // At that time the call is stopped and, if it is still waiting for its turn, answered with what `if_waiting` returns;
+  // that is called on the clock's thread.  REQUIRES: nobody else uses the call yet.
   static void set_deadline(const std::shared_ptr<OpenCall>& call, jobs::DeadlineClock& clock,
-                           jobs::DeadlineClock::Time time, AtDeadline then);
+                           jobs::DeadlineClock::Time time, std::function<protocol::rpc::RpcError()> if_waiting);
 
  private:
   enum class State { kWaiting, kBegun, kSettled, kCancelled, kExpired };
@@ -60,6 +58,7 @@ class OpenCall {
 
   const std::shared_ptr<transport::access::Session> session_;
   std::atomic<State> state_{State::kWaiting};
+  const std::shared_ptr<std::atomic<bool>> ending_ = std::make_shared<std::atomic<bool>>(false);
   std::atomic<bool> late_{}, draining_{};
   std::stop_source stop_;
   jobs::ReplyOnce<Outcome> reply_;

@@ -42,7 +42,7 @@ calls::Outcome Committer::commit(ReadyChange change, calls::OpenCall& call) {
   if (call.abandoned() || !call.settle()) return calls::abandoned();
   const store::Commit commit = store_.commit(change.marker_id, base, std::move(next));
   switch (commit.outcome) {
-    case store::Commit::Outcome::kClosed: return calls::unknown_marker(change.marker_id);
+    case store::Commit::Outcome::kClosed: return calls::unknown_marker(store_, change.marker_id);
     case store::Commit::Outcome::kMismatch: return calls::revision_mismatch(change.marker_id, base, commit.revision);
     case store::Commit::Outcome::kNotWritten: return calls::not_written();
     case store::Commit::Outcome::kDone: break;

@@ -30,6 +30,7 @@ Backend::~Backend() {
 }
 
 std::string Backend::why_not_ready() const {
+  if (const std::string failure = store_.failure(); !failure.empty()) return "the store cannot be written: " + failure;
   if (queues_.motions.waiting() >= queues_.motions.capacity()) return "the queue of motions is full";
   if (queues_.reads.waiting() >= queues_.reads.capacity()) return "the queue of reads is full";
   const auto wait = queues_.longest_quick_wait();

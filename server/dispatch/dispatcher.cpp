@@ -51,12 +51,8 @@ std::optional<Duration> time_limit(const ParsedCall& call, std::chrono::millisec
 // Whether the marker is open and so large that writing it takes about 10 ms or more.
 bool is_large(const store::MarkerStore& store, const std::string& marker_id) {
   constexpr std::size_t kManyVertices = 20'000;
-  const auto now = store.current(marker_id);
-  if (!now) return false;
-  const Marker& marker = now->file->marker;
-  std::size_t vertices = 0;
-  for (const Piece& piece : marker.pieces) vertices += marker.shapes[piece.shape.value].outline.size();
-  return vertices > kManyVertices;
+  const auto summary = store.summary(marker_id);
+  return summary && summary->vertices > kManyVertices;
 }
 
 }  // namespace
@@ -159,9 +155,10 @@ void Dispatcher::set_deadline(const std::shared_ptr<Exchange>& exchange, const s
                               jobs::JobQueue& queue, jobs::DeadlineClock::Time time) {
   const auto if_waiting = [exchange, &queue] {
     exchange->continue_on_worker = true;
+    queue.remove_stopped();
     return calls::not_begun(queue);
   };
-  calls::OpenCall::set_deadline(call, clock_, time, {if_waiting, [&queue] { queue.remove_stopped(); }});
+  calls::OpenCall::set_deadline(call, clock_, time, if_waiting);
 }
 
 void Dispatcher::schedule(ParsedCall parsed, const methods::Handler& handle, const std::shared_ptr<Exchange>& exchange,
@@ -186,12 +183,13 @@ void Dispatcher::schedule(ParsedCall parsed, const methods::Handler& handle, con
                 .quick = quick,
                 .deadline = deadline,
                 .caller = call->stop(),
-                .work = jobs::Work{
-                    [this, exchange, &handle, held = std::move(parsed), call](const std::stop_token& stop) mutable {
-                      if (!call->begin()) return;  // it was cancelled, or refused at its deadline
-                      const std::stop_callback on_drain{stop, [&call] { call->drain(); }};
-                      handle(std::move(held), server_, call);
-                    }}};
+                .work = jobs::Work{[this, exchange, &handle, held = std::move(parsed),
+                                    call](const std::stop_token& stop) mutable {
+                  if (!call->begin()) return;  // it was cancelled, or refused at its deadline
+                  const std::stop_callback on_drain{stop, [&call] { call->drain(); }};
+                  handle(std::move(held), server_, call);
+                }},
+                .ending = call->ending()};
   const jobs::Admission admission = queue.submit(job);
   if (admission != jobs::Admission::kAccepted) call->answer(calls::not_admitted(admission, queue, kBusy));
 }

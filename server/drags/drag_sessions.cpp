@@ -50,7 +50,7 @@ std::shared_ptr<DragSessions::Drag> DragSessions::find(const std::string& id, st
 calls::Outcome DragSessions::begin(const protocol::methods::dragging::BeginParams& params,
                                    const std::shared_ptr<transport::access::Session>& session) {
   auto base = store_.current(params.marker_id);
-  if (!base) return calls::unknown_marker(params.marker_id);
+  if (!base) return calls::unknown_marker(store_, params.marker_id);
   if (params.base_revision && *params.base_revision != base->revision) {
     return calls::revision_mismatch(params.marker_id, *params.base_revision, base->revision);
   }

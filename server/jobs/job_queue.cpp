@@ -62,7 +62,9 @@ JobQueue::Milliseconds JobQueue::expected_wait(const Job& job) const {
     wait = std::max((job.quick ? waited_quick_ : waited_).recent(), longest_wait(job.quick));
   }
   const auto lane = lanes_.find(job.lane);
-  if (lane != lanes_.end() && lane->second.running) wait = std::max<Milliseconds>(wait, now_() - *lane->second.running);
+  if (lane == lanes_.end() || !lane->second.running) return wait;
+  const auto& ending = lane->second.ending;
+  if (!ending || !*ending) wait = std::max<Milliseconds>(wait, now_() - *lane->second.running);
   return wait;
 }
 
@@ -91,7 +93,10 @@ JobQueue::RunningJob JobQueue::begin(const Job& job) {
   count_as_gone(job.session);
   const Job::Time now = now_();
   (job.quick ? waited_quick_ : waited_).record(now - job.ready_at);
-  if (const auto lane = lanes_.find(job.lane); lane != lanes_.end()) lane->second.running = now;
+  if (const auto lane = lanes_.find(job.lane); lane != lanes_.end()) {
+    lane->second.running = now;
+    lane->second.ending = job.ending;
+  }
   const RunningJob running = running_.insert(running_.end(), {{}, now});
   if (draining_) running->stop.request_stop();
   return running;

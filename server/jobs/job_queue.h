@@ -12,6 +12,7 @@
 // workers, a job is executed inside submit(), for tests that want no threads.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
@@ -21,6 +22,7 @@
 #include <future>
 #include <list>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <stop_token>
@@ -39,13 +41,14 @@ using Work = std::packaged_task<void(std::stop_token)>;
 struct Job {
   using Time = std::chrono::steady_clock::time_point;
 
-  std::uint64_t session{};         // the session whose turn it uses
-  std::string lane;                // empty: none
-  bool quick{};                    // never takes long
-  std::optional<Time> deadline{};  // useless if it has not started by then
-  std::stop_token caller;          // stops when the caller wants the job to stop
-  Work work;                       // an exception is logged and ends only this job
-  Time ready_at{};                 // when only workers were missing; set by the queue
+  std::uint64_t session{};                            // the session whose turn it uses
+  std::string lane;                                   // empty: none
+  bool quick{};                                       // never takes long
+  std::optional<Time> deadline{};                     // useless if it has not started by then
+  std::stop_token caller;                             // stops when the caller wants the job to stop
+  Work work;                                          // an exception is logged and ends only this job
+  std::shared_ptr<const std::atomic<bool>> ending{};  // true: it is only about to end; null: not known
+  Time ready_at{};                                    // when only workers were missing; set by the queue
 };
 
 enum class Admission { kAccepted, kFull, kTooLate, kDraining };
@@ -87,8 +90,9 @@ class JobQueue {
   };
   using RunningJob = std::list<Running>::iterator;
   struct Lane {
-    std::deque<Job> blocked;           // they wait for the lane's first job, which is ready or running
-    std::optional<Job::Time> running;  // since when
+    std::deque<Job> blocked;                          // they wait for the lane's first job, which is ready or running
+    std::optional<Job::Time> running;                 // since when
+    std::shared_ptr<const std::atomic<bool>> ending;  // of that job
   };
 
   void serve(bool only_quick);

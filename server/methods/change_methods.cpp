@@ -16,7 +16,7 @@ calls::Outcome apply(const ApplyParams& params, const ServerContext& server, cal
   const auto& [id, base, op_id] = params.call;
   if (const auto earlier = server.committer.earlier_answer(id, op_id, "marker.apply")) return *earlier;
   const auto now = server.store.current(id);
-  if (!now) return calls::unknown_marker(id);
+  if (!now) return calls::unknown_marker(server.store, id);
   if (base && *base != now->revision) return calls::revision_mismatch(id, *base, now->revision);
   auto after = apply_edits(*now->file, params.edits);
   if (!after) return protocol::rpc::rpc_error(after.error());
@@ -38,7 +38,7 @@ calls::Outcome undo_or_redo(const ChangeParams& params, const ServerContext& ser
   const auto& [id, base, op_id] = params;
   if (const auto earlier = server.committer.earlier_answer(id, op_id, kMethod)) return *earlier;
   auto next = server.store.peek(id, direction);
-  if (!next) return calls::unknown_marker(id);
+  if (!next) return calls::unknown_marker(server.store, id);
   if (base && *base != next->from.revision) return calls::revision_mismatch(id, *base, next->from.revision);
   if (!next->file) {
     return rpc_error(Error{ErrorCode::kNothingToUndo, kUndo ? "nothing to undo" : "nothing to redo", ""},

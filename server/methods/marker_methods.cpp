@@ -36,11 +36,19 @@ calls::Outcome open(daemon::OpenParams& params, const ServerContext& server, cal
   return result;
 }
 
+daemon::ListedMarker listed(store::ListedMarker open) {
+  const store::Summary& summary = open.summary;
+  return {.at = {std::move(open.id), open.revision},
+          .name = summary.name,
+          .pieces = summary.pieces,
+          .unplaced = summary.unplaced == 0 ? std::nullopt : std::optional{summary.unplaced},
+          .length = summary.length,
+          .utilisation = summary.utilisation};
+}
+
 calls::Outcome list(const daemon::NoParams&, const ServerContext& server, const calls::OpenCall&) {
   daemon::ListResult result;
-  for (const store::OpenMarker& open : server.store.all()) {
-    result.markers.push_back(daemon::listed(open.id, open.now.revision, open.now.file->marker));
-  }
+  for (store::ListedMarker& open : server.store.all()) result.markers.push_back(listed(std::move(open)));
   return schema::encode(result);
 }
 
@@ -63,7 +71,7 @@ Json document_json(const std::string& id, Revision revision, protocol::files::Fi
 calls::Outcome get(const GetParams& params, const ServerContext& server, const calls::OpenCall& call) {
   const std::string& id = params.marker_id;
   const auto now = server.store.current(id);
-  if (!now) return calls::unknown_marker(id);
+  if (!now) return calls::unknown_marker(server.store, id);
   if (params.format != protocol::files::FileFormat::kNative) {
     if (call.abandoned()) return calls::abandoned();
     auto document = protocol::files::marker_document(*now->file, params.format);
@@ -102,7 +110,11 @@ calls::Outcome close(const daemon::CloseParams& params, const ServerContext& ser
     server.watchers.notify_and_remove(id, protocol::json::to_text(protocol::rpc::notification(
                                               "marker.closed", schema::encode(daemon::MarkerIdParams{id}))));
   };
-  if (!server.store.close(id, answer, on_closed)) return calls::unknown_marker(id);
+  switch (server.store.close(id, answer, on_closed)) {
+    case store::Closed::kUnknown: return calls::unknown_marker(server.store, id);
+    case store::Closed::kNotWritten: return calls::not_written();
+    case store::Closed::kDone: break;
+  }
   return text;
 }
 

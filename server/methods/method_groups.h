@@ -14,6 +14,7 @@ namespace selvage::server::methods {
 [[nodiscard]] std::vector<HandledMethod> watch_methods();   // marker.watch, .unwatch
 [[nodiscard]] std::vector<HandledMethod> change_methods();  // marker.apply, .undo, .redo
 [[nodiscard]] std::vector<HandledMethod> drag_methods();    // drag.begin, .move, .end
+[[nodiscard]] std::vector<HandledMethod> admin_methods();   // admin.backup
 
 // The handler of a method that works on one marker, which the command line runs, too.  REQUIRES: method.on_marker.
 [[nodiscard]] Handler motion_handler(const protocol::calls::Method& method);

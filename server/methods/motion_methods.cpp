@@ -62,7 +62,7 @@ calls::Outcome execute(const Method& method, const ParsedCall& parsed, const Ser
   const std::string& id = about.marker_id;
   if (const auto earlier = server.committer.earlier_answer(id, about.op_id, method.name)) return *earlier;
   const auto now = server.store.current(id);
-  if (!now) return calls::unknown_marker(id);
+  if (!now) return calls::unknown_marker(server.store, id);
   if (about.base_revision && *about.base_revision != now->revision) {
     return calls::revision_mismatch(id, *about.base_revision, now->revision);
   }

@@ -12,13 +12,13 @@ calls::Outcome watch(const MarkerIdParams& params, const ServerContext& server, 
   const std::string& id = params.marker_id;
   const auto& session = call.session();
   if (!session->notify) return calls::no_notifications();
-  if (!server.store.current(id)) return calls::unknown_marker(id);
+  if (!server.store.current(id)) return calls::unknown_marker(server.store, id);
   // The session watches before the revision is read, so that it misses none in between.
   server.watchers.watch(id, session);
   const auto now = server.store.current(id);
   if (!now) {
     (void)server.watchers.unwatch(id, session->id);
-    return calls::unknown_marker(id);
+    return calls::unknown_marker(server.store, id);
   }
   return protocol::schema::encode(WatchResult{{id, now->revision}});
 }

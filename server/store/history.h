@@ -21,6 +21,10 @@ namespace selvage::server::store {
 // How a revision was made.
 enum class Origin { kChange, kUndo, kRedo };
 enum class UndoDirection { kUndo, kRedo };
+// As the store's file has it.
+[[nodiscard]] constexpr std::int64_t way_of(UndoDirection direction) {
+  return direction == UndoDirection::kUndo ? 0 : 1;
+}
 
 class History {
  public:

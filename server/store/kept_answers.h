@@ -1,12 +1,15 @@
-// The last answers to calls that carried an `opId`, so that a retry gets the same answer and nothing is done twice. The
-// oldest answer is removed first.
+// The last answers to calls that carried an `opId`, so that a retry gets the same answer and nothing is done twice.
+//
+// There are at most kMost answers of at most kMaxBytes together.  The oldest answer of the client that has most of them
+// is forgotten first, so that no client can push out the answers to another that has fewer.
 #pragma once
 
 #include <cstddef>
-#include <deque>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace selvage::server::store {
 
@@ -16,28 +19,34 @@ using SharedText = std::shared_ptr<const std::string>;
 struct KeptAnswer {
   std::string op_id, method;
   SharedText result;
+  std::string client{};    // who made the call
+  std::int64_t params{};   // a checksum of its parameters; 0: not known
+  std::uint64_t serial{};  // larger than those of all earlier answers; set when it is kept
 };
 
 class KeptAnswers {
  public:
   static constexpr std::size_t kMost = 256;
+  static constexpr std::size_t kMaxBytes = std::size_t{8} << 20;
 
   // Null if the answer is not kept, or no longer.
-  [[nodiscard]] const KeptAnswer* find(const std::string& op_id) const {
-    const auto found = by_id_.find(op_id);
-    return found == by_id_.end() ? nullptr : &found->second;
-  }
-  void keep(KeptAnswer answer) {
-    const std::string op_id = answer.op_id;
-    if (by_id_.insert_or_assign(op_id, std::move(answer)).second) order_.push_back(op_id);
-    if (order_.size() <= kMost) return;
-    by_id_.erase(order_.front());
-    order_.pop_front();
-  }
+  [[nodiscard]] const KeptAnswer* find(const std::string& op_id) const;
+  [[nodiscard]] std::uint64_t next_serial() const { return last_serial_ + 1; }
+  // The serials of the answers that will be forgotten when this one is kept.
+  [[nodiscard]] std::vector<std::uint64_t> forgotten_for(const KeptAnswer& answer) const;
+  // Keeps the answer, and forgets what forgotten_for() says.  An answer without a serial gets the next one.
+  void keep(KeptAnswer answer);
+  [[nodiscard]] std::size_t count() const { return by_serial_.size(); }
+  [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
  private:
-  std::map<std::string, KeptAnswer> by_id_;
-  std::deque<std::string> order_;
+  void forget(std::uint64_t serial);
+
+  std::map<std::uint64_t, KeptAnswer> by_serial_;
+  std::map<std::string, std::uint64_t> by_op_;
+  std::map<std::string, std::size_t> of_client_;  // how many
+  std::size_t bytes_{};
+  std::uint64_t last_serial_{};
 };
 
 }  // namespace selvage::server::store

@@ -1,6 +1,11 @@
 #include "server/store/marker_store.h"
 
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
 #include <utility>
+
+#include "server/store/restored_marker.h"
 
 namespace selvage::server::store {
 namespace {
@@ -24,27 +29,74 @@ Stamps stamps_after(const Stamps& before, Revision revision, const std::optional
   return stamps;
 }
 
+std::string id_of(std::uint64_t number) {
+  return "m" + std::to_string(number);
+}
+
+// What the journal writes of an answer that is to be kept among these.
+std::optional<KeptChange> change_of(const KeptAnswers& answers, const std::optional<KeptAnswer>& answer) {
+  if (!answer) return std::nullopt;
+  KeptChange change{*answer, answers.forgotten_for(*answer)};
+  change.answer.serial = answers.next_serial();
+  return change;
+}
+
 }  // namespace
 
 MarkerStore::MarkerStore(std::size_t limit, Journal* journal) : limit_{limit}, journal_{journal} {
-  if (!journal_) return;
-  Restored restored = journal_->restore();
-  opened_ = restored.opened;
-  for (KeptAnswer& answer : restored.answers) answers_.keep(std::move(answer));
-  for (RestoredMarker& marker : restored.markers) {
+  if (journal_) restore(journal_->restore());
+}
+
+void MarkerStore::restore(disk::StoredContent content) {
+  opened_ = content.total.opened;
+  answers_ = restore_answers(content.answers);
+  for (disk::StoredMarker& marker : content.markers) {
     auto entry = std::make_shared<Entry>();
-    Stamps stamps = all_new(marker.revision, marker.file);
-    entry->current = committed(marker.revision, std::move(marker.file), std::move(stamps));
-    entry->history = std::move(marker.history);
-    for (KeptAnswer& answer : marker.answers) entry->answers.keep(std::move(answer));
-    markers_.emplace(std::move(marker.id), std::move(entry));
+    entry->number = static_cast<std::uint64_t>(marker.number);
+    entry->stored_revision = marker.revision;
+    entry->summary = read_summary(marker.summary);
+    entry->answers = restore_answers(std::exchange(marker.answers, {}));
+    entry->stored = std::move(marker);
+    markers_.emplace(id_of(entry->number), std::move(entry));
+  }
+  for (const disk::Damage& damage : content.damage) {
+    if (damage.marker > 0) quarantined_.emplace(id_of(static_cast<std::uint64_t>(damage.marker)), damage.what);
   }
 }
 
 std::shared_ptr<MarkerStore::Entry> MarkerStore::find(const std::string& id) const {
+  std::shared_ptr<Entry> entry;
+  {
+    const std::lock_guard lock{mutex_};
+    const auto found = markers_.find(id);
+    if (found == markers_.end()) return nullptr;
+    entry = found->second;
+  }
+  return load(id, *entry) ? entry : nullptr;
+}
+
+bool MarkerStore::load(const std::string& id, Entry& entry) const {
+  if (entry.loaded) return true;
+  const std::lock_guard loading{entry.loading};
+  if (entry.loaded) return true;
+  if (!entry.stored) return false;
+  auto restored = restore_marker(*entry.stored);
+  entry.stored.reset();
+  if (!restored) {
+    const std::string why = protocol::json::describe(restored.error());
+    spdlog::error("the store: marker {} at revision {} cannot be read: {}", id, entry.stored_revision, why);
+    const std::lock_guard lock{mutex_};
+    quarantined_.emplace(id, "it cannot be read: " + why);
+    markers_.erase(id);
+    return false;
+  }
+  Stamps stamps = all_new(entry.stored_revision, restored->file);
+  entry.history = std::move(restored->history);
   const std::lock_guard lock{mutex_};
-  const auto found = markers_.find(id);
-  return found == markers_.end() ? nullptr : found->second;
+  if (!entry.summary) entry.summary = summary_of(restored->file.marker);
+  entry.current = committed(entry.stored_revision, std::move(restored->file), std::move(stamps));
+  entry.loaded = true;
+  return true;
 }
 
 std::variant<OpenMarker, NotOpened> MarkerStore::open(MarkerFile file, const OpenAnswer& answer) {
@@ -52,37 +104,70 @@ std::variant<OpenMarker, NotOpened> MarkerStore::open(MarkerFile file, const Ope
   OpenMarker opened{{}, committed(1, std::move(file), std::move(stamps))};
   auto entry = std::make_shared<Entry>();
   entry->current = opened.now;
-  std::uint64_t number{};
+  entry->summary = summary_of(opened.now.file->marker);
+  entry->loaded = true;
   {
     const std::lock_guard lock{mutex_};
     if (markers_.size() + opening_ >= limit_) return NotOpened::kLimit;
     ++opening_;
-    number = ++opened_;
+    entry->number = ++opened_;
   }
-  opened.id = "m" + std::to_string(number);
+  opened.id = id_of(entry->number);
   const auto kept = answer ? answer(opened) : std::nullopt;
-  const bool written = !journal_ || journal_->opened(opened.id, number, *opened.now.file, kept);
+  std::unique_lock answering{answering_, std::defer_lock};
+  if (kept) answering.lock();
+  const auto change = change_of(answers_, kept);
+  const bool written =
+      !journal_ || journal_->opened(entry->number, *opened.now.file, summary_text(*entry->summary), change);
   const std::lock_guard lock{mutex_};
   --opening_;
   if (!written) return NotOpened::kNotWritten;
   markers_.emplace(opened.id, std::move(entry));
-  if (kept) answers_.keep(*kept);
+  if (change) answers_.keep(change->answer);
   return opened;
 }
 
 std::optional<Committed> MarkerStore::current(const std::string& id) const {
+  const auto entry = find(id);
+  if (!entry) return std::nullopt;
   const std::lock_guard lock{mutex_};
-  const auto found = markers_.find(id);
-  if (found == markers_.end()) return std::nullopt;
-  return found->second->current;
+  return entry->current;
 }
 
-std::vector<OpenMarker> MarkerStore::all() const {
+std::vector<ListedMarker> MarkerStore::all() const {
+  std::vector<std::string> unknown;  // markers of a store that had no summaries
+  {
+    const std::lock_guard lock{mutex_};
+    for (const auto& [id, entry] : markers_) {
+      if (!entry->summary) unknown.push_back(id);
+    }
+  }
+  for (const std::string& id : unknown) (void)find(id);
   const std::lock_guard lock{mutex_};
-  std::vector<OpenMarker> markers;
+  std::vector<ListedMarker> markers;
   markers.reserve(markers_.size());
-  for (const auto& [id, entry] : markers_) markers.push_back({id, entry->current});
+  for (const auto& [id, entry] : markers_) {
+    if (!entry->summary) continue;  // it was opened a moment ago
+    markers.push_back({id, entry->loaded ? entry->current.revision : entry->stored_revision, *entry->summary});
+  }
   return markers;
+}
+
+std::optional<Summary> MarkerStore::summary(const std::string& id) const {
+  {
+    const std::lock_guard lock{mutex_};
+    const auto found = markers_.find(id);
+    if (found == markers_.end()) return std::nullopt;
+    if (found->second->summary) return found->second->summary;
+  }
+  const auto now = current(id);
+  return now ? std::optional{summary_of(now->file->marker)} : std::nullopt;
+}
+
+std::string MarkerStore::quarantine(const std::string& id) const {
+  const std::lock_guard lock{mutex_};
+  const auto found = quarantined_.find(id);
+  return found == quarantined_.end() ? std::string{} : found->second;
 }
 
 Commit MarkerStore::commit(const std::string& id, Revision base, NextRevision next) {
@@ -97,7 +182,10 @@ Commit MarkerStore::commit(const std::string& id, Revision base, NextRevision ne
   const Revision revision = base + 1;
   History history = entry->history;
   const History::Recorded recorded = history.record(next.origin, before.file, moves);
-  if (journal_ && !journal_->changed(id, {revision, moves, next.file, recorded, next.answer})) {
+  Summary summary = summary_of(next.file.marker);
+  const auto change = change_of(entry->answers, next.answer);
+  if (journal_ &&
+      !journal_->changed(entry->number, {revision, moves, next.file, summary_text(summary), recorded, change})) {
     return {Commit::Outcome::kNotWritten, base};
   }
   Stamps stamps = stamps_after(*before.stamps, revision, moves, next.file);
@@ -106,7 +194,8 @@ Commit MarkerStore::commit(const std::string& id, Revision base, NextRevision ne
   {
     const std::lock_guard lock{mutex_};
     entry->current = after;
-    if (next.answer) entry->answers.keep(*std::move(next.answer));
+    entry->summary = std::move(summary);
+    if (change) entry->answers.keep(change->answer);
   }
   if (next.on_committed) next.on_committed(after);
   return {Commit::Outcome::kDone, revision};
@@ -122,22 +211,34 @@ std::optional<MarkerStore::UndoResult> MarkerStore::peek(const std::string& id, 
                     history.steps(UndoDirection::kRedo)};
 }
 
-bool MarkerStore::close(const std::string& id, const std::optional<KeptAnswer>& answer,
-                        const std::function<void()>& on_closed) {
+Closed MarkerStore::close(const std::string& id, const std::optional<KeptAnswer>& answer,
+                          const std::function<void()>& on_closed) {
   const auto entry = find(id);
-  if (!entry) return false;
+  if (!entry) return close_quarantined(id, answer);
   const std::lock_guard writing{entry->writing};
-  if (std::exchange(entry->closed, true)) return false;
-  if (journal_)
-    (void)journal_->closed(id,
-                           answer);  // better a marker that reappears after a restart than one that cannot be closed
+  if (entry->closed) return Closed::kUnknown;
+  const std::lock_guard answering{answering_};
+  const auto change = change_of(answers_, answer);
+  if (journal_ && !journal_->closed(entry->number, change)) return Closed::kNotWritten;
+  entry->closed = true;
   {
     const std::lock_guard lock{mutex_};
     markers_.erase(id);
-    if (answer) answers_.keep(*answer);
+    if (change) answers_.keep(change->answer);
   }
   if (on_closed) on_closed();
-  return true;
+  return Closed::kDone;
+}
+
+Closed MarkerStore::close_quarantined(const std::string& id, const std::optional<KeptAnswer>& answer) {
+  const std::lock_guard answering{answering_};
+  if (quarantine(id).empty()) return Closed::kUnknown;
+  const auto change = change_of(answers_, answer);
+  if (!journal_->closed(std::stoull(id.substr(1)), change)) return Closed::kNotWritten;
+  const std::lock_guard lock{mutex_};
+  quarantined_.erase(id);
+  if (change) answers_.keep(change->answer);
+  return Closed::kDone;
 }
 
 std::optional<KeptAnswer> MarkerStore::answer(const std::string& id, const std::string& op_id) const {
@@ -152,15 +253,22 @@ bool MarkerStore::keep(const std::string& id, const KeptAnswer& answer) {
   const auto entry = find(id);
   if (!entry) return false;
   const std::lock_guard writing{entry->writing};
-  if (journal_ && !journal_->answered(id, answer)) return false;
+  if (entry->closed) return false;
+  const auto change = change_of(entry->answers, answer);
+  if (journal_ && !journal_->answered(entry->number, *change)) return false;
   const std::lock_guard lock{mutex_};
-  entry->answers.keep(answer);
+  entry->answers.keep(change->answer);
   return true;
 }
 
 std::size_t MarkerStore::count() const {
   const std::lock_guard lock{mutex_};
   return markers_.size();
+}
+
+std::size_t MarkerStore::quarantined() const {
+  const std::lock_guard lock{mutex_};
+  return quarantined_.size();
 }
 
 }  // namespace selvage::server::store

@@ -3,10 +3,14 @@
 //
 // A committed marker never changes: readers share it while a motion works on the next revision and while that is
 // written to the journal.  Ids are "m1", "m2", ... in the order of opening and are never used twice; revisions of a
-// marker count from 1.  With a journal, readers see a revision only when it is on disk.  Every function may be called
-// from any thread.
+// marker count from 1.  With a journal, readers see a revision only when it is on disk.
+//
+// A marker of the journal is kept as the bytes of its rows until it is first used; its revision and summary are known
+// before.  One whose rows are damaged is quarantined: it is not open, its rows stay in the file, and it can only be
+// closed.  Every function may be called from any thread.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -24,6 +28,7 @@
 #include "server/store/history.h"
 #include "server/store/journal.h"
 #include "server/store/kept_answers.h"
+#include "server/store/summary.h"
 
 namespace selvage::server::store {
 
@@ -46,9 +51,16 @@ struct OpenMarker {
   std::string id;
   Committed now;
 };
+struct ListedMarker {
+  std::string id;
+  Revision revision{};
+  Summary summary;
+};
 
 // Why no marker was opened: the limit is reached, or the journal failed.
 enum class NotOpened { kLimit, kNotWritten };
+
+enum class Closed { kDone, kUnknown, kNotWritten };
 
 struct NextRevision {
   MarkerFile file;
@@ -74,7 +86,11 @@ class MarkerStore {
   [[nodiscard]] std::variant<OpenMarker, NotOpened> open(MarkerFile file, const OpenAnswer& answer = {});
   // Nothing if no such marker is open.
   [[nodiscard]] std::optional<Committed> current(const std::string& id) const;
-  [[nodiscard]] std::vector<OpenMarker> all() const;  // in the order of ids
+  [[nodiscard]] std::vector<ListedMarker> all() const;  // in the order of ids
+  // The summary of its current revision; nothing if no such marker is open.
+  [[nodiscard]] std::optional<Summary> summary(const std::string& id) const;
+  // Why the marker is quarantined; empty if it is not.
+  [[nodiscard]] std::string quarantine(const std::string& id) const;
 
   // Makes the file the revision after `base` if `base` is still the current revision.
   [[nodiscard]] Commit commit(const std::string& id, Revision base, NextRevision next);
@@ -86,9 +102,9 @@ class MarkerStore {
   };
   // Nothing if no such marker is open.
   [[nodiscard]] std::optional<UndoResult> peek(const std::string& id, UndoDirection direction) const;
-  // Returns false if no such marker is open.  `on_closed` is called when the marker is closed.
-  [[nodiscard]] bool close(const std::string& id, const std::optional<KeptAnswer>& answer = {},
-                           const std::function<void()>& on_closed = {});
+  // Closes an open or a quarantined marker.  `on_closed` is called when that is written.
+  [[nodiscard]] Closed close(const std::string& id, const std::optional<KeptAnswer>& answer = {},
+                             const std::function<void()>& on_closed = {});
 
   // The kept answer to a call on a marker or, if the id is empty, to a call that opened or closed a marker.
   [[nodiscard]] std::optional<KeptAnswer> answer(const std::string& id, const std::string& op_id) const;
@@ -96,28 +112,45 @@ class MarkerStore {
   [[nodiscard]] bool keep(const std::string& id, const KeptAnswer& answer);
 
   [[nodiscard]] std::size_t count() const;
+  [[nodiscard]] std::size_t quarantined() const;
+  // Why changes cannot be written; empty if they can, as far as is known.
+  [[nodiscard]] std::string failure() const { return journal_ ? journal_->failure() : std::string{}; }
   [[nodiscard]] std::size_t limit() const { return limit_; }
+  // As Journal::back_up.  REQUIRES: is_durable().
+  std::uint64_t back_up(const std::string& name) { return journal_->back_up(name); }
   // Whether markers survive the end of the process.
   [[nodiscard]] bool is_durable() const { return journal_ != nullptr; }
 
  private:
-  // The store's mutex protects `current` and `answers`; `writing` protects the rest.  `writing` is locked first, and
-  // held while the journal writes.
+  // The store's mutex protects `now`, `summary` and `answers`; `writing` protects the rest.  `writing` is locked first,
+  // and held while the journal writes; `loading` is locked while the rows are read, with nothing else locked.
   struct Entry {
+    std::uint64_t number{};
     std::mutex writing;
     bool closed{};
     History history;
+    Revision stored_revision{};
+    std::optional<Summary> summary;
     Committed current;
     KeptAnswers answers;
+    std::mutex loading;
+    std::atomic<bool> loaded{};
+    std::optional<disk::StoredMarker> stored;  // until it is loaded
   };
+  // Null if no such marker is open, or if it turns out to be damaged.
   [[nodiscard]] std::shared_ptr<Entry> find(const std::string& id) const;
+  [[nodiscard]] bool load(const std::string& id, Entry& entry) const;
+  void restore(disk::StoredContent content);
+  [[nodiscard]] Closed close_quarantined(const std::string& id, const std::optional<KeptAnswer>& answer);
 
   const std::size_t limit_;
   Journal* const journal_;
   mutable std::mutex mutex_;
   std::uint64_t opened_{};
   std::size_t opening_{};  // markers that are being written to the journal
-  std::map<std::string, std::shared_ptr<Entry>> markers_;
+  mutable std::map<std::string, std::shared_ptr<Entry>> markers_;
+  mutable std::map<std::string, std::string> quarantined_;  // why
+  std::mutex answering_;  // held while an answer to a call that opens or closes a marker is written
   KeptAnswers answers_;
 };
 

@@ -190,6 +190,57 @@ TEST_F(Killed, IdsAreNeverUsedTwice) {
   }
 }
 
+TEST_F(Killed, BackupsAreConsistentWhileEditsRun) {
+  const std::string store = (folder_ / "store.db").string();
+  std::vector<Story> stories;
+  std::vector<std::string> copies;
+  {
+    Process selvaged{arguments()};
+    const std::uint16_t port = port_of(selvaged);
+    Wire wire{port};
+    for (std::size_t k = 0; k < kWriters; ++k) stories.push_back({open_marker(wire, kSmallMarker), Json()});
+    std::vector<std::jthread> writers;
+    for (Story& story : stories) writers.emplace_back([&story, port] { edit(port, story, 7); });
+    for (const char* name : {"one", "two"}) {
+      const Json copied = result_of(post_call(wire, "admin.backup", std::string{R"({"name":")"} + name + "\"}"));
+      EXPECT_GT(copied["bytes"], 0);
+      copies.push_back(store + ".backup-" + name);
+    }
+    EXPECT_EQ(code_of(post_call(wire, "admin.backup", R"({"name":"one"})")), -32603);  // it exists
+    EXPECT_EQ(code_of(post_call(wire, "admin.backup", R"({"name":"../x"})")), -32602);
+    copies.push_back((folder_ / "three").string());
+    Process copying{{SELVAGED, "--store", store, "--backup", copies.back()}};
+    EXPECT_NE(copying.all_output().find("0 faults"), std::string::npos);
+    EXPECT_EQ(copying.exit_code(), 0);
+    Process refused{{SELVAGED, "--store", store, "--verify-store"}};
+    EXPECT_NE(refused.all_output().find("locked"), std::string::npos);
+    EXPECT_EQ(refused.exit_code(), 1);
+    selvaged.signal(SIGKILL);
+  }
+  copies.push_back(store);
+  for (const std::string& copy : copies) {
+    Process verified{{SELVAGED, "--store", copy, "--verify-store"}};
+    EXPECT_NE(verified.all_output().find("3 markers are sound, 0 faults"), std::string::npos) << copy;
+    EXPECT_EQ(verified.exit_code(), 0);
+  }
+}
+
+TEST_F(Killed, AStoreOfALaterVersionEndsTheStartWith78) {
+  {
+    Process selvaged{arguments()};
+    (void)port_of(selvaged);
+    selvaged.signal(SIGTERM);
+    EXPECT_EQ(selvaged.exit_code(), 0);
+  }
+  std::fstream file{folder_ / "store.db", std::ios::in | std::ios::out | std::ios::binary};
+  file.seekp(63);  // the last byte of SQLite's user_version
+  file.put(99);
+  file.close();
+  Process selvaged{arguments()};
+  EXPECT_NE(selvaged.all_output().find("later version"), std::string::npos);
+  EXPECT_EQ(selvaged.exit_code(), 78);
+}
+
 TEST_F(Killed, TwoDaemonsDoNotShareAStore) {
   Process first{arguments()};
   (void)port_of(first);

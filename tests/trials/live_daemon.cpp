@@ -39,6 +39,12 @@ Resources LiveDaemon::resources() const {
   return found;
 }
 
+std::string LiveDaemon::log_text() const {
+  std::ostringstream text;
+  text << std::ifstream{folder_.file("log")}.rdbuf();
+  return text.str();
+}
+
 int LiveDaemon::end() {
   process_->signal(SIGTERM);
   return process_->exit_code();

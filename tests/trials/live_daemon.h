@@ -27,6 +27,7 @@ class LiveDaemon {
   [[nodiscard]] std::string path() const { return folder_.file("socket"); }
   [[nodiscard]] std::string store() const { return folder_.file("store"); }  // a path for a store
   [[nodiscard]] Resources resources() const;
+  [[nodiscard]] std::string log_text() const;
 
   // Asks it to shut down and returns its exit code.
   int end();

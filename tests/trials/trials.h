@@ -25,4 +25,8 @@ void slow(std::size_t rounds, Faults& faults);
 // these compactions; then the same again.
 void deadlines(std::size_t count, Faults& faults);
 
+// `count` copies of a store with a bit flipped, every tenth cut off instead: a daemon that starts on one has the same
+// content or names what is damaged.
+void damage(std::size_t count, Faults& faults);
+
 }  // namespace selvage::trials

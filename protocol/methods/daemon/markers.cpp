@@ -127,15 +127,6 @@ OpenResult opened(const std::string& marker_id, Revision revision, const MarkerF
           .notes = calls::notes_of(file.notes)};
 }
 
-ListedMarker listed(const std::string& marker_id, Revision revision, const Marker& marker) {
-  return {.at = {marker_id, revision},
-          .name = marker.name,
-          .pieces = marker.pieces.size(),
-          .unplaced = calls::unplaced_count(marker),
-          .length = to_decimal(length_of(marker), marker.resolution),
-          .utilisation = utilisation_of(marker)};
-}
-
 calls::Method open_method() {
   calls::Method method = calls::served_method<OpenFields, OpenResult>("marker.open", calls::MethodKind::kRead,
                                                                       "Opens a marker from a document.");

@@ -55,8 +55,6 @@ struct ListedMarker {
     v.required("utilisation", self.utilisation, calls::kUtilisationMeaning);
   }
 };
-[[nodiscard]] ListedMarker listed(const std::string& marker_id, Revision revision, const Marker& marker);
-
 struct ListResult {
   std::vector<ListedMarker> markers;
 

@@ -146,7 +146,7 @@ TEST(Dispatcher, EngineInfoListsEveryMethod) {
   for (const Json& name : info["methods"]) reported.insert(name.get<std::string>());
   std::set<std::string> expected{"engine.info", "marker.open", "marker.close", "marker.list",    "marker.apply",
                                  "marker.undo", "marker.redo", "marker.watch", "marker.unwatch", "drag.begin",
-                                 "drag.move",   "drag.end",    "rpc.discover"};
+                                 "drag.move",   "drag.end",    "rpc.discover", "admin.backup"};
   for (const protocol::calls::Method& method : protocol::methods::method_table().all()) {
     if (method.on_marker) expected.emplace(method.name);
   }

@@ -298,6 +298,27 @@ TEST_F(LateQueue, RefusesAJobBehindALongOneOfItsLane) {
   EXPECT_EQ(submit(queue, until(std::chrono::seconds{2}, "m2")), Admission::kAccepted);
 }
 
+TEST_F(LateQueue, AcceptsAJobBehindOneThatIsOnlyAboutToEnd) {
+  const auto ending = std::make_shared<std::atomic<bool>>(false);
+  std::latch behind{1};
+  std::latch running{1};
+  JobQueue other{2, 8, 0, [this] { return now.load(); }};
+  Job next = job(
+      [&](auto) {
+        running.count_down();
+        behind.wait();
+      },
+      "m3");
+  next.ending = ending;
+  ASSERT_EQ(submit(other, std::move(next)), Admission::kAccepted);
+  running.wait();
+  now = now.load() + std::chrono::seconds{5};
+  EXPECT_EQ(submit(other, until(std::chrono::seconds{2}, "m3")), Admission::kTooLate);
+  *ending = true;  // as when its call has been answered
+  EXPECT_EQ(submit(other, until(std::chrono::seconds{2}, "m3")), Admission::kAccepted);
+  behind.count_down();
+}
+
 TEST_F(LateQueue, RemovesStoppedJobsAndServesTheirLanes) {
   std::stop_source caller;
   std::latch ran{1};

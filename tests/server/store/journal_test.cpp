@@ -2,17 +2,51 @@
 #include "server/store/journal.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <random>
 
-#include "server/store/journal_database.h"
+#include "server/store/disk/database.h"
+#include "server/store/disk/schema.h"
 #include "tests/server/dispatch/local_server.h"
 
 namespace selvage::test {
 namespace {
+
+// Makes a store of schema 2 of one of the present schema.
+constexpr const char* kIntoSchema2 = R"(
+  ALTER TABLE snapshot RENAME TO s; ALTER TABLE step RENAME TO t; ALTER TABLE history RENAME TO h;
+  ALTER TABLE answer RENAME TO a;
+  CREATE TABLE opened(number INTEGER NOT NULL);
+  INSERT INTO opened SELECT opened FROM total;
+  CREATE TABLE snapshot(marker TEXT PRIMARY KEY, revision INTEGER NOT NULL, format TEXT NOT NULL, document TEXT NOT NULL);
+  INSERT INTO snapshot SELECT 'm' || marker, revision, format, document FROM s;
+  CREATE TABLE step(marker TEXT NOT NULL, revision INTEGER NOT NULL, moves TEXT NOT NULL,
+                    PRIMARY KEY(marker, revision)) WITHOUT ROWID;
+  INSERT INTO step SELECT 'm' || marker, revision, moves FROM t;
+  CREATE TABLE answer(serial INTEGER PRIMARY KEY AUTOINCREMENT, marker TEXT NOT NULL, op TEXT NOT NULL,
+                      method TEXT NOT NULL, result TEXT NOT NULL);
+  CREATE INDEX answers_of_a_marker ON answer(marker, serial);
+  INSERT INTO answer(marker, op, method, result) SELECT 'm' || marker, op, method, result FROM a;
+  CREATE TABLE history(marker TEXT NOT NULL, serial INTEGER NOT NULL, way INTEGER NOT NULL, format TEXT NOT NULL,
+                       step TEXT NOT NULL, PRIMARY KEY(marker, serial)) WITHOUT ROWID;
+  INSERT INTO history SELECT 'm' || marker, serial, way, format, step FROM h;
+  DROP TABLE s; DROP TABLE t; DROP TABLE h; DROP TABLE a; DROP TABLE head; DROP TABLE total;
+  PRAGMA user_version = 2;
+)";
+
+rlimit file_size_limit() {
+  rlimit limit{};
+  ::getrlimit(RLIMIT_FSIZE, &limit);
+  return limit;
+}
+void set_file_size_limit(const rlimit& limit) {
+  ::setrlimit(RLIMIT_FSIZE, &limit);
+}
 
 class JournalTest : public ::testing::Test {
  protected:
@@ -112,45 +146,86 @@ TEST_F(JournalTest, ARestoredHistoryKeepsItsLimits) {
   EXPECT_EQ(undone, server::store::History::kMaxSteps);
 }
 
-TEST_F(JournalTest, AHistoryIsCutOffWhereItCannotBeRead) {
+TEST_F(JournalTest, AMarkerWithADamagedRowIsQuarantinedAndTheOthersServe) {
+  const std::vector<std::pair<std::string, std::string>> damages{
+      {"UPDATE step SET moves = substr(moves, 1, 20) WHERE marker = 1 AND revision = 3", "revision 3"},
+      {"DELETE FROM step WHERE marker = 1 AND revision = 3", "revision 3"},
+      {"DELETE FROM step WHERE marker = 1 AND revision = 5", "revision 5"},
+      {"UPDATE step SET marker = 2 WHERE marker = 1 AND revision = 5", "revision 5"},
+      {"UPDATE history SET way = 1 - way WHERE marker = 1 AND serial = 2", "history"},
+      {"DELETE FROM history WHERE marker = 1 AND serial = 2", "history"},
+      {"UPDATE answer SET result = '{}' WHERE marker = 1", "answer"},
+      {"DELETE FROM answer WHERE marker = 1", "answers"},
+      {"UPDATE snapshot SET document = replace(document, 'low', 'lov') WHERE marker = 1", "snapshot"},
+      {"DELETE FROM snapshot WHERE marker = 1", "snapshot"},
+      {"DELETE FROM head WHERE marker = 1", "head"},
+      {"UPDATE head SET revision = 4 WHERE marker = 1", "head"}};
+  const std::string sound = (folder_ / "sound.db").string();
+  std::string second;
   {
-    server::store::Journal journal{path(), server::store::Durability::kFull};
+    server::store::Journal journal{sound, server::store::Durability::kFull};
     LocalServer local{0, pushing_methods(), {}, &journal};
     (void)local.open_small();
+    (void)local.open_small();
     for (int x = 1; x <= 4; ++x) {
-      (void)local.result("marker.apply",
-                         "{'markerId':'m1','ops':[{'op':'move','piece':'low','at':[" + std::to_string(x) + ",0]}]}");
+      (void)local.result("marker.apply", "{'markerId':'m1','opId':'" + std::to_string(x) +
+                                             "','ops':[{'op':'move','piece':'low','at':[" + std::to_string(x) +
+                                             ",0]}]}");
     }
-    (void)local.result("marker.undo", "{'markerId':'m1'}");
+    second = local.ask(call(1, "marker.get", R"({"markerId":"m2"})"));
   }
-  server::store::Database{path()}.run("UPDATE history SET step = substr(step, 1, 20) WHERE way = 0 AND serial = 2");
-  for (int start = 0; start < 2; ++start) {  // the second start finds nothing to remove
+  for (const auto& [damage, named] : damages) {
+    std::filesystem::copy_file(sound, path(), std::filesystem::copy_options::overwrite_existing);
+    server::store::disk::Database{path()}.run(damage);
     server::store::Journal journal{path(), server::store::Durability::kFull};
     LocalServer local{0, pushing_methods(), {}, &journal};
-    const auto undo = local.store().peek("m1", server::store::UndoDirection::kUndo);
-    EXPECT_EQ(undo->undo_steps, 1U);
-    EXPECT_EQ(undo->redo_steps, 1U);
+    const Json answer = local.result("marker.get", "{'markerId':'m1'}");
+    EXPECT_EQ(code_of(answer), -32012) << damage;
+    EXPECT_NE(answer["error"]["message"].text().find(named), std::string::npos) << damage << answer;
+    if (damage.find("marker = 2") != std::string::npos) continue;  // m2 has a row that is not its own
+    EXPECT_EQ(local.ask(call(1, "marker.get", R"({"markerId":"m2"})")), second) << damage;
+    EXPECT_EQ(local.result("marker.list", "{}")["markers"].size(), 1U) << damage;
+    EXPECT_EQ(local.open_small(), "m3") << damage;
+    EXPECT_EQ(local.result("marker.close", "{'markerId':'m1'}")["closed"], true) << damage;
+    EXPECT_EQ(local.store().quarantined(), 0U) << damage;
   }
 }
 
-TEST_F(JournalTest, AStoreWithoutHistoryIsUpgraded) {
-  std::string before;
-  {
-    server::store::Journal journal{path(), server::store::Durability::kFull};
-    LocalServer local{0, pushing_methods(), {}, &journal};
-    (void)local.open_small();
-    (void)local.result("motion.compact", "{'markerId':'m1'}");
-    before = all_of(local);
+TEST_F(JournalTest, StoresOfEarlierSchemasAreUpgradedAndCopiedBefore) {
+  const std::string retry = call(1, "motion.compact", R"({"markerId":"m2","opId":"mine"})");
+  for (const int schema : {1, 2}) {
+    const std::string file = (folder_ / ("schema" + std::to_string(schema))).string();
+    std::string before;
+    std::string answered;
+    {
+      server::store::Journal journal{file, server::store::Durability::kFull};
+      LocalServer local{0, pushing_methods(), {}, &journal};
+      for (int i = 0; i < 3; ++i) (void)local.open_small();
+      answered = local.ask(retry);
+      (void)local.result("marker.close", "{'markerId':'m3'}");
+      before = all_of(local);
+    }
+    server::store::disk::Database{file}.run(kIntoSchema2);
+    if (schema == 1) server::store::disk::Database{file}.run("DROP TABLE history; PRAGMA user_version = 1");
+    for (int start = 0; start < 2; ++start) {
+      server::store::Journal journal{file, server::store::Durability::kFull};
+      LocalServer local{0, pushing_methods(), {}, &journal};
+      EXPECT_EQ(all_of(local), before);
+      EXPECT_EQ(local.ask(retry), answered);
+      EXPECT_EQ(local.store().peek("m2", server::store::UndoDirection::kUndo)->undo_steps, schema - 1U);
+      EXPECT_EQ(local.open_small(), "m" + std::to_string(4 + start));
+      (void)local.result("marker.close", "{'markerId':'m" + std::to_string(4 + start) + "'}");
+    }
+    const std::string copy = file + ".schema" + std::to_string(schema);
+    EXPECT_EQ(server::store::disk::Database{copy}.number("PRAGMA user_version"), schema);
+    EXPECT_EQ(server::store::disk::Database{copy}.number("SELECT count(*) FROM snapshot"), 2);
   }
-  server::store::Database{path()}.run("DROP TABLE history; PRAGMA user_version = 1");
-  for (std::size_t start = 0; start < 2; ++start) {
-    server::store::Journal journal{path(), server::store::Durability::kFull};
-    LocalServer local{0, pushing_methods(), {}, &journal};
-    EXPECT_EQ(local.store().peek("m1", server::store::UndoDirection::kUndo)->undo_steps, start);
-    if (start > 0) break;
-    EXPECT_EQ(all_of(local), before);
-    (void)local.result("motion.compact", "{'markerId':'m1'}");
-  }
+}
+
+TEST_F(JournalTest, AStoreOfALaterVersionIsRefused) {
+  { const server::store::Journal journal{path(), server::store::Durability::kFull}; }
+  server::store::disk::Database{path()}.run("PRAGMA user_version = 4");
+  EXPECT_THROW(server::store::Journal(path(), server::store::Durability::kFull), server::store::disk::NewerStore);
 }
 
 TEST_F(JournalTest, ManyStepsAndSnapshotsRestoreTheSameMarker) {
@@ -174,27 +249,62 @@ TEST_F(JournalTest, ManyStepsAndSnapshotsRestoreTheSameMarker) {
   EXPECT_TRUE(local.store().answer("m1", "1499"));
 }
 
-TEST_F(JournalTest, StepsAfterAMissingRevisionAreRemoved) {
+TEST_F(JournalTest, IdsAreNotUsedAgainWhenTheirCountIsDamaged) {
   {
     server::store::Journal journal{path(), server::store::Durability::kFull};
     LocalServer local{0, pushing_methods(), {}, &journal};
-    (void)local.open_small();
-    for (int i = 0; i < 3; ++i) (void)local.result("motion.compact", "{'markerId':'m1'}");
+    for (int i = 0; i < 3; ++i) (void)local.open_small();
   }
-  {
-    server::store::Database database{path()};
-    database.run("UPDATE step SET moves = substr(moves, 1, 20) WHERE revision = 3");
-  }
-  for (int start = 0; start < 2; ++start) {  // the second start finds nothing to remove
-    server::store::Journal journal{path(), server::store::Durability::kFull};
-    LocalServer local{0, pushing_methods(), {}, &journal};
-    EXPECT_EQ(local.store().current("m1")->revision, 2U);
-    EXPECT_EQ(local.result("marker.check", "{'markerId':'m1'}")["valid"], true);
-    EXPECT_EQ(code_of(local.result("marker.undo", "{'markerId':'m1'}")), -32000);
-  }
+  server::store::disk::Database{path()}.run("UPDATE total SET opened = 0, markers = 7");
   server::store::Journal journal{path(), server::store::Durability::kFull};
   LocalServer local{0, pushing_methods(), {}, &journal};
-  EXPECT_EQ(local.result("motion.compact", "{'markerId':'m1'}")["revision"], 3);
+  EXPECT_EQ(local.store().count(), 3U);
+  EXPECT_EQ(local.open_small(), "m4");
+}
+
+TEST_F(JournalTest, AClosingThatIsNotWrittenIsAnError) {
+  server::store::Journal journal{path(), server::store::Durability::kFull};
+  LocalServer local{0, pushing_methods(), {}, &journal};
+  (void)local.open_small();
+  EXPECT_EQ(local.backend.why_not_ready(), "");
+  std::filesystem::remove(path());
+  EXPECT_NE(local.backend.why_not_ready().find(path() + " has been deleted"), std::string::npos);
+  for (const char* method : {"marker.close", "motion.compact"}) {
+    EXPECT_EQ(code_of(local.result(method, "{'markerId':'m1','opId':'a'}")), -32603) << method;
+  }
+  EXPECT_EQ(code_of(local.result("marker.open", "{'marker':" + kSmallMarker + "}")), -32603);
+  EXPECT_EQ(local.result("marker.get", "{'markerId':'m1'}")["revision"], 1);
+}
+
+TEST_F(JournalTest, AWriteErrorMakesTheServerUnreadyUntilAWriteSucceeds) {
+  server::store::Journal journal{path(), server::store::Durability::kFull};
+  LocalServer local{0, pushing_methods(), {}, &journal};
+  (void)local.open_small();
+  const rlimit unlimited = file_size_limit();
+  std::signal(SIGXFSZ, SIG_IGN);
+  set_file_size_limit({1000, unlimited.rlim_max});  // as on a full disk
+  EXPECT_EQ(code_of(local.result("motion.compact", "{'markerId':'m1'}")), -32603);
+  EXPECT_EQ(code_of(local.result("marker.close", "{'markerId':'m1'}")), -32603);
+  EXPECT_NE(local.backend.why_not_ready().find("the store cannot be written"), std::string::npos);
+  set_file_size_limit(unlimited);
+  EXPECT_EQ(local.result("motion.compact", "{'markerId':'m1'}")["revision"], 2);
+  EXPECT_EQ(local.backend.why_not_ready(), "");
+}
+
+TEST_F(JournalTest, KeptAnswersTakeBoundedRoom) {
+  const auto kept = static_cast<std::int64_t>(server::store::KeptAnswers::kMost);
+  {
+    server::store::Journal journal{path(), server::store::Durability::kRelaxed};
+    LocalServer local{0, pushing_methods(), {}, &journal};
+    (void)local.open_small();
+    for (int i = 0; i < 2 * kept; ++i) {  // calls that change nothing
+      (void)local.result("marker.apply", "{'markerId':'m1','opId':'" + std::to_string(i) +
+                                             "','ops':[{'op':'move','piece':'low','at':[3,0]}]}");
+    }
+    EXPECT_EQ(local.store().current("m1")->revision, 1U);
+    EXPECT_TRUE(local.store().answer("m1", std::to_string(2 * kept - 1)));
+  }
+  EXPECT_EQ(server::store::disk::Database{path()}.number("SELECT count(*) FROM answer"), kept);
 }
 
 TEST_F(JournalTest, AnIncompleteEndOfTheFileIsIgnored) {
@@ -222,8 +332,11 @@ TEST_F(JournalTest, RefusesFilesThatAreNotStores) {
   EXPECT_THROW(server::store::Journal(path(), server::store::Durability::kFull), std::runtime_error);
   EXPECT_THROW(server::store::Journal((folder_ / "no" / "where").string(), server::store::Durability::kFull),
                std::runtime_error);
+  const std::string empty = (folder_ / "empty.db").string();
+  std::ofstream{empty}.flush();
+  EXPECT_THROW(server::store::Journal(empty, server::store::Durability::kFull), std::runtime_error);
   const std::string other = (folder_ / "other.db").string();
-  server::store::Database{other}.run("CREATE TABLE theirs(x)");
+  server::store::disk::Database{other}.run("CREATE TABLE theirs(x)");
   EXPECT_THROW(server::store::Journal(other, server::store::Durability::kFull), std::runtime_error);
   const std::string mine = (folder_ / "mine.db").string();
   server::store::Journal first{mine, server::store::Durability::kFull};
@@ -242,7 +355,7 @@ TEST_F(JournalTest, AStoreThatCannotBeWrittenChangesNothing) {
     server::store::Committed now = *local.store().current("m1");
     const std::optional<protocol::edits::Moves> moves = protocol::edits::Moves{{0, now.file->marker.pieces[0]}};
     const auto recorded = server::store::History{}.record(server::store::Origin::kChange, now.file, moves);
-    ASSERT_TRUE(journal.changed("m1", {2, moves, *now.file, recorded, std::nullopt}));
+    ASSERT_TRUE(journal.changed(1, {2, moves, *now.file, "", recorded, std::nullopt}));
   }
   EXPECT_EQ(code_of(local.result("motion.compact", "{'markerId':'m1'}")), -32603);
   EXPECT_EQ(local.store().current("m1")->revision, 1U);

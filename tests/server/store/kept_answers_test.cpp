@@ -19,5 +19,36 @@ TEST(KeptAnswers, TheOldestAreRemovedFirst) {
   EXPECT_NE(answers.find(std::to_string(server::store::KeptAnswers::kMost)), nullptr);
 }
 
+server::store::KeptAnswer answer_for(const std::string& client, const std::string& op_id, std::size_t bytes = 2) {
+  return {.op_id = op_id, .method = "m", .result = std::make_shared<const std::string>(bytes, ' '), .client = client};
+}
+
+TEST(KeptAnswers, OneClientDoesNotPushOutThoseOfAnother) {
+  server::store::KeptAnswers answers;
+  answers.keep(answer_for("quiet", "one"));
+  for (std::size_t i = 0; i < 2 * server::store::KeptAnswers::kMost; ++i) {
+    answers.keep(answer_for("busy", std::to_string(i)));
+  }
+  EXPECT_NE(answers.find("one"), nullptr);
+  EXPECT_EQ(answers.count(), server::store::KeptAnswers::kMost);
+}
+
+TEST(KeptAnswers, TakeBoundedMemory) {
+  server::store::KeptAnswers answers;
+  constexpr std::size_t kLarge = server::store::KeptAnswers::kMaxBytes / 4;
+  for (int i = 0; i < 8; ++i) {
+    const auto next = answer_for("one", std::to_string(i), kLarge);
+    const auto forgotten = answers.forgotten_for(next);
+    const std::size_t before = answers.count();
+    answers.keep(next);
+    EXPECT_EQ(answers.count(), before + 1 - forgotten.size());
+    EXPECT_LE(answers.bytes(), server::store::KeptAnswers::kMaxBytes);
+  }
+  EXPECT_EQ(answers.find("4"), nullptr);
+  EXPECT_NE(answers.find("7"), nullptr);
+  answers.keep(answer_for("one", "large", 2 * server::store::KeptAnswers::kMaxBytes));
+  EXPECT_EQ(answers.count(), 1U);
+}
+
 }  // namespace
 }  // namespace selvage::test

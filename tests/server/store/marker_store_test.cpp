@@ -26,7 +26,7 @@ TEST(MarkerStore, NumbersIdsAndRevisionsUpwards) {
   MarkerStore store{10};
   EXPECT_EQ(opened(store, "a"), "m1");
   EXPECT_EQ(store.current("m1")->revision, 1U);
-  EXPECT_TRUE(store.close("m1"));
+  EXPECT_EQ(store.close("m1"), Closed::kDone);
   EXPECT_EQ(opened(store, "b"), "m2");  // never m1 again
   EXPECT_EQ(store.count(), 1U);
 }
@@ -48,8 +48,8 @@ TEST(MarkerStore, CommitsOnlyOnTheCurrentRevision) {
 TEST(MarkerStore, KnowsNothingOfClosedMarkers) {
   MarkerStore store{10};
   ASSERT_EQ(opened(store, "one"), "m1");
-  EXPECT_TRUE(store.close("m1"));
-  EXPECT_FALSE(store.close("m1"));
+  EXPECT_EQ(store.close("m1"), Closed::kDone);
+  EXPECT_EQ(store.close("m1"), Closed::kUnknown);
   EXPECT_FALSE(store.current("m1"));
   EXPECT_EQ(store.commit("m1", 1, {.file = named("two")}).outcome, Commit::Outcome::kClosed);
 }
@@ -59,7 +59,7 @@ TEST(MarkerStore, OpensNoMoreThanItsLimit) {
   ASSERT_NE(opened(store, "a"), "");
   ASSERT_NE(opened(store, "b"), "");
   EXPECT_EQ(std::get<NotOpened>(store.open(named("c"))), NotOpened::kLimit);
-  EXPECT_TRUE(store.close("m1"));
+  EXPECT_EQ(store.close("m1"), Closed::kDone);
   EXPECT_NE(opened(store, "c"), "");
 }
 

@@ -1,5 +1,5 @@
-// SQLite as the journal uses it; only this file and its source use the C API.  Messages of SQLite itself, such as that
-// it recovered the file after a crash, are logged.
+// SQLite as the store uses it; only this file and its source use the C API.  Messages of SQLite itself, such as that it
+// recovered the file after a crash, are logged.
 //
 // Every function throws std::runtime_error with SQLite's message if it fails.
 #pragma once
@@ -12,7 +12,7 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-namespace selvage::server::store {
+namespace selvage::server::store::disk {
 
 // A statement that is prepared once and executed often.
 class Statement {
@@ -38,6 +38,7 @@ class Statement {
     reset();
   }
   [[nodiscard]] std::int64_t integer(int column) const;
+  [[nodiscard]] std::uint64_t whole(int column) const { return static_cast<std::uint64_t>(integer(column)); }
   [[nodiscard]] std::string text(int column) const;
 
  private:
@@ -52,14 +53,21 @@ class Statement {
 
 class Database {
  public:
-  // Opens or creates the file, for this process only.
-  explicit Database(const std::string& path);
+  enum class Access { kCreate, kExisting };
+
+  // Statements may call the function checksum(...) of row_checksum.h.
+  explicit Database(const std::string& path, Access access = Access::kCreate);
   ~Database();
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
 
   // Executes one or several statements without parameters.
   void run(const std::string& sql);
+  // The first column of the first row; 0 or an empty text if there is none.
+  [[nodiscard]] std::int64_t number(std::string_view sql);
+  [[nodiscard]] std::string text(std::string_view sql);
+  // Writes everything that has been committed to another file, while others read and write this one.
+  void copy_to(const std::string& path);
   [[nodiscard]] sqlite3* handle() const { return database_; }
 
  private:
@@ -80,4 +88,4 @@ class Transaction {
   bool kept_{};
 };
 
-}  // namespace selvage::server::store
+}  // namespace selvage::server::store::disk

@@ -1,4 +1,4 @@
-#include "server/store/journal_database.h"
+#include "server/store/disk/database.h"
 
 #include <spdlog/spdlog.h>
 #include <sqlite3.h>
@@ -6,8 +6,12 @@
 #include <mutex>
 #include <stdexcept>
 
-namespace selvage::server::store {
+#include "server/store/disk/row_checksum.h"
+
+namespace selvage::server::store::disk {
 namespace {
+
+constexpr int kPatienceMs = 5000;  // for another process that reads or copies the file
 
 [[noreturn]] void fail(sqlite3* database) {
   throw std::runtime_error{database ? sqlite3_errmsg(database) : "out of memory"};
@@ -25,6 +29,23 @@ void log_sqlite() {
         },
         nullptr);
   });
+}
+
+std::string_view text_of(sqlite3_value* value) {
+  const auto* const bytes = static_cast<const char*>(sqlite3_value_blob(value));
+  return bytes ? std::string_view{bytes, static_cast<std::size_t>(sqlite3_value_bytes(value))} : std::string_view{};
+}
+
+void checksum(sqlite3_context* context, int count, sqlite3_value** values) {
+  RowChecksum sum;
+  for (int k = 0; k < count; ++k) {
+    switch (sqlite3_value_type(values[k])) {
+      case SQLITE_INTEGER: sum.add(std::int64_t{sqlite3_value_int64(values[k])}); break;
+      case SQLITE_TEXT: sum.add(text_of(values[k])); break;
+      default: sum.add_unknown();
+    }
+  }
+  sqlite3_result_int64(context, sum.value());
 }
 
 }  // namespace
@@ -72,10 +93,15 @@ void Statement::bind(int position, std::string_view value) {
   }
 }
 
-Database::Database(const std::string& path) {
+Database::Database(const std::string& path, Access access) {
   log_sqlite();
-  constexpr int kFlags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX;
-  if (sqlite3_open_v2(path.c_str(), &database_, kFlags, nullptr) == SQLITE_OK) return;
+  const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX | (access == Access::kCreate ? SQLITE_OPEN_CREATE : 0);
+  constexpr int kFunction = SQLITE_UTF8 | SQLITE_DETERMINISTIC | SQLITE_INNOCUOUS;
+  if (sqlite3_open_v2(path.c_str(), &database_, flags, nullptr) == SQLITE_OK &&
+      sqlite3_busy_timeout(database_, kPatienceMs) == SQLITE_OK &&
+      sqlite3_create_function(database_, "checksum", -1, kFunction, nullptr, checksum, nullptr, nullptr) == SQLITE_OK) {
+    return;
+  }
   const std::string reason = database_ ? sqlite3_errmsg(database_) : "out of memory";
   sqlite3_close(database_);
   throw std::runtime_error{reason};
@@ -89,6 +115,26 @@ void Database::run(const std::string& sql) {
   if (sqlite3_exec(database_, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail(database_);
 }
 
+std::int64_t Database::number(std::string_view sql) {
+  Statement statement{database_, sql};
+  return statement.step() ? statement.integer(0) : 0;
+}
+
+std::string Database::text(std::string_view sql) {
+  Statement statement{database_, sql};
+  return statement.step() ? statement.text(0) : std::string{};
+}
+
+void Database::copy_to(const std::string& path) {
+  Database target{path};
+  sqlite3_backup* const copying = sqlite3_backup_init(target.database_, "main", database_, "main");
+  if (!copying) fail(target.database_);
+  const int outcome = sqlite3_backup_step(copying, -1);  // all pages, as of one moment
+  sqlite3_backup_finish(copying);
+  if (outcome != SQLITE_DONE) throw std::runtime_error{sqlite3_errstr(outcome)};
+  target.run("PRAGMA journal_mode = DELETE");  // one file, without a log next to it
+}
+
 Transaction::~Transaction() {
   if (!kept_ && sqlite3_get_autocommit(database_.handle()) == 0) {
     sqlite3_exec(database_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
@@ -100,4 +146,4 @@ void Transaction::keep() {
   kept_ = true;
 }
 
-}  // namespace selvage::server::store
+}  // namespace selvage::server::store::disk

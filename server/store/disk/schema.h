@@ -1,0 +1,36 @@
+// The schema of a store's file.
+//
+// Markers have the numbers of their ids ("m7" is 7).  `total` has one row: the markers ever opened, those open now, and
+// the answers kept for calls that opened or closed markers.  Each open marker has a row in `head`: its revision, and
+// how many rows of the other tables belong to it, so that a lost row is noticed; `summary` is what marker.list says of
+// it, as JSON, or empty.  `snapshot` and the steps since lead to the revision of the head.  A step of the history
+// without a format consists of moves; otherwise it is a document.  Answers of marker 0 are those to calls that opened
+// and closed markers.  There is no index, because SQLite's quick check does not compare an index with its table.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "server/store/disk/database.h"
+
+namespace selvage::server::store::disk {
+
+inline constexpr int kSchema = 3;
+
+// The file was written by a later version of the program.
+class NewerStore : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Creates the tables of an empty database.
+void create_tables(Database& database);
+// The number of the file's schema.  Throws std::runtime_error if it is not a store, and NewerStore if it is of a later
+// version.
+[[nodiscard]] int schema_of(Database& database);
+// Brings a store of an earlier schema up to date.  REQUIRES: schema_of() is 1 or 2, and a transaction.
+void upgrade(Database& database);
+// Throws std::runtime_error if the file is damaged: its pages, or the definitions of its tables.
+void check_structure(Database& database);
+
+}  // namespace selvage::server::store::disk

@@ -1,0 +1,62 @@
+// The open file of a store: locked against other daemons, of the present schema, and watched for its deletion.
+//
+// Other programs may read it meanwhile, such as `sqlite3 store .backup`.  A store of an earlier schema is copied to
+// "FILE.schemaN" before it is brought up to date.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "server/store/disk/database.h"
+
+namespace selvage::server::store::disk {
+
+enum class Durability {
+  kFull,     // an acknowledged revision survives a power failure
+  kRelaxed,  // it survives any end of the process; a power failure may lose the last ones
+};
+
+// Which file a path leads to.
+struct FileIdentity {
+  std::uint64_t device{}, number{};
+  friend bool operator==(const FileIdentity&, const FileIdentity&) = default;
+};
+// Nothing if there is no such file.
+[[nodiscard]] std::optional<FileIdentity> identity_of(const std::string& path);
+
+// A lock on a file that exists, against other processes that lock it in the same way; its end releases the lock.
+class FileLock {
+ public:
+  // Throws std::runtime_error if the file is locked or cannot be opened.
+  explicit FileLock(const std::string& path);
+  ~FileLock();
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+
+ private:
+  int file_{-1};
+};
+
+class StoreFile {
+ public:
+  enum class Missing { kCreate, kRefuse };
+
+  // Throws std::runtime_error if the file is not a store, is damaged or belongs to another process, and NewerStore if
+  // it is of a later version.
+  StoreFile(const std::string& path, Durability durability, Missing missing = Missing::kCreate);
+  StoreFile(const StoreFile&) = delete;
+  StoreFile& operator=(const StoreFile&) = delete;
+
+  [[nodiscard]] Database& database() { return database_; }
+  [[nodiscard]] const std::string& path() const { return path_; }
+  // Throws std::runtime_error if the file or its log has been deleted or replaced, so that what is written is lost.
+  void require_in_place() const;
+
+ private:
+  const std::string path_;
+  FileLock lock_;
+  Database database_;
+  std::optional<FileIdentity> file_, log_;
+};
+
+}  // namespace selvage::server::store::disk

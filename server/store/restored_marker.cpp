@@ -1,0 +1,99 @@
+#include "server/store/restored_marker.h"
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <utility>
+
+#include "protocol/edits/moves.h"
+#include "protocol/formats/native.h"
+#include "protocol/json/json_text.h"
+
+namespace selvage::server::store {
+namespace {
+
+Result<Format> format_named(const std::string& name) {
+  const auto* const found =
+      std::find(std::begin(protocol::document::kFormatNames), std::end(protocol::document::kFormatNames), name);
+  if (found == std::end(protocol::document::kFormatNames)) {
+    return Error{ErrorCode::kWrongType, "an unknown format", ""};
+  }
+  return static_cast<Format>(found - std::begin(protocol::document::kFormatNames));
+}
+
+// A document as the journal wrote it.
+Result<MarkerFile> read_document(const std::string& format, const std::string& document) {
+  auto file = protocol::formats::read_marker(document);
+  if (!file) return file;
+  const auto read_from = format_named(format);
+  if (!read_from) return read_from.error();
+  file->format = *read_from;
+  file->notes.clear();
+  return file;
+}
+
+Result<protocol::edits::Moves> read_moves_text(const std::string& text, const Marker& marker) {
+  const auto list = protocol::json::parse(text);
+  if (!list) return list.error();
+  return protocol::edits::read_moves(*list, marker);
+}
+
+// A step of the history that leads away from `marker`.
+Result<History::Back> read_back(const disk::StoredStep& step, const Marker& marker) {
+  if (!step.format.empty()) {
+    auto file = read_document(step.format, step.step);
+    if (!file) return file.error();
+    return History::Back{std::make_shared<const MarkerFile>(*std::move(file))};
+  }
+  auto moves = read_moves_text(step.step, marker);
+  if (!moves) return moves.error();
+  return History::Back{*std::move(moves)};
+}
+
+// Oldest first.  Each step is read from the marker that the next newer one leads to.
+Result<std::vector<History::Step>> history_of(const disk::StoredMarker& stored, const MarkerFile& now,
+                                              UndoDirection direction) {
+  std::vector<History::Step> steps;
+  MarkerFile at = now;
+  for (auto step = stored.history.rbegin(); step != stored.history.rend(); ++step) {
+    if (step->way != way_of(direction)) continue;
+    auto back = read_back(*step, at.marker);
+    if (!back) return back.error();
+    at = after_step(*back, std::move(at));
+    steps.push_back({step->serial, *std::move(back)});
+  }
+  std::reverse(steps.begin(), steps.end());
+  return steps;
+}
+
+}  // namespace
+
+Result<RestoredMarker> restore_marker(const disk::StoredMarker& stored) {
+  auto file = read_document(stored.format, stored.document);
+  if (!file) return file.error();
+  for (const std::string& step : stored.steps) {
+    const auto moves = read_moves_text(step, file->marker);
+    if (!moves) return moves.error();
+    *file = moved(*std::move(file), *moves);
+  }
+  auto undo = history_of(stored, *file, UndoDirection::kUndo);
+  if (!undo) return undo.error();
+  auto redo = history_of(stored, *file, UndoDirection::kRedo);
+  if (!redo) return redo.error();
+  return RestoredMarker{*std::move(file), {*std::move(undo), *std::move(redo)}};
+}
+
+KeptAnswers restore_answers(const std::vector<disk::StoredAnswer>& stored) {
+  KeptAnswers answers;
+  for (const disk::StoredAnswer& answer : stored) {
+    answers.keep({.op_id = answer.op,
+                  .method = answer.method,
+                  .result = std::make_shared<const std::string>(answer.result),
+                  .client = answer.client,
+                  .params = answer.params,
+                  .serial = answer.serial});
+  }
+  return answers;
+}
+
+}  // namespace selvage::server::store

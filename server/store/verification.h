@@ -1,0 +1,19 @@
+// Checks a store that no daemon uses: every page, every row, and that every marker and its history can be read.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace selvage::server::store {
+
+struct Verification {
+  std::size_t markers{};            // that can be used
+  std::vector<std::string> damage;  // one line each
+};
+
+// Leaves the content as it is.  Throws as disk::StoreFile, also if there is no such file or if it is of an earlier
+// schema.
+[[nodiscard]] Verification verify_store(const std::string& path);
+
+}  // namespace selvage::server::store
