@@ -2,10 +2,11 @@
 
 namespace selvage::server::calls {
 
-OpenCall::OpenCall(std::shared_ptr<transport::access::Session> session, jobs::ReplyOnce<Outcome> reply)
-    : session_{std::move(session)}, reply_{std::move(reply)}, disconnected_{session_->gone, [this] {
-                                                                              stop_.request_stop();
-                                                                            }} {}
+OpenCall::OpenCall(std::shared_ptr<transport::access::Session> session, jobs::ReplyOnce<Outcome> reply,
+                   std::int64_t params)
+    : session_{std::move(session)}, params_{params}, reply_{std::move(reply)}, disconnected_{session_->gone, [this] {
+                                                                                               stop_.request_stop();
+                                                                                             }} {}
 
 StopCause OpenCall::stop_cause() const {
   if (state_ == State::kCancelled) return StopCause::kCancelled;

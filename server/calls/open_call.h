@@ -6,6 +6,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -24,9 +25,12 @@ namespace selvage::server::calls {
 
 class OpenCall {
  public:
-  OpenCall(std::shared_ptr<transport::access::Session> session, jobs::ReplyOnce<Outcome> reply);
+  // `params`: a checksum of the call's parameters; 0: it has no opId, so nobody asks for it.
+  OpenCall(std::shared_ptr<transport::access::Session> session, jobs::ReplyOnce<Outcome> reply,
+           std::int64_t params = 0);
 
   [[nodiscard]] const std::shared_ptr<transport::access::Session>& session() const { return session_; }
+  [[nodiscard]] std::int64_t params() const { return params_; }
   // Stops for every cause.  A method that is stopped returns the best result that it has.
   [[nodiscard]] std::stop_token stop() const { return stop_.get_token(); }
   // If there are several causes: abandonment before the deadline, and the deadline before draining.
@@ -57,6 +61,7 @@ class OpenCall {
   [[nodiscard]] bool leave_open(State to);
 
   const std::shared_ptr<transport::access::Session> session_;
+  const std::int64_t params_;
   std::atomic<State> state_{State::kWaiting};
   const std::shared_ptr<std::atomic<bool>> ending_ = std::make_shared<std::atomic<bool>>(false);
   std::atomic<bool> late_{}, draining_{};

@@ -20,21 +20,37 @@ std::string changed_message(const ReadyChange& change, const MarkerFile& before,
 
 std::optional<calls::Outcome> Committer::earlier_answer(const std::string& marker_id,
                                                         const std::optional<std::string>& op_id,
-                                                        std::string_view method) const {
+                                                        std::string_view method, const calls::OpenCall& call) const {
   if (!op_id) return std::nullopt;
   const auto kept = store_.answer(marker_id, *op_id);
   if (!kept) return std::nullopt;
-  if (kept->method == method) return kept->result;
+  // Stores of earlier versions did not keep the parameters.
+  const bool same_params = kept->params == 0 || kept->params == call.params();
+  if (kept->method == method && same_params) return kept->result;
+  const std::string with = kept->method == method ? " with other parameters" : "";
   return protocol::rpc::rpc_error(
       Error{ErrorCode::kOutOfRange,
-            protocol::json::shortened(Json(*op_id)) + " was the opId of a call of " + kept->method, "/opId"});
+            protocol::json::shortened(Json(*op_id)) + " was the opId of a call of " + kept->method + with, "/opId"});
+}
+
+store::KeptAnswer Committer::kept_answer(const std::string& op_id, std::string_view method, store::SharedText result,
+                                         const calls::OpenCall& call) {
+  const transport::access::Session& session = *call.session();
+  // The port of an address is another one for each connection.
+  std::string client = session.peer.substr(0, session.peer.rfind(':'));
+  client += store::KeptAnswers::kConnection + std::to_string(session.id);
+  return {.op_id = op_id,
+          .method = std::string{method},
+          .result = std::move(result),
+          .client = std::move(client),
+          .params = call.params()};
 }
 
 calls::Outcome Committer::commit(ReadyChange change, calls::OpenCall& call) {
   const Revision base = change.before.revision;
   const auto text = std::make_shared<const std::string>(protocol::json::to_text(change.result));
   store::NextRevision next{std::move(change.after), change.origin, {}, {}};
-  if (change.op_id) next.answer = store::KeptAnswer{*change.op_id, std::string{change.method}, text};
+  if (change.op_id) next.answer = kept_answer(*change.op_id, change.method, text, call);
   next.on_committed = [&](const store::Committed& after) {
     if (!watchers_.any(change.marker_id)) return;
     watchers_.notify(change.marker_id, changed_message(change, *change.before.file, after));
@@ -51,10 +67,11 @@ calls::Outcome Committer::commit(ReadyChange change, calls::OpenCall& call) {
 }
 
 calls::Outcome Committer::keep_unchanged(std::string_view method, const std::string& marker_id,
-                                         const std::optional<std::string>& op_id, Json result) {
+                                         const std::optional<std::string>& op_id, Json result,
+                                         const calls::OpenCall& call) {
   if (!op_id) return result;
   const auto text = std::make_shared<const std::string>(protocol::json::to_text(result));
-  if (!store_.keep(marker_id, {*op_id, std::string{method}, text})) return calls::not_written();
+  if (!store_.keep(marker_id, kept_answer(*op_id, method, text, call))) return calls::not_written();
   return text;
 }
 

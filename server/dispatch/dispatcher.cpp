@@ -12,6 +12,7 @@
 #include "protocol/methods/daemon/engine.h"
 #include "protocol/rpc/verbatim_ids.h"
 #include "server/calls/errors.h"
+#include "server/calls/params_checksum.h"
 
 namespace selvage::server::dispatch {
 namespace {
@@ -146,7 +147,8 @@ void Dispatcher::start(const std::shared_ptr<Exchange>& exchange, const protocol
   if (!parsed) return std::move(reply)(protocol::rpc::rpc_error(parsed.error()));
 
   exchange->marker_id = parsed->about.marker_id;
-  const auto call = std::make_shared<calls::OpenCall>(exchange->session, std::move(reply));
+  const std::int64_t sum = parsed->about.op_id ? calls::params_checksum(request.params) : 0;
+  const auto call = std::make_shared<calls::OpenCall>(exchange->session, std::move(reply), sum);
   if (request.id) calls_.add(*request.id, call);
   schedule(*std::move(parsed), row->handle, exchange, call);
 }

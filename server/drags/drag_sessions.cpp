@@ -133,7 +133,7 @@ void DragSessions::execute_waiting_move(Drag& drag, const std::stop_token& stop)
 
 void DragSessions::end(const protocol::methods::dragging::EndParams& params,
                        const std::shared_ptr<calls::OpenCall>& call) {
-  if (const auto earlier = committer_.earlier_answer(params.marker_id, params.op_id, "drag.end")) {
+  if (const auto earlier = committer_.earlier_answer(params.marker_id, params.op_id, "drag.end", *call)) {
     return call->answer(*earlier);
   }
   const auto drag = find(params.drag_id, call->session()->id);
@@ -169,7 +169,7 @@ calls::Outcome DragSessions::finish(Drag& drag, const protocol::methods::draggin
                                           protocol::edits::change_between(*drag.base.file, after)};
   if (!params.commit || latest == start) {
     if (call.abandoned() || !call.settle()) return calls::abandoned();
-    return committer_.keep_unchanged("drag.end", drag.marker_id, params.op_id, protocol::schema::encode(result));
+    return committer_.keep_unchanged("drag.end", drag.marker_id, params.op_id, protocol::schema::encode(result), call);
   }
   ++result.at.revision;
   return committer_.commit({"drag.end", drag.marker_id, drag.base, std::move(after), store::Origin::kChange,

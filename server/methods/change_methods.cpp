@@ -14,7 +14,7 @@ using store::UndoDirection;
 
 calls::Outcome apply(const ApplyParams& params, const ServerContext& server, calls::OpenCall& call) {
   const auto& [id, base, op_id] = params.call;
-  if (const auto earlier = server.committer.earlier_answer(id, op_id, "marker.apply")) return *earlier;
+  if (const auto earlier = server.committer.earlier_answer(id, op_id, "marker.apply", call)) return *earlier;
   const auto now = server.store.current(id);
   if (!now) return calls::unknown_marker(server.store, id);
   if (base && *base != now->revision) return calls::revision_mismatch(id, *base, now->revision);
@@ -25,7 +25,7 @@ calls::Outcome apply(const ApplyParams& params, const ServerContext& server, cal
   after->notes.clear();
   if (result.committed.change.none()) {
     result.committed.at.revision = now->revision;
-    return server.committer.keep_unchanged("marker.apply", id, op_id, encode(result));
+    return server.committer.keep_unchanged("marker.apply", id, op_id, encode(result), call);
   }
   return server.committer.commit(
       {"marker.apply", id, *now, *std::move(after), store::Origin::kChange, op_id, encode(result)}, call);
@@ -36,7 +36,7 @@ calls::Outcome undo_or_redo(const ChangeParams& params, const ServerContext& ser
   constexpr bool kUndo = direction == UndoDirection::kUndo;
   constexpr std::string_view kMethod = kUndo ? "marker.undo" : "marker.redo";
   const auto& [id, base, op_id] = params;
-  if (const auto earlier = server.committer.earlier_answer(id, op_id, kMethod)) return *earlier;
+  if (const auto earlier = server.committer.earlier_answer(id, op_id, kMethod, call)) return *earlier;
   auto next = server.store.peek(id, direction);
   if (!next) return calls::unknown_marker(server.store, id);
   if (base && *base != next->from.revision) return calls::revision_mismatch(id, *base, next->from.revision);

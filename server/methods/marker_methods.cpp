@@ -19,15 +19,15 @@ namespace schema = protocol::schema;
 using protocol::methods::readings::GetParams;
 
 calls::Outcome open(daemon::OpenParams& params, const ServerContext& server, calls::OpenCall& call) {
-  if (const auto earlier = server.committer.earlier_answer("", params.op_id, "marker.open")) return *earlier;
+  if (const auto earlier = server.committer.earlier_answer("", params.op_id, "marker.open", call)) return *earlier;
   if (call.abandoned() || !call.settle()) return calls::abandoned();
   Json result;
   const auto opened = server.store.open(
       std::move(params.file), [&](const store::OpenMarker& marker) -> std::optional<store::KeptAnswer> {
         result = schema::encode(daemon::opened(marker.id, marker.now.revision, *marker.now.file));
         if (!params.op_id) return std::nullopt;
-        return store::KeptAnswer{*params.op_id, "marker.open",
-                                 std::make_shared<const std::string>(protocol::json::to_text(result))};
+        return changes::Committer::kept_answer(
+            *params.op_id, "marker.open", std::make_shared<const std::string>(protocol::json::to_text(result)), call);
       });
   if (const auto* why = std::get_if<store::NotOpened>(&opened)) {
     if (*why == store::NotOpened::kLimit) return calls::limit_reached("too many open markers", server.store.limit());
@@ -95,17 +95,10 @@ calls::Outcome close(const daemon::CloseParams& params, const ServerContext& ser
   const std::string& id = params.marker_id;
   const auto text =
       std::make_shared<const std::string>(protocol::json::to_text(schema::encode(daemon::CloseResult{id})));
-  if (const auto earlier = server.committer.earlier_answer("", params.op_id, "marker.close")) {
-    const auto* kept = std::get_if<store::SharedText>(&*earlier);
-    if (!kept || **kept == *text) return *earlier;
-    return protocol::rpc::rpc_error(
-        Error{ErrorCode::kOutOfRange,
-              protocol::json::shortened(Json(*params.op_id)) + " was the opId of a call that closed another marker",
-              "/opId"});
-  }
+  if (const auto earlier = server.committer.earlier_answer("", params.op_id, "marker.close", call)) return *earlier;
   if (call.abandoned() || !call.settle()) return calls::abandoned();
   std::optional<store::KeptAnswer> answer;
-  if (params.op_id) answer = store::KeptAnswer{*params.op_id, "marker.close", text};
+  if (params.op_id) answer = changes::Committer::kept_answer(*params.op_id, "marker.close", text, call);
   const auto on_closed = [&] {
     server.watchers.notify_and_remove(id, protocol::json::to_text(protocol::rpc::notification(
                                               "marker.closed", schema::encode(daemon::MarkerIdParams{id}))));

@@ -60,7 +60,7 @@ calls::Outcome execute(const Method& method, const ParsedCall& parsed, const Ser
                        calls::OpenCall& call) {
   const protocol::calls::CommonParams& about = parsed.about;
   const std::string& id = about.marker_id;
-  if (const auto earlier = server.committer.earlier_answer(id, about.op_id, method.name)) return *earlier;
+  if (const auto earlier = server.committer.earlier_answer(id, about.op_id, method.name, call)) return *earlier;
   const auto now = server.store.current(id);
   if (!now) return calls::unknown_marker(server.store, id);
   if (about.base_revision && *about.base_revision != now->revision) {
@@ -77,7 +77,7 @@ calls::Outcome execute(const Method& method, const ParsedCall& parsed, const Ser
   if (!answer->next) {
     Json result = protocol::calls::result_json(id, now->revision, answer->fields);
     if (!about.commit || !call.settle()) return result;
-    return server.committer.keep_unchanged(method.name, id, about.op_id, std::move(result));
+    return server.committer.keep_unchanged(method.name, id, about.op_id, std::move(result), call);
   }
   return server.committer.commit(
       {method.name, id, *now, protocol::edits::with_marker(*now->file, *std::move(answer->next)),

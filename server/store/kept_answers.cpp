@@ -10,6 +10,10 @@ std::size_t bytes_of(const KeptAnswer& answer) {
   return sizeof(KeptAnswer) + answer.op_id.size() + answer.method.size() + answer.client.size() + answer.result->size();
 }
 
+std::string address_of(const KeptAnswer& answer) {
+  return answer.client.substr(0, answer.client.rfind(KeptAnswers::kConnection) + 1);
+}
+
 }  // namespace
 
 const KeptAnswer* KeptAnswers::find(const std::string& op_id) const {
@@ -19,13 +23,15 @@ const KeptAnswer* KeptAnswers::find(const std::string& op_id) const {
 
 std::vector<std::uint64_t> KeptAnswers::forgotten_for(const KeptAnswer& answer) const {
   std::vector<std::uint64_t> forgotten;
-  auto counts = of_client_;
+  auto counts = of_client_;  // the new answer's client counts as one that has it already
   std::size_t count = by_serial_.size() + 1;
   std::size_t bytes = bytes_ + bytes_of(answer);
   ++counts[answer.client];
+  ++counts[address_of(answer)];
   const auto forget = [&](const KeptAnswer& old) {
     forgotten.push_back(old.serial);
     --counts[old.client];
+    --counts[address_of(old)];
     --count;
     bytes -= bytes_of(old);
   };
@@ -34,11 +40,12 @@ std::vector<std::uint64_t> KeptAnswers::forgotten_for(const KeptAnswer& answer) 
     return std::find(forgotten.begin(), forgotten.end(), serial) != forgotten.end();
   };
   while ((count > kMost || bytes > kMaxBytes) && count > 1) {
-    // Of two clients with as many, the one with the oldest answer.
+    // Of two with as many, the one with the oldest answer.
+    const auto share = [&counts](const KeptAnswer& of) { return std::pair{counts[address_of(of)], counts[of.client]}; };
     const KeptAnswer* victim = nullptr;
     for (const auto& [serial, old] : by_serial_) {
       if (is_forgotten(serial)) continue;
-      if (!victim || counts[old.client] > counts[victim->client]) victim = &old;
+      if (!victim || share(old) > share(*victim)) victim = &old;
     }
     forget(*victim);
   }
@@ -51,6 +58,7 @@ void KeptAnswers::keep(KeptAnswer answer) {
   last_serial_ = std::max(last_serial_, answer.serial);
   bytes_ += bytes_of(answer);
   ++of_client_[answer.client];
+  ++of_client_[address_of(answer)];
   by_op_[answer.op_id] = answer.serial;
   const std::uint64_t serial = answer.serial;
   by_serial_.insert_or_assign(serial, std::move(answer));
@@ -59,8 +67,10 @@ void KeptAnswers::keep(KeptAnswer answer) {
 void KeptAnswers::forget(std::uint64_t serial) {
   const auto found = by_serial_.find(serial);
   bytes_ -= bytes_of(found->second);
-  const auto client = of_client_.find(found->second.client);
-  if (--client->second == 0) of_client_.erase(client);
+  for (const std::string& who : {found->second.client, address_of(found->second)}) {
+    const auto count = of_client_.find(who);
+    if (--count->second == 0) of_client_.erase(count);
+  }
   by_op_.erase(found->second.op_id);
   by_serial_.erase(found);
 }

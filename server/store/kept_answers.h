@@ -1,7 +1,8 @@
 // The last answers to calls that carried an `opId`, so that a retry gets the same answer and nothing is done twice.
 //
-// There are at most kMost answers of at most kMaxBytes together.  The oldest answer of the client that has most of them
-// is forgotten first, so that no client can push out the answers to another that has fewer.
+// There are at most kMost answers of at most kMaxBytes together.  The oldest answer of the connection that has most of
+// them is forgotten first, among the connections of the address that has most of them: so no client can push out the
+// answers to another that has fewer, whether it keeps its connection or opens a new one for every call.
 #pragma once
 
 #include <cstddef>
@@ -19,13 +20,14 @@ using SharedText = std::shared_ptr<const std::string>;
 struct KeptAnswer {
   std::string op_id, method;
   SharedText result;
-  std::string client{};    // who made the call
+  std::string client{};    // who made the call: an address, kConnection, the number of a connection
   std::int64_t params{};   // a checksum of its parameters; 0: not known
   std::uint64_t serial{};  // larger than those of all earlier answers; set when it is kept
 };
 
 class KeptAnswers {
  public:
+  static constexpr char kConnection = '#';
   static constexpr std::size_t kMost = 256;
   static constexpr std::size_t kMaxBytes = std::size_t{8} << 20;
 
@@ -44,7 +46,7 @@ class KeptAnswers {
 
   std::map<std::uint64_t, KeptAnswer> by_serial_;
   std::map<std::string, std::uint64_t> by_op_;
-  std::map<std::string, std::size_t> of_client_;  // how many
+  std::map<std::string, std::size_t> of_client_;  // how many, by client and by address
   std::size_t bytes_{};
   std::uint64_t last_serial_{};
 };

@@ -38,6 +38,45 @@ TEST(Retries, AnOpIdBelongsToOneMethodAndOneMarker) {
   EXPECT_EQ(local.result("motion.compact", "{'markerId':'m2','opId':'a'}")["revision"], 2);
 }
 
+TEST(Retries, AnOpIdBelongsToTheParametersOfItsCall) {
+  LocalServer local;
+  const std::string open = call(1, "marker.open", R"({"opId":"o","marker":)" + kSmallMarker + "}");
+  const std::string first = local.ask(open);
+  const Json other = local.result("marker.open", "{'opId':'o','spacing':1,'marker':" + kSmallMarker + "}");
+  EXPECT_EQ(code_of(other), -32602);
+  EXPECT_EQ(other["error"]["data"]["field"], "/opId");
+  EXPECT_EQ(local.store().count(), 1U);
+  EXPECT_EQ(local.ask(open), first);
+
+  const Json moved =
+      local.result("marker.apply", R"({'markerId':'m1','opId':'a','ops':[{'op':'move','piece':'low','by':[-1,0]}]})");
+  EXPECT_EQ(moved["revision"], 2);
+  // The same fields in another order, and numbers written in another way.
+  EXPECT_EQ(local.result("marker.apply",
+                         R"({'ops':[{'piece':'low','by':[-1.0,0e0],'op':'move'}],'opId':'a','markerId':'m1'})"),
+            moved);
+  const Json twice =
+      local.result("marker.apply", R"({'markerId':'m1','opId':'a','ops':[{'op':'move','piece':'low','by':[-2,0]}]})");
+  EXPECT_EQ(twice["error"]["data"]["field"], "/opId");
+  EXPECT_EQ(local.result("motion.compact", "{'markerId':'m1','opId':'c'}")["revision"], 3);
+  // A retry may have less time.
+  EXPECT_EQ(local.result("motion.compact", "{'markerId':'m1','opId':'c','deadlineMs':60000}")["revision"], 3);
+}
+
+TEST(Retries, OneClientDoesNotPushOutTheAnswersToAnother) {
+  LocalServer local;
+  Client busy;
+  const std::string open = call(1, "marker.open", R"({"opId":"mine","marker":)" + kSmallMarker + "}");
+  const std::string first = local.ask(open);
+  for (std::size_t i = 0; i < server::store::KeptAnswers::kMost + 10; ++i) {
+    (void)local.ask(call(2, "marker.open", R"({"opId":")" + std::to_string(i) + R"(","marker":)" + kSmallMarker + "}"),
+                    busy.session());
+  }
+  const std::size_t opened = local.store().count();
+  EXPECT_EQ(local.ask(open), first);
+  EXPECT_EQ(local.store().count(), opened);
+}
+
 TEST(Retries, ARefusedCallCanBeRepeated) {
   LocalServer local;
   (void)local.open_small();

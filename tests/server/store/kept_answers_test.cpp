@@ -25,9 +25,11 @@ server::store::KeptAnswer answer_for(const std::string& client, const std::strin
 
 TEST(KeptAnswers, OneClientDoesNotPushOutThoseOfAnother) {
   server::store::KeptAnswers answers;
-  answers.keep(answer_for("quiet", "one"));
+  answers.keep(answer_for("192.0.2.1#1", "one"));
   for (std::size_t i = 0; i < 2 * server::store::KeptAnswers::kMost; ++i) {
-    answers.keep(answer_for("busy", std::to_string(i)));
+    // One connection of the same address, and many of another.
+    answers.keep(answer_for("192.0.2.1#2", "a" + std::to_string(i)));
+    answers.keep(answer_for("192.0.2.2#" + std::to_string(100 + i), "b" + std::to_string(i)));
   }
   EXPECT_NE(answers.find("one"), nullptr);
   EXPECT_EQ(answers.count(), server::store::KeptAnswers::kMost);
@@ -37,7 +39,7 @@ TEST(KeptAnswers, TakeBoundedMemory) {
   server::store::KeptAnswers answers;
   constexpr std::size_t kLarge = server::store::KeptAnswers::kMaxBytes / 4;
   for (int i = 0; i < 8; ++i) {
-    const auto next = answer_for("one", std::to_string(i), kLarge);
+    const auto next = answer_for("192.0.2.1#1", std::to_string(i), kLarge);
     const auto forgotten = answers.forgotten_for(next);
     const std::size_t before = answers.count();
     answers.keep(next);
@@ -46,7 +48,7 @@ TEST(KeptAnswers, TakeBoundedMemory) {
   }
   EXPECT_EQ(answers.find("4"), nullptr);
   EXPECT_NE(answers.find("7"), nullptr);
-  answers.keep(answer_for("one", "large", 2 * server::store::KeptAnswers::kMaxBytes));
+  answers.keep(answer_for("192.0.2.1#1", "large", 2 * server::store::KeptAnswers::kMaxBytes));
   EXPECT_EQ(answers.count(), 1U);
 }
 
