@@ -820,6 +820,19 @@ export interface Methods {
       cancelled: boolean;
     };
   };
+  /** Copies the store while changes go on. */
+  "admin.backup": {
+    params: {
+      /** The copy is written next to the store: STORE.backup-NAME.  1 to 64 letters, digits, '.', '_' or '-'. */
+      name: string;
+    };
+    result: {
+      /** As it was given. */
+      name: string;
+      /** The size of the copy. */
+      bytes: number;
+    };
+  };
   /** Checks whether the marker is valid, and lists where it is not. */
   "marker.check": {
     params: {
