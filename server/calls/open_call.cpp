@@ -61,7 +61,9 @@ void OpenCall::set_deadline(const std::shared_ptr<OpenCall>& call, jobs::Deadlin
     State state = State::kWaiting;
     const bool expired = open->state_.compare_exchange_strong(state, State::kExpired);
     open->stop_.request_stop();
-    if (expired) std::move(open->reply_)(refusal());
+    if (!expired) return;
+    *open->ending_ = true;
+    std::move(open->reply_)(refusal());
   });
 }
 

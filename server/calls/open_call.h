@@ -39,7 +39,7 @@ class OpenCall {
 
   // The call's turn has come: from now on its deadline only stops it.  Returns false if it has been answered already.
   [[nodiscard]] bool begin();
-  // Becomes true when the call has been settled or cancelled.
+  // Becomes true when the call has been settled, cancelled or refused at its deadline.
   [[nodiscard]] std::shared_ptr<const std::atomic<bool>> ending() const { return ending_; }
   // Returns true if the call is the worker's to end; from then on it cannot be cancelled.  May be called repeatedly.
   [[nodiscard]] bool settle();

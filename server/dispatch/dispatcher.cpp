@@ -157,7 +157,7 @@ void Dispatcher::set_deadline(const std::shared_ptr<Exchange>& exchange, const s
                               jobs::JobQueue& queue, jobs::DeadlineClock::Time time) {
   const auto if_waiting = [exchange, &queue] {
     exchange->continue_on_worker = true;
-    queue.remove_stopped();
+    queue.remove_answered();
     return calls::not_begun(queue);
   };
   calls::OpenCall::set_deadline(call, clock_, time, if_waiting);
@@ -200,7 +200,7 @@ calls::Outcome Dispatcher::cancel(const Json& params, std::uint64_t session) {
   const auto cancel = protocol::schema::decode<protocol::methods::daemon::CancelParams>(params);
   if (!cancel) return protocol::rpc::rpc_error(cancel.error());
   const bool cancelled = calls_.cancel(cancel->id.value, session);
-  if (cancelled) queues_.remove_stopped();
+  if (cancelled) queues_.remove_answered();
   return protocol::schema::encode(protocol::methods::daemon::CancelResult{cancelled});
 }
 

@@ -35,9 +35,9 @@ jobs::JobQueue::Milliseconds WorkQueues::longest_quick_wait() const {
   return std::max({motions.longest_quick_wait(), drags.longest_quick_wait(), reads.longest_quick_wait()});
 }
 
-void WorkQueues::remove_stopped() {
-  motions.remove_stopped();
-  reads.remove_stopped();
+void WorkQueues::remove_answered() {
+  motions.remove_answered();
+  reads.remove_answered();
 }
 
 std::size_t WorkQueues::running() const {

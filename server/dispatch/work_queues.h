@@ -19,8 +19,8 @@ struct WorkQueues {
   [[nodiscard]] std::size_t running() const;
   // How long the quick call that has waited longest for a worker has done so; 0 if none waits.
   [[nodiscard]] jobs::JobQueue::Milliseconds longest_quick_wait() const;
-  // Removes the waiting calls that are to stop.
-  void remove_stopped();
+  // Removes the waiting calls that have been answered.
+  void remove_answered();
 
   jobs::JobQueue parsing;  // of large messages, so that no read waits behind one
   jobs::JobQueue reads;

@@ -102,23 +102,23 @@ JobQueue::RunningJob JobQueue::begin(const Job& job) {
   return running;
 }
 
-void JobQueue::remove_stopped() {
+void JobQueue::remove_answered() {
   std::vector<Job> removed;  // destroyed without the lock: a job may own the last reference to its call
   const std::lock_guard lock{mutex_};
-  removed = take_stopped();
+  removed = take_answered();
   if (draining_ && !removed.empty()) notify_of_drain();
 }
 
-std::vector<Job> JobQueue::take_stopped() {
-  const auto stopped = [](const Job& job) { return job.caller.stop_requested(); };
+std::vector<Job> JobQueue::take_answered() {
+  const auto answered = [](const Job& job) { return job.ending && *job.ending; };
   std::vector<Job> removed;
   for (auto& [name, lane] : lanes_) {
-    const auto stay = std::stable_partition(lane.blocked.begin(), lane.blocked.end(), stopped);
+    const auto stay = std::stable_partition(lane.blocked.begin(), lane.blocked.end(), answered);
     blocked_ -= static_cast<std::size_t>(stay - lane.blocked.begin());
     std::move(lane.blocked.begin(), stay, std::back_inserter(removed));
     lane.blocked.erase(lane.blocked.begin(), stay);
   }
-  std::vector<Job> ready = ready_.take_all(stopped);
+  std::vector<Job> ready = ready_.take_all(answered);
   for (Job& job : ready) {
     (job.quick ? waited_quick_ : waited_).record(now_() - job.ready_at);
     free_lane(job.lane);

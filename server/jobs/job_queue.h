@@ -47,7 +47,7 @@ struct Job {
   std::optional<Time> deadline{};                     // useless if it has not started by then
   std::stop_token caller;                             // stops when the caller wants the job to stop
   Work work;                                          // an exception is logged and ends only this job
-  std::shared_ptr<const std::atomic<bool>> ending{};  // true: it is only about to end; null: not known
+  std::shared_ptr<const std::atomic<bool>> ending{};  // true: it has been answered, or is about to; null: not known
   Time ready_at{};                                    // when only workers were missing; set by the queue
 };
 
@@ -67,8 +67,8 @@ class JobQueue {
 
   // A job that is not accepted is left unchanged.
   [[nodiscard]] Admission submit(Job& job);
-  // Removes the waiting jobs whose caller wants them to stop, without executing them.
-  void remove_stopped();
+  // Removes the waiting jobs that have been answered, without executing them.
+  void remove_answered();
 
   // Accepts no more jobs, asks every job to stop, and returns when the last one has ended.
   void drain();
@@ -106,7 +106,7 @@ class JobQueue {
   [[nodiscard]] std::size_t all_waiting() const { return ready_.size() + blocked_; }
   [[nodiscard]] Milliseconds longest_wait(bool quick) const;
   [[nodiscard]] Milliseconds expected_wait(const Job& job) const;
-  [[nodiscard]] std::vector<Job> take_stopped();
+  [[nodiscard]] std::vector<Job> take_answered();
   void notify_of_drain();
 
   const std::size_t workers_;

@@ -319,17 +319,19 @@ TEST_F(LateQueue, AcceptsAJobBehindOneThatIsOnlyAboutToEnd) {
   behind.count_down();
 }
 
-TEST_F(LateQueue, RemovesStoppedJobsAndServesTheirLanes) {
-  std::stop_source caller;
+TEST_F(LateQueue, RemovesAnsweredJobsAndServesTheirLanes) {
+  const auto answered = std::make_shared<std::atomic<bool>>(false);
   std::latch ran{1};
   for (const char* lane : {"m1", "m2"}) {
-    EXPECT_EQ(submit(queue, job([](auto) { ADD_FAILURE() << "it was removed"; }, lane, caller.get_token())),
-              Admission::kAccepted);
+    Job removed = job([](auto) { ADD_FAILURE() << "it was removed"; }, lane);
+    removed.ending = answered;
+    EXPECT_EQ(submit(queue, std::move(removed)), Admission::kAccepted);
   }
   EXPECT_EQ(submit(queue, job([&](auto) { ran.count_down(); }, "m2")), Admission::kAccepted);
+  queue.remove_answered();
   EXPECT_EQ(queue.waiting(), 3U);
-  caller.request_stop();
-  queue.remove_stopped();
+  *answered = true;
+  queue.remove_answered();
   EXPECT_EQ(queue.waiting(), 1U);
   unblock();
   ran.wait();
