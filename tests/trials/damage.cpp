@@ -59,17 +59,23 @@ void fill(const std::string& store) {
   if (daemon.end() != 0) throw std::runtime_error{"selvaged did not end by itself"};
 }
 
+// The answer without the id of the call, which depends on how many calls there were before.
+std::string text_of(Json answer) {
+  answer.erase("id");
+  return answer.dump();
+}
+
 Content content_of(const LiveDaemon& daemon) {
   Caller caller{daemon, Endpoint::kTcp};
-  Content content{{}, caller.ask("marker.list").dump()};
+  Content content{{}, text_of(caller.ask("marker.list"))};
   for (int m = 1; m <= kMarkers; ++m) {
     const Json id{{"markerId", "m" + std::to_string(m)}};
-    std::string seen = caller.ask("marker.get", id).dump();
+    std::string seen = text_of(caller.ask("marker.get", id));
     if (seen.find("\"error\"") != std::string::npos) {
       content.markers.push_back("refused");
       continue;
     }
-    for (int n = 0; n < kChanges; n += 5) seen += caller.ask("marker.apply", edit(m, n)).dump();  // retries
+    for (int n = 0; n < kChanges; n += 5) seen += text_of(caller.ask("marker.apply", edit(m, n)));  // retries
     for (int n = 0; n < 2 * kChanges; ++n) {
       (void)caller.ask("marker.undo", id);
       seen += caller.ask("marker.get", id)["result"]["marker"].dump();
