@@ -2,8 +2,8 @@
 """Regenerates what follows from the table of methods: generate.py SELVAGED [--check].
 
 The daemon describes itself (rpc.discover).  From that description follow the motions of the Python client, the types of
-the TypeScript client (clients/typescript/scripts/generate.mjs, when there is a node) and the table of calls in
-protocol/README.md.  With --check nothing is written: the exit code is 1 if a file is stale, and its name is printed.
+the TypeScript client (clients/typescript/scripts/generate.mjs, when there is a node), the table of calls in
+protocol/README.md, and protocol/openrpc.json, the description itself.  With --check nothing is written: the exit code is 1 if a file is stale, and its name is printed.
 """
 from __future__ import annotations
 
@@ -47,6 +47,7 @@ def generated(document: dict) -> dict[pathlib.Path, str]:
         PYTHON / "motions.py": python_client.motions(document),
         PYTHON / "blocking_motions.py": python_client.blocking_motions(document),
         PYTHON / "messages/motion_results.py": python_client.motion_results(document),
+        ROOT / "protocol" / "openrpc.json": json.dumps(document, indent=1) + "\n",
         page: calls_table.with_table(page.read_text("utf-8"), document),
     }
     types = typescript(document)

@@ -1,0 +1,163 @@
+#!/usr/bin/env python3
+"""Nesting, packing and filling.  usage: searches_test.py SELVAGE"""
+import json
+import signal
+import subprocess
+import unittest
+
+from command import BAD_INPUT, CANCELLED, CliTest, MARKERS, OK, PACKING, REFUSED, SELVAGE, run, squares
+
+
+class Nest(CliTest):
+    def instance(self):
+        document = json.loads((MARKERS / "jeans_02g.json").read_text())
+        del document["solution"]
+        return document
+
+    def test_makes_a_marker_of_an_instance_without_a_solution(self):
+        ran = run("nest", self.write(self.instance()), "--moves", 500, "-o", self.path("out.json"), "--json")
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        line = json.loads(ran.stdout)
+        self.assertEqual((line["placed"], line["unplaced"], line["stop"]), (40, 0, "work_limit"))
+        self.assertGreater(line["utilisation_after"], 0.7)
+        checked = run("check", self.path("out.json"))
+        self.assertEqual(checked.returncode, OK)
+        self.assertIn("40 pieces, length", checked.stdout)
+
+    def test_the_number_of_threads_does_not_affect_the_result(self):
+        results = []
+        for threads in (1, 2, 4):
+            ran = run("nest", self.write(self.instance()), "--moves", 60, "--searches", 3, "--threads", threads,
+                      "-o", self.path("out.json"))
+            self.assertEqual(ran.returncode, OK, ran.stderr)
+            results.append(self.path("out.json").read_text())
+        self.assertEqual(results[1:], results[:1] * 2)
+
+    def test_without_time_places_all_pieces(self):
+        ran = run("nest", self.write(self.instance()), "--time", 0, "--json")
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        self.assertEqual(json.loads(ran.stdout)["placed"], 40)
+
+    def test_ctrl_c_keeps_the_best(self):
+        process = subprocess.Popen([SELVAGE, "nest", self.write(self.instance()), "--moves", "1000000000000",
+                                    "-o", self.path("out.json")], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.wait_until_sigint_is_handled(process.pid)
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=120)
+        self.assertEqual(process.returncode, CANCELLED)
+        self.assertEqual(run("check", self.path("out.json")).returncode, OK)
+
+    def test_keeps_placed_pieces_if_asked_to(self):
+        document = squares((30, 50))
+        document["unplaced"] = [{"id": "new", "shape": "square"}]
+        for options, length in ((["--keep-placed"], 40), ([], 40)):
+            ran = run("nest", self.write(document), "--moves", 50, *options, "-o", self.path("out.json"))
+            self.assertEqual(ran.returncode, OK, ran.stderr)
+            written = json.loads(self.path("out.json").read_text())
+            self.assertEqual([piece["id"] for piece in written["pieces"]], ["p0", "new"])
+            self.assertNotIn("unplaced", written)
+            self.assertLessEqual(max(piece["at"][0] for piece in written["pieces"]) + 40, 30 + length)
+
+    def test_says_what_the_cloth_has_no_room_for(self):
+        document = squares()
+        document["strip"]["longest"] = 50
+        document["unplaced"] = [{"id": name, "shape": "square"} for name in "abc"]
+        ran = run("nest", self.write(document), "--moves", 50, "-o", self.path("out.json"))
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        self.assertIn("left over    1 piece", ran.stdout)
+        written = json.loads(self.path("out.json").read_text())
+        self.assertEqual((len(written["pieces"]), len(written["unplaced"])), (2, 1))
+
+    def test_names_the_piece_that_fits_in_no_orientation(self):
+        document = squares((0, 0))
+        document["shapes"].append({"id": "board", "outline": [[0, 0], [150, 0], [150, 120], [0, 120]], "rotations": [0, 90]})
+        document["unplaced"] = [{"id": "a", "shape": "board"}]
+        ran = run("nest", self.write(document))
+        self.assertNotEqual(ran.returncode, OK)
+        self.assertIn("board", ran.stderr)
+        self.assertIn("marker.piece_too_wide", ran.stderr)
+
+
+class Pack(CliTest):
+    def test_proves_the_shortest_marker(self):
+        for name, pieces, length in (("partition", 5, 100), ("no_partition", 4, 120), ("bars", 6, 90)):
+            with self.subTest(name):
+                ran = run("pack", PACKING / f"{name}.json", "-o", self.path("out.json"), "--json")
+                self.assertEqual(ran.returncode, OK, ran.stderr)
+                line = json.loads(ran.stdout)
+                self.assertEqual((line["found"], line["proved"], line["unplaced"]), (True, True, 0))
+                self.assertAlmostEqual(line["length_after"], length, places=4)
+                self.assertAlmostEqual(line["bound"], length, places=3)
+                self.assertEqual(line["placed"], pieces)
+                self.assertEqual(run("check", self.path("out.json")).returncode, OK)
+
+    def test_takes_an_instance_without_a_solution_and_a_limit_of_nodes(self):
+        document = json.loads((MARKERS / "jeans_02g.json").read_text())
+        del document["solution"]
+        ran = run("pack", self.write(document), "--nodes", 50, "-o", self.path("out.json"), "--json")
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        line = json.loads(ran.stdout)
+        self.assertEqual((line["found"], line["proved"], line["stop"]), (True, False, "work_limit"))
+        self.assertLess(line["bound"], line["length_after"])
+        self.assertEqual(run("check", self.path("out.json")).returncode, OK)
+
+    def test_the_summary_says_what_is_proved(self):
+        ran = run("pack", PACKING / "partition.json")
+        self.assertIn("the shortest, proved", ran.stdout)
+        ran = run("contain", PACKING / "slot.json")
+        self.assertIn("pieces       found", ran.stdout)
+
+    def test_refuses_more_pieces_than_a_search_takes(self):
+        ran = run("pack", MARKERS / "jeans_06g.json")
+        self.assertEqual(ran.returncode, REFUSED)
+        self.assertIn("120 pieces are not locked; an exact search takes at most 64", ran.stderr)
+
+    def test_contain_places_what_fits_and_proves_what_does_not(self):
+        ran = run("contain", PACKING / "slot.json", "-o", self.path("out.json"), "--json")
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        line = json.loads(ran.stdout)
+        self.assertEqual((line["verdict"], line["pieces"], line["length_after"]), ("found", 3, 30))
+        self.assertEqual(run("check", self.path("out.json")).returncode, OK)
+        ran = run("contain", PACKING / "slot.json", "--room", "[[0,0],[29,30]]", "-o", self.path("none.json"), "--json")
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        self.assertEqual(json.loads(ran.stdout)["verdict"], "impossible")
+        ran = run("contain", PACKING / "slot.json", "--room", "[[30,0],[30,30]]")
+        self.assertEqual(ran.returncode, BAD_INPUT)
+        self.assertIn("/room", ran.stderr)
+
+
+class Fill(CliTest):
+    def test_is_shorter_than_standard_compaction(self):
+        compacted = run("compact", MARKERS / "jeans_02g.json", "--json")
+        ran = run("fill", MARKERS / "jeans_02g.json", "--trials", 60, "-o", self.path("out.json"), "--json")
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        line = json.loads(ran.stdout)
+        self.assertLess(line["length_after"], json.loads(compacted.stdout)["length_after"])
+        self.assertEqual((line["rounds"], line["stop"]), (60, "work_limit"))
+        self.assertGreater(line["kept"], 0)
+        self.assertEqual(run("check", self.path("out.json")).returncode, OK)
+
+    def test_places_unplaced_pieces_in_gaps(self):
+        document = squares((0, 0), (50, 0))
+        document["shapes"].append({"id": "strip", "outline": [[0, 0], [90, 0], [90, 20], [0, 20]]})
+        document["unplaced"] = [{"id": "long", "shape": "strip"}, {"id": "third", "shape": "square"}]
+        document["unplaced"].append({"id": "fourth", "shape": "square"})
+        ran = run("fill", self.write(document), "--trials", 0, "-o", self.path("out.json"), "--json")
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        line = json.loads(ran.stdout)
+        # Compacted, the squares leave 80 x 60: room for two more of them, and for no strip of 90.
+        self.assertEqual((line["placed"], line["unplaced"], line["length_after"]), (2, 1, 80))
+        self.assertEqual([piece["id"] for piece in json.loads(self.path("out.json").read_text())["unplaced"]], ["long"])
+
+    def test_the_number_of_threads_does_not_affect_the_result(self):
+        for command, options in (("fill", ["--trials", 30]), ("compact-exactly", ["--windows", 6, "--nodes", 40])):
+            results = []
+            for threads in (1, 2, 4):
+                ran = run(command, MARKERS / "jeans_02g.json", *options, "--threads", threads, "-o", self.path("out.json"))
+                self.assertEqual(ran.returncode, OK, ran.stderr)
+                results.append(self.path("out.json").read_text())
+            self.assertEqual(results[1:], results[:1] * 2, command)
+
+
+if __name__ == "__main__":
+    unittest.main()
