@@ -109,11 +109,11 @@ class Marker(BlockingMotions):
     close = blocking(AsyncMarker.close)
 
     def watch(self) -> Watch:
-        """Every change from now on, whoever makes it: a context manager and an iterator."""
+        """All changes from now on, by any client: a context manager and an iterator."""
         return Watch(self._portal, self._twin.watch())
 
     def drag(self, piece: str, *, mode: str | None = None, base_rev: int | None = None) -> Drag:
-        """A hand takes hold of a piece: a context manager."""
+        """A drag session: a context manager."""
         return Drag(self._portal, self._twin.drag(piece, mode=mode, base_rev=base_rev))
 
     def __enter__(self) -> Marker:

@@ -63,11 +63,11 @@ class AsyncMarker(AsyncMotions):
         return await self._edit("marker.redo", base_rev=base_rev, op_id=op_id)
 
     def watch(self) -> AsyncWatch:
-        """Every change from now on, whoever makes it: a context manager and an iterator."""
+        """All changes from now on, by any client: a context manager and an iterator."""
         return AsyncWatch(self._link, self.id)
 
     def drag(self, piece: str, *, mode: str | None = None, base_rev: int | None = None) -> AsyncDrag:
-        """A hand takes hold of a piece: a context manager."""
+        """A drag session: a context manager."""
         return AsyncDrag(self._link, self.id, piece, mode, base_rev, self._edited)
 
     async def close(self, *, op_id: str | None = None) -> Closed:

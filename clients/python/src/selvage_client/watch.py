@@ -24,7 +24,7 @@ class AsyncWatch:
         self._events: asyncio.Queue[Event] = asyncio.Queue()
         self._deliver = self._events.put_nowait  # one object, so that it can be found again
         self._connection: Connection | None = None
-        self.revision = 0  # the latest that was told
+        self.revision = 0  # the latest one known
 
     async def __aenter__(self) -> AsyncWatch:
         self.revision = await self._link.patiently(self._begin)

@@ -99,7 +99,7 @@ class Connection:
         self._writer.write(json.dumps(stop).encode() + b"\n")
 
     def listen(self, marker_id: str, deliver: Deliver) -> None:
-        """From now on what is told of a marker comes to `deliver`."""
+        """From now on, notifications about a marker are passed to `deliver`."""
         self._listeners.setdefault(marker_id, []).append(deliver)
 
     def unlisten(self, marker_id: str, deliver: Deliver) -> bool:

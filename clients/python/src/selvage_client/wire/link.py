@@ -79,8 +79,8 @@ class Link:
             await connection.drain()
             while True:
                 match await events.get():
-                    case Progress() as told if progress:
-                        progress(told)
+                    case Progress() as step if progress:
+                        progress(step)
                     case Answer(error=dict(error)):
                         raise call_error(error)
                     case Answer(result):

@@ -28,14 +28,14 @@ class Portal:
     def run(
         self,
         coroutine: Coroutine[Any, Any, T],
-        told: queue.SimpleQueue[Progress | None] | None = None,
+        steps: queue.SimpleQueue[Progress | None] | None = None,
         progress: Callable[[Progress], None] | None = None,
     ) -> T:
-        """Waits for the result, and calls `progress` here, on the caller's thread, with what is put into `told`.
+        """Waits for the result, and calls `progress` here, on the caller's thread, with what is put into `steps`.
 
         Whatever ends the waiting - Ctrl-C, an exception in `progress` - cancels the call.
         """
-        events = told or queue.SimpleQueue[Progress | None]()
+        events = steps or queue.SimpleQueue[Progress | None]()
         with self._ending:
             if self.closed:
                 coroutine.close()
@@ -54,7 +54,7 @@ class Portal:
             raise
 
     def close(self) -> None:
-        """Nothing runs any more afterwards; who still waits is told so."""
+        """Nothing runs any more afterwards; calls that still wait fail."""
         with self._ending:
             if self.closed:
                 return
@@ -84,10 +84,10 @@ def blocking(method: Callable[Concatenate[Any, P], Coroutine[Any, Any, T]]) -> C
 
     @functools.wraps(method)
     def wait(self: Blocking, /, *args: P.args, **kwargs: P.kwargs) -> T:
-        told: queue.SimpleQueue[Progress | None] = queue.SimpleQueue()
+        steps: queue.SimpleQueue[Progress | None] = queue.SimpleQueue()
         progress: Any = kwargs.get("progress")
         if progress is not None:
-            kwargs["progress"] = told.put
-        return self._portal.run(method(self._twin, *args, **kwargs), told, progress)
+            kwargs["progress"] = steps.put
+        return self._portal.run(method(self._twin, *args, **kwargs), steps, progress)
 
     return wait
