@@ -60,7 +60,7 @@ sed -e "s|/run/secrets/selvage-token|$folder/token|; s|/var/lib/selvage|$folder|
 grep -q -- '--token-file' "$folder/refusal" || fail "the refusal does not name --token-file"
 code=0
 "$selvaged" --config "$source/packaging/container.toml" 2> /dev/null || code=$?
-grep -qx "RestartPreventExitStatus=$code" "$source/packaging/selvaged.service" || fail "a bad configuration, started again"
+grep -qE "^RestartPreventExitStatus=(.* )?$code( .*)?\$" "$source/packaging/selvaged.service" || fail "a bad configuration, started again"
 
 "$selvaged" --config "$folder/selvaged.toml" --port-file "$folder/port" > /dev/null 2> "$folder/log" &
 daemon=$!
