@@ -11,13 +11,13 @@
 namespace selvage::model {
 namespace {
 
-constexpr double kOutside = 2;      // lattice units beyond the boundary at which a region is chosen
-constexpr double kTouching = 4;     // lattice units: edges that are as near as the nearest one
+constexpr double kOutside = 2;            // lattice units beyond the boundary at which a region is chosen
+constexpr double kAllowanceTouching = 4;  // lattice units: edges that are as near as the nearest one
 constexpr double kWidestArc = 0.5;  // radians between two points of an arc that a chord joins: it cuts off at most
                                     // 1 - cos(0.25), 3 % of the allowance
 constexpr double kParallel = 1e-9;  // the sine of the least angle between lines that are intersected
 constexpr double kInside = 1e-6;    // the part of the allowance by which a corner may lie outside of another line,
-constexpr double kRounding = 4;     // and lattice units: the sides of a slot that fits a piece exactly
+constexpr double kAllowanceRounding = 4;  // and lattice units: the sides of a slot that fits a piece exactly
 constexpr double kDirection = 1U << 30U;  // the length of a chord's direction on the lattice
 
 Vec beyond(RealVec at, RealVec normal) {
@@ -55,12 +55,12 @@ std::optional<Vec> nearest_outside(const minkowski::MinkowskiSum& sum, Vec at, C
   if (!next) return std::nullopt;
   const double least = std::sqrt(next->squared_distance);
   const minkowski::convolution::SumEdge* best = next->edge;
-  if (least >= static_cast<double>(allowance) - kTouching && (wanted.x != 0 || wanted.y != 0)) {
+  if (least >= static_cast<double>(allowance) - kAllowanceTouching && (wanted.x != 0 || wanted.y != 0)) {
     const auto merit = [&](const minkowski::convolution::SumEdge& edge) {
       const RealVec normal = normal_of(edge);
       return normal.x * wanted.x + normal.y * wanted.y;
     };
-    while ((next = edges.next(skip)) && std::sqrt(next->squared_distance) <= least + kTouching) {
+    while ((next = edges.next(skip)) && std::sqrt(next->squared_distance) <= least + kAllowanceTouching) {
       if (merit(*next->edge) > merit(*best)) best = next->edge;
     }
   }
@@ -68,7 +68,7 @@ std::optional<Vec> nearest_outside(const minkowski::MinkowskiSum& sum, Vec at, C
 }
 
 // A half-plane with r as origin: inside where normal . x + slack >= 0.
-struct Side {
+struct AllowedSide {
   RealVec normal;
   double slack{};
 };
@@ -105,14 +105,14 @@ class Chords {
 
  private:
   // Where two lines meet, when that is a corner of the region within reach.
-  [[nodiscard]] std::optional<RealVec> corner_of(const Side& a, const Side& b) const {
+  [[nodiscard]] std::optional<RealVec> corner_of(const AllowedSide& a, const AllowedSide& b) const {
     const double turn = cross(a.normal, b.normal);
     if (std::abs(turn) < kParallel) return std::nullopt;
     const RealVec at{(b.slack * a.normal.y - a.slack * b.normal.y) / turn,
                      (a.slack * b.normal.x - b.slack * a.normal.x) / turn};
     if (dot(at, at) > reach_ * reach_) return std::nullopt;
-    const bool is_corner = std::all_of(sides_.begin(), sides_.end(), [&](const Side& side) {
-      return dot(side.normal, at) + side.slack >= -kInside * allowance_ - kRounding;
+    const bool is_corner = std::all_of(sides_.begin(), sides_.end(), [&](const AllowedSide& side) {
+      return dot(side.normal, at) + side.slack >= -kInside * allowance_ - kAllowanceRounding;
     });
     return is_corner ? std::optional{at} : std::nullopt;
   }
@@ -148,7 +148,7 @@ class Chords {
   std::vector<HalfPlane>& planes_;
   Vec r_;
   double allowance_, reach_;
-  boost::container::small_vector<Side, 16> sides_;
+  boost::container::small_vector<AllowedSide, 16> sides_;
 };
 
 }  // namespace

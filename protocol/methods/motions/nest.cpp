@@ -34,9 +34,10 @@ struct NestParams {
                {.range = {{1, kMostSearches}}});
     v.optional("keepPlaced", self.keep_placed,
                "True: pieces that lie on the cloth stay there, up to compaction; false: they are nested again.");
-    v.optional("fromScratch", self.from_scratch,
-               "True: all pieces but locked ones and groups are taken off the cloth first, and the result may be longer "
-               "than the marker was.  Not together with keepPlaced.");
+    v.optional(
+        "fromScratch", self.from_scratch,
+        "True: all pieces but locked ones and groups are taken off the cloth first, and the result may be longer "
+        "than the marker was.  Not together with keepPlaced.");
   }
 };
 
