@@ -175,6 +175,8 @@ Result<Floating> float_apart(const Marker& start, const FloatSettings& settings,
     Floater floater{scene, settings, run};
     floating.least_before = floater.least_width();
     floater.run(floating);
+    // Where pieces may overlap, depths are rounded, and the least gap can come out narrower by a unit or two.
+    if (floater.least_width() < floating.least_before) scene.pieces = repaired.pieces;
     floating.least_after = floater.least_width();
     floating.reached = floating.least_after >= settings.distance;
     floating.gaps = floater.widths(repaired);
