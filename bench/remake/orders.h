@@ -1,0 +1,26 @@
+// Orders for the measurements of remaking, made of a garment marker by a seeded generator.
+//
+// An order has the pieces of the marker, unplaced, with their shapes changed:
+//   graded   the sizes are spread: evenly spaced factors from 1 - part to 1 + part are dealt to the sizes at random
+//   larger   every piece is larger by the part
+//   reshaped every shape is wider and higher by random parts up to +-part, and bent across by as much of its height;
+//            equal outlines change alike
+//   counts   the part of the pieces is left out or, as often, cut twice
+// Sizes are recognised by the attribute "size" of the shapes.  The same seed makes the same order everywhere.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "protocol/document/marker_file.h"
+
+namespace selvage::bench {
+
+enum class Change { kGraded, kLarger, kReshaped, kCounts };
+
+[[nodiscard]] std::string_view name_of(Change change);
+
+// REQUIRES: a part from 0 to 0.2.  Shapes that a change would make crossing or too wide for the strip stay as they are.
+[[nodiscard]] Marker order_of(const MarkerFile& file, Change change, double part, std::uint64_t seed);
+
+}  // namespace selvage::bench

@@ -1,0 +1,154 @@
+#include "core/remake/attempt.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "core/marker/clearance.h"
+#include "core/marker/placed_pieces.h"
+#include "core/motion/compaction/compact.h"
+#include "core/nesting/nest.h"
+#include "core/packing/refitting/fill_gaps.h"
+#include "core/remake/insertion.h"
+#include "core/remake/parting.h"
+#include "core/remake/substitution/area.h"
+#include "core/remake/substitution/substitution.h"
+#include "core/search/refine.h"
+
+namespace selvage::remake {
+namespace {
+
+using motion::compaction::Accuracy;
+
+StepKind step_of(PartedBy by) {
+  switch (by) {
+    case PartedBy::kPopping: return StepKind::kPopped;
+    case PartedBy::kSearch: return StepKind::kSearched;
+    default: return StepKind::kSeparated;
+  }
+}
+
+class Attempting {
+ public:
+  Attempting(const Marker& order, const Candidate& candidate, const AttemptSettings& settings, const scene::Run& run)
+      : order_{order}, candidate_{candidate}, settings_{settings}, run_{run} {
+    attempt_.stored = candidate.arrangement.stored;
+    attempt_.difference = candidate.difference;
+    attempt_.predicted = candidate.predicted;
+  }
+
+  Attempt make() {
+    if (take_over() && insert()) {
+      if (settings_.trims && !run_.stopped()) move_trims();
+      if (settings_.fine && !run_.stopped()) refine();
+      finish();
+    }
+    return std::move(attempt_);
+  }
+
+ private:
+  void record(StepKind kind, std::size_t pieces, bool valid) {
+    attempt_.steps.push_back({kind, pieces, length_of(marker_), valid, marker_.pieces});
+  }
+
+  // Substitution and parting.  False when the pieces do not come apart.
+  bool take_over() {
+    substitution::Substitution start = substituted(order_, candidate_, settings_.tuning, run_);
+    marker_ = std::move(start.marker);
+    if (marker_.pieces.empty()) return false;
+    const bool clear = all_clear(marker::PlacedPieces{marker_}, marker_.strip);
+    record(StepKind::kSubstituted, start.swaps, clear);
+    if (!clear)
+      marker_ =
+          substitution::stretched(std::move(marker_), substitution::placed_area(marker_) / candidate_.arrangement.area);
+    auto apart = parted(marker_, settings_.tuning, run_);
+    if (!apart) return false;
+    marker_ = std::move(apart->marker);
+    attempt_.programs += apart->programs;
+    if (apart->by != PartedBy::kNothing) record(step_of(apart->by), apart->popped, true);
+    compact();
+    record(StepKind::kCompacted, 0, true);
+    return true;
+  }
+
+  void compact() {
+    auto compacted = motion::compaction::compact(marker_, compaction_settings(Accuracy::kStandard), run_.quiet());
+    if (!compacted) return;
+    attempt_.programs += compacted->programs;
+    marker_ = std::move(compacted->marker);
+  }
+
+  bool insert() {
+    const std::size_t count = marker_.unplaced.size();
+    const bool gaps = marker_.pieces.size() < candidate_.arrangement.slots.size();
+    if (count > 0) {
+      (void)insert_unplaced(marker_, {}, run_);
+      if (!marker_.unplaced.empty()) return false;
+      compact();
+      record(StepKind::kInserted, count, true);
+    }
+    if ((count > 0 || gaps) && !run_.stopped()) rearrange();
+    return true;
+  }
+
+  // A short search for a shorter marker, where pieces lie at the end that belong into gaps.
+  void rearrange() {
+    nesting::NestSettings settings;
+    settings.moves = settings_.tuning.moves_per_piece * marker_.pieces.size();
+    auto nested = nesting::nest(marker_, settings, run_.quiet());
+    if (!nested || length_of(nested->marker) >= length_of(marker_)) return;
+    attempt_.programs += nested->programs;
+    marker_ = std::move(nested->marker);
+    record(StepKind::kRearranged, 0, true);
+  }
+
+  void move_trims() {
+    packing::refitting::FillSettings settings;
+    settings.trials = settings_.tuning.trim_trials;
+    auto filled = packing::refitting::fill_gaps(marker_, settings, run_.quiet());
+    if (!filled) return;
+    attempt_.programs += filled->programs;
+    marker_ = std::move(filled->marker);
+    record(StepKind::kTrimsMoved, filled->kept, true);
+  }
+
+  void refine() {
+    auto settings = search::refine_settings();
+    settings.tilts = true;
+    auto refined = search::refine(marker_, settings, run_.quiet());
+    if (!refined) return;
+    attempt_.programs += refined->programs;
+    marker_ = std::move(refined->marker);
+    record(StepKind::kRefined, 0, true);
+  }
+
+  // The proof, with the order's strip and its sequence of pieces.
+  void finish() {
+    std::map<std::string, const Piece*> by_id;
+    for (const Piece& piece : marker_.pieces) by_id.emplace(piece.id, &piece);
+    Marker marker = order_;
+    marker.pieces.clear();
+    marker.unplaced.clear();
+    for (const auto* list : {&order_.pieces, &order_.unplaced}) {
+      for (const Piece& piece : *list) marker.pieces.push_back(*by_id.at(piece.id));
+    }
+    if (all_clear(marker::PlacedPieces{marker}, marker.strip)) attempt_.marker = std::move(marker);
+  }
+
+  const Marker& order_;
+  const Candidate& candidate_;
+  const AttemptSettings& settings_;
+  const scene::Run& run_;
+  Marker marker_;
+  Attempt attempt_;
+};
+
+}  // namespace
+
+Attempt attempt(const Marker& order, const Candidate& candidate, const AttemptSettings& settings,
+                const scene::Run& run) {
+  return Attempting{order, candidate, settings, run}.make();
+}
+
+}  // namespace selvage::remake

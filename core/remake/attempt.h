@@ -1,0 +1,66 @@
+// An attempt: one arrangement is taken over, from the substitution to the finished marker, and every step is kept for
+// the report and for drawings.
+//
+//     substitute; relieve columns; part the pieces; compact
+//     put the pieces back that had no slot, larger first; compact; where slots were left empty or pieces had none,
+//     search for a shorter marker for a while (core/nesting)
+//     take small pieces out and put them where there is room; `fine`: swap and tilt
+// Units: lattice units.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/remake/substitution/choice.h"
+#include "core/remake/substitution/tuning.h"
+#include "core/scene/run.h"
+
+namespace selvage::remake {
+
+using substitution::Candidate;
+using substitution::RemakeTuning;
+
+// What a step did; the order is that of an attempt.
+enum class StepKind {
+  kSubstituted,  // pieces lie in the slots; they may overlap
+  kSeparated,    // parted by linear programs
+  kPopped,       // trims were popped out and put back
+  kSearched,     // parted by a guided local search
+  kCompacted,    // after parting
+  kInserted,     // pieces without a slot were put into gaps or at the end, then compacted
+  kRearranged,   // a short search, where slots were left empty or pieces had none
+  kTrimsMoved,   // small pieces went elsewhere
+  kRefined,      // accuracy fine
+  kNested,       // from nothing, instead of an attempt that gave no marker
+};
+
+struct Step {
+  StepKind kind{};
+  std::size_t pieces{};  // that were swapped between slots, popped, or inserted
+  Coord length{};        // of the marker after the step
+  bool valid{};
+  std::vector<Piece> placed;  // as they lie after the step
+};
+
+struct Attempt {
+  std::vector<std::size_t> stored;  // the markers whose arrangement it took over
+  double difference{};              // between the pieces, a part of the order's area
+  double predicted{};               // utilisation, 0..1
+  std::vector<Step> steps;
+  std::optional<Marker> marker;  // valid, with all pieces; none: they did not come apart, or the cloth ends before them
+  int programs{};
+};
+
+struct AttemptSettings {
+  bool trims{true};  // move small pieces in the end
+  bool fine{};       // swap and tilt as accuracy fine does
+  RemakeTuning tuning{};
+};
+
+// Laws.  (1) The marker is valid, proved in integers, and has the order's pieces in the order's sequence: first the
+// placed ones, then those that were not.  (2) For an order that is the stored marker's own, it is no longer than that
+// marker.  (3) Deterministic, whatever the cache holds; when cancelled, the best so far.
+[[nodiscard]] Attempt attempt(const Marker& order, const Candidate& candidate, const AttemptSettings& settings,
+                              const scene::Run& run);
+
+}  // namespace selvage::remake

@@ -1,0 +1,55 @@
+// Remaking: a new order is laid out like a stored marker, or like two of them one behind the other [Li94 5.3, 10].
+//
+// The stored markers whose pieces differ least from the order's are tried, and the shortest result counts
+// (choice.h, attempt.h).
+//
+// Laws.  (1) The answer is valid, proved in integers, or it is the order as it came in and `outcome` says why.  (2) A
+// marker's own order gives at least its utilisation, when that marker is tried.  (3) One more stored marker never makes
+// the answer longer when all candidates are tried.  (4) The same input and settings give the same answer, whatever the
+// cache holds and however many threads are used; when cancelled, the best marker so far.  (5) More tries never give a
+// longer marker.
+// Units: lattice units of the order's resolution.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/motion/repair/motion_result.h"
+#include "core/remake/attempt.h"
+
+namespace selvage::remake {
+
+struct RemakeSettings {
+  std::size_t tries{3};    // arrangements tried, best prediction first
+  bool concatenate{true};  // also two stored markers, one behind the other
+  bool nest{};             // nest from nothing when no attempt gives a marker
+  std::uint64_t nest_moves{20'000};
+  AttemptSettings attempt{};
+};
+
+enum class Outcome {
+  kRemade,    // the marker is that of the attempt `chosen`
+  kNested,    // no stored marker was near enough, or nothing came apart; the marker is nested from nothing
+  kNoneNear,  // no stored marker is near enough
+  kNotApart,  // the pieces of no attempt came apart, or the cloth ends before them
+};
+
+// `marker` is the order as it came in unless it was remade or nested.  A round is an attempt.
+struct Remake : motion::repair::MotionResult {
+  Outcome outcome{};
+  std::size_t candidates{};           // arrangements that were near enough
+  std::vector<Attempt> attempts;      // by prediction
+  std::optional<std::size_t> chosen;  // the attempt that the answer is from
+};
+
+// The positions of the order's placed pieces do not matter.
+// Errors: kOutOfRange for a placed piece that is locked on an axis or in a group; those of nest, when it is asked for.
+[[nodiscard]] Result<Remake> remake(const Marker& order, std::span<const Marker> stored, const RemakeSettings& settings,
+                                    const scene::Run& run);
+
+}  // namespace selvage::remake

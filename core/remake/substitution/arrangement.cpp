@@ -1,0 +1,58 @@
+#include "core/remake/substitution/arrangement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace selvage::remake::substitution {
+namespace {
+
+// From one resolution to another: exact to a finer one, rounded to a coarser one.
+class Scale {
+ public:
+  Scale(Resolution from, Resolution to) : factor_{std::pow(10.0, from.exponent - to.exponent)} {}
+
+  [[nodiscard]] bool holds(double extent) const { return extent * factor_ < static_cast<double>(kLatticeLimit) / 4; }
+  [[nodiscard]] Coord operator()(Coord value) const {
+    return factor_ == 1 ? value : std::llround(static_cast<double>(value) * factor_);
+  }
+  [[nodiscard]] Vec operator()(Vec v) const { return {(*this)(v.x), (*this)(v.y)}; }
+
+ private:
+  double factor_;
+};
+
+}  // namespace
+
+std::optional<Arrangement> arrangement_of(const Marker& stored, std::size_t number, Resolution resolution) {
+  if (stored.pieces.empty()) return std::nullopt;
+  const Scale scaled{stored.resolution, resolution};
+  const Coord length = length_of(stored);
+  if (!scaled.holds(static_cast<double>(std::max(length, stored.strip.width)))) return std::nullopt;
+  Arrangement arrangement{.stored = {number}, .slots = {}, .length = scaled(length), .area = 0};
+  for (const Piece& piece : stored.pieces) {
+    const Shape& shape = stored.shapes[piece.shape.value];
+    Polygon outline = oriented(shape.outline, piece.orientation);
+    for (Vec& v : outline) v = scaled(v);
+    outline.erase(std::unique(outline.begin(), outline.end()), outline.end());
+    if (doubled_area(outline) <= 0) continue;  // nothing is left of it on a coarse lattice
+    arrangement.area += static_cast<double>(doubled_area(outline)) / 2;
+    arrangement.slots.push_back({shape.id, std::move(outline), piece.orientation, scaled(piece.at)});
+  }
+  return arrangement;
+}
+
+std::optional<Arrangement> concatenated(const Arrangement& first, const Arrangement& second) {
+  if (first.length + second.length >= kLatticeLimit / 4) return std::nullopt;
+  Arrangement both = first;
+  both.stored.insert(both.stored.end(), second.stored.begin(), second.stored.end());
+  for (matching::Slot slot : second.slots) {
+    slot.at.x += first.length;
+    both.slots.push_back(std::move(slot));
+  }
+  both.length += second.length;
+  both.area += second.area;
+  return both;
+}
+
+}  // namespace selvage::remake::substitution

@@ -1,0 +1,63 @@
+#include "core/remake/substitution/choice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/matching/signature.h"
+#include "core/remake/substitution/area.h"
+
+namespace selvage::remake::substitution {
+namespace {
+
+// Stored markers in a unit, width and spacing like the order's.
+std::vector<Arrangement> comparable(const Marker& order, std::span<const Marker> stored) {
+  const matching::Signature wanted = matching::signature_of(order);
+  std::vector<Arrangement> arrangements;
+  for (std::size_t k = 0; k < stored.size(); ++k) {
+    if (stored[k].pieces.empty() || !std::isfinite(distance_between(wanted, matching::signature_of(stored[k]))))
+      continue;
+    if (auto arrangement = arrangement_of(stored[k], k, order.resolution)) {
+      arrangements.push_back(*std::move(arrangement));
+    }
+  }
+  return arrangements;
+}
+
+}  // namespace
+
+std::vector<Candidate> candidates_for(const Marker& order, std::span<const Marker> stored, bool concatenate,
+                                      const RemakeTuning& tuning, const Executor& executor) {
+  const double area = whole_area(order);
+  const auto as_large = [&](double stored_area) {
+    return stored_area >= tuning.least_area * area && stored_area <= tuning.most_area * area;
+  };
+  const std::vector<Arrangement> parts = comparable(order, stored);
+  std::vector<Candidate> candidates;
+  for (const Arrangement& part : parts) {
+    if (as_large(part.area)) candidates.push_back({part, {}, 0, 0});
+  }
+  for (std::size_t first = 0; concatenate && first < parts.size(); ++first) {
+    for (std::size_t second = first; second < parts.size(); ++second) {
+      if (!as_large(parts[first].area + parts[second].area)) continue;
+      if (auto both = concatenated(parts[first], parts[second])) candidates.push_back({*std::move(both), {}, 0, 0});
+    }
+  }
+  const auto width = static_cast<double>(order.strip.width - 2 * order.strip.margin);
+  executor.for_each(candidates.size(), [&](std::size_t k) {
+    Candidate& candidate = candidates[k];
+    const Arrangement& arrangement = candidate.arrangement;
+    candidate.pairing = matching::pair_pieces(order, arrangement.slots);
+    candidate.difference = candidate.pairing.difference / area;
+    const double used = arrangement.area / width / static_cast<double>(arrangement.length);
+    const double smaller = std::min(1.0, area / arrangement.area);  // a smaller order leaves cloth unused
+    candidate.predicted = used * (1 + smaller) / 2 - tuning.difference_price * candidate.difference;
+  });
+  std::erase_if(candidates, [&](const Candidate& candidate) { return candidate.difference > tuning.farthest; });
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.predicted > b.predicted; });
+  return candidates;
+}
+
+}  // namespace selvage::remake::substitution

@@ -1,0 +1,29 @@
+// The choice of the stored markers to take over: those whose pieces differ least from the order's, and whose cloth was
+// used best.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/base/executor.h"
+#include "core/matching/pairing.h"
+#include "core/remake/substitution/arrangement.h"
+#include "core/remake/substitution/tuning.h"
+
+namespace selvage::remake::substitution {
+
+struct Candidate {
+  Arrangement arrangement;
+  matching::Pairing pairing;
+  double difference{};  // of the pairing, as a part of the order's area
+  double predicted{};   // the utilisation that is expected, 0..1
+};
+
+// The arrangements near enough to be tried, best prediction first: single markers and, where two together are as large
+// as the order, concatenations.  `concatenate` false: single markers only.
+// Units: see Candidate.  Deterministic; another stored marker only adds candidates.
+[[nodiscard]] std::vector<Candidate> candidates_for(const Marker& order, std::span<const Marker> stored,
+                                                    bool concatenate, const RemakeTuning& tuning,
+                                                    const Executor& executor);
+
+}  // namespace selvage::remake::substitution

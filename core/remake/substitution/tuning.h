@@ -1,0 +1,37 @@
+// The tuning constants of remaking.  Lengths are parts of the strip's width and areas parts of the order's area unless
+// said otherwise.  Where no other source is named, the values come from docs/from-the-library.md.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace selvage::remake::substitution {
+
+struct RemakeTuning {
+  // Which stored markers are near enough:
+  double farthest{0.5};          // the pairs of their pieces differ by at most this part of the order's area
+  double difference_price{0.4};  // predicted loss of utilisation for a unit of difference, beside that of the area
+  double least_area{0.8};        // stored area relative to the order's; smaller markers are parts of concatenations
+  double most_area{1.25};
+  // Substitution:
+  double ambiguous{1.15};        // orientations that cost at most this factor more are judged by their overlaps
+  std::size_t column_swaps{24};  // of pieces that are alike, until columns fit across the strip
+  double column_cell{0.002};     // sampling of outlines along x
+  double column_slip{0.02};      // pieces that share less of x than this may pass each other
+  double swap_price{0.25};       // a swap may cost at most this part of the swapped pieces' area
+  // Coming apart:
+  double growth{0.04};              // part of its length by which separation may lengthen the marker
+  int separation_rounds{40};        // at most
+  double trim{0.35};                // of the mean area of the pieces: larger ones are never popped
+  std::size_t pops{6};              // pieces popped at most
+  std::size_t search_patience{60};  // of the guided local search, when linear programs cannot part the pieces
+  std::size_t search_strikes{1};
+  double search_growth{0.015};  // part of its length by which the marker grows before each of
+  int searches{6};              // this many searches
+  // Afterwards:
+  std::uint64_t moves_per_piece{40};  // of the search that closes gaps where the numbers of pieces differ
+  std::uint64_t trim_trials{16};      // of putting small pieces into gaps (core/packing/refitting/fill_gaps.h)
+  friend bool operator==(const RemakeTuning&, const RemakeTuning&) = default;
+};
+
+}  // namespace selvage::remake::substitution

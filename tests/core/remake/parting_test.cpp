@@ -1,0 +1,83 @@
+#include "core/remake/parting.h"
+
+#include <gtest/gtest.h>
+
+#include "core/marker/validity.h"
+#include "tests/core/motion/markers.h"
+#include "tests/laws/random_marker.h"
+#include "tests/support/garment.h"
+
+namespace selvage::remake {
+namespace {
+
+TEST(Parting, LeavesAValidMarkerAsItIs) {
+  const Marker marker = test::garment("jeans_02g");
+  SumCache sums;
+  const auto apart = parted(marker, {}, scene::Run{sums});
+  ASSERT_TRUE(apart);
+  EXPECT_EQ(apart->by, PartedBy::kNothing);
+  EXPECT_EQ(apart->marker, marker);
+}
+
+TEST(Parting, SeparatesSmallOverlaps) {
+  test::Random random{12};
+  for (int trial = 0; trial < 10 / test::kSlowdown + 1; ++trial) {
+    Marker marker = test::perturbed(random, test::random_marker(random), 0.03);
+    marker.strip.longest.reset();
+    for (Piece& piece : marker.pieces) piece.locked = {};
+    SumCache sums;
+    const auto apart = parted(marker, {}, scene::Run{sums});
+    ASSERT_TRUE(apart);
+    EXPECT_TRUE(is_valid(apart->marker));
+    EXPECT_EQ(apart->marker.pieces.size(), marker.pieces.size());
+  }
+}
+
+// Two blocks and a trim between them are higher than the strip: the trim must go elsewhere.
+TEST(Parting, PopsTheTrimOfAColumnThatIsTooTall) {
+  test::Layout layout{50'000};
+  const auto block = layout.shape_of(test::rectangle(40'000, 22'000));
+  const auto trim = layout.shape_of(test::rectangle(6'000, 7'000));
+  const auto wall = layout.shape_of(test::rectangle(3'000, 50'000));
+  layout.put(wall, {0, 0}).put(block, {3'000, 0}).put(block, {3'000, 28'000}).put(trim, {17'000, 21'500});
+  layout.put(wall, {43'000, 0});
+  Marker marker = layout.marker();
+  SumCache sums;
+  RemakeTuning tuning;
+  tuning.searches = 0;
+  tuning.growth = 0.02;
+  const auto apart = parted(marker, tuning, scene::Run{sums});
+  ASSERT_TRUE(apart);
+  EXPECT_EQ(apart->by, PartedBy::kPopping);
+  EXPECT_EQ(apart->popped, 1U);
+  EXPECT_TRUE(is_valid(apart->marker));
+  EXPECT_EQ(apart->marker.pieces.size(), marker.pieces.size());
+}
+
+// Three blocks in a column that two of them fill: only another arrangement has room.
+TEST(Parting, SearchesWhereNothingElseHelps) {
+  test::Layout layout{50'000};
+  const auto block = layout.shape_of(test::rectangle(20'000, 24'000));
+  for (int k = 0; k < 3; ++k) layout.put(block, {0, 12'000 * k}).put(block, {20'000, 12'000 * k});
+  Marker marker = layout.marker();
+  SumCache sums;
+  RemakeTuning tuning;
+  tuning.growth = 0;
+  tuning.search_growth = 0.2;
+  const auto apart = parted(marker, tuning, scene::Run{sums});
+  ASSERT_TRUE(apart);
+  EXPECT_EQ(apart->by, PartedBy::kSearch);
+  EXPECT_TRUE(is_valid(apart->marker));
+}
+
+TEST(Parting, GivesNothingWhenStopped) {
+  test::Random random{13};
+  const Marker marker = test::perturbed(random, test::garment("jeans_02g"), 0.05);
+  SumCache sums;
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_FALSE(parted(marker, {}, scene::Run{sums, stop.get_token()}));
+}
+
+}  // namespace
+}  // namespace selvage::remake

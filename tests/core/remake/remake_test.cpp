@@ -1,0 +1,185 @@
+// The laws of remaking, on garments and on random markers.
+#include "core/remake/remake.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/marker/validity.h"
+#include "core/motion/compaction/compact.h"
+#include "core/remake/substitution/area.h"
+#include "protocol/execution/thread_pool.h"
+#include "tests/core/remake/orders.h"
+#include "tests/laws/random_marker.h"
+#include "tests/support/garment.h"
+
+namespace selvage::remake {
+namespace {
+
+Marker stored_jeans() {
+  SumCache sums;
+  const auto settings = compaction_settings(motion::compaction::Accuracy::kStandard);
+  return compact(test::garment("jeans_02g"), settings, scene::Run{sums})->marker;
+}
+
+Remake remade(const Marker& order, std::span<const Marker> stored, const RemakeSettings& settings = {}) {
+  SumCache sums;
+  auto done = remake(order, stored, settings, scene::Run{sums});
+  EXPECT_TRUE(done);
+  return done ? *std::move(done) : Remake{};
+}
+
+void expect_sound(const Marker& order, const Remake& done) {
+  EXPECT_TRUE(is_valid(done.marker));
+  EXPECT_EQ(done.marker.strip, order.strip);
+  ASSERT_EQ(done.marker.pieces.size(), order.pieces.size() + order.unplaced.size());
+  for (std::size_t k = 0; k < done.marker.pieces.size(); ++k) {
+    const Piece& asked = k < order.pieces.size() ? order.pieces[k] : order.unplaced[k - order.pieces.size()];
+    EXPECT_EQ(done.marker.pieces[k].id, asked.id);
+    EXPECT_EQ(done.marker.pieces[k].shape, asked.shape);
+  }
+  EXPECT_TRUE(make_marker(done.marker));
+}
+
+TEST(Remake, OfAMarkersOwnOrderIsNoLonger) {
+  const std::vector<Marker> stored{stored_jeans()};
+  for (const Marker& order : {test::order_of(stored[0]), stored[0]}) {
+    const Remake done = remade(order, stored);
+    ASSERT_EQ(done.outcome, Outcome::kRemade);
+    expect_sound(order, done);
+    EXPECT_LE(done.length_after, length_of(stored[0]));
+    EXPECT_EQ(done.attempts[0].difference, 0);
+  }
+}
+
+TEST(Remake, OfRandomMarkersOwnOrdersIsNoLonger) {
+  test::Random random{14};
+  for (int trial = 0; trial < 25 / test::kSlowdown + 1; ++trial) {
+    Marker marker = test::random_marker(random);
+    for (Piece& piece : marker.pieces) piece.locked = {};
+    const std::vector<Marker> stored{marker};
+    const Remake done = remade(test::order_of(marker), stored);
+    ASSERT_EQ(done.outcome, Outcome::kRemade);
+    expect_sound(test::order_of(marker), done);
+    EXPECT_LE(done.length_after, length_of(marker));
+  }
+}
+
+TEST(Remake, OfGradedSizesLosesLittle) {
+  const std::vector<Marker> stored{stored_jeans()};
+  const Marker order = test::graded_order_of(stored[0], 0.02);
+  const Remake done = remade(order, stored);
+  ASSERT_EQ(done.outcome, Outcome::kRemade);
+  expect_sound(order, done);
+  EXPECT_GT(utilisation_of(done.marker), utilisation_of(stored[0]) - 0.03);
+  ASSERT_FALSE(done.attempts[0].steps.empty());
+  EXPECT_EQ(done.attempts[0].steps.front().kind, StepKind::kSubstituted);
+  EXPECT_TRUE(done.attempts[0].steps.back().valid);
+}
+
+TEST(Remake, ConcatenatesStoredMarkers) {
+  const std::vector<Marker> stored{stored_jeans()};
+  Marker order = test::order_of(stored[0]);
+  for (std::size_t k = 0; k < stored[0].pieces.size(); ++k) {
+    order.unplaced.push_back(order.unplaced[k]);
+    order.unplaced.back().id += "+";
+  }
+  const Remake done = remade(order, stored);
+  ASSERT_EQ(done.outcome, Outcome::kRemade);
+  expect_sound(order, done);
+  EXPECT_EQ(done.attempts[*done.chosen].stored, (std::vector<std::size_t>{0, 0}));
+  EXPECT_LT(done.length_after, 2 * length_of(stored[0]));
+}
+
+TEST(Remake, CutsFewerAndMorePieces) {
+  const std::vector<Marker> stored{stored_jeans()};
+  Marker fewer = test::order_of(stored[0]);
+  std::stable_sort(fewer.unplaced.begin(), fewer.unplaced.end(), [&](const Piece& a, const Piece& b) {
+    return substitution::area_of(stored[0], a) > substitution::area_of(stored[0], b);
+  });
+  Marker more = fewer;
+  fewer.unplaced.resize(fewer.unplaced.size() - 4);
+  for (std::size_t k = 10; k < 14; ++k) {
+    more.unplaced.push_back(more.unplaced[k]);
+    more.unplaced.back().id += "+";
+  }
+  for (const Marker& order : {fewer, more}) {
+    const Remake done = remade(order, stored);
+    ASSERT_EQ(done.outcome, Outcome::kRemade);
+    expect_sound(order, done);
+  }
+}
+
+// One more stored marker never makes the best of all tries worse.
+TEST(Remake, IsNoLongerWithAnotherStoredMarker) {
+  RemakeSettings settings;
+  settings.tries = 100;
+  settings.attempt.trims = false;
+  const Marker first = stored_jeans();
+  const Marker order = test::graded_order_of(first, 0.01);
+  const Remake one = remade(order, std::vector<Marker>{test::garment("jeans_02g")}, settings);
+  const Remake two = remade(order, std::vector<Marker>{test::garment("jeans_02g"), first}, settings);
+  ASSERT_EQ(one.outcome, Outcome::kRemade);
+  EXPECT_GT(two.attempts.size(), one.attempts.size());
+  EXPECT_LE(two.length_after, one.length_after);
+}
+
+TEST(Remake, SaysThatNoMarkerIsNear) {
+  const Marker order = test::order_of(test::garment("jeans_02g"));
+  const std::vector<Marker> others{test::garment("jeans_22g")};
+  const Remake none = remade(order, others);
+  EXPECT_EQ(none.outcome, Outcome::kNoneNear);
+  EXPECT_EQ(none.marker, order);
+  EXPECT_EQ(remade(order, {}).outcome, Outcome::kNoneNear);
+  RemakeSettings settings;
+  settings.nest = true;
+  settings.nest_moves = 100;
+  const Remake nested = remade(order, others, settings);
+  EXPECT_EQ(nested.outcome, Outcome::kNested);
+  expect_sound(order, nested);
+}
+
+TEST(Remake, KeepsToTheEndOfTheCloth) {
+  const std::vector<Marker> stored{stored_jeans()};
+  Marker order = test::order_of(stored[0], 1.02);
+  order.strip.longest = length_of(stored[0]);  // less than the larger pieces need
+  const Remake done = remade(order, stored);
+  EXPECT_EQ(done.outcome, Outcome::kNotApart);
+  EXPECT_EQ(done.marker, order);
+}
+
+TEST(Remake, RefusesLockedPiecesAndGroups) {
+  Marker order = test::garment("jeans_02g");
+  order.pieces[3].locked.x = true;
+  SumCache sums;
+  const auto done = remake(order, std::vector<Marker>{order}, {}, scene::Run{sums});
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().field, "/pieces/3");
+}
+
+TEST(Remake, DoesNotDependOnThreadsOrTheCache) {
+  const std::vector<Marker> stored{stored_jeans(), test::garment("jeans_02g")};
+  const Marker order = test::graded_order_of(stored[0], 0.02);
+  const Remake alone = remade(order, stored);
+  const protocol::execution::ThreadPool pool{2};
+  SumCache sums{1};
+  const auto together = remake(order, stored, {}, scene::Run{sums, {}, {}, &pool});
+  ASSERT_TRUE(together);
+  EXPECT_EQ(together->marker, alone.marker);
+  EXPECT_EQ(together->programs, alone.programs);
+}
+
+TEST(Remake, ReturnsTheOrderWhenStoppedAtOnce) {
+  const std::vector<Marker> stored{stored_jeans()};
+  const Marker order = test::graded_order_of(stored[0], 0.02);
+  SumCache sums;
+  std::stop_source stop;
+  stop.request_stop();
+  const auto done = remake(order, stored, {}, scene::Run{sums, stop.get_token()});
+  ASSERT_TRUE(done);
+  EXPECT_EQ(done->reason, scene::StopReason::kCancelled);
+  EXPECT_EQ(done->marker, order);
+}
+
+}  // namespace
+}  // namespace selvage::remake
