@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes tables and pictures of the figures that the measuring program (bench/measure/measure.cpp) prints.
 
-usage: measure.py --program build/release/bin/measure --out docs --kept FOLDER [--records RECORD...] --garments MARKER...
+usage: measure.py --program build/release/bin/measure --out docs/measurements --kept FOLDER [--records RECORD...] --garments MARKER...
 
 Inserts the tables into the pages that have a place for them (PAGES), between `<!-- table: NAME -->` and `<!-- end -->`, and
 writes the pictures next to the pages.  The program's output is kept in FOLDER; output of an earlier run is used again.
@@ -21,7 +21,7 @@ matplotlib.rcParams["svg.hashsalt"] = "selvage"
 from matplotlib import pyplot  # noqa: E402
 
 
-PAGES = ["measurements-trade.md", "measurements-growth.md"]
+PAGES = ["trade.md", "growth.md"]
 
 
 def output_of(arguments, what, markers, name=None):

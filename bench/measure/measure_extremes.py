@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Writes docs/measurements-extremes.md: the text of bench/measure/extremes_page.md with the figures of a run of extremes_test.
+"""Writes docs/measurements/extremes.md: the text of bench/measure/extremes_page.md.in with the figures of a run of extremes_test.
 
-usage: measure_extremes.py --programs build/release/bin --out docs --kept FOLDER
+usage: measure_extremes.py --programs build/release/bin --out docs/measurements --kept FOLDER
 
 A placeholder in the text names a test and one of the figures that it prints (tests/extremes/reached.h):
     [[TEST: FIGURE]]   or, with a format,   [[TEST: FIGURE %.2f]]
@@ -121,10 +121,10 @@ def main():
         arguments.kept.mkdir(parents=True, exist_ok=True)
         kept.write_text(json.dumps(run(arguments.programs.resolve()), indent=1))
     page = Page(json.loads(kept.read_text()))
-    filled = page.filled((HERE / "extremes_page.md").read_text())
+    filled = page.filled((HERE / "extremes_page.md.in").read_text())
     unused = sorted(page.figures.keys() - page.used)
     assert not unused, f"figures that the page does not use: {unused}"
-    (arguments.out / "measurements-extremes.md").write_text(filled)
+    (arguments.out / "extremes.md").write_text(filled)
     picture(page.figures, arguments.out / "pictures" / "extremes.svg")
     print(filled)
 

@@ -1,4 +1,4 @@
-// Floats compacted markers and prints the Markdown table of docs/measurements-floating.md: each garment marker is
+// Floats compacted markers and prints the Markdown table of docs/measurements/floating.md: each garment marker is
 // compacted at standard accuracy and then floated in each mode.
 //
 // usage: floating_table [DISTANCE [MARKER]]

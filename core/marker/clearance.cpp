@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/geometry/parting.h"
+#include "core/geometry/separating_translation.h"
 
 namespace selvage::marker {
 namespace {
@@ -27,7 +27,7 @@ bool clear_of_others(const PlacedPieces& pieces, std::uint32_t piece, const geom
 
 bool collide(const geometry::PlacedPolygon& p, const geometry::PlacedPolygon& q, Coord spacing) {
   if (spacing > 0) return closer_than(p, q, spacing);
-  return spacing == 0 ? overlap(p, q) : !parting_translation(p, q, -spacing);
+  return spacing == 0 ? overlap(p, q) : !separating_translation(p, q, -spacing);
 }
 
 bool conflict(const PlacedPieces& pieces, PiecePair pair) {

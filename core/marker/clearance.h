@@ -17,7 +17,7 @@
 namespace selvage::marker {
 
 // True when the two overlap, or are closer than the spacing.  With a negative spacing, when no translation of at most
-// its magnitude is found that parts them (core/geometry/parting.h).
+// its magnitude is found that separates them (core/geometry/separating_translation.h).
 [[nodiscard]] bool collide(const geometry::PlacedPolygon& p, const geometry::PlacedPolygon& q, Coord spacing);
 // The same of two pieces and the spacing between them.
 [[nodiscard]] bool conflict(const PlacedPieces& pieces, PiecePair pair);

@@ -79,7 +79,7 @@ struct Marker {
   Strip strip;
   Coord spacing{};  // the least distance between two pieces; 0: pieces may touch
   Coord overlap{};  // the overlap allowance: two pieces may overlap when a translation of one of them by at most this
-                    // parts them.  A pair is allowed the smaller of its two allowances, and none when a spacing or
+                    // separates them.  A pair is allowed the smaller of its two allowances, and none when a spacing or
                     // buffers keep it apart; the strip's edges allow none
   std::vector<Shape> shapes;
   std::vector<Piece> pieces;

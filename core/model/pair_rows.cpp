@@ -6,7 +6,7 @@ namespace selvage::model {
 namespace {
 
 constexpr double kRowResidual = 1e-9;  // column units: no solver breaks a row by more
-constexpr double kWitness = 2;         // lattice units by which a translation that parts a pair is rounded
+constexpr double kWitness = 2;         // lattice units by which a translation that separates a pair is rounded
 
 }  // namespace
 

@@ -31,7 +31,7 @@ struct RefineSettings {
   RefineTuning tuning{};
   friend bool operator==(const RefineSettings&, const RefineSettings&) = default;
 };
-// Figures behind these: docs/measurements-trade.md.
+// Figures behind these: docs/measurements/trade.md.
 [[nodiscard]] RefineSettings refine_settings();
 
 // The search never converges: it stops with kWorkLimit or kCancelled.  A round, in the answer and for the observer, is

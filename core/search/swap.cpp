@@ -52,11 +52,11 @@ bool turn(Piece& piece, const Shape& shape, const Box& box, std::mt19937& random
   return true;
 }
 
-// A piece of `free`, mostly one that is in the chain as well.
-std::uint32_t drawn_piece(const std::vector<std::uint32_t>& free, std::span<const PieceId> chain,
+// A piece of `free`, mostly one that is on the critical path as well.
+std::uint32_t drawn_piece(const std::vector<std::uint32_t>& free, std::span<const PieceId> critical,
                           const SwapTuning& tuning, std::mt19937& random) {
-  if (!chain.empty() && random() % tuning.chain_of != 0) {
-    const std::uint32_t piece = chain[random() % chain.size()].value;
+  if (!critical.empty() && random() % tuning.any_one_in != 0) {
+    const std::uint32_t piece = critical[random() % critical.size()].value;
     if (std::binary_search(free.begin(), free.end(), piece)) return piece;
   }
   return free[random() % free.size()];
@@ -64,7 +64,7 @@ std::uint32_t drawn_piece(const std::vector<std::uint32_t>& free, std::span<cons
 
 }  // namespace
 
-std::optional<DrawnSwap> draw_swap(const Marker& start, std::mt19937& random, std::span<const PieceId> chain,
+std::optional<DrawnSwap> draw_swap(const Marker& start, std::mt19937& random, std::span<const PieceId> critical,
                                    const SwapTuning& tuning) {
   const model::Ties ties = model::ties_of(start);
   std::vector<std::uint32_t> free;
@@ -74,7 +74,7 @@ std::optional<DrawnSwap> draw_swap(const Marker& start, std::mt19937& random, st
   if (free.empty()) return std::nullopt;
   const marker::PlacedPieces pieces{start};
   Marker next = start;
-  const std::uint32_t i = drawn_piece(free, chain, tuning, random);
+  const std::uint32_t i = drawn_piece(free, critical, tuning, random);
   Piece& piece = next.pieces[i];
   if (random() % tuning.turns_one_in == 0) {
     if (!turn(piece, start.shapes[piece.shape.value], pieces.box(i), random)) return std::nullopt;
@@ -91,15 +91,15 @@ std::optional<DrawnSwap> draw_swap(const Marker& start, std::mt19937& random, st
 SwapOutcome complete_swap(const DrawnSwap& drawn, const motion::compaction::CompactionSettings& settings,
                           const scene::Run& run, const SwapTuning& tuning) {
   const double length = static_cast<double>(std::max<Coord>(1, drawn.length));
-  motion::separation::SeparationSettings parting;
-  parting.rounds = tuning.separation_rounds;
-  parting.grow = tuning.separation_growth * static_cast<double>(drawn.marker.strip.width) / length;
-  parting.solver = settings.solver;
-  auto separation = separate(drawn.marker, parting, run);
-  if (!separation) return {};
-  SwapOutcome done{.marker = {}, .programs = separation->programs};
-  if (!separation->apart) return done;
-  auto compaction = compact(separation->marker, settings, run);
+  motion::separation::SeparationSettings separation;
+  separation.rounds = tuning.separation_rounds;
+  separation.grow = tuning.separation_growth * static_cast<double>(drawn.marker.strip.width) / length;
+  separation.solver = settings.solver;
+  auto separated = separate(drawn.marker, separation, run);
+  if (!separated) return {};
+  SwapOutcome done{.marker = {}, .programs = separated->programs};
+  if (!separated->apart) return done;
+  auto compaction = compact(separated->marker, settings, run);
   if (!compaction) return done;
   done.programs += compaction->programs;
   done.marker = std::move(compaction->marker);

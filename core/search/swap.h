@@ -19,10 +19,10 @@ struct DrawnSwap {
   Coord length{};  // of the marker before the swap
 };
 // A random swap among the pieces that are free on both axes and in no group, mostly of two that have similar sizes and
-// lie near each other, and mostly of a piece of `chain`, if that names any.  It depends only on `random`, the marker
-// and the chain.  None when no piece has a partner or another rotation.
+// lie near each other, and mostly of a piece of `critical`, if that names any.  It depends only on `random`, the marker
+// and the critical pieces.  None when no piece has a partner or another rotation.
 [[nodiscard]] std::optional<DrawnSwap> draw_swap(const Marker& start, std::mt19937& random,
-                                                 std::span<const PieceId> chain = {}, const SwapTuning& tuning = {});
+                                                 std::span<const PieceId> critical = {}, const SwapTuning& tuning = {});
 
 struct SwapOutcome {
   std::optional<Marker> marker;  // valid; none when the pieces could not be separated within the allowed growth

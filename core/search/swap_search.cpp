@@ -32,7 +32,7 @@ struct SwapSearch::Trial {
 
 void SwapSearch::search(Found& found, bool tilted, std::uint64_t until, Effort& effort) {
   const auto over = [&] { return effort.enough() || effort.spent() >= until || exhausted() || run_.stopped(); };
-  find_chain(found.marker);
+  find_critical(found.marker);
   while (!over()) {
     std::vector<Trial> trials = drawn(run_.executor->parallelism(), found.marker);
     run_.executor->for_each(trials.size(), [&](std::size_t k) { make(trials, k, found.length, tilted); });
@@ -43,7 +43,7 @@ void SwapSearch::search(Found& found, bool tilted, std::uint64_t until, Effort& 
       const bool kept = trial.is_worth_keeping(found.length);
       if (kept) {
         found = {*std::move(trial.outcome.marker), trial.length};
-        find_chain(found.marker);
+        find_critical(found.marker);
       }
       effort.spend(static_cast<std::uint64_t>(programs) * found.marker.pieces.size(), found.length);
       report_(programs, kept);
@@ -56,7 +56,7 @@ std::vector<SwapSearch::Trial> SwapSearch::drawn(std::size_t count, const Marker
   std::mt19937 random = random_;
   std::vector<Trial> trials;
   while (trials.size() < count) {
-    auto swap = draw_swap(marker, random, chain_, tuning_.swap);
+    auto swap = draw_swap(marker, random, critical_, tuning_.swap);
     trials.push_back({std::move(swap), random});
   }
   return trials;
@@ -99,16 +99,16 @@ void SwapSearch::tilt(Trial& trial, Coord best, const scene::Run& run) const {
   trial.outcome.marker = std::move(tilting->marker);
 }
 
-void SwapSearch::find_chain(const Marker& marker) {
-  chain_.clear();
+void SwapSearch::find_critical(const Marker& marker) {
+  critical_.clear();
   const auto path = motion::compaction::critical_path(marker, {run_.sums, run_.stop});
   if (!path) return;
   for (const motion::compaction::LoadedContact& contact : path->contacts) {
-    chain_.push_back(contact.first);
-    if (contact.second) chain_.push_back(*contact.second);
+    critical_.push_back(contact.first);
+    if (contact.second) critical_.push_back(*contact.second);
   }
-  std::sort(chain_.begin(), chain_.end());
-  chain_.erase(std::unique(chain_.begin(), chain_.end()), chain_.end());
+  std::sort(critical_.begin(), critical_.end());
+  critical_.erase(std::unique(critical_.begin(), critical_.end()), critical_.end());
 }
 
 }  // namespace selvage::search

@@ -46,14 +46,14 @@ class SwapSearch {
   [[nodiscard]] std::vector<Trial> drawn(std::size_t count, const Marker& marker) const;
   void make(std::vector<Trial>& trials, std::size_t k, Coord best, bool tilted) const;
   void tilt(Trial& trial, Coord best, const scene::Run& run) const;
-  void find_chain(const Marker& marker);
+  void find_critical(const Marker& marker);
 
   const RefineTuning& tuning_;
   const scene::Run& run_;
   Report report_;
   std::mt19937 random_;
-  std::vector<PieceId> chain_;  // the pieces that hold the length
-  std::uint64_t idle_{};        // trials in a row that solved no program
+  std::vector<PieceId> critical_;  // the pieces that hold the length
+  std::uint64_t idle_{};           // trials in a row that solved no program
 };
 
 }  // namespace selvage::search

@@ -1,5 +1,5 @@
 // The tuning constants of refinement and of the swaps that it tries.  Where no other source is named, the values were
-// tuned on the example markers (docs/measurements-trade.md).
+// tuned on the example markers (docs/measurements/trade.md).
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ struct SwapTuning {
   double distance_weight{0.02};   // of the distance along the strip, relative to the difference of the boxes' sides
   int separation_rounds{12};      // of separation after a swap
   double separation_growth{0.1};  // part of the width by which separation may lengthen the marker
-  unsigned chain_of{3};           // of this many trials all but one begin with a piece that holds the length
+  unsigned any_one_in{3};         // one trial in this many begins with any piece, the others with a critical one
   friend bool operator==(const SwapTuning&, const SwapTuning&) = default;
 };
 

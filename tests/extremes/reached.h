@@ -1,5 +1,5 @@
 // Reports how far an extreme test went, as a property in the XML output of the test and as a line on standard output.
-// `./dev measure extremes` inserts these figures into docs/measurements-extremes.md.  Within a test, every `what` must
+// `./dev measure extremes` inserts these figures into docs/measurements/extremes.md.  Within a test, every `what` must
 // be unique.
 #pragma once
 

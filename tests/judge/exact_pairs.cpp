@@ -225,7 +225,7 @@ bool nearer_than(const Polygon& p, const Polygon& q, Coord distance) {
   return interiors_share(p, q);
 }
 
-bool parted_within(const Polygon& p, const Polygon& q, Coord distance) {
+bool separable_within(const Polygon& p, const Polygon& q, Coord distance) {
   const Slides slides{p, q, distance};
   const Polygon still = in_parts(p, {});
   const Wide most = product(kParts * distance, kParts * distance);

@@ -25,7 +25,7 @@ namespace selvage::test {
 // For every vertex and edge, and for every two of them, vectors of whole units and of sixteenths about the nearest such
 // translation are tried, each with interiors_share, and last those that part the two boxes.  What is answered with true
 // is certain; a translation between such points may be missed.
-[[nodiscard]] bool parted_within(const Polygon& p, const Polygon& q, Coord distance);
+[[nodiscard]] bool separable_within(const Polygon& p, const Polygon& q, Coord distance);
 
 // True when two edges that are not neighbours share a point.
 [[nodiscard]] bool touches_itself(const Polygon& p);

@@ -187,7 +187,7 @@ std::string Judge::fault_of(const Marker& marker) {
       const Polygon& first = cut_of(marker, p).outline;
       const Polygon second = moved_by(cut_of(marker, q).outline, {q.at.x - p.at.x, q.at.y - p.at.y});
       const bool overlapping = interiors_share(first, second);
-      if (overlapping && (spacing > 0 || allowed == 0 || !parted_within(first, second, allowed))) {
+      if (overlapping && (spacing > 0 || allowed == 0 || !separable_within(first, second, allowed))) {
         return about(p, "overlaps piece " + q.id);
       }
       if (spacing > 0 && nearer_than(first, second, spacing)) return about(p, "is too close to piece " + q.id);

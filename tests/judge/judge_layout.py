@@ -7,7 +7,7 @@ FILE: placed outlines, as `selvage compact --outlines FILE` and `selvage convert
 {"strip_height": H, "strip_length": L, "pieces": [{"id": ID, "outline": [[x, y], ...], "overlap": A}, ...]}.
 Numbers are read as exact decimals and all tests use integers and fractions, so there is no tolerance.
 Pieces may touch each other and the strip's edges.  Two pieces with an `overlap` may overlap when a translation of one of
-them, no longer than the smaller of their two, parts them; it is looked for among fractions, too.  Prints each violation; exit status 1 if there is any.
+them, no longer than the smaller of their two, separates them; it is looked for among fractions, too.  Prints each violation; exit status 1 if there is any.
 
 Two pieces overlap when some vertical line intersects both in intervals that share more than a point.  Between the
 abscissas of two neighbouring vertices, a piece is a stack of trapezoids, so it suffices to compare trapezoids: two
@@ -154,7 +154,7 @@ def parts(one, other, by):
 
 
 def may_overlap(one, other):
-    """True when a translation of one piece, no longer than what the two are allowed, parts them."""
+    """True when a translation of one piece, no longer than what the two are allowed, separates them."""
     reach = min(one.allowance, other.allowance)
     if reach == 0:
         return False

@@ -65,13 +65,13 @@ TEST(Judge, DetectsPolygonsThatTouchThemselves) {
 TEST(ExactPairs, ArePartedByTheShortestTranslation) {
   const Polygon square{{0, 0}, {100, 0}, {100, 100}, {0, 100}};
   const Polygon aside{{92, 40}, {192, 40}, {192, 140}, {92, 140}};
-  EXPECT_TRUE(parted_within(square, aside, 8));
-  EXPECT_FALSE(parted_within(square, aside, 7));
+  EXPECT_TRUE(separable_within(square, aside, 8));
+  EXPECT_FALSE(separable_within(square, aside, 7));
   // A block pushed by (8, 6) into the notch of an L.
   const Polygon notched{{0, 0}, {300, 0}, {300, 100}, {100, 100}, {100, 300}, {0, 300}};
   const Polygon block{{92, 94}, {192, 94}, {192, 194}, {92, 194}};
-  EXPECT_TRUE(parted_within(notched, block, 10));
-  EXPECT_FALSE(parted_within(notched, block, 9));
+  EXPECT_TRUE(separable_within(notched, block, 10));
+  EXPECT_FALSE(separable_within(notched, block, 9));
 }
 
 // Two squares of side 100, 10 apart and 5 from the edges of a strip 120 wide that ends at 300.

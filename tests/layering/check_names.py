@@ -15,6 +15,7 @@ import tempfile
 from sources import TOPS, code_of, sources
 
 MOST_FILES = 15
+COUNTED = (".h", ".cpp", ".py", ".ts", ".txt", ".mjs", ".md")
 # Folders whose namespace is not their path: the ground floor, which every room uses unqualified, and the C++ client,
 # whose users write selvage::client.
 NAMESPACE_OF = {"core/base": "selvage", "clients/cpp": "selvage::client"}
@@ -95,11 +96,11 @@ def namespace_faults(root):
 
 def size_faults(root):
     found = []
-    for top in (*TOPS, "tests", "bench"):
+    for top in (*TOPS, "tests", "bench", "docs"):
         for folder in [root / top, *sorted((root / top).rglob("*"))]:
             if not folder.is_dir() or any(part in ("node_modules", "dist", "__pycache__") for part in folder.parts):
                 continue
-            count = sum(1 for path in folder.iterdir() if path.suffix in (".h", ".cpp", ".py", ".ts", ".txt", ".mjs"))
+            count = sum(1 for path in folder.iterdir() if path.suffix in COUNTED and path.name != "README.md")
             if count > MOST_FILES:
                 found.append(f"{folder.relative_to(root).as_posix()}: {count} files, more than {MOST_FILES}")
     return found

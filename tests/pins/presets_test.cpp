@@ -1,5 +1,5 @@
 // What the accuracy presets reach on the garment markers, and what that takes: lengths and programs are the same on
-// every machine (docs/measurements-trade.md, -growth.md).
+// every machine (docs/measurements/trade.md, growth.md).
 #include <gtest/gtest.h>
 
 #include <cstddef>

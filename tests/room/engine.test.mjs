@@ -133,8 +133,8 @@ test("a gap opens along a drawn line, and pieces fall along a drawn arrow", asyn
   await page.until(offered);
   await page.key("Enter");
   await atRevision(page, 3);
-  const parted = (await shown(page, daemon.port)).marker.pieces;
-  assert.ok(parted[2].at[0] - parted[1].at[0] > fallen[2].at[0] - fallen[1].at[0]);
+  const separated = (await shown(page, daemon.port)).marker.pieces;
+  assert.ok(separated[2].at[0] - separated[1].at[0] > fallen[2].at[0] - fallen[1].at[0]);
   await daemon.stop();
 });
 

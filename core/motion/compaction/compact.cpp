@@ -44,7 +44,7 @@ bool are_firm(const scene::Scene& scene, const std::vector<model::PairRow>& pres
 
 }  // namespace
 
-// Figures behind these choices: docs/measurements.md.
+// Figures behind these choices: docs/measurements/README.md.
 CompactionSettings compaction_settings(Accuracy accuracy) {
   switch (accuracy) {
     case Accuracy::kDraft:

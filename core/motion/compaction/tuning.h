@@ -1,5 +1,5 @@
 // The tuning constants of compaction, of opening a gap and of the critical path.  Where no other source is named, the
-// values were tuned on the example markers (docs/measurements-trade.md).
+// values were tuned on the example markers (docs/measurements/trade.md).
 #pragma once
 
 #include <cstddef>

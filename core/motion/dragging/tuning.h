@@ -1,5 +1,5 @@
 // The tuning constants of dragging: chosen so that one move of a drag takes a few milliseconds on a large marker
-// (docs/measurements-daemon.md).  The answer is proved whatever they are.
+// (docs/measurements/daemon.md).  The answer is proved whatever they are.
 #pragma once
 
 #include "core/geometry/lattice.h"

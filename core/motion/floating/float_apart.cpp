@@ -151,7 +151,7 @@ class Floater {
 
 }  // namespace
 
-// Figures behind these choices: docs/measurements.md.
+// Figures behind these choices: docs/measurements/README.md.
 FloatSettings float_settings(FloatMode mode, Coord distance) {
   return {.mode = mode,
           .distance = distance,

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/geometry/distance.h"
-#include "core/geometry/parting.h"
+#include "core/geometry/separating_translation.h"
 
 namespace selvage::motion::floating {
 namespace {
@@ -19,12 +19,12 @@ Coord width_to_edge(StripEdge edge, const Box& piece, const Box& strip) {
   return strip.high.y - piece.high.y;
 }
 
-// The length, in whole units rounded up, of a short translation that parts two pieces that overlap as they may; 0 when
+// The length, in whole units rounded up, of a short translation that separates two pieces that overlap as they may; 0 when
 // they do not overlap.
 Coord overlap_of(const marker::PlacedPieces& pieces, marker::PiecePair pair) {
   const Coord spacing = pieces.spacing(pair);
   if (spacing >= 0) return 0;
-  const auto by = parting_translation(pieces[pair.first], pieces[pair.second], -spacing);
+  const auto by = separating_translation(pieces[pair.first], pieces[pair.second], -spacing);
   if (!by) return -spacing;
   auto length = static_cast<Coord>(std::sqrt(static_cast<double>(dot(*by, *by))));
   while (static_cast<Wide>(length) * length < dot(*by, *by)) ++length;

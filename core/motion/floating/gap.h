@@ -32,7 +32,7 @@ struct Gap {
 [[nodiscard]] std::vector<Gap> gaps_within(const scene::Scene& scene, Coord reach, const Box& strip, bool edges);
 
 // The width of a gap, at most `reach`; lattice units.  For pieces that overlap as they may, the length of a translation
-// that parts them, in whole units and negated; otherwise 0 for pieces that overlap, negative for a piece beyond the
+// that separates them, in whole units and negated; otherwise 0 for pieces that overlap, negative for a piece beyond the
 // edge.
 [[nodiscard]] double width_within(const Gap& gap, const marker::PlacedPieces& pieces, const Box& strip, double reach);
 // The same in whole units, rounded down exactly.

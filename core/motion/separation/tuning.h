@@ -1,6 +1,6 @@
 // The tuning constants of separation.  Prices are per lattice unit, relative to the price 1 of moving a piece by one
 // unit on one axis.  Where no other source is named, the values were tuned on the example markers with random overlaps
-// of 1 to 5 % of the width (docs/measurements-separation.md).
+// of 1 to 5 % of the width (docs/measurements/separation.md).
 #pragma once
 
 #include <cstddef>

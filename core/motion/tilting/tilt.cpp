@@ -186,7 +186,7 @@ Angle farthest_tilt(const Marker& marker) {
 
 }  // namespace
 
-// Figures behind these choices: docs/measurements-tilt.md.
+// Figures behind these choices: docs/measurements/tilt.md.
 TiltSettings tilt_settings(TiltMethod method, compaction::Accuracy accuracy) {
   TiltSettings settings;
   settings.method = method;

@@ -1,5 +1,5 @@
 // The tuning constants of tilting.  Where no other source is named, the values were tuned on the example markers
-// (docs/measurements-tilt.md).
+// (docs/measurements/tilt.md).
 #pragma once
 
 #include <array>

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "core/geometry/overlap.h"
-#include "core/geometry/parting.h"
+#include "core/geometry/separating_translation.h"
 #include "tests/core/motion/markers.h"
 
 namespace selvage::model {
@@ -19,8 +19,8 @@ struct Pair {
   [[nodiscard]] bool overlaps_at(Vec r) const {
     return geometry::overlap({p_polygon, box_of(p_polygon), {0, 0}}, {q_polygon, box_of(q_polygon), r});
   }
-  [[nodiscard]] bool parted_at(Vec r, Coord allowance) const {
-    return geometry::parting_translation({p_polygon, box_of(p_polygon), {0, 0}}, {q_polygon, box_of(q_polygon), r},
+  [[nodiscard]] bool separable_at(Vec r, Coord allowance) const {
+    return geometry::separating_translation({p_polygon, box_of(p_polygon), {0, 0}}, {q_polygon, box_of(q_polygon), r},
                                          allowance)
         .has_value();
   }
@@ -126,7 +126,7 @@ TEST_P(FreeRegion, OfAnAllowanceHoldsThePositionAndOnlyAllowedOverlaps) {
     const Pair pair = random_pair(random, false);  // teeth as wide as the gaps leave slots without an end
     const Coord allowance = 2'000 + static_cast<Coord>(random() % 20'000);
     const Vec r = random_vec(random, 150'000);
-    if (!pair.parted_at(r, allowance)) continue;
+    if (!pair.separable_at(r, allowance)) continue;
     inside_sum += pair.overlaps_at(r) ? 1 : 0;
     const auto sides = overlap_region(sums.obstacle(pair.p, pair.q), {r, r, allowance}, {GetParam(), 1e9, 0});
     const auto a = static_cast<double>(allowance);
@@ -136,7 +136,7 @@ TEST_P(FreeRegion, OfAnAllowanceHoldsThePositionAndOnlyAllowedOverlaps) {
       if (!std::all_of(sides.begin(), sides.end(), [&](const auto& side) { return slack_of(side, x) >= 4 - a; }))
         continue;
       ++tried;
-      EXPECT_TRUE(pair.parted_at(x, allowance))
+      EXPECT_TRUE(pair.separable_at(x, allowance))
           << "pair " << k << " from " << r.x << ',' << r.y << " to " << x.x << ',' << x.y << " with " << allowance;
     }
   }

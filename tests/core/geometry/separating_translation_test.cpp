@@ -1,5 +1,6 @@
-// Tests of parting_translation (core/geometry/parting.h), on known cases and against CGAL's Minkowski sums.
-#include "core/geometry/parting.h"
+// Tests of separating_translation (core/geometry/separating_translation.h), on known cases and against CGAL's Minkowski
+// sums.
+#include "core/geometry/separating_translation.h"
 
 #include <gtest/gtest.h>
 
@@ -14,29 +15,29 @@ namespace {
 
 const Polygon kBlock{{0, 0}, {100, 0}, {100, 100}, {0, 100}};
 
-TEST(Parting, IsZeroForPiecesThatDoNotOverlap) {
-  EXPECT_EQ(parting_translation(placed(kBlock), placed(kBlock, {100, 30}), 0), Vec{});
-  EXPECT_EQ(parting_translation(placed(kBlock), placed(kBlock, {250, 0}), 7), Vec{});
+TEST(SeparatingTranslation, IsZeroForPiecesThatDoNotOverlap) {
+  EXPECT_EQ(separating_translation(placed(kBlock), placed(kBlock, {100, 30}), 0), Vec{});
+  EXPECT_EQ(separating_translation(placed(kBlock), placed(kBlock, {250, 0}), 7), Vec{});
 }
 
-TEST(Parting, IsTheShortestWayOutOfABlock) {
-  EXPECT_EQ(parting_translation(placed(kBlock), placed(kBlock, {91, 30}), 9), (Vec{9, 0}));
-  EXPECT_EQ(parting_translation(placed(kBlock), placed(kBlock, {-30, -95}), 5), (Vec{0, -5}));
-  EXPECT_EQ(parting_translation(placed(kBlock), placed(kBlock, {91, 30}), 8), std::nullopt);
-  EXPECT_EQ(parting_translation(placed(kBlock), placed(kBlock, {91, 30}), 0), std::nullopt);
+TEST(SeparatingTranslation, IsTheShortestWayOutOfABlock) {
+  EXPECT_EQ(separating_translation(placed(kBlock), placed(kBlock, {91, 30}), 9), (Vec{9, 0}));
+  EXPECT_EQ(separating_translation(placed(kBlock), placed(kBlock, {-30, -95}), 5), (Vec{0, -5}));
+  EXPECT_EQ(separating_translation(placed(kBlock), placed(kBlock, {91, 30}), 8), std::nullopt);
+  EXPECT_EQ(separating_translation(placed(kBlock), placed(kBlock, {91, 30}), 0), std::nullopt);
 }
 
-TEST(Parting, LeavesANotchAlongItsBisector) {
+TEST(SeparatingTranslation, LeavesANotchAlongItsBisector) {
   // A block pushed by (8, 6) into the corner between the two arms of an L.
   const Polygon notched{{0, 0}, {300, 0}, {300, 100}, {100, 100}, {100, 300}, {0, 300}};
-  EXPECT_EQ(parting_translation(placed(notched), placed(kBlock, {92, 94}), 10), (Vec{8, 6}));
-  EXPECT_EQ(parting_translation(placed(notched), placed(kBlock, {92, 94}), 9), std::nullopt);
+  EXPECT_EQ(separating_translation(placed(notched), placed(kBlock, {92, 94}), 10), (Vec{8, 6}));
+  EXPECT_EQ(separating_translation(placed(notched), placed(kBlock, {92, 94}), 9), std::nullopt);
 }
 
-TEST(Parting, LetsAThinPartLieInsideAnother) {
+TEST(SeparatingTranslation, LetsAThinPartLieInsideAnother) {
   const Polygon strap{{0, 0}, {60, 0}, {60, 4}, {0, 4}};
-  EXPECT_EQ(parting_translation(placed(kBlock), placed(strap, {20, 0}), 4), (Vec{0, -4}));
-  EXPECT_EQ(parting_translation(placed(kBlock), placed(strap, {20, 1}), 4), std::nullopt);
+  EXPECT_EQ(separating_translation(placed(kBlock), placed(strap, {20, 0}), 4), (Vec{0, -4}));
+  EXPECT_EQ(separating_translation(placed(kBlock), placed(strap, {20, 1}), 4), std::nullopt);
 }
 
 // The distance of a point from the boundary of a sum.
@@ -54,9 +55,9 @@ double depth_of(const ExactSum& sum, Vec at) {
   return least;
 }
 
-TEST(Parting, IsFoundWhereverTheExactSumLeavesRoom) {
+TEST(SeparatingTranslation, IsFoundWhereverTheExactSumLeavesRoom) {
   Random random{77};
-  int parted = 0;
+  int separated = 0;
   int refused = 0;
   for (int trial = 0; trial < 300 / kSlowdown; ++trial) {
     const Coord factor = Coord{1} << random.between(10, 30);
@@ -72,17 +73,19 @@ TEST(Parting, IsFoundWhereverTheExactSumLeavesRoom) {
       // Just enough, or just too little: a hundredth of a unit of the small polygon either way.
       const bool enough = random.chance(50);
       const auto distance = static_cast<Coord>(depth * (enough ? 1.01 : 0.99));
-      const auto by = parting_translation(placed(p), placed(q, at), distance);
+      const auto by = separating_translation(placed(p), placed(q, at), distance);
       if (enough && static_cast<double>(distance) > depth + 3) {
         ASSERT_TRUE(by) << text_of(p) << "\n" << text_of(q) << "\n" << at.x << ", " << at.y << ": " << depth;
       }
-      ++(by ? parted : refused);
+      const auto back = separating_translation(placed(q, at), placed(p), distance);
+      ASSERT_EQ(back, by ? std::optional{-*by} : std::nullopt) << "whichever is named first";
+      ++(by ? separated : refused);
       if (!by) continue;
       ASSERT_LE(dot(*by, *by), static_cast<Wide>(distance) * distance);
       ASSERT_FALSE(interiors_meet(p, moved(q, at + *by)));
     }
   }
-  EXPECT_GT(parted, 100 / kSlowdown);
+  EXPECT_GT(separated, 100 / kSlowdown);
   EXPECT_GT(refused, 100 / kSlowdown);  // a slot as wide as what fits it is no part of CGAL's boundary
 }
 

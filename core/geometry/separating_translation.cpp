@@ -1,4 +1,4 @@
-#include "core/geometry/parting.h"
+#include "core/geometry/separating_translation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -111,7 +111,7 @@ std::vector<Contact> contacts_near(const PlacedPolygon& p, const PlacedPolygon& 
   return contacts;
 }
 
-// Tests translations until one parts the pair.
+// Tests translations until one separates the pair.
 class Search {
  public:
   Search(const PlacedPolygon& p, const PlacedPolygon& q, Coord distance)
@@ -141,7 +141,7 @@ class Search {
     double squared_distance{};
   };
 
-  bool parts(Vec t) {
+  bool separates(Vec t) {
     if (squared(t) > squared_reach_ || tests_ >= kMostCandidates) return false;
     ++tests_;
     return !overlap(p_, {q_.vertices, q_.box, q_.at + t});
@@ -155,7 +155,7 @@ class Search {
     for (const Vec t : {Vec{x, y}, {x + 1, y}, {x, y + 1}, {x + 1, y + 1}}) {
       if (is_outside(contact, t) && (!best || squared(t) < squared(*best))) best = t;
     }
-    return best && parts(*best) ? best : std::nullopt;
+    return best && separates(*best) ? best : std::nullopt;
   }
 
   void find_notches() {
@@ -198,7 +198,7 @@ class Search {
     for (const double step : {0.0, 0.5, 0.75, 1.0, 1.5}) {
       const Vec t{std::llround(notch.at.x + step * out.x), std::llround(notch.at.y + step * out.y)};
       if (is_outside(*notch.first, t) && is_outside(*notch.second, t))
-        return parts(t) ? std::optional{t} : std::nullopt;
+        return separates(t) ? std::optional{t} : std::nullopt;
     }
     return std::nullopt;
   }
@@ -211,8 +211,8 @@ class Search {
   std::size_t tests_{};
 };
 
-// The shortest translation along an axis that parts the boxes.
-Vec parting_of_boxes(const Box& p, const Box& q) {
+// The shortest translation along an axis that separates the boxes.
+Vec separation_of_boxes(const Box& p, const Box& q) {
   Vec best{p.high.x - q.low.x, 0};
   for (const Vec t : {Vec{p.low.x - q.high.x, 0}, {0, p.high.y - q.low.y}, {0, p.low.y - q.high.y}}) {
     if (squared(t) < squared(best)) best = t;
@@ -220,11 +220,19 @@ Vec parting_of_boxes(const Box& p, const Box& q) {
   return best;
 }
 
+bool is_before(const PlacedPolygon& p, const PlacedPolygon& q) {
+  return p.at != q.at ? p.at < q.at : std::ranges::lexicographical_compare(p.vertices, q.vertices);
+}
+
 }  // namespace
 
-std::optional<Vec> parting_translation(const PlacedPolygon& p, const PlacedPolygon& q, Coord distance) {
+std::optional<Vec> separating_translation(const PlacedPolygon& p, const PlacedPolygon& q, Coord distance) {
   if (!overlap(p, q)) return Vec{};
-  const Vec of_boxes = parting_of_boxes(p.placed_box(), q.placed_box());
+  if (is_before(q, p)) {
+    const auto back = separating_translation(q, p, distance);
+    return back ? std::optional{-*back} : std::nullopt;
+  }
+  const Vec of_boxes = separation_of_boxes(p.placed_box(), q.placed_box());
   if (squared(of_boxes) <= static_cast<Wide>(distance) * distance) return of_boxes;
   return Search{p, q, distance}.run();
 }
