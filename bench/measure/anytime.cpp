@@ -1,0 +1,53 @@
+#include <chrono>
+#include <stop_token>
+#include <string>
+#include <thread>
+
+#include "bench/measure/measurements.h"
+#include "bench/measure/timing.h"
+#include "bench/support/marker_file.h"
+#include "core/search/refine.h"
+
+namespace selvage::bench::measure {
+namespace {
+
+// Requests a stop once the process has used a given amount of processor time.
+class WorkDeadline {
+ public:
+  explicit WorkDeadline(double limit)
+      : watch_{[this, end = milliseconds(CLOCK_PROCESS_CPUTIME_ID) + limit](const std::stop_token& done) {
+          while (!done.stop_requested() && milliseconds(CLOCK_PROCESS_CPUTIME_ID) < end) {
+            std::this_thread::sleep_for(std::chrono::microseconds{200});
+          }
+          source_.request_stop();
+        }} {}
+  [[nodiscard]] std::stop_token token() const { return source_.get_token(); }
+
+ private:
+  std::stop_source source_;
+  std::jthread watch_;
+};
+
+}  // namespace
+
+void anytime(const Paths& paths) {
+  std::cout << "marker,accuracy,deadline,ms,ratio,programs,valid\n" << std::fixed;
+  for (const std::string& path : paths) {
+    const Marker marker = marker_in(path);
+    for (const bool fine : {false, true}) {
+      for (const int deadline : {5, 10, 20, 40, 60, 100, 200, 1000, 2000, 4000, 8000}) {
+        const double start = own_time();
+        SumCache sums;
+        const WorkDeadline limit{static_cast<double>(deadline)};
+        const motion::compaction::Compaction done =
+            fine
+                ? *refine(marker, search::refine_settings(), {sums, limit.token()})
+                : *compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums, limit.token()});
+        print_line(name_of(path), fine ? "fine" : "standard", std::to_string(deadline), own_time() - start,
+                   ratio_of(done), done.programs, marker::is_valid(done.marker));
+      }
+    }
+  }
+}
+
+}  // namespace selvage::bench::measure
