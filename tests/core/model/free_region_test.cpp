@@ -21,7 +21,7 @@ struct Pair {
   }
   [[nodiscard]] bool separable_at(Vec r, Coord allowance) const {
     return geometry::separating_translation({p_polygon, box_of(p_polygon), {0, 0}}, {q_polygon, box_of(q_polygon), r},
-                                         allowance)
+                                            allowance)
         .has_value();
   }
   [[nodiscard]] bool closer_at(Vec r, Coord distance) const {
