@@ -28,9 +28,7 @@ import { times } from "./view/frame_times";
 import { Overview } from "./view/overview";
 import { Scene } from "./view/scene";
 import { Stage } from "./view/stage";
-import "./styles/tokens.css";
-import "./styles/layout.css";
-import "./styles/controls.css";
+import "./styles/room.css";
 
 const element = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
 
