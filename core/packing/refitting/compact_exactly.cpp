@@ -35,6 +35,8 @@ class WindowSearch {
     const std::vector<std::uint32_t> free = free_pieces(result.marker);
     free_.assign(result.marker.pieces.size(), false);
     for (const std::uint32_t piece : free) free_[piece] = true;
+    wanted_.assign(free_.size(), !settings_.among);
+    for (const PieceId piece : settings_.among.value_or(std::vector<PieceId>{})) wanted_[piece.value] = true;
     const std::size_t size = std::min(settings_.pieces, free.size());
     const std::uint64_t places = size == 0 ? 0 : free.size() - size + 1;
     const auto trial = [this, places](const Marker& best, std::uint64_t number, const scene::Run& run) {
@@ -71,6 +73,13 @@ class WindowSearch {
     return sides;
   }
 
+  [[nodiscard]] bool is_wanted(const std::vector<Side>& sides) const {
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      if (sides[k] == Side::kInside && wanted_[k]) return true;
+    }
+    return false;
+  }
+
   // The window with the pieces that the shift makes collide; nothing when it has too many, or cannot be shifted.
   [[nodiscard]] std::optional<TakenOut> window(const Marker& marker, std::vector<Side> sides, Coord shift) const {
     const bool movable = std::ranges::all_of(marker.pieces, [&](const Piece& piece) {
@@ -100,7 +109,9 @@ class WindowSearch {
     Tried outcome;
     const Coord length = length_of(best);
     const auto shift = std::max<Coord>(1, std::llround(settings_.tuning.shift * static_cast<double>(best.strip.width)));
-    const auto out = window(best, sides_of(best, first), shift);
+    std::vector<Side> sides = sides_of(best, first);
+    if (!is_wanted(sides)) return outcome;
+    const auto out = window(best, std::move(sides), shift);
     if (!out) return outcome;
     ContainSettings settings;
     settings.limits.nodes = settings_.nodes;
@@ -118,7 +129,7 @@ class WindowSearch {
   const Marker& start_;
   const ExactCompactionSettings& settings_;
   const scene::Run& run_;
-  std::vector<bool> free_;  // by piece
+  std::vector<bool> free_, wanted_;  // by piece
 };
 
 }  // namespace

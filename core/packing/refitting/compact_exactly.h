@@ -7,14 +7,17 @@
 // orientations.  If they do, the marker is compacted, and the search goes on.  Windows slide over the marker until none
 // of them gains.
 //
-// Windows in front of locked pieces or groups are left out.
+// Windows in front of locked pieces or groups are left out, and so are those without a piece of `among`.
 //
 // Laws.  As of fill_gaps, but that unplaced pieces stay unplaced.
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "core/base/result.h"
+#include "core/marker/marker.h"
 #include "core/motion/repair/motion_result.h"
 #include "core/packing/branching/search.h"
 #include "core/packing/refitting/tuning.h"
@@ -22,11 +25,12 @@
 namespace selvage::packing::refitting {
 
 struct ExactCompactionSettings {
-  std::size_t pieces{8};        // of a window
-  std::size_t most_pieces{12};  // with those that join it; larger windows are left out
-  std::uint64_t nodes{300};     // of the search in a window
-  std::uint64_t windows{1000};  // at most
-  bool turns{true};             // the pieces of a window may take other orientations that their shapes allow
+  std::size_t pieces{8};                        // of a window
+  std::size_t most_pieces{12};                  // with those that join it; larger windows are left out
+  std::uint64_t nodes{300};                     // of the search in a window
+  std::uint64_t windows{1000};                  // at most
+  std::optional<std::vector<PieceId>> among{};  // a window has one of these pieces or more; absent: any
+  bool turns{true};  // the pieces of a window may take other orientations that their shapes allow
   WindowTuning tuning{};
   friend bool operator==(const ExactCompactionSettings&, const ExactCompactionSettings&) = default;
 };

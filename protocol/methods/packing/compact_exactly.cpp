@@ -16,6 +16,7 @@ struct ExactCompactionParams {
   std::size_t pieces{refitting::ExactCompactionSettings{}.pieces};
   std::uint64_t nodes{refitting::ExactCompactionSettings{}.nodes};
   std::optional<std::uint64_t> windows;
+  std::optional<std::vector<calls::Id>> among;
   bool turns{true};
 
   static void describe(auto& v, auto& self) {
@@ -26,6 +27,9 @@ struct ExactCompactionParams {
     v.optional("windows", self.windows,
                "How many windows are searched at most; 1,000 when absent, without limit with a deadline.",
                {.range = {{0, kMostWindows}}});
+    v.optional("among", self.among,
+               "Ids of placed pieces: windows that hold none of them are left out; when absent, all are searched.",
+               {.entries = {{1, marker::kMaxPieces}}, .entries_are = "pieces"});
     v.optional("turns", self.turns, "Whether pieces may take other orientations that their shapes allow.");
   }
 };
@@ -41,12 +45,27 @@ struct ExactCompactionResult {
   }
 };
 
+Result<std::vector<PieceId>> placed_pieces(const Marker& marker, const std::vector<calls::Id>& ids) {
+  std::vector<PieceId> pieces;
+  for (const calls::Id& id : ids) {
+    const auto piece = calls::piece_of(marker, id.text, "/among/" + std::to_string(pieces.size()));
+    if (!piece) return piece.error();
+    pieces.push_back(*piece);
+  }
+  return pieces;
+}
+
 Result<calls::Motion<ExactCompactionResult>> run(const ExactCompactionParams& params, const Marker& start,
                                                  const calls::MethodContext& context) {
   refitting::ExactCompactionSettings settings;
   settings.pieces = params.pieces;
   settings.nodes = params.nodes;
   settings.windows = params.windows.value_or(params.call.deadline_ms ? UINT64_MAX : settings.windows);
+  if (params.among) {
+    auto among = placed_pieces(start, *params.among);
+    if (!among) return among.error();
+    settings.among = *std::move(among);
+  }
   settings.turns = params.turns;
   auto done = compact_exactly(start, settings, context.run);
   if (!done) return done.error();

@@ -104,16 +104,23 @@ TEST(FillGaps, StopsWhenAskedWithItsBestMarker) {
   EXPECT_TRUE(is_valid(filled->marker));
 }
 
-// A layout that compaction cannot shorten: the low bars have room above the tall ones, but no way to it.
-TEST(CompactExactly, PutsBarsWhereCompactionCannot) {
+// A layout that compaction cannot shorten, so many times one behind another: the low bars have room above the tall
+// ones, but no way to it.
+Marker bars(int times) {
   test::Layout layout{100'000};
   const auto tall = layout.shape_of(test::rectangle(30'000, 65'000));
   const auto low = layout.shape_of(test::rectangle(30'000, 35'000));
   const auto whole = layout.shape_of(test::rectangle(20'000, 100'000));
-  layout.put(whole, {0, 0}).put(tall, {20'000, 0}).put(low, {20'000, 65'000});
-  layout.put(tall, {50'000, 0}).put(tall, {80'000, 0}).put(low, {110'000, 0}).put(low, {110'000, 35'000});
-  layout.put(whole, {140'000, 0});
-  const Marker marker = layout.marker();
+  for (Coord x = 0; x < 160'000 * times; x += 160'000) {
+    layout.put(whole, {x, 0}).put(tall, {x + 20'000, 0}).put(low, {x + 20'000, 65'000});
+    layout.put(tall, {x + 50'000, 0}).put(tall, {x + 80'000, 0});
+    layout.put(low, {x + 110'000, 0}).put(low, {x + 110'000, 35'000}).put(whole, {x + 140'000, 0});
+  }
+  return layout.marker();
+}
+
+TEST(CompactExactly, PutsBarsWhereCompactionCannot) {
+  const Marker marker = bars(1);
   ASSERT_EQ(standard_length(marker), 160'000);
   SumCache sums;
   const auto exact = compact_exactly(marker, {}, scene::Run{sums});
@@ -125,6 +132,22 @@ TEST(CompactExactly, PutsBarsWhereCompactionCannot) {
   ExactCompactionSettings narrow;
   narrow.pieces = narrow.most_pieces = 1;
   EXPECT_EQ(compact_exactly(marker, narrow, scene::Run{sums})->length_after, 160'000);
+}
+
+TEST(CompactExactly, SearchesOnlyWindowsOfTheGivenPieces) {
+  const Marker marker = bars(2);
+  SumCache sums;
+  ASSERT_EQ(compact_exactly(marker, {}, scene::Run{sums})->length_after, 260'000);
+  ExactCompactionSettings settings;
+  settings.pieces = 5;
+  settings.most_pieces = 5;
+  settings.among = {PieceId{2}};  // a low bar of the first half
+  const auto exact = compact_exactly(marker, settings, scene::Run{sums});
+  ASSERT_TRUE(exact);
+  EXPECT_EQ(exact->length_after, 290'000);
+  EXPECT_TRUE(is_valid(exact->marker));
+  settings.among = std::vector<PieceId>{};
+  EXPECT_EQ(compact_exactly(marker, settings, scene::Run{sums})->length_after, 320'000);
 }
 
 TEST(CompactExactly, MovesNothingBehindAWindowThatIsLocked) {
