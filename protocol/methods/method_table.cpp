@@ -7,6 +7,7 @@
 #include "protocol/edits/changes.h"
 #include "protocol/methods/daemon/markers.h"
 #include "protocol/methods/daemon/progress.h"
+#include "protocol/methods/dragging/drag_messages.h"
 
 #define METHOD(room, name)            \
   namespace selvage::protocol::room { \
@@ -51,6 +52,8 @@ std::span<const Notification> notifications() {
       Notification{"marker.changed", "A watched marker has a new revision.",
                    &schema::describe<edits::ChangedNotification>},
       Notification{"marker.closed", "A watched marker was closed.", &schema::describe<daemon::MarkerIdParams>},
+      Notification{"marker.dragged", "The pieces of a watched marker that other connections drag have changed.",
+                   &schema::describe<dragging::DraggedNotification>},
       Notification{"$/progress", "A round of a motion is done.", &schema::describe<daemon::Progress>}};
   return kAll;
 }

@@ -32,17 +32,26 @@ bool Watchers::any(const std::string& marker) const {
   return watched_.contains(marker);
 }
 
+Watchers::Sessions Watchers::watching(const std::string& marker) {
+  const std::lock_guard lock{mutex_};
+  const auto found = watched_.find(marker);
+  if (found == watched_.end()) return {};
+  std::erase_if(found->second, [](const auto& entry) { return !is_connected(entry.second.lock()); });
+  Sessions sessions = found->second;
+  if (sessions.empty()) watched_.erase(found);
+  return sessions;
+}
+
 void Watchers::notify(const std::string& marker, const std::string& message) {
-  Sessions sessions;
-  {
-    const std::lock_guard lock{mutex_};
-    const auto found = watched_.find(marker);
-    if (found == watched_.end()) return;
-    std::erase_if(found->second, [](const auto& entry) { return !is_connected(entry.second.lock()); });
-    sessions = found->second;
-    if (sessions.empty()) watched_.erase(found);
+  send(watching(marker), message);
+}
+
+void Watchers::notify_others(const std::string& marker, std::uint64_t except,
+                             const std::function<std::string(std::uint64_t session)>& message) {
+  for (const auto& [id, weak] : watching(marker)) {
+    const auto session = weak.lock();
+    if (id != except && is_connected(session)) session->notify(message(id));
   }
-  send(sessions, message);
 }
 
 void Watchers::notify_and_remove(const std::string& marker, const std::string& message) {

@@ -1,10 +1,11 @@
 // Which sessions watch which marker.
 //
-// A watching session is notified of every revision from the next one on, in order, until it stops watching, its
-// connection ends or the marker is closed.  Every function may be called from any thread.
+// A watching session is notified of every revision from the next one on, in order, and of what others drag, until it
+// stops watching, its connection ends or the marker is closed.  Every function may be called from any thread.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -23,12 +24,17 @@ class Watchers {
   // Returns true if at least one session watches the marker.
   [[nodiscard]] bool any(const std::string& marker) const;
   void notify(const std::string& marker, const std::string& message);
+  // Sends each watching session but one a message of its own.
+  void notify_others(const std::string& marker, std::uint64_t except,
+                     const std::function<std::string(std::uint64_t session)>& message);
   // Sends the last notification about a marker and removes its watchers.
   void notify_and_remove(const std::string& marker, const std::string& message);
 
  private:
   using Sessions = std::map<std::uint64_t, std::weak_ptr<transport::access::Session>>;
   static void send(const Sessions& sessions, const std::string& message);
+  // Those that watch the marker and are connected.
+  [[nodiscard]] Sessions watching(const std::string& marker);
 
   mutable std::mutex mutex_;
   std::map<std::string, Sessions> watched_;

@@ -19,7 +19,7 @@ Backend::Backend(BackendSettings settings)
       executor_{std::max<std::size_t>(settings.workers, 1) - 1,
                 [this, cores = settings.workers] { return idle_cores(cores); }},
       queues_{settings.workers, limits_, clock_},
-      drags_{store_, committer_, sums_, queues_.drags, std::move(settings.drag)},
+      drags_{store_, committer_, watchers_, sums_, queues_.drags, std::move(settings.drag)},
       context_{store_, watchers_, committer_, drags_, sums_, executor_, limits_, settings.workers, methods_},
       dispatcher_{context_, clock_, queues_, std::move(settings.on_answered)} {}
 

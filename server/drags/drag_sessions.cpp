@@ -15,10 +15,14 @@ struct DragSessions::Drag {
   store::Committed base;
   PieceId piece;
   motion::dragging::DragMode mode{};
+  Vec at{};                        // of the piece, after the last move; protected by the mutex of all drags
   std::optional<Marker> latest{};  // the marker after the last move; used in the drag's lane only
 
   std::mutex mutex{};
   std::optional<WaitingMove> mailbox{};
+
+  // Destroyed without the mutex of all drags, for which the callback may wait.
+  std::optional<std::stop_callback<std::function<void()>>> on_gone{};
 };
 
 namespace {
@@ -59,8 +63,7 @@ calls::Outcome DragSessions::begin(const protocol::methods::dragging::BeginParam
   if (!piece) return protocol::rpc::rpc_error(piece.error());
   const Vec at = marker.pieces[piece->value].at;
 
-  const std::lock_guard lock{mutex_};
-  std::erase_if(drags_, [](const auto& entry) { return entry.second->session->gone.stop_requested(); });
+  std::unique_lock lock{mutex_};
   const auto own = std::count_if(drags_.begin(), drags_.end(),
                                  [&](const auto& entry) { return entry.second->session->id == session->id; });
   if (static_cast<std::size_t>(own) >= kMaxPerConnection) {
@@ -69,15 +72,55 @@ calls::Outcome DragSessions::begin(const protocol::methods::dragging::BeginParam
   std::string id = "d" + std::to_string(++begun_);
   const protocol::methods::dragging::BeginResult result{
       id, {params.marker_id, base->revision}, params.piece.text, protocol::calls::point_of(at, marker.resolution)};
-  auto drag = std::make_shared<Drag>();
+  const auto drag = std::make_shared<Drag>();
   drag->id = id;
   drag->marker_id = params.marker_id;
   drag->session = session;
   drag->base = *std::move(base);
   drag->piece = *piece;
   drag->mode = params.mode;
-  drags_.emplace(std::move(id), std::move(drag));
+  drag->at = at;
+  drags_.emplace(id, drag);
+  tell_watchers(*drag);
+  lock.unlock();
+  drag->on_gone.emplace(session->gone, [this, id] { abandon(id); });
   return protocol::schema::encode(result);
+}
+
+void DragSessions::abandon(std::string id) {
+  std::shared_ptr<Drag> drag;
+  const std::lock_guard lock{mutex_};
+  const auto found = drags_.find(id);
+  if (found == drags_.end()) return;
+  drag = std::move(found->second);
+  drags_.erase(found);
+  tell_watchers(*drag);
+}
+
+bool DragSessions::others_drag(const std::string& marker, std::uint64_t session) const {
+  return std::ranges::any_of(drags_, [&](const auto& entry) {
+    return entry.second->marker_id == marker && entry.second->session->id != session;
+  });
+}
+
+std::string DragSessions::dragged_message(const std::string& marker, std::uint64_t session) const {
+  protocol::methods::dragging::DraggedNotification now{marker, {}};
+  for (const auto& [id, drag] : drags_) {
+    if (drag->marker_id != marker || drag->session->id == session) continue;
+    const Marker& start = drag->base.file->marker;
+    now.pieces.push_back({start.pieces[drag->piece.value].id, protocol::calls::point_of(drag->at, start.resolution)});
+  }
+  return protocol::json::to_text(protocol::rpc::notification("marker.dragged", protocol::schema::encode(now)));
+}
+
+void DragSessions::tell_watchers(const Drag& drag) const {
+  watchers_.notify_others(drag.marker_id, drag.session->id,
+                          [&](std::uint64_t session) { return dragged_message(drag.marker_id, session); });
+}
+
+void DragSessions::tell(const std::string& marker, const transport::access::Session& session) const {
+  const std::lock_guard lock{mutex_};
+  if (others_drag(marker, session.id)) session.notify(dragged_message(marker, session.id));
 }
 
 void DragSessions::move(const protocol::methods::dragging::MoveParams& params,
@@ -128,6 +171,11 @@ void DragSessions::execute_waiting_move(Drag& drag, const std::stop_token& stop)
   // A move that was cancelled has no effect.
   if (!move->call->settle()) return;
   drag.latest = std::move(moved.marker);
+  {
+    const std::lock_guard lock{mutex_};
+    drag.at = drag.latest->pieces[drag.piece.value].at;
+    if (drags_.contains(drag.id)) tell_watchers(drag);
+  }
   move->call->answer(protocol::schema::encode(result));
 }
 
@@ -150,12 +198,14 @@ void DragSessions::end(const protocol::methods::dragging::EndParams& params,
   {
     const std::lock_guard lock{mutex_};
     if (drags_.erase(drag->id) == 0) return call->answer(unknown_drag(drag->id));
+    tell_watchers(*drag);
   }
   const jobs::Admission admission = queue_.submit(job);
   if (admission == jobs::Admission::kAccepted) return;
   {
     const std::lock_guard lock{mutex_};
     drags_.emplace(drag->id, drag);
+    tell_watchers(*drag);
   }
   call->answer(calls::not_admitted(admission, queue_, kBusy));
 }

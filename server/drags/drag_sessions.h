@@ -2,8 +2,9 @@
 //
 // A drag works on the revision at which it began and belongs to the connection that began it.  Each drag has a mailbox
 // for one move: a newer move replaces one that has not started, which is then answered as superseded.  Nothing is
-// committed before the drag ends.  All work is done on a queue of its own, in the drag's lane, so that a drag never
-// waits behind a motion.
+// committed before the drag ends, but those who watch the marker are told which pieces others drag, and where these
+// are: after every begin, move and end, when a connection ends, and when somebody begins to watch.  All work is done on
+// a queue of its own, in the drag's lane, so that a drag never waits behind a motion.
 #pragma once
 
 #include <cstddef>
@@ -19,6 +20,7 @@
 #include "protocol/methods/dragging/drag_messages.h"
 #include "server/calls/open_call.h"
 #include "server/changes/committer.h"
+#include "server/changes/watchers.h"
 #include "server/jobs/job_queue.h"
 #include "server/store/marker_store.h"
 
@@ -34,9 +36,9 @@ class DragSessions {
   static constexpr std::size_t kMaxPerConnection = 16;
 
   // REQUIRES: all references outlive the drag sessions and every call.
-  DragSessions(store::MarkerStore& store, changes::Committer& committer, SumCache& sums, jobs::JobQueue& queue,
-               DragFunction drag = drag_function())
-      : store_{store}, committer_{committer}, sums_{sums}, queue_{queue}, drag_{std::move(drag)} {}
+  DragSessions(store::MarkerStore& store, changes::Committer& committer, changes::Watchers& watchers, SumCache& sums,
+               jobs::JobQueue& queue, DragFunction drag = drag_function())
+      : store_{store}, committer_{committer}, watchers_{watchers}, sums_{sums}, queue_{queue}, drag_{std::move(drag)} {}
 
   [[nodiscard]] calls::Outcome begin(const protocol::methods::dragging::BeginParams& params,
                                      const std::shared_ptr<transport::access::Session>& session);
@@ -44,6 +46,8 @@ class DragSessions {
   void move(const protocol::methods::dragging::MoveParams& params, const std::shared_ptr<calls::OpenCall>& call);
   void end(const protocol::methods::dragging::EndParams& params, const std::shared_ptr<calls::OpenCall>& call);
   [[nodiscard]] std::size_t count() const;
+  // Tells a connection that begins to watch a marker which pieces others drag, unless there are none.
+  void tell(const std::string& marker, const transport::access::Session& session) const;
 
  private:
   struct WaitingMove {
@@ -56,11 +60,19 @@ class DragSessions {
   [[nodiscard]] std::shared_ptr<Drag> find(const std::string& id, std::uint64_t session) const;
   void schedule(const std::shared_ptr<Drag>& drag);
   void execute_waiting_move(Drag& drag, const std::stop_token& stop);
+  // Ends a drag whose connection has ended.
+  void abandon(std::string id);
+  // The functions below REQUIRE that the caller holds the mutex: so notifications are sent in the order of what they
+  // tell.
+  void tell_watchers(const Drag& drag) const;
+  [[nodiscard]] std::string dragged_message(const std::string& marker, std::uint64_t session) const;
+  [[nodiscard]] bool others_drag(const std::string& marker, std::uint64_t session) const;
   [[nodiscard]] calls::Outcome finish(Drag& drag, const protocol::methods::dragging::EndParams& params,
                                       calls::OpenCall& call);
 
   store::MarkerStore& store_;
   changes::Committer& committer_;
+  changes::Watchers& watchers_;
   SumCache& sums_;
   jobs::JobQueue& queue_;
   const DragFunction drag_;

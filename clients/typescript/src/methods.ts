@@ -62,6 +62,14 @@ export type Direction = [number, number];
 /** What a dragged piece does to the others: nothing (place), or push them out of the way (push). */
 export type DragMode = "place" | "push";
 
+/** A piece that is being dragged. */
+export type DraggedPiece = {
+  /** The piece's id. */
+  piece: string;
+  /** The position of its origin after the last move of the drag. */
+  at: Point;
+};
+
 /** An operation of marker.apply. */
 export type Edit = AddEdit | RemoveEdit | PlaceEdit | TakeOffEdit | MoveEdit | RotateEdit | FlipEdit | TiltEdit | LockEdit | GroupEdit | BufferEdit | OverlapEdit | StripEdit | SpacingEdit | AllowanceEdit;
 
@@ -1197,6 +1205,8 @@ export interface Methods {
       nodes?: number;
       /** How many windows are searched at most; 1,000 when absent, without limit with a deadline. */
       windows?: number;
+      /** Ids of placed pieces: windows that hold none of them are left out; when absent, all are searched. */
+      among?: Array<Id>;
       /** Whether pieces may take other orientations that their shapes allow. */
       turns?: boolean;
     };
@@ -2077,6 +2087,13 @@ export interface Notifications {
   "marker.closed": {
     /** The marker's id. */
     markerId: string;
+  };
+  /** The pieces of a watched marker that other connections drag have changed. */
+  "marker.dragged": {
+    /** The marker's id. */
+    markerId: string;
+    /** All pieces of the marker that other connections drag now; empty: none any more. */
+    pieces: Array<DraggedPiece>;
   };
   /** A round of a motion is done. */
   "$/progress": {

@@ -1,4 +1,4 @@
-// Drag sessions: the messages of drag.begin, drag.move and drag.end.
+// Drag sessions: the messages of drag.begin, drag.move and drag.end, and the notification marker.dragged.
 #pragma once
 
 #include <optional>
@@ -78,6 +78,28 @@ struct EndParams {
     v.required("markerId", self.marker_id, calls::kMarkerIdMeaning);
     v.optional("commit", self.commit, "False: leave the marker as it is.");
     v.optional("opId", self.op_id, calls::kOpIdMeaning, calls::kOpIds);
+  }
+};
+
+struct DraggedPiece {
+  static constexpr std::string_view kName = "DraggedPiece", kMeaning = "A piece that is being dragged.";
+  std::string piece;
+  calls::Point at;
+
+  static void describe(auto& v, auto& self) {
+    v.required("piece", self.piece, calls::kPieceMeaning);
+    v.required("at", self.at, "The position of its origin after the last move of the drag.");
+  }
+};
+// The parameters of the notification marker.dragged.
+struct DraggedNotification {
+  std::string marker_id;
+  std::vector<DraggedPiece> pieces;
+
+  static void describe(auto& v, auto& self) {
+    v.required("markerId", self.marker_id, calls::kMarkerIdMeaning);
+    v.required("pieces", self.pieces,
+               "All pieces of the marker that other connections drag now; empty: none any more.");
   }
 };
 

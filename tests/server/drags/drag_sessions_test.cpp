@@ -178,5 +178,63 @@ TEST(DragSessions, BelongToTheirConnectionAndEndWithIt) {
   EXPECT_EQ(code_of(local.result("drag.begin", "{'markerId':'m1','piece':'high'}")), -32013);
 }
 
+// What a client is told of the pieces that others drag: "piece x y" of each.
+std::vector<std::string> told_of_drags(Client& client) {
+  const Json message = client.next();
+  EXPECT_EQ(message["method"], "marker.dragged");
+  EXPECT_EQ(message["params"]["markerId"], "m1");
+  std::vector<std::string> drags;
+  for (const Json& drag : message["params"]["pieces"]) {
+    drags.push_back(drag["piece"].get<std::string>() + " " + std::to_string(drag["at"][0].get<int>()) + " " +
+                    std::to_string(drag["at"][1].get<int>()));
+  }
+  return drags;
+}
+using Told = std::vector<std::string>;
+
+TEST(DragSessions, AreToldToOthersWhoWatch) {
+  LocalServer local;
+  Client other;
+  (void)local.open_small();
+  (void)local.result("marker.watch", "{'markerId':'m1'}");
+  (void)local.ask(call(1, "marker.watch", R"({"markerId":"m1"})"), other.session());
+  (void)local.result("drag.begin", "{'markerId':'m1','piece':'low'}");
+  EXPECT_EQ(told_of_drags(other), Told{"low 3 0"});
+  (void)local.result("drag.move", "{'dragId':'d1','to':[7,1]}");
+  EXPECT_EQ(told_of_drags(other), Told{"low 7 1"});
+  // Each is told of the other's drag only.
+  (void)local.ask(call(2, "drag.begin", R"({"markerId":"m1","piece":"high"})"), other.session());
+  EXPECT_EQ(told_of_drags(local.client).size(), 1U);
+  (void)local.result("drag.end", "{'dragId':'d1','markerId':'m1','commit':false}");
+  EXPECT_EQ(told_of_drags(other), Told{});
+  (void)local.ask(call(3, "drag.end", R"({"dragId":"d2","markerId":"m1"})"), other.session());
+  EXPECT_EQ(told_of_drags(local.client), Told{});
+  EXPECT_EQ(local.client.pending(), 0U);
+  EXPECT_EQ(other.pending(), 0U);
+}
+
+TEST(DragSessions, AreToldToWhoeverBeginsToWatchAndEndWithTheirConnection) {
+  LocalServer local;
+  Client hand;
+  (void)local.open_small();
+  (void)local.ask(call(1, "drag.begin", R"({"markerId":"m1","piece":"low"})"), hand.session());
+  (void)local.result("marker.watch", "{'markerId':'m1'}");
+  EXPECT_EQ(told_of_drags(local.client), Told{"low 3 0"});
+  hand.disconnect();
+  EXPECT_EQ(told_of_drags(local.client), Told{});
+  EXPECT_EQ(local.backend.drags().count(), 0U);
+  (void)local.result("marker.watch", "{'markerId':'m1'}");
+  EXPECT_EQ(local.client.pending(), 0U);
+}
+
+TEST(DragSessions, OfAConnectionThatHasEndedAreOverAtOnce) {
+  LocalServer local;
+  Client gone;
+  (void)local.open_small();
+  gone.disconnect();
+  (void)local.ask(call(1, "drag.begin", R"({"markerId":"m1","piece":"low"})"), gone.session());
+  EXPECT_EQ(local.backend.drags().count(), 0U);
+}
+
 }  // namespace
 }  // namespace selvage::test
