@@ -1,12 +1,16 @@
 // The marker room: a page for one marker at a time, on the TypeScript client.
+import type { Point } from "../typescript/src/index";
 import { h } from "./base/dom";
-import { Signal } from "./base/signal";
+import { follow, Signal } from "./base/signal";
 import { Engine } from "./engine/engine";
 import { Insight } from "./engine/insight";
+import { Places } from "./engine/places";
 import { Commands } from "./hand/commands";
 import { listenForKeys } from "./hand/keys";
 import { Pointer } from "./hand/pointer";
 import { Settling } from "./hand/settling";
+import type { Piece } from "./marker/marker";
+import type { Pose } from "./marker/pose";
 import { worded } from "./panels/controls";
 import { askForToken, openHelp, openSettings } from "./panels/dialogs";
 import { buildEnginePanel, buildOffer } from "./panels/engine_panel";
@@ -40,9 +44,10 @@ const stage = new Stage(element("stage"), element<HTMLCanvasElement>("base"), el
 const overview = new Overview(element<HTMLCanvasElement>("overview"), scene, stage);
 const engine = new Engine(desk, scene, tell);
 const insight = new Insight(desk, scene);
+const places = new Places(desk, scene);
 const settling = new Settling(desk, tell);
 const commands = new Commands(desk, scene, engine, settling, tell);
-const pointer = new Pointer(stage.top, stage, scene, desk, engine, commands, settling, tell);
+const pointer = new Pointer(stage.top, stage, scene, desk, engine, places, commands, settling, tell);
 const files = new MarkerFiles(desk, tell, element("dropzone"));
 const keepsNothing = new Signal(false);
 
@@ -54,9 +59,9 @@ function buildPage(): void {
   buildHeader(element("header"), desk, engine, commands, { menu, settings: openSettings, help: openHelp });
   buildToolbar(element("toolbar"), stage, insight);
   buildOffer(element("offer"), desk, engine);
-  buildTray(element("panel"), desk, scene, stage, commands);
+  buildTray(element("panel"), desk, scene, stage, commands, places);
   const { open, panels } = buildTabs(element("panel"), ["engine", "pieces", "length"]);
-  buildEnginePanel(panels.engine, desk, engine, scene);
+  buildEnginePanel(panels.engine, desk, engine, scene, stage);
   buildPiecePanel(panels.pieces, desk, scene, insight, engine, commands);
   buildSpacing(panels.pieces, desk, commands);
   buildPieceList(panels.pieces, desk, scene, stage, insight);
@@ -67,7 +72,7 @@ function buildPage(): void {
   buildStatus(element("status"), desk, keepsNothing, legend);
   announceFigures(element("live"), desk);
   askForToken(link);
-  listenForKeys(stage.top, { stage, scene, engine, insight, commands, pointer, save: () => files.save(), help: openHelp });
+  listenForKeys(stage.top, { stage, scene, engine, insight, places, commands, pointer, save: () => files.save(), help: openHelp });
 }
 
 // The marker on the table, and every change of it, reaches the canvas here.
@@ -100,6 +105,10 @@ function connectScene(): void {
     else if (change.by === "closed") tell(say("closedElsewhere"));
     else if (!change.mine) tell(say("changedBy", { what: change.by, length: lengthText(desk.figures.value.length) }));
   });
+  follow([desk.inOtherHands, desk.marker, desk.figures], () => {
+    scene.inOtherHands = desk.inOtherHands.value.flatMap(({ piece, at }) => scene.marker?.heldAt(piece, at) ?? []);
+    scene.onChange("moving");
+  });
   // A marker that was empty, or nearly, comes into view as it is nested.
   engine.preview.follow(() => scene.newcomers.length > 0 && stage.fit(!stage.isLong));
   scene.colouring.follow(() => overview.renew());
@@ -121,6 +130,14 @@ async function start(): Promise<void> {
   keepsNothing.value = !durable;
 }
 
+// Where a piece's label is on the screen when it lies at the pose.
+function onScreen({ shape }: Piece, pose: Pose): Point | undefined {
+  if (!scene.camera.value) return undefined;
+  const { left, top } = stage.top.getBoundingClientRect();
+  const [x, y] = scene.camera.value.toScreen(pose.place([shape.spot.x, shape.spot.y]));
+  return [x + left, y + top];
+}
+
 // For tests and measurements: what is on the table, where a piece is on the screen, and how long frames and answers took.
 Object.assign(globalThis, {
   selvageRoom: {
@@ -129,11 +146,14 @@ Object.assign(globalThis, {
     view: () => scene.camera.value && { markerId: desk.markerId, shown: scene.shown.size, selected: [...scene.selection.value], length: scene.length, scale: scene.camera.value.scale },
     spotOf(id: string) {
       const piece = scene.marker?.byId.get(id);
-      if (!piece || !scene.camera.value) return undefined;
-      const { left, top } = stage.top.getBoundingClientRect();
-      const [x, y] = scene.camera.value.toScreen(scene.poseOf(piece, performance.now()).place([piece.shape.spot.x, piece.shape.spot.y]));
-      return [x + left, y + top];
+      return piece && onScreen(piece, scene.poseOf(piece, performance.now()));
     },
+    places: () =>
+      scene.places.map(({ piece, pose }, k) => {
+        const [x, y] = onScreen(piece, pose)!;
+        return { x, y, at: [pose.x, pose.y], chosen: k === scene.placeAt };
+      }),
+    inOtherHands: () => scene.inOtherHands.map(({ piece }) => piece.id),
   },
 });
 void start();

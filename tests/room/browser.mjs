@@ -81,6 +81,11 @@ export class Page {
     this.context = context;
   }
 
+  /** Closes the page, as a user closes the browser. */
+  close() {
+    return this.browser.send("Target.disposeBrowserContext", { browserContextId: this.context });
+  }
+
   /** Files that the page saves go to a folder. */
   saveTo(downloadPath) {
     return this.browser.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath, browserContextId: this.context });

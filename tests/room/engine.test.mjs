@@ -158,3 +158,66 @@ test("nesting places what is not on the cloth, shows its best so far, and is tak
   assert.deepEqual(page.faults, []);
   await daemon.stop();
 });
+
+const ended = (page) => page.until(`document.querySelector("#progress").hidden`, "the end of the search");
+
+/** Runs a motion on a marker by its button, takes what it offers, and answers with the marker's length then. */
+async function lengthAfter(marker, name, { prepare = () => {}, wait = ended } = {}) {
+  const daemon = await startDaemon();
+  const { markerId } = await call(daemon.port, "marker.open", { marker });
+  const page = await visit(here.browser, daemon.port, { marker: markerId });
+  await prepare(page);
+  await page.press(name);
+  await page.until(offered, name);
+  assert.equal(await revision(page), 1);
+  await wait(page);
+  await page.key("Enter");
+  await atRevision(page, 2);
+  await assertValid(daemon.port, markerId);
+  assert.deepEqual(page.faults, []);
+  const { markers } = await call(daemon.port, "marker.list");
+  await daemon.stop();
+  return markers.find((one) => one.markerId === markerId);
+}
+const box = (id, width, height) => ({ id, outline: [[0, 0], [width, 0], [width, height], [0, height]] });
+const markerOf = (width, shapes, pieces, more = {}) => ({
+  format: "selvage-marker",
+  version: 1,
+  name: "boxes",
+  strip: { width },
+  shapes,
+  pieces: pieces.map(([shape, x, y], k) => ({ id: `p${k}`, shape, at: [x, y] })),
+  ...more,
+});
+
+test("gaps are filled: a small piece goes into a hole, and so does one that was not on the cloth", async () => {
+  const shapes = [box("lying", 60, 20), box("square", 9, 9), box("post", 25, 10), box("tiny", 0.9, 9)];
+  const marker = markerOf(50, shapes, [["lying", 0, 0], ["lying", 0, 30], ["post", 0, 20], ["post", 35, 20], ["square", 60, 0]], { unplaced: [{ id: "u", shape: "tiny" }] });
+  marker.pieces[3].locked = true; // keeps the hole open
+  const { length, unplaced, pieces } = await lengthAfter(marker, "Fill gaps", {
+    wait: async (page) => {
+      await page.until(`document.querySelector("#length").textContent === "60.0 mm"`);
+      await page.press("Stop");
+      await ended(page);
+    },
+  });
+  assert.deepEqual({ length, unplaced, pieces }, { length: 60, unplaced: undefined, pieces: 6 });
+});
+
+// A layout that compaction cannot shorten, one or more times: the low bars have room above the tall ones, but no way to it.
+function bars(times) {
+  const half = [["whole", 0, 0], ["tall", 20, 0], ["low", 20, 65], ["tall", 50, 0], ["tall", 80, 0], ["low", 110, 0], ["low", 110, 35], ["whole", 140, 0]];
+  const pieces = Array.from({ length: times }, (_, k) => half.map(([shape, x, y]) => [shape, x + 160 * k, y])).flat();
+  return markerOf(100, [box("tall", 30, 65), box("low", 30, 35), box("whole", 20, 100)], pieces);
+}
+
+test("exact compaction: of all that is in view, or around the selected pieces", async () => {
+  assert.equal((await lengthAfter(bars(1), "Exactly")).length, 130);
+  const prepare = async (page) => {
+    await page.key("0"); // all of it
+    const [x, y] = await spot(page, "p2");
+    await page.drag([x, y], [x, y]);
+    await page.until(`selvageRoom.view().selected[0] === "p2"`);
+  };
+  assert.equal((await lengthAfter(bars(2), "Exactly", { prepare })).length, 290);
+});

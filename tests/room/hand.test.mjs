@@ -180,3 +180,44 @@ test("Delete takes the selected piece off the cloth", onSquares(2, async (page, 
   await page.key("z", "control");
   await page.until(`document.querySelector("#tray").hidden`, "undone");
 }));
+
+// Two walls with a gap of 60 between them, and squares of 40 that wait.
+const gaps = {
+  shapes: [{ id: "square", outline: [[0, 0], [40, 0], [40, 40], [0, 40]] }, { id: "wall", outline: [[0, 0], [30, 0], [30, 100], [0, 100]] }],
+  pieces: [0, 90, 165, 245].map((x, k) => ({ id: `w${k}`, shape: "wall", at: [x, 0] })),
+  unplaced: ["u1", "u2"].map((id) => ({ id, shape: "square" })),
+};
+
+test("all places where an unplaced piece fits are shown: one is clicked, one chosen by keys", onSquares(1, async (page, port, markerId) => {
+  await page.key("0"); // all of it
+  const ready = `document.querySelector("#places").textContent.startsWith("Places where it fits")`;
+  const fits = () => page.press("Show where");
+  await fits();
+  await page.until(ready, "places");
+  // The gaps of 60 and of 50 have room, that of 45 too; each has one place or more.
+  const places = await page.ask("selvageRoom.places()");
+  assert.ok(places.length >= 3, JSON.stringify(places));
+  assert.equal(await revision(page), 1);
+  const last = places.at(-1);
+  await page.mouse("mouseMoved", last.x, last.y, { button: "none", buttons: 0 });
+  await page.drag([last.x, last.y], [last.x, last.y]);
+  await atRevision(page, 2);
+  const at = placed((await shown(page, port)).marker, "u1");
+  assert.deepEqual(at, last.at);
+  await assertValid(port, markerId);
+  // The places of the next piece of this shape are shown now.
+  await page.until(ready, "places of the next piece");
+  await page.key("ArrowRight");
+  const chosen = (await page.ask("selvageRoom.places()")).find(({ chosen }) => chosen);
+  await page.key("Enter");
+  await page.until(`document.querySelector("#tray").hidden`, "an empty tray");
+  assert.deepEqual(placed((await shown(page, port)).marker, "u2"), chosen.at);
+  assert.deepEqual(await page.ask("selvageRoom.places()"), []);
+}, gaps));
+
+test("where a piece fits nowhere, the page says so; Escape ends the question", onSquares(1, async (page) => {
+  await page.press("Show where");
+  await page.until(`document.querySelector("#places").textContent.startsWith("It fits nowhere")`);
+  await page.key("Escape");
+  await page.until(`document.querySelector("#places").textContent === ""`);
+}, { ...gaps, pieces: gaps.pieces.slice(0, 1) }));

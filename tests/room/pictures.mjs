@@ -69,6 +69,18 @@ const states = {
     const { x, y } = await page.ask(`(({ x, y, width, height }) => ({ x: x + width / 2, y: y + height / 2 }))(document.querySelector(".tray-row").getBoundingClientRect())`);
     await page.drag([x, y], [640, 330], { hold: true });
   }),
+  places: () => state("places", async (page, port, markerId) => {
+    const { marker } = await call(port, "marker.get", { markerId });
+    const off = marker.pieces.slice(-40).map(({ id }) => ({ op: "takeOff", piece: id }));
+    await call(port, "marker.apply", { markerId, ops: off });
+    await page.press("Show where");
+    await page.until(`document.querySelector("#places").textContent.startsWith("Places where")`);
+  }, { marker: "jeans_06g" }),
+  together: () => state("together", async (page, port, markerId) => {
+    const other = await visit(browser, port, { ...size, marker: markerId });
+    await other.drag([818, 372], [850, 362], { hold: true, steps: 30 });
+    await page.until(`selvageRoom.inOtherHands().length > 0`);
+  }),
   nest: () => state("nest", async (page) => {
     await page.press("Nest");
     await page.until(offered);

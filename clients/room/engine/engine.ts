@@ -8,7 +8,7 @@ import { say } from "../texts/texts";
 import { lengthText } from "../texts/units";
 import type { Scene } from "../view/scene";
 import { differences, newcomers, posesAfter, type Result } from "./result";
-import { search, type SearchKind } from "./search";
+import { search, type Search } from "./search";
 
 export interface CurvePoint {
   seconds: number;
@@ -94,7 +94,7 @@ export class Engine {
   }
 
   /** Searches until it is stopped, and shows the best so far. */
-  async search(kind: SearchKind, title: string): Promise<void> {
+  async search(wanted: Search, title: string): Promise<void> {
     if (this.run.value) return;
     await this.takeOrDrop(true);
     await this.underWay(title, async (run, signal, since) => {
@@ -103,8 +103,8 @@ export class Engine {
       const marker = this.desk.marker.value!;
       const start = marker.poses();
       const { revision, length } = this.desk.figures.value;
-      const best = marker.unplaced.length === 0 ? length : Infinity; // placing all comes first
-      await search(kind, client, marker.toDocument(), best, signal, {
+      const best = wanted.kind === "nest" && marker.unplaced.length > 0 ? Infinity : length; // placing all comes first
+      await search(wanted, client, marker.toDocument(), best, signal, {
         goesOn: () => !run.stopping,
         round: (round, best) => this.round(run, round, best, since),
         better: (answer, placements) => {

@@ -4,8 +4,10 @@ import type { MarkerDocument } from "../marker/document";
 const FIRST = 1500; // milliseconds of the first turn
 const LONGEST = 30_000;
 
-/** A fine compaction, or nesting. */
-export type SearchKind = "fine" | "nest";
+/** What is searched for: a fine compaction, a new layout, room for small pieces, or windows that fit better when placed anew. */
+export type Search =
+  | { kind: "fine" | "nest" | "fillGaps" }
+  | { kind: "compactExactly"; among?: string[] }; // windows with one of these pieces; absent: all windows
 type Answered = Pick<Answer<"motion.compact">, "revision" | "lengthBefore" | "lengthAfter" | "utilisationAfter" | "stop">;
 type Placements = Answer<"motion.compact">["placements"];
 
@@ -21,32 +23,44 @@ export interface SearchListener {
  * marker, in turns with a time limit: after each turn the copy holds the best found. A turn that gains nothing is followed by one
  * twice as long. `best` is the length that a result has to beat.
  */
-export async function search(kind: SearchKind, client: Client, document: MarkerDocument, best: number, signal: AbortSignal, listener: SearchListener): Promise<void> {
+export async function search(wanted: Search, client: Client, document: MarkerDocument, best: number, signal: AbortSignal, listener: SearchListener): Promise<void> {
   const copy = { ...document, name: `${document.name ?? ""} (search)` } as unknown as Record<string, unknown>;
   const { markerId } = await client.call("marker.open", { marker: copy });
   try {
     let rounds = 0;
     let number = 0;
     for (let turn = FIRST; turn <= LONGEST && !signal.aborted && listener.goesOn(); ) {
-      const run = kind === "fine"
-        ? client.start("motion.compact", { markerId, accuracy: "fine", deadlineMs: Math.round(turn) }, { signal })
-        : client.start("marker.nest", { markerId, seconds: turn / 1000, seed: ++number }, { signal });
+      const run = startTurn(wanted, client, markerId, Math.round(turn), ++number, signal);
       let last = 0;
       for await (const { round, length } of run.progress) listener.round(rounds + (last = round), length);
       rounds += last;
-      const answer: Answered = await run.result;
-      const gained = best - answer.lengthAfter > 1e-6 * answer.lengthAfter;
+      const answer: Answered & { placed?: number } = await run.result;
+      const shorter = best - answer.lengthAfter > 1e-6 * answer.lengthAfter;
+      const gained = shorter || (wanted.kind === "fillGaps" && (answer.placed ?? 0) > 0);
       if (gained) {
-        best = answer.lengthAfter;
+        best = Math.min(best, answer.lengthAfter);
         listener.better(answer, await placementsOf(client, markerId));
       }
-      if (answer.stop === "converged" || (kind === "fine" && answer.stop !== "deadline")) return;
+      if (answer.stop === "converged" || (wanted.kind === "fine" && answer.stop !== "deadline")) return;
       turn = gained ? turn : turn * 2;
     }
   } catch (error) {
     if (!signal.aborted) throw error;
   } finally {
     void client.call("marker.close", { markerId }).catch(() => {});
+  }
+}
+
+// One turn, of so many milliseconds; the number is the seed of what is drawn at random.
+function startTurn(wanted: Search, client: Client, markerId: string, deadlineMs: number, number: number, signal: AbortSignal) {
+  switch (wanted.kind) {
+    case "fine": return client.start("motion.compact", { markerId, accuracy: "fine", deadlineMs }, { signal });
+    case "nest": return client.start("marker.nest", { markerId, seconds: deadlineMs / 1000, seed: number }, { signal });
+    case "fillGaps": return client.start("marker.fillGaps", { markerId, deadlineMs, seed: number }, { signal });
+    case "compactExactly": {
+      const among = wanted.among && { among: wanted.among };
+      return client.start("marker.compactExactly", { markerId, deadlineMs, ...among }, { signal });
+    }
   }
 }
 

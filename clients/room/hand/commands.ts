@@ -173,6 +173,14 @@ export class Commands {
       this.scene.select([id]);
     });
   }
+  /** Lays an unplaced piece at a place where it fits. */
+  layAt(id: string, { x, y, rotation, flip }: Pose): Promise<void> {
+    return this.queue(async () => {
+      const name = this.desk.marker.value?.unplaced.find((one) => one.id === id)?.shape.label;
+      if (name === undefined) return;
+      if (await this.settling.apply([{ op: "place", piece: id, at: [x, y], rotation, flip }])) this.tell(say("laidDown", { name }));
+    });
+  }
   /** Takes the selected pieces off the cloth. */
   takeOff(): Promise<void> {
     return this.edit(this.scene.selected().map((piece): Edit => ({ op: "takeOff", piece: piece.id })));

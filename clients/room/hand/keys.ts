@@ -2,6 +2,7 @@ import type { Point } from "../../typescript/src/index";
 import { prefer, preferences } from "../base/preferences";
 import type { Engine } from "../engine/engine";
 import type { Insight } from "../engine/insight";
+import type { Places } from "../engine/places";
 import { say } from "../texts/texts";
 import type { Scene } from "../view/scene";
 import type { Stage } from "../view/stage";
@@ -19,6 +20,7 @@ export interface Parts {
   scene: Scene;
   engine: Engine;
   insight: Insight;
+  places: Places;
   commands: Commands;
   pointer: Pointer;
   save(): void;
@@ -57,6 +59,8 @@ function withControl(event: KeyboardEvent, { commands, save }: Parts): (() => vo
 function plain(event: KeyboardEvent, canvas: HTMLElement, parts: Parts): (() => void) | undefined {
   const { stage, scene, engine, insight, commands, pointer } = parts;
   const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+  const place = amongPlaces(key, parts);
+  if (place) return place;
   const arrow = ARROWS[key];
   if (arrow) {
     if (scene.selection.value.size === 0) return () => stage.look(scene.camera.value!.panned(-arrow[0] * 60, arrow[1] * 60));
@@ -91,6 +95,25 @@ function plain(event: KeyboardEvent, canvas: HTMLElement, parts: Parts): (() => 
     case "-": return () => stage.zoom(0.8);
     case "?": return parts.help;
     case " ": return () => (pointer.panning = true);
+    default: return undefined;
+  }
+}
+
+// While places of an unplaced piece are shown, keys choose among them.
+function amongPlaces(key: string, { places, scene, stage, commands }: Parts): (() => void) | undefined {
+  const piece = places.piece.value;
+  if (!piece) return undefined;
+  const chosen = scene.places[scene.placeAt];
+  const step = (by: 1 | -1) => () => {
+    places.step(by);
+    const next = scene.places[scene.placeAt];
+    if (next) stage.reveal(next.piece.box);
+  };
+  switch (key) {
+    case "ArrowLeft": case "ArrowUp": return step(-1);
+    case "ArrowRight": case "ArrowDown": return step(1);
+    case "Enter": return chosen && (() => void commands.layAt(piece.id, chosen.pose));
+    case "Escape": return () => places.end();
     default: return undefined;
   }
 }

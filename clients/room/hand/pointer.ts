@@ -1,6 +1,7 @@
 import type { Point } from "../../typescript/src/index";
 import { preferences } from "../base/preferences";
 import type { Engine } from "../engine/engine";
+import type { Places } from "../engine/places";
 import { isLocked, type Piece } from "../marker/marker";
 import type { Desk } from "../session/desk";
 import { inWords } from "../session/words";
@@ -9,6 +10,7 @@ import type { Scene } from "../view/scene";
 import type { Stage } from "../view/stage";
 import type { Commands } from "./commands";
 import { FreeDrag } from "./free_drag";
+import { tellInHand } from "./in_hand";
 import { LiveDrag } from "./live_drag";
 import type { Settling } from "./settling";
 import { gravity, openGap, tool } from "./tools";
@@ -24,6 +26,7 @@ type Doing =
   | { kind: "press"; piece: Piece; at: Point; added: boolean }
   | { kind: "drag"; drag: Drag; from: Point }
   | { kind: "stroke"; adding: boolean }
+  | { kind: "place"; place: number }
   | { kind: "pinch"; middle: Point; apart: number };
 
 /** Mouse, pen and fingers on the canvas. */
@@ -38,6 +41,7 @@ export class Pointer {
     private readonly scene: Scene,
     private readonly desk: Desk,
     private readonly engine: Engine,
+    private readonly places: Places,
     private readonly commands: Commands,
     private readonly settling: Settling,
     private readonly tell: (text: string) => void,
@@ -66,8 +70,10 @@ export class Pointer {
     else if (tool.value !== "select") this.beginStroke(tool.value, at, false);
     else {
       const piece = marker.pieceAt(camera.value.toCloth(at), 0, this.scene.shown);
+      const place = piece ? -1 : this.places.at(camera.value.toCloth(at));
       const adding = event.shiftKey || event.ctrlKey || event.metaKey;
-      if (piece) this.doing = { kind: "press", piece, at, added: this.pick(piece, event.ctrlKey || event.metaKey) };
+      if (place >= 0) this.doing = { kind: "place", place };
+      else if (piece) this.doing = { kind: "press", piece, at, added: this.pick(piece, event.ctrlKey || event.metaKey) };
       else if (touch) this.doing = { kind: "pan", last: at };
       else this.beginStroke("band", at, adding);
     }
@@ -142,6 +148,7 @@ export class Pointer {
     this.doing = undefined;
     const together = this.scene.marker!.together(piece);
     if (together.some((one) => isLocked(one, "x") && isLocked(one, "y"))) return this.tell(say("locked", { name: piece.shape.label }));
+    if (together.some(({ id }) => this.desk.inOtherHands.value.some((held) => held.piece === id))) this.tell(say("alsoInOtherHand", { name: piece.shape.label }));
     const several = this.scene.selected().filter((one) => !together.includes(one));
     if (this.engine.preview.value) {
       // The result in view is taken first; the drag begins from it when the hand is still down.
@@ -160,7 +167,7 @@ export class Pointer {
   }
 
   private freeDrag(pieces: Piece[]): FreeDrag {
-    return new FreeDrag(this.scene, pieces, async (to) => void (await this.settling.dropped(pieces, to)));
+    return new FreeDrag(this.scene, pieces, tellInHand(this.desk, pieces), async (to) => void (await this.settling.dropped(pieces, to)));
   }
 
   private release(event: PointerEvent, commit: boolean): void {
@@ -175,6 +182,13 @@ export class Pointer {
     if (doing?.kind === "drag") void this.commands.queue(() => doing.drag.end(commit)).then(() => this.scene.onChange("settled"));
     else if (doing?.kind === "press" && !doing.added && commit) this.scene.select(this.scene.marker!.together(doing.piece).map(({ id }) => id));
     else if (doing?.kind === "stroke") this.endStroke(doing.adding, commit);
+    else if (doing?.kind === "place" && commit) this.layAt(doing.place);
+  }
+
+  private layAt(place: number): void {
+    const piece = this.places.piece.value;
+    const ghost = this.scene.places[place];
+    if (piece && ghost) void this.commands.layAt(piece.id, ghost.pose);
   }
 
   private endStroke(adding: boolean, commit: boolean): void {
@@ -212,6 +226,10 @@ export class Pointer {
 
   private hover(at: Point | undefined): void {
     const { camera, marker } = this.scene;
+    if (at && camera.value && this.scene.places.length > 0) {
+      const place = this.places.at(camera.value.toCloth(at));
+      if (place >= 0) this.places.choose(place);
+    }
     const over = at && tool.value === "select" && camera.value && marker ? marker.pieceAt(camera.value.toCloth(at), 0, this.scene.shown)?.id : undefined;
     if (over === this.scene.hovered) return;
     this.scene.hovered = over;

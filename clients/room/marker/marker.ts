@@ -130,6 +130,14 @@ export class Marker {
     return piece.group ? this.pieces.filter((other) => other.group === piece.group) : [piece];
   }
 
+  /** The piece, and those that move with it, where they would lie with its origin at the point. */
+  heldAt(id: string, [x, y]: Point): Array<{ piece: Piece; pose: Pose }> {
+    const held = this.byId.get(id);
+    if (!held) return [];
+    const [dx, dy] = [x - held.pose.x, y - held.pose.y];
+    return this.together(held).map((piece) => ({ piece, pose: piece.pose.moved(piece.pose.x + dx, piece.pose.y + dy) }));
+  }
+
   poses(): Map<string, Pose> {
     return new Map(this.pieces.map((piece) => [piece.id, piece.pose]));
   }

@@ -7,15 +7,16 @@ import type { Desk } from "../session/desk";
 import { say, wording, type TextName } from "../texts/texts";
 import { lengthText, numberText, parseLength, percentText, unitName } from "../texts/units";
 import type { Scene } from "../view/scene";
+import type { Stage } from "../view/stage";
 import { heading, note, row, textButton, worded } from "./controls";
 import { drawCurve } from "./curve";
 
 /** The motions, the one in progress, and results kept for comparison. */
-export function buildEnginePanel(host: HTMLElement, desk: Desk, engine: Engine, scene: Scene): void {
+export function buildEnginePanel(host: HTMLElement, desk: Desk, engine: Engine, scene: Scene, stage: Stage): void {
   const compact = (accuracy: Accuracy, title: TextName) => textButton(title, () => void engine.start("motion.compact", { accuracy }, say("compact")));
   const standard = compact("standard", "standard");
   standard.classList.add("primary");
-  const fine = textButton("fine", () => void engine.search("fine", `${say("compact")}, ${say("fine").toLowerCase()}`));
+  const fine = textButton("fine", () => void engine.search({ kind: "fine" }, `${say("compact")}, ${say("fine").toLowerCase()}`));
   worded(fine, "fineHelp", "title");
   const distance = h("input", { type: "text", inputmode: "decimal", value: "5", size: 5, id: "float-distance" });
   const unit = h("span", { class: "unit" });
@@ -36,16 +37,23 @@ export function buildEnginePanel(host: HTMLElement, desk: Desk, engine: Engine, 
   });
   const separate = motion("separate", "separateHelp", () => void engine.start("motion.separate", { grow: 0.1 }, say("separate")));
   const tilt = motion("tilt", "tiltHelp", () => void engine.start("motion.tilt", { accuracy: "standard" }, say("tilt")));
-  const nest = motion("nest", "nestHelp", () => void engine.search("nest", say("nest")));
+  const nest = motion("nest", "nestHelp", () => void engine.search({ kind: "nest" }, say("nest")));
+  const fillGaps = motion("fillGaps", "fillGapsHelp", () => void engine.search({ kind: "fillGaps" }, say("fillGaps")));
+  const exactly = motion("exactly", "exactlyHelp", () => {
+    const among = stage.chosen();
+    const all = among.length === (desk.marker.value?.pieces.length ?? 0);
+    const title = all ? say("exactly") : say("exactlyOf", { count: numberText(among.length, 0) });
+    if (among.length > 0) void engine.search(all ? { kind: "compactExactly" } : { kind: "compactExactly", among: among.map(({ id }) => id) }, title);
+  });
   const progress = h("div", { id: "progress", class: "card", hidden: true });
   const beside = h("div", { id: "beside" });
   fill(
     host,
     heading("compact"),
     note("compactHelp"),
-    h("div", { class: "segments" }, compact("draft", "draft"), standard, fine),
+    h("div", { class: "segments" }, compact("draft", "draft"), standard, fine, exactly),
     progress,
-    h("div", { class: "pair" }, nest, tilt, separate, relax, float),
+    h("div", { class: "pair" }, nest, fillGaps, tilt, separate, relax, float),
     row("gapWidth", h("span", { class: "with-unit" }, distance, unit)),
     heading("beside"),
     beside,

@@ -17,6 +17,7 @@ const drawings = {
   regions: ["M3 4h14v12H3Z", "M3 9l5-5M3 14 13 4M6 16 17 5M12 16l5-5"],
   push: ["M3 10h7", "M7.500 7 10.500 10l-3 3", "M12.500 5v10M16 6.500v7"],
   place: ["M3 10h5", "M11 3v14", "M8 7v9"],
+  fits: ["M3 6V3h3M9 3h2M14 3h3v3M17 9v2M17 14v3h-3M11 17H9M6 17H3v-3M3 11V9", "M7 7h6v6H7Z"],
   close: ["M5 5l10 10M15 5 5 15"],
   down: ["M6 8l4 4 4-4"],
   lock: ["M5.500 9h9v7h-9Z", "M7 9V6.500a3 3 0 0 1 6 0V9"],

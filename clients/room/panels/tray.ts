@@ -1,6 +1,7 @@
 import type { Point } from "../../typescript/src/index";
-import { fill, h } from "../base/dom";
+import { fill, h, setText } from "../base/dom";
 import { follow } from "../base/signal";
+import type { Places } from "../engine/places";
 import type { Commands } from "../hand/commands";
 import type { Unplaced } from "../marker/marker";
 import { Pose } from "../marker/pose";
@@ -10,16 +11,22 @@ import { say, wording } from "../texts/texts";
 import type { Scene } from "../view/scene";
 import type { Stage } from "../view/stage";
 import { heading, note } from "./controls";
+import { drawn } from "./icons";
 
 const SLACK = 4; // pixels that a pointer may move in a press
 const SVG = "http://www.w3.org/2000/svg";
 
-/** The pieces that do not lie on the cloth, by shape: each is dragged onto it, or pressed and goes to a free place. */
-export function buildTray(host: HTMLElement, desk: Desk, scene: Scene, stage: Stage, commands: Commands): void {
+/**
+ * The pieces that do not lie on the cloth, by shape: each is dragged onto it, or pressed and goes to a free place, or shown in
+ * all places where it fits.
+ */
+export function buildTray(host: HTMLElement, desk: Desk, scene: Scene, stage: Stage, commands: Commands, places: Places): void {
   const rows = h("div", { class: "tray-rows" });
-  const tray = h("section", { id: "tray", hidden: true }, heading("tray"), note("trayHelp"), rows);
+  const found = h("p", { class: "note", id: "places", role: "status" });
+  const tray = h("section", { id: "tray", hidden: true }, heading("tray"), note("trayHelp"), rows, found);
   host.prepend(tray);
-  follow([desk.marker, wording], () => {
+  follow([places.piece, places.searching, places.changed, wording], () => setText(found, foundText()));
+  follow([desk.marker, places.piece, wording], () => {
     const unplaced = desk.marker.value?.unplaced ?? [];
     const byShape = new Map<Shape, Unplaced[]>();
     for (const piece of unplaced) byShape.set(piece.shape, [...(byShape.get(piece.shape) ?? []), piece]);
@@ -33,7 +40,22 @@ export function buildTray(host: HTMLElement, desk: Desk, scene: Scene, stage: St
     const button = h("button", { type: "button", class: "tray-row", "aria-label": label, title: label }, thumbnail(shape), h("span", { class: "option-name" }, shape.label), count);
     const [first] = pieces;
     if (first) dragged(button, first);
-    return button;
+    const shown = places.piece.value?.shape === shape;
+    const where = say("whereItFits", { name: shape.name });
+    const act = () => {
+      if (shown || !first) return places.end();
+      places.show(first);
+      stage.top.focus(); // whose keys choose among the places
+    };
+    const fits = h("button", { type: "button", class: "icon-button", "aria-pressed": String(shown), "aria-label": where, title: where, onclick: act }, drawn("fits"));
+    return h("div", { class: "tray-line" }, button, fits);
+  }
+
+  function foundText(): string {
+    if (!places.piece.value) return "";
+    const count = scene.places.length;
+    if (places.searching.value) return say("placesSearching", { count });
+    return count > 0 ? say("placesFound", { count }) : say("placesNone");
   }
 
   // A drag shows the piece under the pointer; the keyboard and a press lay it in the middle of the view.

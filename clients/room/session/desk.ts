@@ -27,6 +27,8 @@ export class Desk {
   readonly figures = new Signal<Figures>({ revision: 0, length: 0, utilisation: 0, valid: true });
   /** Called after each change, with the poses before it; `by` is the method, or "" for a change of this page's own. */
   readonly changed = new Signal<{ before: Before; by: string; mine: boolean } | undefined>(undefined);
+  /** The pieces of this marker that others drag now. */
+  readonly inOtherHands = new Signal<Notifications["marker.dragged"]["pieces"]>([]);
   markerId = "";
   /** The figures and the poses when the marker was opened here. */
   opening: { figures: Figures; poses: Map<string, Pose> } | undefined;
@@ -59,6 +61,7 @@ export class Desk {
     this.listen(client);
     if (this.markerId && this.markerId !== markerId) void client.call("marker.unwatch", { markerId: this.markerId }).catch(() => {});
     this.markerId = markerId;
+    this.inOtherHands.value = [];
     this.undoSteps.clear();
     this.redoSteps.clear();
     await client.call("marker.watch", { markerId });
@@ -89,6 +92,7 @@ export class Desk {
     const client = await this.link.ready();
     this.listen(client);
     const kept = this.marker.value;
+    this.inOtherHands.value = [];
     try {
       await client.call("marker.watch", { markerId: this.markerId });
       await this.refresh(client);
@@ -113,6 +117,9 @@ export class Desk {
     this.listening = client;
     client.on("marker.changed", (change) => {
       if (change.markerId === this.markerId) this.absorb(change, change.by);
+    });
+    client.on("marker.dragged", ({ markerId, pieces }) => {
+      if (markerId === this.markerId) this.inOtherHands.value = pieces;
     });
     client.on("marker.closed", ({ markerId }) => {
       if (markerId === this.markerId) this.changed.value = { before: new Map(), by: "closed", mine: false };

@@ -1,4 +1,5 @@
 import type { Piece } from "../marker/marker";
+import { say } from "../texts/texts";
 import { lengthText, numberText } from "../texts/units";
 import { enter, outline, paintPiece, pathAt, type Brush } from "./piece_painter";
 import type { Scene, Stroke } from "./scene";
@@ -73,6 +74,38 @@ export function paintSelection(brush: Brush, scene: Scene, now: number): void {
 /** Unplaced pieces where a result lays them. */
 export function paintNewcomers(brush: Brush, scene: Scene): void {
   for (const { piece, pose } of scene.newcomers) paintPiece(brush, piece, pose, scene.colouring.value);
+}
+
+/** Places where an unplaced piece fits; the chosen one stands out. */
+export function paintPlaces(brush: Brush, scene: Scene): void {
+  const { context, camera, colours } = brush;
+  scene.places.forEach(({ piece, pose }, k) => {
+    const chosen = k === scene.placeAt;
+    enter(brush, pose);
+    context.fillStyle = colours.accent;
+    context.globalAlpha = chosen ? 0.3 : 0.1;
+    context.fill(pathAt(piece, camera));
+    context.globalAlpha = 1;
+    outline(brush, piece, pose, colours.accent, chosen ? 2.4 : 1.4, chosen ? [] : [5, 4]);
+  });
+}
+
+/** Pieces that others drag, where their hands hold them. */
+export function paintOtherHands(brush: Brush, scene: Scene): void {
+  const { context, camera, ratio, colours } = brush;
+  for (const { piece, pose } of scene.inOtherHands) {
+    enter(brush, pose);
+    context.fillStyle = colours.other;
+    context.globalAlpha = 0.22;
+    context.fill(pathAt(piece, camera));
+    context.globalAlpha = 1;
+    outline(brush, piece, pose, colours.halo, 5);
+    outline(brush, piece, pose, colours.other, 2.6);
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    const { spot } = piece.shape;
+    const [x, y] = camera.toScreen(pose.place([spot.x, spot.y]));
+    flag(context, say("inOtherHand"), x, y - 24, colours.other, colours.halo);
+  }
 }
 
 /** Outlines of where pieces were, or would be. */

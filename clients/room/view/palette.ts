@@ -19,6 +19,7 @@ export interface Palette {
   fault: string;
   gain: string;
   region: string;
+  other: string;
   halo: string;
   fills: string[];
   plain: string;
@@ -49,6 +50,7 @@ export function readPalette(): Palette {
     fault: colour("fault"),
     gain: colour("gain"),
     region: colour("region"),
+    other: colour("other"),
     halo: colour("halo"),
     fills: HUES.map((hue) => mixed(hue, paper, dark ? 0.5 : 0.62)),
     plain: colour("piece"),

@@ -34,6 +34,9 @@ export class Scene {
   hovered: string | undefined;
   ghosts: Ghost[] = [];
   newcomers: Ghost[] = []; // unplaced pieces where a result lays them
+  places: Ghost[] = []; // where an unplaced piece fits
+  placeAt = 0; // which of them is chosen
+  inOtherHands: Ghost[] = []; // pieces that others drag, where these hold them
   stroke: Stroke | undefined;
   chain: Answer<"marker.hold"> | undefined;
   regions: Answer<"marker.regions"> | undefined;
@@ -69,6 +72,8 @@ export class Scene {
     this.flights.clear();
     this.ghosts = [];
     this.newcomers = [];
+    this.places = [];
+    this.inOtherHands = [];
     this.overlaps = [];
     if (known !== marker) this.colour(preferences.value.colourBy);
     this.onChange("settled");

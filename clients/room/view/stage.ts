@@ -1,10 +1,11 @@
 import { preferences } from "../base/preferences";
+import type { Piece } from "../marker/marker";
 import type { Box } from "../marker/outline";
 import { paintChain, paintRegions } from "./chain_painter";
 import { Camera } from "./camera";
 import { paintCloth, paintRuler } from "./cloth_painter";
 import { times } from "./frame_times";
-import { paintFaults, paintGhosts, paintLength, paintNewcomers, paintOverlaps, paintSelection, paintStroke, paintTiltWorth } from "./marks_painter";
+import { paintFaults, paintGhosts, paintLength, paintNewcomers, paintOtherHands, paintOverlaps, paintPlaces, paintSelection, paintStroke, paintTiltWorth } from "./marks_painter";
 import { palette, readPalette } from "./palette";
 import { paintLabel, paintPiece, type Brush } from "./piece_painter";
 import type { Scene } from "./scene";
@@ -95,11 +96,30 @@ export class Stage {
     this.scene.camera.value = Camera.fitting(whole ? this.bounds : { left: 0, bottom: 0, right, top }, this.width, this.height, margin);
   }
 
+  /** Pans to a part of the cloth that is not in view as a whole. */
+  reveal(box: Box): void {
+    const camera = this.scene.camera.value;
+    if (!camera) return;
+    const { left, right, bottom, top } = camera.window(this.width, this.height);
+    if (box.left >= left && box.right <= right && box.bottom >= bottom && box.top <= top) return;
+    const { scale } = camera;
+    this.look(new Camera(scale, this.width / 2 - ((box.left + box.right) / 2) * scale, this.height / 2 + ((box.bottom + box.top) / 2) * scale));
+  }
+
   zoom(factor: number, at: [number, number] = [this.width / 2, this.height / 2]): void {
     const { camera, marker } = this.scene;
     if (!camera.value || !marker) return;
     const whole = Math.min(this.width / this.bounds.right, this.height / marker.width);
     this.look(camera.value.zoomed(factor, at, { least: whole / 4, most: (this.height / marker.width) * 400 }));
+  }
+
+  /** The selected pieces, or else those that are in view as a whole. */
+  chosen(): Piece[] {
+    const { scene } = this;
+    const view = scene.camera.value?.window(this.width, this.height);
+    const selected = scene.selected();
+    if (selected.length > 0 || !view || !scene.marker) return selected;
+    return scene.marker.pieces.filter(({ box }) => box.left >= view.left && box.right <= view.right && box.bottom >= view.bottom && box.top <= view.top);
   }
 
   /** Asks for a frame. */
@@ -180,12 +200,14 @@ export class Stage {
     for (const piece of moving) paintPiece(brush, piece, scene.poseOf(piece, now), scene.colouring.value);
     for (const piece of moving) paintLabel(brush, piece, scene.poseOf(piece, now), preferences.value.labels);
     paintOverlaps(brush, scene, now);
+    paintPlaces(brush, scene);
     paintNewcomers(brush, scene);
     paintGhosts(brush, scene);
     paintLength(brush, scene);
     paintChain(brush, scene, now);
     paintSelection(brush, scene, now);
     paintTiltWorth(brush, scene, now);
+    paintOtherHands(brush, scene);
     paintFaults(brush, scene);
     if (scene.stroke) paintStroke(brush, scene.stroke);
   }
