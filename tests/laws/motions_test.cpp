@@ -287,5 +287,26 @@ TEST(MotionLaws, Refinement) {
   }
 }
 
+// `fine` may use every cheaper preset and tilting, and is never longer than any of them on the same marker.
+TEST(MotionLaws, RefinementIsNoLongerThanWhatItMayUse) {
+  using motion::compaction::Accuracy;
+  Random random{112};
+  for (int trial = 0; trial < 40 / kSlowdown; ++trial) {
+    Marker marker = test::random_marker(random);
+    for (Shape& shape : marker.shapes) shape.tilt_limit = Angle::of_degrees(random.chance(70) ? 2 : 0);
+    SumCache sums;
+    const auto tilting =
+        tilt(marker, tilt_settings(motion::tilting::TiltMethod::kLinearisation, Accuracy::kStandard), {sums});
+    const auto result = search::refine(marker, {.variants = 2, .effort = 30, .tilts = true}, {sums});
+    ASSERT_TRUE(result && tilting) << trial;
+    ASSERT_LE(result->length_after, tilting->length_after) << trial;
+    for (const Accuracy accuracy : {Accuracy::kDraft, Accuracy::kStandard}) {
+      const auto compaction = compact(marker, compaction_settings(accuracy), {sums});
+      ASSERT_TRUE(compaction) << trial;
+      ASSERT_LE(result->length_after, compaction->length_after) << trial;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace selvage::test

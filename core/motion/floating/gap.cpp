@@ -19,8 +19,8 @@ Coord width_to_edge(StripEdge edge, const Box& piece, const Box& strip) {
   return strip.high.y - piece.high.y;
 }
 
-// The length, in whole units rounded up, of a short translation that separates two pieces that overlap as they may; 0 when
-// they do not overlap.
+// The length, in whole units rounded up, of a short translation that separates two pieces that overlap as they may; 0
+// when they do not overlap.
 Coord overlap_of(const marker::PlacedPieces& pieces, marker::PiecePair pair) {
   const Coord spacing = pieces.spacing(pair);
   if (spacing >= 0) return 0;
