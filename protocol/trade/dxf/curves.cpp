@@ -1,11 +1,13 @@
 #include "protocol/trade/dxf/curves.h"
-#include "protocol/trade/text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <vector>
 
 #include "protocol/trade/path.h"
+#include "protocol/trade/text.h"
 
 namespace selvage::protocol::trade::dxf {
 namespace {
@@ -76,8 +78,10 @@ struct Spline {
   std::vector<double> knots, weights;
   std::vector<Spot> controls;
 
-  // De Boor's algorithm on homogeneous coordinates.  REQUIRES: `t` lies in the span [knots[span], knots[span + 1]].
-  [[nodiscard]] Spot at(double t, std::size_t span) const {
+  // The polar form of a span [knots[span], knots[span + 1]] at `degree` parameters, by de Boor's algorithm on
+  // homogeneous coordinates.  With all of them equal it is the curve's point there; with ends of an interval only, a
+  // control point of the Bezier curve that the spline is on it.
+  [[nodiscard]] Spot polar(std::size_t span, std::span<const double> parameters) const {
     struct Weighted {
       double x, y, w;
     };
@@ -89,7 +93,7 @@ struct Spline {
     for (std::size_t r = 1; r <= degree; ++r) {
       for (std::size_t k = degree; k >= r; --k) {
         const double low = knots[k + span - degree], high = knots[k + 1 + span - r];
-        const double part = high > low ? (t - low) / (high - low) : 0;
+        const double part = high > low ? (parameters[r - 1] - low) / (high - low) : 0;
         const auto mix = [&](double a, double b) { return a + part * (b - a); };
         points[k] = {mix(points[k - 1].x, points[k].x), mix(points[k - 1].y, points[k].y),
                      mix(points[k - 1].w, points[k].w)};
@@ -97,6 +101,13 @@ struct Spline {
     }
     const Weighted& p = points[degree];
     return {p.x / p.w, p.y / p.w};
+  }
+  [[nodiscard]] Spot at(double t, std::size_t span) const { return polar(span, std::vector<double>(degree, t)); }
+
+  // True when every span is a polynomial of at most the third degree: a Bezier curve that Path flattens.
+  [[nodiscard]] bool is_cubic() const {
+    const bool rational = std::any_of(weights.begin(), weights.end(), [&](double w) { return w != weights.front(); });
+    return degree <= 3 && !rational;
   }
 };
 
@@ -136,6 +147,23 @@ void add_span(Path& path, const Spline& spline, std::size_t span, double from, d
   add_span(path, spline, span, middle, to, tolerance, depth + 1);
 }
 
+// A span of a cubic spline, or of one of lower degree, as the Bezier curve that it is.
+void add_cubic_span(Path& path, const Spline& spline, std::size_t span, double from, double to) {
+  const auto control = [&](std::size_t later) {  // of the spline's own degree
+    std::vector<double> parameters(spline.degree, from);
+    std::fill_n(parameters.begin(), later, to);
+    return spline.polar(span, parameters);
+  };
+  const Spot start = path.end(), end = control(spline.degree);
+  if (spline.degree == 1) return path.line_to(end);
+  if (spline.degree == 3) return path.cubic_to(control(1), control(2), end);
+  const Spot middle = control(1);
+  const auto raised = [&](Spot corner) {
+    return Spot{corner.x + (middle.x - corner.x) * 2 / 3, corner.y + (middle.y - corner.y) * 2 / 3};
+  };
+  path.cubic_to(raised(start), raised(end), end);
+}
+
 std::optional<Run> spline_run(const Entity& entity, double tolerance) {
   const auto spline = spline_of(entity);
   if (!spline) return std::nullopt;
@@ -143,7 +171,12 @@ std::optional<Run> spline_run(const Entity& entity, double tolerance) {
   Path path{spline->at(spline->knots[first], first), tolerance, entity.line};
   for (std::size_t span = first; span < last; ++span) {
     const double from = spline->knots[span], to = spline->knots[span + 1];
-    if (to > from) add_span(path, *spline, span, from, to, tolerance, 0);
+    if (to <= from) continue;
+    if (spline->is_cubic()) {
+      add_cubic_span(path, *spline, span, from, to);
+    } else {
+      add_span(path, *spline, span, from, to, tolerance, 0);
+    }
   }
   return path.take(false);
 }

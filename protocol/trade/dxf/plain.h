@@ -1,8 +1,9 @@
 // DXF without pattern pieces, such as a drawing program writes: every outermost closed outline is a piece.
 //
 // Polylines, lines, arcs, circles, ellipses and splines of all layers are joined where their ends meet; curves are
-// flattened so that the outline contains the true one (splines: to within the tolerance).  Inserts are resolved one
-// level deep.  Loops inside a piece become its inner cuts, open lines inside it internal lines.
+// flattened so that the outline contains the true one (rational splines and those above the third degree: to within
+// the tolerance).  Inserts are resolved one level deep.  Loops inside a piece become its inner cuts, open lines inside
+// it internal lines.
 #pragma once
 
 #include <string_view>

@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/marker/validity.h"
 #include "protocol/document/annotations.h"
@@ -133,6 +136,67 @@ TEST(PlainDxf, ClosedOutlinesOfAnyLayerArePieces) {
   EXPECT_GE(area_of(file, 0), 200 * 100 + 3.14159265 * 50 * 50 / 2);
   EXPECT_NEAR(extent_of(file, "piece 2").y, 50, 0.06);
   EXPECT_EQ(protocol::document::annotations_of(file.attributes.shapes[0]).lines.size(), 1U);
+}
+
+// A B-spline's basis function by its definition [Cox, de Boor].
+double basis(const std::vector<double>& knots, std::size_t k, std::size_t degree, double t) {
+  if (degree == 0) return knots[k] <= t && t < knots[k + 1] ? 1 : 0;
+  const auto part = [](double over, double under) { return under > 0 ? over / under : 0; };
+  return part(t - knots[k], knots[k + degree] - knots[k]) * basis(knots, k, degree - 1, t) +
+         part(knots[k + degree + 1] - t, knots[k + degree + 1] - knots[k + 1]) * basis(knots, k + 1, degree - 1, t);
+}
+
+struct ControlledSpline {
+  std::size_t degree;
+  std::vector<double> knots;
+  std::vector<std::pair<double, double>> controls;
+};
+
+// The area between a spline and the line that joins its ends.
+double area_below(const ControlledSpline& spline) {
+  constexpr int kSamples = 20'000;
+  double area = 0;
+  std::pair<double, double> last = spline.controls.front();
+  for (int k = 1; k <= kSamples; ++k) {
+    std::pair<double, double> at = spline.controls.back();
+    if (k < kSamples) {
+      at = {0, 0};
+      for (std::size_t i = 0; i < spline.controls.size(); ++i) {
+        const double weight = basis(spline.knots, i, spline.degree, static_cast<double>(k) / kSamples);
+        at.first += weight * spline.controls[i].first;
+        at.second += weight * spline.controls[i].second;
+      }
+    }
+    area += (at.first - last.first) * (at.second + last.second) / 2;
+    last = at;
+  }
+  return area;
+}
+
+TEST(PlainDxf, SplinesThatBulgeOutwardsAreHeld) {
+  const std::vector<ControlledSpline> splines{
+      {2, {0, 0, 0, 1, 1, 1}, {{0, 0}, {200, 400}, {400, 0}}},
+      {2, {0, 0, 0, 0.3, 1, 1, 1}, {{0, 0}, {50, 200}, {300, 250}, {400, 0}}},
+      {3, {0, 0, 0, 0, 0.5, 1, 1, 1, 1}, {{0, 0}, {0, 200}, {200, 300}, {400, 200}, {400, 0}}},
+      {1, {0, 0, 0.5, 1, 1}, {{0, 0}, {200, 300}, {400, 0}}},
+  };
+  for (const ControlledSpline& spline : splines) {
+    std::string text =
+        "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nSPLINE\n8\n0\n71\n" +
+        std::to_string(spline.degree) + "\n";
+    for (const double knot : spline.knots) text += "40\n" + std::to_string(knot) + "\n";
+    for (const auto& [x, y] : spline.controls) {
+      text += "10\n" + std::to_string(x) + "\n20\n" + std::to_string(y) + "\n";
+    }
+    text += "0\nLINE\n8\n0\n10\n0\n20\n0\n11\n400\n21\n0\n0\nENDSEC\n0\nEOF\n";
+    ReadingOptions options;
+    options.tolerance = 1;
+    options.plain = true;
+    const double area = area_of(read(text, options), 0);
+    const double exact = area_below(spline);
+    EXPECT_GE(area, exact - 0.01) << spline.degree << ", " << spline.controls.size();
+    EXPECT_LE(area, exact + 1'000) << spline.degree << ", " << spline.controls.size();
+  }
 }
 
 TEST(EsicupIn, WithoutASolutionPiecesLieInColumns) {
