@@ -127,6 +127,25 @@ export class Page {
     throw new Error(`waited in vain for: ${what}; the page says "${await this.text("#toast").catch(() => "")}"; faults: ${this.faults.join("; ")}`);
   }
 
+  /** How much lives in the page's memory once all that can be is collected: nodes, listeners, functions and other objects. */
+  async living() {
+    for (let k = 0; k < 3; ++k) {
+      await this.send("HeapProfiler.collectGarbage");
+      await new Promise((resolve) => setTimeout(resolve, 200)); // for what ends with what was collected
+    }
+    const { nodes, jsEventListeners } = await this.send("Memory.getDOMCounters");
+    return { nodes, listeners: jsEventListeners, functions: await this.countOf("Function"), objects: await this.countOf("Object") };
+  }
+
+  async countOf(type) {
+    const objectGroup = "counted";
+    const { result } = await this.send("Runtime.evaluate", { expression: `${type}.prototype`, objectGroup });
+    const { objects } = await this.send("Runtime.queryObjects", { prototypeObjectId: result.objectId, objectGroup });
+    const counted = await this.send("Runtime.callFunctionOn", { objectId: objects.objectId, functionDeclaration: "function () { return this.length; }" });
+    await this.send("Runtime.releaseObjectGroup", { objectGroup });
+    return counted.result.value;
+  }
+
   text(selector) {
     return this.ask(`document.querySelector(${JSON.stringify(selector)})?.textContent ?? ""`);
   }

@@ -2,12 +2,17 @@ import { h } from "../base/dom";
 import { say, wording, type TextName } from "../texts/texts";
 import { drawn, type IconName } from "./icons";
 
-/** Keeps a text or an attribute of an element in the user's language. */
+// Panels are drawn anew with every revision: what follows the language must not keep their elements in memory.
+const endings = new FinalizationRegistry<() => void>((end) => end());
+
+/** Keeps a text or an attribute of an element in the user's language, as long as the element exists. */
 export function worded(element: Element, name: TextName, attribute?: string): void {
-  wording.follow(() => {
-    if (attribute) element.setAttribute(attribute, say(name));
-    else element.textContent = say(name);
+  const held = new WeakRef(element);
+  const end = wording.follow(() => {
+    if (attribute) held.deref()?.setAttribute(attribute, say(name));
+    else held.deref()?.replaceChildren(say(name));
   });
+  endings.register(element, end);
 }
 
 /** A button with an icon; its name is its title and what is read out. */
