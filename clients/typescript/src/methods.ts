@@ -228,6 +228,16 @@ export type LockEdit = {
   locked?: Locks;
 };
 
+/** What the lock of a piece costs. */
+export type LockPrice = {
+  /** The piece's id. */
+  piece: string;
+  /** Locked along x: how much the marker would shorten per unit by which the piece, with its group, is moved to the right; negative: to the left. */
+  perX?: number;
+  /** Locked along y: likewise, upwards; negative: downwards. */
+  perY?: number;
+};
+
 /** What of a piece is locked. */
 export type LockedPart = "x" | "y" | "tilt";
 
@@ -883,6 +893,8 @@ export interface Methods {
       tilts: Array<TiltWorth>;
       /** How much the marker would shorten per unit less spacing or more overlap allowance. */
       perSpacing: number;
+      /** The locks that carry load; absent when there are none. */
+      locks?: Array<LockPrice>;
     };
   };
   /** The regions of the cloth that no piece covers. */

@@ -32,6 +32,7 @@ class Loads {
     if (solution.status != lp::LpStatus::kOptimal) return path;  // empty: there is no solution to read
     for (std::size_t k = 0; k < rows_.size(); ++k) add_pair(rows_[k].row, load_on(k, solution), path);
     add_edges(solution, path);
+    add_locks(solution, path);
     merge(path);
     for (const auto& [piece, per_degree] : tilts_) path.tilts.push_back({PieceId{piece}, per_degree});
     std::stable_sort(path.tilts.begin(), path.tilts.end(), [](const TiltWorth& a, const TiltWorth& b) {
@@ -120,6 +121,8 @@ class Loads {
   // A small turn of a piece about its position moves the touching point perpendicular to the lever arm; its component
   // along the normal of the contact, which points at the piece, is the room gained.
   void turn(std::uint32_t piece, double worth, double nx, double ny, RealVec at) {
+    forces_[piece].x += worth * nx;
+    forces_[piece].y += worth * ny;
     if (scene_.fixed(piece)) return;
     const Vec pivot = scene_.pieces.at(piece);
     const double lever_x = at.x - static_cast<double>(pivot.x);
@@ -194,6 +197,38 @@ class Loads {
     return {sum.x / count, sum.y / count};
   }
 
+  // The loads on a piece that may move are in balance.  What is left over on a locked one, and on those tied to it, is
+  // borne by its lock.
+  void add_locks(const lp::LpSolution& solution, CriticalPath& path) {
+    press_back(solution);
+    const std::vector<Piece>& pieces = scene_.marker.pieces;
+    for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+      if (!pieces[i].locked.x && !pieces[i].locked.y) continue;
+      RealVec sum;
+      for (const auto& [k, force] : forces_) {
+        const bool tied = k == i || (!pieces[i].group.empty() && pieces[k].group == pieces[i].group);
+        if (!tied) continue;
+        sum.x += force.x;
+        sum.y += force.y;
+      }
+      LockPrice price{PieceId{i}, {}, {}};
+      if (pieces[i].locked.x && std::abs(sum.x) >= tuning_.least_worth) price.per_x = sum.x;
+      if (pieces[i].locked.y && std::abs(sum.y) >= tuning_.least_worth) price.per_y = sum.y;
+      if (price.per_x || price.per_y) path.locks.push_back(price);
+    }
+  }
+  // A fixed piece at the end of the marker bounds its length, without a row: what the rows of the right edge do not
+  // bear presses on it.  Of several such pieces no single one could move and shorten the marker.
+  void press_back(const lp::LpSolution& solution) {
+    std::vector<std::uint32_t> fixed;
+    double borne = 0;
+    for (std::uint32_t i = 0; i < scene_.pieces.size(); ++i) {
+      if (const auto wall = model_->right_wall_row(i)) borne += solution.dual[static_cast<std::size_t>(*wall)];
+      if (!model_->x_column(i) && scene_.pieces.box(i).high.x == scene_.pieces.length()) fixed.push_back(i);
+    }
+    if (fixed.size() == 1) forces_[fixed.front()].x -= std::max(0.0, 1 - borne);
+  }
+
   // A pair that touches along several lines is one contact; contacts are sorted from left to right.
   static void merge(CriticalPath& path) {
     auto& contacts = path.contacts;
@@ -219,6 +254,7 @@ class Loads {
   std::vector<Row> rows_;
   std::optional<model::PositionModel> model_;
   std::map<std::uint32_t, double> tilts_;
+  std::map<std::uint32_t, RealVec> forces_;  // on each piece, by all its contacts; length per unit of displacement
 };
 
 }  // namespace

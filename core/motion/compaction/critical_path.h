@@ -34,11 +34,19 @@ struct TiltWorth {
   double per_degree{};  // lattice units of length per degree counter-clockwise; negative: tilt it clockwise
 };
 
+// What a lock costs: the length that one unit of displacement of a locked piece, with its group, would save.  Negative:
+// the opposite displacement saves it.
+struct LockPrice {
+  PieceId piece;
+  std::optional<double> per_x, per_y;  // on the axes on which the piece is locked and carries load; one at least
+};
+
 struct CriticalPath {
   // From left to right; in a marker compacted to the end, the loads on the right edge add up to 1.
   std::vector<LoadedContact> contacts;
   std::vector<TiltWorth> tilts;  // of the pieces that carry load, the largest effect first
   double per_spacing{};          // the length that one unit less of spacing would save
+  std::vector<LockPrice> locks;  // of the locked pieces that carry load
 };
 
 // REQUIRES: a valid marker.  It need not be compacted.

@@ -34,11 +34,27 @@ struct TiltWorth {
   }
 };
 
+struct LockPrice {
+  static constexpr std::string_view kName = "LockPrice", kMeaning = "What the lock of a piece costs.";
+  std::string piece;
+  std::optional<double> per_x, per_y;
+
+  static void describe(auto& v, auto& self) {
+    v.required("piece", self.piece, calls::kPieceMeaning);
+    v.optional(
+        "perX", self.per_x,
+        "Locked along x: how much the marker would shorten per unit by which the piece, with its group, is moved "
+        "to the right; negative: to the left.");
+    v.optional("perY", self.per_y, "Locked along y: likewise, upwards; negative: downwards.");
+  }
+};
+
 struct HoldResult {
   double length{};
   std::vector<LoadedContact> contacts;
   std::vector<TiltWorth> tilts;
   double per_spacing{};
+  std::optional<std::vector<LockPrice>> locks;
 
   static void describe(auto& v, auto& self) {
     v.required("length", self.length, calls::kLengthMeaning);
@@ -46,6 +62,7 @@ struct HoldResult {
     v.required("tilts", self.tilts, "What tilting a piece would gain, the largest first.");
     v.required("perSpacing", self.per_spacing,
                "How much the marker would shorten per unit less spacing or more overlap allowance.");
+    v.optional("locks", self.locks, "The locks that carry load; absent when there are none.");
   }
 };
 
@@ -70,10 +87,15 @@ Result<HoldResult> run(const AnalysisParams&, const MarkerFile& file, const call
   HoldResult result{.length = to_decimal(length_of(marker), marker.resolution),
                     .contacts = {},
                     .tilts = {},
-                    .per_spacing = path->per_spacing};
+                    .per_spacing = path->per_spacing,
+                    .locks = {}};
   for (const auto& contact : path->contacts) result.contacts.push_back(contact_of(marker, contact));
   for (const motion::compaction::TiltWorth& tilt : path->tilts) {
     result.tilts.push_back({marker.pieces[tilt.piece.value].id, formats::in_unit(tilt.per_degree, marker.resolution)});
+  }
+  for (const motion::compaction::LockPrice& lock : path->locks) {
+    if (!result.locks) result.locks.emplace();
+    result.locks->push_back({marker.pieces[lock.piece.value].id, lock.per_x, lock.per_y});
   }
   return result;
 }

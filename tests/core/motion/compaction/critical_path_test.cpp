@@ -67,6 +67,52 @@ TEST(CriticalPath, SaysWhatATiltWouldBring) {
   EXPECT_NEAR(hold.tilts[0].per_degree, static_cast<double>(rise) * std::numbers::pi / 180, 1);
 }
 
+TEST(CriticalPath, SaysWhatALockCosts) {
+  Layout layout{1'000'000};
+  const auto square = layout.shape_of(test::rectangle(100'000, 100'000));
+  layout.put(square, {0, 0}).put(square, {150'000, 0}).put(square, {250'000, 0}).put(square, {350'000, 500'000});
+  Marker marker = layout.marker();
+  EXPECT_TRUE(held(marker).locks.empty());
+  // The second square is locked: the third one lies against it and, with the last one free, ends the marker.
+  marker.pieces[1].locked = true;
+  CriticalPath hold = held(marker);
+  ASSERT_EQ(hold.locks.size(), 1U);
+  EXPECT_EQ(hold.locks[0].piece, PieceId{1});
+  EXPECT_NEAR(hold.locks[0].per_x.value_or(0), -1, 1e-6);
+  EXPECT_FALSE(hold.locks[0].per_y);
+  // A locked square at the end bounds the length itself.
+  marker.pieces[1].locked = false;
+  marker.pieces[3].locked = true;
+  hold = held(marker);
+  ASSERT_EQ(hold.locks.size(), 1U);
+  EXPECT_EQ(hold.locks[0].piece, PieceId{3});
+  EXPECT_NEAR(hold.locks[0].per_x.value_or(0), -1, 1e-6);
+  // So does a lock that is on a square of its group.
+  marker.pieces[3].locked = false;
+  marker.pieces[0].locked = true;
+  marker.pieces[0].group = marker.pieces[3].group = "two";
+  hold = held(marker);
+  ASSERT_EQ(hold.locks.size(), 1U);
+  EXPECT_EQ(hold.locks[0].piece, PieceId{0});
+  EXPECT_NEAR(hold.locks[0].per_x.value_or(0), -1, 1e-6);
+}
+
+// The price of a lock is a derivative: so much shorter does the marker become when the locked piece is moved by a
+// little.
+TEST(CriticalPath, ALockCostsWhatMovingThePieceSaves) {
+  Layout layout{400'000};
+  const auto ramp = layout.shape_of({{0, 0}, {400'000, 0}, {0, 400'000}});
+  layout.put(ramp, {0, 0}).put(ramp, {400'000, 400'000}, 180);
+  Marker marker = layout.marker();
+  marker.pieces[0].locked.y = true;
+  marker.pieces[1].locked.y = true;
+  const CriticalPath hold = held(marker);
+  ASSERT_EQ(hold.locks.size(), 2U);
+  EXPECT_NEAR(hold.locks[0].per_y.value_or(0), -1, 1e-6);  // downwards: at 45 degrees, a unit for a unit
+  EXPECT_NEAR(hold.locks[1].per_y.value_or(0), 1, 1e-6);
+  EXPECT_FALSE(hold.locks[0].per_x);
+}
+
 TEST(CriticalPath, LoadsBalanceOnCompactedMarkers) {
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
     SumCache sums;
