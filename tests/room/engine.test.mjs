@@ -221,3 +221,23 @@ test("exact compaction: of all that is in view, or around the selected pieces", 
   };
   assert.equal((await lengthAfter(bars(2), "Exactly", { prepare })).length, 290);
 });
+
+test("what each rule, lock and millimetre costs, in length and in money", async () => {
+  const daemon = await startDaemon();
+  const { markerId } = await call(daemon.port, "marker.open", { marker: { ...squares(4), spacing: 3 } });
+  await call(daemon.port, "motion.compact", { markerId });
+  await call(daemon.port, "marker.apply", { markerId, ops: [{ op: "lock", piece: "p1", locked: true }] });
+  const page = await visit(here.browser, daemon.port, { marker: markerId });
+  await page.click("#tab-length");
+  await page.until(`document.querySelectorAll("#prices tbody tr").length === 2`, "two prices");
+  const rows = () => page.ask(`[...document.querySelectorAll("#prices tbody tr")].map((row) => [...row.children].map((cell) => cell.textContent))`);
+  // Two distances lie between the locked square and the end; 8 € a metre in 60 plies.
+  assert.deepEqual(await rows(), [["Spacing", "2.00 mm", "0.96 €"], ["Lock ← square", "1.00 mm", "0.48 €"]]);
+  await page.press("Lock ← square", "#prices");
+  assert.deepEqual((await page.ask("selvageRoom.view()")).selected, ["p1"]);
+  await call(daemon.port, "marker.apply", { markerId, ops: [{ op: "lock", piece: "p1", locked: false }] });
+  await page.until(`document.querySelector("#prices tbody").children.length === 1`, "no lock any more");
+  assert.equal((await rows())[0][1], "3.00 mm");
+  assert.deepEqual(page.faults, []);
+  await daemon.stop();
+});

@@ -89,7 +89,7 @@ const states = {
     await compacted(page);
     await page.key("h");
     await page.click("#tab-length");
-    await page.until(`!!document.querySelector("#why .facts")`);
+    await page.until(`!!document.querySelector("#prices")`);
   }),
   cloth: () => state("cloth", async (page) => {
     await page.key("e");

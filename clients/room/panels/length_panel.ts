@@ -2,12 +2,14 @@ import { fill, h } from "../base/dom";
 import { prefer, preferences } from "../base/preferences";
 import { follow } from "../base/signal";
 import type { Insight } from "../engine/insight";
+import { pricesOf } from "../engine/prices";
 import type { Desk } from "../session/desk";
 import { say, wording } from "../texts/texts";
-import { areaText, lengthText, numberText, parseNumber, unitName, unitOf } from "../texts/units";
+import { areaText, lengthText, numberText, parseNumber } from "../texts/units";
 import type { Scene } from "../view/scene";
 import { moneyText } from "./header";
 import { heading, note, row } from "./controls";
+import { drawPrices } from "./price_list";
 
 /** What holds the length, what each rule costs, the free cloth, and money. */
 export function buildLengthPanel(host: HTMLElement, desk: Desk, scene: Scene, insight: Insight): void {
@@ -58,15 +60,13 @@ function drawWhy(host: HTMLElement, desk: Desk, scene: Scene, insight: Insight):
   const marker = desk.marker.value;
   if (!chain || !marker) return fill(host);
   const loaded = chain.contacts.filter(({ worth }) => worth >= 0.004);
-  const unit = unitOf(marker);
-  const spacing = h("dl", { class: "facts" }, h("dt", {}, say("perSpacing", { unit: `1 ${unitName()}` })), h("dd", {}, lengthText(chain.perSpacing * unit)));
   const tilts = chain.tilts.filter(({ piece }) => (marker.byId.get(piece)?.shape.tiltLimit ?? 0) > 0).slice(0, 6);
   const rows = tilts.map(({ piece, perDegree }) => {
     const name = marker.byId.get(piece)?.shape.name ?? piece;
     const turn = perDegree > 0 ? "↺" : "↻";
     return h("button", { type: "button", class: "line-button", onclick: () => scene.select([piece]) }, h("span", {}, name), h("span", { class: "option-detail" }, `${turn} 1°: −${lengthText(Math.abs(perDegree))}`));
   });
-  fill(host, h("p", { class: "note" }, say("chainOf", { count: numberText(loaded.length, 0) })), spacing, rows.length > 0 && h("p", { class: "note" }, say("bestTilts")), ...rows);
+  fill(host, h("p", { class: "note" }, say("chainOf", { count: numberText(loaded.length, 0) })), drawPrices(pricesOf(chain, marker), marker.unit, scene), rows.length > 0 && h("p", { class: "note" }, say("bestTilts")), ...rows);
 }
 
 function drawCloth(host: HTMLElement, desk: Desk, insight: Insight): void {
