@@ -3,6 +3,7 @@
 
 #include "clients/cli/command_line/parse.h"
 #include "clients/cli/commands/commands.h"
+#include "clients/cli/commands/motions/motion_commands.h"
 #include "clients/cli/commands/shared_options.h"
 #include "clients/cli/documents/completion.h"
 #include "clients/cli/documents/manual.h"
@@ -12,7 +13,7 @@ namespace {
 // In the order of --help.
 std::vector<selvage::cli::command_line::Command> all_commands() {
   namespace commands = selvage::cli::commands;
-  std::vector<selvage::cli::command_line::Command> all = commands::motion_commands();
+  std::vector<selvage::cli::command_line::Command> all = commands::motions::motion_commands();
   for (auto command : {&commands::check_command, &commands::show_command, &commands::convert_command,
                        &commands::call_command, &commands::watch_command}) {
     all.push_back(command());

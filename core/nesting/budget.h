@@ -5,6 +5,7 @@
 // instead reports how much of it is used up; then there is one exploration and one compression.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <stop_token>
@@ -22,6 +23,11 @@ class Budget {
   [[nodiscard]] bool stopped() const { return stop_.stop_requested(); }
   [[nodiscard]] bool over(std::uint64_t moves) const {
     return moves >= most_ || stopped() || (elapsed_ && elapsed_() >= 1);
+  }
+  // The part of it that is used up; 1 and more when it is over.
+  [[nodiscard]] double used(std::uint64_t moves) const {
+    const double of_moves = most_ == 0 ? 1 : static_cast<double>(moves) / static_cast<double>(most_);
+    return elapsed_ ? std::max(of_moves, elapsed_()) : of_moves;
   }
   // True while the search is to explore, false while it is to compress.
   [[nodiscard]] bool exploring(std::uint64_t moves) const { return done_of_epoch(moves) < explored_; }

@@ -2,32 +2,17 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "core/motion/placing/place.h"
+#include "core/nesting/filling/lying.h"
 #include "core/scene/scene.h"
 
 namespace selvage::nesting {
 namespace {
-
-// The marker of those of its pieces that lie on the cloth; the others are unplaced when `with_rest`.
-Marker divided(const Marker& marker, const std::vector<bool>& lies, bool with_rest) {
-  Marker result = marker;
-  result.pieces.clear();
-  for (std::size_t i = 0; i < marker.pieces.size(); ++i) {
-    if (lies[i]) {
-      result.pieces.push_back(marker.pieces[i]);
-    } else if (with_rest) {
-      result.unplaced.push_back(marker.pieces[i]);
-      result.unplaced.back().at = {};
-    }
-  }
-  return result;
-}
 
 // The piece at a free position on the cloth, as far left as the orientations allow; nothing when there is none.
 std::optional<Piece> put_down(const Marker& lying, Piece piece, const layout::Kind& kind, const scene::Run& run) {
@@ -50,17 +35,11 @@ std::optional<Piece> put_down(const Marker& lying, Piece piece, const layout::Ki
   return best;
 }
 
-}  // namespace
-
-std::size_t end_with_cloth(Marker& marker, const layout::PieceSet& set, const scene::Run& run) {
-  const auto last = marker.strip.last();
-  if (!last) return 0;
-  std::vector<bool> lies(marker.pieces.size());
+// Puts pieces that do not lie where there is room for them, the largest first.
+void put_back(filling::Filling& filling, const layout::PieceSet& set, const scene::Run& run) {
   std::vector<std::size_t> off;
-  for (std::size_t i = 0; i < marker.pieces.size(); ++i) {
-    const Box box = box_of(placed_outline(marker, PieceId{static_cast<std::uint32_t>(i)}));
-    lies[i] = box.high.x <= *last;
-    if (!lies[i]) off.push_back(i);
+  for (std::size_t i = 0; i < filling.lies.size(); ++i) {
+    if (!filling.lies[i]) off.push_back(i);
   }
   std::stable_sort(off.begin(), off.end(),
                    [&set](std::size_t a, std::size_t b) { return set.kind(a).area > set.kind(b).area; });
@@ -68,15 +47,37 @@ std::size_t end_with_cloth(Marker& marker, const layout::PieceSet& set, const sc
   for (const std::size_t i : off) {
     if (run.stopped()) break;
     if (hopeless.contains(set.kind_of[i])) continue;
-    if (auto placed = put_down(divided(marker, lies, false), marker.pieces[i], set.kind(i), run)) {
-      marker.pieces[i] = *std::move(placed);
-      lies[i] = true;
+    Marker lying = filling::with_lying_pieces(filling.marker, filling.lies);
+    lying.unplaced.clear();
+    if (auto placed = put_down(lying, filling.marker.pieces[i], set.kind(i), run)) {
+      filling.marker.pieces[i] = *std::move(placed);
+      filling.lies[i] = true;
     } else {
       hopeless.insert(set.kind_of[i]);
     }
   }
-  marker = divided(marker, lies, true);
-  return marker.unplaced.size();
+}
+
+}  // namespace
+
+filling::Filling end_with_cloth(Marker all, const AtClothEnd& at, const scene::Run& run) {
+  filling::Filling filling{.marker = std::move(all)};
+  const auto last = filling.marker.strip.last();
+  filling.lies.assign(filling.marker.pieces.size(), true);
+  if (last) {
+    filling.lies = filling::pieces_before(filling.marker, *last);
+    put_back(filling, at.set, run);
+  }
+  filling.value = filling::value_of(filling.lies, at.values);
+  const bool all_lie = std::find(filling.lies.begin(), filling.lies.end(), false) == filling.lies.end();
+  if (all_lie || at.set.size() > at.tuning.most_pieces) return filling;
+  const filling::FillSettings settings{.values = at.values,
+                                       .seed = at.seed,
+                                       .map_bytes = at.tuning.map_bytes,
+                                       .over = [&at](std::uint64_t moves) { return at.budget.over(at.moves + moves); },
+                                       .search = at.tuning.search,
+                                       .tuning = at.tuning.fill};
+  return fill(std::move(filling), at.set, settings, run);
 }
 
 }  // namespace selvage::nesting

@@ -1,19 +1,31 @@
-// What nesting does where the cloth ends: pieces that reach beyond the end come off the cloth, and those of them that
-// still fit somewhere are put there.
+// What nesting does where the cloth ends: pieces that reach beyond the end come off the cloth, those of them that still
+// fit somewhere are put there, and what budget is left goes into the choice of the pieces that lie on it (filling).
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "core/marker/marker.h"
+#include "core/nesting/budget.h"
+#include "core/nesting/filling/fill.h"
 #include "core/nesting/layout/piece_set.h"
+#include "core/nesting/tuning.h"
 #include "core/scene/run.h"
 
 namespace selvage::nesting {
 
-// The number of pieces that are left over: they become unplaced.  Pieces keep their order; fixed ones stay.  When
-// cancelled, no more pieces are put back.
-// REQUIRES: the set is that of the marker, all of whose pieces are placed; they are valid but for the end of the cloth,
-// which fixed pieces do not reach beyond.
-[[nodiscard]] std::size_t end_with_cloth(Marker& marker, const layout::PieceSet& set, const scene::Run& run);
+// What a search has come to on a cloth that may end.
+struct AtClothEnd {
+  const layout::PieceSet& set;
+  const std::vector<double>& values;  // by piece
+  const NestTuning& tuning;
+  const Budget& budget;
+  std::uint64_t moves{};  // that are used up already
+  std::uint64_t seed{};
+};
+
+// `all` has all pieces as placed ones; they are valid but for the end of the cloth, which fixed pieces do not reach
+// beyond.  When cancelled, the pieces that reach beyond it are left over.
+[[nodiscard]] filling::Filling end_with_cloth(Marker all, const AtClothEnd& at, const scene::Run& run);
 
 }  // namespace selvage::nesting

@@ -5,8 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/motion/compaction/compact.h"
-#include "core/motion/separation/separate.h"
+#include "core/nesting/filling/proved_layout.h"
 
 namespace selvage::nesting {
 namespace {
@@ -29,10 +28,11 @@ double least_length(const layout::PieceSet& set, const Marker& marker) {
 }  // namespace
 
 Exploration::Exploration(const layout::PieceSet& set, Marker best, std::uint64_t seed, const NestTuning& tuning,
-                         Budget budget, const scene::Run& run, OnBetter on_better)
+                         Budget budget, std::optional<ClothEnd> end, const scene::Run& run, OnBetter on_better)
     : set_{&set},
       tuning_{tuning},
       budget_{std::move(budget)},
+      end_{end},
       run_{&run},
       on_better_{std::move(on_better)},
       search_{set, run.sums, seed, tuning.map_bytes, tuning.search},
@@ -109,27 +109,21 @@ void Exploration::take_from_pool() {
 }
 
 bool Exploration::accept(const layout::Layout& layout) {
-  namespace compaction = motion::compaction;
-  const auto settings = compaction_settings(compaction::Accuracy::kStandard);
-  const scene::Run quiet = run_->quiet();
-  const Marker marker = to_marker(*set_, layout, best_);
-  auto compacted = compact(marker, settings, quiet);
-  if (!compacted) {
-    motion::separation::SeparationSettings separation;
-    separation.rounds = tuning_.separation_rounds;
-    const auto separated = motion::separation::separate(marker, separation, quiet);
-    if (!separated || !separated->apart) return false;
-    programs_ += separated->programs;
-    compacted = compact(separated->marker, settings, quiet);
-    if (!compacted) return false;
-  }
-  programs_ += compacted->programs;
-  if (compacted->length_after >= length_) return false;
-  best_ = std::move(compacted->marker);
-  length_ = compacted->length_after;
+  auto done = filling::proved(to_marker(*set_, layout, best_), tuning_.separation_rounds, *run_);
+  if (!done) return false;
+  programs_ += done->programs;
+  if (done->length_after >= length_) return false;
+  best_ = std::move(done->marker);
+  length_ = done->length_after;
   history_.push_back({search_.moves(), length_});
   on_better_(history_.back());
   return true;
+}
+
+bool Exploration::over() const {
+  const std::uint64_t moves = search_.moves();
+  if (budget_.over(moves)) return true;
+  return end_ && length_ > end_->last && budget_.used(moves) >= end_->patience;
 }
 
 }  // namespace selvage::nesting

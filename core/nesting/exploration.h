@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/marker/marker.h"
@@ -28,13 +29,20 @@ struct Improvement {
   friend bool operator==(const Improvement&, const Improvement&) = default;
 };
 
+// Where the cloth ends, and how long a search goes on that has not brought all pieces before it.
+struct ClothEnd {
+  Coord last{};       // the largest x that a piece may reach; lattice units
+  double patience{};  // part of the budget
+};
+
 class Exploration {
  public:
   using OnBetter = std::function<void(const Improvement&)>;
 
-  // `best` is valid, places all pieces, and is what the search has to beat.  REQUIRES: the set and the run outlive it.
+  // `best` is valid on an endless strip, places all pieces, and is what the search has to beat; `end`: nothing when the
+  // cloth does not end.  REQUIRES: the set and the run outlive it.
   Exploration(const layout::PieceSet& set, Marker best, std::uint64_t seed, const NestTuning& tuning, Budget budget,
-              const scene::Run& run, OnBetter on_better);
+              std::optional<ClothEnd> end, const scene::Run& run, OnBetter on_better);
 
   // Builds a layout; the pieces that are `kept` stay where `start` has them, to begin with.  Then searches until the
   // budget is used up, or nothing shorter is possible.
@@ -55,12 +63,13 @@ class Exploration {
   void take_from_pool();
   // Makes a valid marker of a layout that hardly overlaps; true when it is shorter than the best.
   [[nodiscard]] bool accept(const layout::Layout& layout);
-  [[nodiscard]] bool over() const { return budget_.over(search_.moves()); }
+  [[nodiscard]] bool over() const;
   [[nodiscard]] double best_length() const { return static_cast<double>(length_) / set_->lattice_units; }
 
   const layout::PieceSet* set_;
   NestTuning tuning_;
   Budget budget_;
+  std::optional<ClothEnd> end_;
   const scene::Run* run_;
   OnBetter on_better_;
   local_search::GuidedSearch search_;

@@ -10,6 +10,7 @@
 #include "core/marker/placed_pieces.h"
 #include "core/motion/compaction/compact.h"
 #include "core/nesting/cloth_end.h"
+#include "core/nesting/filling/lying.h"
 #include "core/nesting/layout/layout.h"
 #include "core/nesting/shelves.h"
 
@@ -76,41 +77,91 @@ std::vector<bool> kept_on_shelves(const Marker& start, const layout::PieceSet& s
   return {set.fixed.begin(), set.fixed.begin() + static_cast<std::ptrdiff_t>(start.pieces.size())};
 }
 
+// What a piece is worth where the cloth ends: what the caller says, else its area.
+std::vector<double> values_of(const Marker& start, const layout::PieceSet& set, const NestSettings& settings) {
+  std::vector<double> values;
+  for (const auto* pieces : {&start.pieces, &start.unplaced}) {
+    for (const Piece& piece : *pieces) {
+      const auto given = settings.values.find(piece.id);
+      const double area = set.kind(values.size()).area * set.lattice_units * set.lattice_units;
+      values.push_back(given == settings.values.end() ? area : given->second);
+    }
+  }
+  return values;
+}
+
+// The task of every search.
+struct Task {
+  const Marker& start;    // the fixed pieces, and others where they lie
+  const Marker& shelves;  // all pieces, on an endless strip
+  const layout::PieceSet& set;
+  const NestSettings& settings;
+  std::vector<double> values;  // by piece
+};
+
 struct Searched {
-  Marker best;
-  Coord length{};
+  filling::Filling best;
+  Coord length{};  // of all pieces on an endless strip
   std::vector<Improvement> history{};
   std::uint64_t moves{};
   int programs{};
   bool converged{};
 };
 
+// Where pieces are left over, those that lie should be worth most; then the marker should be short.
+bool better(const Searched& a, const Searched& b) {
+  return a.best.value != b.best.value ? a.best.value > b.best.value : a.length < b.length;
+}
+
+Searched at_cloth_end(Searched searched, const Task& task, const Budget& budget, std::uint64_t seed,
+                      const scene::Run& run) {
+  searched.best.marker.strip = task.start.strip;
+  const AtClothEnd at{task.set, task.values, task.settings.tuning, budget, searched.moves, seed};
+  searched.best = end_with_cloth(std::move(searched.best.marker), at, run);
+  searched.moves += searched.best.moves;
+  searched.programs += searched.best.programs;
+  return searched;
+}
+
 // Instead of a search, when there are too many pieces for one.
-Searched compacted(const Marker& shelves, const scene::Run& run) {
+Searched compacted(const Task& task, const Budget& budget, const scene::Run& run) {
   using motion::compaction::Accuracy;
-  auto compaction = compact(shelves, compaction_settings(Accuracy::kDraft), run.quiet());
-  if (!compaction) return {.best = shelves, .length = length_of(shelves)};
-  return {.best = std::move(compaction->marker), .length = compaction->length_after, .programs = compaction->programs};
+  Searched searched{.best = {.marker = task.shelves}, .length = length_of(task.shelves)};
+  auto compaction = compact(task.shelves, compaction_settings(Accuracy::kDraft), run.quiet());
+  if (compaction) {
+    searched.best.marker = std::move(compaction->marker);
+    searched.length = compaction->length_after;
+    searched.programs = compaction->programs;
+  }
+  return at_cloth_end(std::move(searched), task, budget, task.settings.seed, run);
+}
+
+std::optional<ClothEnd> cloth_end(const Task& task) {
+  const auto last = task.start.strip.last();
+  if (!last) return std::nullopt;
+  const layout::PieceSet& set = task.set;
+  const double cloth = (static_cast<double>(*last) / set.lattice_units - set.low) * (set.high - set.low);
+  const NestTuning& tuning = task.settings.tuning;
+  return ClothEnd{*last, set.area < cloth ? tuning.end_patience : tuning.hopeless_patience};
 }
 
 // Every search has its own seed, and starts from the pieces where they lie or, every other one, from scratch.
-Searched search(std::size_t number, const Marker& start, const Marker& shelves, const layout::PieceSet& set,
-                const NestSettings& settings, const scene::Run& run, Reporter& reporter) {
-  const NestTuning& tuning = settings.tuning;
-  const Budget budget{settings.moves, settings.elapsed, run.stop, tuning.explored, tuning.first_epoch};
-  const auto on_better = [&reporter](const Improvement& better) { reporter.report(better); };
-  Exploration exploration{set, shelves, settings.seed + number, tuning, budget, run, on_better};
-  std::vector<bool> kept = set.fixed;
-  for (std::size_t i = 0; i < start.pieces.size() && number % 2 == 0; ++i) kept[i] = true;
-  Marker from = shelves;
-  std::copy(start.pieces.begin(), start.pieces.end(), from.pieces.begin());
-  exploration.run(to_layout(set, from), kept);
-  return {.best = exploration.best(),
-          .length = exploration.length(),
-          .history = exploration.history(),
-          .moves = exploration.moves(),
-          .programs = exploration.programs(),
-          .converged = exploration.converged()};
+Searched search(std::size_t number, const Task& task, const Budget& budget, const scene::Run& run, Reporter& reporter) {
+  const auto on_better = [&reporter](const Improvement& improvement) { reporter.report(improvement); };
+  const std::uint64_t seed = task.settings.seed + number;
+  Exploration exploration{task.set, task.shelves, seed, task.settings.tuning, budget, cloth_end(task), run, on_better};
+  std::vector<bool> kept = task.set.fixed;
+  for (std::size_t i = 0; i < task.start.pieces.size() && number % 2 == 0; ++i) kept[i] = true;
+  Marker from = task.shelves;
+  std::copy(task.start.pieces.begin(), task.start.pieces.end(), from.pieces.begin());
+  exploration.run(to_layout(task.set, from), kept);
+  return at_cloth_end({.best = {.marker = exploration.best()},
+                       .length = exploration.length(),
+                       .history = exploration.history(),
+                       .moves = exploration.moves(),
+                       .programs = exploration.programs(),
+                       .converged = exploration.converged()},
+                      task, budget, seed, run);
 }
 
 }  // namespace
@@ -132,14 +183,17 @@ Result<Nesting> nest(const Marker& given, const NestSettings& settings, const sc
   if (!shelves) return shelves.error();
 
   Reporter reporter{run.observer, kLatticeLimit};
-  const bool too_many = set->size() > settings.tuning.most_pieces;
+  const Task task{start, *shelves, *set, settings, values_of(start, *set, settings)};
+  const NestTuning& tuning = settings.tuning;
+  const bool too_many = set->size() > tuning.most_pieces;
   std::vector<std::optional<Searched>> searched(too_many ? 1 : std::max<std::size_t>(1, settings.searches));
   run.executor->for_each(searched.size(), [&](std::size_t k) {
     const scene::Run own = searched.size() == 1 ? run : scene::Run{run.sums, run.stop};
-    searched[k] = too_many ? compacted(*shelves, own) : search(k, start, *shelves, *set, settings, own, reporter);
+    const Budget budget{settings.moves, settings.elapsed, run.stop, tuning.explored, tuning.first_epoch};
+    searched[k] = too_many ? compacted(task, budget, own) : search(k, task, budget, own, reporter);
   });
-  const auto best = std::min_element(searched.begin(), searched.end(),
-                                     [](const auto& a, const auto& b) { return (*a).length < (*b).length; });
+  const auto best =
+      std::min_element(searched.begin(), searched.end(), [](const auto& a, const auto& b) { return better(*a, *b); });
 
   Nesting nesting;
   nesting.length_before = length_of(given);
@@ -150,9 +204,8 @@ Result<Nesting> nest(const Marker& given, const NestSettings& settings, const sc
   }
   nesting.history = std::move((*best)->history);
   nesting.rounds = static_cast<int>(nesting.history.size());
-  nesting.marker = std::move((*best)->best);
-  nesting.marker.strip = start.strip;
-  nesting.left_over = end_with_cloth(nesting.marker, *set, run);
+  nesting.marker = filling::with_lying_pieces((*best)->best.marker, (*best)->best.lies);
+  nesting.left_over = nesting.marker.unplaced.size();
   nesting.length_after = length_of(nesting.marker);
   nesting.reason = (*best)->converged ? scene::StopReason::kConverged
                    : run.stopped()    ? scene::StopReason::kCancelled

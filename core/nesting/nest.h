@@ -3,19 +3,22 @@
 //
 // Method.  A guided local search over penetration depths ([UYI+09], [IYN09], [GVW25]) finds layouts that hardly overlap
 // in a given length; linear programs ([Li94], core/motion) remove what is left, compact the layout, and prove it; then
-// the strip is shortened (exploration.h).  What is new here: the field of a whole strip, added up from rasterised
-// Minkowski sums (local_search/field.h), and the compaction after every success.
+// the strip is shortened (exploration.h).  Where the cloth ends before all pieces lie on it, the rest of the budget
+// goes into the choice of those that do (filling/fill.h).  What is new here: the field of a whole strip, added up from
+// rasterised Minkowski sums (local_search/field.h), and the compaction after every success.
 //
 // Laws.  (1) The answer is valid, proved in integers.  (2) Every piece of the input is in the answer, placed or, when
 // the cloth ends before it, unplaced.  (3) Locked pieces and pieces of groups stay in place, but for compaction, which
-// moves groups as one.  (4) If the input places all pieces and is valid, and the search
-// is not from scratch, the answer is no longer than it.  (5) The same
-// input and settings give the same answer, whatever the cache holds and however many threads are used; with `elapsed`
-// or when cancelled, the best marker so far.  (6) More moves never give a longer marker.
+// moves groups as one.  (4) If the input places all pieces and is valid, and the search is not from scratch, the answer
+// is no longer than it.  (5) The same input and settings give the same answer, whatever the cache holds and however
+// many threads are used; with `elapsed` or when cancelled, the best marker so far.  (6) On a strip without an end, more
+// moves never give a longer marker.
 #pragma once
 
 #include <cstdint>
 #include <functional>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "core/base/result.h"
@@ -38,6 +41,9 @@ struct NestSettings {
   // The part of the caller's time that is used up, 0..1; empty when only moves are limited.  Called by the thread of
   // every search.
   std::function<double()> elapsed{};
+  // Where the cloth ends before all pieces lie on it: what pieces are worth, by their id; others are worth their area
+  // in square lattice units.  At least 0.
+  std::map<std::string, double, std::less<>> values{};
   NestTuning tuning{};
 };
 

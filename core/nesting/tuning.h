@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/nesting/filling/tuning.h"
 #include "core/nesting/local_search/tuning.h"
 
 namespace selvage::nesting {
@@ -21,10 +22,14 @@ struct NestTuning {
   double last_squeeze{1e-5};      // at the end by this one,
   std::size_t squeeze_patience{100}, squeeze_strikes{5};
   std::uint64_t first_epoch{2'000};  // moves of the first exploration with its compression; later ones double it
-  int separation_rounds{12};         // when repair cannot remove what the search has left
-  std::size_t most_pieces{2'000};    // larger sets are laid on shelves and compacted, without a search
+  // Part of the budget after which a search gives up bringing all pieces before the cloth's end, and rather chooses
+  // which of them lie on it: when their area is less than the cloth's, and when it is not.
+  double end_patience{0.5}, hopeless_patience{0.1};
+  int separation_rounds{12};                      // when repair cannot remove what the search has left
+  std::size_t most_pieces{2'000};                 // larger sets are laid on shelves and compacted, without a search
   std::size_t map_bytes{std::size_t{192} << 20};  // of the sampled maps of a search
   local_search::SearchTuning search{};
+  filling::FillTuning fill{};
   friend bool operator==(const NestTuning&, const NestTuning&) = default;
 };
 

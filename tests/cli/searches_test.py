@@ -5,7 +5,7 @@ import signal
 import subprocess
 import unittest
 
-from command import BAD_INPUT, CANCELLED, CliTest, MARKERS, OK, PACKING, REFUSED, SELVAGE, run, squares
+from command import BAD_INPUT, BAD_USAGE, CANCELLED, CliTest, MARKERS, OK, PACKING, REFUSED, SELVAGE, run, squares
 
 
 class Nest(CliTest):
@@ -67,6 +67,42 @@ class Nest(CliTest):
         self.assertIn("left over    1 piece", ran.stdout)
         written = json.loads(self.path("out.json").read_text())
         self.assertEqual((len(written["pieces"]), len(written["unplaced"])), (2, 1))
+
+    def test_writes_every_sheet_to_a_file_of_its_own(self):
+        ran = run("nest", self.write(self.instance()), "--moves", 300, "--sheets", "1500x1000*2,1500x1200",
+                  "-o", self.path("laid.json"), "--svg", self.path("laid.svg"), "--json")
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        line = json.loads(ran.stdout)
+        self.assertEqual(len(line["left_over"]), 40 - sum(sheet["pieces"] for sheet in line["sheets"]))
+        self.assertEqual(line["sheets"][0]["sheet"], 1)
+        for number, sheet in enumerate(line["sheets"], 1):
+            checked = run("check", self.path(f"laid-{number}.json"))
+            self.assertEqual(checked.returncode, OK, checked.stderr)
+            written = json.loads(self.path(f"laid-{number}.json").read_text())
+            self.assertEqual(len(written["pieces"]), sheet["pieces"])
+            self.assertEqual(written["strip"]["longest"], (1000, 1200)[sheet["sheet"]])
+            self.assertTrue(self.path(f"laid-{number}.svg").exists())
+
+    def test_sheets_may_have_outlines(self):
+        document = squares()
+        document["unplaced"] = [{"id": name, "shape": "square"} for name in "abc"]
+        hide = '[{"outline": [[0, 0], [100, 0], [50, 100]]}]'
+        ran = run("nest", self.write(document), "--moves", 200, "--sheets", hide)
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        self.assertIn("1 sheet\n  sheet 1      kind 1, 1 pieces", ran.stdout)
+
+    def test_refuses_sheets_that_it_cannot_read(self):
+        document = squares((0, 0))
+        for options in (["--sheets", "90"], ["--sheets", "90x"], ["--sheets", "90x80", "--keep-placed"],
+                        ["--sheets", "90x80", "-o", "-"]):
+            self.assertEqual(run("nest", self.write(document), *options).returncode, BAD_USAGE, options)
+        self.assertEqual(run("nest", self.write(document), "--sheets", "0x80").returncode, BAD_INPUT)
+        self.assertEqual(run("nest", self.write(document), "--sheets", "[{]").returncode, BAD_INPUT)
+
+    def test_presets_limit_time(self):
+        ran = run("nest", self.write(squares((0, 0))), "--accuracy", "draft", "--json")
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        self.assertEqual(run("nest", self.write(squares((0, 0))), "--accuracy", "draft", "--time", 3).returncode, BAD_INPUT)
 
     def test_names_the_piece_that_fits_in_no_orientation(self):
         document = squares((0, 0))

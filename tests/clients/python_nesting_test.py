@@ -53,6 +53,19 @@ class Nesting(unittest.TestCase):
         self.assertAlmostEqual(found.utilisation, (4 * 975 + 400) / (60 * found.length))
         self.assertGreater(found.utilisation, 0.6)
 
+    def test_pieces_are_nested_on_sheets(self):
+        marker = {"format": "selvage-marker", "version": 1, "strip": {"width": 40}, "pieces": [],
+                  "shapes": [{"id": "square", "outline": SQUARE}],
+                  "unplaced": [{"id": str(k), "shape": "square"} for k in range(7)]}
+        with selvage_client.Client(self.daemon.address) as client, client.open(marker) as opened:
+            found = opened.nest_sheets([{"width": 40, "length": 40}, {"width": 40, "length": 20}], moves=500,
+                                       values={"6": 1000})
+            self.assertEqual([sheet.pieces for sheet in found.sheets], [4, 2])
+            self.assertEqual(len(found.left_over), 1)
+            self.assertNotIn("6", found.left_over)
+            self.assertEqual(found.sheets[1].marker["strip"], {"width": 40, "longest": 20})
+            self.assertEqual(opened.revision, 1)
+
     def test_the_same_request_gives_the_same_marker(self):
         markers = [selvage_client.nest([selvage_client.Pattern(outline=ELL, quantity=3)], 60, moves=500, seed=1,
                                 address=self.daemon.address) for _ in range(2)]

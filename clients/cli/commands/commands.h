@@ -1,14 +1,10 @@
 // The subcommands of `selvage`: each declares its options as data and says how it runs.
 #pragma once
 
-#include <vector>
-
 #include "clients/cli/command_line/parse.h"
 
 namespace selvage::cli::commands {
 
-// A command for each motion in the table of methods: `selvage compact IN ...`.
-[[nodiscard]] std::vector<command_line::Command> motion_commands();
 [[nodiscard]] command_line::Command check_command();
 [[nodiscard]] command_line::Command show_command();
 [[nodiscard]] command_line::Command convert_command();

@@ -80,6 +80,8 @@ std::string report_text(const Outcome& outcome, bool timing, const Marker& marke
   return protocol::json::to_text(protocol::calls::result_json(outcome.marker_id, outcome.revision, fields)) + "\n";
 }
 
+}  // namespace
+
 ExitCode exit_code_of(const Outcome& outcome) {
   if (!outcome.fields.value("valid", true)) return ExitCode::kNotValid;
   const bool cancelled =
@@ -87,29 +89,36 @@ ExitCode exit_code_of(const Outcome& outcome) {
   return cancelled ? ExitCode::kCancelled : ExitCode::kOk;
 }
 
-}  // namespace
-
-ExitCode run_on_marker(std::string_view name, Json params, const MarkerFiles& files, Report report) {
+std::variant<MethodRun, ExitCode> run_method(std::string_view name, Json params, const MarkerFiles& files,
+                                             Report report) {
   const auto begin = terminal::TimeLimit::Clock::now();
   const protocol::calls::Method& method = *protocol::methods::find_method(name);
   const auto call = decode_call(method, params);
   if (!call) return terminal::report(call.error());
-  const auto file = load(files);
+  auto file = load(files);
   if (!file) return terminal::report(file.error());
   if (report == Report::kSummary) terminal::print_notes(file->notes);
 
   const terminal::Interrupt interrupt;
   terminal::ProgressLine progress{file->marker, report == Report::kSummary && isatty(STDERR_FILENO) != 0};
-  const auto done = run_invocation({method, params, *call, *file}, files, begin, interrupt.token(), progress);
+  auto done = run_invocation({method, params, *call, *file}, files, begin, interrupt.token(), progress);
   if (const auto* failure = std::get_if<terminal::Failure>(&done)) return terminal::report(*failure);
-  const Outcome& outcome = std::get<Outcome>(done);
+  return MethodRun{*std::move(file), std::get<Outcome>(std::move(done))};
+}
+
+ExitCode run_on_marker(std::string_view name, Json params, const MarkerFiles& files, Report report) {
+  const bool timing =
+      params.is_object() && params.contains("timing") && params["timing"].is_boolean() && params["timing"].get<bool>();
+  const auto ran = run_method(name, params, files, report);
+  if (const auto* code = std::get_if<ExitCode>(&ran)) return *code;
+  const auto& [file, outcome] = std::get<MethodRun>(ran);
 
   std::ostream& stream = standard_outputs(files) > 0 ? std::cerr : std::cout;
-  stream << report_text(outcome, call->about.timing, file->marker, report) << std::flush;
+  stream << report_text(outcome, timing, file.marker, report) << std::flush;
   const ExitCode code = exit_code_of(outcome);
   const bool unchanged = outcome.revision == run::kFirstRevision;
   if (code == ExitCode::kNotValid && unchanged) return code;
-  if (const auto error = save(files, outcome.end, file->marker, params)) return terminal::report(*error);
+  if (const auto error = save(files, outcome.end, file.marker, params)) return terminal::report(*error);
   return code;
 }
 

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <string_view>
+#include <variant>
 
 #include "clients/cli/commands/shared_options.h"
+#include "clients/cli/run/invocation.h"
 #include "clients/cli/terminal/exit_code.h"
 #include "protocol/json/json_text.h"
 
@@ -22,5 +24,15 @@ enum class Report {
 // marker, or it is marker.apply.
 [[nodiscard]] terminal::ExitCode run_on_marker(std::string_view method, Json params, const MarkerFiles& files,
                                                Report report);
+
+// The same without the report and the files: for a command that reports and writes in a way of its own.
+struct MethodRun {
+  MarkerFile file;  // the marker that was read
+  run::Outcome outcome;
+};
+[[nodiscard]] std::variant<MethodRun, terminal::ExitCode> run_method(std::string_view method, Json params,
+                                                                     const MarkerFiles& files, Report report);
+// kCancelled when the run was stopped by the caller, kNotValid when its marker is not valid.
+[[nodiscard]] terminal::ExitCode exit_code_of(const run::Outcome& outcome);
 
 }  // namespace selvage::cli::commands

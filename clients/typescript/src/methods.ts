@@ -259,6 +259,18 @@ export type MoveEdit = {
 /** Whether pieces may also lie turned by 180 degrees. */
 export type Nap = "one_way" | "either_way";
 
+/** A sheet that is used, with the pieces on it. */
+export type NestedSheet = {
+  /** Index of its kind in the parameter. */
+  sheet: number;
+  /** Number of pieces on it. */
+  pieces: number;
+  /** The pieces' area divided by that of the sheet, 0 to 1. */
+  utilisation: number;
+  /** A native document: the strip is the sheet or, with an outline, its bounding box, from whose low corner positions are measured. */
+  marker: Record<string, unknown> | string;
+};
+
 /** A repair made while reading. */
 export type Note = {
   /** A JSON pointer into the parameters. */
@@ -311,6 +323,14 @@ export type PieceState = {
   buffer?: number;
   /** Its own overlap allowance, if it has one. */
   overlap?: number;
+};
+
+/** What a piece is worth. */
+export type PieceValue = {
+  /** The piece's id. */
+  piece: Id;
+  /** Comparable with areas in the square of the marker's unit; 0 to 1e18. */
+  value: number;
 };
 
 /** Lays an unplaced piece on the cloth, after the other pieces. */
@@ -385,6 +405,20 @@ export type RotateEdit = {
   to?: number;
   /** Degrees added to the rotation. */
   by?: number;
+};
+
+/** Sheets of one size and form: a rectangle, or what an outline encloses. */
+export type Sheet = {
+  /** Of a rectangle, across the grain, in the marker's unit. */
+  width?: number;
+  /** Of a rectangle, along the grain. */
+  length?: number;
+  /** The corners [x, y] of the sheet, instead of a width and a length. */
+  outline?: Array<Point>;
+  /** Outlines of holes and faults that no piece may cover. */
+  holes?: Array<Array<Point>>;
+  /** How many of these sheets there are, 1 to 1,000. */
+  count?: number;
 };
 
 /** Sets the least distance between two pieces. */
@@ -935,9 +969,11 @@ export interface Methods {
       deadlineMs?: number;
       /** Progress notifications, one after each round, carry this token. */
       progressToken?: ProgressToken;
-      /** The budget of every search in moves of a piece; 20,000 when absent, without limit when seconds are given. */
+      /** A budget in seconds by name: draft is 2 seconds, standard 20, fine 120.  Not together with seconds. */
+      accuracy?: Accuracy;
+      /** The budget of a search in moves of a piece; 20,000 when absent, without limit when a time is given. */
       moves?: number;
-      /** The budget of every search in seconds, 0 to 86,400. The result then depends on the machine. */
+      /** The budget of a search in seconds, 0 to 86,400. The result then depends on the machine. */
       seconds?: number;
       /** Of the random choices. */
       seed?: number;
@@ -947,6 +983,8 @@ export interface Methods {
       keepPlaced?: boolean;
       /** True: all pieces but locked ones and groups are taken off the cloth first, and the result may be longer than the marker was.  Not together with keepPlaced. */
       fromScratch?: boolean;
+      /** What pieces are worth where there is no room for all of them; others are worth their area. */
+      values?: Array<PieceValue>;
     };
     result: {
       /** The marker's id. */
@@ -985,6 +1023,41 @@ export interface Methods {
       ms?: StageTimes;
       /** The cache of Minkowski sums; only with timing. */
       cache?: CacheCounts;
+    };
+  };
+  /** Nests all pieces on as few of the given sheets as it finds; the marker itself stays as it is. */
+  "marker.nestSheets": {
+    params: {
+      /** The marker's id. */
+      markerId: string;
+      /** The kinds of sheets that there are, 1 to 100. */
+      sheets: Array<Sheet>;
+      /** A budget in seconds by name: draft is 2 seconds, standard 20, fine 120.  Not together with seconds. */
+      accuracy?: Accuracy;
+      /** The budget of a search in moves of a piece; 20,000 when absent, without limit when a time is given. */
+      moves?: number;
+      /** The budget of a search in seconds, 0 to 86,400. The result then depends on the machine. */
+      seconds?: number;
+      /** Of the random choices. */
+      seed?: number;
+      /** What pieces are worth where there is no room for all of them; others are worth their area. */
+      values?: Array<PieceValue>;
+      /** After this many milliseconds the call returns its best result so far; 1 to 86,400,000. */
+      deadlineMs?: number;
+    };
+    result: {
+      /** The marker's id. */
+      markerId: string;
+      /** The marker's revision. */
+      revision: number;
+      /** The sheets that are used. */
+      sheets: Array<NestedSheet>;
+      /** Ids of the pieces for which there is no room. */
+      leftOver: Array<string>;
+      /** Moves of a piece that the search has made. */
+      moves: number;
+      /** Why the motion ended. */
+      stop: StopReason;
     };
   };
   /** Searches all layouts of the pieces for the shortest, and proves how short it can be. */

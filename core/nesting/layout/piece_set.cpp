@@ -43,7 +43,8 @@ class Builder {
   // False when the piece fits the strip in none of its orientations.
   bool add(const Piece& piece, bool fixed) {
     const bool keeps_orientation = fixed || piece.locked.tilt;
-    const KindKey key{piece.shape, piece.buffer, keeps_orientation ? std::optional{piece.orientation} : std::nullopt};
+    const KindKey key{piece.shape, piece.buffer, overlap_of(piece),
+                      keeps_orientation ? std::optional{piece.orientation} : std::nullopt};
     const auto [found, fresh] = kinds_.try_emplace(key, static_cast<std::uint32_t>(set_.kinds.size()));
     if (fresh) set_.kinds.push_back(kind_of(piece, keeps_orientation));
     const Kind& kind = set_.kinds[found->second];
@@ -56,8 +57,10 @@ class Builder {
   [[nodiscard]] PieceSet take() { return std::move(set_); }
 
  private:
-  using KindKey = std::tuple<ShapeId, Coord, std::optional<Orientation>>;
-  using OutlineKey = std::tuple<ShapeId, Coord, Angle>;
+  using KindKey = std::tuple<ShapeId, Coord, Coord, std::optional<Orientation>>;
+  using OutlineKey = std::tuple<ShapeId, Coord, Coord, Angle>;
+
+  [[nodiscard]] Coord overlap_of(const Piece& piece) const { return piece.overlap.value_or(marker_.overlap); }
 
   Kind kind_of(const Piece& piece, bool keeps_orientation) {
     const Shape& shape = marker_.shapes[piece.shape.value];
@@ -93,9 +96,10 @@ class Builder {
 
   Turned turned(const Piece& piece, const Shape& shape, const Orientation& orientation, const Box& box) {
     const auto [turn, symmetry] = split(orientation);
-    const auto [found, fresh] = outlines_.try_emplace(OutlineKey{piece.shape, piece.buffer, turn},
+    const Coord overlap = overlap_of(piece);
+    const auto [found, fresh] = outlines_.try_emplace(OutlineKey{piece.shape, piece.buffer, overlap, turn},
                                                       static_cast<std::uint32_t>(set_.outlines.size()));
-    if (fresh) set_.outlines.push_back({sums_.outline(geometry::turned(shape.outline, turn)), piece.buffer});
+    if (fresh) set_.outlines.push_back({sums_.outline(geometry::turned(shape.outline, turn)), piece.buffer, overlap});
     const auto units = [this](Coord coord) { return static_cast<double>(coord) / set_.lattice_units; };
     return {orientation,
             found->second,
@@ -113,8 +117,10 @@ class Builder {
 }  // namespace
 
 double PieceSet::clearance(std::uint32_t first, std::uint32_t second) const {
-  const Coord distance = std::max(spacing, outlines[first].buffer + outlines[second].buffer);
-  return static_cast<double>(distance) / lattice_units;
+  const BaseOutline& p = outlines[first];
+  const BaseOutline& q = outlines[second];
+  const Coord apart = std::max(spacing, p.buffer + q.buffer);
+  return static_cast<double>(apart > 0 ? apart : -std::min(p.overlap, q.overlap)) / lattice_units;
 }
 
 Result<PieceSet> piece_set_of(const Marker& marker, PlacedPiecesMay placed, SumCache& sums) {

@@ -25,10 +25,10 @@ struct RealBox {
   [[nodiscard]] double middle_y() const { return (low_y + high_y) / 2; }
 };
 
-// An outline up to the eight exact symmetries, with the clearance around it.
+// An outline up to the eight exact symmetries, with the clearance around it and its overlap allowance.
 struct BaseOutline {
   std::shared_ptr<const outline::Outline> outline;
-  Coord buffer{};  // lattice units
+  Coord buffer{}, overlap{};  // lattice units
 };
 
 // A kind of piece in one of its allowed orientations.
@@ -60,7 +60,8 @@ struct PieceSet {
 
   [[nodiscard]] std::size_t size() const { return kind_of.size(); }
   [[nodiscard]] const Kind& kind(std::size_t piece) const { return kinds[kind_of[piece]]; }
-  // The least distance between two pieces with these base outlines.
+  // The least signed distance between two pieces with these base outlines: negative when they may overlap, as
+  // marker::PlacedPieces::spacing has it.
   [[nodiscard]] double clearance(std::uint32_t first, std::uint32_t second) const;
 };
 

@@ -91,6 +91,30 @@ void GuidedSearch::build(layout::Layout& layout, const std::vector<bool>& kept, 
   layout.length = end;
 }
 
+bool GuidedSearch::insert(layout::Layout& layout, std::size_t piece, const std::vector<std::uint32_t>& others) {
+  maps_.trim();
+  ++moves_;
+  return mover_.insert(layout, piece, others);
+}
+
+void GuidedSearch::settle(layout::Layout& layout, std::size_t piece) {
+  maps_.trim();
+  losses_.reset(layout);
+  mover_.move(layout, piece);
+  ++moves_;
+}
+
+std::optional<std::size_t> GuidedSearch::most_overlapping(const layout::Layout& layout,
+                                                          std::optional<std::size_t> spared) {
+  losses_.measure(layout);
+  std::optional<std::size_t> most;
+  for (std::size_t i = 0; i < set_->size(); ++i) {
+    if (set_->fixed[i] || spared == i || losses_.of(i) <= 0) continue;
+    if (!most || losses_.of(i) > losses_.of(*most)) most = i;
+  }
+  return most;
+}
+
 void GuidedSearch::disrupt(layout::Layout& layout) {
   maps_.trim();
   swap_large_pieces(*set_, maps_, tuning_.large_part, dice_, layout);

@@ -11,6 +11,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <vector>
 
 #include "core/nesting/local_search/mover.h"
 
@@ -39,6 +41,14 @@ class GuidedSearch {
   // The layout becomes as long as it needs to be.  Pieces that were not put down because it was `over` are beyond the
   // others' ends.
   void build(layout::Layout& layout, const std::vector<bool>& kept, const std::function<bool()>& over);
+  // Puts one piece where it ends leftmost without overlapping any of `others`, as far as the sampled maps can tell;
+  // false when it fits nowhere within the layout's length.
+  [[nodiscard]] bool insert(layout::Layout& layout, std::size_t piece, const std::vector<std::uint32_t>& others);
+  // Moves one piece to where it overlaps least.
+  void settle(layout::Layout& layout, std::size_t piece);
+  // The piece that loses most of those that may move and are not `spared`; nothing when none of them loses.
+  [[nodiscard]] std::optional<std::size_t> most_overlapping(const layout::Layout& layout,
+                                                            std::optional<std::size_t> spared);
   // Large pieces change places, and small ones that lay on them follow [GVW25].
   void disrupt(layout::Layout& layout);
 

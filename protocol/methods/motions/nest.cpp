@@ -1,34 +1,27 @@
 // marker.nest: places all pieces, also those that do not lie on the cloth yet.
 #include "core/nesting/nest.h"
 
-#include <chrono>
+#include <utility>
+#include <vector>
 
 #include "protocol/calls/motion.h"
+#include "protocol/methods/motions/nest_params.h"
 
 namespace selvage::protocol::methods::motions {
 namespace {
 
-constexpr double kMostMoves = 1e12, kMostSearches = 64, kMostSeconds = 24 * 3'600, kMostSeed = 9007199254740991.0;
-constexpr std::uint64_t kStandardMoves = 20'000;
+constexpr double kMostSearches = 64;
 
 struct NestParams {
   calls::CommonParams call;
-  std::optional<std::uint64_t> moves;
-  std::optional<double> seconds;
-  std::uint64_t seed{1};
+  NestEffort effort;
   std::size_t searches{1};
   bool keep_placed{}, from_scratch{};
+  std::optional<std::vector<PieceValue>> values;
 
   static void describe(auto& v, auto& self) {
     v.part(self.call);
-    v.optional(
-        "moves", self.moves,
-        "The budget of every search in moves of a piece; 20,000 when absent, without limit when seconds are given.",
-        {.range = {{0, kMostMoves}}});
-    v.optional("seconds", self.seconds,
-               "The budget of every search in seconds, 0 to 86,400. The result then depends on the machine.",
-               {.range = {{0, kMostSeconds}}});
-    v.optional("seed", self.seed, "Of the random choices.", {.range = {{0, kMostSeed}}});
+    v.part(self.effort);
     v.optional("searches", self.searches,
                "Number of independent searches, 1 to 64, of which the best counts; they run in parallel.",
                {.range = {{1, kMostSearches}}});
@@ -38,6 +31,7 @@ struct NestParams {
         "fromScratch", self.from_scratch,
         "True: all pieces but locked ones and groups are taken off the cloth first, and the result may be longer "
         "than the marker was.  Not together with keepPlaced.");
+    v.optional("values", self.values, kValuesMeaning, {.entries = {{0, marker::kMaxPieces}}, .entries_are = "values"});
   }
 };
 
@@ -54,20 +48,19 @@ struct NestResult {
   }
 };
 
-nesting::NestSettings settings_of(const NestParams& params) {
+Result<nesting::NestSettings> settings_of(const NestParams& params, const Marker& start) {
+  auto budget = budget_of(params.effort);
+  if (!budget) return budget.error();
+  auto values = values_of(params.values, start);
+  if (!values) return values.error();
   nesting::NestSettings settings;
-  settings.moves = params.moves.value_or(params.seconds ? static_cast<std::uint64_t>(kMostMoves) : kStandardMoves);
+  settings.moves = budget->moves;
+  settings.elapsed = std::move(budget->elapsed);
+  settings.values = *std::move(values);
   settings.searches = params.searches;
-  settings.seed = params.seed;
+  settings.seed = params.effort.seed;
   settings.from_scratch = params.from_scratch;
   if (params.keep_placed) settings.placed = nesting::layout::PlacedPiecesMay::kNotMove;
-  if (params.seconds) {
-    const auto start = std::chrono::steady_clock::now();
-    settings.elapsed = [start, seconds = *params.seconds] {
-      const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-      return seconds > 0 ? passed.count() / seconds : 1;
-    };
-  }
   return settings;
 }
 
@@ -77,7 +70,9 @@ Result<calls::Motion<NestResult>> run(const NestParams& params, const Marker& st
     return Error{ErrorCode::kOutOfRange, "fromScratch is true, and keepPlaced, too; at most one of them may be true",
                  "/fromScratch"};
   }
-  auto done = nest(start, settings_of(params), context.run);
+  const auto settings = settings_of(params, start);
+  if (!settings) return settings.error();
+  auto done = nest(start, *settings, context.run);
   if (!done) return done.error();
   const NestResult result{.placed = done->marker.pieces.size(),
                           .unplaced = done->marker.unplaced.size(),

@@ -166,6 +166,35 @@ TEST(Nest, ListsWhatTheClothHasNoRoomFor) {
   EXPECT_EQ(nesting.marker.unplaced[0].at, Vec{});
 }
 
+TEST(Nest, ChoosesThePiecesThatFillACloth) {
+  // Four large squares fill the cloth; the strips, which lie first in columns of boxes, do not.
+  Marker marker = unplaced_pieces({rectangle(500'000, 500'000), rectangle(900'000, 260'000)}, 8, kWidth);
+  marker.strip.longest = kWidth;
+  NestSettings settings = settings_of(2'000);
+  const Nesting nesting = nested(marker, settings);
+  EXPECT_TRUE(is_valid(nesting.marker));
+  EXPECT_EQ(utilisation_of(nesting.marker), 1.0);
+  // Unless the strips are worth more.
+  for (const Piece& piece : marker.unplaced) settings.values[piece.id] = piece.shape.value == 0 ? 1 : 10;
+  const Nesting strips = nested(marker, settings);
+  EXPECT_TRUE(is_valid(strips.marker));
+  EXPECT_EQ(std::count_if(strips.marker.pieces.begin(), strips.marker.pieces.end(),
+                          [](const Piece& piece) { return piece.shape.value == 1; }),
+            3);
+}
+
+TEST(Nest, UsesOverlapAllowances) {
+  // Two pieces across fit the width only by their allowance.
+  Marker marker = unplaced_pieces({rectangle(300'000, 501'000)}, 8, kWidth);
+  for (Shape& shape : marker.shapes) shape.rotations = {{0}};
+  marker.overlap = 2'000;
+  const Nesting nesting = nested(marker, settings_of(4'000));
+  EXPECT_TRUE(is_valid(nesting.marker));
+  EXPECT_LE(nesting.length_after, 4 * 300'000 - 3 * 2'000 + 100);
+  marker.overlap = 0;
+  EXPECT_GT(nested(marker, settings_of(400)).length_after, 2'000'000);
+}
+
 TEST(Nest, PlacesNewPiecesBesidesThoseThatStay) {
   Marker marker = unplaced_pieces({rectangle(400'000, 400'000)}, 4, kWidth);
   marker.pieces = {marker.unplaced[0]};

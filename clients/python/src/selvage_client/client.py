@@ -103,6 +103,7 @@ class Marker(BlockingMotions):
     check = blocking(AsyncMarker.check)
     hold = blocking(AsyncMarker.hold)
     regions = blocking(AsyncMarker.regions)
+    nest_sheets = blocking(AsyncMarker.nest_sheets)
     apply = blocking(AsyncMarker.apply)
     undo = blocking(AsyncMarker.undo)
     redo = blocking(AsyncMarker.redo)

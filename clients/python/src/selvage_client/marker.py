@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from types import TracebackType
 from typing import Any
 
@@ -12,7 +12,7 @@ from .wire.link import Link
 from .motions import AsyncMotions
 from .messages.ops import Op
 from .outlines import Outline, Outlines
-from .messages.results import Checked, Closed, Edited, Got, Hold, Opened, Regions
+from .messages.results import Checked, Closed, Edited, Got, Hold, NestedSheets, Opened, Regions
 from .watch import AsyncWatch
 from .messages.words import named, read
 
@@ -51,6 +51,33 @@ class AsyncMarker(AsyncMotions):
     async def regions(self, *, least_area: float | None = None, clearance: float | None = None) -> Regions:
         """The cloth that no piece covers."""
         return read(Regions, await self._call("marker.regions", least_area=least_area, clearance=clearance))
+
+    async def nest_sheets(
+        self,
+        sheets: Iterable[Mapping[str, Any]],
+        *,
+        accuracy: str | None = None,
+        moves: int | None = None,
+        seconds: float | None = None,
+        seed: int | None = None,
+        values: Mapping[str, float] | None = None,
+        deadline_ms: float | None = None,
+    ) -> NestedSheets:
+        """All pieces on as few of the sheets as the search finds; the marker itself stays as it is.
+
+        A sheet is {"width": W, "length": L, "count": N} or {"outline": [[x, y], ...], "holes": [...]}.
+        """
+        answer = await self._call(
+            "marker.nestSheets",
+            sheets=[dict(sheet) for sheet in sheets],
+            accuracy=accuracy,
+            moves=moves,
+            seconds=seconds,
+            seed=seed,
+            values=None if values is None else [{"piece": piece, "value": value} for piece, value in values.items()],
+            deadline_ms=deadline_ms,
+        )
+        return read(NestedSheets, answer)
 
     async def apply(self, ops: Iterable[Op], *, base_rev: int | None = None, op_id: str | None = None) -> Edited:
         """Operations, all or none: make them with selvage_client.ops."""

@@ -160,6 +160,26 @@ class Regions:
 
 
 @dataclass(frozen=True)
+class NestedSheet:
+    """A sheet that is used; `marker` is a native document."""
+
+    sheet: int
+    pieces: int
+    utilisation: float
+    marker: dict[str, Any]
+
+
+@dataclass(frozen=True)
+class NestedSheets:
+    marker_id: str
+    revision: int
+    sheets: tuple[NestedSheet, ...]
+    left_over: tuple[str, ...]
+    moves: int
+    stop: str
+
+
+@dataclass(frozen=True)
 class Closed:
     marker_id: str
     closed: bool

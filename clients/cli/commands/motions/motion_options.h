@@ -10,7 +10,7 @@
 #include "core/base/result.h"
 #include "protocol/calls/method.h"
 
-namespace selvage::cli::commands {
+namespace selvage::cli::commands::motions {
 
 // An option that gives a parameter its value.
 struct ParameterOption {
@@ -31,4 +31,4 @@ struct ParameterOption {
 // The parameters of a call.  Errors: kSyntax and others of protocol::json::parse, for an option that is given as JSON.
 [[nodiscard]] Result<Json> params_from(const std::vector<ParameterOption>& options, const command_line::Values& values);
 
-}  // namespace selvage::cli::commands
+}  // namespace selvage::cli::commands::motions

@@ -1,4 +1,4 @@
-#include "clients/cli/commands/motion_options.h"
+#include "clients/cli/commands/motions/motion_options.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 #include "protocol/json/json_text.h"
 
-namespace selvage::cli::commands {
+namespace selvage::cli::commands::motions {
 namespace {
 
 using command_line::Kind;
@@ -144,4 +144,4 @@ Result<Json> params_from(const std::vector<ParameterOption>& options, const comm
   return params;
 }
 
-}  // namespace selvage::cli::commands
+}  // namespace selvage::cli::commands::motions

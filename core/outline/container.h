@@ -1,4 +1,4 @@
-// The region of the cloth in which the pieces of a search must lie: a box, or a simple polygon.
+// A region in which pieces must lie: a box, or a simple polygon.
 //
 // What a polygon leaves of its bounding box are its walls: one simple polygon for every part of the border that leaves
 // the box's sides and comes back.  A piece in the box lies in the polygon exactly when it overlaps no wall.  All
@@ -10,7 +10,7 @@
 
 #include "core/geometry/polygon.h"
 
-namespace selvage::packing::bodies {
+namespace selvage::outline {
 
 struct Container {
   Container(const Box& whole) : box{whole} {}  // NOLINT(*-explicit-*): a box is a container
@@ -24,4 +24,4 @@ struct Container {
 // The container within another box.
 [[nodiscard]] Container within(Container container, const Box& box);
 
-}  // namespace selvage::packing::bodies
+}  // namespace selvage::outline

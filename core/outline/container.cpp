@@ -1,10 +1,10 @@
-#include "core/packing/bodies/container.h"
+#include "core/outline/container.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
-namespace selvage::packing::bodies {
+namespace selvage::outline {
 namespace {
 
 bool on_border(const Box& box, Vec p) {
@@ -63,4 +63,4 @@ Container within(Container container, const Box& box) {
   return container;
 }
 
-}  // namespace selvage::packing::bodies
+}  // namespace selvage::outline

@@ -1,16 +1,18 @@
-// A command for each motion: `selvage compact IN --rounds 5` is `selvage call motion.compact` with its parameters given
+#include "clients/cli/commands/motions/motion_commands.h"
+
+// `selvage compact IN --rounds 5` is `selvage call motion.compact` with its parameters given
 // as options.  A motion that is added to the table of methods is a command without further code.
 #include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "clients/cli/commands/commands.h"
 #include "clients/cli/commands/marker_run.h"
-#include "clients/cli/commands/motion_options.h"
+#include "clients/cli/commands/motions/motion_options.h"
+#include "clients/cli/commands/motions/nest_on_sheets.h"
 #include "protocol/methods/method_table.h"
 
-namespace selvage::cli::commands {
+namespace selvage::cli::commands::motions {
 namespace {
 
 using command_line::Kind;
@@ -39,7 +41,8 @@ std::vector<std::string> examples_of(std::string_view command) {
   }
   if (command == "nest") {
     return {"selvage nest instance.json --time 60 -o marker.json --svg marker.svg",
-            "selvage nest instance.json --moves 50000 --searches 4 --seed 1 -o marker.json"};
+            "selvage nest instance.json --moves 50000 --searches 4 --seed 1 -o marker.json",
+            "selvage nest pieces.json --accuracy draft --sheets 1500x3000*4,1500x900 -o laid.json"};
   }
   if (command == "tilt") return {"selvage tilt marker.json --limit 2 -o tilted.json"};
   if (command == "separate") return {"selvage separate overlapping.json --grow 5 -o valid.json"};
@@ -54,6 +57,7 @@ terminal::ExitCode run_motion(std::string_view method, const std::vector<Paramet
   if (const auto failure = check_outputs(files)) return report(*failure);
   auto params = params_from(options, values);
   if (!params) return terminal::report(params.error());
+  if (values.find("sheets") != nullptr) return nest_on_sheets(*std::move(params), files, values);
   if (const auto seconds = values.number("time"); seconds && !limits_time_itself(options)) {
     (*params)["deadlineMs"] = 1000 * *seconds;
   }
@@ -71,6 +75,7 @@ command_line::Command command_of(const Method& method) {
                                .meaning = "After this many seconds the best result so far is returned",
                                .range = command_line::Range{0.001, 86'400}});
   }
+  if (command.name == "nest") command.options.push_back(sheets_option());
   command.options.push_back(
       {.name = "--json", .kind = Kind::kFlag, .meaning = "Print one line of JSON instead of the summary"});
   command.examples = examples_of(command.name);
@@ -90,4 +95,4 @@ std::vector<command_line::Command> motion_commands() {
   return commands;
 }
 
-}  // namespace selvage::cli::commands
+}  // namespace selvage::cli::commands::motions

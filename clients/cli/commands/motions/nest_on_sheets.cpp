@@ -1,0 +1,139 @@
+#include "clients/cli/commands/motions/nest_on_sheets.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <regex>
+#include <string>
+#include <utility>
+
+#include "clients/cli/commands/marker_run.h"
+#include "clients/cli/terminal/files.h"
+#include "protocol/files/writing.h"
+#include "protocol/formats/format.h"
+
+namespace selvage::cli::commands::motions {
+namespace {
+
+using terminal::ExitCode;
+
+// "1500x3000*4,1200x800" as the parameter of the call: width x length, and how many of them there are.
+std::optional<Json> sheets_of_sizes(const std::string& text) {
+  static const std::regex kSize{R"(([0-9.]+)x([0-9.]+)(?:\*([0-9]+))?)"};
+  Json sheets = Json::array();
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    std::smatch size;
+    const std::string one = text.substr(begin, end - begin);
+    if (!std::regex_match(one, size, kSize) || one.size() > 64) return std::nullopt;
+    auto sheet = protocol::json::parse("{\"width\":" + size[1].str() + ",\"length\":" + size[2].str() +
+                                       (size[3].matched ? ",\"count\":" + size[3].str() : "") + "}");
+    if (!sheet) return std::nullopt;
+    sheets.push_back(*std::move(sheet));
+    begin = end + 1;
+  }
+  return sheets;
+}
+
+std::variant<Json, terminal::Failure> sheets_of(const std::string& text) {
+  if (text.starts_with('[')) {
+    auto sheets = protocol::json::parse(text);
+    if (!sheets) return terminal::failure_of(sheets.error());
+    return *std::move(sheets);
+  }
+  if (auto sheets = sheets_of_sizes(text)) return *std::move(sheets);
+  return terminal::bad_usage("--sheets: \"" + text +
+                             "\" is neither a list of sizes such as 1500x3000*4,1200x800 nor JSON such as "
+                             "[{\"width\":1500,\"length\":3000,\"count\":4}]");
+}
+
+// "laid.json" becomes "laid-2.json".
+std::string numbered(const std::string& path, std::size_t number) {
+  std::filesystem::path name{path};
+  name.replace_filename(name.stem().string() + "-" + std::to_string(number) + name.extension().string());
+  return name.string();
+}
+
+std::optional<Error> save_sheet(const MarkerFile& sheet, std::size_t number, const MarkerFiles& files) {
+  if (!files.out.empty()) {
+    const auto of_sheet = protocol::files::file_format(sheet.format);
+    const auto by_name = protocol::files::format_of_name(files.out, of_sheet);
+    const auto format = files.format.value_or(by_name.value_or(of_sheet));
+    if (auto error = terminal::save_marker(numbered(files.out, number), sheet, format)) return error;
+  }
+  if (!files.outlines.empty()) {
+    const std::string path = numbered(files.outlines, number);
+    if (auto error = terminal::save_marker(path, sheet, protocol::files::FileFormat::kOutlines)) return error;
+  }
+  if (files.svg.empty()) return std::nullopt;
+  return terminal::write_text(numbered(files.svg, number),
+                              protocol::drawing::to_svg(sheet.marker, protocol::drawing::svg_options(sheet)));
+}
+
+std::string summary_of(const std::string& name, const Json& fields) {
+  const Json& sheets = fields["sheets"];
+  std::string text = name + ": " + std::to_string(sheets.size()) + (sheets.size() == 1 ? " sheet\n" : " sheets\n");
+  for (std::size_t k = 0; k < sheets.size(); ++k) {
+    char line[160];
+    std::snprintf(line, sizeof line, "  sheet %-3zu    kind %zu, %zu pieces, utilisation %.2f %%\n", k + 1,
+                  sheets[k]["sheet"].get<std::size_t>() + 1, sheets[k]["pieces"].get<std::size_t>(),
+                  100 * sheets[k]["utilisation"].number());
+    text += line;
+  }
+  const Json& left_over = fields["leftOver"];
+  if (left_over.empty()) return text;
+  constexpr std::size_t kNamed = 10;
+  text += "  left over    " + std::to_string(left_over.size()) + (left_over.size() == 1 ? " piece: " : " pieces: ");
+  for (std::size_t k = 0; k < std::min(kNamed, left_over.size()); ++k) {
+    text += (k == 0 ? "" : ", ") + left_over[k].get<std::string>();
+  }
+  return text + (left_over.size() > kNamed ? ", ...\n" : "\n");
+}
+
+}  // namespace
+
+command_line::Option sheets_option() {
+  return {.name = "--sheets",
+          .kind = command_line::Kind::kText,
+          .meaning =
+              "Nest on sheets of these sizes instead, WIDTHxLENGTH*COUNT,...; or the sheets of marker.nestSheets as "
+              "JSON.  Every sheet that is used is written to a file with its number in the name",
+          .placeholder = "SIZES"};
+}
+
+ExitCode nest_on_sheets(Json params, const MarkerFiles& files, const command_line::Values& values) {
+  if (params.value("searches", 1.0) != 1 || params.value("keepPlaced", false) || params.value("fromScratch", false)) {
+    return report(terminal::bad_usage("--sheets cannot be combined with --searches, --keep-placed, --from-scratch"));
+  }
+  for (const char* const parameter : {"searches", "keepPlaced", "fromScratch"}) params.erase(parameter);
+  if (standard_outputs(files) > 0) {
+    return report(terminal::bad_usage("with --sheets there may be several results, which cannot be standard output"));
+  }
+  auto sheets = sheets_of(values.text("sheets"));
+  if (const auto* failure = std::get_if<terminal::Failure>(&sheets)) return report(*failure);
+  params["sheets"] = std::get<Json>(std::move(sheets));
+  const bool json = values.flag("json");
+  const auto ran =
+      run_method("marker.nestSheets", std::move(params), files, json ? Report::kJsonLine : Report::kSummary);
+  if (const auto* code = std::get_if<ExitCode>(&ran)) return *code;
+  const auto& [file, outcome] = std::get<MethodRun>(ran);
+
+  Json fields = outcome.fields;
+  for (std::size_t k = 0; k < fields["sheets"].size(); ++k) {
+    auto sheet = protocol::formats::read_document(fields["sheets"][k]["marker"]);
+    if (!sheet) return terminal::report(sheet.error());
+    if (const auto error = save_sheet(*sheet, k + 1, files)) return terminal::report(*error);
+    fields["sheets"][k].erase("marker");
+  }
+  if (json) {
+    fields["left_over"] = fields["leftOver"];
+    fields.erase("leftOver");
+    std::cout << protocol::json::to_text(fields) << std::endl;
+  } else {
+    std::cout << summary_of(file.marker.name, fields) << std::flush;
+  }
+  return exit_code_of(outcome);
+}
+
+}  // namespace selvage::cli::commands::motions

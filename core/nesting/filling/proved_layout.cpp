@@ -1,0 +1,26 @@
+#include "core/nesting/filling/proved_layout.h"
+
+#include <utility>
+
+#include "core/motion/separation/separate.h"
+
+namespace selvage::nesting::filling {
+
+std::optional<motion::compaction::Compaction> proved(const Marker& marker, int separation_rounds,
+                                                     const scene::Run& run) {
+  namespace compaction = motion::compaction;
+  const auto settings = compaction_settings(compaction::Accuracy::kStandard);
+  const scene::Run quiet = run.quiet();
+  auto compacted = compact(marker, settings, quiet);
+  if (compacted) return *std::move(compacted);
+  motion::separation::SeparationSettings separation;
+  separation.rounds = separation_rounds;
+  const auto separated = motion::separation::separate(marker, separation, quiet);
+  if (!separated || !separated->apart) return std::nullopt;
+  compacted = compact(separated->marker, settings, quiet);
+  if (!compacted) return std::nullopt;
+  compacted->programs += separated->programs;
+  return *std::move(compacted);
+}
+
+}  // namespace selvage::nesting::filling

@@ -1,0 +1,17 @@
+// From a layout that hardly overlaps to a valid marker.
+#pragma once
+
+#include <optional>
+
+#include "core/marker/marker.h"
+#include "core/motion/compaction/compact.h"
+#include "core/scene/run.h"
+
+namespace selvage::nesting::filling {
+
+// The marker repaired, compacted and proved; separated before, in at most so many rounds, where repair alone fails.
+// Nothing when that fails, too, or when cancelled before the marker is valid.
+[[nodiscard]] std::optional<motion::compaction::Compaction> proved(const Marker& marker, int separation_rounds,
+                                                                   const scene::Run& run);
+
+}  // namespace selvage::nesting::filling

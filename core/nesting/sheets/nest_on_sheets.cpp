@@ -1,0 +1,277 @@
+#include "core/nesting/sheets/nest_on_sheets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "core/nesting/layout/dice.h"
+#include "core/nesting/sheets/used_sheet.h"
+
+namespace selvage::nesting::sheets {
+namespace {
+
+constexpr double kFirstPass = 0.5;     // part of the budget for the first filling of the sheets
+constexpr double kUsual = 0.8;         // part of a sheet that pieces usually cover
+constexpr double kTrial = 0.02;        // part of the budget for one exchange between sheets
+constexpr std::uint64_t kLeast = 200;  // moves of a filling, and three for each piece, whatever the budget
+constexpr std::size_t kFailures = 40;  // exchanges in a row that gain nothing, which end the search
+
+using Indices = std::vector<std::size_t>;
+
+std::optional<Error> unmovable(const std::vector<Piece>& pieces, const std::string& list) {
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const Piece& piece = pieces[k];
+    if (!piece.locked.x && !piece.locked.y && piece.group.empty()) continue;
+    const bool grouped = !piece.group.empty();
+    return Error{ErrorCode::kOutOfRange,
+                 "piece \"" + piece.id + "\" " + (grouped ? "belongs to a group" : "is locked in place") +
+                     "; only pieces that may go to any place of any sheet are allowed",
+                 list + std::to_string(k) + (grouped ? "/group" : "/locked")};
+  }
+  return std::nullopt;
+}
+
+// Those of `pieces` that are not among `others`, in order.
+Indices without(const Indices& pieces, Indices others) {
+  std::sort(others.begin(), others.end());
+  Indices rest;
+  for (const std::size_t piece : pieces) {
+    if (!std::binary_search(others.begin(), others.end(), piece)) rest.push_back(piece);
+  }
+  return rest;
+}
+
+class Driver {
+ public:
+  Driver(const Marker& marker, std::vector<Piece> pieces, std::vector<ReadySheet> sheets, const SheetSettings& settings,
+         const scene::Run& run)
+      : marker_{marker},
+        pieces_{std::move(pieces)},
+        sheets_{std::move(sheets)},
+        settings_{settings},
+        run_{run},
+        dice_{settings.seed},
+        used_of_(sheets_.size()) {
+    for (const Piece& piece : pieces_) {
+      areas_.push_back(static_cast<double>(doubled_area(marker.shapes[piece.shape.value].outline)) / 2);
+      const auto given = settings.values.find(piece.id);
+      values_.push_back(given == settings.values.end() ? areas_.back() : given->second);
+    }
+    left_.resize(pieces_.size());
+    std::iota(left_.begin(), left_.end(), 0U);
+    std::stable_sort(left_.begin(), left_.end(),
+                     [this](std::size_t a, std::size_t b) { return areas_[a] > areas_[b]; });
+    by_size_.resize(sheets_.size());
+    std::iota(by_size_.begin(), by_size_.end(), 0U);
+    std::stable_sort(by_size_.begin(), by_size_.end(),
+                     [this](std::size_t a, std::size_t b) { return sheets_[a].area > sheets_[b].area; });
+  }
+
+  SheetNesting nested() {
+    lay_one_after_another();
+    if (!used_.empty()) exchange_for_smaller(used_.size() - 1);
+    std::size_t failures = 0;
+    while (!over() && failures < kFailures && may_gain()) {
+      failures = (left_.empty() ? empty_the_emptiest() : bring_on()) ? 0 : failures + 1;
+    }
+    return result(failures >= kFailures || !may_gain());
+  }
+
+ private:
+  [[nodiscard]] double spent(std::uint64_t more = 0) const {
+    const auto moves = static_cast<double>(moves_ + more);
+    const double part = settings_.moves == 0 ? 1 : moves / static_cast<double>(settings_.moves);
+    return settings_.elapsed ? std::max(part, settings_.elapsed()) : part;
+  }
+  [[nodiscard]] bool over() const { return run_.stopped() || spent() >= 1; }
+  [[nodiscard]] double area_of_all(const Indices& pieces) const {
+    return std::accumulate(pieces.begin(), pieces.end(), 0.0,
+                           [this](double sum, std::size_t i) { return sum + areas_[i]; });
+  }
+
+  // Fills a sheet until so much of the whole budget is spent.
+  Filled fill_until(const UsedSheet& present, const Indices& more, const std::vector<double>& values, double until) {
+    const std::uint64_t least = kLeast + 3 * more.size();
+    const auto over = [this, until, least](std::uint64_t moves) {
+      return run_.stopped() || (moves >= least && spent(moves) >= until);
+    };
+    const FillTask task{marker_, pieces_, values, settings_.tuning, settings_.seed + ++fillings_, over};
+    Filled done = filled(sheets_[present.kind], present, more, task, run_);
+    moves_ += done.moves;
+    programs_ += done.programs;
+    return done;
+  }
+
+  // At most so many of the pieces that are left, evenly from the large to the small ones.
+  [[nodiscard]] Indices candidates() const {
+    Indices chosen;
+    const std::size_t step = left_.size() / kMostCandidates + 1;
+    for (std::size_t k = 0; k < left_.size(); k += step) chosen.push_back(left_[k]);
+    return chosen;
+  }
+
+  void lay_one_after_another() {
+    for (const std::size_t kind : by_size_) {
+      while (used_of_[kind] < sheets_[kind].sheet->count && !left_.empty()) {
+        const double now = spent();
+        const double sheets = std::max(1.0, std::ceil(area_of_all(left_) / (kUsual * sheets_[kind].area)));
+        const double until = now + std::max(0.0, kFirstPass - now) / sheets;
+        const Filled done = fill_until({.kind = kind, .pieces = {}, .placed = {}}, candidates(), values_, until);
+        if (done.used.pieces.empty()) break;
+        left_ = without(left_, done.used.pieces);
+        used_.push_back(done.used);
+        ++used_of_[kind];
+      }
+    }
+  }
+
+  // The smallest free sheet that holds all pieces of a used one takes its place.
+  void exchange_for_smaller(std::size_t index) {
+    const UsedSheet used = used_[index];
+    for (auto kind = by_size_.rbegin(); kind != by_size_.rend() && !over(); ++kind) {
+      const ReadySheet& sheet = sheets_[*kind];
+      if (sheet.area >= sheets_[used.kind].area) return;
+      if (used_of_[*kind] == sheet.sheet->count || area_of_all(used.pieces) > sheet.area) continue;
+      const Filled done =
+          fill_until({.kind = *kind, .pieces = {}, .placed = {}}, used.pieces, areas_, spent() + kTrial);
+      if (done.used.pieces.size() < used.pieces.size()) continue;
+      --used_of_[used.kind];
+      ++used_of_[*kind];
+      used_[index] = done.used;
+      return;
+    }
+  }
+
+  [[nodiscard]] bool may_gain() const {
+    if (!left_.empty()) {
+      return std::any_of(left_.begin(), left_.end(), [this](std::size_t piece) {
+        return std::any_of(used_.begin(), used_.end(), [&](const UsedSheet& used) { return fits(piece, used.kind); });
+      });
+    }
+    // So many of the largest sheets have the area of all pieces.
+    double area = 0;
+    std::size_t needed = 0;
+    const double pieces = std::accumulate(areas_.begin(), areas_.end(), 0.0);
+    for (const std::size_t kind : by_size_) {
+      for (std::size_t k = 0; k < sheets_[kind].sheet->count && area < pieces; ++k, ++needed)
+        area += sheets_[kind].area;
+    }
+    return used_.size() > needed;
+  }
+  [[nodiscard]] bool fits(std::size_t piece, std::size_t kind) const {
+    return sheets_[kind].shape_fits[pieces_[piece].shape.value];
+  }
+
+  // Brings pieces that are left over onto a sheet, in place of others that are worth less.
+  bool bring_on() {
+    UsedSheet& used = used_[dice_.below(used_.size())];
+    const double before = value_of(used.pieces, values_);
+    const Filled done = fill_until(used, candidates(), values_, spent() + kTrial);
+    if (done.value <= before) return false;
+    Indices off = without(used.pieces, done.used.pieces);
+    left_ = without(left_, done.used.pieces);
+    left_.insert(left_.end(), off.begin(), off.end());
+    used = done.used;
+    return true;
+  }
+
+  // Moves area from the emptiest sheet to another one; a sheet that is empty then is no longer used.
+  bool empty_the_emptiest() {
+    if (used_.size() < 2) return false;
+    const auto emptiest =
+        static_cast<std::size_t>(std::min_element(used_.begin(), used_.end(),
+                                                  [this](const UsedSheet& a, const UsedSheet& b) {
+                                                    return area_of_all(a.pieces) < area_of_all(b.pieces);
+                                                  }) -
+                                 used_.begin());
+    const std::size_t other = (emptiest + 1 + dice_.below(used_.size() - 1)) % used_.size();
+    const double before = area_of_all(used_[other].pieces);
+    const Filled fuller = fill_until(used_[other], used_[emptiest].pieces, areas_, spent() + kTrial);
+    if (fuller.value <= before) return false;
+    Indices rest = without(used_[emptiest].pieces, fuller.used.pieces);
+    const Indices off = without(used_[other].pieces, fuller.used.pieces);
+    rest.insert(rest.end(), off.begin(), off.end());
+    const UsedSheet fresh{.kind = used_[emptiest].kind, .pieces = {}, .placed = {}};
+    const Filled emptier = rest.empty() ? Filled{} : fill_until(fresh, rest, areas_, spent() + kTrial);
+    if (emptier.used.pieces.size() < rest.size()) return false;
+    used_[other] = fuller.used;
+    used_[emptiest] = emptier.used;
+    if (rest.empty()) {
+      --used_of_[fresh.kind];
+      used_.erase(used_.begin() + static_cast<std::ptrdiff_t>(emptiest));
+    } else {
+      exchange_for_smaller(emptiest);
+    }
+    return true;
+  }
+
+  [[nodiscard]] double value_of(const Indices& pieces, const std::vector<double>& values) const {
+    return std::accumulate(pieces.begin(), pieces.end(), 0.0,
+                           [&values](double sum, std::size_t i) { return sum + values[i]; });
+  }
+
+  [[nodiscard]] SheetNesting result(bool converged) {
+    SheetNesting nesting{.layouts = {}, .left_over = {}, .moves = moves_, .programs = programs_};
+    nesting.reason = run_.stopped() ? scene::StopReason::kCancelled
+                     : converged    ? scene::StopReason::kConverged
+                                    : scene::StopReason::kWorkLimit;
+    for (const UsedSheet& used : used_) {
+      SheetLayout layout{used.kind, marker_};
+      layout.marker.strip = sheets_[used.kind].bare.strip;
+      layout.marker.unplaced.clear();
+      layout.marker.pieces = used.placed;
+      for (std::size_t k = 0; k < used.pieces.size(); ++k) {
+        layout.marker.pieces[k].buffer = pieces_[used.pieces[k]].buffer;
+      }
+      nesting.layouts.push_back(std::move(layout));
+    }
+    std::sort(left_.begin(), left_.end());
+    for (const std::size_t piece : left_) {
+      nesting.left_over.push_back(pieces_[piece]);
+      nesting.left_over.back().at = {};
+    }
+    return nesting;
+  }
+
+  const Marker& marker_;
+  std::vector<Piece> pieces_;
+  std::vector<ReadySheet> sheets_;
+  const SheetSettings& settings_;
+  const scene::Run& run_;
+  layout::Dice dice_;
+  Indices used_of_;  // how many sheets of each kind are used
+  Indices by_size_;  // kinds, the largest first
+  Indices left_;     // pieces that lie on no sheet
+  std::vector<double> areas_, values_;
+  std::vector<UsedSheet> used_;
+  std::uint64_t moves_{}, fillings_{};
+  int programs_{};
+};
+
+}  // namespace
+
+Result<SheetNesting> nest_on_sheets(const Marker& start, std::span<const Sheet> sheets, const SheetSettings& settings,
+                                    const scene::Run& run) {
+  if (start.pieces.empty() && start.unplaced.empty()) {
+    return Error{ErrorCode::kEmptyMarker, "the marker has no piece", "/pieces"};
+  }
+  if (const auto refusal = unmovable(start.pieces, "/pieces/")) return *refusal;
+  if (const auto refusal = unmovable(start.unplaced, "/unplaced/")) return *refusal;
+  std::vector<ReadySheet> kinds;
+  for (const Sheet& sheet : sheets) {
+    auto made = ready(start, sheet, run.sums);
+    if (!made) {
+      Error error = made.error();
+      error.field = "/sheets/" + std::to_string(kinds.size()) + error.field;
+      return error;
+    }
+    kinds.push_back(*std::move(made));
+  }
+  std::vector<Piece> pieces = start.pieces;
+  pieces.insert(pieces.end(), start.unplaced.begin(), start.unplaced.end());
+  return Driver{start, std::move(pieces), std::move(kinds), settings, run}.nested();
+}
+
+}  // namespace selvage::nesting::sheets

@@ -1,0 +1,62 @@
+// Nesting on sheets that end, of given sizes and forms: as much as possible lies on them, on as few as possible, and
+// what they have no room for is left over.
+//
+//     the largest sheets first: fill each with the pieces that are not laid yet (filling/fill.h)
+//     the last one: exchange it for the smallest sheet that holds its pieces
+//     until the budget is used up, or nothing can be gained:
+//       while pieces are left over: bring them onto a sheet, in place of others that are worth less
+//       then: move pieces of the emptiest sheet to another, until it is empty
+//
+// Laws.  (1) Every sheet is valid, proved in integers, also against its outline and its holes.  (2) Every piece lies on
+// one sheet or is left over.  (3) No more sheets are used than there are.  (4) The same input and settings give the
+// same answer, whatever the cache holds; with `elapsed` or when cancelled, the best so far.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/marker/marker.h"
+#include "core/nesting/nest.h"
+#include "core/nesting/sheets/sheet.h"
+#include "core/scene/run.h"
+#include "core/scene/stop_reason.h"
+
+namespace selvage::nesting::sheets {
+
+inline constexpr std::size_t kMostCandidates = 1'500;  // pieces that are tried on a sheet at once
+
+struct SheetSettings {
+  std::uint64_t moves{};  // budget
+  std::uint64_t seed{};
+  std::function<double()> elapsed{};                    // as in NestSettings
+  std::map<std::string, double, std::less<>> values{};  // as in NestSettings
+  NestTuning tuning{};
+};
+
+// A sheet that is used: the marker of the pieces on it.  Its strip is the sheet, or the bounding box of its outline,
+// and the positions count from the low corner of that.
+struct SheetLayout {
+  std::size_t sheet{};  // index of its kind
+  Marker marker;
+};
+
+struct SheetNesting {
+  std::vector<SheetLayout> layouts;
+  std::vector<Piece> left_over;
+  std::uint64_t moves{};
+  int programs{};
+  scene::StopReason reason{};
+};
+
+// All pieces of the marker are laid, also those that it has placed, wherever that is.
+// Errors: kEmptyMarker when it has no piece; kOutOfRange for a piece that is locked in place or belongs to a group
+// (`field` points into the marker), and for a sheet that `bare` refuses (below "/sheets").
+[[nodiscard]] Result<SheetNesting> nest_on_sheets(const Marker& start, std::span<const Sheet> sheets,
+                                                  const SheetSettings& settings, const scene::Run& run);
+
+}  // namespace selvage::nesting::sheets

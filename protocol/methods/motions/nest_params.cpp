@@ -1,0 +1,69 @@
+#include "protocol/methods/motions/nest_params.h"
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+
+#include "protocol/formats/decimal_marker.h"
+
+namespace selvage::protocol::methods::motions {
+namespace {
+
+constexpr std::uint64_t kStandardMoves = 20'000;
+
+double seconds_of(motion::compaction::Accuracy accuracy) {
+  switch (accuracy) {
+    case motion::compaction::Accuracy::kDraft: return 2;
+    case motion::compaction::Accuracy::kStandard: return 20;
+    case motion::compaction::Accuracy::kFine: return 120;
+  }
+  return 0;
+}
+
+}  // namespace
+
+Result<NestBudget> budget_of(const NestEffort& effort) {
+  if (effort.accuracy && effort.seconds) {
+    return Error{ErrorCode::kOutOfRange,
+                 "an accuracy is given, and " + json::number_text(*effort.seconds) +
+                     " seconds, too; at most one of them is allowed",
+                 "/seconds"};
+  }
+  const std::optional<double> seconds = effort.accuracy ? std::optional{seconds_of(*effort.accuracy)} : effort.seconds;
+  NestBudget budget;
+  budget.moves = effort.moves.value_or(seconds ? static_cast<std::uint64_t>(kMostMoves) : kStandardMoves);
+  if (seconds) {
+    budget.elapsed = [start = std::chrono::steady_clock::now(), limit = *seconds] {
+      const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+      return limit > 0 ? passed.count() / limit : 1;
+    };
+  }
+  return budget;
+}
+
+Result<std::map<std::string, double, std::less<>>> values_of(const std::optional<std::vector<PieceValue>>& values,
+                                                             const Marker& marker) {
+  std::map<std::string, double, std::less<>> by_id;
+  if (!values) return by_id;
+  std::set<std::string_view> ids;
+  for (const auto* pieces : {&marker.pieces, &marker.unplaced}) {
+    for (const Piece& piece : *pieces) ids.insert(piece.id);
+  }
+  const double unit = formats::in_unit(1, marker.resolution);
+  for (const PieceValue& value : *values) {
+    if (!ids.contains(value.piece.text)) {
+      return Error{ErrorCode::kOutOfRange,
+                   json::shortened(Json(value.piece.text)) + " is no piece of this marker; the id of one of its " +
+                       std::to_string(ids.size()) + " pieces is allowed",
+                   "/values/" + std::to_string(by_id.size()) + "/piece"};
+    }
+    if (!by_id.emplace(value.piece.text, value.value / (unit * unit)).second) {
+      return Error{ErrorCode::kOutOfRange,
+                   json::shortened(Json(value.piece.text)) + " is listed twice; every piece is allowed once",
+                   "/values/" + std::to_string(by_id.size()) + "/piece"};
+    }
+  }
+  return by_id;
+}
+
+}  // namespace selvage::protocol::methods::motions

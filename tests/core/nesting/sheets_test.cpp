@@ -1,0 +1,218 @@
+// Tests of core/nesting/sheets: its laws on random pieces and sheets, and what it does in corner cases.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "core/marker/clearance.h"
+#include "core/marker/placed_pieces.h"
+#include "core/marker/validity.h"
+#include "core/nesting/sheets/nest_on_sheets.h"
+#include "protocol/execution/thread_pool.h"
+#include "tests/core/nesting/unplaced_pieces.h"
+#include "tests/laws/random_marker.h"
+
+namespace selvage::nesting::sheets {
+namespace {
+
+using test::Random;
+using test::rectangle;
+using test::unplaced_pieces;
+
+constexpr Coord kWidth = 1'000'000;
+
+Sheet plain_sheet(Coord width, Coord length, std::size_t count = 1) {
+  Sheet sheet;
+  sheet.width = width;
+  sheet.length = length;
+  sheet.count = count;
+  return sheet;
+}
+
+SheetNesting laid(const Marker& marker, const std::vector<Sheet>& sheets, std::uint64_t moves) {
+  SumCache sums;
+  SheetSettings settings;
+  settings.moves = moves;
+  settings.seed = 1;
+  auto done = nest_on_sheets(marker, sheets, settings, {sums});
+  if (!done) throw std::runtime_error{done.error().field + ": " + done.error().message};
+  return *std::move(done);
+}
+
+std::multiset<std::string> ids_of(const SheetNesting& nesting) {
+  std::multiset<std::string> ids;
+  for (const SheetLayout& layout : nesting.layouts) {
+    for (const Piece& piece : layout.marker.pieces) ids.insert(piece.id);
+  }
+  for (const Piece& piece : nesting.left_over) ids.insert(piece.id);
+  return ids;
+}
+
+std::multiset<std::string> ids_of(const Marker& marker) {
+  std::multiset<std::string> ids;
+  for (const auto* pieces : {&marker.pieces, &marker.unplaced}) {
+    for (const Piece& piece : *pieces) ids.insert(piece.id);
+  }
+  return ids;
+}
+
+// Whether no piece leaves the outline or covers a hole, tested corner by corner and edge by edge.
+bool within_outline(const Marker& marker, const Sheet& sheet) {
+  const marker::PlacedPieces pieces{marker};
+  for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+    const Polygon placed = placed_outline(marker, PieceId{i});
+    for (const Vec corner : placed) {
+      if (sheet.outline && locate(corner, *sheet.outline) == geometry::Location::kOutside) return false;
+    }
+    for (const Polygon& hole : sheet.holes) {
+      const geometry::PlacedPolygon there{hole, box_of(hole), {}};
+      if (marker::collide(pieces[i], there, 0)) return false;
+    }
+  }
+  return true;
+}
+
+TEST(Sheets, EveryPieceLiesOnAValidSheetOrIsLeftOver) {
+  Random random{1};
+  for (int trial = 0; trial < 25 / test::kSlowdown; ++trial) {
+    Marker marker = test::random_marker(random);
+    for (Piece& piece : marker.pieces) {
+      piece.locked = {};
+      piece.group.clear();
+    }
+    const Coord width = marker.strip.width;
+    const std::vector<Sheet> sheets{plain_sheet(width, length_of(marker) / 3 + 1, 2), plain_sheet(width / 2, width)};
+    const SheetNesting nesting = laid(marker, sheets, 200);
+    EXPECT_EQ(ids_of(nesting), ids_of(marker)) << "trial " << trial;
+    std::vector<std::size_t> used(sheets.size());
+    for (const SheetLayout& layout : nesting.layouts) {
+      EXPECT_TRUE(is_valid(layout.marker)) << "trial " << trial;
+      EXPECT_TRUE(make_marker(layout.marker)) << "trial " << trial;
+      EXPECT_FALSE(layout.marker.pieces.empty());
+      EXPECT_EQ(layout.marker.strip.width, sheets[layout.sheet].width);
+      EXPECT_EQ(layout.marker.strip.longest, sheets[layout.sheet].length);
+      ++used[layout.sheet];
+    }
+    for (std::size_t kind = 0; kind < sheets.size(); ++kind) EXPECT_LE(used[kind], sheets[kind].count);
+  }
+}
+
+TEST(Sheets, FillsTheSheetsThatSquaresFillCompletely) {
+  const Marker marker = unplaced_pieces({rectangle(250'000, 250'000)}, 32, kWidth);
+  const SheetNesting nesting = laid(marker, {plain_sheet(kWidth, kWidth, 5)}, 5'000);
+  EXPECT_EQ(nesting.layouts.size(), 2u);
+  EXPECT_TRUE(nesting.left_over.empty());
+  EXPECT_EQ(nesting.reason, scene::StopReason::kConverged);
+}
+
+TEST(Sheets, TakesTheSmallestSheetForTheRest) {
+  const Marker marker = unplaced_pieces({rectangle(480'000, 480'000)}, 5, kWidth);
+  const SheetNesting nesting = laid(
+      marker, {plain_sheet(500'000, 500'000), plain_sheet(kWidth, kWidth, 3), plain_sheet(kWidth, 500'000)}, 2'000);
+  ASSERT_EQ(nesting.layouts.size(), 2u);
+  EXPECT_EQ(nesting.layouts[0].sheet, 1u);
+  EXPECT_EQ(nesting.layouts[1].sheet, 0u);
+  EXPECT_TRUE(nesting.left_over.empty());
+}
+
+TEST(Sheets, ListsWhatThereIsNoRoomFor) {
+  Marker marker = unplaced_pieces({rectangle(600'000, 600'000), rectangle(1'200'000, 1'200'000)}, 6, kWidth);
+  const SheetNesting nesting = laid(marker, {plain_sheet(kWidth, kWidth, 2)}, 500);
+  EXPECT_EQ(nesting.layouts.size(), 2u);
+  EXPECT_EQ(nesting.left_over.size(), 4u);
+  for (const Piece& piece : nesting.left_over) EXPECT_EQ(piece.at, Vec{});
+}
+
+TEST(Sheets, PreferWhatIsWorthMore) {
+  // One large piece or one small piece fits, not both.
+  const Marker marker = unplaced_pieces({rectangle(800'000, 800'000), rectangle(300'000, 900'000)}, 2, kWidth);
+  SumCache sums;
+  SheetSettings settings;
+  settings.moves = 500;
+  const std::vector<Sheet> sheets{plain_sheet(900'000, 900'000)};
+  const auto by_area = nest_on_sheets(marker, sheets, settings, {sums});
+  ASSERT_TRUE(by_area);
+  EXPECT_EQ(by_area->layouts[0].marker.pieces[0].id, "0");
+  settings.values = {{"0", 1.0}, {"1", 5.0}};
+  const auto by_value = nest_on_sheets(marker, sheets, settings, {sums});
+  ASSERT_TRUE(by_value);
+  ASSERT_EQ(by_value->layouts[0].marker.pieces.size(), 1u);
+  EXPECT_EQ(by_value->layouts[0].marker.pieces[0].id, "1");
+}
+
+TEST(Sheets, PiecesStayWithinAnOutlineAndOffItsHoles) {
+  // An arrow head with a fault in its middle, away from the origin.
+  const Polygon outline{{100'000, 0}, {1'500'000, 500'000}, {100'000, 1'000'000}, {400'000, 500'000}};
+  const Polygon fault{{700'000, 450'000}, {800'000, 450'000}, {800'000, 550'000}, {700'000, 550'000}};
+  const Sheet sheet = sheet_within(outline, {fault});
+  EXPECT_EQ(sheet.length, 1'400'000);
+  Marker marker = unplaced_pieces({rectangle(90'000, 60'000), {{0, 0}, {120'000, 0}, {0, 120'000}}}, 60, kWidth);
+  for (const Coord spacing : {0, 2'001}) {
+    marker.spacing = spacing;
+    const SheetNesting nesting = laid(marker, {sheet}, 1'500);
+    ASSERT_EQ(nesting.layouts.size(), 1u);
+    const Marker& found = nesting.layouts[0].marker;
+    EXPECT_GT(found.pieces.size(), 20u) << spacing;
+    EXPECT_TRUE(is_valid(found)) << spacing;
+    EXPECT_TRUE(within_outline(found, sheet)) << spacing;
+    EXPECT_EQ(ids_of(nesting), ids_of(marker));
+    EXPECT_EQ(found.spacing, spacing);
+    EXPECT_EQ(found.pieces[0].buffer, 0);
+  }
+}
+
+TEST(Sheets, WithoutABudgetAreStillValid) {
+  const Marker marker = unplaced_pieces({rectangle(300'000, 200'000), rectangle(100'000, 400'000)}, 40, kWidth);
+  const SheetNesting nesting = laid(marker, {plain_sheet(kWidth, kWidth, 9)}, 0);
+  EXPECT_EQ(ids_of(nesting), ids_of(marker));
+  EXPECT_FALSE(nesting.layouts.empty());
+  for (const SheetLayout& layout : nesting.layouts) EXPECT_TRUE(is_valid(layout.marker));
+}
+
+TEST(Sheets, KeepTheBestWhenTheyAreCancelled) {
+  const Marker marker = unplaced_pieces({rectangle(300'000, 200'000)}, 40, kWidth);
+  std::stop_source stop;
+  stop.request_stop();
+  SumCache sums;
+  SheetSettings settings;
+  settings.moves = 1'000'000;
+  const std::vector<Sheet> sheets{plain_sheet(kWidth, kWidth, 9)};
+  const auto nesting = nest_on_sheets(marker, sheets, settings, {sums, stop.get_token()});
+  ASSERT_TRUE(nesting);
+  EXPECT_EQ(nesting->reason, scene::StopReason::kCancelled);
+  EXPECT_EQ(ids_of(*nesting), ids_of(marker));
+}
+
+TEST(Sheets, RefuseWhatTheyCannotUse) {
+  Marker marker = unplaced_pieces({rectangle(300'000, 200'000)}, 3, kWidth);
+  SumCache sums;
+  const SheetSettings settings;
+  const auto refusal = [&](const Marker& pieces, const Sheet& sheet) {
+    const auto done = nest_on_sheets(pieces, std::vector<Sheet>{plain_sheet(kWidth, kWidth), sheet}, settings, {sums});
+    return done ? std::string{} : done.error().field;
+  };
+  EXPECT_EQ(refusal(marker, plain_sheet(0, kWidth)), "/sheets/1");
+  Sheet holed = plain_sheet(kWidth, kWidth);
+  holed.holes = {{{0, 0}, {400, 0}, {400, 400}, {0, 400}}, {{200, 0}, {600, 0}, {600, 400}, {200, 400}}};
+  EXPECT_EQ(refusal(marker, holed), "/sheets/1/holes/1");
+  holed.holes.pop_back();
+  EXPECT_EQ(refusal(marker, holed), "");
+  marker.strip.margin = 10;
+  EXPECT_EQ(refusal(marker, holed), "/sheets/1/holes");
+  marker.strip.margin = 0;
+  marker.unplaced[1].group = "g";
+  EXPECT_EQ(refusal(marker, holed), "/unplaced/1/group");
+  marker.unplaced[1].group.clear();
+  marker.pieces = {marker.unplaced[0]};
+  marker.unplaced.erase(marker.unplaced.begin());
+  marker.pieces[0].locked = true;
+  EXPECT_EQ(refusal(marker, holed), "/pieces/0/locked");
+  marker.pieces.clear();
+  marker.unplaced.clear();
+  const auto none = nest_on_sheets(marker, std::vector<Sheet>{plain_sheet(kWidth, kWidth)}, settings, {sums});
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().code, ErrorCode::kEmptyMarker);
+}
+
+}  // namespace
+}  // namespace selvage::nesting::sheets
