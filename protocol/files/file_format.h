@@ -13,7 +13,8 @@ enum class FileFormat { kNative, kSparrow, kOutlines, kSvg, kPdf, kPdfTiles, kRe
 inline constexpr std::string_view kFileFormatNames[] = {"native", "sparrow", "outlines", "svg",  "pdf",   "pdf_tiles",
                                                         "report", "dxf",     "cut",      "hpgl", "esicup"};
 inline constexpr FileFormat kReadFormats[] = {FileFormat::kNative, FileFormat::kSparrow, FileFormat::kSvg,
-                                              FileFormat::kDxf,    FileFormat::kCut,     FileFormat::kEsicup};
+                                              FileFormat::kDxf,    FileFormat::kCut,     FileFormat::kHpgl,
+                                              FileFormat::kEsicup};
 
 [[nodiscard]] constexpr FileFormat file_format(document::Format format) {
   return static_cast<FileFormat>(format);

@@ -9,6 +9,8 @@
 #include "protocol/trade/dxf/plain.h"
 #include "protocol/trade/dxf/tags.h"
 #include "protocol/trade/esicup/esicup.h"
+#include "protocol/trade/hpgl/hpgl_marker.h"
+#include "protocol/trade/hpgl/pen_strokes.h"
 #include "protocol/trade/orders/bundles.h"
 #include "protocol/trade/style_marker.h"
 #include "protocol/trade/svg/svg_pattern.h"
@@ -59,6 +61,7 @@ std::optional<FileKind> kind_of(std::string_view text) {
   const std::string_view begun = trade::trimmed(text.substr(0, 4096));
   if (begun.starts_with('{') || begun.starts_with('[')) return FileKind::kJson;
   if (trade::cut::looks_like_cut(text)) return FileKind::kCut;
+  if (trade::hpgl::looks_like_hpgl(text)) return FileKind::kHpgl;
   return std::nullopt;
 }
 
@@ -71,6 +74,7 @@ Result<MarkerFile> read_file(std::string_view text, const ReadingOptions& option
     case FileKind::kSvg: return one_garment(text, options, trade::svg::read_svg_pattern);
     case FileKind::kEsicup: return trade::esicup::read_esicup(text, options);
     case FileKind::kCut: return trade::cut::read_cut_marker(text, options);
+    case FileKind::kHpgl: return trade::hpgl::read_hpgl_marker(text, options);
     case FileKind::kJson: break;
   }
   return formats::read_marker(text);

@@ -11,7 +11,7 @@
 namespace selvage::protocol::files {
 
 // The kinds of files that are distinguished.
-enum class FileKind { kJson, kDxf, kCut, kSvg, kEsicup };
+enum class FileKind { kJson, kDxf, kCut, kHpgl, kSvg, kEsicup };
 
 // By its first characters; none when it is like none of them.
 [[nodiscard]] std::optional<FileKind> kind_of(std::string_view text);

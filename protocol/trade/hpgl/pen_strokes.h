@@ -1,0 +1,36 @@
+// What a plot draws: the strokes and labels of HP-GL and HP-GL/2 files, as far as pattern rooms write them.
+//
+// Understood are PU, PD, PA and PR (the pen), AA, AR and CI (arcs and circles), EA, ER, RA and RR (rectangles), LB with
+// DT (labels) and LT (a stroke is dashed); other instructions are passed over.  Encoded polylines (PE) and scaling (SC)
+// change what is drawn and are noted.
+// Units: plotter units, 0.025 mm, unless the file is scaled.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "protocol/trade/loops.h"
+#include "protocol/trade/style.h"
+
+namespace selvage::protocol::trade::hpgl {
+
+struct PenLabel {
+  std::string text;
+  Spot at;  // where the first letter begins
+};
+
+struct PenStrokes {
+  std::vector<Run> runs;    // solid
+  std::vector<Run> dashed;  // of another line type
+  std::vector<PenLabel> labels;
+  std::vector<Note> notes;
+};
+
+// Whether the text begins like a plot: with an instruction that sets one up, after escape sequences for the plotter.
+[[nodiscard]] bool looks_like_hpgl(std::string_view text);
+
+// `tolerance`, in plotter units, is how far a chord may lie from its arc.
+[[nodiscard]] PenStrokes read_strokes(std::string_view text, double tolerance);
+
+}  // namespace selvage::protocol::trade::hpgl
