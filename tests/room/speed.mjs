@@ -3,6 +3,15 @@ import { writeFileSync } from "node:fs";
 import { Browser } from "./browser.mjs";
 import { atRevision, call, example, revision, spot, squares, startDaemon, visit } from "./visit.mjs";
 
+// An example as a native document: those of this repository are in another format.
+async function native(name) {
+  const daemon = await startDaemon();
+  const { markerId } = await call(daemon.port, "marker.open", { marker: example(name) });
+  const { marker } = await call(daemon.port, "marker.get", { markerId });
+  await daemon.stop();
+  return marker;
+}
+
 const round = (figures) => Object.fromEntries(Object.entries(figures).map(([name, value]) => [name, Math.round(value * 100) / 100]));
 const summary = async (page, kind) => round(await page.ask(`selvageRoom.times.${kind}.summary()`));
 
@@ -29,20 +38,42 @@ async function onMarker(browser, marker, piece, zoom) {
   const page = await visit(browser, daemon.port, { marker: markerId });
   const opened = performance.now() - start;
   const paint = await page.ask(`performance.getEntriesByName("first-contentful-paint")[0]?.startTime`);
-  await page.key("0"); // all of it, then near the piece
+  await whole(page);
   for (let k = 0; k < zoom; ++k) await page.wheel(...(await spot(page, piece)), -200);
   await new Promise((resolve) => setTimeout(resolve, 300));
   const dragged = await dragAround(page, piece, 180);
   const panned = await pan(page);
+  await whole(page);
+  const pannedWhole = await pan(page);
   await daemon.stop();
-  return { opened: Math.round(opened), firstPaint: Math.round(paint), ...dragged, panned };
+  return { opened: Math.round(opened), firstPaint: Math.round(paint), ...dragged, panned, pannedWhole };
+}
+
+// Key 0 shows the whole marker or, of a long one in turn, its whole width.
+async function whole(page) {
+  const scale = () => page.ask("selvageRoom.view().scale");
+  await page.key("0");
+  const one = await scale();
+  await page.key("0");
+  if ((await scale()) > one) await page.key("0");
+  await new Promise((resolve) => setTimeout(resolve, 300));
 }
 
 async function pan(page) {
   await page.ask("Object.values(selvageRoom.times).forEach((times) => times.clear())");
-  await page.drag([700, 300], [500, 330], { button: "right", steps: 60, pause: 16 });
-  return { frame: await summary(page, "frame"), whole: await summary(page, "settled") };
+  const frames = page.ask(FRAMES);
+  await page.drag([700, 300], [500, 330], { button: "right", steps: 120, pause: 16 });
+  await page.ask("globalThis.panned = true");
+  return { frame: await summary(page, "frame"), whole: await summary(page, "settled"), framesPerSecond: Math.round(await frames) };
 }
+// How many frames a second the browser shows until the panning ends.
+const FRAMES = `new Promise((resolve) => {
+  const start = performance.now();
+  let count = 0;
+  globalThis.panned = false;
+  const next = () => (panned ? resolve((1000 * count) / (performance.now() - start)) : (++count, requestAnimationFrame(next)));
+  requestAnimationFrame(next);
+})`;
 
 const tiles = (count) => {
   const marker = { ...squares(1) };
@@ -50,6 +81,13 @@ const tiles = (count) => {
   marker.pieces = Array.from({ length: count }, (_, k) => ({ id: `p${k}`, shape: "square", at: [42 * Math.floor(k / 23), 42 * (k % 23)] }));
   return marker;
 };
+
+// A marker so many times one behind another, as garments are: outlines of a hundred vertices.
+const repeated = (marker, times) => {
+  const { pieces, ...rest } = marker;
+  return { ...rest, pieces: Array.from({ length: times }, (_, k) => pieces.map((piece) => ({ ...piece, id: `${piece.id}-${k}`, at: [piece.at[0] + k * LONG, piece.at[1]] }))).flat() };
+};
+const LONG = 26_700; // jeans_22g is a little shorter
 
 async function memoryOver(browser, drags) {
   const daemon = await startDaemon();
@@ -76,10 +114,12 @@ async function memoryOver(browser, drags) {
 
 const browser = await Browser.launch();
 try {
+  await onMarker(browser, tiles(1), "p0", 0); // the browser itself has started then
   const figures = {
     "440 pieces (jeans_22g)": await onMarker(browser, example("jeans_22g"), "200", 8),
     "1,000 pieces": await onMarker(browser, tiles(1000), "p500", 4),
     "4,000 pieces": await onMarker(browser, tiles(4000), "p2000", 9),
+    "4,400 pieces (jeans_22g ten times)": await onMarker(browser, await native("jeans_22g").then((marker) => repeated(marker, 10)), "200-0", 8),
     memory: await memoryOver(browser, Number(process.env.DRAGS ?? 60)),
   };
   console.log(JSON.stringify(figures, null, 1));

@@ -190,6 +190,14 @@ export class Commands {
     const ops = this.scene.selected().map((piece): Edit => ({ op: "buffer", piece: piece.id, buffer: length }));
     return this.queue(() => this.settling.apply(ops));
   }
+  /** How deep the selected pieces may overlap others; undefined: as deep as the marker allows. */
+  overlap(length: number | undefined): Promise<void> {
+    const ops = this.scene.selected().map((piece): Edit => ({ op: "overlap", piece: piece.id, ...(length === undefined ? {} : { overlap: length }) }));
+    return this.queue(() => this.settling.apply(ops));
+  }
+  allowance(length: number): Promise<void> {
+    return this.queue(() => this.settling.apply([{ op: "setOverlap", overlap: length }]));
+  }
   spacing(length: number): Promise<void> {
     return this.queue(() => this.settling.apply([{ op: "setSpacing", spacing: length }]));
   }

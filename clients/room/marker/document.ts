@@ -9,6 +9,7 @@ export interface MarkerDocument {
   resolution?: number;
   strip: { width: number; longest?: number; margin?: number };
   spacing?: number;
+  overlap?: number;
   shapes: ShapeDocument[];
   pieces: PieceDocument[];
   /** Pieces that do not lie on the cloth: without `at`. */
@@ -35,5 +36,6 @@ export interface PieceDocument {
   locked?: Locks;
   group?: string;
   buffer?: number;
+  overlap?: number;
   attributes?: Record<string, unknown>;
 }

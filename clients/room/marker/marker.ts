@@ -16,6 +16,7 @@ export interface Piece {
   locked: Locks;
   group: string;
   buffer: number;
+  overlap: number | undefined; // its own allowance; undefined: the marker's
 }
 
 /** A piece that does not lie on the cloth, in the orientation that it would have there. */
@@ -47,6 +48,7 @@ export class Marker {
   readonly longest: number | undefined;
   readonly margin: number;
   readonly spacing: number;
+  readonly overlap: number;
 
   constructor(readonly document: MarkerDocument) {
     this.name = document.name ?? "";
@@ -55,6 +57,7 @@ export class Marker {
     this.longest = document.strip.longest;
     this.margin = document.strip.margin ?? 0;
     this.spacing = document.spacing ?? 0;
+    this.overlap = document.overlap ?? 0;
     for (const shape of document.shapes) this.shapes.set(String(shape.id), new Shape(shape));
     for (const piece of document.pieces) this.add(piece);
     for (const piece of document.unplaced ?? []) this.addUnplaced(piece);
@@ -69,17 +72,17 @@ export class Marker {
 
   /** An unplaced piece as it would be on the cloth; for drawing. */
   asPlaced({ id, shape, bundle }: Unplaced, pose: Pose): Piece {
-    return { id, shape, bundle, index: this.pieces.length, pose, box: pose.boxOf(shape), locked: false, group: "", buffer: 0 };
+    return { id, shape, bundle, index: this.pieces.length, pose, box: pose.boxOf(shape), locked: false, group: "", buffer: 0, overlap: undefined };
   }
 
   private add(document: PieceDocument): void {
     const shape = this.shapes.get(String(document.shape));
     if (!shape || !document.at) return;
-    const { at, rotation = 0, flip = false, tilt = 0, locked = false, group = "", buffer = 0 } = document;
+    const { at, rotation = 0, flip = false, tilt = 0, locked = false, group = "", buffer = 0, overlap } = document;
     const pose = new Pose(at[0], at[1], rotation, flip, tilt);
     const id = String(document.id);
     const bundle = bundleOf(document) || shape.bundle;
-    const piece: Piece = { id, shape, bundle, index: this.pieces.length, pose, box: pose.boxOf(shape), locked, group, buffer };
+    const piece: Piece = { id, shape, bundle, index: this.pieces.length, pose, box: pose.boxOf(shape), locked, group, buffer, overlap };
     this.pieces.push(piece);
     this.byId.set(piece.id, piece);
   }
@@ -98,6 +101,7 @@ export class Marker {
         piece.locked = placement.locked;
         piece.group = placement.group ?? "";
         piece.buffer = placement.buffer ?? 0;
+        piece.overlap = placement.overlap;
       }
     }
     return true;
@@ -147,8 +151,8 @@ export class Marker {
     const pieces = this.document.pieces.flatMap((piece): PieceDocument[] => {
       const known = this.byId.get(String(piece.id));
       if (!known) return piece.at ? [] : [piece];
-      const { pose, locked, group, buffer } = known;
-      const { group: _group, buffer: _buffer, locked: _locked, ...rest } = piece;
+      const { pose, locked, group, buffer, overlap } = known;
+      const { group: _group, buffer: _buffer, locked: _locked, overlap: _overlap, ...rest } = piece;
       return [
         {
           ...rest,
@@ -159,6 +163,7 @@ export class Marker {
           locked,
           ...(group ? { group } : {}),
           ...(buffer ? { buffer } : {}),
+          ...(overlap === undefined ? {} : { overlap }),
         },
       ];
     });

@@ -8,7 +8,7 @@ import type { Desk } from "../session/desk";
 import { say, wording, type TextName } from "../texts/texts";
 import { areaText, lengthText, numberText, parseLength, parseNumber } from "../texts/units";
 import type { Scene } from "../view/scene";
-import { heading, textButton, worded } from "./controls";
+import { heading, row, textButton, worded } from "./controls";
 
 const CORNERS = [["↖", [-1, 1]], ["↗", [1, 1]], ["↙", [-1, -1]], ["↘", [1, -1]]] as const;
 const ALIGN = { left: "alignLeft", right: "alignRight", bottom: "alignBottom", top: "alignTop" } as const;
@@ -28,8 +28,10 @@ export function buildPiecePanel(host: HTMLElement, desk: Desk, scene: Scene, ins
     const length = parseLength(buffer.value);
     if (length !== undefined && length >= 0) void commands.buffer(length);
   } });
-  const bufferName = h("span");
-  worded(bufferName, "buffer");
+  const overlap = h("input", { type: "text", inputmode: "decimal", size: 5, id: "piece-overlap", onchange: () => {
+    const length = parseLength(overlap.value);
+    if (overlap.value.trim() === "" || (length !== undefined && length >= 0)) void commands.overlap(length);
+  } });
   const arrows = h("div", { class: "pad" });
   for (const [sign, way] of SIDES) arrows.append(h("button", { type: "button", class: "button", "data-way": sign, "aria-label": sign, onclick: () => void commands.bump([way[0], way[1]]) }, sign));
   for (const [sign, way] of CORNERS) arrows.append(h("button", { type: "button", class: "button", "data-way": sign, "aria-label": sign, onclick: () => void commands.shoot([way[0], way[1]]) }, sign));
@@ -46,7 +48,7 @@ export function buildPiecePanel(host: HTMLElement, desk: Desk, scene: Scene, ins
     const pieces = scene.selected().map(({ id }) => id);
     void engine.start("motion.align", { pieces, side }, say(ALIGN[side]));
   })));
-  const tools = h("div", { class: "piece-tools" }, h("div", { class: "side-by-side" }, arrows, turns), h("div", { class: "segments locks" }, ...lockButtons), align, h("label", { class: "row" }, bufferName, buffer));
+  const tools = h("div", { class: "piece-tools" }, h("div", { class: "side-by-side" }, arrows, turns), h("div", { class: "segments locks" }, ...lockButtons), align, row("buffer", buffer), row("overlap", overlap));
   const empty = h("p", { class: "note" });
   worded(empty, "noSelection");
   fill(host, title, empty, facts, tools);
@@ -61,6 +63,8 @@ export function buildPiecePanel(host: HTMLElement, desk: Desk, scene: Scene, ins
     setText(title, pieces.length === 1 ? first.shape.name : say("selectedCount", { count: pieces.length }));
     fill(facts, ...(pieces.length === 1 ? factsOf(first, insight) : sums(pieces)).flatMap(([name, value]) => [h("dt", {}, name), h("dd", {}, value)]));
     if (document.activeElement !== buffer) buffer.value = lengthText(first.buffer, { unit: false });
+    if (document.activeElement !== overlap) overlap.value = first.overlap === undefined ? "" : lengthText(first.overlap, { unit: false });
+    overlap.placeholder = lengthText(desk.marker.value?.overlap ?? 0, { unit: false });
     for (const button of lockButtons) {
       const part = button.dataset["part"] as "all" | "x" | "y" | "tilt";
       const on = pieces.every((piece) => (part === "all" ? piece.locked === true : isLocked(piece, part)));
@@ -90,16 +94,19 @@ const sums = (pieces: readonly Piece[]): Array<[string, string]> => [
   [say("area"), areaText(pieces.reduce((sum, { shape }) => sum + shape.area, 0))],
 ];
 
-/** The spacing and the heading of the list of pieces. */
+/** The spacing, the overlap allowance and the heading of the list of pieces. */
 export function buildSpacing(host: HTMLElement, desk: Desk, commands: Commands): void {
   const field = h("input", { type: "text", inputmode: "decimal", size: 5, id: "spacing", onchange: () => {
     const length = parseLength(field.value);
     if (length !== undefined && length >= 0 && parseNumber(field.value) !== undefined) void commands.spacing(length);
   } });
-  const name = h("span");
-  worded(name, "spacing");
-  host.append(heading("pieces"), h("label", { class: "row" }, name, field));
+  const overlap = h("input", { type: "text", inputmode: "decimal", size: 5, id: "overlap", onchange: () => {
+    const length = parseLength(overlap.value);
+    if (length !== undefined && length >= 0) void commands.allowance(length);
+  } });
+  host.append(heading("pieces"), row("spacing", field), row("overlap", overlap));
   follow([desk.marker, desk.figures, wording], () => {
     if (document.activeElement !== field) field.value = lengthText(desk.marker.value?.spacing ?? 0, { unit: false });
+    if (document.activeElement !== overlap) overlap.value = lengthText(desk.marker.value?.overlap ?? 0, { unit: false });
   });
 }

@@ -91,6 +91,7 @@ export const english = {
   tiltAngle: "Tilt",
   area: "Area",
   buffer: "Buffer",
+  overlap: "May overlap by",
   flip: "Flip",
   rotate: "Rotate",
   lockPiece: "Lock",

@@ -89,6 +89,7 @@ export const german: Texts = {
   tiltAngle: "Neigung",
   area: "Fläche",
   buffer: "Puffer",
+  overlap: "Darf überlappen um",
   flip: "Spiegeln",
   rotate: "Drehen",
   lockPiece: "Sperren",
