@@ -7,6 +7,7 @@
 #include "clients/cli/commands/shared_options.h"
 #include "clients/cli/documents/completion.h"
 #include "clients/cli/documents/manual.h"
+#include "clients/cli/library/library_commands.h"
 
 namespace {
 
@@ -18,6 +19,8 @@ std::vector<selvage::cli::command_line::Command> all_commands() {
                        &commands::call_command, &commands::watch_command}) {
     all.push_back(command());
   }
+  all.push_back(selvage::cli::library::library_command());
+  all.push_back(selvage::cli::library::remake_command());
   return all;
 }
 

@@ -10,7 +10,7 @@ SECTIONS = {"marker.apply": "edits", "marker.undo": "edits", "marker.redo": "edi
             "marker.get": "changes-since-a-revision", "marker.watch": "notifications", "drag.begin": "drag-sessions",
             "drag.move": "drag-sessions", "drag.end": "drag-sessions", "$/cancelRequest": "stopping-a-call-early"}
 # Motions, too: they take and return what all motions do.
-OF_MARKERS = ("marker.nest", "marker.fillGaps", "marker.compactExactly")
+OF_MARKERS = ("marker.nest", "marker.remake", "marker.fillGaps", "marker.compactExactly")
 MOTION_PARAMS = ("markerId", "baseRev", "commit", "timing", "opId", "deadlineMs", "progressToken")
 
 

@@ -48,7 +48,8 @@ class Types:
             return " | ".join(self.of(each) for each in schema["anyOf"])
         if schema["type"] == "array":
             return f"tuple[{self.of(schema['items'])}, ...]"
-        return {"string": "str", "integer": "int", "number": "float", "boolean": "bool", "null": "None"}[schema["type"]]
+        return {"string": "str", "integer": "int", "number": "float", "boolean": "bool", "null": "None",
+                "object": "dict[str, object]"}[schema["type"]]
 
     def _named(self, name: str) -> str:
         if "enum" in self.schemas[name]:

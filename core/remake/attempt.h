@@ -31,7 +31,6 @@ enum class StepKind {
   kRearranged,   // a short search, where slots were left empty or pieces had none
   kTrimsMoved,   // small pieces went elsewhere
   kRefined,      // accuracy fine
-  kNested,       // from nothing, instead of an attempt that gave no marker
 };
 
 struct Step {

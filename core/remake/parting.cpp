@@ -38,9 +38,12 @@ class Parting {
 
   std::optional<Parted> part() {
     if (all_clear(marker::PlacedPieces{start_}, start_.strip)) return Parted{start_, PartedBy::kNothing, 0, 0};
-    const auto separated = separate(start_);
+    auto separated = separate(start_);
     if (!separated) return std::nullopt;
-    if (separated->apart) return Parted{separated->marker, PartedBy::kSeparation, 0, programs_};
+    if (separated->apart) {
+      separated->marker.unplaced = start_.unplaced;
+      return Parted{std::move(separated->marker), PartedBy::kSeparation, 0, programs_};
+    }
     std::optional<Parted> best = by_popping(*separated);
     if (auto other = by_search(); other && (!best || length_of(other->marker) < length_of(best->marker))) {
       best = std::move(other);

@@ -67,7 +67,7 @@ class Typed(unittest.TestCase):
 
     def test_golden_exchanges_through_the_typed_methods(self):
         played = 0
-        for name in ("motions", "places_and_tilts", "changes", "life_of_a_marker", "nesting"):
+        for name in ("motions", "places_and_tilts", "changes", "life_of_a_marker", "nesting", "remaking"):
             with LiveDaemon(SELVAGED) as daemon, selvage_client.Client(daemon.address) as client:
                 for exchange in json.loads((GOLDEN / f"{name}.json").read_text("utf-8")):
                     played += self.play(client, exchange["request"], exchange["response"])

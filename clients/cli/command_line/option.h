@@ -16,10 +16,11 @@ enum class Kind {
   kInteger,  // std::int64_t
   kNumber,   // double
   kNumbers,  // std::vector<double>: `count` numbers separated by commas
+  kTexts,    // std::vector<std::string>: any number of them, of a positional argument
 };
 
 // The alternative follows from the option's kind; a flag is a bool.
-using Value = std::variant<bool, std::string, std::int64_t, double, std::vector<double>>;
+using Value = std::variant<bool, std::string, std::int64_t, double, std::vector<double>, std::vector<std::string>>;
 
 // Inclusive on both sides.
 struct Range {

@@ -39,6 +39,7 @@ CLI::Option* add_by_kind(CLI::App& app, const Option& option, Values& values) {
     case Kind::kNumber: return add_valued<double>(app, option, values);
     case Kind::kNumbers:
       return add_valued<std::vector<double>>(app, option, values)->delimiter(',')->expected(option.count);
+    case Kind::kTexts: return add_valued<std::vector<std::string>>(app, option, values);
   }
   return nullptr;
 }

@@ -28,6 +28,11 @@ std::string Values::text(std::string_view key) const {
   return value == nullptr ? std::string{} : std::get<std::string>(*value);
 }
 
+std::vector<std::string> Values::texts(std::string_view key) const {
+  const Value* const value = find(key);
+  return value == nullptr ? std::vector<std::string>{} : std::get<std::vector<std::string>>(*value);
+}
+
 std::optional<std::int64_t> Values::integer(std::string_view key) const {
   const Value* const value = find(key);
   if (value == nullptr) return std::nullopt;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "clients/cli/command_line/option.h"
 
@@ -19,7 +20,8 @@ class Values {
   [[nodiscard]] const Value* find(std::string_view key) const;
   [[nodiscard]] bool flag(std::string_view key) const;  // false when absent
   // REQUIRES of the following: the option is of that kind.
-  [[nodiscard]] std::string text(std::string_view key) const;  // empty when absent
+  [[nodiscard]] std::string text(std::string_view key) const;                // empty when absent
+  [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;  // empty when absent
   [[nodiscard]] std::optional<std::int64_t> integer(std::string_view key) const;
   [[nodiscard]] std::optional<double> number(std::string_view key) const;
 

@@ -41,6 +41,7 @@ std::string value_of(const Option& option) {
     case Kind::kInteger: return "INTEGER";
     case Kind::kNumber: return "NUMBER";
     case Kind::kNumbers: return "NUMBER,...";
+    case Kind::kTexts: return "TEXT...";
   }
   return "";
 }

@@ -4,7 +4,7 @@ import { greeted } from "./greeting.js";
 import { retriable, type Methods, type Notifications } from "./methods.js";
 import { Progress } from "./progress.js";
 
-export type Motion = Extract<keyof Methods, `motion.${string}` | "marker.nest" | "marker.fillGaps" | "marker.compactExactly">;
+export type Motion = Extract<keyof Methods, `motion.${string}` | "marker.nest" | "marker.remake" | "marker.fillGaps" | "marker.compactExactly">;
 export type Params<M extends keyof Methods> = Methods[M]["params"];
 export type Answer<M extends keyof Methods> = Methods[M]["result"];
 

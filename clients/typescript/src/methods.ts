@@ -387,6 +387,40 @@ export type Region = {
   around: Array<string>;
 };
 
+/** One arrangement that was taken over. */
+export type RemakeAttempt = {
+  /** The places in `stored` of the markers, from left to right. */
+  stored: Array<number>;
+  /** How much the pieces differ, as a part of the order's area. */
+  difference: number;
+  /** The utilisation that was expected, 0 to 1. */
+  predicted: number;
+  /** Whether it gave a valid marker with all pieces. */
+  made: boolean;
+  /** What was done, in order. */
+  steps: Array<RemakeStepResult>;
+};
+
+/** What became of an order: remade like a stored marker; nested from nothing, where asked; none_near: no stored marker is near enough; not_apart: the pieces of no attempt came apart, or the cloth ends before them. */
+export type RemakeOutcome = "remade" | "nested" | "none_near" | "not_apart";
+
+/** A step of an attempt: the pieces were put where stored ones lie; parted by linear programs, by popping trims out, or by a search; compacted; inserted, of pieces that no stored one corresponds to; rearranged, where the numbers of pieces differ; small pieces were moved elsewhere; refined as accuracy fine does. */
+export type RemakeStep = "substituted" | "separated" | "popped" | "searched" | "compacted" | "inserted" | "rearranged" | "trims_moved" | "refined";
+
+/** The marker after a step of an attempt. */
+export type RemakeStepResult = {
+  /** What was done. */
+  step: RemakeStep;
+  /** How many pieces it concerned: swapped to relieve columns, popped, inserted, or trials kept. */
+  pieces: number;
+  /** The x coordinate where the rightmost piece ends; exact. */
+  length: number;
+  /** Of the pieces that lie there, 0 to 1. */
+  utilisation: number;
+  /** Proved in integers: no overlap, no distance below the spacing, nothing outside the strip. */
+  valid: boolean;
+};
+
 /** Removes a piece, placed or not; its shape stays. */
 export type RemoveEdit = {
   /** The operation. */
@@ -1058,6 +1092,79 @@ export interface Methods {
       moves: number;
       /** Why the motion ended. */
       stop: StopReason;
+    };
+  };
+  /** Lays the pieces of an order out like those of the most similar stored markers. */
+  "marker.remake": {
+    params: {
+      /** The marker's id. */
+      markerId: string;
+      /** The stored markers to choose from: native or sparrow documents, of which the nearest are tried. */
+      stored: Array<Record<string, unknown>>;
+      /** Refuse the call when the marker is at another revision. */
+      baseRev?: number;
+      /** False: return the result, but leave the marker as it is. */
+      commit?: boolean;
+      /** True: also return ms and cache, which vary from run to run. */
+      timing?: boolean;
+      /** A name for this call: a retry of it gets the same result. */
+      opId?: string;
+      /** After this many milliseconds the motion returns its best result so far; 1 to 86,400,000. */
+      deadlineMs?: number;
+      /** Progress notifications, one after each round, carry this token. */
+      progressToken?: ProgressToken;
+      /** How many arrangements are tried, 1 to 64; the shortest result counts. */
+      tries?: number;
+      /** Whether two stored markers may be taken over, one behind the other. */
+      concatenate?: boolean;
+      /** Whether small pieces are moved into gaps in the end. */
+      trims?: boolean;
+      /** Whether every attempt ends with the search of accuracy fine. */
+      fine?: boolean;
+      /** Whether the order is nested from nothing when no attempt gives a marker. */
+      nest?: boolean;
+      /** The budget of that, in moves of a piece. */
+      nestMoves?: number;
+    };
+    result: {
+      /** The marker's id. */
+      markerId: string;
+      /** The marker's revision. */
+      revision: number;
+      /** The marker's name. */
+      name: string;
+      /** Number of pieces. */
+      pieces: number;
+      /** The marker's length before the motion; exact. */
+      lengthBefore: number;
+      /** Its length after the motion; exact. */
+      lengthAfter: number;
+      /** 0 to 1. */
+      utilisationBefore: number;
+      /** 0 to 1. */
+      utilisationAfter: number;
+      /** What became of the order; unless remade or nested, the marker stays as it is. */
+      outcome: RemakeOutcome;
+      /** Number of arrangements that were near enough. */
+      candidates: number;
+      /** The attempt that the result is from. */
+      chosen?: number;
+      /** The best prediction first. */
+      attempts: Array<RemakeAttempt>;
+      /** Number of rounds done. */
+      rounds: number;
+      /** Why the motion ended. */
+      stop: StopReason;
+      /** Whether the result is valid, proved in integers. */
+      valid: boolean;
+      /** The repair of small overlaps in the input. */
+      healed: Healing;
+      /** Of the pieces that moved. */
+      placements: Array<Placement>;
+      /** Milliseconds by stage; only with timing. */
+      ms?: StageTimes;
+      /** The cache of Minkowski sums; only with timing. */
+      cache?: CacheCounts;
     };
   };
   /** Searches all layouts of the pieces for the shortest, and proves how short it can be. */
@@ -2200,6 +2307,7 @@ export const retriable: ReadonlySet<string> = new Set([
   "marker.redo",
   "drag.end",
   "marker.nest",
+  "marker.remake",
   "motion.pack",
   "motion.contain",
   "marker.fillGaps",

@@ -25,11 +25,14 @@ TEST(Parting, SeparatesSmallOverlaps) {
     Marker marker = test::perturbed(random, test::random_marker(random), 0.03);
     marker.strip.longest.reset();
     for (Piece& piece : marker.pieces) piece.locked = {};
+    marker.unplaced.push_back(marker.pieces.front());  // is left as it is
+    marker.unplaced.back().id = "unplaced";
     SumCache sums;
     const auto apart = parted(marker, {}, scene::Run{sums});
     ASSERT_TRUE(apart);
     EXPECT_TRUE(is_valid(apart->marker));
     EXPECT_EQ(apart->marker.pieces.size(), marker.pieces.size());
+    EXPECT_EQ(apart->marker.unplaced, marker.unplaced);
   }
 }
 

@@ -31,7 +31,9 @@ Json sample(const schema::Type& type) {
       return Json::parse(R"({"format":"selvage-marker","version":1,"strip":{"width":9},
         "shapes":[{"id":"s","outline":[[0,0],[1,0],[1,1]]}],"pieces":[{"id":"a","shape":"s","at":[0,0]}]})");
     case Kind::kList:
-      if (type.parts[0].component().name == "Edit") return Json::array({{{"op", "remove"}, {"piece", "a"}}});
+      if (type.parts[0].kind == Kind::kNamed && type.parts[0].component().name == "Edit") {
+        return Json::array({{{"op", "remove"}, {"piece", "a"}}});
+      }
       return Json::array({sample(type.parts[0])});
     case Kind::kNamed: {
       const schema::Component& component = type.component();

@@ -45,7 +45,8 @@ TEST(Methods, HaveUniqueNames) {
   for (const calls::Method& method : method_table().all()) {
     EXPECT_TRUE(names.insert(method.name).second) << method.name;
     EXPECT_EQ(find_method(method.name), &method);
-    const std::set<std::string_view> of_markers{"marker.nest", "marker.fillGaps", "marker.compactExactly"};
+    const std::set<std::string_view> of_markers{"marker.nest", "marker.remake", "marker.fillGaps",
+                                                "marker.compactExactly"};
     EXPECT_EQ(method.motion, method.name.starts_with("motion.") || of_markers.contains(method.name)) << method.name;
     EXPECT_TRUE(method.on_marker || !method.motion) << method.name;
   }

@@ -26,6 +26,9 @@ std::string command_name(std::string_view method) {
   return option_name(method).substr(2);
 }
 
+// Its stored markers come from a library (clients/cli/library/remake_command.cpp).
+constexpr std::string_view kRemake = "marker.remake";
+
 // A method with a limit of its own, such as the seconds of a search, keeps it.
 bool limits_time_itself(const std::vector<ParameterOption>& options) {
   return std::ranges::any_of(options,
@@ -90,7 +93,7 @@ command_line::Command command_of(const Method& method) {
 std::vector<command_line::Command> motion_commands() {
   std::vector<command_line::Command> commands;
   for (const Method& method : protocol::methods::method_table().all()) {
-    if (method.motion) commands.push_back(command_of(method));
+    if (method.motion && method.name != kRemake) commands.push_back(command_of(method));
   }
   return commands;
 }

@@ -11,6 +11,7 @@ from .wire.portal import Blocking, blocking
 
 class BlockingMotions(Blocking):
     nest = blocking(AsyncMotions.nest)
+    remake = blocking(AsyncMotions.remake)
     pack = blocking(AsyncMotions.pack)
     contain = blocking(AsyncMotions.contain)
     fill_gaps = blocking(AsyncMotions.fill_gaps)

@@ -40,6 +40,28 @@ class Healed:
     lengthened: float
 
 
+@dataclass(frozen=True)
+class RemakeStepResult:
+    """The marker after a step of an attempt."""
+
+    step: str
+    pieces: int
+    length: float
+    utilisation: float
+    valid: bool
+
+
+@dataclass(frozen=True)
+class RemakeAttempt:
+    """One arrangement that was taken over."""
+
+    stored: tuple[int, ...]
+    difference: float
+    predicted: float
+    made: bool
+    steps: tuple[RemakeStepResult, ...]
+
+
 @dataclass(frozen=True, kw_only=True)
 class Moved:
     """What every motion returns; `ms` and `cache` only with `timing`."""
@@ -74,6 +96,16 @@ class Nested(MovedInRounds):
     placed: int
     unplaced: int
     moves: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class RemakeResult(MovedInRounds):
+    """What marker.remake returns."""
+
+    outcome: str
+    candidates: int
+    attempts: tuple[RemakeAttempt, ...]
+    chosen: int | None = None
 
 
 @dataclass(frozen=True, kw_only=True)

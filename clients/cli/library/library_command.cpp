@@ -1,0 +1,111 @@
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "clients/cli/library/folder.h"
+#include "clients/cli/library/library_commands.h"
+#include "clients/cli/terminal/failure.h"
+#include "clients/cli/terminal/files.h"
+#include "core/remake/substitution/choice.h"
+
+namespace selvage::cli::library {
+namespace {
+
+using command_line::Kind;
+using terminal::ExitCode;
+
+constexpr std::size_t kShown = 10;  // of a search
+
+std::string line_of(const StoredFile& stored) {
+  const Marker& marker = stored.file.marker;
+  char text[160];
+  std::snprintf(text, sizeof text, "%4zu pieces  width %g  length %g  %6.2f %%  ", marker.pieces.size(),
+                to_decimal(marker.strip.width, marker.resolution), to_decimal(length_of(marker), marker.resolution),
+                100 * utilisation_of(marker));
+  return text + stored.name;
+}
+
+ExitCode add(const std::string& folder, const std::vector<std::string>& paths) {
+  if (paths.empty()) return report(terminal::bad_usage("library add needs the files to add"));
+  ExitCode worst = ExitCode::kOk;
+  for (const std::string& path : paths) {
+    const auto file = terminal::load_marker(path);
+    if (!file) {
+      worst = terminal::report(file.error());
+      continue;
+    }
+    StoredFile stored{std::filesystem::path{path}.stem().string(), *file};
+    if (auto error = add_to_folder(folder, stored.name, stored.file)) {
+      error->message.insert(0, path + ": ");
+      worst = terminal::report(*error);
+      continue;
+    }
+    std::cout << line_of(stored) << "\n";
+  }
+  return worst;
+}
+
+ExitCode list(const std::string& folder) {
+  const auto stored = read_folder(folder);
+  if (!stored) return terminal::report(stored.error());
+  for (const StoredFile& one : *stored) std::cout << line_of(one) << "\n";
+  return ExitCode::kOk;
+}
+
+// The candidates for each order, best prediction first.
+ExitCode search(const std::string& folder, const std::vector<std::string>& orders) {
+  if (orders.empty()) return report(terminal::bad_usage("library search needs the order to search for"));
+  const auto stored = read_folder(folder);
+  if (!stored) return terminal::report(stored.error());
+  std::vector<Marker> markers;
+  for (const StoredFile& one : *stored) markers.push_back(one.file.marker);
+  for (const std::string& path : orders) {
+    const auto order = terminal::load_marker(path);
+    if (!order) return terminal::report(order.error());
+    const auto found = remake::substitution::candidates_for(order->marker, markers, true, {}, serial());
+    std::cout << path << ": " << found.size() << " near\n";
+    for (std::size_t k = 0; k < found.size() && k < kShown; ++k) {
+      char text[96];
+      std::snprintf(text, sizeof text, "  differs by %5.1f %%, predicted %6.2f %%  ", 100 * found[k].difference,
+                    100 * found[k].predicted);
+      std::cout << text;
+      for (std::size_t part = 0; part < found[k].arrangement.stored.size(); ++part) {
+        std::cout << (part > 0 ? " + " : "") << (*stored)[found[k].arrangement.stored[part]].name;
+      }
+      std::cout << "\n";
+    }
+  }
+  return ExitCode::kOk;
+}
+
+ExitCode run_library(const command_line::Values& values) {
+  const std::string action = values.text("ACTION");
+  const std::string folder = values.text("LIB");
+  const std::vector<std::string> files = values.texts("FILE");
+  if (action == "add") return add(folder, files);
+  if (action == "search") return search(folder, files);
+  if (files.empty()) return list(folder);
+  return report(terminal::bad_usage("library list takes no files"));
+}
+
+}  // namespace
+
+command_line::Command library_command() {
+  return {"library",
+          "Add markers to a library, list it, or search it for an order",
+          {{.name = "ACTION",
+            .kind = Kind::kText,
+            .meaning = "What to do",
+            .required = true,
+            .choices = {"add", "list", "search"}},
+           {.name = "LIB", .kind = Kind::kText, .meaning = "Folder of marker files", .required = true},
+           {.name = "FILE", .kind = Kind::kTexts, .meaning = "Marker files to add, or orders to search for"}},
+          &run_library,
+          {"selvage library add markers made/*.json", "selvage library list markers",
+           "selvage library search markers order.json"}};
+}
+
+}  // namespace selvage::cli::library

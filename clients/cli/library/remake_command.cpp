@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "clients/cli/commands/marker_run.h"
+#include "clients/cli/commands/motions/motion_options.h"
+#include "clients/cli/commands/shared_options.h"
+#include "clients/cli/library/folder.h"
+#include "clients/cli/library/library_commands.h"
+#include "clients/cli/terminal/files.h"
+#include "protocol/files/writing.h"
+#include "protocol/methods/method_table.h"
+
+namespace selvage::cli::library {
+namespace {
+
+using command_line::Kind;
+using commands::motions::ParameterOption;
+
+constexpr std::size_t kConsidered = 20;  // of the nearest markers of a library
+
+// The library stands for the list of stored markers.
+std::vector<ParameterOption> remake_options() {
+  auto options = commands::motions::parameter_options(*protocol::methods::find_method("marker.remake"));
+  std::erase_if(options, [](const ParameterOption& option) { return option.parameter.name == "stored"; });
+  return options;
+}
+
+// The nearest markers as documents.  Errors: those of reading the order or the library; kFile for an empty library.
+Result<Json> stored_near(const std::string& order, const std::string& folder) {
+  const auto file = terminal::load_marker(order);
+  if (!file) return file.error();
+  auto library = read_folder(folder);
+  if (!library) return library.error();
+  if (library->empty()) return Error{ErrorCode::kFile, folder + ": there are no markers in the library", ""};
+  std::vector<StoredFile> near = nearest_in(*library, file->marker, kConsidered);
+  if (near.empty()) near.push_back(std::move(library->front()));  // the answer says that none is near
+  Json documents = Json::array();
+  for (const StoredFile& one : near) {
+    auto document = protocol::files::marker_document(one.file, protocol::files::FileFormat::kNative);
+    if (!document) return document.error();
+    documents.push_back(*std::move(document));
+  }
+  return documents;
+}
+
+terminal::ExitCode run_remake(const std::vector<ParameterOption>& options, const command_line::Values& values) {
+  const commands::MarkerFiles files = commands::marker_files(values, "ORDER");
+  if (const auto failure = check_outputs(files)) return report(*failure);
+  if (files.in == terminal::kStandardStream) {
+    return report(terminal::bad_usage("the order is read twice, so it cannot be standard input"));
+  }
+  auto params = commands::motions::params_from(options, values);
+  if (!params) return terminal::report(params.error());
+  auto stored = stored_near(files.in, values.text("library"));
+  if (!stored) return terminal::report(stored.error());
+  (*params)["stored"] = *std::move(stored);
+  if (const auto seconds = values.number("time")) (*params)["deadlineMs"] = 1000 * *seconds;
+  return run_on_marker("marker.remake", *std::move(params), files,
+                       values.flag("json") ? commands::Report::kJsonLine : commands::Report::kSummary);
+}
+
+}  // namespace
+
+command_line::Command remake_command() {
+  std::vector<ParameterOption> parameters = remake_options();
+  command_line::Command command{
+      "remake",
+      "Lay an order out like the most similar markers of a library",
+      {{.name = "ORDER",
+        .kind = Kind::kText,
+        .meaning = "Marker or pattern file whose pieces are wanted; where they lie does not matter",
+        .required = true},
+       {.name = "--library",
+        .kind = Kind::kText,
+        .meaning = "Folder of marker files, which `selvage library add` fills",
+        .required = true}},
+      {}};
+  for (const ParameterOption& parameter : parameters) command.options.push_back(parameter.option);
+  for (command_line::Option& option : commands::file_options()) command.options.push_back(std::move(option));
+  command.options.push_back({.name = "--time",
+                             .kind = Kind::kNumber,
+                             .meaning = "After this many seconds the best result so far is returned",
+                             .range = command_line::Range{0.001, 86'400}});
+  command.options.push_back(
+      {.name = "--json", .kind = Kind::kFlag, .meaning = "Print one line of JSON instead of the summary"});
+  command.examples = {"selvage library add markers made/*.json",
+                      "selvage remake order.json --library markers -o marker.json --svg marker.svg",
+                      "selvage remake order.json --library markers --tries 10 --fine --time 60 -o marker.json"};
+  command.run = [parameters = std::move(parameters)](const command_line::Values& values) {
+    return run_remake(parameters, values);
+  };
+  return command;
+}
+
+}  // namespace selvage::cli::library

@@ -1,0 +1,160 @@
+// marker.remake: an order is laid out like the most similar stored markers [Li94 5.3, 10].
+#include "core/remake/remake.h"
+
+#include <algorithm>
+
+#include "core/marker/figures.h"
+#include "protocol/calls/motion.h"
+#include "protocol/methods/library/given_marker.h"
+
+namespace selvage::protocol::schema {
+
+template <>
+struct Choices<remake::Outcome> {
+  static constexpr std::string_view kName = "RemakeOutcome";
+  static constexpr std::string_view kMeaning =
+      "What became of an order: remade like a stored marker; nested from nothing, where asked; none_near: no stored "
+      "marker is near enough; not_apart: the pieces of no attempt came apart, or the cloth ends before them.";
+  static constexpr std::string_view kWords[] = {"remade", "nested", "none_near", "not_apart"};
+};
+
+template <>
+struct Choices<remake::StepKind> {
+  static constexpr std::string_view kName = "RemakeStep";
+  static constexpr std::string_view kMeaning =
+      "A step of an attempt: the pieces were put where stored ones lie; parted by linear programs, by popping trims "
+      "out, "
+      "or by a search; compacted; inserted, of pieces that no stored one corresponds to; rearranged, where the "
+      "numbers of pieces differ; small pieces were moved elsewhere; refined as accuracy fine does.";
+  static constexpr std::string_view kWords[] = {"substituted", "separated",  "popped",      "searched", "compacted",
+                                                "inserted",    "rearranged", "trims_moved", "refined"};
+};
+
+}  // namespace selvage::protocol::schema
+
+namespace selvage::protocol::methods::library {
+namespace {
+
+constexpr std::size_t kMostStored = 1'000;
+constexpr double kMostTries = 64, kMostMoves = 1e12;
+
+struct RemakeParams {
+  calls::CommonParams call;
+  std::vector<GivenMarker> stored;
+  std::size_t tries{remake::RemakeSettings{}.tries};
+  bool concatenate{true}, trims{true}, fine{}, nest{};
+  std::uint64_t nest_moves{remake::RemakeSettings{}.nest_moves};
+
+  static void describe(auto& v, auto& self) {
+    v.part(self.call);
+    v.required("stored", self.stored,
+               "The stored markers to choose from: native or sparrow documents, of which the nearest are tried.",
+               {.entries = {{1, kMostStored}}, .entries_are = "markers"});
+    v.optional("tries", self.tries, "How many arrangements are tried, 1 to 64; the shortest result counts.",
+               {.range = {{1, kMostTries}}});
+    v.optional("concatenate", self.concatenate, "Whether two stored markers may be taken over, one behind the other.");
+    v.optional("trims", self.trims, "Whether small pieces are moved into gaps in the end.");
+    v.optional("fine", self.fine, "Whether every attempt ends with the search of accuracy fine.");
+    v.optional("nest", self.nest, "Whether the order is nested from nothing when no attempt gives a marker.");
+    v.optional("nestMoves", self.nest_moves, "The budget of that, in moves of a piece.", {.range = {{1, kMostMoves}}});
+  }
+};
+
+struct RemakeStepResult {
+  static constexpr std::string_view kName = "RemakeStepResult", kMeaning = "The marker after a step of an attempt.";
+  remake::StepKind step{};
+  std::size_t pieces{};
+  double length{}, utilisation{};
+  bool valid{};
+
+  static void describe(auto& v, auto& self) {
+    v.required("step", self.step, "What was done.");
+    v.required("pieces", self.pieces,
+               "How many pieces it concerned: swapped to relieve columns, popped, inserted, or trials kept.");
+    v.required("length", self.length, calls::kLengthMeaning);
+    v.required("utilisation", self.utilisation, "Of the pieces that lie there, 0 to 1.");
+    v.required("valid", self.valid, calls::kValidMeaning);
+  }
+};
+
+struct RemakeAttempt {
+  static constexpr std::string_view kName = "RemakeAttempt", kMeaning = "One arrangement that was taken over.";
+  std::vector<std::size_t> stored;
+  double difference{}, predicted{};
+  bool made{};
+  std::vector<RemakeStepResult> steps;
+
+  static void describe(auto& v, auto& self) {
+    v.required("stored", self.stored, "The places in `stored` of the markers, from left to right.");
+    v.required("difference", self.difference, "How much the pieces differ, as a part of the order's area.");
+    v.required("predicted", self.predicted, "The utilisation that was expected, 0 to 1.");
+    v.required("made", self.made, "Whether it gave a valid marker with all pieces.");
+    v.required("steps", self.steps, "What was done, in order.");
+  }
+};
+
+struct RemakeResult {
+  remake::Outcome outcome{};
+  std::size_t candidates{};
+  std::optional<std::size_t> chosen;
+  std::vector<RemakeAttempt> attempts;
+  calls::RoundsResult rounds;
+
+  static void describe(auto& v, auto& self) {
+    v.required("outcome", self.outcome,
+               "What became of the order; unless remade or nested, the marker stays as it is.");
+    v.required("candidates", self.candidates, "Number of arrangements that were near enough.");
+    v.optional("chosen", self.chosen, "The attempt that the result is from.");
+    v.required("attempts", self.attempts, "The best prediction first.");
+    v.part(self.rounds);
+  }
+};
+
+RemakeAttempt report_of(const remake::Attempt& attempt, const Marker& order) {
+  RemakeAttempt report{.stored = attempt.stored,
+                       .difference = attempt.difference,
+                       .predicted = attempt.predicted,
+                       .made = attempt.marker.has_value(),
+                       .steps = {}};
+  Marker after = order;
+  for (const remake::Step& step : attempt.steps) {
+    after.pieces = step.placed;
+    report.steps.push_back({.step = step.kind,
+                            .pieces = step.pieces,
+                            .length = to_decimal(step.length, order.resolution),
+                            .utilisation = utilisation_at(after, step.length),
+                            .valid = step.valid});
+  }
+  return report;
+}
+
+Result<calls::Motion<RemakeResult>> run(const RemakeParams& params, const Marker& order,
+                                        const calls::MethodContext& context) {
+  remake::RemakeSettings settings;
+  settings.tries = params.tries;
+  settings.concatenate = params.concatenate;
+  settings.attempt.trims = params.trims;
+  settings.attempt.fine = params.fine;
+  settings.nest = params.nest;
+  settings.nest_moves = params.nest_moves;
+  std::vector<Marker> stored;
+  for (const GivenMarker& given : params.stored) stored.push_back(given.file.marker);
+  auto done = remake::remake(order, stored, settings, context.run);
+  if (!done) return done.error();
+  RemakeResult result{.outcome = done->outcome,
+                      .candidates = done->candidates,
+                      .chosen = done->chosen,
+                      .attempts = {},
+                      .rounds = {done->rounds, stop_cause(done->reason, context)}};
+  for (const remake::Attempt& attempt : done->attempts) result.attempts.push_back(report_of(attempt, order));
+  return calls::Motion<RemakeResult>{{std::move(done->marker), done->repair}, std::move(result)};
+}
+
+}  // namespace
+
+calls::Method remake_method() {
+  return calls::motion_method("marker.remake", calls::MethodKind::kMotion,
+                              "Lays the pieces of an order out like those of the most similar stored markers.", run);
+}
+
+}  // namespace selvage::protocol::methods::library

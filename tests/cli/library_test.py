@@ -1,0 +1,122 @@
+#!/usr/bin/env python3
+"""Libraries of markers, and orders remade from them.  usage: library_test.py SELVAGE"""
+import json
+import unittest
+
+from command import BAD_INPUT, BAD_USAGE, CliTest, FILE, MARKERS, OK, run, squares
+
+
+def scaled(document, factor):
+    """The same order with every shape larger, and not laid out."""
+    order = json.loads(json.dumps(document))
+    for item in order["items"]:
+        item["shape"]["data"] = [[round(factor * x, 2), round(factor * y, 2)] for x, y in item["shape"]["data"]]
+    del order["solution"]
+    return order
+
+
+class Library(CliTest):
+    def library(self, *names):
+        ran = run("library", "add", self.path("lib"), *[MARKERS / f"{name}.json" for name in names])
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        return self.path("lib")
+
+    def test_adds_and_lists_markers(self):
+        library = self.library("jeans_02g", "charlie_04g")
+        listed = run("library", "list", library)
+        self.assertEqual(listed.returncode, OK, listed.stderr)
+        lines = listed.stdout.splitlines()
+        self.assertEqual([line.split()[-1] for line in lines], ["charlie_04g", "jeans_02g"])
+        self.assertIn("40 pieces", lines[1])
+        self.assertIn("81.11 %", lines[1])
+
+    def test_adding_the_same_marker_again_changes_nothing(self):
+        self.library("jeans_02g")
+        before = (self.path("lib") / "jeans_02g.json").stat().st_mtime_ns
+        self.library("jeans_02g")
+        self.assertEqual((self.path("lib") / "jeans_02g.json").stat().st_mtime_ns, before)
+
+    def test_refuses_another_marker_of_the_same_name(self):
+        self.library("jeans_02g")
+        other = self.write(squares((0, 0)), "jeans_02g.json")
+        ran = run("library", "add", self.path("lib"), other)
+        self.assertEqual(ran.returncode, FILE)
+        self.assertIn("another name", ran.stderr)
+
+    def test_refuses_markers_that_are_not_made(self):
+        ran = run("library", "add", self.path("lib"), self.write(squares((0, 0), (10, 0))))
+        self.assertEqual(ran.returncode, BAD_INPUT)
+        self.assertIn("not valid", ran.stderr)
+        document = squares((0, 0))
+        document["unplaced"] = [{"id": "new", "shape": "square"}]
+        ran = run("library", "add", self.path("lib"), self.write(document))
+        self.assertEqual(ran.returncode, BAD_INPUT)
+        self.assertIn("nest it first", ran.stderr)
+
+    def test_passes_over_files_that_are_no_markers(self):
+        library = self.library("jeans_02g")
+        (library / "notes.txt").write_text("not a marker")
+        listed = run("library", "list", library)
+        self.assertEqual(listed.returncode, OK)
+        self.assertEqual(len(listed.stdout.splitlines()), 1)
+        self.assertIn("notes.txt is passed over", listed.stderr)
+
+    def test_searches_for_an_order(self):
+        library = self.library("jeans_02g", "jeans_06g")
+        found = run("library", "search", library, MARKERS / "jeans_02g.json")
+        self.assertEqual(found.returncode, OK, found.stderr)
+        self.assertIn("differs by   0.0 %, predicted  81.11 %  jeans_02g", found.stdout)
+
+    def test_says_what_is_missing(self):
+        self.assertEqual(run("library", "add", self.path("lib")).returncode, BAD_USAGE)
+        self.assertEqual(run("library", "search", self.path("lib")).returncode, BAD_USAGE)
+        self.assertEqual(run("library", "bake", self.path("lib")).returncode, BAD_USAGE)
+        self.assertEqual(run("library", "list", self.path("none")).returncode, FILE)
+
+
+class Remake(Library):
+    def order(self, factor=0.99):
+        return self.write(scaled(json.loads((MARKERS / "jeans_02g.json").read_text()), factor), "order.json")
+
+    def test_lays_an_order_out_like_a_stored_marker(self):
+        library = self.library("jeans_02g", "jeans_06g")
+        ran = run("remake", self.order(), "--library", library, "-o", self.path("out.json"), "--json")
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        line = json.loads(ran.stdout)
+        self.assertEqual((line["outcome"], line["chosen"], line["valid"]), ("remade", 0, True))
+        self.assertGreater(line["utilisation_after"], 0.80)
+        self.assertEqual(line["attempts"][0]["steps"][0]["step"], "substituted")
+        self.assertTrue(line["attempts"][0]["steps"][-1]["valid"])
+        checked = run("check", self.path("out.json"))
+        self.assertEqual(checked.returncode, OK, checked.stdout)
+        self.assertIn("40 pieces", checked.stdout)
+
+    def test_the_number_of_threads_does_not_affect_the_result(self):
+        library = self.library("jeans_02g")
+        results = []
+        for threads in (1, 3):
+            ran = run("remake", self.order(), "--library", library, "--threads", threads, "-o", self.path("out.json"))
+            self.assertEqual(ran.returncode, OK, ran.stderr)
+            results.append(self.path("out.json").read_text())
+        self.assertEqual(results[0], results[1])
+
+    def test_says_when_no_marker_is_near(self):
+        library = self.library("jeans_22g")
+        ran = run("remake", self.order(), "--library", library, "-o", self.path("out.json"), "--json")
+        self.assertEqual(json.loads(ran.stdout)["outcome"], "none_near")
+        nested = run("remake", self.order(), "--library", library, "--nest", "--nest-moves", 100,
+                     "-o", self.path("out.json"), "--json")
+        self.assertEqual(nested.returncode, OK, nested.stderr)
+        self.assertEqual(json.loads(nested.stdout)["outcome"], "nested")
+        self.assertEqual(run("check", self.path("out.json")).returncode, OK)
+
+    def test_needs_a_library_with_markers(self):
+        self.assertEqual(run("remake", self.order(), "--library", self.path("none")).returncode, FILE)
+        self.path("empty").mkdir()
+        ran = run("remake", self.order(), "--library", self.path("empty"))
+        self.assertEqual(ran.returncode, FILE)
+        self.assertIn("no markers", ran.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
