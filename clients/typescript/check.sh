@@ -12,6 +12,7 @@ command -v node >/dev/null || { echo "skipped: there is no node"; exit 77; }
 rm -rf "$2"
 mkdir -p "$copy" "$2/tests/golden" "$2/examples"
 cp -r "$here/package.json" "$here/tsconfig.json" "$here/src" "$here/scripts" "$here/test" "$copy"
+ln -s "$here/../../protocol" "$2/protocol"
 ln -s "$here/../../tests/golden/rpc" "$2/tests/golden/rpc"
 ln -s "$here/../../examples/typescript" "$2/examples/typescript"
 ln -s "$here/../../examples/markers" "$2/examples/markers"
