@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Regenerates what follows from the table of methods: generate.py SELVAGED [--check].
 
-The daemon describes itself (rpc.discover).  From that description follow the motions of the Python client, the types of
+The daemon describes itself (rpc.discover).  From that description follow the motions and words of the Python client and of the engine in Python, the types of
 the TypeScript client (clients/typescript/scripts/generate.mjs, when there is a node), the table of calls in
 protocol/README.md, and protocol/openrpc.json, the description itself.  With --check nothing is written: the exit code is 1 if a file is stale, and its name is printed.
 """
@@ -31,14 +31,17 @@ def discover(selvaged: str) -> dict:
     return json.loads(answer.stdout)["result"]
 
 
-def typescript(document: dict) -> str | None:
+def typescript(document: dict) -> dict[pathlib.Path, str]:
+    """The generated sources of the TypeScript client; none when there is no node."""
     node = shutil.which("node")
     if not node:
-        return None
-    script = 'import("./scripts/generate.mjs").then(({ generate }) => {' \
-             'process.stdout.write(generate(JSON.parse(require("fs").readFileSync(0, "utf8")))); });'
-    return subprocess.run([node, "-e", script], input=json.dumps(document), capture_output=True, text=True, check=True,
-                          cwd=TYPESCRIPT).stdout
+        return {}
+    script = 'Promise.all([import("./scripts/generate.mjs"), import("./scripts/marker_types.mjs")]).then(' \
+             '([{ generate }, { markerTypes }]) => process.stdout.write(JSON.stringify([' \
+             'generate(JSON.parse(require("fs").readFileSync(0, "utf8"))), markerTypes()])));'
+    methods, marker = json.loads(subprocess.run([node, "-e", script], input=json.dumps(document), capture_output=True,
+                                                text=True, check=True, cwd=TYPESCRIPT).stdout)
+    return {TYPESCRIPT / "src" / "methods.ts": methods, TYPESCRIPT / "src" / "marker.ts": marker}
 
 
 def generated(document: dict) -> dict[pathlib.Path, str]:
@@ -46,13 +49,13 @@ def generated(document: dict) -> dict[pathlib.Path, str]:
     files = {
         PYTHON / "motions.py": python_client.motions(document),
         PYTHON / "blocking_motions.py": python_client.blocking_motions(document),
+        PYTHON / "messages/choices.py": python_client.choices(document),
+        ROOT / "clients/engine/selvage_engine/motions.py": python_client.engine_motions(document),
         PYTHON / "messages/motion_results.py": python_client.motion_results(document),
         ROOT / "protocol" / "openrpc.json": json.dumps(document, indent=1) + "\n",
         page: calls_table.with_table(page.read_text("utf-8"), document),
     }
-    types = typescript(document)
-    if types is not None:
-        files[TYPESCRIPT / "src" / "methods.ts"] = types
+    files.update(typescript(document))
     return files
 
 

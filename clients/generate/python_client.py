@@ -5,6 +5,7 @@ below are those that the client had before it was generated.
 """
 from __future__ import annotations
 
+import json
 import re
 
 from calls_table import is_motion
@@ -38,6 +39,7 @@ class Types:
     def __init__(self, document: dict) -> None:
         self.schemas = document["components"]["schemas"]
         self.used: set[str] = set()
+        self.choices: set[str] = set()
 
     def of(self, schema: dict) -> str:
         if "allOf" in schema:
@@ -53,7 +55,8 @@ class Types:
 
     def _named(self, name: str) -> str:
         if "enum" in self.schemas[name]:
-            return "str"
+            self.choices.add(name)
+            return name
         known = TYPE_NAMES.get(name, "Point" if name == "Direction" else name)
         self.used.add(known if "[" not in known else "")
         return known
@@ -81,9 +84,14 @@ def result_name(method: dict, common: list[str]) -> str:
     return RESULT_NAMES.get(name, name[0].upper() + name[1:] + "Result")
 
 
+# Too many to be shown with the rest of a result.
+NOT_SHOWN = ("placements",)
+
+
 def dataclass(name: str, base: str, fields: list[tuple[str, str, bool]], meaning: str) -> str:
     """Fields are (name, type, required)."""
-    lines = [f"    {name}: {kind}" if required else f"    {name}: {kind} | None = None"
+    lines = [f"    {name}: {kind}" + (" = field(repr=False)" if name in NOT_SHOWN else "") if required
+             else f"    {name}: {kind} | None = None"
              for name, kind, required in sorted(fields, key=lambda field: not field[2])]
     options = "frozen=True, kw_only=True" if base else "frozen=True"
     return "\n".join([f"@dataclass({options})", f"class {name}{base}:", f'    """{meaning}"""', "", *lines])
@@ -106,6 +114,7 @@ def components(types: Types, wanted: list[str]) -> list[str]:
             schema = schema | {"required": types.schemas["Gap"]["required"]}
         inner = Types({"components": {"schemas": types.schemas}})
         fields = described(inner, schema, list(schema["properties"]))
+        types.choices |= inner.choices
         for used in sorted(inner.used):
             make(used)
         made[name] = dataclass(name, "", fields, schema["description"])
@@ -133,12 +142,59 @@ def motion_results(document: dict) -> str:
         own = [each for each in own if each != "rounds"]
         classes.append(dataclass(name, "(MovedInRounds)" if in_rounds else "(Moved)", described(types, schema, own),
                                  f"What {method['name']} returns."))
+    needed = sorted(name for name in types.used if name not in IMPORTED)
+    classes = [*components(types, needed), *classes]
     imported = ", ".join(sorted(name for name in types.used if name in IMPORTED))
     head = [f'"""What motions return, typed.  Fields, units and meanings: protocol/README.md, Motions.\n\n{HEADER}\n"""',
-            "from __future__ import annotations\n\nfrom dataclasses import dataclass",
-            f"from .results import {imported}\n"]
-    needed = sorted(name for name in types.used if name not in IMPORTED)
-    return "\n\n".join(head) + "\n\n" + "\n\n\n".join([*components(types, needed), *classes]) + "\n"
+            "from __future__ import annotations\n\nfrom dataclasses import dataclass, field",
+            f"from .choices import {', '.join(sorted(types.choices))}\nfrom .results import {imported}\n"]
+    return "\n\n".join(head) + "\n\n" + "\n\n\n".join(classes) + "\n"
+
+
+def choices(document: dict) -> str:
+    """A Literal type for every set of words, and the names of all motions."""
+    enums = {name: schema for name, schema in document["components"]["schemas"].items() if "enum" in schema}
+    types = [f"{name} = Literal[{', '.join(json.dumps(word) for word in schema['enum'])}]\n"
+             + f'"""{schema["description"]}"""\n' for name, schema in enums.items()]
+    names = "".join(f"        {json.dumps(method['name'])},\n" for method in motions_of(document))
+    return f'''"""The words of the protocol, as types: what a parameter may be, and what a result may say.
+
+{HEADER}
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+{chr(10).join(types)}
+MOTIONS = frozenset(
+    {{
+{names}    }}
+)
+"""The names of the methods that move pieces by themselves."""
+'''
+
+
+def engine_motions(document: dict) -> str:
+    """The functions of selvage_engine."""
+    names = list(map(python_name, motions_of(document)))
+    lines = "".join(f"{name} = in_one_call(Marker.{name})\n" for name in names)
+    listed = "".join(f'    "{name}",\n' for name in names)
+    return f'''"""The motions of a marker, each as one call in this process.  See selvage_client.Marker for what they take.
+
+{HEADER}
+"""
+
+from __future__ import annotations
+
+from selvage_client import Marker
+
+from .one_call import in_one_call
+
+__all__ = [
+{listed}]
+
+{lines}'''
 
 
 def by_piece(schema: dict) -> tuple[str, str] | None:
@@ -170,7 +226,7 @@ def motion(types: Types, method: dict, common: list[str]) -> str:
                   key=lambda param: CALL_PARAMS.index(param["name"]))
     signature = ["self", *[parameter(types, param) for param in own if param["required"]], "*",
                  *[parameter(types, param) for param in [*own, *call] if not param["required"]],
-                 "progress: OnProgress | None = None"]
+                 "progress: Shown = None"]
     arguments = [f'"{method["name"]}"', "progress", *[argument(param) for param in [*own, *call]]]
     result = result_name(method, common)
     lines = [f"    async def {python_name(method)}("]
@@ -186,10 +242,12 @@ def motions(document: dict) -> str:
     methods = [motion(types, method, common) for method in motions_of(document)]
     results = sorted({result_name(method, common) for method in motions_of(document)} | {"Moved"})
     imports = "".join(f"    {name},\n" for name in results)
+    words = f"from .messages.choices import {', '.join(sorted(types.choices))}\n" if types.choices else ""
     return f'''"""The motions of a marker, one method each.  Parameters, units and results: protocol/README.md, Motions.
 
 Every motion takes `commit` (False: return the result, but leave the marker as it is), `base_rev`, `op_id`, `deadline_ms`,
-`timing` and `progress`, which is called after each round; an exception in it cancels the motion.
+`timing` and `progress`, which is called after each round; an exception in it cancels the motion.  `progress=True` shows a
+bar of the package tqdm.
 
 {HEADER}
 """
@@ -199,8 +257,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, TypeVar
 
-from .wire.link import Link, OnProgress
-from .messages.motion_results import (
+from .wire.link import Link
+from .wire.progress import Shown, shown
+{words}from .messages.motion_results import (
 {imports})
 from .messages.results import Point
 from .messages.words import named, read
@@ -213,8 +272,9 @@ class AsyncMotions:
     revision: int | None
     _link: Link
 
-    async def _move(self, kind: type[M], motion: str, progress: OnProgress | None, **params: Any) -> M:
-        answer = await self._link.call(motion, named(marker_id=self.id, **params), progress)
+    async def _move(self, kind: type[M], motion: str, progress: Shown, **params: Any) -> M:
+        with shown(progress) as on_progress:
+            answer = await self._link.call(motion, named(marker_id=self.id, **params), on_progress)
         moved = read(kind, answer)
         self.revision = moved.revision
         return moved

@@ -20,4 +20,14 @@ void add_times(Json& fields, const execution::StageTimes& times, const minkowski
 // was stopped before it had a result; else kInvalidParams.
 [[nodiscard]] rpc::RpcCode code_of_run(const Method& method, const Error& error);
 
+// The refusals of everything that keeps open markers: the daemon, and the engine inside a program.
+[[nodiscard]] rpc::RpcError unknown_method(const std::string& name);
+[[nodiscard]] rpc::RpcError not_open(const std::string& marker_id);
+[[nodiscard]] rpc::RpcError revision_mismatch(const std::string& marker_id, Revision wanted, Revision present);
+[[nodiscard]] rpc::RpcError nothing_to_undo(bool undo);  // false: nothing to redo
+// For a call whose caller no longer waits for an answer.
+[[nodiscard]] rpc::RpcError abandoned();
+// For a call that its deadline stopped before it had a result.
+[[nodiscard]] rpc::RpcError past_deadline(Error error);
+
 }  // namespace selvage::protocol::calls

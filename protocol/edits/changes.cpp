@@ -1,6 +1,7 @@
 #include "protocol/edits/changes.h"
 
 #include <unordered_map>
+#include <utility>
 
 #include "core/marker/figures.h"
 #include "protocol/calls/method.h"
@@ -54,6 +55,15 @@ Change change_between(const MarkerFile& before, const MarkerFile& after) {
   change.utilisation = figures.utilisation;
   change.valid = figures.valid;
   return change;
+}
+
+ApplyResult apply_result(const std::string& marker_id, Revision revision, const MarkerFile& before, MarkerFile& after) {
+  Change change = change_between(before, after);
+  const Revision next = change.none() ? revision : revision + 1;
+  ApplyResult result{{{marker_id, next}, std::move(change)}, {}};
+  if (!after.notes.empty()) result.notes = calls::notes_of(after.notes);
+  after.notes.clear();
+  return result;
 }
 
 calls::Method apply_method() {

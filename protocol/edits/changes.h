@@ -85,6 +85,9 @@ struct ApplyResult {
     v.optional("notes", self.notes, "Repairs made to the shapes that were added.");
   }
 };
+// The result of the edits that led from a marker's state `before`, at this revision, to `after`, which keeps no notes.
+[[nodiscard]] ApplyResult apply_result(const std::string& marker_id, Revision revision, const MarkerFile& before,
+                                       MarkerFile& after);
 // The parameters of the notification marker.changed.
 struct ChangedNotification {
   calls::AtRevision at;

@@ -1,8 +1,8 @@
-#include "clients/cli/terminal/time_limit.h"
+#include "protocol/execution/time_limit.h"
 
 #include <utility>
 
-namespace selvage::cli::terminal {
+namespace selvage::protocol::execution {
 
 TimeLimit::TimeLimit(std::stop_token caller, Clock::time_point begin,
                      std::optional<std::chrono::duration<double>> limit)
@@ -18,4 +18,4 @@ TimeLimit::TimeLimit(std::stop_token caller, Clock::time_point begin,
   }};
 }
 
-}  // namespace selvage::cli::terminal
+}  // namespace selvage::protocol::execution

@@ -9,7 +9,7 @@
 #include <stop_token>
 #include <thread>
 
-namespace selvage::cli::terminal {
+namespace selvage::protocol::execution {
 
 class TimeLimit {
  public:
@@ -31,4 +31,4 @@ class TimeLimit {
   std::jthread waiter_;  // joined before what it uses is gone
 };
 
-}  // namespace selvage::cli::terminal
+}  // namespace selvage::protocol::execution

@@ -5,32 +5,25 @@
 #include <string>
 #include <utility>
 
-#include "protocol/calls/params.h"
+#include "protocol/calls/answer.h"
 #include "server/calls/outcome.h"
 #include "server/jobs/job_queue.h"
 #include "server/store/marker_store.h"
 
 namespace selvage::server::calls {
 
+using protocol::calls::abandoned;
+using protocol::calls::revision_mismatch;
+
 inline protocol::rpc::RpcError unknown_marker(const store::MarkerStore& store, const std::string& id) {
   const std::string damage = store.quarantine(id);
-  std::string message = damage.empty()
-                            ? "no marker '" + id + "' is open"
-                            : "marker '" + id + "' is damaged in the store and can only be closed: " + damage;
-  return {protocol::rpc::RpcCode::kUnknownMarker, std::move(message), Json{{"field", "/markerId"}}};
-}
-inline protocol::rpc::RpcError revision_mismatch(const std::string& id, Revision wanted, Revision present) {
-  return {protocol::rpc::RpcCode::kRevisionMismatch,
-          "marker '" + id + "' is at revision " + std::to_string(present) + ", not " + std::to_string(wanted),
-          Json{{"revision", present}}};
+  if (damage.empty()) return protocol::calls::not_open(id);
+  return {protocol::rpc::RpcCode::kUnknownMarker,
+          "marker '" + id + "' is damaged in the store and can only be closed: " + damage,
+          Json{{"field", "/markerId"}}};
 }
 inline protocol::rpc::RpcError limit_reached(const std::string& what, std::size_t limit) {
   return {protocol::rpc::RpcCode::kLimit, what + ": the limit is " + std::to_string(limit), Json{{"limit", limit}}};
-}
-// The answer to a call whose caller no longer waits for one.
-inline protocol::rpc::RpcError abandoned() {
-  return {
-      protocol::rpc::RpcCode::kCancelled, "the call was cancelled, or its caller disconnected, before it ended", {}};
 }
 inline protocol::rpc::RpcError shutting_down() {
   return {protocol::rpc::RpcCode::kDraining, "the server is shutting down", {}};

@@ -30,10 +30,6 @@ protocol::rpc::RpcError internal_error() {
   return {protocol::rpc::RpcCode::kInternalError, "internal error; the server's log has the details", {}};
 }
 
-protocol::rpc::RpcError unknown_method(const std::string& name) {
-  return {protocol::rpc::RpcCode::kMethodNotFound, "there is no method '" + name + "'", {}};
-}
-
 protocol::rpc::RpcError batch_full(std::size_t most_bytes) {
   return {protocol::rpc::RpcCode::kLimit,
           "the answers of this batch have reached the memory that is left for them; send the call again, by itself",
@@ -142,7 +138,7 @@ void Dispatcher::start(const std::shared_ptr<Exchange>& exchange, const protocol
                        jobs::ReplyOnce<calls::Outcome> reply) {
   if (request.method == kCancel) return std::move(reply)(cancel(request.params, exchange->session->id));
   const auto* row = server_.methods.find(request.method);
-  if (!row) return std::move(reply)(unknown_method(request.method));
+  if (!row) return std::move(reply)(protocol::calls::unknown_method(request.method));
   auto parsed = row->method.read(request.params);
   if (!parsed) return std::move(reply)(protocol::rpc::rpc_error(parsed.error()));
 

@@ -20,11 +20,8 @@ calls::Outcome apply(const ApplyParams& params, const ServerContext& server, cal
   if (base && *base != now->revision) return calls::revision_mismatch(id, *base, now->revision);
   auto after = apply_edits(*now->file, params.edits);
   if (!after) return protocol::rpc::rpc_error(after.error());
-  ApplyResult result{{{id, now->revision + 1}, change_between(*now->file, *after)}, {}};
-  if (!after->notes.empty()) result.notes = protocol::calls::notes_of(after->notes);
-  after->notes.clear();
+  const ApplyResult result = apply_result(id, now->revision, *now->file, *after);
   if (result.committed.change.none()) {
-    result.committed.at.revision = now->revision;
     return server.committer.keep_unchanged("marker.apply", id, op_id, encode(result), call);
   }
   return server.committer.commit(
@@ -40,10 +37,7 @@ calls::Outcome undo_or_redo(const ChangeParams& params, const ServerContext& ser
   auto next = server.store.peek(id, direction);
   if (!next) return calls::unknown_marker(server.store, id);
   if (base && *base != next->from.revision) return calls::revision_mismatch(id, *base, next->from.revision);
-  if (!next->file) {
-    return rpc_error(Error{ErrorCode::kNothingToUndo, kUndo ? "nothing to undo" : "nothing to redo", ""},
-                     protocol::rpc::RpcCode::kMotionRefused);
-  }
+  if (!next->file) return protocol::calls::nothing_to_undo(kUndo);
   const CommittedChange result{{id, next->from.revision + 1}, change_between(*next->from.file, *next->file)};
   return server.committer.commit({kMethod, id, next->from, *std::move(next->file),
                                   kUndo ? store::Origin::kUndo : store::Origin::kRedo, op_id, encode(result)},

@@ -37,8 +37,7 @@ std::function<void(const scene::Round&)> progress_sender(const protocol::calls::
 protocol::rpc::RpcError stopped_without_result(Error error, StopCause cause) {
   if (is_abandoned(cause)) return calls::abandoned();
   if (cause != StopCause::kDeadline) return calls::shutting_down();
-  error.message = "the deadline passed: " + error.message;
-  return rpc_error(error, protocol::rpc::RpcCode::kMotionRefused);
+  return protocol::calls::past_deadline(std::move(error));
 }
 
 // Runs the call on this revision, and adds the times if it asks for them.

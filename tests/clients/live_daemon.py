@@ -1,4 +1,5 @@
 """Runs selvaged for a test, optionally behind a proxy that drops connections at chosen calls."""
+import contextlib
 import json
 import pathlib
 import socket
@@ -33,6 +34,14 @@ class LiveDaemon:
             if not line:
                 raise RuntimeError("selvaged ended before it listened")
         self.port = int(ports.read_text().split()[0])
+
+    @contextlib.contextmanager
+    def raw(self):
+        """A line connection as a file of bytes."""
+        with socket.socket(socket.AF_UNIX) as end:
+            end.connect(self.path)
+            with end.makefile("rwb") as file:
+                yield file
 
     def kill(self):
         self._process.kill()

@@ -21,7 +21,7 @@ port_in() {
 
 # The groups of packages that the Dockerfile and ./dev install: none is empty, none names a package twice, and a group
 # that does not exist is an error.
-mapfile -t packages < <("$source/packaging/packages.sh" engine daemon tests measuring checking)
+mapfile -t packages < <("$source/packaging/packages.sh" engine daemon tests measuring packaging checking)
 for package in build-essential cmake libssl-dev libgtest-dev libbenchmark-dev clang-tidy; do
   printf '%s\n' "${packages[@]}" | grep -qx "$package" || fail "$package is not in packages.txt"
 done

@@ -12,10 +12,10 @@
 #include "clients/cli/terminal/files.h"
 #include "clients/cli/terminal/interrupt.h"
 #include "clients/cli/terminal/summary.h"
-#include "clients/cli/terminal/time_limit.h"
 #include "protocol/calls/answer.h"
 #include "protocol/calls/choices.h"
 #include "protocol/execution/thread_pool.h"
+#include "protocol/execution/time_limit.h"
 #include "protocol/files/writing.h"
 #include "protocol/methods/method_table.h"
 
@@ -49,13 +49,13 @@ std::optional<Error> save(const MarkerFiles& files, const MarkerFile& file, cons
 }
 
 std::variant<Outcome, terminal::Failure> run_invocation(const Invocation& invocation, const MarkerFiles& files,
-                                                        const terminal::TimeLimit::Clock::time_point begin,
+                                                        const protocol::execution::TimeLimit::Clock::time_point begin,
                                                         const std::stop_token& interrupt,
                                                         terminal::ProgressLine& progress) {
   if (files.server) return run::run_remotely(files.server, invocation, interrupt, progress);
   std::optional<std::chrono::duration<double>> seconds;
   if (const auto& ms = invocation.call.about.deadline_ms) seconds = std::chrono::duration<double, std::milli>{*ms};
-  const terminal::TimeLimit limit{interrupt, begin, seconds};
+  const protocol::execution::TimeLimit limit{interrupt, begin, seconds};
   return run::run_locally(invocation, protocol::execution::ThreadPool{files.threads - 1}, limit, progress);
 }
 
@@ -91,7 +91,7 @@ ExitCode exit_code_of(const Outcome& outcome) {
 
 std::variant<MethodRun, ExitCode> run_method(std::string_view name, Json params, const MarkerFiles& files,
                                              Report report) {
-  const auto begin = terminal::TimeLimit::Clock::now();
+  const auto begin = protocol::execution::TimeLimit::Clock::now();
   const protocol::calls::Method& method = *protocol::methods::find_method(name);
   const auto call = decode_call(method, params);
   if (!call) return terminal::report(call.error());

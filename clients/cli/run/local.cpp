@@ -19,15 +19,13 @@ terminal::Failure failure_of_run(const protocol::calls::Method& method, const Er
 std::variant<Outcome, terminal::Failure> apply_locally(const Invocation& invocation) {
   auto after = apply_edits(invocation.file, invocation.call.params_as<protocol::edits::ApplyParams>().edits);
   if (!after) return terminal::failure_of(after.error());
-  const protocol::edits::Change change = protocol::edits::change_between(invocation.file, *after);
+  const protocol::edits::ApplyResult result =
+      protocol::edits::apply_result(invocation.call.about.marker_id, kFirstRevision, invocation.file, *after);
   Outcome outcome;
-  outcome.marker_id = invocation.call.about.marker_id;
-  outcome.revision = change.none() ? kFirstRevision : kFirstRevision + 1;
-  outcome.fields = protocol::schema::encode(change);
-  if (!after->notes.empty()) {
-    Json& notes = outcome.fields["notes"] = Json::array();
-    for (const auto& note : protocol::calls::notes_of(after->notes)) notes.push_back(protocol::schema::encode(note));
-  }
+  outcome.marker_id = result.committed.at.marker_id;
+  outcome.revision = result.committed.at.revision;
+  outcome.fields = protocol::schema::encode(result);
+  for (const char* field : {"markerId", "revision"}) outcome.fields.erase(field);
   outcome.end = *std::move(after);
   return outcome;
 }
@@ -35,7 +33,7 @@ std::variant<Outcome, terminal::Failure> apply_locally(const Invocation& invocat
 }  // namespace
 
 std::variant<Outcome, terminal::Failure> run_locally(const Invocation& invocation, const Executor& executor,
-                                                     const terminal::TimeLimit& limit,
+                                                     const protocol::execution::TimeLimit& limit,
                                                      terminal::ProgressLine& progress) {
   if (invocation.method.name == kApply) return apply_locally(invocation);
   SumCache sums;

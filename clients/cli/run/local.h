@@ -7,8 +7,8 @@
 #include "clients/cli/run/invocation.h"
 #include "clients/cli/terminal/failure.h"
 #include "clients/cli/terminal/progress.h"
-#include "clients/cli/terminal/time_limit.h"
 #include "core/base/executor.h"
+#include "protocol/execution/time_limit.h"
 
 namespace selvage::cli::run {
 
@@ -19,7 +19,7 @@ inline constexpr std::string_view kApply = "marker.apply";
 // REQUIRES: the method works on one marker, or it is kApply.
 [[nodiscard]] std::variant<Outcome, terminal::Failure> run_locally(const Invocation& invocation,
                                                                    const Executor& executor,
-                                                                   const terminal::TimeLimit& limit,
+                                                                   const protocol::execution::TimeLimit& limit,
                                                                    terminal::ProgressLine& progress);
 
 // The fields of marker.check's result.

@@ -19,7 +19,7 @@ export type MarkerDocument = {
   };
   /** The least distance between two pieces; 0: they may touch. At most the strip's width. */
   spacing?: number;
-  /** The overlap allowance: two pieces may overlap when moving one of them by at most this parts them. Without effect where a spacing or buffers keep pieces apart. At most the strip's width. */
+  /** The overlap allowance: two pieces may overlap when moving one of them by at most this separates them. Without effect where a spacing or buffers keep pieces apart. At most the strip's width. */
   overlap?: number;
   shapes: Array<ShapeDocument>;
   /** The pieces that lie on the cloth. Together with the unplaced ones there are 1 to 20,000. */

@@ -3,16 +3,18 @@
 `Client` waits, `AsyncClient` is for asyncio; both have the same methods.  What the calls mean: protocol/README.md.
 """
 
-from .messages import errors, motion_results, ops, results
+from .messages import choices, errors, motion_results, ops, results
 from .async_client import AsyncClient
 from .client import Client, Drag, Marker, Watch
 from .drag import AsyncDrag
 from .drawing import draw
-from .messages.errors import CallError, ConnectionLost, HandshakeFailed, SelvageError
+from .messages.errors import CallError, ConnectionLost, HandshakeFailed, MissingExtra, SelvageError
 from .marker import AsyncMarker
 from .nesting import NestedMarker, NestedPiece, Pattern, nest
 from .outlines import Outline, Outlines
 from .watch import AsyncWatch
+
+__version__ = "0.1.0"
 
 __all__ = [
     "AsyncClient",
@@ -25,6 +27,7 @@ __all__ = [
     "Drag",
     "HandshakeFailed",
     "Marker",
+    "MissingExtra",
     "NestedMarker",
     "NestedPiece",
     "Outline",
@@ -32,6 +35,8 @@ __all__ = [
     "Pattern",
     "SelvageError",
     "Watch",
+    "__version__",
+    "choices",
     "draw",
     "errors",
     "motion_results",

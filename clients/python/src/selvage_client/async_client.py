@@ -11,7 +11,8 @@ from types import TracebackType
 from typing import Any
 
 from .wire.address import DEFAULT
-from .wire.link import Link, OnProgress
+from .wire.link import Link
+from .wire.progress import Shown, shown
 from .marker import AsyncMarker
 from .messages.results import Info, Listed, Opened
 from .messages.words import named, read
@@ -22,7 +23,8 @@ Document = Mapping[str, Any] | str | os.PathLike[str]
 class AsyncClient:
     """async with AsyncClient() as client: marker = await client.open("marker.json")
 
-    `address`: HOST:PORT, tls://HOST:PORT or unix:PATH; connected when first needed.  `patience`: seconds for which a call
+    `address`: HOST:PORT, tls://HOST:PORT or unix:PATH, or `engine:` for the engine of selvage-engine in this process, without
+    a daemon; connected when first needed.  `patience`: seconds for which a call
     is tried again when the connection is lost or the daemon is busy; a change is never applied twice.
     """
 
@@ -36,9 +38,13 @@ class AsyncClient:
     ) -> None:
         self._link = Link(address, token, tls, patience)
 
-    async def call(self, method: str, params: Mapping[str, Any] | None = None, progress: OnProgress | None = None) -> Any:
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} of {self._link.address}>"
+
+    async def call(self, method: str, params: Mapping[str, Any] | None = None, progress: Shown = None) -> Any:
         """Any method, in the wire's own words: for what this package has no name for yet."""
-        return await self._link.call(method, dict(params or {}), progress)
+        with shown(progress) as on_progress:
+            return await self._link.call(method, dict(params or {}), on_progress)
 
     async def info(self) -> Info:
         return read(Info, await self.call("engine.info"))

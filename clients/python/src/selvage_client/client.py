@@ -14,6 +14,8 @@ from .blocking_motions import BlockingMotions
 from .drag import AsyncDrag
 from .marker import AsyncMarker
 from .wire.portal import Blocking, Portal, blocking
+from .messages.choices import DragMode
+from .messages.errors import CallError, ConnectionLost
 from .messages.results import Changed, Edited, Held, Missed, Opened
 from .watch import AsyncWatch
 
@@ -97,6 +99,16 @@ class Marker(BlockingMotions):
         revision: int | None = self._twin.revision
         return revision
 
+    def __repr__(self) -> str:
+        return repr(self._twin).replace("<Async", "<", 1)
+
+    def _repr_svg_(self) -> str | None:
+        """The drawing that a notebook shows; None when the marker is closed or the daemon gone."""
+        try:
+            return self.svg()
+        except (CallError, ConnectionLost):
+            return None
+
     get = blocking(AsyncMarker.get)
     outlines = blocking(AsyncMarker.outlines)
     svg = blocking(AsyncMarker.svg)
@@ -113,7 +125,7 @@ class Marker(BlockingMotions):
         """All changes from now on, by any client: a context manager and an iterator."""
         return Watch(self._portal, self._twin.watch())
 
-    def drag(self, piece: str, *, mode: str | None = None, base_rev: int | None = None) -> Drag:
+    def drag(self, piece: str, *, mode: DragMode | None = None, base_rev: int | None = None) -> Drag:
         """A drag session: a context manager."""
         return Drag(self._portal, self._twin.drag(piece, mode=mode, base_rev=base_rev))
 
@@ -140,6 +152,9 @@ class Client(Blocking):
     ) -> None:
         self._twin = AsyncClient(address, token=token, tls=tls, patience=patience)
         self._portal = Portal()
+
+    def __repr__(self) -> str:
+        return repr(self._twin).replace("<Async", "<", 1)
 
     call = blocking(AsyncClient.call)
     info = blocking(AsyncClient.info)

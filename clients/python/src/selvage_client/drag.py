@@ -6,8 +6,8 @@ from collections.abc import Callable
 from types import TracebackType
 from typing import Any
 
-from .wire.connection import Connection
-from .wire.link import Link
+from .wire.link import AnyConnection, Link
+from .messages.choices import DragMode
 from .messages.results import Dragged, Edited, Held, Point
 from .messages.words import named, read
 
@@ -24,14 +24,14 @@ class AsyncDrag:
         link: Link,
         marker_id: str,
         piece: str,
-        mode: str | None,
+        mode: DragMode | None,
         base_rev: int | None,
         edited: Callable[[Edited], None],
     ) -> None:
         """`edited` hears what the end brought."""
         self._link, self._marker_id, self._edited = link, marker_id, edited
         self._begin = named(marker_id=marker_id, piece=piece, mode=mode, base_rev=base_rev)
-        self._connection: Connection | None = None
+        self._connection: AnyConnection | None = None
         self.held: Held | None = None
         self.ended: Edited | None = None
 

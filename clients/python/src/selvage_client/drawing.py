@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from .extras import imported
 from .outlines import Outlines
 
 
@@ -12,17 +13,16 @@ def draw(outlines: Outlines, axes: Any = None, *, labels: bool = False, colours:
 
     `colours` names a colour map of matplotlib's; pieces take its colours one after another.
     """
-    from matplotlib import colormaps, pyplot
-    from matplotlib.patches import Polygon, Rectangle
-
+    colormaps = imported("matplotlib", "drawing", "drawing").colormaps
+    patches = imported("matplotlib.patches", "drawing", "drawing")
     if axes is None:
-        axes = pyplot.subplots(figsize=(12, 12 * outlines.strip_height / outlines.strip_length + 1))[1]
-    cloth = Rectangle((0, 0), outlines.strip_length, outlines.strip_height, facecolor="#f7f5f0", edgecolor="#555555")
+        axes = imported("matplotlib.pyplot", "drawing", "drawing").subplots(figsize=(12, 12 * outlines.strip_height / outlines.strip_length + 1))[1]
+    cloth = patches.Rectangle((0, 0), outlines.strip_length, outlines.strip_height, facecolor="#f7f5f0", edgecolor="#555555")
     axes.add_patch(cloth)
     palette = colormaps[colours]
     for place, piece in enumerate(outlines.pieces):
         colour = palette(place % palette.N)
-        axes.add_patch(Polygon(piece.outline, closed=True, facecolor=colour, edgecolor="black", linewidth=0.4))
+        axes.add_patch(patches.Polygon(piece.outline, closed=True, facecolor=colour, edgecolor="black", linewidth=0.4))
         if labels:
             middle = [sum(coordinates) / len(piece.outline) for coordinates in zip(*piece.outline)]
             axes.annotate(piece.id, middle, ha="center", va="center", fontsize=6)

@@ -7,6 +7,7 @@ from types import TracebackType
 from typing import Any
 
 from .drag import AsyncDrag
+from .messages.choices import DragMode, Format
 from .messages.errors import UnknownMarker
 from .wire.link import Link
 from .motions import AsyncMotions
@@ -26,7 +27,10 @@ class AsyncMarker(AsyncMotions):
         self.opened = opened  # what opening it answered; None when it was open already
         self.revision = opened.revision if opened else None  # the latest that this handle's calls answered
 
-    async def get(self, *, format: str | None = None, since: int | None = None) -> Got:
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} {self.id} at revision {self.revision or 'unknown'}, {self._link.address}>"
+
+    async def get(self, *, format: Format | None = None, since: int | None = None) -> Got:
         """The document, in the form wanted; with `since` perhaps only the placements that changed after that revision."""
         return read(Got, await self._call("marker.get", format=format, since=since))
 
@@ -93,7 +97,7 @@ class AsyncMarker(AsyncMotions):
         """All changes from now on, by any client: a context manager and an iterator."""
         return AsyncWatch(self._link, self.id)
 
-    def drag(self, piece: str, *, mode: str | None = None, base_rev: int | None = None) -> AsyncDrag:
+    def drag(self, piece: str, *, mode: DragMode | None = None, base_rev: int | None = None) -> AsyncDrag:
         """A drag session: a context manager."""
         return AsyncDrag(self._link, self.id, piece, mode, base_rev, self._edited)
 

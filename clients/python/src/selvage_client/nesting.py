@@ -1,18 +1,19 @@
 """Nesting in one call: pieces and the width of the cloth go in, positions come out.
 
-The work is done by a running selvaged, which opens a marker for it and closes the marker afterwards.
+The work is done by a running selvaged, which opens a marker for it and closes the marker afterwards, or in this process with
+the address `engine:`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Literal
 
-from .client import Client
+from .client import Client, Marker
 from .messages.results import Point
 from .wire.address import DEFAULT
-from .wire.link import OnProgress
+from .wire.progress import Shown
 
 Outline = Sequence[tuple[float, float]]
 
@@ -48,13 +49,17 @@ class NestedPiece:
 class NestedMarker:
     """`length` is along x, in the patterns' unit; `utilisation` is the pieces' part of the cloth up to there, 0 to 1.
     `left_over` holds the indices of patterns whose copies did not fit the cloth, once for each copy.  `document` is the
-    whole marker in the native format."""
+    whole marker in the native format, `svg` a drawing of it."""
 
     length: float
     utilisation: float
     pieces: tuple[NestedPiece, ...]
     left_over: tuple[int, ...]
-    document: dict[str, Any]
+    document: dict[str, Any] = field(repr=False)
+    svg: str = field(repr=False)
+
+    def _repr_svg_(self) -> str:
+        return self.svg
 
 
 def nest(
@@ -70,7 +75,7 @@ def nest(
     margin: float = 0.0,
     address: str = DEFAULT,
     token: str | None = None,
-    progress: OnProgress | None = None,
+    progress: Shown = None,
 ) -> NestedMarker:
     """Places the pieces on cloth of this width, on as little length as the budget allows.
 
@@ -92,25 +97,30 @@ def nest(
             for copy in range(pattern.quantity)
         ],
     }
-    with Client(address, token=token) as client, client.open(marker) as opened:
-        opened.nest(seconds=seconds, moves=moves, seed=seed, searches=searches, progress=progress)
-        return _read(opened.get(format="native").marker, patterns, opened.outlines().strip_length, width)
+    with Client(address, token=token) as client, client.open(marker) as open_marker:
+        open_marker.nest(seconds=seconds, moves=moves, seed=seed, searches=searches, progress=progress)
+        return _read(open_marker, patterns, width)
 
 
 def _shape(index: int, pattern: Pattern) -> dict[str, Any]:
-    outline = [list(point) for point in pattern.outline]
-    if len(outline) > 1 and outline[0] == outline[-1]:
-        outline.pop()
     rotations = pattern.rotations if pattern.rotations == "any" else list(pattern.rotations)
-    return {"id": str(index), "outline": outline, "rotations": rotations, "flip": pattern.flip}
+    return {"id": str(index), "outline": opened(pattern.outline), "rotations": rotations, "flip": pattern.flip}
 
 
-def _area(outline: Outline) -> float:
+def opened(outline: Outline) -> list[list[float]]:
+    """Its points, the first not repeated at the end."""
+    points = [list(point) for point in outline]
+    return points[:-1] if len(points) > 1 and points[0] == points[-1] else points
+
+
+def area(outline: Outline) -> float:
+    """Of the polygon, whichever way it runs."""
     ends = [*outline[1:], outline[0]]
     return abs(sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(outline, ends, strict=True))) / 2
 
 
-def _read(document: dict[str, Any], patterns: Sequence[Pattern], length: float, width: float) -> NestedMarker:
+def _read(marker: Marker, patterns: Sequence[Pattern], width: float) -> NestedMarker:
+    document, length = marker.get(format="native").marker, marker.outlines().strip_length
     pieces = tuple(
         NestedPiece(
             pattern=int(piece["shape"]),
@@ -120,11 +130,12 @@ def _read(document: dict[str, Any], patterns: Sequence[Pattern], length: float, 
         )
         for piece in document["pieces"]
     )
-    area = sum(_area(patterns[piece.pattern].outline) for piece in pieces)
+    used = sum(area(patterns[piece.pattern].outline) for piece in pieces)
     return NestedMarker(
         length=length,
-        utilisation=area / (length * width) if length > 0 else 0.0,
+        utilisation=used / (length * width) if length > 0 else 0.0,
         pieces=pieces,
         left_over=tuple(int(piece["shape"]) for piece in document.get("unplaced", [])),
         document=document,
+        svg=marker.svg(),
     )

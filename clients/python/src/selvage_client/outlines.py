@@ -8,6 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from .extras import imported
 from .messages.results import Point
 
 if TYPE_CHECKING:
@@ -22,11 +23,13 @@ class Outline:
     id: str
     outline: tuple[Point, ...]
 
-    def __array__(self, dtype: Any = None) -> NDArray[Any]:
-        """numpy.asarray(outline): n rows of x and y."""
-        import numpy
-
-        return numpy.array(self.outline, dtype=dtype if dtype is not None else numpy.float64)
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
+        """numpy.asarray(outline): n rows of x and y.  Every array is a new one, so numpy 2's copy=False is refused."""
+        if copy is False:
+            raise ValueError("an outline cannot become an array without a copy")
+        numpy = imported("numpy", "an array of an outline", "outlines")
+        array: NDArray[Any] = numpy.array(self.outline, dtype=dtype if dtype is not None else numpy.float64)
+        return array
 
 
 @dataclass(frozen=True)
@@ -43,6 +46,5 @@ class Outlines:
 
     def polygons(self) -> dict[str, Any]:
         """By piece, a shapely.geometry.Polygon."""
-        from shapely.geometry import Polygon
-
-        return {piece.id: Polygon(piece.outline) for piece in self.pieces}
+        polygon = imported("shapely.geometry", "a polygon of an outline", "outlines").Polygon
+        return {piece.id: polygon(piece.outline) for piece in self.pieces}

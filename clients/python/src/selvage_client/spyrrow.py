@@ -8,17 +8,24 @@ and units.  The work is done by a running selvaged at `address`.
 Differences.  `num_workers` is the number of independent searches, of which the best counts.  `quadtree_depth` and
 `early_termination` are accepted and ignored.  Exploration and compression share one budget, so only their sum counts.
 There are no progress queues.
+
+`marker` and `solution` lead from a solution - of spyrrow itself, too - to a marker that any motion works on, and back:
+
+    document = spyrrow.marker(instance, instance.solve(config))
+    shorter = spyrrow.solution(selvage_engine.compact(document).document)
 """
 
 from __future__ import annotations
 
 import json
+import math
 import random
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
 from datetime import timedelta
+from typing import Any, Protocol
 
-from .nesting import Pattern, nest
+from .nesting import Pattern, area, nest, opened
 from .wire.address import DEFAULT
 
 Point = tuple[float, float]
@@ -118,3 +125,87 @@ class StripPackingInstance:
         )
         placed = [PlacedItem(self.items[piece.pattern].id, piece.at, piece.rotation) for piece in found.pieces]
         return StripPackingSolution(found.length, found.utilisation, placed)
+
+
+class AnyItem(Protocol):
+    """An item of spyrrow's or of this module."""
+
+    id: str
+    shape: Sequence[Point]
+    allowed_orientations: Sequence[float] | None
+
+
+class AnyInstance(Protocol):
+    name: str
+    strip_height: float
+
+    @property
+    def items(self) -> Sequence[AnyItem]: ...
+
+
+class AnyPlacedItem(Protocol):
+    @property
+    def id(self) -> str: ...
+    @property
+    def translation(self) -> Point: ...
+    @property
+    def rotation(self) -> float: ...
+
+
+class AnySolution(Protocol):
+    @property
+    def placed_items(self) -> Sequence[AnyPlacedItem]: ...
+
+
+def marker(instance: AnyInstance, solution: AnySolution, *, separation: float = 0.0) -> dict[str, Any]:
+    """The solution as a marker in the native format; `separation` is the least distance between two items.
+
+    Small overlaps, which nesters in floating point leave, are repaired by the first motion.
+    """
+    copies: dict[str, int] = {}
+    pieces: list[dict[str, Any]] = []
+    for placed in solution.placed_items:
+        copies[placed.id] = copies.get(placed.id, 0) + 1
+        pieces.append(
+            {
+                "id": f"{placed.id}/{copies[placed.id]}",
+                "shape": placed.id,
+                "at": list(placed.translation),
+                "rotation": placed.rotation,
+            }
+        )
+    return {
+        "format": "selvage-marker",
+        "version": 1,
+        "name": instance.name,
+        "strip": {"width": instance.strip_height},
+        "spacing": separation,
+        "shapes": [_shape(item) for item in instance.items],
+        "pieces": pieces,
+    }
+
+
+def solution(document: dict[str, Any]) -> StripPackingSolution:
+    """A marker in the native format as a solution; tilts are part of the rotation.
+
+    Raises ValueError for a flipped piece, for which spyrrow has no word.
+    """
+    outlines = {shape["id"]: shape["outline"] for shape in document["shapes"]}
+    placed: list[PlacedItem] = []
+    used, width = 0.0, 0.0
+    for piece in document["pieces"]:
+        if piece.get("flip"):
+            raise ValueError(f"piece {piece['id']!r} is flipped, which a solution of spyrrow cannot say")
+        rotation = float(piece.get("rotation", 0)) + float(piece.get("tilt", 0))
+        x, y = piece["at"]
+        placed.append(PlacedItem(piece["shape"], (float(x), float(y)), rotation))
+        outline = outlines[piece["shape"]]
+        used += area(outline)
+        cosine, sine = math.cos(math.radians(rotation)), math.sin(math.radians(rotation))
+        width = max(width, x + max(cosine * px - sine * py for px, py in outline))
+    return StripPackingSolution(width, used / (width * document["strip"]["width"]) if width else 0.0, placed)
+
+
+def _shape(item: AnyItem) -> dict[str, Any]:
+    allowed = item.allowed_orientations
+    return {"id": item.id, "outline": opened(item.shape), "rotations": "any" if allowed is None else list(allowed) or [0.0]}

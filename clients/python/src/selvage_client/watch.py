@@ -5,9 +5,9 @@ from __future__ import annotations
 import asyncio
 from types import TracebackType
 
-from .wire.connection import Connection, Event, Lost, Told
+from .wire.connection import Event, Lost, Told
 from .messages.errors import CallError, ConnectionLost
-from .wire.link import Link
+from .wire.link import AnyConnection, Link
 from .messages.results import Changed, Missed, Watching
 from .messages.words import named, read
 
@@ -23,7 +23,7 @@ class AsyncWatch:
         self._link, self._marker_id = link, marker_id
         self._events: asyncio.Queue[Event] = asyncio.Queue()
         self._deliver = self._events.put_nowait  # one object, so that it can be found again
-        self._connection: Connection | None = None
+        self._connection: AnyConnection | None = None
         self.revision = 0  # the latest one known
 
     async def __aenter__(self) -> AsyncWatch:

@@ -18,6 +18,14 @@ class HandshakeFailed(SelvageError, ConnectionError):
     """The other side's certificate is not trusted, or it does not speak TLS: trying again would not help."""
 
 
+class MissingExtra(SelvageError, ImportError):
+    """A package that only some methods need is not installed."""
+
+    def __init__(self, what: str, extra: str, module: str) -> None:
+        self.extra = extra
+        super().__init__(f"{what} needs the package {module}: pip install 'selvage-client[{extra}]'", name=module)
+
+
 class UnexpectedAnswer(SelvageError):
     """The daemon answered, but not in the words of the protocol."""
 

@@ -1,24 +1,28 @@
-"""Where a daemon listens: HOST:PORT, tcp://HOST:PORT, tls://HOST:PORT or unix:PATH."""
+"""Where a daemon listens: HOST:PORT, tcp://HOST:PORT, tls://HOST:PORT or unix:PATH; or `engine:`, for this process."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 DEFAULT = "127.0.0.1:7171"
+IN_PROCESS = "engine:"
 
 
 @dataclass(frozen=True)
 class Address:
-    """Either `path`, of a Unix socket, or `host` and `port`."""
+    """Either `path`, of a Unix socket, or `host` and `port`; or none of them, but the engine `in_process`."""
 
     host: str = ""
     port: int = 0
     tls: bool = False
     path: str | None = None
+    in_process: bool = False
 
 
 def parse_address(text: str) -> Address:
     """Raises ValueError, in words for the user."""
+    if text == IN_PROCESS:
+        return Address(in_process=True)
     if text.startswith("unix:"):
         path = text.removeprefix("unix:")
         return Address(path=path.removeprefix("//") if path.startswith("///") else path)

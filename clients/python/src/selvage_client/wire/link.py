@@ -15,49 +15,54 @@ from typing import Any, TypeVar
 
 from .address import parse_address
 from .connection import Answer, Connection, Event, Lost
+from .in_process import InProcess
+from .progress import OnProgress
+from ..messages.choices import MOTIONS
 from ..messages.errors import Busy, ConnectionLost, Draining, call_error
 from ..messages.results import Progress
 
 T = TypeVar("T")
-OnProgress = Callable[[Progress], None]
 
 _FIRST_PAUSE, _LONGEST_PAUSE = 0.05, 1.0  # seconds between two tries
 _READS = {"engine.info", "marker.list", "marker.get", "marker.check", "marker.hold", "marker.regions", "rpc.discover"}
+AnyConnection = Connection | InProcess
 _CHANGES = {"marker.open", "marker.close", "marker.apply", "marker.undo", "marker.redo", "drag.end"}
-
-
-def is_motion(method: str) -> bool:
-    return method.startswith("motion.") or method == "marker.nest"
 
 
 def changes(method: str, params: dict[str, Any]) -> bool:
     """Does the call change what the daemon keeps, so that it wants an opId?"""
-    return (method in _CHANGES or is_motion(method)) and params.get("commit") is not False
+    return (method in _CHANGES or method in MOTIONS) and params.get("commit") is not False
 
 
 def may_repeat(method: str, params: dict[str, Any]) -> bool:
     """May the call be sent again when its answer was lost?"""
-    dry = is_motion(method) and params.get("commit") is False
+    dry = method in MOTIONS and params.get("commit") is False
     return method in _READS or dry or "opId" in params
 
 
 class Link:
     def __init__(self, address: str, token: str | None, context: ssl.SSLContext | None, patience: float) -> None:
         """`patience`: seconds for which a call is tried again."""
+        self.address = address
         self._address = parse_address(address)
         self._token, self._context, self._patience = token, context, patience
-        self._connection: Connection | None = None
+        self._connection: AnyConnection | None = None
         self._connecting = asyncio.Lock()
         self._closed = False
 
-    async def connection(self) -> Connection:
-        """The present connection, or a new one.  Raises ConnectionLost."""
+    async def connection(self) -> AnyConnection:
+        """The present connection, or a new one.  Raises ConnectionLost, or MissingExtra for `engine:`."""
         async with self._connecting:
             if self._closed:
                 raise ConnectionLost("the client is closed")
             if self._connection is None or self._connection.lost:
-                self._connection = await Connection.open(self._address, self._token, self._context)
+                self._connection = await self._open()
             return self._connection
+
+    async def _open(self) -> AnyConnection:
+        if self._address.in_process:
+            return InProcess()
+        return await Connection.open(self._address, self._token, self._context)
 
     async def call(self, method: str, params: dict[str, Any], progress: OnProgress | None = None) -> Any:
         """A call's result.  A change without an `opId` is given one.  Raises CallError and ConnectionLost."""
@@ -70,7 +75,7 @@ class Link:
         return await (self.patiently(attempt) if may_repeat(method, params) else attempt())
 
     async def once(
-        self, connection: Connection, method: str, params: dict[str, Any], progress: OnProgress | None = None
+        self, connection: AnyConnection, method: str, params: dict[str, Any], progress: OnProgress | None = None
     ) -> Any:
         """The same on this connection or not at all, never repeated.  Whoever stops waiting cancels the call."""
         events: asyncio.Queue[Event] = asyncio.Queue()

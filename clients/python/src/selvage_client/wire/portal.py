@@ -12,6 +12,7 @@ from typing import Any, Concatenate, ParamSpec, TypeVar
 
 from ..messages.errors import ConnectionLost
 from ..messages.results import Progress
+from .progress import shown
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -85,9 +86,10 @@ def blocking(method: Callable[Concatenate[Any, P], Coroutine[Any, Any, T]]) -> C
     @functools.wraps(method)
     def wait(self: Blocking, /, *args: P.args, **kwargs: P.kwargs) -> T:
         steps: queue.SimpleQueue[Progress | None] = queue.SimpleQueue()
-        progress: Any = kwargs.get("progress")
-        if progress is not None:
-            kwargs["progress"] = steps.put
-        return self._portal.run(method(self._twin, *args, **kwargs), steps, progress)
+        wanted: Any = kwargs.get("progress")
+        with shown(wanted) as progress:
+            if "progress" in kwargs:
+                kwargs["progress"] = steps.put if progress else None
+            return self._portal.run(method(self._twin, *args, **kwargs), steps, progress)
 
     return wait

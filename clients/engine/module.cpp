@@ -1,0 +1,44 @@
+// The Python module selvage_engine._engine: Engine and Stop.  The only file that sees pybind11.
+#include <pybind11/functional.h>
+#include <pybind11/pybind11.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <utility>
+
+#include "clients/engine/engine.h"
+
+namespace py = pybind11;
+using selvage::engine::Caller;
+using selvage::engine::Engine;
+
+namespace {
+
+// Other Python threads run meanwhile; `on_round` takes the interpreter's lock for itself.
+std::string answer(Engine& engine, const std::string& request, const std::stop_source& stop,
+                   std::function<void(int, double)> on_round) {
+  Caller caller{.stop = stop.get_token()};
+  if (on_round) caller.on_round = std::move(on_round);  // none: Python's None
+  const py::gil_scoped_release released;
+  std::string text = engine.answer(request, caller);
+  return text;
+}
+
+}  // namespace
+
+PYBIND11_MODULE(_engine, module) {
+  module.doc() = "The calls of the protocol, answered in this process.";
+  module.attr("__version__") = SELVAGE_VERSION;
+  py::class_<std::stop_source>(module, "Stop", "Asks the calls that were given it to end.")
+      .def(py::init<>())
+      .def("request", [](std::stop_source& stop) { stop.request_stop(); });
+  py::class_<Engine>(module, "Engine", "The open markers of a program, and the methods of the protocol on them.")
+      .def(py::init([](std::size_t threads) { return std::make_unique<Engine>(std::max<std::size_t>(threads, 1)); }),
+           py::arg("threads") = 1)
+      .def("answer", &answer, py::arg("request"), py::arg("stop"), py::arg("on_round") = py::none(),
+           "The response to a JSON-RPC request, as text.  Calls on_round(round, length) on this thread.");
+}

@@ -1,0 +1,17 @@
+"""The engine of Selvage in this process: the motions of garment markers, without a daemon.
+
+    from selvage_engine import compact
+    after = compact("marker.json")
+    after.result.length_after, after.document
+
+Each motion is a function of a marker - a native or sparrow document, or the path of one - and of the motion's parameters,
+which are those of selvage_client.Marker's methods.  To make several calls on one marker, or to nest, give selvage_client
+the address "engine:", such as in `selvage_client.Client("engine:")`.
+"""
+
+from ._engine import Engine, Stop, __version__
+from .motions import *
+from .motions import __all__ as _motions
+from .one_call import After
+
+__all__ = ["After", "Engine", "Stop", "__version__", *_motions]

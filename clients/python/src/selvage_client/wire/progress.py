@@ -1,0 +1,30 @@
+"""What `progress` may be: a function that is called with each Progress, or True for a bar of the package tqdm."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Callable, Iterator
+
+from ..extras import imported
+from ..messages.results import Progress
+
+OnProgress = Callable[[Progress], None]
+Shown = OnProgress | bool | None
+
+
+@contextlib.contextmanager
+def shown(progress: Shown) -> Iterator[OnProgress | None]:
+    """The function to call; the bar ends with the block.  Raises MissingExtra when there is no tqdm."""
+    if not isinstance(progress, bool):
+        yield progress
+    elif not progress:
+        yield None
+    else:
+        tqdm = imported("tqdm.auto", "progress=True", "progress").tqdm
+        with tqdm(unit=" rounds", bar_format="{n_fmt}{unit}, {elapsed}{postfix}") as bar:
+
+            def show(step: Progress) -> None:
+                bar.set_postfix_str(f"length {step.length:.2f}", refresh=False)
+                bar.update(step.round - bar.n)
+
+            yield show
