@@ -11,6 +11,7 @@
 #include "core/motion/compaction/compact.h"
 #include "core/nesting/cloth_end.h"
 #include "core/nesting/filling/lying.h"
+#include "core/nesting/finish.h"
 #include "core/nesting/layout/layout.h"
 #include "core/nesting/shelves.h"
 
@@ -185,11 +186,14 @@ Result<Nesting> nest(const Marker& given, const NestSettings& settings, const sc
   Reporter reporter{run.observer, kLatticeLimit};
   const Task task{start, *shelves, *set, settings, values_of(start, *set, settings)};
   const NestTuning& tuning = settings.tuning;
+  const bool turn = settings.turn && settings.moves > 0 && may_turn(start);
+  std::function<double()> elapsed = settings.elapsed;
+  if (elapsed && turn) elapsed = [&] { return settings.elapsed() / tuning.searched; };
   const bool too_many = set->size() > tuning.most_pieces;
   std::vector<std::optional<Searched>> searched(too_many ? 1 : std::max<std::size_t>(1, settings.searches));
   run.executor->for_each(searched.size(), [&](std::size_t k) {
     const scene::Run own = searched.size() == 1 ? run : scene::Run{run.sums, run.stop};
-    const Budget budget{settings.moves, settings.elapsed, run.stop, tuning.explored, tuning.first_epoch};
+    const Budget budget{settings.moves, elapsed, run.stop, tuning.explored, tuning.first_epoch};
     searched[k] = too_many ? compacted(task, budget, own) : search(k, task, budget, own, reporter);
   });
   const auto best =
@@ -206,6 +210,13 @@ Result<Nesting> nest(const Marker& given, const NestSettings& settings, const sc
   nesting.rounds = static_cast<int>(nesting.history.size());
   nesting.marker = filling::with_lying_pieces((*best)->best.marker, (*best)->best.lies);
   nesting.left_over = nesting.marker.unplaced.size();
+  if (turn && nesting.left_over == 0 && !run.stopped()) {
+    if (auto finish = finished(nesting.marker, set->fixed, settings.elapsed, run)) {
+      nesting.marker = std::move(finish->marker);
+      nesting.programs += finish->programs;
+      reporter.report({nesting.moves, finish->length});
+    }
+  }
   nesting.length_after = length_of(nesting.marker);
   nesting.reason = (*best)->converged ? scene::StopReason::kConverged
                    : run.stopped()    ? scene::StopReason::kCancelled

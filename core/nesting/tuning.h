@@ -25,7 +25,8 @@ struct NestTuning {
   // Part of the budget after which a search gives up bringing all pieces before the cloth's end, and rather chooses
   // which of them lie on it: when their area is less than the cloth's, and when it is not.
   double end_patience{0.5}, hopeless_patience{0.1};
-  int separation_rounds{12};                      // when repair cannot remove what the search has left
+  double searched{0.9};       // part of a limit in time that the search has, when pieces may then turn by small angles
+  int separation_rounds{12};  // when repair cannot remove what the search has left
   std::size_t most_pieces{2'000};                 // larger sets are laid on shelves and compacted, without a search
   std::size_t map_bytes{std::size_t{192} << 20};  // of the sampled maps of a search
   local_search::SearchTuning search{};

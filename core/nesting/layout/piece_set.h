@@ -69,7 +69,7 @@ struct PieceSet {
 enum class PlacedPiecesMay { kMove, kNotMove };
 
 // The rotations that are tried for a shape that may turn freely.
-inline constexpr int kFreeRotations = 8;
+inline constexpr int kFreeRotations = 16;
 
 // Placed pieces that are locked on an axis or belong to a group stay where they are.
 // Errors: kPieceTooWide for an unplaced piece that fits the strip in no allowed orientation.

@@ -241,6 +241,45 @@ TEST(Nest, LaysMorePiecesThanItSearchesOnShelves) {
   EXPECT_EQ(nesting.marker.pieces.size(), 300u);
 }
 
+// A rectangle that was drafted askew.
+Marker askew_rectangles(std::size_t pieces, const std::vector<Angle>& rotations) {
+  Polygon outline = rectangle(900'000, 300'000);
+  outline = geometry::turned(outline, Angle::of_degrees(10));
+  Marker marker = unplaced_pieces({outline}, pieces, kWidth);
+  marker.shapes[0].rotations = rotations;
+  return marker;
+}
+
+TEST(Nest, PiecesThatMayTurnFreelyReachAnyRotation) {
+  const Marker marker = askew_rectangles(3, {});
+  const Nesting nesting = nested(marker, settings_of(400));
+  EXPECT_TRUE(is_valid(nesting.marker));
+  EXPECT_TRUE(make_marker(nesting.marker));
+  EXPECT_LT(nesting.length_after, 902'000);  // upright, side by side
+  EXPECT_EQ(nesting.marker.shapes, marker.shapes);
+  for (const Piece& piece : nesting.marker.pieces) EXPECT_EQ(piece.orientation.tilt, Angle{});
+  NestSettings rigid = settings_of(400);
+  rigid.turn = false;
+  EXPECT_GT(nested(marker, rigid).length_after, 950'000);
+}
+
+TEST(Nest, PiecesTiltWithinTheirLimitsAtLast) {
+  Marker marker = askew_rectangles(3, {{90}, {270}});
+  const Coord rigid = nested(marker, settings_of(400)).length_after;
+  marker.shapes[0].tilt_limit = Angle::of_degrees(4);
+  const Nesting nesting = nested(marker, settings_of(400));
+  EXPECT_TRUE(make_marker(nesting.marker));
+  EXPECT_LT(nesting.length_after, rigid - 50'000);
+  marker.unplaced[1].locked.tilt = true;
+  const Nesting locked = nested(marker, settings_of(400));
+  for (const Piece& piece : locked.marker.pieces) {
+    EXPECT_LE(std::abs(piece.orientation.tilt.degrees), 4);
+    if (piece.id == marker.unplaced[1].id) {
+      EXPECT_EQ(piece.orientation.tilt, Angle{});
+    }
+  }
+}
+
 TEST(Nest, FromScratchDoesNotKnowWherePiecesLay) {
   Marker marker = unplaced_pieces({rectangle(400'000, 500'000)}, 4, kWidth);
   const Nesting first = nested(marker, settings_of(40));

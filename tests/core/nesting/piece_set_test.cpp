@@ -58,7 +58,7 @@ TEST(PieceSet, AShapeThatMayTurnFreelyIsTriedInSomeRotations) {
   const auto set = piece_set_of(marker, PlacedPiecesMay::kMove, sums);
   ASSERT_TRUE(set);
   EXPECT_EQ(set->kinds[1].turned.size(), static_cast<std::size_t>(kFreeRotations));
-  EXPECT_EQ(set->outlines.size(), 4u);  // the bar, and the square at 0, 45 and -45 degrees
+  EXPECT_EQ(set->outlines.size(), 6u);  // the bar, and the square at 0, 22.5, 45, -22.5 and -45 degrees
 }
 
 TEST(PieceSet, LockedAndGroupedPiecesAreFixed) {

@@ -1,0 +1,71 @@
+#include "core/nesting/finish.h"
+
+#include <algorithm>
+#include <stop_token>
+#include <utility>
+
+#include "core/marker/validity.h"
+#include "core/motion/tilting/tilt.h"
+#include "core/nesting/layout/piece_set.h"
+
+namespace selvage::nesting {
+namespace {
+
+bool turns_freely(const Marker& marker, const Piece& piece) {
+  return marker.shapes[piece.shape.value].rotations.empty();
+}
+
+// What pieces of freely turning shapes have turned becomes a part of their rotation; limits and locks are those of the
+// marker before.
+Marker with_turns_in_rotations(Marker turned, const Marker& before) {
+  turned.shapes = before.shapes;
+  for (std::size_t i = 0; i < turned.pieces.size(); ++i) {
+    Piece& piece = turned.pieces[i];
+    piece.locked = before.pieces[i].locked;
+    Orientation& orientation = piece.orientation;
+    if (!turns_freely(before, piece)) continue;
+    orientation.rotation.degrees += orientation.tilt.degrees;  // the same sum as in geometry::split
+    orientation.tilt = {};
+  }
+  return turned;
+}
+
+}  // namespace
+
+bool may_turn(const Marker& marker) {
+  for (const auto* pieces : {&marker.pieces, &marker.unplaced}) {
+    for (const Piece& piece : *pieces) {
+      const bool allowed = turns_freely(marker, piece) || marker.shapes[piece.shape.value].tilt_limit > Angle{};
+      if (allowed && !piece.locked.tilt) return true;
+    }
+  }
+  return false;
+}
+
+std::optional<Finish> finished(const Marker& marker, const std::vector<bool>& fixed,
+                               const std::function<double()>& elapsed, const scene::Run& run) {
+  Marker loose = marker;
+  for (Shape& shape : loose.shapes) {
+    if (shape.rotations.empty()) shape.tilt_limit = Angle::of_degrees(360.0 / layout::kFreeRotations / 2);
+  }
+  for (std::size_t i = 0; i < loose.pieces.size(); ++i) loose.pieces[i].locked.tilt |= fixed[i];
+
+  std::stop_source stop;
+  const std::stop_callback stop_with_run{run.stop, [&stop] { stop.request_stop(); }};
+  scene::Run own = run;
+  own.stop = stop.get_token();
+  own.observer.on_round = [&](const scene::Round&) {
+    if (elapsed && elapsed() >= 1) stop.request_stop();
+  };
+  using motion::tilting::TiltMethod;
+  const auto settings = tilt_settings(TiltMethod::kLinearisation, motion::compaction::Accuracy::kStandard);
+  auto tilting = tilt(loose, settings, own);
+  if (!tilting || tilting->length_after >= length_of(marker)) return std::nullopt;
+  Finish finish{.marker = with_turns_in_rotations(std::move(tilting->marker), marker),
+                .length = tilting->length_after,
+                .programs = tilting->programs};
+  if (!is_valid(finish.marker)) return std::nullopt;
+  return finish;
+}
+
+}  // namespace selvage::nesting

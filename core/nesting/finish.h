@@ -1,0 +1,32 @@
+// The end of a nesting: small turns of the pieces, which the search itself does not know.
+//
+// Pieces turn within the limits of their shapes.  Pieces of shapes that may turn freely turn by up to half of the angle
+// between the rotations that the search tries, so that all rotations are within reach; what they turn becomes a part of
+// their rotation.  Fixed pieces keep their orientation.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/marker/marker.h"
+#include "core/scene/run.h"
+
+namespace selvage::nesting {
+
+struct Finish {
+  Marker marker;  // valid, proved in integers
+  Coord length{};
+  int programs{};
+};
+
+// Whether some piece of the marker may turn by a small angle.
+[[nodiscard]] bool may_turn(const Marker& marker);
+
+// The marker made shorter by compaction with tilts [Li94 6.2]; nothing when that gains nothing.  `elapsed` as in
+// NestSettings: the motion is stopped when it reaches 1.
+// REQUIRES: the marker is valid; `fixed` has an entry for each of its placed pieces.
+[[nodiscard]] std::optional<Finish> finished(const Marker& marker, const std::vector<bool>& fixed,
+                                             const std::function<double()>& elapsed, const scene::Run& run);
+
+}  // namespace selvage::nesting
