@@ -35,7 +35,7 @@ Exploration::Exploration(const layout::PieceSet& set, Marker best, std::uint64_t
       end_{end},
       run_{&run},
       on_better_{std::move(on_better)},
-      search_{set, run.sums, seed, tuning.map_bytes, tuning.search},
+      search_{set, seed, tuning.map_bytes, tuning.search},
       best_{std::move(best)},
       length_{length_of(best_)},
       least_length_{least_length(set, best_)},

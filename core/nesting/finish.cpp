@@ -1,12 +1,12 @@
 #include "core/nesting/finish.h"
 
 #include <algorithm>
-#include <stop_token>
 #include <utility>
 
 #include "core/marker/validity.h"
 #include "core/motion/tilting/tilt.h"
 #include "core/nesting/layout/piece_set.h"
+#include "core/nesting/timed_run.h"
 
 namespace selvage::nesting {
 namespace {
@@ -50,16 +50,10 @@ std::optional<Finish> finished(const Marker& marker, const std::vector<bool>& fi
   }
   for (std::size_t i = 0; i < loose.pieces.size(); ++i) loose.pieces[i].locked.tilt |= fixed[i];
 
-  std::stop_source stop;
-  const std::stop_callback stop_with_run{run.stop, [&stop] { stop.request_stop(); }};
-  scene::Run own = run;
-  own.stop = stop.get_token();
-  own.observer.on_round = [&](const scene::Round&) {
-    if (elapsed && elapsed() >= 1) stop.request_stop();
-  };
+  const TimedRun timed{run, elapsed};
   using motion::tilting::TiltMethod;
   const auto settings = tilt_settings(TiltMethod::kLinearisation, motion::compaction::Accuracy::kStandard);
-  auto tilting = tilt(loose, settings, own);
+  auto tilting = tilt(loose, settings, timed.run().quiet());
   if (!tilting || tilting->length_after >= length_of(marker)) return std::nullopt;
   Finish finish{.marker = with_turns_in_rotations(std::move(tilting->marker), marker),
                 .length = tilting->length_after,

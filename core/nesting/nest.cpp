@@ -14,6 +14,7 @@
 #include "core/nesting/finish.h"
 #include "core/nesting/layout/layout.h"
 #include "core/nesting/shelves.h"
+#include "core/nesting/timed_run.h"
 
 namespace selvage::nesting {
 namespace {
@@ -128,6 +129,7 @@ Searched at_cloth_end(Searched searched, const Task& task, const Budget& budget,
 Searched compacted(const Task& task, const Budget& budget, const scene::Run& run) {
   using motion::compaction::Accuracy;
   Searched searched{.best = {.marker = task.shelves}, .length = length_of(task.shelves)};
+  if (budget.over(0)) return at_cloth_end(std::move(searched), task, budget, task.settings.seed, run);
   auto compaction = compact(task.shelves, compaction_settings(Accuracy::kDraft), run.quiet());
   if (compaction) {
     searched.best.marker = std::move(compaction->marker);
@@ -168,6 +170,9 @@ Searched search(std::size_t number, const Task& task, const Budget& budget, cons
 }  // namespace
 
 Result<Nesting> nest(const Marker& given, const NestSettings& settings, const scene::Run& run) {
+  if (given.pieces.empty() && given.unplaced.empty()) {
+    return Error{ErrorCode::kEmptyMarker, "the marker has no piece", "/pieces"};
+  }
   auto set = piece_set_of(given, settings.placed, run.sums);
   if (!set) return set.error();
   Marker start = given;
@@ -193,8 +198,9 @@ Result<Nesting> nest(const Marker& given, const NestSettings& settings, const sc
   std::vector<std::optional<Searched>> searched(too_many ? 1 : std::max<std::size_t>(1, settings.searches));
   run.executor->for_each(searched.size(), [&](std::size_t k) {
     const scene::Run own = searched.size() == 1 ? run : scene::Run{run.sums, run.stop};
+    const TimedRun timed{own, elapsed};
     const Budget budget{settings.moves, elapsed, run.stop, tuning.explored, tuning.first_epoch};
-    searched[k] = too_many ? compacted(task, budget, own) : search(k, task, budget, own, reporter);
+    searched[k] = too_many ? compacted(task, budget, timed.run()) : search(k, task, budget, timed.run(), reporter);
   });
   const auto best =
       std::min_element(searched.begin(), searched.end(), [](const auto& a, const auto& b) { return better(*a, *b); });

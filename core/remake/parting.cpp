@@ -113,7 +113,7 @@ class Parting {
     const auto set = nesting::layout::piece_set_of(marker, nesting::layout::PlacedPiecesMay::kMove, run_.sums);
     if (!set) return std::nullopt;
     const nesting::NestTuning nesting;
-    nesting::local_search::GuidedSearch search{*set, run_.sums, kSeed, nesting.map_bytes, nesting.search};
+    nesting::local_search::GuidedSearch search{*set, kSeed, nesting.map_bytes, nesting.search};
     auto layout = to_layout(*set, marker);
     layout.length = static_cast<double>(length_of(marker)) / set->lattice_units;
     const auto over = [this] { return run_.stopped(); };

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/minkowski/sum.h"
+
 namespace selvage::nesting::depth {
 namespace {
 
@@ -9,8 +11,8 @@ constexpr std::size_t kSymmetries = 8;
 
 }  // namespace
 
-DepthMaps::DepthMaps(const layout::PieceSet& set, SumCache& sums, MapScale scale, std::size_t limit_bytes)
-    : set_{set}, sums_{sums}, scale_{scale}, limit_{limit_bytes}, rows_(set.outlines.size() * kSymmetries) {}
+DepthMaps::DepthMaps(const layout::PieceSet& set, MapScale scale, std::size_t limit_bytes)
+    : set_{set}, scale_{scale}, limit_{limit_bytes}, rows_(set.outlines.size() * kSymmetries) {}
 
 MapView DepthMaps::view(const layout::Turned& first, const layout::Turned& second) {
   const bool negated = first.outline > second.outline;
@@ -31,15 +33,9 @@ MapView DepthMaps::view(const layout::Turned& first, const layout::Turned& secon
 }
 
 std::unique_ptr<DepthMap> DepthMaps::make(std::uint32_t first, std::uint32_t second, Symmetry relative) const {
-  const outline::OrientedOutline p{set_.outlines[first].outline, Symmetry{}};
-  const outline::OrientedOutline q{set_.outlines[second].outline, relative};
-  const minkowski::Obstacle obstacle = sums_.obstacle(p, q);
-  std::vector<minkowski::convolution::SumEdge> edges{obstacle.sum().edges().begin(), obstacle.sum().edges().end()};
-  for (auto& edge : edges) {
-    edge.from = obstacle.from_frame(edge.from);
-    edge.to = obstacle.from_frame(edge.to);
-  }
-  return std::make_unique<DepthMap>(boundary_of(edges, set_.lattice_units),
+  const minkowski::MinkowskiSum sum =
+      minkowski::obstacle_sum(*set_.outlines[first].outline, *set_.outlines[second].outline, relative);
+  return std::make_unique<DepthMap>(boundary_of(sum.edges(), set_.lattice_units),
                                     static_cast<float>(set_.clearance(first, second)), scale_);
 }
 

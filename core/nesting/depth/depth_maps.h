@@ -1,4 +1,7 @@
 // The depth maps of a set of pieces, made when they are first asked for and kept within a limit of bytes.
+//
+// The sums that maps are made of are not kept in the cache of sums: a search has a map for every relative orientation
+// of every pair, while motions ask for few of these sums, and a sum takes three times the memory of its map.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +9,6 @@
 #include <memory>
 #include <vector>
 
-#include "core/minkowski/cache.h"
 #include "core/nesting/depth/depth_map.h"
 #include "core/nesting/layout/piece_set.h"
 
@@ -14,8 +16,8 @@ namespace selvage::nesting::depth {
 
 class DepthMaps {
  public:
-  // REQUIRES: the set and the cache outlive the maps.
-  DepthMaps(const layout::PieceSet& set, SumCache& sums, MapScale scale, std::size_t limit_bytes);
+  // REQUIRES: the set outlives the maps.
+  DepthMaps(const layout::PieceSet& set, MapScale scale, std::size_t limit_bytes);
 
   // What a piece of the first kind is to one of the second, each in the given orientation.  The view is valid until
   // trim().
@@ -29,7 +31,6 @@ class DepthMaps {
   [[nodiscard]] std::unique_ptr<DepthMap> make(std::uint32_t first, std::uint32_t second, Symmetry relative) const;
 
   const layout::PieceSet& set_;
-  SumCache& sums_;
   MapScale scale_;
   std::size_t limit_, bytes_{};
   // By base outline and relative symmetry of the other; empty rows are made when they are first needed.

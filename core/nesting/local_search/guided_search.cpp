@@ -22,13 +22,12 @@ double pixel_of(const layout::PieceSet& set, double pixels_per_side) {
   return std::max(mean / pixels_per_side, std::max(largest, set.high - set.low) / kMostAcross);
 }
 
-GuidedSearch::GuidedSearch(const layout::PieceSet& set, SumCache& sums, std::uint64_t seed, std::size_t map_bytes,
+GuidedSearch::GuidedSearch(const layout::PieceSet& set, std::uint64_t seed, std::size_t map_bytes,
                            const SearchTuning& tuning)
     : set_{&set},
       tuning_{tuning},
       dice_{seed},
       maps_{set,
-            sums,
             {static_cast<float>(pixel_of(set, tuning.pixels_per_side)), static_cast<float>(tuning.charge)},
             map_bytes},
       losses_{set, maps_, tuning},

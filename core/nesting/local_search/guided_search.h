@@ -25,9 +25,8 @@ struct Persistence {
 
 class GuidedSearch {
  public:
-  // `pixel` of the sampled maps: see pixel_of.  REQUIRES: the set and the cache outlive the search.
-  GuidedSearch(const layout::PieceSet& set, SumCache& sums, std::uint64_t seed, std::size_t map_bytes,
-               const SearchTuning& tuning);
+  // `pixel` of the sampled maps: see pixel_of.  REQUIRES: the set outlives the search.
+  GuidedSearch(const layout::PieceSet& set, std::uint64_t seed, std::size_t map_bytes, const SearchTuning& tuning);
 
   // The layout of least loss that was found, and its loss: 0 when nothing overlaps by more than the tolerance.
   struct Outcome {

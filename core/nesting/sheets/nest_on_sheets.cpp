@@ -8,6 +8,7 @@
 
 #include "core/nesting/layout/dice.h"
 #include "core/nesting/sheets/used_sheet.h"
+#include "core/nesting/timed_run.h"
 
 namespace selvage::nesting::sheets {
 namespace {
@@ -214,9 +215,7 @@ class Driver {
 
   [[nodiscard]] SheetNesting result(bool converged) {
     SheetNesting nesting{.layouts = {}, .left_over = {}, .moves = moves_, .programs = programs_};
-    nesting.reason = run_.stopped() ? scene::StopReason::kCancelled
-                     : converged    ? scene::StopReason::kConverged
-                                    : scene::StopReason::kWorkLimit;
+    nesting.reason = converged ? scene::StopReason::kConverged : scene::StopReason::kWorkLimit;
     for (const UsedSheet& used : used_) {
       SheetLayout layout{used.kind, marker_};
       layout.marker.strip = sheets_[used.kind].bare.strip;
@@ -271,7 +270,10 @@ Result<SheetNesting> nest_on_sheets(const Marker& start, std::span<const Sheet> 
   }
   std::vector<Piece> pieces = start.pieces;
   pieces.insert(pieces.end(), start.unplaced.begin(), start.unplaced.end());
-  return Driver{start, std::move(pieces), std::move(kinds), settings, run}.nested();
+  const TimedRun timed{run, settings.elapsed};
+  SheetNesting nesting = Driver{start, std::move(pieces), std::move(kinds), settings, timed.run()}.nested();
+  if (run.stopped()) nesting.reason = scene::StopReason::kCancelled;
+  return nesting;
 }
 
 }  // namespace selvage::nesting::sheets

@@ -26,7 +26,7 @@ struct Pair {
   DepthMaps maps;
 
   explicit Pair(const Marker& marker)
-      : set{*piece_set_of(marker, layout::PlacedPiecesMay::kMove, sums)}, maps{set, sums, kScale, 1 << 20} {}
+      : set{*piece_set_of(marker, layout::PlacedPiecesMay::kMove, sums)}, maps{set, kScale, 1 << 20} {}
   [[nodiscard]] const layout::Turned& turned(std::size_t piece, std::size_t turn) const {
     return set.kind(piece).turned[turn];
   }
@@ -128,7 +128,7 @@ TEST(DepthMaps, ForgetsNothingButMemory) {
   const Marker marker = two_shapes(random);
   Pair pair{marker};
   const float before = pair.maps.view(pair.turned(0, 2), pair.turned(1, 5)).depth(10, 20);
-  DepthMaps small{pair.set, pair.sums, kScale, 0};
+  DepthMaps small{pair.set, kScale, 0};
   (void)small.view(pair.turned(0, 2), pair.turned(1, 5));
   small.trim();
   EXPECT_EQ(small.view(pair.turned(0, 2), pair.turned(1, 5)).depth(10, 20), before);

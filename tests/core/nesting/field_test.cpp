@@ -28,7 +28,7 @@ struct Scattered {
           return made;
         }()},
         set{*piece_set_of(marker, layout::PlacedPiecesMay::kMove, sums)},
-        maps{set, sums, kScale, 1 << 24},
+        maps{set, kScale, 1 << 24},
         losses{set, maps, tuning} {
     layout.length = 1200;
     for (std::size_t i = 0; i < set.size(); ++i) {
@@ -114,7 +114,7 @@ TEST(GuidedSearch, SeparatesPiecesThatLieOnEachOther) {
   SumCache sums;
   const auto set = piece_set_of(marker, layout::PlacedPiecesMay::kMove, sums);
   ASSERT_TRUE(set);
-  GuidedSearch search{*set, sums, 1, 1 << 24, {}};
+  GuidedSearch search{*set, 1, 1 << 24, {}};
   Layout heap;
   heap.length = 700;
   heap.places.resize(8);

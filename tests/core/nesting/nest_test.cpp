@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <set>
 
 #include "core/marker/validity.h"
@@ -137,6 +139,73 @@ TEST(Nest, WithoutABudgetPlacesAllPieces) {
   EXPECT_TRUE(nesting.marker.unplaced.empty());
   EXPECT_EQ(nesting.reason, scene::StopReason::kWorkLimit);
   EXPECT_EQ(nesting.moves, 0u);
+}
+
+TEST(Nest, OfNothingIsNothing) {
+  Marker marker = unplaced_pieces({rectangle(300'000, 200'000)}, 0, kWidth);
+  SumCache sums;
+  const auto empty = nest(marker, settings_of(100), {sums});
+  ASSERT_FALSE(empty);
+  EXPECT_EQ(empty.error().code, ErrorCode::kEmptyMarker);
+  // All pieces are held.
+  marker = unplaced_pieces({rectangle(300'000, 200'000)}, 1, kWidth);
+  marker.pieces = std::move(marker.unplaced);
+  marker.unplaced.clear();
+  marker.pieces[0].locked = true;
+  const Nesting held = nested(marker, settings_of(100));
+  EXPECT_EQ(held.marker, marker);
+}
+
+TEST(Nest, NamesThePieceThatFitsInNoOrientation) {
+  Marker marker = unplaced_pieces({rectangle(300'000, 200'000), rectangle(1'100'000, 1'000'001)}, 4, kWidth);
+  SumCache sums;
+  const auto refused = nest(marker, settings_of(100), {sums});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kPieceTooWide);
+  EXPECT_EQ(refused.error().field, "/unplaced/1");
+}
+
+TEST(Nest, OfAsManyPiecesAsAMarkerMayHaveIsValid) {
+  const Marker marker = unplaced_pieces({rectangle(3'000, 2'000), rectangle(1'300, 4'100)}, 20'000, kWidth);
+  const Nesting nesting = nested(marker, settings_of(0));
+  EXPECT_TRUE(is_valid(nesting.marker));
+  EXPECT_EQ(nesting.marker.pieces.size(), 20'000u);
+}
+
+TEST(Nest, OfOneGiantAmongTinyPiecesIsValid) {
+  Marker marker = unplaced_pieces({rectangle(10'000, 8'000)}, 300, kWidth);
+  marker.shapes.push_back(marker.shapes[0]);
+  marker.shapes[1].id = "giant";
+  marker.shapes[1].outline = {{0, 0}, {900'000, 0}, {450'000, 300'000}, {0, 900'000}};
+  marker.unplaced[0].shape = ShapeId{1};
+  const Nesting nesting = nested(marker, settings_of(100));
+  EXPECT_TRUE(is_valid(nesting.marker));
+  EXPECT_EQ(nesting.marker.pieces.size(), 300u);
+  EXPECT_LE(nesting.length_after, 950'000);
+}
+
+TEST(Nest, OfOutlinesWithTheMostVerticesIsValid) {
+  Polygon gear;
+  for (int k = 0; k < 2'000; ++k) {
+    const double angle = 2 * std::numbers::pi * k / 2'000;
+    const double radius = 100'000 + (k % 2) * 2'000 + 10'000 * std::sin(5 * angle);
+    gear.push_back({std::llround(radius * std::cos(angle)), std::llround(radius * std::sin(angle))});
+  }
+  const Marker marker = unplaced_pieces({gear}, 6, kWidth);
+  const Nesting nesting = nested(marker, settings_of(20));
+  EXPECT_TRUE(is_valid(nesting.marker));
+  EXPECT_EQ(nesting.marker.pieces.size(), 6u);
+}
+
+TEST(Nest, EndsSoonAfterItsTime) {
+  const Marker marker = unplaced_pieces({rectangle(30'000, 20'000), rectangle(13'000, 41'000)}, 400, kWidth);
+  NestSettings settings = settings_of(1'000'000'000);
+  int asked = 0;
+  settings.elapsed = [&asked] { return ++asked < 500 ? 0.0 : 1.0; };  // a clock that counts its readings
+  const Nesting nesting = nested(marker, settings);
+  EXPECT_TRUE(is_valid(nesting.marker));
+  EXPECT_EQ(nesting.reason, scene::StopReason::kWorkLimit);
+  EXPECT_LT(asked, 1'000);
 }
 
 TEST(Nest, KeepsTheBestWhenItIsCancelled) {
