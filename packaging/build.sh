@@ -43,6 +43,8 @@ case ${1:-} in
     configure "$2"
     cmake --build "$2" --target selvaged selvage
     ;;
-  install) cmake --install "$2" --prefix "$3" --strip --component Runtime ;;
+  install)
+    for component in Command Daemon; do cmake --install "$2" --prefix "$3" --strip --component "$component"; done
+    ;;
   *) usage; exit 2 ;;
 esac
