@@ -16,15 +16,17 @@ namespace selvage::protocol::drawing {
 namespace {
 
 constexpr double kLargestLabel = 13, kReadableLabel = 7.5, kSmallestLabel = 4.5;  // font sizes
+constexpr double kCharacterWidth = 0.56;                                          // of the font size, about
 
 std::size_t characters(std::string_view text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
 }
 
-std::string heading(const View& view) {
-  const std::string size = pixels(view.width()) + " " + pixels(view.height());
-  std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + pixels(view.width()) + "\" height=\"" +
+// `width`: of the page, in pixels.
+std::string heading(const View& view, double width) {
+  const std::string size = pixels(width) + " " + pixels(view.height());
+  std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + pixels(width) + "\" height=\"" +
                     pixels(view.height()) + "\" viewBox=\"0 0 " + size + "\">\n";
   out += R"(<style>
 text { font-family: "Source Sans 3", "Helvetica Neue", Helvetica, Arial, sans-serif; fill: #3b3a38; }
@@ -33,6 +35,7 @@ text { font-family: "Source Sans 3", "Helvetica Neue", Helvetica, Arial, sans-se
 .piece { stroke: #4a4843; stroke-width: 0.7; stroke-linejoin: round; }
 .locked { stroke: #1d1c1a; stroke-width: 1.8; }
 .id { text-anchor: middle; dominant-baseline: central; fill: #2f2e2b; }
+.over { paint-order: stroke; stroke: #ffffff; stroke-opacity: 0.85; stroke-width: 2.5; stroke-linejoin: round; }
 .tick { stroke: #8b857a; stroke-width: 1; }
 .minor { stroke: #c2bbae; stroke-width: 0.8; }
 .number { font-size: 11px; text-anchor: middle; fill: #6d685f; }
@@ -57,7 +60,7 @@ text { font-family: "Source Sans 3", "Helvetica Neue", Helvetica, Arial, sans-se
 .remark { fill: #56524b; }
 </style>
 )";
-  out += "<rect class=\"page\" width=\"" + pixels(view.width()) + "\" height=\"" + pixels(view.height()) + "\"/>\n";
+  out += "<rect class=\"page\" width=\"" + pixels(width) + "\" height=\"" + pixels(view.height()) + "\"/>\n";
   return out;
 }
 
@@ -82,7 +85,6 @@ struct Label {
 };
 
 Label fit_label(const Polygon& outline, const std::string& text, const View& view) {
-  constexpr double kCharacterWidth = 0.56;  // of the font size, about
   const double aspect = std::max(1.0, kCharacterWidth * static_cast<double>(characters(text)));
   const LabelSpot spot = find_label_spot(outline, aspect, kLargestLabel / 2 / view.scale());
   return {text, spot, std::min(kLargestLabel, 2 * spot.half_height * view.scale())};
@@ -103,7 +105,11 @@ std::string label(const Polygon& outline, const std::string& text, const std::st
   return out + ">" + escaped(best.text) + "</text>\n";
 }
 
-std::string pieces(const Marker& marker, const SvgOptions& options, const View& view) {
+struct Drawn {
+  std::string pieces, labels;  // labels are drawn above everything, so that no line strikes through them
+};
+
+Drawn draw_pieces(const Marker& marker, const SvgOptions& options, const View& view) {
   std::vector<Polygon> placed;
   for (std::uint32_t i = 0; i < marker.pieces.size(); ++i) placed.push_back(placed_outline(marker, PieceId{i}));
   const auto colours = shape_colours(marker, placed);
@@ -118,7 +124,8 @@ std::string pieces(const Marker& marker, const SvgOptions& options, const View& 
     }
     labels += label(placed[i], i < options.labels.size() ? options.labels[i] : piece.id, piece.id, view);
   }
-  return out + labels + "</g>\n";
+  const bool over = !options.overlay.moves.empty() || !options.overlay.forces.empty() || !options.overlay.chain.empty();
+  return {out + "</g>\n", (over ? "<g class=\"over\">\n" : "<g>\n") + labels + "</g>\n"};
 }
 
 // A round step that puts major ticks about `pixels_apart` apart: 1, 2 or 5 times a power of ten.
@@ -177,7 +184,12 @@ std::string end_lines(const SvgOptions& options, const View& view) {
   return out + line(x, View::kTop - over, x, view.bottom() + over, "end");
 }
 
-std::string caption(const Marker& marker, const SvgOptions& options) {
+struct Caption {
+  std::string text;
+  double width{};  // in pixels, about
+};
+
+Caption caption(const Marker& marker, const SvgOptions& options) {
   const auto decimal = [&](Coord coord) { return to_decimal(coord, marker.resolution); };
   const auto shown = [](double value) { return pixels(value); };
   const Coord length = length_of(marker);
@@ -191,8 +203,13 @@ std::string caption(const Marker& marker, const SvgOptions& options) {
     text += shown(decimal(length)) + " " + marker.unit;
   }
   text += "  \u00b7  utilisation " + fixed(100 * utilisation_of(marker), 3) + " %";
-  return text_at(View::kLeft, 19, "title", marker.name.empty() ? "marker" : marker.name) +
-         text_at(View::kLeft, 38, "caption", text + overlay_legend(options.overlay, marker, options.height));
+  text += overlay_legend(options.overlay, marker, options.height);
+  const std::string title = marker.name.empty() ? "marker" : marker.name;
+  const auto width = [](double size, const std::string& words) {
+    return size * kCharacterWidth * static_cast<double>(characters(words));
+  };
+  return {text_at(View::kLeft, 19, "title", title) + text_at(View::kLeft, 38, "caption", text),
+          std::max(width(17, title), width(13, text))};
 }
 
 }  // namespace
@@ -200,9 +217,11 @@ std::string caption(const Marker& marker, const SvgOptions& options) {
 std::string to_svg(const Marker& marker, const SvgOptions& options) {
   const Coord length = length_of(marker);
   const View view{marker.strip.width, length, std::max(length, options.length_before.value_or(0)), options.height};
-  return heading(view) + caption(marker, options) + cloth(view) + pieces(marker, options, view) +
-         overlay(options.overlay, view) + end_lines(options, view) + ruler(marker, view) + width_label(marker, view) +
-         "</svg>\n";
+  const Caption words = caption(marker, options);
+  const double page = std::max(view.width(), 2 * View::kLeft + words.width);
+  const Drawn drawn = draw_pieces(marker, options, view);
+  return heading(view, page) + words.text + cloth(view) + drawn.pieces + overlay(options.overlay, view) +
+         end_lines(options, view) + drawn.labels + ruler(marker, view) + width_label(marker, view) + "</svg>\n";
 }
 
 SvgOptions svg_options(const MarkerFile& file) {

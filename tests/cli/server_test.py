@@ -203,13 +203,13 @@ class Watch(ServerTest):
         daemon = self.start()
         marker = daemon.call("marker.open", marker=squares((0, 0), (50, 10)))["markerId"]
         watching = self.watch(daemon, marker)
-        self.assertEqual(watching.stdout.readline(), "revision 1: length 90, utilisation 35.5556 %, valid\n")
+        self.assertEqual(watching.stdout.readline(), "revision 1: length 90, utilisation 35.56 %, valid\n")
         daemon.call("motion.compact", markerId=marker)
         self.assertEqual(watching.stdout.readline(),
-                         "revision 2: length 80, utilisation 40.0000 %, valid; motion.compact\n")
+                         "revision 2: length 80, utilisation 40.00 %, valid; motion.compact\n")
         daemon.call("marker.apply", markerId=marker, ops=[{"op": "move", "piece": "p1", "at": [20, 0]}])
         self.assertEqual(watching.stdout.readline(),
-                         "revision 3: length 60, utilisation 53.3333 %, NOT valid; marker.apply\n")
+                         "revision 3: length 60, utilisation 53.33 %, NOT valid; marker.apply\n")
         daemon.call("marker.close", markerId=marker)
         self.assertEqual(watching.stdout.read(), "")
         self.assertEqual(watching.wait(timeout=60), OK)

@@ -20,7 +20,7 @@ ALLOWED = {
     "protocol": ("core",),
     "server": ("core", "protocol"),
     "clients/cpp": (),
-    "clients/cli": ("core", "protocol", "clients/cpp"),
+    "clients/cli": ("core", "protocol", "clients/cpp", "clients/engine"),
     "clients/engine": ("core", "protocol"),
 }
 # Libraries of others, and the only places that may see them.

@@ -1,4 +1,5 @@
-// selvage call: runs any of the daemon's methods that work on one marker.
+// selvage call: runs any of the daemon's methods, on a marker from a file or without one.
+#include <iostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -6,58 +7,94 @@
 #include "clients/cli/commands/commands.h"
 #include "clients/cli/commands/marker_run.h"
 #include "clients/cli/run/local.h"
+#include "clients/cli/run/remote.h"
 #include "clients/cli/terminal/files.h"
+#include "protocol/json/fields.h"
 #include "protocol/methods/method_table.h"
 
 namespace selvage::cli::commands {
 namespace {
 
+using terminal::ExitCode;
+
 std::vector<std::string> method_names() {
-  std::vector<std::string> names{std::string{run::kApply}};
+  std::vector<std::string> names;
   for (const protocol::calls::Method& method : protocol::methods::method_table().all()) {
-    if (method.on_marker) names.emplace_back(method.name);
+    if (!method.name.starts_with('$')) names.emplace_back(method.name);
   }
   return names;
 }
 
-Result<Json> read_params(const std::string& path) {
-  if (path.empty()) return Json::object();
-  const auto text = terminal::read_text(path);
-  if (!text) return text.error();
-  return protocol::json::parse(*text);
+// Whether the method works on a marker from a file.
+bool takes_marker(std::string_view name) {
+  return name == run::kApply || protocol::methods::find_method(name)->on_marker;
 }
 
-terminal::ExitCode run_call(const command_line::Values& values) {
+// JSON as it stands, or the file of that name: an object begins with a brace.
+Result<Json> read_params(const std::string& given) {
+  if (given.empty()) return Json::object();
+  const bool written_out =
+      given.find_first_not_of(" \t\n") != std::string::npos && given[given.find_first_not_of(" \t\n")] == '{';
+  if (written_out) return protocol::json::parse(given);
+  const auto text = terminal::read_text(given);
+  if (!text) return text.error();
+  auto params = protocol::json::parse(*text);
+  if (params) return params;
+  return Error{params.error().code, given + ": " + protocol::json::describe(params.error()), ""};
+}
+
+// A call that concerns no marker from a file: one that a daemon has open, or the program itself.
+ExitCode run_without_marker(const std::string& method, Json params, const run::ServerChoice& server) {
+  auto answer = server ? run::call_remotely(server, method, std::move(params)) : run::call_locally(method, params);
+  if (const auto* failure = std::get_if<terminal::Failure>(&answer)) return report(*failure);
+  std::cout << protocol::json::to_text(std::get<Json>(answer)) << std::endl;
+  return ExitCode::kOk;
+}
+
+ExitCode run_call(const command_line::Values& values) {
+  const std::string method = values.text("METHOD");
   const MarkerFiles files = marker_files(values, "marker");
-  const std::string params_path = values.text("params");
-  if (files.in == terminal::kStandardStream && params_path == terminal::kStandardStream)
-    return report(terminal::bad_usage("only one of --marker, --params can be standard input"));
+  const std::string inline_params = values.text("PARAMS"), option = values.text("params");
+  if (!inline_params.empty() && !option.empty())
+    return report(terminal::bad_usage("give the parameters once: as PARAMS or with --params"));
+  const std::string given = option.empty() ? inline_params : option;
+  if (files.in == terminal::kStandardStream && given == terminal::kStandardStream)
+    return report(terminal::bad_usage("only one of --marker and the parameters can be standard input"));
+  if (!files.in.empty() && !takes_marker(method))
+    return report(terminal::bad_usage(method + " does not work on a marker from a file; leave out --marker"));
+  if (files.in.empty() && takes_marker(method) && !files.server)
+    return report(terminal::bad_usage(method + " works on a marker: name its file with --marker"));
   if (const auto failure = check_outputs(files)) return report(*failure);
-  auto params = read_params(params_path);
+  auto params = read_params(given);
   if (!params) return terminal::report(params.error());
-  return run_on_marker(values.text("METHOD"), *std::move(params), files, Report::kResult);
+  if (files.in.empty()) return run_without_marker(method, *std::move(params), files.server);
+  return run_on_marker(method, *std::move(params), files, Report::kResult);
 }
 
 }  // namespace
 
 command_line::Command call_command() {
   using command_line::Kind;
-  command_line::Command command{"call",
-                                "Run one of the daemon's methods on a marker",
-                                {{.name = "METHOD",
-                                  .kind = Kind::kText,
-                                  .meaning = "Name of the method; protocol/README.md describes them all",
-                                  .required = true,
-                                  .choices = method_names()},
-                                 {.name = "--marker",
-                                  .kind = Kind::kText,
-                                  .meaning = "Marker in native or sparrow format; - reads standard input",
-                                  .required = true},
-                                 {.name = "--params",
-                                  .kind = Kind::kText,
-                                  .meaning = "JSON file of the method's parameters; - reads standard input"}},
-                                &run_call};
+  command_line::Command command{
+      "call",
+      "Run one of the daemon's methods",
+      {{.name = "METHOD",
+        .kind = Kind::kText,
+        .meaning = "Name of the method; protocol/README.md describes them all",
+        .required = true,
+        .choices = method_names()},
+       {.name = "PARAMS",
+        .kind = Kind::kText,
+        .meaning = "The method's parameters: JSON such as '{\"rounds\": 3}', a file of it, or - for standard input"},
+       {.name = "--marker",
+        .kind = Kind::kText,
+        .meaning = "Marker in native or sparrow format; - reads standard input.  With --server it may be left out: the "
+                   "parameters then name a marker that is open there"},
+       {.name = "--params", .kind = Kind::kText, .meaning = "The same as PARAMS"}},
+      &run_call};
   for (command_line::Option& option : file_options()) command.options.push_back(std::move(option));
+  command.examples = {"selvage call engine.info", "selvage call motion.compact '{\"rounds\": 3}' --marker marker.json",
+                      "selvage call marker.list --server localhost:7171"};
   return command;
 }
 

@@ -1,4 +1,6 @@
 // selvage check: decides exactly whether a marker is valid, and lists what is wrong with it.
+#include <unistd.h>
+
 #include <iostream>
 #include <utility>
 
@@ -34,7 +36,9 @@ terminal::ExitCode run_check(const command_line::Values& values) {
     std::cout << protocol::json::to_text(validity) << "\n";
   } else {
     terminal::print_notes(file->notes);
-    std::cout << terminal::plain_figures(file->marker) << ": " << (valid ? "valid" : "NOT valid") << "\n"
+    const terminal::Style style{STDOUT_FILENO};
+    std::cout << terminal::plain_figures(file->marker) << ": " << (valid ? style.good("valid") : style.bad("NOT valid"))
+              << "\n"
               << terminal::plain_violations(file->marker, validity);
   }
   return valid ? terminal::ExitCode::kOk : terminal::ExitCode::kNotValid;

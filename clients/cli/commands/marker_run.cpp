@@ -59,6 +59,13 @@ std::variant<Outcome, terminal::Failure> run_invocation(const Invocation& invoca
   return run::run_locally(invocation, protocol::execution::ThreadPool{files.threads - 1}, limit, progress);
 }
 
+// In seconds: the call's deadline, or the budget of its search.
+std::optional<double> time_limit_of(const protocol::calls::ParsedCall& call, const Json& params) {
+  if (const auto& ms = call.about.deadline_ms) return *ms / 1000;
+  if (params.contains("seconds")) return params["seconds"].number();
+  return std::nullopt;
+}
+
 // Decodes the call as a daemon does that has just opened the marker.
 Result<protocol::calls::ParsedCall> decode_call(const protocol::calls::Method& method, Json& params) {
   if (params.is_object() && !params.contains("markerId")) params["markerId"] = run::kMarkerId;
@@ -72,9 +79,10 @@ Result<protocol::calls::ParsedCall> decode_call(const protocol::calls::Method& m
   return call;
 }
 
-std::string report_text(const Outcome& outcome, bool timing, const Marker& marker, Report report) {
+std::string report_text(const Outcome& outcome, bool timing, const Marker& marker, Report report,
+                        const terminal::Style& style) {
   if (report == Report::kJsonLine) return terminal::json_line(outcome.fields, outcome.times, outcome.cache);
-  if (report == Report::kSummary) return terminal::plain_summary(outcome.fields, outcome.times, marker);
+  if (report == Report::kSummary) return terminal::plain_summary(outcome.fields, outcome.times, marker, style);
   Json fields = outcome.fields;
   if (timing) protocol::calls::add_times(fields, outcome.times, outcome.cache);
   return protocol::json::to_text(protocol::calls::result_json(outcome.marker_id, outcome.revision, fields)) + "\n";
@@ -100,7 +108,8 @@ std::variant<MethodRun, ExitCode> run_method(std::string_view name, Json params,
   if (report == Report::kSummary) terminal::print_notes(file->notes);
 
   const terminal::Interrupt interrupt;
-  terminal::ProgressLine progress{file->marker, report == Report::kSummary && isatty(STDERR_FILENO) != 0};
+  terminal::ProgressLine progress{file->marker, report == Report::kSummary && isatty(STDERR_FILENO) != 0,
+                                  time_limit_of(*call, params)};
   auto done = run_invocation({method, params, *call, *file}, files, begin, interrupt.token(), progress);
   if (const auto* failure = std::get_if<terminal::Failure>(&done)) return terminal::report(*failure);
   return MethodRun{*std::move(file), std::get<Outcome>(std::move(done))};
@@ -113,8 +122,9 @@ ExitCode run_on_marker(std::string_view name, Json params, const MarkerFiles& fi
   if (const auto* code = std::get_if<ExitCode>(&ran)) return *code;
   const auto& [file, outcome] = std::get<MethodRun>(ran);
 
-  std::ostream& stream = standard_outputs(files) > 0 ? std::cerr : std::cout;
-  stream << report_text(outcome, timing, file.marker, report) << std::flush;
+  const bool to_stderr = standard_outputs(files) > 0;
+  const terminal::Style style{to_stderr ? STDERR_FILENO : STDOUT_FILENO};
+  (to_stderr ? std::cerr : std::cout) << report_text(outcome, timing, file.marker, report, style) << std::flush;
   const ExitCode code = exit_code_of(outcome);
   const bool unchanged = outcome.revision == run::kFirstRevision;
   if (code == ExitCode::kNotValid && unchanged) return code;

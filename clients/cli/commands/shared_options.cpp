@@ -92,8 +92,13 @@ int standard_outputs(const MarkerFiles& files) {
 }
 
 std::optional<terminal::Failure> check_outputs(const MarkerFiles& files) {
-  if (standard_outputs(files) <= 1) return std::nullopt;
-  return terminal::bad_usage("only one of --out, --svg, --outlines can be standard output");
+  if (standard_outputs(files) > 1)
+    return terminal::bad_usage("only one of --out, --svg, --outlines can be standard output");
+  for (const std::string* path : {&files.out, &files.svg, &files.outlines}) {
+    if (path->empty()) continue;
+    if (const auto error = terminal::why_not_writable(*path)) return terminal::failure_of(*error);
+  }
+  return std::nullopt;
 }
 
 protocol::files::FileFormat format_named(const std::string& name) {

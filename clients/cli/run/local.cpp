@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "clients/engine/engine.h"
 #include "protocol/calls/answer.h"
 #include "protocol/edits/changes.h"
 #include "protocol/methods/method_table.h"
@@ -49,6 +50,19 @@ std::variant<Outcome, terminal::Failure> run_locally(const Invocation& invocatio
                  times,
                  sums.counts(),
                  changed ? protocol::edits::with_marker(invocation.file, *std::move(answer->next)) : invocation.file};
+}
+
+std::variant<Json, terminal::Failure> call_locally(std::string_view method, const Json& params) {
+  engine::Engine engine{1};
+  const Json request{{"jsonrpc", "2.0"}, {"id", 1}, {"method", method}, {"params", params}};
+  const Json response = Json::parse(engine.answer(protocol::json::to_text(request), {}));
+  if (const Json* const result = response.find("result")) return *result;
+  const Json& error = response["error"];
+  const bool unserved = error["code"] == static_cast<int>(protocol::rpc::RpcCode::kMethodNotFound);
+  if (unserved) return terminal::bad_usage(error["message"].text() + "; name one with --server");
+  const Json* const data = error.find("data");
+  const std::string name = data != nullptr ? data->value("name", "") : "";
+  return terminal::Failure{terminal::with_name(error["message"].text(), name), terminal::ExitCode::kBadInput};
 }
 
 std::variant<Json, terminal::Failure> check_locally(const MarkerFile& file) {

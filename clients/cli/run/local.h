@@ -22,6 +22,10 @@ inline constexpr std::string_view kApply = "marker.apply";
                                                                    const protocol::execution::TimeLimit& limit,
                                                                    terminal::ProgressLine& progress);
 
+// The result of a method that takes no marker from a file, such as engine.info.  Errors: those of the method; a method
+// that only a daemon serves is refused.
+[[nodiscard]] std::variant<Json, terminal::Failure> call_locally(std::string_view method, const Json& params);
+
 // The fields of marker.check's result.
 [[nodiscard]] std::variant<Json, terminal::Failure> check_locally(const MarkerFile& file);
 

@@ -17,6 +17,10 @@ std::variant<Outcome, terminal::Failure> run_remotely(const ServerChoice&, const
   return no_client();
 }
 
+std::variant<Json, terminal::Failure> call_remotely(const ServerChoice&, std::string_view, const Json&) {
+  return no_client();
+}
+
 std::variant<Json, terminal::Failure> check_remotely(const ServerChoice&, const MarkerFile&) {
   return no_client();
 }

@@ -57,6 +57,15 @@ std::variant<Outcome, terminal::Failure> run_remotely(const ServerChoice& server
   return outcome;
 }
 
+std::variant<Json, terminal::Failure> call_remotely(const ServerChoice& server, std::string_view method,
+                                                    const Json& params) {
+  auto connected = connect(server, {});
+  if (auto* failure = std::get_if<terminal::Failure>(&connected)) return std::move(*failure);
+  const client::Answer answer = std::get<std::unique_ptr<client::Client>>(connected)->call(method, to_wire(params));
+  if (!answer) return failure_of(answer.error());
+  return from_wire(*answer);
+}
+
 std::variant<Json, terminal::Failure> check_remotely(const ServerChoice& server, const MarkerFile& file) {
   RemoteMarker remote;
   if (auto failure = remote.open(server, file)) return *std::move(failure);

@@ -21,6 +21,10 @@ namespace selvage::cli::run {
                                                                     const std::stop_token& stop,
                                                                     terminal::ProgressLine& progress);
 
+// The result of a call that is sent as it is.
+[[nodiscard]] std::variant<Json, terminal::Failure> call_remotely(const ServerChoice& server, std::string_view method,
+                                                                  const Json& params);
+
 // The fields of marker.check's result.
 [[nodiscard]] std::variant<Json, terminal::Failure> check_remotely(const ServerChoice& server, const MarkerFile& file);
 

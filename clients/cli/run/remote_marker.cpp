@@ -26,8 +26,7 @@ Json from_wire(const client::Json& value) {
 
 terminal::Failure failure_of(const client::CallError& error) {
   using client::CallCode;
-  const std::string name = error.name();
-  const std::string message = error.message + (name.empty() ? "" : " [" + name + "]");
+  const std::string message = terminal::with_name(error.message, error.name());
   switch (error.code) {
     case CallCode::kInvalidParams:
     case CallCode::kUnknownMarker:

@@ -1,14 +1,26 @@
 #include "clients/cli/terminal/failure.h"
 
+#include <unistd.h>
+
 #include <iostream>
 #include <utility>
 
+#include "clients/cli/terminal/style.h"
 #include "protocol/json/fields.h"
 
 namespace selvage::cli::terminal {
 
+std::string with_name(const std::string& message, std::string_view name) {
+  if (name.empty()) return message;
+  const std::string_view hint =
+      name == wire_name(ErrorCode::kMarkerOverlaps)
+          ? "\n`selvage separate` moves overlapping pieces apart; `--overlap` allows what is meant."
+          : "";
+  return message + " [" + std::string{name} + "]" + std::string{hint};
+}
+
 std::string message_of(const Error& error) {
-  return protocol::json::describe(error) + " [" + std::string{wire_name(error.code)} + "]";
+  return with_name(protocol::json::describe(error), wire_name(error.code));
 }
 
 Failure failure_of(const Error& error) {
@@ -20,7 +32,7 @@ Failure bad_usage(std::string message) {
 }
 
 ExitCode report(const Failure& failure) {
-  std::cerr << "selvage: " << failure.message << "\n";
+  std::cerr << Style{STDERR_FILENO}.bad("selvage:") << " " << failure.message << "\n";
   return failure.code;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "clients/cli/terminal/exit_code.h"
 #include "core/base/error.h"
@@ -15,7 +16,9 @@ struct Failure {
 
 // Of an error met while reading, writing or decoding.
 [[nodiscard]] Failure failure_of(const Error& error);
-// "MESSAGE [NAME]", for an error of this process.
+// "MESSAGE [NAME]", and what helps where that is known; the message alone when there is no name.
+[[nodiscard]] std::string with_name(const std::string& message, std::string_view name);
+// The same for an error of this process.
 [[nodiscard]] std::string message_of(const Error& error);
 // A mistake on the command line that only the command itself can see.
 [[nodiscard]] Failure bad_usage(std::string message);

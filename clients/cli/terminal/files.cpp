@@ -1,12 +1,17 @@
 #include "clients/cli/terminal/files.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 
+#include "clients/cli/terminal/style.h"
 #include "protocol/files/writing.h"
+#include "protocol/json/fields.h"
 #include "protocol/json/json_text.h"
 
 namespace selvage::cli::terminal {
@@ -56,10 +61,28 @@ std::optional<Error> write_text(const std::string& path, std::string_view text) 
   return std::nullopt;
 }
 
+std::optional<Error> why_not_writable(const std::string& path) {
+  if (path == kStandardStream) return std::nullopt;
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  errno = 0;
+  if (fs::is_directory(path, ignored)) {
+    errno = EISDIR;
+    return file_error(path, "written");
+  }
+  const fs::path folder = fs::path{path}.has_parent_path() ? fs::path{path}.parent_path() : fs::path{"."};
+  const bool exists = fs::exists(path, ignored);
+  if (access(exists ? path.c_str() : folder.c_str(), exists ? W_OK : W_OK | X_OK) == 0) return std::nullopt;
+  return file_error(path, "written");
+}
+
 Result<MarkerFile> load_marker(const std::string& path, const protocol::trade::ReadingOptions& options) {
   const auto text = read_text(path);
   if (!text) return text.error();
-  return protocol::files::read_file(*text, options);
+  auto file = protocol::files::read_file(*text, options);
+  if (file) return file;
+  const std::string name = path == kStandardStream ? "standard input" : path;
+  return Error{file.error().code, name + ": " + protocol::json::describe(file.error()), ""};
 }
 
 std::optional<Error> save_marker(const std::string& path, const MarkerFile& file, protocol::files::FileFormat format) {
@@ -71,9 +94,11 @@ std::optional<Error> save_marker(const std::string& path, const MarkerFile& file
 void print_notes(const std::vector<Note>& notes) {
   constexpr std::size_t kMostPrinted = 5;
   for (std::size_t i = 0; i < std::min(kMostPrinted, notes.size()); ++i) {
-    std::cerr << "note: " << (notes[i].field.empty() ? "" : notes[i].field + ": ") << notes[i].text << "\n";
+    std::cerr << Style{STDERR_FILENO}.faint("note:") << " " << (notes[i].field.empty() ? "" : notes[i].field + ": ")
+              << notes[i].text << "\n";
   }
-  if (notes.size() > kMostPrinted) std::cerr << "note: and " << notes.size() - kMostPrinted << " more\n";
+  if (notes.size() > kMostPrinted)
+    std::cerr << Style{STDERR_FILENO}.faint("note:") << " and " << notes.size() - kMostPrinted << " more\n";
 }
 
 }  // namespace selvage::cli::terminal

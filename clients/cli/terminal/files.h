@@ -20,7 +20,10 @@ inline constexpr std::string_view kStandardStream = "-";
 // Errors: kFile.
 [[nodiscard]] std::optional<Error> write_text(const std::string& path, std::string_view text);
 
-// read_text followed by read_file; the errors of both.
+// Why nothing can be written to this path; none when it can, as far as can be seen without writing.  Errors: kFile.
+[[nodiscard]] std::optional<Error> why_not_writable(const std::string& path);
+
+// read_text followed by read_file; the errors of both, with the file's name in the message.
 [[nodiscard]] Result<MarkerFile> load_marker(const std::string& path,
                                              const protocol::trade::ReadingOptions& options = {});
 // write_marker followed by write_text; the errors of both.

@@ -1,28 +1,40 @@
 #include "clients/cli/terminal/progress.h"
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 
-#include "protocol/json/json_text.h"
+#include "clients/cli/terminal/style.h"
+#include "core/marker/figures.h"
 
 namespace selvage::cli::terminal {
 namespace {
 
-constexpr double kFirstAfter = 1000, kUpdateInterval = 100;  // milliseconds
+constexpr std::chrono::milliseconds kFirstAfter{1000}, kInterval{200};
+constexpr int kBarWidth = 24;  // characters
 
 double now_ms() {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+std::string bar(double part) {
+  const int full = static_cast<int>(kBarWidth * part);
+  return "[" + std::string(static_cast<std::size_t>(full), '#') +
+         std::string(static_cast<std::size_t>(kBarWidth - full), '.') + "] " + rounded(100 * part, 0) + " %";
+}
+
 }  // namespace
 
-ProgressLine::ProgressLine(const Marker& marker, bool show)
+ProgressLine::ProgressLine(const Marker& marker, bool show, std::optional<double> seconds)
     : resolution_{marker.resolution},
       unit_{marker.unit},
+      length_before_{to_decimal(length_of(marker), marker.resolution)},
       show_{show},
+      seconds_{seconds},
       start_{now_ms()},
-      last_update_{start_},
-      timer_{start_} {}
+      timer_{start_} {
+  if (show_) writer_ = std::jthread{[this](const std::stop_token& end) { keep_current(end); }};
+}
 
 scene::Observer ProgressLine::observer() {
   return {.on_stage = [this](scene::Stage stage) { timer_.enter(stage, now_ms()); },
@@ -31,17 +43,36 @@ scene::Observer ProgressLine::observer() {
 }
 
 void ProgressLine::show_round(int round, double length) {
-  const double now = now_ms();
-  if (!show_ || now - start_ < kFirstAfter || now - last_update_ < kUpdateInterval) return;
-  last_update_ = now;
-  line_shown_ = true;
-  std::cerr << "\r\033[Kround " << round << ": " << protocol::json::number_text(length) << " " << unit_ << std::flush;
+  const std::scoped_lock lock{mutex_};
+  round_ = round;
+  length_ = length;
+}
+
+// REQUIRES: the lock is held.
+std::string ProgressLine::text(double elapsed_ms) const {
+  const double seconds = elapsed_ms / 1000;
+  std::string line = seconds_ ? bar(std::min(1.0, seconds / *seconds_)) : rounded(seconds, 0) + " s";
+  if (round_ == 0) return line;
+  line += "  round " + std::to_string(round_) + "  " + length_text(length_) + " " + unit_;
+  return length_before_ > 0 ? line + " (" + change_text(length_before_, length_) + ")" : line;
+}
+
+void ProgressLine::keep_current(const std::stop_token& end) {
+  std::unique_lock lock{mutex_};
+  const auto over = [&] { return end.stop_requested(); };
+  if (ended_.wait_for(lock, end, kFirstAfter, over)) return;
+  do {
+    std::cerr << "\r\033[K" << text(now_ms() - start_) << std::flush;
+  } while (!ended_.wait_for(lock, end, kInterval, over) && !end.stop_requested());
+  std::cerr << "\r\033[K" << std::flush;
 }
 
 protocol::execution::StageTimes ProgressLine::finish() {
-  const protocol::execution::StageTimes times = timer_.times(now_ms());
-  if (line_shown_) std::cerr << "\r\033[K" << std::flush;
-  return times;
+  if (writer_.joinable()) {
+    writer_.request_stop();
+    writer_.join();
+  }
+  return timer_.times(now_ms());
 }
 
 }  // namespace selvage::cli::terminal

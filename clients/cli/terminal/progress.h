@@ -1,7 +1,11 @@
 // Measures how long each stage of one motion takes, and shows a line of progress on a terminal.
 #pragma once
 
+#include <condition_variable>
+#include <mutex>
+#include <optional>
 #include <string>
+#include <thread>
 
 #include "core/marker/marker.h"
 #include "core/scene/observer.h"
@@ -11,24 +15,34 @@ namespace selvage::cli::terminal {
 
 class ProgressLine {
  public:
-  // `show`: print and update a line on stderr once the work has taken a second.
-  ProgressLine(const Marker& marker, bool show);
+  // `show`: print a line on stderr and keep it up to date, once the work has taken a second.  `seconds`: after which
+  // the work ends, when that is known; then the line has a bar.
+  ProgressLine(const Marker& marker, bool show, std::optional<double> seconds);
 
   // REQUIRES: *this outlives the observer.
   [[nodiscard]] scene::Observer observer();
-  // Called after every round; `length`: in the marker's unit.
+  // Called after every round; `length`: in the marker's unit.  From any thread.
   void show_round(int round, double length);
   [[nodiscard]] bool shown() const { return show_; }
   // Stops the clock and clears the line.
   [[nodiscard]] protocol::execution::StageTimes finish();
 
  private:
-  Resolution resolution_;
-  std::string unit_;
-  bool show_;
-  bool line_shown_{};
-  double start_, last_update_;  // milliseconds
+  void keep_current(const std::stop_token& end);
+  [[nodiscard]] std::string text(double elapsed_ms) const;
+
+  const Resolution resolution_;
+  const std::string unit_;
+  const double length_before_;  // in the marker's unit
+  const bool show_;
+  const std::optional<double> seconds_;
+  const double start_;  // milliseconds
   protocol::execution::StageTimer timer_;
+  std::mutex mutex_;  // of the two below
+  int round_{};
+  double length_{};
+  std::condition_variable_any ended_;
+  std::jthread writer_;  // the only one that prints the line
 };
 
 }  // namespace selvage::cli::terminal

@@ -9,14 +9,8 @@
 namespace selvage::cli::terminal {
 namespace {
 
-// `value` rounded to this number of decimals, for people only.
-std::string rounded(double value, int decimals) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
 std::string per_cent(double part) {
-  return rounded(100 * part, 4) + " %";
+  return rounded(100 * part, 2) + " %";
 }
 std::string significant(double value) {
   char text[32];
@@ -64,8 +58,7 @@ std::string repair_line(const Json& repair, const std::string& unit) {
 // The final position of a piece that moved alone, and the pieces that stop it if the motion reports them.
 std::string position_line(const Json& fields, const std::string& unit) {
   const Json& at = fields["at"];
-  std::string out = "  position     " + protocol::json::number_text(at[0].number()) + ", " +
-                    protocol::json::number_text(at[1].number()) + unit;
+  std::string out = "  position     " + length_text(at[0].number()) + ", " + length_text(at[1].number()) + unit;
   if (!fields.contains("touching")) return out + "\n";
   std::string by;
   for (const Json& id : fields["touching"]) by += (by.empty() ? ", stopped by " : ", ") + id.text();
@@ -91,7 +84,7 @@ std::string search_lines(const Json& fields, const std::string& unit) {
   if (fields.contains("bound")) {
     const double bound = fields["bound"].number();
     const double length = fields["lengthAfter"].number();
-    out += "  bound        " + protocol::json::number_text(bound) + unit;
+    out += "  bound        " + length_text(bound) + unit;
     if (fields["found"] != true) {
       out += fields["proved"] == true ? ", no layout, proved" : ", no layout so far";
     } else if (fields["proved"] == true) {
@@ -120,12 +113,13 @@ std::string json_line(const Json& fields, const protocol::execution::StageTimes&
   return protocol::json::to_text(line) + "\n";
 }
 
-std::string plain_summary(const Json& f, const protocol::execution::StageTimes& times, const Marker& marker) {
+std::string plain_summary(const Json& f, const protocol::execution::StageTimes& times, const Marker& marker,
+                          const Style& style) {
   const std::string unit = " " + marker.unit;
   const double before = f["lengthBefore"].number();
   const double after = f["lengthAfter"].number();
-  std::string out =
-      (marker.name.empty() ? "marker" : marker.name) + ": " + counted(f["pieces"].get<std::size_t>(), "piece") + "\n";
+  std::string out = style.strong(marker.name.empty() ? "marker" : marker.name) + ": " +
+                    counted(f["pieces"].get<std::size_t>(), "piece") + "\n";
   out += repair_line(f["healed"], unit);
   if (f.contains("at")) out += position_line(f, unit);
   if (f.contains("remaining")) out += separation_lines(f, unit);
@@ -138,15 +132,16 @@ std::string plain_summary(const Json& f, const protocol::execution::StageTimes& 
   if (f.contains("unplaced") && f["unplaced"].get<std::size_t>() > 0) {
     out += "  left over    " + counted(f["unplaced"].get<std::size_t>(), "piece") + "\n";
   }
-  out += "  length       " + protocol::json::number_text(before) + " -> " + protocol::json::number_text(after) + unit;
-  if (before > 0) out += "  (" + rounded(100 * (after / before - 1), 3) + " %)";
+  out += "  length       " + length_text(before) + " -> " + length_text(after) + unit;
+  if (before > 0)
+    out += "  (" + (after < before ? style.good(change_text(before, after)) : change_text(before, after)) + ")";
   out += "\n";
   out += "  utilisation  " + per_cent(f["utilisationBefore"].number()) + " -> " +
          per_cent(f["utilisationAfter"].number()) + "\n  ";
   if (f.contains("rounds")) {
     out += f["stop"].text() + " after " + counted(f["rounds"].get<std::size_t>(), "round") + ", ";
   }
-  out += rounded(times.total, 1) + " ms; " + (f["valid"] == true ? "valid" : "NOT VALID") + "\n";
+  out += rounded(times.total, 1) + " ms; " + (f["valid"] == true ? style.good("valid") : style.bad("NOT VALID")) + "\n";
   return out;
 }
 
@@ -154,8 +149,8 @@ std::string plain_figures(const Marker& marker) {
   const std::string unplaced =
       marker.unplaced.empty() ? "" : ", " + std::to_string(marker.unplaced.size()) + " unplaced";
   return (marker.name.empty() ? "marker" : marker.name) + ": " + counted(marker.pieces.size(), "piece") + unplaced +
-         ", length " + protocol::json::number_text(to_decimal(length_of(marker), marker.resolution)) + " " +
-         marker.unit + ", utilisation " + per_cent(utilisation_of(marker));
+         ", length " + length_text(to_decimal(length_of(marker), marker.resolution)) + " " + marker.unit +
+         ", utilisation " + per_cent(utilisation_of(marker));
 }
 
 std::string plain_violations(const Marker& marker, const Json& validity) {
@@ -177,9 +172,8 @@ std::string plain_violations(const Marker& marker, const Json& validity) {
 std::string plain_change(const Json& figures) {
   const std::string by = figures.value("by", "");
   return "revision " + protocol::json::to_text(figures["revision"]) + ": length " +
-         protocol::json::number_text(figures["length"].number()) + ", utilisation " +
-         per_cent(figures["utilisation"].number()) + ", " + (figures["valid"] == true ? "valid" : "NOT valid") +
-         (by.empty() ? "" : "; " + by);
+         length_text(figures["length"].number()) + ", utilisation " + per_cent(figures["utilisation"].number()) + ", " +
+         (figures["valid"] == true ? "valid" : "NOT valid") + (by.empty() ? "" : "; " + by);
 }
 
 }  // namespace selvage::cli::terminal

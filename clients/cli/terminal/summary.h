@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "clients/cli/terminal/style.h"
 #include "core/marker/validity.h"
 #include "core/minkowski/cache.h"
 #include "protocol/execution/stage_times.h"
@@ -16,7 +17,7 @@ namespace selvage::cli::terminal {
                                     const minkowski::CacheCounts& cache);
 // The same for people.  REQUIRES: `fields` is the result of a motion on `marker`.
 [[nodiscard]] std::string plain_summary(const Json& fields, const protocol::execution::StageTimes& times,
-                                        const Marker& marker);
+                                        const Marker& marker, const Style& style);
 
 // The figures of a marker: "jeans: 120 pieces, length 7238 mm, utilisation 80.79 %".
 [[nodiscard]] std::string plain_figures(const Marker& marker);
@@ -24,7 +25,7 @@ namespace selvage::cli::terminal {
 // marker.check.
 [[nodiscard]] std::string plain_violations(const Marker& marker, const Json& validity);
 
-// A revision of a watched marker: "revision 3: length 7174.72, utilisation 81.4991 %, valid; motion.compact".
+// A revision of a watched marker: "revision 3: length 7174.72, utilisation 81.50 %, valid; motion.compact".
 // REQUIRES: the fields of marker.changed; "by" may be absent.
 [[nodiscard]] std::string plain_change(const Json& figures);
 

@@ -1,6 +1,7 @@
 // motion.tilt: compaction with small tilts [Li94 6].
-#include "core/motion/tilting/tilt.h"
+#include <cmath>
 
+#include "core/motion/tilting/tilt.h"
 #include "protocol/calls/motion.h"
 
 namespace selvage::protocol::methods::motions {
@@ -55,9 +56,10 @@ Result<calls::Motion<TiltResult>> run(const TiltParams& params, const Marker& st
                                       const calls::MethodContext& context) {
   auto done = tilt(start, settings_of(params), context.run);
   if (!done) return done.error();
-  const TiltResult result{.length_compacted = to_decimal(done->length_compacted, start.resolution),
-                          .farthest_tilt = done->farthest_tilt.degrees,
-                          .rounds = {done->rounds, stop_cause(done->reason, context)}};
+  const TiltResult result{
+      .length_compacted = to_decimal(done->length_compacted, start.resolution),
+      .farthest_tilt = std::round(done->farthest_tilt.degrees * 1e9) / 1e9,  // without the noise of angles
+      .rounds = {done->rounds, stop_cause(done->reason, context)}};
   return calls::Motion<TiltResult>{{std::move(done->marker), done->repair}, result};
 }
 

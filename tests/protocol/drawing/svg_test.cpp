@@ -54,6 +54,24 @@ TEST(Svg, EscapesNames) {
   EXPECT_NE(svg.find("&lt;script&gt;&amp;&quot;"), std::string::npos);
 }
 
+TEST(Svg, IsAsWideAsItsCaption) {
+  Json document = test::native_squares();
+  document["name"] = std::string(200, 'n');
+  const std::string svg = to_svg(test::read(document).marker);
+  const double width = std::stod(svg.substr(svg.find("width=\"") + 7));
+  EXPECT_GT(width, 200 * 17 * 0.5);  // 17 pixels high, and half as wide
+}
+
+TEST(Svg, WritesLabelsAboveTheChain) {
+  const MarkerFile file = test::read(test::native_squares());
+  SvgOptions options;
+  options.overlay.chain.push_back({.x = 1, .y = 1, .from_x = 0, .from_y = 0, .to_x = 2, .to_y = 2, .worth = 1});
+  const std::string svg = to_svg(file.marker, options);
+  ASSERT_NE(svg.find("class=\"chain\""), std::string::npos);
+  EXPECT_LT(svg.rfind("class=\"chain\""), svg.find("<g class=\"over\">"));
+  EXPECT_LT(svg.find("<g class=\"over\">"), svg.find(">left</text>"));
+}
+
 TEST(LabelSpot, LiesInsideTheRoomiestPart) {
   // An L: the middle of its box is outside, the foot is wider than the stem.
   const Polygon l{{0, 0}, {1000, 0}, {1000, 300}, {100, 300}, {100, 1000}, {0, 1000}};
