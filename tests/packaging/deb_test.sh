@@ -58,7 +58,7 @@ grep -q valid "$folder/log" || fail "the program that was compiled: $(< "$folder
 inside apt-get remove -yq selvage selvaged libselvage-dev > "$folder/log" 2>&1 || fail "$(< "$folder/log")"
 [[ ! -e $root/usr/bin/selvage && ! -e $root/usr/bin/selvaged ]] || fail "programs are left after removal"
 grep -q '# changed' "$root/etc/selvage/selvaged.toml" || fail "removal has lost the configuration"
-inside apt-get purge -yq selvage selvaged libselvage-dev > "$folder/log" 2>&1 || fail "$(< "$folder/log")"
+inside apt-get purge -yq selvaged > "$folder/log" 2>&1 || fail "$(< "$folder/log")"
 [[ ! -e $root/etc/selvage ]] || fail "the configuration is left after purge"
 [[ -z $(find "$root/usr" "$root/lib" "$root/etc" -name '*selvage*' 2> /dev/null) ]] || fail "files are left after purge"
 echo "installed, used, removed"
