@@ -1,0 +1,31 @@
+// Included before every source: what the libc++ 16 of WebAssembly lacks.  It has no threads, so a mutex locks nothing;
+// and it compares vectors with < only.
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <vector>
+
+namespace std {
+
+struct mutex {
+  void lock() {}
+  void unlock() {}
+};
+template <class Mutex>
+struct lock_guard {
+  explicit lock_guard(Mutex&) {}
+};
+template <class Mutex>
+lock_guard(Mutex&) -> lock_guard<Mutex>;
+
+template <class T, class Allocator>
+constexpr auto operator<=>(const vector<T, Allocator>& a, const vector<T, Allocator>& b)
+    -> decltype(a.front() <=> b.front()) {
+  for (size_t k = 0; k < a.size() && k < b.size(); ++k) {
+    if (const auto order = a[k] <=> b[k]; order != 0) return order;
+  }
+  return a.size() <=> b.size();
+}
+
+}  // namespace std
