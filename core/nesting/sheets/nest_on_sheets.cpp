@@ -13,11 +13,12 @@
 namespace selvage::nesting::sheets {
 namespace {
 
-constexpr double kFirstPass = 0.5;     // part of the budget for the first filling of the sheets
-constexpr double kUsual = 0.8;         // part of a sheet that pieces usually cover
-constexpr double kTrial = 0.02;        // part of the budget for one exchange between sheets
-constexpr std::uint64_t kLeast = 200;  // moves of a filling, and three for each piece, whatever the budget
-constexpr std::size_t kFailures = 40;  // exchanges in a row that gain nothing, which end the search
+constexpr double kFirstPass = 0.5;           // part of the budget for the first filling of the sheets
+constexpr double kUsual = 0.8;               // part of a sheet that pieces usually cover
+constexpr double kTrial = 0.02;              // part of the budget for one exchange between sheets
+constexpr std::uint64_t kLeast = 200;        // moves of a filling, and three for each piece, whatever the budget
+constexpr std::size_t kMostOnSheet = 2'500;  // pieces; no more are offered to a sheet that has as many
+constexpr std::size_t kFailures = 40;        // exchanges in a row that gain nothing, which end the search
 
 using Indices = std::vector<std::size_t>;
 
@@ -119,10 +120,17 @@ class Driver {
         const double now = spent();
         const double sheets = std::max(1.0, std::ceil(area_of_all(left_) / (kUsual * sheets_[kind].area)));
         const double until = now + std::max(0.0, kFirstPass - now) / sheets;
-        const Filled done = fill_until({.kind = kind, .pieces = {}, .placed = {}}, candidates(), values_, until);
-        if (done.used.pieces.empty()) break;
-        left_ = without(left_, done.used.pieces);
-        used_.push_back(done.used);
+        UsedSheet used{.kind = kind, .pieces = {}, .placed = {}};
+        // While all that is offered finds room, more is offered.
+        for (bool room = true; room && !left_.empty() && used.pieces.size() < kMostOnSheet;) {
+          const Indices offered = candidates();
+          const std::size_t wanted = used.pieces.size() + offered.size();
+          used = fill_until(used, offered, values_, until).used;
+          room = used.pieces.size() == wanted;
+          left_ = without(left_, used.pieces);
+        }
+        if (used.pieces.empty()) break;
+        used_.push_back(std::move(used));
         ++used_of_[kind];
       }
     }
