@@ -96,6 +96,16 @@ class Mistakes(CliTest):
         self.assertIn("selvage separate", ran.stderr)
 
 
+class Defaults(CliTest):
+    def test_floating_needs_no_distance(self):
+        marker = self.write(squares((0, 0), (50, 0)))
+        floated = run("float", marker, "--json")
+        self.assertEqual(floated.returncode, OK, floated.stderr)
+        hundredth = run("float", marker, "--distance", "1", "--json")  # of the width
+        drop = ("ms", "cache")
+        self.assertEqual(*({k: v for k, v in json.loads(ran.stdout).items() if k not in drop} for ran in (floated, hundredth)))
+
+
 class Call(CliTest):
     def test_takes_parameters_as_they_stand(self):
         marker = self.write(squares((0, 0), (50, 0)))

@@ -1877,8 +1877,6 @@ export interface Methods {
     params: {
       /** The marker's id. */
       markerId: string;
-      /** Wider gaps count as this wide; with given_distance, the target gap. 1e-9 to 1e9. */
-      distance: number;
       /** Refuse the call when the marker is at another revision. */
       baseRev?: number;
       /** False: return the result, but leave the marker as it is. */
@@ -1891,6 +1889,8 @@ export interface Methods {
       deadlineMs?: number;
       /** Progress notifications, one after each round, carry this token. */
       progressToken?: ProgressToken;
+      /** Wider gaps count as this wide; with given_distance, the target gap. 1e-9 to 1e9; a hundredth of the strip's width when absent. */
+      distance?: number;
       /** The objective; largest_minimum when absent. */
       mode?: FloatMode;
       /** Whether gaps to the strip's edges count too. */

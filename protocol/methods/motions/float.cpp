@@ -9,18 +9,21 @@ namespace selvage::protocol::methods::motions {
 namespace {
 
 constexpr schema::Limits kDistances{.range = {{1e-9, 1e9}}};  // in the marker's unit; the lattice may allow less
+constexpr double kStandardGap = 0.01;                         // of the strip's width
 
 struct FloatParams {
   calls::CommonParams call;
-  double distance{};
+  std::optional<double> distance;
   motion::floating::FloatMode mode{};
   bool edges{};
   std::optional<int> rounds;
 
   static void describe(auto& v, auto& self) {
     v.part(self.call);
-    v.required("distance", self.distance,
-               "Wider gaps count as this wide; with given_distance, the target gap. 1e-9 to 1e9.", kDistances);
+    v.optional("distance", self.distance,
+               "Wider gaps count as this wide; with given_distance, the target gap. 1e-9 to 1e9; a hundredth of the "
+               "strip's width when absent.",
+               kDistances);
     v.optional("mode", self.mode, "The objective; largest_minimum when absent.");
     v.optional("edges", self.edges, "Whether gaps to the strip's edges count too.");
     v.optional("rounds", self.rounds, calls::Effort::kRoundsMeaning, calls::kRoundLimits);
@@ -110,11 +113,11 @@ std::vector<CriticalSet> critical_of(const Marker& marker, const std::vector<mot
 
 Result<calls::Motion<FloatResult>> run(const FloatParams& params, const Marker& start,
                                        const calls::MethodContext& context) {
-  if (!fits_lattice(params.distance, start.resolution)) {
-    return Error{ErrorCode::kOutOfRange, json::number_text(params.distance) + " is beyond the marker's lattice",
-                 "/distance"};
+  const double wanted = params.distance.value_or(kStandardGap * to_decimal(start.strip.width, start.resolution));
+  if (!fits_lattice(wanted, start.resolution)) {
+    return Error{ErrorCode::kOutOfRange, json::number_text(wanted) + " is beyond the marker's lattice", "/distance"};
   }
-  const Coord distance = std::max(to_lattice(params.distance, start.resolution), Coord{1});
+  const Coord distance = std::max(to_lattice(wanted, start.resolution), Coord{1});
   motion::floating::FloatSettings settings = float_settings(params.mode, distance);
   settings.edges = params.edges;
   settings.rounds = params.rounds.value_or(settings.rounds);

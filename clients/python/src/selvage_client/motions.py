@@ -452,8 +452,8 @@ class AsyncMotions:
 
     async def float_apart(
         self,
-        distance: float,
         *,
+        distance: float | None = None,
         mode: FloatMode | None = None,
         edges: bool | None = None,
         rounds: int | None = None,
