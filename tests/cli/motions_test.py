@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The motions: what they print, write and return.  usage: motions_test.py SELVAGE"""
 import json
+import re
 import signal
 import subprocess
 import unittest
@@ -33,6 +34,34 @@ class Compact(CliTest):
         self.assertEqual(json.loads(ran.stdout)["stop"], "deadline")
         self.assertEqual(run("check", self.path("out.json")).returncode, OK)
         self.assertEqual(run("compact", MARKERS / "jeans_06g.json", "--time", "0").returncode, BAD_USAGE)
+
+    # What each motion needs besides the marker.
+    ARGUMENTS = {
+        "push": ("--forces", '[{"piece":"p0","force":[1,0]}]'), "gravity": ("--force", "-1,-1"),
+        "bump": ("--piece", "p0", "--direction=-1,0"), "place": ("--piece", "p0", "--to", "30,30"),
+        "align": ("--pieces", '["p0","p1"]', "--side", "left"), "relax": ("--piece", "p0"),
+        "open-gap": ("--point", "500,500"), "tilt": ("--limit", "2"), "float": ("--distance", "5"),
+        "contain": ("--pieces", '["p0"]', "--room", "[[0,0],[3000,500]]"),
+    }
+
+    def test_every_motion_ends_when_its_time_is_up(self):
+        document = squares(*((x * 111, y * 97) for x in range(20) for y in range(10)))
+        document["strip"]["width"] = 1000
+        marker = self.write(document)
+        description = json.loads((MARKERS.parents[1] / "protocol" / "openrpc.json").read_text())
+        motions = [m["name"] for m in description["methods"] if m["name"].startswith("motion.")]
+        self.assertGreater(len(motions), 15)
+        for name in motions:
+            command = re.sub("[A-Z]", lambda capital: "-" + capital[0].lower(), name.removeprefix("motion."))
+            with self.subTest(command):
+                ran = run(command, marker, *self.ARGUMENTS.get(command, ()), "--time", "0.001", "--json")
+                self.assertIn(ran.returncode, (OK, REFUSED), ran.stderr)
+                if ran.returncode == OK:
+                    line = json.loads(ran.stdout)
+                    self.assertIs(line["valid"], True)
+                    # A motion of a single step may be done sooner.
+                    self.assertIn(line.get("stop", "deadline"), ("deadline", "converged"), ran.stdout)
+                    self.assertLessEqual(line.get("rounds", 0), 2)
 
     def test_an_empty_server_is_not_this_process(self):
         self.assertNotEqual(run("compact", MARKERS / "jeans_06g.json", "--server", "").returncode, OK)
