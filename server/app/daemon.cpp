@@ -2,17 +2,14 @@
 
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
-#include <array>
 #include <exception>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "server/app/authentication.h"
+#include "server/memory/weights.h"
 #include "server/methods/method_groups.h"
-#include "server/ops/process_metrics.h"
-#include "server/ops/version.h"
 #include "server/room/room.h"
 #include "server/store/disk/schema.h"
 
@@ -39,27 +36,49 @@ std::unique_ptr<store::Journal> open_journal(const Options& options) {
 
 Daemon::Daemon(const Options& options, protocol::methods::MethodTable methods)
     : drain_time_{options.drain},
-      traffic_{std::make_shared<transport::access::ByteAccount>(options.limits.transport.traffic_bytes)},
-      journal_{open_journal(options)},
-      backend_{backend_settings(options, std::move(methods))},
-      transport_{listening_for(options), options.limits.transport, service(options)} {}
+      traffic_{std::make_shared<memory::ByteAccount>(options.limits.transport.traffic_bytes)},
+      on_answered_{[this](const ops::AnsweredRequest& request) {
+        metrics_.count(request);
+        log_request(request);
+      }},
+      body_bytes_{options.limits.transport.body_bytes},
+      transport_{listening_for(options), options.limits.transport, service(options)} {
+  std::packaged_task<void()> loading{
+      [this, options, held = std::move(methods)]() mutable { load(options, std::move(held)); }};
+  loaded_ = loading.get_future().share();
+  if (!options.store.empty()) {
+    loading_ = std::jthread{std::move(loading)};
+  } else {
+    loading();
+    loaded_.get();
+  }
+}
+
+void Daemon::load(const Options& options, protocol::methods::MethodTable methods) {
+  journal_ = open_journal(options);
+  backend_ = std::make_unique<dispatch::Backend>(backend_settings(options, std::move(methods)));
+  loaded_backend_ = backend_.get();
+}
+
+void Daemon::wait_until_loaded() {
+  loaded_.get();
+}
 
 dispatch::BackendSettings Daemon::backend_settings(const Options& options, protocol::methods::MethodTable methods) {
   return {.workers = options.workers,
-          .cache_bytes = options.cache_mb << 20,
+          .cache_bytes = options.cache_bytes,
           .limits = options.limits,
           .journal = journal_.get(),
           .methods = std::move(methods),
-          .on_answered = [this](const ops::AnsweredRequest& request) {
-            metrics_.count(request);
-            log_request(request);
-          }};
+          .on_answered = on_answered_};
 }
 
 transport::access::Service Daemon::service(const Options& options) {
   return {
       .call = [this](std::string message, const std::shared_ptr<transport::access::Session>& session,
                      transport::access::Reply reply) { call(std::move(message), session, std::move(reply)); },
+      .weigh = memory::bytes_to_read,
+      .loading = [this] { return backend() == nullptr; },
       .health = [] { return std::string{"{\"status\":\"ok\"}"}; },
       .ready = [this] { return why_not_ready(); },
       .metrics = [this] { return metrics_text(); },
@@ -77,7 +96,12 @@ transport::access::Service Daemon::service(const Options& options) {
 
 void Daemon::call(std::string message, const std::shared_ptr<transport::access::Session>& session,
                   transport::access::Reply reply) {
-  backend_.receive(std::move(message), session, std::move(reply));
+  if (dispatch::Backend* const ready = backend()) return ready->receive(std::move(message), session, std::move(reply));
+  constexpr int kRetryMs = 500;
+  reply(dispatch::refusal_text(
+      message, body_bytes_, session,
+      {protocol::rpc::RpcCode::kBusy, "the server is loading its markers", Json{{"retryAfterMs", kRetryMs}}},
+      on_answered_));
 }
 
 void Daemon::log_refusal(transport::access::Refusal refusal, const std::string& peer) {
@@ -87,79 +111,8 @@ void Daemon::log_refusal(transport::access::Refusal refusal, const std::string& 
 
 std::string Daemon::why_not_ready() const {
   if (draining_) return "shutting down";
-  return backend_.why_not_ready();
-}
-
-std::string Daemon::metrics_text() const {
-  const auto value = [](auto count) { return static_cast<double>(count); };
-  const minkowski::CacheCounts sums = backend_.sums().counts();
-  const dispatch::WorkQueues& queues = backend_.queues();
-  const transport::access::TransportCounts& open = *connections_;
-  using enum ops::Metric::Type;
-  const std::array kNow{
-      ops::Metric{"selvage_open_markers", kGauge, "Open markers.", "", {{"", value(backend_.store().count())}}},
-      ops::Metric{"selvage_quarantined_markers",
-                  kGauge,
-                  "Markers that are damaged in the store and can only be closed.",
-                  "",
-                  {{"", value(backend_.store().quarantined())}}},
-      ops::Metric{"selvage_open_calls", kGauge, "Calls in progress.", "", {{"", value(backend_.open_calls())}}},
-      ops::Metric{"selvage_jobs_waiting",
-                  kGauge,
-                  "Jobs that wait in a queue.",
-                  "queue",
-                  {{"motions", value(queues.motions.waiting())},
-                   {"parsing", value(queues.parsing.waiting())},
-                   {"reads", value(queues.reads.waiting())},
-                   {"hands", value(queues.drags.waiting())}}},
-      ops::Metric{"selvage_jobs_running",
-                  kGauge,
-                  "Jobs that workers execute.",
-                  "queue",
-                  {{"motions", value(queues.motions.running())},
-                   {"parsing", value(queues.parsing.running())},
-                   {"reads", value(queues.reads.running())},
-                   {"hands", value(queues.drags.running())}}},
-      ops::Metric{"selvage_traffic_bytes",
-                  kGauge,
-                  "Requests that are received or answered, and answers not yet sent.",
-                  "",
-                  {{"", value(traffic_->held())}}},
-      ops::Metric{"selvage_open_connections",
-                  kGauge,
-                  "Open connections, by protocol.",
-                  "speaks",
-                  {{"http", value(open.http.load())},
-                   {"lines", value(open.lines.load())},
-                   {"websocket", value(open.websockets.load())}}},
-      ops::Metric{"selvage_connections_total",
-                  kCounter,
-                  "Connections since the start, by whether they were accepted.",
-                  "outcome",
-                  {{"accepted", value(open.accepted.load())}, {"turned_away", value(open.turned_away.load())}}},
-      ops::Metric{"selvage_log_lines_dropped_total",
-                  kCounter,
-                  "Lines of the log that could not be written, or not soon enough.",
-                  "",
-                  {{"", value(ops::dropped_log_lines())}}},
-      ops::Metric{"selvage_sums_total",
-                  kCounter,
-                  "Minkowski sums requested, by whether the cache had them.",
-                  "outcome",
-                  {{"hit", value(sums.hits)}, {"miss", value(sums.misses)}}},
-      ops::Metric{"selvage_sums_bytes", kGauge, "Memory of the cached sums.", "", {{"", value(sums.bytes)}}},
-  };
-  ops::Metric refused{
-      "selvage_refused_total", kCounter, "Connections and requests refused because of their caller.", "reason", {}};
-  for (std::size_t k = 0; k < open.refused.size(); ++k) {
-    refused.values.push_back({transport::access::kRefusals.at(k), value(open.refused.at(k).load())});
-  }
-  std::string text = metrics_.text() + metric_text(refused);
-  text += ops::metric_text(
-      {"selvage_build_info", kGauge, "The version of the program; always 1.", "version", {{ops::kVersion, 1}}});
-  for (const ops::Metric& metric : ops::process_metrics()) text += metric_text(metric);
-  for (const ops::Metric& metric : kNow) text += metric_text(metric);
-  return text;
+  const dispatch::Backend* const ready = backend();
+  return ready ? ready->why_not_ready() : "loading the markers of the store";
 }
 
 Daemon::~Daemon() {
@@ -179,7 +132,8 @@ void Daemon::reload(const Options& options) {
 void Daemon::drain() {
   draining_ = true;
   transport_.stop_reading();
-  backend_.queues().drain();
+  if (loading_.joinable()) loading_.join();
+  if (backend_) backend_->queues().drain();
   transport_.finish(drain_time_);
 }
 

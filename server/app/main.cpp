@@ -97,6 +97,7 @@ class DrainWatchdog {
 int serve(const Options& options) {
   const sigset_t signals = block_signals();
   Daemon daemon{options};
+  daemon.wait_until_loaded();
   if (!options.port_file.empty()) write_ports(options.port_file, daemon);
   for (const transport::access::Listener& listener : daemon.listeners()) {
     std::cout << "listening on " << name_of(listener) << std::endl;
@@ -147,6 +148,7 @@ Value or_throw(Result<Value> result, const std::string& about) {
 
 int replay_file(const Options& options) {
   Daemon daemon{options};
+  daemon.wait_until_loaded();
   const Replay replayed = or_throw(replay(daemon, text_of_file(options.replay_file)), options.replay_file);
   for (const std::string& answer : replayed.answers) std::cout << answer << '\n';
   if (!options.replay_svg.empty()) {

@@ -11,6 +11,7 @@
 
 #include "server/app/addresses.h"
 #include "server/app/authentication.h"
+#include "server/memory/budget.h"
 #include "server/ops/version.h"
 
 namespace selvage::server::app {
@@ -23,8 +24,8 @@ struct RawOptions {
   transport::access::TlsFiles tls;
   bool behind_proxy{}, no_token{}, check_config{}, verify_store{};
   std::string listen_health;
-  std::size_t body_mb{}, traffic_mb{};
-  std::optional<std::size_t> connections_per_address;
+  std::size_t body_mb{}, memory_mb{2048};
+  std::optional<std::size_t> cache_mb, traffic_mb, connections_per_address;
   std::int64_t call_seconds{}, drain_seconds{};
   std::string durability{"full"};
   std::string log_format{"text"};
@@ -61,16 +62,20 @@ void declare_work(CLI::App& app, Options& options, RawOptions& raw) {
   app.add_option("--workers", options.workers, "Threads for motions; 0 executes them on the I/O thread, for tests")
       ->check(CLI::Range(0, 256))
       ->capture_default_str();
-  app.add_option("--cache-mb", options.cache_mb, "Memory for Minkowski sums, in MiB")
-      ->check(CLI::Range(1, 1 << 20))
+  app.add_option("--memory", raw.memory_mb,
+                 "Memory in MiB for all that clients can make grow, and for the program itself: sums, requests and "
+                 "answers, and with the rest markers, their histories and the answers kept for retries")
+      ->check(CLI::Range(64, 1 << 24))
       ->capture_default_str();
+  app.add_option("--cache-mb", raw.cache_mb, "Of it for Minkowski sums, in MiB; without it an eighth, at most 256")
+      ->check(CLI::Range(1, 1 << 20));
   app.add_option("--max-body-mb", raw.body_mb, "The largest request, in MiB")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   app.add_option("--traffic-mb", raw.traffic_mb,
-                 "Memory for requests that are received or answered, and for answers not yet sent, in MiB")
-      ->check(CLI::Range(1, 1 << 20))
-      ->capture_default_str();
+                 "Of the --memory for requests that are received or answered, and for answers not yet sent, in MiB; "
+                 "without it a quarter, at most 512")
+      ->check(CLI::Range(1, 1 << 20));
   app.add_option("--max-connections", options.limits.transport.connections, "Connections open at the same time")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
@@ -170,11 +175,24 @@ OptionError check_exposure(const RawOptions& raw, const Options& options) {
   return std::nullopt;
 }
 
+OptionError divide_memory(const RawOptions& raw, Options& options) {
+  const auto bytes = [](const std::optional<std::size_t>& mb) { return mb ? std::optional{*mb << 20} : std::nullopt; };
+  const auto budget = memory::divided(raw.memory_mb << 20, bytes(raw.cache_mb), bytes(raw.traffic_mb));
+  if (!budget) {
+    return "--memory " + std::to_string(raw.memory_mb) +
+           ": sums, requests and answers (--cache-mb, --traffic-mb) leave too little of it for markers";
+  }
+  options.cache_bytes = budget->sums;
+  options.limits.transport.traffic_bytes = budget->traffic;
+  options.limits.markers_bytes = budget->markers;
+  return std::nullopt;
+}
+
 OptionError convert(const RawOptions& raw, Options& options) {
   if (auto error = read_listeners(raw, options)) return error;
   if (auto error = check_exposure(raw, options)) return error;
+  if (auto error = divide_memory(raw, options)) return error;
   options.limits.transport.body_bytes = raw.body_mb << 20;
-  options.limits.transport.traffic_bytes = raw.traffic_mb << 20;
   const std::size_t connections = options.limits.transport.connections;
   // Behind a proxy all connections have the proxy's address.
   options.limits.transport.connections_per_address =
@@ -208,7 +226,6 @@ std::variant<Options, EarlyExit> parse_options(int argc, const char* const* argv
   options.workers = std::max(1U, std::thread::hardware_concurrency());
   RawOptions raw;
   raw.body_mb = options.limits.transport.body_bytes >> 20;
-  raw.traffic_mb = options.limits.transport.traffic_bytes >> 20;
   raw.call_seconds = std::chrono::duration_cast<std::chrono::seconds>(options.limits.call).count();
   raw.drain_seconds = options.drain.count();
 

@@ -33,10 +33,10 @@ struct Options {
   transport::access::Access access;
   std::string token_file;  // where the token is read again on SIGHUP; empty: there is none
   std::optional<transport::access::TlsFiles> tls;
-  std::string port_file;      // receives the actual ports, one per line; empty: none
-  std::size_t workers{};      // for motions; 0: inline, on the I/O thread (for tests)
-  std::size_t cache_mb{256};  // for Minkowski sums
-  std::string store;          // the journal's file; empty: markers live in memory only
+  std::string port_file;                            // receives the actual ports, one per line; empty: none
+  std::size_t workers{};                            // for motions; 0: inline, on the I/O thread (for tests)
+  std::size_t cache_bytes{std::size_t{256} << 20};  // for Minkowski sums
+  std::string store;                                // the journal's file; empty: markers live in memory only
   store::Durability durability{};
   ops::LogSettings log;
   std::chrono::seconds drain{10};  // the longest time from the signal to the end

@@ -15,7 +15,22 @@ namespace selvage::server::calls {
 using protocol::calls::abandoned;
 using protocol::calls::revision_mismatch;
 
+// The answer to a call that would need more memory for markers than there is.
+inline protocol::rpc::RpcError no_room(const store::MarkerStore& store) {
+  const std::size_t limit = store.room().account->limit();
+  return {protocol::rpc::RpcCode::kLimit,
+          "no memory is left for markers, their histories and the answers kept for retries: the limit is " +
+              std::to_string(limit) + " bytes; close markers, or try again later",
+          Json{{"limit", limit}}};
+}
+inline protocol::rpc::RpcError marker_too_large(const store::MarkerStore& store) {
+  const std::size_t limit = store.room().marker_bytes;
+  return {protocol::rpc::RpcCode::kLimit,
+          "the marker would take more than " + std::to_string(limit) + " bytes of memory", Json{{"limit", limit}}};
+}
+// The answer to a call about a marker that cannot be used.
 inline protocol::rpc::RpcError unknown_marker(const store::MarkerStore& store, const std::string& id) {
+  if (store.is_open(id)) return no_room(store);  // it could not be read from the journal
   const std::string damage = store.quarantine(id);
   if (damage.empty()) return protocol::calls::not_open(id);
   return {protocol::rpc::RpcCode::kUnknownMarker,

@@ -9,7 +9,8 @@
 namespace selvage::server::calls {
 
 struct Limits {
-  std::size_t open_markers{1000};
+  std::size_t markers_bytes{std::size_t{1232} << 20};  // of all markers, with their histories and kept answers
+  std::size_t marker_bytes{std::size_t{256} << 20};    // of one marker, without these
   // Calls that wait in a queue; those that are being executed do not count.
   std::size_t waiting_motions{64};
   std::size_t waiting_reads{256};

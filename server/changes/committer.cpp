@@ -60,6 +60,8 @@ calls::Outcome Committer::commit(ReadyChange change, calls::OpenCall& call) {
   switch (commit.outcome) {
     case store::Commit::Outcome::kClosed: return calls::unknown_marker(store_, change.marker_id);
     case store::Commit::Outcome::kMismatch: return calls::revision_mismatch(change.marker_id, base, commit.revision);
+    case store::Commit::Outcome::kTooLarge: return calls::marker_too_large(store_);
+    case store::Commit::Outcome::kNoRoom: return calls::no_room(store_);
     case store::Commit::Outcome::kNotWritten: return calls::not_written();
     case store::Commit::Outcome::kDone: break;
   }
@@ -71,7 +73,11 @@ calls::Outcome Committer::keep_unchanged(std::string_view method, const std::str
                                          const calls::OpenCall& call) {
   if (!op_id) return result;
   const auto text = std::make_shared<const std::string>(protocol::json::to_text(result));
-  if (!store_.keep(marker_id, kept_answer(*op_id, method, text, call))) return calls::not_written();
+  switch (store_.keep(marker_id, kept_answer(*op_id, method, text, call))) {
+    case store::Kept::kNoRoom: return calls::no_room(store_);
+    case store::Kept::kNotWritten: return calls::not_written();
+    case store::Kept::kDone: break;
+  }
   return text;
 }
 

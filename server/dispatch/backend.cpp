@@ -14,7 +14,7 @@ constexpr jobs::JobQueue::Milliseconds kLongestQuickWait{1000};  // for a worker
 Backend::Backend(BackendSettings settings)
     : limits_{settings.limits},
       sums_{settings.cache_bytes},
-      store_{limits_.open_markers, settings.journal},
+      store_{{std::make_shared<memory::ByteAccount>(limits_.markers_bytes), limits_.marker_bytes}, settings.journal},
       methods_{settings.methods},
       executor_{std::max<std::size_t>(settings.workers, 1) - 1,
                 [this, cores = settings.workers] { return idle_cores(cores); }},

@@ -30,12 +30,6 @@ protocol::rpc::RpcError internal_error() {
   return {protocol::rpc::RpcCode::kInternalError, "internal error; the server's log has the details", {}};
 }
 
-protocol::rpc::RpcError batch_full(std::size_t most_bytes) {
-  return {protocol::rpc::RpcCode::kLimit,
-          "the answers of this batch have reached the memory that is left for them; send the call again, by itself",
-          Json{{"limit", most_bytes}}};
-}
-
 // How long the call may take: as long as it asks for and, if it may take long, no longer than the limit.
 std::optional<Duration> time_limit(const ParsedCall& call, std::chrono::milliseconds limit) {
   std::optional<Duration> time;
@@ -104,9 +98,10 @@ void Dispatcher::execute_next(const std::shared_ptr<Exchange>& exchange) {
     const protocol::rpc::Call& call = calls[exchange->calls_done++];
     if (const auto* request = std::get_if<protocol::rpc::Request>(&call)) {
       exchange->marker_id.clear();
+      exchange->only_read = false;
       const std::size_t most_bytes = server_.limits.transport.backlog_bytes;
       if (exchange->is_full(most_bytes)) {
-        exchange->add_answer(*request, batch_full(most_bytes));
+        exchange->add_answer(*request, no_room_for_answer(most_bytes));
         continue;
       }
       const auto answered = [this, exchange, request](calls::Outcome outcome) {
@@ -146,7 +141,7 @@ void Dispatcher::start(const std::shared_ptr<Exchange>& exchange, const protocol
   const std::int64_t sum = parsed->about.op_id ? calls::params_checksum(request.params) : 0;
   const auto call = std::make_shared<calls::OpenCall>(exchange->session, std::move(reply), sum);
   if (request.id) calls_.add(*request.id, call);
-  schedule(*std::move(parsed), row->handle, exchange, call);
+  schedule(*std::move(parsed), *row, exchange, call);
 }
 
 void Dispatcher::set_deadline(const std::shared_ptr<Exchange>& exchange, const std::shared_ptr<calls::OpenCall>& call,
@@ -159,16 +154,18 @@ void Dispatcher::set_deadline(const std::shared_ptr<Exchange>& exchange, const s
   calls::OpenCall::set_deadline(call, clock_, time, if_waiting);
 }
 
-void Dispatcher::schedule(ParsedCall parsed, const methods::Handler& handle, const std::shared_ptr<Exchange>& exchange,
-                          const std::shared_ptr<calls::OpenCall>& call) {
+void Dispatcher::schedule(ParsedCall parsed, const methods::HandlerTable::Row& row,
+                          const std::shared_ptr<Exchange>& exchange, const std::shared_ptr<calls::OpenCall>& call) {
   const MethodKind kind = parsed.kind;
   // Drag sessions have a queue of their own.
-  if (kind == MethodKind::kImmediate || kind == MethodKind::kDrag) return handle(std::move(parsed), server_, call);
-  const bool small = exchange->bytes <= kLargeMessage;
+  if (kind == MethodKind::kImmediate || kind == MethodKind::kDrag) return row.handle(std::move(parsed), server_, call);
+  const bool uses_file = row.file_use != methods::FileUse::kNone;
+  exchange->only_read = (kind == MethodKind::kRead || kind == MethodKind::kAnalysis) && !uses_file;
+  const bool small = exchange->bytes <= kLargeMessage && row.file_use != methods::FileUse::kCopies;
   const bool quick = small && (kind == MethodKind::kStep ||
                                (kind == MethodKind::kRead && !is_large(server_.store, parsed.about.marker_id)));
   const bool is_change = kind == MethodKind::kStep || kind == MethodKind::kMotion;
-  jobs::JobQueue& queue = is_change ? queues_.motions : queues_.reads;
+  jobs::JobQueue& queue = is_change ? queues_.motions : uses_file ? queues_.openings : queues_.reads;
   std::string lane = parsed.lane();
   std::optional<jobs::DeadlineClock::Time> deadline;
   if (const auto time = time_limit(parsed, server_.limits.call)) {
@@ -176,18 +173,18 @@ void Dispatcher::schedule(ParsedCall parsed, const methods::Handler& handle, con
     deadline = (exchange->incoming.batch ? clock_.now() : exchange->arrived) + *time;
     set_deadline(exchange, call, queue, *deadline);
   }
-  jobs::Job job{.session = exchange->session->id,
-                .lane = std::move(lane),
-                .quick = quick,
-                .deadline = deadline,
-                .caller = call->stop(),
-                .work = jobs::Work{[this, exchange, &handle, held = std::move(parsed),
-                                    call](const std::stop_token& stop) mutable {
-                  if (!call->begin()) return;  // it was cancelled, or refused at its deadline
-                  const std::stop_callback on_drain{stop, [&call] { call->drain(); }};
-                  handle(std::move(held), server_, call);
-                }},
-                .ending = call->ending()};
+  jobs::Job job{
+      .session = exchange->session->id,
+      .lane = std::move(lane),
+      .quick = quick,
+      .deadline = deadline,
+      .caller = call->stop(),
+      .work = jobs::Work{[this, exchange, &row, held = std::move(parsed), call](const std::stop_token& stop) mutable {
+        if (!call->begin()) return;  // it was cancelled, or refused at its deadline
+        const std::stop_callback on_drain{stop, [&call] { call->drain(); }};
+        row.handle(std::move(held), server_, call);
+      }},
+      .ending = call->ending()};
   const jobs::Admission admission = queue.submit(job);
   if (admission != jobs::Admission::kAccepted) call->answer(calls::not_admitted(admission, queue, kBusy));
 }

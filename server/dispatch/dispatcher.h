@@ -46,7 +46,7 @@ class Dispatcher {
              jobs::ReplyOnce<calls::Outcome> reply);
   void set_deadline(const std::shared_ptr<Exchange>& exchange, const std::shared_ptr<calls::OpenCall>& call,
                     jobs::JobQueue& queue, jobs::DeadlineClock::Time time);
-  void schedule(protocol::calls::ParsedCall parsed, const methods::Handler& handle,
+  void schedule(protocol::calls::ParsedCall parsed, const methods::HandlerTable::Row& row,
                 const std::shared_ptr<Exchange>& exchange, const std::shared_ptr<calls::OpenCall>& call);
   [[nodiscard]] calls::Outcome cancel(const Json& params, std::uint64_t session);
 

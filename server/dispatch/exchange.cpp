@@ -2,8 +2,12 @@
 
 #include <utility>
 
+#include "protocol/rpc/verbatim_ids.h"
+
 namespace selvage::server::dispatch {
 namespace {
+
+constexpr std::size_t kSmallAnswer = std::size_t{64} << 10;  // bytes, for which there is always room
 
 // The marker that a call has opened.
 std::string opened_marker(const Json& result) {
@@ -52,7 +56,14 @@ void Exchange::add_answer(const protocol::rpc::Request& request, calls::Outcome 
   }
   if (request.id) {
     const std::string id = ids.empty() ? std::string{} : ids[calls_done - 1];
-    answers.push_back(with_id(answer_text(id.empty() ? *request.id : Json(), std::move(outcome)), id));
+    const auto written = [&](calls::Outcome ended) {
+      return with_id(answer_text(id.empty() ? *request.id : Json(), std::move(ended)), id);
+    };
+    answers.push_back(written(std::move(outcome)));
+    if (only_read && !has_room_for(answers.back().size())) {
+      answers.back() = written(no_room_for_answer(session->account->limit()));
+      line.code = static_cast<int>(protocol::rpc::RpcCode::kLimit);
+    }
     line.bytes_out = answers.back().size();
     held.add(line.bytes_out);
   }
@@ -71,6 +82,11 @@ void Exchange::add_refusal(const protocol::rpc::BadRequest& bad) {
                .session = session->id});
 }
 
+bool Exchange::has_room_for(std::size_t answer_bytes) const {
+  const auto& account = session->account;
+  return answer_bytes <= kSmallAnswer || !account || account->has_room(account->beside_reserve(answer_bytes));
+}
+
 std::string Exchange::text() {
   if (answers.empty()) return {};
   if (!incoming.batch) return std::move(answers.front());
@@ -85,7 +101,38 @@ std::string Exchange::text() {
 
 bool Exchange::is_full(std::size_t most_bytes) const {
   if (!incoming.batch || answers.empty()) return false;
-  return bytes_of(answers) >= most_bytes || (session->account && !session->account->has_room());
+  return bytes_of(answers) >= most_bytes ||
+         (session->account && !session->account->has_room(session->account->beside_reserve(1)));
+}
+
+std::string refusal_text(std::string_view message, std::size_t most_bytes,
+                         const std::shared_ptr<transport::access::Session>& session,
+                         const protocol::rpc::RpcError& error, const ops::OnAnswered& on_answered) {
+  protocol::rpc::Incoming incoming = protocol::rpc::parse_incoming(message, most_bytes);
+  std::vector<std::string> ids;
+  if (has_inexact_ids(incoming)) ids = verbatim_ids(message, incoming);
+  Exchange exchange{.freed = ops::FreedMemory{message.size()},
+                    .incoming = std::move(incoming),
+                    .bytes = message.size(),
+                    .session = session,
+                    .reply = {nullptr, {}},
+                    .on_answered = on_answered,
+                    .ids = std::move(ids)};
+  while (exchange.calls_done < exchange.incoming.calls.size()) {
+    const protocol::rpc::Call& call = exchange.incoming.calls[exchange.calls_done++];
+    if (const auto* request = std::get_if<protocol::rpc::Request>(&call)) {
+      exchange.add_answer(*request, error);
+    } else {
+      exchange.add_refusal(std::get<protocol::rpc::BadRequest>(call));
+    }
+  }
+  return exchange.text();
+}
+
+protocol::rpc::RpcError no_room_for_answer(std::size_t limit) {
+  return {protocol::rpc::RpcCode::kLimit,
+          "the answers in progress have reached the memory that there is for them; send the call again, by itself",
+          Json{{"limit", limit}}};
 }
 
 std::string error_text(const protocol::rpc::RpcError& error) {

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "protocol/rpc/json_rpc.h"
@@ -32,20 +33,29 @@ struct Exchange {
   Clock::time_point began{Clock::now()};
   std::size_t calls_done{};
   bool continue_on_worker{};       // the current call was answered on a thread that must not execute the next one
+  bool only_read{};                // the current call changed nothing, so it can be sent again
   std::string marker_id{};         // the marker that the current call is about; empty: none or unknown
   std::vector<std::string> ids{};  // of the calls, where they are numbers that no double holds (verbatim_ids.h)
   std::vector<std::string> answers{};
-  transport::access::HeldBytes held{session->account};  // of the answers
+  memory::HeldBytes held{session->account};  // of the answers
 
-  // Adds the answer to the current call, unless that is a notification, and reports it.
+  // Adds the answer to the current call, unless that is a notification, and reports it.  A large one for which there is
+  // no room is replaced by an error if the call can be sent again.
   void add_answer(const protocol::rpc::Request& request, calls::Outcome outcome);
   void add_refusal(const protocol::rpc::BadRequest& bad);
   // Whether the answers of a batch are so many bytes that its remaining calls are to be refused.
   [[nodiscard]] bool is_full(std::size_t most_bytes) const;
+  // There is always room for a small answer.
+  [[nodiscard]] bool has_room_for(std::size_t answer_bytes) const;
   // All answers as one text; empty if every call was a notification.
   [[nodiscard]] std::string text();
 };
 
+[[nodiscard]] protocol::rpc::RpcError no_room_for_answer(std::size_t limit);
+// The answer to a message whose calls are all refused with this error; empty if every call was a notification.
+[[nodiscard]] std::string refusal_text(std::string_view message, std::size_t most_bytes,
+                                       const std::shared_ptr<transport::access::Session>& session,
+                                       const protocol::rpc::RpcError& error, const ops::OnAnswered& on_answered);
 // An error that answers a whole message, as text.
 [[nodiscard]] std::string error_text(const protocol::rpc::RpcError& error);
 

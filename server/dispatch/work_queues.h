@@ -24,7 +24,8 @@ struct WorkQueues {
 
   jobs::JobQueue parsing;  // of large messages, so that no read waits behind one
   jobs::JobQueue reads;
-  jobs::JobQueue motions;  // and the other changes of markers
+  jobs::JobQueue openings;  // and closings and copies of the store: what waits for the disk, so that no read does
+  jobs::JobQueue motions;   // and the other changes of markers
   jobs::JobQueue drags;
 };
 

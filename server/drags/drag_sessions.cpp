@@ -6,10 +6,13 @@
 #include "protocol/calls/values.h"
 #include "protocol/edits/changes.h"
 #include "server/calls/errors.h"
+#include "server/memory/weights.h"
 
 namespace selvage::server::drags {
 
 struct DragSessions::Drag {
+  explicit Drag(memory::HeldBytes of_latest) : held{std::move(of_latest)} {}
+
   std::string id, marker_id;
   std::shared_ptr<transport::access::Session> session;
   store::Committed base;
@@ -17,6 +20,7 @@ struct DragSessions::Drag {
   motion::dragging::DragMode mode{};
   Vec at{};                        // of the piece, after the last move; protected by the mutex of all drags
   std::optional<Marker> latest{};  // the marker after the last move; used in the drag's lane only
+  const memory::HeldBytes held;    // for it
 
   std::mutex mutex{};
   std::optional<WaitingMove> mailbox{};
@@ -69,10 +73,12 @@ calls::Outcome DragSessions::begin(const protocol::methods::dragging::BeginParam
   if (static_cast<std::size_t>(own) >= kMaxPerConnection) {
     return calls::limit_reached("too many drags", kMaxPerConnection);
   }
+  memory::HeldBytes held{store_.room().account};
+  if (!held.try_add(memory::bytes_of(marker))) return calls::no_room(store_);
   std::string id = "d" + std::to_string(++begun_);
   const protocol::methods::dragging::BeginResult result{
       id, {params.marker_id, base->revision}, params.piece.text, protocol::calls::point_of(at, marker.resolution)};
-  const auto drag = std::make_shared<Drag>();
+  const auto drag = std::make_shared<Drag>(std::move(held));
   drag->id = id;
   drag->marker_id = params.marker_id;
   drag->session = session;

@@ -31,7 +31,7 @@ calls::Outcome backup(const BackupParams& params, const ServerContext& server, c
 }  // namespace
 
 std::vector<HandledMethod> admin_methods() {
-  return {{"admin.backup", handle_with<BackupParams, backup>}};
+  return {{"admin.backup", handle_with<BackupParams, backup>, FileUse::kCopies}};
 }
 
 }  // namespace selvage::server::methods

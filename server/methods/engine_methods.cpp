@@ -18,7 +18,8 @@ calls::Outcome info(const NoParams&, const ServerContext& server, const calls::O
   info.markers = server.store.count();
   info.durable = server.store.is_durable();
   info.cache = protocol::calls::cache_counts_of(server.sums.counts());
-  info.limits.open_markers = server.limits.open_markers;
+  info.limits.markers_bytes = server.limits.markers_bytes;
+  info.limits.marker_bytes = server.limits.marker_bytes;
   info.limits.waiting_motions = server.limits.waiting_motions;
   info.limits.waiting_reads = server.limits.waiting_reads;
   info.limits.waiting_moves = server.limits.waiting_moves;

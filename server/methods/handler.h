@@ -16,9 +16,13 @@ namespace selvage::server::methods {
 using Handler = std::function<void(protocol::calls::ParsedCall parsed, const ServerContext& server,
                                    const std::shared_ptr<calls::OpenCall>& call)>;
 
+// What a method that changes no open marker does with the store's file, for which it may have to wait.
+enum class FileUse { kNone, kWrites, kCopies };
+
 struct HandledMethod {
   std::string_view name;
   Handler handle;
+  FileUse file_use{};
 };
 
 // The handler that consists of one function of the method's own parameters:

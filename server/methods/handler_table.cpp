@@ -20,11 +20,11 @@ std::vector<HandledMethod> own_methods() {
   return all;
 }
 
-Handler handler_of(const protocol::calls::Method& method, const std::vector<HandledMethod>& own) {
+HandledMethod handled(const protocol::calls::Method& method, const std::vector<HandledMethod>& own) {
   const auto found =
       std::find_if(own.begin(), own.end(), [&](const HandledMethod& other) { return other.name == method.name; });
-  if (found != own.end()) return found->handle;
-  if (method.on_marker) return motion_handler(method);
+  if (found != own.end()) return *found;
+  if (method.on_marker) return {method.name, motion_handler(method)};
   throw std::logic_error{"no handler for the method " + std::string{method.name}};
 }
 
@@ -34,7 +34,9 @@ HandlerTable::HandlerTable(const protocol::methods::MethodTable& methods) {
   constexpr std::string_view kCancel = "$/cancelRequest";  // the dispatcher's own
   const std::vector<HandledMethod> own = own_methods();
   for (const protocol::calls::Method& method : methods.all()) {
-    if (method.name != kCancel) rows_.push_back({method, handler_of(method, own)});
+    if (method.name == kCancel) continue;
+    HandledMethod found = handled(method, own);
+    rows_.push_back({method, std::move(found.handle), found.file_use});
   }
 }
 

@@ -17,6 +17,7 @@ class HandlerTable {
   struct Row {
     protocol::calls::Method method;
     Handler handle;
+    FileUse file_use{};
   };
 
   explicit HandlerTable(const protocol::methods::MethodTable& methods = protocol::methods::method_table());

@@ -30,8 +30,11 @@ calls::Outcome open(daemon::OpenParams& params, const ServerContext& server, cal
             *params.op_id, "marker.open", std::make_shared<const std::string>(protocol::json::to_text(result)), call);
       });
   if (const auto* why = std::get_if<store::NotOpened>(&opened)) {
-    if (*why == store::NotOpened::kLimit) return calls::limit_reached("too many open markers", server.store.limit());
-    return calls::not_written();
+    switch (*why) {
+      case store::NotOpened::kTooLarge: return calls::marker_too_large(server.store);
+      case store::NotOpened::kNoRoom: return calls::no_room(server.store);
+      case store::NotOpened::kNotWritten: return calls::not_written();
+    }
   }
   return result;
 }
@@ -114,10 +117,10 @@ calls::Outcome close(const daemon::CloseParams& params, const ServerContext& ser
 }  // namespace
 
 std::vector<HandledMethod> marker_methods() {
-  return {{"marker.open", handle_with<daemon::OpenParams, open>},
+  return {{"marker.open", handle_with<daemon::OpenParams, open>, FileUse::kWrites},
           {"marker.list", handle_with<daemon::NoParams, list>},
           {"marker.get", handle_with<GetParams, get>},
-          {"marker.close", handle_with<daemon::CloseParams, close>}};
+          {"marker.close", handle_with<daemon::CloseParams, close>, FileUse::kWrites}};
 }
 
 }  // namespace selvage::server::methods

@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <utility>
 
+#include "server/memory/weights.h"
+
 namespace selvage::server::store {
 namespace {
 
-// Roughly the memory of a step, which is accurate enough to limit a history.
 std::size_t bytes_of(const History::Back& back) {
-  if (const auto* moves = std::get_if<protocol::edits::Moves>(&back))
-    return sizeof(History::Step) + moves->size() * sizeof(protocol::edits::Move);
-  const MarkerFile& file = *std::get<History::File>(back);
-  std::size_t bytes = sizeof(MarkerFile) + file.marker.pieces.size() * (sizeof(Piece) + sizeof(Json));
-  for (const Shape& shape : file.marker.shapes) bytes += sizeof(Shape) + shape.outline.size() * sizeof(Vec);
-  return bytes;
+  if (const auto* moves = std::get_if<protocol::edits::Moves>(&back)) {
+    return sizeof(History::Step) + memory::bytes_of(*moves);
+  }
+  return sizeof(History::Step) + memory::bytes_of(*std::get<History::File>(back));
 }
 
 History::Back back_to(const History::File& before, const std::optional<protocol::edits::Moves>& moves) {
@@ -31,8 +30,8 @@ History::History(std::vector<Step> undo, std::vector<Step> redo) {
   for (Step& step : redo) push(UndoDirection::kRedo, std::make_shared<const Step>(std::move(step)));
 }
 
-History::Recorded History::record(Origin origin, const File& before,
-                                  const std::optional<protocol::edits::Moves>& moves) {
+History::Recorded History::record(Origin origin, const File& before, const std::optional<protocol::edits::Moves>& moves,
+                                  std::size_t most_bytes) {
   const UndoDirection direction = origin == Origin::kUndo ? UndoDirection::kRedo : UndoDirection::kUndo;
   Recorded recorded{direction, std::make_shared<const Step>(Step{last_serial_ + 1, back_to(before, moves)}), {}};
   std::vector<std::uint64_t>& forgotten = recorded.forgotten;
@@ -41,7 +40,7 @@ History::Recorded History::record(Origin origin, const File& before,
   while (origin == Origin::kChange && !redo_.empty()) forgotten.push_back(pop_newest(UndoDirection::kRedo));
   push(direction, recorded.step);
   if (steps(direction) > kMaxSteps) forgotten.push_back(pop_oldest(direction));
-  while (bytes_ > kMaxBytes && undo_.size() + redo_.size() > 1) {
+  while (bytes_ > most_bytes && undo_.size() + redo_.size() > 1) {
     forgotten.push_back(pop_oldest(undo_.size() > 1 ? UndoDirection::kUndo : UndoDirection::kRedo));
   }
   return recorded;
@@ -55,22 +54,29 @@ std::optional<MarkerFile> History::after(UndoDirection direction, const MarkerFi
 void History::push(UndoDirection direction, std::shared_ptr<const Step> step) {
   last_serial_ = std::max(last_serial_, step->serial);
   const std::size_t bytes = bytes_of(step->back);
+  const bool moves = std::holds_alternative<protocol::edits::Moves>(step->back);
   bytes_ += bytes;
-  stack(direction).push_back({std::move(step), bytes});
+  if (moves) bytes_of_moves_ += bytes;
+  stack(direction).push_back({std::move(step), bytes, moves});
 }
 
 std::uint64_t History::pop_newest(UndoDirection direction) {
   const Kept kept = std::move(stack(direction).back());
   stack(direction).pop_back();
-  bytes_ -= kept.bytes;
+  count_out(kept);
   return kept.step->serial;
 }
 
 std::uint64_t History::pop_oldest(UndoDirection direction) {
   const Kept kept = std::move(stack(direction).front());
   stack(direction).pop_front();
-  bytes_ -= kept.bytes;
+  count_out(kept);
   return kept.step->serial;
+}
+
+void History::count_out(const Kept& kept) {
+  bytes_ -= kept.bytes;
+  if (kept.moves) bytes_of_moves_ -= kept.bytes;
 }
 
 MarkerFile after_step(const History::Back& back, MarkerFile current) {

@@ -1,6 +1,6 @@
-// The undo and redo history of one marker: at most kMaxSteps steps in either direction and kMaxBytes in both; the
-// oldest steps are forgotten first.  A step holds the moves that lead back or, if moves do not suffice, the whole
-// earlier marker, which is shared and not copied.
+// The undo and redo history of one marker: at most kMaxSteps steps in either direction and kMaxBytes in both, all that
+// the steps hold included; the oldest steps are forgotten first.  A step holds the moves that lead back or, if moves do
+// not suffice, the whole earlier marker, which is shared and not copied.
 //
 // Copies of a history share their steps, so that the effect of a change on the history can be written to the journal
 // before the change is made.
@@ -49,18 +49,24 @@ class History {
     std::vector<std::uint64_t> forgotten;  // serials of the steps that were removed
   };
   // Records that a revision was made.  `moves` lead from `before` to the new revision; nothing if moves do not suffice.
-  // kChange removes all redo steps.  REQUIRES: for kUndo and kRedo, the new revision is what after(kUndo, *before) or
+  // kChange removes all redo steps.  Of both directions together at least one step is kept, and as many more as take at
+  // most `most_bytes`.  REQUIRES: for kUndo and kRedo, the new revision is what after(kUndo, *before) or
   // after(kRedo, *before) returned.
-  [[nodiscard]] Recorded record(Origin origin, const File& before, const std::optional<protocol::edits::Moves>& moves);
+  [[nodiscard]] Recorded record(Origin origin, const File& before, const std::optional<protocol::edits::Moves>& moves,
+                                std::size_t most_bytes = kMaxBytes);
 
   // The file after undoing or redoing one step; nothing if there is no step.
   [[nodiscard]] std::optional<MarkerFile> after(UndoDirection direction, const MarkerFile& current) const;
   [[nodiscard]] std::size_t steps(UndoDirection direction) const { return stack(direction).size(); }
+  // Memory of all steps, and of those that hold moves.
+  [[nodiscard]] std::size_t bytes() const { return bytes_; }
+  [[nodiscard]] std::size_t bytes_of_moves() const { return bytes_of_moves_; }
 
  private:
   struct Kept {
     std::shared_ptr<const Step> step;
     std::size_t bytes{};
+    bool moves{};
   };
   using Stack = std::deque<Kept>;  // the newest step is last
 
@@ -71,9 +77,10 @@ class History {
   void push(UndoDirection direction, std::shared_ptr<const Step> step);
   [[nodiscard]] std::uint64_t pop_newest(UndoDirection direction);
   [[nodiscard]] std::uint64_t pop_oldest(UndoDirection direction);
+  void count_out(const Kept& kept);
 
   Stack undo_, redo_;
-  std::size_t bytes_{};
+  std::size_t bytes_{}, bytes_of_moves_{};
   std::uint64_t last_serial_{};
 };
 

@@ -5,16 +5,40 @@
 #include <algorithm>
 #include <utility>
 
+#include "server/memory/weights.h"
 #include "server/store/restored_marker.h"
 
 namespace selvage::server::store {
 namespace {
 
-Committed committed(Revision revision, MarkerFile file, Stamps stamps) {
-  return {revision, std::make_shared<const MarkerFile>(std::move(file)),
+constexpr std::size_t kEmptyMarker = 4096;  // bytes of the entries, locks and maps that every marker has
+
+// What a revision takes: the marker, and what its readers share besides.
+struct Weight {
+  std::size_t file{}, readers{};
+  [[nodiscard]] std::size_t all() const { return file + readers; }
+};
+
+Weight weight_of(const MarkerFile& file) {
+  const std::size_t stamps = file.marker.pieces.size() * sizeof(Revision);
+  return {memory::bytes_of(file), memory::bytes_for_readers(file) + stamps};
+}
+
+// Counted apart from the marker, which the history may keep for longer.
+struct ForReaders {
+  memory::HeldBytes held;
+  protocol::execution::MadeOnce<std::string> text{};
+  protocol::execution::MadeOnce<scene::LaidOut> laid_out{};
+};
+
+Committed committed(Revision revision, MarkerFile file, Stamps stamps, const Weight& weight,
+                    const std::shared_ptr<memory::ByteAccount>& account) {
+  const auto readers = std::make_shared<const ForReaders>(memory::HeldBytes{account, weight.readers});
+  return {revision,
+          memory::weighed(std::move(file), memory::HeldBytes{account, weight.file}),
           std::make_shared<const Stamps>(std::move(stamps)),
-          std::make_shared<const protocol::execution::MadeOnce<std::string>>(),
-          std::make_shared<const protocol::execution::MadeOnce<scene::LaidOut>>()};
+          {readers, &readers->text},
+          {readers, &readers->laid_out}};
 }
 
 Stamps all_new(Revision revision, const MarkerFile& file) {
@@ -43,20 +67,26 @@ std::optional<KeptChange> change_of(const KeptAnswers& answers, const std::optio
 
 }  // namespace
 
-MarkerStore::MarkerStore(std::size_t limit, Journal* journal) : limit_{limit}, journal_{journal} {
+MarkerStore::MarkerStore(Room room, Journal* journal) : room_{std::move(room)}, journal_{journal} {
   if (journal_) restore(journal_->restore());
+}
+
+void MarkerStore::Entry::count() {
+  held.set(kEmptyMarker + history.bytes_of_moves() + answers.bytes() + (stored ? bytes_of(*stored) : 0));
 }
 
 void MarkerStore::restore(disk::StoredContent content) {
   opened_ = content.total.opened;
   answers_ = restore_answers(content.answers);
+  held_answers_.set(answers_.bytes());
   for (disk::StoredMarker& marker : content.markers) {
-    auto entry = std::make_shared<Entry>();
+    auto entry = std::make_shared<Entry>(room_.account);
     entry->number = static_cast<std::uint64_t>(marker.number);
     entry->stored_revision = marker.revision;
     entry->summary = read_summary(marker.summary);
     entry->answers = restore_answers(std::exchange(marker.answers, {}));
     entry->stored = std::move(marker);
+    entry->count();
     markers_.emplace(id_of(entry->number), std::move(entry));
   }
   for (const disk::Damage& damage : content.damage) {
@@ -64,15 +94,15 @@ void MarkerStore::restore(disk::StoredContent content) {
   }
 }
 
+std::shared_ptr<MarkerStore::Entry> MarkerStore::entry_of(const std::string& id) const {
+  const std::lock_guard lock{mutex_};
+  const auto found = markers_.find(id);
+  return found == markers_.end() ? nullptr : found->second;
+}
+
 std::shared_ptr<MarkerStore::Entry> MarkerStore::find(const std::string& id) const {
-  std::shared_ptr<Entry> entry;
-  {
-    const std::lock_guard lock{mutex_};
-    const auto found = markers_.find(id);
-    if (found == markers_.end()) return nullptr;
-    entry = found->second;
-  }
-  return load(id, *entry) ? entry : nullptr;
+  const auto entry = entry_of(id);
+  return entry && load(id, *entry) ? entry : nullptr;
 }
 
 bool MarkerStore::load(const std::string& id, Entry& entry) const {
@@ -80,9 +110,9 @@ bool MarkerStore::load(const std::string& id, Entry& entry) const {
   const std::lock_guard loading{entry.loading};
   if (entry.loaded) return true;
   if (!entry.stored) return false;
-  auto restored = restore_marker(*entry.stored);
-  entry.stored.reset();
+  auto restored = restore_marker(*entry.stored, room_.account);
   if (!restored) {
+    entry.stored.reset();
     const std::string why = protocol::json::describe(restored.error());
     spdlog::error("the store: marker {} at revision {} cannot be read: {}", id, entry.stored_revision, why);
     const std::lock_guard lock{mutex_};
@@ -90,26 +120,36 @@ bool MarkerStore::load(const std::string& id, Entry& entry) const {
     markers_.erase(id);
     return false;
   }
+  const Weight weight = weight_of(restored->file);
+  const bool room = room_.account->has_room(weight.all() - std::min(weight.all(), bytes_of(*entry.stored)));
+  if (room) {
+    entry.stored.reset();
+    entry.history = std::move(restored->history);
+    entry.count();
+  }
   Stamps stamps = all_new(entry.stored_revision, restored->file);
-  entry.history = std::move(restored->history);
   const std::lock_guard lock{mutex_};
   if (!entry.summary) entry.summary = summary_of(restored->file.marker);
-  entry.current = committed(entry.stored_revision, std::move(restored->file), std::move(stamps));
+  if (!room) return false;
+  entry.current = committed(entry.stored_revision, std::move(restored->file), std::move(stamps), weight, room_.account);
   entry.loaded = true;
   return true;
 }
 
 std::variant<OpenMarker, NotOpened> MarkerStore::open(MarkerFile file, const OpenAnswer& answer) {
+  const Weight weight = weight_of(file);
+  if (weight.file > room_.marker_bytes) return NotOpened::kTooLarge;
+  const memory::ByteAccount& account = *room_.account;
+  if (!account.has_room(account.beside_reserve(kEmptyMarker + weight.all()))) return NotOpened::kNoRoom;
   Stamps stamps = all_new(1, file);
-  OpenMarker opened{{}, committed(1, std::move(file), std::move(stamps))};
-  auto entry = std::make_shared<Entry>();
+  OpenMarker opened{{}, committed(1, std::move(file), std::move(stamps), weight, room_.account)};
+  auto entry = std::make_shared<Entry>(room_.account);
+  entry->count();
   entry->current = opened.now;
   entry->summary = summary_of(opened.now.file->marker);
   entry->loaded = true;
   {
     const std::lock_guard lock{mutex_};
-    if (markers_.size() + opening_ >= limit_) return NotOpened::kLimit;
-    ++opening_;
     entry->number = ++opened_;
   }
   opened.id = id_of(entry->number);
@@ -119,12 +159,18 @@ std::variant<OpenMarker, NotOpened> MarkerStore::open(MarkerFile file, const Ope
   const auto change = change_of(answers_, kept);
   const bool written =
       !journal_ || journal_->opened(entry->number, *opened.now.file, summary_text(*entry->summary), change);
-  const std::lock_guard lock{mutex_};
-  --opening_;
   if (!written) return NotOpened::kNotWritten;
+  const std::lock_guard lock{mutex_};
   markers_.emplace(opened.id, std::move(entry));
-  if (change) answers_.keep(change->answer);
+  keep_outside_markers(change);
   return opened;
+}
+
+// REQUIRES: mutex_ is locked.
+void MarkerStore::keep_outside_markers(const std::optional<KeptChange>& change) {
+  if (!change) return;
+  answers_.keep(change->answer);
+  held_answers_.set(answers_.bytes());
 }
 
 std::optional<Committed> MarkerStore::current(const std::string& id) const {
@@ -164,6 +210,10 @@ std::optional<Summary> MarkerStore::summary(const std::string& id) const {
   return now ? std::optional{summary_of(now->file->marker)} : std::nullopt;
 }
 
+bool MarkerStore::is_open(const std::string& id) const {
+  return entry_of(id) != nullptr;
+}
+
 std::string MarkerStore::quarantine(const std::string& id) const {
   const std::lock_guard lock{mutex_};
   const auto found = quarantined_.find(id);
@@ -180,8 +230,18 @@ Commit MarkerStore::commit(const std::string& id, Revision base, NextRevision ne
   if (before.revision != base) return {Commit::Outcome::kMismatch, before.revision};
   const auto moves = protocol::edits::moves_between(*before.file, next.file);
   const Revision revision = base + 1;
+  const Weight weight = weight_of(next.file);
+  if (weight.file > room_.marker_bytes) return {Commit::Outcome::kTooLarge, base};
+  const std::size_t needed =
+      weight.all() + (moves ? memory::bytes_of(*moves) : 0) + (next.answer ? next.answer->result->size() : 0);
   History history = entry->history;
-  const History::Recorded recorded = history.record(next.origin, before.file, moves);
+  History::Recorded recorded = history.record(next.origin, before.file, moves);
+  if (!room_.account->has_room(needed)) {
+    history = entry->history;
+    recorded = history.record(next.origin, before.file, moves, 0);
+    const std::size_t freed = entry->history.bytes() - std::min(entry->history.bytes(), history.bytes());
+    if (!room_.account->has_room(needed - std::min(needed, freed))) return {Commit::Outcome::kNoRoom, base};
+  }
   Summary summary = summary_of(next.file.marker);
   const auto change = change_of(entry->answers, next.answer);
   if (journal_ &&
@@ -189,7 +249,7 @@ Commit MarkerStore::commit(const std::string& id, Revision base, NextRevision ne
     return {Commit::Outcome::kNotWritten, base};
   }
   Stamps stamps = stamps_after(*before.stamps, revision, moves, next.file);
-  const Committed after = committed(revision, std::move(next.file), std::move(stamps));
+  const Committed after = committed(revision, std::move(next.file), std::move(stamps), weight, room_.account);
   entry->history = std::move(history);
   {
     const std::lock_guard lock{mutex_};
@@ -197,6 +257,7 @@ Commit MarkerStore::commit(const std::string& id, Revision base, NextRevision ne
     entry->summary = std::move(summary);
     if (change) entry->answers.keep(change->answer);
   }
+  entry->count();
   if (next.on_committed) next.on_committed(after);
   return {Commit::Outcome::kDone, revision};
 }
@@ -213,7 +274,7 @@ std::optional<MarkerStore::UndoResult> MarkerStore::peek(const std::string& id, 
 
 Closed MarkerStore::close(const std::string& id, const std::optional<KeptAnswer>& answer,
                           const std::function<void()>& on_closed) {
-  const auto entry = find(id);
+  const auto entry = entry_of(id);  // a marker need not be read to be closed
   if (!entry) return close_quarantined(id, answer);
   const std::lock_guard writing{entry->writing};
   if (entry->closed) return Closed::kUnknown;
@@ -224,7 +285,7 @@ Closed MarkerStore::close(const std::string& id, const std::optional<KeptAnswer>
   {
     const std::lock_guard lock{mutex_};
     markers_.erase(id);
-    if (change) answers_.keep(change->answer);
+    keep_outside_markers(change);
   }
   if (on_closed) on_closed();
   return Closed::kDone;
@@ -237,7 +298,7 @@ Closed MarkerStore::close_quarantined(const std::string& id, const std::optional
   if (!journal_->closed(std::stoull(id.substr(1)), change)) return Closed::kNotWritten;
   const std::lock_guard lock{mutex_};
   quarantined_.erase(id);
-  if (change) answers_.keep(change->answer);
+  keep_outside_markers(change);
   return Closed::kDone;
 }
 
@@ -249,16 +310,20 @@ std::optional<KeptAnswer> MarkerStore::answer(const std::string& id, const std::
   return kept ? std::optional{*kept} : std::nullopt;
 }
 
-bool MarkerStore::keep(const std::string& id, const KeptAnswer& answer) {
+Kept MarkerStore::keep(const std::string& id, const KeptAnswer& answer) {
   const auto entry = find(id);
-  if (!entry) return false;
+  if (!entry) return Kept::kNotWritten;
   const std::lock_guard writing{entry->writing};
-  if (entry->closed) return false;
+  if (entry->closed) return Kept::kNotWritten;
+  if (!room_.account->has_room(answer.result->size())) return Kept::kNoRoom;
   const auto change = change_of(entry->answers, answer);
-  if (journal_ && !journal_->answered(entry->number, *change)) return false;
-  const std::lock_guard lock{mutex_};
-  entry->answers.keep(change->answer);
-  return true;
+  if (journal_ && !journal_->answered(entry->number, *change)) return Kept::kNotWritten;
+  {
+    const std::lock_guard lock{mutex_};
+    entry->answers.keep(change->answer);
+  }
+  entry->count();
+  return Kept::kDone;
 }
 
 std::size_t MarkerStore::count() const {

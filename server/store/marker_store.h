@@ -5,6 +5,11 @@
 // written to the journal.  Ids are "m1", "m2", ... in the order of opening and are never used twice; revisions of a
 // marker count from 1.  With a journal, readers see a revision only when it is on disk.
 //
+// Everything that is kept is counted in one account of bytes.  When that has no room, no marker is opened, and a change
+// forgets the undo steps of its marker; it is refused if that does not suffice.  An eighth of the account is for
+// changes alone, so that a full store can still be worked on.  A marker of the journal for which there is no room when
+// it is first used stays in the journal, and is not read until there is.
+//
 // A marker of the journal is kept as the bytes of its rows until it is first used; its revision and summary are known
 // before.  One whose rows are damaged is quarantined: it is not open, its rows stay in the file, and it can only be
 // closed.  Every function may be called from any thread.
@@ -25,6 +30,7 @@
 #include "core/scene/laid_out.h"
 #include "protocol/calls/params.h"
 #include "protocol/execution/made_once.h"
+#include "server/memory/byte_account.h"
 #include "server/store/history.h"
 #include "server/store/journal.h"
 #include "server/store/kept_answers.h"
@@ -57,10 +63,19 @@ struct ListedMarker {
   Summary summary;
 };
 
-// Why no marker was opened: the limit is reached, or the journal failed.
-enum class NotOpened { kLimit, kNotWritten };
+// The memory that markers may take.
+struct Room {
+  std::shared_ptr<memory::ByteAccount> account = std::make_shared<memory::ByteAccount>();  // of all of them
+  std::size_t marker_bytes{std::size_t{256} << 20};                                        // of one of them
+};
+
+// Why no marker was opened: it is larger than one may be, or all of them have no more room, or the journal failed.
+enum class NotOpened { kTooLarge, kNoRoom, kNotWritten };
 
 enum class Closed { kDone, kUnknown, kNotWritten };
+
+// Whether an answer was kept.
+enum class Kept { kDone, kNoRoom, kNotWritten };
 
 struct NextRevision {
   MarkerFile file;
@@ -70,25 +85,27 @@ struct NextRevision {
   std::function<void(const Committed&)> on_committed{};
 };
 
-// The result of a commit.  kNotWritten: the journal failed and nothing was changed.
+// The result of a commit.  After all outcomes but kDone nothing was changed.
 struct Commit {
-  enum class Outcome { kDone, kMismatch, kClosed, kNotWritten } outcome{};
+  // kTooLarge, kNoRoom and kNotWritten: as for NotOpened.
+  enum class Outcome { kDone, kMismatch, kClosed, kTooLarge, kNoRoom, kNotWritten } outcome{};
   Revision revision{};  // the current one, which is the new one after kDone
 };
 
 class MarkerStore {
  public:
   // Opens all markers of the journal, if there is one.
-  explicit MarkerStore(std::size_t limit, Journal* journal = nullptr);
+  explicit MarkerStore(Room room = {}, Journal* journal = nullptr);
 
   // `answer` makes the answer to keep for retries from the opened marker, or none.
   using OpenAnswer = std::function<std::optional<KeptAnswer>(const OpenMarker&)>;
   [[nodiscard]] std::variant<OpenMarker, NotOpened> open(MarkerFile file, const OpenAnswer& answer = {});
-  // Nothing if no such marker is open.
+  // Nothing if no such marker is open, or if there is no room to read it from the journal.
   [[nodiscard]] std::optional<Committed> current(const std::string& id) const;
   [[nodiscard]] std::vector<ListedMarker> all() const;  // in the order of ids
   // The summary of its current revision; nothing if no such marker is open.
   [[nodiscard]] std::optional<Summary> summary(const std::string& id) const;
+  [[nodiscard]] bool is_open(const std::string& id) const;
   // Why the marker is quarantined; empty if it is not.
   [[nodiscard]] std::string quarantine(const std::string& id) const;
 
@@ -108,14 +125,14 @@ class MarkerStore {
 
   // The kept answer to a call on a marker or, if the id is empty, to a call that opened or closed a marker.
   [[nodiscard]] std::optional<KeptAnswer> answer(const std::string& id, const std::string& op_id) const;
-  // Keeps the answer to a call that changed nothing.  Returns false if it could not be written.
-  [[nodiscard]] bool keep(const std::string& id, const KeptAnswer& answer);
+  // Keeps the answer to a call that changed nothing.
+  [[nodiscard]] Kept keep(const std::string& id, const KeptAnswer& answer);
 
   [[nodiscard]] std::size_t count() const;
   [[nodiscard]] std::size_t quarantined() const;
   // Why changes cannot be written; empty if they can, as far as is known.
   [[nodiscard]] std::string failure() const { return journal_ ? journal_->failure() : std::string{}; }
-  [[nodiscard]] std::size_t limit() const { return limit_; }
+  [[nodiscard]] const Room& room() const { return room_; }
   // As Journal::back_up.  REQUIRES: is_durable().
   std::uint64_t back_up(const std::string& name) { return journal_->back_up(name); }
   // Whether markers survive the end of the process.
@@ -125,6 +142,10 @@ class MarkerStore {
   // The store's mutex protects `now`, `summary` and `answers`; `writing` protects the rest.  `writing` is locked first,
   // and held while the journal writes; `loading` is locked while the rows are read, with nothing else locked.
   struct Entry {
+    explicit Entry(std::shared_ptr<memory::ByteAccount> account) : held{std::move(account)} {}
+    // Counts what this keeps besides the marker and whole earlier ones, which count themselves.
+    void count();
+
     std::uint64_t number{};
     std::mutex writing;
     bool closed{};
@@ -136,22 +157,26 @@ class MarkerStore {
     std::mutex loading;
     std::atomic<bool> loaded{};
     std::optional<disk::StoredMarker> stored;  // until it is loaded
+    memory::HeldBytes held;
   };
-  // Null if no such marker is open, or if it turns out to be damaged.
+  // Null if no such marker is open.
+  [[nodiscard]] std::shared_ptr<Entry> entry_of(const std::string& id) const;
+  // The same, read from the journal; null also if it turns out to be damaged, or if there is no room to read it.
   [[nodiscard]] std::shared_ptr<Entry> find(const std::string& id) const;
   [[nodiscard]] bool load(const std::string& id, Entry& entry) const;
   void restore(disk::StoredContent content);
+  void keep_outside_markers(const std::optional<KeptChange>& change);
   [[nodiscard]] Closed close_quarantined(const std::string& id, const std::optional<KeptAnswer>& answer);
 
-  const std::size_t limit_;
+  const Room room_;
   Journal* const journal_;
   mutable std::mutex mutex_;
   std::uint64_t opened_{};
-  std::size_t opening_{};  // markers that are being written to the journal
   mutable std::map<std::string, std::shared_ptr<Entry>> markers_;
   mutable std::map<std::string, std::string> quarantined_;  // why
   std::mutex answering_;  // held while an answer to a call that opens or closes a marker is written
   KeptAnswers answers_;
+  memory::HeldBytes held_answers_{room_.account};
 };
 
 }  // namespace selvage::server::store

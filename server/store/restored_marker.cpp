@@ -8,9 +8,12 @@
 #include "protocol/edits/moves.h"
 #include "protocol/formats/native.h"
 #include "protocol/json/json_text.h"
+#include "server/memory/weights.h"
 
 namespace selvage::server::store {
 namespace {
+
+using Account = std::shared_ptr<memory::ByteAccount>;
 
 Result<Format> format_named(const std::string& name) {
   const auto* const found =
@@ -39,11 +42,12 @@ Result<protocol::edits::Moves> read_moves_text(const std::string& text, const Ma
 }
 
 // A step of the history that leads away from `marker`.
-Result<History::Back> read_back(const disk::StoredStep& step, const Marker& marker) {
+Result<History::Back> read_back(const disk::StoredStep& step, const Marker& marker, const Account& account) {
   if (!step.format.empty()) {
     auto file = read_document(step.format, step.step);
     if (!file) return file.error();
-    return History::Back{std::make_shared<const MarkerFile>(*std::move(file))};
+    const std::size_t bytes = memory::bytes_of(*file);
+    return History::Back{memory::weighed(*std::move(file), memory::HeldBytes{account, bytes})};
   }
   auto moves = read_moves_text(step.step, marker);
   if (!moves) return moves.error();
@@ -52,12 +56,12 @@ Result<History::Back> read_back(const disk::StoredStep& step, const Marker& mark
 
 // Oldest first.  Each step is read from the marker that the next newer one leads to.
 Result<std::vector<History::Step>> history_of(const disk::StoredMarker& stored, const MarkerFile& now,
-                                              UndoDirection direction) {
+                                              UndoDirection direction, const Account& account) {
   std::vector<History::Step> steps;
   MarkerFile at = now;
   for (auto step = stored.history.rbegin(); step != stored.history.rend(); ++step) {
     if (step->way != way_of(direction)) continue;
-    auto back = read_back(*step, at.marker);
+    auto back = read_back(*step, at.marker, account);
     if (!back) return back.error();
     at = after_step(*back, std::move(at));
     steps.push_back({step->serial, *std::move(back)});
@@ -68,7 +72,7 @@ Result<std::vector<History::Step>> history_of(const disk::StoredMarker& stored, 
 
 }  // namespace
 
-Result<RestoredMarker> restore_marker(const disk::StoredMarker& stored) {
+Result<RestoredMarker> restore_marker(const disk::StoredMarker& stored, const Account& account) {
   auto file = read_document(stored.format, stored.document);
   if (!file) return file.error();
   for (const std::string& step : stored.steps) {
@@ -76,11 +80,18 @@ Result<RestoredMarker> restore_marker(const disk::StoredMarker& stored) {
     if (!moves) return moves.error();
     *file = moved(*std::move(file), *moves);
   }
-  auto undo = history_of(stored, *file, UndoDirection::kUndo);
+  auto undo = history_of(stored, *file, UndoDirection::kUndo, account);
   if (!undo) return undo.error();
-  auto redo = history_of(stored, *file, UndoDirection::kRedo);
+  auto redo = history_of(stored, *file, UndoDirection::kRedo, account);
   if (!redo) return redo.error();
   return RestoredMarker{*std::move(file), {*std::move(undo), *std::move(redo)}};
+}
+
+std::size_t bytes_of(const disk::StoredMarker& stored) {
+  std::size_t bytes = sizeof stored + stored.summary.size() + stored.document.size();
+  for (const std::string& step : stored.steps) bytes += sizeof step + step.size();
+  for (const disk::StoredStep& step : stored.history) bytes += sizeof step + step.format.size() + step.step.size();
+  return bytes;
 }
 
 KeptAnswers restore_answers(const std::vector<disk::StoredAnswer>& stored) {

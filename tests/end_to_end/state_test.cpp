@@ -94,6 +94,7 @@ TEST(State, AStoreSurvivesAShutdown) {
   std::string before;
   {
     server::app::Daemon daemon{options};
+    daemon.wait_until_loaded();
     Wire post{daemon.port()};
     const std::string id = open_marker(post, garment("jeans_02g"));
     (void)result_of(post_call(post, "motion.compact", id_params(id)));
@@ -101,6 +102,7 @@ TEST(State, AStoreSurvivesAShutdown) {
   }
   {
     server::app::Daemon daemon{options};
+    daemon.wait_until_loaded();
     Wire post{daemon.port()};
     EXPECT_EQ(post_call(post, "marker.get", id_params("m1")), before);
   }

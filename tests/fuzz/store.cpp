@@ -25,7 +25,7 @@ void use_file(const std::string& bytes) {
   std::ofstream{path, std::ios::binary} << bytes;
   try {
     store::Journal journal{path, store::Durability::kRelaxed};
-    store::MarkerStore markers{1000, &journal};
+    store::MarkerStore markers{{}, &journal};
     for (const store::ListedMarker& listed : markers.all()) {
       const auto now = markers.current(listed.id);
       demand(now || !markers.quarantine(listed.id).empty(), "a marker is neither open nor quarantined");

@@ -170,8 +170,10 @@ export type Limits = {
   pieces: number;
   /** Vertices of a shape. */
   vertices: number;
-  /** Open markers. */
-  openMarkers: number;
+  /** Memory for all markers, with their histories and the answers kept for retries. */
+  markersBytes: number;
+  /** Memory of one marker, without these. */
+  markerBytes: number;
   /** Motions in the queue. */
   waitingMotions: number;
   /** Reads in the queue. */

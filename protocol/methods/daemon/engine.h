@@ -18,7 +18,7 @@ struct NoParams {
 struct Limits {
   static constexpr std::string_view kName = "Limits", kMeaning = "The limits of this server.";
   std::size_t request_bytes{}, batch{}, depth{}, values{}, pieces{}, vertices{};
-  std::size_t open_markers{}, waiting_motions{}, waiting_reads{}, waiting_moves{};
+  std::size_t markers_bytes{}, marker_bytes{}, waiting_motions{}, waiting_reads{}, waiting_moves{};
   std::int64_t call_ms{};
   std::size_t drags_per_connection{}, connections{}, calls_per_connection{};
 
@@ -29,7 +29,9 @@ struct Limits {
     v.required("values", self.values, "Numbers, strings, arrays and so on in a request.");
     v.required("pieces", self.pieces, "Pieces of a marker.");
     v.required("vertices", self.vertices, "Vertices of a shape.");
-    v.required("openMarkers", self.open_markers, "Open markers.");
+    v.required("markersBytes", self.markers_bytes,
+               "Memory for all markers, with their histories and the answers kept for retries.");
+    v.required("markerBytes", self.marker_bytes, "Memory of one marker, without these.");
     v.required("waitingMotions", self.waiting_motions, "Motions in the queue.");
     v.required("waitingReads", self.waiting_reads, "Reads in the queue.");
     v.required("waitingMoves", self.waiting_moves, "Moves of drag sessions in the queue.");
@@ -44,7 +46,7 @@ struct Limits {
 [[nodiscard]] Limits protocol_limits(std::size_t request_bytes);
 
 // Its first number changes when a client written for an earlier version may break, its second when something is added.
-inline constexpr std::string_view kProtocolVersion = "0.2";
+inline constexpr std::string_view kProtocolVersion = "0.3";
 
 struct EngineInfo {
   std::string name{"selvage"}, version;

@@ -12,8 +12,8 @@
 #include <string>
 #include <string_view>
 
+#include "server/memory/byte_account.h"
 #include "server/transport/access/access.h"
-#include "server/transport/access/byte_account.h"
 #include "server/transport/access/refusal.h"
 
 namespace selvage::server::transport::access {
@@ -24,7 +24,8 @@ struct Session {
   std::function<void(std::string)> notify;  // sends a notification, from any thread; empty on plain HTTP
   std::stop_token gone;                     // stops when the connection has ended
   std::string peer{};                       // the client's address, or the path of the Unix socket that it uses
-  std::shared_ptr<ByteAccount> account{};   // of the bytes that clients make the server hold; null: nobody counts
+  // Of the bytes that clients make the server hold; null: nobody counts.
+  std::shared_ptr<memory::ByteAccount> account{};
 };
 
 // Takes the answer to one message: call it once, from any thread.  Nothing is sent for an empty text.
@@ -56,6 +57,11 @@ struct Service {
   // Answers one message.  Must not block.  The session is the same for all messages of one connection.  The connection
   // keeps it alive; whoever wants to notify it later may hold a shared or a weak pointer.
   std::function<void(std::string message, const std::shared_ptr<Session>& session, Reply reply)> call;
+  // How many bytes it takes to answer a message, besides its own; none if it is empty.
+  std::function<std::size_t(std::string_view message)> weigh{};
+  // Whether calls are refused for a while because of the service's start: they are passed on, and over HTTP answered
+  // with status 503.  Empty: they are not.
+  std::function<bool()> loading{};
   // The GET requests below are answered 404 if their function is empty.
   // The body of GET /healthz, JSON: the process is alive.
   std::function<std::string()> health{};
@@ -76,7 +82,7 @@ struct Service {
   std::string line_too_long{};
   // The answer to a message that is dropped because the account has no room.
   std::string no_room{};
-  const std::shared_ptr<ByteAccount> account = std::make_shared<ByteAccount>();
+  const std::shared_ptr<memory::ByteAccount> account = std::make_shared<memory::ByteAccount>();
   const std::shared_ptr<TransportCounts> counts = std::make_shared<TransportCounts>();
 };
 
@@ -88,10 +94,11 @@ struct TransportLimits {
   std::size_t health_connections{32};              // for health checks; the oldest makes room for a further one
   std::size_t calls_per_connection{
       64};  // in progress on one line or WebSocket connection, which is not read while there are more
-  std::size_t request_bytes{std::size_t{32} << 20};  // of these calls; likewise
+  std::size_t request_bytes{std::size_t{32} << 20};  // of these calls, and of what answering them takes; likewise
   std::size_t backlog_bytes{std::size_t{16} << 20};  // not yet sent on one such connection; likewise
-  // Of all connections: requests that are received or answered, and answers not yet sent.  Then no connection is read
-  // between messages, and a message that has begun is refused unless there is room in time.
+  // Of all connections: requests that are received or answered, with what answering them takes, and answers not yet
+  // sent.  Then no connection is read between messages, and a message that has begun is refused unless there is room in
+  // time.
   std::size_t traffic_bytes{std::size_t{512} << 20};
   std::chrono::milliseconds room{5'000};      // for room for a message that has begun
   std::chrono::milliseconds idle{300'000};    // between two HTTP requests, and before the first byte of a connection

@@ -21,7 +21,7 @@ void report(access::Refusal refusal, const std::string& peer, const access::Serv
 }
 
 Connection::Connection(Socket connected, std::uint64_t id, std::string peer, bool requires_token,
-                       std::shared_ptr<access::ByteAccount> account)
+                       std::shared_ptr<memory::ByteAccount> account)
     : socket{std::move(connected)},
       read_watchdog{socket.get_executor()},
       write_watchdog{socket.get_executor()},
@@ -69,13 +69,15 @@ void Connection::set_standing(Standing standing) {
   if (std::exchange(standing_, standing) != standing) standing_since_ = Clock::now();
 }
 
-boost::asio::awaitable<bool> Connection::wait_for_room(const access::ByteAccount& account, std::size_t bytes,
-                                                       std::chrono::milliseconds time) {
+boost::asio::awaitable<bool> Connection::wait_for_room(const memory::ByteAccount& account, std::size_t held,
+                                                       std::size_t bytes, std::chrono::milliseconds time) {
   constexpr std::chrono::milliseconds kPoll{10};  // rare, and other threads make room as well
+  constexpr std::size_t kModest = std::size_t{256} << 10;
+  const std::size_t needed = held + bytes <= kModest ? bytes : account.beside_reserve(bytes);
   boost::asio::steady_timer timer{socket.get_executor()};
   boost::system::error_code ignored;
-  for (const Time end = Clock::now() + time; !account.has_room(bytes);) {
-    if (Clock::now() >= end || draining || !socket.is_open()) co_return false;
+  for (const Time end = Clock::now() + time; !account.has_room(needed);) {
+    if (needed > account.limit() || Clock::now() >= end || draining || !socket.is_open()) co_return false;
     timer.expires_after(kPoll);
     co_await timer.async_wait(boost::asio::redirect_error(boost::asio::use_awaitable, ignored));
   }

@@ -73,7 +73,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
   // `id` and `peer`: the session's.
   Connection(Socket connected, std::uint64_t id, std::string peer, bool needs_token,
-             std::shared_ptr<access::ByteAccount> account = nullptr);
+             std::shared_ptr<memory::ByteAccount> account = nullptr);
 
   // Detects from now on that the connection breaks.
   void watch();
@@ -87,8 +87,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void set_standing(Standing standing);
   [[nodiscard]] Standing standing() const { return standing_; }
   [[nodiscard]] Time standing_since() const { return standing_since_; }
-  // Waits until the account has room for so many bytes, or until the connection ends, for at most `time`.
-  boost::asio::awaitable<bool> wait_for_room(const access::ByteAccount& account, std::size_t bytes,
+  // Waits until the account has room for so many bytes, or until the connection ends, for at most `time`; not at all
+  // for more bytes than the account could ever have.  `held`: bytes that the connection has in the account already.
+  boost::asio::awaitable<bool> wait_for_room(const memory::ByteAccount& account, std::size_t held, std::size_t bytes,
                                              std::chrono::milliseconds time);
   // Reads nothing more; the calls in progress are still answered.  Calls `on_drain` instead if that is set.
   void drain();

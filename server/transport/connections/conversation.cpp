@@ -8,6 +8,12 @@ namespace selvage::server::transport::connections {
 
 namespace asio = boost::asio;
 
+namespace {
+
+constexpr std::size_t kBehind = std::size_t{64} << 10;  // unsent bytes of a client that does not keep up
+
+}  // namespace
+
 Conversation::Conversation(std::shared_ptr<Connection> connection, const ConnectionContext& context)
     : connection_{std::move(connection)},
       context_{context},
@@ -21,8 +27,9 @@ void Conversation::enable_notifications() {
     asio::post(executor, [weak, held = std::move(message)]() mutable {
       const auto self = weak.lock();
       if (!self) return;
+      const bool behind = self->unsent_bytes_ > kBehind && !self->context_.service.account->has_room(held.size());
       self->send(std::move(held));
-      if (self->unsent_bytes_ > 2 * self->context_.limits.backlog_bytes) self->connection_->cut();
+      if (behind || self->unsent_bytes_ > 2 * self->context_.limits.backlog_bytes) self->connection_->cut();
     });
   };
 }
@@ -32,15 +39,22 @@ asio::awaitable<void> Conversation::wait_for_room() {
   while (crowded()) co_await changed_.wait();
   bool room = false;
   while (!room && connection_->socket.is_open() && !connection_->draining) {
-    room = co_await connection_->wait_for_room(*context_.service.account, 1, kAtATime);
+    room = co_await connection_->wait_for_room(*context_.service.account, held(), 1, kAtATime);
   }
 }
 
-void Conversation::call(std::string message) {
+asio::awaitable<void> Conversation::call(std::string message) {
+  const access::Service& service = context_.service;
+  const std::size_t weight = service.weigh ? service.weigh(message) : 0;
+  if (weight > 0 &&
+      !co_await connection_->wait_for_room(*service.account, held() + message.size(), weight, context_.limits.room)) {
+    co_return send(service.no_room);
+  }
   ++unanswered_;
-  held_requests_.add(message.size());
+  const std::size_t bytes = message.size() + weight;
+  held_requests_.add(bytes);
   const auto executor = connection_->socket.get_executor();
-  access::Reply reply = [executor, self = shared_from_this(), bytes = message.size()](std::string answer) {
+  access::Reply reply = [executor, self = shared_from_this(), bytes](std::string answer) {
     asio::post(executor, [self, bytes, held = std::move(answer)]() mutable {
       --self->unanswered_;
       self->held_requests_.remove(bytes);
@@ -48,7 +62,7 @@ void Conversation::call(std::string message) {
       self->changed_.notify();
     });
   };
-  context_.service.call(std::move(message), connection_->session, std::move(reply));
+  service.call(std::move(message), connection_->session, std::move(reply));
 }
 
 void Conversation::send(std::string text) {

@@ -3,7 +3,7 @@
 // A connection with too many unanswered calls, or too many of their bytes, or too many unsent bytes, is not read until
 // there are fewer; nor is any connection while all of them together have too many bytes.
 // Notifications cannot be held back in this way: a client that does not receive them is disconnected at twice the limit
-// of unsent bytes.
+// of unsent bytes, or as soon as all connections together have too many.
 // Everything here belongs to the I/O thread.
 #pragma once
 
@@ -27,9 +27,13 @@ class Conversation : public std::enable_shared_from_this<Conversation> {
   void enable_notifications();
   // Waits while too many calls are unanswered or too many bytes unsent, here or on all connections together.
   boost::asio::awaitable<void> wait_for_room();
-  void call(std::string message);
+  // Passes the message on when there is room for what answering it takes; if there is none in time, it is answered
+  // without.
+  boost::asio::awaitable<void> call(std::string message);
   // Nothing is sent for an empty text.
   void send(std::string text);
+  // Bytes of unanswered calls and of what is not sent.
+  [[nodiscard]] std::size_t held() const { return held_requests_.bytes() + held_answers_.bytes(); }
   // Waits until every call is answered and everything is sent.
   boost::asio::awaitable<void> settle();
 
@@ -50,8 +54,8 @@ class Conversation : public std::enable_shared_from_this<Conversation> {
   std::size_t unsent_bytes_{};   // in unsent_ and being written
   std::size_t writing_bytes_{};  // being written; 0: none
   std::size_t unanswered_{};
-  access::HeldBytes held_requests_;  // of the unanswered calls
-  access::HeldBytes held_answers_;   // the unsent bytes
+  memory::HeldBytes held_requests_;  // of the unanswered calls
+  memory::HeldBytes held_answers_;   // the unsent bytes
 };
 
 }  // namespace selvage::server::transport::connections

@@ -100,7 +100,7 @@ class HttpConnection {
 
     const auto bytes = static_cast<std::size_t>(parser.content_length().value_or(0));
     bool room = bytes == 0;  // pages are always served
-    if (!room) room = co_await connection_.wait_for_room(*context_.service.account, bytes, context_.limits.room);
+    if (!room) room = co_await connection_.wait_for_room(*context_.service.account, 0, bytes, context_.limits.room);
     if (!room) co_return no_room();
     held_.set(bytes);
     if (boost::beast::iequals(parser.get()[http::field::expect], "100-continue")) co_await write_continue();
@@ -111,10 +111,14 @@ class HttpConnection {
     co_return std::nullopt;
   }
 
+  static HttpResponse unavailable(std::string error) {
+    HttpResponse answer = make_answer(http::status::service_unavailable, "application/json", std::move(error));
+    answer.set(http::field::retry_after, "1");
+    return answer;
+  }
   // The error as the answer to a call that has not been read.
   [[nodiscard]] HttpResponse no_room() const {
-    HttpResponse answer = make_answer(http::status::service_unavailable, "application/json", context_.service.no_room);
-    answer.set(http::field::retry_after, "1");
+    HttpResponse answer = unavailable(context_.service.no_room);
     answer.keep_alive(false);
     return answer;
   }
@@ -122,7 +126,16 @@ class HttpConnection {
   // Takes the body out of the request.
   asio::awaitable<HttpResponse> answer_to(HttpRequest& request) {
     if (auto page = page_for(request, context_.service)) co_return *std::move(page);
+    const access::Service& service = context_.service;
+    const std::size_t weight = service.weigh ? service.weigh(request.body()) : 0;
+    if (weight > 0 &&
+        !co_await connection_.wait_for_room(*service.account, held_.bytes(), weight, context_.limits.room)) {
+      co_return no_room();
+    }
+    held_.add(weight);
+    const bool loading = service.loading && service.loading();
     std::string text = co_await called(std::move(request.body()));
+    if (loading) co_return unavailable(std::move(text));
     if (text.empty()) co_return make_answer(http::status::no_content, "application/json", {});
     co_return make_answer(http::status::ok, "application/json", std::move(text));
   }
@@ -172,7 +185,7 @@ class HttpConnection {
   Connection& connection_;
   const ConnectionContext context_;
   boost::beast::flat_buffer buffer_;
-  access::HeldBytes held_{context_.service.account};  // of the request, then of its answer
+  memory::HeldBytes held_{context_.service.account};  // of the request, then of its answer
   std::optional<HttpRequest> upgrade_;
   bool failed_{};
 };

@@ -90,8 +90,8 @@ class LineConnection final : public Conversation {
       co_await wait_for_room();
       co_return;
     }
-    const access::ByteAccount& account = *context_.service.account;
-    const bool room = co_await connection_->wait_for_room(account, 1, context_.limits.room);
+    const memory::ByteAccount& account = *context_.service.account;
+    const bool room = co_await connection_->wait_for_room(account, held() + held_.bytes(), 1, context_.limits.room);
     if (room) co_return;
     splitter_.drop();
     held_.set(0);
@@ -118,7 +118,7 @@ class LineConnection final : public Conversation {
       if (line.too_long) {
         send(context_.service.line_too_long);
       } else {
-        call(std::move(line.text));
+        co_await call(std::move(line.text));
       }
     }
   }
@@ -143,7 +143,7 @@ class LineConnection final : public Conversation {
   }
 
   LineSplitter splitter_;
-  access::HeldBytes held_;  // of the line that has begun
+  memory::HeldBytes held_;  // of the line that has begun
   std::string writing_;
   bool guarding_{};
 };

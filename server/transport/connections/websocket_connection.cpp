@@ -119,7 +119,7 @@ class WebSocketConnection final : public Conversation {
 
   asio::awaitable<void> read_to_end() {
     boost::beast::flat_buffer message;
-    access::HeldBytes held{context_.service.account};  // of the message that has begun
+    memory::HeldBytes held{context_.service.account};  // of the message that has begun
     Error error;
     restart_silence_timer();
     for (;;) {
@@ -133,9 +133,10 @@ class WebSocketConnection final : public Conversation {
         within_message_ = false;
         Connection::disarm(connection_->read_watchdog);
         co_await wait_for_room();
-        if (!closing_) call(std::string{static_cast<const char*>(message.data().data()), message.size()});
+        std::string text{static_cast<const char*>(message.data().data()), message.size()};
         message.clear();
         message.shrink_to_fit();  // frees the memory of a large message
+        if (!closing_) co_await call(std::move(text));
         held.set(0);
         restart_silence_timer();
       } else {
@@ -143,8 +144,9 @@ class WebSocketConnection final : public Conversation {
           connection_->arm(connection_->read_watchdog, context_.limits.request);
         }
         held.set(message.size());
-        const access::ByteAccount& account = *context_.service.account;
-        const bool room = co_await connection_->wait_for_room(account, 1, context_.limits.room);
+        const memory::ByteAccount& account = *context_.service.account;
+        const bool room =
+            co_await connection_->wait_for_room(account, this->held() + held.bytes(), 1, context_.limits.room);
         if (!room) {
           send(context_.service.no_room);
           begin_close(websocket::close_code::try_again_later);

@@ -96,9 +96,10 @@ class LocalServer {
  private:
   std::shared_ptr<server::transport::access::Session> session_ = std::make_shared<server::transport::access::Session>(
       server::transport::access::Session{.id = 1, .notify = [](const std::string& text) { judge(text); }, .gone = {}});
-  server::dispatch::Backend backend_{{.limits = {.open_markers = 8, .transport = {.body_bytes = std::size_t{1} << 20}},
-                                      .methods = quick_methods(),
-                                      .on_answered = [](const server::ops::AnsweredRequest&) {}}};
+  server::dispatch::Backend backend_{
+      {.limits = {.markers_bytes = std::size_t{1} << 20, .transport = {.body_bytes = std::size_t{1} << 20}},
+       .methods = quick_methods(),
+       .on_answered = [](const server::ops::AnsweredRequest&) {}}};
 };
 
 }  // namespace

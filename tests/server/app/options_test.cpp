@@ -34,12 +34,24 @@ TEST(Options, AreRead) {
   EXPECT_EQ(options->host, "::1");
   EXPECT_EQ(options->port, 0);
   EXPECT_EQ(options->workers, 0U);
-  EXPECT_EQ(options->cache_mb, 8U);
+  EXPECT_EQ(options->cache_bytes, 8U << 20);
   EXPECT_EQ(options->limits.transport.body_bytes, 3U << 20);
   EXPECT_EQ(options->limits.call, std::chrono::seconds{90});
   EXPECT_EQ(options->port_file, "p");
   EXPECT_EQ(options->log.level, "warn");
   EXPECT_EQ(options->log.format, ops::LogFormat::kText);
+}
+
+TEST(Options, TheMemoryIsDivided) {
+  const calls::Limits as_built;
+  const auto standard = std::get<Options>(parse({}));
+  EXPECT_EQ(standard.cache_bytes, Options{}.cache_bytes);
+  EXPECT_EQ(standard.limits.transport.traffic_bytes, as_built.transport.traffic_bytes);
+  EXPECT_EQ(standard.limits.markers_bytes, as_built.markers_bytes);
+  const auto small = std::get<Options>(parse({"--memory", "512", "--traffic-mb", "100"}));
+  EXPECT_EQ(small.cache_bytes, 64U << 20);
+  EXPECT_EQ(small.limits.transport.traffic_bytes, 100U << 20);
+  EXPECT_EQ(small.limits.markers_bytes, std::size_t{300} << 20);
 }
 
 TEST(Options, TheLogMayBeWrittenAsJson) {
@@ -53,6 +65,11 @@ std::string refusal(std::initializer_list<const char*> arguments) {
   if (early_exit == nullptr) return "not refused";
   EXPECT_EQ(early_exit->code, 2);
   return early_exit->text;
+}
+
+TEST(Options, MemoryThatLeavesNothingForMarkersIsRefused) {
+  EXPECT_NE(refusal({"--memory", "64"}).find("--memory 64"), std::string::npos);
+  EXPECT_NE(refusal({"--memory", "512", "--cache-mb", "500"}).find("--memory 512"), std::string::npos);
 }
 
 class ExposedOptions : public ::testing::Test {

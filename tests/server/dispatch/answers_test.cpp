@@ -61,7 +61,7 @@ TEST(Answers, ABatchWhoseAnswersAreTooManyBytesIsRefusedFromThereOn) {
 
 TEST(Answers, TheBytesOfABatchAreCountedUntilItIsAnswered) {
   LocalServer local;
-  const auto account = std::make_shared<server::transport::access::ByteAccount>(500);
+  const auto account = std::make_shared<server::memory::ByteAccount>(500);
   local.client.session()->account = account;
   std::string batch;
   for (int k = 0; k < 10; ++k) batch += (k == 0 ? "[" : ",") + call(k, "engine.info");
@@ -69,6 +69,23 @@ TEST(Answers, TheBytesOfABatchAreCountedUntilItIsAnswered) {
   EXPECT_TRUE(answers[0].contains("result"));
   EXPECT_EQ(code_of(answers[9]), -32013);
   EXPECT_EQ(account->held(), 0U);
+}
+
+TEST(Answers, ALargeOneOfAReadIsDroppedWhenThereIsNoRoomForIt) {
+  LocalServer local;
+  std::string large = kSmallMarker;
+  large.insert(1, R"("attributes":{"note":")" + std::string(200'000, 'x') + "\"},");
+  const auto account = std::make_shared<server::memory::ByteAccount>(100'000);
+  local.client.session()->account = account;
+  EXPECT_EQ(local.ask_json(call(1, "marker.open", R"({"marker":)" + large + "}"))["result"]["markerId"], "m1");
+  const std::string get = call(2, "marker.get", R"({"markerId":"m1"})");
+  const Json refused = local.ask_json(get);
+  EXPECT_EQ(code_of(refused), -32013);
+  EXPECT_EQ(refused["id"], 2);
+  EXPECT_EQ(account->held(), 0U);
+  const auto roomy = std::make_shared<server::memory::ByteAccount>(300'000);
+  local.client.session()->account = roomy;
+  EXPECT_TRUE(local.ask_json(get).contains("result"));
 }
 
 }  // namespace

@@ -41,13 +41,14 @@ TEST(Dispatcher, EngineInfoReportsTheLimits) {
   const Json info = local.ask_json(call(1, "engine.info"))["result"];
   EXPECT_EQ(info["markers"], 1);
   EXPECT_EQ(info["version"], SELVAGE_VERSION);
-  EXPECT_EQ(info["limits"]["openMarkers"], 1000);
+  EXPECT_EQ(info["limits"]["markersBytes"], std::size_t{1232} << 20);
   EXPECT_EQ(info["limits"]["batch"], 100);
   EXPECT_EQ(info["cache"]["limit"], 1 << 20);
 }
 
 TEST(Dispatcher, EngineInfoReportsEveryLimitAsConfigured) {
-  server::calls::Limits limits{.open_markers = 1,
+  server::calls::Limits limits{.markers_bytes = 1'000'001,
+                               .marker_bytes = 100'001,
                                .waiting_motions = 2,
                                .waiting_reads = 3,
                                .waiting_moves = 4,
@@ -64,7 +65,8 @@ TEST(Dispatcher, EngineInfoReportsEveryLimitAsConfigured) {
                       {"values", protocol::json::most_values(100'006)},
                       {"pieces", marker::kMaxPieces},
                       {"vertices", geometry::kMaxVertices},
-                      {"openMarkers", 1},
+                      {"markersBytes", 1'000'001},
+                      {"markerBytes", 100'001},
                       {"waitingMotions", 2},
                       {"waitingReads", 3},
                       {"waitingMoves", 4},
@@ -129,14 +131,37 @@ TEST(Dispatcher, ADecoderThatThrowsFailsItsCallOnly) {
   EXPECT_EQ(answers[1]["result"]["markers"].size(), 0U);
 }
 
-TEST(Dispatcher, TheNumberOfOpenMarkersIsLimited) {
+TEST(Dispatcher, TheMemoryOfMarkersIsLimited) {
   server::calls::Limits limits;
-  limits.open_markers = 1;
+  limits.markers_bytes = 50'000;
+  LocalServer local{0, pushing_methods(), limits};
+  const std::string opening = call(1, "marker.open", R"({"marker":)" + kSmallMarker + "}");
+  Json answer;
+  int opened = 0;
+  while ((answer = local.ask_json(opening)).contains("result")) ++opened;
+  EXPECT_GT(opened, 1);
+  EXPECT_EQ(code_of(answer), -32013);
+  EXPECT_EQ(answer["error"]["data"]["limit"], 50'000);
+  EXPECT_TRUE(local.result("motion.compact", "{'markerId':'m1'}").contains("revision"));
+  EXPECT_EQ(local.result("marker.close", "{'markerId':'m1'}")["closed"], true);
+  EXPECT_TRUE(local.ask_json(opening).contains("result"));
+}
+
+TEST(Dispatcher, TheMemoryOfOneMarkerIsLimited) {
+  server::calls::Limits limits;
+  limits.marker_bytes = 10'000;
   LocalServer local{0, pushing_methods(), limits};
   (void)local.open_small();
-  const Json answer = local.ask_json(call(1, "marker.open", R"({"marker":)" + kSmallMarker + "}"));
-  EXPECT_EQ(code_of(answer), -32013);
-  EXPECT_EQ(answer["error"]["data"]["limit"], 1);
+  std::string shape = "{'id':'large','outline':[";
+  for (int k = 0; k < 1000; ++k)
+    shape += (k == 0 ? "[" : ",[") + std::to_string(k / 500.0) + "," + std::to_string(k / 500.0 * k / 500.0) + "]";
+  const Json answer = local.result("marker.apply",
+                                   "{'markerId':'m1','ops':[{'op':'add','piece':{'id':'new',"
+                                   "'shape':'large','at':[5,5]},'shape':" +
+                                       shape + "]}}]}");
+  EXPECT_EQ(code_of(answer), -32013) << answer;
+  EXPECT_EQ(answer["error"]["data"]["limit"], 10'000);
+  EXPECT_EQ(local.store().current("m1")->revision, 1U);
 }
 
 TEST(Dispatcher, EngineInfoListsEveryMethod) {

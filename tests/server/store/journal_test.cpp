@@ -291,6 +291,30 @@ TEST_F(JournalTest, AWriteErrorMakesTheServerUnreadyUntilAWriteSucceeds) {
   EXPECT_EQ(local.backend.why_not_ready(), "");
 }
 
+TEST_F(JournalTest, AMarkerForWhichThereIsNoRoomIsNotReadUntilThereIs) {
+  const std::size_t before = [&] {
+    server::store::Journal journal{path(), server::store::Durability::kRelaxed};
+    LocalServer local{0, pushing_methods(), {}, &journal};
+    for (int i = 0; i < 50; ++i) (void)local.open_small();
+    return local.store().room().account->held();
+  }();
+  server::store::Journal journal{path(), server::store::Durability::kRelaxed};
+  server::calls::Limits limits;
+  limits.markers_bytes = before * 9 / 10;
+  LocalServer local{0, pushing_methods(), limits, &journal};
+  EXPECT_LT(local.store().room().account->held(), before);  // rows are smaller than what is made of them
+  const auto get = [&](int k) { return local.result("marker.get", "{'markerId':'m" + std::to_string(k) + "'}"); };
+  int read = 0;
+  while (read < 50 && get(read + 1).contains("marker")) ++read;
+  EXPECT_GT(read, 0);
+  ASSERT_LT(read, 50);
+  EXPECT_EQ(code_of(get(read + 1)), -32013);
+  EXPECT_LE(local.store().room().account->held(), limits.markers_bytes);
+  EXPECT_EQ(local.result("marker.list", "{}")["markers"].size(), 50U);
+  for (int k = 1; k <= 10; ++k) (void)local.result("marker.close", "{'markerId':'m" + std::to_string(k) + "'}");
+  EXPECT_TRUE(get(read + 1).contains("marker"));
+}
+
 TEST_F(JournalTest, KeptAnswersTakeBoundedRoom) {
   const auto kept = static_cast<std::int64_t>(server::store::KeptAnswers::kMost);
   {

@@ -23,7 +23,7 @@ std::string opened(MarkerStore& store, const std::string& name) {
 }
 
 TEST(MarkerStore, NumbersIdsAndRevisionsUpwards) {
-  MarkerStore store{10};
+  MarkerStore store;
   EXPECT_EQ(opened(store, "a"), "m1");
   EXPECT_EQ(store.current("m1")->revision, 1U);
   EXPECT_EQ(store.close("m1"), Closed::kDone);
@@ -32,7 +32,7 @@ TEST(MarkerStore, NumbersIdsAndRevisionsUpwards) {
 }
 
 TEST(MarkerStore, CommitsOnlyOnTheCurrentRevision) {
-  MarkerStore store{10};
+  MarkerStore store;
   ASSERT_EQ(opened(store, "one"), "m1");
   const auto before = store.current("m1");
   const Commit done = store.commit("m1", 1, {.file = named("two")});
@@ -46,7 +46,7 @@ TEST(MarkerStore, CommitsOnlyOnTheCurrentRevision) {
 }
 
 TEST(MarkerStore, KnowsNothingOfClosedMarkers) {
-  MarkerStore store{10};
+  MarkerStore store;
   ASSERT_EQ(opened(store, "one"), "m1");
   EXPECT_EQ(store.close("m1"), Closed::kDone);
   EXPECT_EQ(store.close("m1"), Closed::kUnknown);
@@ -54,17 +54,8 @@ TEST(MarkerStore, KnowsNothingOfClosedMarkers) {
   EXPECT_EQ(store.commit("m1", 1, {.file = named("two")}).outcome, Commit::Outcome::kClosed);
 }
 
-TEST(MarkerStore, OpensNoMoreThanItsLimit) {
-  MarkerStore store{2};
-  ASSERT_NE(opened(store, "a"), "");
-  ASSERT_NE(opened(store, "b"), "");
-  EXPECT_EQ(std::get<NotOpened>(store.open(named("c"))), NotOpened::kLimit);
-  EXPECT_EQ(store.close("m1"), Closed::kDone);
-  EXPECT_NE(opened(store, "c"), "");
-}
-
 TEST(MarkerStore, OneOfSeveralRacingCommitsSucceeds) {
-  MarkerStore store{1};
+  MarkerStore store;
   ASSERT_EQ(opened(store, "start"), "m1");
   std::atomic<int> won{};
   {

@@ -40,7 +40,7 @@ class StagedServer {
   // Adds a TCP listener for HTTP if there are no listeners.
   explicit StagedServer(server::transport::access::ListenSettings listen,
                         const server::transport::access::TransportLimits& limits = {})
-      : account_{std::make_shared<server::transport::access::ByteAccount>(limits.traffic_bytes)},
+      : account_{std::make_shared<server::memory::ByteAccount>(limits.traffic_bytes)},
         transport_{
             with_http(std::move(listen)), limits,
             server::transport::access::Service{
@@ -49,6 +49,7 @@ class StagedServer {
                            server::transport::access::Reply reply) {
                       take({std::move(message), session, session->gone, std::move(reply)});
                     },
+                .weigh = weight_in,
                 .health = [] { return std::string{"well"}; },
                 .ready = [this] { return why_not_ready(); },
                 .metrics = [] { return std::string{"up 1\n"}; },
@@ -66,7 +67,7 @@ class StagedServer {
   [[nodiscard]] server::transport::Transport& transport() { return transport_; }
   [[nodiscard]] const server::transport::access::TransportCounts& counts() const { return *counts_; }
   // The bytes that clients make the server hold.
-  [[nodiscard]] const server::transport::access::ByteAccount& account() const { return *account_; }
+  [[nodiscard]] const server::memory::ByteAccount& account() const { return *account_; }
   void set_why_not_ready(std::string why) {
     const std::lock_guard lock{mutex_};
     why_not_ready_ = std::move(why);
@@ -93,6 +94,12 @@ class StagedServer {
       listen.listeners.push_back({.speaks = server::transport::access::Listener::Speaks::kHttp, .host = "127.0.0.1"});
     return listen;
   }
+  // What a message says of itself: {"weight":17, ...}.
+  static std::size_t weight_in(std::string_view message) {
+    constexpr std::string_view kField = "\"weight\":";
+    const std::size_t found = message.find(kField);
+    return found == std::string_view::npos ? 0 : std::stoul(std::string{message.substr(found + kField.size())});
+  }
   [[nodiscard]] std::string why_not_ready() {
     const std::lock_guard lock{mutex_};
     return why_not_ready_;
@@ -112,7 +119,7 @@ class StagedServer {
   std::condition_variable changed_;
   std::deque<HeldCall> held_;
   std::string why_not_ready_;
-  const std::shared_ptr<server::transport::access::ByteAccount> account_;
+  const std::shared_ptr<server::memory::ByteAccount> account_;
   const std::shared_ptr<server::transport::access::TransportCounts> counts_ =
       std::make_shared<server::transport::access::TransportCounts>();
   server::transport::Transport transport_;

@@ -144,5 +144,81 @@ TEST(Traffic, AnswersCountUntilTheyAreSent) {
   EXPECT_TRUE(holds_at_most(server, 0));
 }
 
+std::string weighing(std::size_t weight, const std::string& more = "\"n\":1") {
+  return "{\"weight\":" + std::to_string(weight) + "," + more + "}";
+}
+
+TEST(Traffic, WhatAnsweringAMessageTakesCountsAndIsWaitedFor) {
+  StagedServer server{TransportLimits{.traffic_bytes = 3 * kMessage, .room = 600s}};
+  Wire busy{server.port()};
+  busy.send(weighing(2 * kMessage, "\"hold\":1") + "\n");
+  const HeldCall held = server.next_held();
+  EXPECT_GE(server.account().held(), 2 * kMessage);
+  Wire lines{server.port()};
+  lines.send(weighing(2 * kMessage) + "\n");
+  Wire http{server.port()};
+  http.send(post_request(weighing(2 * kMessage)));
+  WebSocketWire socket{server.port()};
+  socket.send_text(weighing(2 * kMessage));
+  Wire small{server.port()};
+  small.send("{\"n\":2}\n");
+  EXPECT_EQ(small.line(), "{\"n\":2}");  // there is room for a small one
+  held.reply("done");
+  EXPECT_EQ(busy.line(), "done");
+  EXPECT_EQ(lines.line(), weighing(2 * kMessage));
+  EXPECT_EQ(http.answer().value_or(HttpAnswer{}).body, weighing(2 * kMessage));
+  EXPECT_EQ(socket.text(), weighing(2 * kMessage));
+  EXPECT_TRUE(holds_at_most(server, 0));
+}
+
+TEST(Traffic, AMessageThatTakesMoreThanThereEverIsIsRefusedAtOnce) {
+  StagedServer server{TransportLimits{.traffic_bytes = kMessage, .room = 600s}};
+  Wire http{server.port()};
+  http.send(post_request(weighing(2 * kMessage)));
+  const HttpAnswer refused = http.answer().value_or(HttpAnswer{});
+  EXPECT_EQ(refused.status, 503);
+  EXPECT_EQ(refused.body, "no room");
+  Wire lines{server.port()};
+  lines.send(weighing(2 * kMessage) + "\n{\"n\":2}\n");
+  EXPECT_EQ(lines.line(), "no room");
+  EXPECT_EQ(lines.line(), "{\"n\":2}");
+  WebSocketWire socket{server.port()};
+  socket.send_text(weighing(2 * kMessage));
+  EXPECT_EQ(socket.text(), "no room");
+}
+
+TEST(Traffic, AClientThatDoesNotReadItsNotificationsIsDisconnectedWhenThereIsNoRoom) {
+  StagedServer server{TransportLimits{.backlog_bytes = std::size_t{1} << 30, .traffic_bytes = 10 * kMessage}};
+  Wire wire{server.port()};
+  wire.send("{\"hold\":1}\n");
+  const HeldCall held = server.next_held();
+  for (int k = 0; k < 1000 && !held.caller.stop_requested(); ++k) held.session->notify(std::string(kMessage, 'x'));
+  EXPECT_TRUE(stops(held.caller));
+  held.reply("done");
+  EXPECT_TRUE(holds_at_most(server, 0));
+}
+
+TEST(Traffic, ThoseWhoWantLittleAreServedWhateverTheOthersDo) {
+  constexpr std::size_t kMiB = std::size_t{1} << 20;
+  StagedServer server{TransportLimits{.traffic_bytes = 8 * kMiB, .room = 600s}};
+  std::vector<std::unique_ptr<Wire>> greedy;
+  std::vector<HeldCall> held;
+  for (int k = 0; k < 6; ++k) {
+    greedy.push_back(std::make_unique<Wire>(server.port()));
+    greedy.back()->send(weighing(kMiB, "\"hold\":1") + "\n");
+    held.push_back(server.next_held());
+  }
+  Wire more{server.port()};
+  more.send(weighing(kMiB, "\"hold\":2") + "\n");
+  for (int k = 0; k < 50; ++k) {
+    const HttpAnswer answer = Wire{server.port()}.post(weighing(kMessage)).value_or(HttpAnswer{});
+    ASSERT_EQ(answer.status, 200) << k;
+  }
+  EXPECT_EQ(server.held(), 0U);  // it would take what is left for small ones
+  for (const HeldCall& call : held) call.reply("done");
+  server.next_held().reply("done, too");
+  EXPECT_EQ(more.line(), "done, too");
+}
+
 }  // namespace
 }  // namespace selvage::test

@@ -1,0 +1,72 @@
+// What waits for the store's file delays no read and no motion of another marker.
+#include <gtest/gtest.h>
+
+#include <future>
+#include <string>
+#include <vector>
+
+#include "server/store/disk/database.h"
+#include "tests/server/dispatch/local_server.h"
+#include "tests/server/store/temporary_folder.h"
+
+namespace selvage::test {
+namespace {
+
+using namespace std::chrono_literals;
+using server::store::disk::Database;
+
+class Openings : public ::testing::Test {
+ protected:
+  static std::string opening(int id) { return call(id, "marker.open", R"({"marker":)" + kSmallMarker + "}"); }
+  static Json answer_of(std::future<std::string>& sent) {
+    if (sent.wait_for(kPatience) != std::future_status::ready) return Json{{"error", {{"code", 0}}}};
+    return Json::parse(sent.get());
+  }
+
+  TemporaryFolder folder_;
+  server::store::Journal journal_{folder_.file("store"), server::store::Durability::kRelaxed};
+  LocalServer local_{1, pushing_methods(), {}, &journal_};
+};
+
+TEST_F(Openings, DelayNoReads) {
+  (void)local_.open_small();
+  Database other{folder_.file("store"), Database::Access::kExisting};
+  other.run("BEGIN IMMEDIATE");  // the journal waits for it
+  std::vector<std::future<std::string>> opening_calls;
+  for (int k = 0; k < 4; ++k) opening_calls.push_back(local_.send(opening(k)));
+  auto closing = local_.send(call(5, "marker.close", R"({"markerId":"m1"})"));
+  for (const char* read : {"marker.get", "marker.check", "marker.list", "engine.info"}) {
+    const bool of_one = std::string_view{read} == "marker.get" || std::string_view{read} == "marker.check";
+    const Json answer = local_.ask_json(call(6, read, of_one ? R"({"markerId":"m1"})" : "{}"));
+    EXPECT_TRUE(answer.contains("result")) << read << answer;
+  }
+  const std::string bump = R"({"markerId":"m1","piece":"low","direction":[-1,0],"commit":false})";
+  EXPECT_TRUE(local_.ask_json(call(7, "motion.bump", bump)).contains("result"));
+  for (auto& sent : opening_calls) EXPECT_EQ(sent.wait_for(0s), std::future_status::timeout);
+  EXPECT_EQ(closing.wait_for(0s), std::future_status::timeout);
+  other.run("ROLLBACK");
+  for (auto& sent : opening_calls) EXPECT_TRUE(answer_of(sent).contains("result"));
+  EXPECT_EQ(answer_of(closing)["result"]["closed"], true);
+}
+
+// A copy of the store takes as long as the store is large.
+TEST_F(Openings, OneOfTheTwoWorkersTakesNoCopies) {
+  std::promise<void> release;
+  auto released = release.get_future().share();
+  std::promise<void> begun;
+  server::jobs::Job copying{
+      .session = 99, .lane = {}, .quick = false, .caller = {}, .work = server::jobs::Work{[&](auto&&) {
+                                                                 begun.set_value();
+                                                                 released.wait();
+                                                               }}};
+  ASSERT_EQ(local_.backend.queues().openings.submit(copying), server::jobs::Admission::kAccepted);
+  begun.get_future().wait();
+  auto backup = local_.send(call(1, "admin.backup", R"({"name":"copy"})"));
+  EXPECT_EQ(local_.open_small(), "m1");
+  EXPECT_EQ(backup.wait_for(0s), std::future_status::timeout);
+  release.set_value();
+  EXPECT_TRUE(answer_of(backup).contains("result"));
+}
+
+}  // namespace
+}  // namespace selvage::test
