@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/trials/caller.h"
-#include "tests/trials/live_daemon.h"
+#include "tests/trials/live/caller.h"
+#include "tests/trials/live/live_daemon.h"
 #include "tests/trials/trials.h"
 
 namespace selvage::trials {

@@ -5,9 +5,9 @@
 #include <thread>
 #include <vector>
 
-#include "tests/trials/caller.h"
 #include "tests/trials/latencies.h"
-#include "tests/trials/live_daemon.h"
+#include "tests/trials/live/caller.h"
+#include "tests/trials/live/live_daemon.h"
 #include "tests/trials/trials.h"
 
 namespace selvage::trials {

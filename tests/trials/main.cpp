@@ -1,4 +1,4 @@
-// usage: trial drags|malformed|soak|slow|deadlines|damage [COUNT]
+// usage: trial drags|malformed|soak|slow|deadlines|damage|memory|loading [COUNT]
 // Exit codes: 0 no faults; 1 faults; 2 bad command line.
 #include <array>
 #include <charconv>
@@ -19,6 +19,7 @@ struct Trial {
 constexpr std::array kTrials{
     Trial{"drags", 100'000, drags}, Trial{"malformed", 1'000'000, malformed}, Trial{"soak", 1800, soak},
     Trial{"slow", 10, slow},        Trial{"deadlines", 100, deadlines},       Trial{"damage", 1000, damage},
+    Trial{"memory", 3, memory},     Trial{"loading", 10'000, loading},
 };
 
 std::optional<std::size_t> count_of(std::string_view word) {
@@ -46,6 +47,6 @@ int main(int argc, char** argv) {
     const auto count = argc == 3 ? count_of(argv[2]) : trial.full;
     if (count) return run(trial, *count);
   }
-  std::fprintf(stderr, "usage: trial drags|malformed|soak|slow|deadlines|damage [COUNT]\n");
+  std::fprintf(stderr, "usage: trial drags|malformed|soak|slow|deadlines|damage|memory|loading [COUNT]\n");
   return 2;
 }

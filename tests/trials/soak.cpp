@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "tests/support/random.h"
-#include "tests/trials/caller.h"
 #include "tests/trials/linear_fit.h"
-#include "tests/trials/live_daemon.h"
+#include "tests/trials/live/caller.h"
+#include "tests/trials/live/live_daemon.h"
 #include "tests/trials/trials.h"
 
 namespace selvage::trials {

@@ -29,4 +29,11 @@ void deadlines(std::size_t count, Faults& faults);
 // content or names what is damaged.
 void damage(std::size_t count, Faults& faults);
 
+// Clients that try to make a daemon of 512 MiB grow beyond that, in every way that there is and then in all of them at
+// once, each `rounds` times; meanwhile another client reads.
+void memory(std::size_t rounds, Faults& faults);
+
+// A start on a store of `count` markers of 120 pieces.
+void loading(std::size_t count, Faults& faults);
+
 }  // namespace selvage::trials

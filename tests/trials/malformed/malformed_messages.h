@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tests/support/random.h"
-#include "tests/trials/caller.h"
+#include "tests/trials/live/caller.h"
 
 namespace selvage::trials {
 

@@ -26,9 +26,12 @@ class LiveDaemon {
   [[nodiscard]] std::uint16_t lines_port() const { return lines_port_; }  // lines only
   [[nodiscard]] std::string path() const { return folder_.file("socket"); }
   [[nodiscard]] std::string store() const { return folder_.file("store"); }  // a path for a store
+  [[nodiscard]] pid_t process_id() const { return process_->id(); }
   [[nodiscard]] Resources resources() const;
   [[nodiscard]] std::string log_text() const;
 
+  // From now on it gets no more than so many bytes of addresses.
+  void limit_address_space(std::size_t bytes) const;
   // Asks it to shut down and returns its exit code.
   int end();
 

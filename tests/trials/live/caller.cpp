@@ -1,4 +1,4 @@
-#include "tests/trials/caller.h"
+#include "tests/trials/live/caller.h"
 
 #include <stdexcept>
 #include <utility>

@@ -1,4 +1,6 @@
-#include "tests/trials/live_daemon.h"
+#include "tests/trials/live/live_daemon.h"
+
+#include <sys/resource.h>
 
 #include <csignal>
 #include <filesystem>
@@ -43,6 +45,11 @@ std::string LiveDaemon::log_text() const {
   std::ostringstream text;
   text << std::ifstream{folder_.file("log")}.rdbuf();
   return text.str();
+}
+
+void LiveDaemon::limit_address_space(std::size_t bytes) const {
+  const rlimit limit{bytes, bytes};
+  if (::prlimit(process_->id(), RLIMIT_AS, &limit, nullptr) != 0) throw std::runtime_error{"cannot limit selvaged"};
 }
 
 int LiveDaemon::end() {

@@ -10,7 +10,7 @@
 
 #include "tests/server/wire/websocket_wire.h"
 #include "tests/server/wire/wire.h"
-#include "tests/trials/live_daemon.h"
+#include "tests/trials/live/live_daemon.h"
 
 namespace selvage::trials {
 
