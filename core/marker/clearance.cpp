@@ -71,23 +71,22 @@ bool are_clear(const PlacedPieces& pieces, std::span<const std::uint32_t> change
   });
 }
 
-Coord protrusion_of(const Box& box, const Strip& strip) {
-  const Box room = strip.room(strip.last().value_or(box.high.x));
+Coord protrusion_of(const PlacedPieces& pieces, std::size_t piece, const Strip& strip) {
+  const Box box = pieces.box(piece);
+  const Box room = pieces.room(piece, strip, strip.last().value_or(box.high.x));
   return std::max({room.low.x - box.low.x, room.low.y - box.low.y, box.high.x - room.high.x, box.high.y - room.high.y});
+}
+
+bool keep_shades(const PlacedPieces& pieces) {
+  const auto shades = pieces.shades();
+  return std::all_of(shades.begin(), shades.end(), [&](const Shade& shade) { return pieces.excess_of(shade) <= 0; });
 }
 
 bool are_inside(const PlacedPieces& pieces, const Strip& strip) {
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (protrusion_of(pieces.box(i), strip) > 0) return false;
+    if (protrusion_of(pieces, i, strip) > 0) return false;
   }
-  return true;
-}
-
-bool are_inside(const PlacedPieces& pieces, const Box& room) {
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (!room.contains(pieces.box(i))) return false;
-  }
-  return true;
+  return keep_shades(pieces);
 }
 
 bool all_clear(const PlacedPieces& pieces, const Strip& strip) {

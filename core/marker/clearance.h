@@ -1,6 +1,6 @@
 // The proof of every answer: pieces may touch, but they never overlap by more than their allowance, never come closer
-// than their spacing, and never leave the strip or enter its margins.  Decided in integers, and only here: whoever
-// moves pieces asks one of these functions before the answer is given.
+// than their spacing, never leave the strip or enter its margins, and keep cloth's rules (rules.h).  Decided in
+// integers, and only here: whoever moves pieces asks one of these functions before the answer is given.
 //
 // Pairs of pieces are found by a sweep over their boxes (placed_pieces.h); a single piece is compared with the boxes of
 // all others.
@@ -36,14 +36,14 @@ namespace selvage::marker {
 // True when none of the changed pieces collides with any piece.
 [[nodiscard]] bool are_clear(const PlacedPieces& pieces, std::span<const std::uint32_t> changed);
 
-// The largest distance by which a box leaves the strip or enters its margins; 0 or less when it does neither.
-[[nodiscard]] Coord protrusion_of(const Box& box, const Strip& strip);
-// True when no piece leaves the strip or enters its margins.
+// The largest distance by which a piece leaves its room; 0 or less when it does not.
+[[nodiscard]] Coord protrusion_of(const PlacedPieces& pieces, std::size_t piece, const Strip& strip);
+// True when the pieces of each shade are as near to each other as they have to be.
+[[nodiscard]] bool keep_shades(const PlacedPieces& pieces);
+// True when no piece leaves its room, and shades are kept.
 [[nodiscard]] bool are_inside(const PlacedPieces& pieces, const Strip& strip);
-// True when no piece leaves the room.
-[[nodiscard]] bool are_inside(const PlacedPieces& pieces, const Box& room);
 
-// The whole proof: every piece is inside the strip, and no two collide.
+// The whole proof: every piece is inside, and no two collide.
 [[nodiscard]] bool all_clear(const PlacedPieces& pieces, const Strip& strip);
 
 }  // namespace selvage::marker

@@ -14,8 +14,8 @@ namespace {
 
 // The pieces that differ between the two markers; nothing when the markers differ in more than their pieces.
 std::optional<std::vector<std::uint32_t>> changed_pieces(const Marker& before, const Marker& marker) {
-  if (before.strip != marker.strip || before.spacing != marker.spacing || before.shapes != marker.shapes ||
-      before.pieces.size() != marker.pieces.size()) {
+  if (before.strip != marker.strip || before.spacing != marker.spacing || before.overlap != marker.overlap ||
+      before.shade != marker.shade || before.shapes != marker.shapes || before.pieces.size() != marker.pieces.size()) {
     return std::nullopt;
   }
   std::vector<std::uint32_t> changed;
@@ -26,14 +26,17 @@ std::optional<std::vector<std::uint32_t>> changed_pieces(const Marker& before, c
 }
 
 // The layout `pieces` with the changed pieces at their new positions.  Nothing when a changed piece has another shape,
-// orientation or buffer, so that the layout cannot be reused.
+// orientation, buffer or overlap allowance, or other rules, so that the layout cannot be reused.
 std::optional<PlacedPieces> moved(const Marker& before, const PlacedPieces& pieces, const Marker& marker,
                                   std::span<const std::uint32_t> changed) {
   std::vector<Vec> positions = pieces.positions();
   for (const std::uint32_t i : changed) {
     const Piece& was = before.pieces[i];
     const Piece& is = marker.pieces[i];
-    if (was.shape != is.shape || was.orientation != is.orientation || was.buffer != is.buffer) return std::nullopt;
+    if (was.shape != is.shape || was.orientation != is.orientation || was.buffer != is.buffer ||
+        was.overlap != is.overlap || was.rules != is.rules) {
+      return std::nullopt;
+    }
     positions[i] = is.at;
   }
   PlacedPieces now = pieces;
@@ -50,8 +53,8 @@ Figures figures_after(const Marker& before, const PlacedPieces& pieces, const Ma
   if (!now) now.emplace(marker);
   const Coord length = now->length();
   const bool within = std::none_of(changed->begin(), changed->end(),
-                                   [&](std::uint32_t i) { return protrusion_of(now->box(i), marker.strip) > 0; });
-  return {length, utilisation_at(marker, length), within && are_clear(*now, *changed)};
+                                   [&](std::uint32_t i) { return protrusion_of(*now, i, marker.strip) > 0; });
+  return {length, utilisation_at(marker, length), within && keep_shades(*now) && are_clear(*now, *changed)};
 }
 
 Figures figures_of(const Marker& marker) {

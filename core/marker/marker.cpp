@@ -6,10 +6,12 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <tuple>
 #include <unordered_set>
 
 #include "core/geometry/orientation.h"
 #include "core/marker/figures.h"
+#include "core/marker/rules.h"
 
 namespace selvage::marker {
 namespace {
@@ -59,6 +61,15 @@ std::optional<Error> overlap_defect(const Marker& marker, Coord overlap, const s
       field};
 }
 
+std::optional<Error> selvedge_defect(const Marker& marker, std::optional<Coord> selvedge, const std::string& name,
+                                     const std::string& at) {
+  if (!selvedge || (*selvedge >= 0 && *selvedge < marker.strip.width)) return std::nullopt;
+  return Error{
+      ErrorCode::kOutOfRange,
+      name + " is " + decimal(*selvedge, marker.resolution) + "; it must be from 0 to less than the strip's width",
+      at + "/" + name};
+}
+
 std::optional<Error> strip_defect(const Marker& marker) {
   if (marker.strip.width <= 0) {
     return Error{
@@ -79,7 +90,39 @@ std::optional<Error> strip_defect(const Marker& marker) {
                      "; it must be from 0 to less than half the strip's width",
                  "/strip/margin"};
   }
+  for (const auto& [selvedge, name] : {std::pair{marker.strip.below, "below"}, {marker.strip.above, "above"}}) {
+    if (const auto defect = selvedge_defect(marker, selvedge, name, "/strip")) return *defect;
+  }
+  if (marker.strip.room(0).height() <= 0) {
+    return Error{ErrorCode::kOutOfRange, "the selvedges below and above leave nothing of the strip's width",
+                 marker.strip.above ? "/strip/above" : "/strip/below"};
+  }
+  if (marker.shade && *marker.shade <= 0) {
+    return Error{
+        ErrorCode::kOutOfRange,
+        "the length of a shade is " + decimal(*marker.shade, marker.resolution) + "; it must be greater than 0",
+        "/shade"};
+  }
   return std::nullopt;
+}
+
+// Rules that no position keeps, whatever the piece's orientation; `at` points to the piece.
+std::optional<Error> rules_defect(const Marker& marker, const Piece& piece, const std::string& at) {
+  const Rules& rules = piece.rules;
+  for (const auto& [selvedge, name] : {std::pair{rules.below, "below"}, {rules.above, "above"}}) {
+    if (const auto defect = selvedge_defect(marker, selvedge, name, at + "/rules")) return *defect;
+  }
+  if (rules.on_fold && rules.below) {
+    return Error{ErrorCode::kOutOfRange, "a piece on the fold has no selvedge below it; leave out fold or below",
+                 at + "/rules/below"};
+  }
+  const Coord from = rules.from.value_or(0);
+  if (from >= 0 && (!rules.to || *rules.to > from)) return std::nullopt;
+  const std::string field = from < 0 ? "from" : "to";
+  return Error{ErrorCode::kOutOfRange,
+               field + " is " + decimal(from < 0 ? from : *rules.to, marker.resolution) + "; it must be " +
+                   (from < 0 ? "0 or more" : "greater than from"),
+               at + "/rules/" + field};
 }
 
 // What is wrong with a piece wherever it lies; `at` points to it.
@@ -96,6 +139,7 @@ std::optional<Error> piece_defect(const Marker& marker, const Piece& piece, cons
         at + "/buffer"};
   }
   if (const auto defect = overlap_defect(marker, piece.overlap.value_or(0), at + "/overlap")) return *defect;
+  if (const auto defect = rules_defect(marker, piece, at)) return *defect;
   const Shape& shape = marker.shapes[piece.shape.value];
   if (allows(shape, piece.orientation)) return std::nullopt;
   return Error{ErrorCode::kOrientationNotAllowed,
@@ -117,20 +161,59 @@ std::optional<Error> count_defect(const Marker& marker) {
   return std::nullopt;
 }
 
+// True when a side of the outline lies along the lower side of its box.
+bool has_flat_bottom(const Polygon& outline, const Box& box) {
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    if (outline[k].y == box.low.y && outline[(k + 1) % outline.size()].y == box.low.y) return true;
+  }
+  return false;
+}
+
+// What is wrong with a placed piece whose rules no position keeps in its orientation; `at` points to the piece.
+std::optional<Error> room_defect(const Marker& marker, const Piece& piece, const std::string& at) {
+  const bool shaded = marker.shade && !piece.rules.shade.empty();
+  if (!piece.rules.own_room() && !shaded) return std::nullopt;
+  const Polygon outline = oriented(marker.shapes[piece.shape.value].outline, piece.orientation);
+  const Box box = box_of(outline);
+  const auto long_by = [&](Coord length) { return decimal(length, marker.resolution) + " long"; };
+  if (piece.rules.on_fold && !has_flat_bottom(outline, box)) {
+    return Error{ErrorCode::kOutOfRange, "the piece has no side along its lower end that could lie on the fold",
+                 at + "/rules/fold"};
+  }
+  const Box room = room_for(piece.rules, box.height(), marker.strip, marker.strip.last().value_or(kLatticeLimit));
+  if (room.height() < box.height()) {
+    return Error{ErrorCode::kPieceTooWide,
+                 "the piece is " + decimal(box.height(), marker.resolution) + " across; its rules leave it " +
+                     decimal(room.height(), marker.resolution),
+                 at + "/rules"};
+  }
+  if ((piece.rules.from || piece.rules.to) && room.width() < box.width()) {
+    return Error{
+        ErrorCode::kOutOfRange,
+        "the piece is " + long_by(box.width()) + "; its rules leave it " + decimal(room.width(), marker.resolution),
+        at + "/rules/" + (piece.rules.to ? "to" : "from")};
+  }
+  if (!shaded || *marker.shade >= box.width()) return std::nullopt;
+  return Error{ErrorCode::kOutOfRange,
+               "the length of a shade is " + decimal(*marker.shade, marker.resolution) + "; piece \"" + piece.id +
+                   "\" is " + long_by(box.width()),
+               "/shade"};
+}
+
 // A turned outline is rounded to the lattice once, and the rounded outline is used from then on, so it must be a
-// polygon too.
+// polygon too.  `room`: the strip's, across.
 std::optional<Error> orientation_defect(const Shape& shape, const Orientation& orientation, const Strip& strip,
-                                        Resolution resolution) {
+                                        Coord room, Resolution resolution) {
   const Polygon outline = oriented(shape.outline, orientation);
   if (split(orientation).turn.degrees != 0.0) {
     const auto clean = clean_polygon(outline);
     if (!clean) return Error{clean.error().code, "turned and rounded to the lattice, " + clean.error().message, {}};
   }
-  if (const Coord across = box_of(outline).height(); across > strip.width - 2 * strip.margin) {
+  if (const Coord across = box_of(outline).height(); across > room) {
     return Error{ErrorCode::kPieceTooWide,
                  "shape \"" + shape.id + "\" is " + decimal(across, resolution) +
                      " across in this orientation; the strip is " + decimal(strip.width, resolution) + " wide" +
-                     (strip.margin > 0 ? ", its margins included" : ""),
+                     (room < strip.width ? ", its margins included" : ""),
                  {}};
   }
   return std::nullopt;
@@ -145,14 +228,17 @@ Result<Marker> make_marker(Marker marker) {
   if (const auto defect = repeated_id(marker.shapes, "shapes", shape_ids)) return *defect;
   if (const auto defect = repeated_id(marker.pieces, "pieces", piece_ids)) return *defect;
   if (const auto defect = repeated_id(marker.unplaced, "unplaced", piece_ids)) return *defect;
-  std::map<std::pair<ShapeId, Orientation>, std::optional<Error>> seen;
+  std::map<std::tuple<ShapeId, Orientation, Coord>, std::optional<Error>> seen;
   for (std::size_t k = 0; k < marker.pieces.size(); ++k) {
     const Piece& piece = marker.pieces[k];
     if (const auto defect = piece_defect(marker, piece, at_index("pieces", k))) return *defect;
-    const auto [at, fresh] = seen.try_emplace({piece.shape, piece.orientation});
+    if (const auto defect = room_defect(marker, piece, at_index("pieces", k))) return *defect;
+    // A room of its own may be wider than the strip's.
+    const Coord room = piece.rules.own_room() ? marker.strip.width : marker.strip.room(0).height();
+    const auto [at, fresh] = seen.try_emplace({piece.shape, piece.orientation, room});
     if (fresh) {
-      at->second =
-          orientation_defect(marker.shapes[piece.shape.value], piece.orientation, marker.strip, marker.resolution);
+      at->second = orientation_defect(marker.shapes[piece.shape.value], piece.orientation, marker.strip, room,
+                                      marker.resolution);
     }
     if (at->second) return Error{at->second->code, at->second->message, at_index("pieces", k)};
   }

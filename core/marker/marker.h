@@ -7,7 +7,8 @@
 // position.  Length, utilisation, validity and motions concern placed pieces only; nesting places the others.
 // Invariant of a Marker that make_marker returned: ids are unique, also between placed and unplaced pieces; every piece
 // names an existing shape, every shape is a Polygon, every piece has an orientation that its shape allows, and every
-// placed piece fits the strip's width.  Pieces may still overlap or leave the strip: see core/marker/validity.h.
+// placed piece fits the strip's width and the room that its rules leave.  Pieces may still overlap or leave the strip
+// or their rooms: see core/marker/validity.h.
 #pragma once
 
 #include <optional>
@@ -18,23 +19,30 @@
 #include "core/base/result.h"
 #include "core/geometry/orientation.h"
 #include "core/geometry/polygon.h"
+#include "core/marker/rules.h"
 
 namespace selvage::marker {
 
 struct Strip {
   Coord width{};                   // along y
   std::optional<Coord> longest{};  // the length of the cloth if it is limited: no piece may extend beyond it
-  Coord margin{};  // distance that pieces keep from the strip's long edges and from the end of the cloth
+  Coord margin{};  // distance that pieces keep from the strip's long edges and from the ends of the cloth
+  std::optional<Coord> below{},
+      above{};  // the selvedges: distances from the lower and the upper edge; none: the margin
 
-  // The box in which pieces may lie, up to x = `end`.
-  [[nodiscard]] constexpr Box room(Coord end) const { return {{margin, margin}, {end, width - margin}}; }
+  // The box in which pieces may lie, up to x = `end`, unless they have rules of their own (core/marker/rules.h).
+  [[nodiscard]] constexpr Box room(Coord end) const {
+    return {{margin, below.value_or(margin)}, {end, width - above.value_or(margin)}};
+  }
   // The largest x that a piece may reach; nothing when the length of the cloth is not limited.
   [[nodiscard]] constexpr std::optional<Coord> last() const {
     return longest ? std::optional{*longest - margin} : std::nullopt;
   }
   // The same strip, limited so that pieces reach at most x = `last`; nothing removes the limit.
   [[nodiscard]] constexpr Strip ending(std::optional<Coord> last) const {
-    return {width, last ? std::optional{*last + margin} : std::nullopt, margin};
+    Strip same = *this;
+    same.longest = last ? std::optional{*last + margin} : std::nullopt;
+    return same;
   }
   friend bool operator==(const Strip&, const Strip&) = default;
 };
@@ -69,6 +77,7 @@ struct Piece {
   std::string group{};  // pieces of one group move together and do not tilt; empty: no group
   Coord buffer{};       // clearance around the piece: two pieces are never closer than the sum of their buffers
   std::optional<Coord> overlap{};  // its own overlap allowance; none: the marker's
+  Rules rules{};                   // where on the strip it may lie
   friend bool operator==(const Piece&, const Piece&) = default;
 };
 
@@ -81,6 +90,7 @@ struct Marker {
   Coord overlap{};  // the overlap allowance: two pieces may overlap when a translation of one of them by at most this
                     // separates them.  A pair is allowed the smaller of its two allowances, and none when a spacing or
                     // buffers keep it apart; the strip's edges allow none
+  std::optional<Coord> shade{};  // the length along x within which the pieces of one shade lie; none: any
   std::vector<Shape> shapes;
   std::vector<Piece> pieces;
   std::vector<Piece> unplaced{};  // pieces that do not lie on the cloth; their position is 0 and means nothing
@@ -91,8 +101,8 @@ inline constexpr std::size_t kMaxPieces = 20'000;  // placed and unplaced ones t
 
 // Checks the invariant above.
 // Errors: kEmptyMarker, kTooManyPieces, kDuplicateId, kUnknownShape, kPieceTooWide, kOrientationNotAllowed, kOutOfRange
-// (strip width, margin, spacing, buffers, overlap allowances), and those of clean_polygon for an outline that is no
-// Polygon once turned. `field` is a JSON pointer into the native format.
+// (strip width, margin, selvedges, spacing, buffers, overlap allowances, rules), and those of clean_polygon for an
+// outline that is no Polygon once turned. `field` is a JSON pointer into the native format.
 [[nodiscard]] Result<Marker> make_marker(Marker marker);
 
 // A piece's outline at its position and in its orientation.

@@ -50,6 +50,7 @@ PlacedPieces::PlacedPieces(const Marker& marker) : spacing_{marker.spacing} {
   }
   const Coord widest_buffer = buffers_.empty() ? 0 : *std::max_element(buffers_.begin(), buffers_.end());
   widest_spacing_ = std::max(spacing_, 2 * widest_buffer);
+  if (auto rooms = rooms_of(marker)) rooms_ = std::make_shared<const Rooms>(*std::move(rooms));
 }
 
 void PlacedPieces::replace(std::size_t piece, Polygon polygon, Vec at) {
@@ -66,6 +67,29 @@ Coord PlacedPieces::length() const {
   Coord length = 0;
   for (std::size_t i = 0; i < size(); ++i) length = std::max(length, box(i).high.x);
   return length;
+}
+
+Box PlacedPieces::room_among(std::size_t piece, const std::vector<bool>& moving, const Strip& strip, Coord end) const {
+  Box among = room(piece, strip, end);
+  for (const Shade& shade : shades()) {
+    if (!std::binary_search(shade.pieces.begin(), shade.pieces.end(), piece)) continue;
+    for (const std::uint32_t other : shade.pieces) {
+      if (other == piece || moving[other]) continue;
+      among.low.x = std::max(among.low.x, box(other).high.x - shade.length);
+      among.high.x = std::min(among.high.x, box(other).low.x + shade.length);
+    }
+  }
+  return among;
+}
+
+Coord PlacedPieces::excess_of(const Shade& shade) const {
+  Coord low = kLatticeLimit;
+  Coord high = -kLatticeLimit;
+  for (const std::uint32_t piece : shade.pieces) {
+    low = std::min(low, box(piece).low.x);
+    high = std::max(high, box(piece).high.x);
+  }
+  return high - low - shade.length;
 }
 
 std::vector<PiecePair> pairs_within(const PlacedPieces& pieces, Coord distance) {

@@ -1,4 +1,4 @@
-// The layout of a marker: every piece's polygon in its orientation, and its position.
+// The layout of a marker: every piece's polygon in its orientation, its position, and the room in which it may lie.
 // Units: lattice units.
 #pragma once
 
@@ -12,6 +12,7 @@
 
 #include "core/geometry/overlap.h"
 #include "core/marker/marker.h"
+#include "core/marker/rules.h"
 
 namespace selvage::marker {
 
@@ -52,6 +53,19 @@ class PlacedPieces {
   [[nodiscard]] Coord widest_spacing() const { return widest_spacing_; }
   // The x coordinate at which the rightmost piece ends.
   [[nodiscard]] Coord length() const;
+  // The box in which the piece's box may lie when the strip ends at x = `end`.
+  [[nodiscard]] Box room(std::size_t piece, const Strip& strip, Coord end) const {
+    return rooms_ ? room_for(rooms_->rules[piece], polygons_[piece]->box.height(), strip, end) : strip.room(end);
+  }
+  // The same, and near enough to the other pieces of its shade where they are now: those that move with it aside.
+  // Empty (high < low) where no position is.
+  [[nodiscard]] Box room_among(std::size_t piece, const std::vector<bool>& moving, const Strip& strip, Coord end) const;
+  // The pieces of each shade.
+  [[nodiscard]] std::span<const Shade> shades() const {
+    return rooms_ ? std::span<const Shade>{rooms_->shades} : std::span<const Shade>{};
+  }
+  // By how much the pieces of a shade are farther from each other than they may be; 0 or less when they are not.
+  [[nodiscard]] Coord excess_of(const Shade& shade) const;
 
  private:
   std::vector<std::shared_ptr<const SharedPolygon>> polygons_;
@@ -59,6 +73,7 @@ class PlacedPieces {
   std::vector<Coord> buffers_;
   std::vector<Coord> overlaps_;  // the overlap allowance of each piece
   Coord spacing_, widest_spacing_;
+  std::shared_ptr<const Rooms> rooms_;  // null: no piece has rules
 };
 
 // All pairs whose boxes are closer than `distance` on both axes (0: whose boxes overlap), sorted.

@@ -23,6 +23,17 @@ Overlap measured(PiecePair pair, const PlacedPieces& pieces, const Marker& marke
   return {PieceId{first}, PieceId{second}, witness.x, witness.y, std::max(0.0, depth)};
 }
 
+// Of a shade whose pieces are too far from each other.
+ShadeFault fault_of(const Shade& shade, const PlacedPieces& pieces) {
+  const auto leftmost =
+      std::min_element(shade.pieces.begin(), shade.pieces.end(),
+                       [&](std::uint32_t p, std::uint32_t q) { return pieces.box(p).low.x < pieces.box(q).low.x; });
+  const auto rightmost =
+      std::max_element(shade.pieces.begin(), shade.pieces.end(),
+                       [&](std::uint32_t p, std::uint32_t q) { return pieces.box(p).high.x < pieces.box(q).high.x; });
+  return {PieceId{*leftmost}, PieceId{*rightmost}, pieces.excess_of(shade)};
+}
+
 Overlap unmeasured(PiecePair pair, const PlacedPieces& pieces) {
   const Box p = pieces.box(pair.first);
   const Box q = pieces.box(pair.second);
@@ -54,9 +65,12 @@ Result<Validity> check(const Marker& marker, SumCache& sums, const std::stop_tok
     return Error{ErrorCode::kStoppedEarly, "stopped before all overlaps were measured", ""};
   }
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {
-    if (const Coord by = protrusion_of(pieces.box(i), marker.strip); by > 0) {
+    if (const Coord by = protrusion_of(pieces, i, marker.strip); by > 0) {
       validity.protrusions.push_back({PieceId{i}, by});
     }
+  }
+  for (const Shade& shade : pieces.shades()) {
+    if (pieces.excess_of(shade) > 0) validity.shades.push_back(fault_of(shade, pieces));
   }
   return validity;
 }

@@ -1,6 +1,6 @@
 // The validity of a marker, decided in integers: pieces may touch, but they must not overlap by more than their
-// allowance, be closer than the spacing and their buffers allow, leave the strip or enter its margins.  Every marker
-// that Selvage returns has been checked here. Units: lattice units.
+// allowance, be closer than the spacing and their buffers allow, leave the strip or enter its margins, or break one of
+// cloth's rules (rules.h).  Every marker that Selvage returns has been checked here.  Units: lattice units.
 #pragma once
 
 #include <optional>
@@ -26,15 +26,21 @@ struct Overlap {
   double depth{};   // the shortest translation that separates them [Li94 7.1] plus the spacing, or less the allowance;
                     // 0 when not measured; lattice units
 };
-// A piece that extends beyond the strip or into its margins.
+// A piece that extends beyond the strip, into its margins, or out of the room that its rules leave.
 struct Protrusion {
   PieceId piece;
   Coord by{};  // the largest distance by which it extends beyond the limit; lattice units
 };
+// Pieces of one shade that are too far from each other.
+struct ShadeFault {
+  PieceId leftmost, rightmost;  // of the shade's pieces, by their ends
+  Coord by{};                   // lattice units
+};
 struct Validity {
   std::vector<Overlap> overlaps;        // by (first, second)
   std::vector<Protrusion> protrusions;  // by piece
-  [[nodiscard]] bool valid() const { return overlaps.empty() && protrusions.empty(); }
+  std::vector<ShadeFault> shades;       // by the name of the shade
+  [[nodiscard]] bool valid() const { return overlaps.empty() && protrusions.empty() && shades.empty(); }
 };
 
 // A piece's outline from the cache, with the symmetry under which it is placed.

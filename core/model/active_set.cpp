@@ -91,7 +91,7 @@ Ties ActiveSet::with_others_fixed() const {
 }
 
 std::vector<std::uint32_t> ActiveSet::missed(const marker::PlacedPieces& pieces, const std::vector<RealVec>& load,
-                                             double price, const Box& room) const {
+                                             double price, const Strip& strip, Coord end) const {
   if (complete()) return {};
   std::vector<TieLoad> x(pieces.size()), y(pieces.size());  // by tie
   const auto add_load = [](TieLoad& tie, double more, Coord down, Coord up) {
@@ -100,6 +100,7 @@ std::vector<std::uint32_t> ActiveSet::missed(const marker::PlacedPieces& pieces,
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (holds(i)) continue;
     const Box box = pieces.box(i);
+    const Box room = pieces.room(i, strip, end);
     if (ties_.x[i] != Ties::kFixed) {
       add_load(x[ties_.x[i]], load[i].x, box.low.x - room.low.x, room.high.x - box.high.x);
     }
@@ -121,6 +122,13 @@ void Pressure::add(const PairRow& row, double dual) {
   const auto& [p, q] = row.pair;
   load_[q] = {load_[q].x + dual * row.nx, load_[q].y + dual * row.ny};
   load_[p] = {load_[p].x - dual * row.nx, load_[p].y - dual * row.ny};
+}
+
+void Pressure::add_shades(const PositionModel& model, std::span<const double> dual) {
+  for (const ShadeRow& row : model.shade_rows()) {
+    const auto r = static_cast<std::size_t>(row.in_program);
+    if (r < dual.size()) load_[row.piece].x += dual[r] * row.nx;
+  }
 }
 
 }  // namespace selvage::model

@@ -53,9 +53,10 @@ class ActiveSet {
   [[nodiscard]] Ties with_others_fixed() const;
 
   // The inactive pieces that would move if they had columns: `load` is the force of the rows on each piece (gain per
-  // unit of displacement), a unit of motion costs `price` on either axis, and no piece may leave `room`.
+  // unit of displacement), a unit of motion costs `price` on either axis, and no piece may leave its room on a strip
+  // that ends at x = `end`.
   [[nodiscard]] std::vector<std::uint32_t> missed(const marker::PlacedPieces& pieces, const std::vector<RealVec>& load,
-                                                  double price, const Box& room) const;
+                                                  double price, const Strip& strip, Coord end) const;
 
  private:
   Ties ties_;
@@ -65,11 +66,13 @@ class ActiveSet {
   std::size_t left_{};   // neither fixed nor active
 };
 
-// The forces that rows exert on the pieces of their pairs: the sums of their dual values along their normals.
+// The forces that rows exert on their pieces: the sums of their dual values along their normals.
 class Pressure {
  public:
   explicit Pressure(std::size_t pieces) : load_(pieces) {}
   void add(const PairRow& row, double dual);
+  // The rows of the model's shades.
+  void add_shades(const PositionModel& model, std::span<const double> dual);
   [[nodiscard]] const std::vector<RealVec>& load() const { return load_; }
 
  private:

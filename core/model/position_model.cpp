@@ -15,17 +15,38 @@ PositionModel::PositionModel(const marker::PlacedPieces& pieces, const Strip& st
       wall_row_(pieces.size(), kNoWall) {
   std::vector<int> x_of(pieces.size(), kNone);  // by tie
   std::vector<int> y_of(pieces.size(), kNone);
-  const Box room = strip.room(strip.last().value_or(0));
+  const Coord end = strip.last().value_or(kLatticeLimit);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Box box = pieces.box(i);
+    const Box room = pieces.room(i, strip, end);
     const auto way = [&](Coord from, Coord to) { return unit_.to_columns(static_cast<double>(to - from)); };
     if (ties.x[i] != Ties::kFixed) {
-      bound(x_of[ties.x[i]], way(box.low.x, room.low.x), strip.longest ? way(box.high.x, room.high.x) : lp::kInfinity);
+      bound(x_of[ties.x[i]], way(box.low.x, room.low.x),
+            strip.longest || room.high.x < end ? way(box.high.x, room.high.x) : lp::kInfinity);
       x_[i] = x_of[ties.x[i]];
     }
     if (ties.y[i] != Ties::kFixed) {
       bound(y_of[ties.y[i]], way(box.low.y, room.low.y), way(box.high.y, room.high.y));
       y_[i] = y_of[ties.y[i]];
+    }
+  }
+  for (const marker::Shade& shade : pieces.shades()) add_shade(shade);
+}
+
+// With l the motion of the left end of the shade's cloth, which is now the left end of its leftmost piece:
+// d_i - l >= left - low_i and l - d_i >= high_i - left - length.  Whole numbers, so rounding keeps them (snap.h).
+void PositionModel::add_shade(const marker::Shade& shade) {
+  const auto may_move = [this](std::uint32_t piece) { return x_[piece] != kNone; };
+  if (std::none_of(shade.pieces.begin(), shade.pieces.end(), may_move)) return;
+  Coord left = kLatticeLimit;
+  for (const std::uint32_t piece : shade.pieces) left = std::min(left, pieces_.box(piece).low.x);
+  const int cloth = program_.add_column(0, -lp::kInfinity, lp::kInfinity);
+  for (const std::uint32_t piece : shade.pieces) {
+    const Box box = pieces_.box(piece);
+    for (const auto& [nx, bound] : {std::pair{1.0, left - box.low.x}, {-1.0, box.high.x - left - shade.length}}) {
+      Terms entries = terms(piece, {}, nx, 0);
+      entries.add(cloth, -nx);
+      shade_rows_.push_back({piece, nx, program_.add_row(entries.all(), unit_.to_columns(static_cast<double>(bound)))});
     }
   }
 }

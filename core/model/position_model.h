@@ -3,6 +3,8 @@
 // Columns are displacements from the present positions, in model units (model_unit.h).  On each axis, tied pieces share
 // a column and fixed pieces have none (ties.h).  Rows are n . (d_q - d_p) >= bound with unit normals n (pair_rows.h).
 // The change of the marker's length may be one more column.
+// Cloth's rules are here once for every program: the room of a piece is the bounds of its columns, and each shade is
+// one column, the left end of the cloth that its pieces have to lie on, with two rows for each of them.
 #pragma once
 
 #include <array>
@@ -28,10 +30,17 @@ struct Terms {
   [[nodiscard]] std::span<const lp::LinearProgram::Entry> all() const { return std::span{entries}.first(count); }
 };
 
+// A row that keeps a piece inside the cloth of its shade: nx . displacement - nx . (motion of that cloth) >= bound.
+struct ShadeRow {
+  std::uint32_t piece{};
+  double nx{};
+  int in_program{};
+};
+
 class PositionModel {
  public:
-  // The strip's edges become bounds of the columns [Li94 4.1.3]; a piece that is outside the strip now has to come
-  // back.
+  // The pieces' rooms become bounds of the columns [Li94 4.1.3]; a piece that is outside its room now has to come back,
+  // and so have pieces of a shade that are too far from each other.
   PositionModel(const marker::PlacedPieces& pieces, const Strip& strip, const Ties& ties);
 
   [[nodiscard]] ModelUnit unit() const { return unit_; }
@@ -46,6 +55,8 @@ class PositionModel {
   [[nodiscard]] bool has_right_wall(std::size_t piece) const { return wall_row_[piece] != kNoWall; }
   // The row of a piece's right wall, if it has one (a fixed piece bounds the length column instead).
   [[nodiscard]] std::optional<int> right_wall_row(std::size_t piece) const;
+  // The rows of shades; none for a shade all of whose pieces are fixed.
+  [[nodiscard]] std::span<const ShadeRow> shade_rows() const { return shade_rows_; }
   // Costs per unit of a piece's displacement.
   void add_cost(std::size_t piece, double x, double y);
   // Costs per unit of |x| and |y| of every displacement: one column and two rows for each.  With `home`, one position
@@ -68,6 +79,7 @@ class PositionModel {
     return column == kNone ? std::nullopt : std::optional{column};
   }
   void bound(int& column, double low, double high);
+  void add_shade(const marker::Shade& shade);
 
   const marker::PlacedPieces& pieces_;
   ModelUnit unit_;
@@ -77,6 +89,7 @@ class PositionModel {
   static constexpr int kWallIsBound = -1;
   std::vector<int> wall_row_;  // of each piece, or one of the two above
   int length_column_{-1};
+  std::vector<ShadeRow> shade_rows_;
   lp::LinearProgram program_;
 };
 

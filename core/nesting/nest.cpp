@@ -57,7 +57,7 @@ std::optional<Error> defect_of_fixed(const Marker& start, const layout::PieceSet
   const marker::PlacedPieces pieces{start};
   for (std::uint32_t i = 0; i < start.pieces.size(); ++i) {
     if (!set.fixed[i]) continue;
-    if (marker::protrusion_of(pieces.box(i), start.strip) > 0) {
+    if (marker::protrusion_of(pieces, i, start.strip) > 0) {
       return Error{ErrorCode::kOutsideStrip,
                    "piece \"" + start.pieces[i].id + "\" must stay where it is, but leaves the strip",
                    "/pieces/" + std::to_string(i)};
@@ -143,7 +143,7 @@ std::optional<ClothEnd> cloth_end(const Task& task) {
   const auto last = task.start.strip.last();
   if (!last) return std::nullopt;
   const layout::PieceSet& set = task.set;
-  const double cloth = (static_cast<double>(*last) / set.lattice_units - set.low) * (set.high - set.low);
+  const double cloth = (static_cast<double>(*last) / set.lattice_units - set.left) * (set.high - set.low);
   const NestTuning& tuning = task.settings.tuning;
   return ClothEnd{*last, set.area < cloth ? tuning.end_patience : tuning.hopeless_patience};
 }
@@ -173,6 +173,7 @@ Result<Nesting> nest(const Marker& given, const NestSettings& settings, const sc
   if (given.pieces.empty() && given.unplaced.empty()) {
     return Error{ErrorCode::kEmptyMarker, "the marker has no piece", "/pieces"};
   }
+  if (const auto refusal = marker::refused_rule(given, "nesting")) return *refusal;
   auto set = piece_set_of(given, settings.placed, run.sums);
   if (!set) return set.error();
   Marker start = given;

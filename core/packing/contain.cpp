@@ -71,8 +71,9 @@ Containment contain(const Marker& start, std::span<const PieceId> pieces, const 
   const auto outcome =
       branching::search(bodies.problem, static_cast<double>(kLatticeLimit), 0, settings.limits, settings.tuning, calls);
   result.verdict = verdict_of(outcome);
-  const bool allowances = settings.clearance == 0 && bodies::allows_overlaps(start);
-  if (result.verdict == Verdict::kImpossible && allowances) result.verdict = Verdict::kUndecided;
+  const bool ignored = (settings.clearance == 0 && bodies::allows_overlaps(start)) ||
+                       marker::refused_rule(start, "containment").has_value();
+  if (result.verdict == Verdict::kImpossible && ignored) result.verdict = Verdict::kUndecided;
   result.reason = reason_of(outcome.end);
   result.work = outcome.work;
   result.length_after = length_of(result.marker);

@@ -28,7 +28,7 @@ Marker in_a_row(const Marker& start) {
     for (std::uint32_t other = k; other < count; ++other) {
       if (ties.x[other] == ties.x[k]) box = united(box, pieces.box(other));
     }
-    const Vec by{end - box.low.x, ties.y[k] == model::Ties::kFixed ? 0 : start.strip.margin - box.low.y};
+    const Vec by{end - box.low.x, ties.y[k] == model::Ties::kFixed ? 0 : start.strip.room(end).low.y - box.low.y};
     for (std::uint32_t other = k; other < count; ++other) {
       if (ties.x[other] != ties.x[k]) continue;
       row.pieces[other].at = row.pieces[other].at + by;

@@ -142,8 +142,8 @@ Packing pack(const Marker& start, const PackSettings& settings, const scene::Run
   const bodies::OnCloth cloth = bodies::on_cloth(start, unplaced);
   Packing packing = Packer{cloth.marker, settings, run}.pack();
   packing.marker = packing.found ? bodies::as_in(start, std::move(packing.marker)) : start;
-  if (bodies::allows_overlaps(
-          start)) {  // the search does not use them: nothing is proved, and the input may be shorter
+  // The search uses neither overlaps nor rules of pieces: nothing is proved, and the input may be shorter.
+  if (bodies::allows_overlaps(start) || marker::refused_rule(start, "packing")) {
     packing.bound = 0;
     packing.proved = false;
     const bool shorter = !packing.found || length_of(start) < length_of(packing.marker);

@@ -39,9 +39,9 @@ std::optional<std::uint32_t> partner_of(std::uint32_t i, const Marker& marker, c
 }
 
 // Turns the piece to another rotation that its shape allows, about the middle of its box; false when there is none, or
-// when the tilt, and with it the orientation, is locked.
+// when the tilt, and with it the orientation, is locked or given by the fold.
 bool turn(Piece& piece, const Shape& shape, const Box& box, std::mt19937& random) {
-  if (piece.locked.tilt) return false;
+  if (piece.locked.tilt || piece.rules.on_fold) return false;
   std::vector<Angle> others;
   for (const Angle rotation : shape.rotations) {
     if (rotation != piece.orientation.rotation) others.push_back(rotation);

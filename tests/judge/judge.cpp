@@ -90,9 +90,33 @@ std::string about(const Piece& piece, const std::string& what) {
   return "piece " + piece.id + " " + what;
 }
 
-bool leaves(const Box& box, const Strip& strip) {
-  return box.low.x < strip.margin || box.low.y < strip.margin || box.high.y > strip.width - strip.margin ||
-         (strip.longest && box.high.x > *strip.longest - strip.margin);
+// What of the strip's limits or of the piece's own rules its box breaks; empty when nothing.
+std::string position_fault(const Box& box, const Strip& strip, const marker::Rules& rules) {
+  if (box.low.x < strip.margin || (strip.longest && box.high.x > *strip.longest - strip.margin)) {
+    return "leaves the strip";
+  }
+  if (rules.from && box.low.x < *rules.from) return "lies before its band";
+  if (rules.to && box.high.x > *rules.to) return "lies behind its band";
+  const Coord above = rules.above.value_or(strip.above.value_or(strip.margin));
+  if (strip.width - box.high.y < above) return rules.above ? "is too near the upper edge" : "leaves the strip";
+  if (rules.on_fold) return box.low.y == 0 ? "" : "is not on the fold";
+  const Coord below = rules.below.value_or(strip.below.value_or(strip.margin));
+  if (box.low.y >= below) return "";
+  return rules.below ? "is too near the lower edge" : "leaves the strip";
+}
+
+// The first two pieces of one shade that are too far from each other; empty when there are none.
+std::string shade_fault(const Marker& marker, const std::vector<Box>& boxes) {
+  for (std::size_t i = 0; marker.shade && i < boxes.size(); ++i) {
+    for (std::size_t j = 0; j < boxes.size(); ++j) {
+      const std::string& shade = marker.pieces[i].rules.shade;
+      if (i == j || shade.empty() || shade != marker.pieces[j].rules.shade) continue;
+      if (boxes[j].high.x - boxes[i].low.x > *marker.shade) {
+        return "piece " + marker.pieces[i].id + " is too far from piece " + marker.pieces[j].id + " of its shade";
+      }
+    }
+  }
+  return "";
 }
 
 // True when the two pieces move together; true for a piece and itself.
@@ -104,7 +128,8 @@ std::string orientation_fault(const Marker& before, std::size_t k, const Orienta
   const Piece& piece = before.pieces[k];
   const Orientation& was = piece.orientation;
   if (after == was) return "";
-  const bool held = piece.locked.x || piece.locked.y || piece.locked.tilt || !piece.group.empty();
+  const bool held =
+      piece.locked.x || piece.locked.y || piece.locked.tilt || !piece.group.empty() || piece.rules.on_fold;
   if (held) return "was turned although it is locked";
   const Shape& shape = before.shapes[piece.shape.value];
   if (after.flip != was.flip && !(leave.flips && shape.may_flip)) return "was flipped";
@@ -174,8 +199,11 @@ std::string Judge::fault_of(const Marker& marker) {
     const Cut& cut = cut_of(marker, piece);
     if (!cut.fault.empty()) return about(piece, cut.fault);
     boxes.push_back(cut.box.moved(piece.at));
-    if (leaves(boxes.back(), marker.strip)) return about(piece, "leaves the strip");
+    if (const auto fault = position_fault(boxes.back(), marker.strip, piece.rules); !fault.empty()) {
+      return about(piece, fault);
+    }
   }
+  if (const auto fault = shade_fault(marker, boxes); !fault.empty()) return fault;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     for (std::size_t j = i + 1; j < boxes.size(); ++j) {
       const Piece& p = marker.pieces[i];

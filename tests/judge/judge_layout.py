@@ -4,10 +4,15 @@
 usage: judge_layout.py FILE...
 
 FILE: placed outlines, as `selvage compact --outlines FILE` and `selvage convert --format outlines` write them:
-{"strip_height": H, "strip_length": L, "pieces": [{"id": ID, "outline": [[x, y], ...], "overlap": A}, ...]}.
+{"strip_height": H, "strip_length": L, "below": B, "above": A, "shade": S,
+ "pieces": [{"id": ID, "outline": [[x, y], ...], "overlap": A, "rules": {"below": ..., "shade": NAME}}, ...]}.
 Numbers are read as exact decimals and all tests use integers and fractions, so there is no tolerance.
 Pieces may touch each other and the strip's edges.  Two pieces with an `overlap` may overlap when a translation of one of
 them, no longer than the smaller of their two, separates them; it is looked for among fractions, too.  Prints each violation; exit status 1 if there is any.
+
+Pieces keep cloth's rules: the distances `below` and `above` from the long edges, the piece's own or else the strip's; `from`
+and `to`, between which a piece lies along the strip; `fold`, on which its lowest side lies; and all pieces of one shade
+lie within the length `shade`.
 
 Two pieces overlap when some vertical line intersects both in intervals that share more than a point.  Between the
 abscissas of two neighbouring vertices, a piece is a stack of trapezoids, so it suffices to compare trapezoids: two
@@ -179,17 +184,43 @@ def overlaps(pieces):
         near.append(piece)
 
 
+def broken_rules(piece, rules, strip):
+    """Yields what of the rules for one piece's position is broken; all numbers in the same unit."""
+    own = {**strip, **rules}
+    if rules.get("fold") and piece.low_y != 0:
+        yield "does not lie on the fold"
+    if not rules.get("fold") and piece.low_y < own.get("below", piece.low_y):
+        yield "is too near the lower edge"
+    if "above" in own and strip["height"] - piece.high_y < own["above"]:
+        yield "is too near the upper edge"
+    if piece.low_x < rules.get("from", piece.low_x) or piece.high_x > rules.get("to", piece.high_x):
+        yield "leaves its band"
+
+
+def long_shades(pieces, longest):
+    """Yields the names of the shades whose pieces take more of the length than `longest`; `pieces`: (name, piece)."""
+    for name in sorted({name for name, _ in pieces}):
+        of_it = [piece for other, piece in pieces if other == name]
+        if max(p.high_x for p in of_it) - min(p.low_x for p in of_it) > longest:
+            yield name
+
+
 def violations(layout):
     """Yields a sentence for every violation in a layout, which is given as `read` returns it."""
     numbers = [layout["strip_height"], layout["strip_length"]]
     numbers += [c for piece in layout["pieces"] for point in piece["outline"] for c in point]
     numbers += [piece.get("overlap", 0) for piece in layout["pieces"]]
+    lengths = [{key: value for key, value in rules.items() if key in ("below", "above", "from", "to", "shade")}
+               for rules in [layout] + [piece.get("rules", {}) for piece in layout["pieces"]]]
+    numbers += [value for rules in lengths for value in rules.values() if not isinstance(value, str)]
     unit = math.lcm(*(Fraction(number).denominator for number in numbers))  # multiplied by it, all numbers are whole
     whole = lambda number: int(number * unit)
     decimal = lambda number: number / unit
 
     height, length = whole(layout["strip_height"]), whole(layout["strip_length"])
-    sound = []
+    scaled = lambda rules: {k: v if isinstance(v, (bool, str)) else whole(v) for k, v in rules.items()}
+    strip = {"height": height, **{key: whole(layout[key]) for key in ("below", "above") if key in layout}}
+    sound, shaded = [], []
     for written in layout["pieces"]:
         outline = [(whole(x), whole(y)) for x, y in written["outline"]]
         piece = Piece(f'"{written["id"]}"', outline, whole(written.get("overlap", 0)))
@@ -199,11 +230,19 @@ def violations(layout):
         for end in (piece.low_x, piece.low_y):
             if end < 0:
                 yield f"piece {piece.name} leaves the strip: {decimal(end)} is below 0"
+        rules = scaled(written.get("rules", {}))
+        for broken in broken_rules(piece, rules, strip):
+            yield f"piece {piece.name} {broken}"
+        if "shade" in rules:
+            shaded.append((rules["shade"], piece))
         fault = fault_of_outline(piece)
         if fault:
             yield f"piece {piece.name}: its outline {fault}"
         else:
             sound.append(piece)
+    if "shade" in layout:
+        for name in long_shades(shaded, whole(layout["shade"])):
+            yield f'the pieces of shade "{name}" are too far from each other'
     for one, other, (x0, x1) in overlaps(sound):
         yield f"pieces {one.name} and {other.name} overlap between x = {decimal(x0)} and x = {decimal(x1)}"
 

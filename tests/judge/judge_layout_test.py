@@ -76,6 +76,48 @@ class OverlapsUpToTheAllowance(Judged):
         self.judged(box(0, 0, 20, 20), box(5, 1, 10, 1), 1, 1, valid=False)
 
 
+class ClothsRules(Judged):
+    def judged(self, *outlines, rules=(), **strip):
+        document = {**layout(*outlines, height=40, length=100), **strip}
+        for piece, own in zip(document["pieces"], rules):
+            piece["rules"] = own
+        return list(violations(document))
+
+    def keeps(self, *outlines, **rest):
+        self.assertEqual(self.judged(*outlines, **rest), [])
+
+    def breaks(self, word, *outlines, **rest):
+        found = self.judged(*outlines, **rest)
+        self.assertEqual(len(found), 1, found)
+        self.assertIn(word, found[0])
+
+    def test_selvedges_of_the_strip_and_of_a_piece(self):
+        square = box(10, 3, 10, 30)
+        self.keeps(square, below=3, above=7)
+        self.breaks("lower edge", square, below=3 + LEAST)
+        self.breaks("upper edge", square, above=7 + LEAST)
+        self.keeps(square, below=5, rules=[{"below": 3}])
+        self.breaks("upper edge", square, above=1, rules=[{"above": 7 + LEAST}])
+
+    def test_bands(self):
+        square = box(10, 3, 10, 30)
+        self.keeps(square, rules=[{"from": 10, "to": 20}])
+        self.breaks("band", square, rules=[{"from": 10 + LEAST}])
+        self.breaks("band", square, rules=[{"to": 20 - LEAST}])
+
+    def test_the_fold_is_the_lower_edge(self):
+        self.keeps(box(10, 0, 10, 10), below=5, rules=[{"fold": True}])
+        self.breaks("fold", box(10, LEAST, 10, 10), rules=[{"fold": True}])
+
+    def test_shades_are_as_long_as_they_may_be(self):
+        squares = box(10, 0, 10, 10), box(60, 0, 10, 10), box(90, 0, 10, 10)
+        rules = [{"shade": "A"}, {"shade": "A"}, {"shade": "B"}]
+        self.keeps(*squares, rules=rules)
+        self.keeps(*squares, rules=rules, shade=60)
+        self.breaks("shade", *squares, rules=rules, shade=60 - LEAST)
+        self.breaks('"A"', *squares, rules=[{"shade": "A"}] * 3, shade=60)
+
+
 class TouchingIsAllowed(Judged):
     def test_squares_along_a_whole_edge_and_part_of_one(self):
         for dx, dy in ((2, 0), (2, 1), (0, 2), (1, 2), (-1, 2)):

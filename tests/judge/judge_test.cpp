@@ -123,6 +123,28 @@ TEST(Judge, DescribesFaults) {
   EXPECT_EQ(judge.fault_of(bad), "piece b leaves the strip");
 }
 
+TEST(Judge, DescribesBrokenRules) {
+  Judge judge;
+  Marker marker = two_squares();
+  marker.shade = 210;
+  for (Piece& piece : marker.pieces) piece.rules.shade = "A";
+  const auto with = [&](marker::Rules rules) {
+    marker.pieces[0].rules = rules;
+    return judge.fault_of(marker);
+  };
+  EXPECT_EQ(with({.below = 5, .above = 15, .from = 5, .to = 105, .shade = "A"}), "");
+  EXPECT_EQ(with({.below = 6}), "piece a is too near the lower edge");
+  EXPECT_EQ(with({.above = 16}), "piece a is too near the upper edge");
+  EXPECT_EQ(with({.from = 6}), "piece a lies before its band");
+  EXPECT_EQ(with({.to = 104}), "piece a lies behind its band");
+  EXPECT_EQ(with({.on_fold = true}), "piece a is not on the fold");
+  marker.shade = 209;
+  EXPECT_EQ(with({.shade = "B"}), "");
+  EXPECT_EQ(with({.shade = "A"}), "piece a is too far from piece b of its shade");
+  marker.strip.below = 6;
+  EXPECT_EQ(with({}), "piece a leaves the strip");
+}
+
 TEST(Judge, DescribesForbiddenChanges) {
   Judge judge;
   Marker before = two_squares();

@@ -1,7 +1,9 @@
 #include "tests/laws/random_marker.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "tests/support/polygons.h"
@@ -75,6 +77,61 @@ Marker random_marker_with_allowances(Random& random) {
     if (random.chance(20)) piece.overlap = random.between(0, least / 5);
     if (random.chance(5)) piece.buffer = 1;
   }
+  return marker;
+}
+
+namespace {
+
+// True when the outline has a side along the lower side of its box.
+bool may_lie_on_fold(const Polygon& outline) {
+  const Coord low = box_of(outline).low.y;
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    if (outline[k].y == low && outline[(k + 1) % outline.size()].y == low) return true;
+  }
+  return false;
+}
+
+// Rules that the piece keeps where it lies.
+marker::Rules random_rules(Random& random, const Box& box, Coord width, Coord extent) {
+  marker::Rules rules;
+  if (random.chance(20)) rules.below = random.between(0, box.low.y);
+  if (random.chance(20)) rules.above = random.between(0, width - box.high.y);
+  if (random.chance(20)) rules.from = random.between(0, box.low.x);
+  if (random.chance(20)) rules.to = box.high.x + random.between(0, extent / 2);
+  return rules;
+}
+
+}  // namespace
+
+Marker random_marker_with_rules(Random& random) {
+  Marker marker = random_marker(random);
+  Coord lowest = marker.strip.width, highest = 0, longest = 0;
+  std::array<std::optional<Box>, 2> shades;
+  for (std::uint32_t i = 0; i < marker.pieces.size(); ++i) {
+    Piece& piece = marker.pieces[i];
+    Polygon outline = placed_outline(marker, PieceId{i});
+    Box box = box_of(outline);
+    // The lowest pieces lie there alone: below them is nothing but cloth.
+    const bool on_fold = box.low.y < box.height() / 8 && may_lie_on_fold(outline) && random.chance(60);
+    if (on_fold) {
+      piece.at.y -= box.low.y;
+      box = box.moved({0, -box.low.y});
+    }
+    piece.rules = random_rules(random, box, marker.strip.width, box.width());
+    if (on_fold) piece.rules.below.reset();
+    piece.rules.on_fold = on_fold;
+    if (!on_fold && !piece.rules.below) lowest = std::min(lowest, box.low.y);
+    if (!piece.rules.above) highest = std::max(highest, box.high.y);
+    if (!random.chance(50)) continue;
+    const std::size_t shade = random.below(shades.size());
+    piece.rules.shade = std::string(1, static_cast<char>('A' + shade));
+    shades[shade] = shades[shade] ? united(*shades[shade], box) : box;
+    longest = std::max(longest, shades[shade]->width());
+  }
+  if (random.chance(50)) marker.strip.below = random.between(0, std::min(lowest, marker.strip.width / 4));
+  if (random.chance(50))
+    marker.strip.above = random.between(0, std::min(marker.strip.width - highest, marker.strip.width / 4));
+  if (longest > 0) marker.shade = longest + (random.chance(50) ? 0 : random.between(0, longest / 4));
   return marker;
 }
 

@@ -16,7 +16,6 @@ TiltModel::TiltModel(const marker::PlacedPieces& pieces, const Strip& strip, con
       radius_(pieces.size(), 0) {
   lp::LinearProgram& program = positions_.program();
   const double limit = positions_.unit().to_columns(farthest);
-  const Box room = strip.room(0);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const bool tilts = !turns_[i].empty();
     for (const auto position : {positions_.x_column(i), positions_.y_column(i)}) {
@@ -31,7 +30,10 @@ TiltModel::TiltModel(const marker::PlacedPieces& pieces, const Strip& strip, con
     const double arc = positions_.unit().to_columns(radius_[i]);
     column_[i] = program.add_column(0, turns_[i].least * arc, turns_[i].most * arc);
     const double turn = std::max(-turns_[i].least, turns_[i].most);
-    for (const auto& [nx, ny, edge] : {std::tuple{1, 0, room.low.x}, {0, 1, room.low.y}, {0, -1, -room.high.y}}) {
+    const Box room = pieces.room(i, strip, kLatticeLimit);
+    for (const auto& [nx, ny, edge] :
+         {std::tuple{1, 0, room.low.x}, {0, 1, room.low.y}, {0, -1, -room.high.y}, {-1, 0, -room.high.x}}) {
+      if (edge == -kLatticeLimit) continue;  // no rule, and the cloth has no end
       for (const WallRow& wall : wall_rows(pieces[i], nx, ny, edge, turn)) {
         if (-wall.bound <= farthest + 2 * turn * radius_[i]) add_wall(i, wall, std::nullopt);
       }

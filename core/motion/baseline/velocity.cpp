@@ -178,21 +178,22 @@ class Simulation {
       const Walls room = walls(i);
       const std::uint32_t x = scene_.ties.x[i];
       const std::uint32_t y = scene_.ties.y[i];
-      x_[i] = x == model::Ties::kFixed ? kNone : add(x_of[x], gravity, room.left <= touching_, false);
+      x_[i] = x == model::Ties::kFixed ? kNone : add(x_of[x], gravity, room.left <= touching_, room.end <= touching_);
       y_[i] = y == model::Ties::kFixed ? kNone : add(y_of[y], 0, room.bottom <= touching_, room.top <= touching_);
     }
   }
 
-  // How far a piece is from the strip's edges and the piston.
+  // How far a piece is from the edges of its room, and from the piston.
   struct Walls {
-    double left{}, right{}, bottom{}, top{};
+    double left{}, right{}, bottom{}, top{}, end{};
   };
   [[nodiscard]] Walls walls(std::size_t i) const {
     const Box box = scene_.pieces[i].box.moved(start_[i]);
-    const Box room = scene_.marker.strip.room(longest_);
+    const Box room = scene_.pieces.room(i, scene_.marker.strip, kLatticeLimit);
     const auto way = [](Coord from, Coord to) { return static_cast<double>(to - from); };
     return {way(room.low.x, box.low.x) + moved_[i].x, piston_ - static_cast<double>(box.high.x) - moved_[i].x,
-            way(room.low.y, box.low.y) + moved_[i].y, way(box.high.y, room.high.y) - moved_[i].y};
+            way(room.low.y, box.low.y) + moved_[i].y, way(box.high.y, room.high.y) - moved_[i].y,
+            way(box.high.x, room.high.x) - moved_[i].x};
   }
 
   // [Li94 2.2.2]
@@ -216,6 +217,7 @@ class Simulation {
       meet(room.left, -velocity[i].x);
       meet(room.bottom, -velocity[i].y);
       meet(room.top, velocity[i].y);
+      meet(room.end, velocity[i].x);
       meet(room.right, velocity[i].x - piston_velocity_);
     }
     return time;

@@ -32,8 +32,11 @@ class Loads {
     if (solution.status != lp::LpStatus::kOptimal) return path;  // empty: there is no solution to read
     for (std::size_t k = 0; k < rows_.size(); ++k) add_pair(rows_[k].row, load_on(k, solution), path);
     add_edges(solution, path);
+    add_shades(solution, path);
     add_locks(solution, path);
     merge(path);
+    std::stable_sort(path.rules.begin(), path.rules.end(),
+                     [](const RulePrice& a, const RulePrice& b) { return a.worth > b.worth; });
     for (const auto& [piece, per_degree] : tilts_) path.tilts.push_back({PieceId{piece}, per_degree});
     std::stable_sort(path.tilts.begin(), path.tilts.end(), [](const TiltWorth& a, const TiltWorth& b) {
       return std::abs(a.per_degree) > std::abs(b.per_degree);
@@ -130,7 +133,8 @@ class Loads {
     tilts_[piece] += worth * (ny * lever_x - nx * lever_y) * std::numbers::pi / 180;
   }
 
-  // The strip's edges are rows (right) or bounds of columns (the others): a bound's load is its column's reduced cost.
+  // The edges of a room are rows (right) or bounds of columns (the others): a bound's load is its column's reduced
+  // cost.
   void add_edges(const lp::LpSolution& solution, CriticalPath& path) {
     const lp::LinearProgram& program = model_->program();
     std::vector<double> reduced = program.cost;
@@ -140,10 +144,12 @@ class Loads {
       }
     }
     for (std::uint32_t i = 0; i < scene_.pieces.size(); ++i) {
-      const Box room = scene_.marker.strip.room(0);
+      const Box room = scene_.pieces.room(i, scene_.marker.strip, kLatticeLimit);
       const Box box = scene_.pieces.box(i);
-      if (const auto x = model_->x_column(i); x && bounds(program.lower, *x, room.low.x - box.low.x)) {
-        add_edge(i, StripEdge::kLeft, reduced[static_cast<std::size_t>(*x)], 1, 0, path);
+      if (const auto x = model_->x_column(i)) {
+        const double load = reduced[static_cast<std::size_t>(*x)];
+        if (bounds(program.lower, *x, room.low.x - box.low.x)) add_edge(i, StripEdge::kLeft, load, 1, 0, path);
+        if (bounds(program.upper, *x, room.high.x - box.high.x)) add_price(Rule::kTo, PieceId{i}, -load, path);
       }
       if (const auto y = model_->y_column(i)) {
         const double load = reduced[static_cast<std::size_t>(*y)];
@@ -162,15 +168,61 @@ class Loads {
   }
   // `(nx, ny)`: from the edge into the strip.
   void add_edge(std::uint32_t piece, StripEdge edge, double worth, int nx, int ny, CriticalPath& path) {
+    const marker::Rules& rules = scene_.marker.pieces[piece].rules;
+    if (edge == StripEdge::kBottom && rules.on_fold) add_price(Rule::kFold, PieceId{piece}, std::abs(worth), path);
     if (worth < tuning_.least_worth) return;
     const RealVec at = touching_point(piece, nx, ny);
-    if (distance_to(edge, piece) <= in_widths(tuning_.contact)) {
+    turn(piece, worth, nx, ny, at);
+    if (edge == StripEdge::kTop && rules.on_fold) return;  // it is the fold that holds the piece
+    add_price_of_edge(piece, edge, worth, path);
+    const bool in_band = edge == StripEdge::kLeft && rules.from && *rules.from > scene_.marker.strip.margin;
+    if (!in_band && distance_to(edge, piece) <= in_widths(tuning_.contact)) {
       path.contacts.push_back({PieceId{piece}, std::nullopt, edge, worth, at});
     }
-    turn(piece, worth, nx, ny, at);
+  }
+
+  // The price of the rule, if any, that has put the edge of a room where it is.
+  void add_price_of_edge(std::uint32_t piece, StripEdge edge, double worth, CriticalPath& path) const {
+    const marker::Rules& rules = scene_.marker.pieces[piece].rules;
+    const Strip& strip = scene_.marker.strip;
+    const auto selvedge = [&](Rule rule, bool own, bool of_strip) {
+      if (own) add_price(rule, PieceId{piece}, worth, path);
+      if (!own && of_strip) add_price(rule, std::nullopt, worth, path);
+    };
+    if (edge == StripEdge::kLeft && rules.from && *rules.from > strip.margin) {
+      add_price(Rule::kFrom, PieceId{piece}, worth, path);
+    }
+    if (edge == StripEdge::kBottom && !rules.on_fold)
+      selvedge(Rule::kBelow, rules.below.has_value(), strip.below.has_value());
+    if (edge == StripEdge::kTop) selvedge(Rule::kAbove, rules.above.has_value(), strip.above.has_value());
+  }
+  // Adds to the price of the same rule of the same piece, or of the strip.
+  void add_price(Rule rule, std::optional<PieceId> piece, double worth, CriticalPath& path) const {
+    if (worth < tuning_.least_worth) return;
+    const auto same = std::find_if(path.rules.begin(), path.rules.end(),
+                                   [&](const RulePrice& price) { return price.rule == rule && price.piece == piece; });
+    if (same == path.rules.end()) {
+      path.rules.push_back({rule, piece, worth});
+    } else {
+      same->worth += worth;
+    }
+  }
+  // A unit more of a shade's length eases the rows of all pieces at its right end.
+  void add_shades(const lp::LpSolution& solution, CriticalPath& path) {
+    for (const marker::Shade& shade : scene_.pieces.shades()) {
+      double worth = 0;
+      for (const model::ShadeRow& row : model_->shade_rows()) {
+        const bool of_it = std::binary_search(shade.pieces.begin(), shade.pieces.end(), row.piece);
+        if (!of_it) continue;
+        const double load = solution.dual[static_cast<std::size_t>(row.in_program)];
+        forces_[row.piece].x += load * row.nx;
+        if (row.nx < 0) worth += load;
+      }
+      add_price(Rule::kShade, PieceId{shade.pieces.front()}, worth, path);
+    }
   }
   [[nodiscard]] double distance_to(StripEdge edge, std::uint32_t piece) const {
-    const Box room = scene_.marker.strip.room(scene_.pieces.length());
+    const Box room = scene_.pieces.room(piece, scene_.marker.strip, scene_.pieces.length());
     const Box box = scene_.pieces.box(piece);
     switch (edge) {
       case StripEdge::kLeft: return static_cast<double>(box.low.x - room.low.x);

@@ -41,12 +41,22 @@ struct LockPrice {
   std::optional<double> per_x, per_y;  // on the axes on which the piece is locked and carries load; one at least
 };
 
+// What one of cloth's rules (core/marker/rules.h) costs.
+enum class Rule { kBelow, kAbove, kFrom, kTo, kFold, kShade };
+struct RulePrice {
+  Rule rule{};
+  std::optional<PieceId> piece;  // whose rule it is; of a shade, its first piece; none: the strip's selvedge
+  double worth{};                // length per unit by which the rule gives way; > 0
+  friend bool operator==(const RulePrice&, const RulePrice&) = default;
+};
+
 struct CriticalPath {
   // From left to right; in a marker compacted to the end, the loads on the right edge add up to 1.
   std::vector<LoadedContact> contacts;
   std::vector<TiltWorth> tilts;  // of the pieces that carry load, the largest effect first
   double per_spacing{};          // the length that one unit less of spacing would save
   std::vector<LockPrice> locks;  // of the locked pieces that carry load
+  std::vector<RulePrice> rules;  // of the rules that carry load, the dearest first
 };
 
 // REQUIRES: a valid marker.  It need not be compacted.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -32,13 +33,13 @@ class Dragger {
         scene_{start, laid_out, run.sums},
         from_{scene_.pieces.at(piece_)} {
     const Box& box = scene_.pieces[piece_].box;
-    room_ = start.strip.room(start.strip.last().value_or(std::max(scene_.pieces.length(), to.x + box.high.x)));
-    const Box fit = minkowski::inner_fit(box, room_);
+    for (std::uint32_t i = 0; i < scene_.pieces.size(); ++i) carried_.push_back(scene_.ties.joined(i, piece_));
+    end_ = start.strip.last().value_or(std::max(scene_.pieces.length(), to.x + box.high.x));
+    const Box fit = minkowski::inner_fit(box, scene_.pieces.room_among(piece_, carried_, start.strip, end_));
     wanted_ = {std::clamp(to.x, fit.low.x, std::max(fit.low.x, fit.high.x)),
                std::clamp(to.y, fit.low.y, std::max(fit.low.y, fit.high.y))};
     if (scene_.ties.x[piece_] == model::Ties::kFixed) wanted_.x = from_.x;
     if (scene_.ties.y[piece_] == model::Ties::kFixed) wanted_.y = from_.y;
-    for (std::uint32_t i = 0; i < scene_.pieces.size(); ++i) carried_.push_back(scene_.ties.joined(i, piece_));
   }
 
   Drag place() {
@@ -63,10 +64,10 @@ class Dragger {
   }
 
  private:
-  // The free position nearest to the wanted one, up to the end of the room.
+  // The free position nearest to the wanted one, up to where the piece may be dragged.
   [[nodiscard]] Vec nearest_found() const {
     Marker reached = start_;
-    reached.strip = start_.strip.ending(room_.high.x);
+    reached.strip = start_.strip.ending(end_);
     const auto found = placing::place(scene::Scene{std::move(reached), laid_out_, run_.sums}, PieceId{piece_}, wanted_);
     return found ? found->at : from_;
   }
@@ -74,7 +75,9 @@ class Dragger {
   [[nodiscard]] bool free_at(Vec at) const {
     const Vec by = at - scene_.pieces.at(piece_);
     for (std::uint32_t i = 0; i < scene_.pieces.size(); ++i) {
-      if (carried_[i] && !room_.contains(scene_.pieces.box(i).moved(by))) return false;
+      if (!carried_[i]) continue;
+      const Box room = scene_.pieces.room_among(i, carried_, start_.strip, end_);
+      if (!room.contains(scene_.pieces.box(i).moved(by))) return false;
     }
     return are_clear(scene_.pieces, carried_, by);
   }
@@ -133,7 +136,7 @@ class Dragger {
   }
 
   // The carried pieces, the dragged one first; then those near the rest of the way, which may move; then those near
-  // them, which stay.
+  // them or of one shade with them, which stay.
   [[nodiscard]] std::vector<std::uint32_t> pieces_around() {
     const Coord reach = std::llround(tuning_.reach * static_cast<double>(start_.strip.width));
     const Box own = scene_.pieces.box(piece_);
@@ -150,6 +153,14 @@ class Dragger {
     }
     flowing_ = around.size();
     std::vector<bool> known(scene_.pieces.size());
+    for (const std::uint32_t piece : around) known[piece] = true;
+    // Those of one shade with a piece that may move: they hold it back.
+    for (const marker::Shade& shade : scene_.pieces.shades()) {
+      const auto& mates = shade.pieces;
+      if (std::none_of(mates.begin(), mates.end(), [&](std::uint32_t mate) { return known[mate]; })) continue;
+      std::copy_if(mates.begin(), mates.end(), std::back_inserter(around),
+                   [&](std::uint32_t mate) { return !known[mate]; });
+    }
     for (const std::uint32_t piece : around) known[piece] = true;
     const Box far = reached.grown(reach);
     const Coord end = scene_.pieces.length();
@@ -178,10 +189,10 @@ class Dragger {
     std::vector<std::uint32_t> changed;
     for (std::uint32_t piece = 0; piece < pieces.size(); ++piece) {
       if (marker.pieces[piece].at == start_.pieces[piece].at) continue;
-      if (!room_.contains(pieces.box(piece))) return false;
+      if (!pieces.room(piece, start_.strip, end_).contains(pieces.box(piece))) return false;
       changed.push_back(piece);
     }
-    return are_clear(pieces, changed);
+    return keep_shades(pieces) && are_clear(pieces, changed);
   }
 
   const DragTuning& tuning_;
@@ -191,8 +202,8 @@ class Dragger {
   const scene::Run& run_;
   scene::Scene scene_;
   const Vec from_;
-  Box room_;                   // of the strip, up to where the piece may be dragged
-  Vec wanted_;                 // as near to the requested position as the strip and the locks allow
+  Coord end_{};                // up to where the piece may be dragged
+  Vec wanted_;                 // as near to the requested position as its room and the locks allow
   std::vector<bool> carried_;  // the piece and its group
   std::size_t flowing_{};      // the number of pieces around that may move; they come first
 };

@@ -18,7 +18,7 @@ class Floater {
         settings_{settings},
         run_{run},
         most_{std::max(settings.distance, scene.pieces.widest_spacing())},
-        aim_{settings.mode, static_cast<double>(most_), scene.marker.strip.room(scene.pieces.length()),
+        aim_{settings.mode, static_cast<double>(most_), scene.marker.strip.ending(scene.pieces.length()),
              scene.pieces.positions()} {
     const auto gaps = gaps_within(scene, most_, aim_.strip, settings.edges);
     start_gaps_ = {gaps.begin(), gaps.end()};

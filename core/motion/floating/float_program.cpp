@@ -107,8 +107,9 @@ FloatProgram::FloatProgram(const scene::Scene& scene, const model::Ties& ties, c
       aim_{aim},
       gaps_{gaps},
       rows_{rows},
-      model_{scene.pieces, scene.marker.strip.ending(aim.strip.high.x), ties},
+      model_{scene.pieces, aim.strip, ties},
       width_(gaps.size(), -1) {
+  gap_of_row_.resize(model_.program().bound.size(), gaps.size());  // rows of no gap
   bound_motion(trust);
   add_widths();
   add_rows();

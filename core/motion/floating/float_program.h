@@ -34,7 +34,7 @@ struct FloatGap {
 struct FloatAim {
   FloatMode mode{};
   double most{};           // lattice units: wider gaps count as this wide
-  Box strip;               // where the pieces may be
+  Strip strip;             // ends where the marker may end
   std::vector<Vec> start;  // positions that motion is measured from
 };
 

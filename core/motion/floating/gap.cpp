@@ -9,14 +9,23 @@
 namespace selvage::motion::floating {
 namespace {
 
-Coord width_to_edge(StripEdge edge, const Box& piece, const Box& strip) {
+Box room_on(const Strip& strip, const marker::PlacedPieces& pieces, std::uint32_t piece) {
+  return pieces.room(piece, strip, strip.last().value_or(kLatticeLimit));
+}
+
+Coord width_to_edge(StripEdge edge, const Box& piece, const Box& room) {
   switch (edge) {
-    case StripEdge::kLeft: return piece.low.x - strip.low.x;
-    case StripEdge::kRight: return strip.high.x - piece.high.x;
-    case StripEdge::kBottom: return piece.low.y - strip.low.y;
+    case StripEdge::kLeft: return piece.low.x - room.low.x;
+    case StripEdge::kRight: return room.high.x - piece.high.x;
+    case StripEdge::kBottom: return piece.low.y - room.low.y;
     case StripEdge::kTop: break;
   }
-  return strip.high.y - piece.high.y;
+  return room.high.y - piece.high.y;
+}
+
+bool fills(const Box& piece, const Box& room, StripEdge edge) {
+  const bool along = edge == StripEdge::kLeft || edge == StripEdge::kRight;
+  return along ? piece.width() == room.width() : piece.height() == room.height();
 }
 
 // The length, in whole units rounded up, of a short translation that separates two pieces that overlap as they may; 0
@@ -33,36 +42,40 @@ Coord overlap_of(const marker::PlacedPieces& pieces, marker::PiecePair pair) {
 
 }  // namespace
 
-std::vector<Gap> gaps_within(const scene::Scene& scene, Coord reach, const Box& strip, bool edges) {
+std::vector<Gap> gaps_within(const scene::Scene& scene, Coord reach, const Strip& strip, bool edges) {
   std::vector<Gap> gaps;
   for (const auto& [p, q] : pairs_within(scene.pieces, reach)) {
     if (!scene.ties.joined(p, q)) gaps.push_back({PieceId{p}, PieceId{q}});
   }
   for (std::uint32_t i = 0; edges && i < scene.pieces.size(); ++i) {
     if (scene.fixed(i)) continue;
+    const Box box = scene.pieces.box(i);
+    const Box room = room_on(strip, scene.pieces, i);
     for (const StripEdge edge : {StripEdge::kLeft, StripEdge::kRight, StripEdge::kBottom, StripEdge::kTop}) {
-      if (width_to_edge(edge, scene.pieces.box(i), strip) < reach) gaps.push_back({PieceId{i}, edge});
+      if (!fills(box, room, edge) && width_to_edge(edge, box, room) < reach) gaps.push_back({PieceId{i}, edge});
     }
   }
   std::sort(gaps.begin(), gaps.end());
   return gaps;
 }
 
-double width_within(const Gap& gap, const marker::PlacedPieces& pieces, const Box& strip, double reach) {
+double width_within(const Gap& gap, const marker::PlacedPieces& pieces, const Strip& strip, double reach) {
   if (const PieceId* other = other_piece(gap)) {
     if (const Coord overlap = overlap_of(pieces, pair_of(gap)); overlap > 0) return -static_cast<double>(overlap);
     return distance_within(pieces[gap.piece.value], pieces[other->value], reach);
   }
-  const Coord width = width_to_edge(std::get<StripEdge>(gap.opposite), pieces.box(gap.piece.value), strip);
+  const Coord width = width_to_edge(std::get<StripEdge>(gap.opposite), pieces.box(gap.piece.value),
+                                    room_on(strip, pieces, gap.piece.value));
   return std::min(reach, static_cast<double>(width));
 }
 
-Coord whole_width_within(const Gap& gap, const marker::PlacedPieces& pieces, const Box& strip, Coord reach) {
+Coord whole_width_within(const Gap& gap, const marker::PlacedPieces& pieces, const Strip& strip, Coord reach) {
   if (const PieceId* other = other_piece(gap)) {
     if (const Coord overlap = overlap_of(pieces, pair_of(gap)); overlap > 0) return -overlap;
     return whole_distance_within(pieces[gap.piece.value], pieces[other->value], reach);
   }
-  return std::min(reach, width_to_edge(std::get<StripEdge>(gap.opposite), pieces.box(gap.piece.value), strip));
+  return std::min(reach, width_to_edge(std::get<StripEdge>(gap.opposite), pieces.box(gap.piece.value),
+                                       room_on(strip, pieces, gap.piece.value)));
 }
 
 }  // namespace selvage::motion::floating

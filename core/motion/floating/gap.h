@@ -27,16 +27,16 @@ struct Gap {
 }
 
 // All gaps that may be narrower than `reach`, sorted: between pieces whose boxes are closer than that on both axes and,
-// if `edges`, to the edges of `strip`.  Gaps that no motion can change are left out: between pieces that are fixed or
-// move together, and between a fixed piece and an edge.
-[[nodiscard]] std::vector<Gap> gaps_within(const scene::Scene& scene, Coord reach, const Box& strip, bool edges);
+// if `edges`, to the edges of their rooms on `strip`, which ends.  Gaps that no motion can change are left out: between
+// pieces that are fixed or move together, and between an edge and a piece that is fixed or fills its room.
+[[nodiscard]] std::vector<Gap> gaps_within(const scene::Scene& scene, Coord reach, const Strip& strip, bool edges);
 
 // The width of a gap, at most `reach`; lattice units.  For pieces that overlap as they may, the length of a translation
 // that separates them, in whole units and negated; otherwise 0 for pieces that overlap, negative for a piece beyond the
 // edge.
-[[nodiscard]] double width_within(const Gap& gap, const marker::PlacedPieces& pieces, const Box& strip, double reach);
+[[nodiscard]] double width_within(const Gap& gap, const marker::PlacedPieces& pieces, const Strip& strip, double reach);
 // The same in whole units, rounded down exactly.
-[[nodiscard]] Coord whole_width_within(const Gap& gap, const marker::PlacedPieces& pieces, const Box& strip,
+[[nodiscard]] Coord whole_width_within(const Gap& gap, const marker::PlacedPieces& pieces, const Strip& strip,
                                        Coord reach);
 
 }  // namespace selvage::motion::floating

@@ -65,11 +65,12 @@ class Bumper {
         at_{scene.pieces.at(piece)},
         reach_{tuning.first_reach * static_cast<double>(scene.marker.strip.width)} {
     moves_.resize(scene.pieces.size());
-    const Box room = scene.marker.strip.room(scene.marker.strip.last().value_or(scene.pieces.length()));
+    for (std::uint32_t i = 0; i < scene.pieces.size(); ++i) moves_[i] = scene.ties.joined(i, piece);
+    const Coord end = scene.marker.strip.last().value_or(scene.pieces.length());
     for (std::uint32_t i = 0; i < scene.pieces.size(); ++i) {
-      if (!scene.ties.joined(i, piece)) continue;
-      moves_[i] = true;
+      if (!moves_[i]) continue;
       body_.push_back({i, scene.pieces.at(i) - at_});
+      const Box room = scene.pieces.room_among(i, moves_, scene.marker.strip, end);
       const Box fit = minkowski::inner_fit(scene.pieces[i].box, room).moved(-body_.back().offset);
       fit_.low = {std::max(fit_.low.x, fit.low.x), std::max(fit_.low.y, fit.low.y)};
       fit_.high = {std::min(fit_.high.x, fit.high.x), std::min(fit_.high.y, fit.high.y)};

@@ -24,7 +24,7 @@ class Relaxer {
         piece_{std::move(piece)},
         polygon_{oriented(scene.marker.shapes[piece_.shape.value].outline, piece_.orientation)},
         box_{box_of(polygon_)},
-        fit_{minkowski::inner_fit(box_, scene.marker.strip.room(scene.pieces.length()))},
+        fit_{minkowski::inner_fit(box_, room_of(scene, index))},
         reach_{std::max(16.0, tuning.reach * static_cast<double>(scene.marker.strip.width))} {
     const geometry::SplitOrientation parts = split(piece_.orientation);
     outline_ = {scene.sums.outline(turned(scene.marker.shapes[piece_.shape.value].outline, parts.turn)),
@@ -51,6 +51,11 @@ class Relaxer {
   }
 
  private:
+  [[nodiscard]] static Box room_of(const scene::Scene& scene, std::uint32_t index) {
+    std::vector<bool> moving(scene.pieces.size());
+    moving[index] = true;
+    return scene.pieces.room_among(index, moving, scene.marker.strip, scene.pieces.length());
+  }
   [[nodiscard]] geometry::PlacedPolygon placed() const { return {polygon_, box_, piece_.at}; }
 
   void build_cell() {
@@ -88,7 +93,7 @@ class Relaxer {
   Piece piece_;
   Polygon polygon_;
   Box box_;
-  Box fit_;  // positions within the strip's width and the marker's length
+  Box fit_;  // positions within the piece's room and the marker's length
   double reach_;
   outline::OrientedOutline outline_;
   std::vector<CellSide> cell_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/marker/rules.h"
 #include "core/model/tilting/tilt_rows.h"
 
 namespace selvage::motion::piece {
@@ -22,7 +23,8 @@ TiltRange tilt_range(const Marker& marker, PieceId id) {
   const Piece& piece = marker.pieces[id.value];
   const Angle limit = marker.shapes[piece.shape.value].tilt_limit;
   const Angle now = piece.orientation.tilt;
-  const bool held = piece.locked.x || piece.locked.y || piece.locked.tilt || !piece.group.empty();
+  const bool held =
+      piece.locked.x || piece.locked.y || piece.locked.tilt || !piece.group.empty() || piece.rules.on_fold;
   if (held) return {now, now};
   return {std::min(now, Angle::of_degrees(-limit.degrees)), std::max(now, limit)};
 }
@@ -37,7 +39,9 @@ Piece tilted(const Piece& piece, const geometry::PlacedPolygon& from, Angle tilt
 
 bool is_cuttable(const Marker& marker, const Piece& piece) {
   const Polygon outline = oriented(marker.shapes[piece.shape.value].outline, piece.orientation);
-  return static_cast<bool>(clean_polygon(outline)) && box_of(outline).height() <= marker.strip.room(0).height();
+  const Coord across = box_of(outline).height();
+  return static_cast<bool>(clean_polygon(outline)) &&
+         across <= room_for(piece.rules, across, marker.strip, kLatticeLimit).height();
 }
 
 }  // namespace selvage::motion::piece

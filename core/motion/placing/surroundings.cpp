@@ -51,9 +51,11 @@ Body::Body(const scene::Scene& scene, PieceId id)
 }
 
 Box Body::fit(const scene::Scene& scene, Coord end) const {
-  const Box room = scene.marker.strip.room(end);
+  std::vector<bool> moving(scene.pieces.size());
+  for (const Member& member : members) moving[member.piece] = true;
   Box all{{-kLatticeLimit, -kLatticeLimit}, {kLatticeLimit, kLatticeLimit}};
   for (const Member& member : members) {
+    const Box room = scene.pieces.room_among(member.piece, moving, scene.marker.strip, end);
     const Box one = minkowski::inner_fit(scene.pieces[member.piece].box, room).moved(-member.offset);
     all.low = {std::max(all.low.x, one.low.x), std::max(all.low.y, one.low.y)};
     all.high = {std::min(all.high.x, one.high.x), std::min(all.high.y, one.high.y)};

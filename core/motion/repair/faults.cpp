@@ -30,8 +30,21 @@ std::string named(const scene::Scene& scene, const std::vector<Conflict>& confli
 }
 
 std::string leaves_the_strip(const scene::Scene& scene, std::size_t piece) {
-  return "piece \"" + scene.marker.pieces[piece].id + "\" leaves the strip by " +
+  const bool ruled = scene.marker.pieces[piece].rules.own_room();
+  return "piece \"" + scene.marker.pieces[piece].id + "\" leaves " +
+         (ruled ? "the room that its rules leave" : "the strip") + " by " +
          decimal(scene, static_cast<double>(protrusion(scene, piece)));
+}
+
+// What is said of the first shade whose excess is more than the limit; nothing when there is none.
+std::optional<std::string> too_far_apart(const scene::Scene& scene, double limit) {
+  for (const marker::Shade& shade : scene.pieces.shades()) {
+    const auto excess = static_cast<double>(scene.pieces.excess_of(shade));
+    if (excess <= limit) continue;
+    return "the pieces of shade \"" + scene.marker.pieces[shade.pieces.front()].rules.shade + "\" take " +
+           decimal(scene, excess) + " more of the length than they may";
+  }
+  return std::nullopt;
 }
 
 std::string field_of(std::size_t piece) {
@@ -51,7 +64,7 @@ std::vector<Conflict> find_conflicts(const scene::Scene& scene, const scene::Run
 }
 
 Coord protrusion(const scene::Scene& scene, std::size_t piece) {
-  return std::max(protrusion_of(scene.pieces.box(piece), scene.marker.strip), Coord{0});
+  return std::max(protrusion_of(scene.pieces, piece, scene.marker.strip), Coord{0});
 }
 
 bool any_protrusion(const scene::Scene& scene) {
@@ -63,6 +76,10 @@ std::optional<Error> refuse_deep(const scene::Scene& scene, const std::vector<Co
     if (static_cast<double>(protrusion(scene, i)) <= limit) continue;
     return Error{ErrorCode::kOutsideStrip,
                  leaves_the_strip(scene, i) + "; at most " + decimal(scene, limit) + " is repaired", field_of(i)};
+  }
+  if (const auto scattered = too_far_apart(scene, limit)) {
+    return Error{ErrorCode::kOutsideStrip, *scattered + "; at most " + decimal(scene, limit) + " is repaired",
+                 "/shade"};
   }
   std::vector<Conflict> deep;
   std::copy_if(conflicts.begin(), conflicts.end(), std::back_inserter(deep),
@@ -82,6 +99,9 @@ Error repair_failed(const scene::Scene& scene, const std::vector<Conflict>& conf
             "small overlaps could not be separated: " + named(scene, conflicts) +
                 "; there is no room for them where they are, or the pieces are locked or of one group",
             "/pieces"};
+  }
+  if (const auto scattered = too_far_apart(scene, 0)) {
+    return {ErrorCode::kRepairFailed, *scattered + " and could not be brought together", "/shade"};
   }
   std::size_t piece = 0;
   while (piece + 1 < scene.pieces.size() && protrusion(scene, piece) == 0) ++piece;

@@ -20,6 +20,9 @@ Repair report_of(const scene::Scene& scene, const std::vector<Conflict>& conflic
     repair.protruding += by > 0;
     repair.deepest = std::max(repair.deepest, static_cast<double>(by));
   }
+  for (const marker::Shade& shade : scene.pieces.shades()) {
+    repair.deepest = std::max(repair.deepest, static_cast<double>(scene.pieces.excess_of(shade)));
+  }
   return repair;
 }
 

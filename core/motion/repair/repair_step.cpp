@@ -31,6 +31,10 @@ class RepairProgram {
     for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
       if (protrusion(scene, i) > 0) active_.add(i);
     }
+    for (const marker::Shade& shade : scene.pieces.shades()) {
+      if (scene.pieces.excess_of(shade) <= 0) continue;
+      for (const std::uint32_t piece : shade.pieces) active_.add(piece);
+    }
   }
 
   // The displacements of least cost with which the marker grows by at most `growth`; solved for the active pieces, and
@@ -89,8 +93,10 @@ class RepairProgram {
   [[nodiscard]] std::vector<std::uint32_t> pressed_by(const lp::LpSolution& solution) const {
     model::Pressure pressure{scene_.pieces.size()};
     for (const auto& [row, pair_row] : rows_) pressure.add(pair_row, solution.dual[static_cast<std::size_t>(row)]);
-    const Box room = scene_.marker.strip.room(scene_.marker.strip.last().value_or(kLatticeLimit));
-    return active_.missed(scene_.pieces, pressure.load(), tuning_.displacement_cost, room);
+    pressure.add_shades(*model_, solution.dual);
+    const Strip& strip = scene_.marker.strip;
+    return active_.missed(scene_.pieces, pressure.load(), tuning_.displacement_cost, strip,
+                          strip.last().value_or(kLatticeLimit));
   }
 
   // The inactive neighbours of active pieces: moving them may make room.

@@ -44,7 +44,8 @@ double depth_at(const minkowski::Obstacle& obstacle, Vec r, Coord spacing) {
 Leap cheapest_leap(const scene::Scene& scene, PieceId id, const LeapGrid& grid, const OverlapPrices& prices) {
   const std::uint32_t piece = id.value;
   const Vec from = scene.pieces.at(piece);
-  const Box fit = minkowski::inner_fit(scene.pieces[piece].box, scene.marker.strip.room(grid.length));
+  const Box fit =
+      minkowski::inner_fit(scene.pieces[piece].box, scene.pieces.room(piece, scene.marker.strip, grid.length));
   const std::vector<Neighbour> neighbours = neighbours_of(scene, piece, grid.reach, prices);
   Leap best{from, std::numeric_limits<double>::infinity()};
   const auto step = [&](int k) { return static_cast<Coord>(std::llround(grid.reach * k / grid.steps)); };

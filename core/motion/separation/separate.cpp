@@ -19,11 +19,12 @@ struct Ending {
   bool apart{};
 };
 
-// Moves pieces that lie outside a strip of this length to its edge: any separation must move them at least as far.
+// Moves pieces that lie outside their rooms on a strip of this length to its edge: any separation must move them at
+// least as far.
 void move_into_strip(scene::Scene& scene, Coord length) {
   for (std::uint32_t i = 0; i < scene.pieces.size(); ++i) {
     if (scene.fixed(i)) continue;
-    const Box fit = minkowski::inner_fit(scene.pieces[i].box, scene.marker.strip.room(length));
+    const Box fit = minkowski::inner_fit(scene.pieces[i].box, scene.pieces.room(i, scene.marker.strip, length));
     const auto way_in = [](Coord value, Coord low, Coord high) { return std::max(low, std::min(value, high)) - value; };
     const Vec at = scene.pieces.at(i);
     const Vec by{way_in(at.x, fit.low.x, fit.high.x), way_in(at.y, fit.low.y, fit.high.y)};
@@ -143,7 +144,14 @@ class Rounds {
   [[nodiscard]] bool has_many() const { return scene_.pieces.size() > tuning().many; }
   // Whether this round, 0 being the first, moves only what overlaps.
   [[nodiscard]] bool is_local(int round) const { return round > 0 && has_many(); }
-  [[nodiscard]] Coord excess() const { return std::max(Coord{0}, scene_.pieces.length() - allowed_); }
+  // By how much the marker is too long, and shades are.
+  [[nodiscard]] Coord excess() const {
+    Coord sum = std::max(Coord{0}, scene_.pieces.length() - allowed_);
+    for (const marker::Shade& shade : scene_.pieces.shades()) {
+      sum += std::max(Coord{0}, scene_.pieces.excess_of(shade));
+    }
+    return sum;
+  }
   [[nodiscard]] bool apart() const { return known_ && overlapping_.empty() && excess() == 0; }
   // The overlap and excess length that remain; lattice units.
   [[nodiscard]] double remaining() const { return depth_ + static_cast<double>(excess()); }
@@ -246,11 +254,12 @@ std::optional<Error> refuse(const Marker& start, const SeparationSettings& setti
   const model::Ties ties = model::ties_of(start);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Box box = pieces.box(i);
-    const Box room = start.strip.room(start.strip.last().value_or(box.high.x));
+    const Box room = pieces.room(i, start.strip, start.strip.last().value_or(box.high.x));
     const bool outside_x = box.low.x < room.low.x || box.high.x > room.high.x;
     const bool outside_y = box.low.y < room.low.y || box.high.y > room.high.y;
     if (!(ties.x[i] == model::Ties::kFixed && outside_x) && !(ties.y[i] == model::Ties::kFixed && outside_y)) continue;
-    return Error{ErrorCode::kOutsideStrip, "piece \"" + start.pieces[i].id + "\" is locked outside the strip",
+    return Error{ErrorCode::kOutsideStrip,
+                 "piece \"" + start.pieces[i].id + "\" is locked outside the strip or the room that its rules leave",
                  "/pieces/" + std::to_string(i) + "/at"};
   }
   return std::nullopt;

@@ -65,8 +65,10 @@ class SeparationProgram {
   [[nodiscard]] std::vector<std::uint32_t> missed(const lp::LpSolution& solution) const {
     model::Pressure pressure{scene_.pieces.size()};
     for (const auto& [row, pair_row] : rows_) pressure.add(pair_row, solution.dual[static_cast<std::size_t>(row)]);
-    const Box room = scene_.marker.strip.room(scene_.marker.strip.last().value_or(kLatticeLimit));
-    return reached_.missed(scene_.pieces, pressure.load(), kDisplacementPenalty, room);
+    pressure.add_shades(model_, solution.dual);
+    const Strip& strip = scene_.marker.strip;
+    return reached_.missed(scene_.pieces, pressure.load(), kDisplacementPenalty, strip,
+                           strip.last().value_or(kLatticeLimit));
   }
   void take(const lp::LpSolution& solution, SeparationStep& step) const {
     step.positions = model::snapped(model_.displacements(solution.x));
@@ -117,6 +119,10 @@ model::ActiveSet moving(const scene::Scene& scene, const std::vector<Overlapping
   for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
     const bool beyond = scene.pieces.box(i).high.x > settings.length.free;
     if (beyond || scene.pieces.at(i) != home[i]) reached.add(i);
+  }
+  for (const marker::Shade& shade : scene.pieces.shades()) {
+    if (scene.pieces.excess_of(shade) <= 0) continue;
+    for (const std::uint32_t piece : shade.pieces) reached.add(piece);
   }
   if (settings.extent == model::Extent::kWhole) reached.add_all();
   return reached;

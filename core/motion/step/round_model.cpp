@@ -112,8 +112,9 @@ bool RoundModel::add_pressed_pieces(const lp::LpSolution& solution) {
     const auto r = static_cast<std::size_t>(row);
     if (r < solution.dual.size()) pressure.add(rows_[k], solution.dual[r]);  // later rows were added since
   }
-  const Box room = scene_.marker.strip.room(scene_.pieces.length());
-  auto pressed = active_.missed(scene_.pieces, pressure.load(), goal_.displacement_penalty, room);
+  pressure.add_shades(*model_, solution.dual);
+  auto pressed = active_.missed(scene_.pieces, pressure.load(), goal_.displacement_penalty, scene_.marker.strip,
+                                scene_.pieces.length());
   if (pressed.empty()) return false;
   grow(std::move(pressed));
   return true;

@@ -144,16 +144,16 @@ class Program {
     const std::vector<Vec> by = model::snapped(moves);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       pieces[i].at = pieces[i].at + by[i];
-      if (!turns_[i].empty()) put_inside(pieces[i]);
+      if (!turns_[i].empty()) put_inside(i, pieces[i]);
     }
     return pieces;
   }
-  // Moves a piece that second-order effects of its turn put outside the strip back to its edge.
-  void put_inside(Piece& piece) const {
+  // Moves a piece that second-order effects of its turn put outside its room back to the room's edge.
+  void put_inside(std::size_t index, Piece& piece) const {
     const Marker& marker = scene_.marker;
     const Box box = box_of(oriented(marker.shapes[piece.shape.value].outline, piece.orientation));
-    const Box fit = minkowski::inner_fit(box, marker.strip.room(0));
-    piece.at.x = std::max(piece.at.x, fit.low.x);
+    const Box fit = minkowski::inner_fit(box, scene_.pieces.room(index, marker.strip, kLatticeLimit));
+    piece.at.x = std::max(fit.low.x, std::min(piece.at.x, fit.high.x));
     piece.at.y = std::max(fit.low.y, std::min(piece.at.y, fit.high.y));
   }
 

@@ -23,7 +23,7 @@ std::uint32_t turn_of(const Kind& kind, const Orientation& orientation) {
 
 RealBox inner_fit(const PieceSet& set, std::size_t piece, std::uint32_t turn, double length) {
   const RealBox& box = set.kind(piece).turned[turn].box;
-  return {set.low - box.low_x, set.low - box.low_y, length - box.high_x, set.high - box.high_y};
+  return {set.left - box.low_x, set.low - box.low_y, length - box.high_x, set.high - box.high_y};
 }
 
 RealBox placed_box(const PieceSet& set, const Layout& layout, std::size_t piece) {

@@ -35,8 +35,10 @@ class Builder {
   Builder(const Marker& marker, SumCache& sums) : marker_{marker}, sums_{sums} {
     const double unit = model::ModelUnit{marker.strip}.lattice_units();
     set_.lattice_units = unit;
-    set_.low = static_cast<double>(marker.strip.margin) / unit;
-    set_.high = model::ModelUnit::kAcross - set_.low;
+    const Box room = marker.strip.room(kLatticeLimit);
+    set_.left = static_cast<double>(room.low.x) / unit;
+    set_.low = static_cast<double>(room.low.y) / unit;
+    set_.high = model::ModelUnit::kAcross - static_cast<double>(marker.strip.width - room.high.y) / unit;
     set_.spacing = marker.spacing;
   }
 
@@ -73,7 +75,7 @@ class Builder {
     for (const Orientation& orientation : keeps_orientation ? std::vector{piece.orientation} : orientations_of(shape)) {
       const Polygon polygon = oriented(shape.outline, orientation);
       const Box box = box_of(polygon);
-      if (box.height() > marker_.strip.width - 2 * marker_.strip.margin) continue;
+      if (box.height() > marker_.strip.room(0).height()) continue;
       if (!clean_polygon(polygon)) continue;  // rounding to the lattice made it touch itself
       kind.turned.push_back(turned(piece, shape, orientation, box));
     }

@@ -54,7 +54,8 @@ struct PieceSet {
   std::vector<std::uint32_t> kind_of;
   std::vector<bool> fixed;
   double lattice_units{};  // in a model unit
-  double low{}, high{};    // pieces lie between these across the strip, and at x >= low
+  double left{};           // pieces lie at this x or beyond
+  double low{}, high{};    // and between these across the strip
   Coord spacing{};         // lattice units
   double area{};           // of all pieces
 

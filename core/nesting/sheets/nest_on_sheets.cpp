@@ -264,6 +264,7 @@ Result<SheetNesting> nest_on_sheets(const Marker& start, std::span<const Sheet> 
   if (start.pieces.empty() && start.unplaced.empty()) {
     return Error{ErrorCode::kEmptyMarker, "the marker has no piece", "/pieces"};
   }
+  if (const auto refusal = marker::refused_rule(start, "nesting on sheets")) return *refusal;
   if (const auto refusal = unmovable(start.pieces, "/pieces/")) return *refusal;
   if (const auto refusal = unmovable(start.unplaced, "/unplaced/")) return *refusal;
   std::vector<ReadySheet> kinds;

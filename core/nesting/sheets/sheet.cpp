@@ -51,10 +51,14 @@ double area_of(const Sheet& sheet) {
 }
 
 Result<Marker> bare(const Marker& marker, const Sheet& sheet) {
-  if (sheet.width <= 2 * marker.strip.margin || sheet.length <= 2 * marker.strip.margin) {
+  Strip strip = marker.strip;
+  strip.width = sheet.width;
+  strip.longest = sheet.length;
+  const Box room = strip.room(sheet.length - strip.margin);
+  if (room.width() <= 0 || room.height() <= 0) {
     return Error{ErrorCode::kOutOfRange, "the sheet has no room between its margins", ""};
   }
-  if (!sheet.plain() && marker.strip.margin > 0) {
+  if (!sheet.plain() && room != Box{{0, 0}, {sheet.length, sheet.width}}) {
     return Error{ErrorCode::kOutOfRange,
                  "an outline or holes are given, and the marker has a margin; sheets with an outline or holes are "
                  "allowed for markers without one: give the pieces buffers instead",
@@ -63,7 +67,7 @@ Result<Marker> bare(const Marker& marker, const Sheet& sheet) {
   Marker result = marker;
   result.pieces.clear();
   result.unplaced.clear();
-  result.strip = {sheet.width, sheet.length, marker.strip.margin};
+  result.strip = strip;
   if (sheet.plain()) return result;
   result.spacing = 0;
   if (sheet.outline) {

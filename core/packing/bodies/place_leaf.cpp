@@ -83,12 +83,12 @@ bool is_proved(const Marker& marker, const Bodies& bodies, const Freedom& freedo
   for (const auto& body : bodies.pieces) changed.insert(changed.end(), body.begin(), body.end());
   const outline::Container& container = freedom.container;
   for (const std::uint32_t piece : changed) {
-    if (!container.box.contains(pieces.box(piece))) return false;
+    if (!container.box.contains(pieces.box(piece)) || protrusion_of(pieces, piece, marker.strip) > 0) return false;
     for (const Polygon& wall : container.walls) {
       if (marker::collide(pieces[piece], {wall, box_of(wall), {}}, freedom.clearance)) return false;
     }
   }
-  return are_clear(pieces, changed);
+  return keep_shades(pieces) && are_clear(pieces, changed);
 }
 
 }  // namespace

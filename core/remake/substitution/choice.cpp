@@ -44,7 +44,7 @@ std::vector<Candidate> candidates_for(const Marker& order, std::span<const Marke
       if (auto both = concatenated(parts[first], parts[second])) candidates.push_back({*std::move(both), {}, 0, 0});
     }
   }
-  const auto width = static_cast<double>(order.strip.width - 2 * order.strip.margin);
+  const auto width = static_cast<double>(order.strip.room(0).height());
   executor.for_each(candidates.size(), [&](std::size_t k) {
     Candidate& candidate = candidates[k];
     const Arrangement& arrangement = candidate.arrangement;

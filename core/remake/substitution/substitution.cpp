@@ -64,7 +64,7 @@ class Substituting {
   [[nodiscard]] const Shape& shape_of(std::size_t piece) const { return order_.shapes[pieces_[piece]->shape.value]; }
   [[nodiscard]] bool fits_strip(const Shape& shape, const Orientation& orientation) const {
     const Box box = box_of(oriented(shape.outline, orientation));
-    return box.height() <= order_.strip.width - 2 * order_.strip.margin;
+    return box.height() <= order_.strip.room(0).height();
   }
 
   // Where the outline lies best in the slot.

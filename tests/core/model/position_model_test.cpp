@@ -65,5 +65,35 @@ TEST(PositionModel, KeepsTheMargins) {
   EXPECT_EQ(model.program().upper, (std::vector<double>{230, 820}));
 }
 
+TEST(PositionModel, HasTheRoomsOfPiecesAsBounds) {
+  Layout layout{1000};
+  const auto square = layout.shape_of(test::rectangle(100, 100));
+  layout.put(square, {50, 60}).put(square, {300, 0});
+  Marker marker = layout.marker();
+  marker.strip.below = 10;
+  marker.pieces[0].rules = {.above = 20, .from = 40, .to = 500};
+  marker.pieces[1].rules.on_fold = true;
+  const marker::PlacedPieces pieces{marker};
+  PositionModel model{pieces, marker.strip, ties_of(marker)};
+  EXPECT_EQ(model.program().lower, (std::vector<double>{-10, -50, -300, 0}));
+  EXPECT_EQ(model.program().upper, (std::vector<double>{350, 820, lp::kInfinity, 0}));
+  EXPECT_EQ(model.program().rows(), 0);
+}
+
+TEST(PositionModel, HasAColumnForAShadeAndTwoRowsForEachOfItsPieces) {
+  Layout layout{1000};
+  const auto square = layout.shape_of(test::rectangle(100, 100));
+  layout.put(square, {50, 0}).put(square, {300, 0}).put(square, {600, 0}, 0, true);
+  Marker marker = layout.marker();
+  marker.shade = 700;
+  for (Piece& piece : marker.pieces) piece.rules.shade = "A";
+  const marker::PlacedPieces pieces{marker};
+  PositionModel model{pieces, marker.strip, ties_of(marker)};
+  ASSERT_EQ(model.program().columns(), 5);  // the last: the motion of the shade's cloth, which begins at 50
+  EXPECT_EQ(model.program().bound, (std::vector<double>{0, -600, -250, -350, -550, -50}));
+  ASSERT_EQ(model.shade_rows().size(), 6U);
+  EXPECT_EQ(model.program().row(model.shade_rows()[5].in_program).size(), 1U);  // the locked piece has no column
+}
+
 }  // namespace
 }  // namespace selvage::model

@@ -1,0 +1,53 @@
+// Cloth's rules: where on the strip a piece may lie, besides keeping clear of other pieces.  What a piece may not do
+// because of them is said here, and nowhere else: its room, which is the strip's unless it has rules of its own, and
+// the pieces that have to lie near it along x.  Units: lattice units.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/geometry/lattice.h"
+
+namespace selvage::marker {
+
+struct Marker;
+struct Strip;
+
+// The rules of one piece.  One that is absent leaves the piece to the strip.
+struct Rules {
+  std::optional<Coord> below{}, above{};  // selvedges of its own: its distances from the strip's long edges
+  std::optional<Coord> from{}, to{};      // a band across the cloth: it lies between these two x
+  bool on_fold{};                         // its lowest edge lies on the strip's lower edge, where the cloth is folded
+  std::string shade{};                    // pieces of one shade lie within Marker::shade of each other; empty: of none
+
+  // True when some rule concerns this piece alone, so that its room is not the strip's.
+  [[nodiscard]] bool own_room() const { return below || above || from || to || on_fold; }
+  friend bool operator==(const Rules&, const Rules&) = default;
+};
+
+// The room of a piece: the box in which its own box may lie when the strip ends at x = `end`.  `height`: of the piece's
+// box, which fills the room across when it lies on the fold.
+[[nodiscard]] Box room_for(const Rules& rules, Coord height, const Strip& strip, Coord end);
+
+// The pieces of one shade: from the left end of the leftmost to the right end of the rightmost is at most `length`.
+struct Shade {
+  std::vector<std::uint32_t> pieces;  // at least two, ascending
+  Coord length{};
+};
+
+// The rules of all pieces of a marker.
+struct Rooms {
+  std::vector<Rules> rules;  // by piece
+  std::vector<Shade> shades;
+};
+// Nothing when no placed piece has a rule.
+[[nodiscard]] std::optional<Rooms> rooms_of(const Marker& marker);
+
+// For operations that know no rooms but the strip's: the error that names the first piece, placed or not, that has a
+// rule.  `operation` begins the message: "nesting".  Code: kOutOfRange.
+[[nodiscard]] std::optional<Error> refused_rule(const Marker& marker, const std::string& operation);
+
+}  // namespace selvage::marker

@@ -1,0 +1,201 @@
+// Cloth's rules: the rooms that they leave, what proves that they are kept, and what make_marker refuses.
+#include "core/marker/rules.h"
+
+#include <gtest/gtest.h>
+
+#include "core/marker/clearance.h"
+#include "core/marker/figures.h"
+#include "core/marker/validity.h"
+#include "core/minkowski/cache.h"
+#include "tests/core/marker/squares.h"
+
+namespace selvage::test {
+namespace {
+
+bool is_kept(const Marker& marker) {
+  return are_inside(marker::PlacedPieces{marker}, marker.strip);
+}
+
+// Squares of side 10 in a strip 100 wide.
+TEST(Rooms, AreTheStripsWithoutRules) {
+  const Marker marker = squares({{0, 0}, {50, 90}});
+  EXPECT_FALSE(marker::rooms_of(marker));
+  EXPECT_EQ(marker::PlacedPieces{marker}.room(1, marker.strip, 60), (Box{{0, 0}, {60, 100}}));
+}
+
+TEST(Rooms, TheStripsSelvedgesReplaceItsMargin) {
+  Marker marker = squares({{2, 7}, {50, 88}});
+  marker.strip.margin = 2;
+  marker.strip.below = 7;
+  EXPECT_EQ(marker.strip.room(60), (Box{{2, 7}, {60, 98}}));
+  EXPECT_TRUE(is_kept(marker));
+  marker.strip.above = 3;
+  EXPECT_FALSE(is_kept(marker));
+  EXPECT_EQ(marker::protrusion_of(marker::PlacedPieces{marker}, 1, marker.strip), 1);
+}
+
+TEST(Rooms, APiecesSelvedgesReplaceTheStrips) {
+  Marker marker = squares({{2, 0}, {50, 80}});
+  marker.strip.margin = 2;
+  EXPECT_FALSE(is_kept(marker));
+  marker.pieces[0].rules.below = 0;
+  EXPECT_TRUE(is_kept(marker));
+  marker.pieces[1].rules.above = 10;
+  EXPECT_TRUE(is_kept(marker));
+  marker.pieces[1].rules.above = 11;
+  EXPECT_FALSE(is_kept(marker));
+}
+
+TEST(Rooms, ABandHoldsAPieceBetweenItsEnds) {
+  Marker marker = squares({{20, 0}, {50, 0}});
+  marker.pieces[0].rules.from = 20;
+  marker.pieces[0].rules.to = 30;
+  EXPECT_TRUE(is_kept(marker));
+  marker.pieces[0].at.x = 19;
+  EXPECT_FALSE(is_kept(marker));
+  marker.pieces[0].at.x = 21;
+  EXPECT_FALSE(is_kept(marker));
+}
+
+TEST(Rooms, APieceOnTheFoldLiesOnTheLowerEdgeWhateverTheSelvedge) {
+  Marker marker = squares({{5, 0}});
+  marker.strip.margin = 5;
+  marker.pieces[0].rules.on_fold = true;
+  EXPECT_TRUE(is_kept(marker));
+  for (const Coord y : {-1, 1}) {
+    marker.pieces[0].at.y = y;
+    EXPECT_FALSE(is_kept(marker)) << y;
+  }
+}
+
+TEST(Rooms, PiecesOfAShadeLieWithinItsLength) {
+  Marker marker = squares({{0, 0}, {40, 0}, {20, 20}, {90, 0}});
+  marker.shade = 50;
+  for (const int piece : {0, 1, 2}) marker.pieces[static_cast<std::size_t>(piece)].rules.shade = "A";
+  EXPECT_TRUE(is_kept(marker));
+  marker.pieces[1].at.x = 41;
+  EXPECT_FALSE(is_kept(marker));
+  const marker::PlacedPieces pieces{marker};
+  ASSERT_EQ(pieces.shades().size(), 1U);
+  EXPECT_EQ(pieces.excess_of(pieces.shades()[0]), 1);
+  marker.shade.reset();
+  EXPECT_TRUE(is_kept(marker));
+}
+
+TEST(Rooms, AmongTheOthersOfItsShadeAPieceReachesAsFarAsTheShade) {
+  Marker marker = squares({{30, 0}, {40, 20}, {60, 40}});
+  marker.shade = 50;
+  for (Piece& piece : marker.pieces) piece.rules.shade = "A";
+  const marker::PlacedPieces pieces{marker};
+  EXPECT_EQ(pieces.room_among(0, {true, false, false}, marker.strip, 1000), (Box{{20, 0}, {90, 100}}));
+  EXPECT_EQ(pieces.room_among(0, {true, false, true}, marker.strip, 1000), (Box{{0, 0}, {90, 100}}));
+}
+
+TEST(Rooms, ChecksNameTheShadeThatIsTooLong) {
+  Marker marker = squares({{0, 0}, {70, 0}, {20, 20}});
+  marker.shade = 50;
+  for (Piece& piece : marker.pieces) piece.rules.shade = "A";
+  SumCache sums;
+  const marker::Validity validity = marker::check(marker, sums);
+  EXPECT_FALSE(validity.valid());
+  ASSERT_EQ(validity.shades.size(), 1U);
+  EXPECT_EQ(validity.shades[0].leftmost, PieceId{0});
+  EXPECT_EQ(validity.shades[0].rightmost, PieceId{1});
+  EXPECT_EQ(validity.shades[0].by, 30);
+  EXPECT_FALSE(is_valid(marker));
+}
+
+// What is proved again after an edit: a rule that becomes stricter concerns pieces that did not move.
+TEST(Rooms, FiguresAfterAnEditSeeStricterRules) {
+  Marker before = squares({{0, 0}, {40, 0}});
+  before.overlap = 3;
+  before.shade = 50;
+  for (Piece& piece : before.pieces) piece.rules.shade = "A";
+  const marker::PlacedPieces pieces{before};
+  const auto valid_after = [&](const Marker& after) { return figures_after(before, pieces, after).valid; };
+  EXPECT_TRUE(valid_after(before));
+  Marker after = before;
+  after.shade = 49;
+  EXPECT_FALSE(valid_after(after));
+  after = before;
+  after.pieces[0].rules.from = 1;
+  EXPECT_FALSE(valid_after(after));
+  after = before;
+  after.strip.below = 1;
+  EXPECT_FALSE(valid_after(after));
+}
+
+TEST(Rooms, FiguresAfterAnEditSeeASmallerOverlapAllowance) {
+  Marker before = squares({{0, 0}, {8, 0}});
+  before.overlap = 2;
+  const marker::PlacedPieces pieces{before};
+  ASSERT_TRUE(figures_after(before, pieces, before).valid);
+  Marker after = before;
+  after.overlap = 1;
+  EXPECT_FALSE(figures_after(before, pieces, after).valid);
+  after = before;
+  after.pieces[0].overlap = 1;
+  EXPECT_FALSE(figures_after(before, pieces, after).valid);
+}
+
+// The field that make_marker blames; "" when it accepts the marker.
+std::string blamed(const Marker& marker) {
+  const auto made = make_marker(marker);
+  return made ? "" : made.error().field;
+}
+
+TEST(Rooms, RulesThatNoPositionKeepsAreRefused) {
+  const Marker good = squares({{20, 0}, {50, 0}});
+  ASSERT_EQ(blamed(good), "");
+  const auto with = [&good](auto change) {
+    Marker marker = good;
+    change(marker, marker.pieces[0].rules);
+    return blamed(marker);
+  };
+  EXPECT_EQ(with([](Marker& m, marker::Rules&) { m.strip.below = -1; }), "/strip/below");
+  EXPECT_EQ(with([](Marker& m, marker::Rules&) { m.strip.above = 100; }), "/strip/above");
+  EXPECT_EQ(with([](Marker& m, marker::Rules&) { m.strip.above = m.strip.below = 50; }), "/strip/above");
+  EXPECT_EQ(with([](Marker& m, marker::Rules&) { m.shade = 0; }), "/shade");
+  EXPECT_EQ(with([](Marker& m, marker::Rules& r) { m.shade = 9, r.shade = "A"; }), "/shade");
+  EXPECT_EQ(with([](Marker&, marker::Rules& r) { r.below = -1; }), "/pieces/0/rules/below");
+  EXPECT_EQ(with([](Marker&, marker::Rules& r) { r.below = 50, r.above = 41; }), "/pieces/0/rules");
+  EXPECT_EQ(with([](Marker&, marker::Rules& r) { r.below = 50, r.above = 40; }), "");
+  EXPECT_EQ(with([](Marker&, marker::Rules& r) { r.from = -1; }), "/pieces/0/rules/from");
+  EXPECT_EQ(with([](Marker&, marker::Rules& r) { r.from = 20, r.to = 20; }), "/pieces/0/rules/to");
+  EXPECT_EQ(with([](Marker&, marker::Rules& r) { r.from = 20, r.to = 29; }), "/pieces/0/rules/to");
+  EXPECT_EQ(with([](Marker&, marker::Rules& r) { r.from = 20, r.to = 30; }), "");
+  EXPECT_EQ(with([](Marker&, marker::Rules& r) { r.on_fold = true, r.below = 0; }), "/pieces/0/rules/below");
+  EXPECT_EQ(with([](Marker& m, marker::Rules& r) {
+              m.shapes[0].outline = {{0, 0}, {10, 5}, {0, 10}, {-10, 5}};
+              r.on_fold = true;
+            }),
+            "/pieces/0/rules/fold");
+}
+
+TEST(Rooms, APieceTooTallForTheMarginsMayHaveSelvedgesOfItsOwn) {
+  Marker marker = squares({{20, 0}});
+  marker.shapes[0].outline = {{0, 0}, {10, 0}, {10, 96}, {0, 96}};
+  marker.strip.margin = 5;
+  EXPECT_EQ(blamed(marker), "/pieces/0");
+  marker.pieces[0].rules.below = 0;
+  marker.pieces[0].rules.above = 4;
+  EXPECT_EQ(blamed(marker), "");
+  marker.pieces[0].rules = {.on_fold = true};
+  EXPECT_EQ(blamed(marker), "/pieces/0/rules");
+}
+
+TEST(Rooms, OperationsWithoutRulesNameTheFirstOne) {
+  Marker marker = squares({{20, 0}, {50, 0}});
+  marker.strip.below = 3;
+  EXPECT_FALSE(marker::refused_rule(marker, "nesting"));
+  marker.pieces[1].rules.shade = "A";
+  EXPECT_FALSE(marker::refused_rule(marker, "nesting"));
+  marker.shade = 100;
+  const auto refusal = marker::refused_rule(marker, "nesting");
+  ASSERT_TRUE(refusal);
+  EXPECT_EQ(refusal->field, "/pieces/1/rules/shade");
+  EXPECT_NE(refusal->message.find("nesting"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace selvage::test
