@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/motion/compaction/compact.h"
+#include "core/motion/compaction/critical_path.h"
 #include "core/motion/dragging/drag.h"
 #include "core/motion/floating/float_apart.h"
 #include "core/motion/separation/separate.h"
@@ -35,6 +36,13 @@ struct Choices<motion::compaction::Accuracy> {
   static constexpr std::string_view kName = "Accuracy";
   static constexpr std::string_view kMeaning = "How much work a motion invests: draft, standard or fine.";
   static constexpr std::string_view kWords[] = {"draft", "standard", "fine"};
+};
+
+template <>
+struct Choices<motion::compaction::Rule> {
+  static constexpr std::string_view kName = "ClothRule";
+  static constexpr std::string_view kMeaning = "One of cloth's rules, which say where on the strip a piece may lie.";
+  static constexpr std::string_view kWords[] = {"below", "above", "from", "to", "fold", "shade"};
 };
 
 template <>

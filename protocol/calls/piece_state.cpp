@@ -12,10 +12,12 @@ PieceState state_of(const Marker& marker, const Piece& piece) {
                    .locked = piece.locked,
                    .group = {},
                    .buffer = {},
-                   .overlap = {}};
+                   .overlap = {},
+                   .rules = {}};
   if (!piece.group.empty()) state.group = piece.group;
   if (piece.buffer > 0) state.buffer = to_decimal(piece.buffer, marker.resolution);
   if (piece.overlap) state.overlap = to_decimal(*piece.overlap, marker.resolution);
+  if (piece.rules != marker::Rules{}) state.rules = formats::decimal_rules(piece.rules, marker.resolution);
   return state;
 }
 

@@ -45,6 +45,7 @@ struct PieceState {
   Locks locked;
   std::optional<std::string> group;
   std::optional<double> buffer, overlap;
+  std::optional<formats::DecimalRules> rules;
 
   static void describe(auto& v, auto& self) {
     v.required("id", self.id, "The piece's id.");
@@ -57,6 +58,7 @@ struct PieceState {
     v.optional("group", self.group, "Its group, if it has one.");
     v.optional("buffer", self.buffer, "The clearance around it, if it has one.");
     v.optional("overlap", self.overlap, "Its own overlap allowance, if it has one.");
+    v.optional("rules", self.rules, "Where on the strip it may lie, if it has rules of its own.");
   }
 };
 [[nodiscard]] PieceState state_of(const Marker& marker, const Piece& piece);

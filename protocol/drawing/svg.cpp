@@ -10,6 +10,7 @@
 #include "protocol/drawing/palette.h"
 #include "protocol/drawing/svg_annotations.h"
 #include "protocol/drawing/svg_overlay.h"
+#include "protocol/drawing/svg_rules.h"
 #include "protocol/drawing/svg_view.h"
 
 namespace selvage::protocol::drawing {
@@ -220,8 +221,9 @@ std::string to_svg(const Marker& marker, const SvgOptions& options) {
   const Caption words = caption(marker, options);
   const double page = std::max(view.width(), 2 * View::kLeft + words.width);
   const Drawn drawn = draw_pieces(marker, options, view);
-  return heading(view, page) + words.text + cloth(view) + drawn.pieces + overlay(options.overlay, view) +
-         end_lines(options, view) + drawn.labels + ruler(marker, view) + width_label(marker, view) + "</svg>\n";
+  return heading(view, page) + words.text + cloth(view) + rules(marker, view) + drawn.pieces +
+         overlay(options.overlay, view) + end_lines(options, view) + drawn.labels + ruler(marker, view) +
+         width_label(marker, view) + "</svg>\n";
 }
 
 SvgOptions svg_options(const MarkerFile& file) {

@@ -22,6 +22,8 @@ Error Blame::at_its_edit(Error error) const {
     error.field = pointer_of(spacing, "/spacing");
   } else if (field.starts_with("/overlap") && overlap != kNoEdit) {
     error.field = pointer_of(overlap, "/overlap");
+  } else if (field.starts_with("/shade") && shade != kNoEdit) {
+    error.field = pointer_of(shade, "/shade");
   } else if (strip != kNoEdit && (field.starts_with("/strip") || field.starts_with("/pieces/"))) {
     error.field = pointer_of(strip);
   } else {

@@ -16,11 +16,11 @@ inline constexpr std::size_t kNoEdit = SIZE_MAX;
 // The pointer to an operation, or to a field of it ("/at").
 [[nodiscard]] std::string pointer_of(std::size_t edit, std::string_view field = "");
 
-// The last edit, by its index, of each piece, of the strip, of the spacing and of the overlap allowance, and the one
-// that added each shape.
+// The last edit, by its index, of each piece, of the strip, of the spacing, of the overlap allowance and of the length
+// of shades, and the one that added each shape.
 struct Blame {
   std::vector<std::size_t> pieces, shapes;
-  std::size_t strip{kNoEdit}, spacing{kNoEdit}, overlap{kNoEdit};
+  std::size_t strip{kNoEdit}, spacing{kNoEdit}, overlap{kNoEdit}, shade{kNoEdit};
 
   // An error of make_marker, its field pointing at the edit that is to blame.
   [[nodiscard]] Error at_its_edit(Error error) const;

@@ -93,6 +93,7 @@ class Editor {
     piece.at = {coordinate(add.piece.piece.at.x, "/piece/at"), coordinate(add.piece.piece.at.y, "/piece/at")};
     piece.buffer = clearance(add.piece.piece.buffer, "/piece/buffer");
     if (const auto& overlap = add.piece.piece.overlap) piece.overlap = allowance(*overlap, "/piece/overlap");
+    piece.rules = rules_of(add.piece.piece.rules, "/piece/rules");
     settle(piece);
     append(std::move(piece), add.piece.attributes);
   }
@@ -234,6 +235,10 @@ class Editor {
     piece->overlap.reset();
     if (edit.overlap) piece->overlap = allowance(*edit.overlap, "/overlap");
   }
+  void apply(const RulesOfPiece& edit) {
+    Piece* piece = piece_of(edit.piece.text);
+    if (piece != nullptr) piece->rules = rules_of(edit.rules.value_or(formats::DecimalRules{}), "/rules");
+  }
   void apply(const SetStrip& strip) {
     Strip& mine = file_.marker.strip;
     // Checked against the lattice alone: how far out a coordinate may be is measured in widths.
@@ -246,6 +251,8 @@ class Editor {
     if (strip.margin) mine.margin = clearance(*strip.margin, "/margin");
     if (strip.longest) mine.longest.reset();
     if (strip.longest && strip.longest->value) mine.longest = length(*strip.longest->value, "/longest");
+    if (strip.below) mine.below = selvedge(*strip.below, "/below");
+    if (strip.above) mine.above = selvedge(*strip.above, "/above");
     blame_.strip = edit_;
   }
   void apply(const SetSpacing& spacing) {
@@ -256,6 +263,19 @@ class Editor {
     file_.marker.overlap = allowance(edit.overlap, "/overlap");
     blame_.overlap = edit_;
   }
+  void apply(const SetShade& edit) {
+    file_.marker.shade.reset();
+    if (edit.shade.value) file_.marker.shade = allowance(*edit.shade.value, "/shade");
+    blame_.shade = edit_;
+  }
+  std::optional<Coord> selvedge(const NullableLength& given, std::string_view field) {
+    return given.value ? std::optional{clearance(*given.value, field)} : std::nullopt;
+  }
+  marker::Rules rules_of(const formats::DecimalRules& written, std::string_view field) {
+    if (formats::fits_lattice(written, resolution())) return formats::rules_on_lattice(written, resolution());
+    mistake_.add(ErrorCode::kBeyondLattice, "a length of the rules is too far", pointer_of(edit_, field));
+    return {};
+  }
   // A distance to keep: rounded up, so that it holds.
   Coord clearance(double distance, std::string_view field) {
     if (fits_lattice(distance, resolution())) return formats::spacing_on_lattice(distance, resolution());
@@ -263,7 +283,7 @@ class Editor {
     return 0;
   }
 
-  // An overlap allowance: rounded down, so that no more is allowed.
+  // A distance that is allowed: rounded down, so that no more is.
   Coord allowance(double distance, std::string_view field) {
     if (fits_lattice(distance, resolution())) return formats::overlap_on_lattice(distance, resolution());
     mistake_.add(ErrorCode::kBeyondLattice, json::number_text(distance) + " is too far", pointer_of(edit_, field));

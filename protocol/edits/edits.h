@@ -201,21 +201,38 @@ struct OverlapPiece {
     v.optional("overlap", self.overlap, "A length; absent: the marker's allowance holds for the piece.", kLengths);
   }
 };
+struct RulesOfPiece {
+  static constexpr std::string_view kOp = "rules", kName = "RulesEdit",
+                                    kMeaning = "Sets the rules of a piece: where on the strip it may lie.";
+  calls::Id piece;
+  std::optional<formats::DecimalRules> rules;
+
+  static void describe(auto& v, auto& self) {
+    v.constant("op", kOp, kOpMeaning);
+    v.required("piece", self.piece, kPieceMeaning);
+    v.optional("rules", self.rules, "All of its rules; absent: it has none.");
+  }
+};
 struct SetStrip {
   static constexpr std::string_view kOp = "setStrip", kName = "StripEdit",
                                     kMeaning = "Changes the strip; at least one of its fields is required.";
   std::optional<double> width;
   std::optional<NullableLength> longest;  // null: the cloth has no end
   std::optional<double> margin;
+  std::optional<NullableLength> below, above;  // null: the margin holds there
 
   static void describe(auto& v, auto& self) {
     v.constant("op", kOp, kOpMeaning);
     v.optional("width", self.width, "The width of the strip.", {.range = formats::kStripWidths});
     v.optional("longest", self.longest, "The x coordinate where the cloth ends; null: it has no end.", kLengths);
     v.optional("margin", self.margin, "The distance that pieces keep from the strip's edges.", kLengths);
+    v.optional("below", self.below, "The distance from the lower edge; null: the margin.", kLengths);
+    v.optional("above", self.above, "The distance from the upper edge; null: the margin.", kLengths);
     v.check([](const json::Fields& op, json::Mistake& mistake) {
-      if (op.has("width") || op.has("longest") || op.has("margin")) return;
-      mistake.add(ErrorCode::kMissingField, "width, longest or margin is required", op.pointer());
+      for (const std::string_view field : {"width", "longest", "margin", "below", "above"}) {
+        if (op.has(field)) return;
+      }
+      mistake.add(ErrorCode::kMissingField, "width, longest, margin, below or above is required", op.pointer());
     });
   }
 };
@@ -239,9 +256,21 @@ struct SetOverlap {
     v.required("overlap", self.overlap, "A length.", kLengths);
   }
 };
+struct SetShade {
+  static constexpr std::string_view kOp = "setShade", kName = "ShadeEdit",
+                                    kMeaning =
+                                        "Sets the length along the strip within which the pieces of a shade lie.";
+  NullableLength shade;
+
+  static void describe(auto& v, auto& self) {
+    v.constant("op", kOp, kOpMeaning);
+    v.required("shade", self.shade, "A length; null: shades have no effect.", kLengths);
+  }
+};
 
 using Edit = std::variant<AddPiece, RemovePiece, PlacePiece, TakeOffPiece, MovePiece, RotatePiece, FlipPiece, TiltPiece,
-                          LockPiece, GroupPiece, BufferPiece, OverlapPiece, SetStrip, SetSpacing, SetOverlap>;
+                          LockPiece, GroupPiece, BufferPiece, OverlapPiece, RulesOfPiece, SetStrip, SetSpacing,
+                          SetOverlap, SetShade>;
 
 inline constexpr std::size_t kMaxEdits = 100'000;
 

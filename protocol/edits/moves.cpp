@@ -59,7 +59,8 @@ Move read_move(const Json& value, const Marker& marker, json::Mistake& mistake) 
     return {};
   }
   if (!fits_lattice(read.at.x, marker.resolution) || !fits_lattice(read.at.y, marker.resolution) ||
-      !fits_lattice(read.buffer, marker.resolution) || !fits_lattice(read.overlap.value_or(0), marker.resolution)) {
+      !fits_lattice(read.buffer, marker.resolution) || !fits_lattice(read.overlap.value_or(0), marker.resolution) ||
+      !formats::fits_lattice(read.rules, marker.resolution)) {
     mistake.add(ErrorCode::kBeyondLattice, json::shortened(value) + " lies beyond the lattice", "");
     return {};
   }
@@ -68,6 +69,7 @@ Move read_move(const Json& value, const Marker& marker, json::Mistake& mistake) 
   after.at = {to_lattice(read.at.x, marker.resolution), to_lattice(read.at.y, marker.resolution)};
   after.buffer = formats::spacing_on_lattice(read.buffer, marker.resolution);
   if (read.overlap) after.overlap = formats::overlap_on_lattice(*read.overlap, marker.resolution);
+  after.rules = formats::rules_on_lattice(read.rules, marker.resolution);
   return {index, std::move(after)};
 }
 

@@ -49,6 +49,9 @@ void read_constraints(json::Fields& fields, json::Mistake& mistake, DecimalPiece
   if (fields.maybe_any("group") != nullptr) piece.piece.group = fields.id("group");
   piece.buffer = fields.number_or("buffer", 0, {0, kStripWidths.most});
   piece.overlap = fields.maybe_number("overlap", {0, kStripWidths.most});
+  if (const Json* rules = fields.maybe_object("rules")) {
+    piece.rules = schema::decode_at<DecimalRules>(*rules, fields.pointer("rules"), mistake);
+  }
 }
 
 void write_constraints(Json& json, const Marker& marker, const Piece& piece) {
@@ -56,6 +59,7 @@ void write_constraints(Json& json, const Marker& marker, const Piece& piece) {
   if (!piece.group.empty()) json["group"] = piece.group;
   if (piece.buffer > 0) json["buffer"] = to_decimal(piece.buffer, marker.resolution);
   if (piece.overlap) json["overlap"] = to_decimal(*piece.overlap, marker.resolution);
+  if (piece.rules != marker::Rules{}) json["rules"] = schema::encode(decimal_rules(piece.rules, marker.resolution));
 }
 
 }  // namespace selvage::protocol::formats

@@ -1,8 +1,7 @@
-// What a marker maker sets for a piece besides its placement: locks, its rigid group, its buffer and its overlap
-// allowance.  The same fields
-// in the native and the sparrow form:
+// What a marker maker sets for a piece besides its placement: locks, its rigid group, its buffer, its overlap allowance
+// and cloth's rules.  The same fields in the native and the sparrow form:
 //   "locked": true, or the list of what is: "x", "y", "tilt"; "group": a name; "buffer": a length;
-//   "overlap": a length, absent when the marker's holds.
+//   "overlap": a length, absent when the marker's holds; "rules": an object (DecimalRules), absent when there are none.
 #pragma once
 
 #include "protocol/formats/decimal_marker.h"

@@ -1,6 +1,7 @@
 #include "protocol/formats/decimal_marker.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <unordered_map>
@@ -74,6 +75,13 @@ Result<ShapeIndex> index_shapes(const DecimalMarker& written) {
   return index;
 }
 
+void add_rules(Survey& all, const DecimalRules& rules, const std::string& at) {
+  for (const auto& [length, name] :
+       {std::pair{rules.below, "/below"}, {rules.above, "/above"}, {rules.from, "/from"}, {rules.to, "/to"}}) {
+    if (length) all.add(*length, at + name);
+  }
+}
+
 Survey survey(const DecimalMarker& written, const ShapeIndex& shapes) {
   Survey all;
   all.add(written.width, "/strip/width");
@@ -81,6 +89,9 @@ Survey survey(const DecimalMarker& written, const ShapeIndex& shapes) {
   all.add(written.overlap, "/overlap");
   all.add(written.margin, "/strip/margin");
   if (written.longest) all.add(*written.longest, "/strip/longest");
+  all.add(written.below.value_or(0), "/strip/below");
+  all.add(written.above.value_or(0), "/strip/above");
+  all.add(written.shade.value_or(0), "/shade");
   for (std::size_t i = 0; i < written.shapes.size(); ++i) {
     const std::string at = indexed("/shapes/", i, "/outline");
     for (const Decimal& p : written.shapes[i].outline) {
@@ -93,6 +104,7 @@ Survey survey(const DecimalMarker& written, const ShapeIndex& shapes) {
     const std::string at = indexed("/pieces/", i, "/at");
     all.add(piece.buffer, indexed("/pieces/", i, "/buffer"));
     all.add(piece.overlap.value_or(0), indexed("/pieces/", i, "/overlap"));
+    add_rules(all, piece.rules, indexed("/pieces/", i, "/rules"));
     all.add(piece.at.x, at);
     all.add(piece.at.y, at);
     all.reach(placed_extent(written.shapes[shapes.at(piece.shape)].outline, piece.piece.orientation, piece.at), at);
@@ -100,6 +112,7 @@ Survey survey(const DecimalMarker& written, const ShapeIndex& shapes) {
   for (std::size_t i = 0; i < written.unplaced.size(); ++i) {
     all.add(written.unplaced[i].buffer, indexed("/unplaced/", i, "/buffer"));
     all.add(written.unplaced[i].overlap.value_or(0), indexed("/unplaced/", i, "/overlap"));
+    add_rules(all, written.unplaced[i].rules, indexed("/unplaced/", i, "/rules"));
   }
   return all;
 }
@@ -211,6 +224,9 @@ Result<MarkerFile> on_lattice(const DecimalMarker& written, document::Attributes
   marker.strip.width = to_lattice(written.width, *resolution);
   if (written.longest) marker.strip.longest = to_lattice(*written.longest, *resolution);
   marker.strip.margin = spacing_on_lattice(written.margin, *resolution);
+  if (written.below) marker.strip.below = spacing_on_lattice(*written.below, *resolution);
+  if (written.above) marker.strip.above = spacing_on_lattice(*written.above, *resolution);
+  if (written.shade) marker.shade = overlap_on_lattice(*written.shade, *resolution);
   marker.spacing = spacing_on_lattice(written.spacing, *resolution);
   marker.overlap = overlap_on_lattice(written.overlap, *resolution);
   note_rounding(file.notes, all, marker);
@@ -226,6 +242,7 @@ Result<MarkerFile> on_lattice(const DecimalMarker& written, document::Attributes
     piece.at = rounded(decimal.at, *resolution);
     piece.buffer = spacing_on_lattice(decimal.buffer, *resolution);
     if (decimal.overlap) piece.overlap = overlap_on_lattice(*decimal.overlap, *resolution);
+    piece.rules = rules_on_lattice(decimal.rules, *resolution);
     return piece;
   };
   for (const DecimalPiece& piece : written.pieces) marker.pieces.push_back(piece_on_lattice(piece));
@@ -274,6 +291,39 @@ Coord spacing_on_lattice(double spacing, Resolution resolution) {
 Coord overlap_on_lattice(double overlap, Resolution resolution) {
   const Coord nearest = to_lattice(overlap, resolution);
   return to_decimal(nearest, resolution) > overlap ? nearest - 1 : nearest;
+}
+
+marker::Rules rules_on_lattice(const DecimalRules& written, Resolution resolution) {
+  marker::Rules rules;
+  if (written.below) rules.below = spacing_on_lattice(*written.below, resolution);
+  if (written.above) rules.above = spacing_on_lattice(*written.above, resolution);
+  if (written.from) rules.from = spacing_on_lattice(*written.from, resolution);
+  if (written.to) rules.to = overlap_on_lattice(*written.to, resolution);
+  rules.on_fold = written.fold.value_or(false);
+  rules.shade = written.shade.value_or("");
+  return rules;
+}
+
+DecimalRules decimal_rules(const marker::Rules& rules, Resolution resolution) {
+  const auto decimal = [resolution](std::optional<Coord> length) {
+    return length ? std::optional{to_decimal(*length, resolution)} : std::nullopt;
+  };
+  DecimalRules written{.below = decimal(rules.below),
+                       .above = decimal(rules.above),
+                       .from = decimal(rules.from),
+                       .to = decimal(rules.to),
+                       .fold = {},
+                       .shade = {}};
+  if (rules.on_fold) written.fold = true;
+  if (!rules.shade.empty()) written.shade = rules.shade;
+  return written;
+}
+
+bool fits_lattice(const DecimalRules& written, Resolution resolution) {
+  const std::array lengths{written.below, written.above, written.from, written.to};
+  return std::all_of(lengths.begin(), lengths.end(), [&](const std::optional<double>& length) {
+    return geometry::fits_lattice(length.value_or(0), resolution);
+  });
 }
 
 double in_unit(double lattice, Resolution resolution) {

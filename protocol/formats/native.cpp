@@ -100,6 +100,8 @@ void read_strip(json::Fields& fields, json::Mistake& mistake, DecimalMarker& mar
   marker.width = strip.number("width", kStripWidths);
   marker.longest = strip.maybe_number("longest", {0, std::numeric_limits<double>::max()});
   marker.margin = strip.number_or("margin", 0, {0, kStripWidths.most});
+  marker.below = strip.maybe_number("below", {0, kStripWidths.most});
+  marker.above = strip.maybe_number("above", {0, kStripWidths.most});
   strip.finish();
 }
 
@@ -131,6 +133,7 @@ Result<MarkerFile> read_native(const Json& document) {
   read_strip(fields, mistake, marker);
   marker.spacing = fields.number_or("spacing", 0, {0, marker.width});
   marker.overlap = fields.number_or("overlap", 0, {0, marker.width});
+  marker.shade = fields.maybe_number("shade", {0, kStripWidths.most});
   for (const Json& shape : fields.array("shapes")) {
     if (mistake) return mistake.error();
     const std::string at = "/shapes/" + std::to_string(marker.shapes.size());
@@ -189,6 +192,8 @@ Json native_document(const MarkerFile& file) {
   Json strip{{"width", to_decimal(marker.strip.width, marker.resolution)}};
   if (marker.strip.longest) strip["longest"] = to_decimal(*marker.strip.longest, marker.resolution);
   if (marker.strip.margin > 0) strip["margin"] = to_decimal(marker.strip.margin, marker.resolution);
+  if (marker.strip.below) strip["below"] = to_decimal(*marker.strip.below, marker.resolution);
+  if (marker.strip.above) strip["above"] = to_decimal(*marker.strip.above, marker.resolution);
   Json document{{"format", kNativeName},
                 {"version", kNativeVersion},
                 {"name", marker.name},
@@ -197,6 +202,7 @@ Json native_document(const MarkerFile& file) {
                 {"strip", std::move(strip)},
                 {"spacing", to_decimal(marker.spacing, marker.resolution)}};
   if (marker.overlap > 0) document["overlap"] = to_decimal(marker.overlap, marker.resolution);
+  if (marker.shade) document["shade"] = to_decimal(*marker.shade, marker.resolution);
   if (!file.attributes.whole.empty()) document["attributes"] = file.attributes.whole;
   Json& shapes = document["shapes"] = Json::array();
   for (std::size_t i = 0; i < marker.shapes.size(); ++i) {

@@ -1,5 +1,7 @@
 #include "protocol/formats/outlines.h"
 
+#include <utility>
+
 #include "protocol/formats/decimal_marker.h"
 
 namespace selvage::protocol::formats {
@@ -19,10 +21,18 @@ Json outlines_document(const Marker& marker) {
                       {"outline", outline_json(placed_outline(marker, PieceId{i}), marker.resolution)}});
     const Coord allowance = allowance_of(marker, marker.pieces[i]);
     if (allowance > 0) pieces.back()["overlap"] = to_decimal(allowance, marker.resolution);
+    if (const marker::Rules& rules = marker.pieces[i].rules; rules != marker::Rules{}) {
+      pieces.back()["rules"] = schema::encode(decimal_rules(rules, marker.resolution));
+    }
   }
-  return {{"strip_height", to_decimal(marker.strip.width, marker.resolution)},
-          {"strip_length", to_decimal(length_of(marker), marker.resolution)},
-          {"pieces", std::move(pieces)}};
+  Json document{{"strip_height", to_decimal(marker.strip.width, marker.resolution)},
+                {"strip_length", to_decimal(length_of(marker), marker.resolution)}};
+  for (const auto& [length, name] :
+       {std::pair{marker.strip.below, "below"}, {marker.strip.above, "above"}, {marker.shade, "shade"}}) {
+    if (length) document[name] = to_decimal(*length, marker.resolution);
+  }
+  document["pieces"] = std::move(pieces);
+  return document;
 }
 
 }  // namespace selvage::protocol::formats

@@ -232,6 +232,9 @@ class DxfWriter {
     say("Units", std::string{unit_.name});
     say("Marker Width", json::number_text(decimal(strip.width)));
     if (strip.margin > 0) say("Marker Margin", json::number_text(decimal(strip.margin)));
+    if (strip.below) say("Marker Below", json::number_text(decimal(*strip.below)));
+    if (strip.above) say("Marker Above", json::number_text(decimal(*strip.above)));
+    if (marker_.shade) say("Marker Shade", json::number_text(decimal(*marker_.shade)));
     if (strip.longest) say("Marker Longest", json::number_text(decimal(*strip.longest)));
     if (marker_.spacing > 0) say("Marker Spacing", json::number_text(decimal(marker_.spacing)));
     if (marker_.overlap > 0) say("Marker Overlap", json::number_text(decimal(marker_.overlap)));
@@ -265,6 +268,14 @@ class DxfWriter {
     if (!piece.group.empty()) attribute(at, "GROUP", piece.group);
     if (piece.buffer > 0) attribute(at, "BUFFER", json::number_text(decimal(piece.buffer)));
     if (piece.overlap) attribute(at, "OVERLAP", json::number_text(decimal(*piece.overlap)));
+    for (const auto& [length, tag] : {std::pair{piece.rules.below, "BELOW"},
+                                      {piece.rules.above, "ABOVE"},
+                                      {piece.rules.from, "FROM"},
+                                      {piece.rules.to, "TO"}}) {
+      if (length) attribute(at, tag, json::number_text(decimal(*length)));
+    }
+    if (piece.rules.on_fold) attribute(at, "FOLD", "yes");
+    if (!piece.rules.shade.empty()) attribute(at, "SHADE", piece.rules.shade);
     const Locks locks = piece.locked;
     const std::string locked = std::string{locks.x ? "x" : ""} + (locks.y ? "y" : "") + (locks.tilt ? "t" : "");
     if (!locked.empty()) attribute(at, "LOCKED", locked);

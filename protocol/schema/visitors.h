@@ -191,6 +191,10 @@ struct Wire<T> {
   }
   static Type type() { return {.kind = Type::Kind::kNamed, .component = &component}; }
   static Json write(const T& value) { return schema::encode(value); }
+  static void read(const FieldAt& at, T& value) {
+    const Json& object = at.fields.object(at.key);
+    if (!at.mistake) value = decode_at<T>(object, at.pointer(), at.mistake);
+  }
   static T read_entry(const Json& value, const std::string& at, json::Mistake& mistake) {
     return decode_at<T>(value, at, mistake);
   }

@@ -1,5 +1,6 @@
 #include "clients/cli/terminal/summary.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -163,8 +164,16 @@ std::string plain_violations(const Marker& marker, const Json& validity) {
            ", " + significant(overlap["witness"][1].number()) + ")\n";
   }
   for (const Json& protrusion : validity["protrusions"]) {
-    out += "  piece " + protrusion["piece"].text() + " leaves the strip by " + significant(protrusion["by"].number()) +
-           unit + "\n";
+    const std::string& id = protrusion["piece"].text();
+    const auto piece = std::ranges::find(marker.pieces, id, &Piece::id);
+    const bool ruled = piece != marker.pieces.end() && piece->rules.own_room();
+    out += "  piece " + id + " leaves " + (ruled ? "the room that its rules leave" : "the strip") + " by " +
+           significant(protrusion["by"].number()) + unit + "\n";
+  }
+  for (const Json& shade : validity.value("shades", Json::array())) {
+    out += "  the pieces of shade " + shade["shade"].text() + ", from " + shade["leftmost"].text() + " to " +
+           shade["rightmost"].text() + ", take " + significant(shade["by"].number()) + unit +
+           " more of the length than they may\n";
   }
   return out;
 }

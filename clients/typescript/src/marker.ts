@@ -16,17 +16,39 @@ export type MarkerDocument = {
     longest?: number;
     /** Pieces stay this far from the strip's edges; less than half the width. */
     margin?: number;
+    /** The selvedge below: the distance from the lower edge, y = 0, in place of the margin. */
+    below?: number;
+    /** The selvedge above: the distance from the upper edge, in place of the margin. */
+    above?: number;
   };
   /** The least distance between two pieces; 0: they may touch. At most the strip's width. */
   spacing?: number;
   /** The overlap allowance: two pieces may overlap when moving one of them by at most this separates them. Without effect where a spacing or buffers keep pieces apart. At most the strip's width. */
   overlap?: number;
+  /** The length along the strip within which all pieces of one shade lie; absent: shades have no effect. */
+  shade?: number;
   shapes: Array<ShapeDocument>;
   /** The pieces that lie on the cloth. Together with the unplaced ones there are 1 to 20,000. */
   pieces: Array<PieceDocument>;
   /** The pieces that do not lie on the cloth; absent: none. */
   unplaced?: Array<UnplacedPieceDocument>;
   attributes?: Record<string, unknown>;
+};
+
+/** Where on the strip the piece may lie. docs/cloth-rules.md explains the rules. */
+export type RulesDocument = {
+  /** Its distance from the lower edge, in place of the strip's own. */
+  below?: number;
+  /** Its distance from the upper edge, in place of the strip's own. */
+  above?: number;
+  /** It lies at this x or beyond. */
+  from?: number;
+  /** It ends at this x or before. */
+  to?: number;
+  /** Its lowest side lies on the strip's lower edge, where the cloth is folded. */
+  fold?: boolean;
+  /** The name of its shade. */
+  shade?: string;
 };
 
 export type ShapeDocument = {
@@ -61,6 +83,7 @@ export type PieceDocument = {
   buffer?: number;
   /** The piece's own overlap allowance; absent: the marker's. A pair is allowed the smaller of its two. */
   overlap?: number;
+  rules?: RulesDocument;
   attributes?: Record<string, unknown>;
 };
 
@@ -80,5 +103,6 @@ export type UnplacedPieceDocument = {
   buffer?: number;
   /** The piece's own overlap allowance; absent: the marker's. A pair is allowed the smaller of its two. */
   overlap?: number;
+  rules?: RulesDocument;
   attributes?: Record<string, unknown>;
 };

@@ -50,6 +50,9 @@ export type CacheCounts = {
   limit: number;
 };
 
+/** One of cloth's rules, which say where on the strip a piece may lie. */
+export type ClothRule = "below" | "above" | "from" | "to" | "fold" | "shade";
+
 /** Gaps that determine a minimum. */
 export type CriticalSet = {
   /** The minimum. */
@@ -73,7 +76,7 @@ export type DraggedPiece = {
 };
 
 /** An operation of marker.apply. */
-export type Edit = AddEdit | RemoveEdit | PlaceEdit | TakeOffEdit | MoveEdit | RotateEdit | FlipEdit | TiltEdit | LockEdit | GroupEdit | BufferEdit | OverlapEdit | StripEdit | SpacingEdit | AllowanceEdit;
+export type Edit = AddEdit | RemoveEdit | PlaceEdit | TakeOffEdit | MoveEdit | RotateEdit | FlipEdit | TiltEdit | LockEdit | GroupEdit | BufferEdit | OverlapEdit | RulesEdit | StripEdit | SpacingEdit | AllowanceEdit | ShadeEdit;
 
 /** Mirrors a piece. */
 export type FlipEdit = {
@@ -305,6 +308,22 @@ export type OverlapEdit = {
   overlap?: number;
 };
 
+/** Where on the strip a piece may lie. */
+export type PieceRules = {
+  /** Its distance from the strip's lower edge, in place of the strip's own. */
+  below?: number;
+  /** Its distance from the strip's upper edge, in place of the strip's own. */
+  above?: number;
+  /** It lies at this x or beyond. */
+  from?: number;
+  /** It ends at this x or before. */
+  to?: number;
+  /** Whether its lowest side lies on the strip's lower edge, where the cloth is folded. */
+  fold?: boolean;
+  /** The name of its shade: the pieces of a shade lie near each other along the strip. */
+  shade?: string;
+};
+
 /** A piece with its placement and its locks. */
 export type PieceState = {
   /** The piece's id. */
@@ -327,6 +346,8 @@ export type PieceState = {
   buffer?: number;
   /** Its own overlap allowance, if it has one. */
   overlap?: number;
+  /** Where on the strip it may lie, if it has rules of its own. */
+  rules?: PieceRules;
 };
 
 /** What a piece is worth. */
@@ -445,6 +466,48 @@ export type RotateEdit = {
   by?: number;
 };
 
+/** What one of cloth's rules costs. */
+export type RulePrice = {
+  /** The rule. */
+  rule: ClothRule;
+  /** The id of the piece whose rule it is; absent for the strip's selvedges and shades. */
+  piece?: string;
+  /** Of a shade: its name. */
+  shade?: string;
+  /** How much shorter the marker would become per unit by which the rule gives way. */
+  worth: number;
+};
+
+/** Sets the rules of a piece: where on the strip it may lie. */
+export type RulesEdit = {
+  /** The operation. */
+  op: "rules";
+  /** The piece's id. */
+  piece: Id;
+  /** All of its rules; absent: it has none. */
+  rules?: PieceRules;
+};
+
+/** Sets the length along the strip within which the pieces of a shade lie. */
+export type ShadeEdit = {
+  /** The operation. */
+  op: "setShade";
+  /** A length; null: shades have no effect. */
+  shade: number | null;
+};
+
+/** Pieces of one shade that are too far from each other. */
+export type ShadeFault = {
+  /** The name of the shade. */
+  shade: string;
+  /** The id of its leftmost piece. */
+  leftmost: string;
+  /** The id of its rightmost piece. */
+  rightmost: string;
+  /** By how much more of the length they take than they may. */
+  by: number;
+};
+
 /** Sheets of one size and form: a rectangle, or what an outline encloses. */
 export type Sheet = {
   /** Of a rectangle, across the grain, in the marker's unit. */
@@ -497,6 +560,10 @@ export type StripEdit = {
   longest?: number | null;
   /** The distance that pieces keep from the strip's edges. */
   margin?: number;
+  /** The distance from the lower edge; null: the margin. */
+  below?: number | null;
+  /** The distance from the upper edge; null: the margin. */
+  above?: number | null;
 };
 
 /** Takes a piece off the cloth: it becomes the last unplaced piece. */
@@ -940,8 +1007,10 @@ export interface Methods {
       valid: boolean;
       /** Pairs that overlap or are too close. */
       overlaps: Array<Overlap>;
-      /** Pieces that extend beyond the strip. */
+      /** Pieces that extend beyond the strip, or out of the room that their rules leave. */
       protrusions: Array<Protrusion>;
+      /** Shades whose pieces are too far from each other; absent when there are none. */
+      shades?: Array<ShadeFault>;
     };
   };
   /** The critical path, which determines the marker's length. */
@@ -967,6 +1036,8 @@ export interface Methods {
       perSpacing: number;
       /** The locks that carry load; absent when there are none. */
       locks?: Array<LockPrice>;
+      /** The rules that carry load, the dearest first; absent when there are none. */
+      rules?: Array<RulePrice>;
     };
   };
   /** The regions of the cloth that no piece covers. */

@@ -1,5 +1,6 @@
 // marker.hold: the critical path, which determines a marker's length.
 #include "core/motion/compaction/critical_path.h"
+#include "protocol/calls/choices.h"
 #include "protocol/formats/decimal_marker.h"
 #include "protocol/methods/readings/reading.h"
 
@@ -49,12 +50,28 @@ struct LockPrice {
   }
 };
 
+struct RulePrice {
+  static constexpr std::string_view kName = "RulePrice", kMeaning = "What one of cloth's rules costs.";
+  motion::compaction::Rule rule{};
+  std::optional<std::string> piece, shade;
+  double worth{};
+
+  static void describe(auto& v, auto& self) {
+    v.required("rule", self.rule, "The rule.");
+    v.optional("piece", self.piece,
+               "The id of the piece whose rule it is; absent for the strip's selvedges and shades.");
+    v.optional("shade", self.shade, "Of a shade: its name.");
+    v.required("worth", self.worth, "How much shorter the marker would become per unit by which the rule gives way.");
+  }
+};
+
 struct HoldResult {
   double length{};
   std::vector<LoadedContact> contacts;
   std::vector<TiltWorth> tilts;
   double per_spacing{};
   std::optional<std::vector<LockPrice>> locks;
+  std::optional<std::vector<RulePrice>> rules;
 
   static void describe(auto& v, auto& self) {
     v.required("length", self.length, calls::kLengthMeaning);
@@ -63,6 +80,7 @@ struct HoldResult {
     v.required("perSpacing", self.per_spacing,
                "How much the marker would shorten per unit less spacing or more overlap allowance.");
     v.optional("locks", self.locks, "The locks that carry load; absent when there are none.");
+    v.optional("rules", self.rules, "The rules that carry load, the dearest first; absent when there are none.");
   }
 };
 
@@ -80,6 +98,18 @@ LoadedContact contact_of(const Marker& marker, const motion::compaction::LoadedC
   return named;
 }
 
+RulePrice price_of(const Marker& marker, const motion::compaction::RulePrice& price) {
+  RulePrice named{.rule = price.rule, .piece = {}, .shade = {}, .worth = price.worth};
+  if (!price.piece) return named;
+  const Piece& piece = marker.pieces[price.piece->value];
+  if (price.rule == motion::compaction::Rule::kShade) {
+    named.shade = piece.rules.shade;
+  } else {
+    named.piece = piece.id;
+  }
+  return named;
+}
+
 Result<HoldResult> run(const AnalysisParams&, const MarkerFile& file, const calls::MethodContext& context) {
   const Marker& marker = file.marker;
   const auto path = motion::compaction::critical_path(marker, context.run);
@@ -88,7 +118,8 @@ Result<HoldResult> run(const AnalysisParams&, const MarkerFile& file, const call
                     .contacts = {},
                     .tilts = {},
                     .per_spacing = path->per_spacing,
-                    .locks = {}};
+                    .locks = {},
+                    .rules = {}};
   for (const auto& contact : path->contacts) result.contacts.push_back(contact_of(marker, contact));
   for (const motion::compaction::TiltWorth& tilt : path->tilts) {
     result.tilts.push_back({marker.pieces[tilt.piece.value].id, formats::in_unit(tilt.per_degree, marker.resolution)});
@@ -96,6 +127,10 @@ Result<HoldResult> run(const AnalysisParams&, const MarkerFile& file, const call
   for (const motion::compaction::LockPrice& lock : path->locks) {
     if (!result.locks) result.locks.emplace();
     result.locks->push_back({marker.pieces[lock.piece.value].id, lock.per_x, lock.per_y});
+  }
+  for (const motion::compaction::RulePrice& price : path->rules) {
+    if (!result.rules) result.rules.emplace();
+    result.rules->push_back(price_of(marker, price));
   }
   return result;
 }

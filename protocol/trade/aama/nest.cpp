@@ -58,6 +58,10 @@ class NestReader {
     return otherwise;
   }
 
+  std::optional<double> maybe_number(const Texts& texts, const std::string& key) {
+    return texts.contains(key) ? std::optional{number(texts, key, 0, kLengths)} : std::nullopt;
+  }
+
   void read_strip(const Texts& texts) {
     written_.name = text_or_empty(texts, "Style Name");
     written_.unit = text_or_empty(texts, "Units") == "ENGLISH" ? "in" : "mm";
@@ -65,6 +69,9 @@ class NestReader {
     written_.margin = number(texts, "Marker Margin", 0, kLengths);
     written_.spacing = number(texts, "Marker Spacing", 0, kLengths);
     written_.overlap = number(texts, "Marker Overlap", 0, kLengths);
+    written_.below = maybe_number(texts, "Marker Below");
+    written_.above = maybe_number(texts, "Marker Above");
+    written_.shade = maybe_number(texts, "Marker Shade");
     if (texts.contains("Marker Longest")) written_.longest = number(texts, "Marker Longest", 0, formats::kStripWidths);
     const double unit = number(texts, "Marker Resolution", 0, {});
     for (int exponent = geometry::kFinestExponent; exponent <= geometry::kCoarsestExponent; ++exponent) {
@@ -155,7 +162,13 @@ class NestReader {
     orientation.rotation = Angle::of_degrees(number(attributes, "ROTATION", turned, kTurns));
     piece.piece.group = text_or_empty(attributes, "GROUP");
     piece.buffer = number(attributes, "BUFFER", 0, kLengths);
-    if (attributes.contains("OVERLAP")) piece.overlap = number(attributes, "OVERLAP", 0, kLengths);
+    piece.overlap = maybe_number(attributes, "OVERLAP");
+    piece.rules.below = maybe_number(attributes, "BELOW");
+    piece.rules.above = maybe_number(attributes, "ABOVE");
+    piece.rules.from = maybe_number(attributes, "FROM");
+    piece.rules.to = maybe_number(attributes, "TO");
+    if (text_or_empty(attributes, "FOLD") == "yes") piece.rules.fold = true;
+    if (attributes.contains("SHADE")) piece.rules.shade = text_or_empty(attributes, "SHADE");
     const std::string locked = text_or_empty(attributes, "LOCKED");
     const auto has = [&](char lock) { return locked.find(lock) != std::string::npos; };
     piece.piece.locked = Locks{has('x'), has('y'), has('t')};

@@ -44,6 +44,25 @@ TEST(Svg, HasYUpwards) {
   EXPECT_NE(svg.find("M46 152L86 152L86 112L46 112Z"), std::string::npos) << svg;
 }
 
+TEST(Svg, DrawsClothsRules) {
+  Json document = test::native_squares();
+  EXPECT_EQ(count(to_svg(test::read(document).marker), "selvedge"), 0u);
+  document["strip"]["below"] = 10;
+  document["strip"]["above"] = 5;
+  document["shade"] = 200;
+  document["pieces"][0]["rules"] = test::json(R"({"fold": true, "from": 0, "to": 80, "shade": "<A>"})");
+  document["pieces"][1]["rules"] = test::json(R"({"to": 80, "from": 20, "shade": "<A>"})");
+  SvgOptions options;
+  options.height = 100;  // a pixel per unit
+  const std::string svg = to_svg(test::read(document).marker, options);
+  EXPECT_EQ(count(svg, "<rect class=\"selvedge\""), 2u);
+  EXPECT_NE(svg.find("<rect class=\"selvedge\" x=\"46\" y=\"142\" width=\"90\" height=\"10\"/>"), std::string::npos);
+  EXPECT_EQ(count(svg, "class=\"fold\""), 1u);
+  EXPECT_EQ(count(svg, "class=\"band\""), 3u);  // 0, 20 and 80
+  EXPECT_EQ(count(svg, "class=\"shade\""), 1u);
+  EXPECT_EQ(count(svg, "&lt;A&gt;"), 1u);
+}
+
 TEST(Svg, EscapesNames) {
   Json document = test::native_squares();
   document["name"] = "<script>&\"";

@@ -102,6 +102,22 @@ TEST(Edits, EachDoesWhatItSays) {
   EXPECT_FALSE(edited(*after, "{'op':'overlap','piece':'right'}")->marker.pieces[1].overlap);
 }
 
+TEST(Edits, SetClothsRules) {
+  const auto after = edited(loose(), R"({'op':'setStrip','below':1.5,'above':0.25},{'op':'setShade','shade':400},
+      {'op':'rules','piece':'left','rules':{'above':0,'shade':'A'}},{'op':'rules','piece':'right','rules':{'to':300}})");
+  ASSERT_TRUE(after) << after.error().message << after.error().field;
+  const Marker& marker = after->marker;
+  EXPECT_EQ(to_decimal(marker.strip.below.value(), marker.resolution), 1.5);
+  EXPECT_EQ(to_decimal(marker.shade.value(), marker.resolution), 400);
+  EXPECT_EQ(marker.pieces[0].rules, (marker::Rules{.above = 0, .shade = "A"}));
+  EXPECT_EQ(schema::encode(calls::state_of(marker, marker.pieces[1]))["rules"], test::json(R"({"to":300})"));
+  EXPECT_FALSE(schema::encode(calls::state_of(loose().marker, loose().marker.pieces[1])).contains("rules"));
+  const auto without = edited(*after, R"({'op':'rules','piece':'left'},{'op':'rules','piece':'right','rules':{}},
+      {'op':'setShade','shade':null},{'op':'setStrip','below':null,'above':null})");
+  ASSERT_TRUE(without) << without.error().message;
+  EXPECT_EQ(without->marker, loose().marker);
+}
+
 TEST(Edits, PiecesComeAndGoWithTheirShapesAndAttributes) {
   const auto after = edited(loose(), R"({'op':'remove','piece':'right'},
       {'op':'add','piece':{'id':'right','shape':'tri','at':[9,9],'attributes':{'size':42}},
@@ -128,6 +144,9 @@ TEST(Edits, MistakesAreNamedByTheirOperation) {
   expect_error(file, "{'op':'setSpacing','spacing':500}", kOutOfRange, "/ops/0/spacing");
   expect_error(file, "{'op':'setOverlap','overlap':500}", kOutOfRange, "/ops/0/overlap");
   expect_error(file, "{'op':'overlap','piece':'left','overlap':500}", kOutOfRange, "/ops/0");
+  expect_error(file, "{'op':'setStrip','below':500}", kOutOfRange, "/ops/0");
+  expect_error(file, "{'op':'setShade','shade':0}", kOutOfRange, "/ops/0/shade");
+  expect_error(file, "{'op':'rules','piece':'left','rules':{'from':9,'to':10}}", kOutOfRange, "/ops/0");
   expect_error(file, "{'op':'remove','piece':'left'},{'op':'remove','piece':'right'}", kEmptyMarker, "/ops");
   expect_error(file, "{'op':'add','piece':{'id':'left','shape':'square','at':[0,0]}}", kDuplicateId, "/ops/0/piece/id");
   expect_error(file, "{'op':'add','piece':{'id':'x','shape':'round','at':[0,0]}}", kUnknownShape, "/ops/0/piece/shape");
@@ -155,7 +174,8 @@ TEST(Moves, LeadFromOneStateToTheOtherAndAreExactAsText) {
   const MarkerFile before = loose();
   const auto after = edited(before, R"({'op':'move','piece':'right','at':[61.0625,3]},
       {'op':'rotate','piece':'right','to':12.34},{'op':'lock','piece':'right','locked':['y']},
-      {'op':'buffer','piece':'right','buffer':0.125},{'op':'overlap','piece':'right','overlap':0.5},{'op':'group','piece':'right','group':'g'},{'op':'tilt','piece':'right','to':-1})");
+      {'op':'buffer','piece':'right','buffer':0.125},{'op':'overlap','piece':'right','overlap':0.5},{'op':'group','piece':'right','group':'g'},{'op':'tilt','piece':'right','to':-1},
+      {'op':'rules','piece':'right','rules':{'below':0,'from':0.5,'shade':'B'}})");
   ASSERT_TRUE(after);
   const auto moves = moves_between(before, *after);
   ASSERT_TRUE(moves);

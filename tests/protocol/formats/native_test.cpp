@@ -113,6 +113,55 @@ TEST(Native, RoundsAllowancesDownAndNotesNarrowParts) {
       std::none_of(notes.begin(), notes.end(), [](const Note& note) { return note.field == "/shapes/0/outline"; }));
 }
 
+TEST(Native, KeepsClothsRules) {
+  Json document = native_squares();
+  document["strip"]["below"] = 1.5;
+  document["strip"]["above"] = 0;
+  document["shade"] = 95.25;
+  document["pieces"][0]["rules"] = json(R"({"below": 0, "to": 90.5, "shade": "S-A"})");
+  document["pieces"][1]["rules"] = json(R"({"above": 2, "from": 1.25, "shade": "S-A"})");
+  const MarkerFile file = test::read(document);
+  const auto decimal = [&file](std::optional<Coord> coord) {
+    return to_decimal(coord.value(), file.marker.resolution);
+  };
+  EXPECT_EQ(decimal(file.marker.strip.below), 1.5);
+  EXPECT_EQ(file.marker.strip.above, 0);
+  EXPECT_EQ(decimal(file.marker.shade), 95.25);
+  EXPECT_EQ(file.marker.pieces[0].rules.below, 0);
+  EXPECT_EQ(decimal(file.marker.pieces[0].rules.to), 90.5);
+  EXPECT_EQ(file.marker.pieces[1].rules.shade, "S-A");
+  const Json written = native_document(file);
+  EXPECT_EQ(test::read(written).marker, file.marker);
+  EXPECT_EQ(written["pieces"][0]["rules"], document["pieces"][0]["rules"]);
+  EXPECT_FALSE(native_document(test::read(native_squares()))["pieces"][0].contains("rules"));
+}
+
+TEST(Native, RoundsRulesSoThatTheyHoldAsWritten) {
+  Json document = native_squares();
+  document["resolution"] = 0.1;
+  document["strip"]["below"] = 0.01;
+  document["shade"] = 95.29;
+  document["pieces"][0]["rules"] = json(R"({"below": 0.01, "from": 0.01, "to": 90.59})");
+  const Marker marker = test::read(document).marker;
+  EXPECT_EQ(marker.strip.below, 1);
+  EXPECT_EQ(marker.shade, 952);
+  EXPECT_EQ(marker.pieces[0].rules, (marker::Rules{.below = 1, .from = 1, .to = 905}));
+}
+
+TEST(Native, NamesTheRuleThatIsWrong) {
+  const auto field_of = [](const std::string& rules) {
+    Json document = native_squares();
+    document["pieces"][1]["rules"] = json(rules);
+    const auto file = read_native(document);
+    return file ? std::string{} : file.error().field;
+  };
+  EXPECT_EQ(field_of(R"({"bellow": 1})"), "/pieces/1/rules/bellow");
+  EXPECT_EQ(field_of(R"({"from": -1})"), "/pieces/1/rules/from");
+  EXPECT_EQ(field_of(R"({"from": 10, "to": 20})"), "/pieces/1/rules/to");
+  EXPECT_EQ(field_of(R"({"fold": 1})"), "/pieces/1/rules/fold");
+  EXPECT_EQ(field_of(R"([])"), "/pieces/1/rules");
+}
+
 TEST(Native, ReadsWholeNumbersAsIds) {
   Json document = native_squares();
   document["shapes"][0]["id"] = 4;

@@ -142,7 +142,10 @@ TEST(Sparrow, CarriesIdsLocksAndSpacingOfANativeMarker) {
   native["spacing"] = 2.5;
   native["overlap"] = 0.75;
   native["pieces"][1]["locked"] = true;
-  native["pieces"][0].update(json(R"({"locked": ["y"], "group": "g", "buffer": 0.5, "overlap": 0.25})"));
+  native["pieces"][0].update(json(R"({"locked": ["y"], "group": "g", "buffer": 0.5, "overlap": 0.25,
+      "rules": {"above": 0.5, "from": 0, "shade": "A"}})"));
+  native["strip"]["below"] = 0;
+  native["shade"] = 500;
   native["shapes"][0]["attributes"] = json(R"({"size": 38})");
   const MarkerFile file = test::read(native);
   const auto written = sparrow_document(file);
@@ -159,6 +162,9 @@ TEST(Sparrow, CarriesIdsLocksAndSpacingOfANativeMarker) {
   EXPECT_EQ(to_decimal(back.marker.spacing, back.marker.resolution), 2.5);
   EXPECT_EQ(to_decimal(back.marker.overlap, back.marker.resolution), 0.75);
   EXPECT_EQ(to_decimal(back.marker.pieces[0].overlap.value(), back.marker.resolution), 0.25);
+  EXPECT_EQ(back.marker.pieces[0].rules, file.marker.pieces[0].rules);
+  EXPECT_EQ(back.marker.strip, file.marker.strip);
+  EXPECT_EQ(back.marker.shade, file.marker.shade);
 }
 
 TEST(Sparrow, HasNoWordForAFlippedPiece) {

@@ -66,11 +66,32 @@ def overlap(piece: str, overlap: float | None = None) -> Op:
     return named(op="overlap", piece=piece, overlap=overlap)
 
 
+def rules(
+    piece: str,
+    *,
+    below: float | None = None,
+    above: float | None = None,
+    start: float | None = None,
+    end: float | None = None,
+    fold: bool | None = None,
+    shade: str | None = None,
+) -> Op:
+    """All rules of the piece: those left out do not hold.  `start` and `end` are the wire's `from` and `to`."""
+    given = named(below=below, above=above, to=end, fold=fold, shade=shade)
+    return named(op="rules", piece=piece, rules=given if start is None else given | {"from": start})
+
+
 def set_strip(
-    *, width: float | None = None, longest: float | None = None, margin: float | None = None, endless: bool = False
+    *,
+    width: float | None = None,
+    longest: float | None = None,
+    margin: float | None = None,
+    below: float | None = None,
+    above: float | None = None,
+    endless: bool = False,
 ) -> Op:
     """`endless` takes the cloth's end away."""
-    op = named(op="setStrip", width=width, longest=longest, margin=margin)
+    op = named(op="setStrip", width=width, longest=longest, margin=margin, below=below, above=above)
     return op | {"longest": None} if endless else op
 
 
@@ -80,3 +101,8 @@ def set_spacing(spacing: float) -> Op:
 
 def set_overlap(overlap: float) -> Op:
     return named(op="setOverlap", overlap=overlap)
+
+
+def set_shade(shade: float | None) -> Op:
+    """None: shades have no effect."""
+    return {"op": "setShade", "shade": shade}

@@ -69,7 +69,7 @@ class Listed:
 class Placement:
     """Where a piece lies.
 
-    Motions leave out `shape`, `locked`, `group`, `buffer` and `overlap`: they never change them.
+    Motions leave out `shape`, `locked`, `group`, `buffer`, `overlap` and `rules`: they never change them.
     """
 
     id: str
@@ -82,6 +82,7 @@ class Placement:
     group: str | None = None
     buffer: float | None = None
     overlap: float | None = None
+    rules: dict[str, object] | None = None
 
 
 @dataclass(frozen=True)
@@ -111,12 +112,23 @@ class Protrusion:
 
 
 @dataclass(frozen=True)
+class ShadeFault:
+    """Pieces of one shade that are too far from each other."""
+
+    shade: str
+    leftmost: str
+    rightmost: str
+    by: float
+
+
+@dataclass(frozen=True)
 class Checked:
     marker_id: str
     revision: int
     valid: bool
     overlaps: tuple[Overlap, ...]
     protrusions: tuple[Protrusion, ...]
+    shades: tuple[ShadeFault, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -135,6 +147,16 @@ class TiltWorth:
 
 
 @dataclass(frozen=True)
+class RulePrice:
+    """What one of cloth's rules costs: of a piece, of a shade, or of the strip."""
+
+    rule: str
+    worth: float
+    piece: str | None = None
+    shade: str | None = None
+
+
+@dataclass(frozen=True)
 class Hold:
     marker_id: str
     revision: int
@@ -142,6 +164,7 @@ class Hold:
     contacts: tuple[Contact, ...]
     tilts: tuple[TiltWorth, ...]
     per_spacing: float
+    rules: tuple[RulePrice, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,76 @@
+#include "protocol/drawing/svg_rules.h"
+
+#include <algorithm>
+#include <set>
+
+#include "core/marker/placed_pieces.h"
+
+namespace selvage::protocol::drawing {
+namespace {
+
+constexpr std::string_view kRuleStyle = R"(<style>
+.selvedge { fill: #d9cfbb; }
+.fold { stroke: #1d1c1a; stroke-width: 2.4; stroke-dasharray: 10 3 2 3; }
+.band { stroke: #4f7a3a; stroke-width: 1; stroke-dasharray: 6 3; }
+.shade { stroke: #b0762a; stroke-width: 2; }
+.shade-name { font-size: 8px; fill: #8a5a1c; }
+</style>
+)";
+
+// The cloth between two distances from the lower edge.
+std::string selvedge(Coord low, Coord high, const View& view) {
+  if (high <= low) return "";
+  const double top = view.y(static_cast<double>(high));
+  return "<rect class=\"selvedge\" x=\"" + pixels(view.x(0)) + "\" y=\"" + pixels(top) + "\" width=\"" +
+         pixels(view.end() * view.scale()) + "\" height=\"" + pixels(view.y(static_cast<double>(low)) - top) + "\"/>\n";
+}
+
+// The ends of all bands, each once.
+std::string bands(const Marker& marker, const View& view) {
+  std::set<Coord> ends;
+  for (const Piece& piece : marker.pieces) {
+    for (const auto& end : {piece.rules.from, piece.rules.to}) {
+      if (end) ends.insert(*end);
+    }
+  }
+  std::string out;
+  for (const Coord end : ends) {
+    const double x = view.x(static_cast<double>(end));
+    if (static_cast<double>(end) <= view.end()) out += line(x, View::kTop, x, view.bottom(), "band");
+  }
+  return out;
+}
+
+// Above the cloth, from the left end of each shade's leftmost piece to the right end of its rightmost.
+std::string shades(const Marker& marker, const View& view) {
+  constexpr double kFirst = 4, kApart = 3;  // pixels above the cloth, and between the lines of two shades
+  const marker::PlacedPieces pieces{marker};
+  std::string out;
+  double above = kFirst;
+  for (const marker::Shade& shade : pieces.shades()) {
+    Box all = pieces.box(shade.pieces.front());
+    for (const std::uint32_t piece : shade.pieces) all = united(all, pieces.box(piece));
+    const double from = view.x(static_cast<double>(all.low.x)), to = view.x(static_cast<double>(all.high.x));
+    out += line(from, View::kTop - above, to, View::kTop - above, "shade");
+    out += text_at(from, View::kTop - above - 2, "shade-name", marker.pieces[shade.pieces.front()].rules.shade);
+    above += kApart;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string rules(const Marker& marker, const View& view) {
+  std::string out;
+  const Strip& strip = marker.strip;
+  if (strip.below) out += selvedge(0, *strip.below, view);
+  if (strip.above) out += selvedge(strip.width - *strip.above, strip.width, view);
+  if (std::any_of(marker.pieces.begin(), marker.pieces.end(), [](const Piece& p) { return p.rules.on_fold; })) {
+    out += line(view.x(0), view.bottom(), view.x(view.end()), view.bottom(), "fold");
+  }
+  out += bands(marker, view);
+  if (marker.shade) out += shades(marker, view);
+  return out.empty() ? out : "<g>\n" + std::string{kRuleStyle} + out + "</g>\n";
+}
+
+}  // namespace selvage::protocol::drawing
