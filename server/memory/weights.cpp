@@ -41,7 +41,7 @@ std::size_t bytes_in(const Json& value) {
 }
 
 std::size_t bytes_in(const Piece& piece) {
-  return bytes_in(piece.id) + bytes_in(piece.group);
+  return bytes_in(piece.id) + bytes_in(piece.group) + bytes_in(piece.rules.shade);
 }
 
 template <class Element>
