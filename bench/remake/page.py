@@ -56,10 +56,13 @@ def main():
     stored = stored_markers(options)
     pictures = options.page.parent / "pictures" / "library"
     steps = run(table, "--steps", pictures, "--seed", 1, options.kept / "jeans_02g.json")
-    figures = run(table, "--orders", 50, "--seconds", options.seconds, "--fine", 2, *stored)
+    figures = run(table, "--orders", 50, "--seconds", options.seconds, *stored)
+    examples = ROOT / "examples" / "markers"
+    matching = run(options.programs / "matching_table", examples / f"{TIGHT}.json", examples / "jeans_22g.json")
     page = options.page.read_text("utf-8")
     page = replaced(page, "steps", steps)
     page = replaced(page, "figures", figures)
+    page = replaced(page, "matching", matching)
     options.page.write_text(page, "utf-8")
 
 

@@ -9,6 +9,7 @@ END = "<!-- End of the table of calls -->"
 SECTIONS = {"marker.apply": "edits", "marker.undo": "edits", "marker.redo": "edits",
             "marker.get": "changes-since-a-revision", "marker.watch": "notifications", "drag.begin": "drag-sessions",
             "drag.move": "drag-sessions", "drag.end": "drag-sessions", "$/cancelRequest": "stopping-a-call-early"}
+SECTIONS |= {f"library.{name}": "the-library" for name in ("add", "get", "list", "remove", "search")}
 # Motions, too: they take and return what all motions do.
 OF_MARKERS = ("marker.nest", "marker.remake", "marker.fillGaps", "marker.compactExactly")
 MOTION_PARAMS = ("markerId", "baseRev", "commit", "timing", "opId", "deadlineMs", "progressToken")

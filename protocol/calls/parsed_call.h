@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/scene/laid_out.h"
 #include "core/scene/run.h"
@@ -23,6 +24,8 @@ struct MethodContext {
   const execution::MadeOnce<scene::LaidOut>* laid_out{};
   // Whether the run was stopped by its deadline, rather than by its caller.
   std::function<bool()> past_deadline = [] { return false; };
+  // The stored markers that are nearest to an order, at most so many; empty: there is no library.
+  std::function<std::vector<Marker>(const Marker& order, std::size_t most)> library{};
 };
 [[nodiscard]] std::shared_ptr<const scene::LaidOut> laid_out(const Marker& marker, const MethodContext& context);
 [[nodiscard]] StopCause stop_cause(scene::StopReason reason, const MethodContext& context);

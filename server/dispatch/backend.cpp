@@ -15,12 +15,13 @@ Backend::Backend(BackendSettings settings)
     : limits_{settings.limits},
       sums_{settings.cache_bytes},
       store_{{std::make_shared<memory::ByteAccount>(limits_.markers_bytes), limits_.marker_bytes}, settings.journal},
+      library_{settings.journal},
       methods_{settings.methods},
       executor_{std::max<std::size_t>(settings.workers, 1) - 1,
                 [this, cores = settings.workers] { return idle_cores(cores); }},
       queues_{settings.workers, limits_, clock_},
       drags_{store_, committer_, watchers_, sums_, queues_.drags, std::move(settings.drag)},
-      context_{store_, watchers_, committer_, drags_, sums_, executor_, limits_, settings.workers, methods_},
+      context_{store_, library_, watchers_, committer_, drags_, sums_, executor_, limits_, settings.workers, methods_},
       dispatcher_{context_, clock_, queues_, std::move(settings.on_answered)} {}
 
 // First the jobs end, then the alarms: either may use what is destroyed next.

@@ -16,6 +16,7 @@
 #include "server/dispatch/work_queues.h"
 #include "server/drags/drag_sessions.h"
 #include "server/jobs/deadline_clock.h"
+#include "server/library/library.h"
 #include "server/methods/context.h"
 #include "server/methods/handler_table.h"
 #include "server/store/journal.h"
@@ -63,6 +64,7 @@ class Backend {
   const calls::Limits limits_;
   SumCache sums_;
   store::MarkerStore store_;
+  library::Library library_;
   changes::Watchers watchers_;
   changes::Committer committer_{store_, watchers_};
   const methods::HandlerTable methods_;

@@ -9,6 +9,7 @@
 #include "server/changes/committer.h"
 #include "server/changes/watchers.h"
 #include "server/drags/drag_sessions.h"
+#include "server/library/library.h"
 #include "server/store/marker_store.h"
 
 namespace selvage::server::methods {
@@ -18,6 +19,7 @@ class HandlerTable;
 // REQUIRES: all references outlive every call.
 struct ServerContext {
   store::MarkerStore& store;
+  library::Library& library;
   changes::Watchers& watchers;
   changes::Committer& committer;
   drags::DragSessions& drags;

@@ -13,8 +13,8 @@ namespace {
 
 std::vector<HandledMethod> own_methods() {
   std::vector<HandledMethod> all;
-  for (const auto& group :
-       {engine_methods(), marker_methods(), watch_methods(), change_methods(), drag_methods(), admin_methods()}) {
+  for (const auto& group : {engine_methods(), marker_methods(), watch_methods(), change_methods(), drag_methods(),
+                            admin_methods(), library_methods()}) {
     std::copy(group.begin(), group.end(), std::back_inserter(all));
   }
   return all;

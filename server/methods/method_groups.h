@@ -9,12 +9,13 @@
 
 namespace selvage::server::methods {
 
-[[nodiscard]] std::vector<HandledMethod> engine_methods();  // engine.info, rpc.discover
-[[nodiscard]] std::vector<HandledMethod> marker_methods();  // marker.open, .list, .get, .close
-[[nodiscard]] std::vector<HandledMethod> watch_methods();   // marker.watch, .unwatch
-[[nodiscard]] std::vector<HandledMethod> change_methods();  // marker.apply, .undo, .redo
-[[nodiscard]] std::vector<HandledMethod> drag_methods();    // drag.begin, .move, .end
-[[nodiscard]] std::vector<HandledMethod> admin_methods();   // admin.backup
+[[nodiscard]] std::vector<HandledMethod> engine_methods();   // engine.info, rpc.discover
+[[nodiscard]] std::vector<HandledMethod> marker_methods();   // marker.open, .list, .get, .close
+[[nodiscard]] std::vector<HandledMethod> watch_methods();    // marker.watch, .unwatch
+[[nodiscard]] std::vector<HandledMethod> change_methods();   // marker.apply, .undo, .redo
+[[nodiscard]] std::vector<HandledMethod> drag_methods();     // drag.begin, .move, .end
+[[nodiscard]] std::vector<HandledMethod> admin_methods();    // admin.backup
+[[nodiscard]] std::vector<HandledMethod> library_methods();  // library.add, .get, .list, .remove, .search
 
 // The handler of a method that works on one marker, which the command line runs, too.  REQUIRES: method.on_marker.
 [[nodiscard]] Handler motion_handler(const protocol::calls::Method& method);

@@ -48,7 +48,10 @@ Result<MethodAnswer> run(const ParsedCall& parsed, const store::Committed& now, 
   run.observer.on_stage = [&timer](scene::Stage stage) { timer.enter(stage, now_ms()); };
   run.observer.on_round = progress_sender(parsed.about, call.session(), now.file->marker.resolution);
   const auto past_deadline = [&call] { return call.stop_cause() == StopCause::kDeadline; };
-  auto answer = parsed.run(*now.file, {run, now.laid_out.get(), past_deadline});
+  const auto library = [&server](const Marker& order, std::size_t most) {
+    return server.library.markers_near(order, most);
+  };
+  auto answer = parsed.run(*now.file, {run, now.laid_out.get(), past_deadline, library});
   if (answer && parsed.about.timing) {
     protocol::calls::add_times(answer->fields, timer.times(now_ms()), server.sums.counts());
   }

@@ -195,6 +195,17 @@ bool Journal::answered(std::uint64_t number, const KeptChange& answer) {
   });
 }
 
+bool Journal::write(const char* what, const std::function<void(disk::Database&)>& work) {
+  Implementation& journal = *implementation_;
+  return journal.write(what, 0, [&](Head&, Total&) { work(journal.file.database()); });
+}
+
+void Journal::read(const std::function<void(disk::Database&)>& work) {
+  Implementation& journal = *implementation_;
+  const std::lock_guard lock{journal.mutex};
+  work(journal.file.database());
+}
+
 std::string Journal::failure() const {
   try {
     implementation_->file.require_in_place();

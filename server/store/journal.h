@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -60,6 +61,12 @@ class Journal {
   [[nodiscard]] bool closed(std::uint64_t number, const std::optional<KeptChange>& answer);
   // Writes the answer to a call that changed nothing.
   [[nodiscard]] bool answered(std::uint64_t number, const KeptChange& answer);
+
+  // Runs `work` in a transaction of its own, such as a change of the library (server/library).  Returns false if it
+  // threw or could not be written, and the log says why.
+  [[nodiscard]] bool write(const char* what, const std::function<void(disk::Database&)>& work);
+  // Runs `work` while nobody else uses the file.  Throws what it throws.
+  void read(const std::function<void(disk::Database&)>& work);
 
   // Why the last write failed, or why the next one will; empty if neither is so.
   [[nodiscard]] std::string failure() const;

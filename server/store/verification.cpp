@@ -1,8 +1,11 @@
 #include "server/store/verification.h"
 
+#include <utility>
+
 #include "protocol/json/fields.h"
 #include "server/store/disk/reader.h"
 #include "server/store/disk/store_file.h"
+#include "server/store/library/library_rows.h"
 #include "server/store/restored_marker.h"
 
 namespace selvage::server::store {
@@ -22,6 +25,7 @@ Verification verify_store(const std::string& path) {
                                             " cannot be read: " + protocol::json::describe(restored.error())}));
     }
   }
+  for (std::string& damage : library::check_library(file.database())) found.damage.push_back(std::move(damage));
   return found;
 }
 

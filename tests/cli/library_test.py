@@ -91,6 +91,12 @@ class Remake(Library):
         self.assertEqual(checked.returncode, OK, checked.stdout)
         self.assertIn("40 pieces", checked.stdout)
 
+    def test_tells_what_every_attempt_did(self):
+        library = self.library("jeans_02g")
+        ran = run("remake", self.order(), "--library", library, "--tries", 1)
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        self.assertRegex(ran.stdout, r"attempt 1 +pieces differ by \d+\.\d %, substituted [\d.]+ %, .*compacted .*; taken")
+
     def test_the_number_of_threads_does_not_affect_the_result(self):
         library = self.library("jeans_02g")
         results = []

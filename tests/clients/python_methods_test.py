@@ -25,6 +25,7 @@ GOLDEN = ROOT / "tests" / "golden" / "rpc"
 # Methods that have a different name in Python.
 OTHERWISE = {"motion.float": "float_apart", "marker.unwatch": "watch"}
 OF_CLIENT = {"engine.info": "info", "marker.open": "open", "marker.list": "list", "rpc.discover": "call"}
+OF_LIBRARY = ("add", "get", "list", "remove", "search")
 OF_DRAG = {"drag.begin": "begin", "drag.move": "move", "drag.end": "end"}
 
 
@@ -58,6 +59,9 @@ class Typed(unittest.TestCase):
                     kinds, name = (selvage_client.Client, selvage_client.AsyncClient), OF_CLIENT[method]
                 elif method in OF_DRAG:
                     kinds, name = (selvage_client.Drag, selvage_client.AsyncDrag), OF_DRAG[method]
+                elif method.startswith("library."):
+                    self.assertIn(method.partition(".")[2], OF_LIBRARY)
+                    kinds, name = (selvage_client.Library, selvage_client.AsyncLibrary), method.partition(".")[2]
                 elif method.startswith(("$", "admin.")):
                     continue
                 else:
@@ -80,6 +84,8 @@ class Typed(unittest.TestCase):
             return 0  # it has no method of its own
         if method in OF_CLIENT:
             call = getattr(client, OF_CLIENT[method])
+        elif method.startswith("library."):
+            call = getattr(client.library, method.partition(".")[2])
         else:
             call = getattr(client.marker(params.pop("markerId")), python_name(method))
         options = {words.snake(name): value for name, value in params.items()}
@@ -103,6 +109,10 @@ class Typed(unittest.TestCase):
             answer = answer.opened
         elif method == "marker.list":
             expected = expected["markers"]
+        elif method == "library.search":
+            expected = expected["near"]
+        elif method == "library.remove":
+            return 1
         self.assertEqual(differences(expected, answer), [], request)
         return 1
 

@@ -21,7 +21,8 @@ namespace store = server::store;
 void use_file(const std::string& bytes) {
   static const TemporaryFolder kFolder;
   const std::string path = kFolder.file("store");
-  for (const char* more : {"", "-wal", "-shm", ".schema1", ".schema2"}) std::filesystem::remove(path + more);
+  for (const char* more : {"", "-wal", "-shm", ".schema1", ".schema2", ".schema3"})
+    std::filesystem::remove(path + more);
   std::ofstream{path, std::ios::binary} << bytes;
   try {
     store::Journal journal{path, store::Durability::kRelaxed};

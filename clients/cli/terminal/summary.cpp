@@ -99,6 +99,26 @@ std::string search_lines(const Json& fields, const std::string& unit) {
   return out;
 }
 
+// What every attempt of a remake did, with the utilisation after each step.
+std::string remake_lines(const Json& f) {
+  const std::string& outcome = f["outcome"].text();
+  std::string out;
+  for (std::size_t k = 0; k < f["attempts"].size(); ++k) {
+    const Json& attempt = f["attempts"][k];
+    out += "  attempt " + std::to_string(k + 1) + "    pieces differ by " +
+           rounded(100 * attempt["difference"].number(), 1) + " %";
+    for (const Json& step : attempt["steps"]) {
+      out += ", " + step["step"].text() + " " + per_cent(step["utilisation"].number());
+    }
+    if (attempt["made"] != true) out += ", not apart";
+    if (f.contains("chosen") && f["chosen"].get<std::size_t>() == k) out += "; taken";
+    out += "\n";
+  }
+  if (outcome == "none_near") out += "  no stored marker is near enough\n";
+  if (outcome == "nested") out += "  nested from nothing\n";
+  return out;
+}
+
 }  // namespace
 
 std::string json_line(const Json& fields, const protocol::execution::StageTimes& times,
@@ -130,6 +150,7 @@ std::string plain_summary(const Json& f, const protocol::execution::StageTimes& 
   }
   if (f.contains("gain")) out += "  gain         " + significant(f["gain"].number()) + unit + "\n";
   out += search_lines(f, unit);
+  if (f.contains("attempts")) out += remake_lines(f);
   if (f.contains("unplaced") && f["unplaced"].get<std::size_t>() > 0) {
     out += "  left over    " + counted(f["unplaced"].get<std::size_t>(), "piece") + "\n";
   }

@@ -159,6 +159,52 @@ export type Id = string | number;
 /** A unit of length. */
 export type LengthUnit = "mm" | "cm" | "m" | "in" | "ft" | "yd";
 
+/** A stored marker. */
+export type LibraryEntry = {
+  /** The stored marker's id, such as s7. */
+  id: string;
+  /** The marker's name. */
+  name: string;
+  /** What it is a marker of, as it was given. */
+  style: string;
+  /** Of all its lengths. */
+  unit: string;
+  /** Number of pieces. */
+  pieces: number;
+  /** Of the strip. */
+  width: number;
+  /** The least distance between two pieces. */
+  spacing: number;
+  /** The x coordinate where the rightmost piece ends; exact. */
+  length: number;
+  /** The pieces' area divided by width times length, 0 to 1. */
+  utilisation: number;
+};
+
+/** A stored marker near an order. */
+export type LibraryNear = {
+  /** The stored marker's id, such as s7. */
+  id: string;
+  /** The marker's name. */
+  name: string;
+  /** What it is a marker of, as it was given. */
+  style: string;
+  /** Of all its lengths. */
+  unit: string;
+  /** Number of pieces. */
+  pieces: number;
+  /** Of the strip. */
+  width: number;
+  /** The least distance between two pieces. */
+  spacing: number;
+  /** The x coordinate where the rightmost piece ends; exact. */
+  length: number;
+  /** The pieces' area divided by width times length, 0 to 1. */
+  utilisation: number;
+  /** Between their signatures; 0 for equal pieces. */
+  distance: number;
+};
+
 /** The limits of this server. */
 export type Limits = {
   /** Size of a request. */
@@ -414,7 +460,7 @@ export type Region = {
 
 /** One arrangement that was taken over. */
 export type RemakeAttempt = {
-  /** The places in `stored` of the markers, from left to right. */
+  /** The places of the markers in `stored`, or among the nearest of the library, from left to right. */
   stored: Array<number>;
   /** How much the pieces differ, as a part of the order's area. */
   difference: number;
@@ -990,6 +1036,107 @@ export interface Methods {
       bytes: number;
     };
   };
+  /** Stores an open marker in the library. */
+  "library.add": {
+    params: {
+      /** The open marker to store at its present revision: valid, with all pieces placed. */
+      markerId: string;
+      /** What it is a marker of, in up to 200 bytes. */
+      style?: string;
+    };
+    result: {
+      /** The stored marker's id, such as s7. */
+      id: string;
+      /** The marker's name. */
+      name: string;
+      /** What it is a marker of, as it was given. */
+      style: string;
+      /** Of all its lengths. */
+      unit: string;
+      /** Number of pieces. */
+      pieces: number;
+      /** Of the strip. */
+      width: number;
+      /** The least distance between two pieces. */
+      spacing: number;
+      /** The x coordinate where the rightmost piece ends; exact. */
+      length: number;
+      /** The pieces' area divided by width times length, 0 to 1. */
+      utilisation: number;
+      /** False: the library had this very marker already. */
+      added: boolean;
+    };
+  };
+  /** Returns a stored marker. */
+  "library.get": {
+    params: {
+      /** The stored marker's id, such as s7. */
+      id: string;
+    };
+    result: {
+      /** The stored marker's id, such as s7. */
+      id: string;
+      /** The marker's name. */
+      name: string;
+      /** What it is a marker of, as it was given. */
+      style: string;
+      /** Of all its lengths. */
+      unit: string;
+      /** Number of pieces. */
+      pieces: number;
+      /** Of the strip. */
+      width: number;
+      /** The least distance between two pieces. */
+      spacing: number;
+      /** The x coordinate where the rightmost piece ends; exact. */
+      length: number;
+      /** The pieces' area divided by width times length, 0 to 1. */
+      utilisation: number;
+      /** The marker as a native document. */
+      marker: Record<string, unknown> | string;
+    };
+  };
+  /** Lists the stored markers. */
+  "library.list": {
+    params: {
+      /** How many markers are left out before the first. */
+      offset?: number;
+      /** How many are listed at most, 1 to 1000. */
+      most?: number;
+    };
+    result: {
+      /** Number of stored markers. */
+      count: number;
+      /** In the order of adding. */
+      markers: Array<LibraryEntry>;
+    };
+  };
+  /** Removes a stored marker from the library. */
+  "library.remove": {
+    params: {
+      /** The stored marker's id, such as s7. */
+      id: string;
+    };
+    result: {
+      /** The stored marker's id, such as s7. */
+      id: string;
+      /** Always true. */
+      removed: boolean;
+    };
+  };
+  /** Finds the stored markers that are nearest to an open marker. */
+  "library.search": {
+    params: {
+      /** The open marker to which others are to be near; its placement does not matter. */
+      markerId: string;
+      /** How many are returned at most, 1 to 100. */
+      most?: number;
+    };
+    result: {
+      /** Nearest first. */
+      near: Array<LibraryNear>;
+    };
+  };
   /** Checks whether the marker is valid, and lists where it is not. */
   "marker.check": {
     params: {
@@ -1174,8 +1321,6 @@ export interface Methods {
     params: {
       /** The marker's id. */
       markerId: string;
-      /** The stored markers to choose from: native or sparrow documents, of which the nearest are tried. */
-      stored: Array<Record<string, unknown>>;
       /** Refuse the call when the marker is at another revision. */
       baseRev?: number;
       /** False: return the result, but leave the marker as it is. */
@@ -1188,12 +1333,14 @@ export interface Methods {
       deadlineMs?: number;
       /** Progress notifications, one after each round, carry this token. */
       progressToken?: ProgressToken;
+      /** The stored markers to choose from: native or sparrow documents, of which the nearest are tried; those of the library when absent. */
+      stored?: Array<Record<string, unknown>>;
       /** How many arrangements are tried, 1 to 64; the shortest result counts. */
       tries?: number;
-      /** Whether two stored markers may be taken over, one behind the other. */
-      concatenate?: boolean;
-      /** Whether small pieces are moved into gaps in the end. */
-      trims?: boolean;
+      /** True: one stored marker at a time, never two, one behind the other. */
+      single?: boolean;
+      /** True: small pieces are not moved into gaps in the end, which is faster. */
+      keepTrims?: boolean;
       /** Whether every attempt ends with the search of accuracy fine. */
       fine?: boolean;
       /** Whether the order is nested from nothing when no attempt gives a marker. */

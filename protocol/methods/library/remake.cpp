@@ -36,24 +36,27 @@ namespace selvage::protocol::methods::library {
 namespace {
 
 constexpr std::size_t kMostStored = 1'000;
+constexpr std::size_t kNearest = 20;  // of a library are considered
 constexpr double kMostTries = 64, kMostMoves = 1e12;
 
 struct RemakeParams {
   calls::CommonParams call;
-  std::vector<GivenMarker> stored;
+  std::optional<std::vector<GivenMarker>> stored;
   std::size_t tries{remake::RemakeSettings{}.tries};
-  bool concatenate{true}, trims{true}, fine{}, nest{};
+  bool single{}, keep_trims{}, fine{}, nest{};
   std::uint64_t nest_moves{remake::RemakeSettings{}.nest_moves};
 
   static void describe(auto& v, auto& self) {
     v.part(self.call);
-    v.required("stored", self.stored,
-               "The stored markers to choose from: native or sparrow documents, of which the nearest are tried.",
-               {.entries = {{1, kMostStored}}, .entries_are = "markers"});
+    v.optional(
+        "stored", self.stored,
+        "The stored markers to choose from: native or sparrow documents, of which the nearest are tried; those of "
+        "the library when absent.",
+        {.entries = {{1, kMostStored}}, .entries_are = "markers"});
     v.optional("tries", self.tries, "How many arrangements are tried, 1 to 64; the shortest result counts.",
                {.range = {{1, kMostTries}}});
-    v.optional("concatenate", self.concatenate, "Whether two stored markers may be taken over, one behind the other.");
-    v.optional("trims", self.trims, "Whether small pieces are moved into gaps in the end.");
+    v.optional("single", self.single, "True: one stored marker at a time, never two, one behind the other.");
+    v.optional("keepTrims", self.keep_trims, "True: small pieces are not moved into gaps in the end, which is faster.");
     v.optional("fine", self.fine, "Whether every attempt ends with the search of accuracy fine.");
     v.optional("nest", self.nest, "Whether the order is nested from nothing when no attempt gives a marker.");
     v.optional("nestMoves", self.nest_moves, "The budget of that, in moves of a piece.", {.range = {{1, kMostMoves}}});
@@ -85,7 +88,8 @@ struct RemakeAttempt {
   std::vector<RemakeStepResult> steps;
 
   static void describe(auto& v, auto& self) {
-    v.required("stored", self.stored, "The places in `stored` of the markers, from left to right.");
+    v.required("stored", self.stored,
+               "The places of the markers in `stored`, or among the nearest of the library, from left to right.");
     v.required("difference", self.difference, "How much the pieces differ, as a part of the order's area.");
     v.required("predicted", self.predicted, "The utilisation that was expected, 0 to 1.");
     v.required("made", self.made, "Whether it gave a valid marker with all pieces.");
@@ -128,18 +132,29 @@ RemakeAttempt report_of(const remake::Attempt& attempt, const Marker& order) {
   return report;
 }
 
+Result<std::vector<Marker>> stored_for(const RemakeParams& params, const Marker& order,
+                                       const calls::MethodContext& context) {
+  if (!params.stored) {
+    if (context.library) return context.library(order, kNearest);
+    return Error{ErrorCode::kMissingField, "the field is missing; it is required where there is no library", "/stored"};
+  }
+  std::vector<Marker> stored;
+  for (const GivenMarker& given : *params.stored) stored.push_back(given.file.marker);
+  return stored;
+}
+
 Result<calls::Motion<RemakeResult>> run(const RemakeParams& params, const Marker& order,
                                         const calls::MethodContext& context) {
   remake::RemakeSettings settings;
   settings.tries = params.tries;
-  settings.concatenate = params.concatenate;
-  settings.attempt.trims = params.trims;
+  settings.concatenate = !params.single;
+  settings.attempt.trims = !params.keep_trims;
   settings.attempt.fine = params.fine;
   settings.nest = params.nest;
   settings.nest_moves = params.nest_moves;
-  std::vector<Marker> stored;
-  for (const GivenMarker& given : params.stored) stored.push_back(given.file.marker);
-  auto done = remake::remake(order, stored, settings, context.run);
+  const auto stored = stored_for(params, order, context);
+  if (!stored) return stored.error();
+  auto done = remake::remake(order, *stored, settings, context.run);
   if (!done) return done.error();
   RemakeResult result{.outcome = done->outcome,
                       .candidates = done->candidates,

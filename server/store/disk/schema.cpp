@@ -7,7 +7,7 @@ namespace selvage::server::store::disk {
 namespace {
 
 // In the order of their names.
-constexpr std::array<std::string_view, 6> kTables{
+constexpr std::array<std::string_view, 8> kTables{
     "CREATE TABLE answer(marker INTEGER NOT NULL, serial INTEGER NOT NULL, client TEXT NOT NULL, op TEXT NOT NULL, "
     "method TEXT NOT NULL, params INTEGER NOT NULL, result TEXT NOT NULL, sum INTEGER NOT NULL, "
     "PRIMARY KEY(marker, serial)) WITHOUT ROWID",
@@ -16,6 +16,8 @@ constexpr std::array<std::string_view, 6> kTables{
     "CREATE TABLE history(marker INTEGER NOT NULL, serial INTEGER NOT NULL, way INTEGER NOT NULL, format TEXT NOT "
     "NULL, "
     "step TEXT NOT NULL, sum INTEGER NOT NULL, PRIMARY KEY(marker, serial)) WITHOUT ROWID",
+    "CREATE TABLE library(number INTEGER PRIMARY KEY AUTOINCREMENT, figures TEXT NOT NULL, sum INTEGER NOT NULL)",
+    "CREATE TABLE library_document(number INTEGER PRIMARY KEY, document TEXT NOT NULL, sum INTEGER NOT NULL)",
     "CREATE TABLE snapshot(marker INTEGER PRIMARY KEY, revision INTEGER NOT NULL, format TEXT NOT NULL, "
     "document TEXT NOT NULL, sum INTEGER NOT NULL)",
     "CREATE TABLE step(marker INTEGER NOT NULL, revision INTEGER NOT NULL, moves TEXT NOT NULL, sum INTEGER NOT NULL, "
@@ -91,10 +93,17 @@ int schema_of(Database& database) {
 }
 
 void upgrade(Database& database) {
-  if (schema_of(database) == 1) database.run(kHistoryOfSchema2);
-  database.run(kSetOldAside);
-  create(database);
-  database.run(kConvert);
+  const int schema = schema_of(database);
+  if (schema == 1) database.run(kHistoryOfSchema2);
+  if (schema <= 2) {
+    database.run(kSetOldAside);
+    create(database);
+    database.run(kConvert);
+  } else {  // schema 3 had no library
+    for (const std::string_view table : kTables) {
+      if (table.starts_with("CREATE TABLE library")) database.run(std::string{table});
+    }
+  }
   stamp(database);
 }
 

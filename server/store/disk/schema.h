@@ -5,7 +5,9 @@
 // how many rows of the other tables belong to it, so that a lost row is noticed; `summary` is what marker.list says of
 // it, as JSON, or empty.  `snapshot` and the steps since lead to the revision of the head.  A step of the history
 // without a format consists of moves; otherwise it is a document.  Answers of marker 0 are those to calls that opened
-// and closed markers.  There is no index, because SQLite's quick check does not compare an index with its table.
+// and closed markers.  The library of stored markers (server/store/library) has a row in `library` for each, with what
+// is known of it, and its native document in `library_document`; numbers are never used again.  There is no index,
+// because SQLite's quick check does not compare an index with its table.
 #pragma once
 
 #include <stdexcept>
@@ -15,7 +17,7 @@
 
 namespace selvage::server::store::disk {
 
-inline constexpr int kSchema = 3;
+inline constexpr int kSchema = 4;
 
 // The file was written by a later version of the program.
 class NewerStore : public std::runtime_error {
@@ -28,7 +30,7 @@ void create_tables(Database& database);
 // The number of the file's schema.  Throws std::runtime_error if it is not a store, and NewerStore if it is of a later
 // version.
 [[nodiscard]] int schema_of(Database& database);
-// Brings a store of an earlier schema up to date.  REQUIRES: schema_of() is 1 or 2, and a transaction.
+// Brings a store of an earlier schema up to date.  REQUIRES: schema_of() is 1, 2 or 3, and a transaction.
 void upgrade(Database& database);
 // Throws std::runtime_error if the file is damaged: its pages, or the definitions of its tables.
 void check_structure(Database& database);

@@ -36,8 +36,11 @@ constexpr const char* kIntoSchema2 = R"(
                        step TEXT NOT NULL, PRIMARY KEY(marker, serial)) WITHOUT ROWID;
   INSERT INTO history SELECT 'm' || marker, serial, way, format, step FROM h;
   DROP TABLE s; DROP TABLE t; DROP TABLE h; DROP TABLE a; DROP TABLE head; DROP TABLE total;
+  DROP TABLE library; DROP TABLE library_document;
   PRAGMA user_version = 2;
 )";
+
+constexpr const char* kIntoSchema3 = "DROP TABLE library; DROP TABLE library_document; PRAGMA user_version = 3";
 
 rlimit file_size_limit() {
   rlimit limit{};
@@ -193,7 +196,7 @@ TEST_F(JournalTest, AMarkerWithADamagedRowIsQuarantinedAndTheOthersServe) {
 
 TEST_F(JournalTest, StoresOfEarlierSchemasAreUpgradedAndCopiedBefore) {
   const std::string retry = call(1, "motion.compact", R"({"markerId":"m2","opId":"mine"})");
-  for (const int schema : {1, 2}) {
+  for (const int schema : {1, 2, 3}) {
     const std::string file = (folder_ / ("schema" + std::to_string(schema))).string();
     std::string before;
     std::string answered;
@@ -205,14 +208,14 @@ TEST_F(JournalTest, StoresOfEarlierSchemasAreUpgradedAndCopiedBefore) {
       (void)local.result("marker.close", "{'markerId':'m3'}");
       before = all_of(local);
     }
-    server::store::disk::Database{file}.run(kIntoSchema2);
+    server::store::disk::Database{file}.run(schema == 3 ? kIntoSchema3 : kIntoSchema2);
     if (schema == 1) server::store::disk::Database{file}.run("DROP TABLE history; PRAGMA user_version = 1");
     for (int start = 0; start < 2; ++start) {
       server::store::Journal journal{file, server::store::Durability::kFull};
       LocalServer local{0, pushing_methods(), {}, &journal};
       EXPECT_EQ(all_of(local), before);
       EXPECT_EQ(local.ask(retry), answered);
-      EXPECT_EQ(local.store().peek("m2", server::store::UndoDirection::kUndo)->undo_steps, schema - 1U);
+      EXPECT_EQ(local.store().peek("m2", server::store::UndoDirection::kUndo)->undo_steps, schema == 1 ? 0U : 1U);
       EXPECT_EQ(local.open_small(), "m" + std::to_string(4 + start));
       (void)local.result("marker.close", "{'markerId':'m" + std::to_string(4 + start) + "'}");
     }
@@ -224,7 +227,7 @@ TEST_F(JournalTest, StoresOfEarlierSchemasAreUpgradedAndCopiedBefore) {
 
 TEST_F(JournalTest, AStoreOfALaterVersionIsRefused) {
   { const server::store::Journal journal{path(), server::store::Durability::kFull}; }
-  server::store::disk::Database{path()}.run("PRAGMA user_version = 4");
+  server::store::disk::Database{path()}.run("PRAGMA user_version = 5");
   EXPECT_THROW(server::store::Journal(path(), server::store::Durability::kFull), server::store::disk::NewerStore);
 }
 

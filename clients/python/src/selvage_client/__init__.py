@@ -8,6 +8,7 @@ from .async_client import AsyncClient
 from .client import Client, Drag, Marker, Watch
 from .drag import AsyncDrag
 from .drawing import draw
+from .library import AsyncLibrary, Library
 from .messages.errors import CallError, ConnectionLost, HandshakeFailed, MissingExtra, SelvageError
 from .marker import AsyncMarker
 from .nesting import NestedMarker, NestedPiece, Pattern, nest
@@ -19,6 +20,7 @@ __version__ = "0.1.0"
 __all__ = [
     "AsyncClient",
     "AsyncDrag",
+    "AsyncLibrary",
     "AsyncMarker",
     "AsyncWatch",
     "CallError",
@@ -26,6 +28,7 @@ __all__ = [
     "ConnectionLost",
     "Drag",
     "HandshakeFailed",
+    "Library",
     "Marker",
     "MissingExtra",
     "NestedMarker",

@@ -13,6 +13,7 @@ from typing import Any
 from .wire.address import DEFAULT
 from .wire.link import Link
 from .wire.progress import Shown, shown
+from .library import AsyncLibrary
 from .marker import AsyncMarker
 from .messages.results import Info, Listed, Opened
 from .messages.words import named, read
@@ -37,6 +38,7 @@ class AsyncClient:
         patience: float = 30.0,
     ) -> None:
         self._link = Link(address, token, tls, patience)
+        self.library = AsyncLibrary(self._link)
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__} of {self._link.address}>"

@@ -12,6 +12,7 @@ from .wire.address import DEFAULT
 from .async_client import AsyncClient, Document
 from .blocking_motions import BlockingMotions
 from .drag import AsyncDrag
+from .library import Library
 from .marker import AsyncMarker
 from .wire.portal import Blocking, Portal, blocking
 from .messages.choices import DragMode
@@ -152,6 +153,7 @@ class Client(Blocking):
     ) -> None:
         self._twin = AsyncClient(address, token=token, tls=tls, patience=patience)
         self._portal = Portal()
+        self.library = Library(self._portal, self._twin.library)
 
     def __repr__(self) -> str:
         return repr(self._twin).replace("<Async", "<", 1)

@@ -24,7 +24,8 @@ from ..messages.results import Progress
 T = TypeVar("T")
 
 _FIRST_PAUSE, _LONGEST_PAUSE = 0.05, 1.0  # seconds between two tries
-_READS = {"engine.info", "marker.list", "marker.get", "marker.check", "marker.hold", "marker.regions", "rpc.discover"}
+_READS = {"engine.info", "marker.list", "marker.get", "marker.check", "marker.hold", "marker.regions", "rpc.discover",
+          "library.add", "library.get", "library.list", "library.search"}
 AnyConnection = Connection | InProcess
 _CHANGES = {"marker.open", "marker.close", "marker.apply", "marker.undo", "marker.redo", "drag.end"}
 

@@ -1,0 +1,70 @@
+// The library of stored markers: whole and valid, never changed, found by their likeness to an order.
+//
+// With a journal the markers are in the store's file, each in one synced transaction, and what is known of them is in
+// memory; documents are read when they are needed.  Without one they live in memory.  Ids are "s1", "s2", ... in the
+// order of adding and are never used twice.  A marker whose rows are damaged is left out, with a line in the log. Every
+// function may be called from any thread.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "protocol/document/marker_file.h"
+#include "server/library/entry.h"
+#include "server/store/journal.h"
+
+namespace selvage::server::library {
+
+inline constexpr std::size_t kMostMarkers = 100'000;
+inline constexpr std::size_t kMostInMemory = 1'000;  // without a journal
+
+enum class NotAdded { kLimit, kNotWritten };
+enum class Removed { kDone, kUnknown, kNotWritten };
+
+struct Added {
+  Entry entry;
+  bool fresh{};  // false: the library had this marker already
+};
+struct Near {
+  Entry entry;
+  double distance{};  // core/matching/signature.h
+};
+
+class Library {
+ public:
+  // Reads what the journal's file has, if there is one; it must outlive the library.
+  explicit Library(store::Journal* journal = nullptr);
+
+  [[nodiscard]] std::size_t limit() const { return journal_ ? kMostMarkers : kMostInMemory; }
+  [[nodiscard]] std::size_t count() const;
+  // REQUIRES: the marker is valid and all of its pieces are placed.
+  [[nodiscard]] std::variant<Added, NotAdded> add(const MarkerFile& file, const std::string& style);
+  [[nodiscard]] std::optional<Entry> find(std::uint64_t number) const;
+  // Its native document, as text; nothing if there is none or it is damaged.
+  [[nodiscard]] std::optional<std::string> document(std::uint64_t number) const;
+  // By number, from `offset` on, at most `most`.
+  [[nodiscard]] std::vector<Entry> list(std::size_t offset, std::size_t most) const;
+  [[nodiscard]] Removed remove(std::uint64_t number);
+  // Nearest first, at most `most`; those that cannot be near are left out.
+  [[nodiscard]] std::vector<Near> search(const Marker& order, std::size_t most) const;
+  // The markers that are nearest to the order, as remaking takes them.
+  [[nodiscard]] std::vector<Marker> markers_near(const Marker& order, std::size_t most) const;
+
+ private:
+  [[nodiscard]] std::optional<std::size_t> index_of(std::uint64_t number) const;
+
+  store::Journal* const journal_;
+  mutable std::mutex mutex_;
+  std::mutex writing_;                              // held while the journal writes; locked before `mutex_`
+  std::vector<Entry> entries_;                      // by number
+  std::vector<matching::Signature> signatures_;     // of the entries
+  std::map<std::uint64_t, std::string> documents_;  // without a journal
+  std::uint64_t last_{};                            // number given without a journal
+};
+
+}  // namespace selvage::server::library
