@@ -25,6 +25,7 @@ ALLOWED = {
 }
 # Libraries of others, and the only places that may see them.
 ONLY_IN = {
+    "Cbc": ("core/lp/integer/cbc.cpp",),
     "Clp": ("core/lp/solver/clp.cpp",),
     "Eigen/": ("core/lp/",),
     ("clipper", "polyclipping/"): ("core/outline/set_operations.cpp",),
