@@ -1,0 +1,32 @@
+// How long a marker will be that has not been made yet: length = a * (area of its pieces / width) + b.
+//
+// `a` is what the gaps between the pieces add, `b` what the two ragged ends cost whatever the marker holds; it is why
+// markers of many bundles take less cloth a garment.  Both are fitted to the markers that were made, from a first guess
+// that they correct as they become more.
+// Units: millimetres.
+#pragma once
+
+#include <span>
+
+namespace selvage::planning::orders {
+
+struct MadeLength {
+  double area{};    // of the pieces
+  double length{};  // of the marker
+};
+
+class LengthEstimate {
+ public:
+  explicit LengthEstimate(double width);
+  LengthEstimate(double width, std::span<const MadeLength> made);
+
+  [[nodiscard]] double length_of(double area) const { return slope_ * area / width_ + intercept_; }
+  // d length / d area, and the length of nothing: what makes the price of a ratio linear in its bundles.
+  [[nodiscard]] double length_per_area() const { return slope_ / width_; }
+  [[nodiscard]] double length_of_ends() const { return intercept_; }
+
+ private:
+  double width_, slope_, intercept_;
+};
+
+}  // namespace selvage::planning::orders

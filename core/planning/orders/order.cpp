@@ -1,0 +1,87 @@
+#include "core/planning/orders/order.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace selvage::planning::orders {
+namespace {
+
+// Of a fraction of a count: 1.03 * 100 is 103, whatever rounding makes of it.
+constexpr double kRounding = 1e-9;
+
+std::string range_text(double least, double most) {
+  const auto shown = [](double value) {
+    const std::string text = std::to_string(value);
+    return text.substr(0, text.find_last_not_of('0') + 1 - (text[text.find_last_not_of('0')] == '.' ? 1 : 0));
+  };
+  return shown(least) + " to " + shown(most);
+}
+
+std::optional<Error> outside(const char* field, double value, double least, double most) {
+  if (std::isfinite(value) && value >= least && value <= most) return std::nullopt;
+  return Error{ErrorCode::kOutOfRange,
+               std::to_string(value) + " is out of range; " + range_text(least, most) + " is allowed", field};
+}
+
+std::optional<Error> mistake_in_numbers(const Problem& problem) {
+  constexpr double kLongest = 1e9, kDearest = 1e9;
+  const Cloth& cloth = problem.cloth;
+  const Limits& limits = problem.limits;
+  const Costs& costs = problem.costs;
+  const int least_plies = problem.plies_of_unit();
+  for (const auto& mistake :
+       {outside("/cloth/width", cloth.width, 1e-6, kLongest), outside("/cloth/endLoss", cloth.end_loss, 0, kLongest),
+        outside("/limits/plies", limits.plies, least_plies, kMostPlies),
+        outside("/limits/table", limits.table, 1e-6, kLongest),
+        outside("/limits/bundles", limits.bundles, 1, kMostBundles), outside("/limits/over", limits.over, 0, 10),
+        outside("/limits/under", limits.under, 0, 1), outside("/costs/metre", costs.metre, 0, kDearest),
+        outside("/costs/lay", costs.lay, 0, kDearest), outside("/costs/ply", costs.ply, 0, kDearest),
+        outside("/costs/marker", costs.marker, 0, kDearest), outside("/costs/cutMetre", costs.cut_metre, 0, kDearest)}) {
+    if (mistake) return mistake;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+int Problem::least(std::size_t colour, std::size_t size) const {
+  return static_cast<int>(std::ceil(order.garments[colour][size] * (1 - limits.under) - kRounding));
+}
+
+int Problem::most(std::size_t colour, std::size_t size) const {
+  const int garments = order.garments[colour][size];
+  if (garments == 0) return 0;
+  const int unit = plies_of_unit();
+  const int rounded_up = (least(colour, size) + unit - 1) / unit * unit;
+  return std::max(rounded_up, static_cast<int>(std::floor(garments * (1 + limits.over) + kRounding)));
+}
+
+std::optional<Error> mistake_in(const Problem& problem) {
+  const Order& order = problem.order;
+  const auto missing = [](const char* what) {
+    return Error{ErrorCode::kMissingField, what, "/quantities"};
+  };
+  if (order.sizes.empty() || order.colours.empty()) return missing("the order has no sizes or no colours");
+  if (order.sizes.size() > kMostSizes || order.colours.size() > kMostColours) {
+    return Error{ErrorCode::kOutOfRange, "the order has more than 50 sizes or more than 50 colours", "/quantities"};
+  }
+  if (order.garments.size() != order.colours.size()) return missing("a colour has no quantities");
+  if (auto mistake = mistake_in_numbers(problem)) return mistake;
+  bool any = false;
+  for (std::size_t colour = 0; colour < order.colours.size(); ++colour) {
+    const std::string at = "/quantities/" + order.colours[colour];
+    if (order.garments[colour].size() != order.sizes.size()) return missing("a colour lacks the number of a size");
+    for (std::size_t size = 0; size < order.sizes.size(); ++size) {
+      const int garments = order.garments[colour][size];
+      if (garments < 0 || garments > kMostGarments) {
+        return Error{ErrorCode::kOutOfRange, std::to_string(garments) + " garments; 0 to 1000000 are allowed",
+                     at + "/" + order.sizes[size].name};
+      }
+      any = any || problem.least(colour, size) > 0;
+    }
+  }
+  if (!any) return missing("the order has no garments that must be cut");
+  return std::nullopt;
+}
+
+}  // namespace selvage::planning::orders

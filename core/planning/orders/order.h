@@ -1,0 +1,78 @@
+// What is to be cut, on which cloth, within which limits and at which cost.
+//
+// A marker holds a ratio of bundles; a lay is a marker with plies of one or several colours under it.  Of each colour
+// and size, the lays together cut   sum over lays of plies[colour] * ratio[size]   garments [Li94 5.3.4].
+// Units: millimetres and square millimetres; rates per metre, in the caller's currency.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace selvage::planning::orders {
+
+// One garment of a size: what its pieces are together.
+struct Size {
+  std::string name;
+  double area{}, perimeter{};
+};
+
+struct Order {
+  std::vector<Size> sizes;
+  std::vector<std::string> colours;
+  std::vector<std::vector<int>> garments;  // by colour, by size
+};
+
+// One way: every ply lies face up.  Face to face: the cloth is folded back at the end of each ply, so that plies come
+// in pairs, of which the second cuts mirrored pieces.
+enum class Spread { kOneWay, kFaceToFace };
+
+struct Cloth {
+  double width{};
+  Spread spread{Spread::kOneWay};
+  double end_loss{40};  // of every ply, at both of its ends together
+};
+
+struct Limits {
+  int plies{60};              // most plies of a lay
+  double table{12'000};       // most length of a ply: of the marker and the end loss
+  int bundles{6};             // most bundles of a marker
+  double over{0.03}, under{};  // parts by which more or fewer garments may be cut than were ordered
+};
+
+struct Costs {
+  double metre{5};         // of cloth
+  double lay{10};          // of setting up a lay
+  double ply{0.2};         // of spreading a ply
+  double marker{10};       // of making a marker
+  double cut_metre{0.05};  // of the knife's way around the pieces of a lay
+};
+
+struct Problem {
+  Order order;
+  Cloth cloth;
+  Limits limits;
+  Costs costs;
+
+  // Plies come in units of this number, and a lay has room for so many units.
+  [[nodiscard]] int plies_of_unit() const { return cloth.spread == Spread::kFaceToFace ? 2 : 1; }
+  [[nodiscard]] int units_of_lay() const { return limits.plies / plies_of_unit(); }
+  // The fewest and the most garments that may be cut.  When plies come in pairs, so do garments; one beyond the least
+  // is then always allowed.
+  [[nodiscard]] int least(std::size_t colour, std::size_t size) const;
+  [[nodiscard]] int most(std::size_t colour, std::size_t size) const;
+};
+
+inline constexpr std::size_t kMostSizes = 50, kMostColours = 50;
+inline constexpr int kMostGarments = 1'000'000;  // of a colour and size
+inline constexpr int kMostPlies = 1'000, kMostBundles = 50;
+
+// What is wrong with the problem: no size, colour or garment, a number that is not finite, negative or beyond what is
+// allowed.  `field` points into {"quantities": {colour: {size: garments}}, "limits", "costs", "cloth"}.
+// Errors: kOutOfRange, kMissingField.
+[[nodiscard]] std::optional<Error> mistake_in(const Problem& problem);
+
+}  // namespace selvage::planning::orders

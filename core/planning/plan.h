@@ -1,0 +1,82 @@
+// Cut planning with real lengths [Li94 5.3.4]: the markers that a plan needs are made, and their lengths replace the
+// estimates that chose them, until the plan consists of made markers and nothing changes.
+//
+// Method.  Each round searches for the cheapest cutting at the lengths known so far, then makes the markers that it
+// uses and some that it nearly used; the estimate of the others is fitted to all made ones.  When a round's cutting uses
+// made markers only, the gap to the bound is closed as far as it can be; the plan ends when that finds none that needs
+// other markers.  How a marker is made is the caller's: nested, or remade from a stored one.
+//
+// Laws.  (1) The plan delivers no fewer and no more garments of any colour and size than the limits allow, checked in
+// integers.  (2) With `complete`, every marker of it was made and fits the table.  (3) bound <= cost; the bound holds
+// for all ratios at the lengths that the last round used, of which those of markers that were not made are estimates.
+// (4) The same problem and settings give the same plan on any number of threads; a cancelled run gives the best plan so
+// far.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "core/base/executor.h"
+#include "core/base/result.h"
+#include "core/planning/orders/order.h"
+#include "core/planning/orders/ratio.h"
+#include "core/planning/program/search.h"
+
+namespace selvage::planning {
+
+// The length of the marker of this ratio, millimetres; none when it cannot be made.  Called once for each ratio, for
+// several at a time, from the executor's threads.
+using MakeMarker = std::function<std::optional<double>(const orders::Ratio&)>;
+
+struct PlanSettings {
+  program::SearchSettings search{};
+  int rounds{8};               // most rounds
+  std::size_t most_made{24};   // most markers that are made, unless the plan needs more
+  std::size_t near_made{2};    // of each round, besides those that its cutting uses
+};
+
+struct PlanRound {
+  int number{};             // 1, 2, ...
+  double estimated{};       // cost of the round's cutting at the lengths that chose it
+  std::optional<double> real;  // and at real lengths; none: a marker of it does not fit the table, or was not made
+  double best{};            // of all rounds so far, at real lengths; the estimated one when there is none
+  double best_cloth{};      // millimetres of cloth that it takes
+};
+
+struct PlanRun {
+  std::stop_token stop{};
+  std::function<void(const PlanRound&)> on_round = [](const PlanRound&) {};
+  const Executor* executor = &serial();  // never null
+};
+
+enum class PlanEnd { kConverged, kWorkLimit, kCancelled };
+
+// A lay: a marker with the plies under it.
+struct Lay {
+  std::size_t marker{};    // position in Plan::cutting.uses
+  std::vector<int> plies;  // by colour
+  friend bool operator==(const Lay&, const Lay&) = default;
+};
+
+struct Plan {
+  program::Cutting cutting;  // the markers, their lengths and units of plies; and what it costs
+  std::vector<Lay> lays;
+  bool complete{};           // all markers were made; else some of the lengths are estimates
+  double bound{};
+  std::size_t candidates{};  // ratios that the last search considered
+  std::size_t made{};        // markers that were made
+  std::vector<PlanRound> rounds;
+  PlanEnd end{PlanEnd::kConverged};
+};
+
+// Errors: those of orders::mistake_in; kOutOfRange when no plan delivers the order within its limits, `field` being the
+// quantity or the limit that is in the way; kStoppedEarly when it was cancelled before there was a plan.
+[[nodiscard]] Result<Plan> plan_cut(const orders::Problem& problem, const PlanSettings& settings,
+                                    const MakeMarker& make, const PlanRun& run);
+
+// The units of every marker as lays that are as full as they can be, colour by colour.
+[[nodiscard]] std::vector<Lay> lays_of(const orders::Problem& problem, const program::Cutting& cutting);
+
+}  // namespace selvage::planning

@@ -1,0 +1,97 @@
+#include "core/planning/program/cutting_program.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace selvage::planning::program {
+namespace {
+
+using Entry = lp::LinearProgram::Entry;
+
+int whole(double value) {
+  return static_cast<int>(std::lround(value));
+}
+
+}  // namespace
+
+CuttingProgram::CuttingProgram(const orders::Problem& problem, std::vector<Candidate> candidates)
+    : problem_{problem}, candidates_{std::move(candidates)} {
+  std::sort(candidates_.begin(), candidates_.end(),
+            [](const Candidate& a, const Candidate& b) { return a.ratio < b.ratio; });
+  for (const Candidate& candidate : candidates_) add_candidate(candidate);
+  add_deliveries();
+}
+
+void CuttingProgram::add_candidate(const Candidate& candidate) {
+  const Price price = price_of(problem_, candidate);
+  Columns& columns = columns_.emplace_back();
+  columns.units.assign(price.most.size(), -1);
+  if (price.most_units == 0) return;
+  const int per_lay = problem_.units_of_lay();
+  columns.lays = program_.add_whole_column(price.lay, 0, (price.most_units + per_lay - 1) / per_lay);
+  if (price.marker > 0) columns.chosen = program_.add_whole_column(price.marker, 0, 1);
+  std::vector<Entry> room{{columns.lays, static_cast<double>(per_lay)}};
+  for (std::size_t colour = 0; colour < price.most.size(); ++colour) {
+    const int most = price.most[colour];
+    if (most == 0) continue;
+    const int column = columns.units[colour] = program_.add_whole_column(price.unit, 0, most);
+    room.push_back({column, -1});
+    if (columns.chosen >= 0) {
+      const Entry row[] = {{columns.chosen, static_cast<double>(most)}, {column, -1}};
+      program_.linear.add_row(row, 0);
+    }
+  }
+  program_.linear.add_row(room, 0);
+}
+
+void CuttingProgram::add_deliveries() {
+  const orders::Order& order = problem_.order;
+  for (std::size_t colour = 0; colour < order.colours.size(); ++colour) {
+    for (std::size_t size = 0; size < order.sizes.size(); ++size) {
+      if (order.garments[colour][size] == 0) continue;
+      std::vector<Entry> row;
+      for (std::size_t k = 0; k < candidates_.size(); ++k) {
+        const int column = columns_[k].units[colour], bundles = candidates_[k].ratio[size];
+        if (column >= 0 && bundles > 0) row.push_back({column, 1.0 * bundles * problem_.plies_of_unit()});
+      }
+      program_.linear.add_row(row, problem_.least(colour, size));
+      for (Entry& entry : row) entry.value = -entry.value;
+      program_.linear.add_row(row, -problem_.most(colour, size));
+    }
+  }
+}
+
+Cutting CuttingProgram::cutting_of(std::span<const double> x) const {
+  Cutting cutting;
+  for (std::size_t k = 0; k < candidates_.size(); ++k) {
+    Use use{candidates_[k], std::vector<int>(problem_.order.colours.size())};
+    for (std::size_t colour = 0; colour < use.units.size(); ++colour) {
+      const int column = columns_[k].units[colour];
+      if (column >= 0) use.units[colour] = whole(x[static_cast<std::size_t>(column)]);
+    }
+    if (std::any_of(use.units.begin(), use.units.end(), [](int units) { return units > 0; }))
+      cutting.uses.push_back(std::move(use));
+  }
+  cutting.cost = cost_of(problem_, cutting.uses);
+  return cutting;
+}
+
+std::vector<double> CuttingProgram::solution_of(const Cutting& cutting) const {
+  std::vector<double> x(program_.linear.cost.size());
+  for (const Use& use : cutting.uses) {
+    const auto found = std::lower_bound(candidates_.begin(), candidates_.end(), use.candidate.ratio,
+                                        [](const Candidate& one, const orders::Ratio& ratio) { return one.ratio < ratio; });
+    if (found == candidates_.end() || found->ratio != use.candidate.ratio) return {};
+    const Columns& columns = columns_[static_cast<std::size_t>(found - candidates_.begin())];
+    for (std::size_t colour = 0; colour < use.units.size(); ++colour) {
+      if (use.units[colour] > 0) x[static_cast<std::size_t>(columns.units[colour])] = use.units[colour];
+    }
+    x[static_cast<std::size_t>(columns.lays)] = lays_of(problem_, use);
+    if (columns.chosen >= 0) x[static_cast<std::size_t>(columns.chosen)] = 1;
+  }
+  return x;
+}
+
+}  // namespace selvage::planning::program

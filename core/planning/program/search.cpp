@@ -1,0 +1,215 @@
+#include "core/planning/program/search.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include "core/lp/integer/cbc.h"
+#include "core/planning/program/cutting_program.h"
+#include "core/planning/program/relaxation.h"
+
+namespace selvage::planning::program {
+namespace {
+
+using orders::Ratio;
+
+constexpr std::size_t kNearCandidates = 32;  // returned besides the cutting
+
+// The candidates that exist without being asked for: made markers that fit the table, and single bundles, so that every
+// order can be delivered; `all`: every other ratio, too.
+std::vector<Candidate> listed(const orders::Problem& problem, const Lengths& lengths, bool all) {
+  std::set<Ratio> closed{lengths.unmakeable.begin(), lengths.unmakeable.end()};
+  std::vector<Candidate> candidates;
+  for (const Candidate& made : lengths.made) {
+    if (closed.insert(made.ratio).second && fits_table(problem, made.length)) candidates.push_back(made);
+  }
+  if (lengths.made_only) return candidates;
+  const auto add = [&](const Ratio& ratio) {
+    if (closed.contains(ratio)) return;
+    const double length = lengths.estimate.length_of(area_of(problem.order, ratio));
+    if (orders::bundles_in(ratio) > 1 && !fits_table(problem, length)) return;
+    candidates.push_back({ratio, length});
+  };
+  if (all) {
+    orders::for_each_ratio(problem.order.sizes.size(), problem.limits.bundles, add);
+  } else {
+    for (std::size_t size = 0; size < problem.order.sizes.size(); ++size)
+      add(orders::single(problem.order.sizes.size(), size));
+  }
+  return candidates;
+}
+
+Relaxation relaxation_of(const orders::Problem& problem, const Lengths& lengths, std::size_t most_listed,
+                         const std::stop_token& stop) {
+  const bool all = orders::number_of_ratios(problem.order.sizes.size(), problem.limits.bundles, most_listed + 1) <=
+                   most_listed;
+  std::vector<Candidate> candidates = listed(problem, lengths, all);
+  if (all || lengths.made_only) return relax(problem, std::move(candidates), stop);
+  std::vector<Ratio> closed = lengths.unmakeable;
+  for (const Candidate& made : lengths.made) closed.push_back(made.ratio);
+  return relax_by_generation(problem, std::move(candidates), lengths.estimate, closed, stop);
+}
+
+// The cutting of single bundles that delivers the least; none when a size that is ordered has no such candidate.  It is
+// dear, but it always exists where single bundles fit the table, so that no search is left without a cutting.
+std::optional<Cutting> of_single_bundles(const orders::Problem& problem, const std::vector<Candidate>& candidates) {
+  Cutting cutting;
+  const int unit = problem.plies_of_unit();
+  for (const Candidate& candidate : candidates) {
+    if (orders::bundles_in(candidate.ratio) != 1) continue;
+    const auto size = static_cast<std::size_t>(
+        std::find(candidate.ratio.begin(), candidate.ratio.end(), 1) - candidate.ratio.begin());
+    Use use{candidate, {}};
+    for (std::size_t colour = 0; colour < problem.order.colours.size(); ++colour)
+      use.units.push_back((problem.least(colour, size) + unit - 1) / unit);
+    const bool used = std::any_of(use.units.begin(), use.units.end(), [](int units) { return units > 0; });
+    if (used) cutting.uses.push_back(std::move(use));
+  }
+  std::sort(cutting.uses.begin(), cutting.uses.end(),
+            [](const Use& a, const Use& b) { return a.candidate.ratio < b.candidate.ratio; });
+  if (!delivers(problem, cutting.uses)) return std::nullopt;
+  cutting.cost = cost_of(problem, cutting.uses);
+  return cutting;
+}
+
+class Search {
+ public:
+  Search(const orders::Problem& problem, const Lengths& lengths, const SearchSettings& settings, std::stop_token stop)
+      : problem_{problem}, lengths_{lengths}, settings_{settings}, stop_{std::move(stop)} {}
+
+  SearchResult run(const std::optional<Cutting>& start) {
+    relaxation_ = relaxation_of(problem_, lengths_, settings_.most_listed, stop_);
+    result_.candidates = relaxation_.candidates.size();
+    result_.cutting = start;
+    if (!relaxation_.solved) {
+      result_.infeasible = !start && !stop_.stop_requested();
+      return std::move(result_);
+    }
+    result_.bound = relaxation_.bound;
+    if (!start) result_.cutting = of_single_bundles(problem_, relaxation_.candidates);
+    by_extra_.resize(relaxation_.candidates.size());
+    std::iota(by_extra_.begin(), by_extra_.end(), std::size_t{});
+    std::stable_sort(by_extra_.begin(), by_extra_.end(),
+                     [&](std::size_t a, std::size_t b) { return relaxation_.extra[a] < relaxation_.extra[b]; });
+    (void)improve(first_candidates(), settings_.tuning.nodes);
+    search_near();
+    if (settings_.thorough && !done()) close_gap();
+    list_near();
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] bool done() const {
+    if (stop_.stop_requested()) return true;
+    return result_.cutting && result_.cutting->cost - result_.bound <= settings_.gap * result_.cutting->cost;
+  }
+
+  // Solves the program of these candidates, from the best cutting so far; returns what it proves.
+  double improve(std::vector<Candidate> candidates, int nodes) {
+    const CuttingProgram program{problem_, std::move(candidates)};
+    const std::vector<double> start = result_.cutting ? program.solution_of(*result_.cutting) : std::vector<double>{};
+    const lp::integer::IntegerSolution solution = lp::integer::solve_by_branch_and_cut(
+        program.program(), {.nodes = nodes, .gap = settings_.gap / 4}, start, stop_);
+    result_.nodes += solution.nodes;
+    if (!solution.found()) return solution.bound;
+    Cutting cutting = program.cutting_of(solution.x);
+    if (delivers(problem_, cutting.uses) && (!result_.cutting || cutting.cost < result_.cutting->cost))
+      result_.cutting = std::move(cutting);
+    return solution.bound;
+  }
+
+  // The candidates that add least, in this number, with those for which `wanted` holds among the rest.
+  template <class Wanted>
+  [[nodiscard]] std::vector<Candidate> chosen(std::size_t count, const Wanted& wanted) const {
+    std::vector<Candidate> candidates;
+    for (const std::size_t k : by_extra_) {
+      const Candidate& candidate = relaxation_.candidates[k];
+      if (relaxation_.extra[k] == lp::kInfinity) break;
+      if (candidates.size() < count || wanted(candidate)) candidates.push_back(candidate);
+    }
+    return candidates;
+  }
+
+  [[nodiscard]] bool is_used(const Candidate& candidate) const {
+    return result_.cutting &&
+           std::any_of(result_.cutting->uses.begin(), result_.cutting->uses.end(),
+                       [&](const Use& use) { return use.candidate.ratio == candidate.ratio; });
+  }
+
+  [[nodiscard]] std::vector<Candidate> first_candidates() const {
+    return chosen(settings_.tuning.first_candidates, [&](const Candidate& candidate) {
+      return orders::bundles_in(candidate.ratio) == 1 || is_used(candidate);
+    });
+  }
+
+  // The markers of the best cutting, and of their neighbours those that add least.
+  [[nodiscard]] std::vector<Candidate> near_candidates() const {
+    std::set<Ratio> near;
+    for (const Use& use : result_.cutting->uses) {
+      for (Ratio& ratio : orders::neighbours_of(use.candidate.ratio, problem_.limits.bundles)) near.insert(std::move(ratio));
+    }
+    std::vector<Candidate> candidates;
+    std::size_t count = 0;
+    for (const std::size_t k : by_extra_) {
+      const Candidate& candidate = relaxation_.candidates[k];
+      const bool neighbour = near.contains(candidate.ratio) && count < settings_.tuning.near_candidates;
+      if (neighbour) ++count;
+      if (neighbour || is_used(candidate)) candidates.push_back(candidate);
+    }
+    return candidates;
+  }
+
+  void search_near() {
+    for (int round = 0; round < settings_.tuning.neighbourhoods && result_.cutting && !done(); ++round) {
+      const double before = result_.cutting->cost;
+      (void)improve(near_candidates(), settings_.tuning.nodes);
+      if (result_.cutting->cost >= before) break;
+    }
+  }
+
+  // Every candidate that may be part of a cheaper cutting takes part in the last program, unless they are too many.
+  void close_gap() {
+    const double room = result_.cutting ? result_.cutting->cost - relaxation_.bound : lp::kInfinity;
+    std::vector<Candidate> candidates;
+    double left_out = relaxation_.extra_of_others;
+    for (const std::size_t k : by_extra_) {
+      const double extra = relaxation_.extra[k];
+      if (extra == lp::kInfinity || (extra >= room && !is_used(relaxation_.candidates[k]))) continue;
+      if (candidates.size() < settings_.tuning.last_candidates || is_used(relaxation_.candidates[k])) {
+        candidates.push_back(relaxation_.candidates[k]);
+      } else {
+        left_out = std::min(left_out, extra);
+      }
+    }
+    const double proved = std::min(improve(std::move(candidates), settings_.tuning.last_nodes),
+                                   relaxation_.bound + left_out);
+    result_.bound = std::max(result_.bound, proved);
+    if (result_.cutting) result_.bound = std::min(result_.bound, result_.cutting->cost);
+    result_.infeasible = !result_.cutting && result_.bound == lp::kInfinity;
+  }
+
+  void list_near() {
+    for (const std::size_t k : by_extra_) {
+      if (result_.near.size() == kNearCandidates || relaxation_.extra[k] == lp::kInfinity) break;
+      if (!is_used(relaxation_.candidates[k])) result_.near.push_back(relaxation_.candidates[k]);
+    }
+  }
+
+  const orders::Problem& problem_;
+  const Lengths& lengths_;
+  const SearchSettings& settings_;
+  std::stop_token stop_;
+  Relaxation relaxation_;
+  std::vector<std::size_t> by_extra_;
+  SearchResult result_;
+};
+
+}  // namespace
+
+SearchResult search(const orders::Problem& problem, const Lengths& lengths, const SearchSettings& settings,
+                    const std::optional<Cutting>& start, std::stop_token stop) {
+  return Search{problem, lengths, settings, std::move(stop)}.run(start);
+}
+
+}  // namespace selvage::planning::program

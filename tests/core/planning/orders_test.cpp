@@ -1,0 +1,93 @@
+// Orders, ratios and estimated lengths.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/planning/orders/length_estimate.h"
+#include "core/planning/orders/order.h"
+#include "core/planning/orders/ratio.h"
+
+namespace selvage::planning::orders {
+namespace {
+
+Problem order_of(int garments) {
+  Problem problem;
+  problem.order = {{{"M", 1e6, 1e4}}, {"red"}, {{garments}}};
+  problem.cloth.width = 1500;
+  return problem;
+}
+
+TEST(Ratios, AreCountedAndListed) {
+  EXPECT_EQ(number_of_ratios(5, 6, 1000), 461U);
+  EXPECT_EQ(number_of_ratios(10, 10, 10'000), 10'000U);  // there are more
+  for (const auto& [sizes, bundles] : {std::pair{1, 4}, {3, 3}, {4, 5}, {5, 6}}) {
+    std::set<Ratio> seen;
+    for_each_ratio(static_cast<std::size_t>(sizes), bundles, [&](const Ratio& ratio) {
+      EXPECT_GE(bundles_in(ratio), 1);
+      EXPECT_LE(bundles_in(ratio), bundles);
+      EXPECT_TRUE(seen.empty() || *seen.rbegin() < ratio) << "not in lexical order";
+      seen.insert(ratio);
+    });
+    EXPECT_EQ(seen.size(), number_of_ratios(static_cast<std::size_t>(sizes), bundles, 1'000'000));
+  }
+}
+
+TEST(Ratios, HaveNeighboursOfOneBundle) {
+  const auto neighbours = neighbours_of({1, 0, 2}, 3);
+  EXPECT_EQ(std::set<Ratio>(neighbours.begin(), neighbours.end()),
+            (std::set<Ratio>{{0, 0, 2}, {0, 1, 2}, {0, 0, 3}, {1, 0, 1}, {2, 0, 1}, {1, 1, 1}}));
+  for (const Ratio& ratio : neighbours_of({1, 0}, 1)) EXPECT_EQ(bundles_in(ratio), 1);
+}
+
+TEST(Problem, RoundsItsLimitsTowardsTheOrder) {
+  Problem problem = order_of(100);
+  EXPECT_EQ(problem.least(0, 0), 100);
+  EXPECT_EQ(problem.most(0, 0), 103);
+  problem.limits.under = 0.015;
+  EXPECT_EQ(problem.least(0, 0), 99);
+  problem.order.garments[0][0] = 7;
+  EXPECT_EQ(problem.most(0, 0), 7);
+  problem.limits.under = 0;
+  problem.cloth.spread = Spread::kFaceToFace;
+  EXPECT_EQ(problem.most(0, 0), 8) << "plies come in pairs, and so do garments";
+}
+
+TEST(Problem, NamesItsFirstMistake) {
+  EXPECT_FALSE(mistake_in(order_of(5)));
+  EXPECT_EQ(mistake_in(order_of(0))->field, "/quantities");
+  EXPECT_EQ(mistake_in(order_of(-1))->field, "/quantities/red/M");
+  Problem problem = order_of(5);
+  problem.limits.table = 0;
+  EXPECT_EQ(mistake_in(problem)->field, "/limits/table");
+  problem = order_of(5);
+  problem.costs.metre = -1;
+  EXPECT_EQ(mistake_in(problem)->field, "/costs/metre");
+  EXPECT_NE(mistake_in(problem)->message.find("0 to 1000000000 is allowed"), std::string::npos)
+      << mistake_in(problem)->message;
+  problem = order_of(5);
+  problem.order.garments[0].clear();
+  EXPECT_TRUE(mistake_in(problem));
+  EXPECT_TRUE(mistake_in(Problem{}));
+}
+
+TEST(LengthEstimate, LearnsFromMadeMarkers) {
+  const double width = 1500;
+  const LengthEstimate guess{width};
+  std::vector<MadeLength> made;
+  for (const double area : {1e6, 2e6, 4e6, 6e6}) made.push_back({area, 1.2 * area / width + 90});
+  const LengthEstimate fitted{width, made};
+  for (const double area : {1.5e6, 5e6}) {
+    const double real = 1.2 * area / width + 90;
+    EXPECT_LT(std::abs(fitted.length_of(area) - real), 0.005 * real);
+    EXPECT_LT(std::abs(fitted.length_of(area) - real), std::abs(guess.length_of(area) - real));
+    EXPECT_NEAR(fitted.length_of(area), fitted.length_per_area() * area + fitted.length_of_ends(), 1e-9);
+  }
+}
+
+TEST(LengthEstimate, NeverPromisesMoreThanTheAreaOfThePieces) {
+  const std::vector<MadeLength> made(20, MadeLength{3e6, 1000});  // shorter than the pieces' area allows
+  EXPECT_GE(LengthEstimate(1500, made).length_of(3e6), 2000);
+}
+
+}  // namespace
+}  // namespace selvage::planning::orders

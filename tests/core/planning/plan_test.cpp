@@ -1,0 +1,216 @@
+// Plans with markers that are made: by a function that knows their lengths, and by nesting.
+#include "core/planning/plan.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <set>
+
+#include "core/planning/making/garments.h"
+#include "core/planning/making/mirror.h"
+#include "core/planning/making/nested_markers.h"
+#include "protocol/execution/thread_pool.h"
+#include "tests/core/planning/small_orders.h"
+
+namespace selvage::planning {
+namespace {
+
+using orders::Problem;
+using orders::Ratio;
+
+Problem trousers() {
+  Problem problem;
+  problem.order = {{{"S", 1.4e6, 20'000}, {"M", 1.5e6, 21'000}, {"L", 1.6e6, 22'000}},
+                   {"red", "blue"},
+                   {{4, 8, 5}, {6, 9, 3}}};
+  problem.cloth.width = 1500;
+  problem.limits = {.plies = 10, .table = 12'000, .bundles = 3};
+  return problem;
+}
+
+PlanSettings quick() {
+  PlanSettings settings;
+  settings.search.tuning.nodes = settings.search.tuning.last_nodes = 15;
+  settings.search.tuning.neighbourhoods = 1;
+  return settings;
+}
+
+MakeMarker known_lengths(const Problem& problem) {
+  return [&problem](const Ratio& ratio) { return test::length_of_ratio(problem, ratio); };
+}
+
+TEST(Plan, ConsistsOfMadeMarkersAndDelivers) {
+  const Problem problem = trousers();
+  std::atomic<int> made{};
+  const auto plan = plan_cut(problem, quick(), [&](const Ratio& ratio) {
+    ++made;
+    return std::optional{test::length_of_ratio(problem, ratio)};
+  }, {});
+  ASSERT_TRUE(plan) << plan.error().message;
+  EXPECT_TRUE(plan->complete);
+  EXPECT_EQ(plan->made, static_cast<std::size_t>(made));
+  EXPECT_TRUE(delivers(problem, plan->cutting.uses));
+  EXPECT_LE(plan->bound, plan->cutting.cost);
+  for (const auto& use : plan->cutting.uses)
+    EXPECT_DOUBLE_EQ(use.candidate.length, test::length_of_ratio(problem, use.candidate.ratio));
+  EXPECT_DOUBLE_EQ(plan->cutting.cost, cost_of(problem, plan->cutting.uses));
+  for (const PlanRound& round : plan->rounds) EXPECT_GE(*round.real, plan->cutting.cost);
+}
+
+TEST(Plan, FillsLaysWithoutExceedingThem) {
+  const Problem problem = trousers();
+  const auto plan = plan_cut(problem, quick(), known_lengths(problem), {});
+  ASSERT_TRUE(plan);
+  std::vector<std::vector<int>> plies(plan->cutting.uses.size(), std::vector<int>(2));
+  std::vector<int> lays(plies.size());
+  for (const Lay& lay : plan->lays) {
+    EXPECT_LE(lay.plies[0] + lay.plies[1], problem.limits.plies);
+    for (std::size_t colour = 0; colour < 2; ++colour) plies[lay.marker][colour] += lay.plies[colour];
+    ++lays[lay.marker];
+  }
+  for (std::size_t k = 0; k < plies.size(); ++k) {
+    EXPECT_EQ(plies[k], plan->cutting.uses[k].units);
+    EXPECT_EQ(lays[k], lays_of(problem, plan->cutting.uses[k]));
+  }
+}
+
+TEST(Plan, AvoidsMarkersThatTurnOutTooLongOrCannotBeMade) {
+  Problem problem = trousers();
+  problem.limits.table = 5'000;
+  const auto plan = plan_cut(problem, quick(), [&](const Ratio& ratio) -> std::optional<double> {
+    if (ratio[0] > 0 && ratio[2] > 0) return std::nullopt;
+    return 1.4 * test::length_of_ratio(problem, ratio);
+  }, {});
+  ASSERT_TRUE(plan) << plan.error().message;
+  EXPECT_TRUE(plan->complete);
+  for (const auto& use : plan->cutting.uses) {
+    EXPECT_TRUE(use.candidate.ratio[0] == 0 || use.candidate.ratio[2] == 0);
+    EXPECT_LE(use.candidate.length + problem.cloth.end_loss, problem.limits.table);
+  }
+}
+
+TEST(Plan, SaysWhatIsInTheWay) {
+  Problem problem = trousers();
+  problem.limits.table = 500;
+  const auto too_short = plan_cut(problem, quick(), known_lengths(problem), {});
+  ASSERT_FALSE(too_short);
+  EXPECT_EQ(too_short.error().field, "/limits/table");
+  EXPECT_EQ(too_short.error().code, ErrorCode::kOutOfRange);
+  const auto impossible = plan_cut(trousers(), quick(), [](const Ratio&) { return std::nullopt; }, {});
+  ASSERT_FALSE(impossible);
+  EXPECT_NE(impossible.error().message.find("can be made"), std::string::npos) << impossible.error().message;
+  problem = trousers();
+  problem.costs.lay = -1;
+  EXPECT_EQ(plan_cut(problem, quick(), known_lengths(problem), {}).error().field, "/costs/lay");
+}
+
+TEST(Plan, IsTheSameOnAnyNumberOfThreads) {
+  const Problem problem = trousers();
+  const auto alone = plan_cut(problem, quick(), known_lengths(problem), {});
+  ASSERT_TRUE(alone);
+  for (const std::size_t threads : {2U, 4U}) {
+    const protocol::execution::ThreadPool pool{threads - 1};
+    const auto together = plan_cut(problem, quick(), known_lengths(problem), {.executor = &pool});
+    ASSERT_TRUE(together);
+    EXPECT_EQ(together->cutting, alone->cutting);
+    EXPECT_EQ(together->bound, alone->bound);
+    EXPECT_EQ(together->lays, alone->lays);
+  }
+}
+
+TEST(Plan, GivesItsBestWhenCancelled) {
+  const Problem problem = trousers();
+  std::stop_source stop;
+  const PlanRun run{.stop = stop.get_token(), .on_round = [&](const PlanRound&) { stop.request_stop(); }};
+  const auto plan = plan_cut(problem, quick(), known_lengths(problem), run);
+  ASSERT_TRUE(plan);
+  EXPECT_EQ(plan->end, PlanEnd::kCancelled);
+  EXPECT_TRUE(plan->complete) << "the markers of the first round were made";
+  EXPECT_TRUE(delivers(problem, plan->cutting.uses));
+
+  std::stop_source at_once;
+  at_once.request_stop();
+  const auto nothing = plan_cut(problem, quick(), known_lengths(problem), {.stop = at_once.get_token()});
+  ASSERT_FALSE(nothing);
+  EXPECT_EQ(nothing.error().code, ErrorCode::kStoppedEarly);
+
+  std::stop_source while_making;
+  const auto estimated = plan_cut(problem, quick(), [&](const Ratio&) -> std::optional<double> {
+    while_making.request_stop();
+    return std::nullopt;
+  }, {.stop = while_making.get_token()});
+  ASSERT_TRUE(estimated);
+  EXPECT_FALSE(estimated->complete);
+  EXPECT_TRUE(delivers(problem, estimated->cutting.uses));
+}
+
+// A style of rectangles: a front as a pair, and a back.
+Marker rectangles() {
+  Marker marker;
+  marker.resolution = {-3};
+  marker.strip.width = 1'000'000;
+  const auto rectangle = [](Coord length, Coord height) {
+    return Polygon{{0, 0}, {length, 0}, {length, height}, {0, height}};
+  };
+  marker.shapes.resize(2);
+  marker.shapes[0].id = "S";
+  marker.shapes[0].outline = rectangle(400'000, 300'000);
+  marker.shapes[1].id = "M";
+  marker.shapes[1].outline = rectangle(450'000, 330'000);
+  for (std::uint32_t size = 0; size < 2; ++size) {
+    for (const char* side : {"left", "right"}) {
+      Piece piece;
+      piece.id = marker.shapes[size].id + " " + side;
+      piece.shape = {size};
+      marker.unplaced.push_back(piece);
+    }
+  }
+  return *marker::make_marker(marker);
+}
+
+TEST(Making, BundlesHaveTheShapesAndIdsThatTheyNeed) {
+  const making::Garments garments{rectangles(), {{0, 1}, {2, 3}}};
+  const orders::Size measured = making::measured(garments, 1, "M");
+  EXPECT_DOUBLE_EQ(measured.area, 2 * 450.0 * 330);
+  EXPECT_DOUBLE_EQ(measured.perimeter, 2 * 2 * (450.0 + 330));
+  const Marker bundles = making::bundles_of(garments, {0, 2});
+  EXPECT_EQ(bundles.shapes.size(), 1U);
+  ASSERT_EQ(bundles.unplaced.size(), 4U);
+  EXPECT_EQ(bundles.unplaced[0].id, "M left");
+  EXPECT_EQ(bundles.unplaced[3].id, "M right #2");
+  EXPECT_TRUE(marker::make_marker(bundles));
+}
+
+TEST(Making, NestsMarkersOfTheirRatio) {
+  const making::Garments garments{rectangles(), {{0, 1}, {2, 3}}};
+  SumCache sums;
+  const scene::Run run{sums};
+  making::MadeMarkers made{garments, making::nest_from_nothing({20, 1}), run};
+  const auto length = made.make({1, 1});
+  ASSERT_TRUE(length);
+  const Marker* marker = made.find({1, 1});
+  ASSERT_NE(marker, nullptr);
+  EXPECT_EQ(marker->pieces.size(), 4U);
+  EXPECT_TRUE(marker->unplaced.empty());
+  EXPECT_DOUBLE_EQ(*length, to_decimal(marker::length_of(*marker), marker->resolution));
+  EXPECT_EQ(made.find({2, 0}), nullptr);
+}
+
+TEST(Mirror, KnowsPairsAndSymmetricPieces) {
+  const Polygon rectangle{{0, 0}, {10, 0}, {10, 4}, {0, 4}};
+  const Polygon right{{0, 0}, {10, 0}, {7, 4}, {0, 3}}, left{{0, 4}, {0, 1}, {7, 0}, {10, 4}};
+  EXPECT_TRUE(making::are_mirror_images(rectangle, rectangle, 0.01));
+  EXPECT_FALSE(making::are_mirror_images(right, right, 0.5));
+  EXPECT_TRUE(making::are_mirror_images(right, left, 0.01));
+
+  Marker style = rectangles();
+  style.shapes[0].outline = right;
+  making::Garments garments{style, {{0, 1}, {2, 3}}};
+  EXPECT_EQ(piece_without_mirror_image(garments, 0, 0.5), 0U) << "two right ones";
+  EXPECT_FALSE(piece_without_mirror_image(garments, 1, 0.5));
+  garments.style.unplaced[1].orientation.flip = true;
+  EXPECT_FALSE(piece_without_mirror_image(garments, 0, 0.5));
+}
+
+}  // namespace
+}  // namespace selvage::planning

@@ -1,0 +1,109 @@
+// Small orders, their lengths, and the cheapest cutting found by trying all.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/planning/orders/order.h"
+#include "core/planning/orders/ratio.h"
+#include "core/planning/program/cutting.h"
+#include "tests/support/random.h"
+
+namespace selvage::test {
+
+using planning::orders::Problem;
+using planning::orders::Ratio;
+using planning::program::Candidate;
+using planning::program::Use;
+
+// 1 or 2 colours of 1 to 3 sizes, 0 to 4 garments (5 of the first) of each and at least one in all; 1 or 2 bundles a marker.
+inline Problem small_order(Random& random) {
+  Problem problem;
+  const std::size_t sizes = 1 + random.below(3), colours = 1 + random.below(2);
+  for (std::size_t size = 0; size < sizes; ++size)
+    problem.order.sizes.push_back({std::to_string(size), 1e6 * (1 + 0.1 * static_cast<double>(size)), 10'000});
+  for (std::size_t colour = 0; colour < colours; ++colour) {
+    problem.order.colours.push_back(std::to_string(colour));
+    auto& garments = problem.order.garments.emplace_back();
+    for (std::size_t size = 0; size < sizes; ++size) garments.push_back(static_cast<int>(random.below(5)));
+  }
+  problem.order.garments[0][0] += 1;
+  problem.cloth.width = 1500;
+  problem.cloth.spread = random.below(4) == 0 ? planning::orders::Spread::kFaceToFace : planning::orders::Spread::kOneWay;
+  problem.limits.bundles = 1 + static_cast<int>(random.below(2));
+  problem.limits.plies = 2 + static_cast<int>(random.below(5));
+  problem.limits.over = 0.25 * static_cast<double>(random.below(3));
+  problem.limits.under = 0.25 * static_cast<double>(random.below(2));
+  problem.costs.marker = static_cast<double>(random.below(3)) * 5;
+  problem.costs.lay = static_cast<double>(random.below(3)) * 4;
+  return problem;
+}
+
+// A length for every ratio, different for ratios of the same area.
+inline double length_of_ratio(const Problem& problem, const Ratio& ratio) {
+  double ragged = 0;
+  for (std::size_t size = 0; size < ratio.size(); ++size)
+    ragged += 7.0 * static_cast<double>(size + 1) * ((ratio[size] * 5) % 3);
+  return 1.1 * area_of(problem.order, ratio) / problem.cloth.width + 60 + ragged;
+}
+
+inline std::vector<Candidate> all_candidates(const Problem& problem) {
+  std::vector<Candidate> candidates;
+  planning::orders::for_each_ratio(problem.order.sizes.size(), problem.limits.bundles, [&](const Ratio& ratio) {
+    candidates.push_back({ratio, length_of_ratio(problem, ratio)});
+  });
+  return candidates;
+}
+
+// Tries all numbers of units of all ratios and colours.
+class EveryCutting {
+ public:
+  explicit EveryCutting(const Problem& problem) : problem_{problem}, candidates_{all_candidates(problem)} {
+    for (const Candidate& candidate : candidates_)
+      uses_.push_back({candidate, std::vector<int>(problem.order.colours.size())});
+    descend(0, 0);
+  }
+  // Infinite when there is none.
+  [[nodiscard]] double least_cost() const { return least_; }
+
+ private:
+  void descend(std::size_t candidate, std::size_t colour) {
+    if (candidate == uses_.size()) return judge();
+    const bool last = colour + 1 == problem_.order.colours.size();
+    const int most = most_units(problem_, uses_[candidate].candidate.ratio, colour);
+    for (int units = 0; units <= most && within_most(); ++units) {
+      uses_[candidate].units[colour] = units;
+      if (!within_most()) break;
+      descend(last ? candidate + 1 : candidate, last ? 0 : colour + 1);
+    }
+    uses_[candidate].units[colour] = 0;
+  }
+  [[nodiscard]] bool within_most() const {
+    const auto delivered = delivered_by(problem_, uses_);
+    for (std::size_t colour = 0; colour < delivered.size(); ++colour) {
+      for (std::size_t size = 0; size < delivered[colour].size(); ++size) {
+        if (delivered[colour][size] > problem_.most(colour, size)) return false;
+      }
+    }
+    return true;
+  }
+  void judge() {
+    if (!delivers(problem_, uses_)) return;
+    double cost = 0;
+    for (const Use& use : uses_) {
+      bool used = false;
+      for (const int units : use.units) used = used || units > 0;
+      if (used) cost += cost_of(problem_, use);
+    }
+    least_ = std::min(least_, cost);
+  }
+
+  const Problem& problem_;
+  std::vector<Candidate> candidates_;
+  std::vector<Use> uses_;
+  double least_{std::numeric_limits<double>::infinity()};
+};
+
+}  // namespace selvage::test
