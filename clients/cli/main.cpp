@@ -8,6 +8,7 @@
 #include "clients/cli/documents/completion.h"
 #include "clients/cli/documents/manual.h"
 #include "clients/cli/library/library_commands.h"
+#include "clients/cli/planning/plan_command.h"
 
 namespace {
 
@@ -21,6 +22,7 @@ std::vector<selvage::cli::command_line::Command> all_commands() {
   }
   all.push_back(selvage::cli::library::library_command());
   all.push_back(selvage::cli::library::remake_command());
+  all.push_back(selvage::cli::planning::plan_command());
   return all;
 }
 

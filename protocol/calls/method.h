@@ -43,6 +43,7 @@ CommonParams common_of(const Params& params) {
     if constexpr (requires { params.commit; }) about.commit = params.commit;
     if constexpr (requires { params.op_id; }) about.op_id = params.op_id;
     if constexpr (requires { params.deadline_ms; }) about.deadline_ms = params.deadline_ms;
+    if constexpr (requires { params.progress_token; }) about.progress_token = params.progress_token;
     return about;
   }
 }

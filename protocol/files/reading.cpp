@@ -32,7 +32,8 @@ Result<MarkerFile> one_garment(std::string_view text, const ReadingOptions& opti
 
 // The bundles of the order, which gives sizes, material and width.
 Result<MarkerFile> ordered(std::string_view text, ReadingOptions options) {
-  const auto order = trade::orders::read_order(*options.order);
+  auto order = trade::orders::read_order(*options.order);
+  if (order && options.one_of_each_size) order = trade::orders::one_of_each_size(*std::move(order));
   if (!order) return json::within("/order", order.error());
   options.sizes.clear();
   for (const auto& [size, bundles] : order->ratio) options.sizes.push_back(size);

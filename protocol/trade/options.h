@@ -32,6 +32,7 @@ struct ReadingOptions {
   std::vector<std::string> sizes;    // of a graded style; empty: those that the file has
   std::optional<std::string> rules;  // the text of the style's .rul file
   std::optional<std::string> order;  // the text of an order: the pieces of its bundles are cut
+  bool one_of_each_size{};           // of the order's sizes, one bundle each, whatever its ratio is
   bool plain{};                      // a DXF without pattern pieces: every closed outline is a piece
 };
 

@@ -84,8 +84,10 @@ class OrderReader {
         mistake_.add(ErrorCode::kWrongType, json::shortened(sizes) + " where sizes and garments are required", at);
         return;
       }
-      for (const auto& [size, garments] : sizes.items())
-        add_to(sums, size, whole(garments, kMostGarments, at + "/" + size));
+      for (const auto& [size, garments] : sizes.items()) {
+        order_.quantities.push_back({colour, size, whole(garments, kMostGarments, at + "/" + size)});
+        add_to(sums, size, order_.quantities.back().garments);
+      }
     }
   }
 
@@ -125,6 +127,7 @@ Result<Order> read_table(std::string_view text) {
   if (sizes.size() < 2) {
     return Error{ErrorCode::kMissingField, "the order's first line must name the sizes: colour,S,M,L", line_field(1)};
   }
+  Order order;
   Sums sums;
   while (const auto line = lines.next()) {
     if (trimmed(*line).empty()) continue;
@@ -140,13 +143,13 @@ Result<Order> read_table(std::string_view text) {
         return error_at(lines.number(), ErrorCode::kSyntax,
                         json::shortened(Json(cells[k])) + " where a number of garments is required");
       }
+      if (!cells[k].empty()) order.quantities.push_back({cells[0], sizes[k], garments});
       add_to(sums, sizes[k], garments);
     }
   }
   if (std::all_of(sums.begin(), sums.end(), [](const auto& sum) { return sum.second == 0; })) {
     return Error{ErrorCode::kMissingField, "the order has no garments", ""};
   }
-  Order order;
   settle_ratio(order, sums);
   return order;
 }
@@ -158,6 +161,24 @@ Result<Order> read_order(std::string_view text) {
   const auto document = json::parse(text);
   if (!document) return document.error();
   return OrderReader{*document}.read();
+}
+
+Result<Order> one_of_each_size(Order order) {
+  if (order.quantities.empty()) {
+    return Error{ErrorCode::kMissingField, "the order has no quantities: how many garments are to be cut?", "/quantities"};
+  }
+  if (order.mode == NapMode::kUpAndDown) {
+    return Error{ErrorCode::kOutOfRange, "upDown, by which every second bundle is turned; a plan takes one or either",
+                 "/mode"};
+  }
+  order.notes.clear();  // they are about the ratio
+  order.ratio.clear();
+  for (const Quantity& quantity : order.quantities) {
+    const bool known = std::any_of(order.ratio.begin(), order.ratio.end(),
+                                   [&](const auto& bundles) { return bundles.first == quantity.size; });
+    if (!known) order.ratio.emplace_back(quantity.size, 1);
+  }
+  return order;
 }
 
 }  // namespace selvage::protocol::trade::orders

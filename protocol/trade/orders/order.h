@@ -29,8 +29,15 @@ struct Shrinkage {
   double length{}, width{};  // per cent
 };
 
+struct Quantity {
+  std::string colour, size;
+  int garments{};
+  friend bool operator==(const Quantity&, const Quantity&) = default;
+};
+
 struct Order {
   std::string id, style;
+  std::vector<Quantity> quantities;  // in the order's own order
   std::vector<std::pair<std::string, int>> ratio;  // size, bundles; in the order's own order
   std::string material;                            // of the marker; empty: all materials
   std::optional<double> width;
@@ -45,5 +52,10 @@ inline constexpr int kMostBundles = 1000;  // of one size
 // Errors: those of parse and of reading fields; kSyntax and kMissingField for a CSV that is no table.  `field` is a
 // JSON pointer into the order, or "/line/N".
 [[nodiscard]] Result<Order> read_order(std::string_view text);
+
+// The order with one bundle of each size that it has quantities of, of which a plan chooses the ratios of its markers.
+// Errors: kMissingField without quantities; kOutOfRange when each second bundle is to be turned, since no bundle is the
+// second one yet.
+[[nodiscard]] Result<Order> one_of_each_size(Order order);
 
 }  // namespace selvage::protocol::trade::orders

@@ -28,6 +28,9 @@ constexpr Exception kExceptions[] = {
     {"motion.separate", "grow", "--grow", 100, "How much longer the marker may become, in per cent"},
     {"motion.tilt", "shakes", "--restarts"},
     {"marker.nest", "seconds", "--time"},
+    {"plan.cut", "overCut", "--over-cut", 100, "How many more garments of a colour and size may be cut, in per cent"},
+    {"plan.cut", "underCut", "--under-cut", 100, "How many fewer may be cut, in per cent"},
+    {"plan.cut", "gap", "--gap", 100, "The search ends when cost and bound differ by so many per cent of the cost"},
 };
 
 const Exception* exception_of(std::string_view method, std::string_view parameter) {

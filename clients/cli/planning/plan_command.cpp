@@ -1,0 +1,168 @@
+// selvage plan: from an order and a style to markers, lays and plies, as text, JSON and a page with pictures.
+#include "clients/cli/planning/plan_command.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "clients/cli/commands/motions/motion_options.h"
+#include "clients/cli/commands/shared_options.h"
+#include "clients/cli/run/local.h"
+#include "clients/cli/run/remote.h"
+#include "clients/cli/terminal/files.h"
+#include "clients/cli/terminal/interrupt.h"
+#include "clients/cli/terminal/time_limit.h"
+#include "protocol/calls/choices.h"
+#include "protocol/execution/thread_pool.h"
+#include "protocol/methods/method_table.h"
+#include "protocol/plans/plan_page.h"
+#include "protocol/plans/plan_text.h"
+#include "protocol/trade/orders/order.h"
+
+namespace selvage::cli::planning {
+namespace {
+
+using commands::motions::ParameterOption;
+using command_line::Kind;
+using command_line::Option;
+using terminal::ExitCode;
+
+constexpr std::string_view kPlanMethod = "plan.cut";
+// Parameters that the command gives itself.
+constexpr std::array<std::string_view, 5> kGiven{"markerId", "quantities", "documents", "deadlineMs", "progressToken"};
+
+const protocol::calls::Method& plan_method() {
+  return *protocol::methods::find_method(kPlanMethod);
+}
+
+std::vector<ParameterOption> plan_options() {
+  std::vector<ParameterOption> options = commands::motions::parameter_options(plan_method());
+  std::erase_if(options, [](const ParameterOption& option) {
+    return std::find(kGiven.begin(), kGiven.end(), option.parameter.name) != kGiven.end();
+  });
+  return options;
+}
+
+// One garment of each of the order's sizes.
+Result<MarkerFile> load_style(const command_line::Values& values, std::string order) {
+  protocol::trade::ReadingOptions options;
+  options.order = std::move(order);
+  options.one_of_each_size = true;
+  options.width = values.number("width");
+  if (const std::string rules = values.text("rules"); !rules.empty()) {
+    auto text = terminal::read_text(rules);
+    if (!text) return text.error();
+    options.rules = *std::move(text);
+  }
+  return terminal::load_marker(values.text("style"), options);
+}
+
+Result<Json> plan_params(const command_line::Values& values, const protocol::trade::orders::Order& order) {
+  auto params = commands::motions::params_from(plan_options(), values);
+  if (!params) return params;
+  (*params)["markerId"] = run::kMarkerId;
+  Json quantities = Json::array();
+  for (const auto& [colour, size, garments] : order.quantities) {
+    Json one = Json::object();
+    one["colour"] = colour.empty() ? "cloth" : colour;
+    one["size"] = size;
+    one["garments"] = garments;
+    quantities.push_back(std::move(one));
+  }
+  (*params)["quantities"] = std::move(quantities);
+  if (const auto seconds = values.number("time")) (*params)["deadlineMs"] = 1000 * *seconds;
+  return params;
+}
+
+std::variant<run::Outcome, terminal::Failure> run_plan(const run::Invocation& invocation,
+                                                       const command_line::Values& values) {
+  const auto begin = terminal::TimeLimit::Clock::now();
+  const terminal::Interrupt interrupt;
+  const bool show = !values.flag("json") && isatty(STDERR_FILENO) != 0;
+  terminal::ProgressLine progress{invocation.file.marker, show};
+  if (const auto server = commands::server_choice(values)) return run_remotely(server, invocation, interrupt.token(), progress);
+  std::optional<std::chrono::duration<double>> seconds;
+  if (const auto& ms = invocation.call.about.deadline_ms) seconds = std::chrono::duration<double, std::milli>{*ms};
+  const terminal::TimeLimit limit{interrupt.token(), begin, seconds};
+  const auto threads = static_cast<std::size_t>(values.integer("threads").value_or(1));
+  return run_locally(invocation, protocol::execution::ThreadPool{threads - 1}, limit, progress);
+}
+
+std::optional<Error> write_plan(const Json& plan, const command_line::Values& values, const std::string& title) {
+  if (const std::string out = values.text("out"); !out.empty()) {
+    if (auto error = terminal::write_text(out, protocol::json::to_text(plan, protocol::json::Layout::kIndented) + "\n"))
+      return error;
+  }
+  const std::string html = values.text("html");
+  if (html.empty()) return std::nullopt;
+  const auto page = protocol::plans::plan_page(plan, title);
+  if (!page) return page.error();
+  return terminal::write_text(html, *page);
+}
+
+ExitCode run_plan_command(const command_line::Values& values) {
+  const auto text = terminal::read_text(values.text("ORDER"));
+  if (!text) return terminal::report(text.error());
+  auto order = protocol::trade::orders::read_order(*text);
+  if (order) order = one_of_each_size(*std::move(order));
+  if (!order) return terminal::report(protocol::json::within("/order", order.error()));
+  const auto style = load_style(values, *text);
+  if (!style) return terminal::report(style.error());
+  auto params = plan_params(values, *order);
+  if (!params) return terminal::report(params.error());
+  const auto call = plan_method().read(*params);
+  if (!call) return terminal::report(call.error());
+  terminal::print_notes(style->notes);
+  const auto done = run_plan({plan_method(), *params, *call, *style}, values);
+  if (const auto* failure = std::get_if<terminal::Failure>(&done)) return terminal::report(*failure);
+  const Json& plan = std::get<run::Outcome>(done).fields;
+  const bool to_output = values.text("out") == terminal::kStandardStream || values.text("html") == terminal::kStandardStream;
+  (to_output ? std::cerr : std::cout)
+      << (values.flag("json") ? protocol::json::to_text(plan) + "\n" : protocol::plans::plan_text(plan)) << std::flush;
+  const std::string title = "Plan" + (order->id.empty() ? std::string{} : " of order " + order->id);
+  if (const auto error = write_plan(plan, values, title)) return terminal::report(*error);
+  const bool cancelled = plan["stop"] == protocol::schema::word_of(protocol::calls::StopCause::kCancelled);
+  return cancelled ? ExitCode::kCancelled : ExitCode::kOk;
+}
+
+}  // namespace
+
+command_line::Command plan_command() {
+  command_line::Command command{
+      "plan",
+      "Plan which markers are cut for an order, and how many plies of which colour",
+      {{.name = "ORDER", .kind = Kind::kText, .meaning = "Order (JSON or CSV): garments by colour and size", .required = true},
+       {.name = "--style",
+        .kind = Kind::kText,
+        .meaning = "Pattern file, or a marker with one garment of every size",
+        .required = true},
+       {.name = "--rules", .kind = Kind::kText, .meaning = "Grade rule table (.rul) that makes the sizes"},
+       {.name = "--width",
+        .kind = Kind::kNumber,
+        .meaning = "Width of the cloth in mm, when neither the order nor the style states it; default: 1500",
+        .range = command_line::Range{1, 1e6}}},
+      &run_plan_command};
+  for (ParameterOption& option : plan_options()) command.options.push_back(std::move(option.option));
+  for (Option& option : commands::file_options()) {
+    if (option.name == "--threads") command.options.push_back(std::move(option));
+  }
+  command.options.push_back({.name = "--time",
+                             .kind = Kind::kNumber,
+                             .meaning = "After this many seconds the best plan so far is returned",
+                             .range = command_line::Range{0.001, 86'400}});
+  command.options.push_back({.name = "-o,--out", .kind = Kind::kText, .meaning = "JSON file to write the plan to"});
+  command.options.push_back(
+      {.name = "--html", .kind = Kind::kText, .meaning = "Page to write, with a picture of every marker"});
+  command.options.push_back(
+      {.name = "--json", .kind = Kind::kFlag, .meaning = "Print one line of JSON instead of the summary"});
+  command.examples = {"selvage plan order.csv --style style.dxf --rules style.rul --html plan.html",
+                      "selvage plan order.json --style sizes.json --plies 80 --spread face_to_face -o plan.json"};
+  return command;
+}
+
+}  // namespace selvage::cli::planning

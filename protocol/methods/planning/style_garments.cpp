@@ -1,0 +1,60 @@
+#include "protocol/methods/planning/style_garments.h"
+
+#include <algorithm>
+#include <set>
+
+#include "protocol/json/json_text.h"
+
+namespace selvage::protocol::methods::planning {
+namespace {
+
+// A size is a text, or a whole number, which is read as its digits; empty: neither.
+std::string size_in(const std::vector<Json>& attributes, std::size_t at) {
+  if (at >= attributes.size() || !attributes[at].is_object()) return {};
+  const auto found = attributes[at].find("size");
+  if (found == attributes[at].end()) return {};
+  if (found->is_string()) return found->get<std::string>();
+  return found->is_number_integer() ? json::to_text(*found) : std::string{};
+}
+
+}  // namespace
+
+std::string size_of_piece(const MarkerFile& style, std::size_t position) {
+  const std::size_t placed = style.marker.pieces.size();
+  const bool is_placed = position < placed;
+  const Piece& piece = is_placed ? style.marker.pieces[position] : style.marker.unplaced[position - placed];
+  std::string size = is_placed ? size_in(style.attributes.pieces, position)
+                               : size_in(style.attributes.unplaced, position - placed);
+  return size.empty() ? size_in(style.attributes.shapes, piece.shape.value) : size;
+}
+
+Result<selvage::planning::making::Garments> garments_of(const MarkerFile& style, const std::vector<std::string>& sizes) {
+  if (style.marker.unit != "mm") {
+    return Error{ErrorCode::kOutOfRange, "the style is in " + json::shortened(Json(style.marker.unit)) +
+                                             "; plans are made of styles in mm", "/markerId"};
+  }
+  selvage::planning::making::Garments garments{style.marker, std::vector<std::vector<std::size_t>>(sizes.size())};
+  std::set<std::string> known;
+  const std::size_t pieces = style.marker.pieces.size() + style.marker.unplaced.size();
+  for (std::size_t position = 0; position < pieces; ++position) {
+    const std::string size = size_of_piece(style, position);
+    if (size.empty()) {
+      return Error{ErrorCode::kOutOfRange,
+                   "a piece of the style has no size: its attributes, or those of its shape, must name it", "/markerId"};
+    }
+    known.insert(size);
+    const auto found = std::find(sizes.begin(), sizes.end(), size);
+    if (found != sizes.end()) garments.sizes[static_cast<std::size_t>(found - sizes.begin())].push_back(position);
+  }
+  for (std::size_t size = 0; size < sizes.size(); ++size) {
+    if (!garments.sizes[size].empty()) continue;
+    std::string all;
+    for (const std::string& one : known) all += (all.empty() ? "" : ", ") + one;
+    return Error{ErrorCode::kOutOfRange,
+                 "size " + json::shortened(Json(sizes[size])) + " is not in the style; its sizes are " + all,
+                 "/quantities"};
+  }
+  return garments;
+}
+
+}  // namespace selvage::protocol::methods::planning

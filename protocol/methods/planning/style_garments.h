@@ -1,0 +1,24 @@
+// The garments of a style that is open as a marker: a piece belongs to the size that its attributes name, or those of
+// its shape.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/planning/making/garments.h"
+#include "protocol/document/marker_file.h"
+
+namespace selvage::protocol::methods::planning {
+
+// The name of the size that the piece at this position, among the placed and then the unplaced ones, belongs to; empty
+// when neither the piece nor its shape has "size" among its attributes.
+[[nodiscard]] std::string size_of_piece(const MarkerFile& style, std::size_t position);
+
+// One bundle of each of the sizes.
+// Errors: kOutOfRange for a marker that is not in millimetres, a piece without a size, and a size that no piece has; the
+// last of them points to /quantities.
+[[nodiscard]] Result<selvage::planning::making::Garments> garments_of(const MarkerFile& style,
+                                                                      const std::vector<std::string>& sizes);
+
+}  // namespace selvage::protocol::methods::planning
