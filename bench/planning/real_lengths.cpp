@@ -78,8 +78,8 @@ int main(int argc, char** argv) {
   std::stringstream text;
   text << std::ifstream{SELVAGE_SOURCE_DIR "/examples/markers/charlie_04g.json"}.rdbuf();
   const auto file = protocol::files::read_file(text.str());
-  const auto garments = file ? protocol::methods::planning::garments_of(*file, kSizes)
-                             : Result<planning::making::Garments>{file.error()};
+  const auto garments =
+      file ? protocol::methods::planning::garments_of(*file, kSizes) : Result<planning::making::Garments>{file.error()};
   if (!garments) {
     std::fprintf(stderr, "%s\n", garments.error().message.c_str());
     return 1;
@@ -87,8 +87,9 @@ int main(int argc, char** argv) {
   SumCache sums;
   const scene::Run run{sums};
   KeptMarkers markers{*garments, moves, run};
-  std::printf("| order | by garment count | first estimate | real lengths | saved against count | against estimate | "
-              "rounds | markers made so far | processor time |\n|---|---|---|---|---|---|---|---|---|\n");
+  std::printf(
+      "| order | by garment count | first estimate | real lengths | saved against count | against estimate | "
+      "rounds | markers made so far | processor time |\n|---|---|---|---|---|---|---|---|---|\n");
   double count_sum = 0, estimate_sum = 0, real_sum = 0;
   for (std::uint64_t seed = 1; seed <= orders; ++seed) {
     const std::clock_t start = std::clock();
@@ -110,6 +111,7 @@ int main(int argc, char** argv) {
     real_sum += last;
   }
   std::printf("| all | %.1f | %.1f | %.1f | %.2f %% | %.2f %% | | %zu | |\n", count_sum, estimate_sum, real_sum,
-              100 * (count_sum - real_sum) / count_sum, 100 * (estimate_sum - real_sum) / estimate_sum, markers.count());
+              100 * (count_sum - real_sum) / count_sum, 100 * (estimate_sum - real_sum) / estimate_sum,
+              markers.count());
   return 0;
 }

@@ -1,6 +1,7 @@
 #include "core/planning/plan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <string>
@@ -110,7 +111,10 @@ class Planner {
     if (real && (!best_ || real->cost < best_->cost)) best_ = real;
     if (!real) estimated_ = cutting;
     const Cutting& best = best_ ? *best_ : cutting;
-    PlanRound round{.number = number, .estimated = cutting.cost, .real = {}, .best = best.cost,
+    PlanRound round{.number = number,
+                    .estimated = cutting.cost,
+                    .real = {},
+                    .best = best.cost,
                     .best_cloth = cloth_of(problem_, best.uses)};
     if (real) round.real = real->cost;
     plan_.rounds.push_back(round);
@@ -146,14 +150,16 @@ class Planner {
       if (!made->second) return cannot_make(size);
       if (!program::fits_table(problem_, *made->second)) {
         return {ErrorCode::kOutOfRange,
-                "one bundle of size " + problem_.order.sizes[size].name + " is " + std::to_string(*made->second) +
-                    " long, and the table with its end loss has room for " +
-                    std::to_string(problem_.limits.table - problem_.cloth.end_loss),
+                "a marker of one bundle of size " + problem_.order.sizes[size].name + " is " +
+                    std::to_string(std::lround(*made->second)) + " mm long; the table has room for " +
+                    std::to_string(std::lround(problem_.limits.table - problem_.cloth.end_loss)) +
+                    " mm besides the end loss",
                 "/limits/table"};
       }
     }
     return {ErrorCode::kOutOfRange,
-            "no plan delivers the order within its limits: allow more over-cut or under-cut, or a longer table", "/limits"};
+            "no plan delivers the order within its limits: allow more over-cut or under-cut, or a longer table",
+            "/limits"};
   }
   // Neither found nor proved impossible within the work that a search may do.
   [[nodiscard]] static Error not_found() {
@@ -161,8 +167,8 @@ class Planner {
             "/limits"};
   }
   [[nodiscard]] Error cannot_make(std::size_t size) const {
-    return {ErrorCode::kOutOfRange, "no marker of size " + problem_.order.sizes[size].name + " can be made on this cloth",
-            "/quantities"};
+    return {ErrorCode::kOutOfRange,
+            "no marker of size " + problem_.order.sizes[size].name + " can be made on this cloth", "/quantities"};
   }
 
   const Problem& problem_;
@@ -170,8 +176,8 @@ class Planner {
   const MakeMarker& make_;
   const PlanRun& run_;
   std::map<Ratio, std::optional<double>> made_;  // those that were asked for; none: cannot be made
-  std::optional<Cutting> best_;       // at real lengths
-  std::optional<Cutting> estimated_;  // the latest that is not
+  std::optional<Cutting> best_;                  // at real lengths
+  std::optional<Cutting> estimated_;             // the latest that is not
   Plan plan_;
 };
 

@@ -2,9 +2,9 @@
 // estimates that chose them, until the plan consists of made markers and nothing changes.
 //
 // Method.  Each round searches for the cheapest cutting at the lengths known so far, then makes the markers that it
-// uses and some that it nearly used; the estimate of the others is fitted to all made ones.  When a round's cutting uses
-// made markers only, the gap to the bound is closed as far as it can be; the plan ends when that finds none that needs
-// other markers.  How a marker is made is the caller's: nested, or remade from a stored one.
+// uses and some that it nearly used; the estimate of the others is fitted to all made ones.  When a round's cutting
+// uses made markers only, the gap to the bound is closed as far as it can be; the plan ends when that finds none that
+// needs other markers.  How a marker is made is the caller's: nested, or remade from a stored one.
 //
 // Laws.  (1) The plan delivers no fewer and no more garments of any colour and size than the limits allow, checked in
 // integers.  (2) With `complete`, every marker of it was made and fits the table.  (3) bound <= cost; the bound holds
@@ -32,17 +32,17 @@ using MakeMarker = std::function<std::optional<double>(const orders::Ratio&)>;
 
 struct PlanSettings {
   program::SearchSettings search{};
-  int rounds{8};               // most rounds
-  std::size_t most_made{24};   // most markers that are made, unless the plan needs more
-  std::size_t near_made{2};    // of each round, besides those that its cutting uses
+  int rounds{8};              // most rounds
+  std::size_t most_made{24};  // most markers that are made, unless the plan needs more
+  std::size_t near_made{2};   // of each round, besides those that its cutting uses
 };
 
 struct PlanRound {
-  int number{};             // 1, 2, ...
-  double estimated{};       // cost of the round's cutting at the lengths that chose it
+  int number{};                // 1, 2, ...
+  double estimated{};          // cost of the round's cutting at the lengths that chose it
   std::optional<double> real;  // and at real lengths; none: a marker of it does not fit the table, or was not made
-  double best{};            // of all rounds so far, at real lengths; the estimated one when there is none
-  double best_cloth{};      // millimetres of cloth that it takes
+  double best{};               // of all rounds so far, at real lengths; the estimated one when there is none
+  double best_cloth{};         // millimetres of cloth that it takes
 };
 
 struct PlanRun {
@@ -63,7 +63,7 @@ struct Lay {
 struct Plan {
   program::Cutting cutting;  // the markers, their lengths and units of plies; and what it costs
   std::vector<Lay> lays;
-  bool complete{};           // all markers were made; else some of the lengths are estimates
+  bool complete{};  // all markers were made; else some of the lengths are estimates
   double bound{};
   std::size_t candidates{};  // ratios that the last search considered
   std::size_t made{};        // markers that were made

@@ -13,7 +13,6 @@ namespace {
 
 using drawing::escaped;
 
-constexpr double kMetre = 1000;  // millimetres
 constexpr std::string_view kStyle =
     "body{font:15px/1.5 system-ui,sans-serif;max-width:70rem;margin:2rem auto;padding:0 1rem;color:#222}"
     "table{border-collapse:collapse;margin:1rem 0}th,td{padding:.25rem .75rem;border-bottom:1px solid #ddd;text-align:"
@@ -63,7 +62,8 @@ std::string lays(const Json& plan) {
   for (const Json& lay : plan["lays"]) {
     std::string plies;
     for (const Json& one : lay["plies"])
-      plies += (plies.empty() ? "" : ", ") + std::to_string(one["plies"].get<int>()) + " " + escaped(one["colour"].text());
+      plies +=
+          (plies.empty() ? "" : ", ") + std::to_string(one["plies"].get<int>()) + " " + escaped(one["colour"].text());
     const auto marker = lay["marker"].get<std::size_t>();
     rows.push_back({std::to_string(++number), std::to_string(marker + 1), plies});
   }
@@ -90,10 +90,11 @@ Result<std::string> plan_page(const Json& plan, std::string_view title) {
   page += costs(plan) + "<h2>Garments</h2>\n" + deliveries(plan) + "<h2>Lays</h2>\n" + lays(plan);
   std::size_t number = 0;
   for (const Json& marker : plan["markers"]) {
-    page += "<h2>Marker " + std::to_string(++number) + ": " + escaped(ratio_text(marker)) + "</h2>\n<p>" +
-            decimals(marker["length"].number() / kMetre, 3) + " m, " + decimals(100 * marker["utilisation"].number(), 2) +
-            " % of the cloth used; " + std::to_string(marker["plies"].get<int>()) + " plies take " +
-            decimals(marker["cloth"].number() / kMetre, 2) + " m; cost " + decimals(marker["cost"].number(), 2) + "</p>\n";
+    page +=
+        "<h2>Marker " + std::to_string(++number) + ": " + escaped(ratio_text(marker)) + "</h2>\n<p>" +
+        decimals(marker["length"].number() / kMetre, 3) + " m, " + decimals(100 * marker["utilisation"].number(), 2) +
+        " % of the cloth used; " + std::to_string(marker["plies"].get<int>()) + " plies take " +
+        decimals(marker["cloth"].number() / kMetre, 2) + " m; cost " + decimals(marker["cost"].number(), 2) + "</p>\n";
     auto drawn = picture(marker);
     if (!drawn) return json::within("/markers/" + std::to_string(number - 1) + "/marker", drawn.error());
     page += *std::move(drawn);

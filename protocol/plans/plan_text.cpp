@@ -3,12 +3,6 @@
 #include <cstdio>
 
 namespace selvage::protocol::plans {
-namespace {
-
-constexpr double kMetre = 1000;  // millimetres
-
-}  // namespace
-
 std::string decimals(double value, int places) {
   char text[64];
   std::snprintf(text, sizeof text, "%.*f", places, value);

@@ -7,6 +7,8 @@
 
 namespace selvage::protocol::plans {
 
+inline constexpr double kMetre = 1000;  // millimetres
+
 // REQUIRES of the following: `plan` is a result of plan.cut.
 
 // Cost, cloth, bound and one line for each marker.

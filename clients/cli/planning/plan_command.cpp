@@ -27,9 +27,9 @@
 namespace selvage::cli::planning {
 namespace {
 
-using commands::motions::ParameterOption;
 using command_line::Kind;
 using command_line::Option;
+using commands::motions::ParameterOption;
 using terminal::ExitCode;
 
 constexpr std::string_view kPlanMethod = "plan.cut";
@@ -85,7 +85,8 @@ std::variant<run::Outcome, terminal::Failure> run_plan(const run::Invocation& in
   const terminal::Interrupt interrupt;
   const bool show = !values.flag("json") && isatty(STDERR_FILENO) != 0;
   terminal::ProgressLine progress{invocation.file.marker, show};
-  if (const auto server = commands::server_choice(values)) return run_remotely(server, invocation, interrupt.token(), progress);
+  if (const auto server = commands::server_choice(values))
+    return run_remotely(server, invocation, interrupt.token(), progress);
   std::optional<std::chrono::duration<double>> seconds;
   if (const auto& ms = invocation.call.about.deadline_ms) seconds = std::chrono::duration<double, std::milli>{*ms};
   const terminal::TimeLimit limit{interrupt.token(), begin, seconds};
@@ -121,9 +122,11 @@ ExitCode run_plan_command(const command_line::Values& values) {
   const auto done = run_plan({plan_method(), *params, *call, *style}, values);
   if (const auto* failure = std::get_if<terminal::Failure>(&done)) return terminal::report(*failure);
   const Json& plan = std::get<run::Outcome>(done).fields;
-  const bool to_output = values.text("out") == terminal::kStandardStream || values.text("html") == terminal::kStandardStream;
-  (to_output ? std::cerr : std::cout)
-      << (values.flag("json") ? protocol::json::to_text(plan) + "\n" : protocol::plans::plan_text(plan)) << std::flush;
+  const bool to_output =
+      values.text("out") == terminal::kStandardStream || values.text("html") == terminal::kStandardStream;
+  (to_output ? std::cerr : std::cout) << (values.flag("json") ? protocol::json::to_text(plan) + "\n"
+                                                              : protocol::plans::plan_text(plan))
+                                      << std::flush;
   const std::string title = "Plan" + (order->id.empty() ? std::string{} : " of order " + order->id);
   if (const auto error = write_plan(plan, values, title)) return terminal::report(*error);
   const bool cancelled = plan["stop"] == protocol::schema::word_of(protocol::calls::StopCause::kCancelled);
@@ -136,7 +139,10 @@ command_line::Command plan_command() {
   command_line::Command command{
       "plan",
       "Plan which markers are cut for an order, and how many plies of which colour",
-      {{.name = "ORDER", .kind = Kind::kText, .meaning = "Order (JSON or CSV): garments by colour and size", .required = true},
+      {{.name = "ORDER",
+        .kind = Kind::kText,
+        .meaning = "Order (JSON or CSV): garments by colour and size",
+        .required = true},
        {.name = "--style",
         .kind = Kind::kText,
         .meaning = "Pattern file, or a marker with one garment of every size",

@@ -36,6 +36,14 @@ export type BufferEdit = {
   buffer: number;
 };
 
+/** How many bundles of a size a marker holds. */
+export type BundlesOfSize = {
+  /** The size. */
+  size: string;
+  /** At least 1. */
+  bundles: number;
+};
+
 /** The cache of Minkowski sums. */
 export type CacheCounts = {
   /** Sums that were found in the cache. */
@@ -59,6 +67,18 @@ export type CriticalSet = {
   distance: number;
   /** The gaps that determine it. */
   gaps: Array<Gap>;
+};
+
+/** How many garments are cut. */
+export type Delivered = {
+  /** The colour. */
+  colour: string;
+  /** The size. */
+  size: string;
+  /** Garments. */
+  ordered: number;
+  /** Garments. */
+  cut: number;
 };
 
 /** [x, y], with x along the strip and y across it; never [0, 0]. */
@@ -432,6 +452,70 @@ export type Placement = {
   tilt: number;
 };
 
+/** What a plan costs. */
+export type PlanCosts = {
+  /** All together. */
+  total: number;
+  /** Cloth with end losses. */
+  cloth: number;
+  /** Setting up lays. */
+  lays: number;
+  /** Spreading plies. */
+  plies: number;
+  /** Making markers. */
+  markers: number;
+  /** The knife's way. */
+  cutting: number;
+};
+
+/** A lay of a plan. */
+export type PlannedLay = {
+  /** Position in the list of markers; 0 is the first. */
+  marker: number;
+  /** From the lowest to the uppermost. */
+  plies: Array<PliesOfColour>;
+};
+
+/** A marker of a plan. */
+export type PlannedMarker = {
+  /** What it holds. */
+  ratio: Array<BundlesOfSize>;
+  /** False: the run ended before the marker was made, and its length is an estimate. */
+  made: boolean;
+  /** Of the marker, without the end loss. */
+  length: number;
+  /** The pieces' area divided by width times length, 0 to 1. */
+  utilisation: number;
+  /** Number of lays that are cut with it. */
+  lays: number;
+  /** Of all these lays. */
+  plies: number;
+  /** Length of cloth that they take, with end losses. */
+  cloth: number;
+  /** Of making the marker and cutting its lays. */
+  cost: number;
+  /** Its document in the native form; absent when it was not made or not asked for. */
+  marker?: Record<string, unknown> | string;
+};
+
+/** A round of choosing markers and making them. */
+export type PlanningRound = {
+  /** Cost of the round's plan at the lengths that chose it. */
+  estimated: number;
+  /** Its cost once its markers were made; null when one of them cannot be used. */
+  real: number | null;
+  /** The least real cost so far. */
+  best: number;
+};
+
+/** How many plies of a colour a lay has. */
+export type PliesOfColour = {
+  /** The colour. */
+  colour: string;
+  /** At least 1. */
+  plies: number;
+};
+
 /** [x, y] in the marker's unit. */
 export type Point = [number, number];
 
@@ -444,6 +528,16 @@ export type Protrusion = {
   piece: string;
   /** How far it extends beyond the strip. */
   by: number;
+};
+
+/** How many garments are ordered. */
+export type Quantity = {
+  /** Of the cloth. */
+  colour: string;
+  /** As the style's pieces name it among their attributes. */
+  size: string;
+  /** 0 to 1,000,000. */
+  garments: number;
 };
 
 /** Cloth that no piece covers; its corners are rounded. */
@@ -575,6 +669,9 @@ export type SpacingEdit = {
   /** A length. */
   spacing: number;
 };
+
+/** How plies are spread: all face up, or in pairs face to face, of which the second cuts mirrored pieces. */
+export type Spread = "one_way" | "face_to_face";
 
 /** Milliseconds by stage. */
 export type StageTimes = {
@@ -1659,6 +1756,85 @@ export interface Methods {
       ms?: StageTimes;
       /** The cache of Minkowski sums; only with timing. */
       cache?: CacheCounts;
+    };
+  };
+  /** Plans which markers are cut for an order, and how many plies of which colour. */
+  "plan.cut": {
+    params: {
+      /** The style: a marker with one garment of every size. */
+      markerId: string;
+      /** 1 to 2,500 of them; those of one colour and size are added up. */
+      quantities: Array<Quantity>;
+      /** How plies are spread. */
+      spread?: Spread;
+      /** Cloth that every ply loses at its two ends together. */
+      endLoss?: number;
+      /** Most plies of a lay, 1 to 1,000. */
+      plies?: number;
+      /** Most length of a ply: that of the marker and the end loss. */
+      table?: number;
+      /** Most bundles of a marker, 1 to 50. */
+      bundles?: number;
+      /** Part by which more garments of a colour and size may be cut, 0 to 10. */
+      overCut?: number;
+      /** Part by which fewer may be cut, 0 to 1. */
+      underCut?: number;
+      /** Of a metre of cloth. */
+      costMetre?: number;
+      /** Of setting up a lay. */
+      costLay?: number;
+      /** Of spreading a ply. */
+      costPly?: number;
+      /** Of making a marker. */
+      costMarker?: number;
+      /** Of a metre of the knife's way around the pieces of a lay. */
+      costCutMetre?: number;
+      /** The search ends when cost and bound differ by this part of the cost, 0 to 1. */
+      gap?: number;
+      /** Most rounds of choosing markers and making them, 1 to 100. */
+      rounds?: number;
+      /** After so many made markers, only those are made that a round's plan needs, 0 to 1,000. */
+      mostMade?: number;
+      /** Markers that each round makes besides those of its plan, 0 to 100. */
+      nearMade?: number;
+      /** The budget of nesting a marker, in moves for each of its pieces. */
+      movesPerPiece?: number;
+      /** Of the random choices of nesting. */
+      seed?: number;
+      /** False: leave out the markers' documents. */
+      documents?: boolean;
+      /** After this many milliseconds the best plan so far is returned; 1 to 86,400,000. */
+      deadlineMs?: number;
+      /** Progress notifications, one after each round, carry this token; their length is the cloth of the best plan so far. */
+      progressToken?: ProgressToken;
+    };
+    result: {
+      /** The marker's id. */
+      markerId: string;
+      /** The marker's revision. */
+      revision: number;
+      /** The markers that are cut. */
+      markers: Array<PlannedMarker>;
+      /** Which plies lie under which marker. */
+      lays: Array<PlannedLay>;
+      /** For every colour and size that is ordered. */
+      delivered: Array<Delivered>;
+      /** Length of cloth in all, with end losses. */
+      cloth: number;
+      /** What the plan costs. */
+      cost: PlanCosts;
+      /** No plan costs less at the lengths that the last round used, where markers that were not made are estimated. */
+      bound: number;
+      /** True: every marker of the plan was made, and is proved valid. */
+      complete: boolean;
+      /** Number of ratios that the last round considered. */
+      candidates: number;
+      /** Number of markers that were made. */
+      made: number;
+      /** What each round came to. */
+      rounds: Array<PlanningRound>;
+      /** Why the motion ended. */
+      stop: StopReason;
     };
   };
   /** Shortens the marker, moving all pieces at once. */

@@ -34,8 +34,8 @@ enum class IntegerStatus {
 // What a search has come to.  The status says why it ended; there may be a solution whatever it is.
 struct IntegerSolution {
   IntegerStatus status{IntegerStatus::kFailed};
-  std::vector<double> x{};  // one per column, whole ones rounded; empty: no solution was found
-  double objective{};       // of x
+  std::vector<double> x{};   // one per column, whole ones rounded; empty: no solution was found
+  double objective{};        // of x
   double bound{-kInfinity};  // no solution has a smaller objective, up to the rounding of floating point
   int nodes{};
   [[nodiscard]] bool found() const { return !x.empty(); }

@@ -17,7 +17,8 @@ std::vector<Point> centred(const Polygon& polygon) {
   const Box box = geometry::box_of(polygon);
   const double x = static_cast<double>(box.low.x + box.high.x) / 2, y = static_cast<double>(box.low.y + box.high.y) / 2;
   std::vector<Point> points;
-  for (const Vec vertex : polygon) points.push_back({static_cast<double>(vertex.x) - x, static_cast<double>(vertex.y) - y});
+  for (const Vec vertex : polygon)
+    points.push_back({static_cast<double>(vertex.x) - x, static_cast<double>(vertex.y) - y});
   return points;
 }
 

@@ -9,18 +9,18 @@ namespace {
 // Of a fraction of a count: 1.03 * 100 is 103, whatever rounding makes of it.
 constexpr double kRounding = 1e-9;
 
-std::string range_text(double least, double most) {
-  const auto shown = [](double value) {
-    const std::string text = std::to_string(value);
-    return text.substr(0, text.find_last_not_of('0') + 1 - (text[text.find_last_not_of('0')] == '.' ? 1 : 0));
-  };
-  return shown(least) + " to " + shown(most);
+// Without the zeros that std::to_string adds.
+std::string shown(double value) {
+  std::string text = std::to_string(value);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
 }
 
 std::optional<Error> outside(const char* field, double value, double least, double most) {
   if (std::isfinite(value) && value >= least && value <= most) return std::nullopt;
   return Error{ErrorCode::kOutOfRange,
-               std::to_string(value) + " is out of range; " + range_text(least, most) + " is allowed", field};
+               shown(value) + " is out of range; " + shown(least) + " to " + shown(most) + " is allowed", field};
 }
 
 std::optional<Error> mistake_in_numbers(const Problem& problem) {
@@ -36,7 +36,8 @@ std::optional<Error> mistake_in_numbers(const Problem& problem) {
         outside("/limits/bundles", limits.bundles, 1, kMostBundles), outside("/limits/over", limits.over, 0, 10),
         outside("/limits/under", limits.under, 0, 1), outside("/costs/metre", costs.metre, 0, kDearest),
         outside("/costs/lay", costs.lay, 0, kDearest), outside("/costs/ply", costs.ply, 0, kDearest),
-        outside("/costs/marker", costs.marker, 0, kDearest), outside("/costs/cutMetre", costs.cut_metre, 0, kDearest)}) {
+        outside("/costs/marker", costs.marker, 0, kDearest),
+        outside("/costs/cutMetre", costs.cut_metre, 0, kDearest)}) {
     if (mistake) return mistake;
   }
   return std::nullopt;
@@ -58,9 +59,7 @@ int Problem::most(std::size_t colour, std::size_t size) const {
 
 std::optional<Error> mistake_in(const Problem& problem) {
   const Order& order = problem.order;
-  const auto missing = [](const char* what) {
-    return Error{ErrorCode::kMissingField, what, "/quantities"};
-  };
+  const auto missing = [](const char* what) { return Error{ErrorCode::kMissingField, what, "/quantities"}; };
   if (order.sizes.empty() || order.colours.empty()) return missing("the order has no sizes or no colours");
   if (order.sizes.size() > kMostSizes || order.colours.size() > kMostColours) {
     return Error{ErrorCode::kOutOfRange, "the order has more than 50 sizes or more than 50 colours", "/quantities"};

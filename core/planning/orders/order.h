@@ -37,9 +37,9 @@ struct Cloth {
 };
 
 struct Limits {
-  int plies{60};              // most plies of a lay
-  double table{12'000};       // most length of a ply: of the marker and the end loss
-  int bundles{6};             // most bundles of a marker
+  int plies{60};               // most plies of a lay
+  double table{12'000};        // most length of a ply: of the marker and the end loss
+  int bundles{6};              // most bundles of a marker
   double over{0.03}, under{};  // parts by which more or fewer garments may be cut than were ordered
 };
 

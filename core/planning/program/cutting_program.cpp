@@ -81,8 +81,9 @@ Cutting CuttingProgram::cutting_of(std::span<const double> x) const {
 std::vector<double> CuttingProgram::solution_of(const Cutting& cutting) const {
   std::vector<double> x(program_.linear.cost.size());
   for (const Use& use : cutting.uses) {
-    const auto found = std::lower_bound(candidates_.begin(), candidates_.end(), use.candidate.ratio,
-                                        [](const Candidate& one, const orders::Ratio& ratio) { return one.ratio < ratio; });
+    const auto found =
+        std::lower_bound(candidates_.begin(), candidates_.end(), use.candidate.ratio,
+                         [](const Candidate& one, const orders::Ratio& ratio) { return one.ratio < ratio; });
     if (found == candidates_.end() || found->ratio != use.candidate.ratio) return {};
     const Columns& columns = columns_[static_cast<std::size_t>(found - candidates_.begin())];
     for (std::size_t colour = 0; colour < use.units.size(); ++colour) {

@@ -12,7 +12,7 @@ namespace selvage::planning::program {
 // so that   0 <= a[s] <= most[s],   1 <= sum of a[s] <= bundles,   sum of weight[s] a[s] <= capacity
 struct PricingProblem {
   double constant{};
-  std::vector<double> gain;    // negative: a bundle of this size lowers the reduced cost
+  std::vector<double> gain;  // negative: a bundle of this size lowers the reduced cost
   std::vector<int> most;
   int bundles{};
   std::vector<double> weight;  // at least 0

@@ -17,7 +17,7 @@
 namespace selvage::planning::program {
 
 struct Relaxation {
-  bool solved{};    // false: no cutting of the candidates delivers what is ordered, or the run was stopped
+  bool solved{};   // false: no cutting of the candidates delivers what is ordered, or the run was stopped
   double bound{};  // no cutting of any candidate, listed or not, costs less; up to the rounding of floating point
   std::vector<Candidate> candidates{};  // those given, and those generated
   // By candidate, at least 0: no cutting that uses it costs less than the bound and this.

@@ -15,6 +15,7 @@ namespace {
 using orders::Ratio;
 
 constexpr std::size_t kNearCandidates = 32;  // returned besides the cutting
+constexpr double kRounding = 1e-9;           // bounds so near to the cost, as a part of it, are equal to it
 
 // The candidates that exist without being asked for: made markers that fit the table, and single bundles, so that every
 // order can be delivered; `all`: every other ratio, too.
@@ -42,8 +43,8 @@ std::vector<Candidate> listed(const orders::Problem& problem, const Lengths& len
 
 Relaxation relaxation_of(const orders::Problem& problem, const Lengths& lengths, std::size_t most_listed,
                          const std::stop_token& stop) {
-  const bool all = orders::number_of_ratios(problem.order.sizes.size(), problem.limits.bundles, most_listed + 1) <=
-                   most_listed;
+  const bool all =
+      orders::number_of_ratios(problem.order.sizes.size(), problem.limits.bundles, most_listed + 1) <= most_listed;
   std::vector<Candidate> candidates = listed(problem, lengths, all);
   if (all || lengths.made_only) return relax(problem, std::move(candidates), stop);
   std::vector<Ratio> closed = lengths.unmakeable;
@@ -58,8 +59,8 @@ std::optional<Cutting> of_single_bundles(const orders::Problem& problem, const s
   const int unit = problem.plies_of_unit();
   for (const Candidate& candidate : candidates) {
     if (orders::bundles_in(candidate.ratio) != 1) continue;
-    const auto size = static_cast<std::size_t>(
-        std::find(candidate.ratio.begin(), candidate.ratio.end(), 1) - candidate.ratio.begin());
+    const auto size = static_cast<std::size_t>(std::find(candidate.ratio.begin(), candidate.ratio.end(), 1) -
+                                               candidate.ratio.begin());
     Use use{candidate, {}};
     for (std::size_t colour = 0; colour < problem.order.colours.size(); ++colour)
       use.units.push_back((problem.least(colour, size) + unit - 1) / unit);
@@ -95,6 +96,8 @@ class Search {
     (void)improve(first_candidates(), settings_.tuning.nodes);
     search_near();
     if (settings_.thorough && !done()) close_gap();
+    if (result_.cutting && result_.bound >= result_.cutting->cost * (1 - kRounding))
+      result_.bound = result_.cutting->cost;
     list_near();
     return std::move(result_);
   }
@@ -132,9 +135,8 @@ class Search {
   }
 
   [[nodiscard]] bool is_used(const Candidate& candidate) const {
-    return result_.cutting &&
-           std::any_of(result_.cutting->uses.begin(), result_.cutting->uses.end(),
-                       [&](const Use& use) { return use.candidate.ratio == candidate.ratio; });
+    return result_.cutting && std::any_of(result_.cutting->uses.begin(), result_.cutting->uses.end(),
+                                          [&](const Use& use) { return use.candidate.ratio == candidate.ratio; });
   }
 
   [[nodiscard]] std::vector<Candidate> first_candidates() const {
@@ -147,7 +149,8 @@ class Search {
   [[nodiscard]] std::vector<Candidate> near_candidates() const {
     std::set<Ratio> near;
     for (const Use& use : result_.cutting->uses) {
-      for (Ratio& ratio : orders::neighbours_of(use.candidate.ratio, problem_.limits.bundles)) near.insert(std::move(ratio));
+      for (Ratio& ratio : orders::neighbours_of(use.candidate.ratio, problem_.limits.bundles))
+        near.insert(std::move(ratio));
     }
     std::vector<Candidate> candidates;
     std::size_t count = 0;
@@ -182,10 +185,9 @@ class Search {
         left_out = std::min(left_out, extra);
       }
     }
-    const double proved = std::min(improve(std::move(candidates), settings_.tuning.last_nodes),
-                                   relaxation_.bound + left_out);
+    const double proved =
+        std::min(improve(std::move(candidates), settings_.tuning.last_nodes), relaxation_.bound + left_out);
     result_.bound = std::max(result_.bound, proved);
-    if (result_.cutting) result_.bound = std::min(result_.bound, result_.cutting->cost);
     result_.infeasible = !result_.cutting && result_.bound == lp::kInfinity;
   }
 

@@ -21,15 +21,15 @@ namespace selvage::planning::program {
 
 // The lengths in use.
 struct Lengths {
-  std::vector<Candidate> made;          // markers whose lengths are known, each ratio once
-  orders::LengthEstimate estimate;      // of all others
-  bool made_only{};                     // no others may be cut
+  std::vector<Candidate> made;            // markers whose lengths are known, each ratio once
+  orders::LengthEstimate estimate;        // of all others
+  bool made_only{};                       // no others may be cut
   std::vector<orders::Ratio> unmakeable;  // ratios that may not be cut, whatever is estimated
 };
 
 struct SearchSettings {
   bool thorough{true};  // false: without the program that closes the gap, so that the bound is the relaxation's
-  double gap{0.01};  // relative: the search ends when cost - bound is at most this part of the cost
+  double gap{0.01};     // relative: the search ends when cost - bound is at most this part of the cost
   std::size_t most_listed{kMostListed};
   SearchTuning tuning{};
 };

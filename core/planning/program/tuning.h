@@ -9,7 +9,7 @@ namespace selvage::planning::program {
 inline constexpr std::size_t kMostListed = 10'000;
 inline constexpr std::size_t kPricingNodes = 200'000;  // of one search for the ratio of the least reduced cost
 inline constexpr int kGenerations = 200;               // rounds of column generation
-inline constexpr double kPricingTolerance = 1e-7;      // of the bound: reduced costs above minus this end the generation
+inline constexpr double kPricingTolerance = 1e-7;  // of the bound: reduced costs above minus this end the generation
 
 struct SearchTuning {
   std::size_t first_candidates{40};  // of the first integer program: those that add least to the bound

@@ -45,7 +45,8 @@ Result<Demand> demand_of(const std::vector<Quantity>& quantities) {
     int& sum = demand.garments[position_in(demand.colours, quantity.colour)][position_in(demand.sizes, quantity.size)];
     sum += quantity.garments;
     if (sum > core::orders::kMostGarments) {
-      return Error{ErrorCode::kOutOfRange, std::to_string(sum) + " garments of one colour and size; 0 to 1000000 are allowed",
+      return Error{ErrorCode::kOutOfRange,
+                   std::to_string(sum) + " garments of one colour and size; 0 to 1000000 are allowed",
                    "/quantities/" + std::to_string(k) + "/garments"};
     }
   }
@@ -201,8 +202,8 @@ Result<PlanResult> run(const PlanParams& params, const MarkerFile& style, const 
   const auto problem = problem_of(params, *demand, *garments);
   if (!problem) return problem.error();
 
-  core::making::MadeMarkers made{
-      *garments, core::making::nest_from_nothing({params.moves_per_piece, params.seed}), context.run};
+  core::making::MadeMarkers made{*garments, core::making::nest_from_nothing({params.moves_per_piece, params.seed}),
+                                 context.run};
   const core::MakeMarker make = [&made](const core::orders::Ratio& ratio) { return made.make(ratio); };
   core::PlanRun plan_run{.stop = context.run.stop, .executor = context.run.executor};
   plan_run.on_round = [&](const core::PlanRound& round) {

@@ -32,7 +32,8 @@ struct Quantity {
   static void describe(auto& v, auto& self) {
     v.required("colour", self.colour, "Of the cloth.", {.bytes = {{1, 200}}});
     v.required("size", self.size, "As the style's pieces name it among their attributes.", {.bytes = {{1, 200}}});
-    v.required("garments", self.garments, "0 to 1,000,000.", {.range = {{0, selvage::planning::orders::kMostGarments}}});
+    v.required("garments", self.garments, "0 to 1,000,000.",
+               {.range = {{0, selvage::planning::orders::kMostGarments}}});
   }
 };
 
@@ -83,8 +84,8 @@ struct PlanParams {
                {.range = {{0, 1'000}}});
     v.optional("nearMade", self.near_made, "Markers that each round makes besides those of its plan, 0 to 100.",
                {.range = {{0, 100}}});
-    v.optional("movesPerPiece", self.moves_per_piece, "The budget of nesting a marker, in moves for each of its pieces.",
-               {.range = {{0, 1e6}}});
+    v.optional("movesPerPiece", self.moves_per_piece,
+               "The budget of nesting a marker, in moves for each of its pieces.", {.range = {{0, 1e6}}});
     v.optional("seed", self.seed, "Of the random choices of nesting.", {.range = {{0, 9007199254740991.0}}});
     v.optional("documents", self.documents, "False: leave out the markers' documents.");
     v.optional("deadlineMs", self.deadline_ms,

@@ -23,15 +23,17 @@ std::string size_of_piece(const MarkerFile& style, std::size_t position) {
   const std::size_t placed = style.marker.pieces.size();
   const bool is_placed = position < placed;
   const Piece& piece = is_placed ? style.marker.pieces[position] : style.marker.unplaced[position - placed];
-  std::string size = is_placed ? size_in(style.attributes.pieces, position)
-                               : size_in(style.attributes.unplaced, position - placed);
+  std::string size =
+      is_placed ? size_in(style.attributes.pieces, position) : size_in(style.attributes.unplaced, position - placed);
   return size.empty() ? size_in(style.attributes.shapes, piece.shape.value) : size;
 }
 
-Result<selvage::planning::making::Garments> garments_of(const MarkerFile& style, const std::vector<std::string>& sizes) {
+Result<selvage::planning::making::Garments> garments_of(const MarkerFile& style,
+                                                        const std::vector<std::string>& sizes) {
   if (style.marker.unit != "mm") {
-    return Error{ErrorCode::kOutOfRange, "the style is in " + json::shortened(Json(style.marker.unit)) +
-                                             "; plans are made of styles in mm", "/markerId"};
+    return Error{ErrorCode::kOutOfRange,
+                 "the style is in " + json::shortened(Json(style.marker.unit)) + "; plans are made of styles in mm",
+                 "/markerId"};
   }
   selvage::planning::making::Garments garments{style.marker, std::vector<std::vector<std::size_t>>(sizes.size())};
   std::set<std::string> known;
@@ -40,7 +42,8 @@ Result<selvage::planning::making::Garments> garments_of(const MarkerFile& style,
     const std::string size = size_of_piece(style, position);
     if (size.empty()) {
       return Error{ErrorCode::kOutOfRange,
-                   "a piece of the style has no size: its attributes, or those of its shape, must name it", "/markerId"};
+                   "a piece of the style has no size: its attributes, or those of its shape, must name it",
+                   "/markerId"};
     }
     known.insert(size);
     const auto found = std::find(sizes.begin(), sizes.end(), size);

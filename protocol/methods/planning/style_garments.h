@@ -16,8 +16,8 @@ namespace selvage::protocol::methods::planning {
 [[nodiscard]] std::string size_of_piece(const MarkerFile& style, std::size_t position);
 
 // One bundle of each of the sizes.
-// Errors: kOutOfRange for a marker that is not in millimetres, a piece without a size, and a size that no piece has; the
-// last of them points to /quantities.
+// Errors: kOutOfRange for a marker that is not in millimetres, a piece without a size, and a size that no piece has;
+// the last of them points to /quantities.
 [[nodiscard]] Result<selvage::planning::making::Garments> garments_of(const MarkerFile& style,
                                                                       const std::vector<std::string>& sizes);
 

@@ -165,7 +165,8 @@ Result<Order> read_order(std::string_view text) {
 
 Result<Order> one_of_each_size(Order order) {
   if (order.quantities.empty()) {
-    return Error{ErrorCode::kMissingField, "the order has no quantities: how many garments are to be cut?", "/quantities"};
+    return Error{ErrorCode::kMissingField, "the order has no quantities: how many garments are to be cut?",
+                 "/quantities"};
   }
   if (order.mode == NapMode::kUpAndDown) {
     return Error{ErrorCode::kOutOfRange, "upDown, by which every second bundle is turned; a plan takes one or either",

@@ -37,7 +37,7 @@ struct Quantity {
 
 struct Order {
   std::string id, style;
-  std::vector<Quantity> quantities;  // in the order's own order
+  std::vector<Quantity> quantities;                // in the order's own order
   std::vector<std::pair<std::string, int>> ratio;  // size, bundles; in the order's own order
   std::string material;                            // of the marker; empty: all materials
   std::optional<double> width;

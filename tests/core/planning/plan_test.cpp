@@ -20,9 +20,8 @@ using orders::Ratio;
 
 Problem trousers() {
   Problem problem;
-  problem.order = {{{"S", 1.4e6, 20'000}, {"M", 1.5e6, 21'000}, {"L", 1.6e6, 22'000}},
-                   {"red", "blue"},
-                   {{4, 8, 5}, {6, 9, 3}}};
+  problem.order = {
+      {{"S", 1.4e6, 20'000}, {"M", 1.5e6, 21'000}, {"L", 1.6e6, 22'000}}, {"red", "blue"}, {{4, 8, 5}, {6, 9, 3}}};
   problem.cloth.width = 1500;
   problem.limits = {.plies = 10, .table = 12'000, .bundles = 3};
   return problem;
@@ -42,10 +41,12 @@ MakeMarker known_lengths(const Problem& problem) {
 TEST(Plan, ConsistsOfMadeMarkersAndDelivers) {
   const Problem problem = trousers();
   std::atomic<int> made{};
-  const auto plan = plan_cut(problem, quick(), [&](const Ratio& ratio) {
-    ++made;
-    return std::optional{test::length_of_ratio(problem, ratio)};
-  }, {});
+  const auto plan = plan_cut(problem, quick(),
+                             [&](const Ratio& ratio) {
+                               ++made;
+                               return std::optional{test::length_of_ratio(problem, ratio)};
+                             },
+                             {});
   ASSERT_TRUE(plan) << plan.error().message;
   EXPECT_TRUE(plan->complete);
   EXPECT_EQ(plan->made, static_cast<std::size_t>(made));
@@ -77,10 +78,12 @@ TEST(Plan, FillsLaysWithoutExceedingThem) {
 TEST(Plan, AvoidsMarkersThatTurnOutTooLongOrCannotBeMade) {
   Problem problem = trousers();
   problem.limits.table = 5'000;
-  const auto plan = plan_cut(problem, quick(), [&](const Ratio& ratio) -> std::optional<double> {
-    if (ratio[0] > 0 && ratio[2] > 0) return std::nullopt;
-    return 1.4 * test::length_of_ratio(problem, ratio);
-  }, {});
+  const auto plan = plan_cut(problem, quick(),
+                             [&](const Ratio& ratio) -> std::optional<double> {
+                               if (ratio[0] > 0 && ratio[2] > 0) return std::nullopt;
+                               return 1.4 * test::length_of_ratio(problem, ratio);
+                             },
+                             {});
   ASSERT_TRUE(plan) << plan.error().message;
   EXPECT_TRUE(plan->complete);
   for (const auto& use : plan->cutting.uses) {
@@ -135,10 +138,12 @@ TEST(Plan, GivesItsBestWhenCancelled) {
   EXPECT_EQ(nothing.error().code, ErrorCode::kStoppedEarly);
 
   std::stop_source while_making;
-  const auto estimated = plan_cut(problem, quick(), [&](const Ratio&) -> std::optional<double> {
-    while_making.request_stop();
-    return std::nullopt;
-  }, {.stop = while_making.get_token()});
+  const auto estimated = plan_cut(problem, quick(),
+                                  [&](const Ratio&) -> std::optional<double> {
+                                    while_making.request_stop();
+                                    return std::nullopt;
+                                  },
+                                  {.stop = while_making.get_token()});
   ASSERT_TRUE(estimated);
   EXPECT_FALSE(estimated->complete);
   EXPECT_TRUE(delivers(problem, estimated->cutting.uses));

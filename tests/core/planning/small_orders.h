@@ -18,7 +18,8 @@ using planning::orders::Ratio;
 using planning::program::Candidate;
 using planning::program::Use;
 
-// 1 or 2 colours of 1 to 3 sizes, 0 to 4 garments (5 of the first) of each and at least one in all; 1 or 2 bundles a marker.
+// 1 or 2 colours of 1 to 3 sizes, 0 to 4 garments (5 of the first) of each and at least one in all; 1 or 2 bundles a
+// marker.
 inline Problem small_order(Random& random) {
   Problem problem;
   const std::size_t sizes = 1 + random.below(3), colours = 1 + random.below(2);
@@ -31,7 +32,8 @@ inline Problem small_order(Random& random) {
   }
   problem.order.garments[0][0] += 1;
   problem.cloth.width = 1500;
-  problem.cloth.spread = random.below(4) == 0 ? planning::orders::Spread::kFaceToFace : planning::orders::Spread::kOneWay;
+  problem.cloth.spread =
+      random.below(4) == 0 ? planning::orders::Spread::kFaceToFace : planning::orders::Spread::kOneWay;
   problem.limits.bundles = 1 + static_cast<int>(random.below(2));
   problem.limits.plies = 2 + static_cast<int>(random.below(5));
   problem.limits.over = 0.25 * static_cast<double>(random.below(3));

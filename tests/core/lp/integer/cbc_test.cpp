@@ -58,7 +58,7 @@ TEST(BranchAndCut, TellsThatThereIsNoSolution) {
   IntegerProgram program;
   const int x = program.add_whole_column(1, 0, 10), y = program.add_whole_column(1, 0, 10);
   const LinearProgram::Entry row[] = {{x, 2}, {y, 2}}, opposite[] = {{x, -2}, {y, -2}};
-  program.linear.add_row(row, 3);        // 2x + 2y is 3: no whole numbers are
+  program.linear.add_row(row, 3);  // 2x + 2y is 3: no whole numbers are
   program.linear.add_row(opposite, -3);
   const IntegerSolution solution = solve_by_branch_and_cut(program, {});
   EXPECT_EQ(solution.status, IntegerStatus::kInfeasible);
