@@ -16,9 +16,9 @@
 #include "clients/cli/run/remote.h"
 #include "clients/cli/terminal/files.h"
 #include "clients/cli/terminal/interrupt.h"
-#include "clients/cli/terminal/time_limit.h"
 #include "protocol/calls/choices.h"
 #include "protocol/execution/thread_pool.h"
+#include "protocol/execution/time_limit.h"
 #include "protocol/methods/method_table.h"
 #include "protocol/plans/plan_page.h"
 #include "protocol/plans/plan_text.h"
@@ -81,7 +81,7 @@ Result<Json> plan_params(const command_line::Values& values, const protocol::tra
 
 std::variant<run::Outcome, terminal::Failure> run_plan(const run::Invocation& invocation,
                                                        const command_line::Values& values) {
-  const auto begin = terminal::TimeLimit::Clock::now();
+  const auto begin = protocol::execution::TimeLimit::Clock::now();
   const terminal::Interrupt interrupt;
   const bool show = !values.flag("json") && isatty(STDERR_FILENO) != 0;
   terminal::ProgressLine progress{invocation.file.marker, show};
@@ -89,7 +89,7 @@ std::variant<run::Outcome, terminal::Failure> run_plan(const run::Invocation& in
     return run_remotely(server, invocation, interrupt.token(), progress);
   std::optional<std::chrono::duration<double>> seconds;
   if (const auto& ms = invocation.call.about.deadline_ms) seconds = std::chrono::duration<double, std::milli>{*ms};
-  const terminal::TimeLimit limit{interrupt.token(), begin, seconds};
+  const protocol::execution::TimeLimit limit{interrupt.token(), begin, seconds};
   const auto threads = static_cast<std::size_t>(values.integer("threads").value_or(1));
   return run_locally(invocation, protocol::execution::ThreadPool{threads - 1}, limit, progress);
 }

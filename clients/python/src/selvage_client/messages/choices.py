@@ -43,6 +43,9 @@ RemakeOutcome = Literal["remade", "nested", "none_near", "not_apart"]
 RemakeStep = Literal["substituted", "separated", "popped", "searched", "compacted", "inserted", "rearranged", "trims_moved", "refined"]
 """A step of an attempt: the pieces were put where stored ones lie; parted by linear programs, by popping trims out, or by a search; compacted; inserted, of pieces that no stored one corresponds to; rearranged, where the numbers of pieces differ; small pieces were moved elsewhere; refined as accuracy fine does."""
 
+Spread = Literal["one_way", "face_to_face"]
+"""How plies are spread: all face up, or in pairs face to face, of which the second cuts mirrored pieces."""
+
 StopReason = Literal["converged", "work_limit", "cancelled", "solver_failed", "lattice_end", "deadline"]
 """Why a motion ended; in every case the result is the best valid marker so far."""
 
