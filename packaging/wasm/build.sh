@@ -28,7 +28,7 @@ core=(core/base core/geometry core/outline core/minkowski core/lp core/marker co
 formats=(protocol/json protocol/document protocol/drawing protocol/formats)
 cd "$root"
 {
-  find "${core[@]}" "${formats[@]}" -name '*.cpp' ! -path core/lp/solver/clp.cpp
+  find "${core[@]}" "${formats[@]}" -name '*.cpp' ! -path core/lp/solver/clp.cpp ! -path 'core/lp/integer/*'
   printf '%s\n' "$here/without.cpp" "$here/compact.cpp" "$clipper/clipper.cpp"
 } | xargs -P "$(nproc)" -I{} bash -c 'compiled "$1"' _ {}
 clang++-16 --target=wasm32-wasi -L/usr/lib/llvm-16/lib/wasm32-wasi -Wl,--gc-sections -Wl,-s -o "$out/compact.wasm" "$out"/objects/*.o -lc++ -lc++abi

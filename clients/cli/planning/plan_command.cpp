@@ -84,7 +84,7 @@ std::variant<run::Outcome, terminal::Failure> run_plan(const run::Invocation& in
   const auto begin = protocol::execution::TimeLimit::Clock::now();
   const terminal::Interrupt interrupt;
   const bool show = !values.flag("json") && isatty(STDERR_FILENO) != 0;
-  terminal::ProgressLine progress{invocation.file.marker, show};
+  terminal::ProgressLine progress{invocation.file.marker, show, values.number("time")};
   if (const auto server = commands::server_choice(values))
     return run_remotely(server, invocation, interrupt.token(), progress);
   std::optional<std::chrono::duration<double>> seconds;
