@@ -1,6 +1,6 @@
 // The tuning constants of one round (position_step.h).  No answer becomes wrong with other values: a round only takes
-// longer, or gains less.  The defaults were chosen on the markers in examples/markers; docs/measurements/README.md has the
-// figures.
+// longer, or gains less.  The defaults were chosen on the markers in examples/markers; docs/measurements/README.md has
+// the figures.
 #pragma once
 
 #include <array>
