@@ -91,6 +91,8 @@ class Typed(unittest.TestCase):
         options = {words.snake(name): value for name, value in params.items()}
         if "forces" in options:
             options["forces"] = {force["piece"]: force["force"] for force in options["forces"]}
+        if "values" in options:
+            options["values"] = {value["piece"]: value["value"] for value in options["values"]}
         try:
             answer = call(**options)
         except TypeError:  # a required parameter is missing, which Python reports itself

@@ -95,6 +95,8 @@ TEST(Descriptors, WhatIsRequiredIsEnoughAndNamedWhenItIsMissing) {
 }
 
 TEST(Descriptors, EveryParameterIsReadAndChecked) {
+  Json unknown = Json::object();
+  unknown["nonsense"] = 1;
   for (const calls::Method& method : methods::method_table().all()) {
     if (method.name == "$/cancelRequest") continue;  // any id is taken
     for (const FieldDescription& param : method.params()) {
@@ -103,7 +105,7 @@ TEST(Descriptors, EveryParameterIsReadAndChecked) {
       params[std::string{param.name}] = sample(param);
       const auto wrong = mistake_in(method, params);
       EXPECT_FALSE(wrong) << method.name << " " << param.name << " " << wrong->message;
-      params[std::string{param.name}] = Json::array({Json::object()});
+      params[std::string{param.name}] = Json::array({unknown});
       const auto refused = mistake_in(method, params);
       ASSERT_TRUE(refused) << method.name << " " << param.name;
       EXPECT_EQ(refused->field.rfind("/" + std::string{param.name}, 0), 0U) << method.name << " " << refused->field;
