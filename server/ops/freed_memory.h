@@ -8,9 +8,9 @@
 
 namespace selvage::server::ops {
 
-// Fixes the thresholds that glibc would otherwise raise: the free memory that it keeps at the end of each thread's
-// arena, and the size from which buffers come from the system and are returned to it.  Call it once, before any thread
-// is started.
+// Limits the number of glibc's arenas, and fixes the thresholds that it would otherwise raise: the free memory that it
+// keeps at the end of each arena, and the size from which buffers come from the system and are returned to it.  Call it
+// once, before any thread is started.
 void bound_freed_memory();
 
 // When destroyed, returns all freed memory to the system if the message was large, except for the ends of the threads'

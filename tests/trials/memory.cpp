@@ -279,7 +279,9 @@ void run_case(std::string_view name, const std::vector<Work>& works, std::size_t
   std::printf("  marker.get without: %s\n  with:               %s; p99 with / without %.2f (goal: at most 2)\n",
               without.text().c_str(), with.text().c_str(), with.part(0.99) / without.part(0.99));
   faults.expect(peak <= kMostResident * kBudgetMb, std::string{name} + ": resident " + std::to_string(peak) + " MiB");
-  faults.expect(daemon.end() == 0, std::string{name} + ": selvaged did not end by itself");
+  const int code = daemon.end();
+  faults.expect(code == 0, std::string{name} + ": selvaged ended with code " + std::to_string(code));
+  faults.expect(daemon.log_text().find("bad_alloc") == std::string::npos, std::string{name} + ": memory ran out");
 }
 
 }  // namespace
