@@ -18,6 +18,7 @@ namespace {
 constexpr json::Range kPermissions{-360, 360};  // degrees
 constexpr json::Range kTurns{-1e6, 1e6};        // degrees or radians, any number of turns
 constexpr double kAngleSlack = 1e-3;            // degrees; what single precision makes of a quarter turn is far closer
+constexpr double kTiltSlack = 5e-5;  // degrees; the same where a shape may tilt, and the difference may be a tilt
 
 // A pointer into the native form as one into this form.  `filled`: the shapes written as {outer, inner}.
 std::string renamed(const std::string& pointer, const std::vector<bool>& filled) {
@@ -122,6 +123,7 @@ void read_placed(const Json& value, const std::string& at, Reading& reading) {
   read_constraints(fields, reading.mistake, piece);
   json::Fields transformation{fields.object("transformation"), fields.pointer("transformation"), reading.mistake};
   piece.piece.orientation.rotation = Angle::of_degrees(transformation.number("rotation", kTurns));
+  piece.piece.orientation.tilt = Angle::of_degrees(fields.number_or("tilt_deg", 0, {-45, 45}));
   piece.at = read_point(transformation.array("translation"), transformation.pointer("translation"), reading.mistake);
   reading.attributes.pieces.push_back(fields.rest());
   reading.marker.pieces.push_back(std::move(piece));
@@ -166,10 +168,16 @@ double in_degrees(double radians) {
   return radians * 180 / std::numbers::pi;
 }
 
-// The allowed rotation nearest to the piece's, and what is left as a tilt, when the shape may tilt that far.
+// The allowed rotation nearest to the piece's, and what is left as a tilt, when the shape may tilt that far.  A tilt
+// that is told apart counts to the last bit, when the rotation agrees with it: its sum with the rotation is rounded.
 void settle_rotation(Orientation& orientation, const Shape& shape) {
   const double degrees = orientation.rotation.degrees;
-  if (const auto exact = matching_rotation(degrees, shape.rotations, kAngleSlack)) {
+  const Angle told = std::exchange(orientation.tilt, {});
+  const double slack = shape.tilt_limit.degrees > 0 ? kTiltSlack : kAngleSlack;
+  const auto untilted = matching_rotation(degrees - told.degrees, shape.rotations, kAngleSlack);
+  if (told.degrees != 0 && untilted) {
+    orientation = {.rotation = *untilted, .tilt = told};
+  } else if (const auto exact = matching_rotation(degrees, shape.rotations, slack)) {
     orientation.rotation = *exact;
   } else if (const auto near = matching_rotation(degrees, shape.rotations, shape.tilt_limit.degrees)) {
     orientation.rotation = *near;
@@ -293,6 +301,7 @@ Json placed_json(const Marker& marker, std::size_t position, std::uint64_t item,
   if (piece.id != std::to_string(position)) placed["id"] = piece.id;
   write_constraints(placed, marker, piece);
   add_attributes(placed, attributes);
+  if (piece.orientation.tilt.degrees != 0) placed["tilt_deg"] = piece.orientation.tilt.degrees;
   const double degrees = piece.orientation.rotation.degrees + piece.orientation.tilt.degrees;
   placed["transformation"] = {{"rotation", degrees}, {"translation", point_json(piece.at, marker.resolution)}};
   return placed;

@@ -11,7 +11,7 @@
 // part of the demand that is not placed, and nothing else of them is kept.
 //
 // Fields the form does not define are kept and written back.  Of those Selvage reads: units, spacing (whole
-// form); tilt_limit_deg (item); id, locked (placed item).
+// form); tilt_limit_deg (item); id, locked, tilt_deg (placed item).
 #pragma once
 
 #include "core/base/result.h"

@@ -111,6 +111,29 @@ TEST(Sparrow, ReadsATiltWithinTheLimit) {
   EXPECT_EQ((*written)["solution"]["layout"]["placed_items"][1]["transformation"]["rotation"], 182.5);
 }
 
+// Also those that are smaller than what is forgiven in an allowed rotation: the pieces may touch.
+TEST(Sparrow, ReadsTiltsBackToTheLastBit) {
+  Json document = sparrow_squares();
+  document["items"][0]["tilt_limit_deg"] = 3;
+  MarkerFile file = test::read(document);
+  for (const double tilt : {-0.000999995743522192, 1e-9, -2.9999999998695728, 0.1 + 0.2, 2.5}) {
+    for (const double rotation : {0.0, 180.0}) {
+      file.marker.pieces[0].orientation = {.rotation = Angle::of_degrees(rotation), .tilt = Angle::of_degrees(tilt)};
+      const auto written = sparrow_document(file);
+      ASSERT_TRUE(written);
+      EXPECT_EQ(test::read(*written).marker.pieces[0].orientation, file.marker.pieces[0].orientation) << tilt;
+    }
+  }
+}
+
+TEST(Sparrow, ARotationThatContradictsItsTiltCounts) {
+  Json document = sparrow_squares();
+  document["items"][0]["tilt_limit_deg"] = 3;
+  placed(document)[1]["tilt_deg"] = 1;
+  placed(document)[1]["transformation"] = json(R"({"rotation": 182.5, "translation": [95, 55]})");
+  EXPECT_EQ(test::read(document).marker.pieces[1].orientation.tilt, Angle::of_degrees(2.5));
+}
+
 TEST(Sparrow, ReadsOrientationPermissionsAsJaguaDoes) {
   Json document = sparrow_squares();
   document["items"][0].erase("allowed_orientations");
