@@ -89,9 +89,8 @@ void Conversation::connected() {
   state_ = State::kOpen;
   reconnected_ = std::exchange(was_connected_, true);
   if (!settings_.token.empty()) connection_->send(internal_request(kAuthId, "auth", {{"token", settings_.token}}));
-  for (const std::string& marker : watched_) {
-    connection_->send(internal_request(std::string{kWatchId} + marker, "marker.watch", {{"markerId", marker}}));
-  }
+  refused_.clear();
+  for (const std::string& marker : watched_) send_watch(marker);
   for (auto& [id, call] : open_) send(call);
 }
 
@@ -122,7 +121,8 @@ void Conversation::receive_answer(const Json& message) {
     return give_up(received.error());
   }
   if (const std::string own = id.is_string() ? id.get<std::string>() : ""; own.starts_with(kWatchId)) {
-    return report_closed(own.substr(kWatchId.size()));
+    const std::string marker = own.substr(kWatchId.size());
+    return received.error().code == CallCode::kBusy ? watch_later(marker) : report_closed(marker);
   }
   // The daemon answers with a null id when it rejects a call unread because it is too long.  That must be the longest
   // of the calls that were sent.
@@ -137,6 +137,22 @@ void Conversation::receive_notification(const Json& message) {
     watched_.erase(params["markerId"].get<std::string>());
   }
   if (handlers_.notified) handlers_.notified(method.get<std::string>(), params);
+}
+
+// The daemon is still loading its markers.
+void Conversation::watch_later(const std::string& marker) {
+  refused_.insert(marker);
+  retry_timer_.expires_after(kFirstPause);
+  retry_timer_.async_wait([this](const boost::system::error_code& error) {
+    if (error || state_ != State::kOpen) return;
+    for (const std::string& wanted : std::exchange(refused_, {})) {
+      if (watched_.contains(wanted)) send_watch(wanted);
+    }
+  });
+}
+
+void Conversation::send_watch(const std::string& marker) {
+  connection_->send(internal_request(std::string{kWatchId} + marker, "marker.watch", {{"markerId", marker}}));
 }
 
 // The daemon restarted without its markers, so a marker that was watched no longer exists.

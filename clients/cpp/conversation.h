@@ -55,6 +55,8 @@ class Conversation {
   void receive_notification(const Json& message);
   void report_closed(const std::string& marker);
   void update_watched(const OpenCall& call);
+  void send_watch(const std::string& marker);
+  void watch_later(const std::string& marker);
   void handle_disconnect(const std::string& why);
   void handle_failure(const std::string& why);
   void handle_untrusted(const std::string& why);
@@ -77,6 +79,7 @@ class Conversation {
   std::chrono::milliseconds next_pause_{};
   std::map<CallId, OpenCall> open_;
   std::set<std::string> watched_;
+  std::set<std::string> refused_;  // of these, those that a daemon that was still loading has refused to watch
 };
 
 }  // namespace selvage::client

@@ -23,7 +23,7 @@ Marker with_turns_in_rotations(Marker turned, const Marker& before) {
     Piece& piece = turned.pieces[i];
     piece.locked = before.pieces[i].locked;
     Orientation& orientation = piece.orientation;
-    if (!turns_freely(before, piece)) continue;
+    if (!turns_freely(before, piece) || orientation == before.pieces[i].orientation) continue;
     orientation.rotation.degrees += orientation.tilt.degrees;  // the same sum as in geometry::split
     orientation.tilt = {};
   }

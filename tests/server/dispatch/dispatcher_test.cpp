@@ -169,9 +169,10 @@ TEST(Dispatcher, EngineInfoListsEveryMethod) {
   std::set<std::string> reported;
   const Json info = local.ask_json(call(1, "engine.info"))["result"];
   for (const Json& name : info["methods"]) reported.insert(name.get<std::string>());
-  std::set<std::string> expected{"engine.info", "marker.open", "marker.close", "marker.list",    "marker.apply",
-                                 "marker.undo", "marker.redo", "marker.watch", "marker.unwatch", "drag.begin",
-                                 "drag.move",   "drag.end",    "rpc.discover", "admin.backup"};
+  std::set<std::string> expected{"engine.info", "marker.open",  "marker.close",   "marker.list",    "marker.apply",
+                                 "marker.undo", "marker.redo",  "marker.watch",   "marker.unwatch", "drag.begin",
+                                 "drag.move",   "drag.end",     "rpc.discover",   "admin.backup",   "library.add",
+                                 "library.get", "library.list", "library.remove", "library.search"};
   for (const protocol::calls::Method& method : protocol::methods::method_table().all()) {
     if (method.on_marker) expected.emplace(method.name);
   }

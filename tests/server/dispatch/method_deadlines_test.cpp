@@ -17,25 +17,27 @@ using protocol::calls::Method;
 using protocol::calls::MethodKind;
 
 // A value for every parameter that a method may require, on the marker below.
-const std::map<std::string, std::string, std::less<>> kArguments{{"markerId", "'m1'"},
-                                                                 {"piece", "'piece 0'"},
-                                                                 {"pieces", "['piece 0','piece 1']"},
-                                                                 {"side", "'left'"},
-                                                                 {"direction", "[-1,0.3]"},
-                                                                 {"to", "[3000,100]"},
-                                                                 {"point", "[500,500]"},
-                                                                 {"force", "[-1,-1]"},
-                                                                 {"forces", "[{'piece':'piece 0','force':[-1,0]}]"},
-                                                                 {"room", "[[0,0],[3000,500]]"},
-                                                                 {"distance", "5"},
-                                                                 {"limit", "2"},
-                                                                 {"sheets", "[{'width':1000,'length':2000}]"}};
+const std::map<std::string, std::string, std::less<>> kArguments{
+    {"markerId", "'m1'"},
+    {"piece", "'piece 0'"},
+    {"pieces", "['piece 0','piece 1']"},
+    {"side", "'left'"},
+    {"direction", "[-1,0.3]"},
+    {"to", "[3000,100]"},
+    {"point", "[500,500]"},
+    {"force", "[-1,-1]"},
+    {"forces", "[{'piece':'piece 0','force':[-1,0]}]"},
+    {"room", "[[0,0],[3000,500]]"},
+    {"distance", "5"},
+    {"limit", "2"},
+    {"quantities", "[{'colour':'red','size':'M','garments':9}]"},
+    {"sheets", "[{'width':1000,'length':2000}]"}};
 
 // 60 triangles in loose rows, so that no motion of many pieces is done after a moment.
 std::string loose_marker() {
   std::ostringstream text;
   text << R"({"format":"selvage-marker","version":1,"name":"loose","strip":{"width":1000},"shapes":[)"
-       << R"({"id":"triangle","outline":[[0,0],[80,10],[30,70]],"tilt_limit":3}],"pieces":[)";
+       << R"({"id":"triangle","outline":[[0,0],[80,10],[30,70]],"tilt_limit":3,"attributes":{"size":"M"}}],"pieces":[)";
   for (int k = 0; k < 60; ++k) {
     text << (k == 0 ? "" : ",") << R"({"id":"piece )" << k << R"(","shape":"triangle","at":[)" << k / 10 * 110 << ","
          << k % 10 * 99 << "]}";
@@ -47,7 +49,7 @@ std::string arguments_of(const Method& method) {
   std::string params = "{'deadlineMs':60000";
   for (const protocol::schema::FieldDescription& field : method.params()) {
     const bool needed_here = (method.name == "motion.contain" && field.name == "pieces") ||
-                             (method.name == "motion.openGap" && field.name == "point");
+                             (method.name == "motion.openGap" && field.name == "point") || field.name == "stored";
     if (!field.required && !needed_here) continue;
     const auto value = kArguments.find(field.name);
     if (field.name == "stored") {
