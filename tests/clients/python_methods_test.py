@@ -23,7 +23,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 GOLDEN = ROOT / "tests" / "golden" / "rpc"
 
 # Methods that have a different name in Python.
-OTHERWISE = {"motion.float": "float_apart", "marker.unwatch": "watch"}
+OTHERWISE = {"motion.float": "float_apart", "marker.unwatch": "watch", "plan.cut": "plan_cut"}
 OF_CLIENT = {"engine.info": "info", "marker.open": "open", "marker.list": "list", "rpc.discover": "call"}
 OF_LIBRARY = ("add", "get", "list", "remove", "search")
 OF_DRAG = {"drag.begin": "begin", "drag.move": "move", "drag.end": "end"}

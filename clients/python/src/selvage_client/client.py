@@ -117,6 +117,7 @@ class Marker(BlockingMotions):
     hold = blocking(AsyncMarker.hold)
     regions = blocking(AsyncMarker.regions)
     nest_sheets = blocking(AsyncMarker.nest_sheets)
+    plan_cut = blocking(AsyncMarker.plan_cut)
     apply = blocking(AsyncMarker.apply)
     undo = blocking(AsyncMarker.undo)
     redo = blocking(AsyncMarker.redo)

@@ -83,6 +83,22 @@ class AsyncMarker(AsyncMotions):
         )
         return read(NestedSheets, answer)
 
+    async def plan_cut(
+        self,
+        quantities: Iterable[Mapping[str, Any]],
+        *,
+        limits: Mapping[str, Any] | None = None,
+        deadline_ms: float | None = None,
+    ) -> dict[str, Any]:
+        """Which markers to make for an order of this style, and how many plies of which colour lie under each.
+
+        A quantity is {"colour": C, "size": S, "garments": N}; `limits` are the other parameters of plan.cut.
+        """
+        plan: dict[str, Any] = await self._call(
+            "plan.cut", quantities=[dict(each) for each in quantities], deadline_ms=deadline_ms, **(limits or {})
+        )
+        return plan
+
     async def apply(self, ops: Iterable[Op], *, base_rev: int | None = None, op_id: str | None = None) -> Edited:
         """Operations, all or none: make them with selvage_client.ops."""
         return await self._edit("marker.apply", ops=list(ops), base_rev=base_rev, op_id=op_id)
