@@ -26,6 +26,7 @@ Weight weight_of(const MarkerFile& file) {
 
 // Counted apart from the marker, which the history may keep for longer.
 struct ForReaders {
+  explicit ForReaders(memory::HeldBytes bytes) : held{std::move(bytes)} {}
   memory::HeldBytes held;
   protocol::execution::MadeOnce<std::string> text{};
   protocol::execution::MadeOnce<scene::LaidOut> laid_out{};

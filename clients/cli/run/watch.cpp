@@ -1,4 +1,5 @@
 // Follows a marker that is open on a daemon.
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
@@ -6,6 +7,8 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
+#include <thread>
 #include <utility>
 
 #include "clients/cli/run/remote.h"
@@ -75,9 +78,9 @@ class Watch {
   // Prints the present state if it has not been printed yet.
   std::optional<terminal::Failure> catch_up() {
     for (;;) {
-      const client::Answer checked = client_.call("marker.check", {{"markerId", marker_id_}});
+      const client::Answer checked = ask("marker.check", {{"markerId", marker_id_}});
       if (!checked) return failure_of(checked.error());
-      const client::Answer listed = client_.call("marker.list");
+      const client::Answer listed = ask("marker.list", client::Json::object());
       if (!listed) return failure_of(listed.error());
       for (client::Json figures : (*listed)["markers"]) {
         if (figures["markerId"] != marker_id_ || figures["revision"] != (*checked)["revision"]) continue;
@@ -89,6 +92,17 @@ class Watch {
   }
 
  private:
+  // A daemon that has just been started may still be loading its markers.
+  client::Answer ask(const std::string& method, const client::Json& params) {
+    constexpr int kTries = 600;
+    constexpr std::chrono::milliseconds kPause{100};
+    for (int k = 1;; ++k) {
+      client::Answer answer = client_.call(method, params);
+      if (answer || answer.error().code != client::CallCode::kBusy || k == kTries) return answer;
+      std::this_thread::sleep_for(kPause);
+    }
+  }
+
   const std::string marker_id_;
   const bool json_;
   client::Client& client_;
