@@ -52,11 +52,11 @@ double median(std::vector<double> values) {
   return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
 }
 
-// What came of the orders of a line.
+// The results of all orders of one line.
 struct Tally {
   std::size_t orders{}, made{}, valid{};
   std::vector<double> losses, fine_losses, seconds;
-  std::map<remake::StepKind, std::size_t> parted;
+  std::map<remake::StepKind, std::size_t> separated_by;
 };
 
 void add_order(const MarkerFile& file, const Line& line, std::uint64_t seed, const Options& options, Tally& tally) {
@@ -79,7 +79,7 @@ void add_order(const MarkerFile& file, const Line& line, std::uint64_t seed, con
   tally.losses.push_back(100 * (used - utilisation_of(done->marker)));
   for (const remake::Step& step : done->attempts[*done->chosen].steps) {
     if (step.kind >= remake::StepKind::kSeparated && step.kind <= remake::StepKind::kSearched)
-      ++tally.parted[step.kind];
+      ++tally.separated_by[step.kind];
   }
   if (seed - options.seed >= options.fine) return;
   auto settings = search::refine_settings();
@@ -99,8 +99,8 @@ void print_line(const MarkerFile& file, const Line& line, const Options& options
               tally.orders, 100.0 * static_cast<double>(tally.made) / static_cast<double>(tally.orders),
               median(tally.losses));
   if (options.fine > 0) std::printf("%.2f (%zu) | ", median(tally.fine_losses), tally.fine_losses.size());
-  std::printf("%.2f | %zu, %zu, %zu | %s |\n", median(tally.seconds), tally.parted[remake::StepKind::kSeparated],
-              tally.parted[remake::StepKind::kPopped], tally.parted[remake::StepKind::kSearched],
+  std::printf("%.2f | %zu, %zu, %zu | %s |\n", median(tally.seconds), tally.separated_by[remake::StepKind::kSeparated],
+              tally.separated_by[remake::StepKind::kPopped], tally.separated_by[remake::StepKind::kSearched],
               tally.valid == tally.made ? "yes" : "NO");
   std::fflush(stdout);
 }

@@ -11,7 +11,7 @@
 #include "core/nesting/nest.h"
 #include "core/packing/refitting/fill_gaps.h"
 #include "core/remake/insertion.h"
-#include "core/remake/parting.h"
+#include "core/remake/overlap_removal.h"
 #include "core/remake/substitution/area.h"
 #include "core/remake/substitution/substitution.h"
 #include "core/search/refine.h"
@@ -21,10 +21,10 @@ namespace {
 
 using motion::compaction::Accuracy;
 
-StepKind step_of(PartedBy by) {
+StepKind step_of(RemovedBy by) {
   switch (by) {
-    case PartedBy::kPopping: return StepKind::kPopped;
-    case PartedBy::kSearch: return StepKind::kSearched;
+    case RemovedBy::kPopping: return StepKind::kPopped;
+    case RemovedBy::kSearch: return StepKind::kSearched;
     default: return StepKind::kSeparated;
   }
 }
@@ -52,7 +52,7 @@ class Attempting {
     attempt_.steps.push_back({kind, pieces, length_of(marker_), valid, marker_.pieces});
   }
 
-  // Substitution and parting.  False when the pieces do not come apart.
+  // Substitution and overlap removal.  False when overlaps remain.
   bool take_over() {
     substitution::Substitution start = substituted(order_, candidate_, settings_.tuning, run_);
     marker_ = std::move(start.marker);
@@ -62,11 +62,11 @@ class Attempting {
     if (!clear)
       marker_ =
           substitution::stretched(std::move(marker_), substitution::placed_area(marker_) / candidate_.arrangement.area);
-    auto apart = parted(marker_, settings_.tuning, run_);
+    auto apart = remove_overlaps(marker_, settings_.tuning, run_);
     if (!apart) return false;
     marker_ = std::move(apart->marker);
     attempt_.programs += apart->programs;
-    if (apart->by != PartedBy::kNothing) record(step_of(apart->by), apart->popped, true);
+    if (apart->by != RemovedBy::kNothing) record(step_of(apart->by), apart->popped, true);
     compact();
     record(StepKind::kCompacted, 0, true);
     return true;

@@ -1,7 +1,7 @@
 // An attempt: one arrangement is taken over, from the substitution to the finished marker, and every step is kept for
 // the report and for drawings.
 //
-//     substitute; relieve columns; part the pieces; compact
+//     substitute; relieve columns; remove the overlaps; compact
 //     put the pieces back that had no slot, larger first; compact; where slots were left empty or pieces had none,
 //     search for a shorter marker for a while (core/nesting)
 //     take small pieces out and put them where there is room; `fine`: swap and tilt
@@ -23,10 +23,10 @@ using substitution::RemakeTuning;
 // What a step did; the order is that of an attempt.
 enum class StepKind {
   kSubstituted,  // pieces lie in the slots; they may overlap
-  kSeparated,    // parted by linear programs
-  kPopped,       // trims were popped out and put back
-  kSearched,     // parted by a guided local search
-  kCompacted,    // after parting
+  kSeparated,    // overlaps removed by linear programs,
+  kPopped,       // by popping trims out and putting them back,
+  kSearched,     // by a guided local search
+  kCompacted,    // when nothing overlapped any more
   kInserted,     // pieces without a slot were put into gaps or at the end, then compacted
   kRearranged,   // a short search, where slots were left empty or pieces had none
   kTrimsMoved,   // small pieces went elsewhere

@@ -22,10 +22,10 @@ template <>
 struct Choices<remake::StepKind> {
   static constexpr std::string_view kName = "RemakeStep";
   static constexpr std::string_view kMeaning =
-      "A step of an attempt: the pieces were put where stored ones lie; parted by linear programs, by popping trims "
-      "out, "
-      "or by a search; compacted; inserted, of pieces that no stored one corresponds to; rearranged, where the "
-      "numbers of pieces differ; small pieces were moved elsewhere; refined as accuracy fine does.";
+      "A step of an attempt. substituted: the pieces lie where stored ones did; separated, popped, searched: overlaps "
+      "were removed by linear programs, by taking small pieces out and putting them back, or by a search; compacted; "
+      "inserted: pieces that no stored one corresponds to were added; rearranged: a short search, because the numbers "
+      "of pieces differ; trims_moved: small pieces went into gaps; refined: as by accuracy fine.";
   static constexpr std::string_view kWords[] = {"substituted", "separated",  "popped",      "searched", "compacted",
                                                 "inserted",    "rearranged", "trims_moved", "refined"};
 };

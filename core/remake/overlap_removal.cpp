@@ -1,4 +1,4 @@
-#include "core/remake/parting.h"
+#include "core/remake/overlap_removal.h"
 
 #include <algorithm>
 #include <utility>
@@ -23,28 +23,28 @@ using substitution::placed_area;
 
 constexpr std::uint64_t kSeed = 1;
 
-// Without the unplaced pieces, which none of the ways to part pieces looks at.
+// Without the unplaced pieces, which no way of removing overlaps looks at.
 Marker placed_only(Marker marker) {
   marker.unplaced.clear();
   return marker;
 }
 
-class Parting {
+class OverlapRemover {
  public:
-  Parting(const Marker& start, const RemakeTuning& tuning, const scene::Run& run)
+  OverlapRemover(const Marker& start, const RemakeTuning& tuning, const scene::Run& run)
       : start_{start}, tuning_{tuning}, run_{run} {
     for (const Piece& piece : start.pieces) homes_.emplace(piece.id, piece);
   }
 
-  std::optional<Parted> part() {
-    if (all_clear(marker::PlacedPieces{start_}, start_.strip)) return Parted{start_, PartedBy::kNothing, 0, 0};
+  std::optional<OverlapRemoval> run() {
+    if (all_clear(marker::PlacedPieces{start_}, start_.strip)) return OverlapRemoval{start_, RemovedBy::kNothing, 0, 0};
     auto separated = separate(start_);
     if (!separated) return std::nullopt;
     if (separated->apart) {
       separated->marker.unplaced = start_.unplaced;
-      return Parted{std::move(separated->marker), PartedBy::kSeparation, 0, programs_};
+      return OverlapRemoval{std::move(separated->marker), RemovedBy::kSeparation, 0, programs_};
     }
-    std::optional<Parted> best = by_popping(*separated);
+    std::optional<OverlapRemoval> best = by_popping(*separated);
     if (auto other = by_search(); other && (!best || length_of(other->marker) < length_of(best->marker))) {
       best = std::move(other);
     }
@@ -78,7 +78,7 @@ class Parting {
     return smallest;
   }
 
-  std::optional<Parted> by_popping(Separation now) {
+  std::optional<OverlapRemoval> by_popping(Separation now) {
     std::vector<Piece> popped;
     while (!now.apart) {
       const auto trim = trim_of(now);
@@ -89,7 +89,7 @@ class Parting {
       if (!next) return std::nullopt;
       now = *std::move(next);
     }
-    Parted done{std::move(now.marker), PartedBy::kPopping, popped.size(), 0};
+    OverlapRemoval done{std::move(now.marker), RemovedBy::kPopping, popped.size(), 0};
     done.marker.unplaced = std::move(popped);
     (void)insert_unplaced(done.marker, homes_, run_);
     if (!done.marker.unplaced.empty()) return std::nullopt;
@@ -107,7 +107,7 @@ class Parting {
     return std::move(separated->marker);
   }
 
-  std::optional<Parted> by_search() {
+  std::optional<OverlapRemoval> by_search() {
     Marker marker = placed_only(start_);
     for (Piece& piece : marker.pieces) piece.orientation.tilt = {};  // the search knows no tilts
     const auto set = nesting::layout::piece_set_of(marker, nesting::layout::PlacedPiecesMay::kMove, run_.sums);
@@ -123,7 +123,7 @@ class Parting {
       if (outcome.loss == 0) {
         if (auto found = repaired(to_marker(*set, layout, marker))) {
           found->unplaced = start_.unplaced;
-          return Parted{*std::move(found), PartedBy::kSearch, 0, 0};
+          return OverlapRemoval{*std::move(found), RemovedBy::kSearch, 0, 0};
         }
       }
       set_length(*set, layout, layout.length * (1 + tuning_.search_growth), layout.length / 2);
@@ -140,8 +140,8 @@ class Parting {
 
 }  // namespace
 
-std::optional<Parted> parted(const Marker& start, const RemakeTuning& tuning, const scene::Run& run) {
-  return Parting{start, tuning, run}.part();
+std::optional<OverlapRemoval> remove_overlaps(const Marker& start, const RemakeTuning& tuning, const scene::Run& run) {
+  return OverlapRemover{start, tuning, run}.run();
 }
 
 }  // namespace selvage::remake

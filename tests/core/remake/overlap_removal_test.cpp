@@ -1,4 +1,4 @@
-#include "core/remake/parting.h"
+#include "core/remake/overlap_removal.h"
 
 #include <gtest/gtest.h>
 
@@ -10,16 +10,16 @@
 namespace selvage::remake {
 namespace {
 
-TEST(Parting, LeavesAValidMarkerAsItIs) {
+TEST(OverlapRemoval, LeavesAValidMarkerAsItIs) {
   const Marker marker = test::garment("jeans_02g");
   SumCache sums;
-  const auto apart = parted(marker, {}, scene::Run{sums});
+  const auto apart = remove_overlaps(marker, {}, scene::Run{sums});
   ASSERT_TRUE(apart);
-  EXPECT_EQ(apart->by, PartedBy::kNothing);
+  EXPECT_EQ(apart->by, RemovedBy::kNothing);
   EXPECT_EQ(apart->marker, marker);
 }
 
-TEST(Parting, SeparatesSmallOverlaps) {
+TEST(OverlapRemoval, SeparatesSmallOverlaps) {
   test::Random random{12};
   for (int trial = 0; trial < 10 / test::kSlowdown + 1; ++trial) {
     Marker marker = test::perturbed(random, test::random_marker(random), 0.03);
@@ -28,7 +28,7 @@ TEST(Parting, SeparatesSmallOverlaps) {
     marker.unplaced.push_back(marker.pieces.front());  // is left as it is
     marker.unplaced.back().id = "unplaced";
     SumCache sums;
-    const auto apart = parted(marker, {}, scene::Run{sums});
+    const auto apart = remove_overlaps(marker, {}, scene::Run{sums});
     ASSERT_TRUE(apart);
     EXPECT_TRUE(is_valid(apart->marker));
     EXPECT_EQ(apart->marker.pieces.size(), marker.pieces.size());
@@ -37,7 +37,7 @@ TEST(Parting, SeparatesSmallOverlaps) {
 }
 
 // Two blocks and a trim between them are higher than the strip: the trim must go elsewhere.
-TEST(Parting, PopsTheTrimOfAColumnThatIsTooTall) {
+TEST(OverlapRemoval, PopsTheTrimOfAColumnThatIsTooTall) {
   test::Layout layout{50'000};
   const auto block = layout.shape_of(test::rectangle(40'000, 22'000));
   const auto trim = layout.shape_of(test::rectangle(6'000, 7'000));
@@ -49,16 +49,16 @@ TEST(Parting, PopsTheTrimOfAColumnThatIsTooTall) {
   RemakeTuning tuning;
   tuning.searches = 0;
   tuning.growth = 0.02;
-  const auto apart = parted(marker, tuning, scene::Run{sums});
+  const auto apart = remove_overlaps(marker, tuning, scene::Run{sums});
   ASSERT_TRUE(apart);
-  EXPECT_EQ(apart->by, PartedBy::kPopping);
+  EXPECT_EQ(apart->by, RemovedBy::kPopping);
   EXPECT_EQ(apart->popped, 1U);
   EXPECT_TRUE(is_valid(apart->marker));
   EXPECT_EQ(apart->marker.pieces.size(), marker.pieces.size());
 }
 
 // Three blocks in a column that two of them fill: only another arrangement has room.
-TEST(Parting, SearchesWhereNothingElseHelps) {
+TEST(OverlapRemoval, SearchesWhereNothingElseHelps) {
   test::Layout layout{50'000};
   const auto block = layout.shape_of(test::rectangle(20'000, 24'000));
   for (int k = 0; k < 3; ++k) layout.put(block, {0, 12'000 * k}).put(block, {20'000, 12'000 * k});
@@ -67,19 +67,19 @@ TEST(Parting, SearchesWhereNothingElseHelps) {
   RemakeTuning tuning;
   tuning.growth = 0;
   tuning.search_growth = 0.2;
-  const auto apart = parted(marker, tuning, scene::Run{sums});
+  const auto apart = remove_overlaps(marker, tuning, scene::Run{sums});
   ASSERT_TRUE(apart);
-  EXPECT_EQ(apart->by, PartedBy::kSearch);
+  EXPECT_EQ(apart->by, RemovedBy::kSearch);
   EXPECT_TRUE(is_valid(apart->marker));
 }
 
-TEST(Parting, GivesNothingWhenStopped) {
+TEST(OverlapRemoval, GivesNothingWhenStopped) {
   test::Random random{13};
   const Marker marker = test::perturbed(random, test::garment("jeans_02g"), 0.05);
   SumCache sums;
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_FALSE(parted(marker, {}, scene::Run{sums, stop.get_token()}));
+  EXPECT_FALSE(remove_overlaps(marker, {}, scene::Run{sums, stop.get_token()}));
 }
 
 }  // namespace

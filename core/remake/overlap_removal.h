@@ -1,4 +1,4 @@
-// Parting: the overlapping pieces of a substitution become a valid marker.
+// Overlap removal: the overlapping pieces of a substitution become a valid marker.
 //
 // First by separation, which moves pieces as little as it can [Li94 5.2].  Where columns leave no room for that, trims
 // are popped out one by one: of the pieces that still overlap, the smallest [Li94 10]; they are put back where there is
@@ -19,18 +19,19 @@ namespace selvage::remake {
 
 using substitution::RemakeTuning;
 
-// How the pieces were parted.
-enum class PartedBy { kNothing, kSeparation, kPopping, kSearch };
+// What removed the overlaps.
+enum class RemovedBy { kNothing, kSeparation, kPopping, kSearch };
 
-struct Parted {
+struct OverlapRemoval {
   Marker marker;         // valid; popped pieces are put back, so all pieces of the substitution are placed
-  PartedBy by{};         // kNothing: they did not overlap
+  RemovedBy by{};        // kNothing: there were none
   std::size_t popped{};  // pieces that were popped and put back
   int programs{};        // linear programs solved
 };
 // Nothing when the pieces did not come apart, or when cancelled before.  Unplaced pieces are left as they are.
 // REQUIRES: the strip has no end.  Laws.  (1) The answer is valid, proved in integers.  (2) A marker that is valid is
 // left as it is.  (3) Deterministic, whatever the cache holds.
-[[nodiscard]] std::optional<Parted> parted(const Marker& start, const RemakeTuning& tuning, const scene::Run& run);
+[[nodiscard]] std::optional<OverlapRemoval> remove_overlaps(const Marker& start, const RemakeTuning& tuning,
+                                                            const scene::Run& run);
 
 }  // namespace selvage::remake
