@@ -105,8 +105,8 @@ function connectScene(): void {
     else if (change.by === "closed") tell(say("closedElsewhere"));
     else if (!change.mine) tell(say("changedBy", { what: change.by, length: lengthText(desk.figures.value.length) }));
   });
-  follow([desk.inOtherHands, desk.marker, desk.figures], () => {
-    scene.inOtherHands = desk.inOtherHands.value.flatMap(({ piece, at }) => scene.marker?.heldAt(piece, at) ?? []);
+  follow([desk.draggedByOthers, desk.marker, desk.figures], () => {
+    scene.draggedByOthers = desk.draggedByOthers.value.flatMap(({ piece, at }) => scene.marker?.heldAt(piece, at) ?? []);
     scene.onChange("moving");
   });
   // A marker that was empty, or nearly, comes into view as it is nested.
@@ -153,7 +153,7 @@ Object.assign(globalThis, {
         const [x, y] = onScreen(piece, pose)!;
         return { x, y, at: [pose.x, pose.y], chosen: k === scene.placeAt };
       }),
-    inOtherHands: () => scene.inOtherHands.map(({ piece }) => piece.id),
+    draggedByOthers: () => scene.draggedByOthers.map(({ piece }) => piece.id),
   },
 });
 void start();

@@ -79,7 +79,7 @@ const states = {
   together: () => state("together", async (page, port, markerId) => {
     const other = await visit(browser, port, { ...size, marker: markerId });
     await other.drag([818, 372], [850, 362], { hold: true, steps: 30 });
-    await page.until(`selvageRoom.inOtherHands().length > 0`);
+    await page.until(`selvageRoom.draggedByOthers().length > 0`);
   }),
   nest: () => state("nest", async (page) => {
     await page.press("Nest");

@@ -31,7 +31,7 @@ test("what one does the other sees, and is told", () =>
     assert.deepEqual(other.faults, []);
   }));
 
-test("two hands on one piece: the second is told in words, and nothing is lost", () =>
+test("two users drag one piece: the second is told so, and nothing is lost", () =>
   story(here, async (page, port) => {
     const { markerId } = await shown(page, port);
     const other = await visit(here.browser, port, { marker: markerId });
@@ -94,21 +94,21 @@ test("a piece in one hand is marked for all others, where the hand has it, until
     const other = await visit(here.browser, port, { marker: markerId });
     const [x, y] = await spot(page, "20");
     await page.drag([x, y], [x + 30, y - 20], { hold: true });
-    await other.until(`selvageRoom.inOtherHands().includes("20")`, "the mark");
-    assert.deepEqual(await page.ask("selvageRoom.inOtherHands()"), []);
+    await other.until(`selvageRoom.draggedByOthers().includes("20")`, "the mark");
+    assert.deepEqual(await page.ask("selvageRoom.draggedByOthers()"), []);
     // Whoever comes meanwhile sees it, too.
     const third = await visit(here.browser, port, { marker: markerId });
-    await third.until(`selvageRoom.inOtherHands().includes("20")`, "the mark for who comes later");
+    await third.until(`selvageRoom.draggedByOthers().includes("20")`, "the mark for who comes later");
     await other.drag([x, y], [x + 6, y], { hold: true });
-    await other.until(`document.querySelector("#toast").textContent.includes("in hand, too")`);
+    await other.until(`document.querySelector("#toast").textContent.includes("Someone else is dragging")`);
     await other.key("Escape");
     await page.mouse("mouseReleased", x + 30, y - 20);
     await atRevision(other, 2);
-    for (const watching of [other, third]) await watching.until(`selvageRoom.inOtherHands().length === 0`, "no mark any more");
+    for (const watching of [other, third]) await watching.until(`selvageRoom.draggedByOthers().length === 0`, "no mark any more");
     // A piece that is moved freely is marked, too; a page that is closed lets go.
     const [u, v] = await spot(third, "3");
     await third.drag([u, v], [u + 9, v], { hold: true, modifiers: 8 });
-    await other.until(`selvageRoom.inOtherHands().includes("3")`, "the mark of a free drag");
+    await other.until(`selvageRoom.draggedByOthers().includes("3")`, "the mark of a free drag");
     await third.close();
-    await other.until(`selvageRoom.inOtherHands().length === 0`, "no mark after the page is gone");
+    await other.until(`selvageRoom.draggedByOthers().length === 0`, "no mark after the page is gone");
   }));

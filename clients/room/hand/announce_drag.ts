@@ -2,13 +2,13 @@ import type { Client } from "../../typescript/src/index";
 import type { Piece } from "../marker/marker";
 import type { Desk } from "../session/desk";
 
-const MOST = 8; // pieces that are told; the daemon allows 16 drags on one connection
+const MOST = 8; // pieces that are announced; the daemon allows 16 drags on one connection
 
 /**
- * Tells others that pieces are in this hand while only this page moves them: by drag sessions without moves. The answer ends
- * them. What is not told for want of a connection is no error: the pieces are merely not marked.
+ * Announces to other users which pieces are dragged while only this page moves them, by drag sessions without moves. The function
+ * that is returned ends them. Without a connection nothing is announced, and the pieces are merely not marked.
  */
-export function tellInHand(desk: Desk, pieces: readonly Piece[]): () => void {
+export function announceDrag(desk: Desk, pieces: readonly Piece[]): () => void {
   const { markerId } = desk;
   const begin = async (client: Client, { id }: Piece) => (await client.call("drag.begin", { markerId, piece: id })).dragId;
   const begun = desk.link.ready().then((client) => Promise.all(pieces.slice(0, MOST).map((piece) => begin(client, piece).catch(() => undefined))));

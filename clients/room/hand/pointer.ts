@@ -10,7 +10,7 @@ import type { Scene } from "../view/scene";
 import type { Stage } from "../view/stage";
 import type { Commands } from "./commands";
 import { FreeDrag } from "./free_drag";
-import { tellInHand } from "./in_hand";
+import { announceDrag } from "./announce_drag";
 import { LiveDrag } from "./live_drag";
 import type { Settling } from "./settling";
 import { gravity, openGap, tool } from "./tools";
@@ -148,7 +148,7 @@ export class Pointer {
     this.doing = undefined;
     const together = this.scene.marker!.together(piece);
     if (together.some((one) => isLocked(one, "x") && isLocked(one, "y"))) return this.tell(say("locked", { name: piece.shape.label }));
-    if (together.some(({ id }) => this.desk.inOtherHands.value.some((held) => held.piece === id))) this.tell(say("alsoInOtherHand", { name: piece.shape.label }));
+    if (together.some(({ id }) => this.desk.draggedByOthers.value.some((held) => held.piece === id))) this.tell(say("alsoInOtherHand", { name: piece.shape.label }));
     const several = this.scene.selected().filter((one) => !together.includes(one));
     if (this.engine.preview.value) {
       // The result in view is taken first; the drag begins from it when the hand is still down.
@@ -167,7 +167,7 @@ export class Pointer {
   }
 
   private freeDrag(pieces: Piece[]): FreeDrag {
-    return new FreeDrag(this.scene, pieces, tellInHand(this.desk, pieces), async (to) => void (await this.settling.dropped(pieces, to)));
+    return new FreeDrag(this.scene, pieces, announceDrag(this.desk, pieces), async (to) => void (await this.settling.dropped(pieces, to)));
   }
 
   private release(event: PointerEvent, commit: boolean): void {

@@ -28,7 +28,7 @@ export class Desk {
   /** Called after each change, with the poses before it; `by` is the method, or "" for a change of this page's own. */
   readonly changed = new Signal<{ before: Before; by: string; mine: boolean } | undefined>(undefined);
   /** The pieces of this marker that others drag now. */
-  readonly inOtherHands = new Signal<Notifications["marker.dragged"]["pieces"]>([]);
+  readonly draggedByOthers = new Signal<Notifications["marker.dragged"]["pieces"]>([]);
   markerId = "";
   /** The figures and the poses when the marker was opened here. */
   opening: { figures: Figures; poses: Map<string, Pose> } | undefined;
@@ -61,7 +61,7 @@ export class Desk {
     this.listen(client);
     if (this.markerId && this.markerId !== markerId) void client.call("marker.unwatch", { markerId: this.markerId }).catch(() => {});
     this.markerId = markerId;
-    this.inOtherHands.value = [];
+    this.draggedByOthers.value = [];
     this.undoSteps.clear();
     this.redoSteps.clear();
     await client.call("marker.watch", { markerId });
@@ -92,7 +92,7 @@ export class Desk {
     const client = await this.link.ready();
     this.listen(client);
     const kept = this.marker.value;
-    this.inOtherHands.value = [];
+    this.draggedByOthers.value = [];
     try {
       await client.call("marker.watch", { markerId: this.markerId });
       await this.refresh(client);
@@ -119,7 +119,7 @@ export class Desk {
       if (change.markerId === this.markerId) this.absorb(change, change.by);
     });
     client.on("marker.dragged", ({ markerId, pieces }) => {
-      if (markerId === this.markerId) this.inOtherHands.value = pieces;
+      if (markerId === this.markerId) this.draggedByOthers.value = pieces;
     });
     client.on("marker.closed", ({ markerId }) => {
       if (markerId === this.markerId) this.changed.value = { before: new Map(), by: "closed", mine: false };

@@ -123,8 +123,8 @@ export const english = {
   placesSearching: "Searching for places; {count} so far…",
   placesFound: "Places where it fits: {count}. Click one, or choose with ← → and lay it there with Enter; Esc ends.",
   placesNone: "It fits nowhere without moving others. Press its name: it goes to the nearest free place, which may lengthen the marker.",
-  inOtherHand: "in another hand",
-  alsoInOtherHand: "Someone else has {name} in hand, too: whoever lets go first, moves it.",
+  inOtherHand: "dragged by someone else",
+  alsoInOtherHand: "Someone else is dragging {name}, too: whoever drops it first moves it.",
   laidDown: "{name} lies on the cloth.",
   // Length
   whyLength: "What holds the length",

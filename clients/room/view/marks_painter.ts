@@ -90,10 +90,10 @@ export function paintPlaces(brush: Brush, scene: Scene): void {
   });
 }
 
-/** Pieces that others drag, where their hands hold them. */
-export function paintOtherHands(brush: Brush, scene: Scene): void {
+/** Pieces that other users are dragging, at their present positions. */
+export function paintOthersDrags(brush: Brush, scene: Scene): void {
   const { context, camera, ratio, colours } = brush;
-  for (const { piece, pose } of scene.inOtherHands) {
+  for (const { piece, pose } of scene.draggedByOthers) {
     enter(brush, pose);
     context.fillStyle = colours.other;
     context.globalAlpha = 0.22;

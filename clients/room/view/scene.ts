@@ -36,7 +36,7 @@ export class Scene {
   newcomers: Ghost[] = []; // unplaced pieces where a result lays them
   places: Ghost[] = []; // where an unplaced piece fits
   placeAt = 0; // which of them is chosen
-  inOtherHands: Ghost[] = []; // pieces that others drag, where these hold them
+  draggedByOthers: Ghost[] = []; // pieces that others drag, where these hold them
   stroke: Stroke | undefined;
   chain: Answer<"marker.hold"> | undefined;
   regions: Answer<"marker.regions"> | undefined;
@@ -73,7 +73,7 @@ export class Scene {
     this.ghosts = [];
     this.newcomers = [];
     this.places = [];
-    this.inOtherHands = [];
+    this.draggedByOthers = [];
     this.overlaps = [];
     if (known !== marker) this.colour(preferences.value.colourBy);
     this.onChange("settled");

@@ -5,7 +5,7 @@ import { paintChain, paintRegions } from "./chain_painter";
 import { Camera } from "./camera";
 import { paintCloth, paintRuler } from "./cloth_painter";
 import { times } from "./frame_times";
-import { paintFaults, paintGhosts, paintLength, paintNewcomers, paintOtherHands, paintOverlaps, paintPlaces, paintSelection, paintStroke, paintTiltWorth } from "./marks_painter";
+import { paintFaults, paintGhosts, paintLength, paintNewcomers, paintOthersDrags, paintOverlaps, paintPlaces, paintSelection, paintStroke, paintTiltWorth } from "./marks_painter";
 import { palette, readPalette } from "./palette";
 import { paintLabel, paintPiece, type Brush } from "./piece_painter";
 import type { Scene } from "./scene";
@@ -207,7 +207,7 @@ export class Stage {
     paintChain(brush, scene, now);
     paintSelection(brush, scene, now);
     paintTiltWorth(brush, scene, now);
-    paintOtherHands(brush, scene);
+    paintOthersDrags(brush, scene);
     paintFaults(brush, scene);
     if (scene.stroke) paintStroke(brush, scene.stroke);
   }
