@@ -15,8 +15,9 @@
 #include <CglGomory.hpp>
 #include <CglKnapsackCover.hpp>
 #include <CglMixedIntegerRounding2.hpp>
-#include <CoinPackedMatrix.hpp>
 #include <OsiClpSolverInterface.hpp>
+
+#include "core/lp/solver/coin_rows.h"
 
 namespace selvage::lp::integer {
 namespace {
@@ -37,23 +38,11 @@ class StopSearchOnRequest final : public CbcEventHandler {
   std::stop_token token_;
 };
 
-CoinPackedMatrix matrix_of(const LinearProgram& program) {
-  std::vector<int> column(program.entries.size());
-  std::vector<double> value(program.entries.size());
-  for (std::size_t k = 0; k < program.entries.size(); ++k) {
-    column[k] = program.entries[k].column;
-    value[k] = program.entries[k].value;
-  }
-  const std::vector<CoinBigIndex> start(program.row_start.begin(), program.row_start.end());
-  return {false,        program.columns(), program.rows(), static_cast<CoinBigIndex>(column.size()),
-          value.data(), column.data(),     start.data(),   nullptr};
-}
-
 void load(OsiClpSolverInterface& solver, const IntegerProgram& program) {
   const LinearProgram& linear = program.linear;
   solver.messageHandler()->setLogLevel(0);
   solver.setHintParam(OsiDoReducePrint, true, OsiHintTry);
-  solver.loadProblem(matrix_of(linear), linear.lower.data(), linear.upper.data(), linear.cost.data(),
+  solver.loadProblem(solver::coin_rows(linear), linear.lower.data(), linear.upper.data(), linear.cost.data(),
                      linear.bound.data(), nullptr);
   solver.setDblParam(OsiPrimalTolerance, kRowTolerance);
   for (const int column : program.whole) solver.setInteger(column);

@@ -7,9 +7,9 @@
 #include <ClpEventHandler.hpp>
 #include <ClpSimplex.hpp>
 #include <ClpSolve.hpp>
-#include <CoinPackedMatrix.hpp>
 
 #include "core/lp/certificate.h"
+#include "core/lp/solver/coin_rows.h"
 
 namespace selvage::lp::solver {
 namespace {
@@ -30,21 +30,9 @@ class StopOnRequest final : public ClpEventHandler {
   std::stop_token stop_;
 };
 
-CoinPackedMatrix packed_rows(const LinearProgram& program) {
-  std::vector<int> column(program.entries.size());
-  std::vector<double> value(program.entries.size());
-  for (std::size_t k = 0; k < program.entries.size(); ++k) {
-    column[k] = program.entries[k].column;
-    value[k] = program.entries[k].value;
-  }
-  const std::vector<CoinBigIndex> start(program.row_start.begin(), program.row_start.end());
-  return {false,        program.columns(), program.rows(), static_cast<CoinBigIndex>(column.size()),
-          value.data(), column.data(),     start.data(),   nullptr};
-}
-
 void load(ClpSimplex& clp, const LinearProgram& program) {
   clp.setLogLevel(0);
-  clp.loadProblem(packed_rows(program), program.lower.data(), program.upper.data(), program.cost.data(),
+  clp.loadProblem(coin_rows(program), program.lower.data(), program.upper.data(), program.cost.data(),
                   program.bound.data(), nullptr);
   clp.setPrimalTolerance(kTolerance);
   clp.setDualTolerance(kTolerance);
