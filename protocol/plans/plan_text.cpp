@@ -3,6 +3,14 @@
 #include <cstdio>
 
 namespace selvage::protocol::plans {
+namespace {
+
+std::string counted(std::size_t count, const char* one, const char* several) {
+  return std::to_string(count) + " " + (count == 1 ? one : several);
+}
+
+}  // namespace
+
 std::string decimals(double value, int places) {
   char text[64];
   std::snprintf(text, sizeof text, "%.*f", places, value);
@@ -27,14 +35,15 @@ std::string plan_text(const Json& plan) {
   std::string text = "cost " + decimals(cost["total"].number(), 2) + ", of which cloth " +
                      decimals(cost["cloth"].number(), 2) + "; at most " + decimals(100 * gap_of(plan), 2) +
                      " % above the least\n";
-  text += decimals(plan["cloth"].number() / kMetre, 2) + " m of cloth, " + std::to_string(plan["markers"].size()) +
-          " markers, " + std::to_string(plan["lays"].size()) + " lays; " +
-          std::to_string(plan["made"].get<std::size_t>()) + " markers made in " +
-          std::to_string(plan["rounds"].size()) + " rounds\n";
+  text += decimals(plan["cloth"].number() / kMetre, 2) + " m of cloth, " +
+          counted(plan["markers"].size(), "marker", "markers") + ", " + counted(plan["lays"].size(), "lay", "lays") +
+          "; " + counted(plan["made"].get<std::size_t>(), "marker", "markers") + " made in " +
+          counted(plan["rounds"].size(), "round", "rounds") + "\n";
   for (const Json& marker : plan["markers"]) {
     text += "  " + ratio_text(marker) + ": " + decimals(marker["length"].number() / kMetre, 3) + " m, " +
-            decimals(100 * marker["utilisation"].number(), 2) + " %, " + std::to_string(marker["plies"].get<int>()) +
-            " plies in " + std::to_string(marker["lays"].get<std::size_t>()) + " lays" +
+            decimals(100 * marker["utilisation"].number(), 2) + " %, " +
+            counted(marker["plies"].get<std::size_t>(), "ply", "plies") + " in " +
+            counted(marker["lays"].get<std::size_t>(), "lay", "lays") +
             (marker["made"] == true ? "" : " (length estimated)") + "\n";
   }
   return text;
