@@ -82,6 +82,33 @@ bool keep_shades(const PlacedPieces& pieces) {
   return std::all_of(shades.begin(), shades.end(), [&](const Shade& shade) { return pieces.excess_of(shade) <= 0; });
 }
 
+bool has_flat_bottom(const Polygon& outline) {
+  const Coord low = box_of(outline).low.y;
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    if (outline[k].y == low && outline[(k + 1) % outline.size()].y == low) return true;
+  }
+  return false;
+}
+
+bool shares_shade(const Marker& marker, const Piece& piece) {
+  if (!marker.shade || piece.rules.shade.empty()) return false;
+  const auto other = [&piece](const Piece& one) { return one.rules.shade == piece.rules.shade && one.id != piece.id; };
+  return std::any_of(marker.pieces.begin(), marker.pieces.end(), other) ||
+         std::any_of(marker.unplaced.begin(), marker.unplaced.end(), other);
+}
+
+bool may_lie(const Marker& marker, const Piece& piece) {
+  const Rules& rules = piece.rules;
+  const Strip& strip = marker.strip;
+  const Polygon outline = oriented(marker.shapes[piece.shape.value].outline, piece.orientation);
+  const Box box = box_of(outline);
+  const Box room = room_for(rules, box.height(), strip, strip.last().value_or(kLatticeLimit));
+  const bool in_band = (!rules.from && !rules.to) || box.width() <= room.width();
+  if (box.height() > room.height() || !in_band) return false;
+  if (marker.shade && box.width() > *marker.shade && shares_shade(marker, piece)) return false;
+  return !rules.on_fold || has_flat_bottom(outline);
+}
+
 bool are_inside(const PlacedPieces& pieces, const Strip& strip) {
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (protrusion_of(pieces, i, strip) > 0) return false;

@@ -10,6 +10,7 @@
 #include <unordered_set>
 
 #include "core/geometry/orientation.h"
+#include "core/marker/clearance.h"
 #include "core/marker/figures.h"
 #include "core/marker/rules.h"
 
@@ -161,14 +162,6 @@ std::optional<Error> count_defect(const Marker& marker) {
   return std::nullopt;
 }
 
-// True when a side of the outline lies along the lower side of its box.
-bool has_flat_bottom(const Polygon& outline, const Box& box) {
-  for (std::size_t k = 0; k < outline.size(); ++k) {
-    if (outline[k].y == box.low.y && outline[(k + 1) % outline.size()].y == box.low.y) return true;
-  }
-  return false;
-}
-
 // What is wrong with a placed piece whose rules no position keeps in its orientation; `at` points to the piece.
 std::optional<Error> room_defect(const Marker& marker, const Piece& piece, const std::string& at) {
   const bool shaded = marker.shade && !piece.rules.shade.empty();
@@ -176,7 +169,7 @@ std::optional<Error> room_defect(const Marker& marker, const Piece& piece, const
   const Polygon outline = oriented(marker.shapes[piece.shape.value].outline, piece.orientation);
   const Box box = box_of(outline);
   const auto long_by = [&](Coord length) { return decimal(length, marker.resolution) + " long"; };
-  if (piece.rules.on_fold && !has_flat_bottom(outline, box)) {
+  if (piece.rules.on_fold && !has_flat_bottom(outline)) {
     return Error{ErrorCode::kOutOfRange, "the piece has no side along its lower end that could lie on the fold",
                  at + "/rules/fold"};
   }
@@ -193,7 +186,7 @@ std::optional<Error> room_defect(const Marker& marker, const Piece& piece, const
         "the piece is " + long_by(box.width()) + "; its rules leave it " + decimal(room.width(), marker.resolution),
         at + "/rules/" + (piece.rules.to ? "to" : "from")};
   }
-  if (!shaded || *marker.shade >= box.width()) return std::nullopt;
+  if (!shaded || *marker.shade >= box.width() || !shares_shade(marker, piece)) return std::nullopt;
   return Error{ErrorCode::kOutOfRange,
                "the length of a shade is " + decimal(*marker.shade, marker.resolution) + "; piece \"" + piece.id +
                    "\" is " + long_by(box.width()),

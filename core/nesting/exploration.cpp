@@ -12,10 +12,12 @@ namespace {
 
 // No layout is shorter than its longest piece, than what is fixed, or than the area of its pieces.
 double least_length(const layout::PieceSet& set, const Marker& marker) {
-  double least = set.left + set.area / (set.high - set.low);
+  double least = set.left + set.area / set.across();
   for (std::size_t i = 0; i < set.size(); ++i) {
     double piece = std::numeric_limits<double>::max();
-    for (const layout::Turned& turned : set.kind(i).turned) piece = std::min(piece, set.left + turned.box.width());
+    for (const layout::Turned& turned : set.kind(i).turned) {
+      piece = std::min(piece, turned.room.low_x + turned.box.width());
+    }
     if (set.fixed[i]) {
       const Box box = box_of(placed_outline(marker, PieceId{static_cast<std::uint32_t>(i)}));
       piece = static_cast<double>(box.high.x) / set.lattice_units;

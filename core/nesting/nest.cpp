@@ -13,7 +13,7 @@
 #include "core/nesting/filling/lying.h"
 #include "core/nesting/finish.h"
 #include "core/nesting/layout/layout.h"
-#include "core/nesting/shelves.h"
+#include "core/nesting/start/first_layout.h"
 #include "core/nesting/timed_run.h"
 
 namespace selvage::nesting {
@@ -59,9 +59,21 @@ std::optional<Error> defect_of_fixed(const Marker& start, const layout::PieceSet
     if (!set.fixed[i]) continue;
     if (marker::protrusion_of(pieces, i, start.strip) > 0) {
       return Error{ErrorCode::kOutsideStrip,
-                   "piece \"" + start.pieces[i].id + "\" must stay where it is, but leaves the strip",
+                   "piece \"" + start.pieces[i].id +
+                       "\" must stay where it is, but leaves the strip or the room that its rules leave it",
                    "/pieces/" + std::to_string(i)};
     }
+  }
+  for (const marker::Shade& shade : pieces.shades()) {
+    std::optional<Box> box;
+    for (const std::uint32_t i : shade.pieces) {
+      if (set.fixed[i]) box = box ? united(*box, pieces.box(i)) : pieces.box(i);
+    }
+    if (!box || box->width() <= shade.length) continue;
+    return Error{ErrorCode::kOutsideStrip,
+                 "pieces of shade \"" + start.pieces[shade.pieces.front()].rules.shade +
+                     "\" must stay where they are, but lie too far from each other",
+                 "/shade"};
   }
   for (const auto& [first, second] : conflicts(pieces)) {
     if (!set.fixed[first] || !set.fixed[second]) continue;
@@ -73,8 +85,8 @@ std::optional<Error> defect_of_fixed(const Marker& start, const layout::PieceSet
   return std::nullopt;
 }
 
-// The pieces that stay where they are on shelves: all placed ones when they lie validly, else those that are fixed.
-std::vector<bool> kept_on_shelves(const Marker& start, const layout::PieceSet& set) {
+// The pieces that stay where they are, to begin with: all placed ones when they lie validly, else those that are fixed.
+std::vector<bool> kept_where_valid(const Marker& start, const layout::PieceSet& set) {
   if (all_clear(marker::PlacedPieces{start}, start.strip)) return std::vector<bool>(start.pieces.size(), true);
   return {set.fixed.begin(), set.fixed.begin() + static_cast<std::ptrdiff_t>(start.pieces.size())};
 }
@@ -94,8 +106,8 @@ std::vector<double> values_of(const Marker& start, const layout::PieceSet& set, 
 
 // The task of every search.
 struct Task {
-  const Marker& start;    // the fixed pieces, and others where they lie
-  const Marker& shelves;  // all pieces, on an endless strip
+  const Marker& start;  // the fixed pieces, and others where they lie
+  const Marker& first;  // all pieces, valid on an endless strip
   const layout::PieceSet& set;
   const NestSettings& settings;
   std::vector<double> values;  // by piece
@@ -128,9 +140,9 @@ Searched at_cloth_end(Searched searched, const Task& task, const Budget& budget,
 // Instead of a search, when there are too many pieces for one.
 Searched compacted(const Task& task, const Budget& budget, const scene::Run& run) {
   using motion::compaction::Accuracy;
-  Searched searched{.best = {.marker = task.shelves}, .length = length_of(task.shelves)};
+  Searched searched{.best = {.marker = task.first}, .length = length_of(task.first)};
   if (budget.over(0)) return at_cloth_end(std::move(searched), task, budget, task.settings.seed, run);
-  auto compaction = compact(task.shelves, compaction_settings(Accuracy::kDraft), run.quiet());
+  auto compaction = compact(task.first, compaction_settings(Accuracy::kDraft), run.quiet());
   if (compaction) {
     searched.best.marker = std::move(compaction->marker);
     searched.length = compaction->length_after;
@@ -143,7 +155,7 @@ std::optional<ClothEnd> cloth_end(const Task& task) {
   const auto last = task.start.strip.last();
   if (!last) return std::nullopt;
   const layout::PieceSet& set = task.set;
-  const double cloth = (static_cast<double>(*last) / set.lattice_units - set.left) * (set.high - set.low);
+  const double cloth = (static_cast<double>(*last) / set.lattice_units - set.left) * set.across();
   const NestTuning& tuning = task.settings.tuning;
   return ClothEnd{*last, set.area < cloth ? tuning.end_patience : tuning.hopeless_patience};
 }
@@ -152,10 +164,10 @@ std::optional<ClothEnd> cloth_end(const Task& task) {
 Searched search(std::size_t number, const Task& task, const Budget& budget, const scene::Run& run, Reporter& reporter) {
   const auto on_better = [&reporter](const Improvement& improvement) { reporter.report(improvement); };
   const std::uint64_t seed = task.settings.seed + number;
-  Exploration exploration{task.set, task.shelves, seed, task.settings.tuning, budget, cloth_end(task), run, on_better};
+  Exploration exploration{task.set, task.first, seed, task.settings.tuning, budget, cloth_end(task), run, on_better};
   std::vector<bool> kept = task.set.fixed;
   for (std::size_t i = 0; i < task.start.pieces.size() && number % 2 == 0; ++i) kept[i] = true;
-  Marker from = task.shelves;
+  Marker from = task.first;
   std::copy(task.start.pieces.begin(), task.start.pieces.end(), from.pieces.begin());
   exploration.run(to_layout(task.set, from), kept);
   return at_cloth_end({.best = {.marker = exploration.best()},
@@ -173,7 +185,6 @@ Result<Nesting> nest(const Marker& given, const NestSettings& settings, const sc
   if (given.pieces.empty() && given.unplaced.empty()) {
     return Error{ErrorCode::kEmptyMarker, "the marker has no piece", "/pieces"};
   }
-  if (const auto refusal = marker::refused_rule(given, "nesting")) return *refusal;
   auto set = piece_set_of(given, settings.placed, run.sums);
   if (!set) return set.error();
   Marker start = given;
@@ -185,13 +196,16 @@ Result<Nesting> nest(const Marker& given, const NestSettings& settings, const sc
   if (const auto defect = defect_of_fixed(start, *set)) return *defect;
   Marker endless = start;  // the search itself takes the cloth to be endless
   endless.strip = start.strip.ending(std::nullopt);
-  const std::vector<bool> kept = kept_on_shelves(endless, *set);
-  auto shelves = on_shelves(endless, *set, kept);
-  if (!shelves) return shelves.error();
+  const TimedRun first_run{run, settings.elapsed};
+  const NestTuning& tuning = settings.tuning;
+  auto first = start::first_layout(
+      endless, *set, kept_where_valid(endless, *set),
+      {settings.seed, tuning.map_bytes, tuning.most_pieces, tuning.separation_rounds, tuning.search},
+      first_run.run().quiet());
+  if (!first) return first.error();
 
   Reporter reporter{run.observer, kLatticeLimit};
-  const Task task{start, *shelves, *set, settings, values_of(start, *set, settings)};
-  const NestTuning& tuning = settings.tuning;
+  const Task task{start, *first, *set, settings, values_of(start, *set, settings)};
   const bool turn = settings.turn && settings.moves > 0 && may_turn(start);
   std::function<double()> elapsed = settings.elapsed;
   if (elapsed && turn) elapsed = [&] { return settings.elapsed() / tuning.searched; };

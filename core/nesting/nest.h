@@ -58,9 +58,10 @@ struct Nesting : motion::repair::MotionResult {
 };
 
 // The observer's rounds are the better markers as they are found, by any of the searches.
-// Errors: kEmptyMarker when there is no piece; kOutOfRange for a piece that has rules of its own, which no search knows
-// (core/marker/rules.h); kPieceTooWide for an unplaced piece that fits the strip in no allowed orientation;
-// kMarkerOverlaps and kOutsideStrip when pieces that must stay in place do not lie validly; kBeyondLattice.
+// Errors: kEmptyMarker when there is no piece; kPieceTooWide for an unplaced piece that fits the strip, and the room
+// that its rules leave (core/marker/rules.h), in no allowed orientation; kMarkerOverlaps and kOutsideStrip when pieces
+// that must stay in place do not lie validly; those of start::first_layout, which pieces without rules only have where
+// they would reach beyond the lattice.
 [[nodiscard]] Result<Nesting> nest(const Marker& start, const NestSettings& settings, const scene::Run& run);
 
 }  // namespace selvage::nesting

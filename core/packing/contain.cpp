@@ -37,7 +37,7 @@ scene::StopReason reason_of(branching::SearchEnd end) {
 }  // namespace
 
 Box room_until(const Strip& strip, Coord end) {
-  return strip.room(std::min(end, strip.last().value_or(end)));
+  return {{strip.margin, 0}, {std::min(end, strip.last().value_or(end)), strip.width}};
 }
 
 Containment contain(const Marker& start, std::span<const PieceId> pieces, const Container& container,
@@ -71,8 +71,7 @@ Containment contain(const Marker& start, std::span<const PieceId> pieces, const 
   const auto outcome =
       branching::search(bodies.problem, static_cast<double>(kLatticeLimit), 0, settings.limits, settings.tuning, calls);
   result.verdict = verdict_of(outcome);
-  const bool ignored = (settings.clearance == 0 && bodies::allows_overlaps(start)) ||
-                       marker::refused_rule(start, "containment").has_value();
+  const bool ignored = settings.clearance == 0 && bodies::allows_overlaps(start);
   if (result.verdict == Verdict::kImpossible && ignored) result.verdict = Verdict::kUndecided;
   result.reason = reason_of(outcome.end);
   result.work = outcome.work;

@@ -43,12 +43,12 @@ struct Containment : motion::repair::MotionResult {
 // The pieces, with those of their groups, go to places inside the container and inside the strip.  Where they lie now
 // does not matter, and unplaced pieces (on_cloth.h) are among those that may be named.  When none of them can move, it
 // is `kFound` if they fit where they are.  Where overlap allowances, which are not used, might make room, it
-// is never `kImpossible`, and neither where pieces have rules of their own (core/marker/rules.h).  Unless they are
-// found, `marker` is the input.
+// is never `kImpossible`.  All pieces keep their rules (core/marker/rules.h); where several pieces of a shade are to be
+// placed at once, the search may miss layouts and ends undecided.  Unless they are found, `marker` is the input.
 [[nodiscard]] Containment contain(const Marker& start, std::span<const PieceId> pieces, const Container& container,
                                   const ContainSettings& settings, const scene::Run& run);
 
-// The marker's room up to x = `end`, in the strip's margins and before the end of the cloth.
+// The cloth up to x = `end`, between the margins at its two ends; across it the rooms of the pieces count.
 [[nodiscard]] Box room_until(const Strip& strip, Coord end);
 
 }  // namespace selvage::packing

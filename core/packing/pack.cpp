@@ -10,6 +10,7 @@
 #include "core/packing/bodies/mirror.h"
 #include "core/packing/bodies/on_cloth.h"
 #include "core/packing/bodies/place_leaf.h"
+#include "core/packing/contain.h"
 #include "core/packing/first_layout.h"
 
 namespace selvage::packing {
@@ -51,7 +52,7 @@ class Packer {
 
  private:
   [[nodiscard]] bodies::Freedom freedom(double longest) const {
-    return {std::vector<bool>(start_.pieces.size(), true), start_.strip.room(static_cast<Coord>(longest)),
+    return {std::vector<bool>(start_.pieces.size(), true), room_until(start_.strip, static_cast<Coord>(longest)),
             settings_.turns};
   }
 
@@ -68,8 +69,10 @@ class Packer {
       // Of an incomplete set, pieces are missing that can move.
       if (bodies.complete && !moves[piece]) fixed_end = std::max(fixed_end, pieces.box(piece).high.x);
     }
+    const bool ruled = std::ranges::any_of(start_.pieces, [](const Piece& one) { return one.rules.own_room(); });
     const Box room = start_.strip.room(0);
-    const double by_area = static_cast<double>(room.low.x) + area / static_cast<double>(room.height());
+    const Coord across = ruled ? start_.strip.width : room.height();
+    const double by_area = static_cast<double>(room.low.x) + area / static_cast<double>(across);
     return std::max(static_cast<Coord>(by_area * (1 - 1e-9)), fixed_end);
   }
 
@@ -142,8 +145,8 @@ Packing pack(const Marker& start, const PackSettings& settings, const scene::Run
   const bodies::OnCloth cloth = bodies::on_cloth(start, unplaced);
   Packing packing = Packer{cloth.marker, settings, run}.pack();
   packing.marker = packing.found ? bodies::as_in(start, std::move(packing.marker)) : start;
-  // The search uses neither overlaps nor rules of pieces: nothing is proved, and the input may be shorter.
-  if (bodies::allows_overlaps(start) || marker::refused_rule(start, "packing")) {
+  // The search uses no overlaps: nothing is proved, and the input may be shorter.
+  if (bodies::allows_overlaps(start)) {
     packing.bound = 0;
     packing.proved = false;
     const bool shorter = !packing.found || length_of(start) < length_of(packing.marker);

@@ -33,9 +33,9 @@ struct Packing : motion::repair::MotionResult {
   branching::Work work;
 };
 
-// The input may overlap.  Where pieces have rules of their own (core/marker/rules.h), which the search does not know,
-// it finds only layouts that happen to keep them, and proves nothing.  With more than kMostBodies movable pieces
-// (bodies.h), or outlines with too many edges, it ends with kWorkLimit after the first layout.
+// The input may overlap.  All pieces keep their rules (core/marker/rules.h); where the layouts that a search finds
+// break a shade, it may miss the shortest, and proves no more than its bound.  With more than kMostBodies movable
+// pieces (bodies.h), or outlines with too many edges, it ends with kWorkLimit after the first layout.
 [[nodiscard]] Packing pack(const Marker& start, const PackSettings& settings, const scene::Run& run);
 
 }  // namespace selvage::packing

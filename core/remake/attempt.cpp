@@ -133,7 +133,9 @@ class Attempting {
     for (const auto* list : {&order_.pieces, &order_.unplaced}) {
       for (const Piece& piece : *list) marker.pieces.push_back(*by_id.at(piece.id));
     }
-    if (all_clear(marker::PlacedPieces{marker}, marker.strip)) attempt_.marker = std::move(marker);
+    const bool allowed =
+        std::ranges::all_of(marker.pieces, [&marker](const Piece& piece) { return may_lie(marker, piece); });
+    if (allowed && all_clear(marker::PlacedPieces{marker}, marker.strip)) attempt_.marker = std::move(marker);
   }
 
   const Marker& order_;

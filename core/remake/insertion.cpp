@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/marker/clearance.h"
 #include "core/matching/pairing.h"
 #include "core/motion/placing/place.h"
 #include "core/remake/substitution/area.h"
@@ -24,12 +25,12 @@ struct Found {
 // The best position in one orientation.
 std::optional<Found> found_in(const Marker& marker, Piece piece, const Orientation& orientation, const Homes& homes,
                               const scene::Run& run) {
+  piece.orientation = orientation;
+  if (!may_lie(marker, piece)) return std::nullopt;
   const Box box = box_of(oriented(marker.shapes[piece.shape.value].outline, orientation));
   const Box room = marker.strip.room(kLatticeLimit);
-  if (box.height() > room.height()) return std::nullopt;
   const auto home = homes.find(piece.id);
   const bool kept = home != homes.end() && home->second.orientation == orientation;
-  piece.orientation = orientation;
   piece.locked = {};
   piece.at = kept ? home->second.at : Vec{room.low.x - box.low.x, room.low.y - box.low.y};
   Marker with = marker;

@@ -11,7 +11,6 @@ namespace selvage::remake {
 namespace {
 
 std::optional<Error> defect_of(const Marker& order) {
-  if (const auto refusal = marker::refused_rule(order, "remaking")) return *refusal;
   for (std::size_t i = 0; i < order.pieces.size(); ++i) {
     const Piece& piece = order.pieces[i];
     if (!piece.locked.x && !piece.locked.y && piece.group.empty()) continue;

@@ -105,6 +105,14 @@ std::string position_fault(const Box& box, const Strip& strip, const marker::Rul
   return rules.below ? "is too near the lower edge" : "leaves the strip";
 }
 
+// True when some side of the outline is as low as any vertex.
+bool has_lowest_side(const Polygon& outline, Coord low) {
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    if (outline[k].y == low && outline[k + 1 == outline.size() ? 0 : k + 1].y == low) return true;
+  }
+  return false;
+}
+
 // The first two pieces of one shade that are too far from each other; empty when there are none.
 std::string shade_fault(const Marker& marker, const std::vector<Box>& boxes) {
   for (std::size_t i = 0; marker.shade && i < boxes.size(); ++i) {
@@ -128,8 +136,8 @@ std::string orientation_fault(const Marker& before, std::size_t k, const Orienta
   const Piece& piece = before.pieces[k];
   const Orientation& was = piece.orientation;
   if (after == was) return "";
-  const bool held =
-      piece.locked.x || piece.locked.y || piece.locked.tilt || !piece.group.empty() || piece.rules.on_fold;
+  const bool tilted_on_fold = piece.rules.on_fold && after.tilt != was.tilt;
+  const bool held = piece.locked.x || piece.locked.y || piece.locked.tilt || !piece.group.empty() || tilted_on_fold;
   if (held) return "was turned although it is locked";
   const Shape& shape = before.shapes[piece.shape.value];
   if (after.flip != was.flip && !(leave.flips && shape.may_flip)) return "was flipped";
@@ -202,6 +210,8 @@ std::string Judge::fault_of(const Marker& marker) {
     if (const auto fault = position_fault(boxes.back(), marker.strip, piece.rules); !fault.empty()) {
       return about(piece, fault);
     }
+    if (piece.rules.on_fold && !has_lowest_side(cut.outline, cut.box.low.y))
+      return about(piece, "has no side on the fold");
   }
   if (const auto fault = shade_fault(marker, boxes); !fault.empty()) return fault;
   for (std::size_t i = 0; i < boxes.size(); ++i) {

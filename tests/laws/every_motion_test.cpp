@@ -5,7 +5,6 @@
 
 #include <string>
 
-#include "core/marker/rules.h"
 #include "core/motion/compaction/compact.h"
 #include "protocol/execution/thread_pool.h"
 #include "tests/judge/judge.h"
@@ -28,17 +27,6 @@ class EveryMotion : public ::testing::TestWithParam<std::size_t> {
     const Marker& before = answer->started ? *answer->started : marker;
     ASSERT_EQ(judge.broken_promise(before, answer->marker, answer->leave), "");
     ASSERT_EQ(judge.fault_of(answer->marker).empty(), answer->apart) << judge.fault_of(answer->marker);
-  }
-  // Some operations know no rules of pieces, and say so.
-  [[nodiscard]] bool refuses_rules(const Marker& marker, int trial) {
-    SumCache sums;
-    Random same = random_;
-    const auto answer = motion().run(marker, {same, scene::Run{sums}});
-    const bool refused = !answer && answer.error().field.find("/rules/") != std::string::npos;
-    if (refused) {
-      EXPECT_TRUE(marker::refused_rule(marker, "")) << trial;
-    }
-    return refused;
   }
   Random random_{static_cast<std::uint32_t>(300 + GetParam())};
 };
@@ -70,7 +58,7 @@ TEST_P(EveryMotion, KeepsItsPromisesWhereClothHasRules) {
     const Marker marker = random_marker_with_rules(random_);
     ASSERT_EQ(Judge{}.fault_of(marker), "") << trial;
     ASSERT_TRUE(make_marker(marker)) << trial << ": " << make_marker(marker).error().message;
-    if (!refuses_rules(marker, trial)) keeps_its_promises(marker, trial);
+    keeps_its_promises(marker, trial);
   }
 }
 

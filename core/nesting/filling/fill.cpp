@@ -59,8 +59,10 @@ class Filler {
   [[nodiscard]] bool over() const { return settings_.over(search_.moves()); }
 
   void park(Layout& layout, std::size_t piece) const {
-    layout.places[piece].x = layout.length + apart_ * static_cast<double>(2 + piece);
-    layout.places[piece].y = 0;
+    layout::Place& place = layout.places[piece];
+    const layout::RealBox& box = set_.kind(piece).turned[place.turn].box;
+    place.x = layout.length + apart_ * static_cast<double>(2 + piece) - box.low_x;
+    place.y = -box.low_y;
   }
 
   // The best layout, on the whole strip.
@@ -127,7 +129,7 @@ class Filler {
 
   // The area of the strip without that of the pieces that lie.
   [[nodiscard]] double room_besides(const std::vector<bool>& lies) const {
-    double room = (static_cast<double>(last_) / set_.lattice_units - set_.left) * (set_.high - set_.low);
+    double room = (static_cast<double>(last_) / set_.lattice_units - set_.left) * set_.across();
     for (std::size_t i = 0; i < set_.size(); ++i) room -= lies[i] ? set_.kind(i).area : 0;
     return room;
   }

@@ -21,9 +21,21 @@ std::uint32_t turn_of(const Kind& kind, const Orientation& orientation) {
 
 }  // namespace
 
-RealBox inner_fit(const PieceSet& set, std::size_t piece, std::uint32_t turn, double length) {
-  const RealBox& box = set.kind(piece).turned[turn].box;
-  return {set.left - box.low_x, set.low - box.low_y, length - box.high_x, set.high - box.high_y};
+RealBox inner_fit(const PieceSet& set, const Layout& layout, std::size_t piece, std::uint32_t turn) {
+  const Kind& kind = set.kind(piece);
+  const RealBox& box = kind.turned[turn].box;
+  RealBox room = kind.turned[turn].room;
+  room.high_x = std::min(room.high_x, layout.length);
+  if (kind.shade) {
+    const Shade& shade = set.shades[*kind.shade];
+    for (const std::uint32_t other : shade.pieces) {
+      const RealBox there = placed_box(set, layout, other);
+      if (other == piece || there.low_x > layout.length) continue;
+      room.low_x = std::max(room.low_x, there.high_x - shade.length);
+      room.high_x = std::min(room.high_x, there.low_x + shade.length);
+    }
+  }
+  return {room.low_x - box.low_x, room.low_y - box.low_y, room.high_x - box.high_x, room.high_y - box.high_y};
 }
 
 RealBox placed_box(const PieceSet& set, const Layout& layout, std::size_t piece) {
@@ -35,7 +47,7 @@ RealBox placed_box(const PieceSet& set, const Layout& layout, std::size_t piece)
 void centre_at(const PieceSet& set, Layout& layout, std::size_t piece, double x, double y) {
   Place& place = layout.places[piece];
   const RealBox& box = set.kind(piece).turned[place.turn].box;
-  const RealBox room = inner_fit(set, piece, place.turn, layout.length);
+  const RealBox room = inner_fit(set, layout, piece, place.turn);
   place.x = within(x - box.middle_x(), room.low_x, room.high_x);
   place.y = within(y - box.middle_y(), room.low_y, room.high_y);
 }
@@ -54,7 +66,6 @@ Marker to_marker(const PieceSet& set, const Layout& layout, const Marker& start)
   Marker marker = start;
   marker.pieces.insert(marker.pieces.end(), start.unplaced.begin(), start.unplaced.end());
   marker.unplaced.clear();
-  const Box room = marker.strip.room(kLatticeLimit);
   for (std::size_t i = 0; i < set.size(); ++i) {
     if (set.fixed[i]) continue;
     Piece& piece = marker.pieces[i];
@@ -62,7 +73,8 @@ Marker to_marker(const PieceSet& set, const Layout& layout, const Marker& start)
     piece.orientation = set.kind(i).turned[place.turn].orientation;
     const Box box = box_of(oriented(marker.shapes[piece.shape.value].outline, piece.orientation));
     piece.at = {std::llround(place.x * set.lattice_units), std::llround(place.y * set.lattice_units)};
-    piece.at.x = std::max(piece.at.x, room.low.x - box.low.x);
+    const Box room = room_for(piece.rules, box.height(), marker.strip, kLatticeLimit);
+    piece.at.x = std::max(room.low.x - box.low.x, std::min(piece.at.x, room.high.x - box.high.x));
     piece.at.y = std::max(room.low.y - box.low.y, std::min(piece.at.y, room.high.y - box.high.y));
   }
   return marker;

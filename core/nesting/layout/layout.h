@@ -20,11 +20,14 @@ struct Layout {
   double length{};            // the x that no piece should exceed
 };
 
-// The positions at which the piece lies within the strip up to `length`; empty (high < low) where it does not fit.
-[[nodiscard]] RealBox inner_fit(const PieceSet& set, std::size_t piece, std::uint32_t turn, double length);
+// The positions that the piece may take: within the strip up to the layout's length, in the room that its rules leave
+// it, and near enough to the other pieces of its shade, where they lie now; those that lie beyond the length do not
+// count.  Empty (high < low) where no position is.  This is the one place that says which positions are allowed: a
+// layout that keeps the rules goes on keeping them as long as single pieces move to such positions.
+[[nodiscard]] RealBox inner_fit(const PieceSet& set, const Layout& layout, std::size_t piece, std::uint32_t turn);
 // The piece's box where it lies.
 [[nodiscard]] RealBox placed_box(const PieceSet& set, const Layout& layout, std::size_t piece);
-// Puts the piece's middle there, or as near as the strip allows.
+// Puts the piece's middle there, or as near as its inner fit allows.
 void centre_at(const PieceSet& set, Layout& layout, std::size_t piece, double x, double y);
 
 // Changes the length.  Pieces whose middle lies beyond `split` move by the difference, and all stay within the strip;

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
 
+#include "core/marker/clearance.h"
 #include "core/model/model_unit.h"
 
 namespace selvage::nesting::layout {
@@ -35,10 +37,10 @@ class Builder {
   Builder(const Marker& marker, SumCache& sums) : marker_{marker}, sums_{sums} {
     const double unit = model::ModelUnit{marker.strip}.lattice_units();
     set_.lattice_units = unit;
-    const Box room = marker.strip.room(kLatticeLimit);
-    set_.left = static_cast<double>(room.low.x) / unit;
-    set_.low = static_cast<double>(room.low.y) / unit;
-    set_.high = model::ModelUnit::kAcross - static_cast<double>(marker.strip.width - room.high.y) / unit;
+    const RealBox room = real_room(marker.strip.room(kLatticeLimit));
+    set_.left = room.low_x;
+    set_.low = room.low_y;
+    set_.high = room.high_y;
     set_.spacing = marker.spacing;
   }
 
@@ -46,11 +48,12 @@ class Builder {
   bool add(const Piece& piece, bool fixed) {
     const bool keeps_orientation = fixed || piece.locked.tilt;
     const KindKey key{piece.shape, piece.buffer, overlap_of(piece),
-                      keeps_orientation ? std::optional{piece.orientation} : std::nullopt};
+                      keeps_orientation ? std::optional{piece.orientation} : std::nullopt, key_of(piece.rules)};
     const auto [found, fresh] = kinds_.try_emplace(key, static_cast<std::uint32_t>(set_.kinds.size()));
     if (fresh) set_.kinds.push_back(kind_of(piece, keeps_orientation));
     const Kind& kind = set_.kinds[found->second];
     if (kind.turned.empty()) return false;
+    if (kind.shade) set_.shades[*kind.shade].pieces.push_back(static_cast<std::uint32_t>(set_.size()));
     set_.kind_of.push_back(found->second);
     set_.fixed.push_back(fixed);
     set_.area += kind.area;
@@ -59,25 +62,40 @@ class Builder {
   [[nodiscard]] PieceSet take() { return std::move(set_); }
 
  private:
-  using KindKey = std::tuple<ShapeId, Coord, Coord, std::optional<Orientation>>;
+  using Limit = std::optional<Coord>;
+  using RulesKey = std::tuple<Limit, Limit, Limit, Limit, bool, std::string>;
+  using KindKey = std::tuple<ShapeId, Coord, Coord, std::optional<Orientation>, RulesKey>;
   using OutlineKey = std::tuple<ShapeId, Coord, Coord, Angle>;
 
   [[nodiscard]] Coord overlap_of(const Piece& piece) const { return piece.overlap.value_or(marker_.overlap); }
+
+  [[nodiscard]] RulesKey key_of(const marker::Rules& rules) const {
+    return {rules.below, rules.above, rules.from, rules.to, rules.on_fold, marker_.shade ? rules.shade : ""};
+  }
+
+  std::optional<std::uint32_t> shade_of(const marker::Rules& rules) {
+    if (!marker_.shade || rules.shade.empty()) return std::nullopt;
+    const auto [found, fresh] = shades_.try_emplace(rules.shade, static_cast<std::uint32_t>(set_.shades.size()));
+    if (fresh) set_.shades.push_back({{}, static_cast<double>(*marker_.shade) / set_.lattice_units});
+    return found->second;
+  }
 
   Kind kind_of(const Piece& piece, bool keeps_orientation) {
     const Shape& shape = marker_.shapes[piece.shape.value];
     const double square = set_.lattice_units * set_.lattice_units;
     Kind kind{.shape = piece.shape,
               .buffer = piece.buffer,
+              .shade = shade_of(piece.rules),
               .turned = {},
               .area = static_cast<double>(doubled_area(shape.outline)) / 2 / square,
               .hull_area = doubled_hull_area(shape.outline) / 2 / square};
     for (const Orientation& orientation : keeps_orientation ? std::vector{piece.orientation} : orientations_of(shape)) {
+      Piece as_turned = piece;
+      as_turned.orientation = orientation;
+      if (!may_lie(marker_, as_turned)) continue;
       const Polygon polygon = oriented(shape.outline, orientation);
-      const Box box = box_of(polygon);
-      if (box.height() > marker_.strip.room(0).height()) continue;
       if (!clean_polygon(polygon)) continue;  // rounding to the lattice made it touch itself
-      kind.turned.push_back(turned(piece, shape, orientation, box));
+      kind.turned.push_back(turned(as_turned, shape, box_of(polygon)));
     }
     return kind;
   }
@@ -96,17 +114,27 @@ class Builder {
     return all;
   }
 
-  Turned turned(const Piece& piece, const Shape& shape, const Orientation& orientation, const Box& box) {
-    const auto [turn, symmetry] = split(orientation);
+  Turned turned(const Piece& piece, const Shape& shape, const Box& box) {
+    const auto [turn, symmetry] = split(piece.orientation);
     const Coord overlap = overlap_of(piece);
     const auto [found, fresh] = outlines_.try_emplace(OutlineKey{piece.shape, piece.buffer, overlap, turn},
                                                       static_cast<std::uint32_t>(set_.outlines.size()));
     if (fresh) set_.outlines.push_back({sums_.outline(geometry::turned(shape.outline, turn)), piece.buffer, overlap});
     const auto units = [this](Coord coord) { return static_cast<double>(coord) / set_.lattice_units; };
-    return {orientation,
+    return {piece.orientation,
             found->second,
             symmetry,
-            {units(box.low.x), units(box.low.y), units(box.high.x), units(box.high.y)}};
+            {units(box.low.x), units(box.low.y), units(box.high.x), units(box.high.y)},
+            real_room(room_for(piece.rules, box.height(), marker_.strip, kLatticeLimit))};
+  }
+
+  // The same to the last bit for the same room, whatever piece it is for.
+  [[nodiscard]] RealBox real_room(const Box& room) const {
+    const double unit = set_.lattice_units;
+    const bool endless = room.high.x == kLatticeLimit;
+    return {static_cast<double>(room.low.x) / unit, static_cast<double>(room.low.y) / unit,
+            endless ? std::numeric_limits<double>::infinity() : static_cast<double>(room.high.x) / unit,
+            model::ModelUnit::kAcross - static_cast<double>(marker_.strip.width - room.high.y) / unit};
   }
 
   const Marker& marker_;
@@ -114,6 +142,7 @@ class Builder {
   PieceSet set_;
   std::map<KindKey, std::uint32_t> kinds_;
   std::map<OutlineKey, std::uint32_t> outlines_;
+  std::map<std::string, std::uint32_t> shades_;  // indices by name
 };
 
 }  // namespace
@@ -123,6 +152,18 @@ double PieceSet::clearance(std::uint32_t first, std::uint32_t second) const {
   const BaseOutline& q = outlines[second];
   const Coord apart = std::max(spacing, p.buffer + q.buffer);
   return static_cast<double>(apart > 0 ? apart : -std::min(p.overlap, q.overlap)) / lattice_units;
+}
+
+double PieceSet::across() const {
+  double bottom = low;
+  double top = high;
+  for (const Kind& kind : kinds) {
+    for (const Turned& one : kind.turned) {
+      bottom = std::min(bottom, one.room.low_y);
+      top = std::max(top, one.room.high_y);
+    }
+  }
+  return top - bottom;
 }
 
 Result<PieceSet> piece_set_of(const Marker& marker, PlacedPiecesMay placed, SumCache& sums) {
@@ -136,8 +177,9 @@ Result<PieceSet> piece_set_of(const Marker& marker, PlacedPiecesMay placed, SumC
     const Piece& piece = marker.unplaced[k];
     if (builder.add(piece, false)) continue;
     return Error{ErrorCode::kPieceTooWide,
-                 "shape \"" + marker.shapes[piece.shape.value].id +
-                     "\" is wider than the strip in every orientation that is allowed",
+                 "shape \"" + marker.shapes[piece.shape.value].id + "\" is wider than " +
+                     (piece.rules == marker::Rules{} ? "the strip" : "the room that its rules leave") +
+                     " in every orientation that is allowed",
                  "/unplaced/" + std::to_string(k)};
   }
   return builder.take();

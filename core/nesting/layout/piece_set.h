@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/base/result.h"
@@ -37,14 +38,22 @@ struct Turned {
   std::uint32_t outline{};  // index of the base outline
   Symmetry symmetry;        // of the base outline
   RealBox box;              // at position 0
+  RealBox room;             // in which the box may lie by the rules of the piece; high_x is infinite where no band ends
 };
 
-// Pieces of one kind are interchangeable.
+// Pieces of one kind are interchangeable: they have the same rules, too.
 struct Kind {
   ShapeId shape;
-  Coord buffer{};              // lattice units
-  std::vector<Turned> turned;  // at least one
-  double area{}, hull_area{};  // of the outline and of its convex hull
+  Coord buffer{};                        // lattice units
+  std::optional<std::uint32_t> shade{};  // index of the shade that its pieces belong to
+  std::vector<Turned> turned;            // at least one
+  double area{}, hull_area{};            // of the outline and of its convex hull
+};
+
+// Pieces that lie within a length of each other (core/marker/rules.h).
+struct Shade {
+  std::vector<std::uint32_t> pieces;
+  double length{};
 };
 
 struct PieceSet {
@@ -54,13 +63,17 @@ struct PieceSet {
   std::vector<std::uint32_t> kind_of;
   std::vector<bool> fixed;
   double lattice_units{};  // in a model unit
-  double left{};           // pieces lie at this x or beyond
+  double left{};           // pieces without rules lie at this x or beyond
   double low{}, high{};    // and between these across the strip
   Coord spacing{};         // lattice units
   double area{};           // of all pieces
+  std::vector<Shade> shades{};
 
   [[nodiscard]] std::size_t size() const { return kind_of.size(); }
   [[nodiscard]] const Kind& kind(std::size_t piece) const { return kinds[kind_of[piece]]; }
+  // The width of the cloth that some piece may lie on: more than that of the strip's room when pieces have selvedges of
+  // their own.
+  [[nodiscard]] double across() const;
   // The least signed distance between two pieces with these base outlines: negative when they may overlap, as
   // marker::PlacedPieces::spacing has it.
   [[nodiscard]] double clearance(std::uint32_t first, std::uint32_t second) const;
@@ -73,7 +86,8 @@ enum class PlacedPiecesMay { kMove, kNotMove };
 inline constexpr int kFreeRotations = 16;
 
 // Placed pieces that are locked on an axis or belong to a group stay where they are.
-// Errors: kPieceTooWide for an unplaced piece that fits the strip in no allowed orientation.
+// Errors: kPieceTooWide for an unplaced piece that fits the strip, and the room that its rules leave, in no allowed
+// orientation.
 [[nodiscard]] Result<PieceSet> piece_set_of(const Marker& marker, PlacedPiecesMay placed, SumCache& sums);
 
 }  // namespace selvage::nesting::layout

@@ -76,7 +76,7 @@ Overlap1D overlap_of(double offset, float sign, int grid_first, int grid_cells, 
 
 bool Field::compute(const layout::Layout& layout, std::size_t piece, std::uint32_t turn,
                     const std::vector<std::uint32_t>& others, const Losses& losses, FieldWeights weights) {
-  room_ = inner_fit(*set_, piece, turn, layout.length);
+  room_ = inner_fit(*set_, layout, piece, turn);
   if (room_.high_x < room_.low_x || room_.high_y < room_.low_y) return false;
   turn_ = turn;
   // The last column and the last row lie on the edge of the room.

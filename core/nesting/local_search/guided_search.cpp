@@ -22,6 +22,12 @@ double pixel_of(const layout::PieceSet& set, double pixels_per_side) {
   return std::max(mean / pixels_per_side, std::max(largest, set.high - set.low) / kMostAcross);
 }
 
+namespace {
+
+constexpr double kFarAway = 1e9;  // beyond the end of any layout; model units
+
+}  // namespace
+
 GuidedSearch::GuidedSearch(const layout::PieceSet& set, std::uint64_t seed, std::size_t map_bytes,
                            const SearchTuning& tuning)
     : set_{&set},
@@ -76,13 +82,18 @@ void GuidedSearch::build(layout::Layout& layout, const std::vector<bool>& kept, 
   std::stable_sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) {
     return set_->kind(a).hull_area > set_->kind(b).hull_area;
   });
+  // Pieces that are not down yet hold none of their shade back.
+  for (const std::uint32_t i : order) {
+    if (set_->kind(i).shade) layout.places[i].x = kFarAway;
+  }
   double end = 0;
   for (const std::uint32_t i : down) end = std::max(end, placed_box(*set_, layout, i).high_x);
   for (const std::uint32_t piece : order) {
     maps_.trim();
     // Beyond the end there is always room.
-    const layout::RealBox& box = set_->kind(piece).turned[layout.places[piece].turn].box;
-    layout.length = end + box.width() + 2 * maps_.scale().pixel;
+    const layout::Turned& turned = set_->kind(piece).turned[layout.places[piece].turn];
+    const double from = std::max(end, turned.room.low_x - set_->left);
+    layout.length = from + turned.box.width() + 2 * maps_.scale().pixel;
     if (over() || !mover_.insert(layout, piece, down)) centre_at(*set_, layout, piece, layout.length, set_->high / 2);
     end = std::max(end, placed_box(*set_, layout, piece).high_x);
     down.push_back(piece);

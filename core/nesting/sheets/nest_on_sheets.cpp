@@ -169,9 +169,7 @@ class Driver {
     }
     return used_.size() > needed;
   }
-  [[nodiscard]] bool fits(std::size_t piece, std::size_t kind) const {
-    return sheets_[kind].shape_fits[pieces_[piece].shape.value];
-  }
+  [[nodiscard]] bool fits(std::size_t piece, std::size_t kind) const { return sheets_[kind].fits[piece]; }
 
   // Brings pieces that are left over onto a sheet, in place of others that are worth less.
   bool bring_on() {
@@ -264,12 +262,13 @@ Result<SheetNesting> nest_on_sheets(const Marker& start, std::span<const Sheet> 
   if (start.pieces.empty() && start.unplaced.empty()) {
     return Error{ErrorCode::kEmptyMarker, "the marker has no piece", "/pieces"};
   }
-  if (const auto refusal = marker::refused_rule(start, "nesting on sheets")) return *refusal;
   if (const auto refusal = unmovable(start.pieces, "/pieces/")) return *refusal;
   if (const auto refusal = unmovable(start.unplaced, "/unplaced/")) return *refusal;
+  std::vector<Piece> pieces = start.pieces;
+  pieces.insert(pieces.end(), start.unplaced.begin(), start.unplaced.end());
   std::vector<ReadySheet> kinds;
   for (const Sheet& sheet : sheets) {
-    auto made = ready(start, sheet, run.sums);
+    auto made = ready(start, pieces, sheet, run.sums);
     if (!made) {
       Error error = made.error();
       error.field = "/sheets/" + std::to_string(kinds.size()) + error.field;
@@ -277,8 +276,6 @@ Result<SheetNesting> nest_on_sheets(const Marker& start, std::span<const Sheet> 
     }
     kinds.push_back(*std::move(made));
   }
-  std::vector<Piece> pieces = start.pieces;
-  pieces.insert(pieces.end(), start.unplaced.begin(), start.unplaced.end());
   const TimedRun timed{run, settings.elapsed};
   SheetNesting nesting = Driver{start, std::move(pieces), std::move(kinds), settings, timed.run()}.nested();
   if (run.stopped()) nesting.reason = scene::StopReason::kCancelled;

@@ -1,36 +1,55 @@
 #include "core/nesting/sheets/used_sheet.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
+#include "core/marker/validity.h"
 #include "core/nesting/filling/fill.h"
 #include "core/nesting/filling/lying.h"
 #include "core/nesting/layout/piece_set.h"
-#include "core/nesting/shelves.h"
+#include "core/nesting/start/shelves.h"
 
 namespace selvage::nesting::sheets {
 namespace {
 
-bool fits(const Marker& bare, std::size_t shape, SumCache& sums) {
+// Alone on the sheet, in some orientation.
+bool fits(const Marker& bare, const Piece& piece, SumCache& sums) {
   Marker alone = bare;
   alone.pieces.clear();
-  alone.unplaced = {{.id = "alone", .shape = {static_cast<std::uint32_t>(shape)}, .orientation = {}, .at = {}}};
+  alone.unplaced = {piece};
   const auto set = layout::piece_set_of(alone, layout::PlacedPiecesMay::kMove, sums);
   if (!set) return false;
-  const double room = static_cast<double>(*bare.strip.last()) / set->lattice_units - set->low;
+  const double end = static_cast<double>(*bare.strip.last()) / set->lattice_units;
   const auto& turned = set->kind(0).turned;
-  return std::any_of(turned.begin(), turned.end(), [room](const auto& one) { return one.box.width() <= room; });
+  return std::any_of(turned.begin(), turned.end(), [end](const layout::Turned& one) {
+    return one.box.width() <= std::min(end, one.room.high_x) - one.room.low_x;
+  });
+}
+
+// By piece; pieces of one shape without rules are looked at once.
+std::vector<bool> fitting(const Marker& bare, const std::vector<Piece>& pieces, SumCache& sums) {
+  std::map<ShapeId, bool> of_shape;
+  std::vector<bool> all;
+  for (const Piece& piece : pieces) {
+    if (piece.rules != marker::Rules{}) {
+      all.push_back(fits(bare, piece, sums));
+      continue;
+    }
+    const auto [found, fresh] = of_shape.try_emplace(piece.shape);
+    if (fresh) found->second = fits(bare, {.id = "alone", .shape = piece.shape, .orientation = {}, .at = {}}, sums);
+    all.push_back(found->second);
+  }
+  return all;
 }
 
 }  // namespace
 
-Result<ReadySheet> ready(const Marker& marker, const Sheet& sheet, SumCache& sums) {
+Result<ReadySheet> ready(const Marker& marker, const std::vector<Piece>& pieces, const Sheet& sheet, SumCache& sums) {
   auto empty = bare(marker, sheet);
   if (!empty) return empty.error();
   ReadySheet made{.sheet = &sheet, .bare = *std::move(empty), .area = area_of(sheet)};
-  for (std::size_t shape = 0; shape < marker.shapes.size(); ++shape) {
-    made.shape_fits.push_back(fits(made.bare, shape, sums));
-  }
+  made.fits = fitting(made.bare, pieces, sums);
   return made;
 }
 
@@ -42,7 +61,7 @@ Filled filled(const ReadySheet& sheet, const UsedSheet& present, const std::vect
   const std::size_t walls = start.pieces.size();
   start.pieces.insert(start.pieces.end(), present.placed.begin(), present.placed.end());
   for (const std::size_t piece : more) {
-    if (!sheet.shape_fits[task.pieces[piece].shape.value]) continue;
+    if (!sheet.fits[piece]) continue;
     named.push_back(piece);
     start.unplaced.push_back(on_sheet(task.pieces[piece], task.marker, *sheet.sheet));
   }
@@ -52,7 +71,7 @@ Filled filled(const ReadySheet& sheet, const UsedSheet& present, const std::vect
   const auto set = layout::piece_set_of(start, layout::PlacedPiecesMay::kMove, run.sums);
   Marker endless = start;
   endless.strip = start.strip.ending(std::nullopt);
-  auto all = set ? on_shelves(endless, *set, std::vector<bool>(start.pieces.size(), true)) : set.error();
+  auto all = set ? start::on_shelves(endless, *set, std::vector<bool>(start.pieces.size(), true)) : set.error();
   if (!all) return result;  // the shelves would not fit the lattice
   all->strip = start.strip;
   filling::FillSettings settings{.values = std::vector<double>(walls),
@@ -63,6 +82,9 @@ Filled filled(const ReadySheet& sheet, const UsedSheet& present, const std::vect
                                  .tuning = task.tuning.fill};
   for (const std::size_t piece : named) settings.values.push_back(task.values[piece]);
   std::vector<bool> lies = filling::pieces_before(*all, *start.strip.last());
+  if (!is_valid(filling::with_lying_pieces(*all, lies))) {  // shelves do not always keep bands and shades
+    std::fill(lies.begin() + static_cast<std::ptrdiff_t>(walls + present.placed.size()), lies.end(), false);
+  }
   const filling::Filling done = fill({.marker = *std::move(all), .lies = std::move(lies)}, *set, settings, run);
 
   result = {.used = {.kind = present.kind, .pieces = {}, .placed = {}},

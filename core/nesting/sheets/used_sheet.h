@@ -17,12 +17,13 @@ namespace selvage::nesting::sheets {
 // A kind of sheet, ready for pieces.
 struct ReadySheet {
   const Sheet* sheet{};
-  Marker bare{};                   // sheet.h
-  double area{};                   // square lattice units
-  std::vector<bool> shape_fits{};  // by shape of the marker: in some allowed orientation, between the margins
+  Marker bare{};             // sheet.h
+  double area{};             // square lattice units
+  std::vector<bool> fits{};  // by piece: in some allowed orientation, within the room that its rules leave
 };
 // Errors: those of `bare`.
-[[nodiscard]] Result<ReadySheet> ready(const Marker& marker, const Sheet& sheet, SumCache& sums);
+[[nodiscard]] Result<ReadySheet> ready(const Marker& marker, const std::vector<Piece>& pieces, const Sheet& sheet,
+                                       SumCache& sums);
 
 struct UsedSheet {
   std::size_t kind{};               // index of its ReadySheet

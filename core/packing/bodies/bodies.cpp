@@ -8,6 +8,7 @@
 #include "core/marker/placed_pieces.h"
 #include "core/marker/validity.h"
 #include "core/model/ties.h"
+#include "core/packing/bodies/range_by_rules.h"
 #include "core/packing/bodies/spaced_rings.h"
 
 namespace selvage::packing::bodies {
@@ -50,6 +51,7 @@ Polygon normal_form(const Figure& figure) {
 struct Draft {
   std::vector<std::uint32_t> pieces;
   std::vector<std::vector<Figure>> figures;  // by variant
+  std::vector<Box> ranges;                   // of the body's position, by variant
   bool alone{};                              // one piece, free on both axes
 };
 
@@ -86,7 +88,7 @@ class BodyMaker {
       draft.alone = false;
       return;
     }
-    drafts_.push_back({{piece}, {}, ties_.free(piece)});
+    drafts_.push_back({{piece}, {}, {}, ties_.free(piece)});
   }
 
   void add_variants(Draft& draft) {
@@ -128,8 +130,18 @@ class BodyMaker {
       layout.orientations.push_back(scratch_.pieces[draft.pieces[k]].orientation);
       layout.offsets.push_back(at);
     }
-    if (box->width() > freedom_.container.box.width() || box->height() > freedom_.container.box.height()) return;
     for (Vec& offset : layout.offsets) offset = offset - box->low;
+    const Vec size = box->high - box->low;
+    Box range{freedom_.container.box.low, freedom_.container.box.high - size};
+    for (std::size_t k = 0; k < figures.size(); ++k) {
+      const Box own = figures[k].box.moved(layout.offsets[k]);
+      const auto by_rules = range_by_rules(scratch_, placed_, freedom_, draft.pieces[k], own);
+      if (!by_rules) return;
+      range.low = {std::max(range.low.x, by_rules->low.x), std::max(range.low.y, by_rules->low.y)};
+      range.high = {std::min(range.high.x, by_rules->high.x), std::min(range.high.y, by_rules->high.y)};
+    }
+    if (range.width() < 0 || range.height() < 0) return;
+    draft.ranges.push_back(range);
     draft.figures.push_back(std::move(figures));
     layouts_.back().push_back(std::move(layout));
   }
@@ -145,7 +157,7 @@ class BodyMaker {
         const Box own = draft.figures[v][k].box.moved(layout.offsets[k]);
         box = box ? united(*box, own) : own;
       }
-      Box range{freedom_.container.box.low, freedom_.container.box.high - box->high};
+      Box range = draft.ranges[v];
       const Vec now = marker_.pieces[piece].at - layout.offsets.front();
       if (ties_.x[piece] == model::Ties::kFixed) range.low.x = range.high.x = now.x;
       if (ties_.y[piece] == model::Ties::kFixed) range.low.y = range.high.y = now.y;
@@ -164,7 +176,9 @@ class BodyMaker {
 
   [[nodiscard]] bool alike(const Draft& a, const Draft& b) const {
     if (!a.alone || !b.alone || a.figures.size() != b.figures.size()) return false;
-    if (marker_.pieces[a.pieces.front()].buffer != marker_.pieces[b.pieces.front()].buffer) return false;
+    const Piece& first = marker_.pieces[a.pieces.front()];
+    const Piece& second = marker_.pieces[b.pieces.front()];
+    if (first.buffer != second.buffer || first.rules != second.rules) return false;
     for (std::size_t v = 0; v < a.figures.size(); ++v) {
       if (normal_form(a.figures[v].front()) != normal_form(b.figures[v].front())) return false;
     }

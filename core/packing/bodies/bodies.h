@@ -20,9 +20,9 @@ namespace selvage::packing::bodies {
 // What a search may change.
 struct Freedom {
   std::vector<bool> moving;      // by piece; pieces of a group move only together
-  outline::Container container;  // in which moving pieces stay
+  outline::Container container;  // in which moving pieces stay, besides their rooms on the strip (core/marker/rules.h)
   bool turns{};                  // pieces may take other orientations that their shapes allow
-  Coord clearance{};             // of moving pieces from the container's walls; its box keeps none
+  Coord clearance{};             // of moving pieces from the container's walls and from the ends of their rooms
 };
 
 // A body's pieces in one variant: the orientation of each, and its position when the body's is the origin.
@@ -41,8 +41,9 @@ struct Bodies {
 inline constexpr std::size_t kMostBodies = 64;       // the bounds of a node grow with the square of their number
 inline constexpr std::size_t kMostWedges = 4 << 20;  // of all rings together: about 400 MB
 
-// The bodies of a marker.  Variants that fit the room nowhere are left out; with a body that has none left, the problem
-// has no layout.
+// The bodies of a marker.  Variants that fit the room nowhere, or break a rule of the piece wherever they lie, are left
+// out; with a body that has none left, the problem has no layout.  That pieces of a shade lie near each other is not
+// said to the search where several of them move: place_leaf refuses what breaks it.
 [[nodiscard]] Bodies bodies_of(const Marker& marker, const Freedom& freedom, const scene::Run& run);
 
 // The marker with its bodies where the leaf has them, rounded to the lattice.

@@ -52,6 +52,7 @@ void leave_out_mirror_images(const Marker& marker, const Freedom& freedom, Bodie
   for (std::size_t body = 0; body < bodies.pieces.size(); ++body) {
     const Piece& piece = marker.pieces[bodies.pieces[body].front()];
     if (bodies.layouts[body].size() != 1 || piece.locked.x || piece.locked.y) return;
+    if (piece.rules != marker::Rules{}) return;
     const Orientation& orientation = bodies.layouts[body].front().orientations.front();
     const Polygon outline = oriented(marker.shapes[piece.shape.value].outline, orientation);
     across = across && is_own_image(outline, 1, -1);

@@ -136,7 +136,6 @@ class WindowSearch {
 
 Result<ExactCompaction> compact_exactly(const Marker& start, const ExactCompactionSettings& settings,
                                         const scene::Run& run) {
-  if (const auto refusal = marker::refused_rule(start, "exact compaction")) return *refusal;
   return WindowSearch{start, settings, run}.search();
 }
 

@@ -41,7 +41,7 @@ struct ExactCompaction : motion::repair::MotionResult {
   branching::Work work;
 };
 
-// Errors: those of compaction; kOutOfRange for a piece that has rules of its own (core/marker/rules.h).
+// Errors: those of compaction.
 [[nodiscard]] Result<ExactCompaction> compact_exactly(const Marker& start, const ExactCompactionSettings& settings,
                                                       const scene::Run& run);
 

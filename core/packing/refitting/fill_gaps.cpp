@@ -172,7 +172,6 @@ class Filler {
 }  // namespace
 
 Result<GapFilling> fill_gaps(const Marker& start, const FillSettings& settings, const scene::Run& run) {
-  if (const auto refusal = marker::refused_rule(start, "filling gaps")) return *refusal;
   return Filler{start, settings, run}.fill();
 }
 

@@ -37,7 +37,7 @@ struct GapFilling : motion::repair::MotionResult {
   branching::Work work;  // of all searches for room
 };
 
-// Errors: those of compaction; kOutOfRange for a piece that has rules of its own (core/marker/rules.h).
+// Errors: those of compaction.
 [[nodiscard]] Result<GapFilling> fill_gaps(const Marker& start, const FillSettings& settings, const scene::Run& run);
 
 }  // namespace selvage::packing::refitting

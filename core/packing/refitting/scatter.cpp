@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/marker/clearance.h"
 #include "core/motion/placing/place.h"
 #include "core/packing/bodies/on_cloth.h"
 #include "core/scene/scene.h"
@@ -41,7 +42,7 @@ std::optional<Marker> with_piece(const Marker& marker, std::size_t unplaced, Coo
   const Vec point{below(std::max<Coord>(1, end)), below(marker.strip.width)};
   for (const Orientation& orientation : orientations) {
     scene.reorient(id, orientation, {});
-    if (scene.pieces.box(id.value).height() > marker.strip.room(end).height()) continue;
+    if (!may_lie(scene.marker, scene.marker.pieces[id.value])) continue;
     const auto place = motion::placing::place(scene, id, point);
     if (!place) continue;
     Marker placed = scene.result();

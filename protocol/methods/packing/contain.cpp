@@ -112,7 +112,6 @@ selvage::packing::RoomyContainment contained(const ContainParams& params, const 
 
 Result<calls::Motion<ContainResult>> run(const ContainParams& params, const Marker& start,
                                          const calls::MethodContext& context) {
-  if (const auto refusal = marker::refused_rule(start, "containment")) return *refusal;
   const auto pieces = chosen_pieces(start, params.pieces);
   if (!pieces) return pieces.error();
   if (const auto refusal = too_many(pieces->size(), "pieces", "/pieces")) return *refusal;

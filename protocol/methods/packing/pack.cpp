@@ -48,7 +48,6 @@ struct PackResult {
 
 Result<calls::Motion<PackResult>> run(const PackParams& params, const Marker& start,
                                       const calls::MethodContext& context) {
-  if (const auto refusal = marker::refused_rule(start, "packing")) return *refusal;
   const auto fixed = [](const Piece& piece) { return piece.locked.x && piece.locked.y; };
   const auto locked = static_cast<std::size_t>(std::ranges::count_if(start.pieces, fixed));
   const std::size_t moving = start.pieces.size() - locked + start.unplaced.size();

@@ -12,7 +12,6 @@
 #include "core/motion/piece/bump.h"
 #include "core/motion/placing/place.h"
 #include "core/motion/separation/separate.h"
-#include "core/nesting/nest.h"
 #include "tests/core/motion/markers.h"
 
 namespace selvage::motion {
@@ -210,20 +209,6 @@ TEST(Rules, RepairPutsBackWhatIsOutByALittle) {
   marker.pieces[2].rules.to = 599'990;
   const Marker tight = compacted(marker);
   EXPECT_TRUE(is_valid(tight));
-}
-
-TEST(Rules, NestingRefusesPiecesThatHaveThem) {
-  Marker marker = squares({{0, 0}, {300'000, 0}});
-  marker.strip.below = 20'000;
-  SumCache sums;
-  const nesting::NestSettings settings{.moves = 1000, .from_scratch = true};
-  const auto nested = nesting::nest(marker, settings, {sums});
-  ASSERT_TRUE(nested) << nested.error().message;
-  EXPECT_TRUE(is_valid(nested->marker));
-  marker.pieces[1].rules.to = 900'000;
-  const auto refused = nesting::nest(marker, settings, {sums});
-  ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().field, "/pieces/1/rules/to");
 }
 
 }  // namespace

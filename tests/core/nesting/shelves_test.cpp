@@ -1,5 +1,5 @@
-// Tests of core/nesting/shelves.h: the layout that needs no search is valid and complete.
-#include "core/nesting/shelves.h"
+// Tests of core/nesting/start/shelves.h: the layout that needs no search is valid and complete.
+#include "core/nesting/start/shelves.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "tests/core/nesting/unplaced_pieces.h"
 #include "tests/laws/random_marker.h"
 
-namespace selvage::nesting {
+namespace selvage::nesting::start {
 namespace {
 
 TEST(Shelves, AreValidAndHoldEveryPiece) {
@@ -45,4 +45,4 @@ TEST(Shelves, RefuseToReachBeyondTheLattice) {
 }
 
 }  // namespace
-}  // namespace selvage::nesting
+}  // namespace selvage::nesting::start

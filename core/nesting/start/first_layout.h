@@ -1,0 +1,35 @@
+// The valid marker of all pieces that a nesting search starts from, and that it has to beat.
+//
+// Without rules of pieces that are shelves, which need no search.  Shelves do not always keep bands that end and shades
+// (shelves.h); where they do not, a guided local search looks for a layout that does, on ever longer strips.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/marker/marker.h"
+#include "core/nesting/layout/piece_set.h"
+#include "core/nesting/local_search/tuning.h"
+#include "core/scene/run.h"
+
+namespace selvage::nesting::start {
+
+struct FirstLayoutSettings {
+  std::uint64_t seed{};
+  std::size_t map_bytes{};    // of the sampled maps of the search
+  std::size_t most_pieces{};  // there is no search for larger sets
+  int separation_rounds{};    // when repair cannot remove what the search has left
+  local_search::SearchTuning search{};
+};
+
+// `kept` pieces stay where they are when shelves will do, and only the fixed ones otherwise.
+// REQUIRES: those of on_shelves; kept pieces are valid together.
+// Errors: kBeyondLattice as on_shelves; kOutOfRange when no layout was found in which all pieces keep their rules, with
+// the name of a piece that found no room; kStoppedEarly when stopped before.
+[[nodiscard]] Result<Marker> first_layout(const Marker& start, const layout::PieceSet& set,
+                                          const std::vector<bool>& kept, const FirstLayoutSettings& settings,
+                                          const scene::Run& run);
+
+}  // namespace selvage::nesting::start

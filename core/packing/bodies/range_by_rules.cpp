@@ -1,0 +1,20 @@
+#include "core/packing/bodies/range_by_rules.h"
+
+#include "core/marker/clearance.h"
+
+namespace selvage::packing::bodies {
+
+std::optional<Box> range_by_rules(const Marker& marker, const marker::PlacedPieces& placed, const Freedom& freedom,
+                                  std::uint32_t piece, const Box& own) {
+  if (!may_lie(marker, marker.pieces[piece])) return std::nullopt;
+  const marker::Rules& rules = marker.pieces[piece].rules;
+  const Coord end = marker.strip.last().value_or(kLatticeLimit);
+  const Box room = room_for(rules, own.height(), marker.strip, end);
+  const Box among = placed.room_among(piece, freedom.moving, marker.strip, end);  // along x as in any orientation
+  const Coord along = freedom.clearance;
+  const Coord across = rules.on_fold ? 0 : along;
+  return Box{{among.low.x + along - own.low.x, room.low.y + across - own.low.y},
+             {among.high.x - along - own.high.x, room.high.y - across - own.high.y}};
+}
+
+}  // namespace selvage::packing::bodies

@@ -1,0 +1,154 @@
+// Cloth's rules in nesting: every way to place pieces keeps them, and fails only where no layout is found.
+#include "core/marker/rules.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/marker/validity.h"
+#include "core/nesting/nest.h"
+#include "core/nesting/sheets/nest_on_sheets.h"
+#include "core/nesting/start/first_layout.h"
+#include "tests/core/nesting/unplaced_pieces.h"
+#include "tests/laws/random_marker.h"
+
+namespace selvage::nesting {
+namespace {
+
+using test::rectangle;
+using test::unplaced_pieces;
+
+constexpr Coord kWidth = 1'000'000;
+constexpr Coord kSide = test::kSide;
+
+Result<Nesting> nested(const Marker& marker, std::uint64_t moves) {
+  SumCache sums;
+  NestSettings settings;
+  settings.moves = moves;
+  settings.tuning.first_epoch = 40;
+  return nest(marker, settings, {sums});
+}
+
+Marker squares(std::size_t count) {
+  return unplaced_pieces({rectangle(3 * kSide, 3 * kSide)}, count, kWidth);
+}
+
+// The rules of random markers can be kept, as the markers show; nearly always the search finds how.
+TEST(RulesInNesting, RandomMarkersAreNestedAnew) {
+  test::Random random{7};
+  int trials = 0, found = 0;
+  for (; trials < 60 / test::kSlowdown; ++trials) {
+    const Marker marker = test::taken_off(test::random_marker_with_rules(random));
+    const auto done = nested(marker, 100);
+    if (!done) {
+      EXPECT_EQ(done.error().code, ErrorCode::kOutOfRange) << trials << ": " << done.error().message;
+      continue;
+    }
+    ++found;
+    EXPECT_TRUE(is_valid(done->marker)) << trials;
+    EXPECT_TRUE(make_marker(done->marker)) << trials << ": " << make_marker(done->marker).error().message;
+    EXPECT_EQ(done->marker.pieces.size() + done->marker.unplaced.size(), marker.pieces.size() + marker.unplaced.size());
+  }
+  EXPECT_GE(10 * found, 9 * trials) << found << " of " << trials;
+}
+
+TEST(RulesInNesting, FoldedPiecesLieOnTheFoldWithAFlatSide) {
+  // A roof that is flat on one side only; turned by 180 degrees it could not lie on the fold.
+  Marker marker = unplaced_pieces({{{0, 0}, {4 * kSide, 0}, {2 * kSide, 2 * kSide}}}, 6, kWidth);
+  marker.shapes[0].rotations = {{0}, {180}};
+  marker.strip.below = 20'000;
+  for (std::size_t i = 0; i < 3; ++i) marker.unplaced[i].rules.on_fold = true;
+  const auto done = nested(marker, 2000);
+  ASSERT_TRUE(done) << done.error().message;
+  ASSERT_EQ(done->marker.pieces.size(), 6u);
+  EXPECT_TRUE(is_valid(done->marker));
+  EXPECT_TRUE(make_marker(done->marker));
+  for (std::size_t i = 0; i < 6; ++i) {
+    const Box box = box_of(placed_outline(done->marker, PieceId{static_cast<std::uint32_t>(i)}));
+    EXPECT_EQ(box.low.y == 0, i < 3) << i;
+  }
+}
+
+TEST(RulesInNesting, BandsAndSelvedgesOfTheirOwnAreKept) {
+  Marker marker = squares(12);
+  marker.strip.below = 50'000;
+  marker.strip.above = 40'000;  // three squares across, if one of them may lie in a selvedge
+  for (std::size_t i = 0; i < 4; ++i) marker.unplaced[i].rules.above = 0;
+  for (std::size_t i = 4; i < 7; ++i) marker.unplaced[i].rules.to = 7 * kSide;
+  marker.unplaced[7].rules.from = 5 * kSide;
+  const auto done = nested(marker, 3000);
+  ASSERT_TRUE(done) << done.error().message;
+  EXPECT_TRUE(is_valid(done->marker));
+  EXPECT_EQ(done->marker.pieces.size(), 12u);
+  EXPECT_LE(done->length_after, 15 * kSide);
+}
+
+TEST(RulesInNesting, PiecesOfAShadeStayTogetherWhateverElseMoves) {
+  Marker marker = squares(18);
+  marker.shade = 7 * kSide;  // room for six
+  for (std::size_t i = 0; i < 12; ++i) marker.unplaced[i].rules.shade = i % 2 == 0 ? "A" : "B";
+  const auto done = nested(marker, 3000);
+  ASSERT_TRUE(done) << done.error().message;
+  EXPECT_TRUE(is_valid(done->marker));
+  EXPECT_EQ(done->marker.pieces.size(), 18u);
+  EXPECT_LE(done->length_after, 19 * kSide);
+}
+
+TEST(RulesInNesting, ABandThatIsTooShortIsAnErrorThatNamesAPiece) {
+  Marker marker = squares(5);
+  for (Piece& piece : marker.unplaced) piece.rules.to = 4 * kSide;
+  const auto done = nested(marker, 500);
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().code, ErrorCode::kOutOfRange);
+  EXPECT_NE(done.error().message.find("piece \""), std::string::npos) << done.error().message;
+}
+
+TEST(RulesInNesting, APieceWiderThanItsRoomIsRefused) {
+  Marker marker = squares(2);
+  marker.unplaced[1].rules.below = 800'000;
+  const auto done = nested(marker, 500);
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().code, ErrorCode::kPieceTooWide);
+  EXPECT_EQ(done.error().field, "/unplaced/1");
+}
+
+TEST(RulesInNesting, WhereTheClothEndsThoseThatLieKeepThem) {
+  Marker marker = squares(14);
+  marker.strip.longest = 10 * kSide;
+  marker.shade = 4 * kSide;
+  for (std::size_t i = 0; i < 3; ++i) marker.unplaced[i].rules.shade = "A";
+  for (std::size_t i = 3; i < 6; ++i) marker.unplaced[i].rules.to = 4 * kSide;
+  marker.unplaced[6].rules.on_fold = true;
+  const auto done = nested(marker, 3000);
+  ASSERT_TRUE(done) << done.error().message;
+  EXPECT_TRUE(is_valid(done->marker));
+  EXPECT_GE(done->marker.pieces.size(), 8u);
+  EXPECT_EQ(done->marker.pieces.size() + done->left_over, 14u);
+}
+
+TEST(RulesInNesting, SheetsKeepThemToo) {
+  test::Random random{3};
+  for (int trial = 0; trial < 12 / test::kSlowdown; ++trial) {
+    Marker marker = test::random_marker_with_rules(random);
+    for (Piece& piece : marker.pieces) {
+      piece.locked = {};
+      piece.group.clear();
+    }
+    sheets::Sheet sheet;
+    sheet.width = marker.strip.width;
+    sheet.length = std::max<Coord>(marker.strip.width / 2, length_of(marker) * 2 / 3);
+    sheet.count = 2;
+    SumCache sums;
+    const auto done = sheets::nest_on_sheets(marker, {&sheet, 1}, {.moves = 200, .seed = 1}, {sums});
+    ASSERT_TRUE(done) << done.error().message;
+    std::size_t pieces = done->left_over.size();
+    for (const sheets::SheetLayout& layout : done->layouts) {
+      EXPECT_TRUE(is_valid(layout.marker)) << trial;
+      pieces += layout.marker.pieces.size();
+    }
+    EXPECT_EQ(pieces, marker.pieces.size());
+  }
+}
+
+}  // namespace
+}  // namespace selvage::nesting

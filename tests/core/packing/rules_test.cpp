@@ -1,0 +1,116 @@
+// Cloth's rules in exact packing and containment: layouts keep them, and what is proved is proved with them.
+#include "core/marker/rules.h"
+
+#include <gtest/gtest.h>
+
+#include "core/marker/validity.h"
+#include "core/packing/contain.h"
+#include "core/packing/pack.h"
+#include "core/packing/refitting/fill_gaps.h"
+#include "tests/core/motion/markers.h"
+
+namespace selvage::packing {
+namespace {
+
+// Squares of 10 mm in a strip of 20 mm.
+Marker squares(std::size_t count) {
+  test::Layout layout{20'000};
+  const auto square = layout.shape_of(test::rectangle(10'000, 10'000));
+  for (std::size_t k = 0; k < count; ++k) layout.put(square, {static_cast<Coord>(k) * 12'000, 0});
+  return layout.marker();
+}
+
+Packing packed(const Marker& marker) {
+  SumCache sums;
+  Packing packing = pack(marker, {}, {sums});
+  if (packing.found) {
+    EXPECT_TRUE(is_valid(packing.marker));
+  }
+  return packing;
+}
+
+Verdict verdict_of(const Marker& marker, const std::vector<PieceId>& pieces, const Box& room) {
+  SumCache sums;
+  const Containment done = contain(marker, pieces, room, {}, {sums});
+  if (done.verdict == Verdict::kFound) {
+    EXPECT_TRUE(is_valid(done.marker));
+  }
+  return done.verdict;
+}
+
+void expect_optimum(const Marker& marker, Coord optimum) {
+  const Packing packing = packed(marker);
+  ASSERT_TRUE(packing.found);
+  EXPECT_TRUE(packing.proved);
+  EXPECT_LE(packing.bound, optimum);
+  EXPECT_GE(packing.length_after, optimum);
+  EXPECT_LE(packing.length_after, optimum + 16);
+}
+
+TEST(RulesInPacking, SquaresOnTheFoldLieInARow) {
+  Marker marker = squares(4);
+  expect_optimum(marker, 20'000);
+  for (std::size_t k = 0; k < 3; ++k) marker.pieces[k].rules.on_fold = true;
+  expect_optimum(marker, 30'000);
+}
+
+TEST(RulesInPacking, ABandMovesTheOptimum) {
+  Marker marker = squares(4);
+  marker.pieces[0].rules.from = 15'000;
+  expect_optimum(marker, 25'000);
+  marker.pieces[0].rules = {};
+  marker.pieces[3].rules.to = 10'000;  // it has to exchange places with others
+  expect_optimum(marker, 20'000);
+}
+
+TEST(RulesInPacking, ASelvedgeOfItsOwnIsUsed) {
+  Marker marker = squares(2);
+  marker.strip.below = 1'000;
+  marker.pieces[0].at.y = marker.pieces[1].at.y = 1'000;
+  expect_optimum(marker, 20'000);
+  marker.pieces[0].rules.below = 0;
+  expect_optimum(marker, 10'000);
+}
+
+TEST(RulesInPacking, TheBoundHoldsWhereAShadeDoes) {
+  Marker marker = squares(6);
+  marker.shade = 10'000;
+  marker.pieces[0].rules.shade = marker.pieces[5].rules.shade = "A";
+  const Packing packing = packed(marker);
+  ASSERT_TRUE(packing.found);
+  EXPECT_LE(packing.bound, 30'000);
+}
+
+TEST(RulesInPacking, ContainmentProvesThatRulesLeaveNoRoom) {
+  Marker marker = squares(2);
+  marker.pieces[0].at = {0, 0};
+  const Box room{{0, 0}, {20'000, 20'000}};
+  EXPECT_EQ(verdict_of(marker, {{1}}, room), Verdict::kFound);
+  marker.pieces[1].rules.to = 12'000;
+  EXPECT_EQ(verdict_of(marker, {{1}}, room), Verdict::kFound);
+  marker.pieces[1].rules.on_fold = true;
+  EXPECT_EQ(verdict_of(marker, {{1}}, room), Verdict::kImpossible);
+}
+
+TEST(RulesInPacking, APieceGoesNearEnoughToTheOthersOfItsShade) {
+  Marker marker = squares(3);
+  marker.pieces[0].at = {0, 0};
+  marker.pieces[1].at = {0, 10'000};
+  marker.shade = 25'000;
+  marker.pieces[0].rules.shade = marker.pieces[2].rules.shade = "A";
+  EXPECT_EQ(verdict_of(marker, {{2}}, {{5'000, 0}, {40'000, 20'000}}), Verdict::kFound);
+  EXPECT_EQ(verdict_of(marker, {{2}}, {{16'000, 0}, {40'000, 20'000}}), Verdict::kImpossible);
+}
+
+TEST(RulesInPacking, GapsAreFilledByTheirRules) {
+  Marker marker = squares(6);
+  marker.pieces[0].rules.on_fold = true;
+  marker.pieces[1].rules.to = 40'000;
+  SumCache sums;
+  const auto filled = refitting::fill_gaps(marker, {}, {sums});
+  ASSERT_TRUE(filled) << filled.error().message;
+  EXPECT_TRUE(is_valid(filled->marker));
+}
+
+}  // namespace
+}  // namespace selvage::packing
