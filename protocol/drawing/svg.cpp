@@ -17,18 +17,13 @@ namespace selvage::protocol::drawing {
 namespace {
 
 constexpr double kLargestLabel = 13, kReadableLabel = 7.5, kSmallestLabel = 4.5;  // font sizes
-constexpr double kCharacterWidth = 0.56;                                          // of the font size, about
+constexpr double kAround = 24;  // pixels above and below the cloth of a row, for what reaches beyond it
 
-std::size_t characters(std::string_view text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
-}
-
-// `width`: of the page, in pixels.
-std::string heading(const View& view, double width) {
-  const std::string size = pixels(width) + " " + pixels(view.height());
+// `width` and `height`: of the page, in pixels.
+std::string heading(double width, double height) {
+  const std::string size = pixels(width) + " " + pixels(height);
   std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + pixels(width) + "\" height=\"" +
-                    pixels(view.height()) + "\" viewBox=\"0 0 " + size + "\">\n";
+                    pixels(height) + "\" viewBox=\"0 0 " + size + "\">\n";
   out += R"(<style>
 text { font-family: "Source Sans 3", "Helvetica Neue", Helvetica, Arial, sans-serif; fill: #3b3a38; }
 .page { fill: #ffffff; }
@@ -42,6 +37,7 @@ text { font-family: "Source Sans 3", "Helvetica Neue", Helvetica, Arial, sans-se
 .number { font-size: 11px; text-anchor: middle; fill: #6d685f; }
 .across { font-size: 12px; text-anchor: middle; fill: #6d685f; }
 .end { stroke: #b3423a; stroke-width: 1.6; }
+.cut { stroke: #8b857a; stroke-width: 1; stroke-dasharray: 2 3; }
 .before { stroke: #8b857a; stroke-width: 1.2; stroke-dasharray: 5 4; }
 .title { font-size: 17px; font-weight: 600; }
 .caption { font-size: 13px; fill: #56524b; }
@@ -61,13 +57,13 @@ text { font-family: "Source Sans 3", "Helvetica Neue", Helvetica, Arial, sans-se
 .remark { fill: #56524b; }
 </style>
 )";
-  out += "<rect class=\"page\" width=\"" + pixels(width) + "\" height=\"" + pixels(view.height()) + "\"/>\n";
+  out += "<rect class=\"page\" width=\"" + pixels(width) + "\" height=\"" + pixels(height) + "\"/>\n";
   return out;
 }
 
 std::string cloth(const View& view) {
-  return "<rect class=\"cloth\" x=\"" + pixels(view.x(0)) + "\" y=\"" + pixels(View::kTop) + "\" width=\"" +
-         pixels(view.end() * view.scale()) + "\" height=\"" + pixels(view.bottom() - View::kTop) + "\"/>\n";
+  return "<rect class=\"cloth\" x=\"" + pixels(view.x(0)) + "\" y=\"" + pixels(view.top()) + "\" width=\"" +
+         pixels(view.end() * view.scale()) + "\" height=\"" + pixels(view.bottom() - view.top()) + "\"/>\n";
 }
 
 std::string outline_path(const Polygon& outline, const View& view) {
@@ -85,48 +81,83 @@ struct Label {
   double size{};  // of the font, in pixels
 };
 
-Label fit_label(const Polygon& outline, const std::string& text, const View& view) {
-  const double aspect = std::max(1.0, kCharacterWidth * static_cast<double>(characters(text)));
-  const LabelSpot spot = find_label_spot(outline, aspect, kLargestLabel / 2 / view.scale());
-  return {text, spot, std::min(kLargestLabel, 2 * spot.half_height * view.scale())};
+Label fit_label(const Polygon& outline, const std::string& text, double scale) {
+  const double aspect = std::max(1.0, text_width(text, 1));
+  const LabelSpot spot = find_label_spot(outline, aspect, kLargestLabel / 2 / scale);
+  return {text, spot, std::min(kLargestLabel, 2 * spot.half_height * scale)};
 }
 
-// The label where it fits; the id alone where the label would be too small to read; nothing where even that
-// is.
-std::string label(const Polygon& outline, const std::string& text, const std::string& id, const View& view) {
+// The label where it fits; the id alone where the label would be too small to read; nothing where even that is.
+std::optional<Label> label(const Polygon& outline, const std::string& text, const std::string& id, double scale) {
   const Box box = box_of(outline);
-  const auto room = static_cast<double>(std::min(box.width(), box.height())) * view.scale();
-  if (room < kSmallestLabel) return "";
-  Label best = fit_label(outline, text, view);
-  if (best.size < kReadableLabel && text != id) best = fit_label(outline, id, view);
-  if (best.size < kSmallestLabel) return "";
-  const std::string at_x = pixels(view.x(best.spot.x)), at_y = pixels(view.y(best.spot.y));
-  std::string out = "<text class=\"id\" font-size=\"" + pixels(best.size) + "\" x=\"" + at_x + "\" y=\"" + at_y + "\"";
-  if (best.spot.upright) out += " transform=\"rotate(-90 " + at_x + " " + at_y + ")\"";
-  return out + ">" + escaped(best.text) + "</text>\n";
+  if (static_cast<double>(std::min(box.width(), box.height())) * scale < kSmallestLabel) return std::nullopt;
+  Label best = fit_label(outline, text, scale);
+  if (best.size < kReadableLabel && text != id) best = fit_label(outline, id, scale);
+  if (best.size < kSmallestLabel) return std::nullopt;
+  return best;
 }
 
-struct Drawn {
-  std::string pieces, labels;  // labels are drawn above everything, so that no line strikes through them
+// Where a folded strip goes on in another row, the label keeps within its own.
+double label_x(const Label& label, const View& view) {
+  const double half = (label.spot.upright ? label.size : text_width(label.text, label.size)) / 2;
+  double x = view.x(label.spot.x);
+  if (!view.is_last()) x = std::min(x, view.x(view.to()) - half);
+  if (!view.is_first()) x = std::max(x, view.x(view.from()) + half);
+  return x;
+}
+
+std::string label_text(const Label& label, const View& view) {
+  const std::string x = pixels(label_x(label, view)), y = pixels(view.y(label.spot.y));
+  std::string out = "<text class=\"id\" font-size=\"" + pixels(label.size) + "\" x=\"" + x + "\" y=\"" + y + "\"";
+  if (label.spot.upright) out += " transform=\"rotate(-90 " + x + " " + y + ")\"";
+  return out + ">" + escaped(label.text) + "</text>\n";
+}
+
+// The pieces as every row draws them.
+struct Pieces {
+  std::vector<Polygon> outlines;
+  std::vector<std::string> colours;  // one per shape
+  std::vector<std::optional<Label>> labels;
 };
 
-Drawn draw_pieces(const Marker& marker, const SvgOptions& options, const View& view) {
-  std::vector<Polygon> placed;
-  for (std::uint32_t i = 0; i < marker.pieces.size(); ++i) placed.push_back(placed_outline(marker, PieceId{i}));
-  const auto colours = shape_colours(marker, placed);
-  std::string out = "<g>\n", labels;
-  for (std::size_t i = 0; i < placed.size(); ++i) {
-    const Piece& piece = marker.pieces[i];
-    out += std::string{"<path class=\"piece"} + (piece.locked ? " locked" : "") + "\" fill=\"" +
-           colours[piece.shape.value] + "\" d=\"" + outline_path(placed[i], view) + "\"><title>" + escaped(piece.id) +
-           "</title></path>\n";
-    if (piece.shape.value < options.annotations.size()) {
-      out += annotations(options.annotations[piece.shape.value], marker, piece, placed[i], view);
-    }
-    labels += label(placed[i], i < options.labels.size() ? options.labels[i] : piece.id, piece.id, view);
+Pieces pieces_of(const Marker& marker, const SvgOptions& options, double scale) {
+  Pieces pieces;
+  for (std::uint32_t i = 0; i < marker.pieces.size(); ++i) {
+    const std::string& id = marker.pieces[i].id;
+    pieces.outlines.push_back(placed_outline(marker, PieceId{i}));
+    pieces.labels.push_back(
+        label(pieces.outlines.back(), i < options.labels.size() ? options.labels[i] : id, id, scale));
   }
+  pieces.colours = shape_colours(marker, pieces.outlines);
+  return pieces;
+}
+
+// Those that lie in the row, whole or in part.
+std::string draw_pieces(const Marker& marker, const SvgOptions& options, const Pieces& pieces, const View& view) {
+  std::string out = "<g>\n";
+  for (std::size_t i = 0; i < pieces.outlines.size(); ++i) {
+    const Piece& piece = marker.pieces[i];
+    const Box box = box_of(pieces.outlines[i]);
+    if (static_cast<double>(box.high.x) < view.from() || static_cast<double>(box.low.x) > view.to()) continue;
+    out += std::string{"<path class=\"piece"} + (piece.locked ? " locked" : "") + "\" fill=\"" +
+           pieces.colours[piece.shape.value] + "\" d=\"" + outline_path(pieces.outlines[i], view) + "\"><title>" +
+           escaped(piece.id) + "</title></path>\n";
+    if (piece.shape.value < options.annotations.size()) {
+      out += annotations(options.annotations[piece.shape.value], marker, piece, pieces.outlines[i], view);
+    }
+  }
+  return out + "</g>\n";
+}
+
+// Each label stands in one row.  Labels are drawn above everything else, so that no line strikes through them.
+std::string draw_labels(const SvgOptions& options, const Pieces& pieces, const View& view) {
   const bool over = !options.overlay.moves.empty() || !options.overlay.forces.empty() || !options.overlay.chain.empty();
-  return {out + "</g>\n", (over ? "<g class=\"over\">\n" : "<g>\n") + labels + "</g>\n"};
+  std::string out = over ? "<g class=\"over\">\n" : "<g>\n";
+  for (const std::optional<Label>& label : pieces.labels) {
+    const bool here = label && label->spot.x >= view.from() && (label->spot.x < view.to() || view.is_last());
+    if (here) out += label_text(*label, view);
+  }
+  return out + "</g>\n";
 }
 
 // A round step that puts major ticks about `pixels_apart` apart: 1, 2 or 5 times a power of ten.
@@ -154,21 +185,22 @@ std::string ruler(const Marker& marker, const View& view) {
   const double unit = to_decimal(1, marker.resolution);  // length of a lattice unit
   const double step = round_step(unit / view.scale(), kApart);
   const double y = view.bottom() + 6;
-  std::string out = line(view.x(0), y, view.x(view.end()), y, "tick");
-  const auto ticks = static_cast<int>(std::floor(view.end() * unit * kParts / step + 1e-9));
-  for (int i = 0; i <= ticks; ++i) {
+  std::string out = line(view.x(view.from()), y, view.x(view.to()), y, "tick");
+  const auto first = static_cast<int>(std::ceil(view.from() * unit * kParts / step - 1e-9));
+  const auto last = static_cast<int>(std::floor(view.to() * unit * kParts / step + 1e-9));
+  for (int i = first; i <= last; ++i) {
     const double at = step * i / kParts;
     const bool major = i % kParts == 0;
     out += line(view.x(at / unit), y, view.x(at / unit), y + (major ? 8 : 4), major ? "tick" : "minor");
     if (major) out += text_at(view.x(at / unit), y + 21, "number", tick_text(at));
   }
-  return out + text_at(view.x(view.end()) + 26, y + 21, "number", marker.unit);
+  return out + text_at(view.x(view.to()) + 26, y + 21, "number", marker.unit);
 }
 
 std::string width_label(const Marker& marker, const View& view) {
-  const double x = View::kLeft - 14, middle = (View::kTop + view.bottom()) / 2;
-  std::string out = line(x, View::kTop, x, view.bottom(), "tick");
-  out += line(x - 4, View::kTop, x + 4, View::kTop, "tick") + line(x - 4, view.bottom(), x + 4, view.bottom(), "tick");
+  const double x = View::kLeft - 14, middle = (view.top() + view.bottom()) / 2;
+  std::string out = line(x, view.top(), x, view.bottom(), "tick");
+  out += line(x - 4, view.top(), x + 4, view.top(), "tick") + line(x - 4, view.bottom(), x + 4, view.bottom(), "tick");
   const std::string text = json::number_text(to_decimal(marker.strip.width, marker.resolution)) + " " + marker.unit;
   return out + "<text class=\"across\" transform=\"translate(" + pixels(x - 9) + " " + pixels(middle) +
          ") rotate(-90)\">" + escaped(text) + "</text>\n";
@@ -179,10 +211,31 @@ std::string end_lines(const SvgOptions& options, const View& view) {
   std::string out;
   if (options.length_before) {
     const double x = view.x(static_cast<double>(*options.length_before));
-    out += line(x, View::kTop - over, x, view.bottom() + over, "before");
+    out += line(x, view.top() - over, x, view.bottom() + over, "before");
   }
   const double x = view.x(view.length());
-  return out + line(x, View::kTop - over, x, view.bottom() + over, "end");
+  return out + line(x, view.top() - over, x, view.bottom() + over, "end");
+}
+
+// What is drawn of the strip, without the parts that lie in other rows.
+std::string within_row(const std::string& drawn, const View& view) {
+  if (view.is_first() && view.is_last()) return drawn;
+  const double left = view.is_first() ? 0 : view.x(view.from());
+  const double right = view.x(view.to()) + (view.is_last() ? View::kRight : 0);
+  const std::string at_x = pixels(left), at_y = pixels(view.top() - kAround);
+  const std::string width = pixels(right - left), height = pixels(view.bottom() - view.top() + 2 * kAround);
+  std::string out = "<svg x=\"" + at_x + "\" y=\"" + at_y + "\" width=\"" + width + "\" height=\"" + height +
+                    "\" viewBox=\"" + at_x + " " + at_y + " " + width + " " + height + "\">\n" + drawn + "</svg>\n";
+  for (const auto& [cut, here] : {std::pair{view.from(), !view.is_first()}, {view.to(), !view.is_last()}}) {
+    if (here) out += line(view.x(cut), view.top(), view.x(cut), view.bottom(), "cut");
+  }
+  return out;
+}
+
+std::string draw_row(const Marker& marker, const SvgOptions& options, const Pieces& pieces, const View& view) {
+  const std::string drawn = cloth(view) + rules(marker, view) + draw_pieces(marker, options, pieces, view) +
+                            overlay(options.overlay, view) + end_lines(options, view);
+  return within_row(drawn, view) + draw_labels(options, pieces, view) + ruler(marker, view) + width_label(marker, view);
 }
 
 struct Caption {
@@ -206,24 +259,20 @@ Caption caption(const Marker& marker, const SvgOptions& options) {
   text += "  \u00b7  utilisation " + fixed(100 * utilisation_of(marker), 3) + " %";
   text += overlay_legend(options.overlay, marker, options.height);
   const std::string title = marker.name.empty() ? "marker" : marker.name;
-  const auto width = [](double size, const std::string& words) {
-    return size * kCharacterWidth * static_cast<double>(characters(words));
-  };
   return {text_at(View::kLeft, 19, "title", title) + text_at(View::kLeft, 38, "caption", text),
-          std::max(width(17, title), width(13, text))};
+          std::max(text_width(title, 17), text_width(text, 13))};
 }
 
 }  // namespace
 
 std::string to_svg(const Marker& marker, const SvgOptions& options) {
   const Coord length = length_of(marker);
-  const View view{marker.strip.width, length, std::max(length, options.length_before.value_or(0)), options.height};
+  const Rows rows{marker.strip.width, length, std::max(length, options.length_before.value_or(0)), options.height};
   const Caption words = caption(marker, options);
-  const double page = std::max(view.width(), 2 * View::kLeft + words.width);
-  const Drawn drawn = draw_pieces(marker, options, view);
-  return heading(view, page) + words.text + cloth(view) + rules(marker, view) + drawn.pieces +
-         overlay(options.overlay, view) + end_lines(options, view) + drawn.labels + ruler(marker, view) +
-         width_label(marker, view) + "</svg>\n";
+  const Pieces pieces = pieces_of(marker, options, rows.row(0).scale());
+  std::string out = heading(std::max(rows.width(), 2 * View::kLeft + words.width), rows.height()) + words.text;
+  for (std::size_t i = 0; i < rows.count(); ++i) out += draw_row(marker, options, pieces, rows.row(i));
+  return out + "</svg>\n";
 }
 
 SvgOptions svg_options(const MarkerFile& file) {

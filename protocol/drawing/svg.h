@@ -2,8 +2,9 @@
 //
 // The strip lies along x with y upwards; pieces are coloured by shape (mirror images share a hue, neighbours
 // do not), each named in its middle where there is room; a ruler runs along the length, the caption says
-// length and utilisation. Coordinates are rounded to a hundredth of a pixel: for exact ones there is
-// outlines.h.
+// length and utilisation. A strip of more than six times its width is folded into rows of the same length, one below
+// the other; a piece across the end of a row is drawn in both. Coordinates are rounded to a hundredth of a pixel: for
+// exact ones there is outlines.h.
 #pragma once
 
 #include <optional>

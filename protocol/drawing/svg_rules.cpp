@@ -36,7 +36,7 @@ std::string bands(const Marker& marker, const View& view) {
   std::string out;
   for (const Coord end : ends) {
     const double x = view.x(static_cast<double>(end));
-    if (static_cast<double>(end) <= view.end()) out += line(x, View::kTop, x, view.bottom(), "band");
+    if (static_cast<double>(end) <= view.end()) out += line(x, view.top(), x, view.bottom(), "band");
   }
   return out;
 }
@@ -51,8 +51,8 @@ std::string shades(const Marker& marker, const View& view) {
     Box all = pieces.box(shade.pieces.front());
     for (const std::uint32_t piece : shade.pieces) all = united(all, pieces.box(piece));
     const double from = view.x(static_cast<double>(all.low.x)), to = view.x(static_cast<double>(all.high.x));
-    out += line(from, View::kTop - above, to, View::kTop - above, "shade");
-    out += text_at(from, View::kTop - above - 2, "shade-name", marker.pieces[shade.pieces.front()].rules.shade);
+    out += line(from, view.top() - above, to, view.top() - above, "shade");
+    out += text_at(from, view.top() - above - 2, "shade-name", marker.pieces[shade.pieces.front()].rules.shade);
     above += kApart;
   }
   return out;

@@ -2,8 +2,35 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 
 namespace selvage::protocol::drawing {
+namespace {
+
+constexpr double kLongestRow = 6;  // times the strip's width
+constexpr double kBetween = 24;    // pixels between the ruler of a row and the cloth of the next
+
+}  // namespace
+
+Rows::Rows(Coord width, Coord length, Coord end, double height)
+    : scale_{height / static_cast<double>(std::max<Coord>(1, width))},
+      length_{static_cast<double>(length)},
+      end_{static_cast<double>(end)},
+      height_{height},
+      count_{static_cast<std::size_t>(std::max(1.0, std::ceil(end_ * scale_ / (kLongestRow * height))))} {}
+
+View Rows::row(std::size_t index) const {
+  const double each = end_ / static_cast<double>(count_), number = static_cast<double>(index);
+  View view;
+  view.scale_ = scale_;
+  view.length_ = length_;
+  view.end_ = end_;
+  view.height_ = height_;
+  view.from_ = number * each;
+  view.to_ = index + 1 == count_ ? end_ : (number + 1) * each;
+  view.top_ = View::kTop + number * (height_ + View::kBottom + kBetween);
+  return view;
+}
 
 std::string fixed(double value, int decimals) {
   std::array<char, 64> buffer{};
@@ -31,6 +58,13 @@ std::string escaped(std::string_view text) {
     }
   }
   return out;
+}
+
+double text_width(std::string_view text, double size) {
+  constexpr double kCharacterWidth = 0.56;
+  const auto characters =
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; });
+  return size * kCharacterWidth * static_cast<double>(characters);
 }
 
 std::string line(double x1, double y1, double x2, double y2, std::string_view style) {

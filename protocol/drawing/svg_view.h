@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -9,29 +10,47 @@
 
 namespace selvage::protocol::drawing {
 
-// From lattice units to pixels.
+// How lattice units become pixels in one row of a drawing, which shows the part of the strip between two x.
 class View {
  public:
   static constexpr double kLeft = 46, kRight = 70, kTop = 52, kBottom = 40;  // margins round the strip, in pixels
 
-  // `length` and `end`: where the marker and the drawn cloth end, lattice units; `height`: of the strip, in pixels.
-  View(Coord width, Coord length, Coord end, double height)
-      : scale_{height / static_cast<double>(std::max<Coord>(1, width))},
-        length_{static_cast<double>(length)},
-        end_{static_cast<double>(end)},
-        height_{height} {}
-
-  [[nodiscard]] double x(double lattice) const { return kLeft + lattice * scale_; }
-  [[nodiscard]] double y(double lattice) const { return kTop + height_ - lattice * scale_; }
+  [[nodiscard]] double x(double lattice) const { return kLeft + (lattice - from_) * scale_; }
+  [[nodiscard]] double y(double lattice) const { return bottom() - lattice * scale_; }
   [[nodiscard]] double scale() const { return scale_; }
-  [[nodiscard]] double length() const { return length_; }
-  [[nodiscard]] double end() const { return end_; }  // where the drawn cloth ends
-  [[nodiscard]] double bottom() const { return kTop + height_; }
-  [[nodiscard]] double width() const { return std::max(x(end_) + kRight, 560.0); }
-  [[nodiscard]] double height() const { return kTop + height_ + kBottom; }
+  [[nodiscard]] double length() const { return length_; }  // where the marker ends
+  [[nodiscard]] double end() const { return end_; }        // where the drawn cloth ends
+  [[nodiscard]] double from() const { return from_; }
+  [[nodiscard]] double to() const { return to_; }
+  [[nodiscard]] double top() const { return top_; }
+  [[nodiscard]] double bottom() const { return top_ + height_; }
+  [[nodiscard]] bool is_first() const { return from_ <= 0; }
+  [[nodiscard]] bool is_last() const { return to_ >= end_; }
+
+ private:
+  friend class Rows;
+  View() = default;
+
+  double scale_{}, length_{}, end_{}, height_{};
+  double from_{}, to_{}, top_{};
+};
+
+// The rows of a drawing.  A strip much longer than wide would be an unreadable ribbon: it is folded into several rows
+// of the same length, one below the other.
+class Rows {
+ public:
+  // `length` and `end`: where the marker and the drawn cloth end, lattice units; `height`: of the strip, in pixels.
+  Rows(Coord width, Coord length, Coord end, double height);
+
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] View row(std::size_t index) const;
+  // Of the page, in pixels.
+  [[nodiscard]] double width() const { return std::max(row(0).x(row(0).to()) + View::kRight, 560.0); }
+  [[nodiscard]] double height() const { return row(count_ - 1).bottom() + View::kBottom; }
 
  private:
   double scale_, length_, end_, height_;
+  std::size_t count_;
 };
 
 // So many decimals; and rounded to a hundredth, as short as can be.
@@ -39,6 +58,9 @@ class View {
 [[nodiscard]] std::string pixels(double value);
 // Text that may stand in an element or an attribute.
 [[nodiscard]] std::string escaped(std::string_view text);
+
+// How wide a text is, about; in the unit of the font's size.
+[[nodiscard]] double text_width(std::string_view text, double size);
 
 // In pixels; `style` is a class of the drawing's style sheet.
 [[nodiscard]] std::string line(double x1, double y1, double x2, double y2, std::string_view style);

@@ -81,6 +81,59 @@ TEST(Svg, IsAsWideAsItsCaption) {
   EXPECT_GT(width, 200 * 17 * 0.5);  // 17 pixels high, and half as wide
 }
 
+// Squares of 40 in a strip of 100, the last of them at 1460: three rows of 500 pixels, and pixels are units.
+Json long_marker() {
+  Json document = test::native_squares();
+  document["pieces"] = Json::array();
+  for (const int x : {0, 480, 700, 1460}) {
+    document["pieces"].push_back({{"id", "p" + std::to_string(x)}, {"shape", "square"}, {"at", Json::array({x, 0})}});
+  }
+  return document;
+}
+
+TEST(Svg, FoldsALongMarkerIntoRows) {
+  SvgOptions options;
+  options.height = 100;
+  const std::string svg = to_svg(test::read(long_marker()).marker, options);
+  EXPECT_EQ(count(svg, "<svg "), 4u);                // the drawing, and what each of the three rows shows
+  EXPECT_EQ(count(svg, "class=\"cut\""), 4u);        // two ends of rows, each drawn in both of them
+  EXPECT_EQ(count(svg, "<title>p480</title>"), 2u);  // it lies across the end of the first row
+  EXPECT_EQ(count(svg, ">p480</text>"), 1u);         // but its label is written once
+  EXPECT_EQ(count(svg, "<title>p700</title>"), 1u);
+  EXPECT_EQ(count(svg, ">p1460</text>"), 1u);
+  EXPECT_EQ(svg.rfind("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"616\" height=\"520\"", 0), 0u)
+      << svg.substr(0, 99);
+  // At 700, which is 200 in the second row, whose cloth begins 164 pixels below that of the first.
+  EXPECT_NE(svg.find("M246 316L286 316L286 276L246 276Z"), std::string::npos) << svg;
+}
+
+TEST(Svg, KeepsLabelsWithinTheirRows) {
+  SvgOptions options;
+  options.height = 100;
+  options.labels = {"", "abcdef", "", ""};
+  const std::string svg = to_svg(test::read(long_marker()).marker, options);
+  const std::size_t end = svg.find(">abcdef");
+  ASSERT_NE(end, std::string::npos);
+  const std::size_t x = svg.rfind(" x=\"", end) + 4;
+  EXPECT_GT(std::stod(svg.substr(x)), 46 + 10);  // the square's middle is at the beginning of the second row
+}
+
+TEST(Svg, NumbersTheRulerOnFromRowToRow) {
+  SvgOptions options;
+  options.height = 100;
+  const std::string svg = to_svg(test::read(long_marker()).marker, options);
+  for (const char* number : {">400</text>", ">600</text>", ">1400</text>"}) EXPECT_EQ(count(svg, number), 1u) << number;
+}
+
+TEST(Svg, DoesNotFoldAMarkerOfSixTimesItsWidth) {
+  Json document = long_marker();
+  document["pieces"][2]["at"][0] = 300;
+  document["pieces"][3]["at"][0] = 560;  // it ends at 600
+  const std::string svg = to_svg(test::read(document).marker);
+  EXPECT_EQ(count(svg, "<svg "), 1u);
+  EXPECT_EQ(count(svg, "class=\"cut\""), 0u);
+}
+
 TEST(Svg, WritesLabelsAboveTheChain) {
   const MarkerFile file = test::read(test::native_squares());
   SvgOptions options;
