@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Regenerates what follows from the table of methods: generate.py SELVAGED [--check].
 
-The daemon describes itself (rpc.discover).  From that description follow the motions and words of the Python client and of the engine in Python, the types of
-the TypeScript client (clients/typescript/scripts/generate.mjs, when there is a node), the table of calls in
-protocol/README.md, and protocol/openrpc.json, the description itself.  With --check nothing is written: the exit code is 1 if a file is stale, and its name is printed.
+The daemon describes itself (rpc.discover).  From that description follow the motions and words of the Python client and of
+the engine in Python, the types of the TypeScript client (clients/typescript/scripts/generate.mjs, when there is a node),
+the table of calls in protocol/README.md, and protocol/openrpc.json, the description itself with an example of each
+method.  With --check nothing is written: the exit code is 1 if a file is stale, and its name is printed.
 """
 from __future__ import annotations
 
@@ -15,11 +16,14 @@ import sys
 import tempfile
 
 import calls_table
+import examples
 import python_client
+import python_motions
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PYTHON = ROOT / "clients" / "python" / "src" / "selvage_client"
 TYPESCRIPT = ROOT / "clients" / "typescript"
+GOLDEN = ROOT / "tests" / "golden" / "rpc"
 
 
 def discover(selvaged: str) -> dict:
@@ -36,23 +40,21 @@ def typescript(document: dict) -> dict[pathlib.Path, str]:
     node = shutil.which("node")
     if not node:
         return {}
-    script = 'Promise.all([import("./scripts/generate.mjs"), import("./scripts/marker_types.mjs")]).then(' \
-             '([{ generate }, { markerTypes }]) => process.stdout.write(JSON.stringify([' \
-             'generate(JSON.parse(require("fs").readFileSync(0, "utf8"))), markerTypes()])));'
-    methods, marker = json.loads(subprocess.run([node, "-e", script], input=json.dumps(document), capture_output=True,
-                                                text=True, check=True, cwd=TYPESCRIPT).stdout)
-    return {TYPESCRIPT / "src" / "methods.ts": methods, TYPESCRIPT / "src" / "marker.ts": marker}
+    script = 'import("./scripts/generate.mjs").then(({ generate }) => process.stdout.write(JSON.stringify(' \
+             'generate(JSON.parse(require("fs").readFileSync(0, "utf8"))))));'
+    made = subprocess.run([node, "-e", script], input=json.dumps(document), capture_output=True, text=True, check=True,
+                          cwd=TYPESCRIPT)
+    return {TYPESCRIPT / "src" / path: text for path, text in json.loads(made.stdout).items()}
 
 
-def generated(document: dict) -> dict[pathlib.Path, str]:
+def generated(document: dict, selvaged: str) -> dict[pathlib.Path, str]:
     page = ROOT / "protocol" / "README.md"
     files = {
-        PYTHON / "motions.py": python_client.motions(document),
-        PYTHON / "blocking_motions.py": python_client.blocking_motions(document),
+        **{PYTHON / "motions" / name: text for name, text in python_motions.files(document).items()},
         PYTHON / "messages/choices.py": python_client.choices(document),
         ROOT / "clients/engine/selvage_engine/motions.py": python_client.engine_motions(document),
         PYTHON / "messages/motion_results.py": python_client.motion_results(document),
-        ROOT / "protocol" / "openrpc.json": json.dumps(document, indent=1) + "\n",
+        ROOT / "protocol" / "openrpc.json": json.dumps(examples.with_examples(document, selvaged, GOLDEN), indent=1) + "\n",
         page: calls_table.with_table(page.read_text("utf-8"), document),
     }
     files.update(typescript(document))
@@ -60,12 +62,13 @@ def generated(document: dict) -> dict[pathlib.Path, str]:
 
 
 def main(selvaged: str, *options: str) -> int:
-    stale = {path: text for path, text in generated(discover(selvaged)).items()
+    stale = {path: text for path, text in generated(discover(selvaged), selvaged).items()
              if not path.exists() or path.read_text("utf-8") != text}
     for path, text in stale.items():
         if "--check" in options:
             print(f"{path.relative_to(ROOT)} is stale: run ./dev generate")
         else:
+            path.parent.mkdir(exist_ok=True)
             path.write_text(text, "utf-8")
             print(f"wrote {path.relative_to(ROOT)}")
     return 1 if stale and "--check" in options else 0

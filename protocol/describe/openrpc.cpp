@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "protocol/describe/call_errors.h"
+#include "protocol/describe/marker_schema.h"
 #include "protocol/methods/method_table.h"
 
 namespace selvage::protocol::describe {
@@ -34,6 +35,10 @@ class Components {
 
   std::map<std::string_view, const schema::Component*> all_;
 };
+
+Json reference_to(std::string_view component) {
+  return {{"$ref", "#/components/schemas/" + std::string{component}}};
+}
 
 Json either_schema(const schema::Type& type) {
   Json alternatives = Json::array();
@@ -142,9 +147,9 @@ Json type_schema(const schema::Type& type) {
     case Kind::kNumber: return {{"type", "number"}};
     case Kind::kBoolean: return {{"type", "boolean"}};
     case Kind::kNull: return {{"type", "null"}};
-    case Kind::kObject: return {{"type", "object"}};
+    case Kind::kObject: return type.text.empty() ? Json{{"type", "object"}} : reference_to(type.text);
     case Kind::kConstant: return {{"const", type.text}};
-    case Kind::kNamed: return {{"$ref", "#/components/schemas/" + std::string{type.component().name}}};
+    case Kind::kNamed: return reference_to(type.component().name);
     case Kind::kList: return {{"type", "array"}, {"items", type_schema(type.parts[0])}};
     case Kind::kPair:
       return {{"type", "array"}, {"items", type_schema(type.parts[0])}, {"minItems", 2}, {"maxItems", 2}};
@@ -177,6 +182,10 @@ Json openrpc_document(std::string_view version) {
   }
   Json schemas = Json::object();
   for (const auto& [name, component] : components.all()) schemas[std::string{name}] = component_schema(*component);
+  // Ids and points are the same in documents as in messages.
+  for (auto& [name, schema] : marker_schemas()) {
+    if (!schemas.contains(name)) schemas.append(name, std::move(schema));
+  }
   return {{"openrpc", "1.2.6"},
           {"info", {{"title", "Selvage"}, {"version", version}}},
           {"methods", std::move(methods)},

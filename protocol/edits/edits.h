@@ -15,6 +15,7 @@
 #include "core/base/result.h"
 #include "protocol/calls/piece_state.h"
 #include "protocol/formats/decimal_marker.h"
+#include "protocol/schema/documents.h"
 #include "protocol/schema/visitors.h"
 
 namespace selvage::protocol::edits {
@@ -289,12 +290,12 @@ namespace selvage::protocol::schema {
 
 template <>
 struct Wire<edits::NativePiece> {
-  static Type type() { return {Type::Kind::kObject}; }
+  static Type type() { return native("PieceDocument"); }
   static void read(const FieldAt& at, edits::NativePiece& value);
 };
 template <>
 struct Wire<edits::NativeShape> {
-  static Type type() { return {Type::Kind::kObject}; }
+  static Type type() { return native("ShapeDocument"); }
   static void read(const FieldAt& at, edits::NativeShape& value);
 };
 template <>

@@ -22,7 +22,7 @@ cd "$folder/clone/clients/typescript"
 npm pack --silent --offline --pack-destination "$folder" > "$folder/log" 2>&1 || fail "$(< "$folder/log")"
 tarball=$(echo "$folder"/selvage-client-*.tgz)
 held=$(tar -tzf "$tarball")
-for file in dist/index.js dist/index.d.ts dist/lines.js dist/lines.d.ts dist/marker.d.ts package.json README.md; do
+for file in dist/index.js dist/index.d.ts dist/lines.js dist/lines.d.ts dist/methods/documents.d.ts package.json README.md; do
   grep -qx "package/$file" <<< "$held" || fail "$file is not in the package"
 done
 ! grep -qE 'test|scripts|node_modules' <<< "$held" || fail "more than the package is in it"

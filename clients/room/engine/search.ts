@@ -68,5 +68,5 @@ function startTurn(wanted: Search, client: Client, markerId: string, deadlineMs:
 async function placementsOf(client: Client, markerId: string): Promise<Placements> {
   const { placements, marker } = await client.call("marker.get", { markerId, since: 1 });
   if (placements) return placements;
-  return (marker as unknown as MarkerDocument).pieces.map(({ id, at, rotation = 0, flip = false, tilt = 0 }) => ({ id, at: at!, rotation, flip, tilt }));
+  return (marker as unknown as MarkerDocument).pieces.map(({ id, at, rotation = 0, flip = false, tilt = 0 }) => ({ id: String(id), at, rotation, flip, tilt }));
 }

@@ -1,5 +1,5 @@
 import type { Locks, PieceState, Placement, Point } from "../../typescript/src/index";
-import type { MarkerDocument, PieceDocument } from "./document";
+import type { MarkerDocument, PieceDocument, UnplacedPieceDocument } from "./document";
 import { contains, type Box } from "./outline";
 import { Pose } from "./pose";
 import { Shape } from "./shape";
@@ -31,7 +31,7 @@ export interface Unplaced {
 export const isLocked = (piece: Piece, part: "x" | "y" | "tilt"): boolean =>
   piece.locked === true || (Array.isArray(piece.locked) && piece.locked.includes(part));
 
-const bundleOf = (document: PieceDocument): string => {
+const bundleOf = (document: PieceDocument | UnplacedPieceDocument): string => {
   const bundle = document.attributes?.["bundle"];
   return typeof bundle === "string" || typeof bundle === "number" ? String(bundle) : "";
 };
@@ -63,7 +63,7 @@ export class Marker {
     for (const piece of document.unplaced ?? []) this.addUnplaced(piece);
   }
 
-  private addUnplaced(document: PieceDocument): void {
+  private addUnplaced(document: UnplacedPieceDocument): void {
     const shape = this.shapes.get(String(document.shape));
     if (!shape) return;
     const { id, rotation = 0, flip = false } = document;
@@ -77,12 +77,12 @@ export class Marker {
 
   private add(document: PieceDocument): void {
     const shape = this.shapes.get(String(document.shape));
-    if (!shape || !document.at) return;
+    if (!shape) return;
     const { at, rotation = 0, flip = false, tilt = 0, locked = false, group = "", buffer = 0, overlap } = document;
     const pose = new Pose(at[0], at[1], rotation, flip, tilt);
     const id = String(document.id);
     const bundle = bundleOf(document) || shape.bundle;
-    const piece: Piece = { id, shape, bundle, index: this.pieces.length, pose, box: pose.boxOf(shape), locked, group, buffer, overlap };
+    const piece: Piece = { id, shape, bundle, index: this.pieces.length, pose, box: pose.boxOf(shape), locked, group: String(group), buffer, overlap };
     this.pieces.push(piece);
     this.byId.set(piece.id, piece);
   }
@@ -150,7 +150,7 @@ export class Marker {
   toDocument(): MarkerDocument {
     const pieces = this.document.pieces.flatMap((piece): PieceDocument[] => {
       const known = this.byId.get(String(piece.id));
-      if (!known) return piece.at ? [] : [piece];
+      if (!known) return [];
       const { pose, locked, group, buffer, overlap } = known;
       const { group: _group, buffer: _buffer, locked: _locked, overlap: _overlap, ...rest } = piece;
       return [

@@ -1,6 +1,5 @@
 export * from "./client.js";
 export * from "./connection.js";
 export * from "./errors.js";
-export * from "./marker.js";
 export * from "./methods.js";
 export type { Progress, Round } from "./progress.js";

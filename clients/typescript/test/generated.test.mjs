@@ -1,15 +1,22 @@
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import test from "node:test";
 
 import { discover, generate } from "../scripts/generate.mjs";
-import { markerTypes } from "../scripts/marker_types.mjs";
 import { selvaged } from "./daemon.mjs";
 
+const source = new URL("../src/", import.meta.url);
+const generated = generate(discover(selvaged));
+
 test("the types are those of the daemon: npm run generate changes nothing", () => {
-  assert.equal(readFileSync(new URL("../src/methods.ts", import.meta.url), "utf8"), generate(discover(selvaged)));
+  for (const [path, text] of Object.entries(generated)) assert.equal(readFileSync(new URL(path, source), "utf8"), text, path);
 });
 
-test("the document's types are those of the schema: npm run generate changes nothing", () => {
-  assert.equal(readFileSync(new URL("../src/marker.ts", import.meta.url), "utf8"), markerTypes());
+test("src/methods holds generated files alone", () => {
+  const files = readdirSync(new URL("methods/", source)).map((name) => `methods/${name}`);
+  assert.deepEqual(files.sort(), Object.keys(generated).filter((path) => path.startsWith("methods/")).sort());
+});
+
+test("no generated file is longer than 500 lines", () => {
+  for (const [path, text] of Object.entries(generated)) assert.ok(text.split("\n").length <= 500, path);
 });

@@ -7,6 +7,7 @@
 #include "protocol/calls/method.h"
 #include "protocol/files/reading.h"
 #include "protocol/methods/daemon/engine.h"
+#include "protocol/schema/documents.h"
 
 namespace selvage::protocol::methods::daemon {
 
@@ -21,7 +22,7 @@ namespace selvage::protocol::schema {
 
 template <>
 struct Wire<methods::daemon::SourceView> {
-  static Type type() { return either({{Type::Kind::kObject}, {Type::Kind::kString}}); }
+  static Type type() { return any_document(); }
   static void read(const FieldAt& at, methods::daemon::SourceView& value) {
     value.value = at.fields.required_any(at.key);
     if (!value.value || value.value->is_object() || value.value->is_string()) return;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "protocol/calls/results.h"
+#include "protocol/schema/documents.h"
 
 namespace selvage::protocol::methods::library {
 
@@ -60,7 +61,7 @@ struct LibraryIdParams {
 };
 struct LibraryGetResult {
   LibraryEntry entry;
-  calls::Document marker;
+  schema::NativeDocument marker;
 
   static void describe(auto& v, auto& self) {
     v.part(self.entry);

@@ -9,6 +9,7 @@
 #include "protocol/formats/decimal_marker.h"
 #include "protocol/methods/motions/nest_params.h"
 #include "protocol/methods/readings/reading.h"
+#include "protocol/schema/documents.h"
 
 namespace selvage::protocol::methods::motions {
 
@@ -90,7 +91,7 @@ struct NestedSheet {
   static constexpr std::string_view kName = "NestedSheet", kMeaning = "A sheet that is used, with the pieces on it.";
   std::size_t sheet{}, pieces{};
   double utilisation{};
-  calls::Document marker;
+  schema::NativeDocument marker;
 
   static void describe(auto& v, auto& self) {
     v.required("sheet", self.sheet, "Index of its kind in the parameter.");

@@ -8,6 +8,7 @@
 
 #include "core/planning/plan.h"
 #include "protocol/calls/results.h"
+#include "protocol/schema/documents.h"
 #include "protocol/schema/visitors.h"
 
 namespace selvage::protocol::schema {
@@ -126,7 +127,7 @@ struct PlannedMarker {
   std::size_t lays{};
   int plies{};
   double cloth{}, cost{};
-  std::optional<calls::Document> marker;
+  std::optional<schema::NativeDocument> marker;
 
   static void describe(auto& v, auto& self) {
     v.required("ratio", self.ratio, "What it holds.");

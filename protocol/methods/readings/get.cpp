@@ -3,19 +3,21 @@
 #include "protocol/calls/piece_state.h"
 #include "protocol/files/writing.h"
 #include "protocol/methods/readings/reading.h"
+#include "protocol/schema/documents.h"
 
 namespace selvage::protocol::methods::readings {
 namespace {
 
 struct GetResult {
   std::optional<files::FileFormat> format;
-  std::optional<calls::Document> marker;
+  std::optional<schema::AnyDocument> marker;
   std::optional<Revision> since;
   std::optional<std::vector<calls::PieceState>> placements;
 
   static void describe(auto& v, auto& self) {
     v.optional("format", self.format, "The format of the document.");
-    v.optional("marker", self.marker, "The document; a string for svg. Absent when the answer is by since.");
+    v.optional("marker", self.marker,
+               "The document; a string for formats that are text. Absent when the answer is by since.");
     v.optional("since", self.since, "The revision asked from.");
     v.optional("placements", self.placements, "The pieces that changed after it.");
   }
@@ -26,7 +28,7 @@ Result<GetResult> run(const GetParams& params, const MarkerFile& file, const cal
   if (!document) return document.error();
   GetResult result;
   result.format = params.format;
-  result.marker = calls::Document{*std::move(document)};
+  result.marker = schema::AnyDocument{*std::move(document)};
   return result;
 }
 

@@ -10,7 +10,7 @@ from types import TracebackType
 
 from .wire.address import DEFAULT
 from .async_client import AsyncClient, Document
-from .blocking_motions import BlockingMotions
+from .motions.blocking import BlockingMotions
 from .drag import AsyncDrag
 from .library import Library
 from .marker import AsyncMarker

@@ -1,0 +1,47 @@
+"""An example of each method for protocol/openrpc.json: requests of the golden exchanges (tests/golden/rpc), as this daemon
+answers them.  The same request gives the same answer, so the file changes only when the daemon does."""
+from __future__ import annotations
+
+import json
+import pathlib
+import subprocess
+import tempfile
+
+
+def answers(selvaged: str, calls: list[dict]) -> dict[str, dict]:
+    """What a fresh daemon answers to the calls, by their ids."""
+    with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
+        json.dump(calls, file)
+        file.flush()
+        ran = subprocess.run([selvaged, "--check", file.name, "--log-level", "off"], capture_output=True, text=True)
+    return {json.dumps(answer.get("id")): answer for answer in map(json.loads, ran.stdout.splitlines())}
+
+
+def exchanges(selvaged: str, folder: pathlib.Path) -> list[tuple[dict, dict]]:
+    """The requests that succeed, and their results."""
+    pairs = []
+    for path in sorted(folder.glob("*.json")):
+        requests = [exchange.get("request") for exchange in json.loads(path.read_text("utf-8"))]
+        calls = [request for request in requests if isinstance(request, dict) and "id" in request]
+        known = answers(selvaged, calls)
+        finished = [(request, known.get(json.dumps(request["id"]), {})) for request in calls]
+        pairs += [(request, answer["result"]) for request, answer in finished if "result" in answer]
+    return pairs
+
+
+def pairing(request: dict, result: dict) -> dict:
+    return {"name": request["method"],
+            "params": [{"name": name, "value": value} for name, value in request.get("params", {}).items()],
+            "result": {"name": "result", "value": result}}
+
+
+def with_examples(document: dict, selvaged: str, folder: pathlib.Path) -> dict:
+    """The document with the shortest exchange of each method.  What describes the daemon itself has none."""
+    known = exchanges(selvaged, folder)
+    methods = []
+    for method in document["methods"]:
+        of_method = [pairing(request, result) for request, result in known if request["method"] == method["name"]
+                     and not method["name"].startswith(("engine.", "rpc."))]
+        shortest = sorted(of_method, key=lambda each: len(json.dumps(each)))[:1]
+        methods.append(method | ({"examples": shortest} if shortest else {}))
+    return document | {"methods": methods}

@@ -1,0 +1,25 @@
+"""What all motions of a marker have in common."""
+
+from __future__ import annotations
+
+from typing import Any, TypeVar
+
+from ..messages.motion_results import Moved
+from ..messages.words import named, read
+from ..wire.link import Link
+from ..wire.progress import Shown, shown
+
+M = TypeVar("M", bound=Moved)
+
+
+class AsyncMotion:
+    id: str
+    revision: int | None
+    _link: Link
+
+    async def _move(self, kind: type[M], motion: str, progress: Shown, **params: Any) -> M:
+        with shown(progress) as on_progress:
+            answer = await self._link.call(motion, named(marker_id=self.id, **params), on_progress)
+        moved = read(kind, answer)
+        self.revision = moved.revision
+        return moved
