@@ -56,8 +56,9 @@ def _read(kind: Any, value: Any) -> Any:
     if dataclasses.is_dataclass(kind):
         if not isinstance(value, dict):
             raise TypeError("an object is required")
-        present = [field for field in _fields(typing.cast(type, kind)) if field[3] or field[1] in value]
-        return kind(**{name: _read(hint, value[wire]) for name, wire, hint, _ in present})
+        made: Any = kind
+        present = [field for field in _fields(made) if field[3] or field[1] in value]
+        return made(**{name: _read(hint, value[wire]) for name, wire, hint, _ in present})
     origin, parts = typing.get_origin(kind), typing.get_args(kind)
     if origin is types.UnionType:
         return _read_union(parts, value)
