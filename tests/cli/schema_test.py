@@ -37,11 +37,16 @@ def native(path):
 
 def rich():
     return {"format": "selvage-marker", "version": 1, "name": "rich", "unit": "in", "resolution": 1e-6,
-            "strip": {"width": 100, "longest": 500}, "spacing": 0.5, "attributes": {"any": ["thing"]},
+            "strip": {"width": 100, "longest": 500, "margin": 0.5, "below": 1, "above": 2}, "spacing": 0.5,
+            "overlap": 0.25, "shade": 400, "attributes": {"any": ["thing"]},
             "shapes": [{"id": 1, "outline": [[0, 0], [40, 0], [40, 40], [0, 40], [0, 0]], "rotations": "any",
                         "flip": True, "tilt_limit": 3, "holes": [[[1, 1], [2, 1], [2, 2]]], "attributes": {}}],
             "pieces": [{"id": "a", "shape": 1, "at": [0, 40], "rotation": 90, "flip": True, "tilt": -1,
-                        "locked": True, "attributes": {"x": None}}]}
+                        "locked": True, "attributes": {"x": None}},
+                       {"id": "b", "shape": 1, "at": [100, 50], "locked": ["x", "tilt"], "group": 7, "buffer": 0.5,
+                        "overlap": 0, "rules": {"below": 3, "above": 4, "from": 0, "to": 300, "shade": "A"}}],
+            "unplaced": [{"id": "c", "shape": 1, "rotation": 90, "flip": True, "tilt": 1, "locked": False,
+                          "group": "g", "buffer": 1, "overlap": 0.125, "rules": {"shade": "A"}, "attributes": {}}]}
 
 
 def without(*path):
@@ -66,11 +71,18 @@ MISTAKES = [
     without("pieces", 0, "shape"), without("pieces", 0, "at"),
     put("other", "format"), put(2, "version"), put(1, "name"), put(3, "unit"), put(0, "strip", "width"),
     put(-1, "spacing"), put(1, "colour"), put(1, "strip", "height"), put(1, "shapes", 0, "demand"),
-    put(1, "pieces", 0, "x"), put([], "pieces"), put([[0, 0], [1, 1]], "shapes", 0, "outline"),
+    put(1, "pieces", 0, "x"), lambda document: document.update(pieces=[], unplaced=[]),
+    put([[0, 0], [1, 1]], "shapes", 0, "outline"),
     put([0, 0, 0], "shapes", 0, "outline", 1), put(["a", 0], "shapes", 0, "outline", 1),
     put("some", "shapes", 0, "rotations"), put([], "shapes", 0, "rotations"), put([400], "shapes", 0, "rotations"),
     put(1, "shapes", 0, "flip"), put(50, "shapes", 0, "tilt_limit"), put(True, "shapes", 0, "id"),
     put(1.5, "pieces", 0, "id"), put([0], "pieces", 0, "at"), put(400, "pieces", 0, "rotation"),
+    put(-1, "strip", "margin"), put(-1, "strip", "below"), put("1", "strip", "above"), put(-1, "overlap"),
+    put(0, "shade"), put(["z"], "pieces", 1, "locked"), put(-1, "pieces", 1, "buffer"), put(-1, "pieces", 1, "overlap"),
+    put(1.5, "pieces", 1, "group"), put(1, "pieces", 1, "rules"), put(-1, "pieces", 1, "rules", "below"),
+    put("x", "pieces", 1, "rules", "from"), put(1, "pieces", 1, "rules", "fold"), put(2, "pieces", 1, "rules", "shade"),
+    put(1, "pieces", 1, "rules", "within"), put({}, "unplaced"), put([0, 0], "unplaced", 0, "at"),
+    without("unplaced", 0, "shape"), put(400, "unplaced", 0, "rotation"),
     put(-50, "pieces", 0, "tilt"), put("no", "pieces", 0, "locked"), put([], "pieces", 0, "attributes"),
 ]
 

@@ -96,6 +96,32 @@ TEST(Native, RoundTripsEverything) {
   EXPECT_EQ(json::to_text(written["attributes"]), R"({"customer":{"no":17}})");
 }
 
+// A marker that uses nothing newer is written as the first version of this format was: older programs can read it.
+TEST(Native, WritesLaterFieldsOnlyWhereTheyAreUsed) {
+  const std::vector<std::string_view> of_marker{"format", "version", "name",   "unit",  "resolution",
+                                                "strip",  "spacing", "shapes", "pieces"};
+  const std::vector<std::string_view> of_shape{"id", "outline", "rotations", "flip", "tilt_limit"};
+  const std::vector<std::string_view> of_piece{"id", "shape", "at", "rotation"};
+  const auto names = [](const Json& object) {
+    std::vector<std::string_view> found;
+    for (const auto& [name, value] : object.items()) found.push_back(name);
+    return found;
+  };
+  const Json written = native_document(test::read(native_squares()));
+  EXPECT_EQ(names(written), of_marker);
+  EXPECT_EQ(names(written["strip"]), std::vector<std::string_view>{"width"});
+  EXPECT_EQ(names(written["shapes"][0]), of_shape);
+  EXPECT_EQ(names(written["pieces"][0]), of_piece);
+}
+
+TEST(Native, RefusesVersionsThatItDoesNotKnow) {
+  Json document = native_squares();
+  document["version"] = 2;
+  const auto refused = read_document(document);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().field, "/version");
+}
+
 TEST(Native, RoundsAllowancesDownAndNotesNarrowParts) {
   Json document = native_squares();
   document["resolution"] = 0.1;
