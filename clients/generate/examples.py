@@ -35,6 +35,11 @@ def pairing(request: dict, result: dict) -> dict:
             "result": {"name": "result", "value": result}}
 
 
+def length(example: dict) -> tuple[bool, int]:
+    """The shorter the better; but first those in which something moves."""
+    return example["result"]["value"].get("placements") == [], len(json.dumps(example))
+
+
 def with_examples(document: dict, selvaged: str, folder: pathlib.Path) -> dict:
     """The document with the shortest exchange of each method.  What describes the daemon itself has none."""
     known = exchanges(selvaged, folder)
@@ -42,6 +47,11 @@ def with_examples(document: dict, selvaged: str, folder: pathlib.Path) -> dict:
     for method in document["methods"]:
         of_method = [pairing(request, result) for request, result in known if request["method"] == method["name"]
                      and not method["name"].startswith(("engine.", "rpc."))]
-        shortest = sorted(of_method, key=lambda each: len(json.dumps(each)))[:1]
+        shortest = sorted(of_method, key=length)[:1]
         methods.append(method | ({"examples": shortest} if shortest else {}))
+    return document | {"methods": methods}
+
+
+def without_examples(document: dict) -> dict:
+    methods = [{name: value for name, value in method.items() if name != "examples"} for method in document["methods"]]
     return document | {"methods": methods}

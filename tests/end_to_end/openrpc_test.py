@@ -2,7 +2,8 @@
 """The golden exchanges against the daemon's own description: python3 openrpc_test.py SELVAGED GOLDEN_FOLDER.
 
 rpc.discover must describe every parameter of each call that succeeds, and every field of its answer, with its schema;
-required ones must be present.  The description itself must be valid OpenRPC 1.2.6.
+required ones must be present.  The description itself must be valid OpenRPC 1.2.6, and the examples of
+protocol/openrpc.json must be of the types that it describes.
 """
 import json
 import pathlib
@@ -12,6 +13,7 @@ import tempfile
 
 import jsonschema
 
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 def answers(selvaged, calls):
     with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
@@ -58,11 +60,19 @@ def check_document(document):
             yield f"{method['name']}: an optional parameter comes before a required one"
 
 
+def check_examples(document):
+    for method in document["methods"]:
+        for example in method.get("examples", []):
+            yield from check_params(document, method, {param["name"]: param["value"] for param in example["params"]})
+            yield from check_result(document, method, example["result"]["value"])
+
+
 def main(selvaged, folder):
     discover = {"jsonrpc": "2.0", "id": 1, "method": "rpc.discover"}
     document = answers(selvaged, [discover])[0]["result"]
     methods = {method["name"]: method for method in document["methods"]}
     errors = list(check_document(document))
+    errors += check_examples(json.loads((ROOT / "protocol" / "openrpc.json").read_text()))
     seen = set()
     for path in sorted(pathlib.Path(folder).glob("*.json")):
         requests = [exchange["request"] for exchange in json.loads(path.read_text())]
