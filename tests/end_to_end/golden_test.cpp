@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <tuple>
@@ -74,31 +75,45 @@ std::unique_ptr<ClientTransport> connect_by(const server::app::Daemon& daemon, c
 
 class GoldenExchanges : public ::testing::TestWithParam<std::tuple<const char*, const char*>> {};
 
+// The next message that is an answer; notifications before it are added to a list.
+Json answer_over(ClientTransport& transport, Json& notifications) {
+  for (;;) {
+    const std::string text = transport.receive();
+    if (text.empty()) return {};
+    Json message = Json::parse(text);
+    if (!message.contains("method")) return message;
+    notifications.push_back(std::move(message));
+  }
+}
+
 TEST_P(GoldenExchanges, MatchTheDaemonsAnswers) {
   const auto& [name, transport_name] = GetParam();
   const Json exchanges =
       Json::parse(file_text(std::string{SELVAGE_SOURCE_DIR} + "/tests/golden/rpc/" + name + ".json"));
   ASSERT_FALSE(exchanges.empty());
   const server::app::Daemon daemon{on_free_port(1)};
-  const auto transport = connect_by(daemon, transport_name);
+  std::map<std::string, std::unique_ptr<ClientTransport>> connections;  // by sender
   Json expected_notifications = Json::array();
-  Json notifications = Json::array();
+  std::map<std::string, Json> notifications;
   for (const Json& exchange : exchanges) {
     for (const Json& each : exchange.value("told", Json::array())) expected_notifications.push_back(each);
     const std::string request = protocol::json::to_text(exchange["request"]);
-    transport->send(request);
-    std::string answer = transport->receive();
-    // Notifications may arrive before an answer.
-    for (; !answer.empty() && Json::parse(answer).contains("method"); answer = transport->receive()) {
-      notifications.push_back(Json::parse(answer));
-    }
-    ASSERT_FALSE(answer.empty()) << request;
-    EXPECT_TRUE(alike(exchange["response"], Json::parse(answer)))
-        << request << "\nexpected " << protocol::json::to_text(exchange["response"]) << "\nanswered " << answer;
+    const std::string sender = exchange.value("sender", std::string{});
+    auto& connection = connections[sender];
+    if (!connection) connection = connect_by(daemon, transport_name);
+    connection->send(request);
+    const Json answer = answer_over(*connection, notifications.try_emplace(sender, Json::array()).first->second);
+    ASSERT_TRUE(answer.is_object()) << request;
+    EXPECT_TRUE(alike(exchange["response"], answer))
+        << request << "\nexpected " << protocol::json::to_text(exchange["response"]) << "\nanswered "
+        << protocol::json::to_text(answer);
   }
-  ASSERT_EQ(notifications.size(), expected_notifications.size()) << protocol::json::to_text(notifications);
-  for (std::size_t i = 0; i < notifications.size(); ++i)
-    EXPECT_TRUE(alike(expected_notifications[i], notifications[i])) << protocol::json::to_text(notifications[i]);
+  for (const auto& [sender, told] : notifications) {
+    const Json expected = sender.empty() ? expected_notifications : Json::array();
+    ASSERT_EQ(told.size(), expected.size()) << sender << protocol::json::to_text(told);
+    for (std::size_t i = 0; i < told.size(); ++i)
+      EXPECT_TRUE(alike(expected[i], told[i])) << protocol::json::to_text(told[i]);
+  }
 }
 
 TEST(Readme, ExplainsEveryMethodOfTheDaemon) {
@@ -124,7 +139,8 @@ INSTANTIATE_TEST_SUITE_P(All, GoldenExchanges,
                          name_of);
 // Over HTTP there are no notifications.
 INSTANTIATE_TEST_SUITE_P(Notifications, GoldenExchanges,
-                         ::testing::Combine(::testing::Values("watching"), ::testing::Values("lines", "websocket")),
+                         ::testing::Combine(::testing::Values("watching", "dragged"),
+                                            ::testing::Values("lines", "websocket")),
                          name_of);
 
 }  // namespace
