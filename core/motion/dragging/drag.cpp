@@ -53,14 +53,16 @@ class Dragger {
     const Vec at = scene_.pieces.at(piece_);
     if (at == wanted_) return placed;
     const std::vector<std::uint32_t> around = pieces_around();
-    const Marker part = local_marker(placed.marker, around);
-    scene::Scene scene{part, run_.sums};
+    scene::Scene scene{local_marker(placed.marker, around), run_.sums};
     if (!conflicts(scene.pieces).empty()) return placed;
     follow(scene);
-    Drag pushed{placed.marker, true};
-    for (std::size_t k = 0; k < around.size(); ++k) pushed.marker.pieces[around[k]].at = scene.pieces.at(k);
-    if (distance(scene.pieces.at(0), wanted_) >= distance(at, wanted_) || !proved(pushed.marker)) return placed;
-    return pushed;
+    if (distance(scene.pieces.at(0), wanted_) >= distance(at, wanted_)) return placed;
+    std::vector<Vec> pushed = scene_.pieces.positions();
+    for (std::size_t k = 0; k < around.size(); ++k) pushed[around[k]] = scene.pieces.at(k);
+    if (!proved(pushed)) return placed;
+    for (const std::uint32_t piece : around) placed.marker.pieces[piece].at = pushed[piece];
+    placed.pushed = true;
+    return placed;
   }
 
  private:
@@ -83,20 +85,21 @@ class Dragger {
   }
 
   // Where the piece gets by moving straight towards the wanted position and then sliding along the pieces in the way.
+  // Afterwards it is where it was.
   Vec slid_towards() {
     if (free_at(wanted_)) return wanted_;
     const auto on_the_way = farthest_on_the_way();
     if (!on_the_way) return from_;
     Vec best = *on_the_way;
-    scene::Scene sliding = scene_;
     for (int slide = 0; slide < tuning_.slides; ++slide) {
-      sliding.shift(PieceId{piece_}, best - sliding.pieces.at(piece_));
+      scene_.shift(PieceId{piece_}, best - scene_.pieces.at(piece_));
       const Vec left = wanted_ - best;
       const Vec next =
-          piece::bump(sliding, PieceId{piece_}, static_cast<double>(left.x), static_cast<double>(left.y)).at;
+          piece::bump(scene_, PieceId{piece_}, static_cast<double>(left.x), static_cast<double>(left.y)).at;
       if (!(distance(next, wanted_) < distance(best, wanted_)) || !free_at(next)) break;
       best = next;
     }
+    scene_.shift(PieceId{piece_}, from_ - scene_.pieces.at(piece_));
     return best;
   }
 
@@ -172,10 +175,12 @@ class Dragger {
     return around;
   }
 
-  // A marker of these pieces only, in which those that stay are locked.
-  [[nodiscard]] Marker local_marker(const Marker& placed, const std::vector<std::uint32_t>& around) const {
+  // A marker of these pieces only, in which those that stay are locked.  `placed` is the same afterwards: its pieces
+  // are put aside while the rest of it is copied, because there may be thousands of them.
+  [[nodiscard]] Marker local_marker(Marker& placed, const std::vector<std::uint32_t>& around) const {
+    std::vector<Piece> pieces = std::exchange(placed.pieces, {});
     Marker part = placed;
-    part.pieces.clear();
+    placed.pieces = std::move(pieces);
     for (std::size_t k = 0; k < around.size(); ++k) {
       part.pieces.push_back(placed.pieces[around[k]]);
       if (k >= flowing_) part.pieces.back().locked = true;
@@ -184,11 +189,12 @@ class Dragger {
   }
 
   // True when no piece that moved overlaps another.  (The rounds proved this only among the pieces around.)
-  [[nodiscard]] bool proved(const Marker& marker) const {
-    const marker::PlacedPieces pieces{marker};
+  [[nodiscard]] bool proved(const std::vector<Vec>& positions) const {
+    marker::PlacedPieces pieces = scene_.pieces;
+    pieces.place(positions);
     std::vector<std::uint32_t> changed;
     for (std::uint32_t piece = 0; piece < pieces.size(); ++piece) {
-      if (marker.pieces[piece].at == start_.pieces[piece].at) continue;
+      if (pieces.at(piece) == start_.pieces[piece].at) continue;
       if (!pieces.room(piece, start_.strip, end_).contains(pieces.box(piece))) return false;
       changed.push_back(piece);
     }
