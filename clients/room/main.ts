@@ -24,6 +24,7 @@ import { buildTabs } from "./panels/tabs";
 import { buildLegend, buildToolbar } from "./panels/toolbar";
 import { buildTray } from "./panels/tray";
 import { Desk } from "./session/desk";
+import { Library } from "./session/library";
 import { Link } from "./session/link";
 import { MarkerFiles } from "./session/marker_files";
 import { say } from "./texts/texts";
@@ -48,6 +49,7 @@ const places = new Places(desk, scene);
 const settling = new Settling(desk, tell);
 const commands = new Commands(desk, scene, engine, settling, tell);
 const pointer = new Pointer(stage.top, stage, scene, desk, engine, places, commands, settling, tell);
+const library = new Library(desk, tell);
 const files = new MarkerFiles(desk, tell, element("dropzone"));
 const keepsNothing = new Signal(false);
 
@@ -55,13 +57,13 @@ function buildPage(): void {
   worded(stage.top, "canvas", "aria-label");
   worded(element("overview"), "overview", "aria-label");
   element("overview").setAttribute("role", "img");
-  const menu = (from: HTMLElement) => void openMenu(from, desk, files);
+  const menu = (from: HTMLElement) => void openMenu(from, desk, library, files);
   buildHeader(element("header"), desk, engine, commands, { menu, settings: openSettings, help: openHelp });
   buildToolbar(element("toolbar"), stage, insight);
   buildOffer(element("offer"), desk, engine);
   buildTray(element("panel"), desk, scene, stage, commands, places);
   const { open, panels } = buildTabs(element("panel"), ["engine", "pieces", "length"]);
-  buildEnginePanel(panels.engine, desk, engine, scene, stage);
+  buildEnginePanel(panels.engine, desk, engine, library, scene, stage);
   buildPiecePanel(panels.pieces, desk, scene, insight, engine, commands);
   buildSpacing(panels.pieces, desk, commands);
   buildPieceList(panels.pieces, desk, scene, stage, insight);
@@ -94,6 +96,7 @@ function connectScene(): void {
     if (!engine.preview.value && scene.held.size === 0) scene.length = length;
     scene.opening = desk.opening?.figures.length;
     scene.overlaps = [];
+    scene.outside = [];
     if (!valid) void showFaults(revision);
     overview.renew();
   });
@@ -119,6 +122,7 @@ async function showFaults(revision: number): Promise<void> {
   const check = await client.call("marker.check", { markerId: desk.markerId, deadlineMs: 10_000 }).catch(() => undefined);
   if (!check || check.revision !== revision || desk.figures.value.revision !== revision) return;
   scene.overlaps = check.overlaps;
+  scene.outside = [...check.protrusions.map(({ piece }) => piece), ...(check.shades ?? []).flatMap(({ leftmost, rightmost }) => [leftmost, rightmost])];
   scene.onChange("moving");
 }
 
@@ -143,7 +147,10 @@ Object.assign(globalThis, {
   selvageRoom: {
     times,
     revision: () => desk.figures.value.revision,
-    view: () => scene.camera.value && { markerId: desk.markerId, shown: scene.shown.size, selected: [...scene.selection.value], length: scene.length, scale: scene.camera.value.scale },
+    view: () => {
+      const camera = scene.camera.value;
+      return camera && { markerId: desk.markerId, shown: scene.shown.size, selected: [...scene.selection.value], outlined: scene.ghosts.length, length: scene.length, scale: camera.scale, origin: [camera.x, camera.y] };
+    },
     spotOf(id: string) {
       const piece = scene.marker?.byId.get(id);
       return piece && onScreen(piece, scene.poseOf(piece, performance.now()));

@@ -1,7 +1,7 @@
 // By engine: every result is looked at first, and then taken, kept beside, or dropped.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { assertValid, atRevision, call, example, revision, shown, spot, squares, startDaemon, story, visit, withBrowser } from "./visit.mjs";
+import { assertValid, atRevision, call, choose, example, revision, shown, spot, squares, startDaemon, story, visit, withBrowser } from "./visit.mjs";
 
 const here = withBrowser();
 const offered = `document.querySelector("#offer").dataset.shown === "yes"`;
@@ -89,7 +89,7 @@ test("tilt, float, separate, relax", () =>
     }
     const { at } = (await shown(page, port)).marker.pieces[20];
     await call(port, "marker.apply", { markerId, ops: [{ op: "move", piece: "20", at: [at[0] + 15, at[1] + 5] }] });
-    await page.until(`document.querySelector("#length + .figure-side").textContent === "overlaps"`);
+    await page.until(`document.querySelector("#length + .figure-side").textContent === "not valid"`);
     await page.press("Separate");
     await page.until(offered, "separate");
     const before = await revision(page);
@@ -210,6 +210,74 @@ function bars(times) {
   const pieces = Array.from({ length: times }, (_, k) => half.map(([shape, x, y]) => [shape, x + 160 * k, y])).flat();
   return markerOf(100, [box("tall", 30, 65), box("low", 30, 35), box("whole", 20, 100)], pieces);
 }
+
+test("a marker is stored in the library, and an order of such pieces takes over its arrangement", async () => {
+  const daemon = await startDaemon();
+  const { markerId } = await call(daemon.port, "marker.open", { marker: { ...squares(4), name: "model" } });
+  await call(daemon.port, "motion.compact", { markerId });
+  const page = await visit(here.browser, daemon.port, { marker: markerId });
+  const button = `[...document.querySelectorAll("#panel-engine button")].find((one) => one.textContent === "From library")`;
+  assert.equal(await page.ask(`${button}.offsetParent`), null);
+  await choose(page, "Store in the library");
+  await page.until(`document.querySelector("#toast").textContent.includes("model is in the library now")`);
+  const { markerId: order } = await call(daemon.port, "marker.open", { marker: { ...squares(4), name: "order" } });
+  await choose(page, "order");
+  await page.until(`selvageRoom.view().markerId === "${order}"`);
+  const { lengthAfter } = await call(daemon.port, "marker.remake", { markerId: order, commit: false });
+  await page.press("From library");
+  await page.until(offered);
+  assert.equal(await page.text("#length"), `${lengthAfter.toFixed(1)} mm`);
+  await page.key("Enter");
+  await atRevision(page, 2);
+  await assertValid(daemon.port, order);
+  // The library's own marker opens as a new one.
+  await page.click("#menu");
+  await page.until(`document.querySelector("#marker-menu").textContent.includes("Library: 1model")`);
+  await page.ask(`[...document.querySelectorAll("#marker-menu .menu-group")].find((group) => group.textContent.startsWith("Library")).querySelector("button").click()`);
+  await page.until(`selvageRoom.view().markerId === "m3"`);
+  assert.equal(await page.text("#length"), "160.0 mm");
+  assert.deepEqual(page.faults, []);
+  await daemon.stop();
+});
+
+test("two revisions are compared as outlines, and the earlier one is taken again", () =>
+  story(here, async (page, port) => {
+    await page.press("Keep this revision");
+    await page.until(`document.querySelector("#beside").textContent.includes("Revision 1")`);
+    const [x, y] = await spot(page, "20");
+    await page.drag([x, y], [x + 30, y - 20]);
+    await atRevision(page, 2);
+    const later = (await shown(page, port)).marker;
+    await page.press("Compare", "#beside");
+    await page.until("selvageRoom.view().outlined > 0", "outlines of what differs");
+    await page.press("Take", "#beside");
+    await atRevision(page, 3);
+    const { marker } = await shown(page, port);
+    assert.notDeepEqual(marker.pieces, later.pieces);
+    assert.equal(await page.text("#gain"), "0.0 mm");
+  }));
+
+test("without a pointer: arrow keys say which way a gap opens and pieces fall", async () => {
+  const daemon = await startDaemon();
+  const { markerId } = await call(daemon.port, "marker.open", { marker: { ...squares(4), strip: { width: 100, longest: 400 } } });
+  const page = await visit(here.browser, daemon.port, { marker: markerId });
+  await page.ask(`document.querySelector("#top").focus()`);
+  await page.key("a");
+  await page.key("ArrowDown");
+  await page.until(offered);
+  await page.key("Enter");
+  await atRevision(page, 2);
+  const fallen = (await shown(page, daemon.port)).marker.pieces;
+  assert.ok(fallen.every(({ at }) => at[1] === 0));
+  await page.key("g");
+  await page.key("ArrowRight");
+  await page.until(offered);
+  await page.key("Enter");
+  await atRevision(page, 3);
+  const apart = (await shown(page, daemon.port)).marker.pieces;
+  assert.ok(apart[2].at[0] - apart[1].at[0] > fallen[2].at[0] - fallen[1].at[0]);
+  await daemon.stop();
+});
 
 test("exact compaction: of all that is in view, or around the selected pieces", async () => {
   assert.equal((await lengthAfter(bars(1), "Exactly")).length, 130);

@@ -84,6 +84,50 @@ test("German, decimal comma, inches", () =>
     await page.until(`document.querySelector("#length").textContent === "96.86 in" && document.querySelector("#tab-engine").textContent === "Engine"`);
   }, { page: { language: "de-DE" } }));
 
+test("centimetres, yards, decimal point and comma; a nudge is a millimetre in every unit", () =>
+  story(here, async (page, port) => {
+    const set = (k, value) => page.ask(`(() => { const s = [...document.querySelectorAll("dialog select")][${k}]; s.value = "${value}"; s.dispatchEvent(new Event("change")); })()`);
+    await page.press("Settings");
+    await set(1, "cm");
+    await page.until(`document.querySelector("#length").textContent === "246.04 cm"`);
+    await set(2, "comma");
+    await page.until(`document.querySelector("#length").textContent === "246,04 cm"`);
+    await set(1, "yd");
+    await page.until(`document.querySelector("#length").textContent === "2,691 yd"`);
+    await page.press("Done", "dialog");
+    const before = (await shown(page, port)).marker.pieces.find(({ id }) => id === "39").at;
+    await page.click("#tab-pieces");
+    await page.ask(`document.querySelector("#pieces").focus()`);
+    await page.key("End");
+    await page.until(`selvageRoom.view().selected[0] === "39"`);
+    await page.key("Enter"); // to the marker
+    await page.key("ArrowRight", "shift");
+    await atRevision(page, 2);
+    const after = (await shown(page, port)).marker.pieces.find(({ id }) => id === "39").at;
+    assert.ok(Math.hypot(after[0] - before[0], after[1] - before[1]) < 30, "not by a yard");
+  }));
+
+test("a pen drags as a mouse does", () =>
+  story(here, async (page, port) => {
+    const pen = { pointerType: "pen" };
+    const [x, y] = await spot(page, "20");
+    await page.mouse("mousePressed", x, y, { clickCount: 1, ...pen });
+    for (let k = 1; k <= 8; ++k) await page.mouse("mouseMoved", x + 4 * k, y - 3 * k, pen);
+    await page.mouse("mouseReleased", x + 32, y - 24, pen);
+    await atRevision(page, 2);
+    await assertValid(port, (await shown(page, port)).markerId);
+  }));
+
+test("in the list of pieces, Shift and Ctrl select several", () =>
+  story(here, async (page) => {
+    await page.click("#tab-pieces");
+    await page.ask(`document.querySelector("#pieces").focus()`);
+    await page.key("Home");
+    await page.key("ArrowDown", "shift");
+    await page.key("ArrowDown", "shift");
+    await page.until("selvageRoom.view().selected.length === 3");
+  }));
+
 test("two fingers pan and zoom, one drags", () =>
   story(here, async (page, port) => {
     const touch = (type, points) => page.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });

@@ -5,7 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
 import { Browser } from "./browser.mjs";
-import { call, example, shown, squares, startDaemon, story, token, visit, withBrowser } from "./visit.mjs";
+import { call, choose, example, shown, squares, startDaemon, story, token, visit, withBrowser } from "./visit.mjs";
 
 const here = withBrowser();
 
@@ -91,6 +91,35 @@ test("the drawing is saved as an SVG", () =>
       } catch {}
     }
     assert.match(drawing, /<svg[^]*<\/svg>/);
+  }));
+
+test("a pattern is opened with its rule table and an order, and written for the cutter", () =>
+  story(here, async (page, port) => {
+    const text = (name) => readFileSync(new URL(`../../examples/trade/${name}`, import.meta.url), "utf8");
+    const names = ["clo_like.dxf", "clo_like.rul"];
+    await page.ask(`(() => {
+      const transfer = new DataTransfer();
+      for (const [name, content] of ${JSON.stringify(names.map((name) => [name, text(name)]))}) transfer.items.add(new File([content], name));
+      dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true, cancelable: true }));
+    })()`);
+    await page.until(`document.querySelector("#toast").textContent.startsWith("clo_like.dxf: ")`);
+    const { marker } = await call(port, "marker.get", { markerId: (await page.ask("selvageRoom.view()")).markerId });
+    const graded = await call(port, "marker.open", { marker: text("clo_like.dxf"), rules: text("clo_like.rul") });
+    assert.equal(marker.pieces.length, graded.pieces);
+    const folder = mkdtempSync(join(tmpdir(), "selvage-saved-"));
+    await page.saveTo(folder);
+    await choose(page, "jeans_02g");
+    await page.until(`document.querySelector("#marker-name").textContent === "jeans_02g"`);
+    for (const [entry, file, start] of [["Save for the cutter", "jeans_02g.cut", "H1*"], ["Save in full size", "jeans_02g.pdf", "%PDF-"]]) {
+      await choose(page, entry);
+      let written = "";
+      for (let k = 0; k < 400 && !written.startsWith(start); ++k, await new Promise((resolve) => setTimeout(resolve, 25))) {
+        try {
+          written = readFileSync(join(folder, file), "utf8");
+        } catch {}
+      }
+      assert.ok(written.startsWith(start), file);
+    }
   }));
 
 test("a file that is no marker is refused in words", () =>

@@ -52,6 +52,14 @@ export const spot = (page, piece) => page.ask(`selvageRoom.spotOf(${JSON.stringi
 export const revision = (page) => page.ask("selvageRoom.revision()");
 export const atRevision = (page, wanted) => page.until(`selvageRoom.revision() >= ${wanted}`, `revision ${wanted}`);
 
+/** Chooses the entry of the marker's menu that begins with a text. */
+export async function choose(page, entry) {
+  await page.click("#menu");
+  const found = `[...document.querySelectorAll("#marker-menu [role=menuitem]")].find((one) => one.textContent.startsWith(${JSON.stringify(entry)}))`;
+  await page.until(`!!${found}`, entry);
+  await page.ask(`${found}.click()`);
+}
+
 /** The daemon's own word that the marker is valid. */
 export async function assertValid(port, markerId) {
   const { valid, overlaps } = await call(port, "marker.check", { markerId });

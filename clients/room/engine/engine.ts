@@ -1,4 +1,4 @@
-import { Code, type Motion, type Params, type Placement } from "../../typescript/src/index";
+import { Code, type Answer, type Motion, type Params, type Placement } from "../../typescript/src/index";
 import { Signal } from "../base/signal";
 import { editsTo } from "../marker/edits";
 import type { Pose } from "../marker/pose";
@@ -76,8 +76,8 @@ export class Engine {
     this.scene.onChange("moving");
   }
 
-  /** Runs a motion; its result is looked at before it is taken. */
-  async start<M extends Motion>(method: M, choice: Choice<M>, title: string): Promise<void> {
+  /** Runs a motion; its result is looked at before it is taken. `failure` says in words why an answer has none. */
+  async start<M extends Motion>(method: M, choice: Choice<M>, title: string, failure: (answer: Answer<M>) => string | undefined = () => undefined): Promise<void> {
     if (this.run.value) return;
     await this.takeOrDrop(true);
     await this.underWay(title, async (run, signal, since) => {
@@ -87,10 +87,19 @@ export class Engine {
       const params = { ...choice, markerId, baseRev: this.desk.figures.value.revision, commit: false } as Params<M>;
       const call = client.start(method, params, { signal });
       for await (const { round, length } of call.progress) this.round(run, round, length, since);
-      const answer = (await call.result) as unknown as MotionAnswer;
+      const result = await call.result;
+      const why = failure(result);
+      if (why !== undefined) return this.tell(why);
+      const answer = result as unknown as MotionAnswer;
       if (answer.placements.length === 0) return this.tell(say("noGain", { what: title }));
       this.offer(title, answer, posesAfter(start, answer.placements), since);
     });
+  }
+
+  /** Lays all pieces out like those of the most similar stored markers. */
+  remake(): Promise<void> {
+    const title = say("fromLibrary");
+    return this.start("marker.remake", {}, title, (answer) => (answer.outcome === "none_near" ? say("noneNear") : answer.outcome === "not_apart" ? say("notApart") : undefined));
   }
 
   /** Searches until it is stopped, and shows the best so far. */
@@ -111,7 +120,7 @@ export class Engine {
           if (this.preview.value && this.preview.value.title !== title) return; // something else is looked at
           this.offer(title, { ...answer, revision, lengthBefore: length, placements }, posesAfter(start, placements), since);
         },
-      });
+      }, this.desk.link.alone ? "page" : "daemon");
       if (!this.preview.value) this.tell(say("noGain", { what: title }));
     });
   }
@@ -179,11 +188,20 @@ export class Engine {
     if (this.compared.value === result) this.compared.value = undefined;
   }
 
+  /** Keeps the result in view or, without one, the marker as it is, so that it can be compared with what comes later. */
   keepBeside(): void {
-    const result = this.preview.value;
+    const result = this.preview.value ?? this.present();
     if (!result) return;
     this.beside.value = [...this.beside.value, result];
     this.preview.value = undefined;
+  }
+
+  private present(): Result | undefined {
+    const marker = this.desk.marker.value;
+    if (!marker) return undefined;
+    const { revision, length, utilisation } = this.desk.figures.value;
+    const title = say("revisionIs", { revision });
+    return { id: ++this.results, title, markerId: this.desk.markerId, base: revision, before: length, length, utilisation, seconds: undefined, poses: marker.poses() };
   }
 
   drop(result = this.preview.value): void {

@@ -3,7 +3,7 @@ import type { Marker } from "../marker/marker";
 import { Pose } from "../marker/pose";
 import type { Ghost } from "../view/scene";
 
-/** A marker that the engine offers: where every piece would lie, and how long the marker would be. */
+/** A marker that the engine offers, or that was kept: where every piece would lie, and how long the marker would be. */
 export interface Result {
   readonly id: number;
   readonly title: string;
@@ -12,7 +12,7 @@ export interface Result {
   readonly before: number; // the length of that revision
   readonly length: number;
   readonly utilisation: number;
-  readonly seconds: number;
+  readonly seconds: number | undefined; // that it took; undefined: it is a revision of the marker
   readonly poses: ReadonlyMap<string, Pose>;
 }
 

@@ -2,7 +2,9 @@ import type { Answer, Client } from "../../typescript/src/index";
 import type { MarkerDocument } from "../marker/document";
 
 const FIRST = 1500; // milliseconds of the first turn
-const LONGEST = 30_000;
+const PATIENCE = 45_000; // milliseconds of turns in vain, after which a search ends
+/** Milliseconds of the longest turn: where the engine runs in the page, it answers nothing else during one. */
+const LONGEST = { daemon: 24_000, page: 3000 };
 
 /** What is searched for: a fine compaction, a new layout, room for small pieces, or windows that fit better when placed anew. */
 export type Search =
@@ -21,15 +23,16 @@ export interface SearchListener {
 /**
  * A search that shows its best marker on the way and can be stopped at any time with the best so far. It works on a copy of the
  * marker, in turns with a time limit: after each turn the copy holds the best found. A turn that gains nothing is followed by one
- * twice as long. `best` is the length that a result has to beat.
+ * up to twice as long. `best` is the length that a result has to beat.
  */
-export async function search(wanted: Search, client: Client, document: MarkerDocument, best: number, signal: AbortSignal, listener: SearchListener): Promise<void> {
+export async function search(wanted: Search, client: Client, document: MarkerDocument, best: number, signal: AbortSignal, listener: SearchListener, where: keyof typeof LONGEST): Promise<void> {
   const copy = { ...document, name: `${document.name ?? ""} (search)` } as unknown as Record<string, unknown>;
   const { markerId } = await client.call("marker.open", { marker: copy });
   try {
     let rounds = 0;
     let number = 0;
-    for (let turn = FIRST; turn <= LONGEST && !signal.aborted && listener.goesOn(); ) {
+    let inVain = 0;
+    for (let turn = FIRST; inVain < PATIENCE && !signal.aborted && listener.goesOn(); ) {
       const run = startTurn(wanted, client, markerId, Math.round(turn), ++number, signal);
       let last = 0;
       for await (const { round, length } of run.progress) listener.round(rounds + (last = round), length);
@@ -42,7 +45,8 @@ export async function search(wanted: Search, client: Client, document: MarkerDoc
         listener.better(answer, await placementsOf(client, markerId));
       }
       if (answer.stop === "converged" || (wanted.kind === "fine" && answer.stop !== "deadline")) return;
-      turn = gained ? turn : turn * 2;
+      inVain = gained ? 0 : inVain + turn;
+      turn = gained ? turn : Math.min(2 * turn, LONGEST[where]);
     }
   } catch (error) {
     if (!signal.aborted) throw error;

@@ -6,7 +6,7 @@ import { Pose } from "../marker/pose";
 import type { Desk } from "../session/desk";
 import { inWords } from "../session/words";
 import { say } from "../texts/texts";
-import { lengthText, unitOf } from "../texts/units";
+import { lengthText, millimetre } from "../texts/units";
 import type { Scene } from "../view/scene";
 import { after, type Settling } from "./settling";
 
@@ -77,7 +77,7 @@ export class Commands {
   }
 
   nudge([dx, dy]: Point): Promise<void> {
-    const by = unitOf({ unit: "mm" }) * (this.desk.marker.value ? 1 : 0);
+    const by = millimetre();
     return this.queue(async () => {
       const [first] = this.scene.selected();
       if (!first) return;

@@ -8,7 +8,7 @@ import type { Scene } from "../view/scene";
 import type { Stage } from "../view/stage";
 import type { Commands } from "./commands";
 import type { Pointer } from "./pointer";
-import { tool, type Tool } from "./tools";
+import { gravity, openGapTowards, tool, type Tool } from "./tools";
 
 const ARROWS: Record<string, Point> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 // As these keys lie on a keyboard: upper left, lower left, upper right, lower right.
@@ -63,6 +63,8 @@ function plain(event: KeyboardEvent, canvas: HTMLElement, parts: Parts): (() => 
   if (place) return place;
   const arrow = ARROWS[key];
   if (arrow) {
+    const drawn = byArrow(arrow, parts);
+    if (drawn) return drawn;
     if (scene.selection.value.size === 0) return () => stage.look(scene.camera.value!.panned(-arrow[0] * 60, arrow[1] * 60));
     return () => void (event.shiftKey ? commands.nudge(arrow) : commands.bump(arrow));
   }
@@ -97,6 +99,17 @@ function plain(event: KeyboardEvent, canvas: HTMLElement, parts: Parts): (() => 
     case " ": return () => (pointer.panning = true);
     default: return undefined;
   }
+}
+
+// What is drawn with a tool, in the direction of an arrow key.
+function byArrow(way: Point, { engine, scene }: Parts): (() => void) | undefined {
+  const { marker } = scene;
+  const chosen = tool.value;
+  if (!marker || (chosen !== "gap" && chosen !== "gravity")) return undefined;
+  return () => {
+    tool.value = "select";
+    void (chosen === "gap" ? openGapTowards(engine, marker, scene.selected(), scene.length, way) : gravity(engine, [0, 0], way));
+  };
 }
 
 // While places of an unplaced piece are shown, keys choose among them.

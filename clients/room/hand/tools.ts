@@ -1,6 +1,6 @@
 import type { Force, Point } from "../../typescript/src/index";
 import type { Engine } from "../engine/engine";
-import type { Marker } from "../marker/marker";
+import type { Marker, Piece } from "../marker/marker";
 import { say } from "../texts/texts";
 import { Signal } from "../base/signal";
 
@@ -22,6 +22,14 @@ export function openGap(engine: Engine, marker: Marker, from: Point, to: Point):
   });
   if (forces.length === 0) return Promise.resolve();
   return engine.start("motion.push", { forces }, say("toolGap").replace(/:.*/, ""));
+}
+
+/** Without a pointer: opens a gap along a line through the middle of the selected pieces, or of the marker, at right angles to the way. */
+export function openGapTowards(engine: Engine, marker: Marker, selected: readonly Piece[], length: number, way: Point): Promise<void> {
+  const boxes = selected.length > 0 ? selected.map(({ box }) => box) : [{ left: 0, right: length, bottom: 0, top: marker.width }];
+  const x = (Math.min(...boxes.map(({ left }) => left)) + Math.max(...boxes.map(({ right }) => right))) / 2;
+  const y = (Math.min(...boxes.map(({ bottom }) => bottom)) + Math.max(...boxes.map(({ top }) => top))) / 2;
+  return way[0] !== 0 ? openGap(engine, marker, [x, 0], [x, marker.width]) : openGap(engine, marker, [0, y], [length, y]);
 }
 
 /** All pieces fall the way of an arrow. */

@@ -1,4 +1,4 @@
-import type { Locks, PieceState, Placement, Point } from "../../typescript/src/index";
+import type { Locks, PieceRules, PieceState, Placement, Point } from "../../typescript/src/index";
 import type { MarkerDocument, PieceDocument, UnplacedPieceDocument } from "./document";
 import { contains, type Box } from "./outline";
 import { Pose } from "./pose";
@@ -17,6 +17,7 @@ export interface Piece {
   group: string;
   buffer: number;
   overlap: number | undefined; // its own allowance; undefined: the marker's
+  rules: PieceRules; // where on the strip it may lie
 }
 
 /** A piece that does not lie on the cloth, in the orientation that it would have there. */
@@ -47,6 +48,10 @@ export class Marker {
   readonly width: number;
   readonly longest: number | undefined;
   readonly margin: number;
+  /** The selvedges, and the length within which the pieces of a shade lie. */
+  readonly below: number;
+  readonly above: number;
+  readonly shade: number | undefined;
   readonly spacing: number;
   readonly overlap: number;
 
@@ -56,6 +61,9 @@ export class Marker {
     this.width = document.strip.width;
     this.longest = document.strip.longest;
     this.margin = document.strip.margin ?? 0;
+    this.below = document.strip.below ?? this.margin;
+    this.above = document.strip.above ?? this.margin;
+    this.shade = document.shade;
     this.spacing = document.spacing ?? 0;
     this.overlap = document.overlap ?? 0;
     for (const shape of document.shapes) this.shapes.set(String(shape.id), new Shape(shape));
@@ -72,17 +80,17 @@ export class Marker {
 
   /** An unplaced piece as it would be on the cloth; for drawing. */
   asPlaced({ id, shape, bundle }: Unplaced, pose: Pose): Piece {
-    return { id, shape, bundle, index: this.pieces.length, pose, box: pose.boxOf(shape), locked: false, group: "", buffer: 0, overlap: undefined };
+    return { id, shape, bundle, index: this.pieces.length, pose, box: pose.boxOf(shape), locked: false, group: "", buffer: 0, overlap: undefined, rules: {} };
   }
 
   private add(document: PieceDocument): void {
     const shape = this.shapes.get(String(document.shape));
     if (!shape) return;
-    const { at, rotation = 0, flip = false, tilt = 0, locked = false, group = "", buffer = 0, overlap } = document;
+    const { at, rotation = 0, flip = false, tilt = 0, locked = false, group = "", buffer = 0, overlap, rules = {} } = document;
     const pose = new Pose(at[0], at[1], rotation, flip, tilt);
     const id = String(document.id);
     const bundle = bundleOf(document) || shape.bundle;
-    const piece: Piece = { id, shape, bundle, index: this.pieces.length, pose, box: pose.boxOf(shape), locked, group: String(group), buffer, overlap };
+    const piece: Piece = { id, shape, bundle, index: this.pieces.length, pose, box: pose.boxOf(shape), locked, group: String(group), buffer, overlap, rules };
     this.pieces.push(piece);
     this.byId.set(piece.id, piece);
   }
@@ -102,6 +110,7 @@ export class Marker {
         piece.group = placement.group ?? "";
         piece.buffer = placement.buffer ?? 0;
         piece.overlap = placement.overlap;
+        piece.rules = placement.rules ?? {};
       }
     }
     return true;
@@ -151,8 +160,8 @@ export class Marker {
     const pieces = this.document.pieces.flatMap((piece): PieceDocument[] => {
       const known = this.byId.get(String(piece.id));
       if (!known) return [];
-      const { pose, locked, group, buffer, overlap } = known;
-      const { group: _group, buffer: _buffer, locked: _locked, overlap: _overlap, ...rest } = piece;
+      const { pose, locked, group, buffer, overlap, rules } = known;
+      const { group: _group, buffer: _buffer, locked: _locked, overlap: _overlap, rules: _rules, ...rest } = piece;
       return [
         {
           ...rest,
@@ -164,6 +173,7 @@ export class Marker {
           ...(group ? { group } : {}),
           ...(buffer ? { buffer } : {}),
           ...(overlap === undefined ? {} : { overlap }),
+          ...(Object.keys(rules).length > 0 ? { rules } : {}),
         },
       ];
     });

@@ -4,6 +4,7 @@ import { follow } from "../base/signal";
 import type { Engine } from "../engine/engine";
 import type { Result } from "../engine/result";
 import type { Desk } from "../session/desk";
+import type { Library } from "../session/library";
 import { say, wording, type TextName } from "../texts/texts";
 import { lengthText, numberText, parseLength, percentText, unitName } from "../texts/units";
 import type { Scene } from "../view/scene";
@@ -12,7 +13,7 @@ import { heading, note, row, textButton, worded } from "./controls";
 import { drawCurve } from "./curve";
 
 /** The motions, the one in progress, and results kept for comparison. */
-export function buildEnginePanel(host: HTMLElement, desk: Desk, engine: Engine, scene: Scene, stage: Stage): void {
+export function buildEnginePanel(host: HTMLElement, desk: Desk, engine: Engine, library: Library, scene: Scene, stage: Stage): void {
   const compact = (accuracy: Accuracy, title: TextName) => textButton(title, () => void engine.start("motion.compact", { accuracy }, say("compact")));
   const standard = compact("standard", "standard");
   standard.classList.add("primary");
@@ -39,12 +40,16 @@ export function buildEnginePanel(host: HTMLElement, desk: Desk, engine: Engine, 
   const tilt = motion("tilt", "tiltHelp", () => void engine.start("motion.tilt", { accuracy: "standard" }, say("tilt")));
   const nest = motion("nest", "nestHelp", () => void engine.search({ kind: "nest" }, say("nest")));
   const fillGaps = motion("fillGaps", "fillGapsHelp", () => void engine.search({ kind: "fillGaps" }, say("fillGaps")));
+  const remake = motion("fromLibrary", "fromLibraryHelp", () => void engine.remake());
+  library.count.follow((count) => (remake.hidden = count === 0));
   const exactly = motion("exactly", "exactlyHelp", () => {
     const among = stage.chosen();
     const all = among.length === (desk.marker.value?.pieces.length ?? 0);
     const title = all ? say("exactly") : say("exactlyOf", { count: numberText(among.length, 0) });
     if (among.length > 0) void engine.search(all ? { kind: "compactExactly" } : { kind: "compactExactly", among: among.map(({ id }) => id) }, title);
   });
+  const keep = textButton("keepRevision", () => engine.keepBeside());
+  worded(keep, "keepRevisionHelp", "title");
   const progress = h("div", { id: "progress", class: "card", hidden: true });
   const beside = h("div", { id: "beside" });
   fill(
@@ -53,11 +58,13 @@ export function buildEnginePanel(host: HTMLElement, desk: Desk, engine: Engine, 
     note("compactHelp"),
     h("div", { class: "segments" }, compact("draft", "draft"), standard, fine, exactly),
     progress,
-    h("div", { class: "pair" }, nest, fillGaps, tilt, separate, relax, float),
+    h("div", { class: "pair" }, nest, fillGaps, remake, tilt, separate, relax, float),
     row("gapWidth", h("span", { class: "with-unit" }, distance, unit)),
     heading("beside"),
+    keep,
     beside,
   );
+  engine.preview.follow((result) => (keep.hidden = result !== undefined));
   buildProgress(progress, engine);
   follow([engine.run, wording], () => {
     for (const button of host.querySelectorAll<HTMLButtonElement>(".segments button, .pair button")) {
@@ -105,7 +112,7 @@ function drawBeside(host: HTMLElement, desk: Desk, engine: Engine): void {
       "div",
       { class: "card" },
       h("div", { class: "card-head" }, h("span", { class: "card-title" }, result.title), h("strong", {}, lengthText(result.length))),
-      h("p", { class: "note" }, `${percentText(result.utilisation)} · ${numberText(result.seconds, 1)} s · ${say("basedOn", { revision: result.base })}`),
+      h("p", { class: "note" }, `${percentText(result.utilisation)}${result.seconds === undefined ? "" : ` · ${numberText(result.seconds, 1)} s · ${say("basedOn", { revision: result.base })}`}`),
       stale && h("p", { class: "note" }, say("changedMeanwhile")),
       h("div", { class: "buttons" }, take, compare(result), textButton("drop", () => engine.drop(result))),
     );
@@ -135,6 +142,6 @@ export function buildOffer(host: HTMLElement, desk: Desk, engine: Engine): void 
     const lacksPieces = (desk.marker.value?.unplaced.length ?? 0) > 0;
     setText(gain, lacksPieces ? lengthText(result.length) : `${saved > 0 ? "−" : saved < 0 ? "+" : "±"}${lengthText(Math.abs(saved))}`);
     const stale = result.base !== desk.figures.value.revision;
-    setText(more, stale ? say("changedMeanwhile") : `${lengthText(result.length)} · ${percentText(result.utilisation)} · ${numberText(result.seconds, 2)} s`);
+    setText(more, stale ? say("changedMeanwhile") : `${lengthText(result.length)} · ${percentText(result.utilisation)} · ${numberText(result.seconds ?? 0, 2)} s`);
   });
 }

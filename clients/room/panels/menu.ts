@@ -1,13 +1,15 @@
 import { h } from "../base/dom";
 import type { Desk } from "../session/desk";
 import { examples, type Example } from "../session/examples";
+import type { Library } from "../session/library";
+import type { WRITTEN } from "../session/marker_files";
 import { say, type TextName } from "../texts/texts";
 import { lengthText, percentText } from "../texts/units";
 
 export interface MarkerActions {
   openFile(): void;
   save(): void;
-  saveSvg(): void;
+  saveAs(format: keyof typeof WRITTEN): void;
   print(): void;
   duplicate(): void;
   close(): void;
@@ -19,7 +21,7 @@ const entry = (text: string, act: () => void, detail = "", current = false) =>
   h("button", { type: "button", role: "menuitem", class: "menu-entry", "aria-current": current ? "true" : null, onclick: act }, h("span", {}, text), h("span", { class: "menu-detail" }, detail));
 
 /** The menu of markers and files, under the marker's name. */
-export async function openMenu(from: HTMLElement, desk: Desk, actions: MarkerActions): Promise<void> {
+export async function openMenu(from: HTMLElement, desk: Desk, library: Library, actions: MarkerActions): Promise<void> {
   document.querySelector("#marker-menu")?.remove();
   const close = () => {
     menu.remove();
@@ -35,12 +37,14 @@ export async function openMenu(from: HTMLElement, desk: Desk, actions: MarkerAct
   };
   const plain = (name: TextName, act: () => void) => entry(say(name), doing(act));
   const open = h("div", { class: "menu-group" });
+  const stored = h("div", { class: "menu-group" });
   const tried = h("div", { class: "menu-group" });
   const menu = h(
     "div",
     { id: "marker-menu", role: "menu", class: "menu" },
-    h("div", { class: "menu-group" }, plain("openFile", actions.openFile), plain("saveFile", actions.save), plain("saveSvg", actions.saveSvg), plain("print", actions.print), plain("duplicate", actions.duplicate), plain("closeMarker", actions.close)),
+    h("div", { class: "menu-group" }, plain("openFile", actions.openFile), plain("saveFile", actions.save), plain("saveSvg", () => actions.saveAs("svg")), plain("savePdf", () => actions.saveAs("pdf")), plain("saveDxf", () => actions.saveAs("dxf")), plain("saveCut", () => actions.saveAs("cut")), plain("saveHpgl", () => actions.saveAs("hpgl")), plain("print", actions.print), plain("duplicate", actions.duplicate), plain("storeMarker", library.store), plain("closeMarker", actions.close)),
     open,
+    stored,
     tried,
   );
   menu.addEventListener("keydown", (event) => {
@@ -60,12 +64,14 @@ export async function openMenu(from: HTMLElement, desk: Desk, actions: MarkerAct
   menu.querySelector<HTMLElement>("[role=menuitem]")?.focus();
   addEventListener("pointerdown", outside, true);
   const client = await desk.link.ready();
-  const [{ markers }, known] = await Promise.all([client.call("marker.list", {}), examples()]);
-  open.append(h("div", { class: "menu-title" }, say("onDaemon")));
-  for (const { markerId, name, pieces, length, utilisation } of markers.slice(0, 40)) {
-    const detail = `${pieces} · ${lengthText(length)} · ${percentText(utilisation, 1)}`;
-    open.append(entry(name || markerId, doing(() => actions.show(markerId)), detail, markerId === desk.markerId));
+  const [{ markers }, kept, known] = await Promise.all([client.call("marker.list", {}), library.newest(), examples()]);
+  const detailOf = ({ pieces, length, utilisation }: { pieces: number; length: number; utilisation: number }) => `${pieces} · ${lengthText(length)} · ${percentText(utilisation, 1)}`;
+  open.append(h("div", { class: "menu-title" }, say(desk.link.alone ? "inPage" : "onDaemon")));
+  for (const one of markers.slice(0, 40)) {
+    open.append(entry(one.name || one.markerId, doing(() => actions.show(one.markerId)), detailOf(one), one.markerId === desk.markerId));
   }
+  if (kept.length > 0) stored.append(h("div", { class: "menu-title" }, say("inLibrary", { count: library.count.value })));
+  for (const one of kept) stored.append(entry(one.name || one.id, doing(() => library.open(one.id)), detailOf(one)));
   tried.append(h("div", { class: "menu-title" }, say("exampleMarkers")));
   for (const one of known) tried.append(entry(one.name, doing(() => actions.example(one))));
 }

@@ -72,6 +72,16 @@ export function buildPieceList(host: HTMLElement, desk: Desk, scene: Scene, stag
     picking = false;
     reveal();
   };
+  // Adds all rows up to this one to the selection.
+  const extend = (k: number) => {
+    const to = Math.max(0, Math.min(sorted.length - 1, k));
+    const added = sorted.slice(Math.min(at, to), Math.max(at, to) + 1).map(({ id }) => id);
+    at = to;
+    picking = true;
+    scene.select([...scene.selection.value, ...added]);
+    picking = false;
+    reveal();
+  };
   let picking = false;
   const reveal = () => {
     if (at * ROW < list.scrollTop) list.scrollTop = at * ROW;
@@ -82,7 +92,8 @@ export function buildPieceList(host: HTMLElement, desk: Desk, scene: Scene, stag
   list.addEventListener("keydown", (event) => {
     const steps: Record<string, number> = { ArrowDown: 1, ArrowUp: -1, PageDown: 10, PageUp: -10, Home: -sorted.length, End: sorted.length };
     const step = steps[event.key];
-    if (step !== undefined) pick(at + step, false);
+    if (step !== undefined) event.shiftKey ? extend(at + step) : pick(at + step, false);
+    else if (event.key === " " && event.ctrlKey) pick(at, true);
     else if (event.key === "Enter" || event.key === " ") stage.top.focus();
     else return;
     event.preventDefault();

@@ -73,6 +73,15 @@ export function buildPiecePanel(host: HTMLElement, desk: Desk, scene: Scene, ins
   });
 }
 
+/** In words, where the piece may lie. */
+function rulesOf({ rules: { below, above, from, to, fold, shade } }: Piece): string {
+  const lengths = { ruleBelow: below, ruleAbove: above, ruleFrom: from, ruleTo: to };
+  const words = Object.entries(lengths).flatMap(([name, length]) => (length === undefined ? [] : [`${say(name as TextName)} ${lengthText(length)}`]));
+  if (fold) words.push(say("ruleFold"));
+  if (shade) words.push(`${say("ruleShade")} ${shade}`);
+  return words.join(" · ");
+}
+
 function factsOf(piece: Piece, insight: Insight): Array<[string, string]> {
   const { shape, pose, group } = piece;
   const facts: Array<[string, string]> = [];
@@ -83,6 +92,8 @@ function factsOf(piece: Piece, insight: Insight): Array<[string, string]> {
   if (shape.tiltLimit > 0) facts.push([say("tiltAngle"), `${numberText(pose.tilt, 2)}° (± ${numberText(shape.tiltLimit, 1, 0)}°)`]);
   facts.push([say("area"), areaText(shape.area)]);
   if (group) facts.push([say("group"), group]);
+  const rules = rulesOf(piece);
+  if (rules) facts.push([say("rules"), rules]);
   const worth = insight.worth.value.get(piece.id);
   if (worth !== undefined) facts.push([say("worth"), numberText(worth, 2)]);
   const degree = insight.chain.value?.tilts.find((tilt) => tilt.piece === piece.id)?.perDegree;

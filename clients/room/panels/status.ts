@@ -15,7 +15,8 @@ export function buildStatus(host: HTMLElement, desk: Desk, keepsNothing: Signal<
   follow([link.state, wording], () => {
     const { value } = link.state;
     host.dataset["state"] = value;
-    setText(state, say(value === "open" ? "connected" : value === "token" ? "connecting" : value));
+    const text = link.alone && value !== "connecting" ? "inThisPage" : value === "open" ? "connected" : value === "token" ? "connecting" : value;
+    setText(state, say(text));
   });
   follow([desk.marker, desk.figures, wording], () => {
     const { value } = desk.marker;
@@ -25,7 +26,7 @@ export function buildStatus(host: HTMLElement, desk: Desk, keepsNothing: Signal<
   });
   follow([keepsNothing, wording], () => {
     warning.hidden = !keepsNothing.value;
-    setText(warning, say("inMemory"));
+    setText(warning, say(link.alone ? "keptInPage" : "inMemory"));
   });
 }
 

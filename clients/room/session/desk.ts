@@ -47,10 +47,10 @@ export class Desk {
     });
   }
 
-  /** Opens a document as a new marker, and puts it on the table. */
-  async open(document: MarkerDocument | Record<string, unknown>): Promise<Answer<"marker.open">> {
+  /** Opens a document, or the text of a trade's file and what belongs to it, as a new marker, and puts it on the table. */
+  async open(document: MarkerDocument | Record<string, unknown> | string, besides: { rules?: string; order?: string } = {}): Promise<Answer<"marker.open">> {
     const client = await this.link.ready();
-    const opened = await client.call("marker.open", { marker: document as Record<string, unknown> });
+    const opened = await client.call("marker.open", { marker: document as Record<string, unknown>, ...besides });
     await this.show(opened.markerId);
     return opened;
   }

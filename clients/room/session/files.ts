@@ -1,10 +1,42 @@
 import type { MarkerDocument } from "../marker/document";
 
-/** Reads a file that the user chose or dropped. Throws the parser's own words when it is not JSON. */
-export async function readMarker(file: File): Promise<Record<string, unknown>> {
-  const document: unknown = JSON.parse(await file.text());
-  if (typeof document !== "object" || document === null || Array.isArray(document)) throw new Error(`${file.name}: not a marker`);
-  return document as Record<string, unknown>;
+/** What is opened: a marker's document or the text of a trade's file; for a pattern, its rule table and an order for it. */
+export interface Opened {
+  name: string;
+  marker: Record<string, unknown> | string;
+  rules?: string;
+  order?: string;
+}
+
+/**
+ * Reads files that the user chose or dropped together: each is a marker, a pattern or a cut file, but a rule table (.rul) and an
+ * order (.csv) belong to the others. Throws the parser's own words when a document is not JSON.
+ */
+export async function readFiles(files: readonly File[]): Promise<Opened[]> {
+  const ending = (file: File, name: string) => file.name.toLowerCase().endsWith(name);
+  const besides = files.length > 1 ? { rules: files.find((file) => ending(file, ".rul")), order: files.find((file) => ending(file, ".csv")) } : {};
+  const rules = besides.rules && { rules: await textOf(besides.rules) };
+  const order = besides.order && { order: await textOf(besides.order) };
+  const opened = files.filter((file) => file !== besides.rules && file !== besides.order);
+  return Promise.all(
+    opened.map(async (file): Promise<Opened> => {
+      const text = await textOf(file);
+      if (!ending(file, ".json") && !text.trimStart().startsWith("{")) return { name: file.name, marker: text, ...rules, ...order };
+      const document: unknown = JSON.parse(text);
+      if (typeof document !== "object" || document === null || Array.isArray(document)) throw new Error(`${file.name}: not a marker`);
+      return { name: file.name, marker: document as Record<string, unknown> };
+    }),
+  );
+}
+
+// Older programs of the trade write texts of eight bits a letter.
+async function textOf(file: File): Promise<string> {
+  const bytes = await file.arrayBuffer();
+  try {
+    return new TextDecoder("utf-8", { fatal: true }).decode(bytes);
+  } catch {
+    return new TextDecoder("windows-1252").decode(bytes);
+  }
 }
 
 /** Lets the user choose files. */
@@ -12,7 +44,8 @@ export function chooseFiles(): Promise<File[]> {
   return new Promise((resolve) => {
     const input = document.createElement("input");
     input.type = "file";
-    input.accept = ".json,application/json";
+    input.accept = ".json,.dxf,.rul,.csv,.cut,.plt,.hpgl,.svg,.xml,.txt";
+    input.multiple = true;
     input.addEventListener("change", () => resolve([...(input.files ?? [])]));
     input.addEventListener("cancel", () => resolve([]));
     input.click();

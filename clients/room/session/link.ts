@@ -1,5 +1,6 @@
 import { CallError, Client, Code, overWebSocket, type Connect } from "../../typescript/src/index";
 import { Signal } from "../base/signal";
+import { engineInPage } from "../standalone/connect";
 
 export type LinkState = "connecting" | "open" | "lost" | "token" | "refused";
 
@@ -9,12 +10,17 @@ const wait = (milliseconds: number) => new Promise((resolve) => setTimeout(resol
 /** The address of the daemon that served this page. */
 const address = () => `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws`;
 
+/** The engine in the page, where it was opened as a file. */
+const inPage = engineInPage();
+
 /**
  * The connection to the daemon, for as long as the page is open. The client resends what was in progress when a connection is
  * lost; when it gives up, a new client is made, until the daemon answers again.
  */
 export class Link {
   readonly state = new Signal<LinkState>("connecting");
+  /** Whether there is no daemon: the engine runs in the page, one call at a time. */
+  readonly alone = inPage !== undefined;
   /** Counts the connections: code that watches a marker watches it again when this changes. */
   readonly joined = new Signal(0);
   private client: Client | undefined;
@@ -61,7 +67,8 @@ export class Link {
   private observed(): Connect {
     return async (listener) => {
       const token = sessionStorage.getItem(TOKEN) ?? undefined;
-      const connection = await overWebSocket(address(), token === undefined ? {} : { token })({
+      const connect = inPage ?? overWebSocket(address(), token === undefined ? {} : { token });
+      const connection = await connect({
         message: (text) => {
           if (this.state.value !== "open" && !text.includes('"error"')) this.state.value = "open";
           listener.message(text);

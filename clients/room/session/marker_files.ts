@@ -1,8 +1,17 @@
 import type { Desk } from "./desk";
 import { example, examples, type Example } from "./examples";
-import { chooseFiles, fileName, markerText, readMarker, saveText } from "./files";
+import { chooseFiles, fileName, markerText, readFiles, saveText } from "./files";
 import { inWords } from "./words";
 import { say } from "../texts/texts";
+
+/** Forms in which markers are written, all of them texts. */
+export const WRITTEN = {
+  svg: { ending: "svg", type: "image/svg+xml" },
+  pdf: { ending: "pdf", type: "application/pdf" },
+  dxf: { ending: "dxf", type: "image/vnd.dxf" },
+  cut: { ending: "cut", type: "text/plain" },
+  hpgl: { ending: "plt", type: "application/vnd.hp-HPGL" },
+} as const;
 
 /** Markers as files: opened by dialogue or by dropping them on the page, saved, drawn, printed. */
 export class MarkerFiles {
@@ -37,14 +46,14 @@ export class MarkerFiles {
   openFile = (): void => void chooseFiles().then((files) => this.openAll(files));
 
   private async openAll(files: File[]): Promise<void> {
-    for (const file of files) {
-      await this.trying(async () => {
-        const { pieces, notes } = await this.desk.open(await readMarker(file));
+    await this.trying(async () => {
+      for (const { name, marker, ...besides } of await readFiles(files)) {
+        const { pieces, unplaced = 0, notes } = await this.desk.open(marker, besides);
         const [first] = notes;
-        const values = { name: file.name, pieces, count: notes.length, note: first?.text ?? "" };
+        const values = { name, pieces: pieces + unplaced, count: notes.length, note: first?.text ?? "" };
         this.tell(say(first ? "openedNotes" : "opened", values));
-      });
-    }
+      }
+    });
   }
 
   show = (markerId: string): void => void this.trying(() => this.desk.show(markerId));
@@ -61,18 +70,22 @@ export class MarkerFiles {
     if (marker) saveText(fileName(marker.name, "json"), markerText(marker.toDocument()), "application/json");
   };
 
-  saveSvg = (): void =>
-    void this.trying(async () => saveText(fileName(this.desk.marker.value?.name ?? "", "svg"), await this.drawing(), "image/svg+xml"));
+  /** Saves the marker as the daemon writes it for printers, cutters, plotters and other programs. */
+  saveAs = (format: keyof typeof WRITTEN): void =>
+    void this.trying(async () => {
+      const { ending, type } = WRITTEN[format];
+      saveText(fileName(this.desk.marker.value?.name ?? "", ending), await this.written(format), type);
+    });
 
-  private async drawing(): Promise<string> {
+  private async written(format: keyof typeof WRITTEN): Promise<string> {
     const client = await this.desk.link.ready();
-    const { marker } = await client.call("marker.get", { markerId: this.desk.markerId, format: "svg" });
+    const { marker } = await client.call("marker.get", { markerId: this.desk.markerId, format });
     return String(marker);
   }
 
   print = (): void =>
     void this.trying(async () => {
-      const url = URL.createObjectURL(new Blob([await this.drawing()], { type: "image/svg+xml" }));
+      const url = URL.createObjectURL(new Blob([await this.written("svg")], { type: "image/svg+xml" }));
       const picture = document.createElement("img");
       picture.id = "print";
       picture.alt = this.desk.marker.value?.name ?? "";

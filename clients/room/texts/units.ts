@@ -17,6 +17,9 @@ export function unitOf({ unit }: { unit: string }): number {
 }
 export const unitName = (): string => (isKnown(markerUnit) ? preferences.value.unit : markerUnit);
 
+/** A millimetre in the marker's unit; 1 when that is not known. */
+export const millimetre = (): number => (isKnown(markerUnit) ? 1 / MILLIMETRES[markerUnit]! : 1);
+
 /** Metres of a length of the marker, for prices. Undefined when its unit is not known. */
 export const metres = (length: number): number | undefined =>
   isKnown(markerUnit) ? (length * MILLIMETRES[markerUnit]!) / 1000 : undefined;

@@ -142,7 +142,12 @@ export function paintOverlaps(brush: Brush, scene: Scene, now: number): void {
 }
 
 /** Where the daemon has found that the marker is not valid. */
-export function paintFaults({ context, camera, ratio, colours }: Brush, scene: Scene): void {
+export function paintFaults(brush: Brush, scene: Scene): void {
+  const { context, camera, ratio, colours } = brush;
+  for (const id of scene.outside.slice(0, 500)) {
+    const piece = scene.marker!.byId.get(id);
+    if (piece) outline(brush, piece, piece.pose, colours.fault, 2.4, [6, 3]);
+  }
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   for (const { witness, depth } of scene.overlaps.slice(0, 500)) {
     const [x, y] = camera.toScreen(witness);

@@ -41,6 +41,7 @@ export class Scene {
   chain: Answer<"marker.hold"> | undefined;
   regions: Answer<"marker.regions"> | undefined;
   overlaps: Answer<"marker.check">["overlaps"] = [];
+  outside: string[] = []; // pieces that lie where their marker or its rules allow none
   opening: number | undefined; // the marker's length when it was opened
   length = 0;
   focus: string | undefined; // the piece that the keyboard is at
@@ -75,6 +76,7 @@ export class Scene {
     this.places = [];
     this.draggedByOthers = [];
     this.overlaps = [];
+    this.outside = [];
     if (known !== marker) this.colour(preferences.value.colourBy);
     this.onChange("settled");
   }

@@ -8,6 +8,7 @@ import { times } from "./frame_times";
 import { paintFaults, paintGhosts, paintLength, paintNewcomers, paintOthersDrags, paintOverlaps, paintPlaces, paintSelection, paintStroke, paintTiltWorth } from "./marks_painter";
 import { palette, readPalette } from "./palette";
 import { paintLabel, paintPiece, type Brush } from "./piece_painter";
+import { paintRooms, paintRules } from "./rules_painter";
 import type { Scene } from "./scene";
 
 // Room for the tools at the left, the ruler above, and the length or a result below.
@@ -178,6 +179,7 @@ export class Stage {
     context.fillStyle = paper;
     context.fillRect(0, 0, this.base.width, this.base.height);
     paintCloth(brush, scene, width, height, preferences.value);
+    paintRules(brush, scene, width);
     paintRegions(brush, scene);
     const view = camera.window(width, height);
     const colouring = scene.colouring.value;
@@ -206,6 +208,7 @@ export class Stage {
     paintLength(brush, scene);
     paintChain(brush, scene, now);
     paintSelection(brush, scene, now);
+    paintRooms(brush, scene);
     paintTiltWorth(brush, scene, now);
     paintOthersDrags(brush, scene);
     paintFaults(brush, scene);

@@ -1,0 +1,93 @@
+import type { Marker } from "../marker/marker";
+import { lengthText } from "../texts/units";
+import type { Brush } from "./piece_painter";
+import type { Scene } from "./scene";
+
+const FONT = '12px "Inter", system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif';
+const SHADE = { above: 12, apart: 4 }; // pixels from the cloth to the first line, and from one line to the next
+
+/** Where pieces may not lie, or only some: selvedges, the fold, the ends of bands, and how far each shade reaches. */
+export function paintRules(brush: Brush, scene: Scene, width: number): void {
+  const { context, camera, ratio, colours } = brush;
+  const marker = scene.marker!;
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  const from = Math.max(camera.x, 0);
+  const to = marker.longest === undefined ? width : Math.min(width, camera.toScreen([marker.longest, 0])[0]);
+  if (to <= from) return;
+  const across = (y: number) => camera.toScreen([0, y])[1];
+  context.fillStyle = colours.selvedge;
+  context.globalAlpha = 0.45;
+  if (marker.below > 0) context.fillRect(from, across(marker.below), to - from, across(0) - across(marker.below));
+  if (marker.above > 0) context.fillRect(from, across(marker.width), to - from, across(marker.width - marker.above) - across(marker.width));
+  context.globalAlpha = 1;
+  if (marker.pieces.some(({ rules }) => rules.fold)) line(brush, [from, across(0)], [to, across(0)], colours.ink, 2.4, [10, 3, 2, 3]);
+  const ends = new Set(marker.pieces.flatMap(({ rules }) => [rules.from, rules.to]));
+  for (const end of ends) {
+    if (end === undefined) continue;
+    const [x] = camera.toScreen([end, 0]);
+    if (x < 0 || x > width) continue;
+    line(brush, [x, across(marker.width)], [x, across(0)], colours.other, 1.2, [6, 3]);
+    context.font = FONT;
+    context.textAlign = "left";
+    context.textBaseline = "alphabetic";
+    context.fillStyle = colours.other;
+    context.fillText(lengthText(end), x + 4, across(0) - 5);
+  }
+  if (marker.shade !== undefined) paintShades(brush, marker, width);
+}
+
+// Above the cloth, from the left end of a shade's first piece to the right end of its last.
+function paintShades(brush: Brush, marker: Marker, width: number): void {
+  const { context, camera, colours } = brush;
+  const reaches = new Map<string, { left: number; right: number }>();
+  for (const { rules, box } of marker.pieces) {
+    if (!rules.shade) continue;
+    const known = reaches.get(rules.shade) ?? box;
+    reaches.set(rules.shade, { left: Math.min(known.left, box.left), right: Math.max(known.right, box.right) });
+  }
+  const [, top] = camera.toScreen([0, marker.width]);
+  let y = top - SHADE.above;
+  for (const [name, { left, right }] of reaches) {
+    const [from] = camera.toScreen([left, 0]);
+    const [to] = camera.toScreen([right, 0]);
+    if (to < 0 || from > width) continue;
+    // The tolerance is of what a document's decimals lose.
+    const tooLong = right - left > marker.shade! * (1 + 1e-9);
+    line(brush, [from, y], [to, y], tooLong ? colours.fault : colours.chain, 2, []);
+    context.font = FONT;
+    context.textAlign = "left";
+    context.textBaseline = "bottom";
+    context.fillStyle = tooLong ? colours.fault : colours.chain;
+    context.fillText(name, Math.max(from, 2), y - 1);
+    y -= SHADE.apart;
+  }
+}
+
+/** The room that their rules leave to the selected pieces. */
+export function paintRooms(brush: Brush, scene: Scene): void {
+  const { context, camera, ratio, colours } = brush;
+  const marker = scene.marker!;
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  for (const { rules } of scene.selected().slice(0, 8)) {
+    const { from, to, below = marker.below, above = marker.above, fold } = rules;
+    if (from === undefined && to === undefined && rules.below === undefined && rules.above === undefined && !fold) continue;
+    const [left, bottom] = camera.toScreen([from ?? marker.margin, fold ? 0 : below]);
+    const [right, top] = camera.toScreen([to ?? marker.longest ?? scene.length, marker.width - above]);
+    context.strokeStyle = colours.accent;
+    context.lineWidth = 1.6;
+    context.setLineDash([8, 4]);
+    context.strokeRect(left, top, right - left, bottom - top);
+    context.setLineDash([]);
+  }
+}
+
+function line({ context }: Brush, [ax, ay]: [number, number], [bx, by]: [number, number], colour: string, width: number, dash: number[]): void {
+  context.strokeStyle = colour;
+  context.lineWidth = width;
+  context.setLineDash(dash);
+  context.beginPath();
+  context.moveTo(ax, ay);
+  context.lineTo(bx, by);
+  context.stroke();
+  context.setLineDash([]);
+}
