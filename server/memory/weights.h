@@ -18,7 +18,7 @@ namespace selvage::server::memory {
 [[nodiscard]] std::size_t bytes_for_readers(const MarkerFile& file);
 
 // A bound of what a message takes besides its own bytes when it is read: its values as JSON, and what a method makes of
-// them.  Takes a nanosecond a byte.
+// them.  The bound of a message is the sum of those of its parts.
 [[nodiscard]] std::size_t bytes_to_read(std::string_view message);
 
 }  // namespace selvage::server::memory

@@ -1,13 +1,14 @@
 #include "server/transport/tls.h"
 
 #include <boost/asio/co_spawn.hpp>
-#include <boost/asio/detached.hpp>
 #include <boost/asio/local/connect_pair.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
 #include <boost/asio/ssl.hpp>
 #include <boost/asio/write.hpp>
 
 #include <array>
+#include <exception>
+#include <memory>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -55,7 +56,9 @@ class Tunnel : public std::enable_shared_from_this<Tunnel> {
     if (error) co_return self->cut();
     self->open_ = true;
     self->watch();
-    asio::co_spawn(self->inside_.get_executor(), inwards(self), asio::detached);
+    asio::co_spawn(self->inside_.get_executor(), inwards(self), [self](const std::exception_ptr& thrown) {
+      if (thrown) self->cut();
+    });
     co_await self->outwards();
     self->cut();
   }
@@ -165,14 +168,15 @@ connections::Socket Tls::unwrap(connections::Socket outside) {
   const auto tunnel = std::make_shared<Tunnel>(std::move(outside), std::move(mine),
                                                implementation_->credentials->context, implementation_->patience);
   implementation_->tunnels.insert(tunnel);
-  asio::co_spawn(executor, Tunnel::run(tunnel),
-                 [weak = std::weak_ptr{implementation_}, tunnel](const std::exception_ptr&) {
-                   tunnel->cut();
-                   const auto state = weak.lock();
-                   if (!state) return;
-                   state->tunnels.erase(tunnel);
-                   state->on_ended();
-                 });
+  // Also if the coroutine is destroyed because an exception escaped from a handler.
+  std::shared_ptr<void> ended{nullptr, [weak = std::weak_ptr{implementation_}, tunnel](void*) {
+                                tunnel->cut();
+                                const auto state = weak.lock();
+                                if (!state) return;
+                                state->tunnels.erase(tunnel);
+                                state->on_ended();
+                              }};
+  asio::co_spawn(executor, Tunnel::run(tunnel), [held = std::move(ended)](auto&&) {});
   return theirs;
 }
 

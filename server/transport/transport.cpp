@@ -17,6 +17,7 @@
 #include <array>
 #include <deque>
 #include <exception>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <thread>
@@ -122,7 +123,11 @@ struct Transport::Implementation {
         spdlog::warn("accepting failed: {}", error.message());
         co_await acceptor.pause();
       } else {
-        take(std::move(socket), acceptor.listener());
+        try {
+          take(std::move(socket), acceptor.listener());
+        } catch (...) {  // that connection is closed; the next one may be served
+          log_exception("a new connection", std::current_exception());
+        }
       }
     }
   }
@@ -146,13 +151,22 @@ struct Transport::Implementation {
     const auto connection = std::make_shared<connections::Connection>(std::move(socket), ++sessions, peer.text,
                                                                       tcp && !access.token.empty(), service.account);
     connections.insert(connection, peer.address);
-    asio::co_spawn(io, serve(connection, context, listener.speaks),
-                   [this, connection](const std::exception_ptr& thrown) {
-                     log_exception("a connection", thrown);
-                     connection->cut();
-                     connections.erase(connection);
-                     end_when_empty();
-                   });
+    spawn(connection, context, listener.speaks, [this, connection] { connections.erase(connection); });
+  }
+
+  // Serves the connection until it ends, then calls `forget`; also if an exception escapes from the handler for which
+  // the coroutine waits, which then ends without a result.
+  template <class Forget>
+  void spawn(const ConnectionTable::Entry& connection, const connections::ConnectionContext& with,
+             access::Listener::Speaks speaks, const Forget& forget) {
+    std::shared_ptr<void> ended{nullptr, [this, connection, forget](void*) {
+                                  connection->cut();
+                                  forget();
+                                  end_when_empty();
+                                }};
+    asio::co_spawn(io, serve(connection, with, speaks), [held = std::move(ended)](const std::exception_ptr& thrown) {
+      log_exception("a connection", thrown);
+    });
   }
 
   // The oldest connection for health checks makes room for a further one.
@@ -163,13 +177,8 @@ struct Transport::Implementation {
     }
     const auto connection = std::make_shared<connections::Connection>(std::move(socket), ++sessions, peer.text, false);
     health.push_back(connection);
-    asio::co_spawn(io, serve(connection, health_context, access::Listener::Speaks::kHealth),
-                   [this, connection](const std::exception_ptr& thrown) {
-                     log_exception("a connection for health checks", thrown);
-                     connection->cut();
-                     std::erase(health, connection);
-                     end_when_empty();
-                   });
+    spawn(connection, health_context, access::Listener::Speaks::kHealth,
+          [this, connection] { std::erase(health, connection); });
   }
 
   void stop_reading() {

@@ -57,7 +57,8 @@ struct Service {
   // Answers one message.  Must not block.  The session is the same for all messages of one connection.  The connection
   // keeps it alive; whoever wants to notify it later may hold a shared or a weak pointer.
   std::function<void(std::string message, const std::shared_ptr<Session>& session, Reply reply)> call;
-  // How many bytes it takes to answer a message, besides its own; none if it is empty.
+  // How many bytes it takes to answer a message, besides its own; none if it is empty.  The weights of the parts of a
+  // message are added.
   std::function<std::size_t(std::string_view message)> weigh{};
   // Whether calls are refused for a while because of the service's start: they are passed on, and over HTTP answered
   // with status 503.  Empty: they are not.

@@ -1,6 +1,7 @@
 #include "server/transport/connections/connection.h"
 
 #include <boost/asio/buffer.hpp>
+#include <boost/asio/post.hpp>
 
 #include <array>
 #include <cstddef>
@@ -82,6 +83,18 @@ boost::asio::awaitable<bool> Connection::wait_for_room(const memory::ByteAccount
     co_await timer.async_wait(boost::asio::redirect_error(boost::asio::use_awaitable, ignored));
   }
   co_return true;
+}
+
+boost::asio::awaitable<std::size_t> Connection::weigh(const access::Service& service, std::string_view message) {
+  constexpr std::size_t kPart = std::size_t{256} << 10;  // takes some hundredths of a millisecond
+  std::size_t weight{};
+  if (!service.weigh) co_return weight;
+  while (message.size() > kPart) {
+    weight += service.weigh(message.substr(0, kPart));
+    message.remove_prefix(kPart);
+    co_await boost::asio::post(socket.get_executor(), boost::asio::use_awaitable);
+  }
+  co_return weight + service.weigh(message);
 }
 
 void Connection::drain() {

@@ -18,6 +18,7 @@
 #include <memory>
 #include <stop_token>
 #include <string>
+#include <string_view>
 
 #include "server/transport/access/service.h"
 
@@ -91,6 +92,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
   // for more bytes than the account could ever have.  `held`: bytes that the connection has in the account already.
   boost::asio::awaitable<bool> wait_for_room(const memory::ByteAccount& account, std::size_t held, std::size_t bytes,
                                              std::chrono::milliseconds time);
+  // What the service says that answering the message takes besides its own bytes.  The parts of a long message are
+  // weighed one by one, with a turn for other connections in between.
+  boost::asio::awaitable<std::size_t> weigh(const access::Service& service, std::string_view message);
   // Reads nothing more; the calls in progress are still answered.  Calls `on_drain` instead if that is set.
   void drain();
   // Closes it immediately.

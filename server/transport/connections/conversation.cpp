@@ -1,7 +1,9 @@
 #include "server/transport/connections/conversation.h"
 
+#include <spdlog/spdlog.h>
 #include <boost/asio/post.hpp>
 
+#include <exception>
 #include <utility>
 
 namespace selvage::server::transport::connections {
@@ -27,9 +29,11 @@ void Conversation::enable_notifications() {
     asio::post(executor, [weak, held = std::move(message)]() mutable {
       const auto self = weak.lock();
       if (!self) return;
-      const bool behind = self->unsent_bytes_ > kBehind && !self->context_.service.account->has_room(held.size());
-      self->send(std::move(held));
-      if (behind || self->unsent_bytes_ > 2 * self->context_.limits.backlog_bytes) self->connection_->cut();
+      self->attempt([&] {
+        const bool behind = self->unsent_bytes_ > kBehind && !self->context_.service.account->has_room(held.size());
+        self->send(std::move(held));
+        if (behind || self->unsent_bytes_ > 2 * self->context_.limits.backlog_bytes) self->connection_->cut();
+      });
     });
   };
 }
@@ -45,7 +49,7 @@ asio::awaitable<void> Conversation::wait_for_room() {
 
 asio::awaitable<void> Conversation::call(std::string message) {
   const access::Service& service = context_.service;
-  const std::size_t weight = service.weigh ? service.weigh(message) : 0;
+  const std::size_t weight = co_await connection_->weigh(service, message);
   if (weight > 0 &&
       !co_await connection_->wait_for_room(*service.account, held() + message.size(), weight, context_.limits.room)) {
     co_return send(service.no_room);
@@ -58,7 +62,7 @@ asio::awaitable<void> Conversation::call(std::string message) {
     asio::post(executor, [self, bytes, held = std::move(answer)]() mutable {
       --self->unanswered_;
       self->held_requests_.remove(bytes);
-      self->send(std::move(held));
+      self->attempt([&] { self->send(std::move(held)); });
       self->changed_.notify();
     });
   };
@@ -77,6 +81,19 @@ asio::awaitable<void> Conversation::settle() {
   while (unanswered_ != 0 || unsent_bytes_ != 0) co_await changed_.wait();
 }
 
+void Conversation::attempt(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const std::exception& error) {
+    spdlog::error("a connection is closed, because a handler threw an exception: {}", error.what());
+    unsent_.clear();
+    unsent_bytes_ = writing_bytes_;  // what is being written ends with an error
+    held_answers_.set(unsent_bytes_);
+    connection_->cut();
+    changed_.notify();
+  }
+}
+
 void Conversation::write_next() {
   connection_->arm(connection_->write_watchdog, context_.limits.write);
   writing_bytes_ = write(unsent_);
@@ -91,7 +108,9 @@ void Conversation::written(boost::system::error_code error) {
     connection_->cut();
   }
   held_answers_.set(unsent_bytes_);
-  if (!unsent_.empty()) write_next();
+  attempt([this] {
+    if (!unsent_.empty()) write_next();
+  });
   changed_.notify();
 }
 

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -36,6 +37,9 @@ class Conversation : public std::enable_shared_from_this<Conversation> {
   [[nodiscard]] std::size_t held() const { return held_requests_.bytes() + held_answers_.bytes(); }
   // Waits until every call is answered and everything is sent.
   boost::asio::awaitable<void> settle();
+  // Runs what a handler has to do.  If that throws an exception, such as std::bad_alloc, the connection is closed,
+  // because an answer may be lost for which the client would wait.
+  void attempt(const std::function<void()>& work);
 
   // Takes one or more texts from the front of `unsent`, writes them and returns their number of bytes; calls written()
   // when that is done, but never before it has returned.

@@ -103,6 +103,7 @@ class HttpConnection {
     if (!room) room = co_await connection_.wait_for_room(*context_.service.account, 0, bytes, context_.limits.room);
     if (!room) co_return no_room();
     held_.set(bytes);
+    parser.get().body().reserve(bytes);  // an exception within an operation of Beast may end the program
     if (boost::beast::iequals(parser.get()[http::field::expect], "100-continue")) co_await write_continue();
     connection_.arm(connection_.read_watchdog, context_.limits.request);
     co_await http::async_read(connection_.socket, buffer_, parser, asio::redirect_error(asio::use_awaitable, error));
@@ -127,7 +128,7 @@ class HttpConnection {
   asio::awaitable<HttpResponse> answer_to(HttpRequest& request) {
     if (auto page = page_for(request, context_.service)) co_return *std::move(page);
     const access::Service& service = context_.service;
-    const std::size_t weight = service.weigh ? service.weigh(request.body()) : 0;
+    const std::size_t weight = co_await connection_.weigh(service, request.body());
     if (weight > 0 &&
         !co_await connection_.wait_for_room(*service.account, held_.bytes(), weight, context_.limits.room)) {
       co_return no_room();

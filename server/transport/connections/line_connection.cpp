@@ -126,15 +126,25 @@ class LineConnection final : public Conversation {
   std::size_t write(std::deque<std::string>& unsent) override {
     writing_.clear();
     std::size_t bytes{};
-    for (const std::string& text : std::exchange(unsent, {})) {
-      bytes += text.size();
-      writing_.append(text).push_back('\n');
+    std::string_view end{};
+    // Short texts are sent together.  A long one is sent as it is, because a copy of megabytes takes long.
+    if (unsent.front().size() > kKeptBuffer) {
+      writing_ = std::move(unsent.front());
+      unsent.pop_front();
+      bytes = writing_.size();
+      end = "\n";
     }
+    while (end.empty() && !unsent.empty() && bytes + unsent.front().size() <= kKeptBuffer) {
+      bytes += unsent.front().size();
+      writing_.append(unsent.front()).push_back('\n');
+      unsent.pop_front();
+    }
+    const std::array<asio::const_buffer, 2> written_parts{asio::buffer(writing_), asio::buffer(end)};
     const auto extend = [this](Error error, std::size_t sent) {
       connection_->extend(connection_->write_watchdog, context_.limits.write);
       return asio::transfer_all()(error, sent);
     };
-    asio::async_write(connection_->socket, asio::buffer(writing_), extend,
+    asio::async_write(connection_->socket, written_parts, extend,
                       [this, self = shared_from_this()](Error error, std::size_t) {
                         if (writing_.capacity() > kKeptBuffer) std::string{}.swap(writing_);
                         written(error);

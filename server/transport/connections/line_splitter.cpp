@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "server/transport/connections/growing_text.h"
+
 namespace selvage::server::transport::connections {
 
 std::vector<Line> LineSplitter::feed(std::string_view bytes) {
@@ -33,6 +35,7 @@ void LineSplitter::append(std::string_view bytes, std::vector<Line>& lines) {
     drop();
     return;
   }
+  make_room(partial_, bytes.size(), limit_);
   partial_ += bytes;
 }
 

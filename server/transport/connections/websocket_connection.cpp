@@ -1,13 +1,13 @@
 #include "server/transport/connections/websocket_connection.h"
 
 #include <boost/asio/co_spawn.hpp>
-#include <boost/asio/detached.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/websocket.hpp>
 
 #include <utility>
 
 #include "server/transport/connections/conversation.h"
+#include "server/transport/connections/growing_text.h"
 
 namespace selvage::server::transport::connections {
 namespace {
@@ -68,6 +68,7 @@ class WebSocketConnection final : public Conversation {
   }
 
   asio::awaitable<void> serve(const Upgrade& upgrade) {
+    const std::shared_ptr<void> stops_pings{nullptr, [this](void*) { ping_timer_.cancel(); }};
     Error error;
     connection_->arm(connection_->write_watchdog, context_.limits.write);
     co_await stream_.async_accept(upgrade, asio::redirect_error(asio::use_awaitable, error));
@@ -91,7 +92,7 @@ class WebSocketConnection final : public Conversation {
     }
     Connection::disarm(connection_->read_watchdog);
     while (closing_ && !closed_) co_await changed_.wait();
-    ping_timer_.cancel();
+    ping_timer_.cancel();  // before the calls in progress are waited for
     connection_->cut();
     co_await settle();
   }
@@ -118,12 +119,14 @@ class WebSocketConnection final : public Conversation {
   }
 
   asio::awaitable<void> read_to_end() {
-    boost::beast::flat_buffer message;
+    std::string message;
     memory::HeldBytes held{context_.service.account};  // of the message that has begun
     Error error;
     restart_silence_timer();
     for (;;) {
-      co_await stream_.async_read_some(message, kChunk, asio::redirect_error(asio::use_awaitable, error));
+      make_room(message, kChunk, context_.limits.body_bytes + kChunk);  // Beast may end the program if it cannot
+      auto buffer = asio::dynamic_buffer(message);
+      co_await stream_.async_read_some(buffer, kChunk, asio::redirect_error(asio::use_awaitable, error));
       if (error) co_return;
       if (closing_) {
         message.clear();
@@ -133,9 +136,7 @@ class WebSocketConnection final : public Conversation {
         within_message_ = false;
         Connection::disarm(connection_->read_watchdog);
         co_await wait_for_room();
-        std::string text{static_cast<const char*>(message.data().data()), message.size()};
-        message.clear();
-        message.shrink_to_fit();  // frees the memory of a large message
+        std::string text = std::exchange(message, {});
         if (!closing_) co_await call(std::move(text));
         held.set(0);
         restart_silence_timer();
@@ -172,8 +173,10 @@ class WebSocketConnection final : public Conversation {
     ping_timer_.async_wait([weak = weak()](Error error) {
       const auto self = weak.lock();
       if (error || !self || self->closing_) return;
-      self->stream_.async_ping({}, [self](Error failed) {
-        if (!failed) self->ping();
+      self->attempt([&self] {
+        self->stream_.async_ping({}, [self](Error failed) {
+          if (!failed) self->attempt([&self] { self->ping(); });
+        });
       });
     });
   }
@@ -182,7 +185,12 @@ class WebSocketConnection final : public Conversation {
   void begin_close(websocket::close_code why) {
     if (std::exchange(closing_, true)) return;
     Connection::disarm(connection_->read_watchdog);
-    asio::co_spawn(connection_->socket.get_executor(), close(self(), why), asio::detached);
+    // Also if the coroutine is destroyed because an exception escaped from a handler.
+    std::shared_ptr<void> ended{nullptr, [self = self()](void*) {
+                                  self->closed_ = true;
+                                  self->changed_.notify();
+                                }};
+    asio::co_spawn(connection_->socket.get_executor(), close(self(), why), [ended = std::move(ended)](auto&&) {});
   }
 
   static asio::awaitable<void> close(std::shared_ptr<WebSocketConnection> self, websocket::close_code why) {
@@ -190,8 +198,6 @@ class WebSocketConnection final : public Conversation {
     co_await self->settle();
     self->connection_->arm(self->connection_->read_watchdog, kClosePatience);
     co_await self->stream_.async_close(why, asio::redirect_error(asio::use_awaitable, ignored));
-    self->closed_ = true;
-    self->changed_.notify();
   }
 
   std::size_t write(std::deque<std::string>& unsent) override {
