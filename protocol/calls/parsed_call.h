@@ -44,6 +44,7 @@ enum class MethodKind {
   kImmediate,  // on the thread that read the call: nothing in it takes time
   kRead,       // reads or writes whole markers; calls of one opId run one after another
   kAnalysis,   // computes something about a marker and leaves it as it is; has a deadline
+  kSearch,     // the same, for as long as a motion: in no marker's order
   kStep,       // changes a marker by at most one piece, or by hand, in the marker's order
   kMotion,     // changes a marker in rounds, in the marker's order
   kDrag,       // belongs to a drag session
@@ -64,7 +65,8 @@ struct ParsedCall {
   }
   // Calls that may compute for long: the server bounds their time even when they have no deadline of their own.
   [[nodiscard]] bool bounded() const {
-    return kind == MethodKind::kAnalysis || kind == MethodKind::kStep || kind == MethodKind::kMotion;
+    return kind == MethodKind::kAnalysis || kind == MethodKind::kSearch || kind == MethodKind::kStep ||
+           kind == MethodKind::kMotion;
   }
   // REQUIRES: Params is the type in the method's descriptor.
   template <class Params>

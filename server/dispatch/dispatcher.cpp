@@ -157,15 +157,21 @@ void Dispatcher::set_deadline(const std::shared_ptr<Exchange>& exchange, const s
 void Dispatcher::schedule(ParsedCall parsed, const methods::HandlerTable::Row& row,
                           const std::shared_ptr<Exchange>& exchange, const std::shared_ptr<calls::OpenCall>& call) {
   const MethodKind kind = parsed.kind;
+  const bool unread = server_.store.is_unread(parsed.about.marker_id);
   // Drag sessions have a queue of their own.
-  if (kind == MethodKind::kImmediate || kind == MethodKind::kDrag) return row.handle(std::move(parsed), server_, call);
+  if (!unread && (kind == MethodKind::kImmediate || kind == MethodKind::kDrag)) {
+    return row.handle(std::move(parsed), server_, call);
+  }
   const bool uses_file = row.file_use != methods::FileUse::kNone;
-  exchange->only_read = (kind == MethodKind::kRead || kind == MethodKind::kAnalysis) && !uses_file;
-  const bool small = exchange->bytes <= kLargeMessage && row.file_use != methods::FileUse::kCopies;
-  const bool quick = small && (kind == MethodKind::kStep ||
-                               (kind == MethodKind::kRead && !is_large(server_.store, parsed.about.marker_id)));
-  const bool is_change = kind == MethodKind::kStep || kind == MethodKind::kMotion;
-  jobs::JobQueue& queue = is_change ? queues_.motions : uses_file ? queues_.openings : queues_.reads;
+  const bool is_search = kind == MethodKind::kSearch;
+  exchange->only_read = (kind == MethodKind::kRead || kind == MethodKind::kAnalysis || is_search) && !uses_file;
+  // A call of a batch with large answers is not quick: they take long to make and to put together.
+  const bool small = exchange->bytes <= kLargeMessage && exchange->held.bytes() <= kLargeMessage &&
+                     row.file_use != methods::FileUse::kCopies;
+  const bool quick = small && (kind == MethodKind::kStep || (kind == MethodKind::kRead && !unread &&
+                                                             !is_large(server_.store, parsed.about.marker_id)));
+  const bool is_motion = kind == MethodKind::kStep || kind == MethodKind::kMotion || is_search;
+  jobs::JobQueue& queue = is_motion ? queues_.motions : uses_file ? queues_.openings : queues_.reads;
   std::string lane = parsed.lane();
   std::optional<jobs::DeadlineClock::Time> deadline;
   if (const auto time = time_limit(parsed, server_.limits.call)) {

@@ -68,8 +68,9 @@ std::optional<KeptChange> change_of(const KeptAnswers& answers, const std::optio
 
 }  // namespace
 
-MarkerStore::MarkerStore(Room room, Journal* journal) : room_{std::move(room)}, journal_{journal} {
-  if (journal_) restore(journal_->restore());
+MarkerStore::MarkerStore(Room room, Journal* journal, std::stop_token stop)
+    : room_{std::move(room)}, journal_{journal} {
+  if (journal_) restore(journal_->restore(std::move(stop)));
 }
 
 void MarkerStore::Entry::count() {
@@ -213,6 +214,11 @@ std::optional<Summary> MarkerStore::summary(const std::string& id) const {
 
 bool MarkerStore::is_open(const std::string& id) const {
   return entry_of(id) != nullptr;
+}
+
+bool MarkerStore::is_unread(const std::string& id) const {
+  const auto entry = entry_of(id);
+  return entry && !entry->loaded;
 }
 
 std::string MarkerStore::quarantine(const std::string& id) const {

@@ -23,6 +23,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <variant>
 #include <vector>
@@ -94,8 +95,8 @@ struct Commit {
 
 class MarkerStore {
  public:
-  // Opens all markers of the journal, if there is one.
-  explicit MarkerStore(Room room = {}, Journal* journal = nullptr);
+  // Opens all markers of the journal, if there is one.  Throws as Journal::restore.
+  explicit MarkerStore(Room room = {}, Journal* journal = nullptr, std::stop_token stop = {});
 
   // `answer` makes the answer to keep for retries from the opened marker, or none.
   using OpenAnswer = std::function<std::optional<KeptAnswer>(const OpenMarker&)>;
@@ -106,6 +107,8 @@ class MarkerStore {
   // The summary of its current revision; nothing if no such marker is open.
   [[nodiscard]] std::optional<Summary> summary(const std::string& id) const;
   [[nodiscard]] bool is_open(const std::string& id) const;
+  // Whether its first use will read it from the journal, which may take long.
+  [[nodiscard]] bool is_unread(const std::string& id) const;
   // Why the marker is quarantined; empty if it is not.
   [[nodiscard]] std::string quarantine(const std::string& id) const;
 

@@ -208,7 +208,7 @@ Result<NestSheetsResult> run(const NestSheetsParams& params, const MarkerFile& f
 }  // namespace
 
 calls::Method nest_sheets_method() {
-  return readings::reading_method("marker.nestSheets", calls::MethodKind::kAnalysis,
+  return readings::reading_method("marker.nestSheets", calls::MethodKind::kSearch,
                                   "Nests all pieces on as few of the given sheets as it finds; the marker itself stays "
                                   "as it is.",
                                   run);

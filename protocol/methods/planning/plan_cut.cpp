@@ -220,7 +220,7 @@ Result<PlanResult> run(const PlanParams& params, const MarkerFile& style, const 
 }  // namespace
 
 calls::Method plan_cut_method() {
-  return readings::reading_method("plan.cut", calls::MethodKind::kMotion,
+  return readings::reading_method("plan.cut", calls::MethodKind::kSearch,
                                   "Plans which markers are cut for an order, and how many plies of which colour.", run);
 }
 

@@ -68,5 +68,33 @@ TEST_F(Openings, OneOfTheTwoWorkersTakesNoCopies) {
   EXPECT_TRUE(answer_of(backup).contains("result"));
 }
 
+// The first use of a marker after a start reads it, which takes as long as it is large.
+TEST(FirstUse, OfAMarkerIsNotOnTheThreadThatReceivesCalls) {
+  const TemporaryFolder folder;
+  const auto durability = server::store::Durability::kRelaxed;
+  {
+    server::store::Journal journal{folder.file("store"), durability};
+    EXPECT_EQ((LocalServer{0, pushing_methods(), {}, &journal}.open_small()), "m1");
+  }
+  server::store::Journal journal{folder.file("store"), durability};
+  LocalServer local{1, pushing_methods(), {}, &journal};
+  std::promise<void> release;
+  server::jobs::Job reading{
+      .session = 99, .lane = {}, .quick = false, .caller = {}, .work = server::jobs::Work{[&](auto&&) {
+                                                                 release.get_future().wait();
+                                                               }}};
+  ASSERT_EQ(local.backend.queues().reads.submit(reading), server::jobs::Admission::kAccepted);
+  Client client;
+  auto watching = local.send(call(1, "marker.watch", R"({"markerId":"m1"})"), client.session());
+  auto dragging = local.send(call(2, "drag.begin", R"({"markerId":"m1","piece":"low"})"), client.session());
+  EXPECT_EQ(watching.wait_for(0s), std::future_status::timeout);
+  EXPECT_EQ(dragging.wait_for(0s), std::future_status::timeout);
+  release.set_value();
+  for (auto* sent : {&watching, &dragging}) {
+    ASSERT_EQ(sent->wait_for(kPatience), std::future_status::ready);
+    EXPECT_TRUE(Json::parse(sent->get()).contains("result"));
+  }
+}
+
 }  // namespace
 }  // namespace selvage::test

@@ -96,6 +96,30 @@ TEST(MotionMethods, MotionsOfOneMarkerRunOneAtATimeAndReadsDoNotWait) {
   EXPECT_EQ(gate.most_at_once(), 1);
 }
 
+// Each takes as long as a motion, and leaves its marker as it is.
+TEST(MotionMethods, WhileASearchRunsItsMarkerCanBeChangedAndLongReadsDoNotWait) {
+  Gate gate;
+  const auto searching = [&gate](const CommonParams& about, const MarkerFile& file,
+                                 const MethodContext& context) -> Result<MethodAnswer> {
+    auto answer = gate.run(about, file, context);
+    if (answer) answer->next.reset();
+    return answer;
+  };
+  LocalServer local{2, methods_with({"plan.cut", "marker.nestSheets"}, searching)};
+  const std::string start = R"({"markerId":")" + local.open_small() + "\"";
+  const std::string order = R"(,"quantities":[{"colour":"blue","size":"38","garments":1}]})";
+  auto planning = local.send(call(1, "plan.cut", start + order));
+  gate.await_arrivals(1);
+  EXPECT_EQ(local.ask_json(call(2, "motion.compact", start + "}"))["result"]["revision"], 2);
+  EXPECT_TRUE(local.ask_json(call(3, "motion.bump", start + kBumpRight + "}")).contains("result"));
+  auto nesting = local.send(call(4, "marker.nestSheets", start + R"(,"sheets":[{"width":100,"length":100}]})"));
+  gate.await_arrivals(2);  // both run, although they are about one marker
+  EXPECT_EQ(local.ask_json(call(5, "marker.check", start + "}"))["result"]["valid"], true);
+  gate.open();
+  EXPECT_EQ(Json::parse(planning.get())["result"]["revision"], 1);
+  EXPECT_EQ(Json::parse(nesting.get())["result"]["revision"], 2);
+}
+
 TEST(MotionMethods, TheSecondOfTwoMotionsOnOneRevisionIsRefused) {
   Gate gate;
   LocalServer local{2, gate.methods()};
