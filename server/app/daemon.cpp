@@ -21,10 +21,10 @@ transport::access::ListenSettings listening_for(const Options& options) {
 }
 
 // Null: markers live in memory only.
-std::unique_ptr<store::Journal> open_journal(const Options& options) {
+std::unique_ptr<store::Journal> open_journal(const Options& options, const std::stop_token& stop) {
   if (options.store.empty()) return nullptr;
   try {
-    return std::make_unique<store::Journal>(options.store, options.durability);
+    return std::make_unique<store::Journal>(options.store, options.durability, stop);
   } catch (const store::disk::NewerStore& error) {
     throw store::disk::NewerStore{"--store " + options.store + ": " + error.what()};
   } catch (const std::exception& error) {
@@ -43,32 +43,41 @@ Daemon::Daemon(const Options& options, protocol::methods::MethodTable methods)
       }},
       body_bytes_{options.limits.transport.body_bytes},
       transport_{listening_for(options), options.limits.transport, service(options)} {
-  std::packaged_task<void()> loading{
-      [this, options, held = std::move(methods)]() mutable { load(options, std::move(held)); }};
+  std::packaged_task<void(std::stop_token)> loading{
+      [this, options, held = std::move(methods)](const std::stop_token& stop) mutable {
+        load(stop, options, std::move(held));
+      }};
   loaded_ = loading.get_future().share();
   if (!options.store.empty()) {
     loading_ = std::jthread{std::move(loading)};
   } else {
-    loading();
+    loading({});
     loaded_.get();
   }
 }
 
-void Daemon::load(const Options& options, protocol::methods::MethodTable methods) {
-  journal_ = open_journal(options);
-  backend_ = std::make_unique<dispatch::Backend>(backend_settings(options, std::move(methods)));
-  loaded_backend_ = backend_.get();
+void Daemon::load(const std::stop_token& stop, const Options& options, protocol::methods::MethodTable methods) {
+  try {
+    journal_ = open_journal(options, stop);
+    backend_ = std::make_unique<dispatch::Backend>(backend_settings(options, std::move(methods), stop));
+    loaded_backend_ = backend_.get();
+  } catch (const std::exception&) {
+    if (!stop.stop_requested()) throw;
+  }
 }
 
-void Daemon::wait_until_loaded() {
+bool Daemon::wait_until_loaded() {
   loaded_.get();
+  return backend() != nullptr;
 }
 
-dispatch::BackendSettings Daemon::backend_settings(const Options& options, protocol::methods::MethodTable methods) {
+dispatch::BackendSettings Daemon::backend_settings(const Options& options, protocol::methods::MethodTable methods,
+                                                   const std::stop_token& loading) {
   return {.workers = options.workers,
           .cache_bytes = options.cache_bytes,
           .limits = options.limits,
           .journal = journal_.get(),
+          .loading = loading,
           .methods = std::move(methods),
           .on_answered = on_answered_};
 }
@@ -132,6 +141,7 @@ void Daemon::reload(const Options& options) {
 void Daemon::drain() {
   draining_ = true;
   transport_.stop_reading();
+  loading_.request_stop();
   if (loading_.joinable()) loading_.join();
   if (backend_) backend_->queues().drain();
   transport_.finish(drain_time_);

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <future>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
@@ -32,8 +33,9 @@ class Daemon {
   // loaded by a thread of its own.  Throws a std::exception if an address or a file cannot be used.
   explicit Daemon(const Options& options, protocol::methods::MethodTable methods = protocol::methods::method_table());
   ~Daemon();  // drains
-  // Returns when calls are answered.  Throws a std::exception if the store cannot be used.
-  void wait_until_loaded();
+  // Returns true when calls are answered, and false if it was drained before.  Throws a std::exception if the store
+  // cannot be used.
+  bool wait_until_loaded();
   Daemon(const Daemon&) = delete;
   Daemon& operator=(const Daemon&) = delete;
 
@@ -47,8 +49,8 @@ class Daemon {
   // replaced.
   void reload(const Options& options);
 
-  // Waits until it is loaded, accepts nothing new, asks the running motions for their best results, sends every answer
-  // and closes.
+  // Stops loading, accepts nothing new, asks the running motions for their best results, sends every answer and
+  // closes.
   void drain();
 
   // Answers a message that did not come over a socket.
@@ -59,11 +61,12 @@ class Daemon {
   [[nodiscard]] std::string metrics_text() const;
 
  private:
-  void load(const Options& options, protocol::methods::MethodTable methods);
+  void load(const std::stop_token& stop, const Options& options, protocol::methods::MethodTable methods);
   // Null while it is loading.
   [[nodiscard]] dispatch::Backend* backend() const { return loaded_backend_.load(); }
   [[nodiscard]] dispatch::BackendSettings backend_settings(const Options& options,
-                                                           protocol::methods::MethodTable methods);
+                                                           protocol::methods::MethodTable methods,
+                                                           const std::stop_token& loading);
   [[nodiscard]] transport::access::Service service(const Options& options);
   void log_refusal(transport::access::Refusal refusal, const std::string& peer);
 

@@ -57,6 +57,21 @@ std::vector<ops::Metric> backend_metrics(const dispatch::Backend& backend) {
   };
 }
 
+std::vector<ops::Metric> store_metrics(const store::Journal& journal) {
+  const store::WriteCounts writes = journal.writes();
+  return {{"selvage_store_writes_total",
+           kCounter,
+           "Transactions of the store, by their outcome.",
+           "outcome",
+           {{"written", value(writes.written)}, {"failed", value(writes.failed)}}},
+          {"selvage_store_write_seconds_total", kCounter, "Time that they took.", "", {{"", writes.seconds}}},
+          {"selvage_store_writable",
+           kGauge,
+           "0 if the last write failed, or if the file has been deleted or replaced: then the daemon is not ready.",
+           "",
+           {{"", journal.failure().empty() ? 1.0 : 0.0}}}};
+}
+
 std::vector<ops::Metric> connection_metrics(const transport::access::TransportCounts& open) {
   std::vector<ops::Metric> all{
       {"selvage_open_connections",
@@ -99,6 +114,9 @@ std::string Daemon::metrics_text() const {
   for (const ops::Metric& metric : ops::process_metrics()) text += metric_text(metric);
   if (const dispatch::Backend* const ready = backend()) {
     for (const ops::Metric& metric : backend_metrics(*ready)) text += metric_text(metric);
+    if (journal_) {
+      for (const ops::Metric& metric : store_metrics(*journal_)) text += metric_text(metric);
+    }
   }
   return text;
 }

@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <condition_variable>
 #include <csignal>
 #include <cstdio>
@@ -11,6 +12,7 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <iostream>
 #include <mutex>
 #include <sstream>
@@ -94,19 +96,33 @@ class DrainWatchdog {
   std::jthread thread_;
 };
 
+// Says where the daemon listens as soon as it answers calls.  If it never will, or nobody can be told, asks the process
+// to stop, and throws what went wrong.
+void announce(const Options& options, Daemon& daemon) {
+  try {
+    if (!daemon.wait_until_loaded()) return;
+    if (!options.port_file.empty()) write_ports(options.port_file, daemon);
+    for (const transport::access::Listener& listener : daemon.listeners()) {
+      std::cout << "listening on " << name_of(listener) << std::endl;
+      spdlog::info("selvaged {} listening on {}, {} workers", ops::kVersion, name_of(listener), options.workers);
+    }
+  } catch (...) {
+    ::kill(::getpid(), SIGTERM);
+    throw;
+  }
+}
+
 int serve(const Options& options) {
   const sigset_t signals = block_signals();
   Daemon daemon{options};
-  daemon.wait_until_loaded();
-  if (!options.port_file.empty()) write_ports(options.port_file, daemon);
-  for (const transport::access::Listener& listener : daemon.listeners()) {
-    std::cout << "listening on " << name_of(listener) << std::endl;
-    spdlog::info("selvaged {} listening on {}, {} workers", ops::kVersion, name_of(listener), options.workers);
-  }
+  // Beside waiting for signals, so that one of them can end the loading.
+  std::future<void> announced = std::async(std::launch::async, [&] { announce(options, daemon); });
   const int signal = wait_to_stop(signals, options, daemon);
+  if (announced.wait_for(std::chrono::seconds{0}) == std::future_status::ready) announced.get();
   spdlog::info("draining: signal {}", signal);
   const DrainWatchdog watchdog{options.drain + std::chrono::seconds{1}};
   daemon.drain();
+  if (announced.valid()) announced.get();
   spdlog::info("drained");
   return 0;
 }

@@ -14,7 +14,9 @@ constexpr jobs::JobQueue::Milliseconds kLongestQuickWait{1000};  // for a worker
 Backend::Backend(BackendSettings settings)
     : limits_{settings.limits},
       sums_{settings.cache_bytes},
-      store_{{std::make_shared<memory::ByteAccount>(limits_.markers_bytes), limits_.marker_bytes}, settings.journal},
+      store_{{std::make_shared<memory::ByteAccount>(limits_.markers_bytes), limits_.marker_bytes},
+             settings.journal,
+             std::move(settings.loading)},
       library_{settings.journal},
       methods_{settings.methods},
       executor_{std::max<std::size_t>(settings.workers, 1) - 1,

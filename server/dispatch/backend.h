@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <stop_token>
 #include <string>
 
 #include "core/minkowski/cache.h"
@@ -29,6 +30,7 @@ struct BackendSettings {
   std::size_t cache_bytes{std::size_t{1} << 20};  // for Minkowski sums
   calls::Limits limits{};
   store::Journal* journal{};  // null: markers live in memory only
+  std::stop_token loading{};  // ends the reading of the journal, with an exception
   protocol::methods::MethodTable methods = protocol::methods::method_table();
   drags::DragFunction drag = drags::drag_function();
   ops::OnAnswered on_answered = ops::log_request;

@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <chrono>
 #include <exception>
 #include <map>
 #include <mutex>
@@ -36,13 +37,15 @@ std::string document_text(const MarkerFile& file) {
 }  // namespace
 
 struct Journal::Implementation {
-  Implementation(const std::string& path, Durability durability) : file{path, durability}, tables{file.database()} {}
+  Implementation(const std::string& path, Durability durability, std::stop_token stop)
+      : file{path, durability, disk::StoreFile::Missing::kCreate, std::move(stop)}, tables{file.database()} {}
 
   // Does the work, which changes copies of the head and the total, in one transaction.  Returns false, with a line in
   // the log, if it failed or if the file is gone.  Afterwards a head at revision 0 is removed.
   template <class Work>
   bool write(const char* what, std::uint64_t number, const Work& work) {
     const std::lock_guard lock{mutex};
+    const auto began = std::chrono::steady_clock::now();
     try {
       file.require_in_place();
       const auto known = heads.find(number);
@@ -58,17 +61,20 @@ struct Journal::Implementation {
         heads.insert_or_assign(number, std::move(head));
       }
       total = next;
-      set_failure({});
+      count(began, {});
       return true;
     } catch (const std::exception& error) {
       spdlog::error("the store: {} could not be written: {}", what, error.what());
-      set_failure(error.what());
+      count(began, error.what());
       return false;
     }
   }
 
-  void set_failure(std::string reason) {
-    const std::lock_guard lock{failure_mutex};
+  // A write has ended; `reason`: why it failed, or empty.
+  void count(std::chrono::steady_clock::time_point began, std::string reason) {
+    const std::lock_guard lock{outcome_mutex};
+    ++(reason.empty() ? writes.written : writes.failed);
+    writes.seconds += std::chrono::duration<double>{std::chrono::steady_clock::now() - began}.count();
     failure = std::move(reason);
   }
 
@@ -113,17 +119,19 @@ struct Journal::Implementation {
   std::map<std::uint64_t, Head> heads;  // of the open markers
   Total total;
   std::mutex backup_mutex;
-  mutable std::mutex failure_mutex;
-  std::string failure;
+  mutable std::mutex outcome_mutex;
+  WriteCounts writes;
+  std::string failure;  // of the last write
 };
 
-Journal::Journal(const std::string& path, Durability durability)
-    : implementation_{std::make_unique<Implementation>(path, durability)} {}
+Journal::Journal(const std::string& path, Durability durability, std::stop_token stop)
+    : implementation_{std::make_unique<Implementation>(path, durability, std::move(stop))} {}
 Journal::~Journal() = default;
 
-disk::StoredContent Journal::restore() {
+disk::StoredContent Journal::restore(std::stop_token stop) {
   Implementation& journal = *implementation_;
   const std::lock_guard lock{journal.mutex};
+  const disk::Stoppable reading{journal.file.database(), std::move(stop)};
   disk::StoredContent content = disk::read_store(journal.file.database());
   for (const disk::Damage& damage : content.damage) {
     spdlog::error("the store is damaged: {}", disk::text_of(damage));
@@ -212,8 +220,13 @@ std::string Journal::failure() const {
   } catch (const std::exception& error) {
     return error.what();
   }
-  const std::lock_guard lock{implementation_->failure_mutex};
+  const std::lock_guard lock{implementation_->outcome_mutex};
   return implementation_->failure;
+}
+
+WriteCounts Journal::writes() const {
+  const std::lock_guard lock{implementation_->outcome_mutex};
+  return implementation_->writes;
 }
 
 std::uint64_t Journal::back_up(const std::string& name) {

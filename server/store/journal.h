@@ -12,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -42,17 +43,23 @@ struct ChangeEntry {
   const std::optional<KeptChange>& answer;
 };
 
+// Transactions since the start, and the time that they took on the disk.
+struct WriteCounts {
+  std::uint64_t written{}, failed{};
+  double seconds{};
+};
+
 class Journal {
  public:
-  // Throws as disk::StoreFile.
-  Journal(const std::string& path, Durability durability);
+  // Throws as disk::StoreFile, also when `stop` is requested.
+  Journal(const std::string& path, Durability durability, std::stop_token stop = {});
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
   // The content of the file, which is kept as it is.  The log names all damage.  Throws std::runtime_error if a page
-  // cannot be read.  REQUIRES: nothing has been written yet.
-  [[nodiscard]] disk::StoredContent restore();
+  // cannot be read, or when `stop` is requested.  REQUIRES: nothing has been written yet.
+  [[nodiscard]] disk::StoredContent restore(std::stop_token stop = {});
 
   // Each returns false if it could not be written, and the log says why; then nothing of it will be read again.
   [[nodiscard]] bool opened(std::uint64_t number, const MarkerFile& file, const std::string& summary,
@@ -70,6 +77,7 @@ class Journal {
 
   // Why the last write failed, or why the next one will; empty if neither is so.
   [[nodiscard]] std::string failure() const;
+  [[nodiscard]] WriteCounts writes() const;
   [[nodiscard]] const std::string& path() const;
   // Writes a copy of everything acknowledged to "FILE.backup-NAME", while changes are written.  Returns its bytes.
   // Throws std::runtime_error if the copy exists already or cannot be written.

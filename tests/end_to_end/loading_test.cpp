@@ -1,11 +1,16 @@
 // A daemon whose store is still being loaded: its ports are open, and it says that it is loading.
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <csignal>
+#include <filesystem>
 #include <string>
+#include <thread>
 
 #include "server/app/daemon.h"
 #include "server/store/disk/database.h"
 #include "tests/end_to_end/calls.h"
+#include "tests/end_to_end/process.h"
 #include "tests/server/store/temporary_folder.h"
 #include "tests/server/wire/websocket_wire.h"
 
@@ -75,6 +80,44 @@ TEST_F(Loading, ThePortsAreOpenAndCallsAreRefusedUntilItIsDone) {
   EXPECT_EQ(Json::parse(lines.line().value_or("{}"))["result"]["revision"], 1);
   socket.send_text(call(4, "marker.list"));
   EXPECT_EQ(Json::parse(socket.text().value_or("{}"))["result"]["markers"].size(), 1U);
+}
+
+TEST_F(Loading, EndsWhenTheDaemonIsShutDown) {
+  Database other{options_.store, Database::Access::kExisting};
+  other.run("BEGIN IMMEDIATE");
+  server::app::Daemon daemon{options_};
+  daemon.drain();
+  EXPECT_FALSE(daemon.wait_until_loaded());
+  other.run("ROLLBACK");
+}
+
+// The daemon would wait for five seconds and end with code 1, because it cannot use the store.
+TEST_F(Loading, EndsOnASignal) {
+  Database other{options_.store, Database::Access::kExisting};
+  other.run("BEGIN IMMEDIATE");
+  for (const int signal : {SIGTERM, SIGINT}) {
+    const std::string socket = folder_.file("socket"), ports = folder_.file("ports");
+    Process selvaged{{SELVAGED, "--listen", "127.0.0.1:0", "--listen-unix", socket, "--port-file", ports, "--store",
+                      options_.store}};
+    const auto end = std::chrono::steady_clock::now() + kPatience;
+    while (!std::filesystem::exists(socket) && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+    selvaged.signal(signal);
+    EXPECT_EQ(selvaged.exit_code(), 0) << selvaged.all_output();
+    EXPECT_FALSE(std::filesystem::exists(ports));
+  }
+}
+
+// What is being read when the daemon is shut down does not matter: the store is as it was.
+TEST_F(Loading, ThatWasEndedLosesNothing) {
+  for (const int microseconds : {0, 300, 1000, 3000, 10'000}) {
+    server::app::Daemon daemon{options_};
+    std::this_thread::sleep_for(std::chrono::microseconds{microseconds});
+    daemon.drain();
+  }
+  server::app::Daemon daemon{options_};
+  EXPECT_TRUE(daemon.wait_until_loaded());
+  Wire wire{daemon.port()};
+  EXPECT_EQ(result_of(post_call(wire, "marker.get", id_params("m1")))["revision"], 1);
 }
 
 TEST_F(Loading, AStoreThatCannotBeUsedIsReported) {

@@ -30,6 +30,9 @@ REQUIRED = {
     "selvage_connections": "counter",
     "selvage_refused": "counter",
     "selvage_log_lines_dropped": "counter",
+    "selvage_store_writes": "counter",
+    "selvage_store_write_seconds": "counter",
+    "selvage_store_writable": "gauge",
 }
 
 
@@ -37,7 +40,8 @@ def text_after_calls(selvaged):
     """The metrics of a daemon that has answered three calls, and when it was asked for them."""
     with tempfile.TemporaryDirectory() as folder:
         ports = pathlib.Path(folder) / "ports"
-        daemon = subprocess.Popen([selvaged, "--listen", "127.0.0.1:0", "--port-file", ports, "--log-level", "off"])
+        store = pathlib.Path(folder) / "store"
+        daemon = subprocess.Popen([selvaged, "--listen", "127.0.0.1:0", "--port-file", ports, "--store", store, "--log-level", "off"])
         try:
             while not ports.exists():
                 assert daemon.poll() is None, "selvaged has ended"

@@ -61,6 +61,7 @@ grep -q -- '--token-file' "$folder/refusal" || fail "the refusal does not name -
 code=0
 "$selvaged" --config "$source/packaging/container.toml" 2> /dev/null || code=$?
 grep -qE "^RestartPreventExitStatus=(.* )?$code( .*)?\$" "$source/packaging/selvaged.service" || fail "a bad configuration, started again"
+grep -qE '^RestartPreventExitStatus=(.* )?78( .*)?$' "$source/packaging/selvaged.service" || fail "a store of a later version, started again"
 
 "$selvaged" --config "$folder/selvaged.toml" --port-file "$folder/port" > /dev/null 2> "$folder/log" &
 daemon=$!

@@ -248,6 +248,13 @@ constexpr std::array kCases{Case{"history", history},     Case{"batches", batche
                             Case{"values", values},       Case{"kept answers", answers}, Case{"markers", markers},
                             Case{"drags", drag_sessions}, Case{"watchers", watchers}};
 
+// Greedy clients would be on machines of their own: here they take no time from the daemon and from the other client.
+// Threads that this one starts have the same priority.
+void yield_to_others() {
+  constexpr int kLowest = 19;
+  (void)::setpriority(PRIO_PROCESS, 0, kLowest);
+}
+
 // Runs the works at the same time, `rounds` times, on a daemon of their own.
 void run_case(std::string_view name, const std::vector<Work>& works, std::size_t rounds, Faults& faults) {
   LiveDaemon daemon{{"--workers", "2", "--memory", std::to_string(kBudgetMb)}};
@@ -269,7 +276,10 @@ void run_case(std::string_view name, const std::vector<Work>& works, std::size_t
     for (std::size_t round = 0; round < rounds; ++round) {
       std::vector<std::jthread> threads;
       for (const Work work : works) {
-        threads.emplace_back([&, work] { faults.guard(name, [&] { work(daemon, greed, faults); }); });
+        threads.emplace_back([&, work] {
+          yield_to_others();
+          faults.guard(name, [&] { work(daemon, greed, faults); });
+        });
       }
     }
   });

@@ -3,8 +3,11 @@
 #include <spdlog/spdlog.h>
 #include <sqlite3.h>
 
+#include <chrono>
 #include <mutex>
 #include <stdexcept>
+#include <thread>
+#include <utility>
 
 #include "server/store/disk/row_checksum.h"
 
@@ -133,6 +136,29 @@ void Database::copy_to(const std::string& path) {
   sqlite3_backup_finish(copying);
   if (outcome != SQLITE_DONE) throw std::runtime_error{sqlite3_errstr(outcome)};
   target.run("PRAGMA journal_mode = DELETE");  // one file, without a log next to it
+}
+
+Stoppable::Stoppable(Database& database, std::stop_token stop)
+    : database_{database}, stop_{std::move(stop)}, on_stop_{stop_, [this] { sqlite3_interrupt(database_.handle()); }} {
+  // An interrupt ends what is being executed; these end what begins or waits after it.
+  constexpr int kInstructions = 1000;  // of SQLite's machine, between two questions
+  const auto stopped =
+      +[](void* token) { return static_cast<int>(static_cast<std::stop_token*>(token)->stop_requested()); };
+  sqlite3_progress_handler(database_.handle(), kInstructions, stopped, &stop_);
+  sqlite3_busy_handler(
+      database_.handle(),
+      +[](void* token, int waits) {
+        constexpr int kWaitMs = 10;
+        if (waits * kWaitMs >= kPatienceMs || static_cast<std::stop_token*>(token)->stop_requested()) return 0;
+        std::this_thread::sleep_for(std::chrono::milliseconds{kWaitMs});
+        return 1;
+      },
+      &stop_);
+}
+
+Stoppable::~Stoppable() {
+  sqlite3_progress_handler(database_.handle(), 0, nullptr, nullptr);
+  sqlite3_busy_timeout(database_.handle(), kPatienceMs);
 }
 
 Transaction::~Transaction() {

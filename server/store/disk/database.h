@@ -5,7 +5,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -72,6 +74,20 @@ class Database {
 
  private:
   sqlite3* database_{};
+};
+
+// As long as this object lives, what the database executes or waits for fails once `stop` is requested.
+class Stoppable {
+ public:
+  Stoppable(Database& database, std::stop_token stop);
+  ~Stoppable();
+  Stoppable(const Stoppable&) = delete;
+  Stoppable& operator=(const Stoppable&) = delete;
+
+ private:
+  Database& database_;
+  std::stop_token stop_;
+  const std::stop_callback<std::function<void()>> on_stop_;
 };
 
 // Rolls back everything since it began, unless it was kept.

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
+#include <utility>
 
 #include "server/store/disk/copy.h"
 #include "server/store/disk/schema.h"
@@ -85,8 +86,9 @@ FileLock::~FileLock() {
   ::close(file_);
 }
 
-StoreFile::StoreFile(const std::string& path, Durability durability, Missing missing)
+StoreFile::StoreFile(const std::string& path, Durability durability, Missing missing, std::stop_token stop)
     : path_{path}, lock_{existing(path, missing)}, database_{path, Database::Access::kExisting} {
+  const Stoppable opening{database_, std::move(stop)};
   database_.run("PRAGMA journal_mode = WAL");
   database_.run(durability == Durability::kFull ? "PRAGMA synchronous = FULL" : "PRAGMA synchronous = NORMAL");
   bring_up_to_date(database_, path_, missing);

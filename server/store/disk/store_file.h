@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <string>
 
 #include "server/store/disk/database.h"
@@ -42,8 +43,9 @@ class StoreFile {
   enum class Missing { kCreate, kRefuse };
 
   // Throws std::runtime_error if the file is not a store, is damaged or belongs to another process, and NewerStore if
-  // it is of a later version.
-  StoreFile(const std::string& path, Durability durability, Missing missing = Missing::kCreate);
+  // it is of a later version.  `stop` ends the constructor, which reads every page, with an exception.
+  StoreFile(const std::string& path, Durability durability, Missing missing = Missing::kCreate,
+            std::stop_token stop = {});
   StoreFile(const StoreFile&) = delete;
   StoreFile& operator=(const StoreFile&) = delete;
 

@@ -288,10 +288,14 @@ TEST_F(JournalTest, AWriteErrorMakesTheServerUnreadyUntilAWriteSucceeds) {
   set_file_size_limit({1000, unlimited.rlim_max});  // as on a full disk
   EXPECT_EQ(code_of(local.result("motion.compact", "{'markerId':'m1'}")), -32603);
   EXPECT_EQ(code_of(local.result("marker.close", "{'markerId':'m1'}")), -32603);
+  EXPECT_EQ(journal.writes().written, 1U);
+  EXPECT_EQ(journal.writes().failed, 2U);
   EXPECT_NE(local.backend.why_not_ready().find("the store cannot be written"), std::string::npos);
   set_file_size_limit(unlimited);
   EXPECT_EQ(local.result("motion.compact", "{'markerId':'m1'}")["revision"], 2);
   EXPECT_EQ(local.backend.why_not_ready(), "");
+  EXPECT_EQ(journal.writes().written, 2U);
+  EXPECT_GT(journal.writes().seconds, 0);
 }
 
 TEST_F(JournalTest, AMarkerForWhichThereIsNoRoomIsNotReadUntilThereIs) {
