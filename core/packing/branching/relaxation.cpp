@@ -15,10 +15,13 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 bool apart(const RealBox& a, const RealBox& b) {
   return a.high_x <= b.low_x || b.high_x <= a.low_x || a.high_y <= b.low_y || b.high_y <= a.low_y;
 }
-// Whether `inner` lies inside with room to spare, so that no part of the box's border is in the ring.
-bool surrounds(const RealBox& box, const RealBox& inner) {
-  return box.low_x < inner.low_x - cells::kRaySlack && inner.high_x + cells::kRaySlack < box.high_x &&
-         box.low_y < inner.low_y - cells::kRaySlack && inner.high_y + cells::kRaySlack < box.high_y;
+// Whether all corners of the box are free positions: then the hull of the free ones in the box is the box.
+bool has_free_corners(const RealBox& box, const WedgeRing& wedges) {
+  return wedges.is_free({box.low_x, box.low_y}) && wedges.is_free({box.high_x, box.low_y}) &&
+         wedges.is_free({box.low_x, box.high_y}) && wedges.is_free({box.high_x, box.high_y});
+}
+bool is_all_of(const RealBox& part, const RealBox& box) {
+  return part.low_x <= box.low_x && part.low_y <= box.low_y && part.high_x >= box.high_x && part.high_y >= box.high_y;
 }
 // Whether `now` is much smaller than `before`.
 bool shrank(const RealBox& before, const RealBox& now, double part) {
@@ -189,6 +192,30 @@ bool Relaxation::raise_to(Node& node, const RingState& ring, const RealBox& box)
          node.y.raise(ring.first, ring.second, box.low_y) && node.y.raise(ring.second, ring.first, -box.high_y);
 }
 
+// The box of the arc's cells within `box`; nothing when they are all empty.  Empty cells at the ends are cut off, but
+// for a whole ring, which has no ends.
+std::optional<RealBox> Relaxation::trim(const WedgeRing& wedges, Arc& arc, const RealBox& box) {
+  RealBox found{kInfinite, kInfinite, -kInfinite, -kInfinite};
+  Cell cell;
+  const auto is_empty = [&](std::uint32_t k) {
+    const std::uint32_t at = arc.first + k;
+    if (!wedges.clip(at < wedges.size() ? at : at - wedges.size(), box, cell)) return true;
+    for (std::size_t c = 0; c < cell.count; ++c) {
+      found = {std::min(found.low_x, cell.x[c]), std::min(found.low_y, cell.y[c]), std::max(found.high_x, cell.x[c]),
+               std::max(found.high_y, cell.y[c])};
+    }
+    return false;
+  };
+  std::uint32_t first = 0;
+  while (first < arc.count && is_empty(first)) ++first;
+  if (first == arc.count) return std::nullopt;
+  std::uint32_t last = arc.count - 1;
+  while (last > first && is_empty(last)) --last;
+  for (std::uint32_t k = first + 1; k < last && !is_all_of(found, box); ++k) (void)is_empty(k);
+  if (arc.count < wedges.size()) arc = {(arc.first + first) % wedges.size(), last - first + 1};
+  return found;
+}
+
 bool Relaxation::look(Node& node, RingState& ring) {
   ++work_.looks;
   const WedgeRing& wedges = problem_->rings[ring.ring];
@@ -200,29 +227,15 @@ bool Relaxation::look(Node& node, RingState& ring) {
     ring.clear = true;
     return true;
   }
-  if (whole && surrounds(box, wedges.box())) {
-    ring.hull_begin = ring.hull_end = 0;  // the hull is the box
+  if (whole && has_free_corners(box, wedges)) {
+    ring.hull_begin = ring.hull_end = 0;
     return true;
   }
-  RealBox found{kInfinite, kInfinite, -kInfinite, -kInfinite};
-  std::uint32_t first = UINT32_MAX;
-  std::uint32_t last = 0;
-  Cell cell;
-  for (std::uint32_t k = 0; k < ring.arc.count; ++k) {
-    const std::uint32_t at = ring.arc.first + k;
-    if (!wedges.clip(at < wedges.size() ? at : at - wedges.size(), box, cell)) continue;
-    if (first == UINT32_MAX) first = k;
-    last = k;
-    for (std::size_t c = 0; c < cell.count; ++c) {
-      found = {std::min(found.low_x, cell.x[c]), std::min(found.low_y, cell.y[c]), std::max(found.high_x, cell.x[c]),
-               std::max(found.high_y, cell.y[c])};
-    }
-  }
-  if (first == UINT32_MAX) return false;
-  if (!whole) ring.arc = {(ring.arc.first + first) % wedges.size(), last - first + 1};
+  const auto found = trim(wedges, ring.arc, box);
+  if (!found) return false;
   // Differences are whole, so the box may be rounded inwards, as far as clipping is exact.
-  const RealBox inner{std::ceil(found.low_x - cells::kRounding), std::ceil(found.low_y - cells::kRounding),
-                      std::floor(found.high_x + cells::kRounding), std::floor(found.high_y + cells::kRounding)};
+  const RealBox inner{std::ceil(found->low_x - cells::kRounding), std::ceil(found->low_y - cells::kRounding),
+                      std::floor(found->high_x + cells::kRounding), std::floor(found->high_y + cells::kRounding)};
   if (!raise_to(node, ring, inner)) return false;
   ring.looked_at = pair_box(node, ring);
   return true;
@@ -292,6 +305,10 @@ bool Relaxation::add_violated_bounds(Node& node) {
 bool Relaxation::add_violated_hull(Node& node, RingState& ring) {
   const RealVec way{positions_[ring.second].x - positions_[ring.first].x,
                     positions_[ring.second].y - positions_[ring.first].y};
+  const WedgeRing& wedges = problem_->rings[ring.ring];
+  const std::uint32_t facing = wedges.facing(way);
+  const bool within = (facing + wedges.size() - ring.arc.first) % wedges.size() < ring.arc.count;
+  if (within && wedges.depth(facing, way) <= 0) return false;
   if (ring.hull_begin == RingState::kNone) make_hull(node, ring);
   const HalfPlane* worst = nullptr;
   double least = -tuning_.violated / columns_.scale;

@@ -71,6 +71,7 @@ class Relaxation {
   [[nodiscard]] bool raise_to(Node& node, const RingState& ring, const RealBox& box);
   [[nodiscard]] bool activate_pair(Node& node, const Chosen& first, const Chosen& second);
   [[nodiscard]] bool order_alike(Node& node, std::uint32_t body);
+  [[nodiscard]] static std::optional<RealBox> trim(const WedgeRing& wedges, Arc& arc, const RealBox& box);
   [[nodiscard]] bool look(Node& node, RingState& ring);
   [[nodiscard]] bool propagate(Node& node);
   void gather(const RingState& ring, const RealBox& box);

@@ -37,6 +37,31 @@ std::vector<Edge> edges_in(const minkowski::convolution::StarSum& sum, const min
   return edges;
 }
 
+// Whether two edges lie on one line and go the same way.
+bool continues(const Edge& edge, const Edge& next) {
+  const Vec along = edge.line_to - edge.line_from;
+  return cross(along, next.line_from - edge.line_from) == 0 && cross(along, next.line_to - edge.line_from) == 0 &&
+         dot(along, next.line_to - next.line_from) > 0;
+}
+
+// The edges with those that continue each other made one: parallel sides of two pieces give a sum such edges.
+std::vector<Edge> joined(const std::vector<Edge>& edges) {
+  std::vector<Edge> whole;
+  for (const Edge& edge : edges) {
+    if (!whole.empty() && continues(whole.back(), edge)) {
+      whole.back().line_to = edge.line_to;
+    } else {
+      whole.push_back(edge);
+    }
+  }
+  if (whole.size() > 3 && continues(whole.back(), whole.front())) {
+    whole.front().from = whole.back().from;
+    whole.front().line_from = whole.back().line_from;
+    whole.pop_back();
+  }
+  return whole;
+}
+
 HalfPlane beyond_line(Vec from, Vec to) {
   const RealVec a = geometry::real(from);
   const RealVec along = geometry::real(to - from);
@@ -108,7 +133,7 @@ Rooms rooms_of(const HalfPlane& plane, const RealBox& box) {
 WedgeRing::WedgeRing(const minkowski::convolution::StarSum& sum, const minkowski::Obstacle& obstacle, Vec offset) {
   const RealVec moved = real_in(obstacle, sum.centre);
   centre_ = {moved.x + static_cast<double>(offset.x), moved.y + static_cast<double>(offset.y)};
-  std::vector<Edge> edges = edges_in(sum, obstacle, offset);
+  std::vector<Edge> edges = joined(edges_in(sum, obstacle, offset));
   const auto angle_of = [&](const Edge& edge) {
     const RealVec corner = geometry::real(edge.from);
     return geometry::pseudo_angle(corner.x - centre_.x, corner.y - centre_.y);
@@ -126,6 +151,7 @@ WedgeRing::WedgeRing(const minkowski::convolution::StarSum& sum, const minkowski
     wedges_.push_back({beyond_line(edges[k].line_from, edges[k].line_to),
                        beside_ray(centre_, from, 1, slack_between(previous, edges[k])),
                        beside_ray(centre_, to, -1, slack_between(edges[k], next))});
+    corners_.push_back(from);
     angles_.push_back(std::max(angles_.empty() ? 0.0 : angles_.back(), angle_of(edges[k])));
     box_ = {std::min(box_.low_x, from.x), std::min(box_.low_y, from.y), std::max(box_.high_x, from.x),
             std::max(box_.high_y, from.y)};

@@ -60,12 +60,25 @@ class WedgeRing {
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(wedges_.size()); }
   [[nodiscard]] Arc whole() const { return {0, size()}; }
   [[nodiscard]] const RealBox& box() const { return box_; }
+  [[nodiscard]] RealVec centre() const { return centre_; }
   // Sets `cell` to the part of the box in a wedge.  False when there is none.
   [[nodiscard]] bool clip(std::uint32_t wedge, const RealBox& box, Cell& cell) const;
   // The wedge that the point's ray passes.
   [[nodiscard]] std::uint32_t facing(RealVec p) const;
   // How far the point lies inside the wedge's line, beyond the slack; negative outside.
   [[nodiscard]] double depth(std::uint32_t wedge, RealVec p) const { return -wedges_[wedge].beyond.room(p); }
+  // Whether the point is outside of the ring for sure.
+  [[nodiscard]] bool is_free(RealVec p) const {
+    const bool beside = p.x <= box_.low_x || p.x >= box_.high_x || p.y <= box_.low_y || p.y >= box_.high_y;
+    return beside || depth(facing(p), p) <= 0;
+  }
+  // The corner of the sum at which the wedge's edge starts; wrong by up to a unit where it is the crossing of two lines.
+  [[nodiscard]] RealVec corner(std::uint32_t wedge) const { return corners_[wedge]; }
+  // The wedge as half-planes: beyond its edge's line, after the ray through the edge's start, before that through its
+  // end.
+  [[nodiscard]] std::array<HalfPlane, 3> sides(std::uint32_t wedge) const {
+    return {wedges_[wedge].beyond, wedges_[wedge].after, wedges_[wedge].before};
+  }
   // The exact line of the wedge's edge.
   [[nodiscard]] HalfPlane line(std::uint32_t wedge) const {
     const HalfPlane& beyond = wedges_[wedge].beyond;
@@ -82,8 +95,9 @@ class WedgeRing {
   [[nodiscard]] std::uint32_t corner_before(double angle) const;
 
   RealVec centre_;
-  std::vector<Wedge> wedges_;   // counter-clockwise
-  std::vector<double> angles_;  // of each wedge's start; ascending
+  std::vector<Wedge> wedges_;     // counter-clockwise
+  std::vector<RealVec> corners_;  // at each wedge's start
+  std::vector<double> angles_;    // of these corners; ascending
   RealBox box_;
 };
 
