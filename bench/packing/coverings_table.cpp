@@ -1,0 +1,97 @@
+// The tables of coverings and of the thesis' program in docs/packing.md: for each instance and convex covering how many
+// sets and half-planes it has, and what Cbc makes of the program.
+//
+//   coverings_table [--seconds S] INSTANCE.json...
+//
+// Cbc is stopped after S seconds of processor time (default: 20), at the next node.
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "bench/packing/instance.h"
+#include "bench/packing/thesis_program.h"
+#include "core/lp/integer/cbc.h"
+#include "core/packing/bodies/bodies.h"
+#include "core/packing/first_layout.h"
+
+namespace {
+
+using namespace selvage;
+
+double processor_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+struct NamedCover {
+  const char* name;
+  bench::Cover cover;
+};
+constexpr std::array<NamedCover, 3> kCovers{{{"wedges", &packing::coverings::wedges},
+                                             {"walk", &packing::coverings::walk},
+                                             {"slices", &packing::coverings::slices}}};
+
+lp::integer::IntegerSolution solved(const lp::integer::IntegerProgram& program, double seconds) {
+  std::stop_source stop;
+  const double end = processor_seconds() + seconds;
+  const std::jthread clock{[&](const std::stop_token& over) {
+    while (!over.stop_requested() && processor_seconds() < end) {
+      std::this_thread::sleep_for(std::chrono::milliseconds{20});
+    }
+    stop.request_stop();
+  }};
+  lp::integer::IntegerLimits limits;
+  limits.nodes = 100'000'000;
+  return lp::integer::solve_by_branch_and_cut(program, limits, {}, stop.get_token());
+}
+
+void print_rows(const std::string& path, double seconds) {
+  const Marker marker = bench::read_instance(path, false);
+  SumCache sums;
+  const scene::Run run{sums};
+  const auto first = packing::first_layout(marker, run);
+  const double longest = static_cast<double>(length_of(*first));
+  const std::vector<bool> moving(marker.pieces.size(), true);
+  auto bodies = packing::bodies::bodies_of(marker, {moving, {marker.strip.room(length_of(*first))}, false}, run);
+  bodies.problem.minimises_length = true;
+  for (const NamedCover& covering : kCovers) {
+    const auto made = bench::thesis_program(bodies.problem, covering.cover, longest);
+    std::size_t sets = 0;
+    std::size_t sides = 0;
+    for (const auto& ring : bodies.problem.rings) {
+      for (const auto& set : covering.cover(ring)) {
+        ++sets;
+        sides += set.size();
+      }
+    }
+    const double begun = processor_seconds();
+    const auto solution = solved(made.program, seconds);
+    const double unit = to_decimal(static_cast<Coord>(made.unit), marker.resolution);
+    std::printf("| %s | %s | %zu | %zu | %zu | %s | %.6g | %.6g | %d | %.2f |\n", marker.name.c_str(), covering.name,
+                bodies.problem.rings.size(), sets, sides,
+                solution.status == lp::integer::IntegerStatus::kOptimal ? "proved" : "open", solution.objective * unit,
+                solution.bound * unit, solution.nodes, processor_seconds() - begun);
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  double seconds = 20;
+  std::printf("| instance | covering | rings | sets | half-planes | | length | bound | nodes | seconds |\n");
+  std::printf("|---|---|---|---|---|---|---|---|---|---|\n");
+  for (int k = 1; k < count; ++k) {
+    const std::string word = words[k];
+    if (word == "--seconds" && k + 1 < count) {
+      seconds = std::strtod(words[++k], nullptr);
+    } else {
+      print_rows(word, seconds);
+    }
+  }
+}
