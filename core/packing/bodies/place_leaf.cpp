@@ -1,5 +1,7 @@
 #include "core/packing/bodies/place_leaf.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -20,14 +22,34 @@ using programs::Row;
 
 constexpr double kTolerance = 1e-13;  // of the program, in widths: a small part of a unit
 
+// The room that contacts are given when nothing else helps: `part` of the spacing and so many lattice units.  Rings
+// leave out up to a hundredth of the spacing at corners, and on coarse lattices some units (spaced_rings.h).
+struct Room {
+  double part{}, units{};
+};
+constexpr std::array<Room, 3> kRooms{{{0, 0}, {0.01, 2}, {0.05, 4}}};
+
 // Rounding moves each of two positions by less than a unit on an axis, together by less than one.
 double margin_of(const cells::HalfPlane& plane) {
   const bool along_axis = plane.nx == 0 || plane.ny == 0;
   return along_axis ? 0 : std::abs(plane.nx) + std::abs(plane.ny);
 }
 
-std::optional<std::vector<RealVec>> solved(const Bodies& bodies, const branching::Leaf& leaf, const Columns& columns,
-                                           bool margins) {
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+bool has_solution(Dictionary& program, const Columns& columns) {
+  std::uint64_t pivots = 0;
+  return program.solve(columns, kUnlimited, pivots, kTolerance) == Dictionary::End::kOptimal;
+}
+
+std::vector<RealVec> positions_in(const Dictionary& program, const Columns& columns) {
+  std::vector<RealVec> positions;
+  for (std::uint32_t body = 0; body < columns.bodies; ++body) positions.push_back(program.position(columns, body));
+  return positions;
+}
+
+// The leaf's program with exact lines.
+Dictionary program_of(const Bodies& bodies, const branching::Leaf& leaf, const Columns& columns, bool margins) {
   const std::uint32_t world = bodies.problem.world();
   Dictionary program{columns, bodies.problem.minimises_length};
   for (std::uint32_t body = 0; body < world; ++body) {
@@ -42,12 +64,47 @@ std::optional<std::vector<RealVec>> solved(const Bodies& bodies, const branching
     if (margins) row.plane.c += margin_of(row.plane);
     program.add(columns, row);
   }
-  std::uint64_t pivots = 0;
-  const double none = std::numeric_limits<double>::infinity();
-  if (program.solve(columns, none, pivots, kTolerance) != Dictionary::End::kOptimal) return std::nullopt;
-  std::vector<RealVec> positions;
-  for (std::uint32_t body = 0; body < world; ++body) positions.push_back(program.position(columns, body));
-  return positions;
+  return program;
+}
+
+std::optional<std::vector<RealVec>> solved(const Bodies& bodies, const branching::Leaf& leaf, const Columns& columns,
+                                           bool margins) {
+  Dictionary program = program_of(bodies, leaf, columns, margins);
+  if (!has_solution(program, columns)) return std::nullopt;
+  return positions_in(program, columns);
+}
+
+// The room that the solution leaves a row, which is one of two positions.
+double room_in(const Dictionary& program, const Columns& columns, const Row& row) {
+  const auto at = [&](std::uint32_t body) {
+    return body == columns.bodies ? RealVec{} : program.position(columns, body);
+  };
+  const RealVec first = at(row.first);
+  const RealVec second = at(row.second);
+  return row.plane.room({second.x - first.x, second.y - first.y});
+}
+
+// A solution in which most rows have so much room, or their margin where that is more; lattice units.  Rows that lack
+// it are given it one after another, as far as there is a solution.
+std::optional<std::vector<RealVec>> with_room(const Bodies& bodies, const branching::Leaf& leaf, const Columns& columns,
+                                              double room) {
+  Dictionary program = program_of(bodies, leaf, columns, false);
+  if (!has_solution(program, columns)) return std::nullopt;
+  std::vector<bool> tried(leaf.rows.size());
+  for (bool any = true; any;) {
+    any = false;
+    for (std::size_t k = 0; k < leaf.rows.size(); ++k) {
+      Row row = leaf.rows[k];
+      const double wanted = std::max(room, margin_of(row.plane));
+      if (tried[k] || room_in(program, columns, row) >= wanted) continue;
+      any = tried[k] = true;
+      row.plane.c += wanted;
+      Dictionary narrower = program;
+      narrower.add(columns, row);
+      if (has_solution(narrower, columns)) program = std::move(narrower);
+    }
+  }
+  return positions_in(program, columns);
 }
 
 std::vector<RealVec> snapped_to_lattice(const std::vector<RealVec>& positions) {
@@ -117,8 +174,14 @@ bool place_leaf(const Marker& marker, const Bodies& bodies, const Freedom& freed
     if (positions && (attempt(snapped_to_lattice(*positions)) || attempt(*positions))) return true;
   }
   leaf.positions = original;
-  const auto positions = repaired(placed(marker, bodies, leaf), bodies, leaf, run);
-  return positions && attempt(*positions);
+  const auto mended = repaired(placed(marker, bodies, leaf), bodies, leaf, run);
+  if (mended && attempt(*mended)) return true;
+  const auto spacing = static_cast<double>(marker::PlacedPieces{marker}.widest_spacing());
+  for (const auto& [part, units] : kRooms) {
+    const auto positions = with_room(bodies, leaf, columns, part * spacing + units);
+    if (positions && attempt(snapped_to_lattice(*positions))) return true;
+  }
+  return false;
 }
 
 }  // namespace selvage::packing::bodies

@@ -11,12 +11,19 @@ namespace {
 
 constexpr int kCorners = 24;  // of the polygon inside the circle: it reaches 99.1 % of the radius everywhere
 
+// Convex, so that on a coarse lattice the corners on the axes, which keep the whole radius, are no spikes.
 Polygon inside_circle(Coord radius) {
   Polygon corners;
-  for (int k = 0; k < kCorners; ++k) {
+  for (int k = 0; k <= kCorners; ++k) {
     const double angle = 2 * std::numbers::pi * k / kCorners;
-    const double r = static_cast<double>(radius);
-    corners.push_back({static_cast<Coord>(r * std::cos(angle)), static_cast<Coord>(r * std::sin(angle))});
+    const double r = static_cast<double>(radius) + 1e-9;
+    const Vec corner{static_cast<Coord>(r * std::cos(angle)), static_cast<Coord>(r * std::sin(angle))};
+    const auto is_flat = [&] {
+      const Vec last = corners.back();
+      return cross(last - corners[corners.size() - 2], corner - last) <= 0;
+    };
+    while (corners.size() >= 2 && is_flat()) corners.pop_back();
+    if (k < kCorners) corners.push_back(corner);
   }
   return corners;
 }

@@ -72,7 +72,7 @@ class WedgeRing {
     const bool beside = p.x <= box_.low_x || p.x >= box_.high_x || p.y <= box_.low_y || p.y >= box_.high_y;
     return beside || depth(facing(p), p) <= 0;
   }
-  // The corner of the sum at which the wedge's edge starts; wrong by up to a unit where it is the crossing of two lines.
+  // The corner of the sum at which the edge of the wedge starts; a unit off, at most, where two lines cross.
   [[nodiscard]] RealVec corner(std::uint32_t wedge) const { return corners_[wedge]; }
   // The wedge as half-planes: beyond its edge's line, after the ray through the edge's start, before that through its
   // end.
