@@ -1,8 +1,12 @@
-// What this build leaves out.  Clp: every program goes to the interior point method, which is the fallback of simplex
-// (core/lp/solver/solve.h).  Exceptions: they are faults, and end the program.
+// What these builds leave out.  Clp: every linear program goes to the interior point method, which is the fallback of
+// simplex (core/lp/solver/solve.h).  Cbc: integer programs are not solved, so plans are not the cheapest.  The store:
+// markers and the library live in memory.  Exceptions: they are faults, and end the program.
 #include <cstdlib>
 
+#include "core/lp/integer/cbc.h"
 #include "core/lp/solver/clp.h"
+#include "server/store/journal.h"
+#include "server/store/library/library_rows.h"
 
 namespace selvage::lp::solver {
 
@@ -11,6 +15,66 @@ LpSolution solve_by_simplex(const LinearProgram&, int, std::stop_token) {
 }
 
 }  // namespace selvage::lp::solver
+
+namespace selvage::lp::integer {
+
+IntegerSolution solve_by_branch_and_cut(const IntegerProgram&, const IntegerLimits&, std::span<const double>,
+                                        std::stop_token) {
+  return {.status = IntegerStatus::kFailed};
+}
+
+}  // namespace selvage::lp::integer
+
+// There is never a journal, so nobody calls these.
+namespace selvage::server::store {
+
+struct Journal::Implementation {};
+Journal::~Journal() = default;
+disk::StoredContent Journal::restore() {
+  std::abort();
+}
+bool Journal::opened(std::uint64_t, const MarkerFile&, const std::string&, const std::optional<KeptChange>&) {
+  std::abort();
+}
+bool Journal::changed(std::uint64_t, const ChangeEntry&) {
+  std::abort();
+}
+bool Journal::closed(std::uint64_t, const std::optional<KeptChange>&) {
+  std::abort();
+}
+bool Journal::answered(std::uint64_t, const KeptChange&) {
+  std::abort();
+}
+bool Journal::write(const char*, const std::function<void(disk::Database&)>&) {
+  std::abort();
+}
+void Journal::read(const std::function<void(disk::Database&)>&) {
+  std::abort();
+}
+std::string Journal::failure() const {
+  std::abort();
+}
+std::uint64_t Journal::back_up(const std::string&) {
+  std::abort();
+}
+
+namespace library {
+
+LibraryRows read_library(disk::Database&) {
+  std::abort();
+}
+std::optional<std::string> read_document(disk::Database&, std::uint64_t) {
+  std::abort();
+}
+std::uint64_t add_row(disk::Database&, const std::string&, const std::string&) {
+  std::abort();
+}
+void remove_row(disk::Database&, std::uint64_t) {
+  std::abort();
+}
+
+}  // namespace library
+}  // namespace selvage::server::store
 
 extern "C" {
 void* __cxa_allocate_exception(unsigned long) {

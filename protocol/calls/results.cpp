@@ -57,8 +57,8 @@ StageTimes stage_times_of(const execution::StageTimes& times) {
 }
 
 CacheCounts cache_counts_of(const minkowski::CacheCounts& counts) {
-  return {.hits = counts.hits,
-          .misses = counts.misses,
+  return {.hits = static_cast<std::size_t>(counts.hits),
+          .misses = static_cast<std::size_t>(counts.misses),
           .entries = counts.entries,
           .bytes = counts.bytes,
           .limit = counts.limit};

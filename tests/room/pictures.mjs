@@ -1,5 +1,7 @@
-// The pictures of docs/marker-room.md: pictures.mjs FOLDER. Each is a state that a user comes to.
+// The pictures of docs/marker-room.md: pictures.mjs FOLDER [NAMES]. Each is a state that a user comes to. That of the page opened from
+// disk needs ROOM_FILE, and is left out without it.
 import { writeFileSync } from "node:fs";
+import { pathToFileURL } from "node:url";
 import { Browser } from "./browser.mjs";
 import { atRevision, call, example, spot, startDaemon, visit } from "./visit.mjs";
 
@@ -116,6 +118,16 @@ const states = {
   }, { language: "de-DE" }),
   phone: () => state("phone", () => {}, { width: 390, height: 780, touch: true }),
 };
+if (process.env.ROOM_FILE) {
+  states.disk = async () => {
+    const page = await browser.open(pathToFileURL(process.env.ROOM_FILE).href, size);
+    await page.until(`!!document.querySelector("#length")?.textContent && !!selvageRoom.view()`);
+    await page.key("c");
+    await page.until(offered);
+    await rest();
+    writeFileSync(`${folder}/room-disk.png`, await page.picture());
+  };
+}
 const chosen = process.argv[3] ? process.argv[3].split(",") : Object.keys(states);
 for (const name of chosen) await states[name]();
 await browser.close();

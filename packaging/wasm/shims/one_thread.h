@@ -18,6 +18,24 @@ struct lock_guard {
 };
 template <class Mutex>
 lock_guard(Mutex&) -> lock_guard<Mutex>;
+template <class Mutex>
+struct scoped_lock {
+  explicit scoped_lock(Mutex&) {}
+};
+template <class Mutex>
+scoped_lock(Mutex&) -> scoped_lock<Mutex>;
+
+struct defer_lock_t {};
+inline constexpr defer_lock_t defer_lock{};
+template <class Mutex>
+struct unique_lock {
+  explicit unique_lock(Mutex&) {}
+  unique_lock(Mutex&, defer_lock_t) {}
+  void lock() {}
+  void unlock() {}
+};
+template <class Mutex>
+unique_lock(Mutex&) -> unique_lock<Mutex>;
 
 template <class T, class Allocator>
 constexpr auto operator<=>(const vector<T, Allocator>& a, const vector<T, Allocator>& b)

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { story, withBrowser } from "./visit.mjs";
+import { story, withBrowser } from "../visit.mjs";
 
 const here = withBrowser();
 const axe = readFileSync(process.env.AXE, "utf8");
