@@ -16,13 +16,36 @@ const withoutSolution = ({ solution: _, ...instance }) => instance;
 
 async function state(name, act, { marker = "jeans_02g", unplaced = false, ...options } = {}) {
   const daemon = await startDaemon();
-  const { markerId } = await call(daemon.port, "marker.open", { marker: unplaced ? withoutSolution(example(marker)) : example(marker) });
+  const document = typeof marker === "string" ? example(marker) : marker;
+  const { markerId } = await call(daemon.port, "marker.open", { marker: unplaced ? withoutSolution(document) : document });
   const page = await visit(browser, daemon.port, { ...size, marker: markerId, ...options });
   await act(page, daemon.port, markerId);
   await rest();
   writeFileSync(`${folder}/room-${name}.png`, await page.picture());
   await daemon.stop();
 }
+
+/** A marker with selvedges, pieces on the fold, a band, and a shade. */
+const ruled = {
+  format: "selvage-marker",
+  version: 1,
+  name: "cloth's rules",
+  strip: { width: 800, below: 15, above: 25 },
+  shade: 1100,
+  shapes: [
+    { id: "front", outline: [[0, 0], [600, 0], [600, 240], [420, 300], [0, 300]] },
+    { id: "sleeve", outline: [[0, 60], [120, 0], [420, 20], [500, 160], [420, 300], [120, 320], [0, 260]] },
+    { id: "facing", outline: [[0, 0], [300, 0], [300, 70], [0, 90]] },
+  ],
+  pieces: [
+    { id: "M-A front", shape: "front", at: [0, 0], rules: { fold: true, shade: "M-A" } },
+    { id: "M-B front", shape: "front", at: [620, 0], rules: { fold: true, shade: "M-B" } },
+    { id: "M-A sleeve", shape: "sleeve", at: [10, 330], rules: { shade: "M-A" } },
+    { id: "banded", shape: "sleeve", at: [560, 340], rules: { from: 500, to: 1300 } },
+    { id: "M-B sleeve", shape: "sleeve", at: [1190, 330], rules: { shade: "M-B" } },
+    { id: "M-B facing", shape: "facing", at: [1240, 120], rules: { below: 0, shade: "M-B" } },
+  ],
+};
 
 const compacted = async (page) => {
   await page.key("c");
@@ -103,12 +126,15 @@ const states = {
     await page.key("h");
     await page.click("#tab-pieces");
     await pick(page, "3");
-    await page.key("l");
+    await page.click("[data-part=x]");
     await atRevision(page, 3);
+    await page.until(`document.querySelector("#panel-pieces").textContent.includes("1° more tilt")`);
   }),
-  long: () => state("long", async (page) => {
-    for (let k = 0; k < 7; ++k) await page.wheel(500, 330, -200);
-  }, { marker: "jeans_22g" }),
+  long: () => state("long", () => {}, { marker: "jeans_22g" }),
+  rules: () => state("rules", async (page) => {
+    await page.click("#tab-pieces");
+    await pick(page, "banded");
+  }, { marker: ruled }),
   dark: () => state("dark", async (page) => {
     await compacted(page);
     await page.key("h");

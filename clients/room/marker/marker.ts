@@ -20,6 +20,13 @@ export interface Piece {
   rules: PieceRules; // where on the strip it may lie
 }
 
+/** The pattern of the cloth: the lengths of its repeats, 0 where it has none, and a point at which one begins. */
+export interface Repeat {
+  along: number;
+  across: number;
+  phase: Point;
+}
+
 /** A piece that does not lie on the cloth, in the orientation that it would have there. */
 export interface Unplaced {
   readonly id: string;
@@ -52,6 +59,7 @@ export class Marker {
   readonly below: number;
   readonly above: number;
   readonly shade: number | undefined;
+  readonly repeat: Repeat | undefined;
   readonly spacing: number;
   readonly overlap: number;
 
@@ -64,6 +72,8 @@ export class Marker {
     this.below = document.strip.below ?? this.margin;
     this.above = document.strip.above ?? this.margin;
     this.shade = document.shade;
+    const { repeat } = document.strip as { repeat?: Partial<Repeat> };
+    this.repeat = repeat && { along: 0, across: 0, phase: [0, 0], ...repeat };
     this.spacing = document.spacing ?? 0;
     this.overlap = document.overlap ?? 0;
     for (const shape of document.shapes) this.shapes.set(String(shape.id), new Shape(shape));

@@ -1,4 +1,6 @@
-import type { Marker } from "../marker/marker";
+import type { Point } from "../../typescript/src/index";
+import type { Marker, Piece, Repeat } from "../marker/marker";
+import type { Pose } from "../marker/pose";
 import { lengthText } from "../texts/units";
 import type { Brush } from "./piece_painter";
 import type { Scene } from "./scene";
@@ -6,7 +8,11 @@ import type { Scene } from "./scene";
 const FONT = '12px "Inter", system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif';
 const SHADE = { above: 12, apart: 4 }; // pixels from the cloth to the first line, and from one line to the next
 
-/** Where pieces may not lie, or only some: selvedges, the fold, the ends of bands, and how far each shade reaches. */
+const CLOSEST = 4; // pixels between two lines of a pattern that is drawn
+const BELOW = 12; // pixels from the cloth to a text under it
+const CROSS = 5; // pixels from the middle of a match point's cross to its ends
+
+/** The pattern of the cloth, and where pieces may not lie, or only some: selvedges, the fold, the ends of bands, how far each shade reaches. */
 export function paintRules(brush: Brush, scene: Scene, width: number): void {
   const { context, camera, ratio, colours } = brush;
   const marker = scene.marker!;
@@ -15,6 +21,7 @@ export function paintRules(brush: Brush, scene: Scene, width: number): void {
   const to = marker.longest === undefined ? width : Math.min(width, camera.toScreen([marker.longest, 0])[0]);
   if (to <= from) return;
   const across = (y: number) => camera.toScreen([0, y])[1];
+  if (marker.repeat) paintRepeat(brush, marker.repeat, [from, across(marker.width)], [to, across(0)]);
   context.fillStyle = colours.selvedge;
   context.globalAlpha = 0.45;
   if (marker.below > 0) context.fillRect(from, across(marker.below), to - from, across(0) - across(marker.below));
@@ -28,12 +35,35 @@ export function paintRules(brush: Brush, scene: Scene, width: number): void {
     if (x < 0 || x > width) continue;
     line(brush, [x, across(marker.width)], [x, across(0)], colours.other, 1.2, [6, 3]);
     context.font = FONT;
-    context.textAlign = "left";
-    context.textBaseline = "alphabetic";
+    context.textAlign = "center";
+    context.textBaseline = "top";
     context.fillStyle = colours.other;
-    context.fillText(lengthText(end), x + 4, across(0) - 5);
+    context.fillText(lengthText(end), x, across(0) + BELOW); // not on the cloth, where pieces would cover it
   }
   if (marker.shade !== undefined) paintShades(brush, marker, width);
+}
+
+// Dotted lines where repeats begin.
+function paintRepeat(brush: Brush, { along, across, phase }: Repeat, [left, top]: Point, [right, bottom]: Point): void {
+  const { camera, colours } = brush;
+  const [x, y] = camera.toScreen(phase);
+  const everyX = along * camera.scale;
+  const everyY = across * camera.scale;
+  if (everyX >= CLOSEST) for (let k = Math.ceil((left - x) / everyX); x + k * everyX <= right; ++k) line(brush, [x + k * everyX, top], [x + k * everyX, bottom], colours.accent, 1, [1, 4]);
+  if (everyY >= CLOSEST) for (let k = Math.ceil((top - y) / everyY); y + k * everyY <= bottom; ++k) line(brush, [left, y + k * everyY], [right, y + k * everyY], colours.accent, 1, [1, 4]);
+}
+
+/** The match points of pieces: each lies where a repeat of the pattern begins. */
+export function paintMatchPoints(brush: Brush, pieces: readonly Piece[], poseOf: (piece: Piece) => Pose): void {
+  const { context, camera, ratio, colours } = brush;
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  for (const piece of pieces) {
+    const { match } = piece.rules as { match?: Point };
+    if (!match) continue;
+    const [x, y] = camera.toScreen(poseOf(piece).place(match));
+    line(brush, [x - CROSS, y], [x + CROSS, y], colours.ink, 1.6, []);
+    line(brush, [x, y - CROSS], [x, y + CROSS], colours.ink, 1.6, []);
+  }
 }
 
 // Above the cloth, from the left end of a shade's first piece to the right end of its last.
@@ -81,7 +111,7 @@ export function paintRooms(brush: Brush, scene: Scene): void {
   }
 }
 
-function line({ context }: Brush, [ax, ay]: [number, number], [bx, by]: [number, number], colour: string, width: number, dash: number[]): void {
+function line({ context }: Brush, [ax, ay]: Point, [bx, by]: Point, colour: string, width: number, dash: number[]): void {
   context.strokeStyle = colour;
   context.lineWidth = width;
   context.setLineDash(dash);

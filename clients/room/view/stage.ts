@@ -8,7 +8,7 @@ import { times } from "./frame_times";
 import { paintFaults, paintGhosts, paintLength, paintNewcomers, paintOthersDrags, paintOverlaps, paintPlaces, paintSelection, paintStroke, paintTiltWorth } from "./marks_painter";
 import { palette, readPalette } from "./palette";
 import { paintLabel, paintPiece, type Brush } from "./piece_painter";
-import { paintRooms, paintRules } from "./rules_painter";
+import { paintMatchPoints, paintRooms, paintRules } from "./rules_painter";
 import type { Scene } from "./scene";
 
 // Room for the tools at the left, the ruler above, and the length or a result below.
@@ -188,6 +188,7 @@ export class Stage {
     );
     for (const piece of visible) paintPiece(brush, piece, piece.pose, colouring);
     for (const piece of visible) paintLabel(brush, piece, piece.pose, preferences.value.labels);
+    paintMatchPoints(brush, visible, ({ pose }) => pose);
     paintRuler(brush, scene, width, paper);
   }
 
@@ -201,6 +202,7 @@ export class Stage {
     moving.sort((a, b) => Number(scene.held.has(a.id)) - Number(scene.held.has(b.id)) || a.index - b.index);
     for (const piece of moving) paintPiece(brush, piece, scene.poseOf(piece, now), scene.colouring.value);
     for (const piece of moving) paintLabel(brush, piece, scene.poseOf(piece, now), preferences.value.labels);
+    paintMatchPoints(brush, moving, (piece) => scene.poseOf(piece, now));
     paintOverlaps(brush, scene, now);
     paintPlaces(brush, scene);
     paintNewcomers(brush, scene);
