@@ -1,11 +1,13 @@
 // The table of optimal packings in docs/packing.md: one line for each instance as it is finished.
 //
-//   packing_table [--turns] [--nodes N] [--pivots N] [--gap G] INSTANCE.json...
+//   packing_table [--turns] [--nodes N] [--pivots N] [--seconds S] [--gap G] INSTANCE.json...
 //
-// Times are seconds of processor time.
+// Times are seconds of processor time; a search stops in the first round that ends after S of them.
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <limits>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -18,12 +20,23 @@ double processor_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-void print_row(const std::string& path, bool turns, const selvage::packing::PackSettings& settings) {
+struct Options {
+  bool turns{};
+  double seconds{std::numeric_limits<double>::infinity()};
+  selvage::packing::PackSettings settings;
+};
+
+void print_row(const std::string& path, const Options& options) {
   using namespace selvage;
-  const Marker marker = bench::read_instance(path, turns);
+  const Marker marker = bench::read_instance(path, options.turns);
   SumCache sums;
+  std::stop_source stop;
+  scene::Run run{sums, stop.get_token()};
   const double begun = processor_seconds();
-  const auto packing = packing::pack(marker, settings, {sums});
+  run.observer.on_round = [&](const scene::Round&) {
+    if (processor_seconds() - begun >= options.seconds) stop.request_stop();
+  };
+  const auto packing = packing::pack(marker, options.settings, run);
   const double seconds = processor_seconds() - begun;
   std::printf("| %s | %zu | %.6g | %.6g | %s | %.3f | %llu | %llu | %llu | %llu |\n", marker.name.c_str(),
               marker.pieces.size(), to_decimal(packing.length_after, marker.resolution),
@@ -37,22 +50,23 @@ void print_row(const std::string& path, bool turns, const selvage::packing::Pack
 }  // namespace
 
 int main(int count, char** words) {
-  selvage::packing::PackSettings settings;
-  bool turns = false;
+  Options options;
   std::printf("| instance | pieces | length | bound | | seconds | nodes | pivots | looks | unproved |\n");
   std::printf("|---|---|---|---|---|---|---|---|---|---|\n");
   for (int k = 1; k < count; ++k) {
     const std::string word = words[k];
     if (word == "--turns") {
-      turns = true;
+      options.turns = true;
     } else if (word == "--nodes" && k + 1 < count) {
-      settings.limits.nodes = std::strtoull(words[++k], nullptr, 10);
+      options.settings.limits.nodes = std::strtoull(words[++k], nullptr, 10);
     } else if (word == "--pivots" && k + 1 < count) {
-      settings.limits.pivots = std::strtoull(words[++k], nullptr, 10);
+      options.settings.limits.pivots = std::strtoull(words[++k], nullptr, 10);
+    } else if (word == "--seconds" && k + 1 < count) {
+      options.seconds = std::strtod(words[++k], nullptr);
     } else if (word == "--gap" && k + 1 < count) {
-      settings.gap = std::strtod(words[++k], nullptr);
+      options.settings.gap = std::strtod(words[++k], nullptr);
     } else {
-      print_row(word, turns, settings);
+      print_row(word, options);
     }
   }
 }
