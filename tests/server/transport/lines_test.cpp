@@ -156,7 +156,7 @@ TEST(Lines, AnswersOfAnySizeAreWholeLines) {
   StagedServer server;
   Wire wire{server.port()};
   std::set<std::string> sent;
-  for (const std::size_t size : {1, 1000, 100'000, 3'000'000}) {
+  for (const std::size_t size : {1U, 1000U, 100'000U, 3'000'000U}) {
     sent.insert("{\"" + std::string(size, 'a') + "\":0}");
   }
   for (const std::string& text : sent) wire.send(text + "\n");

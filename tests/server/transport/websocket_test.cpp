@@ -61,7 +61,7 @@ TEST(WebSocket, AcceptsFragmentedMessagesOfAnySize) {
   EXPECT_EQ(pong->opcode, Opcode::kPong);
   EXPECT_EQ(pong->payload, "in between");
   EXPECT_EQ(socket.text(), "{\"a\":1}");
-  for (const std::size_t size : {1, 125, 126, 65535, 65536, 3'000'000}) {
+  for (const std::size_t size : {1U, 125U, 126U, 65535U, 65536U, 3'000'000U}) {
     const std::string text(size, 'x');
     socket.send_text(text);
     EXPECT_EQ(socket.text(), text);
