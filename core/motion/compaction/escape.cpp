@@ -20,6 +20,16 @@ class Escape {
       sweep_and_round(scene, progress);
     }
   }
+  // The same, unless sweeps alone leave the marker longer than `length`; then they do not count as a round.
+  void take_turns_if_shorter(Coord length, scene::Scene& scene, Progress& progress) const {
+    int sweeps = 0;
+    if (sweep_until_still(scene, {.sweeps = settings_.tuning.sweeps}, quiet_, sweeps) ==
+        scene::StopReason::kCancelled) {
+      progress.reason = scene::StopReason::kCancelled;
+    } else if (scene.pieces.length() < length) {
+      take_turns(scene, progress);
+    }
+  }
   // Sweeps until nothing moves, which count as one round, then rounds.
   void sweep_and_round(scene::Scene& scene, Progress& progress) const {
     int sweeps = 0;
@@ -75,13 +85,18 @@ Progress shorten(scene::Scene& scene, const step::Goal& goal, const CompactionSe
   const bool loose = used < settings.tuning.loose_below;
   const bool stuck = !progress.firm && !escape.is_worth(start_length, scene.pieces.length());
   if (loose || stuck) escape.take_turns(scene, progress);
-  if (!loose || !escape.may_go_on(progress)) return progress;
+  if (!escape.may_go_on(progress) || !(loose || scene.pieces.size() <= kFewPieces)) return progress;
   const std::vector<Vec> reached = scene.pieces.positions();
   const Coord length = scene.pieces.length();
   scene.pieces.place(start);
   Progress other = progress;
   const scene::Run quiet = run.quiet();  // rounds that are longer than those reported before are not reported
-  Escape{goal, settings, quiet}.take_turns(scene, other);
+  const Escape again{goal, settings, quiet};
+  if (loose) {
+    again.take_turns(scene, other);
+  } else {
+    again.take_turns_if_shorter(length, scene, other);
+  }
   if (scene.pieces.length() >= length) {
     scene.pieces.place(reached);
     other.gain = progress.gain;

@@ -8,17 +8,24 @@
 //     (core/model/contacts/contact.h), sweeps and rounds alternate while both together still gain.
 // (2) In a loose marker, where pieces travel far and the way decides where they end, the sweeps also start from where
 //     the rounds started, rounds follow, and the shorter answer is kept.
-// A tight marker that the rounds shorten, or that they leave at firm contacts only, is spared both.  Each turn of
-// sweeps counts as one round.
+// (3) In a tight marker of few pieces, sweeps alone start from there, too.  They seldom leave it shorter than the
+// rounds
+//     do; only then do rounds follow.
+// A tight marker of more pieces that the rounds shorten, or that they leave at firm contacts only, is spared all three.
+// A turn of sweeps counts as one round, unless it was in vain as in (3).
 #pragma once
+
+#include <cstddef>
 
 #include "core/motion/compaction/compact.h"
 
 namespace selvage::motion::compaction {
 
-// Rounds towards the goal, then sweeps as above where the settings allow them.  Law: in a loose marker of not too many
-// pieces (CompactionTuning) the answer is never longer than that of sweeps alone, unless cancelled.
-// REQUIRES: the goal shortens the marker; the scene's pieces are valid.
+inline constexpr std::size_t kFewPieces = 24;  // whose sweeps take milliseconds
+
+// Rounds towards the goal, then sweeps as above where the settings allow them.  Law: the answer is never longer than
+// that of sweeps alone, unless cancelled, in a marker of few pieces and in a loose one of not too many
+// (CompactionTuning). REQUIRES: the goal shortens the marker; the scene's pieces are valid.
 [[nodiscard]] Progress shorten(scene::Scene& scene, const step::Goal& goal, const CompactionSettings& settings,
                                const scene::Run& run);
 
