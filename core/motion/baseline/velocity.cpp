@@ -57,6 +57,7 @@ class Simulation {
     while (steps < settings_.steps) {
       if (run_.stopped()) return scene::StopReason::kCancelled;
       find_near();
+      if (run_.stopped()) return scene::StopReason::kCancelled;
       const auto velocity = solve_velocities(programs);
       if (run_.stopped()) return scene::StopReason::kCancelled;
       if (!velocity) return scene::StopReason::kSolverFailed;
@@ -77,6 +78,7 @@ class Simulation {
     near_.clear();
     for (const marker::PiecePair& pair :
          pairs_within(scene_.pieces, std::llround(2 * horizon_) + scene_.pieces.widest_spacing())) {
+      if (run_.stopped()) return;
       if (!scene_.ties.joined(pair.first, pair.second)) near_.push_back({pair, scene_.obstacle(pair)});
     }
   }
