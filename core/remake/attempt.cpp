@@ -116,6 +116,7 @@ class Attempting {
   void refine() {
     auto settings = search::refine_settings();
     settings.tilts = true;
+    settings.nests = false;  // the pieces stay where the stored marker has them
     auto refined = search::refine(marker_, settings, run_.quiet());
     if (!refined) return;
     attempt_.programs += refined->programs;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -11,6 +13,7 @@
 #include "core/model/ties.h"
 #include "core/motion/tilting/tilt.h"
 #include "core/search/effort.h"
+#include "core/search/renesting.h"
 #include "core/search/swap_search.h"
 
 namespace selvage::search {
@@ -41,11 +44,14 @@ class Refiner {
     attempted();
     const Coord standard = best_.length_after;
     try_variants();
-    const Found straight{best_.marker, best_.length_after};
+    Found straight{best_.marker, best_.length_after};
+    Effort effort{settings_.least_effort, settings_.effort, standard};
+    if (settings_.nests && may_gain()) nest(straight, effort);
     // Of the marker refined so far, and of the start: tilts may find their way from the one and not from the other.
-    if (tilts_) tilt_and_keep(best_.marker);
+    if (tilts_) tilt_and_keep(straight.marker);
     if (tilts_) tilt_and_keep(start_);
-    if (start_.pieces.size() <= settings_.most_pieces_swapped && may_gain()) try_swaps(straight, standard);
+    effort.spend(0, best_.length_after);
+    if (start_.pieces.size() <= settings_.most_pieces_swapped && may_gain()) try_swaps(std::move(straight), effort);
     best_.reason = run_.stopped() ? scene::StopReason::kCancelled : scene::StopReason::kWorkLimit;
   }
 
@@ -81,10 +87,31 @@ class Refiner {
     attempted();
   }
 
+  // Nesting from where the pieces lie in the best marker without new tilts.
+  void nest(Found& straight, Effort& effort) {
+    if (run_.stopped()) return;
+    const RenestingTuning& tuning = settings_.tuning.renesting;
+    RenestingSettings nesting{.moves = tuning.moves * start_.pieces.size(), .seed = settings_.seed};
+    if (settings_.elapsed) {
+      nesting.moves = std::numeric_limits<std::uint64_t>::max();
+      nesting.elapsed = [&, begin = settings_.elapsed()] {
+        return begin < tuning.until ? (settings_.elapsed() - begin) / (tuning.until - begin) : 1;
+      };
+    } else {
+      const double affordable = static_cast<double>(settings_.effort) / tuning.work_of_move;
+      nesting.moves = std::min(nesting.moves, static_cast<std::uint64_t>(affordable));
+    }
+    const Renesting done = renest(straight, nesting, quiet_);
+    best_.programs += done.programs;
+    if (straight.length < best_.length_after) keep(straight.marker, straight.length);
+    const double moves = tuning.work_of_move * static_cast<double>(done.moves);
+    effort.spend(static_cast<std::uint64_t>(moves) + static_cast<std::uint64_t>(done.programs) * start_.pieces.size(),
+                 best_.length_after);
+    attempted();
+  }
+
   // Swaps in the best marker without new tilts and, where tilts are allowed, in the best marker of all, in turn.
-  void try_swaps(Found straight, Coord standard) {
-    Effort effort{settings_.least_effort, settings_.effort, standard};
-    effort.spend(0, best_.length_after);
+  void try_swaps(Found straight, Effort& effort) {
     Found* swapped = &straight;
     SwapSearch swaps{settings_.seed, settings_.tuning, run_, [&](int programs, bool kept) {
                        best_.programs += programs;
@@ -142,8 +169,13 @@ class Refiner {
 }  // namespace
 
 RefineSettings refine_settings() {
-  return {
-      .variants = 4, .effort = 150'000, .least_effort = 100'000, .tilts = true, .seed = 1, .most_pieces_swapped = 300};
+  return {.variants = 4,
+          .effort = 150'000,
+          .least_effort = 100'000,
+          .tilts = true,
+          .nests = true,
+          .seed = 1,
+          .most_pieces_swapped = 300};
 }
 
 Result<motion::compaction::Compaction> refine(const Marker& start, const RefineSettings& settings,

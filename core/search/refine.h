@@ -1,19 +1,23 @@
 // Refinement: compaction for when length matters more than time; this is accuracy `fine` of a whole marker.
 //
 // First standard compaction.  Then compaction from the same start with other region rules, trust radii and weights of
-// gravity, because a descent's end depends on its path.  Then, where shapes allow tilts, tilting of the result and of
-// the start (core/motion/tilting/tilt.h).  Last swaps of pieces (swap_search.h), in turn in the best marker without new
-// tilts, which is tilted again when it has become shorter, and in the best marker of all.  The search ends when it is
-// predicted to gain little more (effort.h); there is none in a marker that a locked piece ends or that is full.
+// gravity, because a descent's end depends on its path.  Then nesting from where the best of these has the pieces
+// (renesting.h).  Then, where shapes allow tilts, tilting of the result and of the start (core/motion/tilting/tilt.h).
+// Last swaps of pieces (swap_search.h), in turn in the best marker without new tilts, which is tilted again when it has
+// become shorter, and in the best marker of all.  The search ends when it is predicted to gain little more (effort.h);
+// there is none in a marker that a locked piece ends or that is full.
 //
 // Laws.  (1) The answer is valid, proved in integers.  (2) It is never longer than the answers of standard compaction
 // and, where tilts are allowed, of standard tilting, unless cancelled before that was done, and never longer than the
 // input, except by what the repair of the input reports.  (3) Locked pieces stay in place to the lattice unit, groups
-// stay rigid, tilts and rotations are those that shapes allow.  (4) The same input and settings give the same answer,
-// whatever the cache holds and however many threads are used.  (5) When cancelled, it returns the best marker so far.
+// stay rigid, tilts, rotations and flips are those that shapes allow.  (4) The same input and settings give the same
+// answer, whatever the cache holds and however many threads are used.  (5) When cancelled, it returns the best marker
+// so far.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 
 #include "core/base/result.h"
 #include "core/motion/compaction/compact.h"
@@ -23,13 +27,17 @@ namespace selvage::search {
 
 struct RefineSettings {
   int variants{};          // number of other region rules, trust radii and weights of gravity tried, at most 4
-  std::uint64_t effort{};  // swaps end when the number of pieces, summed over all programs solved, reaches this,
+  std::uint64_t effort{};  // the search ends when the number of pieces, summed over all programs solved, reaches this
+                           // (a move of nesting counts as some pieces),
   std::uint64_t least_effort{effort};  // and from this much on when little more is to be gained (effort.h)
   bool tilts{};                        // tilt pieces where shapes allow it
-  std::uint32_t seed{};                // of the random swaps
+  bool nests{};                        // nest the pieces anew, from where they lie (renesting.h)
+  // The part of the caller's time that is used up, 0..1, for a caller that limits time; the run has to be stopped when
+  // it reaches 1.
+  std::function<double()> elapsed{};
+  std::uint32_t seed{};                                 // of nesting and of the random swaps
   std::size_t most_pieces_swapped{marker::kMaxPieces};  // in markers with more pieces no swaps are tried
   RefineTuning tuning{};
-  friend bool operator==(const RefineSettings&, const RefineSettings&) = default;
 };
 // Figures behind these: docs/measurements/trade.md.
 [[nodiscard]] RefineSettings refine_settings();

@@ -15,16 +15,11 @@
 #include "core/marker/marker.h"
 #include "core/scene/run.h"
 #include "core/search/effort.h"
+#include "core/search/found.h"
 #include "core/search/swap.h"
 #include "core/search/tuning.h"
 
 namespace selvage::search {
-
-// A marker and its length.
-struct Found {
-  Marker marker;
-  Coord length{};
-};
 
 class SwapSearch {
  public:

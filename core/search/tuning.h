@@ -17,6 +17,13 @@ struct SwapTuning {
   friend bool operator==(const SwapTuning&, const SwapTuning&) = default;
 };
 
+struct RenestingTuning {
+  std::uint64_t moves{100};  // of nesting, for each piece; with a limit in time there are as many as come before
+  double until{0.7};         // this part of it
+  double work_of_move{6};    // in pieces of a program, as effort counts
+  friend bool operator==(const RenestingTuning&, const RenestingTuning&) = default;
+};
+
 struct RefineTuning {
   int compaction_rounds{2};       // of compaction after a swap: they gain most of what can be gained
   int tilt_rounds{4};             // of tilting after a swap in a tilted marker,
@@ -26,6 +33,7 @@ struct RefineTuning {
   double least_room{1e-6};        // part of the marker's area: a marker with less is full
   std::uint64_t idle_trials{50};  // consecutive trials that solve no program end the swaps: there is nothing to swap
   SwapTuning swap{};
+  RenestingTuning renesting{};
   friend bool operator==(const RefineTuning&, const RefineTuning&) = default;
 };
 

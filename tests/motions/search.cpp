@@ -19,8 +19,10 @@ Result<Answer> refinement(const Marker& start, const Occasion& on) {
   const search::RefineSettings settings{.variants = static_cast<int>(on.random.chance(30) ? on.random.below(5) : 0),
                                         .effort = kLittleEffort,
                                         .tilts = on.random.chance(50),
-                                        .seed = static_cast<std::uint32_t>(on.random.below(1000))};
-  return answer(refine(start, settings, on.run), {.tilts = true, .turns = true});
+                                        .nests = on.random.chance(50),
+                                        .seed = static_cast<std::uint32_t>(on.random.below(1000)),
+                                        .tuning = {.renesting = {.moves = 3}}};
+  return answer(refine(start, settings, on.run), {.tilts = true, .turns = true, .flips = true});
 }
 
 Result<Answer> swapping(const Marker& start, const Occasion& on) {

@@ -1,10 +1,12 @@
 // motion.compact: shortens the marker [Li94 4.1].
+#include <chrono>
 #include <cstdint>
 #include <limits>
 
 #include "core/motion/compaction/compact.h"
 #include "core/search/refine.h"
 #include "protocol/calls/motion.h"
+#include "protocol/methods/motions/nest_params.h"
 
 namespace selvage::protocol::methods::motions {
 namespace {
@@ -25,6 +27,7 @@ search::RefineSettings search_settings(const calls::CommonParams& call) {
   if (call.deadline_ms) {
     settings.effort = settings.least_effort = std::numeric_limits<std::uint64_t>::max();
     settings.most_pieces_swapped = marker::kMaxPieces;
+    settings.elapsed = elapsed_within(std::chrono::duration<double, std::milli>{*call.deadline_ms});
   }
   return settings;
 }

@@ -1,6 +1,7 @@
 // What marker.nest and marker.nestSheets share on the wire: the budget of a search, and what pieces are worth.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -41,6 +42,8 @@ struct NestBudget {
   std::uint64_t moves{};
   std::function<double()> elapsed;  // as in nesting::NestSettings; its clock starts when the budget is made
 };
+// The part of a limit that has passed since now; 1 and more when all of it has.
+[[nodiscard]] std::function<double()> elapsed_within(std::chrono::duration<double> limit);
 // Errors: kOutOfRange when an accuracy and seconds are given.
 [[nodiscard]] Result<NestBudget> budget_of(const NestEffort& effort);
 

@@ -15,6 +15,12 @@ RefineSettings brief(std::uint64_t effort, bool tilts = false) {
   RefineSettings settings = refine_settings();
   settings.effort = effort;
   settings.tilts = tilts;
+  settings.nests = false;
+  return settings;
+}
+RefineSettings nesting(std::uint64_t effort) {
+  RefineSettings settings = brief(effort);
+  settings.nests = true;
   return settings;
 }
 
@@ -72,6 +78,21 @@ TEST(Refine, ShortensAGarmentMarkerBeyondStandard) {
   EXPECT_LT(sum / kSeeds, 0.995 * standard);
 }
 
+TEST(Refine, NestsPiecesAnew) {
+  const Marker marker = test::garment("jeans_02g");
+  const Coord swapped = refined(marker, brief(30'000)).length_after;
+  EXPECT_LT(static_cast<double>(refined(marker, nesting(30'000)).length_after), 0.99 * static_cast<double>(swapped));
+}
+
+TEST(Refine, LeavesUnplacedPiecesUnplaced) {
+  Marker marker = test::garment("jeans_02g");
+  marker.unplaced.push_back(marker.pieces.back());
+  marker.pieces.pop_back();
+  const auto result = refined(marker, nesting(15'000));
+  EXPECT_EQ(result.marker.unplaced, marker.unplaced);
+  EXPECT_LT(result.length_after, standard_length(marker));
+}
+
 TEST(Refine, TiltsOnlyWhereItMay) {
   Marker marker = test::garment("jeans_02g");
   const auto tilted = refined(marker, brief(0, true)).marker;
@@ -89,7 +110,9 @@ TEST(Refine, KeepsLocksGroupsAndRotations) {
   Marker marker = test::garment("jeans_02g");
   for (const std::size_t k : {3U, 11U}) marker.pieces[k].locked = true;
   for (const std::size_t k : {5U, 6U}) marker.pieces[k].group = "pair";
-  const auto result = refined(marker, brief(8'000, true));
+  RefineSettings settings = nesting(15'000);
+  settings.tilts = true;
+  const auto result = refined(marker, settings);
   for (const std::size_t k : {3U, 11U}) EXPECT_EQ(result.marker.pieces[k], marker.pieces[k]);
   EXPECT_EQ(result.marker.pieces[5].at - marker.pieces[5].at, result.marker.pieces[6].at - marker.pieces[6].at);
   for (const Piece& piece : result.marker.pieces) {
