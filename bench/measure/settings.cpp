@@ -77,8 +77,8 @@ void measure_tilt_settings(const std::string& name, const Marker& marker) {
   }
 }
 
-// Settings of refinement without tilts: the number of other descents, the effort spent on swaps, and the number of
-// seeds of which the best result is kept; also the presets that use refinement.
+// Settings of refinement without tilts and nesting: the number of other descents, the effort spent on swaps, and the
+// number of seeds of which the best result is kept; also the presets that use refinement.
 void measure_refinement_settings(const std::string& name, const Marker& marker) {
   const auto refined = [&](const search::RefineSettings& settings) {
     return [&marker, settings](SumCache& sums) { return *refine(marker, settings, {sums}); };
@@ -86,7 +86,7 @@ void measure_refinement_settings(const std::string& name, const Marker& marker) 
   const search::RefineSettings preset = search::refine_settings();
   search::RefineSettings settings = preset;
   settings.most_pieces_swapped = marker::kMaxPieces;
-  settings.tilts = false;
+  settings.tilts = settings.nests = false;
   settings.effort = 0;
   for (const char* ways : {"0", "1", "2", "3", "4"}) {
     settings.variants = std::stoi(ways);
@@ -117,9 +117,8 @@ void measure_refinement_settings(const std::string& name, const Marker& marker) 
   settings.tilts = false;
   std::vector<std::pair<std::string, std::string>> same{{"accuracy", "fine without tilts"}};
   if (!may_tilt(marker)) same.emplace_back("accuracy", "fine");
-  if (marker.pieces.size() <= preset.most_pieces_swapped) same.emplace_back("swaps", std::to_string(preset.effort));
   measured(name, same, refined(settings));
-  if (same.back().first == "swaps") return;
+  settings.nests = false;
   settings.most_pieces_swapped = marker::kMaxPieces;
   measured(name, "swaps", std::to_string(settings.effort), refined(settings));
 }

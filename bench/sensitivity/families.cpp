@@ -207,7 +207,9 @@ Family search_family() {
   using search::SwapTuning;
   RefineSettings settings = search::refine_settings();
   settings.effort = settings.least_effort = kSwaps;
-  Family family{"search", "the length after the search of `fine`, with an effort of 6,000", as_it_is, {}};
+  settings.nests = false;
+  Family family{
+      "search", "the length after the search of `fine`, without nesting and with an effort of 6,000", as_it_is, {}};
   family.constants =
       constants_of<RefineTuning, RefineSettings>(settings,
                                                  {{"compaction_rounds", &RefineTuning::compaction_rounds},
