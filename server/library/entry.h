@@ -7,17 +7,14 @@
 #include <string>
 
 #include "core/marker/marker.h"
-#include "core/matching/signature.h"
+#include "protocol/formats/stored_figures.h"
 
 namespace selvage::server::library {
 
-struct Entry {
+struct Entry : protocol::formats::StoredFigures {
   std::uint64_t number{};
-  std::string name, style;  // the marker's name; what it is a marker of, in the caller's words
-  double length{};          // in the marker's unit
-  double utilisation{};     // 0..1
+  std::string style;        // what it is a marker of, in the caller's words
   std::uint64_t content{};  // a hash of its document: the same marker is stored once
-  matching::Signature signature;
 };
 
 // "s7" is the id of entry 7.

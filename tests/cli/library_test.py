@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Libraries of markers, and orders remade from them.  usage: library_test.py SELVAGE"""
 import json
+import os
+import re
 import unittest
 
 from command import BAD_INPUT, BAD_USAGE, CliTest, FILE, MARKERS, OK, run, squares
@@ -60,6 +62,56 @@ class Library(CliTest):
         self.assertEqual(listed.returncode, OK)
         self.assertEqual(len(listed.stdout.splitlines()), 1)
         self.assertIn("notes.txt is passed over", listed.stderr)
+        self.assertIn("notes.txt is passed over", run("library", "list", library).stderr)
+
+    def test_reads_only_files_that_have_changed(self):
+        library = self.library("jeans_02g")
+        marker = library / "jeans_02g.json"
+        long_ago = 1_600_000_000_000_000_000
+        os.utime(marker, ns=(long_ago, long_ago))
+        listed = run("library", "list", library).stdout
+        text = marker.read_text()
+        marker.write_text("x" * len(text))  # which nobody sees, because size and time are as the index has them
+        os.utime(marker, ns=(long_ago, long_ago))
+        self.assertEqual(run("library", "list", library).stdout, listed)
+        os.utime(marker)
+        self.assertEqual(run("library", "list", library).stdout, "")
+        marker.write_text(text)
+        self.assertEqual(run("library", "list", library).stdout, listed)
+
+    def test_does_not_trust_a_file_that_is_as_new_as_its_index(self):
+        library = self.library("jeans_02g")
+        marker, index = library / "jeans_02g.json", library / ".selvage-index"
+        run("library", "list", library)
+        text = marker.read_text()
+        marker.write_text("x" * len(text))
+        changed = marker.stat().st_mtime_ns
+        index.write_text(re.sub(r'"changed":"\d+"', f'"changed":"{changed}"', index.read_text()))
+        os.utime(index, ns=(changed, changed))
+        self.assertIn("passed over", run("library", "list", library).stderr)
+
+    def test_makes_the_index_anew_when_it_is_gone_or_spoiled(self):
+        library = self.library("jeans_02g", "charlie_04g")
+        listed = run("library", "list", library).stdout
+        index = library / ".selvage-index"
+        kept = index.read_text()
+        for spoiled in ("", "no index", kept.splitlines()[0] + "\n{}\n[]\nnull\nx\n", kept[:-200], kept.replace("spread", "spr")):
+            index.write_text(spoiled)
+            self.assertEqual(run("library", "list", library).stdout, listed)
+        index.unlink()
+        self.assertEqual(run("library", "list", library).stdout, listed)
+        (library / "charlie_04g.json").unlink()
+        self.assertEqual(run("library", "list", library).stdout, listed.splitlines()[1] + "\n")
+        self.assertEqual(len(index.read_text().splitlines()), 2)
+
+    def test_does_without_an_index_where_it_cannot_write_one(self):
+        library = self.library("jeans_02g")
+        (library / ".selvage-index").unlink(missing_ok=True)
+        (library / ".selvage-index").mkdir()
+        listed = run("library", "list", library)
+        self.assertEqual(listed.returncode, OK, listed.stderr)
+        self.assertIn("40 pieces", listed.stdout)
+        self.assertEqual([path.name for path in library.iterdir() if path.name.startswith(".selvage-index.")], [])
 
     def test_searches_for_an_order(self):
         library = self.library("jeans_02g", "jeans_06g")

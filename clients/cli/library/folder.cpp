@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <utility>
 
+#include "clients/cli/library/folder_index.h"
 #include "clients/cli/terminal/failure.h"
 #include "clients/cli/terminal/files.h"
 #include "core/marker/validity.h"
@@ -24,9 +26,19 @@ std::optional<Error> defect_of(const Marker& marker) {
   return std::nullopt;
 }
 
-}  // namespace
+IndexedFile read_afresh(const std::filesystem::path& path, const FileState& state) {
+  IndexedFile indexed{path.filename().string(), state, {}};
+  const auto file = terminal::load_marker(path.string());
+  if (file && !file->marker.pieces.empty()) {
+    indexed.figures = protocol::formats::stored_figures_of(file->marker);
+  } else {
+    indexed.defect = file ? "it has no pieces on the cloth" : terminal::message_of(file.error());
+  }
+  return indexed;
+}
 
-Result<std::vector<StoredFile>> read_folder(const std::string& folder) {
+// The files of the folder by name, but for hidden ones.  Errors: kFile.
+Result<std::vector<std::filesystem::path>> paths_in(const std::string& folder) {
   std::error_code failed;
   std::vector<std::filesystem::path> paths;
   for (std::filesystem::directory_iterator at{folder, failed}, end; !failed && at != end; at.increment(failed)) {
@@ -34,14 +46,33 @@ Result<std::vector<StoredFile>> read_folder(const std::string& folder) {
   }
   if (failed) return Error{ErrorCode::kFile, folder + ": " + failed.message(), ""};
   std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+}  // namespace
+
+Result<std::vector<StoredFile>> list_folder(const std::string& folder) {
+  const auto paths = paths_in(folder);
+  if (!paths) return paths.error();
+  std::map<std::string, IndexedFile> known = read_index(folder);
+  std::vector<IndexedFile> files;
+  bool changed = false;
+  for (const std::filesystem::path& path : *paths) {
+    const auto state = state_of(path.string());
+    if (!state) continue;  // removed meanwhile
+    const auto found = known.find(path.filename().string());
+    const bool same = found != known.end() && found->second.state == *state;
+    files.push_back(same ? std::move(found->second) : read_afresh(path, *state));
+    changed = changed || !same;
+  }
+  if (changed || files.size() != known.size()) (void)write_index(folder, files);
   std::vector<StoredFile> stored;
-  for (const std::filesystem::path& path : paths) {
-    auto file = terminal::load_marker(path.string());
-    if (file && !file->marker.pieces.empty()) {
-      stored.push_back({path.stem().string(), *std::move(file)});
+  for (IndexedFile& indexed : files) {
+    const std::filesystem::path path = std::filesystem::path{folder} / indexed.file;
+    if (indexed.figures) {
+      stored.push_back({path.stem().string(), path.string(), *std::move(indexed.figures)});
     } else {
-      const std::string why = file ? "it has no pieces on the cloth" : terminal::message_of(file.error());
-      std::cerr << "selvage: " << path.string() << " is passed over: " << why << "\n";
+      std::cerr << "selvage: " << path.string() << " is passed over: " << indexed.defect << "\n";
     }
   }
   return stored;
@@ -63,12 +94,15 @@ std::optional<Error> add_to_folder(const std::string& folder, const std::string&
   return terminal::write_text(path, *text);
 }
 
-std::vector<StoredFile> nearest_in(std::vector<StoredFile> stored, const Marker& order, std::size_t count) {
+Result<std::vector<NearMarker>> nearest_in(const std::vector<StoredFile>& stored, const Marker& order,
+                                           std::size_t count) {
   std::vector<matching::Signature> signatures;
-  for (const StoredFile& one : stored) signatures.push_back(matching::signature_of(one.file.marker));
-  std::vector<StoredFile> near;
+  for (const StoredFile& one : stored) signatures.push_back(one.figures.signature);
+  std::vector<NearMarker> near;
   for (const std::size_t k : nearest(matching::signature_of(order), signatures, count)) {
-    near.push_back(std::move(stored[k]));
+    auto file = terminal::load_marker(stored[k].path);
+    if (!file) return file.error();
+    near.push_back({stored[k].name, *std::move(file)});
   }
   return near;
 }

@@ -19,13 +19,11 @@ using terminal::ExitCode;
 
 constexpr std::size_t kShown = 10;  // of a search
 
-std::string line_of(const StoredFile& stored) {
-  const Marker& marker = stored.file.marker;
+std::string line_of(const std::string& name, const protocol::formats::StoredFigures& figures) {
   char text[160];
-  std::snprintf(text, sizeof text, "%4zu pieces  width %g  length %g  %6.2f %%  ", marker.pieces.size(),
-                to_decimal(marker.strip.width, marker.resolution), to_decimal(length_of(marker), marker.resolution),
-                100 * utilisation_of(marker));
-  return text + stored.name;
+  std::snprintf(text, sizeof text, "%4.0f pieces  width %g  length %g  %6.2f %%  ", figures.signature.pieces,
+                figures.signature.width, figures.length, 100 * figures.utilisation);
+  return text + name;
 }
 
 ExitCode add(const std::string& folder, const std::vector<std::string>& paths) {
@@ -37,46 +35,54 @@ ExitCode add(const std::string& folder, const std::vector<std::string>& paths) {
       worst = terminal::report(file.error());
       continue;
     }
-    StoredFile stored{std::filesystem::path{path}.stem().string(), *file};
-    if (auto error = add_to_folder(folder, stored.name, stored.file)) {
+    const std::string name = std::filesystem::path{path}.stem().string();
+    if (auto error = add_to_folder(folder, name, *file)) {
       error->message.insert(0, path + ": ");
       worst = terminal::report(*error);
       continue;
     }
-    std::cout << line_of(stored) << "\n";
+    std::cout << line_of(name, protocol::formats::stored_figures_of(file->marker)) << "\n";
   }
   return worst;
 }
 
 ExitCode list(const std::string& folder) {
-  const auto stored = read_folder(folder);
+  const auto stored = list_folder(folder);
   if (!stored) return terminal::report(stored.error());
-  for (const StoredFile& one : *stored) std::cout << line_of(one) << "\n";
+  for (const StoredFile& one : *stored) std::cout << line_of(one.name, one.figures) << "\n";
   return ExitCode::kOk;
 }
 
-// The candidates for each order, best prediction first.
+// The candidates that remaking would choose from, best prediction first.
+ExitCode search_for(const std::string& path, const std::vector<StoredFile>& stored) {
+  const auto order = terminal::load_marker(path);
+  if (!order) return terminal::report(order.error());
+  const auto near = nearest_in(stored, order->marker, kConsidered);
+  if (!near) return terminal::report(near.error());
+  std::vector<Marker> markers;
+  for (const NearMarker& one : *near) markers.push_back(one.file.marker);
+  const auto found = remake::substitution::candidates_for(order->marker, markers, true, {}, serial());
+  std::cout << path << ": " << found.size() << " near\n";
+  for (std::size_t k = 0; k < found.size() && k < kShown; ++k) {
+    char text[96];
+    std::snprintf(text, sizeof text, "  differs by %5.1f %%, predicted %6.2f %%  ", 100 * found[k].difference,
+                  100 * found[k].predicted);
+    std::cout << text;
+    const std::vector<std::size_t>& parts = found[k].arrangement.stored;
+    for (std::size_t part = 0; part < parts.size(); ++part)
+      std::cout << (part > 0 ? " + " : "") << (*near)[parts[part]].name;
+    std::cout << "\n";
+  }
+  return ExitCode::kOk;
+}
+
 ExitCode search(const std::string& folder, const std::vector<std::string>& orders) {
   if (orders.empty()) return report(terminal::bad_usage("library search needs the order to search for"));
-  const auto stored = read_folder(folder);
+  const auto stored = list_folder(folder);
   if (!stored) return terminal::report(stored.error());
-  std::vector<Marker> markers;
-  for (const StoredFile& one : *stored) markers.push_back(one.file.marker);
   for (const std::string& path : orders) {
-    const auto order = terminal::load_marker(path);
-    if (!order) return terminal::report(order.error());
-    const auto found = remake::substitution::candidates_for(order->marker, markers, true, {}, serial());
-    std::cout << path << ": " << found.size() << " near\n";
-    for (std::size_t k = 0; k < found.size() && k < kShown; ++k) {
-      char text[96];
-      std::snprintf(text, sizeof text, "  differs by %5.1f %%, predicted %6.2f %%  ", 100 * found[k].difference,
-                    100 * found[k].predicted);
-      std::cout << text;
-      for (std::size_t part = 0; part < found[k].arrangement.stored.size(); ++part) {
-        std::cout << (part > 0 ? " + " : "") << (*stored)[found[k].arrangement.stored[part]].name;
-      }
-      std::cout << "\n";
-    }
+    const ExitCode code = search_for(path, *stored);
+    if (code != ExitCode::kOk) return code;
   }
   return ExitCode::kOk;
 }

@@ -18,8 +18,6 @@ namespace {
 using command_line::Kind;
 using commands::motions::ParameterOption;
 
-constexpr std::size_t kConsidered = 20;  // of the nearest markers of a library
-
 // The library stands for the list of stored markers.
 std::vector<ParameterOption> remake_options() {
   auto options = commands::motions::parameter_options(*protocol::methods::find_method("marker.remake"));
@@ -31,13 +29,18 @@ std::vector<ParameterOption> remake_options() {
 Result<Json> stored_near(const std::string& order, const std::string& folder) {
   const auto file = terminal::load_marker(order);
   if (!file) return file.error();
-  auto library = read_folder(folder);
+  const auto library = list_folder(folder);
   if (!library) return library.error();
   if (library->empty()) return Error{ErrorCode::kFile, folder + ": there are no markers in the library", ""};
-  std::vector<StoredFile> near = nearest_in(*library, file->marker, kConsidered);
-  if (near.empty()) near.push_back(std::move(library->front()));  // the answer says that none is near
+  auto near = nearest_in(*library, file->marker, kConsidered);
+  if (!near) return near.error();
+  if (near->empty()) {  // any of them: the answer says that none is near
+    auto first = terminal::load_marker(library->front().path);
+    if (!first) return first.error();
+    near->push_back({library->front().name, *std::move(first)});
+  }
   Json documents = Json::array();
-  for (const StoredFile& one : near) {
+  for (const NearMarker& one : *near) {
     auto document = protocol::files::marker_document(one.file, protocol::files::FileFormat::kNative);
     if (!document) return document.error();
     documents.push_back(*std::move(document));

@@ -1,0 +1,30 @@
+// What a library knows of a stored marker without reading its document: what a list shows, and the signature by which
+// the nearest markers are found.  The daemon keeps it in its store, the command line in the index of a folder.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/marker/marker.h"
+#include "core/matching/signature.h"
+#include "protocol/json/value.h"
+
+namespace selvage::protocol::formats {
+
+struct StoredFigures {
+  std::string name;      // the marker's
+  double length{};       // in the marker's unit
+  double utilisation{};  // 0..1
+  matching::Signature signature;
+  friend bool operator==(const StoredFigures&, const StoredFigures&) = default;
+};
+
+// REQUIRES: the marker has pieces.
+[[nodiscard]] StoredFigures stored_figures_of(const Marker& marker);
+
+// An object, to which a caller may add fields of its own.
+[[nodiscard]] Json figures_document(const StoredFigures& figures);
+// Nothing if the document is not one of figures_document(); other fields are passed over.
+[[nodiscard]] std::optional<StoredFigures> read_stored_figures(const Json& document);
+
+}  // namespace selvage::protocol::formats
