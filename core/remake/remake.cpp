@@ -10,13 +10,20 @@
 namespace selvage::remake {
 namespace {
 
+// Pieces that lie on the cloth must be free to go elsewhere, and those that do not, to be turned like what lay there.
 std::optional<Error> defect_of(const Marker& order) {
-  for (std::size_t i = 0; i < order.pieces.size(); ++i) {
-    const Piece& piece = order.pieces[i];
-    if (!piece.locked.x && !piece.locked.y && piece.group.empty()) continue;
+  const auto refused = [](const Piece& piece, const char* list, std::size_t i) {
     return Error{ErrorCode::kOutOfRange,
                  "piece \"" + piece.id + "\" is locked or in a group; all pieces of an order must be free to move",
-                 "/pieces/" + std::to_string(i)};
+                 list + std::to_string(i)};
+  };
+  for (std::size_t i = 0; i < order.pieces.size(); ++i) {
+    const Piece& piece = order.pieces[i];
+    if (piece.locked.x || piece.locked.y || piece.locked.tilt || !piece.group.empty())
+      return refused(piece, "/pieces/", i);
+  }
+  for (std::size_t i = 0; i < order.unplaced.size(); ++i) {
+    if (order.unplaced[i].locked.tilt) return refused(order.unplaced[i], "/unplaced/", i);
   }
   return std::nullopt;
 }

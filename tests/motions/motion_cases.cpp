@@ -16,6 +16,7 @@ namespace selvage::test {
   X(contain)                    \
   X(fill)                       \
   X(exact_compaction)           \
+  X(remake)                     \
   X(push)                       \
   X(gravity)                    \
   X(bump)                       \

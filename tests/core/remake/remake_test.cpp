@@ -155,6 +155,13 @@ TEST(Remake, RefusesLockedPiecesAndGroups) {
   const auto done = remake(order, std::vector<Marker>{order}, {}, scene::Run{sums});
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error().field, "/pieces/3");
+  order = test::order_of(order);
+  order.unplaced[3].locked = {};
+  EXPECT_TRUE(remake(order, std::vector<Marker>{}, {}, scene::Run{sums}));
+  order.unplaced[7].locked.tilt = true;
+  const auto turned = remake(order, std::vector<Marker>{}, {}, scene::Run{sums});
+  ASSERT_FALSE(turned);
+  EXPECT_EQ(turned.error().field, "/unplaced/7");
 }
 
 TEST(Remake, DoesNotDependOnThreadsOrTheCache) {
