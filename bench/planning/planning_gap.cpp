@@ -7,7 +7,7 @@
 #include <ctime>
 
 #include "bench/planning/generated_order.h"
-#include "core/planning/program/search.h"
+#include "core/planning/cheapest/search.h"
 
 namespace {
 
@@ -28,9 +28,9 @@ int main(int argc, char** argv) {
   std::printf("|---|---|---|---|---|---|---|---|---|\n");
   for (std::uint64_t seed = 1; seed <= orders; ++seed) {
     const planning::orders::Problem problem = bench::generated_order(seed, shape);
-    const planning::program::Lengths lengths{{}, planning::orders::LengthEstimate{problem.cloth.width}, false, {}};
+    const planning::cheapest::Lengths lengths{{}, planning::orders::LengthEstimate{problem.cloth.width}, false, {}};
     const std::clock_t start = std::clock();
-    const auto found = planning::program::search(problem, lengths, {});
+    const auto found = planning::cheapest::search(problem, lengths, {});
     const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     if (!found.cutting) {
       std::printf("| %lu | %zu | no cutting |\n", static_cast<unsigned long>(seed), found.candidates);

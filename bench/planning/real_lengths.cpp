@@ -64,8 +64,8 @@ double by_garment_count(const Problem& problem, KeptMarkers& markers) {
   double area = 0;
   for (const auto& size : problem.order.sizes) area += size.area / static_cast<double>(problem.order.sizes.size());
   for (auto& size : alike.order.sizes) size.area = area;
-  const planning::program::Lengths lengths{{}, planning::orders::LengthEstimate{problem.cloth.width}, false, {}};
-  auto found = planning::program::search(alike, lengths, {});
+  const planning::cheapest::Lengths lengths{{}, planning::orders::LengthEstimate{problem.cloth.width}, false, {}};
+  auto found = planning::cheapest::search(alike, lengths, {});
   for (auto& use : found.cutting->uses) use.candidate.length = markers.make(use.candidate.ratio).value();
   return cost_of(problem, found.cutting->uses);
 }

@@ -23,7 +23,7 @@ class Planner {
 
   Result<Plan> plan() {
     for (int number = 1; number <= settings_.rounds; ++number) {
-      program::SearchResult found = search(best_, Effort::kQuick);
+      cheapest::SearchResult found = search(best_, Effort::kQuick);
       if (!found.cutting || is_made(*found.cutting)) found = search(found.cutting, Effort::kThorough);
       if (!found.cutting && !run_.stop.stop_requested()) {
         if (found.infeasible && !best_) return infeasible();
@@ -42,7 +42,7 @@ class Planner {
   }
 
  private:
-  [[nodiscard]] program::Lengths lengths(bool made_only) const {
+  [[nodiscard]] cheapest::Lengths lengths(bool made_only) const {
     std::vector<Candidate> made;
     std::vector<orders::MadeLength> lengths;
     std::vector<Ratio> unmakeable;
@@ -58,11 +58,11 @@ class Planner {
   }
 
   enum class Effort { kQuick, kThorough };
-  [[nodiscard]] program::SearchResult search(const std::optional<Cutting>& start, Effort effort,
+  [[nodiscard]] cheapest::SearchResult search(const std::optional<Cutting>& start, Effort effort,
                                              bool made_only = false) const {
-    program::SearchSettings settings = settings_.search;
+    cheapest::SearchSettings settings = settings_.search;
     settings.thorough = effort == Effort::kThorough;
-    return program::search(problem_, lengths(made_only), settings, start, run_.stop);
+    return cheapest::search(problem_, lengths(made_only), settings, start, run_.stop);
   }
 
   [[nodiscard]] bool is_made(const Cutting& cutting) const {
@@ -123,7 +123,7 @@ class Planner {
 
   // All rounds are used, or no cutting is left: the best of the markers that were made.
   Result<Plan> finish_with_made() {
-    const program::SearchResult last = search(best_, Effort::kThorough, true);
+    const cheapest::SearchResult last = search(best_, Effort::kThorough, true);
     if (last.cutting) best_ = last.cutting;
     return finish(run_.stop.stop_requested() ? PlanEnd::kCancelled : PlanEnd::kWorkLimit);
   }

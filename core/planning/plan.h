@@ -22,7 +22,7 @@
 #include "core/base/result.h"
 #include "core/planning/orders/order.h"
 #include "core/planning/orders/ratio.h"
-#include "core/planning/program/search.h"
+#include "core/planning/cheapest/search.h"
 
 namespace selvage::planning {
 
@@ -31,7 +31,7 @@ namespace selvage::planning {
 using MakeMarker = std::function<std::optional<double>(const orders::Ratio&)>;
 
 struct PlanSettings {
-  program::SearchSettings search{};
+  cheapest::SearchSettings search{};
   int rounds{8};              // most rounds
   std::size_t most_made{24};  // most markers that are made, unless the plan needs more
   std::size_t near_made{2};   // of each round, besides those that its cutting uses

@@ -16,12 +16,13 @@ int whole(double value) {
 
 }  // namespace
 
-CuttingProgram::CuttingProgram(const orders::Problem& problem, std::vector<Candidate> candidates)
+CuttingProgram::CuttingProgram(const orders::Problem& problem, std::vector<Candidate> candidates, int fewest)
     : problem_{problem}, candidates_{std::move(candidates)} {
   std::sort(candidates_.begin(), candidates_.end(),
             [](const Candidate& a, const Candidate& b) { return a.ratio < b.ratio; });
   for (const Candidate& candidate : candidates_) add_candidate(candidate);
   add_deliveries();
+  add_counts(fewest);
 }
 
 void CuttingProgram::add_candidate(const Candidate& candidate) {
@@ -31,19 +32,37 @@ void CuttingProgram::add_candidate(const Candidate& candidate) {
   if (price.most_units == 0) return;
   const int per_lay = problem_.units_of_lay();
   columns.lays = program_.add_whole_column(price.lay, 0, (price.most_units + per_lay - 1) / per_lay);
-  if (price.marker > 0) columns.chosen = program_.add_whole_column(price.marker, 0, 1);
+  columns.chosen = program_.add_whole_column(price.marker, 0, 1);
   std::vector<Entry> room{{columns.lays, static_cast<double>(per_lay)}};
   for (std::size_t colour = 0; colour < price.most.size(); ++colour) {
     const int most = price.most[colour];
     if (most == 0) continue;
     const int column = columns.units[colour] = program_.add_whole_column(price.unit, 0, most);
     room.push_back({column, -1});
-    if (columns.chosen >= 0) {
-      const Entry row[] = {{columns.chosen, static_cast<double>(most)}, {column, -1}};
-      program_.linear.add_row(row, 0);
-    }
+    const Entry row[] = {{columns.chosen, static_cast<double>(most)}, {column, -1}};
+    program_.linear.add_row(row, 0);
   }
   program_.linear.add_row(room, 0);
+  const Entry row[] = {{columns.lays, 1}, {columns.chosen, -1}};
+  program_.linear.add_row(row, 0);
+}
+
+void CuttingProgram::add_counts(int fewest) {
+  std::vector<Entry> markers, lays;
+  for (const Columns& columns : columns_) {
+    if (columns.lays < 0) continue;
+    markers.push_back({columns.chosen, 1});
+    lays.push_back({columns.lays, 1});
+  }
+  program_.linear.add_row(markers, fewest);
+  const int of_unit = problem_.limits.bundles * problem_.plies_of_unit();
+  int units = 0;
+  for (std::size_t colour = 0; colour < problem_.order.colours.size(); ++colour) {
+    int garments = 0;
+    for (std::size_t size = 0; size < problem_.order.sizes.size(); ++size) garments += problem_.least(colour, size);
+    units += (garments + of_unit - 1) / of_unit;
+  }
+  program_.linear.add_row(lays, (units + problem_.units_of_lay() - 1) / problem_.units_of_lay());
 }
 
 void CuttingProgram::add_deliveries() {
@@ -90,7 +109,7 @@ std::vector<double> CuttingProgram::solution_of(const Cutting& cutting) const {
       if (use.units[colour] > 0) x[static_cast<std::size_t>(columns.units[colour])] = use.units[colour];
     }
     x[static_cast<std::size_t>(columns.lays)] = lays_of(problem_, use);
-    if (columns.chosen >= 0) x[static_cast<std::size_t>(columns.chosen)] = 1;
+    x[static_cast<std::size_t>(columns.chosen)] = 1;
   }
   return x;
 }

@@ -6,7 +6,9 @@
 //   minimise  sum of unit[a] x[a][c] + lay[a] y[a] + marker z[a]
 //   so that   least[c][s] <= sum over a of a[s] x[a][c] <= most[c][s]     what is delivered
 //             sum over c of x[a][c] <= (units of a lay) y[a]
-//             x[a][c] <= most[a][c] z[a]
+//             x[a][c] <= most[a][c] z[a],   z[a] <= y[a]
+//             sum of z[a] >= the fewest markers that a cutting is known to have
+//             sum of y[a] >= the lays that as many full bundles need as the order has garments
 // Departs from the thesis: it minimises cost, where the thesis maximises the sum of efficiencies, and it has colours,
 // lays and fixed charges.  A marker without plies costs nothing, so the columns z are needed only when a marker costs.
 #pragma once
@@ -21,8 +23,8 @@ namespace selvage::planning::program {
 
 class CuttingProgram {
  public:
-  // REQUIRES: no ratio occurs twice.
-  CuttingProgram(const orders::Problem& problem, std::vector<Candidate> candidates);
+  // `fewest`: only cuttings of that many markers or more are solutions.  REQUIRES: no ratio occurs twice.
+  CuttingProgram(const orders::Problem& problem, std::vector<Candidate> candidates, int fewest = 1);
 
   [[nodiscard]] const lp::integer::IntegerProgram& program() const { return program_; }
   // The solution as a cutting.  REQUIRES: x is a solution of the program.
@@ -37,6 +39,7 @@ class CuttingProgram {
   };
   void add_candidate(const Candidate& candidate);
   void add_deliveries();
+  void add_counts(int fewest);
 
   const orders::Problem& problem_;
   std::vector<Candidate> candidates_;

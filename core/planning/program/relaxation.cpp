@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/lp/solver/solve.h"
+#include "core/planning/program/cutting_program.h"
 #include "core/planning/program/generation.h"
 #include "core/planning/program/tuning.h"
 
@@ -170,6 +171,16 @@ Relaxation relax(const orders::Problem& problem, std::vector<Candidate> candidat
   for (const Candidate& candidate : candidates) master.add(candidate);
   if (!master.solve()) return {.candidates = std::move(candidates)};
   return relaxation_of(master);
+}
+
+std::optional<double> bound_with(const orders::Problem& problem, std::vector<Candidate> candidates, int fewest,
+                                 std::stop_token stop) {
+  const CuttingProgram program{problem, std::move(candidates), fewest};
+  const lp::LpSolution solution =
+      lp::solver::solve(program.program().linear, lp::solver::SolverChoice::kSimplex, {}, std::move(stop));
+  if (solution.status == lp::LpStatus::kInfeasible) return lp::kInfinity;
+  if (solution.status != lp::LpStatus::kOptimal) return std::nullopt;
+  return solution.objective;
 }
 
 Relaxation relax_by_generation(const orders::Problem& problem, std::vector<Candidate> candidates,

@@ -7,6 +7,7 @@
 // cost is found by a search over the ratios, whose estimated price is linear in their bundles.
 #pragma once
 
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -33,5 +34,11 @@ struct Relaxation {
 [[nodiscard]] Relaxation relax_by_generation(const orders::Problem& problem, std::vector<Candidate> candidates,
                                              const orders::LengthEstimate& estimate,
                                              const std::vector<orders::Ratio>& closed, std::stop_token stop = {});
+
+// A lower bound of the cost of the cuttings of these candidates that have this number of markers or more: the relaxation
+// of CuttingProgram, in which lays and markers are columns of their own.  Infinite when there is none; nothing when it was
+// stopped, or the solver gave up.  REQUIRES: no ratio occurs twice.
+[[nodiscard]] std::optional<double> bound_with(const orders::Problem& problem, std::vector<Candidate> candidates,
+                                               int fewest, std::stop_token stop = {});
 
 }  // namespace selvage::planning::program

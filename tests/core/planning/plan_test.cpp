@@ -31,6 +31,7 @@ PlanSettings quick() {
   PlanSettings settings;
   settings.search.tuning.nodes = settings.search.tuning.last_nodes = 15;
   settings.search.tuning.neighbourhoods = 1;
+  settings.search.tuning.set_work = 10'000;
   return settings;
 }
 

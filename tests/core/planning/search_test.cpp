@@ -1,5 +1,5 @@
 // The search for cuttings: against all cuttings of small orders, and the laws of its header.
-#include "core/planning/program/search.h"
+#include "core/planning/cheapest/search.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,10 @@
 #include "core/planning/program/relaxation.h"
 #include "tests/core/planning/small_orders.h"
 
-namespace selvage::planning::program {
+namespace selvage::planning::cheapest {
 namespace {
+
+using namespace program;
 
 using test::EveryCutting;
 using test::Random;
@@ -22,6 +24,7 @@ SearchSettings to_the_end() {
   SearchSettings settings;
   settings.gap = 0;
   settings.tuning.last_nodes = 20'000;
+  settings.tuning.annealing_steps = 200;
   return settings;
 }
 
@@ -94,6 +97,8 @@ SearchSettings small_search() {
   SearchSettings settings;
   settings.tuning.nodes = settings.tuning.last_nodes = 15;
   settings.tuning.neighbourhoods = 1;
+  settings.tuning.annealing_steps = 500;
+  settings.tuning.set_work = 10'000;
   return settings;
 }
 
@@ -210,4 +215,4 @@ TEST(CuttingProgram, ReadsBackWhatItWrites) {
 }
 
 }  // namespace
-}  // namespace selvage::planning::program
+}  // namespace selvage::planning::cheapest

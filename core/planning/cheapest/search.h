@@ -1,9 +1,10 @@
 // The search for the cheapest cutting at given lengths.
 //
-// Method.  The relaxation gives a bound and says what every candidate would add to it.  An integer program over the
-// candidates that add least gives a first cutting; programs over its markers and their neighbours (one bundle more,
-// fewer, or of another size) improve it; a last one over all candidates that could still be better closes the gap, as
-// far as its nodes go.
+// Method.  The relaxation gives a bound and says what every candidate would add to it.  Simulated annealing (annealing.h)
+// finds a cutting, and integer programs over its markers and their neighbours (one bundle more, fewer, or of another
+// size) improve it.  Then the bound is raised: sets of few markers are listed (program/few_markers.h), and all other
+// cuttings pay for more markers.  At last, an integer program over all candidates that could still be better closes the
+// gap, as far as its nodes go.
 //
 // Laws.  (1) The answer delivers what is ordered, checked in integers.  (2) bound <= cost; when they are equal, no
 // cutting of any ratio is cheaper at these lengths.  (3) The answer costs no more than `start`.  (4) Deterministic.
@@ -13,22 +14,15 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/planning/orders/length_estimate.h"
-#include "core/planning/program/cutting.h"
-#include "core/planning/program/tuning.h"
+#include "core/planning/cheapest/lengths.h"
+#include "core/planning/cheapest/tuning.h"
 
-namespace selvage::planning::program {
+namespace selvage::planning::cheapest {
 
-// The lengths in use.
-struct Lengths {
-  std::vector<Candidate> made;            // markers whose lengths are known, each ratio once
-  orders::LengthEstimate estimate;        // of all others
-  bool made_only{};                       // no others may be cut
-  std::vector<orders::Ratio> unmakeable;  // ratios that may not be cut, whatever is estimated
-};
+using program::Cutting;
 
 struct SearchSettings {
-  bool thorough{true};  // false: without the program that closes the gap, so that the bound is the relaxation's
+  bool thorough{true};  // false: the bound stays the relaxation's, and nothing is done to close the gap
   double gap{0.01};     // relative: the search ends when cost - bound is at most this part of the cost
   std::size_t most_listed{kMostListed};
   SearchTuning tuning{};
@@ -38,6 +32,7 @@ struct SearchResult {
   std::optional<Cutting> cutting;  // none: no cutting delivers what is ordered, or the run was stopped before there was
   double bound{};                  // of the cost of every cutting at these lengths
   bool infeasible{};               // proved: there is no cutting
+  int fewest_markers{1};           // no cutting that is cheaper than the bound has fewer
   std::vector<Candidate> near;     // candidates that are not cut, those first that add least to the bound
   std::size_t candidates{};        // how many were considered
   int nodes{};                     // of all integer programs
@@ -47,4 +42,4 @@ struct SearchResult {
                                   const SearchSettings& settings, const std::optional<Cutting>& start = {},
                                   std::stop_token stop = {});
 
-}  // namespace selvage::planning::program
+}  // namespace selvage::planning::cheapest

@@ -1,4 +1,4 @@
-#include "core/planning/program/search.h"
+#include "core/planning/cheapest/search.h"
 
 #include <algorithm>
 #include <numeric>
@@ -6,50 +6,30 @@
 #include <utility>
 
 #include "core/lp/integer/cbc.h"
+#include "core/planning/cheapest/annealing.h"
 #include "core/planning/program/cutting_program.h"
+#include "core/planning/program/few_markers.h"
 #include "core/planning/program/relaxation.h"
 
-namespace selvage::planning::program {
+namespace selvage::planning::cheapest {
 namespace {
 
 using orders::Ratio;
+using program::CuttingProgram;
+using program::FewMarkers;
+using program::Relaxation;
+using program::Use;
 
 constexpr std::size_t kNearCandidates = 32;  // returned besides the cutting
 constexpr double kRounding = 1e-9;           // bounds so near to the cost, as a part of it, are equal to it
 
-// The candidates that exist without being asked for: made markers that fit the table, and single bundles, so that every
-// order can be delivered; `all`: every other ratio, too.
-std::vector<Candidate> listed(const orders::Problem& problem, const Lengths& lengths, bool all) {
-  std::set<Ratio> closed{lengths.unmakeable.begin(), lengths.unmakeable.end()};
-  std::vector<Candidate> candidates;
-  for (const Candidate& made : lengths.made) {
-    if (closed.insert(made.ratio).second && fits_table(problem, made.length)) candidates.push_back(made);
-  }
-  if (lengths.made_only) return candidates;
-  const auto add = [&](const Ratio& ratio) {
-    if (closed.contains(ratio)) return;
-    const double length = lengths.estimate.length_of(area_of(problem.order, ratio));
-    if (orders::bundles_in(ratio) > 1 && !fits_table(problem, length)) return;
-    candidates.push_back({ratio, length});
-  };
-  if (all) {
-    orders::for_each_ratio(problem.order.sizes.size(), problem.limits.bundles, add);
-  } else {
-    for (std::size_t size = 0; size < problem.order.sizes.size(); ++size)
-      add(orders::single(problem.order.sizes.size(), size));
-  }
-  return candidates;
-}
-
-Relaxation relaxation_of(const orders::Problem& problem, const Lengths& lengths, std::size_t most_listed,
+Relaxation relaxation_of(const orders::Problem& problem, const Lengths& lengths, bool list_all,
                          const std::stop_token& stop) {
-  const bool all =
-      orders::number_of_ratios(problem.order.sizes.size(), problem.limits.bundles, most_listed + 1) <= most_listed;
-  std::vector<Candidate> candidates = listed(problem, lengths, all);
-  if (all || lengths.made_only) return relax(problem, std::move(candidates), stop);
+  std::vector<Candidate> candidates = listed(problem, lengths, list_all);
+  if (list_all) return program::relax(problem, std::move(candidates), stop);
   std::vector<Ratio> closed = lengths.unmakeable;
   for (const Candidate& made : lengths.made) closed.push_back(made.ratio);
-  return relax_by_generation(problem, std::move(candidates), lengths.estimate, closed, stop);
+  return program::relax_by_generation(problem, std::move(candidates), lengths.estimate, closed, stop);
 }
 
 // The cutting of single bundles that delivers the least; none when a size that is ordered has no such candidate.  It is
@@ -69,8 +49,8 @@ std::optional<Cutting> of_single_bundles(const orders::Problem& problem, const s
   }
   std::sort(cutting.uses.begin(), cutting.uses.end(),
             [](const Use& a, const Use& b) { return a.candidate.ratio < b.candidate.ratio; });
-  if (!delivers(problem, cutting.uses)) return std::nullopt;
-  cutting.cost = cost_of(problem, cutting.uses);
+  if (!program::delivers(problem, cutting.uses)) return std::nullopt;
+  cutting.cost = program::cost_of(problem, cutting.uses);
   return cutting;
 }
 
@@ -80,7 +60,9 @@ class Search {
       : problem_{problem}, lengths_{lengths}, settings_{settings}, stop_{std::move(stop)} {}
 
   SearchResult run(const std::optional<Cutting>& start) {
-    relaxation_ = relaxation_of(problem_, lengths_, settings_.most_listed, stop_);
+    all_listed_ = lengths_.made_only || orders::number_of_ratios(problem_.order.sizes.size(), problem_.limits.bundles,
+                                                                 settings_.most_listed + 1) <= settings_.most_listed;
+    relaxation_ = relaxation_of(problem_, lengths_, all_listed_, stop_);
     result_.candidates = relaxation_.candidates.size();
     result_.cutting = start;
     if (!relaxation_.solved) {
@@ -93,8 +75,9 @@ class Search {
     std::iota(by_extra_.begin(), by_extra_.end(), std::size_t{});
     std::stable_sort(by_extra_.begin(), by_extra_.end(),
                      [&](std::size_t a, std::size_t b) { return relaxation_.extra[a] < relaxation_.extra[b]; });
-    (void)improve(first_candidates(), settings_.tuning.nodes);
+    anneal_all();
     search_near();
+    if (settings_.thorough && !done()) raise_bound();
     if (settings_.thorough && !done()) close_gap();
     if (result_.cutting && result_.bound >= result_.cutting->cost * (1 - kRounding))
       result_.bound = result_.cutting->cost;
@@ -109,40 +92,56 @@ class Search {
   }
 
   // Solves the program of these candidates, from the best cutting so far; returns what it proves.
-  double improve(std::vector<Candidate> candidates, int nodes) {
-    const CuttingProgram program{problem_, std::move(candidates)};
+  double improve(std::vector<Candidate> candidates, int nodes, int fewest = 1) {
+    if (candidates.empty()) return lp::kInfinity;
+    const CuttingProgram program{problem_, std::move(candidates), fewest};
     const std::vector<double> start = result_.cutting ? program.solution_of(*result_.cutting) : std::vector<double>{};
     const lp::integer::IntegerSolution solution = lp::integer::solve_by_branch_and_cut(
         program.program(), {.nodes = nodes, .gap = settings_.gap / 4}, start, stop_);
     result_.nodes += solution.nodes;
     if (!solution.found()) return solution.bound;
     Cutting cutting = program.cutting_of(solution.x);
-    if (delivers(problem_, cutting.uses) && (!result_.cutting || cutting.cost < result_.cutting->cost))
+    if (program::delivers(problem_, cutting.uses) && (!result_.cutting || cutting.cost < result_.cutting->cost))
       result_.cutting = std::move(cutting);
     return solution.bound;
   }
 
-  // The candidates that add least, in this number, with those for which `wanted` holds among the rest.
-  template <class Wanted>
-  [[nodiscard]] std::vector<Candidate> chosen(std::size_t count, const Wanted& wanted) const {
-    std::vector<Candidate> candidates;
-    for (const std::size_t k : by_extra_) {
-      const Candidate& candidate = relaxation_.candidates[k];
-      if (relaxation_.extra[k] == lp::kInfinity) break;
-      if (candidates.size() < count || wanted(candidate)) candidates.push_back(candidate);
+  // Takes what is cheaper than the best cutting so far.
+  void take(std::optional<Cutting> cutting) {
+    if (cutting && (!result_.cutting || cutting->cost < result_.cutting->cost)) result_.cutting = std::move(cutting);
+  }
+
+  void anneal_all() {
+    const auto steps = std::min<std::size_t>(
+        static_cast<std::size_t>(settings_.tuning.annealing_steps),
+        static_cast<std::size_t>(settings_.tuning.steps_of_candidate) * relaxation_.candidates.size());
+    for (int k = 0; k < settings_.tuning.annealings && !done(); ++k) {
+      const auto number = static_cast<std::size_t>(k);
+      const AnnealingSettings annealing{.markers = problem_.order.sizes.size() + number,
+                                        .steps = static_cast<int>(steps),
+                                        .scale = relaxation_.bound,
+                                        .seed = number};
+      take(anneal(problem_, lengths_, annealing, stop_));
     }
-    return candidates;
+  }
+
+  // Cuttings of few markers are looked at one by one, and all others pay for more markers.
+  void raise_bound() {
+    if (!all_listed_) return;
+    const double target = result_.cutting ? (1 - settings_.gap) * result_.cutting->cost : lp::kInfinity;
+    FewMarkers few =
+        few_markers(problem_, relaxation_.candidates, {.work = settings_.tuning.set_work, .target = target}, stop_);
+    take(std::move(few.cutting));
+    const auto others = bound_with(problem_, relaxation_.candidates, few.fewest, stop_);
+    if (!others || stop_.stop_requested()) return;
+    result_.fewest_markers = few.fewest;
+    least_of_few_ = few.least;
+    result_.bound = std::max(result_.bound, std::min(few.least, *others));
   }
 
   [[nodiscard]] bool is_used(const Candidate& candidate) const {
     return result_.cutting && std::any_of(result_.cutting->uses.begin(), result_.cutting->uses.end(),
                                           [&](const Use& use) { return use.candidate.ratio == candidate.ratio; });
-  }
-
-  [[nodiscard]] std::vector<Candidate> first_candidates() const {
-    return chosen(settings_.tuning.first_candidates, [&](const Candidate& candidate) {
-      return orders::bundles_in(candidate.ratio) == 1 || is_used(candidate);
-    });
   }
 
   // The markers of the best cutting, and of their neighbours those that add least.
@@ -185,8 +184,12 @@ class Search {
         left_out = std::min(left_out, extra);
       }
     }
-    const double proved =
-        std::min(improve(std::move(candidates), settings_.tuning.last_nodes), relaxation_.bound + left_out);
+    // Cuttings of fewer markers are left to what is known of them, unless the program has to begin with one.
+    const bool few = result_.cutting && static_cast<int>(result_.cutting->uses.size()) < result_.fewest_markers;
+    double proved = few ? improve(std::move(candidates), settings_.tuning.last_nodes)
+                        : std::min(least_of_few_, improve(std::move(candidates), settings_.tuning.last_nodes,
+                                                          result_.fewest_markers));
+    proved = std::min(proved, relaxation_.bound + left_out);
     result_.bound = std::max(result_.bound, proved);
     result_.infeasible = !result_.cutting && result_.bound == lp::kInfinity;
   }
@@ -202,8 +205,10 @@ class Search {
   const Lengths& lengths_;
   const SearchSettings& settings_;
   std::stop_token stop_;
+  bool all_listed_{};  // the candidates are all that may be cut
   Relaxation relaxation_;
   std::vector<std::size_t> by_extra_;
+  double least_of_few_{lp::kInfinity};  // of the cuttings with fewer markers than result_.fewest_markers
   SearchResult result_;
 };
 
@@ -214,4 +219,4 @@ SearchResult search(const orders::Problem& problem, const Lengths& lengths, cons
   return Search{problem, lengths, settings, std::move(stop)}.run(start);
 }
 
-}  // namespace selvage::planning::program
+}  // namespace selvage::planning::cheapest
