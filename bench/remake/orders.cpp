@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <random>
 #include <string>
 #include <utility>
@@ -115,10 +116,42 @@ void recount(Marker& marker, double part, Choices& choices) {
   }
 }
 
+// How many bundles of a size the marker has: the greatest number that divides the counts of all its shapes.
+struct SizeBundles {
+  std::map<std::uint32_t, std::size_t> counts;  // of pieces, by shape
+  std::size_t bundles{};
+};
+
+void mix(Marker& marker, const std::vector<Json>& attributes, Choices& choices) {
+  std::map<std::string, SizeBundles> sizes;
+  for (const Piece& piece : marker.unplaced) ++sizes[size_of(attributes[piece.shape.value])].counts[piece.shape.value];
+  std::vector<SizeBundles> of_size;
+  std::size_t bundles = 0;
+  for (auto& [name, size] : sizes) {
+    for (const auto& [shape, count] : size.counts) size.bundles = std::gcd(size.bundles, count);
+    bundles += size.bundles;
+    of_size.push_back(size);
+  }
+  std::vector<Piece> pieces;
+  for (std::size_t k = 0; k < bundles; ++k) {
+    const auto drawn = static_cast<std::size_t>(choices.between(0, static_cast<double>(of_size.size())));
+    const SizeBundles& size = of_size[drawn];
+    for (const auto& [shape, count] : size.counts) {
+      for (std::size_t copy = 0; copy < count / size.bundles; ++copy) {
+        Piece piece;
+        piece.id = "p" + std::to_string(pieces.size() + 1);
+        piece.shape = ShapeId{shape};
+        pieces.push_back(std::move(piece));
+      }
+    }
+  }
+  marker.unplaced = std::move(pieces);
+}
+
 }  // namespace
 
 std::string_view name_of(Change change) {
-  static constexpr std::string_view kNames[] = {"graded", "larger", "reshaped", "counts"};
+  static constexpr std::string_view kNames[] = {"graded", "larger", "reshaped", "counts", "mixed"};
   return kNames[static_cast<std::size_t>(change)];
 }
 
@@ -138,6 +171,7 @@ Marker order_of(const MarkerFile& file, Change change, double part, std::uint64_
       break;
     case Change::kReshaped: reshape(marker, part, choices); break;
     case Change::kCounts: recount(marker, part, choices); break;
+    case Change::kMixed: mix(marker, file.attributes.shapes, choices); break;
   }
   return marker;
 }

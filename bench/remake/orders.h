@@ -6,6 +6,7 @@
 //   reshaped every shape is wider and higher by random parts up to +-part, and bent across by as much of its height;
 //            equal outlines change alike
 //   counts   the part of the pieces is left out or, as often, cut twice
+//   mixed    as many bundles as the marker has, each of a size that is drawn at random; there is no part
 // Sizes are recognised by the attribute "size" of the shapes.  The same seed makes the same order everywhere.
 #pragma once
 
@@ -16,7 +17,9 @@
 
 namespace selvage::bench {
 
-enum class Change { kGraded, kLarger, kReshaped, kCounts };
+enum class Change { kGraded, kLarger, kReshaped, kCounts, kMixed };
+inline constexpr Change kChanges[] = {Change::kGraded, Change::kLarger, Change::kReshaped, Change::kCounts,
+                                      Change::kMixed};
 
 [[nodiscard]] std::string_view name_of(Change change);
 

@@ -1,0 +1,92 @@
+"""The markers that the measurement of remaking needs, made once and kept.
+
+Stored markers: garments nested from nothing with 60,000 moves, or the jeans that sparrow laid out in 260 seconds; then accuracy
+`fine`.  For orders of other size mixes there are five of them, each of a mix of its own.
+"""
+import pathlib
+import subprocess
+import sys
+import types
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+EXAMPLES = ROOT / "examples" / "markers"
+sys.path.insert(0, str(ROOT / "bench" / "nesting"))
+import race as nesters  # noqa: E402
+
+MOVES = 60_000
+MIXES = range(1001, 1006)  # the seeds of the stored mixes; those of orders are smaller
+RACES = tuple((garment, seed) for garment in ("jeans_02g", "simon_06g", "jeans_06g") for seed in (1, 2))
+
+
+def run(*words):
+    return subprocess.run([str(word) for word in words], check=True, capture_output=True, text=True).stdout
+
+
+def source_of(options, garment):
+    """The file with a garment's pieces: an example, or among the data."""
+    path = EXAMPLES / f"{garment}.json"
+    return path if path.exists() else options.data / "garments" / f"{garment}.json"
+
+
+def nested(options, order, name):
+    """The order nested from nothing and refined."""
+    path = options.kept / "stored" / f"{name}.json"
+    if not path.exists():
+        path.parent.mkdir(parents=True, exist_ok=True)
+        start = options.kept / "start.json"
+        run(options.programs / "selvage", "nest", order, "--from-scratch", "--moves", MOVES, "--format", "native", "-o", start)
+        run(options.programs / "selvage", "compact", start, "--accuracy", "fine", "--format", "native", "-o", path)
+    return path
+
+
+def stored_marker(options, garment):
+    path = options.kept / "stored" / f"{garment}.json"
+    if garment != "jeans_06g":
+        return nested(options, source_of(options, garment), garment)
+    if not path.exists():
+        path.parent.mkdir(parents=True, exist_ok=True)
+        run(options.programs / "selvage", "compact", options.data / "garments" / "jeans_06g_tight.json", "--accuracy", "fine",
+            "--format", "native", "-o", path)
+    return path
+
+
+def order_file(options, garment, change, part, seed):
+    """An order in the form of jagua-rs."""
+    path = options.kept / "order_files" / f"{garment}-{change}-{part}-{seed}.json"
+    if not path.exists():
+        path.parent.mkdir(parents=True, exist_ok=True)
+        source = source_of(options, garment) if change == "mixed" else stored_marker(options, garment)
+        run(options.programs / "remake_orders", "--change", change, "--part", part, "--first", seed, "--write", path, source)
+    return path
+
+
+def order_source(options, garment, change):
+    """What remake_orders is given: the garment, and the stored markers when they are not the garment's own."""
+    if change != "mixed":
+        return [stored_marker(options, garment)]
+    stored = [nested(options, order_file(options, garment, change, 0, seed), f"{garment}-mix-{seed}") for seed in MIXES]
+    return [source_of(options, garment), *stored]
+
+
+def best_known(options):
+    """The best marker known of the order whose steps are shown: remade, nested on from there, and refined."""
+    path = options.kept / "best_known.json"
+    if not path.exists():
+        selvage, order = options.programs / "selvage", order_file(options, "jeans_02g", "graded", 0.04, 1)
+        library, start = options.kept / "library", options.kept / "start.json"
+        run(selvage, "library", "add", library, stored_marker(options, "jeans_02g"))
+        run(selvage, "remake", order, "--library", library, "--fine", "--format", "native", "-o", start)
+        run(selvage, "nest", start, "--moves", MOVES, "--format", "native", "-o", start)
+        run(selvage, "compact", start, "--accuracy", "fine", "--format", "native", "-o", path)
+    return path
+
+
+def nested_elsewhere(options, garment, seed, seconds=60):
+    """The judged density of the order as spyrrow nests it; None when it is not kept and not asked for."""
+    path = order_file(options, garment, "graded", 0.04, seed)
+    kept = options.kept / "nesters"
+    if not options.race and not (kept / "results" / f"{path.stem}-spyrrow-{seconds}s-1.json").exists():
+        return None
+    kept.mkdir(exist_ok=True)
+    arguments = types.SimpleNamespace(selvage=options.programs / "selvage", kept=kept)
+    return nesters.result(arguments, "spyrrow", path, seconds, 1)

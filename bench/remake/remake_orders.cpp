@@ -1,0 +1,137 @@
+// Orders made of a garment marker (orders.h), remade from stored markers: one line of JSON for each order.
+//
+//   remake_orders --change NAME [--part P] [--first SEED] [--count N] [--trials N] [--fine] [--outlines FOLDER]
+//                 [--write FILE] GARMENT.json [STORED.json...]
+//
+// The orders have the seeds SEED, SEED + 1, ...; without stored markers, the garment's own marker is the only one.
+// --trials: of moving small pieces into gaps; 0: none.  --fine: the results are also refined as accuracy fine does.
+// --outlines: every result is written there as placed outlines, for an independent judge.  --write: instead of all that,
+// the order of the first seed is written to this file.  Utilisations are parts of 1, times are processor time on one
+// thread, with an empty cache of Minkowski sums for each order.
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "bench/remake/orders.h"
+#include "bench/support/marker_file.h"
+#include "core/marker/validity.h"
+#include "core/remake/remake.h"
+#include "core/search/refine.h"
+
+namespace {
+
+using namespace selvage;
+
+struct Options {
+  bench::Change change{};
+  double part{};
+  std::uint64_t first{1}, count{1};
+  bool fine{};
+  std::string outlines, write;
+  std::vector<std::string> paths;
+  remake::RemakeSettings settings;
+};
+
+double processor_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+// The step that removed the overlaps; empty when there were none.
+std::string removed_by(const remake::Attempt& attempt) {
+  for (const remake::Step& step : attempt.steps) {
+    if (step.kind == remake::StepKind::kSeparated) return "separated";
+    if (step.kind == remake::StepKind::kPopped) return "popped";
+    if (step.kind == remake::StepKind::kSearched) return "searched";
+  }
+  return "";
+}
+
+void write_result(const Options& options, std::uint64_t seed, const Marker& marker) {
+  if (options.outlines.empty()) return;
+  const std::string name = bench::name_of(options.paths.front()) + "-" + std::string{name_of(options.change)} + "-" +
+                           std::to_string(options.part) + "-" + std::to_string(seed) + ".json";
+  (void)bench::write_outlines(options.outlines + "/" + name, marker);
+}
+
+void remake_order(const Options& options, const MarkerFile& garment, const std::vector<Marker>& stored,
+                  std::uint64_t seed) {
+  const Marker order = bench::order_of(garment, options.change, options.part, seed);
+  SumCache sums;
+  const double begin = processor_seconds();
+  const auto done = remake::remake(order, stored, options.settings, scene::Run{sums});
+  Json line = Json::object();
+  line["seed"] = seed;
+  line["seconds"] = processor_seconds() - begin;
+  line["made"] = done && done->outcome == remake::Outcome::kRemade;
+  if (done && done->chosen) {
+    line["valid"] = is_valid(done->marker);
+    line["utilisation"] = utilisation_of(done->marker);
+    line["stored"] = utilisation_of(stored[done->attempts[*done->chosen].stored.front()]);
+    line["removed_by"] = removed_by(done->attempts[*done->chosen]);
+    write_result(options, seed, done->marker);
+  }
+  if (options.fine && done && done->chosen) {
+    auto settings = search::refine_settings();
+    settings.tilts = true;
+    const double middle = processor_seconds();
+    const auto fine = search::refine(done->marker, settings, scene::Run{sums});
+    if (fine) line["fine"] = utilisation_of(fine->marker);
+    line["fine_seconds"] = processor_seconds() - middle;
+  }
+  std::printf("%s\n", protocol::json::to_text(line).c_str());
+  std::fflush(stdout);
+}
+
+bench::Change change_named(const std::string& name) {
+  for (const bench::Change change : bench::kChanges) {
+    if (name_of(change) == name) return change;
+  }
+  std::fprintf(stderr, "%s is no change\n", name.c_str());
+  std::exit(EXIT_FAILURE);
+}
+
+Options options_in(int count, char** words) {
+  Options options;
+  for (int k = 1; k < count; ++k) {
+    const std::string word = words[k];
+    if (word == "--fine") {
+      options.fine = true;
+    } else if (!word.starts_with("--")) {
+      options.paths.push_back(word);
+    } else if (k + 1 < count) {
+      const char* const value = words[++k];
+      if (word == "--change") options.change = change_named(value);
+      if (word == "--part") options.part = std::strtod(value, nullptr);
+      if (word == "--first") options.first = std::strtoull(value, nullptr, 10);
+      if (word == "--count") options.count = std::strtoull(value, nullptr, 10);
+      if (word == "--trials") options.settings.attempt.tuning.trim_trials = std::strtoull(value, nullptr, 10);
+      if (word == "--outlines") options.outlines = value;
+      if (word == "--write") options.write = value;
+    }
+  }
+  options.settings.attempt.trims = options.settings.attempt.tuning.trim_trials > 0;
+  if (options.paths.empty()) {
+    std::fprintf(stderr, "remake_orders needs the marker of a garment\n");
+    std::exit(EXIT_FAILURE);
+  }
+  return options;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  const Options options = options_in(count, words);
+  const MarkerFile garment = bench::marker_file_in(options.paths.front());
+  if (!options.write.empty()) {
+    const Marker order = bench::order_of(garment, options.change, options.part, options.first);
+    return bench::write_marker(options.write, order, Format::kSparrow) ? EXIT_SUCCESS : EXIT_FAILURE;
+  }
+  std::vector<Marker> stored;
+  for (std::size_t k = options.paths.size() > 1 ? 1 : 0; k < options.paths.size(); ++k)
+    stored.push_back(bench::marker_in(options.paths[k]));
+  for (std::uint64_t k = 0; k < options.count; ++k) remake_order(options, garment, stored, options.first + k);
+}

@@ -1,0 +1,63 @@
+// The steps of one order in docs/from-the-library.md: a table of them, and a drawing of the marker after each.
+//
+//   remake_steps PREFIX SEED STORED.json BEST.json
+//
+// The order has the sizes of the stored marker spread by up to 4 % (orders.h); the drawings are PREFIX-STEP.svg.
+// BEST.json is the best marker that is known of this order; it is drawn, too.
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "bench/remake/orders.h"
+#include "bench/support/marker_file.h"
+#include "core/marker/validity.h"
+#include "core/remake/remake.h"
+#include "protocol/drawing/svg.h"
+
+namespace {
+
+using namespace selvage;
+
+constexpr const char* kNames[] = {"substituted", "separated",  "popped",      "searched", "compacted",
+                                  "inserted",    "rearranged", "trims-moved", "refined"};
+
+void print_row(const char* name, const Marker& marker, bool valid) {
+  std::printf("| %s | %.1f | %.2f %% | %s |\n", name, to_decimal(length_of(marker), marker.resolution),
+              100 * utilisation_of(marker), valid ? "yes" : "no");
+}
+
+void draw(const std::string& prefix, const std::string& name, const Marker& marker) {
+  std::ofstream{prefix + "-" + name + ".svg"} << protocol::drawing::to_svg(marker);
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  if (count < 5) {
+    std::fprintf(stderr, "usage: remake_steps PREFIX SEED STORED.json BEST.json\n");
+    return EXIT_FAILURE;
+  }
+  const std::string prefix = words[1];
+  const MarkerFile stored = bench::marker_file_in(words[3]);
+  const Marker order = bench::order_of(stored, bench::Change::kGraded, 0.04, std::strtoull(words[2], nullptr, 10));
+  remake::RemakeSettings settings;
+  settings.attempt.fine = true;
+  SumCache sums;
+  const auto done = remake::remake(order, std::vector<Marker>{stored.marker}, settings, scene::Run{sums});
+  if (!done || !done->chosen) return EXIT_FAILURE;
+  std::printf("| step | length | utilisation | valid |\n|---|---|---|---|\n");
+  print_row("the stored marker", stored.marker, is_valid(stored.marker));
+  for (const remake::Step& step : done->attempts[*done->chosen].steps) {
+    const char* const name = kNames[static_cast<std::size_t>(step.kind)];
+    Marker after = order;
+    after.unplaced.clear();
+    after.pieces = step.placed;
+    draw(prefix, name, after);
+    print_row(name, after, step.valid);
+  }
+  const Marker best = bench::marker_in(words[4]);
+  draw(prefix, "best-known", best);
+  print_row("the best known", best, is_valid(best));
+}
