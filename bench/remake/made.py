@@ -15,7 +15,7 @@ import race as nesters  # noqa: E402
 
 MOVES = 60_000
 MIXES = range(1001, 1006)  # the seeds of the stored mixes; those of orders are smaller
-RACES = tuple((garment, seed) for garment in ("jeans_02g", "simon_06g", "jeans_06g") for seed in (1, 2))
+RACES = (("jeans_02g", 1), ("simon_06g", 1), ("jeans_06g", 1), ("simon_06g", 2), ("jeans_02g", 3), ("jeans_06g", 2))
 
 
 def run(*words):

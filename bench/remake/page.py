@@ -5,7 +5,7 @@ usage: page.py --programs BUILD/bin --kept FOLDER --page docs/from-the-library.m
 
 What takes long is kept in the folder, so that the measurement can be interrupted and continued: the stored markers (made.py),
 a line for every order that was remade, and the layouts of the other nester.  A run uses S seconds of processor time for orders,
-always for the row of the table that has fewest; the orders are the same on every run.  Results of an older program must be
+always for the row of the table that has had least; the orders are the same on every run.  Results of an older program must be
 deleted by hand.
 """
 import argparse
@@ -18,7 +18,7 @@ import subprocess
 
 import made
 
-ORDERS, BATCH, REFINED = 50, 5, 10  # orders of a row; of a batch; how many of them are also refined
+ORDERS, BATCH, REFINED = 50, 5, 5  # orders of a row; of a batch; how many of them are also refined
 CHANGES = (("graded", 0.02), ("graded", 0.04), ("graded", 0.08), ("larger", 0.02), ("reshaped", 0.01), ("reshaped", 0.03),
            ("counts", 0.1))
 
@@ -61,6 +61,9 @@ class Results:
             file.write(added)
         self.orders += [json.loads(line) for line in added.splitlines()]
 
+    def seconds(self):
+        return sum(order["seconds"] + order.get("fine_seconds", 0) for order in self.orders)
+
     def cells(self):
         garment, change, part = self.row
         apart = [order for order in self.orders if order["made"]]
@@ -88,7 +91,7 @@ def measure(options):
         open_rows = [row for row in results if len(row.orders) < row.wanted()]
         if not open_rows:
             break
-        min(open_rows, key=lambda row: len(row.orders)).add_batch()
+        min(open_rows, key=Results.seconds).add_batch()
     return results
 
 

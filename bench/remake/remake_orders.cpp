@@ -5,9 +5,9 @@
 //
 // The orders have the seeds SEED, SEED + 1, ...; without stored markers, the garment's own marker is the only one.
 // --trials: of moving small pieces into gaps; 0: none.  --fine: the results are also refined as accuracy fine does.
-// --outlines: every result is written there as placed outlines, for an independent judge.  --write: instead of all that,
-// the order of the first seed is written to this file.  Utilisations are parts of 1, times are processor time on one
-// thread, with an empty cache of Minkowski sums for each order.
+// --outlines: every result is written there as placed outlines, for an independent judge.  --write: instead of all
+// that, the order of the first seed is written to this file.  Utilisations are parts of 1, times are processor time on
+// one thread, with an empty cache of Minkowski sums for each order.
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>

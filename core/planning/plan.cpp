@@ -59,7 +59,7 @@ class Planner {
 
   enum class Effort { kQuick, kThorough };
   [[nodiscard]] cheapest::SearchResult search(const std::optional<Cutting>& start, Effort effort,
-                                             bool made_only = false) const {
+                                              bool made_only = false) const {
     cheapest::SearchSettings settings = settings_.search;
     settings.thorough = effort == Effort::kThorough;
     return cheapest::search(problem_, lengths(made_only), settings, start, run_.stop);

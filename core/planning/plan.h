@@ -20,9 +20,9 @@
 
 #include "core/base/executor.h"
 #include "core/base/result.h"
+#include "core/planning/cheapest/search.h"
 #include "core/planning/orders/order.h"
 #include "core/planning/orders/ratio.h"
-#include "core/planning/cheapest/search.h"
 
 namespace selvage::planning {
 

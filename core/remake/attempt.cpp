@@ -81,18 +81,17 @@ class Attempting {
 
   bool insert() {
     const std::size_t count = marker_.unplaced.size();
-    const bool gaps = marker_.pieces.size() < candidate_.arrangement.slots.size();
     if (count > 0) {
       (void)insert_unplaced(marker_, {}, run_);
       if (!marker_.unplaced.empty()) return false;
       compact();
       record(StepKind::kInserted, count, true);
     }
-    if ((count > 0 || gaps) && !run_.stopped()) rearrange();
+    if (!run_.stopped()) rearrange();
     return true;
   }
 
-  // A short search for a shorter marker, where pieces lie at the end that belong into gaps.
+  // A short search for a shorter marker: separation pays with length, and pieces at the end may belong into gaps.
   void rearrange() {
     nesting::NestSettings settings;
     settings.moves = settings_.tuning.moves_per_piece * marker_.pieces.size();

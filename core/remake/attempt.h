@@ -2,8 +2,8 @@
 // the report and for drawings.
 //
 //     substitute; relieve columns; remove the overlaps; compact
-//     put the pieces back that had no slot, larger first; compact; where slots were left empty or pieces had none,
-//     search for a shorter marker for a while (core/nesting)
+//     put the pieces back that had no slot, larger first; compact
+//     search for a shorter marker for a while, from there (core/nesting)
 //     take small pieces out and put them where there is room; `fine`: swap and tilt
 // Units: lattice units.
 #pragma once
@@ -28,7 +28,7 @@ enum class StepKind {
   kSearched,     // by a guided local search
   kCompacted,    // when nothing overlapped any more
   kInserted,     // pieces without a slot were put into gaps or at the end, then compacted
-  kRearranged,   // a short search, where slots were left empty or pieces had none
+  kRearranged,   // a short search that has found a shorter marker
   kTrimsMoved,   // small pieces went elsewhere
   kRefined,      // accuracy fine
 };

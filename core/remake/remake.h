@@ -4,11 +4,11 @@
 // (choice.h, attempt.h).
 //
 // Laws.  (1) The answer is valid, proved in integers, or it is the order as it came in and `outcome` says why.  (2) A
-// marker's own order gives at least its utilisation, when that marker is tried.  (3) One more stored marker never makes
-// the answer longer when all candidates are tried.  (4) The same input and settings give the same answer, whatever the
-// cache holds and however many threads are used; when cancelled, the best marker so far.  (5) More tries never give a
-// longer marker.
-// Units: lattice units of the order's resolution.
+// marker's own order gives at least its utilisation, when that marker is tried and no piece has rules of its own
+// (pieces of one shape may take each other's places).  (3) One more stored marker never makes the answer longer when
+// all candidates are tried.  (4) The same input and settings give the same answer, whatever the cache holds and however
+// many threads are used; when cancelled, the best marker so far.  (5) More tries never give a longer marker. Units:
+// lattice units of the order's resolution.
 #pragma once
 
 #include <cstddef>
@@ -48,8 +48,8 @@ struct Remake : motion::repair::MotionResult {
 };
 
 // The positions of the order's placed pieces do not matter.
-// Errors: kOutOfRange for a placed piece that is locked or in a group, and for an unplaced one that may not tilt; those of
-// nest, when it is asked for.
+// Errors: kOutOfRange for a placed piece that is locked or in a group, and for an unplaced one that may not tilt; those
+// of nest, when it is asked for.
 [[nodiscard]] Result<Remake> remake(const Marker& order, std::span<const Marker> stored, const RemakeSettings& settings,
                                     const scene::Run& run);
 

@@ -1,9 +1,12 @@
-// Searches: refinement and swaps of pieces, which use motions, and the exact searches.
+// Searches: refinement and swaps of pieces, which use motions, the exact searches, and remaking.
+#include <algorithm>
+
 #include "core/nesting/nest.h"
 #include "core/packing/contain.h"
 #include "core/packing/pack.h"
 #include "core/packing/refitting/compact_exactly.h"
 #include "core/packing/refitting/fill_gaps.h"
+#include "core/remake/remake.h"
 #include "core/search/refine.h"
 #include "core/search/swap.h"
 #include "tests/motions/answer.h"
@@ -98,6 +101,45 @@ Result<Answer> compacting_windows(const Marker& start, const Occasion& on) {
   return answer(compact_exactly(start, settings, on.run), {.turns = true, .flips = true});
 }
 
+// Pieces of an order are free: remaking refuses those that are locked or in a group.
+Marker freed(Marker marker) {
+  for (Piece& piece : marker.pieces) {
+    piece.locked = {};
+    piece.group.clear();
+  }
+  return marker;
+}
+
+remake::RemakeSettings little_effort(Random& random) {
+  remake::RemakeSettings settings;
+  settings.tries = 1 + random.below(2);
+  settings.concatenate = random.chance(30);
+  settings.attempt.trims = random.chance(50);
+  settings.attempt.tuning.trim_trials = 2;
+  settings.attempt.tuning.moves_per_piece = 2;
+  settings.attempt.tuning.search_patience = 10;
+  return settings;
+}
+
+// The stored marker is the marker itself, or lacks a piece: then there is one for which no place is known.
+Result<Answer> remaking(const Marker& start, const Occasion& on) {
+  const Marker order = freed(start);
+  Marker stored = order;
+  const bool whole = stored.pieces.size() < 2 || on.random.chance(50);
+  if (!whole) stored.pieces.erase(stored.pieces.begin() + static_cast<std::ptrdiff_t>(on.random.below(2)));
+  stored.unplaced.clear();
+  const bool own = whole && start.unplaced.empty() &&
+                   std::ranges::all_of(start.pieces, [](const Piece& piece) { return piece.rules == marker::Rules{}; });
+  auto done = remake::remake(order, std::vector<Marker>{stored}, little_effort(on.random), on.run);
+  if (!done) return done.error();
+  const bool lost = own && done->outcome != remake::Outcome::kRemade && !on.run.stopped();
+  Answer checked = *answer(std::move(done), {.tilts = true, .turns = true, .flips = true});
+  if (!own) checked.leave.longest = kAnyLength;
+  if (lost) checked.contradiction = "cannot remake a marker of its own pieces like that marker";
+  checked.started = order;
+  return checked;
+}
+
 }  // namespace
 
 MotionCase refine_case() {
@@ -120,6 +162,10 @@ MotionCase fill_case() {
 }
 MotionCase exact_compaction_case() {
   return {"exact compaction", 2, true, compacting_windows};
+}
+
+MotionCase remake_case() {
+  return {"remake", 2, false, remaking};
 }
 
 }  // namespace selvage::test

@@ -18,8 +18,8 @@ struct Lengths {
   std::vector<orders::Ratio> unmakeable;  // ratios that may not be cut, whatever is estimated
 };
 
-// The marker of this ratio, when it may be cut: it is known or estimated to fit the table.  Single bundles that were not
-// made always may, so that every order can be delivered.
+// The marker of this ratio, when it may be cut: it is known or estimated to fit the table.  Single bundles that were
+// not made always may, so that every order can be delivered.
 [[nodiscard]] std::optional<Candidate> candidate_of(const orders::Problem& problem, const Lengths& lengths,
                                                     const orders::Ratio& ratio);
 

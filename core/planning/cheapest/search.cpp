@@ -91,6 +91,12 @@ class Search {
     return result_.cutting && result_.cutting->cost - result_.bound <= settings_.gap * result_.cutting->cost;
   }
 
+  // What the bound has to reach.
+  [[nodiscard]] double target() const {
+    return result_.cutting ? (1 - settings_.gap) * result_.cutting->cost : lp::kInfinity;
+  }
+  [[nodiscard]] int markers_cut() const { return static_cast<int>(result_.cutting->uses.size()); }
+
   // Solves the program of these candidates, from the best cutting so far; returns what it proves.
   double improve(std::vector<Candidate> candidates, int nodes, int fewest = 1) {
     if (candidates.empty()) return lp::kInfinity;
@@ -128,9 +134,8 @@ class Search {
   // Cuttings of few markers are looked at one by one, and all others pay for more markers.
   void raise_bound() {
     if (!all_listed_) return;
-    const double target = result_.cutting ? (1 - settings_.gap) * result_.cutting->cost : lp::kInfinity;
     FewMarkers few =
-        few_markers(problem_, relaxation_.candidates, {.work = settings_.tuning.set_work, .target = target}, stop_);
+        few_markers(problem_, relaxation_.candidates, {.work = settings_.tuning.set_work, .target = target()}, stop_);
     take(std::move(few.cutting));
     const auto others = bound_with(problem_, relaxation_.candidates, few.fewest, stop_);
     if (!others || stop_.stop_requested()) return;
@@ -184,11 +189,11 @@ class Search {
         left_out = std::min(left_out, extra);
       }
     }
-    // Cuttings of fewer markers are left to what is known of them, unless the program has to begin with one.
-    const bool few = result_.cutting && static_cast<int>(result_.cutting->uses.size()) < result_.fewest_markers;
-    double proved = few ? improve(std::move(candidates), settings_.tuning.last_nodes)
-                        : std::min(least_of_few_, improve(std::move(candidates), settings_.tuning.last_nodes,
-                                                          result_.fewest_markers));
+    // Cuttings of fewer markers are left to what is known of them, where that is enough.
+    const bool few_may_win = least_of_few_ < target() || (result_.cutting && markers_cut() < result_.fewest_markers);
+    const int fewest = few_may_win ? 1 : result_.fewest_markers;
+    double proved = improve(std::move(candidates), settings_.tuning.last_nodes, fewest);
+    if (fewest > 1) proved = std::min(proved, least_of_few_);
     proved = std::min(proved, relaxation_.bound + left_out);
     result_.bound = std::max(result_.bound, proved);
     result_.infeasible = !result_.cutting && result_.bound == lp::kInfinity;

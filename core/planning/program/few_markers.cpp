@@ -227,7 +227,7 @@ class SetList {
   std::stop_token stop_;
   std::vector<Candidate> candidates_;
   std::vector<Price> prices_;
-  std::vector<double> ratios_;  // by candidate, by size
+  std::vector<double> ratios_;   // by candidate, by size
   std::vector<Window> windows_;  // by colour
   bool exhausted_{};
   std::uint64_t payments_{};

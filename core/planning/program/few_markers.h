@@ -1,15 +1,15 @@
 // Whether a few markers are enough, decided by listing their sets.
 //
 // A relaxation pays for small parts of many markers and lays, a cutting for whole ones.  The more markers every cutting
-// is known to have, the better the bound (CuttingProgram).  So all sets of 1, 2, ... candidates are listed, as far as the
-// work allows, and it is decided exactly whether the markers of a set deliver the order, and at which cost at least.
+// is known to have, the better the bound (CuttingProgram).  So all sets of 1, 2, ... candidates are listed, as far as
+// the work allows, and it is decided exactly whether the markers of a set deliver the order, and at which cost at
+// least.
 //
 // Method.  Colour by colour, a marker's ratio times its units, summed over the set, must lie in the box of what may be
 // delivered.  All markers of a set but the last are left out of sight by projecting onto two directions at right angles
 // to their ratios: there, the box of every colour must meet the ray of the last ratio.  The rays of two colours mostly
-// differ, and with them all sets of these markers and another one are done with.  The few sets that remain are decided by
-// trying all units, within bounds.
-// Units: as of cutting.h.
+// differ, and with them all sets of these markers and another one are done with.  The few sets that remain are decided
+// by trying all units, within bounds. Units: as of cutting.h.
 #pragma once
 
 #include <cstdint>
@@ -23,13 +23,13 @@
 namespace selvage::planning::program {
 
 struct FewMarkers {
-  int fewest{1};                    // about every cutting of fewer markers, this is known:
-  double least{lp::kInfinity};      // it costs this much at least; infinite when none of them delivers the order
+  int fewest{1};                     // about every cutting of fewer markers, this is known:
+  double least{lp::kInfinity};       // it costs this much at least; infinite when none of them delivers the order
   std::optional<Cutting> cutting{};  // the cheapest of them that was seen
 };
 
 struct SetLimits {
-  std::uint64_t work{};        // how many sets may be looked at, about; what exceeds it is not begun, or does not count
+  std::uint64_t work{};  // how many sets may be looked at, about; what exceeds it is not begun, or does not count
   double target{-lp::kInfinity};  // of the bound: once sets of some number cost less, those of more are not listed
 };
 

@@ -35,9 +35,9 @@ struct Relaxation {
                                              const orders::LengthEstimate& estimate,
                                              const std::vector<orders::Ratio>& closed, std::stop_token stop = {});
 
-// A lower bound of the cost of the cuttings of these candidates that have this number of markers or more: the relaxation
-// of CuttingProgram, in which lays and markers are columns of their own.  Infinite when there is none; nothing when it was
-// stopped, or the solver gave up.  REQUIRES: no ratio occurs twice.
+// A lower bound of the cost of the cuttings of these candidates that have this number of markers or more: the
+// relaxation of CuttingProgram, in which lays and markers are columns of their own.  Infinite when there is none;
+// nothing when it was stopped, or the solver gave up.  REQUIRES: no ratio occurs twice.
 [[nodiscard]] std::optional<double> bound_with(const orders::Problem& problem, std::vector<Candidate> candidates,
                                                int fewest, std::stop_token stop = {});
 

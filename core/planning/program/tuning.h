@@ -6,7 +6,7 @@
 namespace selvage::planning::program {
 
 inline constexpr std::size_t kPricingNodes = 200'000;  // of one search for the ratio of the least reduced cost
-inline constexpr int kGenerations = 200;           // rounds of column generation
+inline constexpr int kGenerations = 200;               // rounds of column generation
 inline constexpr double kPricingTolerance = 1e-7;  // of the bound: reduced costs above minus this end the generation
 
 }  // namespace selvage::planning::program

@@ -29,7 +29,7 @@ struct RemakeTuning {
   double search_growth{0.015};  // part of its length by which the marker grows before each of
   int searches{6};              // this many searches
   // Afterwards:
-  std::uint64_t moves_per_piece{40};  // of the search that closes gaps where the numbers of pieces differ
+  std::uint64_t moves_per_piece{40};  // of the search for a shorter marker
   std::uint64_t trim_trials{16};      // of putting small pieces into gaps (core/packing/refitting/fill_gaps.h)
   friend bool operator==(const RemakeTuning&, const RemakeTuning&) = default;
 };

@@ -24,8 +24,8 @@ struct Choices<remake::StepKind> {
   static constexpr std::string_view kMeaning =
       "A step of an attempt. substituted: the pieces lie where stored ones did; separated, popped, searched: overlaps "
       "were removed by linear programs, by taking small pieces out and putting them back, or by a search; compacted; "
-      "inserted: pieces that no stored one corresponds to were added; rearranged: a short search, because the numbers "
-      "of pieces differ; trims_moved: small pieces went into gaps; refined: as by accuracy fine.";
+      "inserted: pieces that no stored one corresponds to were added; rearranged: a short search has found a shorter "
+      "marker; trims_moved: small pieces went into gaps; refined: as by accuracy fine.";
   static constexpr std::string_view kWords[] = {"substituted", "separated",  "popped",      "searched", "compacted",
                                                 "inserted",    "rearranged", "trims_moved", "refined"};
 };

@@ -53,7 +53,8 @@ TEST(FewMarkers, AreExactWhereOneLayIsEnough) {
   }
 }
 
-// Five sizes, and a colour that needs as many markers as there are sizes: single bundles, and no more than they deliver.
+// Five sizes, and a colour that needs as many markers as there are sizes: single bundles, and no more than they
+// deliver.
 TEST(FewMarkers, KnowHowManyAnOrderNeeds) {
   orders::Problem problem;
   problem.cloth.width = 1500;
