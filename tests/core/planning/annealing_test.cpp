@@ -10,7 +10,7 @@ namespace {
 using test::EveryCutting;
 using test::Random;
 
-Lengths lengths_of(const orders::Problem& problem) {
+Lengths made_lengths_of(const orders::Problem& problem) {
   return {test::all_candidates(problem), orders::LengthEstimate{problem.cloth.width}, true, {}};
 }
 
@@ -23,7 +23,7 @@ TEST(Annealing, FindsTheCheapestCuttingOfMostSmallOrders) {
     const double least = EveryCutting{problem}.least_cost();
     if (least == std::numeric_limits<double>::infinity()) continue;
     ++orders;
-    const auto found = anneal(problem, lengths_of(problem), {.markers = 4, .steps = 3000, .scale = least, .seed = 1});
+    const auto found = anneal(problem, made_lengths_of(problem), {.markers = 4, .steps = 3000, .scale = least, .seed = 1});
     ASSERT_TRUE(found) << trial;
     EXPECT_TRUE(delivers(problem, found->uses));
     EXPECT_DOUBLE_EQ(found->cost, cost_of(problem, found->uses));
@@ -52,10 +52,10 @@ TEST(Annealing, RepeatsItselfAndStops) {
   Random random{23};
   const orders::Problem problem = test::small_order(random);
   const AnnealingSettings settings{.markers = 3, .steps = 500, .scale = 50, .seed = 7};
-  EXPECT_EQ(anneal(problem, lengths_of(problem), settings), anneal(problem, lengths_of(problem), settings));
+  EXPECT_EQ(anneal(problem, made_lengths_of(problem), settings), anneal(problem, made_lengths_of(problem), settings));
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_FALSE(anneal(problem, lengths_of(problem), settings, stop.get_token()));
+  EXPECT_FALSE(anneal(problem, made_lengths_of(problem), settings, stop.get_token()));
 }
 
 }  // namespace

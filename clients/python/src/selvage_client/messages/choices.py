@@ -41,7 +41,7 @@ RemakeOutcome = Literal["remade", "nested", "none_near", "not_apart"]
 """What became of an order: remade like a stored marker; nested from nothing, where asked; none_near: no stored marker is near enough; not_apart: the pieces of no attempt came apart, or the cloth ends before them."""
 
 RemakeStep = Literal["substituted", "separated", "popped", "searched", "compacted", "inserted", "rearranged", "trims_moved", "refined"]
-"""A step of an attempt. substituted: the pieces lie where stored ones did; separated, popped, searched: overlaps were removed by linear programs, by taking small pieces out and putting them back, or by a search; compacted; inserted: pieces that no stored one corresponds to were added; rearranged: a short search, because the numbers of pieces differ; trims_moved: small pieces went into gaps; refined: as by accuracy fine."""
+"""A step of an attempt. substituted: the pieces lie where stored ones did; separated, popped, searched: overlaps were removed by linear programs, by taking small pieces out and putting them back, or by a search; compacted; inserted: pieces that no stored one corresponds to were added; rearranged: a short search has found a shorter marker; trims_moved: small pieces went into gaps; refined: as by accuracy fine."""
 
 Spread = Literal["one_way", "face_to_face"]
 """How plies are spread: all face up, or in pairs face to face, of which the second cuts mirrored pieces."""
