@@ -23,7 +23,8 @@ TEST(Annealing, FindsTheCheapestCuttingOfMostSmallOrders) {
     const double least = EveryCutting{problem}.least_cost();
     if (least == std::numeric_limits<double>::infinity()) continue;
     ++orders;
-    const auto found = anneal(problem, made_lengths_of(problem), {.markers = 4, .steps = 3000, .scale = least, .seed = 1});
+    const auto found =
+        anneal(problem, made_lengths_of(problem), {.markers = 4, .steps = 3000, .scale = least, .seed = 1});
     ASSERT_TRUE(found) << trial;
     EXPECT_TRUE(delivers(problem, found->uses));
     EXPECT_DOUBLE_EQ(found->cost, cost_of(problem, found->uses));
