@@ -14,6 +14,12 @@ cache=$(command -v ccache || true)
 # Of the host's headers only those that have no library: the C library is that of WebAssembly.
 for name in boost eigen3/Eigen polyclipping nlohmann pugixml.hpp pugiconfig.hpp; do ln -sfn "/usr/include/$name" "$out/headers/$(basename "$name")"; done
 
+# The header that CMake writes in the native build.
+mkdir -p "$out/headers/protocol/describe"
+template=$(< "$root/protocol/describe/marker_schema_text.h.in")
+schema=$(< "$root/protocol/marker.schema.json")
+printf '%s\n' "${template/@marker_schema@/"$schema"}" > "$out/headers/protocol/describe/marker_schema_text.h"
+
 # sources_of FOLDER...: what is compiled of these folders and those in them
 sources_of() {
   find "$@" -name '*.cpp' ! -path core/lp/solver/clp.cpp ! -path core/lp/integer/cbc.cpp ! -path 'server/store/disk/*' \

@@ -30,7 +30,7 @@ namespace selvage::server::store {
 
 struct Journal::Implementation {};
 Journal::~Journal() = default;
-disk::StoredContent Journal::restore() {
+disk::StoredContent Journal::restore(std::stop_token) {
   std::abort();
 }
 bool Journal::opened(std::uint64_t, const MarkerFile&, const std::string&, const std::optional<KeptChange>&) {
