@@ -24,7 +24,7 @@ install_packages() {
 }
 
 configure() {
-  cmake -S . -B "$1" -G Ninja -DCMAKE_BUILD_TYPE=Release -DSELVAGE_TESTS=OFF -DSELVAGE_BENCH=OFF
+  cmake --preset programs -B "$1"
 }
 
 case ${1:-} in
