@@ -62,6 +62,14 @@ class Manual(unittest.TestCase):
         self.assertIn("--accuracy", formatted.stdout)
 
 
+    def test_the_page_explains_common_options_once_and_gives_defaults(self):
+        page = run("manual").stdout
+        self.assertEqual(page.count("Write the resulting marker to this file"), 1)
+        self.assertIn("Common options: \\fB\\-\\-out\\fR", page)
+        self.assertIn("independent searches, 1 to 64, of which the best counts; they run in parallel.  Default: 1.", page)
+        self.assertNotRegex(page, r"[a-z]keepPlaced|Not together with keepPlaced")
+
+
 class Suggestions(unittest.TestCase):
     def test_misspelt_names_are_recognised(self):
         self.assertIn("did you mean compact?", run("compcat", "x.json").stderr)

@@ -137,6 +137,15 @@ class Pack(CliTest):
         self.assertLess(line["bound"], line["length_after"])
         self.assertEqual(run("check", self.path("out.json")).returncode, OK)
 
+    def test_no_turns_keeps_the_orientations(self):
+        bar = {"format": "selvage-marker", "version": 1, "strip": {"width": 40}, "pieces": [],
+               "shapes": [{"id": "bar", "outline": [[0, 0], [40, 0], [40, 10], [0, 10]], "rotations": [0, 90]}],
+               "unplaced": [{"id": "a", "shape": "bar"}]}
+        for options, length in (((), 10), (("--no-turns",), 40)):
+            ran = run("pack", self.write(bar), "--json", *options)
+            self.assertEqual(ran.returncode, OK, ran.stderr)
+            self.assertEqual(json.loads(ran.stdout)["length_after"], length)
+
     def test_the_summary_says_what_is_proved(self):
         ran = run("pack", PACKING / "partition.json")
         self.assertIn("the shortest, proved", ran.stdout)

@@ -49,7 +49,7 @@ std::vector<Option> file_options() {
       overlap_option(),
       {.name = "--threads",
        .kind = Kind::kInteger,
-       .meaning = "Number of threads; it does not affect the result",
+       .meaning = "Number of threads, by default as many as there are cores; it does not affect the result",
        .standard = cores,
        .range = command_line::Range{1, 256}},
   };

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <iostream>
+#include <map>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include "clients/cli/documents/option_names.h"
 
@@ -28,13 +31,21 @@ std::string roff(const std::string& text) {
   return escaped.starts_with('.') || escaped.starts_with('\'') ? "\\&" + escaped : escaped;
 }
 
+std::string choices_of(const Option& option, const std::string& between) {
+  std::string choices;
+  for (const std::string& choice : option.choices) choices += (choices.empty() ? "" : between) + choice;
+  return choices;
+}
+
+// Too many to stand beside the option's name.
+bool has_many_choices(const Option& option) {
+  constexpr std::size_t kMost = 5;
+  return option.choices.size() > kMost;
+}
+
 std::string value_of(const Option& option) {
   if (!option.placeholder.empty()) return option.placeholder;
-  if (!option.choices.empty()) {
-    std::string choices;
-    for (const std::string& choice : option.choices) choices += (choices.empty() ? "" : "|") + choice;
-    return choices;
-  }
+  if (!option.choices.empty()) return has_many_choices(option) ? "WORD" : choices_of(option, "|");
   switch (option.kind) {
     case Kind::kFlag: return "";
     case Kind::kText: return "TEXT";
@@ -46,22 +57,61 @@ std::string value_of(const Option& option) {
   return "";
 }
 
+// An option that most commands have, with the same meaning.
+std::vector<Option> common_options(const Program& program) {
+  constexpr std::size_t kEnough = 10;  // commands
+  std::vector<Option> common;
+  std::map<std::pair<std::string, std::string>, std::size_t> count;
+  for (const Command& command : program.commands) {
+    for (const Option& option : command.options) {
+      if (!is_positional(option) && ++count[{option.name, option.meaning}] == kEnough) common.push_back(option);
+    }
+  }
+  return common;
+}
+
+bool is_among(const Option& option, const std::vector<Option>& common) {
+  return std::any_of(common.begin(), common.end(),
+                     [&](const Option& one) { return one.name == option.name && one.meaning == option.meaning; });
+}
+
+// Nothing for the number of threads, which is that of the machine.
+std::string standard_of(const Option& option) {
+  if (!option.standard || option.name == "--threads") return "";
+  std::ostringstream text;
+  if (const auto* word = std::get_if<std::string>(&*option.standard)) text << *word;
+  if (const auto* integer = std::get_if<std::int64_t>(&*option.standard)) text << *integer;
+  if (const auto* number = std::get_if<double>(&*option.standard)) text << *number;
+  return text.str().empty() ? "" : "  Default: " + text.str() + ".";
+}
+
 std::string option_entry(const Option& option) {
   std::string head;
   for (const std::string& name : names_of(option)) head += (head.empty() ? "" : ", ") + ("\\fB" + roff(name) + "\\fR");
   if (const std::string value = value_of(option); !value.empty() && !is_positional(option)) {
     head += " \\fI" + roff(value) + "\\fR";
   }
-  return ".TP\n" + head + "\n" + roff(option.meaning) + ".\n";
+  return ".TP\n" + head + "\n" +
+         roff(option.meaning + "." + (has_many_choices(option) ? "  One of " + choices_of(option, ", ") + "." : "") +
+              standard_of(option)) +
+         "\n";
 }
 
-std::string command_section(const Command& command) {
+std::string command_section(const Command& command, const std::vector<Option>& common) {
   std::string usage = "\\fB" + roff(command.name) + "\\fR";
   for (const Option& option : command.options) {
     if (is_positional(option)) usage += " \\fI" + option.name + "\\fR";
   }
   std::string text = ".SS " + usage + " [\\fIoptions\\fR]\n" + roff(command.summary) + ".\n";
-  for (const Option& option : command.options) text += option_entry(option);
+  std::string shared;
+  for (const Option& option : command.options) {
+    if (!is_among(option, common)) {
+      text += option_entry(option);
+    } else {
+      shared += (shared.empty() ? "" : ", ") + ("\\fB" + roff(names_of(option).back()) + "\\fR");
+    }
+  }
+  if (!shared.empty()) text += ".PP\nCommon options: " + shared + ".\n";
   if (command.examples.empty()) return text;
   text += ".PP\nExamples:\n.PP\n.nf\n.RS\n";
   for (const std::string& example : command.examples) text += roff(example) + "\n";
@@ -87,8 +137,11 @@ std::string manual_page(const Program& program) {
   page += ".SH DESCRIPTION\n" + roff(program.summary) + "\n";
   page += ".SH OPTIONS\nThese may stand before or after the command.\n";
   for (const Option& option : program.options) page += option_entry(option);
+  const std::vector<Option> common = common_options(program);
+  page += ".SS Common options\nMost commands take some of these; each command says which.\n";
+  for (const Option& option : common) page += option_entry(option);
   page += ".SH COMMANDS\n";
-  for (const Command& command : program.commands) page += command_section(command);
+  for (const Command& command : program.commands) page += command_section(command, common);
   return page + ".SH EXIT STATUS\n" + unfilled(program.footer) + ".SH SEE ALSO\n\\fBselvaged\\fR(8)\n";
 }
 

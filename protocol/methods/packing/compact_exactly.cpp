@@ -30,7 +30,7 @@ struct ExactCompactionParams {
     v.optional("among", self.among,
                "Ids of placed pieces: windows that hold none of them are left out; when absent, all are searched.",
                {.entries = {{1, marker::kMaxPieces}}, .entries_are = "pieces"});
-    v.optional("turns", self.turns, "Whether pieces may take other orientations that their shapes allow.");
+    v.optional("turns", self.turns, "False: pieces keep their orientations.");
   }
 };
 

@@ -29,7 +29,7 @@ struct FillParams {
     v.optional("nodes", self.nodes, "The largest number of nodes of every search for room.",
                {.range = {{1, kMostNodes}}});
     v.optional("seed", self.seed, "Of the random choices.", {.range = {{0, kMostSeed}}});
-    v.optional("turns", self.turns, "Whether pieces may take other orientations that their shapes allow.");
+    v.optional("turns", self.turns, "False: pieces keep their orientations.");
   }
 };
 

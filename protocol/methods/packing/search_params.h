@@ -26,7 +26,7 @@ struct SearchEffort {
     v.optional("nodes", self.nodes,
                "The largest number of nodes of the search; 1,000,000 when absent, without limit with a deadline.",
                {.range = {{1, kMostNodes}}});
-    v.optional("turns", self.turns, "Whether pieces may take other orientations that their shapes allow.");
+    v.optional("turns", self.turns, "False: pieces keep their orientations.");
   }
 };
 [[nodiscard]] selvage::packing::branching::WorkLimits limits_of(const SearchEffort& effort,

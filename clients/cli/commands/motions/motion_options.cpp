@@ -1,9 +1,11 @@
 #include "clients/cli/commands/motions/motion_options.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <iterator>
 #include <optional>
+#include <regex>
 #include <string_view>
 #include <utility>
 
@@ -28,6 +30,8 @@ constexpr Exception kExceptions[] = {
     {"motion.separate", "grow", "--grow", 100, "How much longer the marker may become, in per cent"},
     {"motion.tilt", "shakes", "--restarts"},
     {"marker.nest", "seconds", "--time"},
+    {"marker.nest", "accuracy", "--accuracy", 1,
+     "A budget in seconds by name: draft is 2 seconds, standard 20, fine 120; not together with --time"},
     {"plan.cut", "overCut", "--over-cut", 100, "How many more garments of a colour and size may be cut, in per cent"},
     {"plan.cut", "underCut", "--under-cut", 100, "How many fewer may be cut, in per cent"},
     {"plan.cut", "gap", "--gap", 100, "The search ends when cost and bound differ by so many per cent of the cost"},
@@ -74,16 +78,42 @@ std::optional<Value> standard_value(const Json& fallback, Kind kind, double divi
   return std::nullopt;
 }
 
+// Flags switch a parameter from its default to the other value.
+bool is_switched_off(const FieldDescription& parameter) {
+  return parameter.fallback == Json(true);
+}
+
+// A parameter's meaning as that of an option: of a flag, what it does when it is given; other parameters by the names
+// of their options.
+std::string meaning_on_command_line(const FieldDescription& parameter, bool flag) {
+  std::string text = without_full_stop(parameter.meaning);
+  const std::string_view given = is_switched_off(parameter) ? "False: " : "True: ";
+  if (flag && text.starts_with(given)) {
+    text.erase(0, given.size());
+    text.erase(std::min(text.find("; false: "), text.size()));
+    text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  }
+  static const std::regex kParameterName{R"(\b[a-z]+[A-Z][A-Za-z]*)"};
+  std::smatch found;
+  while (std::regex_search(text, found, kParameterName)) {
+    const std::string option = option_name(found.str());
+    text.replace(static_cast<std::size_t>(found.position()), static_cast<std::size_t>(found.length()), option);
+  }
+  return text;
+}
+
 ParameterOption option_of(std::string_view method, const FieldDescription& parameter) {
   const Exception* const exception = exception_of(method, parameter.name);
   const Type type = resolved(parameter.type);
   const std::optional<Kind> kind = kind_of(type);
   const double divisor = exception != nullptr ? exception->divisor : 1;
   Option option;
+  const bool flag = kind == Kind::kFlag;
   option.name = exception != nullptr ? std::string{exception->option} : option_name(parameter.name);
+  if (flag && is_switched_off(parameter)) option.name.insert(2, "no-");
   option.kind = kind.value_or(Kind::kText);
   const bool own_meaning = exception != nullptr && !exception->meaning.empty();
-  option.meaning = without_full_stop(own_meaning ? exception->meaning : parameter.meaning);
+  option.meaning = own_meaning ? std::string{exception->meaning} : meaning_on_command_line(parameter, flag);
   option.required = parameter.required;
   if (!kind) option.placeholder = "JSON";
   if (kind) option.standard = standard_value(parameter.fallback, *kind, divisor);
@@ -98,7 +128,7 @@ ParameterOption option_of(std::string_view method, const FieldDescription& param
 }
 
 Result<Json> parameter_value(const ParameterOption& option, const Value& value) {
-  if (const auto* flag = std::get_if<bool>(&value)) return Json(*flag);
+  if (const auto* flag = std::get_if<bool>(&value)) return Json(*flag != is_switched_off(option.parameter));
   if (const auto* integer = std::get_if<std::int64_t>(&value)) return Json(*integer);
   if (const auto* number = std::get_if<double>(&value)) return Json(*number / option.divisor);
   if (const auto* text = std::get_if<std::string>(&value)) {

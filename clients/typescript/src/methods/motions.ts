@@ -66,7 +66,7 @@ export interface MotionMethods {
     params: MotionParams & {
       /** The largest number of nodes of the search; 1,000,000 when absent, without limit with a deadline. */
       nodes?: number;
-      /** Whether pieces may take other orientations that their shapes allow. */
+      /** False: pieces keep their orientations. */
       turns?: boolean;
       /** The search ends when the marker is longer than the bound by at most this fraction of the width, 1e-9 to 1. */
       gap?: number;
@@ -99,7 +99,7 @@ export interface MotionMethods {
       best?: BestContainment;
       /** The largest number of nodes of the search; 1,000,000 when absent, without limit with a deadline. */
       nodes?: number;
-      /** Whether pieces may take other orientations that their shapes allow. */
+      /** False: pieces keep their orientations. */
       turns?: boolean;
     };
     result: MotionResult & {

@@ -111,7 +111,7 @@ export interface SearcheMethods {
       nodes?: number;
       /** Of the random choices. */
       seed?: number;
-      /** Whether pieces may take other orientations that their shapes allow. */
+      /** False: pieces keep their orientations. */
       turns?: boolean;
     };
     result: MotionResult & {
@@ -138,7 +138,7 @@ export interface SearcheMethods {
       windows?: number;
       /** Ids of placed pieces: windows that hold none of them are left out; when absent, all are searched. */
       among?: Array<Id>;
-      /** Whether pieces may take other orientations that their shapes allow. */
+      /** False: pieces keep their orientations. */
       turns?: boolean;
     };
     result: MotionResult & {
