@@ -66,10 +66,6 @@ linked() {
 
 cd "$root"
 rm -f "$out"/objects/*
-# The marker's schema as a header, as CMake makes it for the native build.
-mkdir -p "$out/headers/protocol/describe"
-template=$(< protocol/describe/marker_schema_text.h.in)
-printf '%s\n' "${template/@marker_schema@/"$(< protocol/marker.schema.json)"}" > "$out/headers/protocol/describe/marker_schema_text.h"
 mapfile -t parts < <(
   sources_of core protocol server/{calls,changes,dispatch,drags,jobs,library,memory,methods,store} | grep -v '^protocol/methods/'
   echo server/ops/freed_memory.cpp)
