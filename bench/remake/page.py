@@ -121,7 +121,7 @@ def race(options):
         if nested and remade:
             lines.append((garment, seed, f"{100 * remade['utilisation']:.2f} %", f"{remade['seconds']:.2f}",
                           f"{nested['density']:.2f} %" + ("" if nested["valid"] else " (overlaps)")))
-    return table(("stored", "order", "remade", "s", "spyrrow, 60 s"), lines)
+    return table(("stored", "order", "remade", "s", "spyrrow, 60 s"), lines) if lines else ""
 
 
 def main():
