@@ -1,18 +1,39 @@
 #!/usr/bin/env bash
-# usage: hardening_test.sh SELVAGED     how the program is linked: what makes a mistake harder to exploit
+# usage: hardening_test.sh SOURCE_DIRECTORY BUILD_DIRECTORY PROGRAM...
+# How the programs are compiled and linked: what makes a mistake harder to exploit.
 set -euo pipefail
 export LC_ALL=C
-program=$1
+source=$1
+build=$2
+shift 2
 fail() {
-  echo "failed: $program $*" >&2
+  echo "failed: $*" >&2
   exit 1
 }
-segments=$(readelf --wide --segments "$program")
-dynamic=$(readelf --wide --dynamic "$program")
-symbols=$(readelf --wide --dyn-syms "$program")
 
-grep -q '^Elf file type is DYN' <<< "$segments" || fail "is not position-independent (PIE)"
-grep -q 'GNU_RELRO' <<< "$segments" || fail "has no read-only relocations (RELRO)"
-grep -Eq '\(FLAGS\).*BIND_NOW|\(FLAGS_1\).*NOW' <<< "$dynamic" || fail "binds its symbols late (BIND_NOW)"
-! grep 'GNU_STACK' <<< "$segments" | grep -q 'RWE' || fail "has an executable stack"
-grep -Eq ' __[a-z]+_chk(@|$)' <<< "$symbols" || fail "calls no function that checks sizes (_FORTIFY_SOURCE)"
+for program; do
+  segments=$(readelf --wide --segments "$program")
+  dynamic=$(readelf --wide --dynamic "$program")
+  symbols=$(readelf --wide --dyn-syms "$program")
+  grep -q '^Elf file type is DYN' <<< "$segments" || fail "$program is not position-independent (PIE)"
+  ! grep -q 'TEXTREL' <<< "$dynamic" || fail "$program has code that is changed when it is loaded"
+  grep -q 'GNU_RELRO' <<< "$segments" || fail "$program has no read-only relocations (RELRO)"
+  grep -Eq '\(FLAGS\).*BIND_NOW|\(FLAGS_1\).*NOW' <<< "$dynamic" || fail "$program binds its symbols late (BIND_NOW)"
+  ! grep 'GNU_STACK' <<< "$segments" | grep -q 'RWE' || fail "$program has an executable stack"
+  grep -Eq ' __[a-z]+_chk(@|$)' <<< "$symbols" || fail "$program calls no function that checks sizes (_FORTIFY_SOURCE)"
+done
+
+# Every source of what is installed, not only one that happens to call a function that checks.
+python3 - "$source" "$build" <<'EOF' || fail "compiled without _FORTIFY_SOURCE"
+import json
+import pathlib
+import sys
+
+source, build = sys.argv[1:]
+folders = tuple(f"{source}/{folder}/" for folder in ("core", "protocol", "server", "clients"))
+commands = json.loads((pathlib.Path(build) / "compile_commands.json").read_text())
+installed = [command for command in commands if command["file"].startswith(folders)]
+bare = [c["file"] for c in installed if "-D_FORTIFY_SOURCE=2" not in c["command"] or " -O" not in c["command"]]
+print(f"{len(installed)} sources, {len(bare)} of them compiled without _FORTIFY_SOURCE", *bare[:10], sep="\n")
+sys.exit(1 if bare or len(installed) < 300 else 0)
+EOF
