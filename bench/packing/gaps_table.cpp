@@ -50,8 +50,7 @@ std::vector<PieceId> near_each_other(const marker::PlacedPieces& pieces, std::si
   std::sort(order.begin(), order.end());
   std::vector<PieceId> chosen;
   for (std::size_t k = 0; k < std::min<std::size_t>(count, order.size()); ++k) chosen.push_back({order[k].second});
-  std::ranges::stable_sort(chosen, std::greater{},
-                           [&](PieceId id) { return doubled_area(pieces[id.value].vertices); });
+  std::ranges::stable_sort(chosen, std::greater{}, [&](PieceId id) { return doubled_area(pieces[id.value].vertices); });
   return chosen;
 }
 
@@ -90,8 +89,8 @@ void print_row(const Marker& marker, const char* question, const Answers& answer
 
 void print_rows(const std::string& path, const Options& options) {
   SumCache sums;
-  const auto compacted = compact(bench::marker_in(path), compaction_settings(motion::compaction::Accuracy::kStandard),
-                                 scene::Run{sums});
+  const auto compacted =
+      compact(bench::marker_in(path), compaction_settings(motion::compaction::Accuracy::kStandard), scene::Run{sums});
   const Marker& marker = compacted->marker;
   const marker::PlacedPieces placed{marker};
   std::mt19937_64 random{options.seed};
