@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/marker/validity.h"
+#include "core/nesting/nest.h"
 #include "core/packing/bodies/bodies.h"
 #include "core/packing/bodies/mirror.h"
 #include "core/packing/bodies/on_cloth.h"
@@ -16,9 +17,11 @@
 namespace selvage::packing {
 namespace {
 
-constexpr double kLeastGap = 8;       // lattice units: rounding lengthens a layout by about as much
-constexpr double kFirstStep = 0.01;   // the first ceiling above the area's bound, a part of it
-constexpr double kLaterSteps = 0.03;  // each further ceiling above the last
+constexpr double kLeastGap = 8;                  // lattice units: rounding lengthens a layout by about as much
+constexpr double kFirstStep = 0.01;              // the first ceiling above the area's bound, a part of it
+constexpr double kLaterSteps = 0.03;             // each further ceiling above the last
+constexpr std::uint64_t kBriefNodes = 5'000;     // of a search that needs more, the best layout is nested first
+constexpr std::uint64_t kMovesOfAPiece = 1'000;  // the budget of that nesting
 
 class Packer {
  public:
@@ -82,9 +85,16 @@ class Packer {
     packing_.reason = scene::StopReason::kConverged;
     while (bound < longest && packing_.reason == scene::StopReason::kConverged) {
       const double ceiling = std::min(longest, std::ceil(bound * (1 + step)) + 1);
-      const auto outcome = search_below(bodies, ceiling);
+      const bool brief = !nested_ && settings_.limits.nodes > kBriefNodes;
+      const auto outcome = search_below(bodies, ceiling, brief ? kBriefNodes : settings_.limits.nodes);
       bound = std::max(bound, std::min(outcome.bound, ceiling));
+      const bool interrupted = brief && packing_.work.nodes >= kBriefNodes && !run_.stopped();
+      if (interrupted) nest_best();
       if (best_) longest = std::min(longest, static_cast<double>(packing_.length_after) - gap_);
+      if (interrupted && outcome.end == branching::SearchEnd::kWorkLimit) {
+        packing_.reason = scene::StopReason::kConverged;
+        continue;
+      }
       if (outcome.bound < ceiling) break;
       step = kLaterSteps;
     }
@@ -95,9 +105,22 @@ class Packer {
     packing_.proved = complete && (best_ ? left <= 2 * gap_ : !undecided_);
   }
 
-  branching::SearchOutcome search_below(const bodies::Bodies& bodies, double ceiling) {
+  // A shorter layout to beat, from the best that is known: without one, a search that does not end has nothing to show.
+  void nest_best() {
+    nested_ = true;
+    const auto one_orientation = [](const Shape& shape) { return shape.rotations.size() == 1 && !shape.may_flip; };
+    if (!best_ || !(settings_.turns || std::ranges::all_of(start_.shapes, one_orientation))) return;
+    nesting::NestSettings settings;
+    settings.moves = kMovesOfAPiece * best_->pieces.size();
+    settings.turn = false;
+    auto nested = nesting::nest(*best_, settings, run_.quiet());
+    if (!nested || nested->left_over > 0 || nested->length_after >= packing_.length_after) return;
+    keep(std::move(nested->marker));
+  }
+
+  branching::SearchOutcome search_below(const bodies::Bodies& bodies, double ceiling, std::uint64_t nodes) {
     branching::WorkLimits left = settings_.limits;
-    left.nodes -= std::min(left.nodes, packing_.work.nodes);
+    left.nodes = nodes - std::min(nodes, packing_.work.nodes);
     left.pivots -= std::min(left.pivots, packing_.work.pivots);
     branching::SearchCalls calls;
     const double limit = static_cast<double>(start_.strip.last().value_or(kLatticeLimit));
@@ -134,6 +157,7 @@ class Packer {
   double gap_;  // lattice units
   std::optional<Marker> best_;
   bool undecided_{};
+  bool nested_{};
   Packing packing_;
 };
 

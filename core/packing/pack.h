@@ -3,7 +3,8 @@
 // Where compaction stays in one convex part of each pair's free space, packing searches all of them
 // (core/packing/branching).  Unplaced pieces are placed, too.  Layouts are looked for up to a ceiling that rises from
 // the area of the pieces: every ceiling without a layout is a proved lower bound, and the search under the ceiling that
-// has one proves the optimum.
+// has one proves the optimum.  A search that takes long is interrupted once for a short nesting (core/nesting), so that
+// it has a good layout to beat, and to return.
 //
 // Laws.  (1) The answer is valid, proved in integers, and never longer than the input when that is valid.  (2) No
 // marker of these pieces is shorter than `bound`, in exact arithmetic (branching/relaxation.h).  (3) Locked pieces stay

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "core/marker/validity.h"
+#include "core/packing/first_layout.h"
 #include "tests/core/motion/markers.h"
+#include "tests/core/packing/polyominoes.h"
 
 namespace selvage::packing {
 namespace {
@@ -187,6 +189,26 @@ TEST(Pack, HoldsItsBestAnswerAtTheWorkLimit) {
   EXPECT_LE(packing.length_after, packing.length_before);
   EXPECT_GT(packing.bound, 0);
   EXPECT_LT(packing.work.nodes, 400U);
+}
+
+// A search that is far from its end has a layout of a short nesting, not of pieces in a row.
+TEST(Pack, NestsWhatItCannotFinishSoon) {
+  test::Random random{4};
+  std::vector<test::Squares> pieces;
+  while (pieces.size() < 16) {
+    auto squares = test::random_squares(random, 5);
+    if (box_of(squares).high.y < 4) pieces.push_back(std::move(squares));
+  }
+  const Marker marker = test::marker_of(pieces, 7);
+  SumCache sums;
+  const auto first = first_layout(marker, {sums});
+  PackSettings settings;
+  settings.limits.nodes = 6'000;
+  const Packing packing = packed(marker, settings);
+  EXPECT_FALSE(packing.proved);
+  EXPECT_TRUE(is_valid(packing.marker));
+  EXPECT_LT(packing.length_after, length_of(*first) - test::kSquare);
+  EXPECT_LE(packing.bound, packing.length_after);
 }
 
 TEST(Pack, StopsWhenAsked) {
