@@ -73,7 +73,7 @@ bool are_clear(const PlacedPieces& pieces, std::span<const std::uint32_t> change
 
 Coord protrusion_of(const PlacedPieces& pieces, std::size_t piece, const Strip& strip) {
   const Box box = pieces.box(piece);
-  const Box room = pieces.room(piece, strip, strip.last().value_or(box.high.x));
+  const Box room = pieces.room(piece, strip, strip.last().value_or(kLatticeLimit));
   return std::max({room.low.x - box.low.x, room.low.y - box.low.y, box.high.x - room.high.x, box.high.y - room.high.y});
 }
 
@@ -106,6 +106,10 @@ bool may_lie(const Marker& marker, const Piece& piece) {
   const bool in_band = (!rules.from && !rules.to) || box.width() <= room.width();
   if (box.height() > room.height() || !in_band) return false;
   if (marker.shade && box.width() > *marker.shade && shares_shade(marker, piece)) return false;
+  if (rules.match) {
+    const Box matched = matched_room(room, box, turned_match(piece), strip.repeat);
+    if (matched.height() < box.height() || matched.width() < box.width()) return false;
+  }
   return !rules.on_fold || has_flat_bottom(outline);
 }
 

@@ -98,6 +98,14 @@ std::optional<Error> strip_defect(const Marker& marker) {
     return Error{ErrorCode::kOutOfRange, "the selvedges below and above leave nothing of the strip's width",
                  marker.strip.above ? "/strip/above" : "/strip/below"};
   }
+  for (const auto& [repeat, name] :
+       {std::pair{marker.strip.repeat.along, "along"}, {marker.strip.repeat.across, "across"}}) {
+    if (repeat >= 0) continue;
+    return Error{
+        ErrorCode::kOutOfRange,
+        "the repeat " + std::string{name} + " is " + decimal(repeat, marker.resolution) + "; it must be 0 or more",
+        "/strip/repeat/" + std::string{name}};
+  }
   if (marker.shade && *marker.shade <= 0) {
     return Error{
         ErrorCode::kOutOfRange,
@@ -186,6 +194,13 @@ std::optional<Error> room_defect(const Marker& marker, const Piece& piece, const
         "the piece is " + long_by(box.width()) + "; its rules leave it " + decimal(room.width(), marker.resolution),
         at + "/rules/" + (piece.rules.to ? "to" : "from")};
   }
+  if (piece.rules.match) {
+    const Box matched = matched_room(room, box.moved(piece.at), piece.at + turned_match(piece), marker.strip.repeat);
+    if (matched.width() < box.width() || matched.height() < box.height()) {
+      return Error{ErrorCode::kOutOfRange, "in the room of the piece its match point meets no repeat of the cloth",
+                   at + "/rules/match"};
+    }
+  }
   if (!shaded || *marker.shade >= box.width() || !shares_shade(marker, piece)) return std::nullopt;
   return Error{ErrorCode::kOutOfRange,
                "the length of a shade is " + decimal(*marker.shade, marker.resolution) + "; piece \"" + piece.id +
@@ -247,6 +262,10 @@ Polygon placed_outline(const Marker& marker, PieceId id) {
   Polygon outline = oriented(marker.shapes[piece.shape.value].outline, piece.orientation);
   for (Vec& v : outline) v = v + piece.at;
   return outline;
+}
+
+Vec turned_match(const Piece& piece) {
+  return piece.rules.match ? oriented(Polygon{*piece.rules.match}, piece.orientation).front() : Vec{};
 }
 
 Coord length_of(const Marker& marker) {

@@ -28,7 +28,8 @@ struct Strip {
   std::optional<Coord> longest{};  // the length of the cloth if it is limited: no piece may extend beyond it
   Coord margin{};  // distance that pieces keep from the strip's long edges and from the ends of the cloth
   std::optional<Coord> below{},
-      above{};  // the selvedges: distances from the lower and the upper edge; none: the margin
+      above{};      // the selvedges: distances from the lower and the upper edge; none: the margin
+  Repeat repeat{};  // of the cloth's pattern, which pieces with a match point keep
 
   // The box in which pieces may lie, up to x = `end`, unless they have rules of their own (core/marker/rules.h).
   [[nodiscard]] constexpr Box room(Coord end) const {
@@ -107,6 +108,10 @@ inline constexpr std::size_t kMaxPieces = 20'000;  // placed and unplaced ones t
 
 // A piece's outline at its position and in its orientation.
 [[nodiscard]] Polygon placed_outline(const Marker& marker, PieceId piece);
+
+// The match point of a piece as it is turned, rounded to the lattice like the vertices of the outline, from the piece's
+// position; 0 when it has none.
+[[nodiscard]] Vec turned_match(const Piece& piece);
 
 // The x coordinate at which the rightmost piece ends; lattice units.
 [[nodiscard]] Coord length_of(const Marker& marker);

@@ -51,9 +51,12 @@ PlacedPieces::PlacedPieces(const Marker& marker) : spacing_{marker.spacing} {
   const Coord widest_buffer = buffers_.empty() ? 0 : *std::max_element(buffers_.begin(), buffers_.end());
   widest_spacing_ = std::max(spacing_, 2 * widest_buffer);
   if (auto rooms = rooms_of(marker)) rooms_ = std::make_shared<const Rooms>(*std::move(rooms));
+  if (!rooms_) return;
+  for (const Piece& piece : marker.pieces) matches_.push_back(turned_match(piece));
 }
 
-void PlacedPieces::replace(std::size_t piece, Polygon polygon, Vec at) {
+void PlacedPieces::replace(std::size_t piece, Polygon polygon, Vec at, Vec match) {
+  if (rooms_) matches_[piece] = match;
   const Box box = box_of(polygon);
   polygons_[piece] = std::make_shared<const SharedPolygon>(SharedPolygon{std::move(polygon), box});
   at_[piece] = at;
@@ -67,6 +70,13 @@ Coord PlacedPieces::length() const {
   Coord length = 0;
   for (std::size_t i = 0; i < size(); ++i) length = std::max(length, box(i).high.x);
   return length;
+}
+
+Box PlacedPieces::room_by_rules(std::size_t piece, const Strip& strip, Coord end) const {
+  const Rules& rules = rooms_->rules[piece];
+  const Box own = box(piece);
+  const Box room = room_for(rules, own.height(), strip, end);
+  return rules.match ? matched_room(room, own, at_[piece] + matches_[piece], strip.repeat) : room;
 }
 
 Box PlacedPieces::room_among(std::size_t piece, const std::vector<bool>& moving, const Strip& strip, Coord end) const {

@@ -40,8 +40,9 @@ class PlacedPieces {
   void place(std::vector<Vec> positions) { at_ = std::move(positions); }
   // Moves every piece, each by a vector of its own.
   void move_by(std::span<const Vec> by);
-  // Replaces the polygon and position of one piece, for instance after a tilt.
-  void replace(std::size_t piece, Polygon polygon, Vec at);
+  // Replaces the polygon and position of one piece, for instance after a tilt.  `match`: its match point as it is
+  // turned now, if it has one.
+  void replace(std::size_t piece, Polygon polygon, Vec at, Vec match);
   // The least signed distance that the two pieces must keep: the marker's spacing or the sum of their buffers,
   // whichever is larger; when both are 0, the smaller of their overlap allowances, negated.
   [[nodiscard]] Coord spacing(PiecePair pair) const {
@@ -53,9 +54,15 @@ class PlacedPieces {
   [[nodiscard]] Coord widest_spacing() const { return widest_spacing_; }
   // The x coordinate at which the rightmost piece ends.
   [[nodiscard]] Coord length() const;
-  // The box in which the piece's box may lie when the strip ends at x = `end`.
+  // The box in which the piece's box may lie when the strip ends at x = `end`; of a piece that is matched to the cloth,
+  // without changing to another repeat.
   [[nodiscard]] Box room(std::size_t piece, const Strip& strip, Coord end) const {
-    return rooms_ ? room_for(rooms_->rules[piece], polygons_[piece]->box.height(), strip, end) : strip.room(end);
+    return rooms_ ? room_by_rules(piece, strip, end) : strip.room(end);
+  }
+  // How far apart the positions of the piece are that are alike to the cloth's pattern; 0 on an axis on which all are.
+  [[nodiscard]] Vec repeat_of(std::size_t piece, const Strip& strip) const {
+    const bool matched = rooms_ && rooms_->rules[piece].match;
+    return matched ? Vec{strip.repeat.along, strip.repeat.across} : Vec{};
   }
   // The same, and near enough to the other pieces of its shade where they are now: those that move with it aside.
   // Empty (high < low) where no position is.
@@ -68,10 +75,13 @@ class PlacedPieces {
   [[nodiscard]] Coord excess_of(const Shade& shade) const;
 
  private:
+  [[nodiscard]] Box room_by_rules(std::size_t piece, const Strip& strip, Coord end) const;
+
   std::vector<std::shared_ptr<const SharedPolygon>> polygons_;
   std::vector<Vec> at_;
   std::vector<Coord> buffers_;
   std::vector<Coord> overlaps_;  // the overlap allowance of each piece
+  std::vector<Vec> matches_;     // the match point of each piece as it is turned; empty when no piece has rules
   Coord spacing_, widest_spacing_;
   std::shared_ptr<const Rooms> rooms_;  // null: no piece has rules
 };

@@ -7,6 +7,37 @@
 #include "core/marker/marker.h"
 
 namespace selvage::marker {
+namespace {
+
+// The multiple of `repeat` that is nearest to `by` between `low` and `high`; nothing when there is none between them.
+std::optional<Coord> nearest_multiple(Coord by, Coord repeat, Coord low, Coord high) {
+  const auto floored = [repeat](Coord value) {
+    const Coord rest = value % repeat;
+    return value - (rest < 0 ? rest + repeat : rest);
+  };
+  const Coord least = floored(low + repeat - 1);
+  const Coord most = floored(high);
+  if (least > most) return std::nullopt;
+  return std::clamp(floored(by + repeat / 2), least, most);
+}
+
+// One axis of matched_room.
+void match(Coord& room_low, Coord& room_high, Coord low, Coord high, Coord point, Coord repeat, Coord phase) {
+  if (repeat <= 0) return;
+  const Coord off = point - phase;  // in phase where the piece moves by a multiple of the repeat, less this
+  const auto to = nearest_multiple(off, repeat, room_low - low + off, room_high - high + off);
+  room_high = to ? high + *to - off : room_low + (high - low) - 1;
+  if (to) room_low = low + *to - off;
+}
+
+}  // namespace
+
+Box matched_room(const Box& room, const Box& box, Vec point, const Repeat& repeat) {
+  Box matched = room;
+  match(matched.low.x, matched.high.x, box.low.x, box.high.x, point.x, repeat.along, repeat.phase.x);
+  match(matched.low.y, matched.high.y, box.low.y, box.high.y, point.y, repeat.across, repeat.phase.y);
+  return matched;
+}
 
 Box room_for(const Rules& rules, Coord height, const Strip& strip, Coord end) {
   Box room = strip.room(end);
@@ -37,34 +68,6 @@ std::optional<Rooms> rooms_of(const Marker& marker) {
     if (pieces.size() > 1) rooms.shades.push_back({std::move(pieces), *marker.shade});
   }
   return rooms;
-}
-
-std::optional<Error> refused_rule(const Marker& marker, const std::string& operation) {
-  const auto named = [&](const Piece& piece, const std::string& list, std::size_t index) -> std::optional<Error> {
-    const Rules& rules = piece.rules;
-    std::string rule;
-    if (rules.on_fold) {
-      rule = "fold";
-    } else if (rules.below || rules.above) {
-      rule = rules.below ? "below" : "above";
-    } else if (rules.from || rules.to) {
-      rule = rules.from ? "from" : "to";
-    } else if (marker.shade && !rules.shade.empty()) {
-      rule = "shade";
-    }
-    if (rule.empty()) return std::nullopt;
-    return Error{ErrorCode::kOutOfRange,
-                 operation + " does not know the rule \"" + rule + "\" of piece \"" + piece.id +
-                     "\"; only pieces without rules of their own are allowed",
-                 "/" + list + "/" + std::to_string(index) + "/rules/" + rule};
-  };
-  for (std::size_t i = 0; i < marker.pieces.size(); ++i) {
-    if (auto error = named(marker.pieces[i], "pieces", i)) return error;
-  }
-  for (std::size_t i = 0; i < marker.unplaced.size(); ++i) {
-    if (auto error = named(marker.unplaced[i], "unplaced", i)) return error;
-  }
-  return std::nullopt;
 }
 
 }  // namespace selvage::marker

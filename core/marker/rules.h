@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "core/base/error.h"
 #include "core/geometry/lattice.h"
 
 namespace selvage::marker {
@@ -16,21 +15,36 @@ namespace selvage::marker {
 struct Marker;
 struct Strip;
 
+// The pattern of the cloth: stripes repeat on one axis, a plaid on both.
+struct Repeat {
+  Coord along{}, across{};  // the length of a repeat in x and in y; 0: the pattern does not change along that axis
+  Vec phase{};              // a point at which a repeat begins
+
+  [[nodiscard]] bool any() const { return along > 0 || across > 0; }
+  friend bool operator==(const Repeat&, const Repeat&) = default;
+};
+
 // The rules of one piece.  One that is absent leaves the piece to the strip.
 struct Rules {
   std::optional<Coord> below{}, above{};  // selvedges of its own: its distances from the strip's long edges
   std::optional<Coord> from{}, to{};      // a band across the cloth: it lies between these two x
   bool on_fold{};                         // its lowest edge lies on the strip's lower edge, where the cloth is folded
+  std::optional<Vec> match{};             // a point of the shape that lies where a repeat of the cloth begins
   std::string shade{};                    // pieces of one shade lie within Marker::shade of each other; empty: of none
 
   // True when some rule concerns this piece alone, so that its room is not the strip's.
-  [[nodiscard]] bool own_room() const { return below || above || from || to || on_fold; }
+  [[nodiscard]] bool own_room() const { return below || above || from || to || on_fold || match; }
   friend bool operator==(const Rules&, const Rules&) = default;
 };
 
 // The room of a piece: the box in which its own box may lie when the strip ends at x = `end`.  `height`: of the piece's
 // box, which fills the room across when it lies on the fold.
 [[nodiscard]] Box room_for(const Rules& rules, Coord height, const Strip& strip, Coord end);
+
+// The part of a room in which a piece that is matched to the cloth may lie without changing to another repeat: on an
+// axis on which the pattern repeats, its only position is the one nearest to where it lies now.  `box` and `point`:
+// where its box and its match point lie now.  Empty (high < low) on an axis on which the room has no position for it.
+[[nodiscard]] Box matched_room(const Box& room, const Box& box, Vec point, const Repeat& repeat);
 
 // The pieces of one shade: from the left end of the leftmost to the right end of the rightmost is at most `length`.
 struct Shade {
@@ -45,9 +59,5 @@ struct Rooms {
 };
 // Nothing when no placed piece has a rule.
 [[nodiscard]] std::optional<Rooms> rooms_of(const Marker& marker);
-
-// For operations that know no rooms but the strip's: the error that names the first piece, placed or not, that has a
-// rule.  `operation` begins the message: "nesting".  Code: kOutOfRange.
-[[nodiscard]] std::optional<Error> refused_rule(const Marker& marker, const std::string& operation);
 
 }  // namespace selvage::marker

@@ -34,7 +34,7 @@ void Scene::reorient(PieceId piece, const Orientation& orientation, Vec at) {
   own.orientation = orientation;
   own.at = at;
   outlines[piece.value] = oriented_outline(marker, piece, sums);
-  pieces.replace(piece.value, oriented(marker.shapes[own.shape.value].outline, orientation), at);
+  pieces.replace(piece.value, oriented(marker.shapes[own.shape.value].outline, orientation), at, turned_match(own));
 }
 
 std::vector<minkowski::Obstacle> Scene::obstacles(std::span<const marker::PiecePair> pairs, const Executor& executor,

@@ -52,6 +52,13 @@ bool turn(Piece& piece, const Shape& shape, const Box& box, std::mt19937& random
   return true;
 }
 
+// Moves a piece that is matched to the cloth by one repeat of its pattern, to either side.
+void jump(Piece& piece, Vec repeat, std::mt19937& random) {
+  const bool along = repeat.y == 0 || (repeat.x != 0 && random() % 2 == 0);
+  const Coord by = random() % 2 == 0 ? 1 : -1;
+  (along ? piece.at.x : piece.at.y) += by * (along ? repeat.x : repeat.y);
+}
+
 // A piece of `free`, mostly one that is on the critical path as well.
 std::uint32_t drawn_piece(const std::vector<std::uint32_t>& free, std::span<const PieceId> critical,
                           const SwapTuning& tuning, std::mt19937& random) {
@@ -76,7 +83,10 @@ std::optional<DrawnSwap> draw_swap(const Marker& start, std::mt19937& random, st
   Marker next = start;
   const std::uint32_t i = drawn_piece(free, critical, tuning, random);
   Piece& piece = next.pieces[i];
-  if (random() % tuning.turns_one_in == 0) {
+  const Vec repeat = pieces.repeat_of(i, start.strip);
+  if (repeat != Vec{} && random() % tuning.jumps_one_in == 0) {
+    jump(piece, repeat, random);
+  } else if (random() % tuning.turns_one_in == 0) {
     if (!turn(piece, start.shapes[piece.shape.value], pieces.box(i), random)) return std::nullopt;
   } else {
     const auto j = partner_of(i, start, pieces, free, tuning, random);

@@ -1,6 +1,7 @@
 // Swaps reach layouts that no motion of all pieces at once can reach: two pieces change places, or one turns to another
-// of its rotations; then overlapping pieces are separated and the marker is compacted.  This is one step of a local
-// search over layouts, for which [Li94 10] suggests a database of layouts.
+// of its rotations, or one that is matched to the cloth moves by a repeat of the pattern; then overlapping pieces are
+// separated and the marker is compacted.  This is one step of a local search over layouts, for which [Li94 10] suggests
+// a database of layouts.
 #pragma once
 
 #include <cstdint>

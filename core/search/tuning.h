@@ -9,6 +9,7 @@ namespace selvage::search {
 
 struct SwapTuning {
   unsigned turns_one_in{5};       // one trial in this many turns a piece, the others swap two
+  unsigned jumps_one_in{2};       // of a piece that is matched to the cloth: one in this many moves it by a repeat
   std::size_t partners{8};        // partners of a piece that are drawn from: those that fit its place best
   double distance_weight{0.02};   // of the distance along the strip, relative to the difference of the boxes' sides
   int separation_rounds{12};      // of separation after a swap

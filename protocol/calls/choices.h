@@ -42,7 +42,7 @@ template <>
 struct Choices<motion::compaction::Rule> {
   static constexpr std::string_view kName = "ClothRule";
   static constexpr std::string_view kMeaning = "One of cloth's rules, which say where on the strip a piece may lie.";
-  static constexpr std::string_view kWords[] = {"below", "above", "from", "to", "fold", "shade"};
+  static constexpr std::string_view kWords[] = {"below", "above", "from", "to", "fold", "shade", "matchX", "matchY"};
 };
 
 template <>

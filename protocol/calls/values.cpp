@@ -39,12 +39,6 @@ Result<PieceId> piece_of(const Marker& marker, const std::string& id, const std:
 namespace selvage::protocol::schema {
 namespace {
 
-const Component& point_component() {
-  static const Component kPoint{
-      .name = "Point", .meaning = "[x, y] in the marker's unit.", .same_as = pair_of({Type::Kind::kNumber})};
-  return kPoint;
-}
-
 const Component& direction_component() {
   static const Component kDirection{.name = "Direction",
                                     .meaning = "[x, y], with x along the strip and y across it; never [0, 0].",
@@ -60,15 +54,6 @@ const Component& token_component() {
 }
 
 }  // namespace
-
-Type Wire<calls::Point>::type() {
-  return {.kind = Type::Kind::kNamed, .component = &point_component};
-}
-
-void Wire<calls::Point>::read(const FieldAt& at, calls::Point& value) {
-  const Json& read = at.fields.array(at.key);
-  if (!at.mistake) value = formats::read_point(read, at.pointer(), at.mistake);
-}
 
 Type Wire<calls::Direction>::type() {
   return {.kind = Type::Kind::kNamed, .component = &direction_component};

@@ -54,13 +54,6 @@ struct Document {
 namespace selvage::protocol::schema {
 
 template <>
-struct Wire<calls::Point> {
-  static Type type();
-  static Json write(const calls::Point& value) { return Json::array({value.x, value.y}); }
-  static void read(const FieldAt& at, calls::Point& value);
-};
-
-template <>
 struct Wire<calls::Direction> {
   static Type type();
   static Json write(const calls::Direction& value) { return Json::array({value.x, value.y}); }

@@ -13,6 +13,8 @@ constexpr std::string_view kRuleStyle = R"(<style>
 .fold { stroke: #1d1c1a; stroke-width: 2.4; stroke-dasharray: 10 3 2 3; }
 .band { stroke: #4f7a3a; stroke-width: 1; stroke-dasharray: 6 3; }
 .shade { stroke: #b0762a; stroke-width: 2; }
+.repeat { stroke: #7b86a8; stroke-width: 0.5; stroke-dasharray: 1 2; }
+.match { stroke: #2f3f7a; stroke-width: 1; }
 .shade-name { font-size: 8px; fill: #8a5a1c; }
 </style>
 )";
@@ -37,6 +39,33 @@ std::string bands(const Marker& marker, const View& view) {
   for (const Coord end : ends) {
     const double x = view.x(static_cast<double>(end));
     if (static_cast<double>(end) <= view.end()) out += line(x, view.top(), x, view.bottom(), "band");
+  }
+  return out;
+}
+
+// A line where each repeat of the cloth's pattern begins, and a cross at each match point.
+std::string pattern(const Marker& marker, const View& view) {
+  constexpr Coord kMost = 400;  // lines on an axis; a finer pattern is not drawn
+  constexpr double kArm = 3;    // pixels of a cross
+  const marker::Repeat& repeat = marker.strip.repeat;
+  const auto first = [](Coord phase, Coord step) { return ((phase % step) + step) % step; };
+  std::string out;
+  if (repeat.along > 0 && static_cast<double>(repeat.along) * kMost > view.end()) {
+    for (Coord x = first(repeat.phase.x, repeat.along); static_cast<double>(x) <= view.end(); x += repeat.along) {
+      out += line(view.x(static_cast<double>(x)), view.top(), view.x(static_cast<double>(x)), view.bottom(), "repeat");
+    }
+  }
+  if (repeat.across > 0 && repeat.across * kMost > marker.strip.width) {
+    for (Coord y = first(repeat.phase.y, repeat.across); y <= marker.strip.width; y += repeat.across) {
+      out +=
+          line(view.x(0), view.y(static_cast<double>(y)), view.x(view.end()), view.y(static_cast<double>(y)), "repeat");
+    }
+  }
+  for (const Piece& piece : marker.pieces) {
+    if (!piece.rules.match) continue;
+    const Vec at = piece.at + turned_match(piece);
+    const double x = view.x(static_cast<double>(at.x)), y = view.y(static_cast<double>(at.y));
+    out += line(x - kArm, y, x + kArm, y, "match") + line(x, y - kArm, x, y + kArm, "match");
   }
   return out;
 }
@@ -69,6 +98,7 @@ std::string rules(const Marker& marker, const View& view) {
     out += line(view.x(0), view.bottom(), view.x(view.end()), view.bottom(), "fold");
   }
   out += bands(marker, view);
+  if (strip.repeat.any()) out += pattern(marker, view);
   if (marker.shade) out += shades(marker, view);
   return out.empty() ? out : "<g>\n" + std::string{kRuleStyle} + out + "</g>\n";
 }

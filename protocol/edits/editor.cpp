@@ -253,6 +253,7 @@ class Editor {
     if (strip.longest && strip.longest->value) mine.longest = length(*strip.longest->value, "/longest");
     if (strip.below) mine.below = selvedge(*strip.below, "/below");
     if (strip.above) mine.above = selvedge(*strip.above, "/above");
+    if (strip.repeat) mine.repeat = repeat_of(*strip.repeat, "/repeat");
     blame_.strip = edit_;
   }
   void apply(const SetSpacing& spacing) {
@@ -270,6 +271,11 @@ class Editor {
   }
   std::optional<Coord> selvedge(const NullableLength& given, std::string_view field) {
     return given.value ? std::optional{clearance(*given.value, field)} : std::nullopt;
+  }
+  marker::Repeat repeat_of(const formats::DecimalRepeat& written, std::string_view field) {
+    if (formats::fits_lattice(written, resolution())) return formats::repeat_on_lattice(written, resolution());
+    mistake_.add(ErrorCode::kBeyondLattice, "a length of the repeat is too far", pointer_of(edit_, field));
+    return {};
   }
   marker::Rules rules_of(const formats::DecimalRules& written, std::string_view field) {
     if (formats::fits_lattice(written, resolution())) return formats::rules_on_lattice(written, resolution());

@@ -221,6 +221,7 @@ struct SetStrip {
   std::optional<NullableLength> longest;  // null: the cloth has no end
   std::optional<double> margin;
   std::optional<NullableLength> below, above;  // null: the margin holds there
+  std::optional<formats::DecimalRepeat> repeat;
 
   static void describe(auto& v, auto& self) {
     v.constant("op", kOp, kOpMeaning);
@@ -229,11 +230,12 @@ struct SetStrip {
     v.optional("margin", self.margin, "The distance that pieces keep from the strip's edges.", kLengths);
     v.optional("below", self.below, "The distance from the lower edge; null: the margin.", kLengths);
     v.optional("above", self.above, "The distance from the upper edge; null: the margin.", kLengths);
+    v.optional("repeat", self.repeat, "The pattern of the cloth; {}: it has none.");
     v.check([](const json::Fields& op, json::Mistake& mistake) {
-      for (const std::string_view field : {"width", "longest", "margin", "below", "above"}) {
+      for (const std::string_view field : {"width", "longest", "margin", "below", "above", "repeat"}) {
         if (op.has(field)) return;
       }
-      mistake.add(ErrorCode::kMissingField, "width, longest, margin, below or above is required", op.pointer());
+      mistake.add(ErrorCode::kMissingField, "width, longest, margin, below, above or repeat is required", op.pointer());
     });
   }
 };

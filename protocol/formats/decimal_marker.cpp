@@ -80,6 +80,10 @@ void add_rules(Survey& all, const DecimalRules& rules, const std::string& at) {
        {std::pair{rules.below, "/below"}, {rules.above, "/above"}, {rules.from, "/from"}, {rules.to, "/to"}}) {
     if (length) all.add(*length, at + name);
   }
+  if (rules.match) {
+    all.add(rules.match->x, at + "/match");
+    all.add(rules.match->y, at + "/match");
+  }
 }
 
 Survey survey(const DecimalMarker& written, const ShapeIndex& shapes) {
@@ -91,6 +95,10 @@ Survey survey(const DecimalMarker& written, const ShapeIndex& shapes) {
   if (written.longest) all.add(*written.longest, "/strip/longest");
   all.add(written.below.value_or(0), "/strip/below");
   all.add(written.above.value_or(0), "/strip/above");
+  all.add(written.repeat.along.value_or(0), "/strip/repeat/along");
+  all.add(written.repeat.across.value_or(0), "/strip/repeat/across");
+  all.add(written.repeat.phase.value_or(Decimal{}).x, "/strip/repeat/phase");
+  all.add(written.repeat.phase.value_or(Decimal{}).y, "/strip/repeat/phase");
   all.add(written.shade.value_or(0), "/shade");
   for (std::size_t i = 0; i < written.shapes.size(); ++i) {
     const std::string at = indexed("/shapes/", i, "/outline");
@@ -226,6 +234,7 @@ Result<MarkerFile> on_lattice(const DecimalMarker& written, document::Attributes
   marker.strip.margin = spacing_on_lattice(written.margin, *resolution);
   if (written.below) marker.strip.below = spacing_on_lattice(*written.below, *resolution);
   if (written.above) marker.strip.above = spacing_on_lattice(*written.above, *resolution);
+  marker.strip.repeat = repeat_on_lattice(written.repeat, *resolution);
   if (written.shade) marker.shade = overlap_on_lattice(*written.shade, *resolution);
   marker.spacing = spacing_on_lattice(written.spacing, *resolution);
   marker.overlap = overlap_on_lattice(written.overlap, *resolution);
@@ -291,39 +300,6 @@ Coord spacing_on_lattice(double spacing, Resolution resolution) {
 Coord overlap_on_lattice(double overlap, Resolution resolution) {
   const Coord nearest = to_lattice(overlap, resolution);
   return to_decimal(nearest, resolution) > overlap ? nearest - 1 : nearest;
-}
-
-marker::Rules rules_on_lattice(const DecimalRules& written, Resolution resolution) {
-  marker::Rules rules;
-  if (written.below) rules.below = spacing_on_lattice(*written.below, resolution);
-  if (written.above) rules.above = spacing_on_lattice(*written.above, resolution);
-  if (written.from) rules.from = spacing_on_lattice(*written.from, resolution);
-  if (written.to) rules.to = overlap_on_lattice(*written.to, resolution);
-  rules.on_fold = written.fold.value_or(false);
-  rules.shade = written.shade.value_or("");
-  return rules;
-}
-
-DecimalRules decimal_rules(const marker::Rules& rules, Resolution resolution) {
-  const auto decimal = [resolution](std::optional<Coord> length) {
-    return length ? std::optional{to_decimal(*length, resolution)} : std::nullopt;
-  };
-  DecimalRules written{.below = decimal(rules.below),
-                       .above = decimal(rules.above),
-                       .from = decimal(rules.from),
-                       .to = decimal(rules.to),
-                       .fold = {},
-                       .shade = {}};
-  if (rules.on_fold) written.fold = true;
-  if (!rules.shade.empty()) written.shade = rules.shade;
-  return written;
-}
-
-bool fits_lattice(const DecimalRules& written, Resolution resolution) {
-  const std::array lengths{written.below, written.above, written.from, written.to};
-  return std::all_of(lengths.begin(), lengths.end(), [&](const std::optional<double>& length) {
-    return geometry::fits_lattice(length.value_or(0), resolution);
-  });
 }
 
 double in_unit(double lattice, Resolution resolution) {

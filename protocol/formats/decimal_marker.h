@@ -11,45 +11,17 @@
 
 #include "core/base/result.h"
 #include "core/marker/marker.h"
+#include "protocol/formats/decimal_rules.h"
 #include "protocol/formats/format.h"
 #include "protocol/json/fields.h"
-#include "protocol/schema/visitors.h"
 
 namespace selvage::protocol::formats {
-
-struct Decimal {
-  double x{}, y{};
-};
 
 struct DecimalShape {
   Shape shape;  // all but the outline
   std::vector<Decimal> outline;
   std::size_t holes{};  // left out: a piece is treated as filled
 };
-
-// Cloth's rules of a piece (core/marker/rules.h), as files and messages hold them.
-struct DecimalRules {
-  static constexpr std::string_view kName = "PieceRules", kMeaning = "Where on the strip a piece may lie.";
-  static constexpr schema::Limits kRule{.range = {{0, 1e9}}};  // lengths
-  std::optional<double> below, above, from, to;
-  std::optional<bool> fold;
-  std::optional<std::string> shade;
-
-  static void describe(auto& v, auto& self) {
-    v.optional("below", self.below, "Its distance from the strip's lower edge, in place of the strip's own.", kRule);
-    v.optional("above", self.above, "Its distance from the strip's upper edge, in place of the strip's own.", kRule);
-    v.optional("from", self.from, "It lies at this x or beyond.", kRule);
-    v.optional("to", self.to, "It ends at this x or before.", kRule);
-    v.optional("fold", self.fold, "Whether its lowest side lies on the strip's lower edge, where the cloth is folded.");
-    v.optional("shade", self.shade,
-               "The name of its shade: the pieces of a shade lie near each other along the strip.");
-  }
-  friend bool operator==(const DecimalRules&, const DecimalRules&) = default;
-};
-// The rules on the lattice: distances are rounded so that the rule as written is kept.
-[[nodiscard]] marker::Rules rules_on_lattice(const DecimalRules& written, Resolution resolution);
-[[nodiscard]] DecimalRules decimal_rules(const marker::Rules& rules, Resolution resolution);
-[[nodiscard]] bool fits_lattice(const DecimalRules& written, Resolution resolution);
 
 struct DecimalPiece {
   Piece piece;  // all but shape, position, buffer, overlap allowance and rules
@@ -65,6 +37,7 @@ struct DecimalMarker {
   std::optional<Resolution> resolution;  // absent: chosen
   double width{}, spacing{}, overlap{}, margin{};
   std::optional<double> longest, below, above;
+  DecimalRepeat repeat;
   std::optional<double> shade;
   std::vector<DecimalShape> shapes;
   std::vector<DecimalPiece> pieces;

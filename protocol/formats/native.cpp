@@ -102,6 +102,9 @@ void read_strip(json::Fields& fields, json::Mistake& mistake, DecimalMarker& mar
   marker.margin = strip.number_or("margin", 0, {0, kStripWidths.most});
   marker.below = strip.maybe_number("below", {0, kStripWidths.most});
   marker.above = strip.maybe_number("above", {0, kStripWidths.most});
+  if (const Json* repeat = strip.maybe_object("repeat")) {
+    marker.repeat = schema::decode_at<DecimalRepeat>(*repeat, strip.pointer("repeat"), mistake);
+  }
   strip.finish();
 }
 
@@ -194,6 +197,8 @@ Json native_document(const MarkerFile& file) {
   if (marker.strip.margin > 0) strip["margin"] = to_decimal(marker.strip.margin, marker.resolution);
   if (marker.strip.below) strip["below"] = to_decimal(*marker.strip.below, marker.resolution);
   if (marker.strip.above) strip["above"] = to_decimal(*marker.strip.above, marker.resolution);
+  if (marker.strip.repeat.any())
+    strip["repeat"] = schema::encode(decimal_repeat(marker.strip.repeat, marker.resolution));
   Json document{{"format", kNativeName},
                 {"version", kNativeVersion},
                 {"name", marker.name},

@@ -22,7 +22,11 @@ Json outlines_document(const Marker& marker) {
     const Coord allowance = allowance_of(marker, marker.pieces[i]);
     if (allowance > 0) pieces.back()["overlap"] = to_decimal(allowance, marker.resolution);
     if (const marker::Rules& rules = marker.pieces[i].rules; rules != marker::Rules{}) {
-      pieces.back()["rules"] = schema::encode(decimal_rules(rules, marker.resolution));
+      Json& written = pieces.back()["rules"] = schema::encode(decimal_rules(rules, marker.resolution));
+      // Where it lies, as the outline: the shape's own coordinates say nothing here.
+      if (rules.match) {
+        written["match"] = point_json(marker.pieces[i].at + turned_match(marker.pieces[i]), marker.resolution);
+      }
     }
   }
   Json document{{"strip_height", to_decimal(marker.strip.width, marker.resolution)},
@@ -30,6 +34,9 @@ Json outlines_document(const Marker& marker) {
   for (const auto& [length, name] :
        {std::pair{marker.strip.below, "below"}, {marker.strip.above, "above"}, {marker.shade, "shade"}}) {
     if (length) document[name] = to_decimal(*length, marker.resolution);
+  }
+  if (marker.strip.repeat.any()) {
+    document["repeat"] = schema::encode(decimal_repeat(marker.strip.repeat, marker.resolution));
   }
   document["pieces"] = std::move(pieces);
   return document;

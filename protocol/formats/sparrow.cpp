@@ -23,10 +23,11 @@ constexpr double kTiltSlack = 5e-5;  // degrees; the same where a shape may tilt
 // A pointer into the native form as one into this form.  `filled`: the shapes written as {outer, inner}.
 std::string renamed(const std::string& pointer, const std::vector<bool>& filled) {
   using Names = std::pair<std::string_view, std::string_view>;
-  static constexpr std::array<Names, 7> kWhole{{{"/strip/width", "/strip_height"},
+  static constexpr std::array<Names, 8> kWhole{{{"/strip/width", "/strip_height"},
                                                 {"/strip/margin", "/margin"},
                                                 {"/strip/below", "/below"},
                                                 {"/strip/above", "/above"},
+                                                {"/strip/repeat", "/repeat"},
                                                 {"/unit", "/units"},
                                                 {"/shapes", "/items"},
                                                 {"/pieces", "/solution/layout/placed_items"}}};
@@ -237,6 +238,9 @@ Result<MarkerFile> read_sparrow(const Json& document) {
   marker.margin = fields.number_or("margin", 0, {0, kStripWidths.most});
   marker.below = fields.maybe_number("below", {0, kStripWidths.most});
   marker.above = fields.maybe_number("above", {0, kStripWidths.most});
+  if (const Json* repeat = fields.maybe_object("repeat")) {
+    marker.repeat = schema::decode_at<DecimalRepeat>(*repeat, fields.pointer("repeat"), reading.mistake);
+  }
   marker.shade = fields.maybe_number("shade", {0, kStripWidths.most});
   marker.spacing = fields.number_or("spacing", 0, {0, marker.width});
   marker.overlap = fields.number_or("overlap", 0, {0, marker.width});
@@ -348,6 +352,9 @@ Result<Json> sparrow_document(const MarkerFile& file) {
   if (marker.strip.margin > 0) document["margin"] = to_decimal(marker.strip.margin, marker.resolution);
   if (marker.strip.below) document["below"] = to_decimal(*marker.strip.below, marker.resolution);
   if (marker.strip.above) document["above"] = to_decimal(*marker.strip.above, marker.resolution);
+  if (marker.strip.repeat.any()) {
+    document["repeat"] = schema::encode(decimal_repeat(marker.strip.repeat, marker.resolution));
+  }
   if (marker.shade) document["shade"] = to_decimal(*marker.shade, marker.resolution);
   if (marker.spacing > 0) document["spacing"] = to_decimal(marker.spacing, marker.resolution);
   if (marker.overlap > 0) document["overlap"] = to_decimal(marker.overlap, marker.resolution);

@@ -234,6 +234,13 @@ class DxfWriter {
     if (strip.margin > 0) say("Marker Margin", json::number_text(decimal(strip.margin)));
     if (strip.below) say("Marker Below", json::number_text(decimal(*strip.below)));
     if (strip.above) say("Marker Above", json::number_text(decimal(*strip.above)));
+    const marker::Repeat& repeat = strip.repeat;
+    if (repeat.along > 0) say("Marker Repeat Along", json::number_text(decimal(repeat.along)));
+    if (repeat.across > 0) say("Marker Repeat Across", json::number_text(decimal(repeat.across)));
+    if (repeat.any()) {
+      say("Marker Phase X", json::number_text(decimal(repeat.phase.x)));
+      say("Marker Phase Y", json::number_text(decimal(repeat.phase.y)));
+    }
     if (marker_.shade) say("Marker Shade", json::number_text(decimal(*marker_.shade)));
     if (strip.longest) say("Marker Longest", json::number_text(decimal(*strip.longest)));
     if (marker_.spacing > 0) say("Marker Spacing", json::number_text(decimal(marker_.spacing)));
@@ -275,6 +282,10 @@ class DxfWriter {
       if (length) attribute(at, tag, json::number_text(decimal(*length)));
     }
     if (piece.rules.on_fold) attribute(at, "FOLD", "yes");
+    if (piece.rules.match) {
+      attribute(at, "MATCH_X", json::number_text(decimal(piece.rules.match->x)));
+      attribute(at, "MATCH_Y", json::number_text(decimal(piece.rules.match->y)));
+    }
     if (!piece.rules.shade.empty()) attribute(at, "SHADE", piece.rules.shade);
     const Locks locks = piece.locked;
     const std::string locked = std::string{locks.x ? "x" : ""} + (locks.y ? "y" : "") + (locks.tilt ? "t" : "");

@@ -37,14 +37,15 @@ def native(path):
 
 def rich():
     return {"format": "selvage-marker", "version": 1, "name": "rich", "unit": "in", "resolution": 1e-6,
-            "strip": {"width": 100, "longest": 500, "margin": 0.5, "below": 1, "above": 2}, "spacing": 0.5,
+            "strip": {"width": 100, "longest": 500, "margin": 0.5, "below": 1, "above": 2,
+                      "repeat": {"along": 7, "across": 2.5, "phase": [1, -2]}}, "spacing": 0.5,
             "overlap": 0.25, "shade": 400, "attributes": {"any": ["thing"]},
             "shapes": [{"id": 1, "outline": [[0, 0], [40, 0], [40, 40], [0, 40], [0, 0]], "rotations": "any",
                         "flip": True, "tilt_limit": 3, "holes": [[[1, 1], [2, 1], [2, 2]]], "attributes": {}}],
             "pieces": [{"id": "a", "shape": 1, "at": [0, 40], "rotation": 90, "flip": True, "tilt": -1,
                         "locked": True, "attributes": {"x": None}},
                        {"id": "b", "shape": 1, "at": [100, 50], "locked": ["x", "tilt"], "group": 7, "buffer": 0.5,
-                        "overlap": 0, "rules": {"below": 3, "above": 4, "from": 0, "to": 300, "shade": "A"}}],
+                        "overlap": 0, "rules": {"below": 3, "above": 4, "from": 0, "to": 300, "match": [8, -2.5], "shade": "A"}}],
             "unplaced": [{"id": "c", "shape": 1, "rotation": 90, "flip": True, "tilt": 1, "locked": False,
                           "group": "g", "buffer": 1, "overlap": 0.125, "rules": {"shade": "A"}, "attributes": {}}]}
 
@@ -81,7 +82,8 @@ MISTAKES = [
     put(0, "shade"), put(["z"], "pieces", 1, "locked"), put(-1, "pieces", 1, "buffer"), put(-1, "pieces", 1, "overlap"),
     put(1.5, "pieces", 1, "group"), put(1, "pieces", 1, "rules"), put(-1, "pieces", 1, "rules", "below"),
     put("x", "pieces", 1, "rules", "from"), put(1, "pieces", 1, "rules", "fold"), put(2, "pieces", 1, "rules", "shade"),
-    put(1, "pieces", 1, "rules", "within"), put({}, "unplaced"), put([0, 0], "unplaced", 0, "at"),
+    put(-1, "strip", "repeat", "along"), put(1, "strip", "repeat", "every"), put(3, "strip", "repeat", "phase"),
+    put([1], "pieces", 1, "rules", "match"), put(1, "pieces", 1, "rules", "within"), put({}, "unplaced"), put([0, 0], "unplaced", 0, "at"),
     without("unplaced", 0, "shape"), put(400, "unplaced", 0, "rotation"),
     put(-50, "pieces", 0, "tilt"), put("no", "pieces", 0, "locked"), put([], "pieces", 0, "attributes"),
 ]

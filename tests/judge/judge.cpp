@@ -113,6 +113,19 @@ bool has_lowest_side(const Polygon& outline, Coord low) {
   return false;
 }
 
+// The first axis on which the match point of a piece lies where no repeat of the cloth begins; empty when there is
+// none.
+std::string match_fault(const Piece& piece, const marker::Repeat& repeat) {
+  if (!piece.rules.match || !repeat.any()) return "";
+  const Vec turned = oriented(Polygon{*piece.rules.match}, piece.orientation).front();
+  const Fine wanted = before_rounding({*piece.rules.match}, piece.orientation).front();
+  if (distance(wanted, fine(turned)) > kRounding) return "has its match point elsewhere";
+  if (repeat.along > 0 && (piece.at.x + turned.x - repeat.phase.x) % repeat.along != 0) return "is not matched along x";
+  if (repeat.across > 0 && (piece.at.y + turned.y - repeat.phase.y) % repeat.across != 0)
+    return "is not matched along y";
+  return "";
+}
+
 // The first two pieces of one shade that are too far from each other; empty when there are none.
 std::string shade_fault(const Marker& marker, const std::vector<Box>& boxes) {
   for (std::size_t i = 0; marker.shade && i < boxes.size(); ++i) {
@@ -136,8 +149,9 @@ std::string orientation_fault(const Marker& before, std::size_t k, const Orienta
   const Piece& piece = before.pieces[k];
   const Orientation& was = piece.orientation;
   if (after == was) return "";
-  const bool tilted_on_fold = piece.rules.on_fold && after.tilt != was.tilt;
-  const bool held = piece.locked.x || piece.locked.y || piece.locked.tilt || !piece.group.empty() || tilted_on_fold;
+  const bool by_rule = piece.rules.on_fold || (piece.rules.match && before.strip.repeat.any());
+  const bool tilted = by_rule && after.tilt != was.tilt;
+  const bool held = piece.locked.x || piece.locked.y || piece.locked.tilt || !piece.group.empty() || tilted;
   if (held) return "was turned although it is locked";
   const Shape& shape = before.shapes[piece.shape.value];
   if (after.flip != was.flip && !(leave.flips && shape.may_flip)) return "was flipped";
@@ -212,6 +226,7 @@ std::string Judge::fault_of(const Marker& marker) {
     }
     if (piece.rules.on_fold && !has_lowest_side(cut.outline, cut.box.low.y))
       return about(piece, "has no side on the fold");
+    if (const auto fault = match_fault(piece, marker.strip.repeat); !fault.empty()) return about(piece, fault);
   }
   if (const auto fault = shade_fault(marker, boxes); !fault.empty()) return fault;
   for (std::size_t i = 0; i < boxes.size(); ++i) {

@@ -4,14 +4,14 @@
 usage: judge_layout.py FILE...
 
 FILE: placed outlines, as `selvage compact --outlines FILE` and `selvage convert --format outlines` write them:
-{"strip_height": H, "strip_length": L, "below": B, "above": A, "shade": S,
+{"strip_height": H, "strip_length": L, "below": B, "above": A, "shade": S, "repeat": {"along": X, "across": Y, "phase": [x, y]},
  "pieces": [{"id": ID, "outline": [[x, y], ...], "overlap": A, "rules": {"below": ..., "shade": NAME}}, ...]}.
 Numbers are read as exact decimals and all tests use integers and fractions, so there is no tolerance.
 Pieces may touch each other and the strip's edges.  Two pieces with an `overlap` may overlap when a translation of one of
 them, no longer than the smaller of their two, separates them; it is looked for among fractions, too.  Prints each violation; exit status 1 if there is any.
 
 Pieces keep cloth's rules: the distances `below` and `above` from the long edges, the piece's own or else the strip's; `from`
-and `to`, between which a piece lies along the strip; `fold`, on which its lowest side lies; and all pieces of one shade
+and `to`, between which a piece lies along the strip; `match`, a point that lies where a repeat of the cloth begins; `fold`, on which its lowest side lies; and all pieces of one shade
 lie within the length `shade`.
 
 Two pieces overlap when some vertical line intersects both in intervals that share more than a point.  Between the
@@ -197,6 +197,13 @@ def broken_rules(piece, rules, strip):
         yield "leaves its band"
 
 
+def off_repeat(point, repeat):
+    """Yields the axes on which a match point lies where no repeat of the cloth begins; all numbers in the same unit."""
+    for axis, length, at, phase in zip("xy", (repeat.get("along", 0), repeat.get("across", 0)), point, repeat.get("phase", (0, 0))):
+        if length and (at - phase) % length:
+            yield axis
+
+
 def long_shades(pieces, longest):
     """Yields the names of the shades whose pieces take more of the length than `longest`; `pieces`: (name, piece)."""
     for name in sorted({name for name, _ in pieces}):
@@ -210,6 +217,9 @@ def violations(layout):
     numbers = [layout["strip_height"], layout["strip_length"]]
     numbers += [c for piece in layout["pieces"] for point in piece["outline"] for c in point]
     numbers += [piece.get("overlap", 0) for piece in layout["pieces"]]
+    repeat = layout.get("repeat", {})
+    numbers += [value for key, value in repeat.items() if key != "phase"] + list(repeat.get("phase", []))
+    numbers += [c for piece in layout["pieces"] for c in piece.get("rules", {}).get("match", [])]
     lengths = [{key: value for key, value in rules.items() if key in ("below", "above", "from", "to", "shade")}
                for rules in [layout] + [piece.get("rules", {}) for piece in layout["pieces"]]]
     numbers += [value for rules in lengths for value in rules.values() if not isinstance(value, str)]
@@ -218,7 +228,8 @@ def violations(layout):
     decimal = lambda number: number / unit
 
     height, length = whole(layout["strip_height"]), whole(layout["strip_length"])
-    scaled = lambda rules: {k: v if isinstance(v, (bool, str)) else whole(v) for k, v in rules.items()}
+    scaled = lambda rules: {k: v if isinstance(v, (bool, str)) else [whole(c) for c in v] if isinstance(v, list) else whole(v)
+                            for k, v in rules.items()}
     strip = {"height": height, **{key: whole(layout[key]) for key in ("below", "above") if key in layout}}
     sound, shaded = [], []
     for written in layout["pieces"]:
@@ -233,6 +244,8 @@ def violations(layout):
         rules = scaled(written.get("rules", {}))
         for broken in broken_rules(piece, rules, strip):
             yield f"piece {piece.name} {broken}"
+        for axis in off_repeat(rules["match"], scaled(repeat)) if "match" in rules else ():
+            yield f"piece {piece.name} is not matched to the cloth along {axis}"
         if "shade" in rules:
             shaded.append((rules["shade"], piece))
         fault = fault_of_outline(piece)

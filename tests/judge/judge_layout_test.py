@@ -109,6 +109,14 @@ class ClothsRules(Judged):
         self.keeps(box(10, 0, 10, 10), below=5, rules=[{"fold": True}])
         self.breaks("fold", box(10, LEAST, 10, 10), rules=[{"fold": True}])
 
+    def test_match_points_lie_where_repeats_begin(self):
+        square = box(10, 3, 10, 30)
+        repeat = {"along": 7, "across": 10, "phase": [3, 5]}
+        self.keeps(square, repeat=repeat, rules=[{"match": [17, 15]}])
+        self.breaks("along x", square, repeat=repeat, rules=[{"match": [17 + LEAST, 15]}])
+        self.breaks("along y", square, repeat=repeat, rules=[{"match": [17, 16]}])
+        self.keeps(square, repeat={"across": 10}, rules=[{"match": [17 + LEAST, 10]}])
+
     def test_shades_are_as_long_as_they_may_be(self):
         squares = box(10, 0, 10, 10), box(60, 0, 10, 10), box(90, 0, 10, 10)
         rules = [{"shade": "A"}, {"shade": "A"}, {"shade": "B"}]

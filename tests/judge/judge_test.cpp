@@ -138,6 +138,10 @@ TEST(Judge, DescribesBrokenRules) {
   EXPECT_EQ(with({.from = 6}), "piece a lies before its band");
   EXPECT_EQ(with({.to = 104}), "piece a lies behind its band");
   EXPECT_EQ(with({.on_fold = true}), "piece a is not on the fold");
+  marker.strip.repeat = {.along = 7, .across = 3, .phase = {1, 1}};
+  EXPECT_EQ(with({.match = Vec{10, 8}, .shade = "A"}), "");
+  EXPECT_EQ(with({.match = Vec{11, 8}, .shade = "A"}), "piece a is not matched along x");
+  EXPECT_EQ(with({.match = Vec{10, 9}, .shade = "A"}), "piece a is not matched along y");
   marker.shade = 209;
   EXPECT_EQ(with({.shade = "B"}), "");
   EXPECT_EQ(with({.shade = "A"}), "piece a is too far from piece b of its shade");

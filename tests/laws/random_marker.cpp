@@ -101,6 +101,23 @@ marker::Rules random_rules(Random& random, const Box& box, Coord width, Coord ex
   return rules;
 }
 
+// A pattern of the cloth, and a match point for some of the pieces that keeps it where they lie.
+void match_to_cloth(Random& random, Marker& marker) {
+  marker::Repeat& repeat = marker.strip.repeat;
+  const Coord width = marker.strip.width;
+  const auto length = [&] { return random.between(width / 40 + 1, width / 6 + 1); };
+  if (random.chance(60)) repeat.along = length();
+  if (repeat.along == 0 || random.chance(40)) repeat.across = length();
+  repeat.phase = {random.between(-width, width), random.between(-width, width)};
+  for (Piece& piece : marker.pieces) {
+    const auto [turn, symmetry] = split(piece.orientation);
+    if (turn.degrees != 0 || random.chance(40)) continue;
+    const Vec begins = repeat.phase + Vec{random.between(-3, 3) * repeat.along, random.between(-3, 3) * repeat.across};
+    const Vec free{repeat.along == 0 ? random.between(0, width) : 0, repeat.across == 0 ? random.between(0, width) : 0};
+    piece.rules.match = symmetry.inverse().apply(begins + free - piece.at);
+  }
+}
+
 }  // namespace
 
 Marker random_marker_with_rules(Random& random) {
@@ -131,6 +148,7 @@ Marker random_marker_with_rules(Random& random) {
   if (random.chance(50)) marker.strip.below = random.between(0, std::min(lowest, marker.strip.width / 4));
   if (random.chance(50))
     marker.strip.above = random.between(0, std::min(marker.strip.width - highest, marker.strip.width / 4));
+  if (random.chance(40)) match_to_cloth(random, marker);
   if (longest > 0) marker.shade = longest + (random.chance(50) ? 0 : random.between(0, longest / 4));
   return marker;
 }

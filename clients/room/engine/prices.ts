@@ -21,7 +21,7 @@ interface RulePrice {
 }
 
 const LEAST = 0.0005;
-const RULES: Record<string, TextName> = { below: "ruleBelow", above: "ruleAbove", from: "ruleFrom", to: "ruleTo", fold: "ruleFold", shade: "ruleShade" };
+const RULES: Record<string, TextName> = { below: "ruleBelow", above: "ruleAbove", from: "ruleFrom", to: "ruleTo", fold: "ruleFold", shade: "ruleShade", matchX: "ruleMatch", matchY: "ruleMatch" };
 
 /** All that costs length, the dearest first. */
 export function pricesOf(chain: Answer<"marker.hold">, marker: Marker): Price[] {

@@ -158,6 +158,7 @@ export const english = {
   ruleTo: "Up to",
   ruleFold: "On the fold",
   ruleShade: "Shade",
+  ruleMatch: "Matched to the pattern",
   ruleOther: "Rule",
   bestTilts: "Tilts that would shorten",
   chainHelp: "The contacts that nothing can shorten past. Complete once the marker is compacted.",

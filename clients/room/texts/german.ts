@@ -154,6 +154,7 @@ export const german: Texts = {
   ruleTo: "Bis",
   ruleFold: "Am Bruch",
   ruleShade: "Farbverlauf",
+  ruleMatch: "Rapport des Musters",
   ruleOther: "Regel",
   bestTilts: "Neigungen, die verkürzen würden",
   chainHelp: "Die Berührungen, die nichts verkürzen lassen. Vollständig, sobald das Schnittbild verdichtet ist.",

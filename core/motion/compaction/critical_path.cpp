@@ -146,15 +146,28 @@ class Loads {
     for (std::uint32_t i = 0; i < scene_.pieces.size(); ++i) {
       const Box room = scene_.pieces.room(i, scene_.marker.strip, kLatticeLimit);
       const Box box = scene_.pieces.box(i);
+      const Vec repeat = scene_.pieces.repeat_of(i, scene_.marker.strip);
       if (const auto x = model_->x_column(i)) {
         const double load = reduced[static_cast<std::size_t>(*x)];
-        if (bounds(program.lower, *x, room.low.x - box.low.x)) add_edge(i, StripEdge::kLeft, load, 1, 0, path);
-        if (bounds(program.upper, *x, room.high.x - box.high.x)) add_price(Rule::kTo, PieceId{i}, -load, path);
+        const bool at_low = bounds(program.lower, *x, room.low.x - box.low.x);
+        const bool at_high = bounds(program.upper, *x, room.high.x - box.high.x);
+        if (repeat.x > 0) {
+          if (at_low) add_price(Rule::kMatchX, PieceId{i}, std::abs(load), path);
+        } else {
+          if (at_low) add_edge(i, StripEdge::kLeft, load, 1, 0, path);
+          if (at_high) add_price(Rule::kTo, PieceId{i}, -load, path);
+        }
       }
       if (const auto y = model_->y_column(i)) {
         const double load = reduced[static_cast<std::size_t>(*y)];
-        if (bounds(program.lower, *y, room.low.y - box.low.y)) add_edge(i, StripEdge::kBottom, load, 0, 1, path);
-        if (bounds(program.upper, *y, room.high.y - box.high.y)) add_edge(i, StripEdge::kTop, -load, 0, -1, path);
+        const bool at_low = bounds(program.lower, *y, room.low.y - box.low.y);
+        const bool at_high = bounds(program.upper, *y, room.high.y - box.high.y);
+        if (repeat.y > 0) {
+          if (at_low) add_price(Rule::kMatchY, PieceId{i}, std::abs(load), path);
+        } else {
+          if (at_low) add_edge(i, StripEdge::kBottom, load, 0, 1, path);
+          if (at_high) add_edge(i, StripEdge::kTop, -load, 0, -1, path);
+        }
       }
       if (const auto wall = model_->right_wall_row(i)) {
         add_edge(i, StripEdge::kRight, solution.dual[static_cast<std::size_t>(*wall)], -1, 0, path);

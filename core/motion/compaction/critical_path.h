@@ -42,7 +42,7 @@ struct LockPrice {
 };
 
 // What one of cloth's rules (core/marker/rules.h) costs.
-enum class Rule { kBelow, kAbove, kFrom, kTo, kFold, kShade };
+enum class Rule { kBelow, kAbove, kFrom, kTo, kFold, kShade, kMatchX, kMatchY };
 struct RulePrice {
   Rule rule{};
   std::optional<PieceId> piece;  // whose rule it is; of a shade, its first piece; none: the strip's selvedge

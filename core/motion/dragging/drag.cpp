@@ -35,7 +35,7 @@ class Dragger {
     const Box& box = scene_.pieces[piece_].box;
     for (std::uint32_t i = 0; i < scene_.pieces.size(); ++i) carried_.push_back(scene_.ties.joined(i, piece_));
     end_ = start.strip.last().value_or(std::max(scene_.pieces.length(), to.x + box.high.x));
-    const Box fit = minkowski::inner_fit(box, scene_.pieces.room_among(piece_, carried_, start.strip, end_));
+    const Box fit = minkowski::inner_fit(box, repeat_under(to).room_among(piece_, carried_, start.strip, end_));
     wanted_ = {std::clamp(to.x, fit.low.x, std::max(fit.low.x, fit.high.x)),
                std::clamp(to.y, fit.low.y, std::max(fit.low.y, fit.high.y))};
     if (scene_.ties.x[piece_] == model::Ties::kFixed) wanted_.x = from_.x;
@@ -48,7 +48,9 @@ class Dragger {
   }
 
   Drag push() {
-    scene_.shift(PieceId{piece_}, slid_towards() - from_);
+    // From one repeat of the cloth to another no piece slides.
+    const bool matched = scene_.pieces.repeat_of(piece_, start_.strip) != Vec{};
+    scene_.shift(PieceId{piece_}, (matched ? nearest_found() : slid_towards()) - from_);
     Drag placed{scene_.result(), false};
     const Vec at = scene_.pieces.at(piece_);
     if (at == wanted_) return placed;
@@ -66,6 +68,19 @@ class Dragger {
   }
 
  private:
+  // The pieces with the carried ones in the repeat of the cloth that is nearest to `to`, when they are matched to it: a
+  // drag snaps from one repeat to another.
+  [[nodiscard]] marker::PlacedPieces repeat_under(Vec to) const {
+    const Vec repeat = scene_.pieces.repeat_of(piece_, start_.strip);
+    const auto whole = [](Coord way, Coord step) {
+      return step == 0 ? 0 : step * std::llround(static_cast<double>(way) / static_cast<double>(step));
+    };
+    marker::PlacedPieces there = scene_.pieces;
+    if (repeat == Vec{}) return there;
+    scene::Scene moved = scene_;
+    moved.shift(PieceId{piece_}, {whole(to.x - from_.x, repeat.x), whole(to.y - from_.y, repeat.y)});
+    return moved.pieces;
+  }
   // The free position nearest to the wanted one, up to where the piece may be dragged.
   [[nodiscard]] Vec nearest_found() const {
     Marker reached = start_;
@@ -209,7 +224,7 @@ class Dragger {
   scene::Scene scene_;
   const Vec from_;
   Coord end_{};                // up to where the piece may be dragged
-  Vec wanted_;                 // as near to the requested position as its room and the locks allow
+  Vec wanted_;                 // as near to the requested position as its room, the cloth's repeats and the locks allow
   std::vector<bool> carried_;  // the piece and its group
   std::size_t flowing_{};      // the number of pieces around that may move; they come first
 };

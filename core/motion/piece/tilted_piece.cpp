@@ -23,8 +23,9 @@ TiltRange tilt_range(const Marker& marker, PieceId id) {
   const Piece& piece = marker.pieces[id.value];
   const Angle limit = marker.shapes[piece.shape.value].tilt_limit;
   const Angle now = piece.orientation.tilt;
+  const bool matched = piece.rules.match && marker.strip.repeat.any();
   const bool held =
-      piece.locked.x || piece.locked.y || piece.locked.tilt || !piece.group.empty() || piece.rules.on_fold;
+      piece.locked.x || piece.locked.y || piece.locked.tilt || !piece.group.empty() || piece.rules.on_fold || matched;
   if (held) return {now, now};
   return {std::min(now, Angle::of_degrees(-limit.degrees)), std::max(now, limit)};
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/motion/placing/repeats.h"
 #include "core/motion/placing/surroundings.h"
 
 namespace selvage::motion::placing {
@@ -243,34 +244,70 @@ std::optional<Vec> nearest_free(const scene::Scene& scene, const Body& body, Vec
   }
 }
 
-// Where the marker ends when the body lies behind all other pieces.
-Coord end_with_room(const scene::Scene& scene, const Body& body) {
+// Where a marker of this length ends when the body lies behind all other pieces.
+Coord end_with_room(const scene::Scene& scene, const Body& body, Coord length) {
   Coord reach = 0;  // of the body, from the position of the piece it is named after
   for (const auto& [member, offset] : body.members) {
     const Box box = scene.pieces[member].box.moved(offset);
     reach = std::max({reach, std::abs(box.low.x), std::abs(box.high.x)});
   }
-  return scene.pieces.length() + 2 * reach + scene.pieces.widest_spacing();
+  return length + 2 * reach + scene.pieces.widest_spacing();
 }
 
 }  // namespace
 
-std::optional<Place> place(const scene::Scene& scene, PieceId piece, Vec wanted, const PlaceSettings& settings) {
+namespace {
+
+// The nearest free position without changing to another repeat of the cloth, where the piece is matched to it, in a
+// marker of this length.
+std::optional<Place> place_in_repeat(const scene::Scene& scene, PieceId piece, Vec wanted, Coord length,
+                                     const PlaceSettings& settings) {
   const Body body{scene, piece};
   if (scene.fixed(piece.value)) return Place{body.at, distance_between(body.at, wanted), false};
   const Strip& strip = scene.marker.strip;
-  const Coord end = strip.last().value_or(scene.pieces.length());
-  const Box fit = body.fit(scene, end);
+  const Box fit = body.fit(scene, strip.last().value_or(length));
   const auto free = [&](Vec at) { return within(fit, at) && Surroundings{scene, body, {at, at}, at}.free(at); };
   if (free(wanted)) return Place{wanted, 0, false};
   const auto found =
       nearest_free(scene, body, wanted, fit, free(body.at) ? std::optional{body.at} : std::nullopt, settings.tuning);
   if (found) return Place{*found, distance_between(*found, wanted), false};
   if (!settings.may_grow || strip.longest) return std::nullopt;
-  const Box longer = body.fit(scene, std::min(end_with_room(scene, body), kLatticeLimit - 1));
+  const Box longer = body.fit(scene, std::min(end_with_room(scene, body, length), kLatticeLimit - 1));
   const auto beyond = nearest_free(scene, body, wanted, longer, std::nullopt, settings.tuning);
   if (!beyond) return std::nullopt;
   return Place{*beyond, distance_between(*beyond, wanted), true};
+}
+
+// The nearest of the free positions in the repeats that these jumps lead to; the jumps are ordered as jumps_towards
+// does.
+std::optional<Place> nearest_of(const scene::Scene& scene, PieceId piece, Vec wanted, Coord length,
+                                const std::vector<Vec>& jumps, const PlaceSettings& settings) {
+  const Vec repeat = scene.pieces.repeat_of(piece.value, scene.marker.strip);
+  const Vec from = scene.pieces.at(piece.value);
+  std::optional<Place> best;
+  for (const Vec by : jumps) {
+    if (best && best->distance <= least_distance(from + by, wanted, repeat)) break;
+    scene::Scene there = scene;
+    there.shift(piece, by);
+    const auto found = place_in_repeat(there, piece, wanted, length, settings);
+    if (found && (!best || found->distance < best->distance)) best = found;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<Place> place(const scene::Scene& scene, PieceId piece, Vec wanted, const PlaceSettings& settings) {
+  Vec repeat = scene.pieces.repeat_of(piece.value, scene.marker.strip);
+  if (scene.ties.x[piece.value] == model::Ties::kFixed) repeat.x = 0;
+  if (scene.ties.y[piece.value] == model::Ties::kFixed) repeat.y = 0;
+  const Coord length = scene.pieces.length();
+  if (repeat == Vec{}) return place_in_repeat(scene, piece, wanted, length, settings);
+  const std::vector<Vec> jumps = jumps_towards(scene.pieces.at(piece.value), wanted, repeat, settings.tuning.repeats);
+  std::optional<Place> best =
+      nearest_of(scene, piece, wanted, length, jumps, {.may_grow = false, .tuning = settings.tuning});
+  if (!best && settings.may_grow) best = nearest_of(scene, piece, wanted, length, jumps, settings);
+  return best;
 }
 
 namespace {
@@ -303,7 +340,8 @@ Result<PlacedMarker> repair_and_place(const Marker& start, PieceId piece, Vec wa
     placed.place = place(scene, piece, wanted, settings);
     run.observer.on_stage(scene::Stage::kOther);
     const bool could_grow = settings.may_grow && !start.strip.longest;
-    if (!placed.place && could_grow && end_with_room(scene, Body{scene, piece}) >= kLatticeLimit) {
+    if (!placed.place && could_grow &&
+        end_with_room(scene, Body{scene, piece}, scene.pieces.length()) >= kLatticeLimit) {
       placed.reason = scene::StopReason::kLatticeEnd;
     }
     if (placed.place) scene.shift(piece, placed.place->at - scene.pieces.at(piece.value));

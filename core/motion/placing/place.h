@@ -4,7 +4,8 @@
 // The free positions are the inner fit without the Minkowski sums with the other pieces [Li94 3.3.2].
 // Laws.  (1) The position is free, proved in integers.  (2) A wanted position that is free is kept.  (3) No free
 // position is nearer except by rounding to the lattice: a few units, more only in corners so narrow that they contain
-// no lattice point.
+// no lattice point.  (4) A piece that is matched to the cloth goes to the nearest free position that matches,
+// among the PlaceTuning::repeats nearest repeats.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // The tuning constants of placing.  They trade time for time: the position found is the nearest free one whatever they
-// are, but for `proofs` in corners so narrow that they hold hardly any lattice point.
+// are, but for `proofs` in corners so narrow that they hold hardly any lattice point, and for `repeats`.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +13,7 @@ struct PlaceTuning {
   double small{64};              // lattice units: a cell of at most this size is searched, too
   double clear{3};               // lattice units: points deeper inside an obstacle are not worth a proof
   int proofs{12};                // lattice positions that are proved about one point
+  std::size_t repeats{160};      // of the cloth's pattern, the nearest ones, that are tried for a piece matched to it
 };
 
 }  // namespace selvage::motion::placing

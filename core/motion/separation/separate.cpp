@@ -254,7 +254,7 @@ std::optional<Error> refuse(const Marker& start, const SeparationSettings& setti
   const model::Ties ties = model::ties_of(start);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Box box = pieces.box(i);
-    const Box room = pieces.room(i, start.strip, start.strip.last().value_or(box.high.x));
+    const Box room = pieces.room(i, start.strip, start.strip.last().value_or(kLatticeLimit));
     const bool outside_x = box.low.x < room.low.x || box.high.x > room.high.x;
     const bool outside_y = box.low.y < room.low.y || box.high.y > room.high.y;
     if (!(ties.x[i] == model::Ties::kFixed && outside_x) && !(ties.y[i] == model::Ties::kFixed && outside_y)) continue;

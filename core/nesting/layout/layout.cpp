@@ -11,6 +11,22 @@ double within(double value, double low, double high) {
   return std::max(low, std::min(value, high));
 }
 
+// One axis of matched_fit: `match` is where the match point lies from the position.
+void match_axis(double& low, double& high, double at, double match, double repeat, double phase) {
+  if (repeat <= 0) return;
+  const double offset = phase - match;
+  const auto index = [&](double position) { return (position - offset) / repeat; };
+  constexpr double kRounding = 1e-7;  // of a repeat
+  const double least = std::ceil(index(low) - kRounding);
+  const double most = std::floor(index(high) + kRounding);
+  if (least > most) {
+    high = low - 1;
+    return;
+  }
+  const double nearest = std::max(least, std::min(std::round(index(at)), most));
+  low = high = offset + nearest * repeat;
+}
+
 std::uint32_t turn_of(const Kind& kind, const Orientation& orientation) {
   for (std::uint32_t turn = 0; turn < kind.turned.size(); ++turn) {
     const Orientation& allowed = kind.turned[turn].orientation;
@@ -38,6 +54,14 @@ RealBox inner_fit(const PieceSet& set, const Layout& layout, std::size_t piece, 
   return {room.low_x - box.low_x, room.low_y - box.low_y, room.high_x - box.high_x, room.high_y - box.high_y};
 }
 
+RealBox matched_fit(const PieceSet& set, std::size_t piece, std::uint32_t turn, RealBox fit, double x, double y) {
+  if (!set.kind(piece).matched) return fit;
+  const Turned& turned = set.kind(piece).turned[turn];
+  match_axis(fit.low_x, fit.high_x, x, turned.match_x, set.repeat.along, set.repeat.phase_x);
+  match_axis(fit.low_y, fit.high_y, y, turned.match_y, set.repeat.across, set.repeat.phase_y);
+  return fit;
+}
+
 RealBox placed_box(const PieceSet& set, const Layout& layout, std::size_t piece) {
   const Place& place = layout.places[piece];
   const RealBox& box = set.kind(piece).turned[place.turn].box;
@@ -47,9 +71,11 @@ RealBox placed_box(const PieceSet& set, const Layout& layout, std::size_t piece)
 void centre_at(const PieceSet& set, Layout& layout, std::size_t piece, double x, double y) {
   Place& place = layout.places[piece];
   const RealBox& box = set.kind(piece).turned[place.turn].box;
-  const RealBox room = inner_fit(set, layout, piece, place.turn);
-  place.x = within(x - box.middle_x(), room.low_x, room.high_x);
-  place.y = within(y - box.middle_y(), room.low_y, room.high_y);
+  const double to_x = x - box.middle_x();
+  const double to_y = y - box.middle_y();
+  const RealBox room = matched_fit(set, piece, place.turn, inner_fit(set, layout, piece, place.turn), to_x, to_y);
+  place.x = within(to_x, room.low_x, room.high_x);
+  place.y = within(to_y, room.low_y, room.high_y);
 }
 
 void set_length(const PieceSet& set, Layout& layout, double length, double split) {
@@ -73,7 +99,10 @@ Marker to_marker(const PieceSet& set, const Layout& layout, const Marker& start)
     piece.orientation = set.kind(i).turned[place.turn].orientation;
     const Box box = box_of(oriented(marker.shapes[piece.shape.value].outline, piece.orientation));
     piece.at = {std::llround(place.x * set.lattice_units), std::llround(place.y * set.lattice_units)};
-    const Box room = room_for(piece.rules, box.height(), marker.strip, kLatticeLimit);
+    Box room = room_for(piece.rules, box.height(), marker.strip, kLatticeLimit);
+    if (piece.rules.match) {
+      room = matched_room(room, box.moved(piece.at), piece.at + turned_match(piece), marker.strip.repeat);
+    }
     piece.at.x = std::max(room.low.x - box.low.x, std::min(piece.at.x, room.high.x - box.high.x));
     piece.at.y = std::max(room.low.y - box.low.y, std::min(piece.at.y, room.high.y - box.high.y));
   }

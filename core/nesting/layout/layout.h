@@ -25,6 +25,11 @@ struct Layout {
 // count.  Empty (high < low) where no position is.  This is the one place that says which positions are allowed: a
 // layout that keeps the rules goes on keeping them as long as single pieces move to such positions.
 [[nodiscard]] RealBox inner_fit(const PieceSet& set, const Layout& layout, std::size_t piece, std::uint32_t turn);
+// The part of an inner fit that matches the piece to the cloth without changing to another repeat: on an axis on which
+// its match point has to lie where a repeat begins, the one such position nearest to the given place; empty where there
+// is none.  The whole fit for a piece that is not matched.
+[[nodiscard]] RealBox matched_fit(const PieceSet& set, std::size_t piece, std::uint32_t turn, RealBox fit, double x,
+                                  double y);
 // The piece's box where it lies.
 [[nodiscard]] RealBox placed_box(const PieceSet& set, const Layout& layout, std::size_t piece);
 // Puts the piece's middle there, or as near as its inner fit allows.

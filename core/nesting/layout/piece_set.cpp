@@ -42,6 +42,9 @@ class Builder {
     set_.low = room.low_y;
     set_.high = room.high_y;
     set_.spacing = marker.spacing;
+    const marker::Repeat& repeat = marker.strip.repeat;
+    set_.repeat = {static_cast<double>(repeat.along) / unit, static_cast<double>(repeat.across) / unit,
+                   static_cast<double>(repeat.phase.x) / unit, static_cast<double>(repeat.phase.y) / unit};
   }
 
   // False when the piece fits the strip in none of its orientations.
@@ -63,15 +66,23 @@ class Builder {
 
  private:
   using Limit = std::optional<Coord>;
-  using RulesKey = std::tuple<Limit, Limit, Limit, Limit, bool, std::string>;
+  using RulesKey = std::tuple<Limit, Limit, Limit, Limit, bool, std::optional<Vec>, std::string>;
   using KindKey = std::tuple<ShapeId, Coord, Coord, std::optional<Orientation>, RulesKey>;
   using OutlineKey = std::tuple<ShapeId, Coord, Coord, Angle>;
 
   [[nodiscard]] Coord overlap_of(const Piece& piece) const { return piece.overlap.value_or(marker_.overlap); }
 
   [[nodiscard]] RulesKey key_of(const marker::Rules& rules) const {
-    return {rules.below, rules.above, rules.from, rules.to, rules.on_fold, marker_.shade ? rules.shade : ""};
+    return {rules.below,
+            rules.above,
+            rules.from,
+            rules.to,
+            rules.on_fold,
+            matched(rules) ? rules.match : std::nullopt,
+            marker_.shade ? rules.shade : ""};
   }
+
+  [[nodiscard]] bool matched(const marker::Rules& rules) const { return rules.match && marker_.strip.repeat.any(); }
 
   std::optional<std::uint32_t> shade_of(const marker::Rules& rules) {
     if (!marker_.shade || rules.shade.empty()) return std::nullopt;
@@ -86,6 +97,7 @@ class Builder {
     Kind kind{.shape = piece.shape,
               .buffer = piece.buffer,
               .shade = shade_of(piece.rules),
+              .matched = matched(piece.rules),
               .turned = {},
               .area = static_cast<double>(doubled_area(shape.outline)) / 2 / square,
               .hull_area = doubled_hull_area(shape.outline) / 2 / square};
@@ -121,10 +133,13 @@ class Builder {
                                                       static_cast<std::uint32_t>(set_.outlines.size()));
     if (fresh) set_.outlines.push_back({sums_.outline(geometry::turned(shape.outline, turn)), piece.buffer, overlap});
     const auto units = [this](Coord coord) { return static_cast<double>(coord) / set_.lattice_units; };
+    const Vec match = turned_match(piece);
     return {piece.orientation,
             found->second,
             symmetry,
             {units(box.low.x), units(box.low.y), units(box.high.x), units(box.high.y)},
+            units(match.x),
+            units(match.y),
             real_room(room_for(piece.rules, box.height(), marker_.strip, kLatticeLimit))};
   }
 

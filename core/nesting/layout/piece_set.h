@@ -35,10 +35,11 @@ struct BaseOutline {
 // A kind of piece in one of its allowed orientations.
 struct Turned {
   Orientation orientation;
-  std::uint32_t outline{};  // index of the base outline
-  Symmetry symmetry;        // of the base outline
-  RealBox box;              // at position 0
-  RealBox room;             // in which the box may lie by the rules of the piece; high_x is infinite where no band ends
+  std::uint32_t outline{};      // index of the base outline
+  Symmetry symmetry;            // of the base outline
+  RealBox box;                  // at position 0
+  double match_x{}, match_y{};  // the match point at position 0; only of kinds that are matched to the cloth
+  RealBox room;  // in which the box may lie by the rules of the piece; high_x is infinite where no band ends
 };
 
 // Pieces of one kind are interchangeable: they have the same rules, too.
@@ -46,6 +47,7 @@ struct Kind {
   ShapeId shape;
   Coord buffer{};                        // lattice units
   std::optional<std::uint32_t> shade{};  // index of the shade that its pieces belong to
+  bool matched{};                        // to the cloth's pattern
   std::vector<Turned> turned;            // at least one
   double area{}, hull_area{};            // of the outline and of its convex hull
 };
@@ -54,6 +56,12 @@ struct Kind {
 struct Shade {
   std::vector<std::uint32_t> pieces;
   double length{};
+};
+
+// The cloth's pattern (core/marker/rules.h).
+struct Repeat {
+  double along{}, across{};
+  double phase_x{}, phase_y{};
 };
 
 struct PieceSet {
@@ -68,6 +76,7 @@ struct PieceSet {
   Coord spacing{};         // lattice units
   double area{};           // of all pieces
   std::vector<Shade> shades{};
+  Repeat repeat{};
 
   [[nodiscard]] std::size_t size() const { return kind_of.size(); }
   [[nodiscard]] const Kind& kind(std::size_t piece) const { return kinds[kind_of[piece]]; }

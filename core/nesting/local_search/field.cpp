@@ -11,6 +11,8 @@
 namespace selvage::nesting::local_search {
 namespace {
 
+constexpr float kRuledOut = std::numeric_limits<float>::max();  // of cells without an allowed position
+
 // A block of a grid, and the block of the field that it is added to: rows of equal length.  The field's rows run
 // forwards; the grid's may run backwards.
 struct Blocks {
@@ -92,7 +94,30 @@ bool Field::compute(const layout::Layout& layout, std::size_t piece, std::uint32
         weights == FieldWeights::kEqual ? 1 : losses.weight(piece, other) * losses.importance(piece, other);
     add(place, maps_->view(set_->kind(other).turned[place.turn], own), weight);
   }
+  piece_ = piece;
+  if (set_->kind(piece).matched) leave_out_unmatched();
   return true;
+}
+
+void Field::leave_out_unmatched() {
+  const double pixel = maps_->scale().pixel;
+  const auto x_at = [&](std::size_t column) { return room_.low_x + static_cast<double>(column) * pixel; };
+  const auto y_at = [&](std::size_t row) { return room_.low_y + static_cast<double>(row) * pixel; };
+  const auto holds = [pixel](double low, double high, double at) {
+    return low < high || (low == high && std::abs(low - at) <= pixel / 2);
+  };
+  std::vector<bool> matched(columns_);  // by column
+  for (std::size_t column = 0; column < columns_; ++column) {
+    const layout::RealBox fit = matched_fit(*set_, piece_, turn_, room_, x_at(column), room_.low_y);
+    matched[column] = holds(fit.low_x, fit.high_x, x_at(column));
+  }
+  for (std::size_t row = 0; row < rows_; ++row) {
+    const layout::RealBox fit = matched_fit(*set_, piece_, turn_, room_, room_.low_x, y_at(row));
+    const bool in_row = holds(fit.low_y, fit.high_y, y_at(row));
+    for (std::size_t column = 0; column < columns_; ++column) {
+      if (!in_row || !matched[column]) values_[row * columns_ + column] = kRuledOut;
+    }
+  }
 }
 
 void Field::add(const layout::Place& other, const depth::MapView& view, float weight) {
@@ -123,8 +148,10 @@ void Field::add(const layout::Place& other, const depth::MapView& view, float we
 
 layout::Place Field::place_at(std::size_t column, std::size_t row) const {
   const double pixel = maps_->scale().pixel;
-  return {std::min(room_.low_x + static_cast<double>(column) * pixel, room_.high_x),
-          std::min(room_.low_y + static_cast<double>(row) * pixel, room_.high_y), turn_};
+  const double x = std::min(room_.low_x + static_cast<double>(column) * pixel, room_.high_x);
+  const double y = std::min(room_.low_y + static_cast<double>(row) * pixel, room_.high_y);
+  const layout::RealBox at = matched_fit(*set_, piece_, turn_, room_, x, y);
+  return {std::max(at.low_x, std::min(x, at.high_x)), std::max(at.low_y, std::min(y, at.high_y)), turn_};
 }
 
 void Field::append_lowest(std::size_t rows, layout::Dice& dice, std::vector<Candidate>& candidates) const {
@@ -134,6 +161,7 @@ void Field::append_lowest(std::size_t rows, layout::Dice& dice, std::vector<Cand
   std::partial_sort(lowest.begin(), lowest.begin() + static_cast<std::ptrdiff_t>(wanted), lowest.end());
   for (std::size_t k = 0; k < wanted; ++k) {
     const auto [value, row] = lowest[k];
+    if (value == kRuledOut) break;
     const float* const values = &values_[row * columns_];
     std::size_t column = dice.below(columns_);  // of several equally low places, a random one
     while (values[column] != value) column = column + 1 == columns_ ? 0 : column + 1;

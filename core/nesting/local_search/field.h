@@ -43,10 +43,13 @@ class Field {
  private:
   void add(const layout::Place& other, const depth::MapView& view, float weight);
   [[nodiscard]] layout::Place place_at(std::size_t column, std::size_t row) const;
+  // Rules out the cells in which no position is matched to the cloth.
+  void leave_out_unmatched();
 
   const layout::PieceSet* set_;
   depth::DepthMaps* maps_;
   layout::RealBox room_;  // the positions
+  std::size_t piece_{};
   std::uint32_t turn_{};
   std::size_t columns_{}, rows_{};
   std::vector<float> values_;  // row after row

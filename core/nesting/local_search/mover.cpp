@@ -21,6 +21,10 @@ layout::RealBox around(const layout::Place& place, double reach, const layout::R
 
 }  // namespace
 
+layout::RealBox Mover::room_about(const layout::Layout& layout, std::size_t piece, const layout::Place& place) const {
+  return matched_fit(*set_, piece, place.turn, inner_fit(*set_, layout, piece, place.turn), place.x, place.y);
+}
+
 Mover::Mover(const layout::PieceSet& set, depth::DepthMaps& maps, Losses& losses, layout::Dice& dice,
              const SearchTuning& tuning)
     : set_{&set},
@@ -88,7 +92,7 @@ Candidate Mover::stay(const layout::Layout& layout, std::size_t piece) {
 Candidate Mover::refined(const layout::Layout& layout, std::size_t piece, const Candidate& candidate, double best) {
   const layout::Place& from = candidate.place;
   const double reach = 3 * pixel_;
-  const layout::RealBox room = around(from, reach, inner_fit(*set_, layout, piece, from.turn));
+  const layout::RealBox room = around(from, reach, room_about(layout, piece, from));
   neighbourhood_.gather(layout, piece, from, reach);
   const auto rough_loss = [this](double x, double y, double bound) { return neighbourhood_.rough_loss(x, y, bound); };
   const Descended rough = descend(rough_loss, {from.x, from.y}, room, tuning_.rough_step * pixel_,
@@ -106,7 +110,7 @@ Candidate Mover::finished(const layout::Layout& layout, std::size_t piece, const
 Candidate Mover::exact(const layout::Layout& layout, std::size_t piece, const layout::Place& from, double reach,
                        double step, double limit) {
   // Losses are exact within the reach only, so the descent stays there.
-  const layout::RealBox room = around(from, reach, inner_fit(*set_, layout, piece, from.turn));
+  const layout::RealBox room = around(from, reach, room_about(layout, piece, from));
   neighbourhood_.gather(layout, piece, from, reach);
   neighbourhood_.keep_edges(from, reach);
   const auto loss = [this](double x, double y, double bound) { return neighbourhood_.loss(x, y, bound); };

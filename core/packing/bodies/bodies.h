@@ -42,8 +42,9 @@ inline constexpr std::size_t kMostBodies = 64;       // the bounds of a node gro
 inline constexpr std::size_t kMostWedges = 4 << 20;  // of all rings together: about 400 MB
 
 // The bodies of a marker.  Variants that fit the room nowhere, or break a rule of the piece wherever they lie, are left
-// out; with a body that has none left, the problem has no layout.  That pieces of a shade lie near each other is not
-// said to the search where several of them move: place_leaf refuses what breaks it.
+// out; with a body that has none left, the problem has no layout.  That pieces of a shade lie near each other where
+// several of them move, and that pieces are matched to the cloth, is not said to the search: place_leaf refuses what
+// breaks it.
 [[nodiscard]] Bodies bodies_of(const Marker& marker, const Freedom& freedom, const scene::Run& run);
 
 // The marker with its bodies where the leaf has them, rounded to the lattice.

@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::string_view kWidthKey = "Marker Width:";
 constexpr json::Range kLengths{0, 1e9};
+constexpr json::Range kCoordinates{-1e9, 1e9};
 constexpr json::Range kTurns{-360, 360};  // degrees
 
 // "Marker Width: 1500" and the like.
@@ -71,6 +72,10 @@ class NestReader {
     written_.overlap = number(texts, "Marker Overlap", 0, kLengths);
     written_.below = maybe_number(texts, "Marker Below");
     written_.above = maybe_number(texts, "Marker Above");
+    written_.repeat.along = maybe_number(texts, "Marker Repeat Along");
+    written_.repeat.across = maybe_number(texts, "Marker Repeat Across");
+    written_.repeat.phase = formats::Decimal{number(texts, "Marker Phase X", 0, kCoordinates),
+                                             number(texts, "Marker Phase Y", 0, kCoordinates)};
     written_.shade = maybe_number(texts, "Marker Shade");
     if (texts.contains("Marker Longest")) written_.longest = number(texts, "Marker Longest", 0, formats::kStripWidths);
     const double unit = number(texts, "Marker Resolution", 0, {});
@@ -168,6 +173,10 @@ class NestReader {
     piece.rules.from = maybe_number(attributes, "FROM");
     piece.rules.to = maybe_number(attributes, "TO");
     if (text_or_empty(attributes, "FOLD") == "yes") piece.rules.fold = true;
+    if (attributes.contains("MATCH_X")) {
+      piece.rules.match = formats::Decimal{number(attributes, "MATCH_X", 0, kCoordinates),
+                                           number(attributes, "MATCH_Y", 0, kCoordinates)};
+    }
     if (attributes.contains("SHADE")) piece.rules.shade = text_or_empty(attributes, "SHADE");
     const std::string locked = text_or_empty(attributes, "LOCKED");
     const auto has = [&](char lock) { return locked.find(lock) != std::string::npos; };

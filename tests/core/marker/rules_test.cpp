@@ -184,17 +184,53 @@ TEST(Rooms, APieceTooTallForTheMarginsMayHaveSelvedgesOfItsOwn) {
   EXPECT_EQ(blamed(marker), "/pieces/0/rules");
 }
 
-TEST(Rooms, OperationsWithoutRulesNameTheFirstOne) {
-  Marker marker = squares({{20, 0}, {50, 0}});
-  marker.strip.below = 3;
-  EXPECT_FALSE(marker::refused_rule(marker, "nesting"));
-  marker.pieces[1].rules.shade = "A";
-  EXPECT_FALSE(marker::refused_rule(marker, "nesting"));
-  marker.shade = 100;
-  const auto refusal = marker::refused_rule(marker, "nesting");
-  ASSERT_TRUE(refusal);
-  EXPECT_EQ(refusal->field, "/pieces/1/rules/shade");
-  EXPECT_NE(refusal->message.find("nesting"), std::string::npos);
+// Squares of side 10 whose lower left corners are their match points, on stripes 7 apart that begin at x = 3.
+TEST(Rooms, AMatchedPieceStaysInItsRepeat) {
+  Marker marker = squares({{24, 5}, {50, 90}});
+  marker.strip.repeat = {.along = 7, .phase = {3, 0}};
+  marker.pieces[0].rules.match = Vec{0, 0};
+  EXPECT_TRUE(is_kept(marker));
+  const auto low_at = [&](Coord x) {
+    marker.pieces[0].at.x = x;
+    return marker::PlacedPieces{marker}.room(0, marker.strip, 60).low.x;
+  };
+  EXPECT_EQ(low_at(24), 24);
+  EXPECT_EQ(low_at(27), 24);
+  EXPECT_EQ(low_at(28), 31);
+  EXPECT_EQ(low_at(-40), 3);   // the first repeat in the strip
+  EXPECT_EQ(low_at(400), 45);  // and the last
+  EXPECT_FALSE(is_kept(marker));
+  marker.pieces[0].at = {28, 5};
+  EXPECT_EQ(marker::protrusion_of(marker::PlacedPieces{marker}, 0, marker.strip), 3);
+}
+
+TEST(Rooms, TheMatchPointTurnsWithThePiece) {
+  Marker marker = squares({{24, 5}, {50, 90}});
+  marker.shapes[0].rotations = {{0}, {90}, {180}};
+  marker.strip.repeat = {.along = 7, .across = 5};
+  marker.pieces[0].rules.match = Vec{4, 0};
+  EXPECT_TRUE(is_kept(marker));
+  marker.pieces[0].orientation.rotation = Angle::of_degrees(180);
+  marker.pieces[0].at = {25, 15};
+  EXPECT_EQ(turned_match(marker.pieces[0]), (Vec{-4, 0}));
+  EXPECT_TRUE(is_kept(marker));
+  marker.pieces[0].orientation.rotation = Angle::of_degrees(90);
+  marker.pieces[0].at = {35, 16};
+  EXPECT_EQ(turned_match(marker.pieces[0]), (Vec{0, 4}));
+  EXPECT_TRUE(is_kept(marker));
+  marker.pieces[0].at.y = 17;
+  EXPECT_FALSE(is_kept(marker));
+}
+
+TEST(Rooms, APatternThatLeavesAPieceNoPositionIsRefused) {
+  Marker marker = squares({{0, 0}, {50, 90}});
+  marker.strip.repeat = {.across = 95, .phase = {0, 1}};
+  marker.pieces[0].rules.match = Vec{0, 0};
+  EXPECT_EQ(blamed(marker), "");
+  marker.strip.below = 2;
+  EXPECT_EQ(blamed(marker), "/pieces/0/rules/match");
+  marker.strip.repeat.across = -1;
+  EXPECT_EQ(blamed(marker), "/strip/repeat/across");
 }
 
 }  // namespace

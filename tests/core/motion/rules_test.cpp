@@ -12,6 +12,7 @@
 #include "core/motion/piece/bump.h"
 #include "core/motion/placing/place.h"
 #include "core/motion/separation/separate.h"
+#include "core/search/refine.h"
 #include "tests/core/motion/markers.h"
 
 namespace selvage::motion {
@@ -209,6 +210,71 @@ TEST(Rules, RepairPutsBackWhatIsOutByALittle) {
   marker.pieces[2].rules.to = 599'990;
   const Marker tight = compacted(marker);
   EXPECT_TRUE(is_valid(tight));
+}
+
+// Three squares in a row with gaps, the middle one on stripes 70,000 apart that begin at x = 0.
+Marker striped() {
+  Marker marker = squares({{20'000, 0}, {210'000, 0}, {400'000, 0}});
+  marker.strip.repeat.along = 70'000;
+  marker.pieces[1].rules.match = Vec{0, 0};
+  return marker;
+}
+
+TEST(Rules, CompactionKeepsARepeatAndSaysWhatItCosts) {
+  Marker narrow = striped();
+  narrow.strip.width = kSide;
+  narrow.pieces[1].at.x = 140'000;  // the gap before it is too short for a square
+  SumCache sums;
+  auto done = compact(narrow, compaction::compaction_settings(compaction::Accuracy::kStandard), {sums});
+  ASSERT_TRUE(done) << done.error().message;
+  EXPECT_EQ(done->marker.pieces[0].at.x, 0);
+  EXPECT_EQ(done->marker.pieces[1].at.x, 140'000);
+  EXPECT_EQ(done->length_after, 340'000);
+  const auto path = held(done->marker);
+  EXPECT_NEAR(worth_of(path, Rule::kMatchX, PieceId{1}), 1, 1e-6);
+}
+
+TEST(Rules, RefinementTriesOtherRepeats) {
+  SumCache sums;
+  auto settings = search::refine_settings();
+  settings.effort = settings.least_effort = 2'000;
+  const auto done = search::refine(striped(), settings, {sums});
+  ASSERT_TRUE(done) << done.error().message;
+  EXPECT_TRUE(is_valid(done->marker));
+  EXPECT_LE(done->length_after, 340'000);  // the middle one has moved to 140,000, or lies beside the others
+}
+
+TEST(Rules, ADragSnapsToTheNearestRepeatWithRoom) {
+  const Marker marker = striped();
+  SumCache sums;
+  for (const auto mode : {dragging::DragMode::kPlace, dragging::DragMode::kPush}) {
+    const auto dragged = [&](Vec to) { return dragging::drag(marker, PieceId{1}, to, mode, {sums}).marker; };
+    EXPECT_EQ(dragged({600'000, 700'000}).pieces[1].at, (Vec{560'000, 700'000}));
+    EXPECT_EQ(dragged({240'000, 0}).pieces[1].at.x, 210'000);
+    EXPECT_EQ(dragged({150'000, 10'000}).pieces[1].at, (Vec{140'000, 10'000}));
+    const Marker beside = dragged({80'000, 10'000});  // at 70,000 it lies above or beside the first square
+    EXPECT_TRUE(is_valid(beside));
+    EXPECT_EQ(beside.pieces[1].at.x % 70'000, 0);
+  }
+}
+
+TEST(Rules, APieceOnAPlaidIsPlacedOnItsCrossings) {
+  Marker marker = striped();
+  marker.strip.repeat.across = 90'000;
+  SumCache sums;
+  const auto placed = placing::repair_and_place(marker, PieceId{1}, {30'000, 50'000}, {}, {sums});
+  ASSERT_TRUE(placed);
+  ASSERT_TRUE(placed->place);
+  EXPECT_EQ(placed->place->at, (Vec{140'000, 90'000}));  // on nearer crossings it would lie on the first square
+  EXPECT_TRUE(is_valid(placed->marker));
+}
+
+TEST(Rules, RepairPutsAPieceBackOnItsStripe) {
+  Marker marker = striped();
+  marker.pieces[1].at.x += 15;
+  EXPECT_FALSE(is_valid(marker));
+  const Marker tight = compacted(marker);
+  EXPECT_EQ(tight.pieces[1].at.x % 70'000, 0);
 }
 
 }  // namespace

@@ -94,6 +94,19 @@ TEST(RulesInNesting, PiecesOfAShadeStayTogetherWhateverElseMoves) {
   EXPECT_LE(done->length_after, 19 * kSide);
 }
 
+TEST(RulesInNesting, MatchedPiecesLieWhereRepeatsBegin) {
+  Marker marker = squares(9);
+  for (const bool plaid : {false, true}) {
+    marker.strip.repeat = {.along = 7 * kSide / 2, .across = plaid ? 3 * kSide + 7'000 : 0, .phase = {12'345, 321}};
+    for (std::size_t i = 0; i < 5; ++i) marker.unplaced[i].rules.match = Vec{kSide, kSide / 3};
+    const auto done = nested(marker, 2000);
+    ASSERT_TRUE(done) << done.error().message;
+    EXPECT_TRUE(is_valid(done->marker));
+    EXPECT_EQ(done->marker.pieces.size(), 9u);
+    EXPECT_LE(done->length_after, 15 * kSide);
+  }
+}
+
 TEST(RulesInNesting, ABandThatIsTooShortIsAnErrorThatNamesAPiece) {
   Marker marker = squares(5);
   for (Piece& piece : marker.unplaced) piece.rules.to = 4 * kSide;

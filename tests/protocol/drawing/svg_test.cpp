@@ -50,7 +50,9 @@ TEST(Svg, DrawsClothsRules) {
   document["strip"]["below"] = 10;
   document["strip"]["above"] = 5;
   document["shade"] = 200;
-  document["pieces"][0]["rules"] = test::json(R"({"fold": true, "from": 0, "to": 80, "shade": "<A>"})");
+  document["strip"]["repeat"] = test::json(R"({"along": 40, "across": 50, "phase": [10, 0]})");
+  document["pieces"][0]["rules"] =
+      test::json(R"({"fold": true, "from": 0, "to": 80, "match": [10, 0], "shade": "<A>"})");
   document["pieces"][1]["rules"] = test::json(R"({"to": 80, "from": 20, "shade": "<A>"})");
   SvgOptions options;
   options.height = 100;  // a pixel per unit
@@ -58,7 +60,9 @@ TEST(Svg, DrawsClothsRules) {
   EXPECT_EQ(count(svg, "<rect class=\"selvedge\""), 2u);
   EXPECT_NE(svg.find("<rect class=\"selvedge\" x=\"46\" y=\"142\" width=\"90\" height=\"10\"/>"), std::string::npos);
   EXPECT_EQ(count(svg, "class=\"fold\""), 1u);
-  EXPECT_EQ(count(svg, "class=\"band\""), 3u);  // 0, 20 and 80
+  EXPECT_EQ(count(svg, "class=\"band\""), 3u);    // 0, 20 and 80
+  EXPECT_EQ(count(svg, "class=\"repeat\""), 6u);  // at x = 10, 50 and 90, y = 0, 50 and 100
+  EXPECT_EQ(count(svg, "class=\"match\""), 2u);
   EXPECT_EQ(count(svg, "class=\"shade\""), 1u);
   EXPECT_EQ(count(svg, "&lt;A&gt;"), 1u);
 }

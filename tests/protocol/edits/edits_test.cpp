@@ -103,17 +103,19 @@ TEST(Edits, EachDoesWhatItSays) {
 }
 
 TEST(Edits, SetClothsRules) {
-  const auto after = edited(loose(), R"({'op':'setStrip','below':1.5,'above':0.25},{'op':'setShade','shade':400},
+  const auto after =
+      edited(loose(), R"({'op':'setStrip','below':1.5,'above':0.25,'repeat':{'across':2}},{'op':'setShade','shade':400},
       {'op':'rules','piece':'left','rules':{'above':0,'shade':'A'}},{'op':'rules','piece':'right','rules':{'to':300}})");
   ASSERT_TRUE(after) << after.error().message << after.error().field;
   const Marker& marker = after->marker;
   EXPECT_EQ(to_decimal(marker.strip.below.value(), marker.resolution), 1.5);
+  EXPECT_EQ(to_decimal(marker.strip.repeat.across, marker.resolution), 2);
   EXPECT_EQ(to_decimal(marker.shade.value(), marker.resolution), 400);
   EXPECT_EQ(marker.pieces[0].rules, (marker::Rules{.above = 0, .shade = "A"}));
   EXPECT_EQ(schema::encode(calls::state_of(marker, marker.pieces[1]))["rules"], test::json(R"({"to":300})"));
   EXPECT_FALSE(schema::encode(calls::state_of(loose().marker, loose().marker.pieces[1])).contains("rules"));
   const auto without = edited(*after, R"({'op':'rules','piece':'left'},{'op':'rules','piece':'right','rules':{}},
-      {'op':'setShade','shade':null},{'op':'setStrip','below':null,'above':null})");
+      {'op':'setShade','shade':null},{'op':'setStrip','below':null,'above':null,'repeat':{}})");
   ASSERT_TRUE(without) << without.error().message;
   EXPECT_EQ(without->marker, loose().marker);
 }

@@ -144,7 +144,8 @@ TEST(Native, KeepsClothsRules) {
   document["strip"]["below"] = 1.5;
   document["strip"]["above"] = 0;
   document["shade"] = 95.25;
-  document["pieces"][0]["rules"] = json(R"({"below": 0, "to": 90.5, "shade": "S-A"})");
+  document["strip"]["repeat"] = json(R"({"along": 12.5, "phase": [-3.25, 0]})");
+  document["pieces"][0]["rules"] = json(R"({"below": 0, "to": 90.5, "match": [-3.25, 7], "shade": "S-A"})");
   document["pieces"][1]["rules"] = json(R"({"above": 2, "from": 1.25, "shade": "S-A"})");
   const MarkerFile file = test::read(document);
   const auto decimal = [&file](std::optional<Coord> coord) {
@@ -156,6 +157,8 @@ TEST(Native, KeepsClothsRules) {
   EXPECT_EQ(file.marker.pieces[0].rules.below, 0);
   EXPECT_EQ(decimal(file.marker.pieces[0].rules.to), 90.5);
   EXPECT_EQ(file.marker.pieces[1].rules.shade, "S-A");
+  EXPECT_EQ(decimal(file.marker.strip.repeat.along), 12.5);
+  EXPECT_EQ(decimal(file.marker.pieces[0].rules.match.value().x), -3.25);
   const Json written = native_document(file);
   EXPECT_EQ(test::read(written).marker, file.marker);
   EXPECT_EQ(written["pieces"][0]["rules"], document["pieces"][0]["rules"]);
@@ -185,6 +188,7 @@ TEST(Native, NamesTheRuleThatIsWrong) {
   EXPECT_EQ(field_of(R"({"from": -1})"), "/pieces/1/rules/from");
   EXPECT_EQ(field_of(R"({"from": 10, "to": 20})"), "/pieces/1/rules/to");
   EXPECT_EQ(field_of(R"({"fold": 1})"), "/pieces/1/rules/fold");
+  EXPECT_EQ(field_of(R"({"match": [1]})"), "/pieces/1/rules/match");
   EXPECT_EQ(field_of(R"([])"), "/pieces/1/rules");
 }
 

@@ -74,10 +74,12 @@ def rules(
     start: float | None = None,
     end: float | None = None,
     fold: bool | None = None,
+    match: Point | None = None,
     shade: str | None = None,
 ) -> Op:
     """All rules of the piece: those left out do not hold.  `start` and `end` are the wire's `from` and `to`."""
-    given = named(below=below, above=above, to=end, fold=fold, shade=shade)
+    point = None if match is None else list(match)
+    given = named(below=below, above=above, to=end, fold=fold, match=point, shade=shade)
     return named(op="rules", piece=piece, rules=given if start is None else given | {"from": start})
 
 
@@ -88,10 +90,11 @@ def set_strip(
     margin: float | None = None,
     below: float | None = None,
     above: float | None = None,
+    repeat: dict[str, Any] | None = None,
     endless: bool = False,
 ) -> Op:
-    """`endless` takes the cloth's end away."""
-    op = named(op="setStrip", width=width, longest=longest, margin=margin, below=below, above=above)
+    """`endless` takes the cloth's end away.  `repeat` is as in a document; {}: the cloth has no pattern."""
+    op = named(op="setStrip", width=width, longest=longest, margin=margin, below=below, above=above, repeat=repeat)
     return op | {"longest": None} if endless else op
 
 

@@ -1,0 +1,79 @@
+// Cloth's rules (core/marker/rules.h) in decimals, as files and messages hold them: those of a piece, and the pattern
+// of the cloth.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/marker/rules.h"
+#include "protocol/json/fields.h"
+#include "protocol/schema/visitors.h"
+
+namespace selvage::protocol::formats {
+
+struct Decimal {
+  double x{}, y{};
+  friend bool operator==(const Decimal&, const Decimal&) = default;
+};
+
+}  // namespace selvage::protocol::formats
+
+namespace selvage::protocol::schema {
+
+template <>
+struct Wire<formats::Decimal> {
+  static Type type();
+  static Json write(const formats::Decimal& value) { return Json::array({value.x, value.y}); }
+  static void read(const FieldAt& at, formats::Decimal& value);
+};
+
+}  // namespace selvage::protocol::schema
+
+namespace selvage::protocol::formats {
+
+struct DecimalRules {
+  static constexpr std::string_view kName = "PieceRules", kMeaning = "Where on the strip a piece may lie.";
+  static constexpr schema::Limits kRule{.range = {{0, 1e9}}};  // lengths
+  std::optional<double> below, above, from, to;
+  std::optional<bool> fold;
+  std::optional<Decimal> match;
+  std::optional<std::string> shade;
+
+  static void describe(auto& v, auto& self) {
+    v.optional("below", self.below, "Its distance from the strip's lower edge, in place of the strip's own.", kRule);
+    v.optional("above", self.above, "Its distance from the strip's upper edge, in place of the strip's own.", kRule);
+    v.optional("from", self.from, "It lies at this x or beyond.", kRule);
+    v.optional("to", self.to, "It ends at this x or before.", kRule);
+    v.optional("fold", self.fold, "Whether its lowest side lies on the strip's lower edge, where the cloth is folded.");
+    v.optional("match", self.match, "A point of its shape, which lies where a repeat of the cloth's pattern begins.");
+    v.optional("shade", self.shade,
+               "The name of its shade: the pieces of a shade lie near each other along the strip.");
+  }
+  friend bool operator==(const DecimalRules&, const DecimalRules&) = default;
+};
+// The rules on the lattice: distances are rounded so that the rule as written is kept.
+[[nodiscard]] marker::Rules rules_on_lattice(const DecimalRules& written, Resolution resolution);
+[[nodiscard]] DecimalRules decimal_rules(const marker::Rules& rules, Resolution resolution);
+[[nodiscard]] bool fits_lattice(const DecimalRules& written, Resolution resolution);
+
+struct DecimalRepeat {
+  static constexpr std::string_view kName = "ClothRepeat",
+                                    kMeaning = "The pattern of the cloth: stripes repeat on one axis, a plaid on both.";
+  std::optional<double> along, across;
+  std::optional<Decimal> phase;
+
+  static void describe(auto& v, auto& self) {
+    v.optional("along", self.along, "The length of a repeat in x; absent or 0: the pattern does not change along x.",
+               DecimalRules::kRule);
+    v.optional("across", self.across, "The length of a repeat in y; absent or 0: the pattern does not change along y.",
+               DecimalRules::kRule);
+    v.optional("phase", self.phase, "A point at which a repeat begins; [0, 0] when absent.");
+  }
+};
+// The repeat on the lattice.  Repeats and their phase have to be whole numbers of lattice units: rounded ones would
+// lose the pattern along the cloth; a resolution that is chosen for the marker suits them.
+[[nodiscard]] marker::Repeat repeat_on_lattice(const DecimalRepeat& written, Resolution resolution);
+[[nodiscard]] DecimalRepeat decimal_repeat(const marker::Repeat& repeat, Resolution resolution);
+[[nodiscard]] bool fits_lattice(const DecimalRepeat& written, Resolution resolution);
+
+}  // namespace selvage::protocol::formats
