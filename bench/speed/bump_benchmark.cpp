@@ -8,12 +8,11 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <fstream>
 #include <numbers>
 #include <random>
-#include <sstream>
 #include <string>
 
+#include "bench/support/example_markers.h"
 #include "core/motion/compaction/compact.h"
 #include "core/motion/piece/bump.h"
 #include "core/motion/placing/place.h"
@@ -26,10 +25,7 @@ constexpr int kDirections = 8;
 constexpr int kDrops = 8;  // random points per piece
 
 Marker marker_named(const std::string& name, bool tight) {
-  std::ifstream in{std::string{SELVAGE_SOURCE_DIR} + "/examples/markers/" + name + ".json"};
-  std::stringstream text;
-  text << in.rdbuf();
-  Marker marker = protocol::formats::read_marker(text.str())->marker;
+  Marker marker = example_marker(name);
   SumCache sums;
   if (tight) marker = compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums})->marker;
   return marker;

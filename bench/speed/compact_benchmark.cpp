@@ -1,25 +1,17 @@
 // Time of leftward compaction without reading files: cold (an empty cache of sums) and warm.
 #include <benchmark/benchmark.h>
 
-#include <fstream>
-#include <sstream>
 #include <string>
 
+#include "bench/support/example_markers.h"
 #include "core/motion/compaction/compact.h"
 #include "protocol/formats/format.h"
 
 namespace selvage::bench {
 namespace {
 
-Marker marker_named(const std::string& name) {
-  std::ifstream in{std::string{SELVAGE_SOURCE_DIR} + "/examples/markers/" + name + ".json"};
-  std::stringstream text;
-  text << in.rdbuf();
-  return protocol::formats::read_marker(text.str())->marker;
-}
-
 void compact_cold(benchmark::State& state, const std::string& name, motion::compaction::Accuracy accuracy) {
-  const Marker marker = marker_named(name);
+  const Marker marker = example_marker(name);
   double ratio = 1;
   for (auto _ : state) {
     SumCache sums;
@@ -30,7 +22,7 @@ void compact_cold(benchmark::State& state, const std::string& name, motion::comp
 }
 
 void compact_warm(benchmark::State& state, const std::string& name, motion::compaction::Accuracy accuracy) {
-  const Marker marker = marker_named(name);
+  const Marker marker = example_marker(name);
   SumCache sums;
   benchmark::DoNotOptimize(compact(marker, compaction_settings(accuracy), {sums}));
   for (auto _ : state) benchmark::DoNotOptimize(compact(marker, compaction_settings(accuracy), {sums}));

@@ -2,7 +2,7 @@
 // method marker.check, from the text of its parameters to the text of its result.
 #include <benchmark/benchmark.h>
 
-#include "bench/support/marker_file.h"
+#include "bench/support/example_markers.h"
 #include "core/marker/validity.h"
 #include "protocol/calls/answer.h"
 #include "protocol/methods/method_table.h"
@@ -10,19 +10,15 @@
 namespace selvage::bench {
 namespace {
 
-std::string path_of(const std::string& name) {
-  return std::string{SELVAGE_SOURCE_DIR} + "/examples/markers/" + name + ".json";
-}
-
 void prove(benchmark::State& state, const std::string& name) {
-  const Marker marker = marker_in(path_of(name));
+  const Marker marker = example_marker(name);
   for (auto _ : state) {
     if (!is_valid(marker)) state.SkipWithError("not valid");
   }
 }
 
 void check_method(benchmark::State& state, const std::string& name) {
-  const MarkerFile file{.marker = marker_in(path_of(name)), .format = Format::kNative, .notes = {}, .attributes = {}};
+  const MarkerFile file{.marker = example_marker(name), .format = Format::kNative, .notes = {}, .attributes = {}};
   const protocol::calls::Method& method = *protocol::methods::find_method("marker.check");
   for (auto _ : state) {
     SumCache sums;

@@ -8,10 +8,9 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
 #include <string>
 
+#include "bench/support/example_markers.h"
 #include "core/marker/validity.h"
 #include "core/motion/compaction/compact.h"
 #include "core/motion/floating/float_apart.h"
@@ -19,13 +18,6 @@
 
 namespace selvage::bench {
 namespace {
-
-Marker marker_named(const std::string& name) {
-  std::ifstream in{std::string{SELVAGE_SOURCE_DIR} + "/examples/markers/" + name + ".json"};
-  std::stringstream text;
-  text << in.rdbuf();
-  return protocol::formats::read_marker(text.str())->marker;
-}
 
 struct Means {
   double before{}, after{};
@@ -90,7 +82,7 @@ bool print_table(double distance, const std::string& only) {
     if (!only.empty() && only != name) continue;
     SumCache sums;
     const auto compacted =
-        compact(marker_named(name), compaction_settings(motion::compaction::Accuracy::kStandard), {sums});
+        compact(example_marker(name), compaction_settings(motion::compaction::Accuracy::kStandard), {sums});
     if (!compacted) return false;
     const Coord wanted = to_lattice(distance, compacted->marker.resolution);
     for (const auto& [mode, word] : {std::pair{motion::floating::FloatMode::kLargestMinimum, "largest minimum"},

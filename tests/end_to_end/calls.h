@@ -11,6 +11,7 @@
 #include "server/app/options.h"
 #include "tests/server/dispatch/stub_methods.h"
 #include "tests/server/wire/wire.h"
+#include "tests/support/repository.h"
 
 namespace selvage::test {
 
@@ -45,7 +46,7 @@ inline std::string file_text(const std::string& path) {
   return text.str();
 }
 inline std::string garment(const std::string& name) {
-  return file_text(std::string{SELVAGE_SOURCE_DIR} + "/examples/markers/" + name + ".json");
+  return garment_text(name);
 }
 
 inline std::string open_params(const std::string& document) {

@@ -10,6 +10,7 @@
 #include "server/app/daemon.h"
 #include "tests/end_to_end/calls.h"
 #include "tests/server/wire/websocket_wire.h"
+#include "tests/support/repository.h"
 
 namespace selvage::test {
 namespace {
@@ -88,8 +89,7 @@ Json answer_over(ClientTransport& transport, Json& notifications) {
 
 TEST_P(GoldenExchanges, MatchTheDaemonsAnswers) {
   const auto& [name, transport_name] = GetParam();
-  const Json exchanges =
-      Json::parse(file_text(std::string{SELVAGE_SOURCE_DIR} + "/tests/golden/rpc/" + name + ".json"));
+  const Json exchanges = Json::parse(repository_text(std::string{"tests/golden/rpc/"} + name + ".json"));
   ASSERT_FALSE(exchanges.empty());
   const server::app::Daemon daemon{on_free_port(1)};
   std::map<std::string, std::unique_ptr<ClientTransport>> connections;  // by sender
@@ -117,7 +117,7 @@ TEST_P(GoldenExchanges, MatchTheDaemonsAnswers) {
 }
 
 TEST(Readme, ExplainsEveryMethodOfTheDaemon) {
-  const std::string text = file_text(std::string{SELVAGE_SOURCE_DIR} + "/protocol/README.md");
+  const std::string text = repository_text("protocol/README.md");
   server::app::Daemon daemon{on_free_port(1)};
   Wire wire{daemon.port()};
   const Json info = result_of(post_call(wire, "engine.info"));

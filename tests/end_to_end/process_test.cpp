@@ -13,6 +13,7 @@
 
 #include "tests/end_to_end/calls.h"
 #include "tests/end_to_end/process.h"
+#include "tests/support/repository.h"
 
 namespace selvage::test {
 namespace {
@@ -211,9 +212,9 @@ TEST_F(Selvaged, AnswersTheCallsOfAFileWithoutSockets) {
 TEST_F(Selvaged, ServesTheCurlExample) {
   Process selvaged{arguments()};
   ::setenv("SELVAGED", ("127.0.0.1:" + std::to_string(port_of(selvaged))).c_str(), 1);
-  const std::string source = SELVAGE_SOURCE_DIR;
   const std::string outlines = (folder_ / "outlines.json").string();
-  Process script{{source + "/examples/curl/compact.sh", source + "/examples/markers/jeans_02g.json", outlines}};
+  Process script{
+      {repository_path("examples/curl/compact.sh"), repository_path("examples/markers/jeans_02g.json"), outlines}};
   const std::string output = script.all_output();
   EXPECT_EQ(script.exit_code(), 0) << output;
   EXPECT_NE(output.find("length 2460.35 -> "), std::string::npos) << output;

@@ -8,13 +8,15 @@
 #include <iomanip>
 #include <map>
 
+#include "tests/support/repository.h"
+
 namespace selvage::test {
 namespace {
 
 using Figures = std::map<std::string, double>;
 
 std::string path_of(const std::string& file) {
-  return std::string{SELVAGE_SOURCE_DIR} + "/tests/pins/" + file + ".txt";
+  return repository_path("tests/pins/" + file + ".txt");
 }
 
 // A line is the key, which may contain blanks, a colon and the figure.

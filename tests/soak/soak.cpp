@@ -21,6 +21,7 @@
 #include "core/marker/validity.h"
 #include "protocol/formats/format.h"
 #include "tests/soak/motion_sequence.h"
+#include "tests/support/repository.h"
 
 namespace selvage::test {
 namespace {
@@ -118,7 +119,7 @@ int main(int argc, char** argv) {
   std::uint64_t motions = 1'000'000;
   std::uint64_t seed = 1;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
-  std::string folder = SELVAGE_SOURCE_DIR "/examples/markers";
+  std::string folder = selvage::test::repository_path("examples/markers");
   app.add_option("MOTIONS", motions, "Number of motions, rounded up to whole sequences")->capture_default_str();
   app.add_option("SEED", seed, "Seed of the first sequence")->capture_default_str();
   app.add_option("--threads", threads, "Number of threads")->check(CLI::Range(1U, 256U));

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "tests/clients/cpp/live_daemon.h"
+#include "tests/support/repository.h"
 
 namespace selvage::test {
 namespace {
@@ -36,8 +37,7 @@ class GoldenExchanges : public ::testing::TestWithParam<std::tuple<const char*, 
 
 TEST_P(GoldenExchanges, ReachTheClientUnchanged) {
   const auto& [name, over_tcp] = GetParam();
-  const Json exchanges =
-      Json::parse(text_of_file(std::string{SELVAGE_SOURCE_DIR} + "/tests/golden/rpc/" + name + ".json"));
+  const Json exchanges = Json::parse(repository_text(std::string{"tests/golden/rpc/"} + name + ".json"));
   const LiveDaemon daemon;
   Client client{over_tcp ? daemon.tcp() : daemon.socket()};
   int played = 0;

@@ -11,6 +11,7 @@
 
 #include "clients/cpp/client.h"
 #include "tests/end_to_end/process.h"
+#include "tests/support/repository.h"
 
 namespace selvage::test {
 
@@ -28,10 +29,10 @@ inline std::string text_of_file(const std::string& path) {
   return {std::istreambuf_iterator<char>{file}, {}};
 }
 inline std::string path_of_marker(const std::string& name) {
-  return std::string{SELVAGE_SOURCE_DIR} + "/examples/markers/" + name + ".json";
+  return repository_path("examples/markers/" + name + ".json");
 }
 inline Json garment(const std::string& name) {
-  return Json::parse(text_of_file(path_of_marker(name)));
+  return Json::parse(garment_text(name));
 }
 
 class LiveDaemon {

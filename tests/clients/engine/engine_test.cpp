@@ -3,22 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "protocol/json/json_text.h"
 #include "server/app/replay.h"
+#include "tests/support/repository.h"
 
 namespace selvage::engine {
 namespace {
-
-std::string text_of(const std::string& path) {
-  std::ifstream file{std::string{SELVAGE_SOURCE_DIR} + path};
-  return {std::istreambuf_iterator<char>{file}, {}};
-}
 
 Json call_json(const std::string& method, Json params) {
   return {{"jsonrpc", "2.0"}, {"id", 1}, {"method", method}, {"params", std::move(params)}};
@@ -30,7 +24,7 @@ Json result(Engine& engine, const std::string& method, Json params) {
   return Json::parse(answer(engine, call_json(method, std::move(params))))["result"];
 }
 Json garment(const std::string& name) {
-  return Json::parse(text_of("/examples/markers/" + name + ".json"));
+  return Json::parse(test::garment_text(name));
 }
 
 server::app::Options without_sockets() {
@@ -54,7 +48,7 @@ bool is_comparable(const Json& request) {
 class GoldenRequests : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(GoldenRequests, AreAnsweredWithTheBytesOfADaemon) {
-  const Json exchanges = Json::parse(text_of(std::string{"/tests/golden/rpc/"} + GetParam() + ".json"));
+  const Json exchanges = Json::parse(test::repository_text(std::string{"tests/golden/rpc/"} + GetParam() + ".json"));
   server::app::Daemon daemon{without_sockets()};
   Engine engine{3};
   int compared = 0;

@@ -1,18 +1,12 @@
 // Fuzz target: reading text as a rule table, and grading a style by it.
-#include <fstream>
-#include <sstream>
 #include <string>
 
 #include "tests/fuzz/entry.h"
 #include "tests/fuzz/trade/sound_reading.h"
+#include "tests/support/repository.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-  static const std::string style = [] {
-    std::ostringstream text;
-    text << std::ifstream{std::string{SELVAGE_SOURCE_DIR} + "/examples/trade/richpeace_like.dxf", std::ios::binary}
-                .rdbuf();
-    return text.str();
-  }();
+  static const std::string style = selvage::test::repository_text("examples/trade/richpeace_like.dxf");
   selvage::protocol::trade::ReadingOptions options;
   options.rules = std::string{bytes, bytes + size};
   selvage::test::demand_sound_file(style, options);

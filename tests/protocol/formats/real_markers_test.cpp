@@ -4,6 +4,7 @@
 #include "core/marker/validity.h"
 #include "protocol/json/fields.h"
 #include "tests/protocol/formats/samples.h"
+#include "tests/support/repository.h"
 
 namespace selvage::protocol::formats {
 namespace {
@@ -19,7 +20,7 @@ void PrintTo(const Example& example, std::ostream* out) {
 
 class ExampleMarker : public testing::TestWithParam<Example> {
  protected:
-  std::string text_ = test::file_text("examples/markers/" + std::string{GetParam().name} + ".json");
+  std::string text_ = test::garment_text(GetParam().name);
 };
 
 TEST_P(ExampleMarker, IsReadAsItIs) {

@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "protocol/json/fields.h"
 
 namespace selvage::test {
@@ -39,13 +36,6 @@ Json sparrow_squares() {
       "placed_items": [{"item_id": 7, "transformation": {"rotation": 0, "translation": [0, 0]}},
                        {"item_id": 7, "transformation": {"rotation": 0, "translation": [50, 10]}}]}}
   })");
-}
-
-std::string file_text(const std::string& path) {
-  std::ifstream file{std::string{SELVAGE_SOURCE_DIR} + "/" + path};
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
 }
 
 }  // namespace selvage::test

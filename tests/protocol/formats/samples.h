@@ -17,6 +17,5 @@ Json sparrow_squares();
 Json json(const std::string& text);
 // REQUIRES: the document is a marker.
 MarkerFile read(const Json& document);
-std::string file_text(const std::string& path_in_repository);
 
 }  // namespace selvage::test

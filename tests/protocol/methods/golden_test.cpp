@@ -13,6 +13,7 @@
 #include "protocol/methods/method_table.h"
 #include "protocol/rpc/json_rpc.h"
 #include "tests/protocol/formats/samples.h"
+#include "tests/support/repository.h"
 
 namespace selvage::protocol::methods {
 namespace {
@@ -105,7 +106,7 @@ void replay(const Json& exchange) {
 class Golden : public testing::TestWithParam<const char*> {};
 
 TEST_P(Golden, AgreesWithTheCodec) {
-  const Json exchanges = test::json(test::file_text("tests/golden/rpc/" + std::string{GetParam()} + ".json"));
+  const Json exchanges = test::json(test::repository_text("tests/golden/rpc/" + std::string{GetParam()} + ".json"));
   ASSERT_FALSE(exchanges.empty());
   for (const Json& exchange : exchanges) {
     SCOPED_TRACE(json::to_text(exchange["request"]));

@@ -9,6 +9,7 @@
 #include "protocol/methods/method_table.h"
 #include "protocol/rpc/json_rpc.h"
 #include "tests/protocol/formats/samples.h"
+#include "tests/support/repository.h"
 
 namespace selvage::protocol::methods {
 namespace {
@@ -27,7 +28,7 @@ std::vector<Json> examples(const std::string& text) {
 }
 
 TEST(Readme, ItsExamplesWork) {
-  const auto found = examples(test::file_text("protocol/README.md"));
+  const auto found = examples(test::repository_text("protocol/README.md"));
   ASSERT_EQ(found.size(), 3u);
   const Json& marker = found[0];
 
@@ -51,7 +52,7 @@ std::string section(const std::string& text, const std::string& heading) {
 }
 
 TEST(Readme, ExplainsEveryMotionAndItsParameters) {
-  const std::string text = test::file_text("protocol/README.md");
+  const std::string text = test::repository_text("protocol/README.md");
   for (const calls::Method& method : method_table().all()) {
     const std::string name{method.name};
     EXPECT_NE(text.find("| `" + name + "` |"), std::string::npos) << name;
@@ -78,7 +79,7 @@ TEST(Readme, ListsEveryErrorCode) {
       kUnknownFormat,   kFile,           kDuplicateField, kTooFewVertices,        kZeroArea,    kSelfIntersecting,
       kTooManyVertices, kBeyondLattice,  kEmptyMarker,    kUnknownShape,          kDuplicateId, kPieceTooWide,
       kOutsideStrip,    kMarkerOverlaps, kTooManyPieces,  kOrientationNotAllowed, kRepairFailed};
-  const std::string text = test::file_text("protocol/README.md");
+  const std::string text = test::repository_text("protocol/README.md");
   for (const ErrorCode code : kCodes) {
     const std::string row =
         "| " + std::to_string(static_cast<int>(code)) + " | `" + std::string{wire_name(code)} + "` |";
@@ -88,7 +89,7 @@ TEST(Readme, ListsEveryErrorCode) {
 
 TEST(Readme, ListsEveryRpcCode) {
   using enum rpc::RpcCode;
-  const std::string text = test::file_text("protocol/README.md");
+  const std::string text = test::repository_text("protocol/README.md");
   for (const rpc::RpcCode code :
        {kParseError, kInvalidRequest, kMethodNotFound, kInvalidParams, kInternalError, kMotionRefused, kBusy, kTooLarge,
         kUnknownMarker, kLimit, kDraining, kUnauthorised, kCancelled, kRevisionMismatch, kSuperseded}) {

@@ -11,15 +11,12 @@
 
 #include "core/geometry/lattice.h"
 #include "protocol/files/reading.h"
+#include "tests/support/repository.h"
 
 namespace selvage::test {
 
 inline std::string example(const std::string& name) {
-  std::ifstream file{std::string{SELVAGE_SOURCE_DIR} + "/examples/trade/" + name, std::ios::binary};
-  EXPECT_TRUE(file) << name;
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
+  return repository_text("examples/trade/" + name);
 }
 
 // Empty when the folder is not there.

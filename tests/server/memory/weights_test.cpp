@@ -4,30 +4,25 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
-#include <fstream>
 #include <memory>
-#include <sstream>
 #include <string>
 
 #include "core/minkowski/cache.h"
 #include "core/scene/laid_out.h"
 #include "protocol/formats/format.h"
 #include "protocol/formats/native.h"
+#include "tests/support/repository.h"
 
 namespace selvage::server::memory {
 namespace {
+
+using test::garment_text;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kMeasured = false;  // a sanitizer's allocator does not tell
 #else
 constexpr bool kMeasured = true;
 #endif
-
-std::string garment(const std::string& name) {
-  std::ostringstream text;
-  text << std::ifstream{std::string{SELVAGE_SOURCE_DIR} + "/examples/markers/" + name + ".json"}.rdbuf();
-  return text.str();
-}
 
 std::size_t allocated() {
   const auto info = ::mallinfo2();
@@ -50,7 +45,7 @@ void expect_near(std::size_t weight, std::size_t actual, const std::string& of) 
 
 TEST(Weights, AMarkerWeighsWhatTheAllocatorHandsOut) {
   for (const char* name : {"jeans_02g", "jeans_22g"}) {
-    const std::string text = garment(name);
+    const std::string text = garment_text(name);
     const auto read = [&text] { return *protocol::formats::read_marker(text); };
     const std::size_t weight = bytes_of(read());  // the first reading also makes what every reading needs
     expect_near(weight, measured(read), name);
@@ -58,7 +53,7 @@ TEST(Weights, AMarkerWeighsWhatTheAllocatorHandsOut) {
 }
 
 TEST(Weights, AttributesCount) {
-  MarkerFile file = *protocol::formats::read_marker(garment("jeans_02g"));
+  MarkerFile file = *protocol::formats::read_marker(garment_text("jeans_02g"));
   const std::size_t without = bytes_of(file);
   Json list = Json::array(std::size_t{100'000});
   for (Json& element : list) element = Json("a text of more than a few characters");
@@ -69,7 +64,7 @@ TEST(Weights, AttributesCount) {
 
 TEST(Weights, ReadersAreCountedWithTheirTextAndTheirLaidOutForm) {
   for (const char* name : {"jeans_02g", "jeans_22g"}) {
-    const MarkerFile file = *protocol::formats::read_marker(garment(name));
+    const MarkerFile file = *protocol::formats::read_marker(garment_text(name));
     const std::size_t text = protocol::json::to_text(protocol::formats::native_document(file)).size();
     SumCache sums{std::size_t{64} << 20};
     (void)scene::outlines_of(file.marker, sums);  // the cache's own
@@ -81,7 +76,7 @@ TEST(Weights, ReadersAreCountedWithTheirTextAndTheirLaidOutForm) {
 }
 
 TEST(Weights, MovesWeighTheirPieces) {
-  const MarkerFile file = *protocol::formats::read_marker(garment("jeans_22g"));
+  const MarkerFile file = *protocol::formats::read_marker(garment_text("jeans_22g"));
   protocol::edits::Moves moves;
   for (std::uint32_t k = 0; k < file.marker.pieces.size(); ++k) moves.push_back({k, file.marker.pieces[k]});
   expect_near(bytes_of(moves), measured([&] { return moves; }), "moves");
@@ -93,7 +88,7 @@ TEST(Weights, NoMessageTakesMoreToReadThanItsBound) {
     many_fields += std::string{k == 0 ? "" : ","} + R"({"a field of some length":"x","b":{},"c":[],"d":[[1]]})";
   }
   for (const std::string& text :
-       {garment("jeans_22g"), many_fields + "]", std::string(30'000, '[').substr(0, 60) + std::string(60, ']'),
+       {garment_text("jeans_22g"), many_fields + "]", std::string(30'000, '[').substr(0, 60) + std::string(60, ']'),
         "[" + std::string(100'000, ' ') + "]", std::string{"[null"} + std::string(0, ' ') + "]",
         "\"" + std::string(100'000, 'x') + "\"", std::string{"17"}}) {
     const auto parsed = protocol::json::parse(text);

@@ -8,6 +8,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tests/support/repository.h"
+
 namespace selvage::trials {
 
 LiveDaemon::LiveDaemon(const std::vector<std::string>& options) {
@@ -58,9 +60,7 @@ int LiveDaemon::end() {
 }
 
 std::string garment(const std::string& name) {
-  std::ostringstream text;
-  text << std::ifstream{std::string{SELVAGE_SOURCE_DIR} + "/examples/markers/" + name + ".json"}.rdbuf();
-  return text.str();
+  return test::garment_text(name);
 }
 
 }  // namespace selvage::trials

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <string_view>
 
+#include "tests/support/repository.h"
+
 namespace selvage::trials {
 namespace {
 
@@ -104,7 +106,7 @@ std::string long_call(std::size_t size, std::string_view before, std::string_vie
 }  // namespace
 
 MalformedMessages::MalformedMessages(std::uint64_t seed) : random_{seed} {
-  const std::filesystem::path folder{std::string{SELVAGE_SOURCE_DIR} + "/tests/golden/rpc"};
+  const std::filesystem::path folder{test::repository_path("tests/golden/rpc")};
   std::vector<std::filesystem::path> files;
   for (const auto& file : std::filesystem::directory_iterator{folder}) {
     if (file.path().extension() == ".json") files.push_back(file.path());
