@@ -160,7 +160,8 @@ class SequenceRunner {
     result_.after_stop.sums = std::max(result_.after_stop.sums, work.sums);
     if (work.programs > kMostProgramsAfterStop)
       return "begins " + std::to_string(work.programs) + " programs after a stop";
-    if (work.sums > given.pieces.size()) return "begins " + std::to_string(work.sums) + " sums after a stop";
+    if (work.sums > given.pieces.size() * given.pieces.size())
+      return "begins " + std::to_string(work.sums) + " sums after a stop";
     return "";
   }
 
