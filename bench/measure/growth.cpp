@@ -33,11 +33,11 @@ std::size_t peak_megabytes() {
 // A compaction and the milliseconds spent in each of its stages.
 struct Staged {
   motion::compaction::Compaction done;
-  std::array<double, 5> stages{};
+  std::array<double, 6> stages{};
   [[nodiscard]] double all() const { return std::accumulate(stages.begin(), stages.end(), 0.0); }
 };
 Staged staged(const Marker& marker) {
-  std::array<double, 5> stages{};
+  std::array<double, 6> stages{};
   auto at = static_cast<std::size_t>(scene::Stage::kOther);
   double last = own_time();
   const auto enter = [&](std::size_t next) {
@@ -75,7 +75,7 @@ void scene(const Paths& paths) {
 
 // Reports the run with the median time of three.
 void growth(const Paths& paths) {
-  std::cout << "tile,pieces,ms,sums,rows,solve,verify,other,programs,ratio,megabytes,valid\n" << std::fixed;
+  std::cout << "tile,pieces,ms,decomposition,sums,rows,solve,verify,other,programs,ratio,megabytes,valid\n" << std::fixed;
   for (const std::string& path : paths) {
     const Marker tile = test::loosened(marker_in(path), 0.05);
     for (const std::size_t pieces : {100U, 400U, 1600U, 4000U, 6400U}) {

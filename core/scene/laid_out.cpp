@@ -6,9 +6,11 @@
 
 namespace selvage::scene {
 
-LaidOut::LaidOut(const Marker& marker, SumCache& sums)
+LaidOut::LaidOut(const Marker& marker, SumCache& sums) : LaidOut{marker, Run{sums}} {}
+
+LaidOut::LaidOut(const Marker& marker, const Run& run)
     : pieces{marker},
-      outlines{outlines_of(marker, sums)},
+      outlines{outlines_of(marker, run)},
       ties{model::ties_of(marker)},
       figures{figures_of(marker, pieces)} {}
 
@@ -23,6 +25,13 @@ std::vector<outline::OrientedOutline> outlines_of(const Marker& marker, SumCache
     if (fresh) at->second = oriented_outline(marker, PieceId{i}, sums);
     outlines.push_back(at->second);
   }
+  return outlines;
+}
+
+std::vector<outline::OrientedOutline> outlines_of(const Marker& marker, const Run& run) {
+  run.observer.on_stage(Stage::kDecomposition);
+  auto outlines = outlines_of(marker, run.sums);
+  run.observer.on_stage(Stage::kOther);
   return outlines;
 }
 

@@ -8,11 +8,13 @@
 #include "core/marker/placed_pieces.h"
 #include "core/minkowski/cache.h"
 #include "core/model/ties.h"
+#include "core/scene/run.h"
 
 namespace selvage::scene {
 
 struct LaidOut {
   LaidOut(const Marker& marker, SumCache& sums);
+  LaidOut(const Marker& marker, const Run& run);  // reported as outlines_of says
 
   marker::PlacedPieces pieces;
   std::vector<outline::OrientedOutline> outlines;
@@ -22,6 +24,8 @@ struct LaidOut {
 
 // The outline of every piece, as the cache of Minkowski sums knows it.
 [[nodiscard]] std::vector<outline::OrientedOutline> outlines_of(const Marker& marker, SumCache& sums);
+// The same, reported as stage kDecomposition; kOther begins after it.
+[[nodiscard]] std::vector<outline::OrientedOutline> outlines_of(const Marker& marker, const Run& run);
 
 // The figures of the marker after a motion.  If the marker was valid before, pairs of which neither piece changed are
 // not proved again.

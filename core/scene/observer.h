@@ -10,7 +10,7 @@
 
 namespace selvage::scene {
 
-enum class Stage { kSums, kRows, kSolve, kVerify, kOther };
+enum class Stage { kDecomposition, kSums, kRows, kSolve, kVerify, kOther };
 
 struct Round {
   int number{};    // 1, 2, ...

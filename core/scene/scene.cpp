@@ -6,11 +6,13 @@
 
 namespace selvage::scene {
 
-Scene::Scene(Marker start, SumCache& sum_cache)
+Scene::Scene(Marker start, SumCache& sum_cache) : Scene{std::move(start), Run{sum_cache}} {}
+
+Scene::Scene(Marker start, const Run& run)
     : marker{std::move(start)},
-      sums{sum_cache},
+      sums{run.sums},
       pieces{marker},
-      outlines{outlines_of(marker, sum_cache)},
+      outlines{outlines_of(marker, run)},
       ties{model::ties_of(marker)} {}
 
 Scene::Scene(Marker start, const LaidOut& laid_out, SumCache& sum_cache)

@@ -11,11 +11,14 @@
 #include "core/minkowski/cache.h"
 #include "core/model/ties.h"
 #include "core/scene/laid_out.h"
+#include "core/scene/run.h"
 
 namespace selvage::scene {
 
 struct Scene {
   Scene(Marker start, SumCache& sum_cache);
+  // The same, reported as laid_out.h says.
+  Scene(Marker start, const Run& run);
   // REQUIRES: `laid_out` is that of this marker, or of one that differs from it only in the strip.
   Scene(Marker start, const LaidOut& laid_out, SumCache& sum_cache);
 

@@ -18,7 +18,7 @@ MotionBefore figures_of(const Marker& start, const MotionEnd& end, const marker:
 }  // namespace
 
 std::shared_ptr<const scene::LaidOut> laid_out(const Marker& marker, const MethodContext& context) {
-  const auto make = [&] { return scene::LaidOut{marker, context.run.sums}; };
+  const auto make = [&] { return scene::LaidOut{marker, context.run}; };
   return context.laid_out ? context.laid_out->get(make) : std::make_shared<const scene::LaidOut>(make());
 }
 

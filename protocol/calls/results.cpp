@@ -53,7 +53,7 @@ Healing healing_of(const motion::repair::Repair& repair, Resolution resolution) 
 }
 
 StageTimes stage_times_of(const execution::StageTimes& times) {
-  return {times.sums, times.rows, times.solve, times.verify, times.total};
+  return {times.decomposition, times.sums, times.rows, times.solve, times.verify, times.total};
 }
 
 CacheCounts cache_counts_of(const minkowski::CacheCounts& counts) {

@@ -123,9 +123,10 @@ struct Healing {
 
 struct StageTimes {
   static constexpr std::string_view kName = "StageTimes", kMeaning = "Milliseconds by stage.";
-  double sums{}, rows{}, solve{}, verify{}, total{};
+  double decomposition{}, sums{}, rows{}, solve{}, verify{}, total{};
 
   static void describe(auto& v, auto& self) {
+    v.required("decomposition", self.decomposition, "Splitting outlines that are not known yet into star-shaped parts.");
     v.required("sums", self.sums, "Computing Minkowski sums.");
     v.required("rows", self.rows, "Building linear programs.");
     v.required("solve", self.solve, "Solving them.");

@@ -4,6 +4,7 @@ namespace selvage::protocol::execution {
 
 double* StageTimer::slot(StageTimes& times, scene::Stage stage) {
   switch (stage) {
+    case scene::Stage::kDecomposition: return &times.decomposition;
     case scene::Stage::kSums: return &times.sums;
     case scene::Stage::kRows: return &times.rows;
     case scene::Stage::kSolve: return &times.solve;

@@ -8,7 +8,7 @@ namespace selvage::protocol::execution {
 
 // Milliseconds.
 struct StageTimes {
-  double sums{}, rows{}, solve{}, verify{}, total{};
+  double decomposition{}, sums{}, rows{}, solve{}, verify{}, total{};
 };
 
 class StageTimer {

@@ -99,7 +99,7 @@ class Call(CliTest):
 
     def test_reports_times_only_on_request(self):
         timed = json.loads(self.call("motion.compact", {"timing": True}).stdout)
-        self.assertEqual(set(timed["ms"]), {"sums", "rows", "solve", "verify", "total"})
+        self.assertEqual(set(timed["ms"]), {"decomposition", "sums", "rows", "solve", "verify", "total"})
         runs = {self.call("motion.push", {"forces": [{"piece": "p0", "force": [1, 1]}]}).stdout for _ in range(3)}
         self.assertEqual(len(runs), 1)
         self.assertNotIn("ms", json.loads(runs.pop()))

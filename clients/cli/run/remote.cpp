@@ -9,8 +9,8 @@ namespace {
 
 protocol::execution::StageTimes times_in(const Json& result) {
   const Json ms = result.value("ms", Json::object());
-  return {ms.value("sums", 0.0), ms.value("rows", 0.0), ms.value("solve", 0.0), ms.value("verify", 0.0),
-          ms.value("total", 0.0)};
+  return {ms.value("decomposition", 0.0), ms.value("sums", 0.0),   ms.value("rows", 0.0),
+          ms.value("solve", 0.0),         ms.value("verify", 0.0), ms.value("total", 0.0)};
 }
 
 minkowski::CacheCounts cache_counts_in(const Json& result) {

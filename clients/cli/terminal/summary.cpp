@@ -125,7 +125,8 @@ std::string json_line(const Json& fields, const protocol::execution::StageTimes&
                       const minkowski::CacheCounts& cache) {
   Json line = in_snake_case(fields);
   line.erase("placements");
-  line["ms"] = {{"sums", to_microsecond(times.sums)},
+  line["ms"] = {{"decomposition", to_microsecond(times.decomposition)},
+                {"sums", to_microsecond(times.sums)},
                 {"rows", to_microsecond(times.rows)},
                 {"solve", to_microsecond(times.solve)},
                 {"verify", to_microsecond(times.verify)},

@@ -18,8 +18,8 @@ namespace {
 // The loads on rows and bounds in one solution.
 class Loads {
  public:
-  Loads(const Marker& marker, const CriticalPathTuning& tuning, SumCache& sums)
-      : scene_{marker, sums}, tuning_{tuning} {}
+  Loads(const Marker& marker, const CriticalPathTuning& tuning, const scene::Run& run)
+      : scene_{marker, run}, tuning_{tuning} {}
 
   Result<CriticalPath> run(const scene::Run& run) {
     find_rows(run);
@@ -329,7 +329,7 @@ Result<CriticalPath> critical_path(const Marker& marker, const scene::Run& run, 
   if (!is_valid(marker)) {
     return Error{ErrorCode::kMarkerOverlaps, "the marker is not valid: compact or part it first", "/pieces"};
   }
-  return Loads{marker, tuning, run.sums}.run(run);
+  return Loads{marker, tuning, run}.run(run);
 }
 
 }  // namespace selvage::motion::compaction

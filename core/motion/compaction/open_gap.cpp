@@ -139,7 +139,7 @@ Error not_found(const GapChoice& choice, const scene::Run& run) {
 Result<OpenedGap> open_gap(const Marker& start, const GapChoice& choice, const CompactionSettings& settings,
                            const marker::UnoccupiedSettings& regions, const scene::Run& run, const GapTuning& tuning) {
   run.observer.on_stage(scene::Stage::kOther);
-  scene::Scene scene{start, run.sums};
+  scene::Scene scene{start, run};
   Opening opening{scene, settings, regions, tuning, run};
   // A region's number is its place in the list of the marker as it came in; repair may change the list.
   const bool by_number = std::holds_alternative<AwayFromOutline>(choice);

@@ -232,7 +232,7 @@ class Dragger {
 }  // namespace
 
 Drag drag(const Marker& start, PieceId piece, Vec to, DragMode mode, const scene::Run& run, const DragTuning& tuning) {
-  return drag(start, scene::LaidOut{start, run.sums}, piece, to, mode, run, tuning);
+  return drag(start, scene::LaidOut{start, run}, piece, to, mode, run, tuning);
 }
 
 Drag drag(const Marker& start, const scene::LaidOut& laid_out, PieceId piece, Vec to, DragMode mode,

@@ -265,7 +265,7 @@ Bump bump(const scene::Scene& scene, PieceId piece, double dx, double dy, const 
 }
 
 Result<BumpedMarker> repair_and_bump(const Marker& start, PieceId piece, double dx, double dy, const scene::Run& run) {
-  return repair_and_bump(start, scene::LaidOut{start, run.sums}, piece, dx, dy, run);
+  return repair_and_bump(start, scene::LaidOut{start, run}, piece, dx, dy, run);
 }
 
 Result<BumpedMarker> repair_and_bump(const Marker& start, const scene::LaidOut& laid_out, PieceId piece, double dx,

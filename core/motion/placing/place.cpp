@@ -330,7 +330,7 @@ Result<repair::Repair> repair_others(scene::Scene& scene, std::uint32_t piece, c
 Result<PlacedMarker> repair_and_place(const Marker& start, PieceId piece, Vec wanted, const PlaceSettings& settings,
                                       const scene::Run& run) {
   run.observer.on_stage(scene::Stage::kOther);
-  scene::Scene scene{start, run.sums};
+  scene::Scene scene{start, run};
   const auto repairing = [&] {
     const bool alone = scene.ties.free(piece.value);
     return alone ? repair_others(scene, piece.value, run) : repair::repair_overlaps(scene, run);

@@ -50,7 +50,7 @@ template <std::derived_from<MotionResult> Outcome, class Repairing, class Move>
 template <std::derived_from<MotionResult> Outcome, class Move>
 [[nodiscard]] Result<Outcome> repaired_and(const Marker& start, const scene::Run& run, const Move& move) {
   run.observer.on_stage(scene::Stage::kOther);
-  scene::Scene scene{start, run.sums};
+  scene::Scene scene{start, run};
   return repaired_and<Outcome>(
       scene, [&] { return repair_overlaps(scene, run); }, [&](Outcome& outcome) { move(scene, outcome); });
 }

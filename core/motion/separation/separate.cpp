@@ -322,7 +322,7 @@ Result<Separation> separate(const Marker& start, const SeparationSettings& setti
   Original pieces = original(start);
   for (;;) {
     const Marker present = result.marker;
-    scene::Scene scene{present, run.sums};
+    scene::Scene scene{present, run};
     Rounds rounds{scene, pieces.home, std::min(allowed, result.length_before), allowed, settings, run};
     const Ending ending = rounds.run(result);
     result.marker = scene.result();

@@ -77,7 +77,7 @@ class Tilter {
     TiltStepSettings step_settings{Angle::of_degrees(settings_.step.degrees * part), settings_.trust * part,
                                    settings_.compaction.solver, tuning().step};
     for (int correction = 0; correction <= tuning().corrections; ++correction) {
-      const scene::Scene scene{next, run_.sums};
+      const scene::Scene scene{next, run_};
       // Corrections only remove overlaps and keep the marker short.
       const TiltStep step = correction == 0 ? tilt_step(scene, goal, torque, step_settings, run_)
                                             : tilt_step(scene, leftwards(start), {}, step_settings, run_);
@@ -115,7 +115,7 @@ class Tilter {
 
   // Moves every piece to where it has most room, from left to right.
   std::optional<Marker> relaxed(const Marker& start) {
-    scene::Scene scene{start, run_.sums};
+    scene::Scene scene{start, run_};
     std::vector<std::uint32_t> order(scene.pieces.size());
     std::iota(order.begin(), order.end(), 0U);
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
