@@ -151,7 +151,9 @@ Outcome run_on(OpenMarker& marker, const Method& method, const ParsedCall& call,
   scene::Run run{means.sums, limit.token(), {}, &means.executor};
   run.observer.on_stage = [&timer](scene::Stage stage) { timer.enter(stage, now_ms()); };
   run.observer.on_round = [&caller, resolution = now.file->marker.resolution](const scene::Round& round) {
-    caller.on_round(round.number, to_decimal(round.length, resolution));
+    Round told{round.number, to_decimal(round.length, resolution), std::nullopt, round.nodes};
+    if (round.bound) told.bound = to_decimal(*round.bound, resolution);
+    caller.on_round(told);
   };
   auto answer = call.run(*now.file, {run, nullptr, [&limit] { return limit.is_up(); }});
   if (!answer) return why_not(method, answer.error(), limit);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <variant>
 
@@ -13,11 +15,19 @@
 
 namespace selvage::engine {
 
+// A round of a motion as a daemon tells it; lengths are in the marker's unit.
+struct Round {
+  int number{};
+  double length{};                       // of the marker after it
+  std::optional<double> bound{};         // of packing: no marker is shorter
+  std::optional<std::uint64_t> nodes{};  // of exact searches: searched so far
+};
+
 // Who made a call.
 struct Caller {
   std::stop_token stop;  // asks to end the call; then it changes nothing
-  // After each round of a motion: its number, and the marker's length after it in the marker's unit.
-  std::function<void(int round, double length)> on_round = [](int, double) {};
+  // After each round of a motion.
+  std::function<void(const Round&)> on_round = [](const Round&) {};
 };
 
 // What calls work with.

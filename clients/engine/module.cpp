@@ -1,11 +1,14 @@
 // The Python module selvage_engine._engine: Engine and Stop.  The only file that sees pybind11.
 #include <pybind11/functional.h>
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <utility>
@@ -18,11 +21,17 @@ using selvage::engine::Engine;
 
 namespace {
 
+using OnRound = std::function<void(int, double, std::optional<double>, std::optional<std::uint64_t>)>;
+
 // Other Python threads run meanwhile; `on_round` takes the interpreter's lock for itself.
 std::string answer(Engine& engine, const std::string& request, const std::stop_source& stop,
-                   std::function<void(int, double)> on_round) {
+                   const OnRound& on_round) {
   Caller caller{.stop = stop.get_token()};
-  if (on_round) caller.on_round = std::move(on_round);  // none: Python's None
+  if (on_round) {  // none: Python's None
+    caller.on_round = [&on_round](const selvage::engine::Round& round) {
+      on_round(round.number, round.length, round.bound, round.nodes);
+    };
+  }
   const py::gil_scoped_release released;
   std::string text = engine.answer(request, caller);
   return text;
@@ -40,5 +49,5 @@ PYBIND11_MODULE(_engine, module) {
       .def(py::init([](std::size_t threads) { return std::make_unique<Engine>(std::max<std::size_t>(threads, 1)); }),
            py::arg("threads") = 1)
       .def("answer", &answer, py::arg("request"), py::arg("stop"), py::arg("on_round") = py::none(),
-           "The response to a JSON-RPC request, as text.  Calls on_round(round, length) on this thread.");
+           "The response to a JSON-RPC request, as text.  Calls on_round(round, length, bound, nodes) on this thread.");
 }

@@ -63,8 +63,8 @@ Containment contain(const Marker& start, std::span<const PieceId> pieces, const 
   calls.on_leaf = [&](const branching::Leaf& leaf) {
     result.marker = bodies::as_in(start, placed(cloth.marker, bodies, leaf));
   };
-  calls.on_round = [&](double, const branching::Work&) {
-    run.observer.on_round({++result.rounds, result.length_before});
+  calls.on_round = [&](double, const branching::Work& work) {
+    run.observer.on_round({++result.rounds, result.length_before, std::nullopt, work.nodes});
   };
   calls.stop = run.stop;
   calls.executor = run.executor;

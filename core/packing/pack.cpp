@@ -86,7 +86,7 @@ class Packer {
     while (bound < longest && packing_.reason == scene::StopReason::kConverged) {
       const double ceiling = std::min(longest, std::ceil(bound * (1 + step)) + 1);
       const bool brief = !nested_ && settings_.limits.nodes > kBriefNodes;
-      const auto outcome = search_below(bodies, ceiling, brief ? kBriefNodes : settings_.limits.nodes);
+      const auto outcome = search_below(bodies, bound, ceiling, brief ? kBriefNodes : settings_.limits.nodes);
       bound = std::max(bound, std::min(outcome.bound, ceiling));
       const bool interrupted = brief && packing_.work.nodes >= kBriefNodes && !run_.stopped();
       if (interrupted) nest_best();
@@ -98,8 +98,7 @@ class Packer {
       if (outcome.bound < ceiling) break;
       step = kLaterSteps;
     }
-    packing_.bound = static_cast<Coord>(std::floor(bound));
-    if (best_) packing_.bound = std::min(packing_.bound, packing_.length_after);
+    packing_.bound = reported(bound);
     const bool complete = packing_.reason == scene::StopReason::kConverged;
     const auto left = static_cast<double>(packing_.length_after - packing_.bound);
     packing_.proved = complete && (best_ ? left <= 2 * gap_ : !undecided_);
@@ -118,7 +117,15 @@ class Packer {
     keep(std::move(nested->marker));
   }
 
-  branching::SearchOutcome search_below(const bodies::Bodies& bodies, double ceiling, std::uint64_t nodes) {
+  // The bound in whole units; no layout that is known is shorter.
+  [[nodiscard]] Coord reported(double bound) const {
+    const auto whole = static_cast<Coord>(std::floor(bound));
+    return best_ ? std::min(whole, packing_.length_after) : whole;
+  }
+
+  // Raises the bound as far as the search proves it.
+  branching::SearchOutcome search_below(const bodies::Bodies& bodies, double& bound, double ceiling,
+                                        std::uint64_t nodes) {
     branching::WorkLimits left = settings_.limits;
     left.nodes = nodes - std::min(nodes, packing_.work.nodes);
     left.pivots -= std::min(left.pivots, packing_.work.pivots);
@@ -128,8 +135,9 @@ class Packer {
       return place_leaf(start_, bodies, freedom, run_, leaf);
     };
     calls.on_leaf = [&](const branching::Leaf& leaf) { take(bodies, leaf); };
-    calls.on_round = [&](double, const branching::Work&) {
-      run_.observer.on_round({++packing_.rounds, packing_.length_after});
+    calls.on_round = [&, before = packing_.work.nodes](double below, const branching::Work& work) {
+      bound = std::max(bound, std::min(below, ceiling));
+      run_.observer.on_round({++packing_.rounds, packing_.length_after, reported(bound), before + work.nodes});
     };
     calls.stop = run_.stop;
     calls.executor = run_.executor;

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "core/geometry/lattice.h"
 #include "core/lp/linear_program.h"
@@ -15,6 +17,9 @@ enum class Stage { kDecomposition, kSums, kRows, kSolve, kVerify, kOther };
 struct Round {
   int number{};    // 1, 2, ...
   Coord length{};  // of the marker after the round
+  // Of searches of all layouts: no marker is shorter, which is proved; and how many nodes were searched so far.
+  std::optional<Coord> bound{};
+  std::optional<std::uint64_t> nodes{};
 };
 
 // How large a linear program is.

@@ -27,7 +27,7 @@ std::function<void(const scene::Round&)> progress_sender(const protocol::calls::
                                                          Resolution resolution) {
   if (!about.progress_token || !session->notify) return [](const scene::Round&) {};
   return [token = *about.progress_token, session, resolution](const scene::Round& round) {
-    const protocol::methods::daemon::Progress progress{token, round.number, to_decimal(round.length, resolution)};
+    const auto progress = protocol::methods::daemon::progress_of(token, round, resolution);
     session->notify(
         protocol::json::to_text(protocol::rpc::notification("$/progress", protocol::schema::encode(progress))));
   };

@@ -19,6 +19,7 @@ from selvage_client import spyrrow
 SELVAGED = sys.argv.pop(1)
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 JEANS = ROOT / "examples" / "markers" / "jeans_02g.json"
+BARS = ROOT / "examples" / "packing" / "bars.json"
 
 
 class InProcess(unittest.TestCase):
@@ -70,6 +71,11 @@ class InProcess(unittest.TestCase):
         selvage_engine.compact(JEANS, progress=steps.append)
         self.assertEqual([step.round for step in steps], list(range(1, len(steps) + 1)))
         self.assertGreater(len(steps), 0)
+        self.assertTrue(all(step.bound is None and step.nodes is None for step in steps))
+        searched = []
+        selvage_engine.pack(BARS, progress=searched.append)
+        self.assertTrue(all(step.bound <= step.length and step.nodes > 0 for step in searched))
+        self.assertGreater(len(searched), 0)
 
         class Enough(Exception):
             pass

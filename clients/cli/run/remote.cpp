@@ -41,7 +41,7 @@ Outcome outcome_of(Json result, MarkerFile end) {
 std::variant<Outcome, terminal::Failure> run_remotely(const ServerChoice& server, const Invocation& invocation,
                                                       const std::stop_token& stop, terminal::ProgressLine& progress) {
   RemoteMarker remote;
-  const auto on_round = [&](int round, double length) { progress.show_round(round, length); };
+  const auto on_round = [&](const terminal::ShownRound& round) { progress.show_round(round); };
   if (auto failure = remote.open(server, invocation.file, on_round)) return *std::move(failure);
   Json params = invocation.params;
   if (invocation.method.motion) params["timing"] = true;

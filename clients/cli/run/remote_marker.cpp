@@ -10,7 +10,11 @@ namespace {
 client::Handlers progress_handlers(RemoteMarker::OnRound on_round) {
   if (!on_round) return {};
   return {.notified = [on_round = std::move(on_round)](std::string_view method, const client::Json& params) {
-    if (method == "$/progress") on_round(params.value("round", 0), params.value("length", 0.0));
+    if (method != "$/progress") return;
+    terminal::ShownRound round{.number = params.value("round", 0), .length = params.value("length", 0.0)};
+    if (params.contains("bound")) round.bound = params["bound"].get<double>();
+    if (params.contains("nodes")) round.nodes = params["nodes"].get<std::uint64_t>();
+    on_round(round);
   }};
 }
 

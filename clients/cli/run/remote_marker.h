@@ -11,6 +11,7 @@
 
 #include "clients/cli/run/server_choice.h"
 #include "clients/cli/terminal/failure.h"
+#include "clients/cli/terminal/progress.h"
 #include "clients/cpp/client.h"
 #include "protocol/formats/format.h"
 
@@ -29,7 +30,7 @@ namespace selvage::cli::run {
 
 class RemoteMarker {
  public:
-  using OnRound = std::function<void(int round, double length)>;  // called on another thread
+  using OnRound = std::function<void(const terminal::ShownRound&)>;  // called on another thread
 
   RemoteMarker() = default;
   ~RemoteMarker();

@@ -39,22 +39,27 @@ ProgressLine::ProgressLine(const Marker& marker, bool show, std::optional<double
 scene::Observer ProgressLine::observer() {
   return {.on_stage = [this](scene::Stage stage) { timer_.enter(stage, now_ms()); },
           .on_round =
-              [this](const scene::Round& round) { show_round(round.number, to_decimal(round.length, resolution_)); }};
+              [this](const scene::Round& round) {
+                ShownRound shown{round.number, to_decimal(round.length, resolution_), std::nullopt, round.nodes};
+                if (round.bound) shown.bound = to_decimal(*round.bound, resolution_);
+                show_round(shown);
+              }};
 }
 
-void ProgressLine::show_round(int round, double length) {
+void ProgressLine::show_round(const ShownRound& round) {
   const std::scoped_lock lock{mutex_};
   round_ = round;
-  length_ = length;
 }
 
 // REQUIRES: the lock is held.
 std::string ProgressLine::text(double elapsed_ms) const {
   const double seconds = elapsed_ms / 1000;
   std::string line = seconds_ ? bar(std::min(1.0, seconds / *seconds_)) : rounded(seconds, 0) + " s";
-  if (round_ == 0) return line;
-  line += "  round " + std::to_string(round_) + "  " + length_text(length_) + " " + unit_;
-  return length_before_ > 0 ? line + " (" + change_text(length_before_, length_) + ")" : line;
+  if (round_.number == 0) return line;
+  line += "  round " + std::to_string(round_.number) + "  " + length_text(round_.length) + " " + unit_;
+  if (length_before_ > 0) line += " (" + change_text(length_before_, round_.length) + ")";
+  if (round_.bound) line += "  bound " + length_text(*round_.bound) + " " + unit_;
+  return round_.nodes ? line + "  " + std::to_string(*round_.nodes) + " nodes" : line;
 }
 
 void ProgressLine::keep_current(const std::stop_token& end) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <cstdint>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -13,6 +14,14 @@
 
 namespace selvage::cli::terminal {
 
+// A round as it is shown; lengths are in the marker's unit.
+struct ShownRound {
+  int number{};
+  double length{};
+  std::optional<double> bound{};  // no marker is shorter
+  std::optional<std::uint64_t> nodes{};
+};
+
 class ProgressLine {
  public:
   // `show`: print a line on stderr and keep it up to date, once the work has taken a second.  `seconds`: after which
@@ -21,8 +30,8 @@ class ProgressLine {
 
   // REQUIRES: *this outlives the observer.
   [[nodiscard]] scene::Observer observer();
-  // Called after every round; `length`: in the marker's unit.  From any thread.
-  void show_round(int round, double length);
+  // Called after every round.  From any thread.
+  void show_round(const ShownRound& round);
   [[nodiscard]] bool shown() const { return show_; }
   // Stops the clock and clears the line.
   [[nodiscard]] protocol::execution::StageTimes finish();
@@ -38,9 +47,8 @@ class ProgressLine {
   const std::optional<double> seconds_;
   const double start_;  // milliseconds
   protocol::execution::StageTimer timer_;
-  std::mutex mutex_;  // of the two below
-  int round_{};
-  double length_{};
+  std::mutex mutex_;  // of the round
+  ShownRound round_;
   std::condition_variable_any ended_;
   std::jthread writer_;  // the only one that prints the line
 };

@@ -1,6 +1,12 @@
 // The notification $/progress: sent to the caller of a motion with a progress token, after each round.
 #pragma once
 
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "core/geometry/lattice.h"
+#include "core/scene/observer.h"
 #include "protocol/calls/params.h"
 
 namespace selvage::protocol::methods::daemon {
@@ -9,12 +15,23 @@ struct Progress {
   calls::ProgressToken token;
   int round{};
   double length{};
+  std::optional<double> bound{};
+  std::optional<std::uint64_t> nodes{};
 
   static void describe(auto& v, auto& self) {
     v.required("token", self.token, "The call's progressToken.");
     v.required("round", self.round, "The number of the round.");
     v.required("length", self.length, "The marker's length after it.");
+    v.optional("bound", self.bound, "Of motion.pack: no marker of these pieces is shorter, which is proved.");
+    v.optional("nodes", self.nodes, "Of exact searches: number of nodes searched so far.");
   }
 };
+
+[[nodiscard]] inline Progress progress_of(calls::ProgressToken token, const scene::Round& round,
+                                          Resolution resolution) {
+  Progress progress{std::move(token), round.number, to_decimal(round.length, resolution), std::nullopt, round.nodes};
+  if (round.bound) progress.bound = to_decimal(*round.bound, resolution);
+  return progress;
+}
 
 }  // namespace selvage::protocol::methods::daemon

@@ -84,9 +84,10 @@ TEST(Engine, ReportsEveryRound) {
   (void)result(engine, "marker.open", {{"marker", garment("jeans_02g")}});
   std::vector<double> lengths;
   Caller caller;
-  caller.on_round = [&](int round, double length) {
-    lengths.push_back(length);
-    EXPECT_EQ(static_cast<std::size_t>(round), lengths.size());
+  caller.on_round = [&](const Round& round) {
+    lengths.push_back(round.length);
+    EXPECT_EQ(static_cast<std::size_t>(round.number), lengths.size());
+    EXPECT_FALSE(round.bound || round.nodes);
   };
   const Json done = Json::parse(answer(engine, call_json("motion.compact", {{"markerId", "m1"}}), caller))["result"];
   ASSERT_EQ(lengths.size(), done["rounds"].get<std::size_t>());
@@ -98,7 +99,7 @@ TEST(Engine, ChangesNothingWhenTheCallerStopsTheCall) {
   (void)result(engine, "marker.open", {{"marker", garment("jeans_02g")}});
   std::stop_source stop;
   Caller caller{.stop = stop.get_token()};
-  caller.on_round = [&](int, double) { stop.request_stop(); };
+  caller.on_round = [&](const Round&) { stop.request_stop(); };
   const Json refused = Json::parse(answer(engine, call_json("motion.compact", {{"markerId", "m1"}}), caller));
   EXPECT_EQ(refused["error"]["code"], -32800);
   EXPECT_EQ(result(engine, "marker.check", {{"markerId", "m1"}})["revision"], 1);

@@ -211,6 +211,25 @@ TEST(Pack, NestsWhatItCannotFinishSoon) {
   EXPECT_LE(packing.bound, packing.length_after);
 }
 
+TEST(Pack, ReportsABoundThatRisesAndTheNodesSoFar) {
+  const Marker marker = test::loose_marker(5, 3, 2);
+  SumCache sums;
+  scene::Run run{sums};
+  std::vector<scene::Round> rounds;
+  run.observer.on_round = [&](const scene::Round& round) { rounds.push_back(round); };
+  const Packing packing = pack(marker, {}, run);
+  ASSERT_FALSE(rounds.empty());
+  for (std::size_t k = 0; k < rounds.size(); ++k) {
+    EXPECT_LE(*rounds[k].bound, packing.length_after);
+    EXPECT_LE(*rounds[k].bound, rounds[k].length);
+    if (k == 0) continue;
+    EXPECT_GE(*rounds[k].bound, *rounds[k - 1].bound);
+    EXPECT_GE(*rounds[k].nodes, *rounds[k - 1].nodes);
+  }
+  EXPECT_LE(*rounds.back().bound, packing.bound);
+  EXPECT_EQ(*rounds.back().nodes, packing.work.nodes);
+}
+
 TEST(Pack, StopsWhenAsked) {
   const Marker marker = test::loose_marker(5, 3, 2);
   SumCache sums;

@@ -289,7 +289,8 @@ TEST(Progress, EachRoundIsReportedWithItsToken) {
                                        const MethodContext& context) -> Result<MethodAnswer> {
                                       const Resolution resolution = file.marker.resolution;
                                       context.run.observer.on_round({1, to_lattice(4.5, resolution)});
-                                      context.run.observer.on_round({2, to_lattice(4, resolution)});
+                                      context.run.observer.on_round(
+                                          {2, to_lattice(4, resolution), to_lattice(3.5, resolution), 1234});
                                       return motion_answer(about, file.marker, push_left(file.marker), context);
                                     })};
   (void)local.open_small();
@@ -300,7 +301,12 @@ TEST(Progress, EachRoundIsReportedWithItsToken) {
   EXPECT_EQ(first["params"]["token"], "mine");
   EXPECT_EQ(first["params"]["round"], 1);
   EXPECT_EQ(first["params"]["length"], 4.5);
-  EXPECT_EQ(local.client.next()["params"]["length"], 4);
+  EXPECT_FALSE(first["params"].contains("bound"));
+  EXPECT_FALSE(first["params"].contains("nodes"));
+  const Json second = local.client.next();
+  EXPECT_EQ(second["params"]["length"], 4);
+  EXPECT_EQ(second["params"]["bound"], 3.5);
+  EXPECT_EQ(second["params"]["nodes"], 1234);
   (void)local.result("motion.compact", "{'markerId':'m1'}");
   EXPECT_EQ(local.client.pending(), 0U);
   EXPECT_EQ(local.result("motion.compact", "{'markerId':'m1','progressToken':[1]}")["error"]["data"]["field"],

@@ -272,7 +272,9 @@ class Dragged:
 
 @dataclass(frozen=True)
 class Progress:
-    """A round of a motion under way."""
+    """A round of a motion under way.  `bound` of pack: no marker is shorter; `nodes` of exact searches."""
 
     round: int
     length: float
+    bound: float | None = None
+    nodes: int | None = None

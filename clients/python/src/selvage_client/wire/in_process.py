@@ -49,8 +49,8 @@ class InProcess:
         self._calls[number] = (deliver, stop)
         line = json.dumps({"jsonrpc": "2.0", "id": number, "method": method, "params": params}, allow_nan=False)
 
-        def on_round(round: int, length: float) -> None:
-            self._loop.call_soon_threadsafe(self._deliver, number, Progress(round, length))
+        def on_round(round: int, length: float, bound: float | None, nodes: int | None) -> None:
+            self._loop.call_soon_threadsafe(self._deliver, number, Progress(round, length, bound, nodes))
 
         def work() -> None:
             try:

@@ -24,7 +24,8 @@ def shown(progress: Shown) -> Iterator[OnProgress | None]:
         with tqdm(unit=" rounds", bar_format="{n_fmt}{unit}, {elapsed}{postfix}") as bar:
 
             def show(step: Progress) -> None:
-                bar.set_postfix_str(f"length {step.length:.2f}", refresh=False)
+                bound = "" if step.bound is None else f", bound {step.bound:.2f}"
+                bar.set_postfix_str(f"length {step.length:.2f}{bound}", refresh=False)
                 bar.update(step.round - bar.n)
 
             yield show
