@@ -156,7 +156,8 @@ TEST(Rooms, RulesThatNoPositionKeepsAreRefused) {
   EXPECT_EQ(with([](Marker& m, marker::Rules&) { m.strip.above = 100; }), "/strip/above");
   EXPECT_EQ(with([](Marker& m, marker::Rules&) { m.strip.above = m.strip.below = 50; }), "/strip/above");
   EXPECT_EQ(with([](Marker& m, marker::Rules&) { m.shade = 0; }), "/shade");
-  EXPECT_EQ(with([](Marker& m, marker::Rules& r) { m.shade = 9, r.shade = "A"; }), "/shade");
+  EXPECT_EQ(with([](Marker& m, marker::Rules& r) { m.shade = 9, r.shade = "A"; }), "") << "alone in its shade";
+  EXPECT_EQ(with([](Marker& m, marker::Rules& r) { m.shade = 9, r.shade = m.pieces[1].rules.shade = "A"; }), "/shade");
   EXPECT_EQ(with([](Marker&, marker::Rules& r) { r.below = -1; }), "/pieces/0/rules/below");
   EXPECT_EQ(with([](Marker&, marker::Rules& r) { r.below = 50, r.above = 41; }), "/pieces/0/rules");
   EXPECT_EQ(with([](Marker&, marker::Rules& r) { r.below = 50, r.above = 40; }), "");
