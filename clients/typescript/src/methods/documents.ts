@@ -26,6 +26,7 @@ export type MarkerDocument = {
     below?: number;
     /** The selvedge above: the distance from the upper edge, in place of the margin. */
     above?: number;
+    repeat?: RepeatDocument;
   };
   /** The least distance between two pieces; 0: they may touch. At most the strip's width. */
   spacing?: number;
@@ -60,8 +61,20 @@ export type RulesDocument = {
   to?: number;
   /** Its lowest side lies on the strip's lower edge, where the cloth is folded. */
   fold?: boolean;
+  /** A point of its shape, which lies where a repeat of the cloth's pattern begins. */
+  match?: Point;
   /** The name of its shade. */
   shade?: string;
+};
+
+/** The pattern of the cloth: stripes repeat on one axis, a plaid on both. */
+export type RepeatDocument = {
+  /** The length of a repeat in x; 0: the pattern does not change along x. */
+  along?: number;
+  /** The length of a repeat in y; 0: the pattern does not change along y. */
+  across?: number;
+  /** A point at which a repeat begins; [0, 0] when absent. */
+  phase?: Point;
 };
 
 /** An outline as it was drafted, and the orientations in which its copies may lie. */

@@ -31,6 +31,16 @@ export type BufferEdit = {
   buffer: number;
 };
 
+/** The pattern of the cloth: stripes repeat on one axis, a plaid on both. */
+export type ClothRepeat = {
+  /** The length of a repeat in x; absent or 0: the pattern does not change along x. */
+  along?: number;
+  /** The length of a repeat in y; absent or 0: the pattern does not change along y. */
+  across?: number;
+  /** A point at which a repeat begins; [0, 0] when absent. */
+  phase?: Point;
+};
+
 /** An operation of marker.apply. */
 export type Edit = AddEdit | RemoveEdit | PlaceEdit | TakeOffEdit | MoveEdit | RotateEdit | FlipEdit | TiltEdit | LockEdit | GroupEdit | BufferEdit | OverlapEdit | RulesEdit | StripEdit | SpacingEdit | AllowanceEdit | ShadeEdit;
 
@@ -160,6 +170,8 @@ export type StripEdit = {
   below?: number | null;
   /** The distance from the upper edge; null: the margin. */
   above?: number | null;
+  /** The pattern of the cloth; {}: it has none. */
+  repeat?: ClothRepeat;
 };
 
 /** Takes a piece off the cloth: it becomes the last unplaced piece. */

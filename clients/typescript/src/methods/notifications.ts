@@ -57,5 +57,9 @@ export interface Notifications {
     round: number;
     /** The marker's length after it. */
     length: number;
+    /** Of motion.pack: no marker of these pieces is shorter, which is proved. */
+    bound?: number;
+    /** Of exact searches: number of nodes searched so far. */
+    nodes?: number;
   };
 }

@@ -4,7 +4,7 @@ import type { Accuracy, Format, Overlap, PieceState, PieceValue, Point, Region, 
 import type { MarkerDocument } from "./documents.js";
 
 /** One of cloth's rules, which say where on the strip a piece may lie. */
-export type ClothRule = "below" | "above" | "from" | "to" | "fold" | "shade";
+export type ClothRule = "below" | "above" | "from" | "to" | "fold" | "shade" | "matchX" | "matchY";
 
 /** An open marker. */
 export type ListedMarker = {

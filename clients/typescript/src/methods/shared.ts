@@ -67,6 +67,8 @@ export type PieceRules = {
   to?: number;
   /** Whether its lowest side lies on the strip's lower edge, where the cloth is folded. */
   fold?: boolean;
+  /** A point of its shape, which lies where a repeat of the cloth's pattern begins. */
+  match?: Point;
   /** The name of its shade: the pieces of a shade lie near each other along the strip. */
   shade?: string;
 };
@@ -139,6 +141,8 @@ export type Region = {
 
 /** Milliseconds by stage. */
 export type StageTimes = {
+  /** Splitting outlines that are not known yet into star-shaped parts. */
+  decomposition: number;
   /** Computing Minkowski sums. */
   sums: number;
   /** Building linear programs. */

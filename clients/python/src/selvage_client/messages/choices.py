@@ -13,7 +13,7 @@ Accuracy = Literal["draft", "standard", "fine"]
 BestContainment = Literal["first", "room"]
 """Which layout motion.contain returns: the first that it finds, or the one in which the pieces have most room."""
 
-ClothRule = Literal["below", "above", "from", "to", "fold", "shade"]
+ClothRule = Literal["below", "above", "from", "to", "fold", "shade", "matchX", "matchY"]
 """One of cloth's rules, which say where on the strip a piece may lie."""
 
 DragMode = Literal["place", "push"]
