@@ -140,6 +140,6 @@ test("drags, results and dialogues leave nothing behind in the page's memory", (
     const before = await page.living();
     await day();
     const after = await page.living();
-    // A drag that keeps one listener would be 30 here; a few objects belong to timers that have not yet ended.
+    // A drag that keeps one listener or one object would be 30 here; a few objects belong to timers that have not yet ended.
     for (const kind of Object.keys(before)) assert.ok(after[kind] <= before[kind] + 12, `${kind}: ${before[kind]}, then ${after[kind]}`);
   }));

@@ -127,12 +127,23 @@ export class Page {
     throw new Error(`waited in vain for: ${what}; the page says "${await this.text("#toast").catch(() => "")}"; faults: ${this.faults.join("; ")}`);
   }
 
-  /** How much lives in the page's memory once all that can be is collected: nodes, listeners, functions and other objects. */
+  /**
+   * How much lives in the page's memory once all that can be is collected, and the counts no longer fall: nodes, listeners, functions, and objects
+   * of the page's own. A node's wrapper is no object of its own: the browser makes it when script looks at the node, and may collect it while the node lives.
+   */
   async living() {
-    for (let k = 0; k < 3; ++k) {
-      await this.send("HeapProfiler.collectGarbage");
-      await new Promise((resolve) => setTimeout(resolve, 200)); // for what ends with what was collected
+    let now = await this.countedNow();
+    for (let tries = 0, same = 0; tries < 20 && same < 2; ++tries) {
+      await new Promise((resolve) => setTimeout(resolve, 200)); // for what ends with what was collected, and for timers
+      const next = await this.countedNow();
+      same = Object.keys(now).every((kind) => next[kind] >= now[kind]) ? same + 1 : 0;
+      now = next;
     }
+    return now;
+  }
+
+  async countedNow() {
+    await this.send("HeapProfiler.collectGarbage");
     const { nodes, jsEventListeners } = await this.send("Memory.getDOMCounters");
     return { nodes, listeners: jsEventListeners, functions: await this.countOf("Function"), objects: await this.countOf("Object") };
   }
@@ -141,7 +152,8 @@ export class Page {
     const objectGroup = "counted";
     const { result } = await this.send("Runtime.evaluate", { expression: `${type}.prototype`, objectGroup });
     const { objects } = await this.send("Runtime.queryObjects", { prototypeObjectId: result.objectId, objectGroup });
-    const counted = await this.send("Runtime.callFunctionOn", { objectId: objects.objectId, functionDeclaration: "function () { return this.length; }" });
+    const own = `function () { return this.filter((one) => !(one instanceof Node || one instanceof CSSStyleDeclaration)).length; }`;
+    const counted = await this.send("Runtime.callFunctionOn", { objectId: objects.objectId, functionDeclaration: own });
     await this.send("Runtime.releaseObjectGroup", { objectGroup });
     return counted.result.value;
   }
