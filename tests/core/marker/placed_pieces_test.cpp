@@ -61,7 +61,7 @@ TEST(PlacedPieces, CanReplaceTheOutlineOfOnePiece) {
   marker::PlacedPieces pieces{marker};
   const Vec far{5000, 7};
   const Polygon square{{0, 0}, {30, 0}, {30, 30}, {0, 30}};
-  pieces.replace(2, square, far);
+  pieces.replace(2, square, far, {});
   EXPECT_EQ(pieces.box(2), (Box{{5000, 7}, {5030, 37}}));
   EXPECT_EQ(pieces.at(2), far);
   EXPECT_EQ(pieces.length(), 5030);
