@@ -222,7 +222,7 @@ TEST_F(Selvaged, ServesTheCurlExample) {
   EXPECT_EQ(saved["pieces"].size(), 40U);
   EXPECT_LT(saved["strip_length"], 2460.35);
 
-  Process missing{{source + "/examples/curl/compact.sh", source + "/README.md", outlines}};
+  Process missing{{repository_path("examples/curl/compact.sh"), repository_path("README.md"), outlines}};
   EXPECT_NE(missing.all_output().find("selvaged: "), std::string::npos);
   EXPECT_NE(missing.exit_code(), 0);
 }
