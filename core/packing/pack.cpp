@@ -107,8 +107,13 @@ class Packer {
   // A shorter layout to beat, from the best that is known: without one, a search that does not end has nothing to show.
   void nest_best() {
     nested_ = true;
-    const auto one_orientation = [](const Shape& shape) { return shape.rotations.size() == 1 && !shape.may_flip; };
-    if (!best_ || !(settings_.turns || std::ranges::all_of(start_.shapes, one_orientation))) return;
+    // Nesting chooses among all orientations of a shape, without a tilt; the search may not have that choice.
+    const auto same_choice = [this](const Piece& piece) {
+      const Shape& shape = start_.shapes[piece.shape.value];
+      const bool listed = settings_.turns ? !shape.rotations.empty() : shape.rotations.size() == 1 && !shape.may_flip;
+      return listed && piece.orientation.tilt == Angle{};
+    };
+    if (!best_ || !std::ranges::all_of(start_.pieces, same_choice)) return;
     nesting::NestSettings settings;
     settings.moves = kMovesOfAPiece * best_->pieces.size();
     settings.turn = false;
