@@ -17,8 +17,8 @@ import { buildEnginePanel, buildOffer } from "./panels/engine_panel";
 import { buildHeader } from "./panels/header";
 import { buildLengthPanel } from "./panels/length_panel";
 import { openMenu } from "./panels/menu";
-import { buildPieceList } from "./panels/piece_list";
-import { buildPiecePanel, buildSpacing } from "./panels/piece_panel";
+import { buildPieceList } from "./panels/pieces/piece_list";
+import { buildPiecePanel, buildSpacing } from "./panels/pieces/piece_panel";
 import { announceFigures, buildStatus, teller } from "./panels/status";
 import { buildTabs } from "./panels/tabs";
 import { buildLegend, buildToolbar } from "./panels/toolbar";
@@ -27,6 +27,7 @@ import { Desk } from "./session/desk";
 import { Library } from "./session/library";
 import { Link } from "./session/link";
 import { MarkerFiles } from "./session/marker_files";
+import { deedInWords } from "./session/words";
 import { say } from "./texts/texts";
 import { lengthText, measureIn } from "./texts/units";
 import { times } from "./view/frame_times";
@@ -106,7 +107,7 @@ function connectScene(): void {
     scene.fly(from);
     if (change.by === "reopened" || change.by === "refreshed") tell(say(change.by === "reopened" ? "reopened" : "reconnected"));
     else if (change.by === "closed") tell(say("closedElsewhere"));
-    else if (!change.mine) tell(say("changedBy", { what: change.by, length: lengthText(desk.figures.value.length) }));
+    else if (!change.mine) tell(say("changedBy", { what: deedInWords(change.by), length: lengthText(desk.figures.value.length) }));
   });
   follow([desk.draggedByOthers, desk.marker, desk.figures], () => {
     scene.draggedByOthers = desk.draggedByOthers.value.flatMap(({ piece, at }) => scene.marker?.heldAt(piece, at) ?? []);

@@ -67,7 +67,7 @@ export class Browser {
   }
 }
 
-const KEYS = { ArrowLeft: 37, ArrowUp: 38, ArrowRight: 39, ArrowDown: 40, Enter: 13, Escape: 27, Tab: 9, Home: 36, End: 35, PageUp: 33, PageDown: 34, " ": 32 };
+const KEYS = { Backspace: 8, ArrowLeft: 37, ArrowUp: 38, ArrowRight: 39, ArrowDown: 40, Enter: 13, Escape: 27, Tab: 9, Home: 36, End: 35, PageUp: 33, PageDown: 34, " ": 32 };
 const MODIFIERS = { alt: 1, control: 2, shift: 8 };
 
 export class Page {
@@ -206,6 +206,15 @@ export class Page {
 
   type(text) {
     return this.send("Input.insertText", { text });
+  }
+
+  /** Types a text into a field in place of what it holds, and leaves the field. */
+  async enter(selector, text) {
+    await this.click(selector);
+    await this.key("a", "control");
+    if (text === "") await this.key("Backspace");
+    else await this.type(text);
+    await this.key("Tab");
   }
 
   async picture() {

@@ -25,6 +25,9 @@ const looks = {
 for (const [look, media] of Object.entries(looks)) {
   test(`every control has a name, texts are 12 px or more and stand out: ${look}`, () =>
     story(here, async (page) => {
+      const [x, y] = await spot(page, "20");
+      await page.drag([x, y], [x, y]);
+      await page.ask(`document.querySelectorAll("details").forEach((one) => (one.open = true))`);
       for (const tab of ["engine", "pieces", "length"]) {
         await page.click(`#tab-${tab}`);
         await new Promise((resolve) => setTimeout(resolve, 250));

@@ -224,19 +224,13 @@ test("where a piece fits nowhere, the page says so; Escape ends the question", o
 
 test("pieces may overlap by what the marker, or the piece itself, allows; both are kept in the document", onSquares(4, async (page, port, markerId) => {
   await page.click("#tab-pieces");
-  const enter = async (selector, text) => {
-    await page.click(selector);
-    await page.key("a", "control");
-    await page.type(text);
-    await page.key("Tab");
-  };
-  await enter("#overlap", "3");
+  await page.enter("#overlap", "3");
   await atRevision(page, 2);
   assert.equal((await shown(page, port)).marker.overlap, 3);
   const [x, y] = await spot(page, "p1");
   await page.drag([x, y], [x, y]);
   assert.equal(await page.ask(`document.querySelector("#piece-overlap").placeholder`), "3.0");
-  await enter("#piece-overlap", "1.5");
+  await page.enter("#piece-overlap", "1.5");
   await atRevision(page, 3);
   const own = () => shown(page, port).then(({ marker }) => marker.pieces.find(({ id }) => id === "p1").overlap);
   assert.equal(await own(), 1.5);
@@ -245,7 +239,7 @@ test("pieces may overlap by what the marker, or the piece itself, allows; both a
   await atRevision(page, 4);
   const before = (await call(port, "marker.list")).markers[0].length;
   assert.ok(before < 160);
-  await enter("#overlap", "0");
+  await page.enter("#overlap", "0");
   await page.until(`document.querySelector("#overlap").value === "0.0"`);
   await page.until("selvageRoom.revision() >= 6", "separated");
   assert.ok((await call(port, "marker.list")).markers[0].length > before);

@@ -20,6 +20,7 @@ async function state(name, act, { marker = "jeans_02g", unplaced = false, ...opt
   const { markerId } = await call(daemon.port, "marker.open", { marker: unplaced ? withoutSolution(document) : document });
   const page = await visit(browser, daemon.port, { ...size, marker: markerId, ...options });
   await act(page, daemon.port, markerId);
+  await page.ask(`document.querySelector("#toast").dataset.shown = ""`); // what was told on the way there
   await rest();
   writeFileSync(`${folder}/room-${name}.png`, await page.picture());
   await daemon.stop();
@@ -47,12 +48,28 @@ const ruled = {
   ],
 };
 
+/** A plaid, two panels that are matched to it, and a pocket that is not yet. */
+const plaid = {
+  format: "selvage-marker",
+  version: 1,
+  name: "plaid",
+  strip: { width: 760, below: 15, above: 15, repeat: { along: 90, across: 75, phase: [10, 20] } },
+  shapes: [
+    { id: "panel", outline: [[0, 0], [600, 0], [600, 240], [420, 300], [0, 300]] },
+    { id: "pocket", outline: [[0, 0], [150, 0], [150, 160], [75, 190], [0, 160]] },
+  ],
+  pieces: [
+    { id: "left", shape: "panel", at: [10, 20], rules: { match: [90, 75] } },
+    { id: "right", shape: "panel", at: [10, 395], rules: { match: [90, 75] } },
+    { id: "pocket", shape: "pocket", at: [655, 110] },
+  ],
+};
+
 const compacted = async (page) => {
   await page.key("c");
   await page.until(offered);
   await page.key("Enter");
   await atRevision(page, 2);
-  await page.ask(`document.querySelector("#toast").dataset.shown = ""`);
 };
 const pick = async (page, piece) => {
   const [x, y] = await spot(page, piece);
@@ -72,6 +89,7 @@ const states = {
   result: () => state("result", async (page) => {
     await page.key("c");
     await page.until(offered);
+    await page.key("0"); // all of it
   }, { marker: "jeans_06g" }),
   fine: () => state("fine", async (page) => {
     await page.press("Fine");
@@ -135,6 +153,14 @@ const states = {
     await page.click("#tab-pieces");
     await pick(page, "banded");
   }, { marker: ruled }),
+  pattern: () => state("pattern", async (page) => {
+    await page.click("#tab-pieces");
+    await pick(page, "pocket");
+    await page.click("#piece-rules summary");
+    await page.click("#rule-match");
+    await atRevision(page, 2);
+    await page.ask(`document.querySelector("#panel-pieces").scrollTop = 360`);
+  }, { marker: plaid }),
   dark: () => state("dark", async (page) => {
     await compacted(page);
     await page.key("h");

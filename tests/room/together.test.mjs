@@ -22,7 +22,7 @@ test("what one does the other sees, and is told", () =>
     await page.until(`document.querySelector("#offer").dataset.shown === "yes"`);
     await page.key("Enter");
     await atRevision(other, 2);
-    await other.until(`document.querySelector("#toast").textContent.includes("Changed elsewhere")`);
+    await other.until(`document.querySelector("#toast").textContent.includes("Changed elsewhere: edited, now 2,452.2 mm")`);
     assert.equal(await other.text("#length"), "2,452.2 mm");
     const [x, y] = await spot(other, "20");
     await other.drag([x, y], [x + 30, y - 20]);
@@ -111,4 +111,27 @@ test("a piece in one hand is marked for all others, where the hand has it, until
     await other.until(`selvageRoom.draggedByOthers().includes("3")`, "the mark of a free drag");
     await third.close();
     await other.until(`selvageRoom.draggedByOthers().length === 0`, "no mark after the page is gone");
+  }));
+
+test("who watches hears that a piece was let go before hearing where it lies now", () =>
+  story(here, async (page, port) => {
+    const { markerId } = await shown(page, port);
+    const other = await visit(here.browser, port, { marker: markerId });
+    const heard = [];
+    here.browser.on(({ method, params, sessionId }) => {
+      if (sessionId !== other.session || method !== "Network.webSocketFrameReceived") return;
+      const message = JSON.parse(params.response.payloadData);
+      if (message.method === "marker.changed") heard.push("changed");
+      if (message.method === "marker.dragged") heard.push(`${message.params.pieces.length} held`);
+    });
+    const [x, y] = await spot(page, "20");
+    for (const [k, modifiers] of [0, 8].entries()) {
+      heard.length = 0;
+      await page.drag([x + 20 * k, y], [x + 20 * k + 20, y], { modifiers });
+      await atRevision(other, 2 + k);
+      await other.until("selvageRoom.draggedByOthers().length === 0");
+      assert.ok(heard.includes("1 held"), heard.join());
+      assert.ok(heard.includes("changed"), heard.join());
+      assert.equal(heard[heard.indexOf("changed") - 1], "0 held", heard.join());
+    }
   }));

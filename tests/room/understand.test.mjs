@@ -1,7 +1,7 @@
 // To understand: figures, money, worth, free cloth, cloth's rules, stripes, ruler, overview, printing.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { atRevision, call, choose, example, spot, squares, startDaemon, story, visit, withBrowser } from "./visit.mjs";
+import { atRevision, call, choose, example, revision, spot, squares, startDaemon, story, visit, withBrowser } from "./visit.mjs";
 
 const here = withBrowser();
 const offered = `document.querySelector("#offer").dataset.shown === "yes"`;
@@ -16,9 +16,10 @@ const onMarker = (marker, act, options = {}) => async () => {
   await daemon.stop();
 };
 
-/** The colour of the lower canvas at a point of the cloth. */
+/** The colour of the lower canvas at a point of the cloth, once what is known is drawn. */
 const colourAt = (page, [u, v]) =>
-  page.ask(`(() => {
+  page.ask(`(async () => {
+    await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
     const { scale, origin: [x, y] } = selvageRoom.view();
     const canvas = document.querySelector("#base");
     const ratio = canvas.width / canvas.clientWidth;
@@ -117,7 +118,7 @@ test("selvedges, the fold, bands and shades are drawn, and a piece's rules are s
   const told = async (piece, words) => {
     const [x, y] = await spot(page, piece);
     await page.drag([x, y], [x, y]);
-    await page.until(`document.querySelector("#panel-pieces .facts").textContent.includes(${JSON.stringify(words)})`, words);
+    await page.until(`document.querySelector("#piece-rules summary").textContent.includes(${JSON.stringify(words)})`, words);
   };
   const before = await shows(page, "#top");
   await told("folded", "On the fold");
@@ -130,18 +131,94 @@ test("a piece outside of its room makes the marker not valid, and is marked", on
   await page.until(`document.querySelector("#length + .figure-side").textContent === "not valid"`);
 }));
 
-test("stripes, plaid and the middle of the cloth are drawn over it", onMarker(squares(2), async (page) => {
+test("stripes, plaid and the middle of the cloth are drawn, and the pattern is the marker's", onMarker(squares(2), async (page, port, markerId) => {
   const plain = await shows(page, "#base");
-  await inSettings(page, () => set(page, "Stripe repeat along", "25"));
+  await page.click("#tab-pieces");
+  await page.click("#cloth-rules summary");
+  await page.enter("#cloth-along", "25");
+  await atRevision(page, 2);
   const striped = await shows(page, "#base");
   assert.notEqual(striped, plain);
-  await inSettings(page, () => set(page, "Stripe repeat across", "20"));
+  await page.enter("#cloth-across", "20");
+  await atRevision(page, 3);
   const plaid = await shows(page, "#base");
   assert.notEqual(plaid, striped);
-  await inSettings(page, async () => {
-    await page.ask(`[...document.querySelectorAll("label")].find((label) => label.textContent.startsWith("Fold line")).querySelector("input").click()`);
-  });
+  assert.match(await page.text("#cloth-rules summary"), /plaid, 25.0 × 20.0 mm/);
+  await page.enter("#cloth-phase-across", "7");
+  await atRevision(page, 4);
   assert.notEqual(await shows(page, "#base"), plaid);
+  const repeat = async () => (await call(port, "marker.get", { markerId })).marker.strip.repeat;
+  assert.deepEqual(await repeat(), { along: 25, across: 20, phase: [0, 7] });
+  await page.enter("#cloth-along", "");
+  await page.enter("#cloth-across", "");
+  await atRevision(page, 6);
+  assert.equal(await repeat(), undefined);
+  const before = await shows(page, "#base");
+  await inSettings(page, async () => {
+    await page.ask(`[...document.querySelectorAll("label")].find((label) => label.textContent.startsWith("Line in the middle")).querySelector("input").click()`);
+  });
+  assert.notEqual(await shows(page, "#base"), before);
+}));
+
+test("selvedges and a piece's own rules are entered in fields; what a rule moves is one step to undo", onMarker(squares(3), async (page, port, markerId) => {
+  const marker = async () => (await call(port, "marker.get", { markerId })).marker;
+  const rulesOf = async (id) => (await marker()).pieces.find((piece) => piece.id === id).rules ?? {};
+  const pick = async (id) => {
+    const [x, y] = await spot(page, id);
+    await page.drag([x, y], [x, y]);
+  };
+  await page.click("#tab-pieces");
+  await page.click("#cloth-rules summary");
+  await page.enter("#cloth-below", "15"); // the first two lie at 0 and 10, and move
+  await page.until("selvageRoom.revision() >= 3", "put into their room");
+  assert.equal((await marker()).strip.below, 15);
+  assert.ok((await marker()).pieces.every(({ at }) => at[1] >= 15));
+  await page.press("Undo");
+  await page.until(`document.querySelector("#cloth-below").value === ""`, "one undo");
+  assert.deepEqual((await marker()).pieces.map(({ at }) => at[1]), [0, 10, 20]);
+
+  await pick("p1");
+  await page.click("#piece-rules summary");
+  await page.until(`document.querySelector("#piece-rules summary").textContent.includes("anywhere")`);
+  const since = await revision(page);
+  await page.enter("#rule-from", "30");
+  await page.enter("#rule-to", "200");
+  await page.enter("#rule-shade", "M-A");
+  await atRevision(page, since + 3);
+  assert.deepEqual(await rulesOf("p1"), { from: 30, to: 200, shade: "M-A" });
+  assert.match(await page.text("#piece-rules summary"), /From 30.0 mm · Up to 200.0 mm · Shade M-A/);
+  await page.enter("#rule-from", "");
+  await page.click("#rule-fold");
+  await page.until(`document.querySelector("#rule-fold").checked && selvageRoom.revision() > ${since} + 4`, "put onto the fold");
+  assert.deepEqual(await rulesOf("p1"), { to: 200, shade: "M-A", fold: true });
+  assert.equal((await marker()).pieces.find(({ id }) => id === "p1").at[1], 0);
+  // What a field does not take is said in it, and nothing changes.
+  const now = await revision(page);
+  await page.enter("#rule-above", "wide");
+  assert.equal(await page.ask(`document.querySelector("#rule-above").validationMessage`), "A length in mm, 0 or more.");
+  assert.equal(await revision(page), now);
+}));
+
+test("a piece is matched to the pattern where it lies, and its match point can be entered", onMarker({ ...squares(3), strip: { width: 100, repeat: { along: 25, across: 20 } } }, async (page, port, markerId) => {
+  const matched = async () => (await call(port, "marker.get", { markerId })).marker.pieces.find(({ id }) => id === "p1");
+  await page.click("#tab-pieces");
+  const [x, y] = await spot(page, "p1");
+  await page.drag([x, y], [x, y]);
+  await page.click("#piece-rules summary");
+  await page.click("#rule-match");
+  await atRevision(page, 2);
+  const { at, rules } = await matched();
+  assert.deepEqual([(at[0] + rules.match[0]) % 25, (at[1] + rules.match[1]) % 20], [0, 0]);
+  assert.equal((await call(port, "marker.check", { markerId })).valid, true);
+  // Another point of it: the piece moves to where that one lies on the pattern.
+  await page.enter("#rule-point-along", "5");
+  await page.until("selvageRoom.revision() >= 4", "moved");
+  const moved = await matched();
+  assert.equal(moved.rules.match[0], 5);
+  assert.equal((moved.at[0] + 5) % 25, 0);
+  await page.click("#rule-match");
+  await page.until(`document.querySelector("#rule-point-along").closest(".row").hidden`);
+  assert.deepEqual((await matched()).rules ?? {}, {});
 }));
 
 const bundled = { ...squares(3), pieces: squares(3).pieces.map((piece, k) => ({ ...piece, attributes: { bundle: k < 2 ? "M-A" : "M-B" } })) };

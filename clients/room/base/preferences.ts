@@ -10,9 +10,7 @@ export interface Preferences {
   price: number; // of a metre of cloth
   plies: number;
   currency: string;
-  repeatX: number; // of stripes, in the marker's unit; 0: none
-  repeatY: number;
-  fold: boolean; // draw the fold line in the middle of the width
+  middle: boolean; // draw a line in the middle of the cloth's width
   labels: boolean;
 }
 
@@ -28,9 +26,7 @@ const defaults: Preferences = {
   price: 8,
   plies: 60,
   currency: "€",
-  repeatX: 0,
-  repeatY: 0,
-  fold: false,
+  middle: false,
   labels: true,
 };
 

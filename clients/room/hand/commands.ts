@@ -1,7 +1,7 @@
-import type { Edit, Point } from "../../typescript/src/index";
+import type { Edit, PieceRules, Point } from "../../typescript/src/index";
 import type { Engine } from "../engine/engine";
 import { nextRotation } from "../marker/edits";
-import type { Piece } from "../marker/marker";
+import type { Piece, Repeat } from "../marker/marker";
 import { Pose } from "../marker/pose";
 import type { Desk } from "../session/desk";
 import { inWords } from "../session/words";
@@ -200,6 +200,27 @@ export class Commands {
   }
   spacing(length: number): Promise<void> {
     return this.queue(() => this.settling.apply([{ op: "setSpacing", spacing: length }]));
+  }
+
+  /** Changes rules of the selected pieces; a rule that is undefined ends. */
+  rules(change: (piece: Piece) => PieceRules): Promise<void> {
+    return this.queue(() => this.settling.apply(this.scene.selected().map((piece): Edit => ({ op: "rules", piece: piece.id, rules: { ...piece.rules, ...change(piece) } }))));
+  }
+  /** Changes the selvedges; null: the margin holds there. */
+  strip(change: { below?: number | null; above?: number | null }): Promise<void> {
+    return this.queue(() => this.settling.apply([{ op: "setStrip", ...change }]));
+  }
+  /** Changes the pattern of the cloth; one without a repeat is none. */
+  repeat(change: (known: Repeat) => Partial<Repeat>): Promise<void> {
+    return this.queue(() => {
+      const known = this.desk.marker.value?.repeat ?? { along: 0, across: 0, phase: [0, 0] as Point };
+      const changed = { ...known, ...change(known) };
+      return this.settling.apply([{ op: "setStrip", repeat: changed.along > 0 || changed.across > 0 ? changed : {} }]);
+    });
+  }
+  /** The length within which the pieces of a shade lie; null: shades have no effect. */
+  shade(length: number | null): Promise<void> {
+    return this.queue(() => this.settling.apply([{ op: "setShade", shade: length }]));
   }
 
   private edit(ops: Edit[]): Promise<void> {

@@ -12,7 +12,7 @@ export class FreeDrag {
   constructor(
     private readonly scene: Scene,
     pieces: readonly Piece[],
-    private readonly untell: () => void, // others that the pieces are in this hand
+    private readonly untell: () => Promise<void>, // others that the pieces are in this hand
     private readonly drop: (moved: Map<string, Pose>) => Promise<void>,
   ) {
     this.from = new Map(pieces.map((piece) => [piece.id, piece.pose]));
@@ -29,9 +29,12 @@ export class FreeDrag {
 
   async end(commit: boolean): Promise<void> {
     this.scene.free = false;
-    this.untell();
     if (this.scene.held === this.held) this.scene.held = new Set();
-    if (commit) await this.drop(this.to);
+    const told = this.untell();
+    if (commit) {
+      await told; // before they see the change
+      await this.drop(this.to);
+    }
     if (this.scene.held.size === 0) this.scene.showPoses(new Map(), true);
   }
 }

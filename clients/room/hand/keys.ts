@@ -34,7 +34,7 @@ export function listenForKeys(canvas: HTMLElement, parts: Parts): void {
     if (event.key === "Tab") document.body.dataset["keys"] = "yes";
     const target = event.target as HTMLElement;
     if (event.defaultPrevented || target.closest("input, select, textarea, dialog")) return;
-    const onControl = target.closest("button, a, [role=option], [role=tab], [role=menuitem]") !== null;
+    const onControl = target.closest("button, a, summary, [role=option], [role=tab], [role=menuitem]") !== null;
     if (onControl && ["Enter", " ", "Tab", ...Object.keys(ARROWS), ...Object.keys(CORNERS)].includes(event.key)) return;
     const act = event.ctrlKey || event.metaKey ? withControl(event, parts) : plain(event, canvas, parts);
     if (!act) return;

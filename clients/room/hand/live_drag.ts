@@ -7,6 +7,7 @@ import { times } from "../view/frame_times";
 import type { Scene } from "../view/scene";
 
 const MOST_UNANSWERED = 16;
+const APART = 8; // milliseconds from one sent position to the next, at least
 
 /**
  * A drag session of the daemon: every frame sends where the hand wants the piece, and the answers say where it and its
@@ -16,9 +17,11 @@ export class LiveDrag {
   private dragId: string | undefined;
   private begun: Promise<void>;
   private wanted: Point;
+  private wantedSince = performance.now();
   private sent: Point | undefined;
+  private sentAt = 0;
   private unanswered = 0;
-  private frame = 0;
+  private waiting = 0;
   private order = 0;
   private shownOrder = 0;
   private over = false;
@@ -60,33 +63,37 @@ export class LiveDrag {
 
   move([dx, dy]: Point): void {
     this.wanted = [this.start.x + dx, this.start.y + dy];
+    this.wantedSince = performance.now();
     this.show();
     this.pump();
   }
 
-  // Sends the newest position once a frame.
+  // Sends the newest position: at once or, soon after another, when its time has come.
   private pump(): void {
-    if (this.frame || this.dragId === undefined || this.sent === this.wanted || this.over) return;
-    this.frame = window.setTimeout(() => {
-      this.frame = 0;
-      if (this.unanswered < MOST_UNANSWERED) void this.send();
-    }, 8);
+    if (this.waiting || this.dragId === undefined || this.sent === this.wanted || this.over || this.unanswered >= MOST_UNANSWERED) return;
+    const pause = this.sentAt + APART - performance.now();
+    if (pause <= 0) return void this.send();
+    this.waiting = window.setTimeout(() => {
+      this.waiting = 0;
+      this.pump();
+    }, pause);
   }
 
   private async send(): Promise<void> {
     const to = (this.sent = this.wanted);
     const order = ++this.order;
-    const since = performance.now();
+    const since = this.wantedSince;
+    this.sentAt = performance.now();
     this.unanswered += 1;
     try {
       const client: Client = await this.desk.link.ready();
       const answer = await client.call("drag.move", { dragId: this.dragId!, to });
-      times.answer.add(performance.now() - since);
       if (order > this.shownOrder && !this.over) {
         this.shownOrder = order;
         this.answer = answer;
         this.show();
       }
+      times.answer.add(performance.now() - since);
     } catch (error) {
       if (!hasCode(error, Code.Superseded) && !hasCode(error, Code.Busy)) this.fail(error);
     } finally {
@@ -124,7 +131,7 @@ export class LiveDrag {
 
   async end(commit: boolean): Promise<void> {
     await this.begun;
-    clearTimeout(this.frame);
+    clearTimeout(this.waiting);
     if (commit && this.dragId !== undefined && this.sent !== this.wanted) await this.send();
     this.over = true;
     this.scene.wanted = new Map();

@@ -36,6 +36,17 @@ export interface Unplaced {
   readonly flip: boolean;
 }
 
+const FINEST = 1e6; // match points are set to millionths of the unit
+
+/** The point of a piece that lies where a repeat begins, as the piece lies now: the one nearest to where its label is. */
+export function matchAsItLies({ repeat }: Marker, { shape, pose }: Piece): Point {
+  const at = pose.place([shape.spot.x, shape.spot.y]);
+  const { along, across, phase } = repeat!;
+  const nearest = (value: number, every: number, from: number) => (every > 0 ? from + Math.round((value - from) / every) * every : value);
+  const [x, y] = pose.unplace(nearest(at[0], along, phase[0]), nearest(at[1], across, phase[1]));
+  return [Math.round(x * FINEST) / FINEST, Math.round(y * FINEST) / FINEST];
+}
+
 export const isLocked = (piece: Piece, part: "x" | "y" | "tilt"): boolean =>
   piece.locked === true || (Array.isArray(piece.locked) && piece.locked.includes(part));
 
@@ -72,7 +83,7 @@ export class Marker {
     this.below = document.strip.below ?? this.margin;
     this.above = document.strip.above ?? this.margin;
     this.shade = document.shade;
-    const { repeat } = document.strip as { repeat?: Partial<Repeat> };
+    const { repeat } = document.strip;
     this.repeat = repeat && { along: 0, across: 0, phase: [0, 0], ...repeat };
     this.spacing = document.spacing ?? 0;
     this.overlap = document.overlap ?? 0;

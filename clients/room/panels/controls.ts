@@ -1,5 +1,6 @@
 import { h } from "../base/dom";
 import { say, wording, type TextName } from "../texts/texts";
+import { lengthText, parseLength, unitName } from "../texts/units";
 import { drawn, type IconName } from "./icons";
 
 // Panels are drawn anew with every revision: what follows the language must not keep their elements in memory.
@@ -27,6 +28,33 @@ export function textButton(title: TextName, act: () => void, style = ""): HTMLBu
   const button = h("button", { type: "button", class: `button ${style}`, onclick: act });
   worded(button, title);
   return button;
+}
+
+/** Which lengths a field takes. */
+interface LengthField {
+  id?: string;
+  least?: number;
+  /** Whether the field may be empty: there is no such length then. */
+  mayBeEmpty?: boolean;
+}
+
+/** A field for a length in the user's unit. What it does not take is left as it was typed, and the field says what it takes. */
+export function lengthField(take: (length: number | undefined) => void, { id, least = 0, mayBeEmpty = false }: LengthField = {}): HTMLInputElement {
+  const field: HTMLInputElement = h("input", { type: "text", inputmode: "decimal", size: 5, id, oninput: () => field.setCustomValidity(""), onchange: () => {
+    const length = parseLength(field.value);
+    const empty = mayBeEmpty && field.value.trim() === "";
+    if (empty || (length !== undefined && length >= least)) return take(length);
+    field.setCustomValidity(say(least < 0 ? "notANumber" : "notALength", { unit: unitName() }));
+    field.reportValidity();
+  } });
+  return field;
+}
+
+/** Shows a length in its field, unless it is being edited there. */
+export function showLength(field: HTMLInputElement, length: number | undefined): void {
+  if (document.activeElement === field) return;
+  field.setCustomValidity("");
+  field.value = length === undefined ? "" : lengthText(length, { unit: false });
 }
 
 /** A labelled field in a row. */

@@ -23,7 +23,7 @@ export function drawCurve(host: HTMLElement, points: readonly CurvePoint[]): voi
   const y = (length: number) => 6 + ((longest - length) / (longest - shortest || 1)) * (HEIGHT - 12);
   const steps = points.map(({ seconds, length }, k) => (k === 0 ? `M${x(seconds)} ${y(length)}` : `H${x(seconds)}V${y(length)}`)).join("") + `H${WIDTH - 1}`;
   const svg = shape("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: "curve", role: "img", "aria-label": say("lengthOverTime") });
-  svg.append(shape("path", { d: `${steps}V${HEIGHT}H1Z`, class: "curve-ground" }), shape("path", { d: steps, class: "curve-line" }));
+  svg.append(shape("path", { d: `${steps}V${HEIGHT}H${x(points[0]!.seconds)}Z`, class: "curve-ground" }), shape("path", { d: steps, class: "curve-line" }));
   const scale = h("div", { class: "curve-scale" }, h("span", {}, lengthText(longest)), h("span", {}, `${numberText(end, 1)} s`), h("strong", {}, lengthText(shortest)));
   fill(host, svg as unknown as HTMLElement, scale);
 }

@@ -2,7 +2,6 @@ import { fill, h } from "../base/dom";
 import { prefer, preferences } from "../base/preferences";
 import type { Link } from "../session/link";
 import { say, type TextName } from "../texts/texts";
-import { lengthText, parseLength } from "../texts/units";
 import { choice, row, textButton, worded } from "./controls";
 
 function dialog(title: TextName, ...body: HTMLElement[]): HTMLDialogElement {
@@ -17,15 +16,8 @@ function dialog(title: TextName, ...body: HTMLElement[]): HTMLDialogElement {
 }
 
 export function openSettings(): void {
-  const { language, unit, decimal, theme, colourBy, repeatX, repeatY } = preferences.value;
-  const length = (name: "repeatX" | "repeatY", value: number) => {
-    const field = h("input", { type: "text", inputmode: "decimal", size: 6, value: lengthText(value, { unit: false }), onchange: () => {
-      const typed = parseLength(field.value);
-      if (typed !== undefined && typed >= 0) prefer({ [name]: typed });
-    } });
-    return field;
-  };
-  const check = (name: "fold" | "labels") => {
+  const { language, unit, decimal, theme, colourBy } = preferences.value;
+  const check = (name: "middle" | "labels") => {
     const box: HTMLInputElement = h("input", { type: "checkbox", onchange: () => prefer({ [name]: box.checked }) });
     box.checked = preferences.value[name];
     return box;
@@ -43,9 +35,7 @@ export function openSettings(): void {
     row("theme", choice([["system", "themeSystem"], ["light", "themeLight"], ["dark", "themeDark"]], theme, (chosen) => prefer({ theme: chosen }))),
     row("colourBy", choice([["size", "bySize"], ["bundle", "byBundle"], ["shape", "byShape"], ["none", "byNone"]], colourBy, (chosen) => prefer({ colourBy: chosen }))),
     row("labels", check("labels")),
-    row("repeatX", length("repeatX", repeatX)),
-    row("repeatY", length("repeatY", repeatY)),
-    row("fold", check("fold")),
+    row("middle", check("middle")),
     h("div", { class: "buttons end" }, close),
   );
 }

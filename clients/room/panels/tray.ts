@@ -64,7 +64,7 @@ export function buildTray(host: HTMLElement, desk: Desk, scene: Scene, stage: St
     let over: Point | undefined;
     const end = () => {
       from = over = undefined;
-      scene.newcomers = [];
+      scene.carried = undefined;
       scene.onChange("moving");
     };
     button.addEventListener("pointerdown", (event) => {
@@ -74,7 +74,7 @@ export function buildTray(host: HTMLElement, desk: Desk, scene: Scene, stage: St
     button.addEventListener("pointermove", (event) => {
       if (!from || Math.hypot(event.clientX - from[0], event.clientY - from[1]) < SLACK) return;
       over = clothAt(event);
-      scene.newcomers = over ? [ghostOf(piece, over)] : [];
+      scene.carried = over && ghostOf(piece, over);
       scene.onChange("moving");
     });
     button.addEventListener("pointerup", () => {

@@ -1,58 +1,91 @@
 import type { Point } from "../../typescript/src/index";
 import { numberText } from "../texts/units";
-import type { Brush } from "./piece_painter";
+import type { Box } from "../marker/outline";
+import { labelOf, type Brush } from "./piece_painter";
 import type { Scene } from "./scene";
 
+const LEAST = 0.004; // worth of a contact that is drawn
+const FONT = '600 12px "Inter", system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif';
+const HALF = 8; // pixels, of the height of a text
+// Where a contact's worth is written: at its right if that is free, or else at its left, above or below.
+const SIDES = [
+  { dx: 8, dy: 0, part: 0 },
+  { dx: -8, dy: 0, part: -1 },
+  { dx: 0, dy: -15, part: -0.5 },
+  { dx: 0, dy: 15, part: -0.5 },
+];
+
 /** The critical path: from piece to piece through the points where they touch, as thick as its worth. */
-export function paintChain(brush: Brush, scene: Scene, now: number): void {
+export function paintChain(brush: Brush, scene: Scene, now: number, labels: boolean): void {
   const { context, camera, ratio, colours } = brush;
   const { chain, marker } = scene;
   if (!chain || !marker) return;
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  const middles = new Map<string, Point>();
   const middleOf = (id: string): Point | undefined => {
     const piece = marker.byId.get(id);
-    if (!piece) return undefined;
-    const { x, y } = piece.shape.spot;
-    return camera.toScreen(scene.poseOf(piece, now).place([x, y]));
+    if (piece && !middles.has(id)) middles.set(id, camera.toScreen(scene.poseOf(piece, now).place([piece.shape.spot.x, piece.shape.spot.y])));
+    return middles.get(id);
   };
+  const contacts = chain.contacts.filter(({ worth }) => worth >= LEAST);
   context.strokeStyle = colours.chain;
   context.lineCap = "round";
   context.lineJoin = "round";
-  for (const contact of chain.contacts) {
-    if (contact.worth < 0.004) continue;
+  for (const contact of contacts) {
     const at = camera.toScreen(contact.at);
-    const from = middleOf(contact.piece);
-    const to = contact.other === undefined ? undefined : middleOf(contact.other);
+    const ends = [middleOf(contact.piece), at, contact.other === undefined ? undefined : middleOf(contact.other)];
     context.globalAlpha = 0.35 + 0.6 * Math.min(1, contact.worth);
     context.lineWidth = 1 + 5 * Math.min(1, contact.worth);
     context.beginPath();
-    if (from) context.moveTo(...from);
-    else context.moveTo(...at);
-    context.lineTo(...at);
-    if (to) context.lineTo(...to);
+    for (const end of ends) if (end) context.lineTo(...end);
     context.stroke();
   }
   context.globalAlpha = 1;
   context.lineCap = "butt";
+  const names = labels ? paintNames(brush, scene, middles) : [];
+  paintWorths(brush, contacts.map(({ at, worth }) => ({ at: camera.toScreen(at), worth })), names);
   context.lineJoin = "miter";
-  for (const { at, worth } of chain.contacts) if (worth >= 0.004) paintWorth(brush, camera.toScreen(at), worth);
 }
 
-function paintWorth({ context, camera, colours }: Brush, [x, y]: Point, worth: number): void {
-  context.fillStyle = colours.chain;
-  context.beginPath();
-  context.arc(x, y, 2.5 + 2.5 * Math.min(1, worth), 0, 2 * Math.PI);
-  context.fill();
-  if (camera.scale < 0.25 || worth < 0.02) return;
-  const text = numberText(worth, 2);
-  context.font = '600 12px "Inter", system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif';
+// Names that the lines have crossed are written again above them. Answers where they stand.
+function paintNames(brush: Brush, scene: Scene, middles: ReadonlyMap<string, Point>): Box[] {
+  const { context, colours } = brush;
+  return [...middles].flatMap(([id, [x, y]]) => {
+    const { text, wide } = labelOf(brush, scene.marker!.byId.get(id)!);
+    if (text === "") return [];
+    context.strokeStyle = colours.halo;
+    context.lineWidth = 3.5;
+    context.strokeText(text, x, y);
+    context.fillStyle = colours.ink;
+    context.fillText(text, x, y);
+    return [{ left: x - wide / 2, right: x + wide / 2, bottom: y - HALF, top: y + HALF }];
+  });
+}
+
+function paintWorths({ context, camera, colours }: Brush, contacts: ReadonlyArray<{ at: Point; worth: number }>, names: Box[]): void {
+  const taken = [...names];
+  context.font = FONT;
   context.textAlign = "left";
   context.textBaseline = "middle";
+  context.fillStyle = colours.chain;
   context.strokeStyle = colours.halo;
   context.lineWidth = 3.5;
-  context.strokeText(text, x + 8, y);
-  context.fillText(text, x + 8, y);
+  for (const { at: [x, y], worth } of contacts) {
+    context.beginPath();
+    context.arc(x, y, 2.5 + 2.5 * Math.min(1, worth), 0, 2 * Math.PI);
+    context.fill();
+    if (camera.scale < 0.25 || worth < 0.02) continue;
+    const text = numberText(worth, 2);
+    const wide = context.measureText(text).width;
+    const boxes = SIDES.map(({ dx, dy, part }): Box => ({ left: x + dx + part * wide, right: x + dx + (part + 1) * wide, bottom: y + dy - HALF, top: y + dy + HALF }));
+    const box = boxes.find((one) => !taken.some((other) => meet(one, other))) ?? boxes[0]!;
+    taken.push(box);
+    context.strokeText(text, box.left, (box.bottom + box.top) / 2);
+    context.fillText(text, box.left, (box.bottom + box.top) / 2);
+  }
 }
+
+const meet = (a: Box, b: Box): boolean => a.left < b.right && b.left < a.right && a.bottom < b.top && b.bottom < a.top;
 
 /** Cloth that no piece covers; darker where the smallest piece would have the area. */
 export function paintRegions(brush: Brush, scene: Scene): void {

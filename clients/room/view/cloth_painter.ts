@@ -13,7 +13,7 @@ export function niceStep(least: number): number {
   return power * ([1, 2, 5, 10].find((factor) => factor * power >= least) ?? 10);
 }
 
-/** The cloth: its selvedges, its grid, its end, stripes and the fold. */
+/** The cloth: its selvedges, its grid, its end, and the line in its middle. */
 export function paintCloth(brush: Brush, scene: Scene, width: number, height: number, chosen: Preferences): void {
   const { context, camera, ratio, colours } = brush;
   const marker = scene.marker!;
@@ -27,7 +27,7 @@ export function paintCloth(brush: Brush, scene: Scene, width: number, height: nu
   context.fillStyle = colours.cloth;
   context.fillRect(from, top, to - from, bottom - top);
   paintGrid(brush, scene, from, to, top, bottom);
-  paintStripes(brush, scene, from, to, top, bottom, chosen);
+  if (chosen.middle) paintMiddle(brush, scene, from, to);
   paintSelvedge(brush, from, to, top - BAND);
   paintSelvedge(brush, from, to, bottom);
   context.strokeStyle = colours.faint;
@@ -57,38 +57,15 @@ function paintGrid({ context, camera, colours }: Brush, scene: Scene, from: numb
   context.stroke();
 }
 
-function paintStripes(brush: Brush, scene: Scene, from: number, to: number, top: number, bottom: number, chosen: Preferences): void {
-  const { context, camera, colours } = brush;
-  const marker = scene.marker!;
+function paintMiddle({ context, camera, colours }: Brush, scene: Scene, from: number, to: number): void {
+  const [, y] = camera.toScreen([0, scene.marker!.width / 2]);
   context.strokeStyle = colours.accent;
-  context.globalAlpha = 0.35;
+  context.setLineDash([12, 4, 2, 4]);
   context.beginPath();
-  const acrossEvery = chosen.repeatX * camera.scale;
-  if (acrossEvery >= 4) {
-    for (let x = camera.x + Math.ceil((from - camera.x) / acrossEvery) * acrossEvery; x <= to; x += acrossEvery) {
-      context.moveTo(x, top);
-      context.lineTo(x, bottom);
-    }
-  }
-  const alongEvery = chosen.repeatY * camera.scale;
-  if (alongEvery >= 4) {
-    for (let y = bottom - alongEvery; y > top; y -= alongEvery) {
-      context.moveTo(from, y);
-      context.lineTo(to, y);
-    }
-  }
+  context.moveTo(from, y);
+  context.lineTo(to, y);
   context.stroke();
-  if (chosen.fold) {
-    const [, y] = camera.toScreen([0, marker.width / 2]);
-    context.globalAlpha = 1;
-    context.setLineDash([12, 4, 2, 4]);
-    context.beginPath();
-    context.moveTo(from, y);
-    context.lineTo(to, y);
-    context.stroke();
-    context.setLineDash([]);
-  }
-  context.globalAlpha = 1;
+  context.setLineDash([]);
 }
 
 // The finished edge of woven cloth, with a stitch every 12 pixels.

@@ -24,5 +24,5 @@ export class Times {
   }
 }
 
-/** What the page measures of itself: script per frame, from a drag's move to the answer, and from its answer to the frame. */
+/** What the page measures of itself: script per frame, that of the settled pieces, and the time from the hand's move to the neighbours' new places. */
 export const times = { frame: new Times(), settled: new Times(), answer: new Times() };

@@ -1,7 +1,7 @@
 import type { Piece } from "../marker/marker";
 import { say } from "../texts/texts";
 import { lengthText, numberText } from "../texts/units";
-import { enter, outline, paintPiece, pathAt, type Brush } from "./piece_painter";
+import { enter, outline, paintLabel, paintPiece, pathAt, type Brush } from "./piece_painter";
 import type { Scene, Stroke } from "./scene";
 
 const BOLD = '600 12px "Inter", system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif';
@@ -71,9 +71,15 @@ export function paintSelection(brush: Brush, scene: Scene, now: number): void {
   drawn(scene.focus, (piece) => outline(brush, piece, scene.poseOf(piece, now), colours.ink, 1.2, [3, 3]));
 }
 
-/** Unplaced pieces where a result lays them. */
-export function paintNewcomers(brush: Brush, scene: Scene): void {
+/** Unplaced pieces where a result lays them, and the one that is being dragged out of the tray. */
+export function paintNewcomers(brush: Brush, scene: Scene, labels: boolean): void {
   for (const { piece, pose } of scene.newcomers) paintPiece(brush, piece, pose, scene.colouring.value);
+  for (const { piece, pose } of scene.newcomers) paintLabel(brush, piece, pose, labels);
+  if (!scene.carried) return;
+  const { piece, pose } = scene.carried;
+  paintPiece(brush, piece, pose, scene.colouring.value);
+  outline(brush, piece, pose, brush.colours.halo, 4.5);
+  outline(brush, piece, pose, brush.colours.accent, 2.4);
 }
 
 /** Places where an unplaced piece fits; the chosen one stands out. */

@@ -5,6 +5,8 @@ import type { Colouring, Palette } from "./palette";
 
 const LABEL = '500 12px "Inter", system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif';
 const TINY = 3; // pixels: a piece smaller than this is a rectangle
+const WIDEST = 2.4; // a label, in radii of the largest circle about its spot
+const NARROW = 4; // pixels that a letter takes at least
 const SMALL = 200; // pixels: below this an outline of fewer points looks the same
 
 export interface Brush {
@@ -56,7 +58,7 @@ export function paintPiece(brush: Brush, piece: Piece, pose: Pose, colouring: Co
 /** The grain line, the name and the marks of locks, where there is room for them. */
 export function paintLabel(brush: Brush, piece: Piece, pose: Pose, labels: boolean): void {
   const { context, camera, ratio, colours } = brush;
-  const { spot, label, size } = piece.shape;
+  const { spot } = piece.shape;
   const room = spot.radius * camera.scale;
   if (room < 7) return;
   const [x, y] = camera.toScreen(pose.place([spot.x, spot.y]));
@@ -64,13 +66,23 @@ export function paintLabel(brush: Brush, piece: Piece, pose: Pose, labels: boole
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   if (piece.locked !== false) paintLock(context, x, room > 24 && labels ? y - 13 : y, colours, isLocked(piece, "x") && isLocked(piece, "y"));
   if (!labels) return;
-  context.font = LABEL;
+  const { text } = labelOf(brush, piece);
+  if (text === "") return;
   context.fillStyle = colours.ink;
+  context.fillText(text, x, y);
+}
+
+/** The name of a piece or, where that has no room, its size; "" where neither has. The context is ready to write it, its middle at a point. */
+export function labelOf({ context, camera }: Brush, { shape: { spot, label, size } }: Piece): { text: string; wide: number } {
+  const room = WIDEST * spot.radius * camera.scale;
+  context.font = LABEL;
   context.textAlign = "center";
   context.textBaseline = "middle";
-  const text = room > 60 || label.length < 10 ? label : size || label.slice(0, 8);
-  const wide = context.measureText(text).width;
-  if (room >= 9 && wide < room * 2.6) context.fillText(text, x, y);
+  for (const text of room < 21 ? [] : [label, size || label.slice(0, 8)]) {
+    const wide = text.length * NARROW < room ? context.measureText(text).width : room;
+    if (wide < room) return { text, wide };
+  }
+  return { text: "", wide: 0 };
 }
 
 function paintGrain(brush: Brush, piece: Piece, pose: Pose): void {

@@ -1,5 +1,5 @@
 import type { Point } from "../../typescript/src/index";
-import type { Marker, Piece, Repeat } from "../marker/marker";
+import type { Marker, Piece } from "../marker/marker";
 import type { Pose } from "../marker/pose";
 import { lengthText } from "../texts/units";
 import type { Brush } from "./piece_painter";
@@ -10,9 +10,11 @@ const SHADE = { above: 12, apart: 4 }; // pixels from the cloth to the first lin
 
 const CLOSEST = 4; // pixels between two lines of a pattern that is drawn
 const BELOW = 12; // pixels from the cloth to a text under it
+const LOWER = 38; // to one that would else lie under the marker's length
+const WIDE = 90; // pixels from the middle of such a text to that of the length, at least
 const CROSS = 5; // pixels from the middle of a match point's cross to its ends
 
-/** The pattern of the cloth, and where pieces may not lie, or only some: selvedges, the fold, the ends of bands, how far each shade reaches. */
+/** Where pieces may not lie, or only some: selvedges, the fold, the ends of bands, how far each shade reaches. */
 export function paintRules(brush: Brush, scene: Scene, width: number): void {
   const { context, camera, ratio, colours } = brush;
   const marker = scene.marker!;
@@ -21,7 +23,6 @@ export function paintRules(brush: Brush, scene: Scene, width: number): void {
   const to = marker.longest === undefined ? width : Math.min(width, camera.toScreen([marker.longest, 0])[0]);
   if (to <= from) return;
   const across = (y: number) => camera.toScreen([0, y])[1];
-  if (marker.repeat) paintRepeat(brush, marker.repeat, [from, across(marker.width)], [to, across(0)]);
   context.fillStyle = colours.selvedge;
   context.globalAlpha = 0.45;
   if (marker.below > 0) context.fillRect(from, across(marker.below), to - from, across(0) - across(marker.below));
@@ -38,19 +39,36 @@ export function paintRules(brush: Brush, scene: Scene, width: number): void {
     context.textAlign = "center";
     context.textBaseline = "top";
     context.fillStyle = colours.other;
-    context.fillText(lengthText(end), x, across(0) + BELOW); // not on the cloth, where pieces would cover it
+    const beside = Math.abs(x - camera.toScreen([scene.length, 0])[0]) > WIDE;
+    context.fillText(lengthText(end), x, across(0) + (beside ? BELOW : LOWER)); // not on the cloth, where pieces would cover it
   }
   if (marker.shade !== undefined) paintShades(brush, marker, width);
 }
 
-// Dotted lines where repeats begin.
-function paintRepeat(brush: Brush, { along, across, phase }: Repeat, [left, top]: Point, [right, bottom]: Point): void {
-  const { camera, colours } = brush;
-  const [x, y] = camera.toScreen(phase);
-  const everyX = along * camera.scale;
-  const everyY = across * camera.scale;
-  if (everyX >= CLOSEST) for (let k = Math.ceil((left - x) / everyX); x + k * everyX <= right; ++k) line(brush, [x + k * everyX, top], [x + k * everyX, bottom], colours.accent, 1, [1, 4]);
-  if (everyY >= CLOSEST) for (let k = Math.ceil((top - y) / everyY); y + k * everyY <= bottom; ++k) line(brush, [left, y + k * everyY], [right, y + k * everyY], colours.accent, 1, [1, 4]);
+/** The pattern of the cloth, over the pieces that are cut from it: dotted lines where repeats begin. */
+export function paintPattern({ context, camera, ratio, colours }: Brush, { repeat, width, longest }: Marker, viewWidth: number): void {
+  if (!repeat) return;
+  const [left, bottom] = camera.toScreen([0, 0]);
+  const [, top] = camera.toScreen([0, width]);
+  const right = longest === undefined ? viewWidth : Math.min(viewWidth, camera.toScreen([longest, 0])[0]);
+  const from = Math.max(left, 0);
+  const [x, y] = camera.toScreen(repeat.phase);
+  const everyX = repeat.along * camera.scale;
+  const everyY = repeat.across * camera.scale;
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  context.strokeStyle = colours.accent;
+  context.lineWidth = 1;
+  context.setLineDash([1, 4]);
+  context.beginPath();
+  if (everyX >= CLOSEST) for (let k = Math.ceil((from - x) / everyX); x + k * everyX <= right; ++k) segment(context, x + k * everyX, top, x + k * everyX, bottom);
+  if (everyY >= CLOSEST) for (let k = Math.ceil((top - y) / everyY); y + k * everyY <= bottom; ++k) segment(context, from, y + k * everyY, right, y + k * everyY);
+  context.stroke();
+  context.setLineDash([]);
+}
+
+function segment(context: CanvasRenderingContext2D, ax: number, ay: number, bx: number, by: number): void {
+  context.moveTo(ax, ay);
+  context.lineTo(bx, by);
 }
 
 /** The match points of pieces: each lies where a repeat of the pattern begins. */
@@ -58,7 +76,7 @@ export function paintMatchPoints(brush: Brush, pieces: readonly Piece[], poseOf:
   const { context, camera, ratio, colours } = brush;
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   for (const piece of pieces) {
-    const { match } = piece.rules as { match?: Point };
+    const { match } = piece.rules;
     if (!match) continue;
     const [x, y] = camera.toScreen(poseOf(piece).place(match));
     line(brush, [x - CROSS, y], [x + CROSS, y], colours.ink, 1.6, []);
@@ -116,8 +134,7 @@ function line({ context }: Brush, [ax, ay]: Point, [bx, by]: Point, colour: stri
   context.lineWidth = width;
   context.setLineDash(dash);
   context.beginPath();
-  context.moveTo(ax, ay);
-  context.lineTo(bx, by);
+  segment(context, ax, ay, bx, by);
   context.stroke();
   context.setLineDash([]);
 }

@@ -34,6 +34,7 @@ export class Scene {
   hovered: string | undefined;
   ghosts: Ghost[] = [];
   newcomers: Ghost[] = []; // unplaced pieces where a result lays them
+  carried: Ghost | undefined; // an unplaced piece that is dragged out of the tray
   places: Ghost[] = []; // where an unplaced piece fits
   placeAt = 0; // which of them is chosen
   draggedByOthers: Ghost[] = []; // pieces that others drag, where these hold them

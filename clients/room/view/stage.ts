@@ -8,7 +8,7 @@ import { times } from "./frame_times";
 import { paintFaults, paintGhosts, paintLength, paintNewcomers, paintOthersDrags, paintOverlaps, paintPlaces, paintSelection, paintStroke, paintTiltWorth } from "./marks_painter";
 import { palette, readPalette } from "./palette";
 import { paintLabel, paintPiece, type Brush } from "./piece_painter";
-import { paintMatchPoints, paintRooms, paintRules } from "./rules_painter";
+import { paintMatchPoints, paintPattern, paintRooms, paintRules } from "./rules_painter";
 import type { Scene } from "./scene";
 
 // Room for the tools at the left, the ruler above, and the length or a result below.
@@ -188,6 +188,7 @@ export class Stage {
     );
     for (const piece of visible) paintPiece(brush, piece, piece.pose, colouring);
     for (const piece of visible) paintLabel(brush, piece, piece.pose, preferences.value.labels);
+    paintPattern(brush, marker, width);
     paintMatchPoints(brush, visible, ({ pose }) => pose);
     paintRuler(brush, scene, width, paper);
   }
@@ -205,11 +206,11 @@ export class Stage {
     paintMatchPoints(brush, moving, (piece) => scene.poseOf(piece, now));
     paintOverlaps(brush, scene, now);
     paintPlaces(brush, scene);
-    paintNewcomers(brush, scene);
+    paintNewcomers(brush, scene, preferences.value.labels);
     paintGhosts(brush, scene);
     paintLength(brush, scene);
-    paintChain(brush, scene, now);
     paintSelection(brush, scene, now);
+    paintChain(brush, scene, now, preferences.value.labels);
     paintRooms(brush, scene);
     paintTiltWorth(brush, scene, now);
     paintOthersDrags(brush, scene);

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { story, withBrowser } from "../visit.mjs";
+import { spot, story, withBrowser } from "../visit.mjs";
 
 const here = withBrowser();
 const axe = readFileSync(process.env.AXE, "utf8");
@@ -20,6 +20,9 @@ for (const theme of ["light", "dark"]) {
     story(here, async (page) => {
       await page.ask(axe + ";0");
       await page.key("h");
+      const [x, y] = await spot(page, "20");
+      await page.drag([x, y], [x, y]);
+      await page.ask(`document.querySelectorAll("details").forEach((one) => (one.open = true))`);
       for (const tab of ["engine", "pieces", "length"]) {
         await page.click(`#tab-${tab}`);
         await judge(page, tab);

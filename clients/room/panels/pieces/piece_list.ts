@@ -1,14 +1,14 @@
-import { fill, h } from "../base/dom";
-import { follow, Signal } from "../base/signal";
-import type { Insight } from "../engine/insight";
-import type { Piece } from "../marker/marker";
-import type { Desk } from "../session/desk";
-import { say, wording } from "../texts/texts";
-import { areaText, lengthText, numberText } from "../texts/units";
-import { palette } from "../view/palette";
-import type { Scene } from "../view/scene";
-import type { Stage } from "../view/stage";
-import { choice, row, worded } from "./controls";
+import { fill, h } from "../../base/dom";
+import { follow, Signal } from "../../base/signal";
+import type { Insight } from "../../engine/insight";
+import type { Piece } from "../../marker/marker";
+import type { Desk } from "../../session/desk";
+import { say, wording } from "../../texts/texts";
+import { areaText, lengthText, numberText } from "../../texts/units";
+import { palette } from "../../view/palette";
+import type { Scene } from "../../view/scene";
+import type { Stage } from "../../view/stage";
+import { choice, row, worded } from "../controls";
 
 const ROW = 28; // pixels, as in the style sheet
 

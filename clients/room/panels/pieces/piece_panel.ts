@@ -1,14 +1,16 @@
-import { fill, h, setText } from "../base/dom";
-import { follow } from "../base/signal";
-import type { Engine } from "../engine/engine";
-import type { Insight } from "../engine/insight";
-import type { Commands } from "../hand/commands";
-import { isLocked, type Piece } from "../marker/marker";
-import type { Desk } from "../session/desk";
-import { say, wording, type TextName } from "../texts/texts";
-import { areaText, lengthText, numberText, parseLength, parseNumber } from "../texts/units";
-import type { Scene } from "../view/scene";
-import { heading, row, textButton, worded } from "./controls";
+import { fill, h, setText } from "../../base/dom";
+import { follow } from "../../base/signal";
+import type { Engine } from "../../engine/engine";
+import type { Insight } from "../../engine/insight";
+import type { Commands } from "../../hand/commands";
+import { isLocked, type Piece } from "../../marker/marker";
+import type { Desk } from "../../session/desk";
+import { say, wording, type TextName } from "../../texts/texts";
+import { areaText, lengthText, numberText } from "../../texts/units";
+import type { Scene } from "../../view/scene";
+import { heading, lengthField, row, showLength, textButton, worded } from "../controls";
+import { buildClothRules } from "./cloth_rules";
+import { buildPieceRules } from "./piece_rules";
 
 const CORNERS = [["↖", [-1, 1]], ["↗", [1, 1]], ["↙", [-1, -1]], ["↘", [1, -1]]] as const;
 const ALIGN = { left: "alignLeft", right: "alignRight", bottom: "alignBottom", top: "alignTop" } as const;
@@ -24,14 +26,8 @@ export function buildPiecePanel(host: HTMLElement, desk: Desk, scene: Scene, ins
     button.dataset["part"] = part;
     return button;
   });
-  const buffer = h("input", { type: "text", inputmode: "decimal", size: 5, onchange: () => {
-    const length = parseLength(buffer.value);
-    if (length !== undefined && length >= 0) void commands.buffer(length);
-  } });
-  const overlap = h("input", { type: "text", inputmode: "decimal", size: 5, id: "piece-overlap", onchange: () => {
-    const length = parseLength(overlap.value);
-    if (overlap.value.trim() === "" || (length !== undefined && length >= 0)) void commands.overlap(length);
-  } });
+  const buffer = lengthField((length) => void commands.buffer(length!));
+  const overlap = lengthField((length) => void commands.overlap(length), { id: "piece-overlap", mayBeEmpty: true });
   const arrows = h("div", { class: "pad" });
   for (const [sign, way] of SIDES) arrows.append(h("button", { type: "button", class: "button", "data-way": sign, "aria-label": sign, onclick: () => void commands.bump([way[0], way[1]]) }, sign));
   for (const [sign, way] of CORNERS) arrows.append(h("button", { type: "button", class: "button", "data-way": sign, "aria-label": sign, onclick: () => void commands.shoot([way[0], way[1]]) }, sign));
@@ -48,7 +44,7 @@ export function buildPiecePanel(host: HTMLElement, desk: Desk, scene: Scene, ins
     const pieces = scene.selected().map(({ id }) => id);
     void engine.start("motion.align", { pieces, side }, say(ALIGN[side]));
   })));
-  const tools = h("div", { class: "piece-tools" }, h("div", { class: "side-by-side" }, arrows, turns), h("div", { class: "segments locks" }, ...lockButtons), align, row("buffer", buffer), row("overlap", overlap));
+  const tools = h("div", { class: "piece-tools" }, h("div", { class: "side-by-side" }, arrows, turns), h("div", { class: "segments locks" }, ...lockButtons), align, row("buffer", buffer), row("overlap", overlap), buildPieceRules(desk, scene, commands));
   const empty = h("p", { class: "note" });
   worded(empty, "noSelection");
   fill(host, title, empty, facts, tools);
@@ -62,8 +58,8 @@ export function buildPiecePanel(host: HTMLElement, desk: Desk, scene: Scene, ins
     align.hidden = pieces.length < 2;
     setText(title, pieces.length === 1 ? first.shape.name : say("selectedCount", { count: pieces.length }));
     fill(facts, ...(pieces.length === 1 ? factsOf(first, insight) : sums(pieces)).flatMap(([name, value]) => [h("dt", {}, name), h("dd", {}, value)]));
-    if (document.activeElement !== buffer) buffer.value = lengthText(first.buffer, { unit: false });
-    if (document.activeElement !== overlap) overlap.value = first.overlap === undefined ? "" : lengthText(first.overlap, { unit: false });
+    showLength(buffer, first.buffer);
+    showLength(overlap, first.overlap);
     overlap.placeholder = lengthText(desk.marker.value?.overlap ?? 0, { unit: false });
     for (const button of lockButtons) {
       const part = button.dataset["part"] as "all" | "x" | "y" | "tilt";
@@ -71,15 +67,6 @@ export function buildPiecePanel(host: HTMLElement, desk: Desk, scene: Scene, ins
       button.setAttribute("aria-pressed", String(on));
     }
   });
-}
-
-/** In words, where the piece may lie. */
-function rulesOf({ rules: { below, above, from, to, fold, shade } }: Piece): string {
-  const lengths = { ruleBelow: below, ruleAbove: above, ruleFrom: from, ruleTo: to };
-  const words = Object.entries(lengths).flatMap(([name, length]) => (length === undefined ? [] : [`${say(name as TextName)} ${lengthText(length)}`]));
-  if (fold) words.push(say("ruleFold"));
-  if (shade) words.push(`${say("ruleShade")} ${shade}`);
-  return words.join(" · ");
 }
 
 function factsOf(piece: Piece, insight: Insight): Array<[string, string]> {
@@ -92,8 +79,6 @@ function factsOf(piece: Piece, insight: Insight): Array<[string, string]> {
   if (shape.tiltLimit > 0) facts.push([say("tiltAngle"), `${numberText(pose.tilt, 2)}° (± ${numberText(shape.tiltLimit, 1, 0)}°)`]);
   facts.push([say("area"), areaText(shape.area)]);
   if (group) facts.push([say("group"), group]);
-  const rules = rulesOf(piece);
-  if (rules) facts.push([say("rules"), rules]);
   const worth = insight.worth.value.get(piece.id);
   if (worth !== undefined) facts.push([say("worth"), numberText(worth, 2)]);
   const degree = insight.chain.value?.tilts.find((tilt) => tilt.piece === piece.id)?.perDegree;
@@ -105,19 +90,13 @@ const sums = (pieces: readonly Piece[]): Array<[string, string]> => [
   [say("area"), areaText(pieces.reduce((sum, { shape }) => sum + shape.area, 0))],
 ];
 
-/** The spacing, the overlap allowance and the heading of the list of pieces. */
+/** What holds for all pieces: their spacing, the overlap allowance, and the cloth. Then comes the heading of their list. */
 export function buildSpacing(host: HTMLElement, desk: Desk, commands: Commands): void {
-  const field = h("input", { type: "text", inputmode: "decimal", size: 5, id: "spacing", onchange: () => {
-    const length = parseLength(field.value);
-    if (length !== undefined && length >= 0 && parseNumber(field.value) !== undefined) void commands.spacing(length);
-  } });
-  const overlap = h("input", { type: "text", inputmode: "decimal", size: 5, id: "overlap", onchange: () => {
-    const length = parseLength(overlap.value);
-    if (length !== undefined && length >= 0) void commands.allowance(length);
-  } });
-  host.append(heading("pieces"), row("spacing", field), row("overlap", overlap));
+  const spacing = lengthField((length) => void commands.spacing(length!), { id: "spacing" });
+  const overlap = lengthField((length) => void commands.allowance(length!), { id: "overlap" });
+  host.append(heading("pieces"), row("spacing", spacing), row("overlap", overlap), buildClothRules(desk, commands));
   follow([desk.marker, desk.figures, wording], () => {
-    if (document.activeElement !== field) field.value = lengthText(desk.marker.value?.spacing ?? 0, { unit: false });
-    if (document.activeElement !== overlap) overlap.value = lengthText(desk.marker.value?.overlap ?? 0, { unit: false });
+    showLength(spacing, desk.marker.value?.spacing ?? 0);
+    showLength(overlap, desk.marker.value?.overlap ?? 0);
   });
 }

@@ -1,0 +1,65 @@
+import type { PieceRules } from "../../../typescript/src/index";
+import { h } from "../../base/dom";
+import { follow } from "../../base/signal";
+import type { Commands } from "../../hand/commands";
+import { matchAsItLies, type Piece } from "../../marker/marker";
+import type { Desk } from "../../session/desk";
+import { say, wording, type TextName } from "../../texts/texts";
+import { lengthText } from "../../texts/units";
+import type { Scene } from "../../view/scene";
+import { lengthField, row, showLength } from "../controls";
+import { disclosure } from "./disclosure";
+import { pointRow } from "./point_row";
+
+const LENGTHS = { below: "ruleBelow", above: "ruleAbove", from: "ruleFrom", to: "ruleTo" } as const;
+type LengthRule = keyof typeof LENGTHS;
+
+/** Where on the cloth the selected pieces may lie: fields for their rules, which show those of the first. */
+export function buildPieceRules(desk: Desk, scene: Scene, commands: Commands): HTMLElement {
+  const set = (change: PieceRules) => void commands.rules(() => change);
+  const lengths = (Object.keys(LENGTHS) as LengthRule[]).map((name) => ({ name, field: lengthField((length) => set({ [name]: length }), { id: `rule-${name}`, mayBeEmpty: true }) }));
+  const box = (id: string, act: (on: boolean) => void) => {
+    const check: HTMLInputElement = h("input", { type: "checkbox", id, onchange: () => act(check.checked) });
+    return check;
+  };
+  const fold = box("rule-fold", (on) => set({ fold: on || undefined }));
+  const shade: HTMLInputElement = h("input", { type: "text", size: 10, maxlength: 60, id: "rule-shade", onchange: () => set({ shade: shade.value.trim() || undefined }) });
+  // A piece is matched where it lies: with the point of it that lies on the pattern now.
+  const matched = box("rule-match", (on) => void commands.rules((piece) => ({ match: on ? matchAsItLies(desk.marker.value!, piece) : undefined })));
+  const point = pointRow("rule-point", "matchPoint", (change) => void commands.rules(({ rules: { match = [0, 0] } }) => ({ match: change(match) })));
+  const { box: element, tell } = disclosure(
+    "piece-rules",
+    "rules",
+    ...lengths.map(({ name, field }) => row(LENGTHS[name], field)),
+    row("ruleFold", fold),
+    row("ruleShade", shade),
+    row("ruleMatch", matched),
+    point.row,
+  );
+  follow([scene.selection, desk.marker, desk.figures, wording], () => {
+    const [first] = scene.selected();
+    if (!first) return;
+    const { rules } = first;
+    tell(rulesOf(first) || say("rulesNone"));
+    for (const { name, field } of lengths) showLength(field, rules[name]);
+    const { below = 0, above = 0, repeat } = desk.marker.value ?? {};
+    lengths[0]!.field.placeholder = lengthText(below, { unit: false });
+    lengths[1]!.field.placeholder = lengthText(above, { unit: false });
+    fold.checked = rules.fold ?? false;
+    if (document.activeElement !== shade) shade.value = rules.shade ?? "";
+    matched.checked = rules.match !== undefined;
+    matched.disabled = !repeat && !rules.match;
+    point.show(rules.match);
+  });
+  return element;
+}
+
+/** In words, where the piece may lie. */
+function rulesOf({ rules: { below, above, from, to, fold, shade, match } }: Piece): string {
+  const lengths = { ruleBelow: below, ruleAbove: above, ruleFrom: from, ruleTo: to };
+  const words = Object.entries(lengths).flatMap(([name, length]) => (length === undefined ? [] : [`${say(name as TextName)} ${lengthText(length)}`]));
+  if (fold) words.push(say("ruleFold"));
+  if (shade) words.push(`${say("ruleShade")} ${shade}`);
+  if (match) words.push(say("ruleMatch"));
+  return words.join(" · ");
+}
