@@ -13,7 +13,7 @@
 #include "core/motion/tilting/tilt.h"
 #include "core/search/refine.h"
 #include "protocol/execution/thread_pool.h"
-#include "tests/support/tiled_marker.h"
+#include "tests/support/tiled/tiled_marker.h"
 
 namespace selvage::bench::measure {
 namespace {

@@ -13,7 +13,7 @@
 #include "bench/support/marker_file.h"
 #include "core/motion/compaction/compact.h"
 #include "tests/motions/motion_cases.h"
-#include "tests/support/tiled_marker.h"
+#include "tests/support/tiled/tiled_marker.h"
 
 namespace selvage::bench::measure {
 namespace {
@@ -75,7 +75,8 @@ void scene(const Paths& paths) {
 
 // Reports the run with the median time of three.
 void growth(const Paths& paths) {
-  std::cout << "tile,pieces,ms,decomposition,sums,rows,solve,verify,other,programs,ratio,megabytes,valid\n" << std::fixed;
+  std::cout << "tile,pieces,ms,decomposition,sums,rows,solve,verify,other,programs,ratio,megabytes,valid\n"
+            << std::fixed;
   for (const std::string& path : paths) {
     const Marker tile = test::loosened(marker_in(path), 0.05);
     for (const std::size_t pieces : {100U, 400U, 1600U, 4000U, 6400U}) {

@@ -9,7 +9,7 @@
 #include "bench/support/marker_file.h"
 #include "core/motion/tilting/tilt.h"
 #include "core/search/refine.h"
-#include "tests/support/digitised.h"
+#include "tests/support/tiled/digitised.h"
 
 namespace selvage::bench::measure {
 namespace {

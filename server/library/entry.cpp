@@ -29,7 +29,7 @@ std::optional<std::uint64_t> number_of(const std::string& id) {
 }
 
 Entry entry_of(const Marker& marker, const std::string& style, const std::string& document) {
-  return {protocol::formats::stored_figures_of(marker), 0, style, hash_of(document)};
+  return {protocol::library::stored_figures_of(marker), 0, style, hash_of(document)};
 }
 
 std::string figures_text(const Entry& entry) {
@@ -42,7 +42,7 @@ std::string figures_text(const Entry& entry) {
 std::optional<Entry> read_figures(std::uint64_t number, const std::string& text) {
   const auto document = protocol::json::parse(text);
   if (!document) return std::nullopt;
-  auto figures = protocol::formats::read_stored_figures(*document);
+  auto figures = protocol::library::read_stored_figures(*document);
   if (!figures) return std::nullopt;
   for (const char* name : {"style", "content"}) {
     if (!document->contains(name) || !(*document)[name].is_string()) return std::nullopt;

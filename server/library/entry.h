@@ -7,11 +7,11 @@
 #include <string>
 
 #include "core/marker/marker.h"
-#include "protocol/formats/stored_figures.h"
+#include "protocol/library/stored_figures.h"
 
 namespace selvage::server::library {
 
-struct Entry : protocol::formats::StoredFigures {
+struct Entry : protocol::library::StoredFigures {
   std::uint64_t number{};
   std::string style;        // what it is a marker of, in the caller's words
   std::uint64_t content{};  // a hash of its document: the same marker is stored once

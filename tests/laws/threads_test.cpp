@@ -15,7 +15,7 @@
 #include "tests/laws/random_marker.h"
 #include "tests/motions/arguments.h"
 #include "tests/support/garment.h"
-#include "tests/support/tiled_marker.h"
+#include "tests/support/tiled/tiled_marker.h"
 
 namespace selvage::test {
 namespace {

@@ -10,7 +10,7 @@
 #include "core/search/refine.h"
 #include "tests/pins/pins.h"
 #include "tests/support/garment.h"
-#include "tests/support/tiled_marker.h"
+#include "tests/support/tiled/tiled_marker.h"
 
 namespace selvage::test {
 namespace {

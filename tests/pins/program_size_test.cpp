@@ -8,7 +8,7 @@
 #include "tests/motions/motion_cases.h"
 #include "tests/pins/pins.h"
 #include "tests/support/garment.h"
-#include "tests/support/tiled_marker.h"
+#include "tests/support/tiled/tiled_marker.h"
 
 namespace selvage::test {
 namespace {

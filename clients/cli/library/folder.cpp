@@ -30,7 +30,7 @@ IndexedFile read_afresh(const std::filesystem::path& path, const FileState& stat
   IndexedFile indexed{path.filename().string(), state, {}};
   const auto file = terminal::load_marker(path.string());
   if (file && !file->marker.pieces.empty()) {
-    indexed.figures = protocol::formats::stored_figures_of(file->marker);
+    indexed.figures = protocol::library::stored_figures_of(file->marker);
   } else {
     indexed.defect = file ? "it has no pieces on the cloth" : terminal::message_of(file.error());
   }

@@ -12,14 +12,14 @@
 
 #include "core/base/result.h"
 #include "protocol/document/marker_file.h"
-#include "protocol/formats/stored_figures.h"
+#include "protocol/library/stored_figures.h"
 
 namespace selvage::cli::library {
 
 struct StoredFile {
   std::string name;
   std::string path;
-  protocol::formats::StoredFigures figures;
+  protocol::library::StoredFigures figures;
 };
 
 // The markers of the folder, by name.  Errors: kFile.

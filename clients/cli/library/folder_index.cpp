@@ -39,7 +39,7 @@ std::optional<IndexedFile> read_line(const std::string& text) {
   if (!line || !line->is_object()) return std::nullopt;
   const auto file = text_in(*line, "file"), bytes = text_in(*line, "bytes"), changed = text_in(*line, "changed");
   if (!file || !bytes || !changed) return std::nullopt;
-  IndexedFile indexed{*file, {}, protocol::formats::read_stored_figures(*line)};
+  IndexedFile indexed{*file, {}, protocol::library::read_stored_figures(*line)};
   const auto defect = text_in(*line, "defect");
   if (indexed.figures.has_value() == defect.has_value()) return std::nullopt;
   if (defect) indexed.defect = *defect;

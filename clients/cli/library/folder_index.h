@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/formats/stored_figures.h"
+#include "protocol/library/stored_figures.h"
 
 namespace selvage::cli::library {
 
@@ -28,7 +28,7 @@ struct FileState {
 struct IndexedFile {
   std::string file;  // its name with the suffix
   FileState state;
-  std::optional<protocol::formats::StoredFigures> figures;  // none: it is no marker of a library,
+  std::optional<protocol::library::StoredFigures> figures;  // none: it is no marker of a library,
   std::string defect{};                                     // because of this
   friend bool operator==(const IndexedFile&, const IndexedFile&) = default;
 };

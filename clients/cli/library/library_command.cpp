@@ -19,7 +19,7 @@ using terminal::ExitCode;
 
 constexpr std::size_t kShown = 10;  // of a search
 
-std::string line_of(const std::string& name, const protocol::formats::StoredFigures& figures) {
+std::string line_of(const std::string& name, const protocol::library::StoredFigures& figures) {
   char text[160];
   std::snprintf(text, sizeof text, "%4.0f pieces  width %g  length %g  %6.2f %%  ", figures.signature.pieces,
                 figures.signature.width, figures.length, 100 * figures.utilisation);
@@ -41,7 +41,7 @@ ExitCode add(const std::string& folder, const std::vector<std::string>& paths) {
       worst = terminal::report(*error);
       continue;
     }
-    std::cout << line_of(name, protocol::formats::stored_figures_of(file->marker)) << "\n";
+    std::cout << line_of(name, protocol::library::stored_figures_of(file->marker)) << "\n";
   }
   return worst;
 }
@@ -101,7 +101,7 @@ ExitCode run_library(const command_line::Values& values) {
 
 command_line::Command library_command() {
   return {"library",
-          "Add markers to a library, list it, or search it for an order",
+          "Adds markers to a library, lists it, or searches it for an order",
           {{.name = "ACTION",
             .kind = Kind::kText,
             .meaning = "What to do",

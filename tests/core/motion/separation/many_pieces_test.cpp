@@ -8,7 +8,7 @@
 #include "core/motion/separation/separate.h"
 #include "tests/support/garment.h"
 #include "tests/support/random.h"
-#include "tests/support/tiled_marker.h"
+#include "tests/support/tiled/tiled_marker.h"
 
 namespace selvage::motion::separation {
 namespace {

@@ -12,7 +12,7 @@
 #include "core/motion/separation/separation_step.h"
 #include "tests/core/motion/markers.h"
 #include "tests/support/garment.h"
-#include "tests/support/tiled_marker.h"
+#include "tests/support/tiled/tiled_marker.h"
 
 namespace selvage::motion::step {
 namespace {

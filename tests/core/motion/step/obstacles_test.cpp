@@ -6,8 +6,8 @@
 #include "core/marker/validity.h"
 #include "core/motion/compaction/compact.h"
 #include "tests/core/motion/markers.h"
-#include "tests/support/digitised.h"
 #include "tests/support/garment.h"
+#include "tests/support/tiled/digitised.h"
 
 namespace selvage::motion::step {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "core/marker/clearance.h"
 #include "tests/support/garment.h"
-#include "tests/support/tiled_marker.h"
+#include "tests/support/tiled/tiled_marker.h"
 
 namespace selvage::motion::step {
 namespace {

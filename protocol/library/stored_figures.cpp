@@ -1,8 +1,8 @@
-#include "protocol/formats/stored_figures.h"
+#include "protocol/library/stored_figures.h"
 
 #include <algorithm>
 
-namespace selvage::protocol::formats {
+namespace selvage::protocol::library {
 
 StoredFigures stored_figures_of(const Marker& marker) {
   return {.name = marker.name,
@@ -57,4 +57,4 @@ std::optional<StoredFigures> read_stored_figures(const Json& document) {
   return figures;
 }
 
-}  // namespace selvage::protocol::formats
+}  // namespace selvage::protocol::library

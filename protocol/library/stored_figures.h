@@ -9,7 +9,7 @@
 #include "core/matching/signature.h"
 #include "protocol/json/value.h"
 
-namespace selvage::protocol::formats {
+namespace selvage::protocol::library {
 
 struct StoredFigures {
   std::string name;      // the marker's
@@ -27,4 +27,4 @@ struct StoredFigures {
 // Nothing if the document is not one of figures_document(); other fields are passed over.
 [[nodiscard]] std::optional<StoredFigures> read_stored_figures(const Json& document);
 
-}  // namespace selvage::protocol::formats
+}  // namespace selvage::protocol::library

@@ -1,11 +1,11 @@
-#include "protocol/formats/stored_figures.h"
+#include "protocol/library/stored_figures.h"
 
 #include <gtest/gtest.h>
 
 #include "protocol/json/json_text.h"
 #include "tests/support/garment.h"
 
-namespace selvage::protocol::formats {
+namespace selvage::protocol::library {
 namespace {
 
 TEST(StoredFigures, AreReadAsTheyWereWritten) {
@@ -32,4 +32,4 @@ TEST(StoredFigures, OfWhatIsNoneAreNotRead) {
 }
 
 }  // namespace
-}  // namespace selvage::protocol::formats
+}  // namespace selvage::protocol::library

@@ -1,4 +1,4 @@
-#include "tests/support/tiled_marker.h"
+#include "tests/support/tiled/tiled_marker.h"
 
 #include <algorithm>
 #include <cmath>

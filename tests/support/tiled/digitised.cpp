@@ -1,4 +1,4 @@
-#include "tests/support/digitised.h"
+#include "tests/support/tiled/digitised.h"
 
 #include <cmath>
 
