@@ -51,4 +51,7 @@ project part "add_subdirectory($source selvage EXCLUDE_FROM_ALL)" \
 cmake --build "$folder/part/build" --target core_geometry > "$folder/part/log" 2>&1 || fail "$(< "$folder/part/log")"
 ! cmake --build "$folder/part/build" --target help | grep -qE ' (selvaged|selvage|geometry_test):' ||
   fail "more than the libraries is a part of other projects"
+project fetched 'include(FetchContent)' "FetchContent_Declare(selvage SOURCE_DIR $source)" 'FetchContent_MakeAvailable(selvage)' \
+  "add_executable(shorten $source/examples/core/shorten.cpp)" 'target_link_libraries(shorten PRIVATE Selvage::core)' ||
+  fail "$(< "$folder/fetched/log")"
 echo "installed, found, linked"
