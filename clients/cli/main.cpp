@@ -12,6 +12,13 @@
 
 namespace {
 
+constexpr const char* kDescription =
+    "A marker is a layout of garment pieces on a strip of cloth.  Most subcommands read one, do one thing "
+    "to it, print what became of it, and write the result where -o says: nest, pack and remake make a "
+    "layout; compact, tilt and fill make it shorter; bump, place, separate and float move pieces; check, "
+    "show and convert leave it as it is.  The input may also be a pattern or cut file, the output a plot, "
+    "a cut file or a PDF.  With --server the work is done by a daemon.";
+
 // In the order of --help.
 std::vector<selvage::cli::command_line::Command> all_commands() {
   namespace commands = selvage::cli::commands;
@@ -32,8 +39,9 @@ int main(int argc, char** argv) {
   namespace cli = selvage::cli;
   cli::command_line::Program program{
       .name = "selvage",
-      .summary = "Selvage shortens garment markers with exact geometry, so that pieces never overlap.",
+      .summary = "Nests and compacts garment markers. That no pieces overlap is proved in exact arithmetic.",
       .version = SELVAGE_VERSION,
+      .description = kDescription,
       .footer = cli::terminal::kExitCodesHelp,
       .options = cli::commands::server_options(),
       .commands = all_commands()};

@@ -3,6 +3,8 @@
 
 usage: documents_test.py SELVAGE
 """
+import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -34,6 +36,21 @@ class Completion(unittest.TestCase):
         self.assertEqual(self.complete("selvage", "compact", "--acc"), ["--accuracy"])
         self.assertEqual(self.complete("selvage", "compact", "--accuracy", ""), ["draft", "standard", "fine"])
         self.assertEqual(self.complete("selvage", "compact", "marker.js"), [])  # a file: left to the shell
+        self.assertEqual(self.complete("selvage", "--server", "localhost:7171", "compact", "--acc"), ["--accuracy"])
+
+    def test_bash_completes_the_words_that_a_command_begins_with(self):
+        self.assertEqual(self.complete("selvage", "call", "motion.com"), ["motion.compact"])
+        self.assertEqual(self.complete("selvage", "library", ""), ["add", "list", "search"])
+        self.assertEqual(self.complete("selvage", "completion", "f"), ["fish"])
+
+    def test_zsh_and_fish_understand_their_scripts(self):
+        for shell in ("zsh", "fish"):
+            if not shutil.which(shell):
+                continue
+            script = run("completion", shell).stdout
+            read = subprocess.run([shell, "-n", "/dev/stdin"], input=script, capture_output=True, text=True)
+            self.assertEqual((read.returncode, read.stderr), (0, ""), shell)
+        self.assertIn("HOST\\:PORT", run("completion", "zsh").stdout)
 
     def test_every_shell_knows_every_subcommand(self):
         for shell in ("bash", "zsh", "fish"):
@@ -80,6 +97,41 @@ class Suggestions(unittest.TestCase):
 
     def test_help_gives_examples(self):
         self.assertIn("Examples:\n  selvage compact marker.json", run("compact", "--help").stdout)
+
+    def test_every_subcommand_has_examples_that_are_command_lines(self):
+        for name in subcommands():
+            shown = run(name, "--help").stdout
+            examples = [line.strip() for line in shown.partition("Examples:\n")[2].partition("\n\n")[0].splitlines()]
+            self.assertTrue(examples, name)
+            for example in examples:
+                words = shlex.split(re.split(r" [>|] ", example.replace("localhost:7171", "127.0.0.1:1"))[0])
+                with self.subTest(example), tempfile.TemporaryDirectory() as folder:
+                    # Its files are not there, but nothing else is wrong with it.
+                    ran = subprocess.run([SELVAGE, *words[1:]], capture_output=True, text=True, timeout=60, cwd=folder)
+                    self.assertNotEqual(ran.returncode, 2, ran.stderr)
+
+    def test_help_fits_into_80_columns(self):
+        for name in subcommands():
+            shown = run(name, "--help").stdout.partition("Examples:")[0].partition("Exit codes:")[0]
+            for line in shown.splitlines():
+                self.assertLessEqual(len(line), 80, f"{name}: {line}")
+
+    def test_a_word_that_is_no_choice_is_corrected(self):
+        self.assertIn("did you mean engine.info?", run("call", "engin.info").stderr)
+        self.assertIn("not one of draft, standard, fine", run("compact", "x.json", "--accuracy", "quick").stderr)
+        self.assertIn("--direction takes X,Y", run("bump", "x.json", "--piece", "a", "--direction", "1").stderr)
+        self.assertIn("y.json is one argument too many for compact", run("compact", "x.json", "y.json").stderr)
+
+    def test_every_mistake_is_the_programs_and_says_where_more_is_said(self):
+        for arguments in (["compact"], ["compact", "x.json", "--rounds", "many"], ["call", "nothing"], ["fold"]):
+            said = run(*arguments).stderr
+            self.assertTrue(said.startswith("selvage: "), said)
+            self.assertRegex(said, r"\nRun `selvage( \w+)? --help` for more information\.\n$")
+
+    def test_without_arguments_the_help_is_shown(self):
+        ran = run()
+        self.assertEqual((ran.returncode, ran.stdout), (2, ""))
+        self.assertIn("Subcommands:", ran.stderr)
 
 
 if __name__ == "__main__":

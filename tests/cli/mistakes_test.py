@@ -12,7 +12,7 @@ class BadUsage(CliTest):
         for arguments in ([], ["fold"], ["compact"], ["compact", marker, "--accuracy", "perfect"],
                           ["compact", marker, "--rounds", "-1"], ["compact", marker, "--rounds", "many"],
                           ["compact", marker, "--simplification", "2"],
-                          ["compact", marker, "--format", "docx"], ["show", marker], ["check", marker, "--fast"],
+                          ["compact", marker, "--format", "docx"], ["show", marker, "a.svg", "--svg", "b.svg"], ["check", marker, "--fast"],
                           ["compact", marker, "-o", "-", "--svg", "-"], ["bump", marker, "--piece", "0"],
                           ["bump", marker, "--piece", "0", "--direction", "1"],
                           ["bump", marker, "--piece", "0", "--direction", "1,2,3"],

@@ -280,7 +280,7 @@ class EveryMotion(CliTest):
             self.assertIn(f"\n  {command} ", listed)
             shown = run(command, "--help")
             self.assertEqual(shown.returncode, OK)
-            self.assertIn("IN TEXT REQUIRED", shown.stdout)
+            self.assertIn("IN (required)", shown.stdout)
 
     def test_gives_the_same_result_as_call(self):
         marker = self.write(squares((0, 0), (50, 10), (60, 60)))

@@ -54,6 +54,13 @@ class OnATerminal(CliTest):
             self.assertNotIn("\033[", shown)
 
 
+    def test_a_drawing_is_not_shown_as_text(self):
+        code, shown = on_terminal("show", JEANS)
+        self.assertEqual(code, BAD_USAGE)
+        self.assertIn("name one file to write", shown)
+        self.assertTrue(run("show", JEANS).stdout.startswith("<svg"))
+
+
 class Numbers(CliTest):
     def test_are_rounded_for_people_and_whole_in_json(self):
         compacted = self.path("out.json")
@@ -78,10 +85,24 @@ class Mistakes(CliTest):
                 self.assertIn(f"{path} cannot be written", ran.stderr)
         self.assertFalse(self.path("out.json").exists())
 
+    def test_a_plan_is_not_made_when_it_cannot_be_written(self):
+        for option in ("-o", "--html"):
+            ran = run("plan", "nowhere.json", "--style", "nowhere.dxf", option, self.folder.name)
+            self.assertEqual(ran.returncode, FILE)
+            self.assertIn(f"{self.folder.name} cannot be written", ran.stderr)
+
+    def test_parameters_that_are_not_json_are_named(self):
+        ran = run("call", "motion.compact", '{"rounds": 1', "--marker", JEANS)
+        self.assertEqual(ran.returncode, BAD_INPUT)
+        self.assertIn("PARAMS: not JSON", ran.stderr)
+
     def test_an_error_names_its_file(self):
         bad = self.write("{", "bad.json")
         self.assertIn("bad.json: ", run("check", bad).stderr)
         ran = run("call", "motion.compact", bad, "--marker", JEANS)
+        self.assertEqual(ran.returncode, BAD_INPUT)
+        self.assertIn("bad.json: ", ran.stderr)
+        ran = run("plan", bad, "--style", JEANS)
         self.assertEqual(ran.returncode, BAD_INPUT)
         self.assertIn("bad.json: ", ran.stderr)
         crossed = squares((0, 0))

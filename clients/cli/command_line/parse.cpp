@@ -1,24 +1,46 @@
 #include "clients/cli/command_line/parse.h"
 
 #include <CLI/CLI.hpp>
-#include <array>
-#include <charconv>
+#include <algorithm>
 #include <iostream>
+#include <sstream>
 
 #include "clients/cli/command_line/nearest.h"
+#include "clients/cli/command_line/wording.h"
+#include "clients/cli/terminal/failure.h"
 
 namespace selvage::cli::command_line {
 namespace {
 
-// As --help shows a standard value.
-std::string text_of(const Value& value) {
-  if (const auto* text = std::get_if<std::string>(&value)) return *text;
-  if (const auto* integer = std::get_if<std::int64_t>(&value)) return std::to_string(*integer);
-  const auto* const number = std::get_if<double>(&value);
-  if (number == nullptr) return {};
-  std::array<char, 32> digits{};
-  const auto written = std::to_chars(digits.begin(), digits.end(), *number);
-  return {digits.begin(), written.ptr};
+// --help is read in terminals of 80 columns: names stand in the first ones, meanings in the others.
+constexpr std::size_t kColumns = 80, kNameColumns = 26;
+
+std::string wrapped(const std::string& text, std::size_t columns) {
+  std::istringstream words{text};
+  std::string lines;
+  std::size_t used = 0;
+  for (std::string word; words >> word;) {
+    const bool fits = used + 1 + word.size() <= columns;
+    if (used > 0) lines += fits ? ' ' : '\n';
+    used = (used > 0 && fits ? used + 1 : 0) + word.size();
+    lines += word;
+  }
+  return lines;
+}
+
+// Why a word is none of an option's choices, and what was probably meant; nothing when it is one.
+std::string not_a_choice(const std::string& word, const std::vector<std::string>& choices) {
+  constexpr std::size_t kMostListed = 12;
+  if (std::find(choices.begin(), choices.end(), word) != choices.end()) return {};
+  const auto meant = nearest(word, choices);
+  std::string reason = word + " is not ";
+  if (meant && choices.size() > kMostListed) {
+    reason += "known";
+  } else {
+    reason += "one of ";
+    for (const std::string& choice : choices) reason += (&choice == &choices.front() ? "" : ", ") + choice;
+  }
+  return meant ? reason + "; did you mean " + *meant + "?" : reason;
 }
 
 // The parser calls `set` with a value of type T when the option is given.
@@ -46,16 +68,20 @@ CLI::Option* add_by_kind(CLI::App& app, const Option& option, Values& values) {
 
 void add(CLI::App& app, const Option& option, Values& values) {
   CLI::Option* const added = add_by_kind(app, option, values);
-  if (!option.placeholder.empty()) added->type_name(option.placeholder);
+  std::string shown = value_of(option);
+  if (is_positional(option)) shown = option.required ? "(required)" : "";
+  if (!is_positional(option) && option.required) shown += " (required)";
+  added->option_text(shown);
+  added->description(wrapped(meaning_of(option), kColumns - kNameColumns));
   if (option.range && option.kind == Kind::kInteger) {
     added->check(
         CLI::Range(static_cast<std::int64_t>(option.range->least), static_cast<std::int64_t>(option.range->most)));
   } else if (option.range) {
     added->check(CLI::Range(option.range->least, option.range->most));
   }
-  if (!option.choices.empty()) added->check(CLI::IsMember(option.choices));
+  if (!option.choices.empty())
+    added->check([choices = option.choices](const std::string& word) { return not_a_choice(word, choices); });
   if (option.required) added->required();
-  if (option.standard && option.kind != Kind::kFlag) added->default_str(text_of(*option.standard));
 }
 
 void set_standard_values(const std::vector<Option>& options, Values& values) {
@@ -71,23 +97,17 @@ bool is_unknown_command(const CLI::App& app, const CLI::ParseError& error) {
          rest.front().front() != '-';
 }
 
-void report_unknown_command(const Program& program, const std::string& word) {
-  std::cerr << program.name << ": " << word << " is not a subcommand";
+std::string unknown_command(const Program& program, const std::string& word) {
   std::vector<std::string> names;
   for (const Command& command : program.commands) names.push_back(command.name);
-  if (const auto meant = nearest(word, names)) {
-    std::cerr << "; did you mean " << *meant << "?";
-  } else {
-    std::cerr << "; the subcommands are:";
-    for (const std::string& name : names) std::cerr << ' ' << name;
-  }
-  std::cerr << "\nRun with --help for more information.\n";
+  if (const auto meant = nearest(word, names)) return word + " is not a subcommand; did you mean " + *meant + "?";
+  std::string message = word + " is not a subcommand; the subcommands are:";
+  for (const std::string& name : names) message += " " + name;
+  return message;
 }
 
-// The first option that the chosen subcommand does not have, and what was probably meant; nothing when all is known.
-std::optional<std::string> unknown_option(const CLI::App& app, const CLI::ParseError& error) {
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr || app.get_subcommands().empty()) return std::nullopt;
-  const CLI::App& chosen = *app.get_subcommands().front();
+// The first argument that the chosen subcommand does not have, and what was probably meant.
+std::string unknown_argument(const CLI::App& app, const CLI::App& chosen) {
   std::vector<std::string> names;
   for (const CLI::App* one : {&chosen, &app}) {
     for (const CLI::Option* option : one->get_options()) {
@@ -97,10 +117,37 @@ std::optional<std::string> unknown_option(const CLI::App& app, const CLI::ParseE
   const std::vector<std::string> rest = app.remaining(true);
   const auto unknown =
       std::find_if(rest.begin(), rest.end(), [](const std::string& word) { return word.starts_with('-'); });
-  if (unknown == rest.end()) return std::nullopt;
+  if (unknown == rest.end()) return rest.front() + " is one argument too many for " + chosen.get_name();
   const std::string name = unknown->substr(0, unknown->find('='));
   const auto meant = nearest(name, names);
   return name + " is not an option of " + chosen.get_name() + (meant ? "; did you mean " + *meant + "?" : "");
+}
+
+// Of numbers that are separated by commas, too few or too many were given.
+std::optional<std::string> wrong_count(const Command& command, const CLI::ParseError& error) {
+  if (error.get_name() != "ArgumentMismatch") return std::nullopt;
+  for (const Option& option : command.options) {
+    if (option.kind == Kind::kNumbers && std::string{error.what()}.starts_with(option.name + ":"))
+      return option.name + " takes " + value_of(option) + ", numbers separated by a comma";
+  }
+  return std::nullopt;
+}
+
+// What is wrong with the command line, and where more is said about it.
+std::string mistake(const Program& program, const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App* const chosen = app.get_subcommands().empty() ? nullptr : app.get_subcommands().front();
+  std::string message = error.what();
+  if (is_unknown_command(app, error)) {
+    message = unknown_command(program, app.remaining().front());
+  } else if (chosen != nullptr && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    message = unknown_argument(app, *chosen);
+  } else if (chosen != nullptr) {
+    for (const Command& command : program.commands) {
+      if (command.name == chosen->get_name()) message = wrong_count(command, error).value_or(message);
+    }
+  }
+  const std::string described = program.name + (chosen != nullptr ? " " + chosen->get_name() : "");
+  return message + "\nRun `" + described + " --help` for more information.";
 }
 
 std::string footer_of(const Program& program, const Command& command) {
@@ -116,13 +163,15 @@ Parsed parse(const Program& program, int argc, const char* const* argv) {
   Parsed parsed;
   CLI::App app{program.summary};
   app.name(program.name);
-  app.set_version_flag("--version", program.name + " " + program.version);
+  app.get_formatter()->column_width(kNameColumns);
+  app.set_help_flag("-h,--help", "Print this text");
+  app.set_version_flag("--version", program.name + " " + program.version, "Print the version");
   app.require_subcommand(1);
   app.fallthrough();  // the program's options may follow the command's name
   app.footer(program.footer);
   for (const Option& option : program.options) add(app, option, parsed.values);
   for (const Command& command : program.commands) {
-    CLI::App* const added = app.add_subcommand(command.name, command.summary);
+    CLI::App* const added = app.add_subcommand(command.name, wrapped(command.summary, kColumns - kNameColumns));
     added->footer(footer_of(program, command));
     for (const Option& option : command.options) add(*added, option, parsed.values);
     added->callback([&parsed, &command] { parsed.command = &command; });
@@ -131,14 +180,13 @@ Parsed parse(const Program& program, int argc, const char* const* argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     parsed.command = nullptr;
-    if (is_unknown_command(app, error)) {
-      report_unknown_command(program, app.remaining().front());
-      parsed.exit_code = terminal::ExitCode::kBadUsage;
-    } else if (const auto unknown = unknown_option(app, error)) {
-      std::cerr << program.name << ": " << *unknown << "\nRun with --help for more information.\n";
+    if (error.get_exit_code() == 0) {  // --help and --version
+      app.exit(error);
+    } else if (argc == 1) {
+      std::cerr << app.help();
       parsed.exit_code = terminal::ExitCode::kBadUsage;
     } else {
-      parsed.exit_code = app.exit(error) == 0 ? terminal::ExitCode::kOk : terminal::ExitCode::kBadUsage;
+      parsed.exit_code = report(terminal::Failure{mistake(program, app, error), terminal::ExitCode::kBadUsage});
     }
     return parsed;
   }

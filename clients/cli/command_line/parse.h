@@ -22,6 +22,7 @@ struct Command {
 
 struct Program {
   std::string name, summary, version;
+  std::string description;      // of the manual page, after the summary
   std::string footer;           // printed at the end of every --help
   std::vector<Option> options;  // may stand before or after the command's name
   std::vector<Command> commands;

@@ -35,7 +35,11 @@ Result<Json> read_params(const std::string& given) {
   if (given.empty()) return Json::object();
   const bool written_out =
       given.find_first_not_of(" \t\n") != std::string::npos && given[given.find_first_not_of(" \t\n")] == '{';
-  if (written_out) return protocol::json::parse(given);
+  if (written_out) {
+    auto params = protocol::json::parse(given);
+    if (params) return params;
+    return Error{params.error().code, "PARAMS: " + protocol::json::describe(params.error()), ""};
+  }
   const auto text = terminal::read_text(given);
   if (!text) return text.error();
   auto params = protocol::json::parse(*text);
@@ -77,7 +81,7 @@ command_line::Command call_command() {
   using command_line::Kind;
   command_line::Command command{
       "call",
-      "Run one of the daemon's methods",
+      "Runs one of the daemon's methods",
       {{.name = "METHOD",
         .kind = Kind::kText,
         .meaning = "Name of the method; protocol/README.md describes them all",
@@ -88,9 +92,10 @@ command_line::Command call_command() {
         .meaning = "The method's parameters: JSON such as '{\"rounds\": 3}', a file of it, or - for standard input"},
        {.name = "--marker",
         .kind = Kind::kText,
-        .meaning = "Marker in native or sparrow format; - reads standard input.  With --server it may be left out: the "
-                   "parameters then name a marker that is open there"},
-       {.name = "--params", .kind = Kind::kText, .meaning = "The same as PARAMS"}},
+        .meaning = "Marker or pattern file; - reads standard input.  With --server it may be left out: the "
+                   "parameters then name a marker that is open there",
+        .placeholder = "FILE"},
+       {.name = "--params", .kind = Kind::kText, .meaning = "The same as PARAMS", .placeholder = "JSON"}},
       &run_call};
   for (command_line::Option& option : file_options()) command.options.push_back(std::move(option));
   command.examples = {"selvage call engine.info", "selvage call motion.compact '{\"rounds\": 3}' --marker marker.json",

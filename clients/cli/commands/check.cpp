@@ -48,12 +48,13 @@ terminal::ExitCode run_check(const command_line::Values& values) {
 
 command_line::Command check_command() {
   return {"check",
-          "Check that no pieces overlap and that all lie within the strip; the test is exact",
+          "Proves whether any pieces overlap or leave the strip, in exact arithmetic",
           {input_option(),
            spacing_option(),
            overlap_option(),
            {.name = "--json", .kind = command_line::Kind::kFlag, .meaning = "Print the result as one line of JSON"}},
-          &run_check};
+          &run_check,
+          {"selvage check marker.json", "selvage check marker.json --spacing 2"}};
 }
 
 }  // namespace selvage::cli::commands

@@ -1,4 +1,6 @@
 // selvage convert and selvage show: write a marker, unchanged, in another format.
+#include <unistd.h>
+
 #include <algorithm>
 #include <iostream>
 #include <iterator>
@@ -72,9 +74,9 @@ Result<trade::ReadingOptions> reading_options(const command_line::Values& values
   return options;
 }
 
-// The file to write: OUT, or that of --out.
-std::optional<std::string> output_of(const command_line::Values& values) {
-  const std::string second = values.text("OUT"), option = values.text("out");
+// The file to write: OUT, or that of the option.
+std::optional<std::string> output_of(const command_line::Values& values, const char* key) {
+  const std::string second = values.text("OUT"), option = values.text(key);
   if (second.empty() == option.empty()) return std::nullopt;
   return second.empty() ? option : second;
 }
@@ -87,7 +89,7 @@ void tell_travel(const MarkerFile& file) {
 }
 
 ExitCode run_convert(const command_line::Values& values) {
-  const auto out = output_of(values);
+  const auto out = output_of(values, "out");
   if (!out) return terminal::report(terminal::bad_usage("name one file to write: OUT, or --out OUT"));
   const auto options = reading_options(values);
   if (!options) return terminal::report(options.error());
@@ -104,10 +106,16 @@ ExitCode run_convert(const command_line::Values& values) {
   return code;
 }
 
+// The drawing goes to standard output when no file is named, unless somebody would read it there.
 ExitCode run_show(const command_line::Values& values) {
+  const bool named = !values.text("OUT").empty() || !values.text("svg").empty();
+  const bool readable = !named && isatty(STDOUT_FILENO) == 0;
+  const auto out = readable ? std::string{terminal::kStandardStream} : output_of(values, "svg");
+  if (!out) return terminal::report(terminal::bad_usage("name one file to write: OUT, or --svg OUT"));
+  const std::string& path = *out;
+  if (const auto failure = check_writable({path})) return report(*failure);
   const auto file = terminal::load_marker(values.text("IN"));
   if (!file) return terminal::report(file.error());
-  const std::string path = values.text("svg");
   const ExitCode code = write_as(*file, FileFormat::kSvg, path, server_choice(values));
   if (code == ExitCode::kOk && path != terminal::kStandardStream)
     std::cout << terminal::plain_figures(file->marker) << "\n";
@@ -120,10 +128,10 @@ command_line::Command convert_command() {
   using trade::kFoldWords, trade::kNapWords, trade::kUnitWords;
   const auto& formats = protocol::files::kFileFormatNames;
   return {"convert",
-          "Convert a marker or a pattern file to another format",
+          "Converts a marker or a pattern file to another format",
           {input_option(),
            {.name = "OUT", .kind = Kind::kText, .meaning = "File to write; - writes standard output"},
-           {.name = "-o,--out", .kind = Kind::kText, .meaning = "The same as OUT"},
+           {.name = "-o,--out", .kind = Kind::kText, .meaning = "The same as OUT", .placeholder = "FILE"},
            {.name = "--format",
             .kind = Kind::kText,
             .meaning = "Format to write; default: by the suffix of OUT",
@@ -135,13 +143,21 @@ command_line::Command convert_command() {
            {.name = "--width",
             .kind = Kind::kNumber,
             .meaning = "Width of the cloth in mm, which a pattern file does not state; default: 1500",
-            .range = command_line::Range{1, 1e6}},
+            .range = command_line::Range{1, 1e6},
+            .placeholder = "LENGTH"},
            overlap_option(),
            {.name = "--sizes",
             .kind = Kind::kText,
-            .meaning = "Sizes of a graded style, separated by commas; default: all"},
-           {.name = "--rules", .kind = Kind::kText, .meaning = "Grade rule table (.rul) that makes the sizes"},
-           {.name = "--order", .kind = Kind::kText, .meaning = "Order (JSON or CSV) whose bundles are cut"},
+            .meaning = "Sizes of a graded style, separated by commas; default: all",
+            .placeholder = "SIZE,..."},
+           {.name = "--rules",
+            .kind = Kind::kText,
+            .meaning = "Grade rule table (.rul) that makes the sizes",
+            .placeholder = "FILE"},
+           {.name = "--order",
+            .kind = Kind::kText,
+            .meaning = "Order (JSON or CSV) whose bundles are cut",
+            .placeholder = "FILE"},
            {.name = "--fold",
             .kind = Kind::kText,
             .meaning = "Unfold half pieces about their mirror line, or keep them; default: unfold",
@@ -153,20 +169,24 @@ command_line::Command convert_command() {
            {.name = "--tolerance",
             .kind = Kind::kNumber,
             .meaning = "How far a flattened curve may lie from the true one, in mm; default: 0.05",
-            .range = command_line::Range{1e-4, 100}},
+            .range = command_line::Range{1e-4, 100},
+            .placeholder = "LENGTH"},
            {.name = "--plain", .kind = Kind::kFlag, .meaning = "Read every closed outline of a DXF as a piece"}},
-          &run_convert};
+          &run_convert,
+          {"selvage convert style.dxf order.json --rules style.rul --sizes S,M,L",
+           "selvage convert marker.json marker.pdf", "selvage convert marker.json marker.cut"}};
 }
 
 command_line::Command show_command() {
   return {"show",
-          "Draw a marker as SVG",
+          "Draws a marker as SVG",
           {input_option(),
-           {.name = "--svg",
+           {.name = "OUT",
             .kind = Kind::kText,
-            .meaning = "Write the drawing to this file; - writes standard output",
-            .required = true}},
-          &run_show};
+            .meaning = "File to write; when absent, standard output, unless that is a terminal"},
+           {.name = "--svg", .kind = Kind::kText, .meaning = "The same as OUT", .placeholder = "FILE"}},
+          &run_show,
+          {"selvage show marker.json marker.svg"}};
 }
 
 }  // namespace selvage::cli::commands

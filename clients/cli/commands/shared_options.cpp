@@ -20,13 +20,27 @@ Option input_option() {
 Option spacing_option() {
   return {.name = "--spacing",
           .kind = Kind::kNumber,
-          .meaning = "Minimum distance between pieces, in the marker's unit; overrides the marker's own"};
+          .meaning = "Minimum distance between pieces, in the marker's unit; overrides the marker's own",
+          .placeholder = "LENGTH"};
 }
 
 Option overlap_option() {
   return {.name = "--overlap",
           .kind = Kind::kNumber,
-          .meaning = "Overlap allowance of the pieces, in the marker's unit; overrides the marker's own"};
+          .meaning = "Overlap allowance of the pieces, in the marker's unit; overrides the marker's own",
+          .placeholder = "LENGTH"};
+}
+
+Option time_option(const std::string& what) {
+  return {.name = "--time",
+          .kind = Kind::kNumber,
+          .meaning = "After this many seconds the best " + what + " so far is returned",
+          .range = command_line::Range{0.001, 86'400},
+          .placeholder = "SECONDS"};
+}
+
+Option json_option() {
+  return {.name = "--json", .kind = Kind::kFlag, .meaning = "Print one line of JSON instead of the summary"};
 }
 
 std::vector<Option> file_options() {
@@ -34,13 +48,20 @@ std::vector<Option> file_options() {
   return {
       {.name = "-o,--out",
        .kind = Kind::kText,
-       .meaning = "Write the resulting marker to this file; - writes standard output"},
-      {.name = "--svg", .kind = Kind::kText, .meaning = "Write a drawing of the result to this file"},
+       .meaning = "Write the resulting marker to this file; - writes standard output",
+       .placeholder = "FILE"},
+      {.name = "--svg",
+       .kind = Kind::kText,
+       .meaning = "Write a drawing of the result to this file",
+       .placeholder = "FILE"},
       {.name = "--arrows",
        .kind = Kind::kFlag,
        .meaning = "Draw the displacements of the pieces and the forces on them"},
       {.name = "--chain", .kind = Kind::kFlag, .meaning = "Draw the critical path, which determines the length"},
-      {.name = "--outlines", .kind = Kind::kText, .meaning = "Write the placed outlines, in exact coordinates"},
+      {.name = "--outlines",
+       .kind = Kind::kText,
+       .meaning = "Write the placed outlines to this file, in exact coordinates",
+       .placeholder = "FILE"},
       {.name = "--format",
        .kind = Kind::kText,
        .meaning = "Format of --out; default: by its suffix, else the format of the input",
@@ -59,11 +80,16 @@ std::vector<Option> server_options() {
   return {
       {.name = "--server",
        .kind = Kind::kText,
-       .meaning = "Run on this daemon: HOST:PORT, tls://HOST:PORT or the path of a Unix socket"},
-      {.name = "--token-file", .kind = Kind::kText, .meaning = "File whose first line is the daemon's token"},
+       .meaning = "Run on this daemon: HOST:PORT, tls://HOST:PORT or the path of a Unix socket",
+       .placeholder = "ADDRESS"},
+      {.name = "--token-file",
+       .kind = Kind::kText,
+       .meaning = "File whose first line is the daemon's token",
+       .placeholder = "FILE"},
       {.name = "--trust",
        .kind = Kind::kText,
-       .meaning = "With tls://: file of certificates (PEM) to trust instead of the system's"},
+       .meaning = "With tls://: file of certificates (PEM) to trust instead of the system's",
+       .placeholder = "FILE"},
   };
 }
 
@@ -94,9 +120,13 @@ int standard_outputs(const MarkerFiles& files) {
 std::optional<terminal::Failure> check_outputs(const MarkerFiles& files) {
   if (standard_outputs(files) > 1)
     return terminal::bad_usage("only one of --out, --svg, --outlines can be standard output");
-  for (const std::string* path : {&files.out, &files.svg, &files.outlines}) {
-    if (path->empty()) continue;
-    if (const auto error = terminal::why_not_writable(*path)) return terminal::failure_of(*error);
+  return check_writable({files.out, files.svg, files.outlines});
+}
+
+std::optional<terminal::Failure> check_writable(const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    if (path.empty()) continue;
+    if (const auto error = terminal::why_not_writable(path)) return terminal::failure_of(*error);
   }
   return std::nullopt;
 }

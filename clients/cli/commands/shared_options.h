@@ -32,6 +32,9 @@ struct MarkerFiles {
 [[nodiscard]] std::vector<command_line::Option> file_options();
 [[nodiscard]] command_line::Option spacing_option();
 [[nodiscard]] command_line::Option overlap_option();
+// --time; `what` is returned when it is over.
+[[nodiscard]] command_line::Option time_option(const std::string& what);
+[[nodiscard]] command_line::Option json_option();
 // --server, --token-file, --trust: options of the program, valid for every command.
 [[nodiscard]] std::vector<command_line::Option> server_options();
 
@@ -41,8 +44,11 @@ struct MarkerFiles {
 
 // How many files of results are standard output.
 [[nodiscard]] int standard_outputs(const MarkerFiles& files);
-// At most one of them may be.
+// At most one of them may be, and all must be writable.
 [[nodiscard]] std::optional<terminal::Failure> check_outputs(const MarkerFiles& files);
+
+// Before the work: why one of these files cannot be written; empty names count as none.
+[[nodiscard]] std::optional<terminal::Failure> check_writable(const std::vector<std::string>& paths);
 
 // REQUIRES: `name` is one of protocol::files::kFileFormatNames.
 [[nodiscard]] protocol::files::FileFormat format_named(const std::string& name);

@@ -17,7 +17,7 @@ terminal::ExitCode run_watch(const command_line::Values& values) {
 command_line::Command watch_command() {
   using command_line::Kind;
   return {"watch",
-          "Follow the changes of a marker that is open on a daemon (needs --server)",
+          "Follows the changes of a marker that is open on a daemon (needs --server)",
           {{.name = "MARKER",
             .kind = Kind::kText,
             .meaning = "The marker's id on the daemon, such as m1",
@@ -25,7 +25,8 @@ command_line::Command watch_command() {
            {.name = "--json",
             .kind = Kind::kFlag,
             .meaning = "Print every change as one line of JSON, as the daemon sent it"}},
-          &run_watch};
+          &run_watch,
+          {"selvage watch m1 --server localhost:7171"}};
 }
 
 }  // namespace selvage::cli::commands

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <iostream>
 
-#include "clients/cli/documents/option_names.h"
+#include "clients/cli/command_line/wording.h"
 
 namespace selvage::cli::documents {
 namespace {
 
 using command_line::Command;
+using command_line::is_positional;
 using command_line::Kind;
+using command_line::names_of;
 using command_line::Option;
 using command_line::Program;
 
@@ -32,32 +34,37 @@ std::vector<Option> options_of(const Program& program, const Command& command) {
   return options;
 }
 
-// Words that follow an option: its choices, or files where none are listed.
+// The choices of the first positional argument, such as the methods of `call`; empty when it is a file.
+std::vector<std::string> first_choices(const Command& command) {
+  const auto first = std::find_if(command.options.begin(), command.options.end(), is_positional);
+  return first == command.options.end() ? std::vector<std::string>{} : first->choices;
+}
+
+// Words that follow an option, or the command itself: the choices there, or files where none are listed.
 std::string bash_script(const Program& program) {
-  std::string values, options;
+  std::string values, options, with_values;
+  for (const Option& option : program.options) with_values += (with_values.empty() ? "" : "|") + option.name;
+  const auto add_values = [&](const Command& command, const std::string& before,
+                              const std::vector<std::string>& words) {
+    if (!words.empty()) values += "    \"" + command.name + " " + before + "\") words=\"" + joined(words) + "\" ;;\n";
+  };
   for (const Command& command : program.commands) {
     std::vector<std::string> names{"--help"};
     for (const Option& option : options_of(program, command)) {
       for (const std::string& name : names_of(option)) names.push_back(name);
-      if (option.choices.empty()) continue;
-      values +=
-          "    " + command.name + " " + names_of(option).back() + ") words=\"" + joined(option.choices) + "\" ;;\n";
+      add_values(command, names_of(option).back(), option.choices);
     }
+    add_values(command, command.name, first_choices(command));
     options += "    " + command.name + ") words=\"" + joined(names) + "\" ;;\n";
-  }
-  // The values' patterns hold a blank, which bash wants quoted.
-  std::string quoted;
-  for (std::size_t at = 0; at < values.size();) {
-    const std::size_t end = values.find(')', at);
-    quoted += "    \"" + values.substr(at + 4, end - at - 4) + "\"";
-    at = values.find('\n', end) + 1;
-    quoted += values.substr(end, at - end);
   }
   return "# bash completion of " + program.name + "\n_" + program.name +
          "() {\n"
-         "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} command= words= one\n"
+         "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} command= words= one last=\n"
          "  for one in \"${COMP_WORDS[@]:1:COMP_CWORD-1}\"; do\n"
-         "    if [[ $one != -* ]]; then command=$one; break; fi\n"
+         "    case $last in " +
+         with_values +
+         ") ;; *) if [[ $one != -* ]]; then command=$one; break; fi ;; esac\n"
+         "    last=$one\n"
          "  done\n"
          "  if [[ -z $command ]]; then\n"
          "    COMPREPLY=($(compgen -W \"" +
@@ -66,9 +73,9 @@ std::string bash_script(const Program& program) {
          "    return\n"
          "  fi\n"
          "  case \"$command $before\" in\n" +
-         quoted +
+         values +
          "  esac\n"
-         "  if [[ -z $words && $word == -* ]]; then\n"
+         "  if [[ $word == -* ]]; then\n"
          "    case $command in\n" +
          options +
          "    esac\n"
@@ -86,34 +93,49 @@ std::string in_single_quotes(const std::string& text, const std::string& escaped
   return quoted + "'";
 }
 
-std::string without_brackets(std::string text) {
-  std::replace(text.begin(), text.end(), '[', '(');
-  std::replace(text.begin(), text.end(), ']', ')');
-  std::replace(text.begin(), text.end(), ':', ';');
-  return text;
+// With what zsh takes for the end of a part escaped.
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char letter : text) {
+    if (letter == '[' || letter == ']' || letter == ':' || letter == '\\') out += '\\';
+    out += letter;
+  }
+  return out;
+}
+
+// What zsh offers for a value: its choices, nothing for a number, else files.
+std::string zsh_values(const Option& option) {
+  if (!option.choices.empty()) return "(" + joined(option.choices) + ")";
+  return option.kind == Kind::kText || option.kind == Kind::kTexts ? "_files" : "";
 }
 
 std::string zsh_script(const Program& program) {
+  const auto quoted = [](const std::string& text) { return in_single_quotes(text, "'\\''"); };
   std::string script = "#compdef " + program.name + "\n_" + program.name +
                        "() {\n"
                        "  local -a commands=(\n";
-  for (const Command& command : program.commands) {
-    script += "    " + in_single_quotes(command.name + ":" + without_brackets(command.summary), "'\\''") + "\n";
-  }
+  for (const Command& command : program.commands)
+    script += "    " + quoted(command.name + ":" + escaped(command.summary)) + "\n";
   script +=
       "  )\n"
       "  if ((CURRENT == 2)); then _describe command commands; return; fi\n"
-      "  case ${words[2]} in\n";
+      "  local command=${words[2]}\n"
+      "  shift words\n"
+      "  ((CURRENT--))\n"
+      "  case $command in\n";
   for (const Command& command : program.commands) {
     script += "    " + command.name + ") _arguments";
     for (const Option& option : options_of(program, command)) {
       for (const std::string& name : names_of(option)) {
-        std::string spec = name + "[" + without_brackets(option.meaning) + "]";
-        if (option.kind != Kind::kFlag) {
-          spec += ":value:" + (option.choices.empty() ? "_files" : "(" + joined(option.choices) + ")");
-        }
-        script += " \\\n      " + in_single_quotes(spec, "'\\''");
+        std::string spec = name + "[" + escaped(option.meaning) + "]";
+        if (option.kind != Kind::kFlag)
+          spec += ":" + escaped(command_line::value_of(option)) + ":" + zsh_values(option);
+        script += " \\\n      " + quoted(spec);
       }
+    }
+    for (const Option& option : command.options) {
+      if (is_positional(option) && !option.choices.empty())
+        script += " \\\n      " + quoted("1:" + option.name + ":" + zsh_values(option));
     }
     script += " '*:file:_files' ;;\n";
   }
@@ -121,19 +143,25 @@ std::string zsh_script(const Program& program) {
 }
 
 std::string fish_script(const Program& program) {
+  const auto quoted = [](const std::string& text) { return in_single_quotes(text, "\\'"); };
   const std::string complete = "complete -c " + program.name + " ";
   std::string script = "# fish completion of " + program.name + "\n";
   for (const Command& command : program.commands) {
-    script += complete + "-n __fish_use_subcommand -f -a " + command.name + " -d " +
-              in_single_quotes(command.summary, "\\'") + "\n";
+    const std::string of_command = complete + "-n '__fish_seen_subcommand_from " + command.name + "'";
+    script += complete + "-n __fish_use_subcommand -f -a " + command.name + " -d " + quoted(command.summary) + "\n";
+    if (const auto words = first_choices(command); !words.empty()) {
+      const std::string unless_given = "; and not __fish_seen_subcommand_from " + joined(words) + "'";
+      script += complete + "-n '__fish_seen_subcommand_from " + command.name + unless_given + " -f -a '" +
+                joined(words) + "'\n";
+    }
     for (const Option& option : options_of(program, command)) {
-      script += complete + "-n '__fish_seen_subcommand_from " + command.name + "'";
+      script += of_command;
       for (const std::string& name : names_of(option)) {
         script += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
       }
       if (option.kind != Kind::kFlag) script += " -r";
       if (!option.choices.empty()) script += " -f -a '" + joined(option.choices) + "'";
-      script += " -d " + in_single_quotes(option.meaning, "\\'") + "\n";
+      script += " -d " + quoted(option.meaning) + "\n";
     }
   }
   return script;
@@ -159,14 +187,16 @@ Command completion_command(const Program& program) {
     return terminal::ExitCode::kOk;
   };
   return {.name = "completion",
-          .summary = "Print a script with which a shell completes subcommands, options and values",
+          .summary = "Prints a script with which a shell completes subcommands, options and values",
           .options = {{.name = "SHELL",
                        .kind = Kind::kText,
-                       .meaning = "The shell",
+                       .meaning = "The shell that is to complete",
                        .required = true,
                        .choices = {"bash", "zsh", "fish"}}},
           .run = run,
-          .examples = {program.name + " completion bash > ~/.local/share/bash-completion/completions/" + program.name}};
+          .examples = {program.name + " completion bash > ~/.local/share/bash-completion/completions/" + program.name,
+                       program.name + " completion zsh > ~/.zfunc/_" + program.name,
+                       program.name + " completion fish > ~/.config/fish/completions/" + program.name + ".fish"}};
 }
 
 }  // namespace selvage::cli::documents

@@ -7,13 +7,14 @@
 #include <utility>
 #include <vector>
 
-#include "clients/cli/documents/option_names.h"
+#include "clients/cli/command_line/wording.h"
 
 namespace selvage::cli::documents {
 namespace {
 
 using command_line::Command;
-using command_line::Kind;
+using command_line::is_positional;
+using command_line::names_of;
 using command_line::Option;
 using command_line::Program;
 
@@ -29,32 +30,6 @@ std::string roff(const std::string& text) {
       escaped += letter;
   }
   return escaped.starts_with('.') || escaped.starts_with('\'') ? "\\&" + escaped : escaped;
-}
-
-std::string choices_of(const Option& option, const std::string& between) {
-  std::string choices;
-  for (const std::string& choice : option.choices) choices += (choices.empty() ? "" : between) + choice;
-  return choices;
-}
-
-// Too many to stand beside the option's name.
-bool has_many_choices(const Option& option) {
-  constexpr std::size_t kMost = 5;
-  return option.choices.size() > kMost;
-}
-
-std::string value_of(const Option& option) {
-  if (!option.placeholder.empty()) return option.placeholder;
-  if (!option.choices.empty()) return has_many_choices(option) ? "WORD" : choices_of(option, "|");
-  switch (option.kind) {
-    case Kind::kFlag: return "";
-    case Kind::kText: return "TEXT";
-    case Kind::kInteger: return "INTEGER";
-    case Kind::kNumber: return "NUMBER";
-    case Kind::kNumbers: return "NUMBER,...";
-    case Kind::kTexts: return "TEXT...";
-  }
-  return "";
 }
 
 // An option that most commands have, with the same meaning.
@@ -75,26 +50,13 @@ bool is_among(const Option& option, const std::vector<Option>& common) {
                      [&](const Option& one) { return one.name == option.name && one.meaning == option.meaning; });
 }
 
-// Nothing for the number of threads, which is that of the machine.
-std::string standard_of(const Option& option) {
-  if (!option.standard || option.name == "--threads") return "";
-  std::ostringstream text;
-  if (const auto* word = std::get_if<std::string>(&*option.standard)) text << *word;
-  if (const auto* integer = std::get_if<std::int64_t>(&*option.standard)) text << *integer;
-  if (const auto* number = std::get_if<double>(&*option.standard)) text << *number;
-  return text.str().empty() ? "" : "  Default: " + text.str() + ".";
-}
-
 std::string option_entry(const Option& option) {
   std::string head;
   for (const std::string& name : names_of(option)) head += (head.empty() ? "" : ", ") + ("\\fB" + roff(name) + "\\fR");
-  if (const std::string value = value_of(option); !value.empty() && !is_positional(option)) {
+  if (const std::string value = command_line::value_of(option); !value.empty() && !is_positional(option)) {
     head += " \\fI" + roff(value) + "\\fR";
   }
-  return ".TP\n" + head + "\n" +
-         roff(option.meaning + "." + (has_many_choices(option) ? "  One of " + choices_of(option, ", ") + "." : "") +
-              standard_of(option)) +
-         "\n";
+  return ".TP\n" + head + "\n" + roff(command_line::meaning_of(option) + ".") + "\n";
 }
 
 std::string command_section(const Command& command, const std::vector<Option>& common) {
@@ -134,7 +96,7 @@ std::string manual_page(const Program& program) {
   std::string page = ".TH " + upper + " 1 \"\" \"" + program.name + " " + program.version + "\" \"User Commands\"\n";
   page += ".SH NAME\n" + program.name + " \\- compact, nest and check garment markers\n";
   page += ".SH SYNOPSIS\n.B " + program.name + "\n\\fIcommand\\fR [\\fIoptions\\fR] [\\fIfile\\fR ...]\n";
-  page += ".SH DESCRIPTION\n" + roff(program.summary) + "\n";
+  page += ".SH DESCRIPTION\n" + roff(program.summary + "\n" + program.description) + "\n";
   page += ".SH OPTIONS\nThese may stand before or after the command.\n";
   for (const Option& option : program.options) page += option_entry(option);
   const std::vector<Option> common = common_options(program);
@@ -142,6 +104,8 @@ std::string manual_page(const Program& program) {
   for (const Option& option : common) page += option_entry(option);
   page += ".SH COMMANDS\n";
   for (const Command& command : program.commands) page += command_section(command, common);
+  page +=
+      ".SH ENVIRONMENT\n.TP\n\\fBNO_COLOR\\fR\n" + roff("When it is set and not empty, nothing is coloured.") + "\n";
   return page + ".SH EXIT STATUS\n" + unfilled(program.footer) + ".SH SEE ALSO\n\\fBselvaged\\fR(8)\n";
 }
 
@@ -151,7 +115,7 @@ Command manual_command(const Program& program) {
     return terminal::ExitCode::kOk;
   };
   return {.name = "manual",
-          .summary = "Print the manual page in roff",
+          .summary = "Prints the manual page, in roff",
           .options = {},
           .run = run,
           .examples = {program.name + " manual | man -l -"}};

@@ -70,7 +70,7 @@ command_line::Command remake_command() {
   std::vector<ParameterOption> parameters = remake_options();
   command_line::Command command{
       "remake",
-      "Lay an order out like the most similar markers of a library",
+      "Lays an order out like the most similar markers of a library",
       {{.name = "ORDER",
         .kind = Kind::kText,
         .meaning = "Marker or pattern file whose pieces are wanted; where they lie does not matter",
@@ -78,16 +78,13 @@ command_line::Command remake_command() {
        {.name = "--library",
         .kind = Kind::kText,
         .meaning = "Folder of marker files, which `selvage library add` fills",
-        .required = true}},
+        .required = true,
+        .placeholder = "FOLDER"}},
       {}};
   for (const ParameterOption& parameter : parameters) command.options.push_back(parameter.option);
   for (command_line::Option& option : commands::file_options()) command.options.push_back(std::move(option));
-  command.options.push_back({.name = "--time",
-                             .kind = Kind::kNumber,
-                             .meaning = "After this many seconds the best result so far is returned",
-                             .range = command_line::Range{0.001, 86'400}});
-  command.options.push_back(
-      {.name = "--json", .kind = Kind::kFlag, .meaning = "Print one line of JSON instead of the summary"});
+  command.options.push_back(commands::time_option("result"));
+  command.options.push_back(commands::json_option());
   command.examples = {"selvage library add markers made/*.json",
                       "selvage remake order.json --library markers -o marker.json --svg marker.svg",
                       "selvage remake order.json --library markers --tries 10 --fine --time 60 -o marker.json"};

@@ -106,12 +106,20 @@ std::optional<Error> write_plan(const Json& plan, const command_line::Values& va
   return terminal::write_text(html, *page);
 }
 
+// The order in the text of this file.
+Result<protocol::trade::orders::Order> order_in(const std::string& text, const std::string& path) {
+  auto order = protocol::trade::orders::read_order(text);
+  if (order) order = one_of_each_size(*std::move(order));
+  if (order) return order;
+  return Error{order.error().code, path + ": " + protocol::json::describe(order.error()), ""};
+}
+
 ExitCode run_plan_command(const command_line::Values& values) {
+  if (const auto failure = commands::check_writable({values.text("out"), values.text("html")})) return report(*failure);
   const auto text = terminal::read_text(values.text("ORDER"));
   if (!text) return terminal::report(text.error());
-  auto order = protocol::trade::orders::read_order(*text);
-  if (order) order = one_of_each_size(*std::move(order));
-  if (!order) return terminal::report(protocol::json::within("/order", order.error()));
+  const auto order = order_in(*text, values.text("ORDER"));
+  if (!order) return terminal::report(order.error());
   const auto style = load_style(values, *text);
   if (!style) return terminal::report(style.error());
   auto params = plan_params(values, *order);
@@ -138,7 +146,7 @@ ExitCode run_plan_command(const command_line::Values& values) {
 command_line::Command plan_command() {
   command_line::Command command{
       "plan",
-      "Plan which markers are cut for an order, and how many plies of which colour",
+      "Plans which markers are cut for an order, and how many plies of which colour",
       {{.name = "ORDER",
         .kind = Kind::kText,
         .meaning = "Order (JSON or CSV): garments by colour and size",
@@ -146,8 +154,12 @@ command_line::Command plan_command() {
        {.name = "--style",
         .kind = Kind::kText,
         .meaning = "Pattern file, or a marker with one garment of every size",
-        .required = true},
-       {.name = "--rules", .kind = Kind::kText, .meaning = "Grade rule table (.rul) that makes the sizes"},
+        .required = true,
+        .placeholder = "FILE"},
+       {.name = "--rules",
+        .kind = Kind::kText,
+        .meaning = "Grade rule table (.rul) that makes the sizes",
+        .placeholder = "FILE"},
        {.name = "--width",
         .kind = Kind::kNumber,
         .meaning = "Width of the cloth in mm, when neither the order nor the style states it; default: 1500",
@@ -157,15 +169,14 @@ command_line::Command plan_command() {
   for (Option& option : commands::file_options()) {
     if (option.name == "--threads") command.options.push_back(std::move(option));
   }
-  command.options.push_back({.name = "--time",
-                             .kind = Kind::kNumber,
-                             .meaning = "After this many seconds the best plan so far is returned",
-                             .range = command_line::Range{0.001, 86'400}});
-  command.options.push_back({.name = "-o,--out", .kind = Kind::kText, .meaning = "JSON file to write the plan to"});
+  command.options.push_back(commands::time_option("plan"));
   command.options.push_back(
-      {.name = "--html", .kind = Kind::kText, .meaning = "Page to write, with a picture of every marker"});
-  command.options.push_back(
-      {.name = "--json", .kind = Kind::kFlag, .meaning = "Print one line of JSON instead of the summary"});
+      {.name = "-o,--out", .kind = Kind::kText, .meaning = "JSON file to write the plan to", .placeholder = "FILE"});
+  command.options.push_back({.name = "--html",
+                             .kind = Kind::kText,
+                             .meaning = "Page to write, with a picture of every marker",
+                             .placeholder = "FILE"});
+  command.options.push_back(commands::json_option());
   command.examples = {"selvage plan order.csv --style style.dxf --rules style.rul --html plan.html",
                       "selvage plan order.json --style sizes.json --plies 80 --spread face_to_face -o plan.json"};
   return command;

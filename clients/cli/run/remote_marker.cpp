@@ -55,7 +55,11 @@ std::variant<std::unique_ptr<client::Client>, terminal::Failure> connect(const S
   // A short call comes first: a daemon that has not seen the token closes the connection while a long request, such as
   // a whole marker, is still being sent, and its error would be lost.
   const client::Answer greeted = client->call("engine.info");
-  if (!greeted) return failure_of(greeted.error());
+  if (!greeted) {
+    terminal::Failure failure = failure_of(greeted.error());
+    if (failure.code == terminal::ExitCode::kServer) failure.message.insert(0, server.address + ": ");
+    return failure;
+  }
   return client;
 }
 

@@ -23,6 +23,12 @@ double to_microsecond(double ms) {
   return std::round(ms * 1000) / 1000;
 }
 
+// "work_limit" becomes "work limit".
+std::string in_words(std::string word) {
+  std::replace(word.begin(), word.end(), '_', ' ');
+  return word;
+}
+
 std::string counted(std::size_t number, const std::string& one) {
   return std::to_string(number) + " " + one + (number == 1 ? "" : "s");
 }
@@ -162,7 +168,7 @@ std::string plain_summary(const Json& f, const protocol::execution::StageTimes& 
   out += "  utilisation  " + per_cent(f["utilisationBefore"].number()) + " -> " +
          per_cent(f["utilisationAfter"].number()) + "\n  ";
   if (f.contains("rounds")) {
-    out += f["stop"].text() + " after " + counted(f["rounds"].get<std::size_t>(), "round") + ", ";
+    out += in_words(f["stop"].text()) + " after " + counted(f["rounds"].get<std::size_t>(), "round") + ", ";
   }
   out += rounded(times.total, 1) + " ms; " + (f["valid"] == true ? style.good("valid") : style.bad("NOT VALID")) + "\n";
   return out;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "clients/cli/commands/marker_run.h"
+#include "clients/cli/commands/motions/examples.h"
 #include "clients/cli/commands/motions/motion_options.h"
 #include "clients/cli/commands/motions/nest_on_sheets.h"
 #include "protocol/methods/method_table.h"
@@ -15,7 +16,6 @@
 namespace selvage::cli::commands::motions {
 namespace {
 
-using command_line::Kind;
 using command_line::Option;
 using protocol::calls::Method;
 
@@ -33,25 +33,6 @@ constexpr std::string_view kRemake = "marker.remake";
 bool limits_time_itself(const std::vector<ParameterOption>& options) {
   return std::ranges::any_of(options,
                              [](const ParameterOption& parameter) { return parameter.option.name == "--time"; });
-}
-
-// Of the commands that are used most.
-std::vector<std::string> examples_of(std::string_view command) {
-  if (command == "compact") {
-    return {"selvage compact marker.json -o shorter.json --svg shorter.svg",
-            "selvage compact marker.json --accuracy fine --time 60 -o shorter.json",
-            "selvage compact marker.json --server localhost:7171 -o shorter.json"};
-  }
-  if (command == "nest") {
-    return {"selvage nest instance.json --time 60 -o marker.json --svg marker.svg",
-            "selvage nest instance.json --moves 50000 --searches 4 --seed 1 -o marker.json",
-            "selvage nest pieces.json --accuracy draft --sheets 1500x3000*4,1500x900 -o laid.json"};
-  }
-  if (command == "tilt") return {"selvage tilt marker.json --limit 2 -o tilted.json"};
-  if (command == "separate") return {"selvage separate overlapping.json --grow 5 -o valid.json"};
-  if (command == "bump") return {"selvage bump marker.json --piece sleeve --direction=-1,0 -o bumped.json"};
-  if (command == "pack") return {"selvage pack pieces.json --nodes 100000 -o packed.json"};
-  return {};
 }
 
 terminal::ExitCode run_motion(std::string_view method, const std::vector<ParameterOption>& options,
@@ -73,14 +54,10 @@ command_line::Command command_of(const Method& method) {
   for (const ParameterOption& parameter : parameters) command.options.push_back(parameter.option);
   for (Option& option : file_options()) command.options.push_back(std::move(option));
   if (!limits_time_itself(parameters)) {
-    command.options.push_back({.name = "--time",
-                               .kind = Kind::kNumber,
-                               .meaning = "After this many seconds the best result so far is returned",
-                               .range = command_line::Range{0.001, 86'400}});
+    command.options.push_back(time_option("result"));
   }
   if (command.name == "nest") command.options.push_back(sheets_option());
-  command.options.push_back(
-      {.name = "--json", .kind = Kind::kFlag, .meaning = "Print one line of JSON instead of the summary"});
+  command.options.push_back(json_option());
   command.examples = examples_of(command.name);
   command.run = [name = method.name, parameters = std::move(parameters)](const command_line::Values& values) {
     return run_motion(name, parameters, values);
