@@ -30,10 +30,21 @@ import pathlib
 import sys
 
 source, build = sys.argv[1:]
-folders = tuple(f"{source}/{folder}/" for folder in ("core", "protocol", "server", "clients"))
+parts = ("core", "protocol", "server", "clients")
+folders = tuple(f"{root}/{part}/" for root in (source, build) for part in parts)
+
+
+def compiled(file):
+    """How many sources a command compiles: a file that CMake wrote into the build directory includes several."""
+    if not file.startswith(build):
+        return 1
+    return pathlib.Path(file).read_text().count("#include")
+
+
 commands = json.loads((pathlib.Path(build) / "compile_commands.json").read_text())
 installed = [command for command in commands if command["file"].startswith(folders)]
+sources = sum(compiled(command["file"]) for command in installed)
 bare = [c["file"] for c in installed if "-D_FORTIFY_SOURCE=2" not in c["command"] or " -O" not in c["command"]]
-print(f"{len(installed)} sources, {len(bare)} of them compiled without _FORTIFY_SOURCE", *bare[:10], sep="\n")
-sys.exit(1 if bare or len(installed) < 300 else 0)
+print(f"{sources} sources; compiled without _FORTIFY_SOURCE: {len(bare)}", *bare[:10], sep="\n")
+sys.exit(1 if bare or sources < 300 else 0)
 EOF
