@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/marker/validity.h"
 #include "tests/support/polygons.h"
 
 namespace selvage::test {
@@ -77,6 +78,8 @@ Marker random_marker_with_allowances(Random& random) {
     if (random.chance(20)) piece.overlap = random.between(0, least / 5);
     if (random.chance(5)) piece.buffer = 1;
   }
+  if (is_valid(marker)) return marker;
+  for (Piece& piece : marker.pieces) piece.buffer = 0;  // pieces touch, and on a coarse lattice 1 is much
   return marker;
 }
 
