@@ -90,9 +90,8 @@ const repeated = (marker, times) => {
 };
 const LONG = 26_700; // jeans_22g is a little shorter
 
-// Drags as fast as the daemon takes them, each of them begun, moved and committed; frames are not waited for.
-async function memoryOver(drags) {
-  const browser = await Browser.launch(["--disable-frame-rate-limit"]);
+// Drags one after another, each of them begun, moved and committed; the next begins when the revision of the last is there.
+async function memoryOver(browser, drags) {
   const daemon = await startDaemon();
   const { markerId } = await call(daemon.port, "marker.open", { marker: squares(12) });
   const page = await visit(browser, daemon.port, { marker: markerId });
@@ -121,7 +120,6 @@ async function memoryOver(drags) {
     series.push(await kept());
   }
   await daemon.stop();
-  await browser.close();
   return { drags: 4 * Math.ceil(drags / 4), series };
 }
 
@@ -159,7 +157,7 @@ try {
     "1,000 pieces": () => onMarker(browser, tiles(1000), "p500", 4),
     "4,000 pieces": () => onMarker(browser, tiles(4000), "p2000", 9),
     "4,400 pieces (jeans_22g ten times)": async () => onMarker(browser, repeated(await native("jeans_22g"), 10), "200-0", 8),
-    memory: () => memoryOver(Number(process.env.DRAGS ?? 60)),
+    memory: () => memoryOver(browser, Number(process.env.DRAGS ?? 60)),
   };
   const figures = {};
   for (const [name, measure] of Object.entries(measured)) {
