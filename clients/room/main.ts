@@ -75,7 +75,7 @@ function buildPage(): void {
   buildStatus(element("status"), desk, keepsNothing, legend);
   announceFigures(element("live"), desk);
   askForToken(link);
-  listenForKeys(stage.top, { stage, scene, engine, insight, places, commands, pointer, save: () => files.save(), help: openHelp });
+  listenForKeys(stage.top, { stage, scene, engine, insight, places, commands, pointer, save: () => files.save(), help: openHelp, tell });
 }
 
 // The marker on the table, and every change of it, reaches the canvas here.

@@ -96,7 +96,21 @@ test("free cloth is shaded, and its amount is said", onMarker(squares(2), async 
   await page.key("e");
   await page.click("#tab-length");
   await page.until(`/\\d regions?, /.test(document.querySelector("#cloth").textContent)`);
-  assert.notEqual(await colourAt(page, [70, 80]), before);
+  const shaded = await colourAt(page, [70, 80]);
+  assert.notEqual(shaded, before);
+}));
+
+// Three walls with gaps of 20 and 45 between them: a square of 40 fits into the second only, although the first has the area for it.
+const walls = {
+  ...squares(1),
+  shapes: [...squares(1).shapes, { id: "wall", outline: [[0, 0], [30, 0], [30, 100], [0, 100]] }],
+  pieces: [{ id: "s", shape: "square", at: [180, 30] }, ...[0, 50, 125].map((x, k) => ({ id: `w${k}`, shape: "wall", at: [x, 0] }))],
+};
+test("free cloth is darker where the smallest piece fits, and the page says where it does", onMarker(walls, async (page) => {
+  await page.key("e");
+  await page.click("#tab-length");
+  await page.until(`document.querySelector("#cloth").textContent.includes("square, the smallest piece, fits into 1 of them")`, "what fits");
+  assert.notEqual(await colourAt(page, [40, 50]), await colourAt(page, [102, 50]));
 }));
 
 const ruled = {
@@ -238,6 +252,13 @@ test("the ruler measures, Escape takes it away", onMarker(squares(2), async (pag
   await page.key("Escape");
   await page.key("Escape");
   assert.equal(await page.ask(`document.querySelector("#top").dataset.tool`), "select");
+  // By keys: along and across the selected piece.
+  const [x, y] = await spot(page, "p1");
+  await page.drag([x, y], [x, y]);
+  await page.key("m");
+  await page.key("ArrowRight");
+  await page.until(`document.querySelector("#toast").textContent === "Measured: 40.0 mm."`);
+  assert.notEqual(await shows(page, "#top"), before);
 }));
 
 test("a long marker has an overview, and a drag on it pans", onMarker(squares(60), async (page) => {

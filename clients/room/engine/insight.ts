@@ -1,14 +1,17 @@
-import type { Answer } from "../../typescript/src/index";
+import type { Answer, Client } from "../../typescript/src/index";
 import { Signal } from "../base/signal";
 import type { Desk } from "../session/desk";
 import type { Scene } from "../view/scene";
+import { fitting, smallestOf, type Regions } from "./fits";
 
 /** What the daemon says of the present revision: its critical path and its free cloth, asked for only while they are shown. */
 export class Insight {
   readonly chainShown = new Signal(false);
   readonly regionsShown = new Signal(false);
   readonly chain = new Signal<Answer<"marker.hold"> | undefined>(undefined);
-  readonly regions = new Signal<Answer<"marker.regions"> | undefined>(undefined);
+  readonly regions = new Signal<Regions | undefined>(undefined);
+  /** The indices of the regions that have room for the smallest piece, as far as they have been asked about. */
+  readonly fits = new Signal<ReadonlySet<number>>(new Set());
   /** How much the marker's length depends on each piece: the load of the contacts on its left. */
   readonly worth = new Signal<ReadonlyMap<string, number>>(new Map());
   private waiting = 0;
@@ -47,6 +50,7 @@ export class Insight {
       }
       if (this.regionsShown.value && this.regions.value?.revision !== revision) {
         this.regions.value = await client.call("marker.regions", { markerId, deadlineMs: 20_000 });
+        void this.findFits(client, this.regions.value).catch(() => {}); // the next revision asks again
       }
     } catch {
       return; // the next revision asks again
@@ -54,11 +58,24 @@ export class Insight {
     this.show();
   }
 
+  // Shows what fits as it is found, for as long as these regions are shown.
+  private async findFits(client: Client, regions: Regions): Promise<void> {
+    this.fits.value = new Set();
+    const piece = this.desk.marker.value && smallestOf(this.desk.marker.value);
+    if (!piece) return;
+    for await (const index of fitting(client, regions, piece)) {
+      if (this.regions.value !== regions || this.desk.figures.value.revision !== regions.revision) return;
+      this.fits.value = new Set([...this.fits.value, index]);
+      this.show();
+    }
+  }
+
   private show(): void {
     const current = <T extends { revision: number; markerId: string }>(answer: T | undefined) =>
       answer && answer.revision === this.desk.figures.value.revision && answer.markerId === this.desk.markerId ? answer : undefined;
     this.scene.chain = this.chainShown.value ? current(this.chain.value) : undefined;
     this.scene.regions = this.regionsShown.value ? current(this.regions.value) : undefined;
+    this.scene.fits = this.fits.value;
     this.scene.onChange("settled");
   }
 }

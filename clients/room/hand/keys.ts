@@ -4,11 +4,12 @@ import type { Engine } from "../engine/engine";
 import type { Insight } from "../engine/insight";
 import type { Places } from "../engine/places";
 import { say } from "../texts/texts";
+import { lengthText } from "../texts/units";
 import type { Scene } from "../view/scene";
 import type { Stage } from "../view/stage";
 import type { Commands } from "./commands";
 import type { Pointer } from "./pointer";
-import { gravity, openGapTowards, tool, type Tool } from "./tools";
+import { extentOf, gravity, openGapTowards, tool, type Tool } from "./tools";
 
 const ARROWS: Record<string, Point> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 // As these keys lie on a keyboard: upper left, lower left, upper right, lower right.
@@ -25,6 +26,7 @@ export interface Parts {
   pointer: Pointer;
   save(): void;
   help(): void;
+  tell(text: string): void;
 }
 
 /** What every key does. Keys of fields and open dialogues are left alone. */
@@ -102,14 +104,25 @@ function plain(event: KeyboardEvent, canvas: HTMLElement, parts: Parts): (() => 
 }
 
 // What is drawn with a tool, in the direction of an arrow key.
-function byArrow(way: Point, { engine, scene }: Parts): (() => void) | undefined {
+function byArrow(way: Point, { engine, scene, tell }: Parts): (() => void) | undefined {
   const { marker } = scene;
   const chosen = tool.value;
-  if (!marker || (chosen !== "gap" && chosen !== "gravity")) return undefined;
+  if (!marker || chosen === "select") return undefined;
+  if (chosen === "ruler") return () => measureTowards(scene, way, tell);
   return () => {
     tool.value = "select";
     void (chosen === "gap" ? openGapTowards(engine, marker, scene.selected(), scene.length, way) : gravity(engine, [0, 0], way));
   };
+}
+
+// Lays the ruler across the selected pieces, or the marker, in the direction of an arrow key, and says the length.
+function measureTowards(scene: Scene, way: Point, tell: (text: string) => void): void {
+  const { left, right, bottom, top } = extentOf(scene.marker!, scene.selected(), scene.length);
+  const middle: Point = [(left + right) / 2, (bottom + top) / 2];
+  const half: Point = [(way[0] * (right - left)) / 2, (way[1] * (top - bottom)) / 2];
+  scene.stroke = { kind: "ruler", from: [middle[0] - half[0], middle[1] - half[1]], to: [middle[0] + half[0], middle[1] + half[1]] };
+  scene.onChange("moving");
+  tell(say("measured", { length: lengthText(2 * Math.hypot(...half)) }));
 }
 
 // While places of an unplaced piece are shown, keys choose among them.

@@ -1,6 +1,7 @@
 import type { Force, Point } from "../../typescript/src/index";
 import type { Engine } from "../engine/engine";
 import type { Marker, Piece } from "../marker/marker";
+import type { Box } from "../marker/outline";
 import { say } from "../texts/texts";
 import { Signal } from "../base/signal";
 
@@ -24,11 +25,21 @@ export function openGap(engine: Engine, marker: Marker, from: Point, to: Point):
   return engine.start("motion.push", { forces }, say("toolGap").replace(/:.*/, ""));
 }
 
+/** The box around the pieces or, without any, around the marker. */
+export function extentOf(marker: Marker, pieces: readonly Piece[], length: number): Box {
+  const boxes = pieces.length > 0 ? pieces.map(({ box }) => box) : [{ left: 0, right: length, bottom: 0, top: marker.width }];
+  return {
+    left: Math.min(...boxes.map(({ left }) => left)),
+    right: Math.max(...boxes.map(({ right }) => right)),
+    bottom: Math.min(...boxes.map(({ bottom }) => bottom)),
+    top: Math.max(...boxes.map(({ top }) => top)),
+  };
+}
+
 /** Without a pointer: opens a gap along a line through the middle of the selected pieces, or of the marker, at right angles to the way. */
 export function openGapTowards(engine: Engine, marker: Marker, selected: readonly Piece[], length: number, way: Point): Promise<void> {
-  const boxes = selected.length > 0 ? selected.map(({ box }) => box) : [{ left: 0, right: length, bottom: 0, top: marker.width }];
-  const x = (Math.min(...boxes.map(({ left }) => left)) + Math.max(...boxes.map(({ right }) => right))) / 2;
-  const y = (Math.min(...boxes.map(({ bottom }) => bottom)) + Math.max(...boxes.map(({ top }) => top))) / 2;
+  const { left, right, bottom, top } = extentOf(marker, selected, length);
+  const [x, y] = [(left + right) / 2, (bottom + top) / 2];
   return way[0] !== 0 ? openGap(engine, marker, [x, 0], [x, marker.width]) : openGap(engine, marker, [0, y], [length, y]);
 }
 

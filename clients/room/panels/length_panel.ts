@@ -1,6 +1,7 @@
 import { fill, h } from "../base/dom";
 import { prefer, preferences } from "../base/preferences";
 import { follow } from "../base/signal";
+import { smallestOf } from "../engine/fits";
 import type { Insight } from "../engine/insight";
 import { pricesOf } from "../engine/prices";
 import type { Desk } from "../session/desk";
@@ -45,7 +46,7 @@ export function buildLengthPanel(host: HTMLElement, desk: Desk, scene: Scene, in
     money,
   );
   follow([insight.chain, desk.figures, wording], () => drawWhy(why, desk, scene, insight));
-  follow([insight.regions, insight.regionsShown, wording], () => drawCloth(cloth, desk, insight));
+  follow([insight.regions, insight.fits, insight.regionsShown, wording], () => drawCloth(cloth, desk, insight));
   follow([desk.figures, wording, preferences], () => {
     const { length } = desk.figures.value;
     const saved = (desk.opening?.figures.length ?? length) - length;
@@ -73,8 +74,8 @@ function drawCloth(host: HTMLElement, desk: Desk, insight: Insight): void {
   const regions = insight.regions.value?.regions;
   const marker = desk.marker.value;
   if (!regions || !marker || !insight.regionsShown.value) return fill(host);
-  const least = Math.min(...marker.pieces.map(({ shape }) => shape.area));
+  const piece = smallestOf(marker)?.shape.label ?? "–";
   const area = areaText(regions.reduce((sum, region) => sum + region.area, 0));
-  const fits = regions.filter((region) => region.area >= least).length;
-  fill(host, h("p", { class: "note" }, say("freeSummary", { count: regions.length, area, fits })));
+  const fits = insight.fits.value.size;
+  fill(host, h("p", { class: "note" }, say("freeSummary", { count: numberText(regions.length, 0), area, piece, fits: numberText(fits, 0) })));
 }

@@ -87,23 +87,20 @@ function paintWorths({ context, camera, colours }: Brush, contacts: ReadonlyArra
 
 const meet = (a: Box, b: Box): boolean => a.left < b.right && b.left < a.right && a.bottom < b.top && b.bottom < a.top;
 
-/** Cloth that no piece covers; darker where the smallest piece would have the area. */
-export function paintRegions(brush: Brush, scene: Scene): void {
-  const { context, camera, ratio, colours } = brush;
-  const { regions, marker } = scene;
-  if (!regions || !marker) return;
+/** Cloth that no piece covers; darker where the smallest piece fits. */
+export function paintRegions({ context, camera, ratio, colours }: Brush, { regions, fits }: Scene): void {
+  if (!regions) return;
   const k = camera.scale * ratio;
   context.setTransform(k, 0, 0, -k, ratio * camera.x, ratio * camera.y);
-  const least = Math.min(...marker.pieces.slice(0, 5000).map((piece) => piece.shape.area));
   context.fillStyle = colours.region;
-  for (const region of regions.regions) {
-    context.globalAlpha = region.area >= least ? 0.34 : 0.15;
+  regions.regions.forEach(({ outline, holes }, index) => {
+    context.globalAlpha = fits.has(index) ? 0.42 : 0.14;
     context.beginPath();
-    for (const ring of [region.outline, ...region.holes]) {
-      ring.forEach(([x, y], index) => (index === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
+    for (const ring of [outline, ...holes]) {
+      ring.forEach(([x, y], corner) => (corner === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
       context.closePath();
     }
     context.fill("evenodd");
-  }
+  });
   context.globalAlpha = 1;
 }

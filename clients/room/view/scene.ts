@@ -41,6 +41,7 @@ export class Scene {
   stroke: Stroke | undefined;
   chain: Answer<"marker.hold"> | undefined;
   regions: Answer<"marker.regions"> | undefined;
+  fits: ReadonlySet<number> = new Set(); // which of the regions have room for the smallest piece
   overlaps: Answer<"marker.check">["overlaps"] = [];
   outside: string[] = []; // pieces that lie where their marker or its rules allow none
   opening: number | undefined; // the marker's length when it was opened
