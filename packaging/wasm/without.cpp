@@ -1,10 +1,11 @@
 // What these builds leave out.  Clp: every linear program goes to the interior point method, which is the fallback of
 // simplex (core/lp/solver/solve.h).  Cbc: integer programs are not solved, so plans are not the cheapest.  The store:
-// markers and the library live in memory.  Exceptions: they are faults, and end the program.
+// markers and the library live in memory.  Threads: there is one.  Exceptions: they are faults, and end the program.
 #include <cstdlib>
 
 #include "core/lp/integer/cbc.h"
 #include "core/lp/solver/clp.h"
+#include "server/jobs/prompt_thread.h"
 #include "server/store/journal.h"
 #include "server/store/library/library_rows.h"
 
@@ -24,6 +25,12 @@ IntegerSolution solve_by_branch_and_cut(const IntegerProgram&, const IntegerLimi
 }
 
 }  // namespace selvage::lp::integer
+
+namespace selvage::server::jobs {
+
+void run_promptly() {}
+
+}  // namespace selvage::server::jobs
 
 // There is never a journal, so nobody calls these.
 namespace selvage::server::store {

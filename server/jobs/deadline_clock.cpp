@@ -1,5 +1,7 @@
 #include "server/jobs/deadline_clock.h"
 
+#include "server/jobs/prompt_thread.h"
+
 namespace selvage::server::jobs {
 
 DeadlineClock::DeadlineClock() : thread_{[this](const std::stop_token& stop) { tick(stop); }} {}
@@ -30,6 +32,7 @@ void DeadlineClock::remove(const Alarm::Key& key) {
 }
 
 void DeadlineClock::tick(const std::stop_token& stop) {
+  run_promptly();
   std::unique_lock lock{mutex_};
   while (!stop.stop_requested()) {
     const Time next = alarms_.empty() ? Time::max() : alarms_.begin()->first.first;

@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "server/jobs/prompt_thread.h"
+
 namespace selvage::server::jobs {
 namespace {
 
@@ -169,6 +171,7 @@ std::size_t JobQueue::running() const {
 }
 
 void JobQueue::serve(bool only_quick) {
+  if (only_quick) run_promptly();
   const auto accepts = [only_quick](const Job& job) { return job.quick || !only_quick; };
   std::condition_variable& changed = only_quick ? quick_ : work_;
   std::size_t& idle = only_quick ? idle_quick_ : idle_;

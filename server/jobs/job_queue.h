@@ -4,7 +4,8 @@
 // session without queued jobs is always admitted, even when the queue is full.  A job with a deadline is refused at
 // once if it would have to wait, and the jobs before it have waited for longer than it can.
 //
-// Some workers take only jobs that are declared quick, so that these wait neither for long jobs nor for busy workers.
+// Some workers take only jobs that are declared quick, so that these wait neither for long jobs nor for busy workers;
+// nor do they wait for a processor until the time slice of a long job ends (prompt_thread.h).
 //
 // A job may name a lane; the jobs of one lane are executed one at a time, in order of arrival.  A marker's id is the
 // lane of its changes.  The queue owns every worker and every stop_source: a job is asked to stop when its caller no

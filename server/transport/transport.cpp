@@ -1,5 +1,6 @@
 #include "server/transport/transport.h"
 
+#include "server/jobs/prompt_thread.h"
 #include "server/transport/acceptor.h"
 #include "server/transport/connection_table.h"
 #include "server/transport/connections/connection.h"
@@ -104,6 +105,7 @@ struct Transport::Implementation {
 
   // An exception that escapes a handler ends that handler only.
   void run() {
+    jobs::run_promptly();
     for (;;) {
       try {
         io.run();

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <deque>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -51,9 +52,8 @@ std::string random_edit(const Story& story, std::mt19937& random, int number) {
 }
 
 // Edits until the daemon has ended.
-void edit(std::uint16_t port, Story& story, unsigned seed) {
+void edit(Wire& wire, Story& story, unsigned seed) {
   std::mt19937 random{seed};
-  Wire wire{port};
   for (int number = 1;; ++number) {
     const std::string asked = random_edit(story, random, number);
     if (!wire.try_send(asked + "\n")) return;
@@ -159,10 +159,13 @@ TEST_F(Killed, NothingAcknowledgedIsLost) {
       const std::string id = open_marker(wire, kSmallMarker);
       stories.push_back({id, result_of(post_call(wire, "marker.get", id_params(id)))["marker"]});
     }
+    std::deque<Wire> wires;  // connected before the daemon may be killed
+    for (std::size_t k = 0; k < kWriters; ++k) wires.emplace_back(port);
     {
       std::vector<std::jthread> writers;
-      for (Story& story : stories)
-        writers.emplace_back([&, seed = random()] { edit(port, story, static_cast<unsigned>(seed)); });
+      for (std::size_t k = 0; k < kWriters; ++k) {
+        writers.emplace_back([&, k, seed = random()] { edit(wires[k], stories[k], static_cast<unsigned>(seed)); });
+      }
       std::this_thread::sleep_for(std::chrono::milliseconds{50 + random() % 200});
       selvaged.signal(SIGKILL);
     }
@@ -199,8 +202,11 @@ TEST_F(Killed, BackupsAreConsistentWhileEditsRun) {
     const std::uint16_t port = port_of(selvaged);
     Wire wire{port};
     for (std::size_t k = 0; k < kWriters; ++k) stories.push_back({open_marker(wire, kSmallMarker), Json()});
+    std::deque<Wire> wires;
     std::vector<std::jthread> writers;
-    for (Story& story : stories) writers.emplace_back([&story, port] { edit(port, story, 7); });
+    for (Story& story : stories) {
+      writers.emplace_back([&story, &own = wires.emplace_back(port)] { edit(own, story, 7); });
+    }
     for (const char* name : {"one", "two"}) {
       const Json copied = result_of(post_call(wire, "admin.backup", std::string{R"({"name":")"} + name + "\"}"));
       EXPECT_GT(copied["bytes"], 0);

@@ -3,6 +3,8 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -11,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "server/jobs/prompt_thread.h"
 #include "tests/end_to_end/calls.h"
 #include "tests/end_to_end/process.h"
 #include "tests/support/repository.h"
@@ -55,6 +58,19 @@ TEST_F(Selvaged, PrintsItsAddressesAndShutsDownOnBothSignals) {
     EXPECT_NE(output.find("engine.info - "), std::string::npos) << output;
     EXPECT_NE(output.find("drained"), std::string::npos) << output;
   }
+}
+
+TEST_F(Selvaged, TheThreadsThatAllClientsWaitForRunAsSoonAsTheyWakeUp) {
+  using server::jobs::time_slice;
+  if (time_slice().count() == 0) GTEST_SKIP() << "this kernel's time slices have one length";
+  Process selvaged{arguments()};
+  Wire wire{port_of(selvaged)};
+  EXPECT_EQ(result_of(post_call(wire, "engine.info"))["name"], "selvage");
+  std::size_t prompt = 0;
+  for (const auto& thread : std::filesystem::directory_iterator{"/proc/" + std::to_string(selvaged.id()) + "/task"}) {
+    if (time_slice(std::stoi(thread.path().filename().string())) < time_slice()) ++prompt;
+  }
+  EXPECT_EQ(prompt, 5U);  // the I/O thread, the clock's, and the workers for quick reads, openings and changes
 }
 
 TEST_F(Selvaged, AnswersAllMotionsWhenItIsStopped) {

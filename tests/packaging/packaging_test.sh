@@ -62,6 +62,8 @@ code=0
 "$selvaged" --config "$source/packaging/container.toml" 2> /dev/null || code=$?
 grep -qE "^RestartPreventExitStatus=(.* )?$code( .*)?\$" "$source/packaging/selvaged.service" || fail "a bad configuration, started again"
 grep -qE '^RestartPreventExitStatus=(.* )?78( .*)?$' "$source/packaging/selvaged.service" || fail "a store of a later version, started again"
+# Otherwise systemd would end the daemon when its threads ask for their time slices.
+grep -qE '^SystemCallFilter=(.* )?sched_setattr( .*)?$' "$source/packaging/selvaged.service" || fail "a daemon that may not ask for time slices"
 
 "$selvaged" --config "$folder/selvaged.toml" --port-file "$folder/port" > /dev/null 2> "$folder/log" &
 daemon=$!

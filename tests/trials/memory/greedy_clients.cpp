@@ -1,46 +1,19 @@
-#include <sys/resource.h>
+#include "tests/trials/memory/greedy_clients.h"
 
-#include <algorithm>
-#include <array>
-#include <atomic>
 #include <chrono>
-#include <cstdio>
+#include <cstddef>
 #include <exception>
+#include <memory>
 #include <string>
-#include <string_view>
 #include <thread>
 #include <vector>
 
-#include "tests/trials/latencies.h"
 #include "tests/trials/live/caller.h"
-#include "tests/trials/live/live_daemon.h"
-#include "tests/trials/trials.h"
 
 namespace selvage::trials {
 namespace {
 
 using namespace std::chrono_literals;
-using Clock = std::chrono::steady_clock;
-
-constexpr std::size_t kBudgetMb = 512;
-constexpr std::size_t kAddressSpaceMb = kBudgetMb * 6 / 5 + 256;  // with what the threads reserve and never touch
-constexpr double kMostResident = 1.2;                             // times the budget
-constexpr int kNoRoom = -32013, kBusy = -32010, kTooLarge = -32011;
-constexpr auto kQuiet = 2s;
-
-// What a greedy client was answered.
-struct Greed {
-  std::atomic<std::size_t> results{}, refusals{}, hangups{};
-
-  void count(int code, Faults& faults) {
-    if (code == 0) {
-      ++results;
-    } else {
-      ++refusals;
-      faults.expect(code == kNoRoom || code == kBusy || code == kTooLarge, "answered " + std::to_string(code));
-    }
-  }
-};
 
 // The example marker in the native form.
 Json native_marker(Caller& caller) {
@@ -219,91 +192,23 @@ void watchers(const LiveDaemon& daemon, Greed& greed, Faults& faults) {
   (void)owner.ask("marker.close", {{"markerId", id}});
 }
 
-// A client that is not greedy.
-class Other {
- public:
-  explicit Other(const LiveDaemon& daemon) : caller_{daemon, Endpoint::kTcp} {
-    marker_id_ = caller_.result("marker.open", {{"marker", Json::parse(garment("jeans_02g"))}})["markerId"];
-  }
-  // Every call must be answered with a result.
-  void measure(Latencies& times, const std::stop_token& stop, Faults& faults) {
-    while (!stop.stop_requested()) {
-      const Json answer = times.time([&] { return caller_.ask("marker.get", {{"markerId", marker_id_}}); });
-      faults.expect(code_of(answer) == 0, "another client's marker.get: " + answer.dump().substr(0, 200));
-      std::this_thread::sleep_for(2ms);
-    }
-  }
-
- private:
-  Caller caller_;
-  std::string marker_id_;
-};
-
-using Work = void (*)(const LiveDaemon&, Greed&, Faults&);
-struct Case {
-  std::string_view name;
-  Work work;
-};
-constexpr std::array kCases{Case{"history", history},     Case{"batches", batches},      Case{"requests", requests},
-                            Case{"values", values},       Case{"kept answers", answers}, Case{"markers", markers},
-                            Case{"drags", drag_sessions}, Case{"watchers", watchers}};
-
-// Greedy clients would be on machines of their own: here they take no time from the daemon and from the other client.
-// Threads that this one starts have the same priority.
-void yield_to_others() {
-  constexpr int kLowest = 19;
-  (void)::setpriority(PRIO_PROCESS, 0, kLowest);
-}
-
-// Runs the works at the same time, `rounds` times, on a daemon of their own.
-void run_case(std::string_view name, const std::vector<Work>& works, std::size_t rounds, Faults& faults) {
-  LiveDaemon daemon{{"--workers", "2", "--memory", std::to_string(kBudgetMb)}};
-  daemon.limit_address_space(kAddressSpaceMb << 20);
-  Other other{daemon};
-  const auto measured = [&](const auto& meanwhile) {
-    Latencies times;
-    {
-      const std::jthread thread{[&](const std::stop_token& stop) {
-        faults.guard("the other client", [&] { other.measure(times, stop, faults); });
-      }};
-      meanwhile();
-    }
-    return times;
-  };
-  const Latencies without = measured([] { std::this_thread::sleep_for(kQuiet); });
-  Greed greed;
-  const Latencies with = measured([&] {
-    for (std::size_t round = 0; round < rounds; ++round) {
-      std::vector<std::jthread> threads;
-      for (const Work work : works) {
-        threads.emplace_back([&, work] {
-          yield_to_others();
-          faults.guard(name, [&] { work(daemon, greed, faults); });
-        });
-      }
-    }
-  });
-  const double peak = daemon.resources().peak_mb;
-  std::printf("%-13s resident at most %.0f MiB, %.2f of the budget; %zu results, %zu refusals, %zu hangups\n",
-              name.data(), peak, peak / kBudgetMb, greed.results.load(), greed.refusals.load(), greed.hangups.load());
-  std::printf("  marker.get without: %s\n  with:               %s; p99 with / without %.2f (goal: at most 2)\n",
-              without.text().c_str(), with.text().c_str(), with.part(0.99) / without.part(0.99));
-  faults.expect(peak <= kMostResident * kBudgetMb, std::string{name} + ": resident " + std::to_string(peak) + " MiB");
-  const int code = daemon.end();
-  faults.expect(code == 0, std::string{name} + ": selvaged ended with code " + std::to_string(code));
-  faults.expect(daemon.log_text().find("bad_alloc") == std::string::npos, std::string{name} + ": memory ran out");
-}
-
 }  // namespace
 
-void memory(std::size_t rounds, Faults& faults) {
-  std::printf("--memory %zu under an address space of %zu MiB\n", kBudgetMb, kAddressSpaceMb);
-  std::vector<Work> all;
-  for (const auto& [name, work] : kCases) {
-    run_case(name, {work}, rounds, faults);
-    all.push_back(work);
+void Greed::count(int code, Faults& faults) {
+  constexpr int kNoRoom = -32013, kBusy = -32010, kTooLarge = -32011;
+  if (code == 0) {
+    ++results;
+  } else {
+    ++refusals;
+    faults.expect(code == kNoRoom || code == kBusy || code == kTooLarge, "answered " + std::to_string(code));
   }
-  run_case("all together", all, rounds, faults);
+}
+
+const std::vector<GreedyClient>& greedy_clients() {
+  static const std::vector<GreedyClient> kAll{
+      {"history", history},      {"batches", batches}, {"requests", requests},   {"values", values},
+      {"kept answers", answers}, {"markers", markers}, {"drags", drag_sessions}, {"watchers", watchers}};
+  return kAll;
 }
 
 }  // namespace selvage::trials

@@ -1,0 +1,18 @@
+// How soon a thread gets a processor when it wakes up and all of them are busy.
+#pragma once
+
+#include <chrono>
+
+namespace selvage::server::jobs {
+
+// Asks the kernel to let the calling thread run as soon as it has work, by asking for short time slices: from 6.12 on,
+// Linux interrupts threads with longer ones for it.  For threads that all clients wait for, and that need little time:
+// the thread's share of the processors stays what it was.  Older kernels, and systems that forbid the call, go on as
+// before, where it may have to wait for the end of another thread's slice, which takes some milliseconds.
+void run_promptly();
+
+// The length of the time slices of the thread with this id, as the kernel knows it; 0: the calling one.  Returns 0 if
+// the kernel does not say, because all threads have the same.
+[[nodiscard]] std::chrono::nanoseconds time_slice(int thread = 0);
+
+}  // namespace selvage::server::jobs

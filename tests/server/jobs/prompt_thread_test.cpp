@@ -1,0 +1,85 @@
+// Which threads get a processor as soon as they wake up, as the kernel says.
+#include "server/jobs/prompt_thread.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <functional>
+#include <future>
+#include <latch>
+#include <thread>
+#include <utility>
+
+#include "server/jobs/deadline_clock.h"
+#include "server/jobs/job_queue.h"
+
+namespace selvage::server::jobs {
+namespace {
+
+using std::chrono::nanoseconds;
+
+nanoseconds prompt_slice() {
+  nanoseconds slice{};
+  std::jthread{[&slice] {
+    run_promptly();
+    slice = time_slice();
+  }}.join();
+  return slice;
+}
+
+class PromptThread : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (time_slice() == nanoseconds{}) GTEST_SKIP() << "this kernel's time slices have one length";
+  }
+};
+
+TEST_F(PromptThread, HasShorterSlicesThanOthers) {
+  EXPECT_LT(prompt_slice(), time_slice());
+}
+
+TEST_F(PromptThread, KeepsItsPriority) {
+  constexpr int kLowered = 3;
+  int nice = 0;
+  std::jthread{[&nice] {
+    (void)::nice(kLowered);
+    run_promptly();
+    nice = ::getpriority(PRIO_PROCESS, 0);
+  }}.join();
+  EXPECT_EQ(nice, ::getpriority(PRIO_PROCESS, 0) + kLowered);
+}
+
+void submit(JobQueue& queue, bool quick, std::function<void()> work) {
+  Job job{};
+  job.quick = quick;
+  job.work = Work{[held = std::move(work)](auto&&) { held(); }};
+  EXPECT_EQ(queue.submit(job), Admission::kAccepted);
+}
+
+TEST_F(PromptThread, OnlyWorkersForQuickJobsAreSuchThreads) {
+  std::promise<nanoseconds> of_long;
+  std::promise<nanoseconds> of_quick;
+  std::latch done{1};
+  JobQueue queue{1, 8, 1};
+  submit(queue, false, [&] {
+    of_long.set_value(time_slice());
+    done.wait();
+  });
+  const nanoseconds slice = of_long.get_future().get();
+  submit(queue, true, [&] { of_quick.set_value(time_slice()); });  // while the other worker is busy
+  EXPECT_EQ(of_quick.get_future().get(), prompt_slice());
+  EXPECT_EQ(slice, time_slice());
+  done.count_down();
+}
+
+TEST_F(PromptThread, TheClockThatAnswersAtDeadlinesIsOne) {
+  std::promise<nanoseconds> measured;
+  DeadlineClock clock;
+  const auto alarm = clock.at(clock.now(), [&] { measured.set_value(time_slice()); });
+  EXPECT_EQ(measured.get_future().get(), prompt_slice());
+}
+
+}  // namespace
+}  // namespace selvage::server::jobs

@@ -1,0 +1,119 @@
+// The memory of a daemon that greedy clients try to make grow, and what another client notices of them.
+#include <sys/resource.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "server/jobs/prompt_thread.h"
+#include "tests/trials/latencies.h"
+#include "tests/trials/live/caller.h"
+#include "tests/trials/live/live_daemon.h"
+#include "tests/trials/memory/greedy_clients.h"
+#include "tests/trials/trials.h"
+
+namespace selvage::trials {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::size_t kBudgetMb = 512;
+constexpr std::size_t kAddressSpaceMb = kBudgetMb * 6 / 5 + 256;  // with what the threads reserve and never touch
+constexpr double kMostResident = 1.2;                             // times the budget
+constexpr std::size_t kEnough = 1000;  // calls, without which a p99 would be that of a few of them
+
+// A client that is not greedy.
+class Other {
+ public:
+  explicit Other(const LiveDaemon& daemon) : caller_{daemon, Endpoint::kTcp} {
+    marker_id_ = caller_.result("marker.open", {{"marker", Json::parse(garment("jeans_02g"))}})["markerId"];
+  }
+  // Calls until `meanwhile` has returned, which it tells how many calls have been answered so far.  Every call must be
+  // answered with a result.
+  template <class Work>
+  Latencies measure(const Work& meanwhile, Faults& faults) {
+    Latencies times;
+    std::atomic<std::size_t> calls{};
+    const auto call = [&](const std::stop_token& stop) {
+      server::jobs::run_promptly();  // it would be on a machine of its own
+      while (!stop.stop_requested()) {
+        const Json answer = times.time([&] { return caller_.ask("marker.get", {{"markerId", marker_id_}}); });
+        faults.expect(code_of(answer) == 0, "another client's marker.get: " + answer.dump().substr(0, 200));
+        ++calls;
+        std::this_thread::sleep_for(2ms);
+      }
+    };
+    std::jthread thread{[&](const std::stop_token& stop) {
+      faults.guard("the other client", [&] { call(stop); });
+      calls = kEnough;  // also if it has failed
+    }};
+    meanwhile(calls);
+    thread.request_stop();
+    thread.join();
+    return times;
+  }
+
+ private:
+  Caller caller_;
+  std::string marker_id_;
+};
+
+// Greedy clients would be on machines of their own: here they take no time from the daemon and from the other client.
+// Threads that this one starts have the same priority.
+void yield_to_others() {
+  constexpr int kLowest = 19;
+  (void)::setpriority(PRIO_PROCESS, 0, kLowest);
+}
+
+// Each of the clients works once, at the same time.
+void be_greedy(const std::vector<GreedyClient>& clients, const LiveDaemon& daemon, Greed& greed, Faults& faults) {
+  std::vector<std::jthread> threads;
+  for (const GreedyClient& client : clients) {
+    threads.emplace_back([&] {
+      yield_to_others();
+      faults.guard(client.name, [&] { client.work(daemon, greed, faults); });
+    });
+  }
+}
+
+// On a daemon of their own; at least `rounds` times, and until the other client has made enough calls.
+void run_case(std::string_view name, const std::vector<GreedyClient>& clients, std::size_t rounds, Faults& faults) {
+  LiveDaemon daemon{{"--workers", "2", "--memory", std::to_string(kBudgetMb)}};
+  daemon.limit_address_space(kAddressSpaceMb << 20);
+  Other other{daemon};
+  Greed greed;
+  const Latencies without = other.measure(
+      [](const auto& calls) {
+        while (calls < kEnough) std::this_thread::sleep_for(10ms);
+      },
+      faults);
+  const Latencies with = other.measure(
+      [&](const auto& calls) {
+        for (std::size_t round = 0; round < rounds || calls < kEnough; ++round) {
+          be_greedy(clients, daemon, greed, faults);
+        }
+      },
+      faults);
+  const double peak = daemon.resources().peak_mb;
+  std::printf("%-13s resident at most %.0f MiB, %.2f of the budget; %zu results, %zu refusals, %zu hangups\n",
+              name.data(), peak, peak / kBudgetMb, greed.results.load(), greed.refusals.load(), greed.hangups.load());
+  std::printf("  marker.get without: %s\n  with:               %s; p99 with / without %.2f (goal: at most 2)\n",
+              without.text().c_str(), with.text().c_str(), with.part(0.99) / without.part(0.99));
+  faults.expect(peak <= kMostResident * kBudgetMb, std::string{name} + ": resident " + std::to_string(peak) + " MiB");
+  const int code = daemon.end();
+  faults.expect(code == 0, std::string{name} + ": selvaged ended with code " + std::to_string(code));
+  faults.expect(daemon.log_text().find("bad_alloc") == std::string::npos, std::string{name} + ": memory ran out");
+}
+
+}  // namespace
+
+void memory(std::size_t rounds, Faults& faults) {
+  std::printf("--memory %zu under an address space of %zu MiB\n", kBudgetMb, kAddressSpaceMb);
+  for (const GreedyClient& client : greedy_clients()) run_case(client.name, {client}, rounds, faults);
+  run_case("all together", greedy_clients(), rounds, faults);
+}
+
+}  // namespace selvage::trials
