@@ -100,17 +100,25 @@ test("free cloth is shaded, and its amount is said", onMarker(squares(2), async 
   assert.notEqual(shaded, before);
 }));
 
-// Three walls with gaps of 20 and 45 between them: a square of 40 fits into the second only, although the first has the area for it.
-const walls = {
+// Walls 30 wide, and a square of 40 beyond them. Between walls that begin at 0, 50 and 125 it fits into the second gap only, although the first has the area for it.
+const walls = (...begins) => ({
   ...squares(1),
   shapes: [...squares(1).shapes, { id: "wall", outline: [[0, 0], [30, 0], [30, 100], [0, 100]] }],
-  pieces: [{ id: "s", shape: "square", at: [180, 30] }, ...[0, 50, 125].map((x, k) => ({ id: `w${k}`, shape: "wall", at: [x, 0] }))],
-};
-test("free cloth is darker where the smallest piece fits, and the page says where it does", onMarker(walls, async (page) => {
+  pieces: [{ id: "s", shape: "square", at: [185, 30] }, ...begins.map((x, k) => ({ id: `w${k}`, shape: "wall", at: [x, 0] }))],
+});
+test("free cloth is darker where the smallest piece fits, and the page says where it does", onMarker(walls(0, 50, 125), async (page, port) => {
   await page.key("e");
   await page.click("#tab-length");
   await page.until(`document.querySelector("#cloth").textContent.includes("square, the smallest piece, fits into 1 of them")`, "what fits");
   assert.notEqual(await colourAt(page, [40, 50]), await colourAt(page, [102, 50]));
+  // Another marker, at the same revision: its free cloth is asked for, too.
+  const { markerId: next } = await call(port, "marker.open", { marker: walls(0, 75, 150) });
+  await choose(page, next);
+  await page.until(`document.querySelector("#cloth").textContent.includes("fits into 2 of them")`, "what fits in the other marker");
+  // Hidden in mid-search and shown again, it is whole.
+  await page.key("e");
+  await page.key("e");
+  await page.until(`document.querySelector("#cloth").textContent.includes("fits into 2 of them")`, "what fits, again");
 }));
 
 const ruled = {

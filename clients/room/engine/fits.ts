@@ -12,8 +12,8 @@ export type Regions = Answer<"marker.regions">;
 export const smallestOf = ({ pieces }: Marker): Piece | undefined =>
   pieces.reduce<Piece | undefined>((least, piece) => (piece.locked === false && (!least || piece.shape.area < least.shape.area) ? piece : least), undefined);
 
-/** Goes through the regions that are as large as the piece, the largest first, and yields the index of each into which an exact search fits it. */
-export async function* fitting(client: Client, { markerId, regions }: Regions, { id, shape }: Piece): AsyncGenerator<number> {
+/** Goes through the regions that are as large as the piece, the largest first, and says of each whether an exact search fits the piece into it. */
+export async function* fitting(client: Client, { markerId, regions }: Regions, { id, shape }: Piece): AsyncGenerator<{ index: number; fits: boolean }> {
   const asked = regions
     .map(({ area, outline }, index) => ({ area, outline, index }))
     .filter(({ area, outline }) => area >= shape.area && outline.length <= CORNERS)
@@ -21,6 +21,6 @@ export async function* fitting(client: Client, { markerId, regions }: Regions, {
     .slice(0, MOST);
   for (const { outline, index } of asked) {
     const { verdict } = await client.call("motion.contain", { markerId, pieces: [id], room: outline, nodes: NODES, commit: false });
-    if (verdict === "found") yield index;
+    yield { index, fits: verdict === "found" };
   }
 }

@@ -4,6 +4,9 @@ import type { Desk } from "../session/desk";
 import type { Scene } from "../view/scene";
 import { fitting, smallestOf, type Regions } from "./fits";
 
+/** What an answer is about. */
+type Asked = Pick<Regions, "markerId" | "revision">;
+
 /** What the daemon says of the present revision: its critical path and its free cloth, asked for only while they are shown. */
 export class Insight {
   readonly chainShown = new Signal(false);
@@ -43,12 +46,13 @@ export class Insight {
     const { revision, valid } = this.desk.figures.value;
     if (!markerId || !valid) return;
     const client = await this.desk.link.ready();
+    const known = (answer: Asked | undefined) => answer?.markerId === markerId && answer.revision === revision;
     try {
-      if ((this.chainShown.value || this.panelOpen) && this.chain.value?.revision !== revision) {
+      if ((this.chainShown.value || this.panelOpen) && !known(this.chain.value)) {
         this.chain.value = await client.call("marker.hold", { markerId, deadlineMs: 20_000 });
         this.worth.value = worths(this.chain.value);
       }
-      if (this.regionsShown.value && this.regions.value?.revision !== revision) {
+      if (this.regionsShown.value && !known(this.regions.value)) {
         this.regions.value = await client.call("marker.regions", { markerId, deadlineMs: 20_000 });
         void this.findFits(client, this.regions.value).catch(() => {}); // the next revision asks again
       }
@@ -63,16 +67,21 @@ export class Insight {
     this.fits.value = new Set();
     const piece = this.desk.marker.value && smallestOf(this.desk.marker.value);
     if (!piece) return;
-    for await (const index of fitting(client, regions, piece)) {
-      if (this.regions.value !== regions || this.desk.figures.value.revision !== regions.revision) return;
+    for await (const { index, fits } of fitting(client, regions, piece)) {
+      if (this.regions.value !== regions || !this.isCurrent(regions)) return;
+      if (!this.regionsShown.value) return void (this.regions.value = undefined); // asked anew when they are shown again
+      if (!fits) continue;
       this.fits.value = new Set([...this.fits.value, index]);
       this.show();
     }
   }
 
+  private isCurrent({ markerId, revision }: Asked): boolean {
+    return markerId === this.desk.markerId && revision === this.desk.figures.value.revision;
+  }
+
   private show(): void {
-    const current = <T extends { revision: number; markerId: string }>(answer: T | undefined) =>
-      answer && answer.revision === this.desk.figures.value.revision && answer.markerId === this.desk.markerId ? answer : undefined;
+    const current = <T extends Asked>(answer: T | undefined) => (answer && this.isCurrent(answer) ? answer : undefined);
     this.scene.chain = this.chainShown.value ? current(this.chain.value) : undefined;
     this.scene.regions = this.regionsShown.value ? current(this.regions.value) : undefined;
     this.scene.fits = this.fits.value;
