@@ -124,6 +124,7 @@ ParameterOption option_of(std::string_view method, const FieldDescription& param
     option.count = 2;
     option.placeholder = "X,Y";
   }
+  if (option.name == "--time") option.placeholder = "SECONDS";
   return {parameter, std::move(option), divisor};
 }
 
