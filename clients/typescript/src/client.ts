@@ -13,7 +13,7 @@ export interface CallOptions {
   signal?: AbortSignal;
 }
 export interface ClientOptions {
-  /** How often a lost connection is sought again, until the daemon answers on it, before calls are given up; 5. */
+  /** How many times the client tries to reconnect before it gives up the calls; an answer of the daemon ends the count; 5. */
   attempts?: number;
   /** Milliseconds before the second attempt, twice as long before each further one; 100. */
   patience?: number;
@@ -38,7 +38,7 @@ const unauthorised = (error: unknown): error is CallError => error instanceof Ca
 const wait = (milliseconds: number) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 
 /**
- * Calls on one daemon. When the connection is lost it is sought again, and every unanswered call that takes an `opId` is sent
+ * Calls on one daemon. When the connection is lost the client reconnects, and every unanswered call that takes an `opId` is sent
  * again under the same one, so that it is carried out once; other calls reject with ConnectionLost. Watches and drags end with
  * their connection: watch again on "reconnected". A daemon that does not know the token ends the client: every call rejects with
  * what it said.
