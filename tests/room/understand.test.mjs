@@ -82,10 +82,17 @@ test("what a degree of tilt is worth is said of a piece that may tilt", async ()
   const { marker: native } = await call(daemon.port, "marker.get", { markerId });
   const limits = new Map(native.shapes.map(({ id, tilt_limit: limit = 0 }) => [id, limit]));
   const tilted = tilts.find(({ piece }) => limits.get(native.pieces.find(({ id }) => id === piece).shape) > 0);
-  await page.click("#tab-pieces");
   if (tilted) {
     const [x, y] = await spot(page, tilted.piece);
     await page.drag([x, y], [x, y]);
+    // On the piece, whatever else is shown: a dark flag below its name.
+    await page.until(`(() => {
+      const canvas = document.querySelector("#top");
+      const { left, top } = canvas.getBoundingClientRect();
+      const at = canvas.getContext("2d").getImageData(${Math.round(x)} - left - 30, ${Math.round(y)} - top + 16, 1, 1).data;
+      return at[0] < 60 && at[1] < 60 && at[2] < 60 && at[3] === 255;
+    })()`, "the flag");
+    await page.click("#tab-pieces");
     await page.until(`document.querySelector("#panel-pieces").textContent.includes("1° more tilt")`);
   } else assert.ok([...limits.values()].every((limit) => limit === 0), "no piece of this marker may tilt");
   await daemon.stop();

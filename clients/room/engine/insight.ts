@@ -4,6 +4,8 @@ import type { Desk } from "../session/desk";
 import type { Scene } from "../view/scene";
 import { fitting, smallestOf, type Regions } from "./fits";
 
+const MANY = 1000; // pieces of a marker whose critical path is not asked for merely because a piece is selected
+
 /** What an answer is about. */
 type Asked = Pick<Regions, "markerId" | "revision">;
 
@@ -25,6 +27,7 @@ export class Insight {
     private readonly scene: Scene,
   ) {
     desk.figures.follow(() => this.renew());
+    scene.selection.follow(() => this.mayTilt && this.renew());
     this.chainShown.follow(() => this.renew());
     this.regionsShown.follow(() => this.renew());
   }
@@ -33,6 +36,12 @@ export class Insight {
   set wanted(open: boolean) {
     this.panelOpen = open;
     this.renew();
+  }
+
+  /** Whether one piece is selected, and may tilt: what a degree is worth is then written on it. */
+  private get mayTilt(): boolean {
+    const [only, ...others] = this.scene.selected();
+    return only !== undefined && others.length === 0 && only.shape.tiltLimit > 0 && this.scene.marker!.pieces.length <= MANY;
   }
 
   private renew(): void {
@@ -48,7 +57,7 @@ export class Insight {
     const client = await this.desk.link.ready();
     const known = (answer: Asked | undefined) => answer?.markerId === markerId && answer.revision === revision;
     try {
-      if ((this.chainShown.value || this.panelOpen) && !known(this.chain.value)) {
+      if ((this.chainShown.value || this.panelOpen || this.mayTilt) && !known(this.chain.value)) {
         this.chain.value = await client.call("marker.hold", { markerId, deadlineMs: 20_000 });
         this.worth.value = worths(this.chain.value);
       }
@@ -82,7 +91,9 @@ export class Insight {
 
   private show(): void {
     const current = <T extends Asked>(answer: T | undefined) => (answer && this.isCurrent(answer) ? answer : undefined);
-    this.scene.chain = this.chainShown.value ? current(this.chain.value) : undefined;
+    const chain = current(this.chain.value);
+    this.scene.chain = this.chainShown.value ? chain : undefined;
+    this.scene.tilts = chain?.tilts ?? [];
     this.scene.regions = this.regionsShown.value ? current(this.regions.value) : undefined;
     this.scene.fits = this.fits.value;
     this.scene.onChange("settled");

@@ -174,7 +174,7 @@ export function paintFaults(brush: Brush, scene: Scene): void {
 export function paintTiltWorth({ context, camera, ratio, colours }: Brush, scene: Scene, now: number): void {
   const [only, ...others] = scene.selected();
   if (!only || others.length > 0 || only.shape.tiltLimit === 0) return;
-  const worth = scene.chain?.tilts.find((tilt) => tilt.piece === only.id)?.perDegree;
+  const worth = scene.tilts.find((tilt) => tilt.piece === only.id)?.perDegree;
   if (worth === undefined || scene.held.size > 0) return;
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   const { spot } = only.shape;

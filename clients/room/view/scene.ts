@@ -40,6 +40,7 @@ export class Scene {
   draggedByOthers: Ghost[] = []; // pieces that others drag, where these hold them
   stroke: Stroke | undefined;
   chain: Answer<"marker.hold"> | undefined;
+  tilts: Answer<"marker.hold">["tilts"] = []; // what a degree of each piece's tilt is worth
   regions: Answer<"marker.regions"> | undefined;
   fits: ReadonlySet<number> = new Set(); // which of the regions have room for the smallest piece
   overlaps: Answer<"marker.check">["overlaps"] = [];
