@@ -28,7 +28,7 @@ IntegerSolution solve_by_branch_and_cut(const IntegerProgram&, const IntegerLimi
 
 namespace selvage::server::jobs {
 
-void run_promptly() {}
+void run_promptly(Promptness) {}
 
 }  // namespace selvage::server::jobs
 

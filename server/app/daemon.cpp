@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "server/app/authentication.h"
+#include "server/jobs/prompt_thread.h"
 #include "server/memory/weights.h"
 #include "server/methods/method_groups.h"
 #include "server/room/room.h"
@@ -48,15 +49,12 @@ Daemon::Daemon(const Options& options, protocol::methods::MethodTable methods)
         load(stop, options, std::move(held));
       }};
   loaded_ = loading.get_future().share();
-  if (!options.store.empty()) {
-    loading_ = std::jthread{std::move(loading)};
-  } else {
-    loading({});
-    loaded_.get();
-  }
+  loading_ = std::jthread{std::move(loading)};
+  if (options.store.empty()) loaded_.get();
 }
 
 void Daemon::load(const std::stop_token& stop, const Options& options, protocol::methods::MethodTable methods) {
+  jobs::give_way();  // and so do the threads of the backend, which are started here, to the I/O thread
   try {
     journal_ = open_journal(options, stop);
     backend_ = std::make_unique<dispatch::Backend>(backend_settings(options, std::move(methods), stop));

@@ -171,7 +171,7 @@ std::size_t JobQueue::running() const {
 }
 
 void JobQueue::serve(bool only_quick) {
-  if (only_quick) run_promptly();
+  if (only_quick) run_promptly(Promptness::kSoon);
   const auto accepts = [only_quick](const Job& job) { return job.quick || !only_quick; };
   std::condition_variable& changed = only_quick ? quick_ : work_;
   std::size_t& idle = only_quick ? idle_quick_ : idle_;

@@ -3,6 +3,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdint>
 
 namespace selvage::server::jobs {
@@ -27,15 +28,28 @@ bool read(int thread, Attributes& attributes) {
   return ::syscall(SYS_sched_getattr, thread, &attributes, sizeof attributes, kNoFlags) == 0;
 }
 
-}  // namespace
-
-void run_promptly() {
+// Changes those of the calling thread, if the kernel allows it.
+template <class Change>
+void change(const Change& to) {
   constexpr int kThisThread = 0;
-  constexpr std::uint64_t kShortest = 100'000;  // that Linux accepts
   Attributes attributes{};
   if (!read(kThisThread, attributes)) return;
-  attributes.runtime = kShortest;
+  to(attributes);
   (void)::syscall(SYS_sched_setattr, kThisThread, &attributes, kNoFlags);
+}
+
+}  // namespace
+
+void run_promptly(Promptness how) {
+  constexpr std::uint64_t kFirst = 100'000, kSoon = 200'000;  // nanoseconds; Linux accepts none below the first
+  change([how](Attributes& own) { own.runtime = how == Promptness::kFirst ? kFirst : kSoon; });
+}
+
+void give_way() {
+  change([](Attributes& own) {
+    constexpr std::int32_t kLower = 5, kLowest = 19;
+    own.nice = std::min(own.nice + kLower, kLowest);
+  });
 }
 
 std::chrono::nanoseconds time_slice(int thread) {

@@ -105,7 +105,7 @@ struct Transport::Implementation {
 
   // An exception that escapes a handler ends that handler only.
   void run() {
-    jobs::run_promptly();
+    jobs::run_promptly(jobs::Promptness::kFirst);
     for (;;) {
       try {
         io.run();

@@ -1,5 +1,6 @@
 // The program itself: start, shutdown, configuration, and the curl example.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <chrono>
 #include <csignal>
@@ -67,10 +68,15 @@ TEST_F(Selvaged, TheThreadsThatAllClientsWaitForRunAsSoonAsTheyWakeUp) {
   Wire wire{port_of(selvaged)};
   EXPECT_EQ(result_of(post_call(wire, "engine.info"))["name"], "selvage");
   std::size_t prompt = 0;
-  for (const auto& thread : std::filesystem::directory_iterator{"/proc/" + std::to_string(selvaged.id()) + "/task"}) {
-    if (time_slice(std::stoi(thread.path().filename().string())) < time_slice()) ++prompt;
+  std::size_t before_others = 0;
+  for (const auto& entry : std::filesystem::directory_iterator{"/proc/" + std::to_string(selvaged.id()) + "/task"}) {
+    const int thread = std::stoi(entry.path().filename().string());
+    if (time_slice(thread) == time_slice()) continue;
+    ++prompt;
+    if (::getpriority(PRIO_PROCESS, static_cast<id_t>(thread)) == ::getpriority(PRIO_PROCESS, 0)) ++before_others;
   }
-  EXPECT_EQ(prompt, 5U);  // the I/O thread, the clock's, and the workers for quick reads, openings and changes
+  EXPECT_EQ(prompt, 5U);         // the I/O thread, the clock's, and the workers for quick reads, openings and changes
+  EXPECT_EQ(before_others, 1U);  // the I/O thread
 }
 
 TEST_F(Selvaged, AnswersAllMotionsWhenItIsStopped) {

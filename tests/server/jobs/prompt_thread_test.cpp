@@ -20,10 +20,10 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-nanoseconds prompt_slice() {
+nanoseconds slice_of(Promptness how) {
   nanoseconds slice{};
-  std::jthread{[&slice] {
-    run_promptly();
+  std::jthread{[&slice, how] {
+    run_promptly(how);
     slice = time_slice();
   }}.join();
   return slice;
@@ -37,7 +37,8 @@ class PromptThread : public testing::Test {
 };
 
 TEST_F(PromptThread, HasShorterSlicesThanOthers) {
-  EXPECT_LT(prompt_slice(), time_slice());
+  EXPECT_LT(slice_of(Promptness::kFirst), slice_of(Promptness::kSoon));
+  EXPECT_LT(slice_of(Promptness::kSoon), time_slice());
 }
 
 TEST_F(PromptThread, KeepsItsPriority) {
@@ -45,10 +46,24 @@ TEST_F(PromptThread, KeepsItsPriority) {
   int nice = 0;
   std::jthread{[&nice] {
     (void)::nice(kLowered);
-    run_promptly();
+    run_promptly(Promptness::kFirst);
     nice = ::getpriority(PRIO_PROCESS, 0);
   }}.join();
   EXPECT_EQ(nice, ::getpriority(PRIO_PROCESS, 0) + kLowered);
+}
+
+TEST_F(PromptThread, GivingWayLowersAThreadAndThoseThatItStarts) {
+  const nanoseconds slice = time_slice();
+  int own = 0;
+  int started = 0;
+  std::jthread{[&] {
+    give_way();
+    own = ::getpriority(PRIO_PROCESS, 0);
+    std::jthread{[&] { started = ::getpriority(PRIO_PROCESS, 0); }}.join();
+    EXPECT_EQ(time_slice(), slice);
+  }}.join();
+  EXPECT_GT(own, ::getpriority(PRIO_PROCESS, 0));
+  EXPECT_EQ(started, own);
 }
 
 void submit(JobQueue& queue, bool quick, std::function<void()> work) {
@@ -69,7 +84,7 @@ TEST_F(PromptThread, OnlyWorkersForQuickJobsAreSuchThreads) {
   });
   const nanoseconds slice = of_long.get_future().get();
   submit(queue, true, [&] { of_quick.set_value(time_slice()); });  // while the other worker is busy
-  EXPECT_EQ(of_quick.get_future().get(), prompt_slice());
+  EXPECT_EQ(of_quick.get_future().get(), slice_of(Promptness::kSoon));
   EXPECT_EQ(slice, time_slice());
   done.count_down();
 }
@@ -78,7 +93,7 @@ TEST_F(PromptThread, TheClockThatAnswersAtDeadlinesIsOne) {
   std::promise<nanoseconds> measured;
   DeadlineClock clock;
   const auto alarm = clock.at(clock.now(), [&] { measured.set_value(time_slice()); });
-  EXPECT_EQ(measured.get_future().get(), prompt_slice());
+  EXPECT_EQ(measured.get_future().get(), slice_of(Promptness::kFirst));
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ class Other {
     Latencies times;
     std::atomic<std::size_t> calls{};
     const auto call = [&](const std::stop_token& stop) {
-      server::jobs::run_promptly();  // it would be on a machine of its own
+      server::jobs::run_promptly(server::jobs::Promptness::kFirst);  // it would be on a machine of its own
       while (!stop.stop_requested()) {
         const Json answer = times.time([&] { return caller_.ask("marker.get", {{"markerId", marker_id_}}); });
         faults.expect(code_of(answer) == 0, "another client's marker.get: " + answer.dump().substr(0, 200));
