@@ -11,9 +11,9 @@ enum class Promptness {
 };
 
 // Asks the kernel to let the calling thread run as soon as it has work, by asking for short time slices: from 6.12 on,
-// Linux interrupts threads with longer ones for it, unless it has just had its share of the processor.  That share stays
-// what it was.  Older kernels, and systems that forbid the call, go on as before, where it may have to wait for the end
-// of another thread's slice, which takes some milliseconds.
+// Linux interrupts threads with longer ones for it, unless it has just had its share of the processor.  That share
+// stays what it was.  Older kernels, and systems that forbid the call, go on as before, where it may have to wait for
+// the end of another thread's slice, which takes some milliseconds.
 void run_promptly(Promptness how);
 
 // From now on the calling thread, and those that it starts, have a third of the share in a busy processor that others
