@@ -24,8 +24,7 @@ namespace {
 using OnRound = std::function<void(int, double, std::optional<double>, std::optional<std::uint64_t>)>;
 
 // Other Python threads run meanwhile; `on_round` takes the interpreter's lock for itself.
-std::string answer(Engine& engine, const std::string& request, const std::stop_source& stop,
-                   const OnRound& on_round) {
+std::string answer(Engine& engine, const std::string& request, const std::stop_source& stop, const OnRound& on_round) {
   Caller caller{.stop = stop.get_token()};
   if (on_round) {  // none: Python's None
     caller.on_round = [&on_round](const selvage::engine::Round& round) {

@@ -8,11 +8,11 @@
 //
 // Laws.  (1) The answer is valid, proved in integers, and never longer than the input when that is valid.  (2) No
 // marker of these pieces, in the orientations that are searched, is shorter than `bound`, in exact arithmetic
-// (branching/relaxation.h).  (3) Locked pieces stay in place to the lattice unit, groups stay rigid.  (4) The same input
-// and settings give the same answer, whatever the cache holds and however many threads are used.  (5) Cancelled or at
-// its work limit, it returns the best marker and the best bound so far.  (6) The pieces of a layout that it finds do not
-// overlap: where overlap allowances would let them, nothing is proved and the bound is 0, and an input that is shorter
-// because its pieces overlap is the answer.
+// (branching/relaxation.h).  (3) Locked pieces stay in place to the lattice unit, groups stay rigid.  (4) The same
+// input and settings give the same answer, whatever the cache holds and however many threads are used.  (5) Cancelled
+// or at its work limit, it returns the best marker and the best bound so far.  (6) The pieces of a layout that it finds
+// do not overlap: where overlap allowances would let them, nothing is proved and the bound is 0, and an input that is
+// shorter because its pieces overlap is the answer.
 #pragma once
 
 #include "core/motion/repair/motion_result.h"

@@ -284,15 +284,16 @@ TEST(Reads, DrainingStopsLongOnes) {
 }
 
 TEST(Progress, EachRoundIsReportedWithItsToken) {
-  LocalServer local{0, methods_with({"motion.compact"},
-                                    [](const CommonParams& about, const MarkerFile& file,
-                                       const MethodContext& context) -> Result<MethodAnswer> {
-                                      const Resolution resolution = file.marker.resolution;
-                                      context.run.observer.on_round({1, to_lattice(4.5, resolution)});
-                                      context.run.observer.on_round(
-                                          {2, to_lattice(4, resolution), to_lattice(3.5, resolution), 1234});
-                                      return motion_answer(about, file.marker, push_left(file.marker), context);
-                                    })};
+  LocalServer local{
+      0,
+      methods_with(
+          {"motion.compact"},
+          [](const CommonParams& about, const MarkerFile& file, const MethodContext& context) -> Result<MethodAnswer> {
+            const Resolution resolution = file.marker.resolution;
+            context.run.observer.on_round({1, to_lattice(4.5, resolution)});
+            context.run.observer.on_round({2, to_lattice(4, resolution), to_lattice(3.5, resolution), 1234});
+            return motion_answer(about, file.marker, push_left(file.marker), context);
+          })};
   (void)local.open_small();
   (void)local.result("motion.compact", "{'markerId':'m1','progressToken':'mine'}");
   ASSERT_EQ(local.client.pending(), 2U);
