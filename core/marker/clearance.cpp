@@ -18,6 +18,7 @@ bool clear_of_others(const PlacedPieces& pieces, std::uint32_t piece, const geom
   const Box near = polygon.placed_box().grown(pieces.widest_spacing());
   for (std::uint32_t other = 0; other < pieces.size(); ++other) {
     if (other == piece || !near.overlaps(pieces.box(other)) || skip(other)) continue;
+    if (pieces.is_zone(piece) && pieces.is_zone(other)) continue;
     if (collide(polygon, pieces[other], pieces.spacing({piece, other}))) return false;
   }
   return true;

@@ -68,7 +68,7 @@ Figures figures_of(const Marker& marker, const PlacedPieces& pieces) {
 
 double utilisation_at(const Marker& marker, Coord length) {
   std::vector<Wide> copies(marker.shapes.size());
-  for (const Piece& piece : marker.pieces) ++copies[piece.shape.value];
+  for (const Piece& piece : marker.pieces) copies[piece.shape.value] += piece.rules.zone ? 0 : 1;
   Wide doubled = 0;
   for (std::size_t s = 0; s < copies.size(); ++s) {
     if (copies[s] > 0) doubled += copies[s] * doubled_area(marker.shapes[s].outline);

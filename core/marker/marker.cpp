@@ -118,6 +118,12 @@ std::optional<Error> strip_defect(const Marker& marker) {
 // Rules that no position keeps, whatever the piece's orientation; `at` points to the piece.
 std::optional<Error> rules_defect(const Marker& marker, const Piece& piece, const std::string& at) {
   const Rules& rules = piece.rules;
+  const bool plain = rules == Rules{.zone = true} && piece.group.empty() && piece.buffer == 0 && !piece.overlap;
+  if (rules.zone && !plain) {
+    return Error{ErrorCode::kOutOfRange,
+                 "a zone is a part of the cloth: it has no other rule, no group, no buffer and no overlap allowance",
+                 at + "/rules/zone"};
+  }
   for (const auto& [selvedge, name] : {std::pair{rules.below, "below"}, {rules.above, "above"}}) {
     if (const auto defect = selvedge_defect(marker, selvedge, name, at + "/rules")) return *defect;
   }
@@ -160,7 +166,7 @@ std::optional<Error> piece_defect(const Marker& marker, const Piece& piece, cons
 
 std::optional<Error> count_defect(const Marker& marker) {
   const std::size_t pieces = marker.pieces.size() + marker.unplaced.size();
-  if (pieces == 0) {
+  if (piece_count(marker) + marker.unplaced.size() == 0) {
     return Error{ErrorCode::kEmptyMarker, "the marker has no piece; at least 1 is needed", "/pieces"};
   }
   if (pieces > kMaxPieces) {
@@ -238,11 +244,14 @@ Result<Marker> make_marker(Marker marker) {
   if (const auto defect = repeated_id(marker.unplaced, "unplaced", piece_ids)) return *defect;
   std::map<std::tuple<ShapeId, Orientation, Coord>, std::optional<Error>> seen;
   for (std::size_t k = 0; k < marker.pieces.size(); ++k) {
-    const Piece& piece = marker.pieces[k];
+    Piece& piece = marker.pieces[k];
+    if (piece.rules.zone) piece.locked = true;
     if (const auto defect = piece_defect(marker, piece, at_index("pieces", k))) return *defect;
     if (const auto defect = room_defect(marker, piece, at_index("pieces", k))) return *defect;
-    // A room of its own may be wider than the strip's.
-    const Coord room = piece.rules.own_room() ? marker.strip.width : marker.strip.room(0).height();
+    // A room of its own may be wider than the strip's, and a zone may extend beyond the strip.
+    const Coord room = piece.rules.zone         ? kLatticeLimit
+                       : piece.rules.own_room() ? marker.strip.width
+                                                : marker.strip.room(0).height();
     const auto [at, fresh] = seen.try_emplace({piece.shape, piece.orientation, room});
     if (fresh) {
       at->second = orientation_defect(marker.shapes[piece.shape.value], piece.orientation, marker.strip, room,
@@ -252,6 +261,10 @@ Result<Marker> make_marker(Marker marker) {
   }
   for (std::size_t k = 0; k < marker.unplaced.size(); ++k) {
     if (const auto defect = piece_defect(marker, marker.unplaced[k], at_index("unplaced", k))) return *defect;
+    if (marker.unplaced[k].rules.zone) {
+      return Error{ErrorCode::kOutOfRange, "a zone is a part of the cloth, so it must be placed",
+                   at_index("unplaced", k) + "/rules/zone"};
+    }
     marker.unplaced[k].at = {};
   }
   return marker;
@@ -268,10 +281,16 @@ Vec turned_match(const Piece& piece) {
   return piece.rules.match ? oriented(Polygon{*piece.rules.match}, piece.orientation).front() : Vec{};
 }
 
+std::size_t piece_count(const Marker& marker) {
+  return static_cast<std::size_t>(std::count_if(marker.pieces.begin(), marker.pieces.end(),
+                                                [](const Piece& piece) { return !piece.rules.zone; }));
+}
+
 Coord length_of(const Marker& marker) {
   std::map<std::pair<ShapeId, Orientation>, Coord> right;  // the right end of each oriented shape
   Coord length = 0;
   for (const Piece& piece : marker.pieces) {
+    if (piece.rules.zone) continue;
     const auto [found, fresh] = right.try_emplace({piece.shape, piece.orientation});
     if (fresh) {
       found->second = box_of(oriented(marker.shapes[piece.shape.value].outline, piece.orientation)).high.x;

@@ -6,8 +6,8 @@
 // A marker may also have pieces that do not lie on the cloth: they are listed apart from the placed ones and have no
 // position.  Length, utilisation, validity and motions concern placed pieces only; nesting places the others.
 // Invariant of a Marker that make_marker returned: ids are unique, also between placed and unplaced pieces; every piece
-// names an existing shape, every shape is a Polygon, every piece has an orientation that its shape allows, and every
-// placed piece fits the strip's width and the room that its rules leave.  Pieces may still overlap or leave the strip
+// names an existing shape, every shape is a Polygon, every piece has an orientation that its shape allows, every placed
+// piece fits the strip's width and the room that its rules leave, and every zone (rules.h) is placed and locked.  Pieces may still overlap or leave the strip
 // or their rooms: see core/marker/validity.h.
 #pragma once
 
@@ -113,6 +113,8 @@ inline constexpr std::size_t kMaxPieces = 20'000;  // placed and unplaced ones t
 // position; 0 when it has none.
 [[nodiscard]] Vec turned_match(const Piece& piece);
 
+// The number of placed pieces, without the zones that are listed among them (rules.h).
+[[nodiscard]] std::size_t piece_count(const Marker& marker);
 // The x coordinate at which the rightmost piece ends; lattice units.
 [[nodiscard]] Coord length_of(const Marker& marker);
 // The area of the pieces divided by the area of the strip up to the marker's length, 0..1.

@@ -24,6 +24,7 @@ bool sweep(const PlacedPieces& pieces, Coord distance, const Visit& visit) {
     const Box reach = entries[k].box.grown(distance);
     for (std::size_t m = k + 1; m < entries.size() && entries[m].box.low.x < reach.high.x; ++m) {
       if (!reach.overlaps(entries[m].box)) continue;
+      if (pieces.is_zone(entries[k].piece) && pieces.is_zone(entries[m].piece)) continue;
       if (visit(PiecePair{std::minmax(entries[k].piece, entries[m].piece)})) return true;
     }
   }
@@ -68,7 +69,7 @@ void PlacedPieces::move_by(std::span<const Vec> by) {
 
 Coord PlacedPieces::length() const {
   Coord length = 0;
-  for (std::size_t i = 0; i < size(); ++i) length = std::max(length, box(i).high.x);
+  for (std::size_t i = 0; i < size(); ++i) length = std::max(length, end_of(i));
   return length;
 }
 

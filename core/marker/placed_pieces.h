@@ -44,14 +44,19 @@ class PlacedPieces {
   // turned now, if it has one.
   void replace(std::size_t piece, Polygon polygon, Vec at, Vec match);
   // The least signed distance that the two pieces must keep: the marker's spacing or the sum of their buffers,
-  // whichever is larger; when both are 0, the smaller of their overlap allowances, negated.
+  // whichever is larger; when both are 0, the smaller of their overlap allowances, negated.  From a zone it is 0.
   [[nodiscard]] Coord spacing(PiecePair pair) const {
     const auto [p, q] = pair;
+    if (is_zone(p) || is_zone(q)) return 0;
     const Coord apart = std::max(spacing_, buffers_[p] + buffers_[q]);
     return apart > 0 ? apart : -std::min(overlaps_[p], overlaps_[q]);
   }
   // The largest spacing of any pair; at least 0.
   [[nodiscard]] Coord widest_spacing() const { return widest_spacing_; }
+  // True for a part of the cloth that no piece may cover (rules.h).
+  [[nodiscard]] bool is_zone(std::size_t piece) const { return rooms_ && rooms_->rules[piece].zone; }
+  // The x up to which a piece makes the marker extend: its right end.  A zone takes nothing of its length.
+  [[nodiscard]] Coord end_of(std::size_t piece) const { return is_zone(piece) ? 0 : box(piece).high.x; }
   // The x coordinate at which the rightmost piece ends.
   [[nodiscard]] Coord length() const;
   // The box in which the piece's box may lie when the strip ends at x = `end`; of a piece that is matched to the cloth,
@@ -86,7 +91,8 @@ class PlacedPieces {
   std::shared_ptr<const Rooms> rooms_;  // null: no piece has rules
 };
 
-// All pairs whose boxes are closer than `distance` on both axes (0: whose boxes overlap), sorted.
+// All pairs whose boxes are closer than `distance` on both axes (0: whose boxes overlap), sorted; two zones, which may
+// lie over each other, are no pair.
 [[nodiscard]] std::vector<PiecePair> pairs_within(const PlacedPieces& pieces, Coord distance);
 // Whether one of these pairs passes the test.
 [[nodiscard]] bool any_pair_within(const PlacedPieces& pieces, Coord distance,

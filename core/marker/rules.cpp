@@ -40,6 +40,7 @@ Box matched_room(const Box& room, const Box& box, Vec point, const Repeat& repea
 }
 
 Box room_for(const Rules& rules, Coord height, const Strip& strip, Coord end) {
+  if (rules.zone) return {{-kLatticeLimit, -kLatticeLimit}, {kLatticeLimit, kLatticeLimit}};
   Box room = strip.room(end);
   if (rules.below) room.low.y = *rules.below;
   if (rules.above) room.high.y = strip.width - *rules.above;

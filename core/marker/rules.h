@@ -1,6 +1,9 @@
 // Cloth's rules: where on the strip a piece may lie, besides keeping clear of other pieces.  What a piece may not do
 // because of them is said here, and nowhere else: its room, which is the strip's unless it has rules of its own, and
 // the pieces that have to lie near it along x.  Units: lattice units.
+// A zone, a part of the cloth that no piece may cover, is listed among the pieces and handled as a locked one.  It
+// differs from it in four ways: it may lie anywhere, also beyond the strip; it keeps no distance from pieces, and allows
+// no overlap; zones may overlap each other; and it counts neither as a piece nor in length and utilisation.
 #pragma once
 
 #include <cstdint>
@@ -31,14 +34,15 @@ struct Rules {
   bool on_fold{};                         // its lowest edge lies on the strip's lower edge, where the cloth is folded
   std::optional<Vec> match{};             // a point of the shape that lies where a repeat of the cloth begins
   std::string shade{};                    // pieces of one shade lie within Marker::shade of each other; empty: of none
+  bool zone{};  // it is no piece of a garment but a part of the cloth that no piece may cover, such as a flaw or a hole
 
   // True when some rule concerns this piece alone, so that its room is not the strip's.
-  [[nodiscard]] bool own_room() const { return below || above || from || to || on_fold || match; }
+  [[nodiscard]] bool own_room() const { return below || above || from || to || on_fold || match || zone; }
   friend bool operator==(const Rules&, const Rules&) = default;
 };
 
 // The room of a piece: the box in which its own box may lie when the strip ends at x = `end`.  `height`: of the piece's
-// box, which fills the room across when it lies on the fold.
+// box, which fills the room across when it lies on the fold.  That of a zone is the whole plane.
 [[nodiscard]] Box room_for(const Rules& rules, Coord height, const Strip& strip, Coord end);
 
 // The part of a room in which a piece that is matched to the cloth may lie without changing to another repeat: on an

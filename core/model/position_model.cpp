@@ -89,7 +89,7 @@ void PositionModel::add_length(double cost, double shorten, double lengthen) {
 }
 
 void PositionModel::add_right_wall(std::size_t piece) {
-  const double room = unit_.to_columns(static_cast<double>(length_ - pieces_.box(piece).high.x));
+  const double room = unit_.to_columns(static_cast<double>(length_ - pieces_.end_of(piece)));
   if (x_[piece] != kNone) {
     const std::array<lp::LinearProgram::Entry, 2> entries{{{length_column_, 1}, {x_[piece], -1}}};
     wall_row_[piece] = program_.add_row(entries, -room);

@@ -14,6 +14,7 @@ namespace {
 double least_length(const layout::PieceSet& set, const Marker& marker) {
   double least = set.left + set.area / set.across();
   for (std::size_t i = 0; i < set.size(); ++i) {
+    if (set.is_zone(i)) continue;
     double piece = std::numeric_limits<double>::max();
     for (const layout::Turned& turned : set.kind(i).turned) {
       piece = std::min(piece, turned.room.low_x + turned.box.width());

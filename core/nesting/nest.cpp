@@ -98,7 +98,7 @@ std::vector<double> values_of(const Marker& start, const layout::PieceSet& set, 
     for (const Piece& piece : *pieces) {
       const auto given = settings.values.find(piece.id);
       const double area = set.kind(values.size()).area * set.lattice_units * set.lattice_units;
-      values.push_back(given == settings.values.end() ? area : given->second);
+      values.push_back(given != settings.values.end() ? given->second : piece.rules.zone ? 0 : area);
     }
   }
   return values;

@@ -139,7 +139,7 @@ class Refiner {
     const marker::PlacedPieces pieces{best_.marker};
     const model::Ties ties = model::ties_of(best_.marker);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-      if (ties.x[i] == model::Ties::kFixed && pieces.box(i).high.x == best_.length_after) return false;
+      if (ties.x[i] == model::Ties::kFixed && pieces.end_of(i) == best_.length_after) return false;
     }
     return utilisation_of(best_.marker) < 1 - settings_.tuning.least_room;
   }

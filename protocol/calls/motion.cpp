@@ -8,7 +8,7 @@ namespace {
 MotionBefore figures_of(const Marker& start, const MotionEnd& end, const marker::Figures& after) {
   const Coord length_before = end.before ? end.before->figures.length : length_of(start);
   return {.name = end.marker.name,
-          .pieces = end.marker.pieces.size(),
+          .pieces = piece_count(end.marker),
           .length_before = to_decimal(length_before, start.resolution),
           .length_after = to_decimal(after.length, end.marker.resolution),
           .utilisation_before = end.before ? end.before->figures.utilisation : utilisation_at(start, length_before),

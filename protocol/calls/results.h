@@ -20,7 +20,7 @@ namespace selvage::protocol::calls {
 
 inline constexpr std::string_view kRevisionMeaning = "The marker's revision.";
 inline constexpr std::string_view kNameMeaning = "The marker's name.";
-inline constexpr std::string_view kPiecesMeaning = "Number of pieces.";
+inline constexpr std::string_view kPiecesMeaning = "Number of pieces; zones are none.";
 inline constexpr std::string_view kUnplacedMeaning = "Number of pieces that do not lie on the cloth; absent: none.";
 inline constexpr std::string_view kLengthMeaning = "The x coordinate where the rightmost piece ends; exact.";
 inline constexpr std::string_view kUtilisationMeaning = "The pieces' area divided by width times length, 0 to 1.";

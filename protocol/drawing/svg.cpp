@@ -139,8 +139,8 @@ std::string draw_pieces(const Marker& marker, const SvgOptions& options, const P
     const Piece& piece = marker.pieces[i];
     const Box box = box_of(pieces.outlines[i]);
     if (static_cast<double>(box.high.x) < view.from() || static_cast<double>(box.low.x) > view.to()) continue;
-    out += std::string{"<path class=\"piece"} + (piece.locked ? " locked" : "") + "\" fill=\"" +
-           pieces.colours[piece.shape.value] + "\" d=\"" + outline_path(pieces.outlines[i], view) + "\"><title>" +
+    const std::string kind = piece.rules.zone ? "zone" : piece.locked ? "piece locked" : "piece";
+    out += "<path class=\"" + kind + "\" fill=\"" + pieces.colours[piece.shape.value] + "\" d=\"" + outline_path(pieces.outlines[i], view) + "\"><title>" +
            escaped(piece.id) + "</title></path>\n";
     if (piece.shape.value < options.annotations.size()) {
       out += annotations(options.annotations[piece.shape.value], marker, piece, pieces.outlines[i], view);
@@ -247,7 +247,8 @@ Caption caption(const Marker& marker, const SvgOptions& options) {
   const auto decimal = [&](Coord coord) { return to_decimal(coord, marker.resolution); };
   const auto shown = [](double value) { return pixels(value); };
   const Coord length = length_of(marker);
-  std::string text = std::to_string(marker.pieces.size()) + (marker.pieces.size() == 1 ? " piece" : " pieces");
+  const std::size_t count = piece_count(marker);
+  std::string text = std::to_string(count) + (count == 1 ? " piece" : " pieces");
   text += "  \u00b7  length ";
   if (options.length_before && *options.length_before != length) {
     const double change = 100 * (static_cast<double>(length) / static_cast<double>(*options.length_before) - 1);

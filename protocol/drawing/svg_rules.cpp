@@ -16,6 +16,7 @@ constexpr std::string_view kRuleStyle = R"(<style>
 .repeat { stroke: #7b86a8; stroke-width: 0.5; stroke-dasharray: 1 2; }
 .match { stroke: #2f3f7a; stroke-width: 1; }
 .shade-name { font-size: 8px; fill: #8a5a1c; }
+.zone { fill: #8f8a82; fill-opacity: 0.7; stroke: #b3423a; stroke-width: 1; stroke-dasharray: 3 2; }
 </style>
 )";
 
@@ -100,7 +101,8 @@ std::string rules(const Marker& marker, const View& view) {
   out += bands(marker, view);
   if (strip.repeat.any()) out += pattern(marker, view);
   if (marker.shade) out += shades(marker, view);
-  return out.empty() ? out : "<g>\n" + std::string{kRuleStyle} + out + "</g>\n";
+  const bool zones = std::any_of(marker.pieces.begin(), marker.pieces.end(), [](const Piece& p) { return p.rules.zone; });
+  return out.empty() && !zones ? out : "<g>\n" + std::string{kRuleStyle} + out + "</g>\n";
 }
 
 }  // namespace selvage::protocol::drawing

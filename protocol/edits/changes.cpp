@@ -50,7 +50,7 @@ Change change_between(const MarkerFile& before, const MarkerFile& after) {
   if (!same_frame(before, after)) change.whole = true;
   const marker::Figures figures = figures_of(after.marker);
   change.name = after.marker.name;
-  change.pieces = after.marker.pieces.size();
+  change.pieces = piece_count(after.marker);
   change.length = to_decimal(figures.length, after.marker.resolution);
   change.utilisation = figures.utilisation;
   change.valid = figures.valid;

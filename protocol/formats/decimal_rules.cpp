@@ -17,6 +17,7 @@ marker::Rules rules_on_lattice(const DecimalRules& written, Resolution resolutio
   if (written.match)
     rules.match = Vec{to_lattice(written.match->x, resolution), to_lattice(written.match->y, resolution)};
   rules.shade = written.shade.value_or("");
+  rules.zone = written.zone.value_or(false);
   return rules;
 }
 
@@ -30,11 +31,13 @@ DecimalRules decimal_rules(const marker::Rules& rules, Resolution resolution) {
                        .to = decimal(rules.to),
                        .fold = {},
                        .match = {},
-                       .shade = {}};
+                       .shade = {},
+                       .zone = {}};
   if (rules.on_fold) written.fold = true;
   if (rules.match)
     written.match = Decimal{to_decimal(rules.match->x, resolution), to_decimal(rules.match->y, resolution)};
   if (!rules.shade.empty()) written.shade = rules.shade;
+  if (rules.zone) written.zone = true;
   return written;
 }
 

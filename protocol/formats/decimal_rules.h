@@ -38,6 +38,7 @@ struct DecimalRules {
   std::optional<bool> fold;
   std::optional<Decimal> match;
   std::optional<std::string> shade;
+  std::optional<bool> zone;
 
   static void describe(auto& v, auto& self) {
     v.optional("below", self.below, "Its distance from the strip's lower edge, in place of the strip's own.", kRule);
@@ -48,6 +49,8 @@ struct DecimalRules {
     v.optional("match", self.match, "A point of its shape, which lies where a repeat of the cloth's pattern begins.");
     v.optional("shade", self.shade,
                "The name of its shade: the pieces of a shade lie near each other along the strip.");
+    v.optional("zone", self.zone,
+               "Whether it is no piece of a garment but a part of the cloth that no piece may cover, such as a flaw.");
   }
   friend bool operator==(const DecimalRules&, const DecimalRules&) = default;
 };

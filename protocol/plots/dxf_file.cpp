@@ -67,6 +67,7 @@ class DxfWriter {
     tag(2, "BLOCKS");
     for (std::size_t k = 0; k < marker_.shapes.size(); ++k) {
       const auto [right, left] = copies(k);
+      if (is_zone(k)) continue;
       if (right > 0 || left == 0) write_block(k, false, right, left);
       if (left > 0) write_block(k, true, right, left);
     }
@@ -74,7 +75,9 @@ class DxfWriter {
     tag(0, "SECTION");
     tag(2, "ENTITIES");
     write_file_texts();
-    for (std::size_t k = 0; k < marker_.pieces.size(); ++k) write_insert(k);
+    for (std::size_t k = 0; k < marker_.pieces.size(); ++k) {
+      if (!marker_.pieces[k].rules.zone) write_insert(k);
+    }
     tag(0, "ENDSEC");
     tag(0, "EOF");
     return std::move(out_);
@@ -102,9 +105,16 @@ class DxfWriter {
   [[nodiscard]] std::pair<int, int> copies(std::size_t shape) const {
     std::pair<int, int> count{0, 0};
     for (const Piece& piece : marker_.pieces) {
-      if (piece.shape.value == shape) ++(piece.orientation.flip ? count.second : count.first);
+      if (piece.shape.value == shape && !piece.rules.zone) ++(piece.orientation.flip ? count.second : count.first);
     }
     return count;
+  }
+
+  // True for the shape of a zone: a part of the cloth, which is not cut.
+  [[nodiscard]] bool is_zone(std::size_t shape) const {
+    return copies(shape) == std::pair{0, 0} &&
+           std::any_of(marker_.pieces.begin(), marker_.pieces.end(),
+                       [shape](const Piece& piece) { return piece.shape.value == shape; });
   }
 
   static std::string block_name(std::size_t shape, bool flipped) {

@@ -65,6 +65,7 @@ Sheet sheet_of(const MarkerFile& file) {
   }
   for (std::uint32_t k = 0; k < marker.pieces.size(); ++k) {
     const Piece& piece = marker.pieces[k];
+    if (piece.rules.zone) continue;  // nothing to cut
     SheetPiece placed{piece.id, label_of(piece, file.attributes.pieces[k]), {}, {}};
     for (const Vec vertex : placed_outline(marker, PieceId{k}))
       placed.outline.push_back({decimal(vertex.x), decimal(vertex.y)});

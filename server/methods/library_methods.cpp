@@ -37,6 +37,13 @@ calls::Outcome add_to_library(const LibraryAddParams& params, const ServerContex
   const auto now = server.store.current(params.marker_id);
   if (!now) return calls::unknown_marker(server.store, params.marker_id);
   const Marker& marker = now->file->marker;
+  if (piece_count(marker) < marker.pieces.size()) {
+    return protocol::rpc::rpc_error(
+        Error{ErrorCode::kOutOfRange,
+              "the marker has zones, which belong to one roll of cloth; only a marker without zones can be stored",
+              "/markerId"},
+        RpcCode::kMotionRefused);
+  }
   if (marker.pieces.empty() || !marker.unplaced.empty() || !is_valid(marker)) {
     return protocol::rpc::rpc_error(
         Error{ErrorCode::kOutOfRange, "only a valid marker with all of its pieces placed can be stored", "/markerId"},

@@ -7,7 +7,7 @@ namespace selvage::server::store {
 
 Summary summary_of(const Marker& marker) {
   Summary summary{.name = marker.name,
-                  .pieces = marker.pieces.size(),
+                  .pieces = piece_count(marker),
                   .unplaced = marker.unplaced.size(),
                   .length = to_decimal(length_of(marker), marker.resolution),
                   .utilisation = utilisation_of(marker)};

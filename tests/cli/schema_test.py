@@ -82,6 +82,7 @@ MISTAKES = [
     put(0, "shade"), put(["z"], "pieces", 1, "locked"), put(-1, "pieces", 1, "buffer"), put(-1, "pieces", 1, "overlap"),
     put(1.5, "pieces", 1, "group"), put(1, "pieces", 1, "rules"), put(-1, "pieces", 1, "rules", "below"),
     put("x", "pieces", 1, "rules", "from"), put(1, "pieces", 1, "rules", "fold"), put(2, "pieces", 1, "rules", "shade"),
+    put("yes", "pieces", 1, "rules", "zone"),
     put(-1, "strip", "repeat", "along"), put(1, "strip", "repeat", "every"), put(3, "strip", "repeat", "phase"),
     put([1], "pieces", 1, "rules", "match"), put(1, "pieces", 1, "rules", "within"), put({}, "unplaced"), put([0, 0], "unplaced", 0, "at"),
     without("unplaced", 0, "shape"), put(400, "unplaced", 0, "rotation"),

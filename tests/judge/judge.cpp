@@ -211,7 +211,9 @@ const Judge::Cut& Judge::cut_of(const Marker& marker, const Piece& piece) {
 
 Coord Judge::length_of(const Marker& marker) {
   Coord length = 0;
-  for (const Piece& piece : marker.pieces) length = std::max(length, cut_of(marker, piece).box.high.x + piece.at.x);
+  for (const Piece& piece : marker.pieces) {
+    if (!piece.rules.zone) length = std::max(length, cut_of(marker, piece).box.high.x + piece.at.x);
+  }
   return length;
 }
 
@@ -221,6 +223,7 @@ std::string Judge::fault_of(const Marker& marker) {
     const Cut& cut = cut_of(marker, piece);
     if (!cut.fault.empty()) return about(piece, cut.fault);
     boxes.push_back(cut.box.moved(piece.at));
+    if (piece.rules.zone) continue;
     if (const auto fault = position_fault(boxes.back(), marker.strip, piece.rules); !fault.empty()) {
       return about(piece, fault);
     }
@@ -233,8 +236,11 @@ std::string Judge::fault_of(const Marker& marker) {
     for (std::size_t j = i + 1; j < boxes.size(); ++j) {
       const Piece& p = marker.pieces[i];
       const Piece& q = marker.pieces[j];
-      const Coord spacing = std::max(marker.spacing, p.buffer + q.buffer);
-      const Coord allowed = std::min(p.overlap.value_or(marker.overlap), q.overlap.value_or(marker.overlap));
+      if (p.rules.zone && q.rules.zone) continue;
+      const bool zone = p.rules.zone || q.rules.zone;
+      const Coord spacing = zone ? 0 : std::max(marker.spacing, p.buffer + q.buffer);
+      const Coord allowed =
+          zone ? 0 : std::min(p.overlap.value_or(marker.overlap), q.overlap.value_or(marker.overlap));
       if (!boxes[i].grown(spacing).touches(boxes[j])) continue;
       // Coordinates relative to the first piece are small.
       const Polygon& first = cut_of(marker, p).outline;

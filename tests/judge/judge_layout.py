@@ -12,7 +12,8 @@ them, no longer than the smaller of their two, separates them; it is looked for 
 
 Pieces keep cloth's rules: the distances `below` and `above` from the long edges, the piece's own or else the strip's; `from`
 and `to`, between which a piece lies along the strip; `match`, a point that lies where a repeat of the cloth begins; `fold`, on which its lowest side lies; and all pieces of one shade
-lie within the length `shade`.
+lie within the length `shade`.  A piece with the rule `zone` is a part of the cloth: it may lie anywhere and over other
+zones, but no piece may overlap it; its own allowance is 0.
 
 Two pieces overlap when some vertical line intersects both in intervals that share more than a point.  Between the
 abscissas of two neighbouring vertices, a piece is a stack of trapezoids, so it suffices to compare trapezoids: two
@@ -45,8 +46,9 @@ class Edge(NamedTuple):
 
 
 class Piece:
-    def __init__(self, name, outline, allowance=0):
+    def __init__(self, name, outline, allowance=0, zone=False):
         self.name = name
+        self.zone = zone
         self.outline = outline
         self.allowance = allowance
         self.abscissas = sorted({x for x, _ in outline})
@@ -178,7 +180,7 @@ def overlaps(pieces):
     for piece in sorted(pieces, key=lambda p: p.low_x):
         near = [other for other in near if other.high_x > piece.low_x]
         for other in near:
-            where = overlap(other, piece)
+            where = None if other.zone and piece.zone else overlap(other, piece)
             if where and not may_overlap(other, piece):
                 yield other, piece, where
         near.append(piece)
@@ -234,7 +236,14 @@ def violations(layout):
     sound, shaded = [], []
     for written in layout["pieces"]:
         outline = [(whole(x), whole(y)) for x, y in written["outline"]]
-        piece = Piece(f'"{written["id"]}"', outline, whole(written.get("overlap", 0)))
+        piece = Piece(f'"{written["id"]}"', outline, whole(written.get("overlap", 0)), written.get("rules", {}).get("zone", False))
+        fault = fault_of_outline(piece)
+        if fault:
+            yield f"piece {piece.name}: its outline {fault}"
+        else:
+            sound.append(piece)
+        if piece.zone:
+            continue
         for end, limit in ((piece.high_x, length), (piece.high_y, height)):
             if end > limit:
                 yield f"piece {piece.name} leaves the strip: {decimal(end)} is beyond {decimal(limit)}"
@@ -248,11 +257,6 @@ def violations(layout):
             yield f"piece {piece.name} is not matched to the cloth along {axis}"
         if "shade" in rules:
             shaded.append((rules["shade"], piece))
-        fault = fault_of_outline(piece)
-        if fault:
-            yield f"piece {piece.name}: its outline {fault}"
-        else:
-            sound.append(piece)
     if "shade" in layout:
         for name in long_shades(shaded, whole(layout["shade"])):
             yield f'the pieces of shade "{name}" are too far from each other'

@@ -109,6 +109,13 @@ class ClothsRules(Judged):
         self.keeps(box(10, 0, 10, 10), below=5, rules=[{"fold": True}])
         self.breaks("fold", box(10, LEAST, 10, 10), rules=[{"fold": True}])
 
+    def test_zones_lie_anywhere_but_under_no_piece(self):
+        zone = {"zone": True}
+        square, flaw = box(10, 10, 10, 10), box(20, -5, 60, 200)
+        self.keeps(square, flaw, box(30, 0, 100, 10), below=5, rules=[{}, zone, zone])
+        self.breaks("overlap", square, box(20 - LEAST, -5, 60, 200), rules=[{}, zone])
+        self.assertTrue(self.judged(square, flaw))
+
     def test_match_points_lie_where_repeats_begin(self):
         square = box(10, 3, 10, 30)
         repeat = {"along": 7, "across": 10, "phase": [3, 5]}

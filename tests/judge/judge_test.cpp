@@ -141,6 +141,7 @@ TEST(Judge, DescribesBrokenRules) {
   marker.strip.repeat = {.along = 7, .across = 3, .phase = {1, 1}};
   EXPECT_EQ(with({.match = Vec{10, 8}, .shade = "A"}), "");
   EXPECT_EQ(with({.match = Vec{11, 8}, .shade = "A"}), "piece a is not matched along x");
+  EXPECT_EQ(with({.zone = true}), "");
   EXPECT_EQ(with({.match = Vec{10, 9}, .shade = "A"}), "piece a is not matched along y");
   marker.shade = 209;
   EXPECT_EQ(with({.shade = "B"}), "");

@@ -114,21 +114,50 @@ void match_to_cloth(Random& random, Marker& marker) {
   repeat.phase = {random.between(-width, width), random.between(-width, width)};
   for (Piece& piece : marker.pieces) {
     const auto [turn, symmetry] = split(piece.orientation);
-    if (turn.degrees != 0 || random.chance(40)) continue;
+    if (turn.degrees != 0 || piece.rules.zone || random.chance(40)) continue;
     const Vec begins = repeat.phase + Vec{random.between(-3, 3) * repeat.along, random.between(-3, 3) * repeat.across};
     const Vec free{repeat.along == 0 ? random.between(0, width) : 0, repeat.across == 0 ? random.between(0, width) : 0};
     piece.rules.match = symmetry.inverse().apply(begins + free - piece.at);
   }
 }
 
+// Makes some of the pieces zones of the cloth, and lays further ones over these and beyond the strip.
+void add_zones(Random& random, Marker& marker) {
+  for (std::size_t i = 1; i < marker.pieces.size(); ++i) {
+    if (random.chance(15)) marker.pieces[i].rules = {.zone = true};
+  }
+  const auto add = [&marker](Piece zone, Vec at) {
+    zone.id = "zone " + std::to_string(marker.pieces.size());
+    zone.at = at;
+    zone.locked = true;
+    zone.rules = {.zone = true};
+    marker.pieces.push_back(std::move(zone));
+  };
+  Coord end = 0;
+  for (std::uint32_t i = 0; i < marker.pieces.size(); ++i) {
+    end = std::max(end, box_of(placed_outline(marker, PieceId{i})).high.x);
+  }
+  for (std::size_t i = marker.pieces.size(); i-- > 1;) {
+    if (!marker.pieces[i].rules.zone) continue;
+    marker.pieces[i].locked = true;
+    if (random.chance(30)) add(marker.pieces[i], marker.pieces[i].at);
+  }
+  const Box box = box_of(oriented(marker.shapes[0].outline, {}));
+  const Piece first{.id = {}, .shape = ShapeId{0}, .orientation = {}, .at = {}};
+  if (random.chance(30)) add(first, {end - box.low.x, random.between(-box.height(), marker.strip.width) - box.low.y});
+  if (random.chance(30)) add(first, {random.between(0, end), marker.strip.width - box.low.y});
+}
+
 }  // namespace
 
 Marker random_marker_with_rules(Random& random) {
   Marker marker = random_marker(random);
+  if (random.chance(40)) add_zones(random, marker);
   Coord lowest = marker.strip.width, highest = 0, longest = 0;
   std::array<std::optional<Box>, 2> shades;
   for (std::uint32_t i = 0; i < marker.pieces.size(); ++i) {
     Piece& piece = marker.pieces[i];
+    if (piece.rules.zone) continue;
     Polygon outline = placed_outline(marker, PieceId{i});
     Box box = box_of(outline);
     // The lowest pieces lie there alone: below them is nothing but cloth.

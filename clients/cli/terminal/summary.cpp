@@ -177,7 +177,7 @@ std::string plain_summary(const Json& f, const protocol::execution::StageTimes& 
 std::string plain_figures(const Marker& marker) {
   const std::string unplaced =
       marker.unplaced.empty() ? "" : ", " + std::to_string(marker.unplaced.size()) + " unplaced";
-  return (marker.name.empty() ? "marker" : marker.name) + ": " + counted(marker.pieces.size(), "piece") + unplaced +
+  return (marker.name.empty() ? "marker" : marker.name) + ": " + counted(piece_count(marker), "piece") + unplaced +
          ", length " + length_text(to_decimal(length_of(marker), marker.resolution)) + " " + marker.unit +
          ", utilisation " + per_cent(utilisation_of(marker));
 }

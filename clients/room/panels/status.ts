@@ -22,7 +22,7 @@ export function buildStatus(host: HTMLElement, desk: Desk, keepsNothing: Signal<
     const { value } = desk.marker;
     if (!value) return;
     const width = `${say("width")} ${lengthText(value.width)}`;
-    setText(marker, `${say("countedPieces", { count: numberText(value.pieces.length, 0) })} · ${width} · ${say("revisionIs", { revision: desk.figures.value.revision })}`);
+    setText(marker, `${say("countedPieces", { count: numberText(value.pieces.filter(({ rules }) => !rules.zone).length, 0) })} · ${width} · ${say("revisionIs", { revision: desk.figures.value.revision })}`);
   });
   follow([keepsNothing, wording], () => {
     warning.hidden = !keepsNothing.value;

@@ -172,6 +172,7 @@ export const english = {
   ruleTo: "Up to",
   ruleFold: "On the fold",
   ruleShade: "Shade",
+  ruleZone: "No piece: part of the cloth that none may cover",
   ruleMatch: "Matched to the pattern",
   ruleOther: "Rule",
   bestTilts: "Tilts that would shorten",

@@ -168,6 +168,7 @@ export const german: Texts = {
   ruleTo: "Bis",
   ruleFold: "Am Bruch",
   ruleShade: "Farbverlauf",
+  ruleZone: "Kein Teil: Stelle des Stoffs, die frei bleibt",
   ruleMatch: "Rapport des Musters",
   ruleOther: "Regel",
   bestTilts: "Neigungen, die verkürzen würden",

@@ -41,7 +41,7 @@ export function paintPiece(brush: Brush, piece: Piece, pose: Pose, colouring: Co
   const { context, camera, colours } = brush;
   const pixels = piece.shape.extent * camera.scale;
   enter(brush, pose);
-  context.fillStyle = colouring.fillOf(piece, colours);
+  context.fillStyle = piece.rules.zone ? colours.selvedge : colouring.fillOf(piece, colours);
   if (pixels < TINY) {
     const { left, bottom, right, top } = piece.shape.box;
     context.fillRect(left, bottom, right - left, top - bottom);
@@ -50,6 +50,10 @@ export function paintPiece(brush: Brush, piece: Piece, pose: Pose, colouring: Co
   const path = pathAt(piece, camera);
   context.fill(path);
   if (pixels < 8) return;
+  if (piece.rules.zone) {
+    outline(brush, piece, pose, colours.fault, 1.4, [5, 3]);
+    return;
+  }
   context.strokeStyle = colours.line;
   context.lineWidth = (colours.contrast ? 1.6 : 0.9) / camera.scale;
   context.stroke(path);

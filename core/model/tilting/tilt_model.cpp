@@ -78,7 +78,7 @@ void TiltModel::add_wall(std::size_t piece, const WallRow& wall, std::optional<i
 void TiltModel::add_right_walls(std::optional<int> length_column) {
   const Coord length = pieces_.length();
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    const auto room = static_cast<double>(length - pieces_.box(i).high.x);
+    const auto room = static_cast<double>(length - pieces_.end_of(i));
     if (column_[i] < 0) {
       if (length_column && room <= 2 * farthest_) positions_.add_right_wall(i);
       if (const auto position = positions_.x_column(i); position && !length_column) {

@@ -193,7 +193,8 @@ class Simulation {
     const Box box = scene_.pieces[i].box.moved(start_[i]);
     const Box room = scene_.pieces.room(i, scene_.marker.strip, kLatticeLimit);
     const auto way = [](Coord from, Coord to) { return static_cast<double>(to - from); };
-    return {way(room.low.x, box.low.x) + moved_[i].x, piston_ - static_cast<double>(box.high.x) - moved_[i].x,
+    const Coord end = scene_.pieces.is_zone(i) ? 0 : box.high.x;
+    return {way(room.low.x, box.low.x) + moved_[i].x, piston_ - static_cast<double>(end) - moved_[i].x,
             way(room.low.y, box.low.y) + moved_[i].y, way(box.high.y, room.high.y) - moved_[i].y,
             way(box.high.x, room.high.x) - moved_[i].x};
   }

@@ -289,7 +289,7 @@ class Loads {
     double borne = 0;
     for (std::uint32_t i = 0; i < scene_.pieces.size(); ++i) {
       if (const auto wall = model_->right_wall_row(i)) borne += solution.dual[static_cast<std::size_t>(*wall)];
-      if (!model_->x_column(i) && scene_.pieces.box(i).high.x == scene_.pieces.length()) fixed.push_back(i);
+      if (!model_->x_column(i) && scene_.pieces.end_of(i) == scene_.pieces.length()) fixed.push_back(i);
     }
     if (fixed.size() == 1) forces_[fixed.front()].x -= std::max(0.0, 1 - borne);
   }

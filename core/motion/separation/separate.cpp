@@ -187,7 +187,7 @@ class Rounds {
       leap_one({pair.first, pair.second}, tuning().leap_reach * target.depth * times);
     }
     for (std::uint32_t i = 0; i < scene_.pieces.size(); ++i) {
-      const Coord beyond = scene_.pieces.box(i).high.x - allowed_;
+      const Coord beyond = scene_.pieces.end_of(i) - allowed_;
       if (beyond > 0) leap_one({i}, tuning().leap_reach * static_cast<double>(beyond) * times);
     }
     return find_overlaps();
@@ -227,7 +227,7 @@ class Rounds {
   [[nodiscard]] std::uint32_t rightmost() const {
     std::uint32_t most = 0;
     for (std::uint32_t i = 1; i < scene_.pieces.size(); ++i) {
-      if (scene_.pieces.box(i).high.x > scene_.pieces.box(most).high.x) most = i;
+      if (scene_.pieces.end_of(i) > scene_.pieces.end_of(most)) most = i;
     }
     return most;
   }

@@ -32,7 +32,7 @@ class SeparationProgram {
     model_.program().add_row(std::array<lp::LinearProgram::Entry, 2>{{{excess, 1}, {length_column, -1}}}, -room);
     const double watched = static_cast<double>(length_ - shorten) - 2 * settings_.reach;
     for (std::size_t i = 0; i < scene_.pieces.size(); ++i) {
-      if (static_cast<double>(scene_.pieces.box(i).high.x) >= watched) model_.add_right_wall(i);
+      if (static_cast<double>(scene_.pieces.end_of(i)) >= watched) model_.add_right_wall(i);
     }
   }
 
@@ -117,7 +117,7 @@ model::ActiveSet moving(const scene::Scene& scene, const std::vector<Overlapping
     reached.add(overlap.pair.second);
   }
   for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
-    const bool beyond = scene.pieces.box(i).high.x > settings.length.free;
+    const bool beyond = scene.pieces.end_of(i) > settings.length.free;
     if (beyond || scene.pieces.at(i) != home[i]) reached.add(i);
   }
   for (const marker::Shade& shade : scene.pieces.shades()) {

@@ -9,7 +9,7 @@ namespace {
 constexpr double kSolverTolerance = 1e-6;  // a motion may exceed its limit by this fraction of it
 
 double right_of(const marker::PlacedPieces& pieces, std::size_t piece) {
-  return static_cast<double>(pieces.box(piece).high.x);
+  return static_cast<double>(pieces.end_of(piece));
 }
 
 // Calls visit(k, by, distance) for each near pair, the k-th, that moves against each other beyond its motion.

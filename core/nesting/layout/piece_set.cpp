@@ -59,16 +59,16 @@ class Builder {
     if (kind.shade) set_.shades[*kind.shade].pieces.push_back(static_cast<std::uint32_t>(set_.size()));
     set_.kind_of.push_back(found->second);
     set_.fixed.push_back(fixed);
-    set_.area += kind.area;
+    if (!kind.zone) set_.area += kind.area;
     return true;
   }
   [[nodiscard]] PieceSet take() { return std::move(set_); }
 
  private:
   using Limit = std::optional<Coord>;
-  using RulesKey = std::tuple<Limit, Limit, Limit, Limit, bool, std::optional<Vec>, std::string>;
+  using RulesKey = std::tuple<Limit, Limit, Limit, Limit, bool, std::optional<Vec>, std::string, bool>;
   using KindKey = std::tuple<ShapeId, Coord, Coord, std::optional<Orientation>, RulesKey>;
-  using OutlineKey = std::tuple<ShapeId, Coord, Coord, Angle>;
+  using OutlineKey = std::tuple<ShapeId, Coord, Coord, Angle, bool>;
 
   [[nodiscard]] Coord overlap_of(const Piece& piece) const { return piece.overlap.value_or(marker_.overlap); }
 
@@ -79,7 +79,8 @@ class Builder {
             rules.to,
             rules.on_fold,
             matched(rules) ? rules.match : std::nullopt,
-            marker_.shade ? rules.shade : ""};
+            marker_.shade ? rules.shade : "",
+            rules.zone};
   }
 
   [[nodiscard]] bool matched(const marker::Rules& rules) const { return rules.match && marker_.strip.repeat.any(); }
@@ -98,6 +99,7 @@ class Builder {
               .buffer = piece.buffer,
               .shade = shade_of(piece.rules),
               .matched = matched(piece.rules),
+              .zone = piece.rules.zone,
               .turned = {},
               .area = static_cast<double>(doubled_area(shape.outline)) / 2 / square,
               .hull_area = doubled_hull_area(shape.outline) / 2 / square};
@@ -129,9 +131,12 @@ class Builder {
   Turned turned(const Piece& piece, const Shape& shape, const Box& box) {
     const auto [turn, symmetry] = split(piece.orientation);
     const Coord overlap = overlap_of(piece);
-    const auto [found, fresh] = outlines_.try_emplace(OutlineKey{piece.shape, piece.buffer, overlap, turn},
+    const bool zone = piece.rules.zone;
+    const auto [found, fresh] = outlines_.try_emplace(OutlineKey{piece.shape, piece.buffer, overlap, turn, zone},
                                                       static_cast<std::uint32_t>(set_.outlines.size()));
-    if (fresh) set_.outlines.push_back({sums_.outline(geometry::turned(shape.outline, turn)), piece.buffer, overlap});
+    if (fresh) {
+      set_.outlines.push_back({sums_.outline(geometry::turned(shape.outline, turn)), piece.buffer, overlap, zone});
+    }
     const auto units = [this](Coord coord) { return static_cast<double>(coord) / set_.lattice_units; };
     const Vec match = turned_match(piece);
     return {piece.orientation,
@@ -165,6 +170,7 @@ class Builder {
 double PieceSet::clearance(std::uint32_t first, std::uint32_t second) const {
   const BaseOutline& p = outlines[first];
   const BaseOutline& q = outlines[second];
+  if (p.zone || q.zone) return 0;
   const Coord apart = std::max(spacing, p.buffer + q.buffer);
   return static_cast<double>(apart > 0 ? apart : -std::min(p.overlap, q.overlap)) / lattice_units;
 }
@@ -173,6 +179,7 @@ double PieceSet::across() const {
   double bottom = low;
   double top = high;
   for (const Kind& kind : kinds) {
+    if (kind.zone) continue;
     for (const Turned& one : kind.turned) {
       bottom = std::min(bottom, one.room.low_y);
       top = std::max(top, one.room.high_y);

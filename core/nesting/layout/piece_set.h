@@ -30,6 +30,7 @@ struct RealBox {
 struct BaseOutline {
   std::shared_ptr<const outline::Outline> outline;
   Coord buffer{}, overlap{};  // lattice units
+  bool zone{};                // of a zone, from which pieces keep no distance
 };
 
 // A kind of piece in one of its allowed orientations.
@@ -48,6 +49,7 @@ struct Kind {
   Coord buffer{};                        // lattice units
   std::optional<std::uint32_t> shade{};  // index of the shade that its pieces belong to
   bool matched{};                        // to the cloth's pattern
+  bool zone{};                           // no piece but a part of the cloth that none may cover (core/marker/rules.h)
   std::vector<Turned> turned;            // at least one
   double area{}, hull_area{};            // of the outline and of its convex hull
 };
@@ -74,17 +76,18 @@ struct PieceSet {
   double left{};           // pieces without rules lie at this x or beyond
   double low{}, high{};    // and between these across the strip
   Coord spacing{};         // lattice units
-  double area{};           // of all pieces
+  double area{};           // of all pieces, zones aside
   std::vector<Shade> shades{};
   Repeat repeat{};
 
   [[nodiscard]] std::size_t size() const { return kind_of.size(); }
   [[nodiscard]] const Kind& kind(std::size_t piece) const { return kinds[kind_of[piece]]; }
+  [[nodiscard]] bool is_zone(std::size_t piece) const { return kind(piece).zone; }
   // The width of the cloth that some piece may lie on: more than that of the strip's room when pieces have selvedges of
   // their own.
   [[nodiscard]] double across() const;
   // The least signed distance between two pieces with these base outlines: negative when they may overlap, as
-  // marker::PlacedPieces::spacing has it.
+  // marker::PlacedPieces::spacing has it, and 0 from a zone.
   [[nodiscard]] double clearance(std::uint32_t first, std::uint32_t second) const;
 };
 

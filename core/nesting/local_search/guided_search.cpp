@@ -11,12 +11,15 @@ namespace selvage::nesting::local_search {
 double pixel_of(const layout::PieceSet& set, double pixels_per_side) {
   double sides = 0;
   double largest = 0;
+  std::size_t pieces = 0;
   for (std::size_t i = 0; i < set.size(); ++i) {
     const layout::RealBox& box = set.kind(i).turned.front().box;
-    sides += std::sqrt(set.kind(i).area);
     largest = std::max({largest, box.width(), box.height()});
+    if (set.is_zone(i)) continue;
+    sides += std::sqrt(set.kind(i).area);
+    ++pieces;
   }
-  const double mean = sides / static_cast<double>(std::max<std::size_t>(1, set.size()));
+  const double mean = sides / static_cast<double>(std::max<std::size_t>(1, pieces));
   // One giant among thousands of tiny pieces: the grids of its pairs, and of the strip, stay small enough.
   constexpr double kMostAcross = 500;
   return std::max(mean / pixels_per_side, std::max(largest, set.high - set.low) / kMostAcross);
@@ -87,14 +90,23 @@ void GuidedSearch::build(layout::Layout& layout, const std::vector<bool>& kept, 
     if (set_->kind(i).shade) layout.places[i].x = kFarAway;
   }
   double end = 0;
-  for (const std::uint32_t i : down) end = std::max(end, placed_box(*set_, layout, i).high_x);
+  double end_of_zones = 0;
+  for (const std::uint32_t i : down) {
+    double& last = set_->is_zone(i) ? end_of_zones : end;
+    last = std::max(last, placed_box(*set_, layout, i).high_x);
+  }
   for (const std::uint32_t piece : order) {
     maps_.trim();
-    // Beyond the end there is always room.
-    const layout::Turned& turned = set_->kind(piece).turned[layout.places[piece].turn];
-    const double from = std::max(end, turned.room.low_x - set_->left);
-    layout.length = from + turned.box.width() + 2 * maps_.scale().pixel;
-    if (over() || !mover_.insert(layout, piece, down)) centre_at(*set_, layout, piece, layout.length, set_->high / 2);
+    // Beyond the end there is always room, unless zones are in the way.
+    bool inserted = false;
+    for (const double beyond : {end, std::max(end, end_of_zones)}) {
+      const layout::Turned& turned = set_->kind(piece).turned[layout.places[piece].turn];
+      const double from = std::max(beyond, turned.room.low_x - set_->left);
+      layout.length = from + turned.box.width() + 2 * maps_.scale().pixel;
+      inserted = !over() && mover_.insert(layout, piece, down);
+      if (inserted) break;
+    }
+    if (!inserted) centre_at(*set_, layout, piece, layout.length, set_->high / 2);
     end = std::max(end, placed_box(*set_, layout, piece).high_x);
     down.push_back(piece);
   }

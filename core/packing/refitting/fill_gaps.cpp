@@ -86,7 +86,7 @@ class Filler {
       return area_of(start_, result_.marker.pieces[a]) < area_of(start_, result_.marker.pieces[b]);
     });
     const auto count = static_cast<std::size_t>(std::ceil(settings_.tuning.small * static_cast<double>(small_.size())));
-    small_.resize(std::min({small_.size(), count, result_.marker.pieces.size() - 1}));
+    small_.resize(std::min({small_.size(), count, piece_count(result_.marker) - 1}));
   }
 
   // The small pieces on the critical path, which the length depends on.

@@ -120,7 +120,7 @@ Result<OpenParams> decode_open(const Json& params) {
 OpenResult opened(const std::string& marker_id, Revision revision, const MarkerFile& file) {
   const Marker& marker = file.marker;
   return {.at = {marker_id, revision},
-          .pieces = marker.pieces.size(),
+          .pieces = piece_count(marker),
           .unplaced = calls::unplaced_count(marker),
           .length = to_decimal(length_of(marker), marker.resolution),
           .utilisation = utilisation_of(marker),

@@ -74,7 +74,7 @@ Result<calls::Motion<NestResult>> run(const NestParams& params, const Marker& st
   if (!settings) return settings.error();
   auto done = nest(start, *settings, context.run);
   if (!done) return done.error();
-  const NestResult result{.placed = done->marker.pieces.size(),
+  const NestResult result{.placed = piece_count(done->marker),
                           .unplaced = done->marker.unplaced.size(),
                           .moves = done->moves,
                           .rounds = {done->rounds, stop_cause(done->reason, context)}};

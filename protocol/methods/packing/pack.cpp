@@ -60,7 +60,7 @@ Result<calls::Motion<PackResult>> run(const PackParams& params, const Marker& st
   const PackResult result{.found = done.found,
                           .proved = done.proved,
                           .bound = to_decimal(done.bound, start.resolution),
-                          .placed = done.marker.pieces.size(),
+                          .placed = piece_count(done.marker),
                           .unplaced = done.marker.unplaced.size(),
                           .nodes = done.work.nodes,
                           .rounds = {done.rounds, stop_cause(done.reason, context)}};

@@ -39,6 +39,8 @@ Result<selvage::planning::making::Garments> garments_of(const MarkerFile& style,
   std::set<std::string> known;
   const std::size_t pieces = style.marker.pieces.size() + style.marker.unplaced.size();
   for (std::size_t position = 0; position < pieces; ++position) {
+    const bool placed = position < style.marker.pieces.size();
+    if (placed && style.marker.pieces[position].rules.zone) continue;  // of its cloth, not of the style
     const std::string size = size_of_piece(style, position);
     if (size.empty()) {
       return Error{ErrorCode::kOutOfRange,

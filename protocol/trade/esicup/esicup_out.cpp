@@ -56,7 +56,9 @@ class NestingWriter {
   static std::string angle_text(double degrees) { return json::number_text(degrees == 0 ? 0 : 360 - degrees); }
 
   void count_copies() {
-    for (const Piece& piece : marker_.pieces) ++copies_[{piece.shape.value, piece.orientation.flip}];
+    for (const Piece& piece : marker_.pieces) {
+      if (!piece.rules.zone) ++copies_[{piece.shape.value, piece.orientation.flip}];
+    }
   }
 
   void write_board(pugi::xml_node boards) {
@@ -102,6 +104,7 @@ class NestingWriter {
 
   void write_solution(pugi::xml_node solution) {
     for (const Piece& piece : marker_.pieces) {
+      if (piece.rules.zone) continue;
       pugi::xml_node placement = solution.append_child("placement");
       const double degrees = piece.orientation.rotation.degrees + piece.orientation.tilt.degrees;
       placement.append_attribute("angle") = angle_text(degrees).c_str();

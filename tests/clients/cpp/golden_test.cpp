@@ -58,7 +58,7 @@ TEST_P(GoldenExchanges, ReachTheClientUnchanged) {
 INSTANTIATE_TEST_SUITE_P(All, GoldenExchanges,
                          ::testing::Combine(::testing::Values("life_of_a_marker", "mistakes", "motions", "changes",
                                                               "dragging", "places_and_tilts", "allowances",
-                                                              "cloth_rules", "cloth_repeat", "watching"),
+                                                              "cloth_rules", "cloth_repeat", "cloth_zones", "watching"),
                                             ::testing::Bool()),
                          [](const auto& tested) {
                            return std::string{std::get<0>(tested.param)} +

@@ -234,5 +234,92 @@ TEST(Rooms, APatternThatLeavesAPieceNoPositionIsRefused) {
   EXPECT_EQ(blamed(marker), "/strip/repeat/across");
 }
 
+// A square, a zone that it touches, and a zone over the latter that reaches beyond the strip.
+Marker with_zones() {
+  Marker marker = squares({{20, 0}, {30, 5}, {35, -5}});
+  marker.pieces[1].rules.zone = marker.pieces[2].rules.zone = true;
+  return *make_marker(std::move(marker));
+}
+
+TEST(Zones, CountNeitherAsPiecesNorInLengthAndUtilisation) {
+  const Marker marker = with_zones();
+  EXPECT_EQ(piece_count(marker), 1U);
+  EXPECT_EQ(length_of(marker), 30);
+  EXPECT_EQ(marker::PlacedPieces{marker}.length(), 30);
+  EXPECT_DOUBLE_EQ(utilisation_of(marker), 100.0 / 3000);
+  EXPECT_TRUE(marker.pieces[1].locked) << "a zone stays where it is";
+}
+
+TEST(Zones, MayLieAnywhereAndOverEachOtherButUnderNoPiece) {
+  Marker marker = with_zones();
+  EXPECT_TRUE(is_valid(marker));
+  marker.pieces[0].at.x = 21;
+  SumCache sums;
+  const marker::Validity validity = marker::check(marker, sums);
+  ASSERT_EQ(validity.overlaps.size(), 1U);
+  EXPECT_EQ(validity.overlaps[0].second, PieceId{1});
+  EXPECT_NEAR(validity.overlaps[0].depth, 1, 1e-9);
+  EXPECT_TRUE(validity.protrusions.empty());
+  marker.pieces[1].at = {31, 0};
+  EXPECT_TRUE(is_valid(marker));
+}
+
+TEST(Zones, KeepNoDistanceAndAllowNoOverlap) {
+  Marker marker = with_zones();
+  marker.spacing = 3;
+  marker.pieces[0].buffer = 4;
+  EXPECT_TRUE(is_valid(marker));
+  marker.spacing = marker.pieces[0].buffer = 0;
+  marker.overlap = 2;
+  EXPECT_TRUE(is_valid(marker));
+  marker.pieces[0].at.x = 21;
+  EXPECT_FALSE(is_valid(marker));
+}
+
+TEST(Zones, FiguresAfterAnEditSeeAZoneThatHasMovedOrIsNew) {
+  const Marker before = with_zones();
+  const marker::PlacedPieces pieces{before};
+  const auto valid_after = [&](const Marker& after) { return figures_after(before, pieces, after).valid; };
+  Marker after = before;
+  after.pieces[1].at.x = 29;
+  EXPECT_FALSE(valid_after(after));
+  after.pieces[1].at.x = 40;
+  EXPECT_TRUE(valid_after(after));
+  after = before;
+  after.pieces[1].rules.zone = false;  // now a piece, which the other zone covers
+  EXPECT_FALSE(valid_after(after));
+}
+
+TEST(Zones, HaveNothingElseThatPiecesHave) {
+  const auto with = [](auto change) {
+    Marker marker = with_zones();
+    change(marker.pieces[1]);
+    return blamed(marker);
+  };
+  EXPECT_EQ(with([](Piece&) {}), "");
+  EXPECT_EQ(with([](Piece& zone) { zone.rules.below = 0; }), "/pieces/1/rules/zone");
+  EXPECT_EQ(with([](Piece& zone) { zone.group = "g"; }), "/pieces/1/rules/zone");
+  EXPECT_EQ(with([](Piece& zone) { zone.buffer = 1; }), "/pieces/1/rules/zone");
+  EXPECT_EQ(with([](Piece& zone) { zone.overlap = 0; }), "/pieces/1/rules/zone");
+  EXPECT_EQ(with([](Piece& zone) { zone.locked = {}; }), "");
+  Marker waiting = with_zones();
+  waiting.unplaced.push_back(waiting.pieces.back());
+  waiting.pieces.pop_back();
+  EXPECT_EQ(blamed(waiting), "/unplaced/0/rules/zone");
+  Marker nothing_else = with_zones();
+  nothing_else.pieces.erase(nothing_else.pieces.begin());
+  EXPECT_EQ(blamed(nothing_else), "/pieces");
+}
+
+TEST(Zones, MayBeWiderThanTheStrip) {
+  Marker marker = squares({{20, 0}, {50, -30}});
+  marker.shapes.push_back({.id = "end", .outline = {{0, 0}, {10, 0}, {10, 160}, {0, 160}}});
+  marker.pieces[1].shape = ShapeId{1};
+  EXPECT_EQ(blamed(marker), "/pieces/1");
+  marker.pieces[1].rules.zone = true;
+  EXPECT_EQ(blamed(marker), "");
+  EXPECT_TRUE(is_valid(*make_marker(marker)));
+}
+
 }  // namespace
 }  // namespace selvage::test

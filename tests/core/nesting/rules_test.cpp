@@ -107,6 +107,52 @@ TEST(RulesInNesting, MatchedPiecesLieWhereRepeatsBegin) {
   }
 }
 
+// A flaw in the middle of the cloth, and one behind all pieces that reaches beyond both edges.
+Marker on_flawed_cloth(std::size_t count) {
+  Marker marker = squares(count);
+  marker.shapes.push_back({.id = "flaw", .outline = rectangle(2 * kSide, 2 * kSide), .tilt_limit = {}});
+  marker.shapes.push_back({.id = "splice", .outline = rectangle(kSide, 2 * kWidth), .tilt_limit = {}});
+  const auto zone = [&marker](std::string id, std::uint32_t shape, Vec at) {
+    marker.pieces.push_back({.id = std::move(id), .shape = {shape}, .orientation = {}, .at = at});
+    marker.pieces.back().rules.zone = true;
+  };
+  zone("flaw", 1, {4 * kSide, 4 * kSide});
+  zone("splice", 2, {18 * kSide, -kWidth / 2});
+  return *make_marker(std::move(marker));
+}
+
+TEST(RulesInNesting, NoPieceLiesOnAZone) {
+  const Marker marker = on_flawed_cloth(12);
+  const auto done = nested(marker, 3000);
+  ASSERT_TRUE(done) << done.error().message;
+  EXPECT_TRUE(is_valid(done->marker));
+  EXPECT_EQ(piece_count(done->marker), 12u);
+  EXPECT_TRUE(done->marker.unplaced.empty());
+  EXPECT_LE(done->length_after, 18 * kSide) << "the splice is farther than the pieces need to reach";
+  EXPECT_EQ(done->marker.pieces[0].at, marker.pieces[0].at);
+  EXPECT_EQ(done->marker.pieces[1].at, marker.pieces[1].at);
+}
+
+TEST(RulesInNesting, WhereTheClothEndsZonesStayOnIt) {
+  Marker marker = on_flawed_cloth(14);
+  marker.strip.longest = 10 * kSide;
+  const auto done = nested(marker, 3000);
+  ASSERT_TRUE(done) << done.error().message;
+  EXPECT_TRUE(is_valid(done->marker));
+  EXPECT_TRUE(make_marker(done->marker)) << make_marker(done->marker).error().message;
+  EXPECT_GE(piece_count(done->marker), 5u);
+  EXPECT_EQ(piece_count(done->marker) + done->left_over, 14u);
+}
+
+TEST(RulesInNesting, ZonesAreNoPartOfSheets) {
+  sheets::Sheet sheet;
+  sheet.width = sheet.length = kWidth;
+  SumCache sums;
+  const auto done = sheets::nest_on_sheets(on_flawed_cloth(2), {&sheet, 1}, {.moves = 200, .seed = 1}, {sums});
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().field, "/pieces/0/rules/zone");
+}
+
 TEST(RulesInNesting, ABandThatIsTooShortIsAnErrorThatNamesAPiece) {
   Marker marker = squares(5);
   for (Piece& piece : marker.unplaced) piece.rules.to = 4 * kSide;
@@ -143,6 +189,7 @@ TEST(RulesInNesting, SheetsKeepThemToo) {
   test::Random random{3};
   for (int trial = 0; trial < 12 / test::kSlowdown; ++trial) {
     Marker marker = test::random_marker_with_rules(random);
+    std::erase_if(marker.pieces, [](const Piece& piece) { return piece.rules.zone; });  // of another cloth
     for (Piece& piece : marker.pieces) {
       piece.locked = {};
       piece.group.clear();

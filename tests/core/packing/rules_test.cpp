@@ -6,6 +6,7 @@
 #include "core/marker/validity.h"
 #include "core/packing/contain.h"
 #include "core/packing/pack.h"
+#include "core/packing/refitting/compact_exactly.h"
 #include "core/packing/refitting/fill_gaps.h"
 #include "tests/core/motion/markers.h"
 
@@ -100,6 +101,40 @@ TEST(RulesInPacking, APieceGoesNearEnoughToTheOthersOfItsShade) {
   marker.pieces[0].rules.shade = marker.pieces[2].rules.shade = "A";
   EXPECT_EQ(verdict_of(marker, {{2}}, {{5'000, 0}, {40'000, 20'000}}), Verdict::kFound);
   EXPECT_EQ(verdict_of(marker, {{2}}, {{16'000, 0}, {40'000, 20'000}}), Verdict::kImpossible);
+}
+
+// Four squares, and a zone as large as one of them in the lower left corner.
+Marker with_zone() {
+  Marker marker = squares(5);
+  marker.pieces[0].rules.zone = true;
+  return *make_marker(std::move(marker));
+}
+
+TEST(RulesInPacking, PiecesArePackedAroundAZone) {
+  expect_optimum(with_zone(), 30'000);
+  Marker marker = with_zone();
+  marker.pieces[0].at.x = 20'000;  // behind the shortest layout
+  expect_optimum(marker, 20'000);
+}
+
+TEST(RulesInPacking, ContainmentProvesThatAZoneLeavesNoRoom) {
+  Marker marker = with_zone();
+  const Box room{{0, 0}, {20'000, 20'000}};
+  EXPECT_EQ(verdict_of(marker, {{1}, {2}, {3}}, room), Verdict::kFound);
+  marker.pieces[0].at = {5'000, 0};
+  EXPECT_EQ(verdict_of(marker, {{1}, {2}, {3}}, room), Verdict::kImpossible);
+}
+
+TEST(RulesInPacking, GapsAreFilledAroundZones) {
+  Marker marker = with_zone();
+  SumCache sums;
+  const auto filled = refitting::fill_gaps(marker, {}, {sums});
+  ASSERT_TRUE(filled) << filled.error().message;
+  EXPECT_TRUE(is_valid(filled->marker));
+  EXPECT_EQ(filled->marker.pieces[0].at, marker.pieces[0].at);
+  const auto windows = refitting::compact_exactly(marker, {}, {sums});
+  ASSERT_TRUE(windows) << windows.error().message;
+  EXPECT_TRUE(is_valid(windows->marker));
 }
 
 TEST(RulesInPacking, GapsAreFilledByTheirRules) {

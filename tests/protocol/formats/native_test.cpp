@@ -189,7 +189,20 @@ TEST(Native, NamesTheRuleThatIsWrong) {
   EXPECT_EQ(field_of(R"({"from": 10, "to": 20})"), "/pieces/1/rules/to");
   EXPECT_EQ(field_of(R"({"fold": 1})"), "/pieces/1/rules/fold");
   EXPECT_EQ(field_of(R"({"match": [1]})"), "/pieces/1/rules/match");
+  EXPECT_EQ(field_of(R"({"zone": 1})"), "/pieces/1/rules/zone");
+  EXPECT_EQ(field_of(R"({"zone": true, "to": 90})"), "/pieces/1/rules/zone");
   EXPECT_EQ(field_of(R"([])"), "/pieces/1/rules");
+}
+
+TEST(Native, KeepsZones) {
+  Json document = native_squares();
+  document["pieces"][1]["rules"] = json(R"({"zone": true})");
+  const MarkerFile file = test::read(document);
+  EXPECT_TRUE(file.marker.pieces[1].rules.zone);
+  EXPECT_EQ(piece_count(file.marker), 1u);
+  const Json written = native_document(file);
+  EXPECT_EQ(test::read(written).marker, file.marker);
+  EXPECT_EQ(written["pieces"][1]["rules"], document["pieces"][1]["rules"]);
 }
 
 TEST(Native, ReadsWholeNumbersAsIds) {

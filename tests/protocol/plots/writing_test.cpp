@@ -74,6 +74,22 @@ TEST(DxfNest, ReadsBackAsTheSameMarker) {
   }
 }
 
+// A flaw of the cloth, with a shape of its own, changes nothing of what is cut.
+TEST(Writing, ZonesAreLeftOut) {
+  const MarkerFile file = rich_marker();
+  MarkerFile flawed = file;
+  flawed.marker.shapes.push_back({.id = "flaw", .outline = {{0, 0}, {1000, 0}, {0, 1000}}, .tilt_limit = {}});
+  flawed.attributes.shapes.push_back(Json::object());
+  flawed.marker.pieces.push_back(file.marker.pieces[3]);
+  Piece& zone = flawed.marker.pieces.back();
+  zone = {.id = "flaw", .shape = {2}, .orientation = {}, .at = {}, .locked = true, .rules = {.zone = true}};
+  flawed.attributes.pieces.push_back(Json::object());
+  for (const FileFormat format :
+       {FileFormat::kDxf, FileFormat::kHpgl, FileFormat::kCut, FileFormat::kPdf, FileFormat::kEsicup}) {
+    EXPECT_EQ(written(flawed, format), written(file, format));
+  }
+}
+
 TEST(DxfNest, IsInInchesForAMarkerInInches) {
   MarkerFile file = rich_marker();
   file.marker.unit = "in";
