@@ -111,7 +111,7 @@ bool may_lie(const Marker& marker, const Piece& piece) {
     const Box matched = matched_room(room, box, turned_match(piece), strip.repeat);
     if (matched.height() < box.height() || matched.width() < box.width()) return false;
   }
-  return !rules.on_fold || has_flat_bottom(outline);
+  return keeps_nap(rules, piece.orientation) && (!rules.on_fold || has_flat_bottom(outline));
 }
 
 bool are_inside(const PlacedPieces& pieces, const Strip& strip) {

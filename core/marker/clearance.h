@@ -48,8 +48,8 @@ namespace selvage::marker {
 // True when another piece, placed or not, belongs to the same shade; alone, a piece is within any length.
 [[nodiscard]] bool shares_shade(const Marker& marker, const Piece& piece);
 // True when a piece, as it is turned, is not too wide for the room that its rules leave it, nor too long for its band
-// or for its shade, can lie on the fold where it has to, and has a position in its room that is matched to the cloth
-// where it has to be.  Where it lies now does not matter.
+// or for its shade, lies with its nap, can lie on the fold where it has to, and has a position in its room that is
+// matched to the cloth where it has to be.  Where it lies now does not matter.
 [[nodiscard]] bool may_lie(const Marker& marker, const Piece& piece);
 
 // The whole proof: every piece is inside, and no two collide.

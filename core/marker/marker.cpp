@@ -124,6 +124,11 @@ std::optional<Error> rules_defect(const Marker& marker, const Piece& piece, cons
                  "a zone is a part of the cloth: it has no other rule, no group, no buffer and no overlap allowance",
                  at + "/rules/zone"};
   }
+  const auto turned = [&rules](Angle rotation) { return keeps_nap(rules, {false, rotation, {}}); };
+  const std::vector<Angle>& rotations = marker.shapes[piece.shape.value].rotations;
+  if (!rotations.empty() && std::none_of(rotations.begin(), rotations.end(), turned)) {
+    return Error{ErrorCode::kOutOfRange, "no rotation that the shape allows lies with this nap", at + "/rules/nap"};
+  }
   for (const auto& [selvedge, name] : {std::pair{rules.below, "below"}, {rules.above, "above"}}) {
     if (const auto defect = selvedge_defect(marker, selvedge, name, at + "/rules")) return *defect;
   }
@@ -178,6 +183,11 @@ std::optional<Error> count_defect(const Marker& marker) {
 
 // What is wrong with a placed piece whose rules no position keeps in its orientation; `at` points to the piece.
 std::optional<Error> room_defect(const Marker& marker, const Piece& piece, const std::string& at) {
+  if (!keeps_nap(piece.rules, piece.orientation)) {
+    return Error{ErrorCode::kOrientationNotAllowed,
+                 "rotation " + decimal(piece.orientation.rotation.degrees) + " lies against the nap that the piece has",
+                 at + "/rules/nap"};
+  }
   const bool shaded = marker.shade && !piece.rules.shade.empty();
   if (!piece.rules.own_room() && !shaded) return std::nullopt;
   const Polygon outline = oriented(marker.shapes[piece.shape.value].outline, piece.orientation);

@@ -1,6 +1,7 @@
 #include "core/marker/rules.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string_view>
 
@@ -37,6 +38,13 @@ Box matched_room(const Box& room, const Box& box, Vec point, const Repeat& repea
   match(matched.low.x, matched.high.x, box.low.x, box.high.x, point.x, repeat.along, repeat.phase.x);
   match(matched.low.y, matched.high.y, box.low.y, box.high.y, point.y, repeat.across, repeat.phase.y);
   return matched;
+}
+
+bool keeps_nap(const Rules& rules, const Orientation& orientation) {
+  constexpr double kQuarter = 90;
+  if (!rules.nap) return true;
+  const double from_up = std::abs(std::remainder(orientation.rotation.degrees, 360.0));
+  return *rules.nap == Nap::kUp ? from_up < kQuarter : from_up > kQuarter;
 }
 
 Box room_for(const Rules& rules, Coord height, const Strip& strip, Coord end) {

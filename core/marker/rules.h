@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/geometry/lattice.h"
+#include "core/geometry/orientation.h"
 
 namespace selvage::marker {
 
@@ -27,6 +28,9 @@ struct Repeat {
   friend bool operator==(const Repeat&, const Repeat&) = default;
 };
 
+// How a piece lies on cloth with a nap, seen along the strip: the way in which the x axis of its shape points.
+enum class Nap { kUp, kDown };  // towards larger x, and towards smaller x
+
 // The rules of one piece.  One that is absent leaves the piece to the strip.
 struct Rules {
   std::optional<Coord> below{}, above{};  // selvedges of its own: its distances from the strip's long edges
@@ -34,12 +38,17 @@ struct Rules {
   bool on_fold{};                         // its lowest edge lies on the strip's lower edge, where the cloth is folded
   std::optional<Vec> match{};             // a point of the shape that lies where a repeat of the cloth begins
   std::string shade{};                    // pieces of one shade lie within Marker::shade of each other; empty: of none
+  std::optional<Nap> nap{};               // it lies this way
   bool zone{};  // it is no piece of a garment but a part of the cloth that no piece may cover, such as a flaw or a hole
 
   // True when some rule concerns this piece alone, so that its room is not the strip's.
   [[nodiscard]] bool own_room() const { return below || above || from || to || on_fold || match || zone; }
   friend bool operator==(const Rules&, const Rules&) = default;
 };
+
+// True when a piece in this orientation lies as its rules ask: turned by less than a quarter from `up` or `down`.  Tilts,
+// which are small, make no difference.
+[[nodiscard]] bool keeps_nap(const Rules& rules, const Orientation& orientation);
 
 // The room of a piece: the box in which its own box may lie when the strip ends at x = `end`.  `height`: of the piece's
 // box, which fills the room across when it lies on the fold.  That of a zone is the whole plane.

@@ -58,6 +58,8 @@ std::optional<Finish> finished(const Marker& marker, const std::vector<bool>& fi
   Finish finish{.marker = with_turns_in_rotations(std::move(tilting->marker), marker),
                 .length = tilting->length_after,
                 .programs = tilting->programs};
+  const auto with_nap = [](const Piece& piece) { return keeps_nap(piece.rules, piece.orientation); };
+  if (!std::all_of(finish.marker.pieces.begin(), finish.marker.pieces.end(), with_nap)) return std::nullopt;
   if (!is_valid(finish.marker)) return std::nullopt;
   return finish;
 }

@@ -44,7 +44,8 @@ bool turn(Piece& piece, const Shape& shape, const Box& box, std::mt19937& random
   if (piece.locked.tilt || piece.rules.on_fold) return false;
   std::vector<Angle> others;
   for (const Angle rotation : shape.rotations) {
-    if (rotation != piece.orientation.rotation) others.push_back(rotation);
+    const bool differs = rotation != piece.orientation.rotation;
+    if (differs && keeps_nap(piece.rules, {false, rotation, {}})) others.push_back(rotation);
   }
   if (others.empty()) return false;
   piece.orientation.rotation = others[random() % others.size()];

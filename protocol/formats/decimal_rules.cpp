@@ -17,6 +17,7 @@ marker::Rules rules_on_lattice(const DecimalRules& written, Resolution resolutio
   if (written.match)
     rules.match = Vec{to_lattice(written.match->x, resolution), to_lattice(written.match->y, resolution)};
   rules.shade = written.shade.value_or("");
+  rules.nap = written.nap;
   rules.zone = written.zone.value_or(false);
   return rules;
 }
@@ -32,6 +33,7 @@ DecimalRules decimal_rules(const marker::Rules& rules, Resolution resolution) {
                        .fold = {},
                        .match = {},
                        .shade = {},
+                       .nap = rules.nap,
                        .zone = {}};
   if (rules.on_fold) written.fold = true;
   if (rules.match)

@@ -7,6 +7,7 @@
 
 #include "core/marker/rules.h"
 #include "protocol/json/fields.h"
+#include "protocol/schema/choices.h"
 #include "protocol/schema/visitors.h"
 
 namespace selvage::protocol::formats {
@@ -29,6 +30,19 @@ struct Wire<formats::Decimal> {
 
 }  // namespace selvage::protocol::schema
 
+namespace selvage::protocol::schema {
+
+template <>
+struct Choices<marker::Nap> {
+  static constexpr std::string_view kName = "NapDirection";
+  static constexpr std::string_view kMeaning =
+      "The way in which a piece lies on cloth with a nap: the x axis of its shape points to larger x (up) or to smaller "
+      "x (down).";
+  static constexpr std::string_view kWords[] = {"up", "down"};
+};
+
+}  // namespace selvage::protocol::schema
+
 namespace selvage::protocol::formats {
 
 struct DecimalRules {
@@ -38,6 +52,7 @@ struct DecimalRules {
   std::optional<bool> fold;
   std::optional<Decimal> match;
   std::optional<std::string> shade;
+  std::optional<marker::Nap> nap;
   std::optional<bool> zone;
 
   static void describe(auto& v, auto& self) {
@@ -49,6 +64,7 @@ struct DecimalRules {
     v.optional("match", self.match, "A point of its shape, which lies where a repeat of the cloth's pattern begins.");
     v.optional("shade", self.shade,
                "The name of its shade: the pieces of a shade lie near each other along the strip.");
+    v.optional("nap", self.nap, "The way in which it lies on cloth with a nap; absent: any that its shape allows.");
     v.optional("zone", self.zone,
                "Whether it is no piece of a garment but a part of the cloth that no piece may cover, such as a flaw.");
   }

@@ -23,6 +23,7 @@ Json outlines_document(const Marker& marker) {
     if (allowance > 0) pieces.back()["overlap"] = to_decimal(allowance, marker.resolution);
     if (const marker::Rules& rules = marker.pieces[i].rules; rules != marker::Rules{}) {
       Json& written = pieces.back()["rules"] = schema::encode(decimal_rules(rules, marker.resolution));
+      if (rules.nap) written["rotation"] = marker.pieces[i].orientation.rotation.degrees;  // outlines do not tell
       // Where it lies, as the outline: the shape's own coordinates say nothing here.
       if (rules.match) {
         written["match"] = point_json(marker.pieces[i].at + turned_match(marker.pieces[i]), marker.resolution);

@@ -45,7 +45,7 @@ def rich():
             "pieces": [{"id": "a", "shape": 1, "at": [0, 40], "rotation": 90, "flip": True, "tilt": -1,
                         "locked": True, "attributes": {"x": None}},
                        {"id": "b", "shape": 1, "at": [100, 50], "locked": ["x", "tilt"], "group": 7, "buffer": 0.5,
-                        "overlap": 0, "rules": {"below": 3, "above": 4, "from": 0, "to": 300, "match": [8, -2.5], "shade": "A"}}],
+                        "overlap": 0, "rules": {"below": 3, "above": 4, "from": 0, "to": 300, "match": [8, -2.5], "nap": "up", "shade": "A"}}],
             "unplaced": [{"id": "c", "shape": 1, "rotation": 90, "flip": True, "tilt": 1, "locked": False,
                           "group": "g", "buffer": 1, "overlap": 0.125, "rules": {"shade": "A"}, "attributes": {}}]}
 
@@ -82,7 +82,7 @@ MISTAKES = [
     put(0, "shade"), put(["z"], "pieces", 1, "locked"), put(-1, "pieces", 1, "buffer"), put(-1, "pieces", 1, "overlap"),
     put(1.5, "pieces", 1, "group"), put(1, "pieces", 1, "rules"), put(-1, "pieces", 1, "rules", "below"),
     put("x", "pieces", 1, "rules", "from"), put(1, "pieces", 1, "rules", "fold"), put(2, "pieces", 1, "rules", "shade"),
-    put("yes", "pieces", 1, "rules", "zone"),
+    put("yes", "pieces", 1, "rules", "zone"), put("left", "pieces", 1, "rules", "nap"),
     put(-1, "strip", "repeat", "along"), put(1, "strip", "repeat", "every"), put(3, "strip", "repeat", "phase"),
     put([1], "pieces", 1, "rules", "match"), put(1, "pieces", 1, "rules", "within"), put({}, "unplaced"), put([0, 0], "unplaced", 0, "at"),
     without("unplaced", 0, "shape"), put(400, "unplaced", 0, "rotation"),

@@ -230,6 +230,10 @@ std::string Judge::fault_of(const Marker& marker) {
     if (piece.rules.on_fold && !has_lowest_side(cut.outline, cut.box.low.y))
       return about(piece, "has no side on the fold");
     if (const auto fault = match_fault(piece, marker.strip.repeat); !fault.empty()) return about(piece, fault);
+    if (piece.rules.nap) {
+      const double ahead = std::cos(piece.orientation.rotation.degrees * std::numbers::pi / 180);
+      if (*piece.rules.nap == marker::Nap::kUp ? ahead < 1e-12 : ahead > -1e-12) return about(piece, "lies against its nap");
+    }
   }
   if (const auto fault = shade_fault(marker, boxes); !fault.empty()) return fault;
   for (std::size_t i = 0; i < boxes.size(); ++i) {

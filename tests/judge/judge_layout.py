@@ -195,6 +195,9 @@ def broken_rules(piece, rules, strip):
         yield "is too near the lower edge"
     if "above" in own and strip["height"] - piece.high_y < own["above"]:
         yield "is too near the upper edge"
+    quarters = abs((rules.get("rotation", 0) + 180) % 360 - 180)  # degrees from the strip's direction
+    if (rules.get("nap") == "up" and quarters >= 90) or (rules.get("nap") == "down" and quarters <= 90):
+        yield "lies against its nap"
     if piece.low_x < rules.get("from", piece.low_x) or piece.high_x > rules.get("to", piece.high_x):
         yield "leaves its band"
 
@@ -230,7 +233,7 @@ def violations(layout):
     decimal = lambda number: number / unit
 
     height, length = whole(layout["strip_height"]), whole(layout["strip_length"])
-    scaled = lambda rules: {k: v if isinstance(v, (bool, str)) else [whole(c) for c in v] if isinstance(v, list) else whole(v)
+    scaled = lambda rules: {k: v if isinstance(v, (bool, str)) or k == "rotation" else [whole(c) for c in v] if isinstance(v, list) else whole(v)
                             for k, v in rules.items()}
     strip = {"height": height, **{key: whole(layout[key]) for key in ("below", "above") if key in layout}}
     sound, shaded = [], []

@@ -109,6 +109,15 @@ class ClothsRules(Judged):
         self.keeps(box(10, 0, 10, 10), below=5, rules=[{"fold": True}])
         self.breaks("fold", box(10, LEAST, 10, 10), rules=[{"fold": True}])
 
+    def test_pieces_lie_with_their_nap(self):
+        square = box(10, 10, 10, 10)
+        for rotation in (0, 89, -89, 360, -360):
+            self.keeps(square, rules=[{"nap": "up", "rotation": rotation}])
+            self.breaks("nap", square, rules=[{"nap": "down", "rotation": rotation}])
+        for rotation in (90, -90, 270, Fraction("180.5")):
+            self.breaks("nap", square, rules=[{"nap": "up", "rotation": rotation}])
+        self.keeps(square, rules=[{"nap": "down", "rotation": 180}])
+
     def test_zones_lie_anywhere_but_under_no_piece(self):
         zone = {"zone": True}
         square, flaw = box(10, 10, 10, 10), box(20, -5, 60, 200)

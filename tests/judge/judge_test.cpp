@@ -142,6 +142,8 @@ TEST(Judge, DescribesBrokenRules) {
   EXPECT_EQ(with({.match = Vec{10, 8}, .shade = "A"}), "");
   EXPECT_EQ(with({.match = Vec{11, 8}, .shade = "A"}), "piece a is not matched along x");
   EXPECT_EQ(with({.zone = true}), "");
+  EXPECT_EQ(with({.shade = "A", .nap = marker::Nap::kUp}), "");
+  EXPECT_EQ(with({.shade = "A", .nap = marker::Nap::kDown}), "piece a lies against its nap");
   EXPECT_EQ(with({.match = Vec{10, 9}, .shade = "A"}), "piece a is not matched along y");
   marker.shade = 209;
   EXPECT_EQ(with({.shade = "B"}), "");

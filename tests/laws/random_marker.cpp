@@ -167,6 +167,9 @@ Marker random_marker_with_rules(Random& random) {
       box = box.moved({0, -box.low.y});
     }
     piece.rules = random_rules(random, box, marker.strip.width, box.width());
+    const double degrees = piece.orientation.rotation.degrees;
+    if (degrees == 0 && random.chance(20)) piece.rules.nap = marker::Nap::kUp;
+    if (degrees == 180 && random.chance(20)) piece.rules.nap = marker::Nap::kDown;
     if (on_fold) piece.rules.below.reset();
     piece.rules.on_fold = on_fold;
     if (!on_fold && !piece.rules.below) lowest = std::min(lowest, box.low.y);

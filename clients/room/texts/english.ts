@@ -172,6 +172,8 @@ export const english = {
   ruleTo: "Up to",
   ruleFold: "On the fold",
   ruleShade: "Shade",
+  ruleNapUp: "Nap: up",
+  ruleNapDown: "Nap: down",
   ruleZone: "No piece: part of the cloth that none may cover",
   ruleMatch: "Matched to the pattern",
   ruleOther: "Rule",

@@ -168,6 +168,8 @@ export const german: Texts = {
   ruleTo: "Bis",
   ruleFold: "Am Bruch",
   ruleShade: "Farbverlauf",
+  ruleNapUp: "Strich: mit",
+  ruleNapDown: "Strich: gegen",
   ruleZone: "Kein Teil: Stelle des Stoffs, die frei bleibt",
   ruleMatch: "Rapport des Musters",
   ruleOther: "Regel",

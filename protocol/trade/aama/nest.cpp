@@ -178,6 +178,7 @@ class NestReader {
                                            number(attributes, "MATCH_Y", 0, kCoordinates)};
     }
     if (attributes.contains("SHADE")) piece.rules.shade = text_or_empty(attributes, "SHADE");
+    piece.rules.nap = schema::value_of<marker::Nap>(text_or_empty(attributes, "NAP"));
     const std::string locked = text_or_empty(attributes, "LOCKED");
     const auto has = [&](char lock) { return locked.find(lock) != std::string::npos; };
     piece.piece.locked = Locks{has('x'), has('y'), has('t')};

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "core/marker/clearance.h"
 #include "core/marker/figures.h"
 #include "core/marker/validity.h"
@@ -232,6 +234,28 @@ TEST(Rooms, APatternThatLeavesAPieceNoPositionIsRefused) {
   EXPECT_EQ(blamed(marker), "/pieces/0/rules/match");
   marker.strip.repeat.across = -1;
   EXPECT_EQ(blamed(marker), "/strip/repeat/across");
+}
+
+TEST(Rooms, APieceLiesWithItsNap) {
+  Marker marker = squares({{20, 20}, {50, 50}});
+  marker.shapes[0].rotations = {{0}, {90}, {180}, {270}};
+  const auto lies = [&marker](double degrees, marker::Nap nap) {
+    marker.pieces[0].orientation.rotation = Angle::of_degrees(degrees);
+    marker.pieces[0].rules.nap = nap;
+    EXPECT_EQ(may_lie(marker, marker.pieces[0]), blamed(marker).empty());
+    return blamed(marker).empty();
+  };
+  using marker::Nap;
+  for (const auto& [degrees, up, down] :
+       {std::tuple{0.0, true, false}, {180.0, false, true}, {90.0, false, false}, {270.0, false, false}}) {
+    EXPECT_EQ(lies(degrees, Nap::kUp), up) << degrees;
+    EXPECT_EQ(lies(degrees, Nap::kDown), down) << degrees;
+  }
+  EXPECT_EQ(blamed(marker), "/pieces/0/rules/nap");
+  marker.pieces[0].orientation.flip = marker.shapes[0].may_flip = true;  // a flip does not turn the nap
+  EXPECT_TRUE(lies(0, Nap::kUp));
+  marker.shapes[0].rotations = {{0}};
+  EXPECT_FALSE(lies(0, Nap::kDown)) << "no rotation that the shape allows";
 }
 
 // A square, a zone that it touches, and a zone over the latter that reaches beyond the strip.

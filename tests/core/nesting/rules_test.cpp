@@ -107,6 +107,21 @@ TEST(RulesInNesting, MatchedPiecesLieWhereRepeatsBegin) {
   }
 }
 
+TEST(RulesInNesting, PiecesWithANapLieItsWay) {
+  Marker marker = unplaced_pieces({{{0, 0}, {4 * kSide, 0}, {2 * kSide, 2 * kSide}, {0, kSide}}}, 8, kWidth);
+  const auto nap_of = [](std::size_t i) { return i % 2 == 0 ? marker::Nap::kUp : marker::Nap::kDown; };
+  for (std::size_t i = 0; i < 6; ++i) marker.unplaced[i].rules.nap = nap_of(i);
+  const auto done = nested(marker, 1500);
+  ASSERT_TRUE(done) << done.error().message;
+  EXPECT_TRUE(is_valid(done->marker));
+  EXPECT_TRUE(make_marker(done->marker));
+  ASSERT_EQ(done->marker.pieces.size(), 8u);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const Piece& piece = done->marker.pieces[i];
+    EXPECT_EQ(piece.orientation.rotation.degrees, piece.rules.nap == marker::Nap::kUp ? 0 : 180) << i;
+  }
+}
+
 // A flaw in the middle of the cloth, and one behind all pieces that reaches beyond both edges.
 Marker on_flawed_cloth(std::size_t count) {
   Marker marker = squares(count);

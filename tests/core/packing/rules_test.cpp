@@ -103,6 +103,18 @@ TEST(RulesInPacking, APieceGoesNearEnoughToTheOthersOfItsShade) {
   EXPECT_EQ(verdict_of(marker, {{2}}, {{16'000, 0}, {40'000, 20'000}}), Verdict::kImpossible);
 }
 
+// Two wedges fit into a square when one of them is turned round.
+TEST(RulesInPacking, ANapForbidsTurns) {
+  test::Layout layout{10'000};
+  const auto wedge = layout.shape_of({{0, 0}, {10'000, 0}, {0, 10'000}});
+  layout.put(wedge, {0, 0}).put(wedge, {12'000, 0});
+  Marker marker = layout.marker();
+  marker.shapes[0].rotations = {{0}, {180}};
+  expect_optimum(marker, 10'000);
+  for (Piece& piece : marker.pieces) piece.rules.nap = marker::Nap::kUp;
+  expect_optimum(marker, 20'000);
+}
+
 // Four squares, and a zone as large as one of them in the lower left corner.
 Marker with_zone() {
   Marker marker = squares(5);

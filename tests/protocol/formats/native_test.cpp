@@ -189,6 +189,9 @@ TEST(Native, NamesTheRuleThatIsWrong) {
   EXPECT_EQ(field_of(R"({"from": 10, "to": 20})"), "/pieces/1/rules/to");
   EXPECT_EQ(field_of(R"({"fold": 1})"), "/pieces/1/rules/fold");
   EXPECT_EQ(field_of(R"({"match": [1]})"), "/pieces/1/rules/match");
+  EXPECT_EQ(field_of(R"({"nap": "left"})"), "/pieces/1/rules/nap");
+  EXPECT_EQ(field_of(R"({"nap": "down"})"), "/pieces/1/rules/nap");
+  EXPECT_EQ(field_of(R"({"nap": "up"})"), "");
   EXPECT_EQ(field_of(R"({"zone": 1})"), "/pieces/1/rules/zone");
   EXPECT_EQ(field_of(R"({"zone": true, "to": 90})"), "/pieces/1/rules/zone");
   EXPECT_EQ(field_of(R"([])"), "/pieces/1/rules");

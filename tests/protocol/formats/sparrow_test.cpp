@@ -166,7 +166,7 @@ TEST(Sparrow, CarriesIdsLocksAndSpacingOfANativeMarker) {
   native["overlap"] = 0.75;
   native["pieces"][1]["locked"] = true;
   native["pieces"][0].update(json(R"({"locked": ["y"], "group": "g", "buffer": 0.5, "overlap": 0.25,
-      "rules": {"above": 0.5, "from": 0, "match": [1, 2], "shade": "A"}})"));
+      "rules": {"above": 0.5, "from": 0, "match": [1, 2], "nap": "up", "shade": "A"}})"));
   native["strip"]["below"] = 0;
   native["strip"]["repeat"] = json(R"({"along": 1, "across": 0.5})");
   native["shade"] = 500;

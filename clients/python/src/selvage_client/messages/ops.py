@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from .choices import NapDirection
 from .results import Point
 from .words import named
 
@@ -76,11 +77,12 @@ def rules(
     fold: bool | None = None,
     match: Point | None = None,
     shade: str | None = None,
+    nap: NapDirection | None = None,
     zone: bool | None = None,
 ) -> Op:
     """All rules of the piece: those left out do not hold.  `start` and `end` are the wire's `from` and `to`."""
     point = None if match is None else list(match)
-    given = named(below=below, above=above, to=end, fold=fold, match=point, shade=shade, zone=zone)
+    given = named(below=below, above=above, to=end, fold=fold, match=point, shade=shade, nap=nap, zone=zone)
     return named(op="rules", piece=piece, rules=given if start is None else given | {"from": start})
 
 
