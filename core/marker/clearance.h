@@ -1,6 +1,7 @@
 // The proof of every answer: pieces may touch, but they never overlap by more than their allowance, never come closer
 // than their spacing, never leave the strip or enter its margins, and keep cloth's rules (rules.h), its zones among
-// them.  Decided in integers, and only here: whoever moves pieces asks one of these functions before the answer is given.
+// them.  Decided in integers, and only here: whoever moves pieces asks one of these functions before the answer is
+// given.
 //
 // Pairs of pieces are found by a sweep over their boxes (placed_pieces.h); a single piece is compared with the boxes of
 // all others.

@@ -292,8 +292,8 @@ Vec turned_match(const Piece& piece) {
 }
 
 std::size_t piece_count(const Marker& marker) {
-  return static_cast<std::size_t>(std::count_if(marker.pieces.begin(), marker.pieces.end(),
-                                                [](const Piece& piece) { return !piece.rules.zone; }));
+  return static_cast<std::size_t>(
+      std::count_if(marker.pieces.begin(), marker.pieces.end(), [](const Piece& piece) { return !piece.rules.zone; }));
 }
 
 Coord length_of(const Marker& marker) {

@@ -2,8 +2,8 @@
 // because of them is said here, and nowhere else: its room, which is the strip's unless it has rules of its own, and
 // the pieces that have to lie near it along x.  Units: lattice units.
 // A zone, a part of the cloth that no piece may cover, is listed among the pieces and handled as a locked one.  It
-// differs from it in four ways: it may lie anywhere, also beyond the strip; it keeps no distance from pieces, and allows
-// no overlap; zones may overlap each other; and it counts neither as a piece nor in length and utilisation.
+// differs from it in four ways: it may lie anywhere, also beyond the strip; it keeps no distance from pieces, and
+// allows no overlap; zones may overlap each other; and it counts neither as a piece nor in length and utilisation.
 #pragma once
 
 #include <cstdint>
@@ -46,8 +46,8 @@ struct Rules {
   friend bool operator==(const Rules&, const Rules&) = default;
 };
 
-// True when a piece in this orientation lies as its rules ask: turned by less than a quarter from `up` or `down`.  Tilts,
-// which are small, make no difference.
+// True when a piece in this orientation lies as its rules ask: turned by less than a quarter from `up` or `down`.
+// Tilts, which are small, make no difference.
 [[nodiscard]] bool keeps_nap(const Rules& rules, const Orientation& orientation);
 
 // The room of a piece: the box in which its own box may lie when the strip ends at x = `end`.  `height`: of the piece's

@@ -72,9 +72,8 @@ class Packer {
       // Of an incomplete set, pieces are missing that can move.
       if (bodies.complete && !moves[piece]) fixed_end = std::max(fixed_end, pieces.end_of(piece));
     }
-    const bool ruled = std::ranges::any_of(start_.pieces, [](const Piece& one) {
-      return one.rules.own_room() && !one.rules.zone;
-    });
+    const bool ruled =
+        std::ranges::any_of(start_.pieces, [](const Piece& one) { return one.rules.own_room() && !one.rules.zone; });
     const Box room = start_.strip.room(0);
     const Coord across = ruled ? start_.strip.width : room.height();
     const double by_area = static_cast<double>(room.low.x) + area / static_cast<double>(across);

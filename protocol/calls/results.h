@@ -126,7 +126,8 @@ struct StageTimes {
   double decomposition{}, sums{}, rows{}, solve{}, verify{}, total{};
 
   static void describe(auto& v, auto& self) {
-    v.required("decomposition", self.decomposition, "Splitting outlines that are not known yet into star-shaped parts.");
+    v.required("decomposition", self.decomposition,
+               "Splitting outlines that are not known yet into star-shaped parts.");
     v.required("sums", self.sums, "Computing Minkowski sums.");
     v.required("rows", self.rows, "Building linear programs.");
     v.required("solve", self.solve, "Solving them.");

@@ -140,8 +140,8 @@ std::string draw_pieces(const Marker& marker, const SvgOptions& options, const P
     const Box box = box_of(pieces.outlines[i]);
     if (static_cast<double>(box.high.x) < view.from() || static_cast<double>(box.low.x) > view.to()) continue;
     const std::string kind = piece.rules.zone ? "zone" : piece.locked ? "piece locked" : "piece";
-    out += "<path class=\"" + kind + "\" fill=\"" + pieces.colours[piece.shape.value] + "\" d=\"" + outline_path(pieces.outlines[i], view) + "\"><title>" +
-           escaped(piece.id) + "</title></path>\n";
+    out += "<path class=\"" + kind + "\" fill=\"" + pieces.colours[piece.shape.value] + "\" d=\"" +
+           outline_path(pieces.outlines[i], view) + "\"><title>" + escaped(piece.id) + "</title></path>\n";
     if (piece.shape.value < options.annotations.size()) {
       out += annotations(options.annotations[piece.shape.value], marker, piece, pieces.outlines[i], view);
     }

@@ -101,7 +101,8 @@ std::string rules(const Marker& marker, const View& view) {
   out += bands(marker, view);
   if (strip.repeat.any()) out += pattern(marker, view);
   if (marker.shade) out += shades(marker, view);
-  const bool zones = std::any_of(marker.pieces.begin(), marker.pieces.end(), [](const Piece& p) { return p.rules.zone; });
+  const bool zones =
+      std::any_of(marker.pieces.begin(), marker.pieces.end(), [](const Piece& p) { return p.rules.zone; });
   return out.empty() && !zones ? out : "<g>\n" + std::string{kRuleStyle} + out + "</g>\n";
 }
 

@@ -36,7 +36,8 @@ template <>
 struct Choices<marker::Nap> {
   static constexpr std::string_view kName = "NapDirection";
   static constexpr std::string_view kMeaning =
-      "The way in which a piece lies on cloth with a nap: the x axis of its shape points to larger x (up) or to smaller "
+      "The way in which a piece lies on cloth with a nap: the x axis of its shape points to larger x (up) or to "
+      "smaller "
       "x (down).";
   static constexpr std::string_view kWords[] = {"up", "down"};
 };

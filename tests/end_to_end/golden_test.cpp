@@ -134,8 +134,8 @@ std::string name_of(const ::testing::TestParamInfo<GoldenExchanges::ParamType>& 
 INSTANTIATE_TEST_SUITE_P(All, GoldenExchanges,
                          ::testing::Combine(::testing::Values("life_of_a_marker", "mistakes", "motions", "changes",
                                                               "dragging", "places_and_tilts", "nesting", "planning",
-                                                              "remaking", "allowances", "cloth_rules",
-                                                              "cloth_repeat", "cloth_zones"),
+                                                              "remaking", "allowances", "cloth_rules", "cloth_repeat",
+                                                              "cloth_zones"),
                                             ::testing::Values("http", "lines", "websocket")),
                          name_of);
 // Over HTTP there are no notifications.

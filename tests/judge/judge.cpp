@@ -232,7 +232,8 @@ std::string Judge::fault_of(const Marker& marker) {
     if (const auto fault = match_fault(piece, marker.strip.repeat); !fault.empty()) return about(piece, fault);
     if (piece.rules.nap) {
       const double ahead = std::cos(piece.orientation.rotation.degrees * std::numbers::pi / 180);
-      if (*piece.rules.nap == marker::Nap::kUp ? ahead < 1e-12 : ahead > -1e-12) return about(piece, "lies against its nap");
+      if (*piece.rules.nap == marker::Nap::kUp ? ahead < 1e-12 : ahead > -1e-12)
+        return about(piece, "lies against its nap");
     }
   }
   if (const auto fault = shade_fault(marker, boxes); !fault.empty()) return fault;
@@ -243,8 +244,7 @@ std::string Judge::fault_of(const Marker& marker) {
       if (p.rules.zone && q.rules.zone) continue;
       const bool zone = p.rules.zone || q.rules.zone;
       const Coord spacing = zone ? 0 : std::max(marker.spacing, p.buffer + q.buffer);
-      const Coord allowed =
-          zone ? 0 : std::min(p.overlap.value_or(marker.overlap), q.overlap.value_or(marker.overlap));
+      const Coord allowed = zone ? 0 : std::min(p.overlap.value_or(marker.overlap), q.overlap.value_or(marker.overlap));
       if (!boxes[i].grown(spacing).touches(boxes[j])) continue;
       // Coordinates relative to the first piece are small.
       const Polygon& first = cut_of(marker, p).outline;

@@ -16,7 +16,8 @@ namespace selvage::test {
 [[nodiscard]] Marker random_marker_with_allowances(Random& random);
 
 // A marker like that with cloth's rules: selvedges of the strip, and pieces with selvedges of their own, in bands, on
-// the fold, of shades, with a nap, and matched to the cloth's pattern; and zones of the cloth, also over each other and beyond it.
+// the fold, of shades, with a nap, and matched to the cloth's pattern; and zones of the cloth, also over each other and
+// beyond it.
 [[nodiscard]] Marker random_marker_with_rules(Random& random);
 
 // The same marker with every unlocked piece moved by up to `part` of the strip's width, so that pieces may overlap.

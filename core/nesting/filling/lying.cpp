@@ -19,7 +19,8 @@ Marker with_lying_pieces(const Marker& all, const std::vector<bool>& lies) {
 std::vector<bool> pieces_before(const Marker& marker, Coord last) {
   std::vector<bool> lies(marker.pieces.size());
   for (std::size_t i = 0; i < lies.size(); ++i) {
-    lies[i] = marker.pieces[i].rules.zone || box_of(placed_outline(marker, PieceId{static_cast<std::uint32_t>(i)})).high.x <= last;
+    lies[i] = marker.pieces[i].rules.zone ||
+              box_of(placed_outline(marker, PieceId{static_cast<std::uint32_t>(i)})).high.x <= last;
   }
   return lies;
 }

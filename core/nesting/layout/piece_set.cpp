@@ -66,8 +66,8 @@ class Builder {
 
  private:
   using Limit = std::optional<Coord>;
-  using RulesKey = std::tuple<Limit, Limit, Limit, Limit, bool, std::optional<Vec>, std::string,
-                              std::optional<marker::Nap>, bool>;
+  using RulesKey =
+      std::tuple<Limit, Limit, Limit, Limit, bool, std::optional<Vec>, std::string, std::optional<marker::Nap>, bool>;
   using KindKey = std::tuple<ShapeId, Coord, Coord, std::optional<Orientation>, RulesKey>;
   using OutlineKey = std::tuple<ShapeId, Coord, Coord, Angle, bool>;
 
