@@ -297,7 +297,7 @@ class DxfWriter {
       attribute(at, "MATCH_Y", json::number_text(decimal(piece.rules.match->y)));
     }
     if (!piece.rules.shade.empty()) attribute(at, "SHADE", piece.rules.shade);
-    if (piece.rules.nap) attribute(at, "NAP", std::string{schema::word_of(*piece.rules.nap)});
+    if (piece.rules.nap) attribute(at, "NAP", *piece.rules.nap == marker::Nap::kUp ? "up" : "down");
     const Locks locks = piece.locked;
     const std::string locked = std::string{locks.x ? "x" : ""} + (locks.y ? "y" : "") + (locks.tilt ? "t" : "");
     if (!locked.empty()) attribute(at, "LOCKED", locked);

@@ -260,7 +260,7 @@ TEST(Rooms, APieceLiesWithItsNap) {
 
 // A square, a zone that it touches, and a zone over the latter that reaches beyond the strip.
 Marker with_zones() {
-  Marker marker = squares({{20, 0}, {30, 5}, {35, -5}});
+  Marker marker = squares({{20, 0}, {30, 5}, {35, -4}});
   marker.pieces[1].rules.zone = marker.pieces[2].rules.zone = true;
   return *make_marker(std::move(marker));
 }
@@ -337,7 +337,7 @@ TEST(Zones, HaveNothingElseThatPiecesHave) {
 
 TEST(Zones, MayBeWiderThanTheStrip) {
   Marker marker = squares({{20, 0}, {50, -30}});
-  marker.shapes.push_back({.id = "end", .outline = {{0, 0}, {10, 0}, {10, 160}, {0, 160}}});
+  marker.shapes.push_back({.id = "end", .outline = {{0, 0}, {10, 0}, {10, 160}, {0, 160}}, .tilt_limit = {}});
   marker.pieces[1].shape = ShapeId{1};
   EXPECT_EQ(blamed(marker), "/pieces/1");
   marker.pieces[1].rules.zone = true;

@@ -277,9 +277,9 @@ TEST(Rules, RepairPutsAPieceBackOnItsStripe) {
   EXPECT_EQ(tight.pieces[1].at.x % 70'000, 0);
 }
 
-// A square behind a flaw as wide as itself, on a strip no wider than the square.
+// Two squares, and between them a flaw with too little room before it for the second.
 Marker flawed(Coord width) {
-  Marker marker = squares({{50'000, 0}, {400'000, 0}, {200'000, 0}});
+  Marker marker = squares({{50'000, 0}, {400'000, 0}, {150'000, 0}});
   marker.strip.width = width;
   marker.pieces[2].rules.zone = true;
   return *make_marker(std::move(marker));
@@ -288,9 +288,9 @@ Marker flawed(Coord width) {
 TEST(Rules, CompactionStopsAtAZoneAndSaysWhatItCosts) {
   const Marker tight = compacted(flawed(kSide));
   EXPECT_EQ(tight.pieces[0].at.x, 0);
-  EXPECT_EQ(tight.pieces[1].at.x, 300'000);
-  EXPECT_EQ(tight.pieces[2].at.x, 200'000);
-  EXPECT_EQ(length_of(tight), 400'000);
+  EXPECT_EQ(tight.pieces[1].at.x, 250'000);
+  EXPECT_EQ(tight.pieces[2].at.x, 150'000);
+  EXPECT_EQ(length_of(tight), 350'000);
   const auto path = held(tight);
   ASSERT_EQ(path.locks.size(), 1U);
   EXPECT_EQ(path.locks[0].piece, PieceId{2});
@@ -308,29 +308,29 @@ TEST(Rules, AZoneBehindTheMarkerHoldsNothing) {
 TEST(Rules, ASpacingDoesNotHoldPiecesOffAZone) {
   Marker marker = flawed(kSide);
   marker.spacing = 10'000;
-  EXPECT_EQ(compacted(marker).pieces[1].at.x, 300'000);
+  EXPECT_EQ(compacted(marker).pieces[1].at.x, 250'000);
 }
 
 TEST(Rules, DragsAndPlacingGoAroundZones) {
   const Marker marker = flawed(10 * kSide);
   SumCache sums;
   for (const auto mode : {dragging::DragMode::kPlace, dragging::DragMode::kPush}) {
-    const auto dragged = dragging::drag(marker, PieceId{1}, {230'000, 20'000}, mode, {sums}).marker;
+    const auto dragged = dragging::drag(marker, PieceId{1}, {180'000, 20'000}, mode, {sums}).marker;
     EXPECT_TRUE(is_valid(dragged));
     EXPECT_EQ(dragged.pieces[2].at, marker.pieces[2].at);
   }
-  const auto placed = placing::repair_and_place(marker, PieceId{1}, {260'000, 50'000}, {}, {sums});
+  const auto placed = placing::repair_and_place(marker, PieceId{1}, {210'000, 50'000}, {}, {sums});
   ASSERT_TRUE(placed && placed->place);
-  EXPECT_EQ(placed->place->at.x, 300'000);
+  EXPECT_EQ(placed->place->at.x, 250'000);
   const auto bumped = piece::repair_and_bump(marker, PieceId{1}, -1, 0, {sums});
   ASSERT_TRUE(bumped);
-  EXPECT_EQ(bumped->marker.pieces[1].at.x, 300'000);
+  EXPECT_EQ(bumped->marker.pieces[1].at.x, 250'000);
 }
 
 TEST(Rules, SeparationMovesPiecesOffAZone) {
   Marker marker = flawed(10 * kSide);
-  marker.pieces[0].at = {160'000, 10'000};
-  marker.pieces[1].at = {220'000, 30'000};
+  marker.pieces[0].at = {110'000, 10'000};
+  marker.pieces[1].at = {170'000, 30'000};
   ASSERT_FALSE(is_valid(marker));
   SumCache sums;
   const auto done = separation::separate(marker, {.rounds = 60, .grow = 1}, {sums});
@@ -342,7 +342,7 @@ TEST(Rules, SeparationMovesPiecesOffAZone) {
 
 TEST(Rules, RepairMovesAPieceOffAZone) {
   Marker marker = flawed(10 * kSide);
-  marker.pieces[1].at.x = 299'980;
+  marker.pieces[1].at.x = 249'980;
   EXPECT_FALSE(is_valid(marker));
   EXPECT_TRUE(is_valid(compacted(marker)));
 }
