@@ -19,7 +19,7 @@ std::optional<Error> defect_of(const Marker& order) {
   };
   for (std::size_t i = 0; i < order.pieces.size(); ++i) {
     const Piece& piece = order.pieces[i];
-    if (piece.locked.x || piece.locked.y || piece.locked.tilt || !piece.group.empty())
+    if (piece.rules.zone || piece.locked.x || piece.locked.y || piece.locked.tilt || !piece.group.empty())
       return refused(piece, "/pieces/", i);
   }
   for (std::size_t i = 0; i < order.unplaced.size(); ++i) {

@@ -101,8 +101,9 @@ Result<Answer> compacting_windows(const Marker& start, const Occasion& on) {
   return answer(compact_exactly(start, settings, on.run), {.turns = true, .flips = true});
 }
 
-// Pieces of an order are free: remaking refuses those that are locked or in a group.
+// Pieces of an order are free: remaking refuses those that are locked or in a group, and zones.
 Marker freed(Marker marker) {
+  std::erase_if(marker.pieces, [](const Piece& piece) { return piece.rules.zone; });
   for (Piece& piece : marker.pieces) {
     piece.locked = {};
     piece.group.clear();

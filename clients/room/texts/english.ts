@@ -174,7 +174,7 @@ export const english = {
   ruleShade: "Shade",
   ruleNapUp: "Nap: up",
   ruleNapDown: "Nap: down",
-  ruleZone: "No piece: part of the cloth that none may cover",
+  ruleZone: "Zone that no piece may cover",
   ruleMatch: "Matched to the pattern",
   ruleOther: "Rule",
   bestTilts: "Tilts that would shorten",

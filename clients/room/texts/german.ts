@@ -170,7 +170,7 @@ export const german: Texts = {
   ruleShade: "Farbverlauf",
   ruleNapUp: "Strich: mit",
   ruleNapDown: "Strich: gegen",
-  ruleZone: "Kein Teil: Stelle des Stoffs, die frei bleibt",
+  ruleZone: "Stelle, die frei bleibt",
   ruleMatch: "Rapport des Musters",
   ruleOther: "Regel",
   bestTilts: "Neigungen, die verkürzen würden",

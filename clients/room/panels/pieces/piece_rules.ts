@@ -12,6 +12,7 @@ import { disclosure } from "./disclosure";
 import { pointRow } from "./point_row";
 
 const LENGTHS = { below: "ruleBelow", above: "ruleAbove", from: "ruleFrom", to: "ruleTo" } as const;
+const NAPS = { up: "ruleNapUp", down: "ruleNapDown" } as const;
 type LengthRule = keyof typeof LENGTHS;
 
 /** Where on the cloth the selected pieces may lie: fields for their rules, which show those of the first. */
@@ -24,6 +25,8 @@ export function buildPieceRules(desk: Desk, scene: Scene, commands: Commands): H
   };
   const fold = box("rule-fold", (on) => set({ fold: on || undefined }));
   const shade: HTMLInputElement = h("input", { type: "text", size: 10, maxlength: 60, id: "rule-shade", onchange: () => set({ shade: shade.value.trim() || undefined }) });
+  const naps = (["up", "down"] as const).map((way) => ({ way, check: box(`rule-nap-${way}`, (on) => set({ nap: on ? way : undefined })) }));
+  const zone = box("rule-zone", (on) => set({ zone: on || undefined }));
   // A piece is matched where it lies: with the point of it that lies on the pattern now.
   const matched = box("rule-match", (on) => void commands.rules((piece) => ({ match: on ? matchAsItLies(desk.marker.value!, piece) : undefined })));
   const point = pointRow("rule-point", "matchPoint", (change) => void commands.rules(({ rules: { match = [0, 0] } }) => ({ match: change(match) })));
@@ -35,6 +38,8 @@ export function buildPieceRules(desk: Desk, scene: Scene, commands: Commands): H
     row("ruleShade", shade),
     row("ruleMatch", matched),
     point.row,
+    ...naps.map(({ way, check }) => row(NAPS[way], check)),
+    row("ruleZone", zone),
   );
   follow([scene.selection, desk.marker, desk.figures, wording], () => {
     const [first] = scene.selected();
@@ -50,16 +55,20 @@ export function buildPieceRules(desk: Desk, scene: Scene, commands: Commands): H
     matched.checked = rules.match !== undefined;
     matched.disabled = !repeat && !rules.match;
     point.show(rules.match);
+    for (const { way, check } of naps) check.checked = rules.nap === way;
+    zone.checked = rules.zone ?? false;
   });
   return element;
 }
 
 /** In words, where the piece may lie. */
-function rulesOf({ rules: { below, above, from, to, fold, shade, match } }: Piece): string {
+function rulesOf({ rules: { below, above, from, to, fold, shade, match, nap, zone } }: Piece): string {
   const lengths = { ruleBelow: below, ruleAbove: above, ruleFrom: from, ruleTo: to };
   const words = Object.entries(lengths).flatMap(([name, length]) => (length === undefined ? [] : [`${say(name as TextName)} ${lengthText(length)}`]));
   if (fold) words.push(say("ruleFold"));
   if (shade) words.push(`${say("ruleShade")} ${shade}`);
   if (match) words.push(say("ruleMatch"));
+  if (nap) words.push(say(NAPS[nap]));
+  if (zone) words.push(say("ruleZone"));
   return words.join(" · ");
 }
