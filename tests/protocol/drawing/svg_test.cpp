@@ -70,7 +70,7 @@ TEST(Svg, DrawsClothsRules) {
 TEST(Svg, DrawsZonesApartFromPieces) {
   Json document = test::native_squares();
   EXPECT_EQ(count(to_svg(test::read(document).marker), "zone"), 0u);
-  document["pieces"][1]["rules"] = test::json(R"({"zone": true})");
+  document["pieces"][0]["rules"] = test::json(R"({"zone": true})");
   const std::string svg = to_svg(test::read(document).marker);
   EXPECT_EQ(count(svg, "<path class=\"zone\""), 1u);
   EXPECT_EQ(count(svg, "<path class=\"piece\""), 1u);
