@@ -65,6 +65,10 @@ export type RulesDocument = {
   match?: Point;
   /** The name of its shade. */
   shade?: string;
+  /** The way in which it lies on cloth with a nap: the x axis of its shape points to larger x (up) or to smaller x (down). */
+  nap?: "up" | "down";
+  /** It is no piece of a garment but a part of the cloth that no piece may cover, such as a flaw, a hole or a splice. */
+  zone?: boolean;
 };
 
 /** The pattern of the cloth: stripes repeat on one axis, a plaid on both. */

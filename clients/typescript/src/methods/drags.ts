@@ -83,7 +83,7 @@ export interface DragMethods {
       whole?: boolean;
       /** The marker's name. */
       name: string;
-      /** Number of pieces. */
+      /** Number of pieces; zones are none. */
       pieces: number;
       /** The x coordinate where the rightmost piece ends; exact. */
       length: number;

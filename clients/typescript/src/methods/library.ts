@@ -12,7 +12,7 @@ export type LibraryEntry = {
   style: string;
   /** Of all its lengths. */
   unit: string;
-  /** Number of pieces. */
+  /** Number of pieces; zones are none. */
   pieces: number;
   /** Of the strip. */
   width: number;
@@ -34,7 +34,7 @@ export type LibraryNear = {
   style: string;
   /** Of all its lengths. */
   unit: string;
-  /** Number of pieces. */
+  /** Number of pieces; zones are none. */
   pieces: number;
   /** Of the strip. */
   width: number;
@@ -66,7 +66,7 @@ export interface LibraryMethods {
       style: string;
       /** Of all its lengths. */
       unit: string;
-      /** Number of pieces. */
+      /** Number of pieces; zones are none. */
       pieces: number;
       /** Of the strip. */
       width: number;
@@ -95,7 +95,7 @@ export interface LibraryMethods {
       style: string;
       /** Of all its lengths. */
       unit: string;
-      /** Number of pieces. */
+      /** Number of pieces; zones are none. */
       pieces: number;
       /** Of the strip. */
       width: number;

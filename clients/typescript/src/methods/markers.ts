@@ -55,7 +55,7 @@ export interface MarkerMethods {
       markerId: string;
       /** The marker's revision. */
       revision: number;
-      /** Number of pieces. */
+      /** Number of pieces; zones are none. */
       pieces: number;
       /** Number of pieces that do not lie on the cloth; absent: none. */
       unplaced?: number;
@@ -109,7 +109,7 @@ export interface MarkerMethods {
       whole?: boolean;
       /** The marker's name. */
       name: string;
-      /** Number of pieces. */
+      /** Number of pieces; zones are none. */
       pieces: number;
       /** The x coordinate where the rightmost piece ends; exact. */
       length: number;
@@ -144,7 +144,7 @@ export interface MarkerMethods {
       whole?: boolean;
       /** The marker's name. */
       name: string;
-      /** Number of pieces. */
+      /** Number of pieces; zones are none. */
       pieces: number;
       /** The x coordinate where the rightmost piece ends; exact. */
       length: number;
@@ -177,7 +177,7 @@ export interface MarkerMethods {
       whole?: boolean;
       /** The marker's name. */
       name: string;
-      /** Number of pieces. */
+      /** Number of pieces; zones are none. */
       pieces: number;
       /** The x coordinate where the rightmost piece ends; exact. */
       length: number;

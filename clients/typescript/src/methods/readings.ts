@@ -14,7 +14,7 @@ export type ListedMarker = {
   revision: number;
   /** The marker's name. */
   name: string;
-  /** Number of pieces. */
+  /** Number of pieces; zones are none. */
   pieces: number;
   /** Number of pieces that do not lie on the cloth; absent: none. */
   unplaced?: number;

@@ -43,6 +43,9 @@ export type LockedPart = "x" | "y" | "tilt";
 /** True: the whole piece is locked; false: nothing; or a list of what is locked. */
 export type Locks = boolean | Array<LockedPart>;
 
+/** The way in which a piece lies on cloth with a nap: the x axis of its shape points to larger x (up) or to smaller x (down). */
+export type NapDirection = "up" | "down";
+
 /** Two pieces that overlap or are too close. */
 export type Overlap = {
   /** The piece's id. */
@@ -71,6 +74,10 @@ export type PieceRules = {
   match?: Point;
   /** The name of its shade: the pieces of a shade lie near each other along the strip. */
   shade?: string;
+  /** The way in which it lies on cloth with a nap; absent: any that its shape allows. */
+  nap?: NapDirection;
+  /** Whether it is no piece of a garment but a part of the cloth that no piece may cover, such as a flaw. */
+  zone?: boolean;
 };
 
 /** A piece with its placement and its locks. */
@@ -187,7 +194,7 @@ export type MotionResult = {
   revision: number;
   /** The marker's name. */
   name: string;
-  /** Number of pieces. */
+  /** Number of pieces; zones are none. */
   pieces: number;
   /** The marker's length before the motion; exact. */
   lengthBefore: number;

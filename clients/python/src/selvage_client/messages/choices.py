@@ -37,6 +37,9 @@ LockedPart = Literal["x", "y", "tilt"]
 Nap = Literal["one_way", "either_way"]
 """Whether pieces may also lie turned by 180 degrees."""
 
+NapDirection = Literal["up", "down"]
+"""The way in which a piece lies on cloth with a nap: the x axis of its shape points to larger x (up) or to smaller x (down)."""
+
 RemakeOutcome = Literal["remade", "nested", "none_near", "not_apart"]
 """What became of an order: remade like a stored marker; nested from nothing, where asked; none_near: no stored marker is near enough; not_apart: the pieces of no attempt came apart, or the cloth ends before them."""
 
