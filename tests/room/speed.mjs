@@ -1,5 +1,5 @@
-// The page's speed, measured by the page: speed.mjs [FILE]; ONLY names the marker by how its name begins, DRAGS how many drags the memory is
-// watched over. The figures are printed beside their goals; whether a run counts, because its cores were quiet, is for who reads them.
+// The page's speed, measured by the page: speed.mjs [FILE]; ONLY names the marker by how its name begins, MOVES how many moves a drag has, DRAGS
+// how many drags the memory is watched over. The figures are printed beside their goals; whether a run counts, because its cores were quiet, is for who reads them.
 import { writeFileSync } from "node:fs";
 import { Browser } from "./browser.mjs";
 import { call, example, revision, spot, squares, startDaemon, visit } from "./visit.mjs";
@@ -42,7 +42,7 @@ async function onMarker(browser, marker, piece, zoom) {
   await whole(page);
   for (let k = 0; k < zoom; ++k) await page.wheel(...(await spot(page, piece)), -200);
   await new Promise((resolve) => setTimeout(resolve, 300));
-  const dragged = await dragAround(page, piece, 180);
+  const dragged = await dragAround(page, piece, Number(process.env.MOVES ?? 180));
   const panned = await pan(page);
   await whole(page);
   const pannedWhole = await pan(page);
