@@ -143,8 +143,8 @@ Result<std::vector<Marker>> stored_for(const RemakeParams& params, const Marker&
   return stored;
 }
 
-Result<calls::Motion<RemakeResult>> run(const RemakeParams& params, const Marker& order,
-                                        const calls::MethodContext& context) {
+Result<calls::Motion<RemakeResult>> run_remake(const RemakeParams& params, const Marker& order,
+                                               const calls::MethodContext& context) {
   remake::RemakeSettings settings;
   settings.tries = params.tries;
   settings.concatenate = !params.single;
@@ -169,7 +169,8 @@ Result<calls::Motion<RemakeResult>> run(const RemakeParams& params, const Marker
 
 calls::Method remake_method() {
   return calls::motion_method("marker.remake", calls::MethodKind::kMotion,
-                              "Lays the pieces of an order out like those of the most similar stored markers.", run);
+                              "Lays the pieces of an order out like those of the most similar stored markers.",
+                              run_remake);
 }
 
 }  // namespace selvage::protocol::methods::library

@@ -32,8 +32,8 @@ search::RefineSettings search_settings(const calls::CommonParams& call) {
   return settings;
 }
 
-Result<calls::Motion<calls::RoundsResult>> run(const CompactParams& params, const Marker& start,
-                                               const calls::MethodContext& context) {
+Result<calls::Motion<calls::RoundsResult>> run_compact(const CompactParams& params, const Marker& start,
+                                                       const calls::MethodContext& context) {
   // A limit on the rounds or a simplification asks for a compaction alone.
   const calls::Effort& effort = params.effort;
   const bool search =
@@ -49,7 +49,7 @@ Result<calls::Motion<calls::RoundsResult>> run(const CompactParams& params, cons
 
 calls::Method compact_method() {
   return calls::motion_method("motion.compact", calls::MethodKind::kMotion,
-                              "Shortens the marker, moving all pieces at once.", run);
+                              "Shortens the marker, moving all pieces at once.", run_compact);
 }
 
 }  // namespace selvage::protocol::methods::motions

@@ -111,8 +111,8 @@ std::vector<CriticalSet> critical_of(const Marker& marker, const std::vector<mot
   return list;
 }
 
-Result<calls::Motion<FloatResult>> run(const FloatParams& params, const Marker& start,
-                                       const calls::MethodContext& context) {
+Result<calls::Motion<FloatResult>> run_float(const FloatParams& params, const Marker& start,
+                                             const calls::MethodContext& context) {
   const double wanted = params.distance.value_or(kStandardGap * to_decimal(start.strip.width, start.resolution));
   if (!fits_lattice(wanted, start.resolution)) {
     return Error{ErrorCode::kOutOfRange, json::number_text(wanted) + " is beyond the marker's lattice", "/distance"};
@@ -136,7 +136,7 @@ Result<calls::Motion<FloatResult>> run(const FloatParams& params, const Marker& 
 
 calls::Method float_method() {
   return calls::motion_method("motion.float", calls::MethodKind::kMotion,
-                              "Distributes free space among the gaps between pieces.", run);
+                              "Distributes free space among the gaps between pieces.", run_float);
 }
 
 }  // namespace selvage::protocol::methods::motions

@@ -16,8 +16,8 @@ struct GravityParams {
   }
 };
 
-Result<calls::Motion<PushResult>> run(const GravityParams& params, const Marker& start,
-                                      const calls::MethodContext& context) {
+Result<calls::Motion<PushResult>> run_gravity(const GravityParams& params, const Marker& start,
+                                              const calls::MethodContext& context) {
   return follow_forces(motion::compaction::gravity(start, params.force.x, params.force.y), params.effort, start,
                        context);
 }
@@ -26,7 +26,7 @@ Result<calls::Motion<PushResult>> run(const GravityParams& params, const Marker&
 
 calls::Method gravity_method() {
   return calls::motion_method("motion.gravity", calls::MethodKind::kMotion,
-                              "Moves all pieces along one force, at fixed length.", run);
+                              "Moves all pieces along one force, at fixed length.", run_gravity);
 }
 
 }  // namespace selvage::protocol::methods::motions

@@ -64,8 +64,8 @@ Result<nesting::NestSettings> settings_of(const NestParams& params, const Marker
   return settings;
 }
 
-Result<calls::Motion<NestResult>> run(const NestParams& params, const Marker& start,
-                                      const calls::MethodContext& context) {
+Result<calls::Motion<NestResult>> run_nest(const NestParams& params, const Marker& start,
+                                           const calls::MethodContext& context) {
   if (params.keep_placed && params.from_scratch) {
     return Error{ErrorCode::kOutOfRange, "fromScratch is true, and keepPlaced, too; at most one of them may be true",
                  "/fromScratch"};
@@ -85,7 +85,7 @@ Result<calls::Motion<NestResult>> run(const NestParams& params, const Marker& st
 
 calls::Method nest_method() {
   return calls::motion_method("marker.nest", calls::MethodKind::kMotion,
-                              "Places all pieces, so that the marker is as short as the budget allows.", run);
+                              "Places all pieces, so that the marker is as short as the budget allows.", run_nest);
 }
 
 }  // namespace selvage::protocol::methods::motions

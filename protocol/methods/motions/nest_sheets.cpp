@@ -168,8 +168,8 @@ double utilisation_on(const nesting::sheets::Sheet& sheet, const Marker& marker)
   return area / area_of(sheet);
 }
 
-Result<NestSheetsResult> run(const NestSheetsParams& params, const MarkerFile& file,
-                             const calls::MethodContext& context) {
+Result<NestSheetsResult> run_nest_sheets(const NestSheetsParams& params, const MarkerFile& file,
+                                         const calls::MethodContext& context) {
   std::vector<nesting::sheets::Sheet> sheets;
   for (const SheetParams& given : params.sheets) {
     auto sheet = sheet_of(given, file.marker.resolution, "/sheets/" + std::to_string(sheets.size()));
@@ -211,7 +211,7 @@ calls::Method nest_sheets_method() {
   return readings::reading_method("marker.nestSheets", calls::MethodKind::kSearch,
                                   "Nests all pieces on as few of the given sheets as it finds; the marker itself stays "
                                   "as it is.",
-                                  run);
+                                  run_nest_sheets);
 }
 
 }  // namespace selvage::protocol::methods::motions

@@ -59,8 +59,8 @@ Result<motion::compaction::GapChoice> choice_of(const OpenGapParams& params, Res
   return motion::compaction::GapChoice{motion::compaction::AwayFromPoint{*point}};
 }
 
-Result<calls::Motion<OpenGapResult>> run(const OpenGapParams& params, const Marker& start,
-                                         const calls::MethodContext& context) {
+Result<calls::Motion<OpenGapResult>> run_open_gap(const OpenGapParams& params, const Marker& start,
+                                                  const calls::MethodContext& context) {
   const auto choice = choice_of(params, start.resolution);
   if (!choice) return choice.error();
   auto done = open_gap(start, *choice, settings_of(params.effort), settings_of(params.regions, start), context.run);
@@ -77,7 +77,7 @@ Result<calls::Motion<OpenGapResult>> run(const OpenGapParams& params, const Mark
 
 calls::Method open_gap_method() {
   return calls::motion_method("motion.openGap", calls::MethodKind::kMotion,
-                              "Moves pieces away from a point or an unoccupied region, at fixed length.", run);
+                              "Moves pieces away from a point or an unoccupied region, at fixed length.", run_open_gap);
 }
 
 }  // namespace selvage::protocol::methods::motions

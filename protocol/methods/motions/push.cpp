@@ -34,8 +34,8 @@ struct PushParams {
   }
 };
 
-Result<calls::Motion<PushResult>> run(const PushParams& params, const Marker& start,
-                                      const calls::MethodContext& context) {
+Result<calls::Motion<PushResult>> run_push(const PushParams& params, const Marker& start,
+                                           const calls::MethodContext& context) {
   std::vector<motion::compaction::Force> forces;
   for (std::size_t k = 0; k < params.forces.size(); ++k) {
     const auto& [id, force] = params.forces[k];
@@ -60,7 +60,7 @@ Result<calls::Motion<PushResult>> follow_forces(const std::vector<motion::compac
 
 calls::Method push_method() {
   return calls::motion_method("motion.push", calls::MethodKind::kMotion,
-                              "Moves pieces along given forces, at fixed length.", run);
+                              "Moves pieces along given forces, at fixed length.", run_push);
 }
 
 }  // namespace selvage::protocol::methods::motions

@@ -44,8 +44,8 @@ struct SeparateResult {
   }
 };
 
-Result<calls::Motion<SeparateResult>> run(const SeparateParams& params, const Marker& start,
-                                          const calls::MethodContext& context) {
+Result<calls::Motion<SeparateResult>> run_separate(const SeparateParams& params, const Marker& start,
+                                                   const calls::MethodContext& context) {
   auto done = separate(start, params.settings, context.run);
   if (!done) return done.error();
   SeparateResult result{.apart = done->apart,
@@ -62,7 +62,7 @@ Result<calls::Motion<SeparateResult>> run(const SeparateParams& params, const Ma
 
 calls::Method separate_method() {
   return calls::motion_method("motion.separate", calls::MethodKind::kMotion,
-                              "Separates overlapping pieces with little motion.", run);
+                              "Separates overlapping pieces with little motion.", run_separate);
 }
 
 }  // namespace selvage::protocol::methods::motions

@@ -52,8 +52,8 @@ motion::tilting::TiltSettings settings_of(const TiltParams& params) {
   return settings;
 }
 
-Result<calls::Motion<TiltResult>> run(const TiltParams& params, const Marker& start,
-                                      const calls::MethodContext& context) {
+Result<calls::Motion<TiltResult>> run_tilt(const TiltParams& params, const Marker& start,
+                                           const calls::MethodContext& context) {
   auto done = tilt(start, settings_of(params), context.run);
   if (!done) return done.error();
   const TiltResult result{
@@ -66,7 +66,8 @@ Result<calls::Motion<TiltResult>> run(const TiltParams& params, const Marker& st
 }  // namespace
 
 calls::Method tilt_method() {
-  return calls::motion_method("motion.tilt", calls::MethodKind::kMotion, "Shortens the marker with small tilts.", run);
+  return calls::motion_method("motion.tilt", calls::MethodKind::kMotion, "Shortens the marker with small tilts.",
+                              run_tilt);
 }
 
 }  // namespace selvage::protocol::methods::motions

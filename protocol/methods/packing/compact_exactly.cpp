@@ -55,8 +55,9 @@ Result<std::vector<PieceId>> placed_pieces(const Marker& marker, const std::vect
   return pieces;
 }
 
-Result<calls::Motion<ExactCompactionResult>> run(const ExactCompactionParams& params, const Marker& start,
-                                                 const calls::MethodContext& context) {
+Result<calls::Motion<ExactCompactionResult>> run_compact_exactly(const ExactCompactionParams& params,
+                                                                 const Marker& start,
+                                                                 const calls::MethodContext& context) {
   refitting::ExactCompactionSettings settings;
   settings.pieces = params.pieces;
   settings.nodes = params.nodes;
@@ -79,7 +80,7 @@ Result<calls::Motion<ExactCompactionResult>> run(const ExactCompactionParams& pa
 calls::Method compact_exactly_method() {
   return calls::motion_method("marker.compactExactly", calls::MethodKind::kMotion,
                               "Shortens the marker by placing the pieces of one stretch after another anew, exactly.",
-                              run);
+                              run_compact_exactly);
 }
 
 }  // namespace selvage::protocol::methods::packing

@@ -110,8 +110,8 @@ selvage::packing::RoomyContainment contained(const ContainParams& params, const 
   return done;
 }
 
-Result<calls::Motion<ContainResult>> run(const ContainParams& params, const Marker& start,
-                                         const calls::MethodContext& context) {
+Result<calls::Motion<ContainResult>> run_contain(const ContainParams& params, const Marker& start,
+                                                 const calls::MethodContext& context) {
   const auto pieces = chosen_pieces(start, params.pieces);
   if (!pieces) return pieces.error();
   if (const auto refusal = too_many(pieces->size(), "pieces", "/pieces")) return *refusal;
@@ -139,7 +139,7 @@ calls::Method contain_method() {
   return calls::motion_method("motion.contain", calls::MethodKind::kMotion,
                               "Places pieces, all at once, in the room that the others leave, or proves that they do "
                               "not fit.",
-                              run);
+                              run_contain);
 }
 
 }  // namespace selvage::protocol::methods::packing

@@ -8,7 +8,7 @@ namespace {
 
 namespace refitting = selvage::packing::refitting;
 
-constexpr double kMostTrials = 1e9, kMostPieces = 12, kMostSeed = 9007199254740991.0;
+constexpr double kMostTrials = 1e9, kMostTaken = 12, kMostSeed = 9007199254740991.0;
 
 struct FillParams {
   calls::CommonParams call;
@@ -25,7 +25,7 @@ struct FillParams {
         "How many times small pieces are taken out and put back; 200 when absent, without limit with a deadline.",
         {.range = {{0, kMostTrials}}});
     v.optional("pieces", self.pieces, "How many pieces are taken out at most in a trial, 1 to 12.",
-               {.range = {{1, kMostPieces}}});
+               {.range = {{1, kMostTaken}}});
     v.optional("nodes", self.nodes, "The largest number of nodes of every search for room.",
                {.range = {{1, kMostNodes}}});
     v.optional("seed", self.seed, "Of the random choices.", {.range = {{0, kMostSeed}}});
@@ -47,8 +47,8 @@ struct FillResult {
   }
 };
 
-Result<calls::Motion<FillResult>> run(const FillParams& params, const Marker& start,
-                                      const calls::MethodContext& context) {
+Result<calls::Motion<FillResult>> run_fill_gaps(const FillParams& params, const Marker& start,
+                                                const calls::MethodContext& context) {
   refitting::FillSettings settings;
   settings.trials = params.trials.value_or(params.call.deadline_ms ? UINT64_MAX : settings.trials);
   settings.pieces = params.pieces;
@@ -71,7 +71,7 @@ calls::Method fill_gaps_method() {
   return calls::motion_method("marker.fillGaps", calls::MethodKind::kMotion,
                               "Shortens the marker by taking small pieces out and putting them back where there is "
                               "room.",
-                              run);
+                              run_fill_gaps);
 }
 
 }  // namespace selvage::protocol::methods::packing

@@ -46,8 +46,8 @@ struct PackResult {
   }
 };
 
-Result<calls::Motion<PackResult>> run(const PackParams& params, const Marker& start,
-                                      const calls::MethodContext& context) {
+Result<calls::Motion<PackResult>> run_pack(const PackParams& params, const Marker& start,
+                                           const calls::MethodContext& context) {
   const auto fixed = [](const Piece& piece) { return piece.locked.x && piece.locked.y; };
   const auto locked = static_cast<std::size_t>(std::ranges::count_if(start.pieces, fixed));
   const std::size_t moving = start.pieces.size() - locked + start.unplaced.size();
@@ -72,7 +72,7 @@ Result<calls::Motion<PackResult>> run(const PackParams& params, const Marker& st
 calls::Method pack_method() {
   return calls::motion_method("motion.pack", calls::MethodKind::kMotion,
                               "Searches all layouts of the pieces for the shortest, and proves how short it can be.",
-                              run);
+                              run_pack);
 }
 
 }  // namespace selvage::protocol::methods::packing

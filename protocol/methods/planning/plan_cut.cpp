@@ -194,7 +194,8 @@ Error on_the_wire(Error error) {
   return error;
 }
 
-Result<PlanResult> run(const PlanParams& params, const MarkerFile& style, const calls::MethodContext& context) {
+Result<PlanResult> run_plan_cut(const PlanParams& params, const MarkerFile& style,
+                                const calls::MethodContext& context) {
   const auto demand = demand_of(params.quantities);
   if (!demand) return demand.error();
   const auto garments = garments_of(style, demand->sizes);
@@ -221,7 +222,8 @@ Result<PlanResult> run(const PlanParams& params, const MarkerFile& style, const 
 
 calls::Method plan_cut_method() {
   return readings::reading_method("plan.cut", calls::MethodKind::kSearch,
-                                  "Plans which markers are cut for an order, and how many plies of which colour.", run);
+                                  "Plans which markers are cut for an order, and how many plies of which colour.",
+                                  run_plan_cut);
 }
 
 }  // namespace selvage::protocol::methods::planning

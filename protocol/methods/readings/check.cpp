@@ -35,7 +35,7 @@ struct CheckResult {
   }
 };
 
-Result<CheckResult> run(const AnalysisParams&, const MarkerFile& file, const calls::MethodContext& context) {
+Result<CheckResult> run_check(const AnalysisParams&, const MarkerFile& file, const calls::MethodContext& context) {
   const auto validity = marker::check(file.marker, context.run.sums, context.run.stop);
   if (!validity) return validity.error();
   CheckResult result{.valid = validity->valid(),
@@ -55,7 +55,7 @@ Result<CheckResult> run(const AnalysisParams&, const MarkerFile& file, const cal
 
 calls::Method check_method() {
   return reading_method("marker.check", calls::MethodKind::kAnalysis,
-                        "Checks whether the marker is valid, and lists where it is not.", run);
+                        "Checks whether the marker is valid, and lists where it is not.", run_check);
 }
 
 }  // namespace selvage::protocol::methods::readings

@@ -23,7 +23,7 @@ struct GetResult {
   }
 };
 
-Result<GetResult> run(const GetParams& params, const MarkerFile& file, const calls::MethodContext&) {
+Result<GetResult> run_get(const GetParams& params, const MarkerFile& file, const calls::MethodContext&) {
   auto document = files::marker_document(file, params.format);
   if (!document) return document.error();
   GetResult result;
@@ -35,7 +35,7 @@ Result<GetResult> run(const GetParams& params, const MarkerFile& file, const cal
 }  // namespace
 
 calls::Method get_method() {
-  return reading_method("marker.get", calls::MethodKind::kRead, "Returns a marker as a document.", run);
+  return reading_method("marker.get", calls::MethodKind::kRead, "Returns a marker as a document.", run_get);
 }
 
 }  // namespace selvage::protocol::methods::readings

@@ -110,7 +110,7 @@ RulePrice price_of(const Marker& marker, const motion::compaction::RulePrice& pr
   return named;
 }
 
-Result<HoldResult> run(const AnalysisParams&, const MarkerFile& file, const calls::MethodContext& context) {
+Result<HoldResult> run_hold(const AnalysisParams&, const MarkerFile& file, const calls::MethodContext& context) {
   const Marker& marker = file.marker;
   const auto path = motion::compaction::critical_path(marker, context.run);
   if (!path) return path.error();
@@ -139,7 +139,7 @@ Result<HoldResult> run(const AnalysisParams&, const MarkerFile& file, const call
 
 calls::Method hold_method() {
   return reading_method("marker.hold", calls::MethodKind::kAnalysis,
-                        "The critical path, which determines the marker's length.", run);
+                        "The critical path, which determines the marker's length.", run_hold);
 }
 
 }  // namespace selvage::protocol::methods::readings

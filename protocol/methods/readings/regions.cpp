@@ -33,7 +33,8 @@ std::vector<calls::Point> points_of(const Polygon& outline, Resolution resolutio
   return points;
 }
 
-Result<RegionsResult> run(const RegionsParams& params, const MarkerFile& file, const calls::MethodContext& context) {
+Result<RegionsResult> run_regions(const RegionsParams& params, const MarkerFile& file,
+                                  const calls::MethodContext& context) {
   const auto regions = unoccupied_regions(file.marker, settings_of(params.regions, file.marker), context.run.stop);
   if (!regions) return regions.error();
   RegionsResult result;
@@ -68,7 +69,7 @@ Region region_of(const Marker& marker, const marker::UnoccupiedRegion& region) {
 
 calls::Method regions_method() {
   return reading_method("marker.regions", calls::MethodKind::kAnalysis,
-                        "The regions of the cloth that no piece covers.", run);
+                        "The regions of the cloth that no piece covers.", run_regions);
 }
 
 }  // namespace selvage::protocol::methods::readings

@@ -6,8 +6,8 @@
 namespace selvage::protocol::methods::motions::baseline {
 namespace {
 
-Result<calls::Motion<calls::RoundsResult>> run(const BaselineParams& params, const Marker& start,
-                                               const calls::MethodContext& context) {
+Result<calls::Motion<calls::RoundsResult>> run_velocity(const BaselineParams& params, const Marker& start,
+                                                        const calls::MethodContext& context) {
   motion::baseline::VelocitySettings settings;
   settings.steps = params.rounds.value_or(settings.steps);
   return motion_of(compact_by_velocities(start, settings, context.run), context);
@@ -17,7 +17,7 @@ Result<calls::Motion<calls::RoundsResult>> run(const BaselineParams& params, con
 
 calls::Method velocity_method() {
   return calls::motion_method("motion.velocity", calls::MethodKind::kMotion,
-                              "A baseline: a piston pushes the pieces, in time steps.", run);
+                              "A baseline: a piston pushes the pieces, in time steps.", run_velocity);
 }
 
 }  // namespace selvage::protocol::methods::motions::baseline

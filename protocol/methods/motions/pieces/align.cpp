@@ -31,8 +31,8 @@ struct AlignResult {
   }
 };
 
-Result<calls::Motion<AlignResult>> run(const AlignParams& params, const Marker& start,
-                                       const calls::MethodContext& context) {
+Result<calls::Motion<AlignResult>> run_align(const AlignParams& params, const Marker& start,
+                                             const calls::MethodContext& context) {
   std::vector<PieceId> pieces;
   for (const calls::Id& id : params.pieces) {
     const auto piece = calls::piece_of(start, id.text, "/pieces/" + std::to_string(pieces.size()));
@@ -51,7 +51,7 @@ Result<calls::Motion<AlignResult>> run(const AlignParams& params, const Marker& 
 
 calls::Method align_method() {
   return calls::motion_method("motion.align", calls::MethodKind::kStep,
-                              "Moves pieces along one axis until one side of each lies on one line.", run);
+                              "Moves pieces along one axis until one side of each lies on one line.", run_align);
 }
 
 }  // namespace selvage::protocol::methods::motions::pieces

@@ -35,8 +35,8 @@ struct BumpResult {
   }
 };
 
-Result<calls::Motion<BumpResult>> run(const BumpParams& params, const Marker& start,
-                                      const calls::MethodContext& context) {
+Result<calls::Motion<BumpResult>> run_bump(const BumpParams& params, const Marker& start,
+                                           const calls::MethodContext& context) {
   const auto piece = calls::piece_of(start, params.piece.text, "/piece");
   if (!piece) return piece.error();
   auto before = laid_out(start, context);
@@ -57,7 +57,7 @@ Result<calls::Motion<BumpResult>> run(const BumpParams& params, const Marker& st
 
 calls::Method bump_method() {
   return calls::motion_method("motion.bump", calls::MethodKind::kStep,
-                              "Slides one piece as far as it can go while all others stay.", run);
+                              "Slides one piece as far as it can go while all others stay.", run_bump);
 }
 
 }  // namespace selvage::protocol::methods::motions::pieces

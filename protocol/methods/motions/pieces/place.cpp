@@ -38,8 +38,8 @@ struct PlaceResult {
   }
 };
 
-Result<calls::Motion<PlaceResult>> run(const PlaceParams& params, const Marker& start,
-                                       const calls::MethodContext& context) {
+Result<calls::Motion<PlaceResult>> run_place(const PlaceParams& params, const Marker& start,
+                                             const calls::MethodContext& context) {
   const auto piece = calls::piece_of(start, params.piece.text, "/piece");
   if (!piece) return piece.error();
   const auto to = calls::place_on_lattice(params.to, start.resolution, "/to");
@@ -59,7 +59,7 @@ Result<calls::Motion<PlaceResult>> run(const PlaceParams& params, const Marker& 
 
 calls::Method place_method() {
   return calls::motion_method("motion.place", calls::MethodKind::kStep,
-                              "Moves a piece to the free position nearest to a given one.", run);
+                              "Moves a piece to the free position nearest to a given one.", run_place);
 }
 
 }  // namespace selvage::protocol::methods::motions::pieces

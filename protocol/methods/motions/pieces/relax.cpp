@@ -36,8 +36,8 @@ struct RelaxResult {
   }
 };
 
-Result<calls::Motion<RelaxResult>> run(const RelaxParams& params, const Marker& start,
-                                       const calls::MethodContext& context) {
+Result<calls::Motion<RelaxResult>> run_relax(const RelaxParams& params, const Marker& start,
+                                             const calls::MethodContext& context) {
   const auto piece = calls::piece_of(start, params.piece.text, "/piece");
   if (!piece) return piece.error();
   auto done = motion::piece::repair_and_relax(start, *piece, params.tilts, context.run);
@@ -54,7 +54,7 @@ Result<calls::Motion<RelaxResult>> run(const RelaxParams& params, const Marker& 
 
 calls::Method relax_method() {
   return calls::motion_method("motion.relax", calls::MethodKind::kStep, "Moves one piece to where it has most room.",
-                              run);
+                              run_relax);
 }
 
 }  // namespace selvage::protocol::methods::motions::pieces
