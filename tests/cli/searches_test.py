@@ -5,7 +5,7 @@ import signal
 import subprocess
 import unittest
 
-from command import BAD_INPUT, BAD_USAGE, CANCELLED, CliTest, MARKERS, OK, PACKING, REFUSED, SELVAGE, run, squares
+from command import BAD_INPUT, BAD_USAGE, CANCELLED, CliTest, MARKERS, OK, PACKING, PICTURES, REFUSED, SELVAGE, run, squares
 
 
 class Nest(CliTest):
@@ -169,6 +169,26 @@ class Pack(CliTest):
         ran = run("contain", PACKING / "slot.json", "--room", "[[30,0],[30,30]]")
         self.assertEqual(ran.returncode, BAD_INPUT)
         self.assertIn("/room", ran.stderr)
+
+
+class Figures(CliTest):
+    LENGTHS = {"beside": 100, "exchange": 90, "seven": 95.58494}
+
+    def test_the_shortest_layouts_are_proved(self):
+        for name, length in self.LENGTHS.items():
+            with self.subTest(name):
+                line = json.loads(run("pack", PACKING / f"{name}.json", "--json").stdout)
+                self.assertAlmostEqual(line["length_after"], length, places=3)
+                self.assertTrue(line["proved"])
+        self.assertEqual(json.loads(run("compact", PACKING / "exchange.json", "--json").stdout)["length_after"], 120)
+
+    def test_the_pictures_in_the_docs_are_those_that_the_command_draws(self):
+        subprocess.run([PACKING / "draw_figures.sh", SELVAGE, self.folder.name], check=True, timeout=300)
+        drawn = sorted(self.path("").glob("*.svg"))
+        self.assertEqual(len(drawn), 10)
+        for picture in drawn:
+            kept = PICTURES / picture.name
+            self.assertEqual(picture.read_text(), kept.read_text(), f"{kept}: ./dev figures")
 
 
 class Fill(CliTest):

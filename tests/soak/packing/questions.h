@@ -1,0 +1,30 @@
+// Questions to containment whose answers are known by other means.
+//
+// An answer that contradicts what is known is a fault.  So is a marker that the judge (tests/judge) finds invalid, and
+// a question that is left undecided.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/minkowski/cache.h"
+#include "core/packing/contain.h"
+#include "tests/support/random.h"
+
+namespace selvage::test {
+
+struct Judged {
+  packing::Verdict verdict{};
+  std::uint64_t nodes{};
+  std::string fault{};  // empty when there is none
+};
+
+// Up to seven pieces of a random valid marker are to be placed anew into the room up to its end, beside all others.
+// They fit, because they lay there.
+[[nodiscard]] Judged judged_cut_out(Random& random, SumCache& sums);
+
+// Three to six random polyominoes are to be placed into a box of about their area.  They fit when a search over unit
+// squares, which tries all positions, finds places for them.
+[[nodiscard]] Judged judged_polyominoes(Random& random, SumCache& sums);
+
+}  // namespace selvage::test
