@@ -7,6 +7,7 @@
 #include "protocol/plots/dxf_file.h"
 #include "protocol/plots/hpgl_file.h"
 #include "protocol/plots/pdf/pdf_file.h"
+#include "protocol/plots/pdf/report.h"
 #include "protocol/trade/esicup/esicup.h"
 #include "protocol/trade/text.h"
 
@@ -26,7 +27,7 @@ Result<std::string> write_marker(const MarkerFile& file, FileFormat format) {
     case FileFormat::kHpgl: return plots::hpgl_file(plots::sheet_of(file));
     case FileFormat::kPdf: return plots::pdf::pdf_file(plots::sheet_of(file));
     case FileFormat::kPdfTiles: return plots::pdf::tiled_pdf_file(plots::sheet_of(file));
-    case FileFormat::kReport: return plots::pdf::report_file(plots::sheet_of(file));
+    case FileFormat::kReport: return plots::pdf::report_file(file);
     case FileFormat::kEsicup: return trade::esicup::esicup_file(file);
     default: return formats::write_marker(file, static_cast<Format>(format));
   }

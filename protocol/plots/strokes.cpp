@@ -102,4 +102,8 @@ std::string figures_of(const Sheet& sheet) {
          thousandths(100 * sheet.utilisation) + " %";
 }
 
+std::string title_of(const Sheet& sheet) {
+  return sheet.name.empty() ? "Marker" : sheet.name;
+}
+
 }  // namespace selvage::protocol::plots

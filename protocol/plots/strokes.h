@@ -33,5 +33,7 @@ struct Plot {
 [[nodiscard]] Plot plot_of(const Sheet& sheet);
 // "length 6,491.6 mm, width 1,638.3 mm, utilisation 87.20 %".
 [[nodiscard]] std::string figures_of(const Sheet& sheet);
+// Its name; "Marker" when it has none.
+[[nodiscard]] std::string title_of(const Sheet& sheet);
 
 }  // namespace selvage::protocol::plots

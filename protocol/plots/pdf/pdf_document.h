@@ -13,6 +13,8 @@
 
 namespace selvage::protocol::plots::pdf {
 
+inline constexpr double kPageMargin = 10, kShortSide = 210, kLongSide = 297;  // millimetres; the sides of A4
+
 // Units: millimetres, the origin at the lower left.
 class PdfPage {
  public:

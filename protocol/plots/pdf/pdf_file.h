@@ -1,4 +1,4 @@
-// A marker as PDF: at full size on one page, at full size on A4 pages to be glued together, or as a report on one page.
+// A marker as PDF at full size: on one page, or on A4 pages to be glued together.
 #pragma once
 
 #include <string>
@@ -16,8 +16,5 @@ inline constexpr int kMostTiles = 5000;
 // A4 pages, row by row from the lower left; crosses mark the corners at which neighbours meet.
 // Errors: kOutOfRange when there would be more than kMostTiles pages.
 [[nodiscard]] Result<std::string> tiled_pdf_file(const Sheet& sheet);
-
-// An A4 page, lying: the picture, the marker's figures, and how often each piece occurs.
-[[nodiscard]] std::string report_file(const Sheet& sheet);
 
 }  // namespace selvage::protocol::plots::pdf

@@ -149,6 +149,41 @@ TEST(Pdf, TableOfObjectsIsRight) {
   }
 }
 
+// Two pieces end to end: their contact and those with the edges hold the length.
+TEST(Report, ListsTheCriticalPath) {
+  MarkerFile file = test::read(test::json(R"({
+    "format": "selvage-marker", "version": 1, "name": "A17", "strip": {"width": 100},
+    "shapes": [{"id": "s", "outline": [[0, 0], [40, 0], [40, 100], [0, 100]]}],
+    "pieces": [{"id": "FRONT", "shape": "s", "at": [0, 0], "attributes": {"bundle": "M-A", "size": "M"}},
+               {"id": "BACK", "shape": "s", "at": [40, 0], "attributes": {"bundle": "M-B", "size": "M"}}]})"));
+  const std::string text = written(file, FileFormat::kReport);
+  for (const char* line : {"(FRONT - left edge, 1)", "(FRONT - BACK, 1)", "(BACK - right edge, 1)", "ratio 2 x M)"})
+    EXPECT_NE(text.find(line), std::string::npos) << line;
+  file.marker.pieces[1].at.x -= 1;
+  EXPECT_NE(written(file, FileFormat::kReport).find("(none: the marker is not valid)"), std::string::npos);
+}
+
+TEST(Report, CountsWhatDoesNotFit) {
+  MarkerFile file = test::read(test::json(R"({
+    "format": "selvage-marker", "version": 1, "name": "", "strip": {"width": 100},
+    "shapes": [{"id": "s", "outline": [[0, 0], [1, 0], [1, 1], [0, 1]]}],
+    "pieces": [{"id": "p", "shape": "s", "at": [0, 0]}]})"));
+  const Piece first = file.marker.pieces[0];
+  const Coord unit = to_lattice(1, file.marker.resolution);
+  for (int k = 1; k <= 1000; ++k) {
+    file.marker.pieces.push_back(first);
+    file.marker.pieces.back().id = "p" + std::to_string(k);
+    file.marker.pieces.back().at = {unit * (k / 100), unit * (k % 100)};
+    file.attributes.pieces.push_back(Json::object());
+  }
+  const std::string text = written(file, FileFormat::kReport);
+  EXPECT_NE(text.find("(left out: the marker has more than 1000 pieces)"), std::string::npos);
+  const std::size_t more = text.find(" more)");
+  ASSERT_NE(more, std::string::npos);
+  const std::size_t left_out = std::stoul(text.substr(text.rfind("(and ", more) + 5));
+  EXPECT_EQ(left_out + count_of(text, "(1 x p"), 1001U);
+}
+
 TEST(Esicup, ReadsBackWithTheSameOutlinesInTheSamePlaces) {
   for (const MarkerFile& file : {read_example("polypattern_like.dxf"), read_example("gemini_like.cut")}) {
     const auto back = read_file(written(file, FileFormat::kEsicup));
