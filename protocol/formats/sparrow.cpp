@@ -62,7 +62,7 @@ struct Reading {
   DecimalMarker marker;
   document::Attributes attributes;
   std::vector<bool> filled;          // per item: its shape is written as {outer, inner}
-  std::vector<std::int64_t> demand;  // per item; 0 when it does not say
+  std::vector<std::int64_t> demand;  // per item: its pieces, without zones; 0 when it does not say
   std::vector<Note> notes;
   json::Mistake mistake;
 };
@@ -146,7 +146,7 @@ void list_unplaced(Reading& reading) {
   std::unordered_map<std::string, std::int64_t> placed;
   std::unordered_set<std::string> ids;
   for (const DecimalPiece& piece : marker.pieces) {
-    ++placed[piece.shape];
+    if (!piece.rules.zone.value_or(false)) ++placed[piece.shape];
     ids.insert(piece.piece.id);
   }
   std::size_t next = 0;
@@ -334,7 +334,7 @@ Result<Json> sparrow_document(const MarkerFile& file) {
       return Error{ErrorCode::kOrientationNotAllowed, "the sparrow form has no word for a flipped piece",
                    "/pieces/" + std::to_string(i) + "/flip"};
     }
-    ++copies[marker.pieces[i].shape.value];
+    if (!marker.pieces[i].rules.zone) ++copies[marker.pieces[i].shape.value];
   }
   for (const Piece& piece : marker.unplaced) ++copies[piece.shape.value];
   const auto ids = item_ids(marker);

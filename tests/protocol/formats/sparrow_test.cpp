@@ -57,6 +57,20 @@ TEST(Sparrow, TakesTheDemandThatIsNotMetForUnplacedPieces) {
   EXPECT_EQ(test::read(*written).marker, file.marker);
 }
 
+// A zone is a part of the cloth, not a copy that is cut.
+TEST(Sparrow, DemandIsWithoutZones) {
+  Json document = sparrow_squares();
+  placed(document)[1]["rules"] = json(R"({"zone": true})");
+  document["items"][0]["demand"] = 2;
+  const MarkerFile file = test::read(document);
+  EXPECT_EQ(file.marker.pieces.size(), 2U);
+  ASSERT_EQ(file.marker.unplaced.size(), 1U);
+  const auto written = sparrow_document(file);
+  ASSERT_TRUE(written);
+  EXPECT_EQ((*written)["items"][0]["demand"], 2);
+  EXPECT_EQ(test::read(*written).marker, file.marker);
+}
+
 TEST(Sparrow, KeepsWhatItDoesNotKnow) {
   Json document = sparrow_squares();
   document["description"] = "two";
