@@ -66,15 +66,6 @@ std::string cloth(const View& view) {
          pixels(view.end() * view.scale()) + "\" height=\"" + pixels(view.bottom() - view.top()) + "\"/>\n";
 }
 
-std::string outline_path(const Polygon& outline, const View& view) {
-  std::string path;
-  for (const Vec v : outline) {
-    path += path.empty() ? "M" : "L";
-    path += pixels(view.x(static_cast<double>(v.x))) + " " + pixels(view.y(static_cast<double>(v.y)));
-  }
-  return path + "Z";
-}
-
 struct Label {
   std::string text;
   LabelSpot spot;
@@ -137,23 +128,29 @@ std::string draw_pieces(const Marker& marker, const SvgOptions& options, const P
   std::string out = "<g>\n";
   for (std::size_t i = 0; i < pieces.outlines.size(); ++i) {
     const Piece& piece = marker.pieces[i];
-    const Box box = box_of(pieces.outlines[i]);
-    if (static_cast<double>(box.high.x) < view.from() || static_cast<double>(box.low.x) > view.to()) continue;
-    const std::string kind = piece.rules.zone ? "zone" : piece.locked ? "piece locked" : "piece";
+    if (piece.rules.zone || !view.shows(box_of(pieces.outlines[i]))) continue;
+    const std::string kind = piece.locked ? "piece locked" : "piece";
     out += "<path class=\"" + kind + "\" fill=\"" + pieces.colours[piece.shape.value] + "\" d=\"" +
            outline_path(pieces.outlines[i], view) + "\"><title>" + escaped(piece.id) + "</title></path>\n";
     if (piece.shape.value < options.annotations.size()) {
       out += annotations(options.annotations[piece.shape.value], marker, piece, pieces.outlines[i], view);
     }
   }
-  return out + "</g>\n";
+  return out + zones(marker, view) + "</g>\n";
+}
+
+// A zone may have its middle beyond the cloth.
+bool on_cloth(const Marker& marker, const LabelSpot& spot, const View& view) {
+  return spot.x >= 0 && spot.x < view.end() && spot.y >= 0 && spot.y < static_cast<double>(marker.strip.width);
 }
 
 // Each label stands in one row.  Labels are drawn above everything else, so that no line strikes through them.
-std::string draw_labels(const SvgOptions& options, const Pieces& pieces, const View& view) {
+std::string draw_labels(const Marker& marker, const SvgOptions& options, const Pieces& pieces, const View& view) {
   const bool over = !options.overlay.moves.empty() || !options.overlay.forces.empty() || !options.overlay.chain.empty();
   std::string out = over ? "<g class=\"over\">\n" : "<g>\n";
-  for (const std::optional<Label>& label : pieces.labels) {
+  for (std::size_t i = 0; i < pieces.labels.size(); ++i) {
+    const std::optional<Label>& label = pieces.labels[i];
+    if (label && marker.pieces[i].rules.zone && !on_cloth(marker, label->spot, view)) continue;
     const bool here = label && label->spot.x >= view.from() && (label->spot.x < view.to() || view.is_last());
     if (here) out += label_text(*label, view);
   }
@@ -222,10 +219,7 @@ std::string within_row(const std::string& drawn, const View& view) {
   if (view.is_first() && view.is_last()) return drawn;
   const double left = view.is_first() ? 0 : view.x(view.from());
   const double right = view.x(view.to()) + (view.is_last() ? View::kRight : 0);
-  const std::string at_x = pixels(left), at_y = pixels(view.top() - kAround);
-  const std::string width = pixels(right - left), height = pixels(view.bottom() - view.top() + 2 * kAround);
-  std::string out = "<svg x=\"" + at_x + "\" y=\"" + at_y + "\" width=\"" + width + "\" height=\"" + height +
-                    "\" viewBox=\"" + at_x + " " + at_y + " " + width + " " + height + "\">\n" + drawn + "</svg>\n";
+  std::string out = clipped(left, view.top() - kAround, right - left, view.bottom() - view.top() + 2 * kAround, drawn);
   for (const auto& [cut, here] : {std::pair{view.from(), !view.is_first()}, {view.to(), !view.is_last()}}) {
     if (here) out += line(view.x(cut), view.top(), view.x(cut), view.bottom(), "cut");
   }
@@ -235,7 +229,8 @@ std::string within_row(const std::string& drawn, const View& view) {
 std::string draw_row(const Marker& marker, const SvgOptions& options, const Pieces& pieces, const View& view) {
   const std::string drawn = cloth(view) + rules(marker, view) + draw_pieces(marker, options, pieces, view) +
                             overlay(options.overlay, view) + end_lines(options, view);
-  return within_row(drawn, view) + draw_labels(options, pieces, view) + ruler(marker, view) + width_label(marker, view);
+  return within_row(drawn, view) + draw_labels(marker, options, pieces, view) + ruler(marker, view) +
+         width_label(marker, view);
 }
 
 struct Caption {

@@ -101,9 +101,23 @@ std::string rules(const Marker& marker, const View& view) {
   out += bands(marker, view);
   if (strip.repeat.any()) out += pattern(marker, view);
   if (marker.shade) out += shades(marker, view);
-  const bool zones =
+  const bool flawed =
       std::any_of(marker.pieces.begin(), marker.pieces.end(), [](const Piece& p) { return p.rules.zone; });
-  return out.empty() && !zones ? out : "<g>\n" + std::string{kRuleStyle} + out + "</g>\n";
+  return out.empty() && !flawed ? out : "<g>\n" + std::string{kRuleStyle} + out + "</g>\n";
+}
+
+std::string zones(const Marker& marker, const View& view) {
+  std::string drawn;
+  for (std::uint32_t i = 0; i < marker.pieces.size(); ++i) {
+    if (!marker.pieces[i].rules.zone) continue;
+    const Polygon outline = placed_outline(marker, PieceId{i});
+    if (!view.shows(box_of(outline))) continue;
+    drawn += "<path class=\"zone\" d=\"" + outline_path(outline, view) + "\"><title>" + escaped(marker.pieces[i].id) +
+             "</title></path>\n";
+  }
+  if (drawn.empty()) return drawn;
+  const double left = view.x(view.from());
+  return clipped(left, view.top(), view.x(view.to()) - left, view.bottom() - view.top(), drawn);
 }
 
 }  // namespace selvage::protocol::drawing

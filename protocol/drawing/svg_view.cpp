@@ -77,4 +77,19 @@ std::string text_at(double x, double y, std::string_view style, std::string_view
          "</text>\n";
 }
 
+std::string outline_path(const Polygon& outline, const View& view) {
+  std::string path;
+  for (const Vec v : outline) {
+    path += path.empty() ? "M" : "L";
+    path += pixels(view.x(static_cast<double>(v.x))) + " " + pixels(view.y(static_cast<double>(v.y)));
+  }
+  return path + "Z";
+}
+
+std::string clipped(double x, double y, double width, double height, const std::string& drawn) {
+  const std::string at_x = pixels(x), at_y = pixels(y), across = pixels(width), down = pixels(height);
+  return "<svg x=\"" + at_x + "\" y=\"" + at_y + "\" width=\"" + across + "\" height=\"" + down + "\" viewBox=\"" +
+         at_x + " " + at_y + " " + across + " " + down + "\">\n" + drawn + "</svg>\n";
+}
+
 }  // namespace selvage::protocol::drawing

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/geometry/lattice.h"
+#include "core/geometry/polygon.h"
 
 namespace selvage::protocol::drawing {
 
@@ -24,6 +25,10 @@ class View {
   [[nodiscard]] double to() const { return to_; }
   [[nodiscard]] double top() const { return top_; }
   [[nodiscard]] double bottom() const { return top_ + height_; }
+  // True when some of it may lie in this row.
+  [[nodiscard]] bool shows(const Box& box) const {
+    return static_cast<double>(box.high.x) >= from_ && static_cast<double>(box.low.x) <= to_;
+  }
   [[nodiscard]] bool is_first() const { return from_ <= 0; }
   [[nodiscard]] bool is_last() const { return to_ >= end_; }
 
@@ -62,6 +67,10 @@ class Rows {
 // How wide a text is, about; in the unit of the font's size.
 [[nodiscard]] double text_width(std::string_view text, double size);
 
+// The outline as the `d` of a path.
+[[nodiscard]] std::string outline_path(const Polygon& outline, const View& view);
+// What of the drawing lies in a rectangle of the page.
+[[nodiscard]] std::string clipped(double x, double y, double width, double height, const std::string& drawn);
 // In pixels; `style` is a class of the drawing's style sheet.
 [[nodiscard]] std::string line(double x1, double y1, double x2, double y2, std::string_view style);
 [[nodiscard]] std::string text_at(double x, double y, std::string_view style, std::string_view text);

@@ -77,6 +77,18 @@ TEST(Svg, DrawsZonesApartFromPieces) {
   EXPECT_EQ(count(svg, "1 piece "), 1u);
 }
 
+// One that extends beyond the cloth is cut off there, and one that lies beyond it has no name.
+TEST(Svg, DrawsNothingOfAZoneBeyondTheCloth) {
+  Json document = test::native_squares();
+  document["pieces"][0]["rules"] = test::json(R"({"zone": true})");
+  document["pieces"][0]["at"] = test::json("[-10, -10]");
+  const std::string svg = to_svg(test::read(document).marker);
+  EXPECT_EQ(count(svg, "<svg x=\"46\" y=\"52\" width=\"360\" height=\"400\" viewBox=\"46 52 360 400\">"), 1u);
+  EXPECT_EQ(count(svg, ">left</text>"), 1u);
+  document["pieces"][0]["at"] = test::json("[200, 0]");
+  EXPECT_EQ(count(to_svg(test::read(document).marker), ">left</text>"), 0u);
+}
+
 TEST(Svg, EscapesNames) {
   Json document = test::native_squares();
   document["name"] = "<script>&\"";
