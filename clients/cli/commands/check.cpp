@@ -22,11 +22,7 @@ std::variant<Json, terminal::Failure> validity_of(const MarkerFile& file, const 
 }
 
 terminal::ExitCode run_check(const command_line::Values& values) {
-  auto file = terminal::load_marker(values.text("IN"));
-  if (const auto spacing = values.number("spacing"); file && spacing)
-    file = protocol::formats::with_spacing(*std::move(file), *spacing);
-  if (const auto overlap = values.number("overlap"); file && overlap)
-    file = protocol::formats::with_overlap(*std::move(file), *overlap);
+  const auto file = overridden(terminal::load_marker(values.text("IN")), marker_overrides(values));
   if (!file) return terminal::report(file.error());
   const auto checked = validity_of(*file, server_choice(values));
   if (const auto* failure = std::get_if<terminal::Failure>(&checked)) return terminal::report(*failure);
@@ -47,12 +43,13 @@ terminal::ExitCode run_check(const command_line::Values& values) {
 }  // namespace
 
 command_line::Command check_command() {
+  std::vector<command_line::Option> options{
+      input_option(),
+      {.name = "--json", .kind = command_line::Kind::kFlag, .meaning = "Print the result as one line of JSON"}};
+  for (command_line::Option& option : override_options()) options.push_back(std::move(option));
   return {"check",
           "Proves whether any pieces overlap or leave the strip, in exact arithmetic",
-          {input_option(),
-           spacing_option(),
-           overlap_option(),
-           {.name = "--json", .kind = command_line::Kind::kFlag, .meaning = "Print the result as one line of JSON"}},
+          std::move(options),
           &run_check,
           {"selvage check marker.json", "selvage check marker.json --spacing 2"}};
 }

@@ -28,10 +28,7 @@ using run::Outcome;
 using terminal::ExitCode;
 
 Result<MarkerFile> load(const MarkerFiles& files) {
-  auto file = terminal::load_marker(files.in);
-  if (file && files.spacing) file = protocol::formats::with_spacing(*std::move(file), *files.spacing);
-  if (file && files.overlap) file = protocol::formats::with_overlap(*std::move(file), *files.overlap);
-  return file;
+  return overridden(terminal::load_marker(files.in), files.overrides);
 }
 
 std::optional<Error> save(const MarkerFiles& files, const MarkerFile& file, const Marker& start, const Json& params) {

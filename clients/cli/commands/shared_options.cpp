@@ -5,7 +5,9 @@
 #include <iterator>
 #include <thread>
 
+#include "clients/cli/parameters/cloth_options.h"
 #include "clients/cli/terminal/files.h"
+#include "protocol/formats/format.h"
 
 namespace selvage::cli::commands {
 
@@ -17,18 +19,18 @@ Option input_option() {
       .name = "IN", .kind = Kind::kText, .meaning = "Marker or pattern file; - reads standard input", .required = true};
 }
 
-Option spacing_option() {
-  return {.name = "--spacing",
-          .kind = Kind::kNumber,
-          .meaning = "Minimum distance between pieces, in the marker's unit; overrides the marker's own",
-          .placeholder = "LENGTH"};
-}
-
-Option overlap_option() {
-  return {.name = "--overlap",
-          .kind = Kind::kNumber,
-          .meaning = "Overlap allowance of the pieces, in the marker's unit; overrides the marker's own",
-          .placeholder = "LENGTH"};
+std::vector<Option> override_options() {
+  std::vector<Option> options{
+      {.name = "--spacing",
+       .kind = Kind::kNumber,
+       .meaning = "Minimum distance between pieces, in the marker's unit; overrides the marker's own",
+       .placeholder = "LENGTH"},
+      {.name = "--overlap",
+       .kind = Kind::kNumber,
+       .meaning = "Overlap allowance of the pieces, in the marker's unit; overrides the marker's own",
+       .placeholder = "LENGTH"}};
+  for (Option& option : parameters::cloth_options()) options.push_back(std::move(option));
+  return options;
 }
 
 Option time_option(const std::string& what) {
@@ -45,7 +47,7 @@ Option json_option() {
 
 std::vector<Option> file_options() {
   const std::int64_t cores = std::max(1U, std::thread::hardware_concurrency());
-  return {
+  std::vector<Option> options{
       {.name = "-o,--out",
        .kind = Kind::kText,
        .meaning = "Write the resulting marker to this file; - writes standard output",
@@ -66,14 +68,14 @@ std::vector<Option> file_options() {
        .kind = Kind::kText,
        .meaning = "Format of --out; default: by its suffix, else the format of the input",
        .choices = {std::begin(protocol::files::kFileFormatNames), std::end(protocol::files::kFileFormatNames)}},
-      spacing_option(),
-      overlap_option(),
       {.name = "--threads",
        .kind = Kind::kInteger,
        .meaning = "Number of threads, by default as many as there are cores; it does not affect the result",
        .standard = cores,
        .range = command_line::Range{1, 256}},
   };
+  for (Option& option : override_options()) options.push_back(std::move(option));
+  return options;
 }
 
 std::vector<Option> server_options() {
@@ -100,12 +102,23 @@ MarkerFiles marker_files(const command_line::Values& values, const std::string& 
   files.svg = values.text("svg");
   files.outlines = values.text("outlines");
   if (values.find("format") != nullptr) files.format = format_named(values.text("format"));
-  files.spacing = values.number("spacing");
-  files.overlap = values.number("overlap");
+  files.overrides = marker_overrides(values);
   files.overlays = {.arrows = values.flag("arrows"), .critical_path = values.flag("chain")};
   files.threads = static_cast<std::size_t>(values.integer("threads").value_or(1));
   files.server = server_choice(values);
   return files;
+}
+
+MarkerOverrides marker_overrides(const command_line::Values& values) {
+  return {values.number("spacing"), values.number("overlap"), parameters::cloth_from(values)};
+}
+
+Result<MarkerFile> overridden(Result<MarkerFile> file, const MarkerOverrides& by) {
+  if (file && by.spacing) file = protocol::formats::with_spacing(*std::move(file), *by.spacing);
+  if (file && by.overlap) file = protocol::formats::with_overlap(*std::move(file), *by.overlap);
+  if (!file) return file;
+  if (!by.cloth) return by.cloth.error();
+  return protocol::edits::with_cloth(*std::move(file), *by.cloth);
 }
 
 run::ServerChoice server_choice(const command_line::Values& values) {

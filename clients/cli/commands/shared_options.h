@@ -11,16 +11,24 @@
 #include "clients/cli/commands/drawing.h"
 #include "clients/cli/run/server_choice.h"
 #include "clients/cli/terminal/failure.h"
+#include "core/base/result.h"
+#include "protocol/edits/cloth.h"
 #include "protocol/files/file_format.h"
 
 namespace selvage::cli::commands {
+
+// What the command line says of a marker in place of its file.
+struct MarkerOverrides {
+  std::optional<double> spacing, overlap;                          // in the marker's unit
+  Result<protocol::edits::Cloth> cloth{protocol::edits::Cloth{}};  // an error when the options cannot be read
+};
 
 // Where the marker of a command comes from, where the results go and where the command runs.
 struct MarkerFiles {
   std::string in;
   std::string out, svg, outlines;                     // empty: not written
   std::optional<protocol::files::FileFormat> format;  // of `out`; none: by its suffix
-  std::optional<double> spacing, overlap;             // in the marker's unit; none: the marker's own
+  MarkerOverrides overrides;                          // of `in`
   Overlays overlays;                                  // of `svg`
   std::size_t threads{1};                             // of this process
   run::ServerChoice server;
@@ -28,10 +36,10 @@ struct MarkerFiles {
 
 // IN, the marker, as a positional argument.
 [[nodiscard]] command_line::Option input_option();
-// --out, --svg, --arrows, --chain, --outlines, --format, --spacing, --overlap, --threads.
+// --out, --svg, --arrows, --chain, --outlines, --format, --threads, and those of override_options.
 [[nodiscard]] std::vector<command_line::Option> file_options();
-[[nodiscard]] command_line::Option spacing_option();
-[[nodiscard]] command_line::Option overlap_option();
+// --spacing, --overlap, and those of cloth's rules (clients/cli/parameters/cloth_options.h).
+[[nodiscard]] std::vector<command_line::Option> override_options();
 // --time; `what` is returned when it is over.
 [[nodiscard]] command_line::Option time_option(const std::string& what);
 [[nodiscard]] command_line::Option json_option();
@@ -40,6 +48,9 @@ struct MarkerFiles {
 
 // REQUIRES: the values have the options above; `input_key` is the option that names the marker.
 [[nodiscard]] MarkerFiles marker_files(const command_line::Values& values, const std::string& input_key);
+[[nodiscard]] MarkerOverrides marker_overrides(const command_line::Values& values);
+// The file with what was given in its place.  Errors: its own, and those of with_spacing, with_overlap and with_cloth.
+[[nodiscard]] Result<MarkerFile> overridden(Result<MarkerFile> file, const MarkerOverrides& by);
 [[nodiscard]] run::ServerChoice server_choice(const command_line::Values& values);
 
 // How many files of results are standard output.

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "clients/cli/commands/marker_run.h"
-#include "clients/cli/commands/motions/motion_options.h"
 #include "clients/cli/commands/shared_options.h"
 #include "clients/cli/library/folder.h"
 #include "clients/cli/library/library_commands.h"
+#include "clients/cli/parameters/parameter_options.h"
 #include "clients/cli/terminal/files.h"
 #include "protocol/files/writing.h"
 #include "protocol/methods/method_table.h"
@@ -16,11 +16,11 @@ namespace selvage::cli::library {
 namespace {
 
 using command_line::Kind;
-using commands::motions::ParameterOption;
+using parameters::ParameterOption;
 
 // The library stands for the list of stored markers.
 std::vector<ParameterOption> remake_options() {
-  auto options = commands::motions::parameter_options(*protocol::methods::find_method("marker.remake"));
+  auto options = parameters::parameter_options(*protocol::methods::find_method("marker.remake"));
   std::erase_if(options, [](const ParameterOption& option) { return option.parameter.name == "stored"; });
   return options;
 }
@@ -54,7 +54,7 @@ terminal::ExitCode run_remake(const std::vector<ParameterOption>& options, const
   if (files.in == terminal::kStandardStream) {
     return report(terminal::bad_usage("the order is read twice, so it cannot be standard input"));
   }
-  auto params = commands::motions::params_from(options, values);
+  auto params = parameters::params_from(options, values);
   if (!params) return terminal::report(params.error());
   auto stored = stored_near(files.in, values.text("library"));
   if (!stored) return terminal::report(stored.error());

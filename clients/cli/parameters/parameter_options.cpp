@@ -1,4 +1,4 @@
-#include "clients/cli/commands/motions/motion_options.h"
+#include "clients/cli/parameters/parameter_options.h"
 
 #include <algorithm>
 #include <cctype>
@@ -11,7 +11,7 @@
 
 #include "protocol/json/json_text.h"
 
-namespace selvage::cli::commands::motions {
+namespace selvage::cli::parameters {
 namespace {
 
 using command_line::Kind;
@@ -166,6 +166,12 @@ std::vector<ParameterOption> parameter_options(const protocol::calls::Method& me
   return options;
 }
 
+std::vector<ParameterOption> field_options(const std::vector<FieldDescription>& fields) {
+  std::vector<ParameterOption> options;
+  for (const FieldDescription& field : fields) options.push_back(option_of("", field));
+  return options;
+}
+
 Result<Json> params_from(const std::vector<ParameterOption>& options, const command_line::Values& values) {
   Json params = Json::object();
   for (const ParameterOption& option : options) {
@@ -178,4 +184,4 @@ Result<Json> params_from(const std::vector<ParameterOption>& options, const comm
   return params;
 }
 
-}  // namespace selvage::cli::commands::motions
+}  // namespace selvage::cli::parameters

@@ -1,4 +1,5 @@
-// The parameters of a method as options of the command line: both follow from the method's descriptor.
+// The parameters of a method, and the fields of any other message, as options of the command line: both follow from
+// one descriptor.
 #pragma once
 
 #include <string>
@@ -10,7 +11,7 @@
 #include "core/base/result.h"
 #include "protocol/calls/method.h"
 
-namespace selvage::cli::commands::motions {
+namespace selvage::cli::parameters {
 
 // An option that gives a parameter its value.
 struct ParameterOption {
@@ -23,6 +24,9 @@ struct ParameterOption {
 // becomes --pop-out; parameters that are lists or objects are given as JSON.
 [[nodiscard]] std::vector<ParameterOption> parameter_options(const protocol::calls::Method& method);
 
+// One for each field of a message that is no method's parameters.
+[[nodiscard]] std::vector<ParameterOption> field_options(const std::vector<protocol::schema::FieldDescription>& fields);
+
 // "popOut" becomes "--pop-out".
 [[nodiscard]] std::string option_name(std::string_view parameter);
 // The same text without a full stop at its end, as help texts have none.
@@ -31,4 +35,4 @@ struct ParameterOption {
 // The parameters of a call.  Errors: kSyntax and others of protocol::json::parse, for an option that is given as JSON.
 [[nodiscard]] Result<Json> params_from(const std::vector<ParameterOption>& options, const command_line::Values& values);
 
-}  // namespace selvage::cli::commands::motions
+}  // namespace selvage::cli::parameters

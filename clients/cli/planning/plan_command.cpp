@@ -10,8 +10,8 @@
 #include <string>
 #include <utility>
 
-#include "clients/cli/commands/motions/motion_options.h"
 #include "clients/cli/commands/shared_options.h"
+#include "clients/cli/parameters/parameter_options.h"
 #include "clients/cli/run/local.h"
 #include "clients/cli/run/remote.h"
 #include "clients/cli/terminal/files.h"
@@ -29,7 +29,7 @@ namespace {
 
 using command_line::Kind;
 using command_line::Option;
-using commands::motions::ParameterOption;
+using parameters::ParameterOption;
 using terminal::ExitCode;
 
 constexpr std::string_view kPlanMethod = "plan.cut";
@@ -41,7 +41,7 @@ const protocol::calls::Method& plan_method() {
 }
 
 std::vector<ParameterOption> plan_options() {
-  std::vector<ParameterOption> options = commands::motions::parameter_options(plan_method());
+  std::vector<ParameterOption> options = parameters::parameter_options(plan_method());
   std::erase_if(options, [](const ParameterOption& option) {
     return std::find(kGiven.begin(), kGiven.end(), option.parameter.name) != kGiven.end();
   });
@@ -63,7 +63,7 @@ Result<MarkerFile> load_style(const command_line::Values& values, std::string or
 }
 
 Result<Json> plan_params(const command_line::Values& values, const protocol::trade::orders::Order& order) {
-  auto params = commands::motions::params_from(plan_options(), values);
+  auto params = parameters::params_from(plan_options(), values);
   if (!params) return params;
   (*params)["markerId"] = run::kMarkerId;
   Json quantities = Json::array();

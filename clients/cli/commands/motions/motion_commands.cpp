@@ -9,14 +9,17 @@
 
 #include "clients/cli/commands/marker_run.h"
 #include "clients/cli/commands/motions/examples.h"
-#include "clients/cli/commands/motions/motion_options.h"
 #include "clients/cli/commands/motions/nest_on_sheets.h"
+#include "clients/cli/parameters/parameter_options.h"
 #include "protocol/methods/method_table.h"
 
 namespace selvage::cli::commands::motions {
 namespace {
 
 using command_line::Option;
+using parameters::option_name;
+using parameters::ParameterOption;
+using parameters::without_full_stop;
 using protocol::calls::Method;
 
 // "motion.openGap" becomes "open-gap"; one command has a shorter name.
@@ -39,7 +42,7 @@ terminal::ExitCode run_motion(std::string_view method, const std::vector<Paramet
                               const command_line::Values& values) {
   const MarkerFiles files = marker_files(values, "IN");
   if (const auto failure = check_outputs(files)) return report(*failure);
-  auto params = params_from(options, values);
+  auto params = parameters::params_from(options, values);
   if (!params) return terminal::report(params.error());
   if (values.find("sheets") != nullptr) return nest_on_sheets(*std::move(params), files, values);
   if (const auto seconds = values.number("time"); seconds && !limits_time_itself(options)) {
@@ -49,18 +52,18 @@ terminal::ExitCode run_motion(std::string_view method, const std::vector<Paramet
 }
 
 command_line::Command command_of(const Method& method) {
-  std::vector<ParameterOption> parameters = parameter_options(method);
+  std::vector<ParameterOption> options = parameters::parameter_options(method);
   command_line::Command command{command_name(method.name), without_full_stop(method.summary), {input_option()}, {}};
-  for (const ParameterOption& parameter : parameters) command.options.push_back(parameter.option);
+  for (const ParameterOption& parameter : options) command.options.push_back(parameter.option);
   for (Option& option : file_options()) command.options.push_back(std::move(option));
-  if (!limits_time_itself(parameters)) {
+  if (!limits_time_itself(options)) {
     command.options.push_back(time_option("result"));
   }
   if (command.name == "nest") command.options.push_back(sheets_option());
   command.options.push_back(json_option());
   command.examples = examples_of(command.name);
-  command.run = [name = method.name, parameters = std::move(parameters)](const command_line::Values& values) {
-    return run_motion(name, parameters, values);
+  command.run = [name = method.name, options = std::move(options)](const command_line::Values& values) {
+    return run_motion(name, options, values);
   };
   return command;
 }

@@ -1,0 +1,187 @@
+#include "protocol/edits/cloth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "core/geometry/orientation.h"
+
+namespace selvage::protocol::edits {
+namespace {
+
+class ClothMaker {
+ public:
+  explicit ClothMaker(MarkerFile file) : file_{std::move(file)} {}
+
+  Result<MarkerFile> run(const Cloth& cloth) {
+    set_strip(cloth);
+    for (std::size_t k = 0; cloth.piece_rules && k < cloth.piece_rules->size() && !mistake_; ++k)
+      set_rules((*cloth.piece_rules)[k], "/pieceRules/" + std::to_string(k));
+    if (cloth.shade && !mistake_) set_shade(*cloth.shade);
+    if (cloth.nap_direction && !mistake_) set_nap(*cloth.nap_direction);
+    for (std::size_t k = 0; cloth.zones && k < cloth.zones->size() && !mistake_; ++k)
+      add_zone((*cloth.zones)[k], "/zones/" + std::to_string(k));
+    if (mistake_) return mistake_.error();
+    auto made = make_marker(std::move(file_.marker));
+    if (!made) return made.error();
+    file_.marker = *std::move(made);
+    return std::move(file_);
+  }
+
+ private:
+  [[nodiscard]] Resolution resolution() const { return file_.marker.resolution; }
+  // Nothing, and a mistake, where the lattice ends.
+  bool fits(bool on_lattice, const std::string& field) {
+    if (!on_lattice) mistake_.add(ErrorCode::kBeyondLattice, "a length is too far out", field);
+    return on_lattice;
+  }
+  template <class To>
+  void set_distance(To& to, const std::optional<double>& given, const std::string& field) {
+    if (given && fits(geometry::fits_lattice(*given, resolution()), field))
+      to = formats::spacing_on_lattice(*given, resolution());
+  }
+
+  void set_strip(const Cloth& cloth) {
+    Strip& strip = file_.marker.strip;
+    set_distance(strip.margin, cloth.margin, "/margin");
+    set_distance(strip.below, cloth.margin_below, "/marginBelow");
+    set_distance(strip.above, cloth.margin_above, "/marginAbove");
+    formats::DecimalRepeat repeat = formats::decimal_repeat(strip.repeat, resolution());
+    if (cloth.repeat_along) repeat.along = cloth.repeat_along;
+    if (cloth.repeat_across) repeat.across = cloth.repeat_across;
+    if (cloth.repeat_phase) repeat.phase = cloth.repeat_phase;
+    if (fits(formats::fits_lattice(repeat, resolution()), "/repeatAlong"))
+      strip.repeat = formats::repeat_on_lattice(repeat, resolution());
+  }
+
+  // Calls visit(piece, its attributes) for every piece, placed or not, that is no zone.
+  template <class Visit>
+  void for_each_piece(const Visit& visit) {
+    Marker& marker = file_.marker;
+    for (std::size_t k = 0; k < marker.pieces.size(); ++k) {
+      if (!marker.pieces[k].rules.zone) visit(marker.pieces[k], file_.attributes.pieces[k]);
+    }
+    for (std::size_t k = 0; k < marker.unplaced.size(); ++k) visit(marker.unplaced[k], file_.attributes.unplaced[k]);
+  }
+  [[nodiscard]] static std::string bundle_of(const Json& attributes) {
+    const Json* const bundle = attributes.find("bundle");
+    return bundle != nullptr && bundle->is_string() ? bundle->get<std::string>() : std::string{};
+  }
+
+  void set_rules(const RulesOfPieces& given, const std::string& field) {
+    if (!fits(formats::fits_lattice(given.rules, resolution()), field + "/rules")) return;
+    const marker::Rules rules = formats::rules_on_lattice(given.rules, resolution());
+    bool any = false;
+    for_each_piece([&](Piece& piece, const Json&) {
+      const bool meant =
+          given.piece ? piece.id == *given.piece : file_.marker.shapes[piece.shape.value].id == *given.shape;
+      if (meant) piece.rules = rules;
+      any = any || meant;
+    });
+    if (any) return;
+    const std::string& id = given.piece ? *given.piece : *given.shape;
+    mistake_.add(
+        ErrorCode::kOutOfRange,
+        json::shortened(Json(id)) + (given.piece ? " is no piece of this marker" : " is the shape of no piece"),
+        field + (given.piece ? "/piece" : "/shape"));
+  }
+
+  void set_shade(double length) {
+    if (!fits(geometry::fits_lattice(length, resolution()), "/shade")) return;
+    file_.marker.shade = formats::overlap_on_lattice(length, resolution());
+    bool any = false;
+    for_each_piece([&](Piece& piece, const Json& attributes) {
+      if (piece.rules.shade.empty()) piece.rules.shade = bundle_of(attributes);
+      any = any || !piece.rules.shade.empty();
+    });
+    if (!any) file_.notes.push_back({"/shade", "no piece has a shade or a bundle: the length has no effect"});
+  }
+
+  void set_nap(ClothNap nap) {
+    std::vector<std::string> bundles;  // in the order in which they come
+    std::size_t turned = 0;
+    for_each_piece([&](Piece& piece, const Json& attributes) {
+      piece.rules.nap = nap == ClothNap::kDown ? marker::Nap::kDown : marker::Nap::kUp;
+      if (nap == ClothNap::kUpAndDown) {
+        const std::string bundle = bundle_of(attributes);
+        const auto found = std::find(bundles.begin(), bundles.end(), bundle);
+        const auto number = static_cast<std::size_t>(found - bundles.begin());
+        if (found == bundles.end() && !bundle.empty()) bundles.push_back(bundle);
+        if (!bundle.empty() && number % 2 == 1) piece.rules.nap = marker::Nap::kDown;
+      }
+      turned += turn_with_nap(piece) ? 1 : 0;
+    });
+    if (nap == ClothNap::kUpAndDown && bundles.empty())
+      mistake_.add(ErrorCode::kOutOfRange, "no piece has a bundle; up and down are allowed", "/napDirection");
+    if (turned > 0) {
+      file_.notes.push_back(
+          {"/napDirection", std::to_string(turned) + (turned == 1 ? " piece was" : " pieces were") +
+                                " turned to lie with the nap; what they overlap now has to be parted"});
+    }
+  }
+  // Turns the piece about the middle of its box when it lies against its nap and its shape allows the other way.
+  bool turn_with_nap(Piece& piece) const {
+    const Shape& shape = file_.marker.shapes[piece.shape.value];
+    if (keeps_nap(piece.rules, piece.orientation) || piece.locked) return false;
+    constexpr double kHalf = 180, kSlack = 1e-9;
+    Orientation turned = piece.orientation;
+    turned.rotation = Angle::of_degrees(std::remainder(turned.rotation.degrees + kHalf, 2 * kHalf));
+    if (!shape.rotations.empty()) {
+      const auto allowed = formats::matching_rotation(turned.rotation.degrees, shape.rotations, kSlack);
+      if (!allowed) return false;
+      turned.rotation = *allowed;
+    }
+    piece.at =
+        piece.at + box_of(oriented(shape.outline, piece.orientation)).low - box_of(oriented(shape.outline, turned)).low;
+    piece.orientation = turned;
+    return true;
+  }
+
+  void add_zone(const ClothZone& zone, const std::string& field) {
+    const Vec low = corner(zone.from, field + "/from"), high = corner(zone.to, field + "/to");
+    if (mistake_) return;
+    if (low.x >= high.x || low.y >= high.y) {
+      mistake_.add(ErrorCode::kOutOfRange, "to must lie to the right of from and above it", field + "/to");
+      return;
+    }
+    const Vec size = high - low;
+    const std::string id = unused_id();
+    Marker& marker = file_.marker;
+    marker.pieces.push_back({.id = id,
+                             .shape = {static_cast<std::uint32_t>(marker.shapes.size())},
+                             .orientation = {},
+                             .at = low,
+                             .locked = true,
+                             .rules = {.zone = true}});
+    marker.shapes.push_back({.id = id, .outline = {{0, 0}, {size.x, 0}, size, {0, size.y}}, .tilt_limit = {}});
+    file_.attributes.pieces.push_back(Json::object());
+    file_.attributes.shapes.push_back(Json::object());
+  }
+  Vec corner(const formats::Decimal& at, const std::string& field) {
+    const bool near = geometry::fits_lattice(at.x, resolution()) && geometry::fits_lattice(at.y, resolution());
+    return fits(near, field) ? Vec{to_lattice(at.x, resolution()), to_lattice(at.y, resolution())} : Vec{};
+  }
+  // "zone 1" or the next that neither a piece nor a shape has.
+  [[nodiscard]] std::string unused_id() const {
+    std::set<std::string> used;
+    for (const Shape& shape : file_.marker.shapes) used.insert(shape.id);
+    for (const auto* pieces : {&file_.marker.pieces, &file_.marker.unplaced}) {
+      for (const Piece& piece : *pieces) used.insert(piece.id);
+    }
+    for (std::size_t number = 1;; ++number) {
+      if (std::string id = "zone " + std::to_string(number); !used.contains(id)) return id;
+    }
+  }
+
+  MarkerFile file_;
+  json::Mistake mistake_;
+};
+
+}  // namespace
+
+Result<MarkerFile> with_cloth(MarkerFile file, const Cloth& cloth) {
+  return ClothMaker{std::move(file)}.run(cloth);
+}
+
+}  // namespace selvage::protocol::edits

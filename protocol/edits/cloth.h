@@ -1,0 +1,95 @@
+// Cloth's rules for a whole marker at once (docs/cloth-rules.md), as somebody gives them who has a file without any: on
+// the command line.  What is absent stays as the file has it.  Units: the marker's.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "protocol/document/marker_file.h"
+#include "protocol/edits/edits.h"
+
+namespace selvage::protocol::edits {
+
+// The directions of all pieces on cloth with a nap.
+enum class ClothNap { kUp, kDown, kUpAndDown };
+
+}  // namespace selvage::protocol::edits
+
+namespace selvage::protocol::schema {
+
+template <>
+struct Choices<edits::ClothNap> {
+  static constexpr std::string_view kName = "ClothNap";
+  static constexpr std::string_view kMeaning =
+      "How pieces lie on cloth with a nap: all up, all down, or the bundles up and down in turns.";
+  static constexpr std::string_view kWords[] = {"up", "down", "up_and_down"};
+};
+
+}  // namespace selvage::protocol::schema
+
+namespace selvage::protocol::edits {
+
+struct ClothZone {
+  static constexpr std::string_view kName = "ClothZone", kMeaning = "A rectangle of the cloth that no piece may cover.";
+  formats::Decimal from{}, to{};
+
+  static void describe(auto& v, auto& self) {
+    v.required("from", self.from, "Its lower left corner.");
+    v.required("to", self.to, "Its upper right corner.");
+  }
+};
+
+struct RulesOfPieces {
+  static constexpr std::string_view kName = "RulesOfPieces",
+                                    kMeaning = "The rules of a piece, or of every piece of a shape.";
+  std::optional<std::string> piece{}, shape{};
+  formats::DecimalRules rules{};
+
+  static void describe(auto& v, auto& self) {
+    v.optional("piece", self.piece, "The id of the piece.");
+    v.optional("shape", self.shape, "Or the id of the shape.");
+    v.required("rules", self.rules, "All rules that they have.");
+    v.check(one_of("piece", "shape"));
+  }
+};
+
+struct Cloth {
+  std::optional<double> margin{}, margin_below{}, margin_above{};
+  std::optional<double> repeat_along{}, repeat_across{};
+  std::optional<formats::Decimal> repeat_phase{};
+  std::optional<double> shade{};
+  std::optional<ClothNap> nap_direction{};
+  std::optional<std::vector<ClothZone>> zones{};
+  std::optional<std::vector<RulesOfPieces>> piece_rules{};
+
+  static void describe(auto& v, auto& self) {
+    v.optional("margin", self.margin, "Distance of pieces from the strip's long edges and from the ends of the cloth.",
+               kLengths);
+    v.optional("marginBelow", self.margin_below, "Distance from the lower edge, in place of the margin.", kLengths);
+    v.optional("marginAbove", self.margin_above, "Distance from the upper edge, in place of the margin.", kLengths);
+    v.optional("repeatAlong", self.repeat_along, "Length of the pattern's repeat in x; 0: there is none.", kLengths);
+    v.optional("repeatAcross", self.repeat_across, "Length of the pattern's repeat in y; 0: there is none.", kLengths);
+    v.optional("repeatPhase", self.repeat_phase, "A point at which a repeat begins.");
+    v.optional("shade", self.shade,
+               "Length within which the pieces of a shade lie; pieces without one belong to that of their bundle.",
+               {.range = {{1e-6, formats::kStripWidths.most}}});
+    v.optional("napDirection", self.nap_direction,
+               "How all pieces lie on cloth with a nap; up_and_down: every second bundle lies down.");
+    v.optional("zones", self.zones, R"(Parts of the cloth that no piece may cover: [{"from": [X, Y], "to": [X, Y]}].)",
+               {.entries = {{0, marker::kMaxPieces}}, .entries_are = "zones"});
+    v.optional("pieceRules", self.piece_rules,
+               R"(Rules of single pieces or shapes: [{"shape": "collar", "rules": {"match": [0, 0]}}].)",
+               {.entries = {{0, kMaxEdits}}, .entries_are = "pieces or shapes"});
+  }
+};
+
+// The file with these rules.  A piece that lies against its nap is turned about its middle where its shape allows that.
+// Notes say what was turned, and a shade without pieces.
+// Errors: those of make_marker; kBeyondLattice; kOutOfRange for a piece or shape that the marker does not have and for
+// up_and_down where no piece has a bundle; `field` points into the file or at the field of Cloth.
+[[nodiscard]] Result<MarkerFile> with_cloth(MarkerFile file, const Cloth& cloth);
+
+}  // namespace selvage::protocol::edits

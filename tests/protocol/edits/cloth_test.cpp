@@ -1,0 +1,144 @@
+// Cloth's rules given for a whole marker at once.
+#include "protocol/edits/cloth.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "core/marker/validity.h"
+#include "tests/protocol/formats/samples.h"
+
+namespace selvage {
+namespace {
+
+using protocol::edits::Cloth;
+using protocol::edits::ClothNap;
+using protocol::edits::with_cloth;
+
+// Two bundles of two pieces, one of them unplaced.
+MarkerFile two_bundles() {
+  return test::read(test::json(R"({
+    "format": "selvage-marker", "version": 1, "name": "", "strip": {"width": 100, "margin": 1}, "resolution": 0.01,
+    "shapes": [{"id": "s", "outline": [[0, 0], [40, 0], [40, 20], [0, 10]], "rotations": [0, 180]}],
+    "pieces": [{"id": "M-A 1", "shape": "s", "at": [1, 1], "attributes": {"bundle": "M-A"}},
+               {"id": "M-A 2", "shape": "s", "at": [41, 1], "attributes": {"bundle": "M-A"}},
+               {"id": "M-B 1", "shape": "s", "at": [1, 30], "attributes": {"bundle": "M-B"}}],
+    "unplaced": [{"id": "M-B 2", "shape": "s", "attributes": {"bundle": "M-B"}}]})"));
+}
+
+MarkerFile with(const Cloth& cloth, MarkerFile file = two_bundles()) {
+  auto given = with_cloth(std::move(file), cloth);
+  if (!given) throw std::runtime_error(given.error().field + ": " + given.error().message);
+  return *std::move(given);
+}
+std::string refused(const Cloth& cloth, MarkerFile file = two_bundles()) {
+  const auto given = with_cloth(std::move(file), cloth);
+  return given ? "" : given.error().field;
+}
+
+TEST(Cloth, NothingGivenChangesNothing) {
+  EXPECT_EQ(with({}).marker, two_bundles().marker);
+}
+
+TEST(Cloth, StripHasMarginsAndRepeats) {
+  const Strip strip =
+      with({.margin = 2, .margin_below = 3.5, .margin_above = 4, .repeat_along = 6.4, .repeat_phase = {{1, -2}}})
+          .marker.strip;
+  EXPECT_EQ(strip.margin, 200);
+  EXPECT_EQ(strip.below, 350);
+  EXPECT_EQ(strip.above, 400);
+  EXPECT_EQ(strip.repeat, (marker::Repeat{.along = 640, .across = 0, .phase = {100, -200}}));
+}
+
+TEST(Cloth, AxisOfTheRepeatThatIsNotGivenStays) {
+  MarkerFile file = two_bundles();
+  file.marker.strip.repeat = {.along = 500, .across = 700, .phase = {10, 10}};
+  EXPECT_EQ(with({.repeat_along = 6}, file).marker.strip.repeat, (marker::Repeat{600, 700, {10, 10}}));
+}
+
+TEST(Cloth, BundlesBecomeShades) {
+  const Marker marker = with({.shade = 90}).marker;
+  EXPECT_EQ(marker.shade, 9000);
+  EXPECT_EQ(marker.pieces[1].rules.shade, "M-A");
+  EXPECT_EQ(marker.unplaced[0].rules.shade, "M-B");
+  MarkerFile bare = two_bundles();
+  bare.attributes.pieces.assign(3, Json::object());
+  bare.attributes.unplaced.assign(1, Json::object());
+  const MarkerFile without = with({.shade = 90}, bare);
+  ASSERT_EQ(without.notes.size(), 1U);
+  EXPECT_EQ(without.notes[0].field, "/shade");
+}
+
+// A piece that is turned keeps its box.
+TEST(Cloth, EverySecondBundleLiesDown) {
+  const MarkerFile file = with({.nap_direction = ClothNap::kUpAndDown});
+  const Marker& marker = file.marker;
+  EXPECT_EQ(marker.pieces[0].rules.nap, marker::Nap::kUp);
+  EXPECT_EQ(marker.pieces[1].rules.nap, marker::Nap::kUp);
+  EXPECT_EQ(marker.pieces[2].rules.nap, marker::Nap::kDown);
+  EXPECT_EQ(marker.unplaced[0].rules.nap, marker::Nap::kDown);
+  EXPECT_EQ(marker.pieces[2].orientation.rotation.degrees, 180);
+  EXPECT_EQ(box_of(placed_outline(marker, PieceId{2})), box_of(placed_outline(two_bundles().marker, PieceId{2})));
+  ASSERT_EQ(file.notes.size(), 1U);
+  EXPECT_TRUE(is_valid(marker));
+}
+
+TEST(Cloth, NapThatCannotBeIsRefused) {
+  MarkerFile one_way = two_bundles();
+  one_way.marker.shapes[0].rotations = {Angle{}};
+  EXPECT_EQ(refused({.nap_direction = ClothNap::kDown}, one_way), "/pieces/0/rules/nap");
+  MarkerFile locked = two_bundles();
+  locked.marker.pieces[2].locked = true;
+  EXPECT_EQ(refused({.nap_direction = ClothNap::kUpAndDown}, locked), "/pieces/2/rules/nap");
+  MarkerFile bare = two_bundles();
+  bare.attributes.pieces.assign(3, Json::object());
+  bare.attributes.unplaced.assign(1, Json::object());
+  EXPECT_EQ(refused({.nap_direction = ClothNap::kUpAndDown}, bare), "/napDirection");
+}
+
+Cloth with_zones(std::vector<protocol::edits::ClothZone> zones) {
+  Cloth cloth;
+  cloth.zones = std::move(zones);
+  return cloth;
+}
+
+TEST(Cloth, ZonesLieWhereTheyAreSaidTo) {
+  MarkerFile file = two_bundles();
+  file.marker.pieces[0].id = "zone 1";
+  const MarkerFile given = with(with_zones({{{60, 40}, {70, 100}}, {{-5, 0}, {0, 100}}}), file);
+  ASSERT_EQ(given.marker.pieces.size(), 5U);
+  const Piece& zone = given.marker.pieces[3];
+  EXPECT_EQ(zone.id, "zone 2");  // another piece has the first name
+  EXPECT_TRUE(zone.rules.zone && zone.locked);
+  EXPECT_EQ(box_of(placed_outline(given.marker, PieceId{3})), (Box{{6000, 4000}, {7000, 10000}}));
+  EXPECT_EQ(given.attributes.pieces.size(), 5U);
+  EXPECT_EQ(given.attributes.shapes.size(), 3U);
+  EXPECT_EQ(refused(with_zones({{{60, 40}, {60, 100}}})), "/zones/0/to");
+  EXPECT_EQ(refused(with_zones({{{1e300, 40}, {60, 100}}})), "/zones/0/from");
+}
+
+TEST(Cloth, RulesAreThoseOfAPieceOrOfAShape) {
+  Cloth cloth;
+  cloth.piece_rules.emplace(2);
+  (*cloth.piece_rules)[0].shape = "s";
+  (*cloth.piece_rules)[0].rules.to = 90;
+  (*cloth.piece_rules)[1].piece = "M-A 2";
+  (*cloth.piece_rules)[1].rules.below = 0;
+  const Marker marker = with(cloth).marker;
+  EXPECT_EQ(marker.pieces[0].rules, (marker::Rules{.to = 9000}));
+  EXPECT_EQ(marker.pieces[1].rules, (marker::Rules{.below = 0}));
+  EXPECT_EQ(marker.unplaced[0].rules, (marker::Rules{.to = 9000}));
+  (*cloth.piece_rules)[1].piece = "none";
+  EXPECT_EQ(refused(cloth), "/pieceRules/1/piece");
+  (*cloth.piece_rules)[0].shape = "none";
+  EXPECT_EQ(refused(cloth), "/pieceRules/0/shape");
+}
+
+TEST(Cloth, MarginsThatLeaveNothingAreRefused) {
+  EXPECT_EQ(refused({.margin_below = 60, .margin_above = 60}), "/strip/above");
+}
+
+}  // namespace
+}  // namespace selvage
