@@ -50,7 +50,9 @@ Admission JobQueue::submit(Job& job) {
       return Admission::kAccepted;
     }
   }
-  make_ready(std::move(job));
+  std::condition_variable& changed = make_ready(std::move(job));
+  lock.unlock();  // or else whoever wakes up would have to wait for the mutex first
+  changed.notify_one();
   return Admission::kAccepted;
 }
 
@@ -78,12 +80,15 @@ JobQueue::Milliseconds JobQueue::longest_wait(bool quick) const {
   return longest;
 }
 
-void JobQueue::make_ready(Job job) {
-  if (job.quick) quick_.notify_one();
-  work_.notify_one();
+// Returns what the worker waits for that is to take the job.  A quick job for which there is an idle worker for quick
+// ones wakes no other.  (There is one if there are more of them than quick jobs that each of them has been woken for.)
+std::condition_variable& JobQueue::make_ready(Job job) {
+  const bool quick_takes_it = job.quick && idle_quick_ > ready_quick_;
+  ready_quick_ += job.quick ? 1 : 0;
   job.ready_at = now_();
   const std::uint64_t session = job.session;
   ready_.push(session, std::move(job));
+  return quick_takes_it ? quick_ : work_;
 }
 
 void JobQueue::count_as_gone(std::uint64_t session) {
@@ -93,6 +98,7 @@ void JobQueue::count_as_gone(std::uint64_t session) {
 
 JobQueue::RunningJob JobQueue::begin(const Job& job) {
   count_as_gone(job.session);
+  ready_quick_ -= job.quick ? 1 : 0;
   const Job::Time now = now_();
   (job.quick ? waited_quick_ : waited_).record(now - job.ready_at);
   if (const auto lane = lanes_.find(job.lane); lane != lanes_.end()) {
@@ -122,6 +128,7 @@ std::vector<Job> JobQueue::take_answered() {
   }
   std::vector<Job> ready = ready_.take_all(answered);
   for (Job& job : ready) {
+    ready_quick_ -= job.quick ? 1 : 0;
     (job.quick ? waited_quick_ : waited_).record(now_() - job.ready_at);
     free_lane(job.lane);
     removed.push_back(std::move(job));
@@ -236,7 +243,7 @@ void JobQueue::free_lane(const std::string& lane) {
   found->second.blocked.pop_front();
   found->second.running.reset();
   --blocked_;
-  make_ready(std::move(next));
+  make_ready(std::move(next)).notify_one();
 }
 
 }  // namespace selvage::server::jobs

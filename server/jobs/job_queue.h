@@ -99,8 +99,8 @@ class JobQueue {
   void serve(bool only_quick);
   void run(Job job, RunningJob running);
   void end(const std::string& lane, RunningJob running);
-  // These need the mutex.
-  void make_ready(Job job);
+  // These need the mutex, except that those who wait for what they return are best notified without it.
+  std::condition_variable& make_ready(Job job);
   void free_lane(const std::string& lane);
   void count_as_gone(std::uint64_t session);
   [[nodiscard]] RunningJob begin(const Job& job);
@@ -123,6 +123,7 @@ class JobQueue {
   std::map<std::uint64_t, std::size_t> waiting_of_;  // by session, ready or blocked; sessions with none are absent
   std::list<Running> running_;
   std::size_t idle_{}, idle_quick_{};  // workers of either kind that wait for a job
+  std::size_t ready_quick_{};          // quick jobs in ready_
   WaitingTime waited_, waited_quick_;  // for a worker, by jobs that are long and quick
   double recent_ms_{100};              // the time of a recent job, smoothed
   bool draining_{};

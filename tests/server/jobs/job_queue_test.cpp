@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <latch>
 #include <memory>
 #include <stdexcept>
@@ -52,6 +53,28 @@ TEST(JobQueue, RunsJobsAtTheSameTime) {
               Admission::kAccepted);
   }
   done.wait();
+}
+
+// A worker that is not woken for its job would be missed here only.
+TEST(JobQueue, ExecutesAMixOfQuickAndLongJobsToTheLast) {
+  constexpr int kThreads = 4;
+  constexpr int kJobs = 2000;
+  JobQueue queue{2, kThreads * kJobs, 1};
+  for (int round = 0; round < 3; ++round) {
+    std::latch done{kThreads * kJobs};
+    std::vector<std::jthread> threads;
+    for (int t = 0; t < kThreads; ++t) {
+      threads.emplace_back([&, t] {
+        for (int i = 0; i < kJobs; ++i) {
+          Job next = job([&](auto) { done.count_down(); });
+          next.session = static_cast<std::uint64_t>(t);
+          next.quick = (i * 7 + t) % 3 != 0;
+          EXPECT_EQ(queue.submit(next), Admission::kAccepted);
+        }
+      });
+    }
+    done.wait();
+  }
 }
 
 TEST(JobQueue, RunsTheJobsOfALaneInOrderOneAtATime) {
