@@ -26,6 +26,7 @@
 #include "server/app/daemon.h"
 #include "server/app/options.h"
 #include "server/app/replay.h"
+#include "server/jobs/prompt_thread.h"
 #include "server/ops/freed_memory.h"
 #include "server/ops/log.h"
 #include "server/ops/version.h"
@@ -114,6 +115,9 @@ void announce(const Options& options, Daemon& daemon) {
 
 int serve(const Options& options) {
   const sigset_t signals = block_signals();
+  if (options.real_time && !jobs::use_real_time(true)) {
+    spdlog::warn("--real-time: the system allows no real-time priorities, so quick calls may wait for a processor");
+  }
   Daemon daemon{options};
   // Beside waiting for signals, so that one of them can end the loading.
   std::future<void> announced = std::async(std::launch::async, [&] { announce(options, daemon); });

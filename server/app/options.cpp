@@ -62,6 +62,8 @@ void declare_work(CLI::App& app, Options& options, RawOptions& raw) {
   app.add_option("--workers", options.workers, "Threads for motions; 0 executes them on the I/O thread, for tests")
       ->check(CLI::Range(0, 256))
       ->capture_default_str();
+  app.add_flag("--real-time", options.real_time,
+               "Real-time priorities for the threads that all clients wait for, if the system allows them");
   app.add_option("--memory", raw.memory_mb,
                  "Memory in MiB for all that clients can make grow, and for the program itself: sums, requests and "
                  "answers, and with the rest markers, their histories and the answers kept for retries")

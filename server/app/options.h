@@ -35,6 +35,7 @@ struct Options {
   std::optional<transport::access::TlsFiles> tls;
   std::string port_file;                            // receives the actual ports, one per line; empty: none
   std::size_t workers{};                            // for motions; 0: inline, on the I/O thread (for tests)
+  bool real_time{};                                 // priorities for the threads that all clients wait for
   std::size_t cache_bytes{std::size_t{256} << 20};  // for Minkowski sums
   std::string store;                                // the journal's file; empty: markers live in memory only
   store::Durability durability{};

@@ -1,10 +1,13 @@
 #include "server/jobs/prompt_thread.h"
 
+#include <sched.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
+#include <thread>
 
 namespace selvage::server::jobs {
 namespace {
@@ -28,28 +31,58 @@ bool read(int thread, Attributes& attributes) {
   return ::syscall(SYS_sched_getattr, thread, &attributes, sizeof attributes, kNoFlags) == 0;
 }
 
-// Changes those of the calling thread, if the kernel allows it.
+// Changes those of the calling thread.  Returns false if the kernel refuses.
 template <class Change>
-void change(const Change& to) {
+bool change(const Change& to) {
   constexpr int kThisThread = 0;
   Attributes attributes{};
-  if (!read(kThisThread, attributes)) return;
+  if (!read(kThisThread, attributes)) return false;
   to(attributes);
-  (void)::syscall(SYS_sched_setattr, kThisThread, &attributes, kNoFlags);
+  return ::syscall(SYS_sched_setattr, kThisThread, &attributes, kNoFlags) == 0;
+}
+
+std::atomic<bool>& real_time() {
+  static std::atomic<bool> used{false};
+  return used;
+}
+
+// Returns false if the kernel refuses.
+bool run_in_real_time(Promptness how) {
+  constexpr std::uint64_t kNotInherited = 1;  // SCHED_FLAG_RESET_ON_FORK
+  return change([how](Attributes& own) {
+    own.policy = SCHED_RR;
+    own.priority = how == Promptness::kFirst ? 2 : 1;
+    own.flags |= kNotInherited;
+    own.runtime = 0;
+  });
 }
 
 }  // namespace
 
+bool use_real_time(bool wanted) {
+  bool possible = !wanted;
+  // A thread of its own, because this one is to keep its priority.
+  if (wanted) std::jthread{[&possible] { possible = run_in_real_time(Promptness::kFirst); }}.join();
+  if (possible) real_time() = wanted;
+  return possible;
+}
+
 void run_promptly(Promptness how) {
+  if (real_time() && run_in_real_time(how)) return;
   constexpr std::uint64_t kFirst = 100'000, kSoon = 200'000;  // nanoseconds; Linux accepts none below the first
-  change([how](Attributes& own) { own.runtime = how == Promptness::kFirst ? kFirst : kSoon; });
+  (void)change([how](Attributes& own) { own.runtime = how == Promptness::kFirst ? kFirst : kSoon; });
 }
 
 void give_way() {
-  change([](Attributes& own) {
+  (void)change([](Attributes& own) {
     constexpr std::int32_t kLower = 5, kLowest = 19;
     own.nice = std::min(own.nice + kLower, kLowest);
   });
+}
+
+unsigned real_time_priority(int thread) {
+  Attributes attributes{};
+  return read(thread, attributes) ? attributes.priority : 0;
 }
 
 std::chrono::nanoseconds time_slice(int thread) {

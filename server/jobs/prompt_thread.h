@@ -10,18 +10,31 @@ enum class Promptness {
   kSoon,   // a quick call waits for it
 };
 
-// Asks the kernel to let the calling thread run as soon as it has work, by asking for short time slices: from 6.12 on,
-// Linux interrupts threads with longer ones for it, unless it has just had its share of the processor.  That share
-// stays what it was.  Older kernels, and systems that forbid the call, go on as before, where it may have to wait for
-// the end of another thread's slice, which takes some milliseconds.
+// Whether run_promptly() gives real-time priorities from now on, to any thread of the process; unless told so, it does
+// not.  Returns false, and changes nothing, if the system allows none: without the capability CAP_SYS_NICE, the limit
+// RLIMIT_RTPRIO has to be 2.
+[[nodiscard]] bool use_real_time(bool wanted);
+
+// Asks the kernel to let the calling thread run as soon as it has work.
+//
+// With a real-time priority it interrupts at once every thread that has none, and takes as much of the processor as it
+// wants.  Threads that it starts later have none.
+//
+// Without, it asks for short time slices: from 6.12 on, Linux interrupts threads with longer ones for it, unless it has
+// just had its share of the processor, or others wait as well.  That share stays what it was.  Older kernels, and
+// systems that forbid the call, go on as before, where it may have to wait for the end of another thread's slice, which
+// takes some milliseconds.
 void run_promptly(Promptness how);
 
 // From now on the calling thread, and those that it starts, have a third of the share in a busy processor that others
 // have: so these have rarely had theirs when they wake up.
 void give_way();
 
+// The real-time priority of the thread with this id, 1 or more; 0: the calling one.  Returns 0 if it has none.
+[[nodiscard]] unsigned real_time_priority(int thread = 0);
+
 // The length of the time slices of the thread with this id, as the kernel knows it; 0: the calling one.  Returns 0 if
-// the kernel does not say, because all threads have the same.
+// the kernel does not say, because all threads have the same, or because it has a real-time priority.
 [[nodiscard]] std::chrono::nanoseconds time_slice(int thread = 0);
 
 }  // namespace selvage::server::jobs

@@ -88,6 +88,33 @@ TEST_F(Selvaged, TheThreadsThatAllClientsWaitForRunAsSoonAsTheyWakeUp) {
   EXPECT_EQ(before_others, 1U);  // the I/O thread
 }
 
+TEST_F(Selvaged, TheSameThreadsRunInRealTimeIfItMayAndIsAsked) {
+  using server::jobs::real_time_priority;
+  Process selvaged{arguments({"--real-time"})};
+  Wire wire{port_of(selvaged)};
+  EXPECT_EQ(result_of(post_call(wire, "engine.info"))["name"], "selvage");
+  const bool allowed = server::jobs::use_real_time(true);
+  (void)server::jobs::use_real_time(false);
+  const std::size_t first = allowed ? 2 : 0;  // the I/O thread and the clock's
+  const std::size_t soon = allowed ? 3 : 0;   // the workers for quick reads, openings and changes
+  std::vector<std::size_t> threads;           // by their priority
+  const auto count = [&] {
+    threads.assign(3, 0);
+    for (const auto& entry : std::filesystem::directory_iterator{"/proc/" + std::to_string(selvaged.id()) + "/task"}) {
+      ++threads.at(real_time_priority(std::stoi(entry.path().filename().string())));
+    }
+  };
+  count();
+  for (int tries = 0; tries < 200 && (threads[1] != soon || threads[2] != first); ++tries) {
+    std::this_thread::sleep_for(std::chrono::milliseconds{50});
+    count();
+  }
+  EXPECT_EQ(threads[2], first);
+  EXPECT_EQ(threads[1], soon);
+  selvaged.signal(SIGTERM);
+  EXPECT_EQ(selvaged.all_output().find("no real-time priorities") == std::string::npos, allowed);
+}
+
 TEST_F(Selvaged, AnswersAllMotionsWhenItIsStopped) {
   Process selvaged{arguments({"--workers", "1"})};
   const std::uint16_t port = port_of(selvaged);

@@ -24,11 +24,12 @@ TEST(Options, Defaults) {
   EXPECT_EQ(options->host, "127.0.0.1");
   EXPECT_EQ(options->port, 7171);
   EXPECT_GE(options->workers, 1U);
+  EXPECT_FALSE(options->real_time);
 }
 
 TEST(Options, AreRead) {
   const auto parsed = parse({"--listen", "[::1]:0", "--workers", "0", "--cache-mb", "8", "--max-body-mb", "3",
-                             "--call-seconds", "90", "--port-file", "p", "--log-level", "warn"});
+                             "--call-seconds", "90", "--port-file", "p", "--log-level", "warn", "--real-time"});
   const auto* options = std::get_if<Options>(&parsed);
   ASSERT_TRUE(options);
   EXPECT_EQ(options->host, "::1");
@@ -39,6 +40,7 @@ TEST(Options, AreRead) {
   EXPECT_EQ(options->limits.call, std::chrono::seconds{90});
   EXPECT_EQ(options->port_file, "p");
   EXPECT_EQ(options->log.level, "warn");
+  EXPECT_TRUE(options->real_time);
   EXPECT_EQ(options->log.format, ops::LogFormat::kText);
 }
 

@@ -73,20 +73,29 @@ void submit(JobQueue& queue, bool quick, std::function<void()> work) {
   EXPECT_EQ(queue.submit(job), Admission::kAccepted);
 }
 
-TEST_F(PromptThread, OnlyWorkersForQuickJobsAreSuchThreads) {
-  std::promise<nanoseconds> of_long;
-  std::promise<nanoseconds> of_quick;
+// What `measure` returns on a worker for all jobs, and on one for quick jobs only.
+template <class Measure>
+auto on_workers(const Measure& measure) {
+  using Value = decltype(measure());
+  std::promise<Value> of_long;
+  std::promise<Value> of_quick;
   std::latch done{1};
   JobQueue queue{1, 8, 1};
   submit(queue, false, [&] {
-    of_long.set_value(time_slice());
+    of_long.set_value(measure());
     done.wait();
   });
-  const nanoseconds slice = of_long.get_future().get();
-  submit(queue, true, [&] { of_quick.set_value(time_slice()); });  // while the other worker is busy
-  EXPECT_EQ(of_quick.get_future().get(), slice_of(Promptness::kSoon));
-  EXPECT_EQ(slice, time_slice());
+  const Value long_jobs = of_long.get_future().get();
+  submit(queue, true, [&] { of_quick.set_value(measure()); });  // while the other worker is busy
+  const Value quick_jobs = of_quick.get_future().get();
   done.count_down();
+  return std::pair{long_jobs, quick_jobs};
+}
+
+TEST_F(PromptThread, OnlyWorkersForQuickJobsAreSuchThreads) {
+  const auto [long_jobs, quick_jobs] = on_workers([] { return time_slice(); });
+  EXPECT_EQ(quick_jobs, slice_of(Promptness::kSoon));
+  EXPECT_EQ(long_jobs, time_slice());
 }
 
 TEST_F(PromptThread, TheClockThatAnswersAtDeadlinesIsOne) {
@@ -94,6 +103,49 @@ TEST_F(PromptThread, TheClockThatAnswersAtDeadlinesIsOne) {
   DeadlineClock clock;
   const auto alarm = clock.at(clock.now(), [&] { measured.set_value(time_slice()); });
   EXPECT_EQ(measured.get_future().get(), slice_of(Promptness::kFirst));
+}
+
+unsigned priority_of(Promptness how) {
+  unsigned priority = 0;
+  std::jthread{[&priority, how] {
+    run_promptly(how);
+    priority = real_time_priority();
+  }}.join();
+  return priority;
+}
+
+TEST(WithoutRealTime, NoThreadHasSuchAPriority) {
+  EXPECT_EQ(priority_of(Promptness::kFirst), 0U);
+  EXPECT_EQ(priority_of(Promptness::kSoon), 0U);
+}
+
+class RealTime : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!use_real_time(true)) GTEST_SKIP() << "this system allows no real-time priorities";
+  }
+  void TearDown() override { (void)use_real_time(false); }
+};
+
+TEST_F(RealTime, ThreadsThatAllWaitForComeFirst) {
+  EXPECT_GT(priority_of(Promptness::kFirst), priority_of(Promptness::kSoon));
+  EXPECT_GT(priority_of(Promptness::kSoon), 0U);
+  EXPECT_EQ(real_time_priority(), 0U);
+}
+
+TEST_F(RealTime, ThreadsThatTheyStartHaveNone) {
+  unsigned started = 1;
+  std::jthread{[&] {
+    run_promptly(Promptness::kFirst);
+    std::jthread{[&] { started = real_time_priority(); }}.join();
+  }}.join();
+  EXPECT_EQ(started, 0U);
+}
+
+TEST_F(RealTime, WorkersForLongJobsHaveNone) {
+  const auto [long_jobs, quick_jobs] = on_workers([] { return real_time_priority(); });
+  EXPECT_EQ(long_jobs, 0U);
+  EXPECT_GT(quick_jobs, 0U);
 }
 
 }  // namespace
