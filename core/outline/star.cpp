@@ -2,8 +2,11 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
+
+#include <boost/container/static_vector.hpp>
 
 #include "core/outline/decomposition/convex_cell.h"
 #include "core/outline/decomposition/growing_kernel.h"
@@ -56,97 +59,112 @@ RealVec middle_of(const Polygon& polygon) {
 class TriangleMerging {
  public:
   explicit TriangleMerging(const Polygon& polygon)
-      : polygon_{polygon}, triangles_{decomposition::triangulate(polygon)} {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> seen;
-    next_to_.resize(triangles_.size());
-    for (std::size_t t = 0; t < triangles_.size(); ++t) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::pair<std::uint32_t, std::uint32_t> edge = std::minmax(triangles_[t][k], triangles_[t][(k + 1) % 3]);
-        if (const auto [at, fresh] = seen.emplace(edge, t); !fresh) {
-          next_to_[t].push_back(at->second);
-          next_to_[at->second].push_back(t);
-        }
-      }
-    }
+      : polygon_{polygon}, triangles_{decomposition::triangulate(polygon)}, kernel_{polygon} {
+    find_neighbours();
     taken_.resize(triangles_.size());
+    free_.resize(triangles_.size());
+    std::iota(free_.begin(), free_.end(), std::size_t{0});
+    std::vector<Wide> areas(triangles_.size());
+    for (const std::size_t t : free_) areas[t] = doubled_area_of(t);
+    std::stable_sort(free_.begin(), free_.end(), [&](std::size_t a, std::size_t b) { return areas[a] > areas[b]; });
   }
 
   std::vector<StarPart> run() {
     std::vector<StarPart> parts;
-    std::size_t left = triangles_.size();
-    while (left > 0) {
-      const auto [members, part] = largest_part();
-      for (const std::size_t t : members) taken_[t] = true;
-      left -= members.size();
-      parts.push_back(part);
+    while (!free_.empty()) {
+      const Growth& growth = largest_growth();
+      for (const std::size_t t : growth.members) taken_[t] = true;
+      StarPart part = part_of(growth.members);
+      const auto kernel = kernel_point(part.vertices);
+      part.kernel = kernel ? *kernel : middle_of(part.vertices);
+      parts.push_back(std::move(part));
+      forget_taken();
     }
     return parts;
   }
 
  private:
   using Members = std::vector<std::size_t>;
+  // What grows from one triangle.  It stays the same until one of the triangles that were looked at is taken.
+  struct Growth {
+    Members members;
+    Members looked_at;
+    Wide doubled_area{};
+  };
+
+  // Every triangle was cut off what was left of the polygon: its third edge is then an edge of the rest, from its first
+  // vertex to its last, and the triangle lies behind that edge.
+  void find_neighbours() {
+    constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> behind(polygon_.size(), kNone);  // the edge of the rest that begins at a vertex
+    next_to_.resize(triangles_.size());
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      const std::size_t of_rest = t + 1 == triangles_.size() ? 3 : 2;
+      for (std::size_t k = 0; k < of_rest; ++k) {
+        const std::size_t other = behind[triangles_[t][k]];
+        if (other == kNone) continue;
+        next_to_[t].push_back(other);
+        next_to_[other].push_back(t);
+      }
+      behind[triangles_[t].front()] = t;
+    }
+  }
 
   [[nodiscard]] Wide doubled_area_of(std::size_t t) const {
     const auto [i, j, k] = triangles_[t];
     return cross(polygon_[j] - polygon_[i], polygon_[k] - polygon_[i]);
   }
 
-  [[nodiscard]] Wide doubled_area_of(const Members& members) const {
-    Wide sum = 0;
-    for (const std::size_t t : members) sum += doubled_area_of(t);
-    return sum;
+  // Of what grows from each of the few largest free triangles, the largest.
+  [[nodiscard]] const Growth& largest_growth() {
+    constexpr std::size_t kSeeds = 6;
+    const Growth* best = nullptr;
+    for (std::size_t k = 0; k < std::min(kSeeds, free_.size()); ++k) {
+      const Growth& growth = growth_from(free_[k]);
+      if (best == nullptr || growth.doubled_area > best->doubled_area) best = &growth;
+    }
+    return *best;
   }
 
-  // Starts from each of the few largest free triangles, and returns the resulting part with the largest area.
-  [[nodiscard]] std::pair<Members, StarPart> largest_part() const {
-    constexpr std::size_t kSeeds = 6;
-    Members seeds;
-    for (std::size_t t = 0; t < triangles_.size(); ++t) {
-      if (!taken_[t]) seeds.push_back(t);
-    }
-    const std::size_t tries = std::min(kSeeds, seeds.size());
-    std::partial_sort(seeds.begin(), seeds.begin() + static_cast<std::ptrdiff_t>(tries), seeds.end(),
-                      [&](std::size_t a, std::size_t b) {
-                        const Wide x = doubled_area_of(a);
-                        const Wide y = doubled_area_of(b);
-                        return x != y ? x > y : a < b;
-                      });
-    Members best;
-    Wide largest = 0;
-    for (std::size_t k = 0; k < tries; ++k) {
-      Members grown = grow(seeds[k]);
-      if (const Wide area = doubled_area_of(grown); area > largest) {
-        largest = area;
-        best = std::move(grown);
-      }
-    }
-    StarPart part = part_of(best);
-    const auto kernel = kernel_point(part.vertices);
-    part.kernel = kernel ? *kernel : middle_of(part.vertices);
-    return {best, std::move(part)};
+  [[nodiscard]] const Growth& growth_from(std::size_t seed) {
+    const auto [at, fresh] = growths_.try_emplace(seed);
+    if (fresh) at->second = grow(seed);
+    return at->second;
+  }
+  // Forgets the free triangles that were taken, and the growths that these change.
+  void forget_taken() {
+    const auto is_taken = [&](std::size_t t) { return taken_[t]; };
+    std::erase_if(free_, is_taken);
+    std::erase_if(growths_, [&](const auto& of_seed) {
+      const Members& looked_at = of_seed.second.looked_at;
+      return std::any_of(looked_at.begin(), looked_at.end(), is_taken);
+    });
   }
 
   // Takes neighbouring triangles, breadth first, as long as the part stays star-shaped.  A triangle too thin to have a
   // kernel point is a part of its own.
-  [[nodiscard]] Members grow(std::size_t seed) const {
-    Members members{seed};
-    if (!kernel_point(part_of(members).vertices)) return members;
-    decomposition::GrowingKernel kernel{polygon_, triangles_[seed]};
+  [[nodiscard]] Growth grow(std::size_t seed) {
+    Growth growth{{seed}, {seed}, doubled_area_of(seed)};
+    Members& members = growth.members;
+    if (!kernel_point(part_of(members).vertices)) return growth;
+    kernel_.start(triangles_[seed]);
     std::vector<bool> tried = taken_;
     tried[seed] = true;
     for (std::size_t m = 0; m < members.size(); ++m) {
       for (const std::size_t t : next_to_[members[m]]) {
         if (tried[t]) continue;
         tried[t] = true;
+        growth.looked_at.push_back(t);
         members.push_back(t);
-        if (stays_star_shaped(members, kernel.try_triangle(triangles_[t]))) {
-          kernel.take();
+        if (stays_star_shaped(members, kernel_.try_triangle(triangles_[t]))) {
+          kernel_.take();
+          growth.doubled_area += doubled_area_of(t);
         } else {
           members.pop_back();
         }
       }
     }
-    return members;
+    return growth;
   }
   [[nodiscard]] bool stays_star_shaped(const Members& members, decomposition::KernelVerdict verdict) const {
     if (verdict != decomposition::KernelVerdict::kUnclear) return verdict == decomposition::KernelVerdict::kDeep;
@@ -171,8 +189,11 @@ class TriangleMerging {
 
   const Polygon& polygon_;
   std::vector<decomposition::Triangle> triangles_;
-  std::vector<std::vector<std::size_t>> next_to_;
+  std::vector<boost::container::static_vector<std::size_t, 3>> next_to_;
   std::vector<bool> taken_;
+  Members free_;                           // the triangles that are not taken, the largest first
+  std::map<std::size_t, Growth> growths_;  // by seed
+  decomposition::GrowingKernel kernel_;    // of the part that grows
 };
 
 }  // namespace

@@ -13,10 +13,13 @@ ConvexCell cell_of(const Box& box, Vec centre) {
 void clip(ConvexCell& cell, RealVec at, RealVec along, ConvexCell& scratch) {
   const std::size_t n = cell.size();
   const auto left_by = [&](RealVec p) { return along.x * (p.y - at.y) - along.y * (p.x - at.x); };
-  if (std::none_of(cell.begin(), cell.end(), [&](RealVec p) { return left_by(p) < 0; })) return;
-  scratch.clear();
-  double here = left_by(cell[0]);
-  for (std::size_t i = 0; i < n; ++i) {
+  const auto beyond = std::find_if(cell.begin(), cell.end(), [&](RealVec p) { return left_by(p) < 0; });
+  if (beyond == cell.end()) return;
+  // What comes before the last vertex on the near side stays as it is.
+  const auto first = static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, beyond - cell.begin())) - 1;
+  scratch.assign(cell.begin(), cell.begin() + static_cast<std::ptrdiff_t>(first));
+  double here = left_by(cell[first]);
+  for (std::size_t i = first; i < n; ++i) {
     const RealVec a = cell[i];
     const RealVec b = cell[i + 1 == n ? 0 : i + 1];
     const double next = left_by(b);

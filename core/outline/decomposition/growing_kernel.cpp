@@ -32,10 +32,14 @@ double depth_of_centroid(const ConvexCell& cell) {
 
 }  // namespace
 
-GrowingKernel::GrowingKernel(const Polygon& polygon, const Triangle& seed) : polygon_{polygon} {
-  const Box box = box_of(polygon);
-  centre_ = {box.low.x + box.width() / 2, box.low.y + box.height() / 2};
-  fixed_ = cell_of(box.grown(static_cast<Coord>(2 * kSlack)), centre_);
+GrowingKernel::GrowingKernel(const Polygon& polygon)
+    : polygon_{polygon},
+      box_{box_of(polygon)},
+      centre_{box_.low.x + box_.width() / 2, box_.low.y + box_.height() / 2} {}
+
+void GrowingKernel::start(const Triangle& seed) {
+  fixed_ = cell_of(box_.grown(static_cast<Coord>(2 * kSlack)), centre_);
+  cuts_.clear();
   for (std::size_t k = 0; k < 3; ++k) {
     const Edge edge{seed[k], seed[(k + 1) % 3]};
     if (is_cut(edge)) {

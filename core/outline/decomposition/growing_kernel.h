@@ -29,9 +29,11 @@ enum class KernelVerdict {
 
 class GrowingKernel {
  public:
-  // The part is one triangle of the polygon's triangulation.  REQUIRES: the polygon outlives this.
-  GrowingKernel(const Polygon& polygon, const Triangle& seed);
+  // REQUIRES: the polygon outlives this.
+  explicit GrowingKernel(const Polygon& polygon);
 
+  // Begins a part: one triangle of the polygon's triangulation.
+  void start(const Triangle& seed);
   // What becomes of the kernel when the part takes a triangle that shares exactly one cut with it.
   [[nodiscard]] KernelVerdict try_triangle(const Triangle& triangle);
   // Takes the triangle that was tried last.
@@ -45,6 +47,7 @@ class GrowingKernel {
   void clip(Cell& cell, Edge edge);
 
   const Polygon& polygon_;
+  Box box_;
   Vec centre_;
   Cell fixed_;              // of the polygon's edges alone
   Cell kernel_;             // inside the part's kernel, often all of it

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace selvage::outline::decomposition {
 namespace {
@@ -11,11 +12,12 @@ class Ring {
  public:
   explicit Ring(const Polygon& polygon) : polygon_{polygon}, vertices_(polygon.size()), size_{polygon.size()} {
     const auto n = static_cast<std::uint32_t>(size_);
-    for (std::uint32_t v = 0; v < n; ++v) vertices_[v] = {v == 0 ? n - 1 : v - 1, v + 1 == n ? 0 : v + 1, false, 0};
+    for (std::uint32_t v = 0; v < n; ++v) vertices_[v] = {v == 0 ? n - 1 : v - 1, v + 1 == n ? 0 : v + 1};
     for (std::uint32_t v = 0; v < n; ++v) {
       look_at(v);
       if (!vertices_[v].convex) reflex_.push_back(v);
     }
+    std::ranges::sort(reflex_, {}, [this](std::uint32_t v) { return from_left(v); });
   }
 
   [[nodiscard]] std::size_t size() const { return size_; }
@@ -26,20 +28,9 @@ class Ring {
 
   // A strictly convex corner whose closed triangle contains no other vertex.  Of several vertices in it, the one
   // farthest from the cut is reflex, so only reflex vertices need to be tested.
-  [[nodiscard]] bool is_ear(std::uint32_t v) const {
-    if (!vertices_[v].convex) return false;
-    const auto [i, j, l] = corner(v);
-    const Vec a = polygon_[i];
-    const Vec b = polygon_[j];
-    const Vec c = polygon_[l];
-    const auto [left, right] = std::minmax({a.x, b.x, c.x});
-    const auto [low, high] = std::minmax({a.y, b.y, c.y});
-    for (const std::uint32_t m : reflex_) {
-      const Vec p = polygon_[m];
-      if (p.x < left || p.x > right || p.y < low || p.y > high || m == i || m == l) continue;
-      if (side_of(a, b, p) >= 0 && side_of(b, c, p) >= 0 && side_of(c, a, p) >= 0) return false;
-    }
-    return true;
+  [[nodiscard]] bool is_ear(std::uint32_t v) {
+    if (!vertices_[v].ear) vertices_[v].ear = vertices_[v].convex && is_empty(v);
+    return vertices_[v].ear;
   }
 
   void remove(std::uint32_t v) {
@@ -50,32 +41,55 @@ class Ring {
     for (const std::uint32_t neighbour : {previous, next}) {
       const bool was_convex = vertices_[neighbour].convex;
       look_at(neighbour);
-      if (!was_convex && vertices_[neighbour].convex) std::erase(reflex_, neighbour);
+      if (was_convex || !vertices_[neighbour].convex) continue;
+      reflex_.erase(std::ranges::lower_bound(reflex_, from_left(neighbour), {},
+                                             [this](std::uint32_t m) { return from_left(m); }));
     }
   }
 
  private:
   struct Vertex {
     std::uint32_t previous{}, next{};
-    bool convex{};  // strictly
     double cut_length{};
+    bool convex{};  // strictly
+    bool ear{};     // known to be one: it stays one as long as its corner does, for reflex vertices only become fewer
   };
+
+  // True when no reflex vertex lies in the corner's triangle.
+  [[nodiscard]] bool is_empty(std::uint32_t v) const {
+    const auto [i, j, l] = corner(v);
+    const Vec a = polygon_[i];
+    const Vec b = polygon_[j];
+    const Vec c = polygon_[l];
+    const auto [left, right] = std::minmax({a.x, b.x, c.x});
+    const auto [low, high] = std::minmax({a.y, b.y, c.y});
+    const auto x_of = [this](std::uint32_t m) { return polygon_[m].x; };
+    for (auto m = std::ranges::lower_bound(reflex_, left, {}, x_of); m != reflex_.end() && x_of(*m) <= right; ++m) {
+      const Vec p = polygon_[*m];
+      if (p.y < low || p.y > high || *m == i || *m == l) continue;
+      if (side_of(a, b, p) >= 0 && side_of(b, c, p) >= 0 && side_of(c, a, p) >= 0) return false;
+    }
+    return true;
+  }
+
+  [[nodiscard]] std::pair<Coord, std::uint32_t> from_left(std::uint32_t v) const { return {polygon_[v].x, v}; }
 
   void look_at(std::uint32_t v) {
     const auto [i, j, l] = corner(v);
     const Vec cut = polygon_[l] - polygon_[i];
     vertices_[v].cut_length = static_cast<double>(dot(cut, cut));
     vertices_[v].convex = side_of(polygon_[i], polygon_[j], polygon_[l]) > 0;
+    vertices_[v].ear = false;
   }
 
   const Polygon& polygon_;
   std::vector<Vertex> vertices_;
-  std::vector<std::uint32_t> reflex_;
+  std::vector<std::uint32_t> reflex_;  // from left to right
   std::size_t size_;
 };
 
 // The ear with the shortest cut among the first few from `start` on: a compromise between shape and time.
-std::uint32_t next_ear(const Ring& ring, std::uint32_t start) {
+std::uint32_t next_ear(Ring& ring, std::uint32_t start) {
   constexpr int kEnough = 8;
   std::uint32_t best = start;
   double shortest = std::numeric_limits<double>::infinity();
