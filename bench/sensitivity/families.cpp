@@ -277,6 +277,7 @@ Family nesting_family() {
        {"search.best_places", &S::best_places},
        {"search.rows_per_place", &S::rows_per_place},
        {"search.apart", &S::apart},
+       {"search.stretch", &S::stretch},
        {"search.dear_fields", &S::dear_fields},
        {"search.hopeless", &S::hopeless},
        {"search.weight_growth", &S::weight_growth},

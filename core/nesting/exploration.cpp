@@ -52,7 +52,7 @@ void Exploration::run(layout::Layout start, const std::vector<bool>& kept) {
   pool_.clear();
   while (!over() && !converged_) {
     if (budget_.exploring(search_.moves())) {
-      shorten(step_, best_length() / 2);
+      shorten_boldly();
       explore();
     } else {
       compress();
@@ -67,11 +67,11 @@ void Exploration::explore() {
     if (separate(bold ? bold_persistence
                       : local_search::Persistence{tuning_.search.patience, tuning_.search.strikes})) {
       pool_.clear();
-      shorten(step_, best_length() / 2);
+      shorten_boldly();
     } else if (bold) {
       step_ = std::max(tuning_.least_step, step_ * tuning_.step_factor);
       pool_.clear();
-      shorten(step_, best_length() / 2);
+      shorten_boldly();
     } else {
       take_from_pool();
       search_.disrupt(layout_);
@@ -87,6 +87,17 @@ void Exploration::compress() {
     (void)separate({tuning_.squeeze_patience, tuning_.squeeze_strikes});
   }
   pool_.clear();
+}
+
+// By the present step.  Of a long marker only a stretch has to give way, each time another one: all of its pieces would
+// take too many moves to come apart at once.
+void Exploration::shorten_boldly() {
+  const double stretch = tuning_.search.stretch * set_->across();
+  if (best_length() <= stretch) {
+    shorten(step_, best_length() / 2);
+  } else {
+    shorten(step_ * stretch / best_length(), search_.dice().unit() * best_length());
+  }
 }
 
 // The best layout, shorter by a part of its length.

@@ -58,6 +58,7 @@ class Exploration {
  private:
   void explore();
   void compress();
+  void shorten_boldly();
   void shorten(double part, double split);
   [[nodiscard]] bool separate(local_search::Persistence persistence);
   void take_from_pool();

@@ -77,9 +77,13 @@ Overlap1D overlap_of(double offset, float sign, int grid_first, int grid_cells, 
 }  // namespace
 
 bool Field::compute(const layout::Layout& layout, std::size_t piece, std::uint32_t turn,
-                    const std::vector<std::uint32_t>& others, const Losses& losses, FieldWeights weights) {
+                    const std::vector<std::uint32_t>& others, const Losses& losses, FieldWeights weights,
+                    double reach) {
   room_ = inner_fit(*set_, layout, piece, turn);
   if (room_.high_x < room_.low_x || room_.high_y < room_.low_y) return false;
+  const double x = std::max(room_.low_x, std::min(layout.places[piece].x, room_.high_x));
+  room_.low_x = std::max(room_.low_x, x - reach);
+  room_.high_x = std::min(room_.high_x, x + reach);
   turn_ = turn;
   // The last column and the last row lie on the edge of the room.
   const float pixel = maps_->scale().pixel;
@@ -90,13 +94,22 @@ bool Field::compute(const layout::Layout& layout, std::size_t piece, std::uint32
   for (const std::uint32_t other : others) {
     if (other == piece) continue;
     const layout::Place& place = layout.places[other];
+    const layout::Turned& theirs = set_->kind(other).turned[place.turn];
+    if (!reaches(own, theirs, place)) continue;
     const float weight =
         weights == FieldWeights::kEqual ? 1 : losses.weight(piece, other) * losses.importance(piece, other);
-    add(place, maps_->view(set_->kind(other).turned[place.turn], own), weight);
+    add(place, maps_->view(theirs, own), weight);
   }
   piece_ = piece;
   if (set_->kind(piece).matched) leave_out_unmatched();
   return true;
+}
+
+bool Field::reaches(const layout::Turned& own, const layout::Turned& theirs, const layout::Place& at) const {
+  const double apart =
+      std::max(0.0, set_->clearance(own.outline, theirs.outline)) + 2.0 * static_cast<double>(maps_->scale().pixel);
+  return room_.low_x + own.box.low_x < at.x + theirs.box.high_x + apart &&
+         room_.high_x + own.box.high_x > at.x + theirs.box.low_x - apart;
 }
 
 void Field::leave_out_unmatched() {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -30,10 +31,11 @@ class Field {
   // REQUIRES: all of them outlive the field.
   Field(const layout::PieceSet& set, depth::DepthMaps& maps) : set_{&set}, maps_{&maps} {}
 
-  // Computes the field of the piece in an orientation, against the pieces `others`.  False, and nothing is computed,
-  // when the piece fits nowhere.
+  // Computes the field of the piece in an orientation, against the pieces `others`, no farther along the strip than
+  // `reach` from where it lies.  False, and nothing is computed, when the piece fits nowhere.
   [[nodiscard]] bool compute(const layout::Layout& layout, std::size_t piece, std::uint32_t turn,
-                             const std::vector<std::uint32_t>& others, const Losses& losses, FieldWeights weights);
+                             const std::vector<std::uint32_t>& others, const Losses& losses, FieldWeights weights,
+                             double reach = std::numeric_limits<double>::infinity());
 
   // Appends the lowest position of each of the `rows` lowest rows.
   void append_lowest(std::size_t rows, layout::Dice& dice, std::vector<Candidate>& candidates) const;
@@ -41,6 +43,8 @@ class Field {
   [[nodiscard]] std::optional<layout::Place> leftmost_free() const;
 
  private:
+  // Whether the piece can overlap another one, or come too near to it, at some position of the field.
+  [[nodiscard]] bool reaches(const layout::Turned& own, const layout::Turned& theirs, const layout::Place& at) const;
   void add(const layout::Place& other, const depth::MapView& view, float weight);
   [[nodiscard]] layout::Place place_at(std::size_t column, std::size_t row) const;
   // Rules out the cells in which no position is matched to the cloth.

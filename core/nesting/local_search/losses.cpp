@@ -74,6 +74,7 @@ void Losses::reweigh() {
   const float largest = *std::max_element(losses_.begin(), losses_.end());
   if (largest <= 0) return;
   for (std::size_t k = 0; k < losses_.size(); ++k) {
+    if (losses_[k] == 0 && weights_[k] == 1) continue;  // so it is with most pairs of many pieces, and stays
     const double factor = losses_[k] == 0 ? decay_ : growth_ + extra_growth_ * losses_[k] / largest;
     weights_[k] = std::clamp(static_cast<float>(weights_[k] * factor), 1.0F, kMostWeight);
   }

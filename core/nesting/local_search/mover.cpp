@@ -55,8 +55,11 @@ void Mover::move(layout::Layout& layout, std::size_t piece) {
 void Mover::collect(const layout::Layout& layout, std::size_t piece) {
   candidates_.clear();
   const std::size_t rows = tuning_.best_places * tuning_.rows_per_place;
+  const double stretch = tuning_.stretch * set_->across();
+  const double reach = layout.length <= stretch ? std::numeric_limits<double>::infinity() : stretch / 2;
   for (std::uint32_t turn = 0; turn < set_->kind(piece).turned.size(); ++turn) {
-    if (looks_at(layout, piece, turn) && field_.compute(layout, piece, turn, all_, *losses_, FieldWeights::kGuided)) {
+    if (looks_at(layout, piece, turn) &&
+        field_.compute(layout, piece, turn, all_, *losses_, FieldWeights::kGuided, reach)) {
       field_.append_lowest(rows, *dice_, candidates_);
     }
   }

@@ -12,7 +12,10 @@ struct SearchTuning {
   std::size_t best_places{3};     // places of the field that a move examines closely
   std::size_t rows_per_place{5};  // rows of the field that are looked at for each of them
   double apart{3.5};              // pixels between two of those places
-  std::size_t dear_fields{300};   // from so many pieces times orientations on, a move leaves out most orientations
+  // Widths: in a longer layout, bold attempts shorten one stretch of this length, and a move looks no farther than half
+  // of it to either side.
+  double stretch{6};
+  std::size_t dear_fields{300};  // from so many pieces times orientations on, a move leaves out most orientations
   // Descents, in pixels except the limits of exact ones: from, and down to, steps of this size.
   double stay_step{0.5}, rough_step{0.7}, fine_step{0.2};
   double rough_limit{0.5}, fine_limit{0.1}, last_step{0.1}, last_limit{0.01};

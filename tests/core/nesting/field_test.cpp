@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/nesting/local_search/guided_search.h"
 #include "core/nesting/local_search/neighbourhood.h"
 #include "tests/core/nesting/unplaced_pieces.h"
@@ -66,6 +69,29 @@ TEST(Field, ItsLowestPlacesLoseWhatTheyPromise) {
         // Maps are read at the nearest pixel, so each of the other pieces may be off by a pixel's diagonal and, at its
         // boundary, by the charge.
         EXPECT_NEAR(candidate.loss, exact, 5 * 2.0 * (kScale.pixel + kScale.charge)) << "trial " << trial;
+      }
+    }
+  }
+}
+
+TEST(Field, HasNoPlacesBeyondItsReach) {
+  Random random{6};
+  constexpr double kReach = 100;
+  for (int trial = 0; trial < 20; ++trial) {
+    Scattered scattered{random};
+    layout::Dice dice{1};
+    Field field{scattered.set, scattered.maps};
+    for (std::uint32_t turn = 0; turn < scattered.set.kind(0).turned.size(); ++turn) {
+      const layout::RealBox fit = inner_fit(scattered.set, scattered.layout, 0, turn);
+      const double x = std::clamp(scattered.layout.places[0].x, fit.low_x, fit.high_x);
+      if (!field.compute(scattered.layout, 0, turn, scattered.all, scattered.losses, FieldWeights::kGuided, kReach)) {
+        continue;
+      }
+      std::vector<Candidate> candidates;
+      field.append_lowest(1000, dice, candidates);
+      ASSERT_FALSE(candidates.empty());
+      for (const Candidate& candidate : candidates) {
+        EXPECT_LE(std::abs(candidate.place.x - x), kReach + 1e-9) << "trial " << trial;
       }
     }
   }

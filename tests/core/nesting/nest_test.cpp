@@ -9,9 +9,11 @@
 #include <set>
 
 #include "core/marker/validity.h"
+#include "core/motion/compaction/compact.h"
 #include "protocol/execution/thread_pool.h"
 #include "tests/core/nesting/unplaced_pieces.h"
 #include "tests/laws/random_marker.h"
+#include "tests/support/garment.h"
 
 namespace selvage::nesting {
 namespace {
@@ -182,6 +184,15 @@ TEST(Nest, OfOneGiantAmongTinyPiecesIsValid) {
   EXPECT_TRUE(is_valid(nesting.marker));
   EXPECT_EQ(nesting.marker.pieces.size(), 300u);
   EXPECT_LE(nesting.length_after, 950'000);
+}
+
+TEST(Nest, ShortensAMarkerOfManyWidthsInFewMoves) {
+  const Marker marker = test::garment("jeans_22g");
+  SumCache sums;
+  const auto standard = compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums});
+  const Nesting nesting = nested(standard->marker, settings_of(6'000));
+  EXPECT_TRUE(is_valid(nesting.marker));
+  EXPECT_LT(nesting.length_after, standard->length_after);
 }
 
 TEST(Nest, OfOutlinesWithTheMostVerticesIsValid) {
