@@ -74,6 +74,26 @@ std::vector<Polygon> grown(std::span<const Vec> polygon, Coord distance) {
   return rings;
 }
 
+Polygon widened(std::span<const Vec> polygon, const Box& by) {
+  const Vec corners[] = {by.low, {by.high.x, by.low.y}, by.high, {by.low.x, by.high.y}};
+  ClipperLib::Clipper clipper{ClipperLib::ioStrictlySimple};
+  const auto add = [&clipper](const Polygon& ring) {
+    ClipperLib::Path path = path_of(ring);
+    if (!ClipperLib::Orientation(path)) ClipperLib::ReversePath(path);
+    clipper.AddPath(path, ClipperLib::ptSubject, true);
+  };
+  add(Polygon(polygon.begin(), polygon.end()));
+  // A box that moves along an edge covers itself at both ends, and the parallelogram of one of its diagonals.
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vec p = polygon[k], q = polygon[k + 1 == polygon.size() ? 0 : k + 1];
+    add({p + corners[0], p + corners[1], p + corners[2], p + corners[3]});
+    for (const std::size_t c : {0U, 1U}) add({p + corners[c], q + corners[c], q + corners[c + 2], p + corners[c + 2]});
+  }
+  ClipperLib::PolyTree tree;
+  clipper.Execute(ClipperLib::ctUnion, tree, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+  return ring_of(tree.Childs.front()->Contour);
+}
+
 std::vector<Region> left_over(const Box& box, const std::vector<Polygon>& taken) {
   ClipperLib::Clipper clipper{ClipperLib::ioStrictlySimple};
   const Polygon whole{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}};

@@ -6,6 +6,9 @@
 #include <utility>
 
 #include "core/geometry/orientation.h"
+#include "core/geometry/polygon.h"
+#include "core/outline/set_operations.h"
+#include "protocol/document/annotations.h"
 
 namespace selvage::protocol::edits {
 namespace {
@@ -16,6 +19,8 @@ class ClothMaker {
 
   Result<MarkerFile> run(const Cloth& cloth) {
     set_strip(cloth);
+    for (std::size_t k = 0; cloth.blocks && k < cloth.blocks->size() && !mistake_; ++k)
+      make_blocks((*cloth.blocks)[k], "/blocks/" + std::to_string(k));
     for (std::size_t k = 0; cloth.piece_rules && k < cloth.piece_rules->size() && !mistake_; ++k)
       set_rules((*cloth.piece_rules)[k], "/pieceRules/" + std::to_string(k));
     if (cloth.shade && !mistake_) set_shade(*cloth.shade);
@@ -53,6 +58,45 @@ class ClothMaker {
     if (cloth.repeat_phase) repeat.phase = cloth.repeat_phase;
     if (fits(formats::fits_lattice(repeat, resolution()), "/repeatAlong"))
       strip.repeat = formats::repeat_on_lattice(repeat, resolution());
+  }
+
+  void make_blocks(const BlocksOfShape& blocks, const std::string& field) {
+    const auto length = [&](double given, const char* side) {
+      const bool near = fits(geometry::fits_lattice(given, resolution()), field + side);
+      return near ? formats::spacing_on_lattice(given, resolution()) : Coord{0};
+    };
+    const Box by{{-length(blocks.left, "/left"), -length(blocks.below, "/below")},
+                 {length(blocks.right, "/right"), length(blocks.above, "/above")}};
+    bool any = false;
+    for (std::size_t k = 0; k < file_.marker.shapes.size() && !mistake_; ++k) {
+      Shape& shape = file_.marker.shapes[k];
+      if (blocks.shape && *blocks.shape != shape.id) continue;
+      any = true;
+      if (!is_of_zone(k)) make_block(shape, file_.attributes.shapes[k], by, field);
+    }
+    if (any || mistake_) return;
+    mistake_.add(ErrorCode::kOutOfRange, json::shortened(Json(*blocks.shape)) + " is the id of no shape",
+                 field + "/shape");
+  }
+  // The outline as it was drafted becomes a line within the block.
+  void make_block(Shape& shape, Json& attributes, const Box& by, const std::string& field) {
+    document::Annotations annotations = document::annotations_of(attributes);
+    document::DrawnLine drafted{document::LineKind::kInternal, true, {}};
+    for (const Vec v : shape.outline)
+      drafted.points.push_back({to_decimal(v.x, resolution()), to_decimal(v.y, resolution())});
+    auto block = clean_polygon(outline::widened(shape.outline, by));
+    if (!block) {
+      mistake_.add(block.error().code, block.error().message, field);
+      return;
+    }
+    shape.outline = std::move(block->polygon);
+    annotations.lines.push_back(std::move(drafted));
+    attributes["annotations"] = document::annotations_json(annotations);
+  }
+  [[nodiscard]] bool is_of_zone(std::size_t shape) const {
+    const auto& pieces = file_.marker.pieces;
+    return std::any_of(pieces.begin(), pieces.end(),
+                       [shape](const Piece& piece) { return piece.rules.zone && piece.shape.value == shape; });
   }
 
   // Calls visit(piece, its attributes) for every piece, placed or not, that is no zone.

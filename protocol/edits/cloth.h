@@ -42,6 +42,22 @@ struct ClothZone {
   }
 };
 
+// Pieces that are cut roughly first: the outline is widened on the sides that have a length.
+struct BlocksOfShape {
+  static constexpr std::string_view kName = "BlocksOfShape",
+                                    kMeaning = "How much larger than its outline the block of a shape is cut.";
+  std::optional<std::string> shape{};
+  double left{}, right{}, below{}, above{};
+
+  static void describe(auto& v, auto& self) {
+    v.optional("shape", self.shape, "The id of the shape; absent: every shape.");
+    v.optional("left", self.left, "Towards smaller x of the shape.", kLengths);
+    v.optional("right", self.right, "Towards larger x.", kLengths);
+    v.optional("below", self.below, "Towards smaller y.", kLengths);
+    v.optional("above", self.above, "Towards larger y.", kLengths);
+  }
+};
+
 struct RulesOfPieces {
   static constexpr std::string_view kName = "RulesOfPieces",
                                     kMeaning = "The rules of a piece, or of every piece of a shape.";
@@ -64,6 +80,7 @@ struct Cloth {
   std::optional<ClothNap> nap_direction{};
   std::optional<std::vector<ClothZone>> zones{};
   std::optional<std::vector<RulesOfPieces>> piece_rules{};
+  std::optional<std::vector<BlocksOfShape>> blocks{};
 
   static void describe(auto& v, auto& self) {
     v.optional("margin", self.margin, "Distance of pieces from the strip's long edges and from the ends of the cloth.",
@@ -83,6 +100,10 @@ struct Cloth {
     v.optional("pieceRules", self.piece_rules,
                R"(Rules of single pieces or shapes: [{"shape": "collar", "rules": {"match": [0, 0]}}].)",
                {.entries = {{0, kMaxEdits}}, .entries_are = "pieces or shapes"});
+    v.optional(
+        "blocks", self.blocks,
+        R"(Shapes that are cut roughly first, larger on some sides: [{"shape": "collar", "left": 5, "above": 5}].)",
+        {.entries = {{0, kMaxEdits}}, .entries_are = "shapes"});
   }
 };
 

@@ -86,6 +86,34 @@ class Convert(unittest.TestCase):
         self.convert(EXAMPLES / "polypattern_like.dxf", out, "--rules", EXAMPLES / "polypattern_like.rul", "--order", EXAMPLES / "order.json")
         self.assertEqual(len(json.loads(out.read_text())["pieces"]), 9)
 
+    def test_an_order_gets_the_rules_of_its_cloth(self):
+        out = self.path("o.json")
+        ran = self.convert(EXAMPLES / "polypattern_like.dxf", out, "--order", EXAMPLES / "order.json", "--rules", EXAMPLES / "polypattern_like.rul",
+                           "--margin-below", 12, "--margin-above", 20, "--repeat-along", 64, "--repeat-phase", "10,0", "--shade", 3000,
+                           "--zones", '[{"from": [4000, 0], "to": [4040, 1500]}]', "--blocks", '[{"left": 5, "above": 2.5}]')
+        self.assertEqual(ran.stderr.count("error"), 0)
+        marker = json.loads(out.read_text())
+        strip = marker["strip"]
+        self.assertEqual((strip["below"], strip["above"], strip["repeat"]), (12, 20, {"along": 64, "phase": [10, 0]}))
+        self.assertEqual(marker["shade"], 3000)
+        pieces = [piece for piece in marker["pieces"] if "zone" not in piece["rules"]]
+        self.assertEqual(len(pieces), len(marker["pieces"]) - 1)
+        self.assertEqual({piece["rules"]["shade"] for piece in pieces}, {piece["attributes"]["bundle"] for piece in pieces})
+        plain = self.path("p.json")
+        self.convert(EXAMPLES / "polypattern_like.dxf", plain, "--order", EXAMPLES / "order.json", "--rules", EXAMPLES / "polypattern_like.rul")
+        for block, shape in zip(marker["shapes"], json.loads(plain.read_text())["shapes"]):
+            for axis, by in ((0, (-5, 0)), (1, (0, 2.5))):
+                was, now = [p[axis] for p in shape["outline"]], [p[axis] for p in block["outline"]]
+                self.assertAlmostEqual(min(now), min(was) + by[0], 4)
+                self.assertAlmostEqual(max(now), max(was) + by[1], 4)
+
+    def test_rules_that_cannot_be_read_are_refused(self):
+        source = EXAMPLES / "gemini_like.cut"
+        for option, value, code, reason in (("--zones", "[[1, 2]]", 3, "/zones/0"), ("--zones", "[", 3, "syntax"), ("--margin-below", "-1", 2, "range"),
+                                            ("--piece-rules", '[{"shape": "none", "rules": {}}]', 3, "no piece"), ("--nap-direction", "left", 2, "up_and_down")):
+            ran = run("convert", source, self.path("x.json"), option, value)
+            self.assertEqual((ran.returncode, reason in ran.stderr), (code, True), ran.stderr)
+
     def test_the_travel_of_the_knife_is_told(self):
         self.assertIn("the knife travels", self.convert(EXAMPLES / "gemini_like.cut", self.path("k.cut")).stderr)
 

@@ -19,6 +19,35 @@ Polygon square(Vec at, Coord side) {
   return {at, {at.x + side, at.y}, {at.x + side, at.y + side}, {at.x, at.y + side}};
 }
 
+TEST(Widened, GrowsOnTheSidesThatAreSaid) {
+  const auto widened = [](const Polygon& polygon, const Box& by) {
+    return clean_polygon(outline::widened(polygon, by))->polygon;  // without vertices in the middle of its edges
+  };
+  EXPECT_EQ(widened(square({0, 0}, 10), {{-2, 0}, {3, 5}}), (Polygon{{-2, 0}, {13, 0}, {13, 15}, {-2, 15}}));
+  EXPECT_EQ(widened(square({0, 0}, 10), {}), square({0, 0}, 10));
+  const Polygon triangle{{0, 0}, {20, 0}, {0, 10}};
+  EXPECT_EQ(widened(triangle, {{0, 0}, {4, 0}}), (Polygon{{0, 0}, {24, 0}, {4, 10}, {0, 10}}));
+}
+
+// A star-shaped outline has a star-shaped sum, without holes.
+TEST(Widened, IsTheMinkowskiSumWithTheBox) {
+  Random random{11};
+  for (int k = 0; k < 100 / test::kSlowdown; ++k) {
+    const Coord extent = Coord{1} << random.between(10, 30);
+    const Polygon polygon = test::random_star(random, 12, extent);
+    const auto length = [&] { return random.between(1, extent / 3); };
+    const Box by{{-length(), -length()}, {length(), length()}};
+    const Polygon wide = widened(polygon, by);
+    ASSERT_TRUE(clean_polygon(wide));
+    const Polygon rectangle{by.low, {by.high.x, by.low.y}, by.high, {by.low.x, by.high.y}};
+    // Corners are rounded to the lattice: about a unit on either side of the boundary.
+    EXPECT_LE(test::ExactSum(polygon, rectangle, test::ExactSum::Method::kDecomposition)
+                  .difference(std::vector<Polygon>{wide})
+                  .area,
+              20.0 * static_cast<double>(extent));
+  }
+}
+
 TEST(LeftOver, IsTheWholeBoxWhenNothingIsTaken) {
   const auto regions = left_over({{0, 0}, {30, 20}}, {});
   ASSERT_EQ(regions.size(), 1U);

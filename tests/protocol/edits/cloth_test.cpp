@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/marker/validity.h"
+#include "protocol/document/annotations.h"
 #include "tests/protocol/formats/samples.h"
 
 namespace selvage {
@@ -134,6 +135,27 @@ TEST(Cloth, RulesAreThoseOfAPieceOrOfAShape) {
   EXPECT_EQ(refused(cloth), "/pieceRules/1/piece");
   (*cloth.piece_rules)[0].shape = "none";
   EXPECT_EQ(refused(cloth), "/pieceRules/0/shape");
+}
+
+TEST(Cloth, BlocksAreWidenedOnTheirSides) {
+  MarkerFile file = two_bundles();
+  file.marker.pieces.resize(1);
+  file.attributes.pieces.resize(1);
+  Cloth cloth;
+  cloth.blocks.emplace(1);
+  (*cloth.blocks)[0].shape = "s";
+  (*cloth.blocks)[0].right = 5;
+  (*cloth.blocks)[0].above = 2.5;
+  const MarkerFile given = with(cloth, file);
+  EXPECT_EQ(given.marker.shapes[0].outline, (Polygon{{0, 0}, {4500, 0}, {4500, 2250}, {4000, 2250}, {0, 1250}}));
+  const auto drawn = protocol::document::annotations_of(given.attributes.shapes[0]);
+  ASSERT_EQ(drawn.lines.size(), 1U);
+  EXPECT_TRUE(drawn.lines[0].closed);
+  EXPECT_EQ(drawn.lines[0].points[2], (protocol::document::Spot{40, 20}));
+  (*cloth.blocks)[0].above = 90;
+  EXPECT_EQ(refused(cloth, file), "/pieces/0");  // wider than the strip
+  (*cloth.blocks)[0].shape = "none";
+  EXPECT_EQ(refused(cloth, file), "/blocks/0/shape");
 }
 
 TEST(Cloth, MarginsThatLeaveNothingAreRefused) {
