@@ -1,6 +1,5 @@
 #include "core/minkowski/convolution/star_sum.h"
 
-#include <cmath>
 #include <cstdlib>
 
 #include "core/minkowski/convolution/polar_envelope.h"
@@ -14,6 +13,13 @@ bool same_but_for_rounding(Vec a, Vec b) {
   return std::abs(a.x - b.x) <= 1 && std::abs(a.y - b.y) <= 1;
 }
 
+// As std::llround, which is a call: the nearest whole number, of two equally near ones the one farther from 0.
+Coord rounded(double value) {
+  const auto whole = static_cast<Coord>(value);
+  const double rest = value - static_cast<double>(whole);
+  return whole + (rest >= 0.5 ? 1 : 0) - (rest <= -0.5 ? 1 : 0);
+}
+
 }  // namespace
 
 StarSum star_sum(const outline::StarPart& first, const outline::StarPart& second) {
@@ -21,7 +27,7 @@ StarSum star_sum(const outline::StarPart& first, const outline::StarPart& second
   const std::vector<Candidate> candidates = reduced_convolution(first, second);
   const std::vector<Stretch> envelope = polar_envelope(candidates);
   const auto lattice_point = [&](double x, double y) {
-    return Vec{std::llround(sum.centre.x + x), std::llround(sum.centre.y + y)};
+    return Vec{rounded(sum.centre.x + x), rounded(sum.centre.y + y)};
   };
   sum.edges.reserve(envelope.size());
   const Stretch* before = nullptr;
