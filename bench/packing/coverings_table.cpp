@@ -1,14 +1,17 @@
 // The tables of coverings and of the thesis' program in docs/packing.md: for each instance and convex covering how many
 // sets and half-planes it has, and what Cbc makes of the program.
 //
-//   coverings_table [--seconds S] INSTANCE.json...
+//   coverings_table [--seconds S] [--programs FOLDER] INSTANCE.json...
 //
-// Cbc is stopped after S seconds of processor time (default: 20), at the next node.
+// Cbc is stopped after S seconds of processor time (default: 20), at the next node.  With --programs, the programs are
+// written into that folder instead, as INSTANCE.COVERING.lp, for other solvers (run_highs.py).
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <fstream>
 #include <stop_token>
 #include <string>
 #include <thread>
@@ -50,7 +53,33 @@ lp::integer::IntegerSolution solved(const lp::integer::IntegerProgram& program, 
   return lp::integer::solve_by_branch_and_cut(program, limits, {}, stop.get_token());
 }
 
-void print_rows(const std::string& path, double seconds) {
+// In the LP format that most solvers read.
+void write_program(const lp::integer::IntegerProgram& program, const std::string& path) {
+  std::ofstream file{path};
+  file.precision(17);
+  const lp::LinearProgram& linear = program.linear;
+  const auto write_term = [&](double value, int column) {
+    file << (value < 0 ? " - " : " + ") << std::abs(value) << " x" << column;
+  };
+  file << "Minimize\n obj:";
+  for (int k = 0; k < linear.columns(); ++k) {
+    if (const double cost = linear.cost[static_cast<std::size_t>(k)]; cost != 0) write_term(cost, k);
+  }
+  file << "\nSubject To\n";
+  for (int r = 0; r < linear.rows(); ++r) {
+    for (const auto& [column, value] : linear.row(r)) write_term(value, column);
+    file << " >= " << linear.bound[static_cast<std::size_t>(r)] << "\n";
+  }
+  file << "Bounds\n";
+  for (std::size_t k = 0; k < linear.cost.size(); ++k) {
+    file << linear.lower[k] << " <= x" << k << " <= " << linear.upper[k] << "\n";
+  }
+  file << "General\n";
+  for (const int column : program.whole) file << " x" << column << "\n";
+  file << "End\n";
+}
+
+void print_rows(const std::string& path, double seconds, const std::string& programs) {
   const Marker marker = bench::read_instance(path, false);
   SumCache sums;
   const scene::Run run{sums};
@@ -61,6 +90,10 @@ void print_rows(const std::string& path, double seconds) {
   bodies.problem.minimises_length = true;
   for (const NamedCover& covering : kCovers) {
     const auto made = bench::thesis_program(bodies.problem, covering.cover, longest);
+    if (!programs.empty()) {
+      write_program(made.program, programs + "/" + marker.name + "." + covering.name + ".lp");
+      continue;
+    }
     std::size_t sets = 0;
     std::size_t sides = 0;
     for (const auto& ring : bodies.problem.rings) {
@@ -84,14 +117,17 @@ void print_rows(const std::string& path, double seconds) {
 
 int main(int count, char** words) {
   double seconds = 20;
+  std::string programs;
   std::printf("| instance | covering | rings | sets | half-planes | | length | bound | nodes | seconds |\n");
   std::printf("|---|---|---|---|---|---|---|---|---|---|\n");
   for (int k = 1; k < count; ++k) {
     const std::string word = words[k];
     if (word == "--seconds" && k + 1 < count) {
       seconds = std::strtod(words[++k], nullptr);
+    } else if (word == "--programs" && k + 1 < count) {
+      programs = words[++k];
     } else {
-      print_rows(word, seconds);
+      print_rows(word, seconds, programs);
     }
   }
 }

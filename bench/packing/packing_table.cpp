@@ -38,11 +38,12 @@ void print_row(const std::string& path, const Options& options) {
   };
   const auto packing = packing::pack(marker, options.settings, run);
   const double seconds = processor_seconds() - begun;
-  std::printf("| %s | %zu | %.6g | %.6g | %s | %.3f | %llu | %llu | %llu | %llu |\n", marker.name.c_str(),
+  std::printf("| %s | %zu | %.6g | %.6g | %s | %.3f | %llu | %llu | %llu | %llu | %llu |\n", marker.name.c_str(),
               marker.pieces.size(), to_decimal(packing.length_after, marker.resolution),
               to_decimal(packing.bound, marker.resolution), packing.proved ? "proved" : "open", seconds,
               static_cast<unsigned long long>(packing.work.nodes), static_cast<unsigned long long>(packing.work.pivots),
               static_cast<unsigned long long>(packing.work.looks),
+              static_cast<unsigned long long>(packing.work.skipped),
               static_cast<unsigned long long>(packing.work.unproved));
   std::fflush(stdout);
 }
@@ -51,8 +52,8 @@ void print_row(const std::string& path, const Options& options) {
 
 int main(int count, char** words) {
   Options options;
-  std::printf("| instance | pieces | length | bound | | seconds | nodes | pivots | looks | unproved |\n");
-  std::printf("|---|---|---|---|---|---|---|---|---|---|\n");
+  std::printf("| instance | pieces | length | bound | | seconds | nodes | pivots | looks | skipped | unproved |\n");
+  std::printf("|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (int k = 1; k < count; ++k) {
     const std::string word = words[k];
     if (word == "--turns") {

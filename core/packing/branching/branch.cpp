@@ -37,7 +37,8 @@ std::optional<Split> deepest(const Relaxation& relaxation, const Problem& proble
     const double depth = wedges.depth(wedge, way);
     // A solution outside the ring but beyond the arc is in the hull of the arc's cells only.
     if (depth <= least) continue;
-    const double weight = (depth - least) * std::sqrt(wedges.box().width() * wedges.box().height());
+    const double weight = (depth - least) * std::sqrt(wedges.box().width() * wedges.box().height()) *
+                          (1.0 + relaxation.conflicts(ring.ring));
     if (weight <= most) continue;
     most = weight;
     split = Split{k, wedge};
@@ -77,14 +78,25 @@ std::vector<Arc> arcs_of(const WedgeRing& wedges, Arc arc, std::uint32_t wedge, 
 
 }  // namespace
 
-std::optional<std::vector<Node>> children(Relaxation& relaxation, const Problem& problem, const Node& node,
-                                          const BranchTuning& tuning, double depth) {
-  std::vector<Node> found;
+Children children(Relaxation& relaxation, const Problem& problem, const Node& node, const BranchTuning& tuning,
+                  double depth) {
+  Children found;
+  bool refuted = false;
   const double slack = tuning.slack / relaxation.columns().scale;
+  const Reasons own = programs::decision(node.depth);
   const auto attempt = [&](const auto& restrict) {
+    if (refuted) return;
     Node child = node;
+    ++child.depth;
     child.program.drop_slack_rows(relaxation.columns(), slack);
-    if (restrict(child) && relaxation.settle(child)) found.push_back(std::move(child));
+    if (restrict(child) && relaxation.settle(child)) {
+      found.nodes.push_back(std::move(child));
+    } else if ((relaxation.conflict() & own) == 0) {
+      refuted = true;
+      found.conflict = relaxation.conflict();
+    } else {
+      found.conflict |= programs::without(relaxation.conflict(), node.depth);
+    }
   };
   if (const auto body = undecided(problem, node)) {
     for (std::uint32_t variant = 0; variant < problem.bodies[*body].variants.size(); ++variant) {
@@ -92,15 +104,18 @@ std::optional<std::vector<Node>> children(Relaxation& relaxation, const Problem&
     }
   } else {
     const auto split = deepest(relaxation, problem, node, depth);
-    if (!split) return std::nullopt;
+    found.leaf = !split;
+    if (!split) return found;
     const RingState& ring = node.rings[split->ring];
+    found.conflict = ring.why;
     const WedgeRing& wedges = problem.rings[ring.ring];
     const RealVec way = relaxation.difference(node, ring);
     for (const Arc arc : arcs_of(wedges, ring.arc, split->wedge, way, tuning)) {
       attempt([&](Node& child) { return relaxation.keep_arc(child, split->ring, arc); });
     }
   }
-  std::stable_sort(found.begin(), found.end(),
+  if (refuted) found.nodes.clear();
+  std::stable_sort(found.nodes.begin(), found.nodes.end(),
                    [](const Node& a, const Node& b) { return a.program.cost() > b.program.cost(); });
   return found;
 }

@@ -1,20 +1,25 @@
 // Branching: from a node whose solution still overlaps to children that cover all its layouts.
 //
 // First the orientations are decided, of large bodies first.  Then the ring in which the solution lies deepest, weighed
-// by the ring's size, is split: a whole ring into about four arcs that meet at the ray through the solution, an arc
-// into two, a short arc into its wedges.
+// by the ring's size and by how often looks at it have found a conflict [BHLS04], is split: a whole ring into about
+// four arcs that meet at the ray through the solution, an arc into two, a short arc into its wedges.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "core/packing/branching/relaxation.h"
 
 namespace selvage::packing::branching {
 
-// The settled children, the cheapest last; none when no layout is left.  Nothing when the solution is at most `depth`
-// inside every ring that can be split: with the relaxation's tolerance, when the node is a leaf.
-[[nodiscard]] std::optional<std::vector<Node>> children(Relaxation& relaxation, const Problem& problem,
-                                                        const Node& node, const BranchTuning& tuning, double depth);
+struct Children {
+  bool leaf{};              // the solution is at most `depth` inside every ring that can be split
+  std::vector<Node> nodes;  // settled, the cheapest last
+  Reasons conflict{};       // why these are all: the decisions from which it follows that there are no others
+};
+
+// The children of a node.  As soon as one of them has no layout for reasons that its siblings share, there are none.
+// With the relaxation's tolerance as `depth`, `leaf` means that the node is one.
+[[nodiscard]] Children children(Relaxation& relaxation, const Problem& problem, const Node& node,
+                                const BranchTuning& tuning, double depth);
 
 }  // namespace selvage::packing::branching

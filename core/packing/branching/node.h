@@ -13,12 +13,14 @@ namespace selvage::packing::branching {
 using cells::Arc;
 using programs::Dictionary;
 using programs::DifferenceBounds;
+using programs::Reasons;
 
 // One ring whose two bodies have their variants, and the arc of its wedges that is left.
 struct RingState {
   std::uint32_t ring{};
   std::uint32_t first{}, second{};  // bodies
   Arc arc;
+  Reasons why{};        // of the arc
   bool clear{};         // the pair's box lies outside the ring
   RealBox looked_at{};  // the pair's box when the arc was last trimmed
   // The rows of the convex hull of the arc's cells, as places in the relaxation's store; `none` before they are needed.
@@ -31,9 +33,12 @@ struct Node {
 
   DifferenceBounds x, y;
   std::vector<std::uint32_t> variant;  // by body
+  std::vector<Reasons> why_variant;
   std::vector<RingState> rings;
   Dictionary program;
-  double bound{};       // proved: no layout below this node is shorter
+  double bound{};  // proved: no layout below this node is shorter
+  Reasons why_bound{};
+  std::size_t depth{};  // decisions since the subtree's first node
   std::size_t hulls{};  // the size of the store when the node and its siblings were complete
 };
 

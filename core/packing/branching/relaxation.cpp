@@ -4,9 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <utility>
-
-#include "core/packing/cells/hull.h"
-
 namespace selvage::packing::branching {
 namespace {
 
@@ -23,6 +20,11 @@ bool has_free_corners(const RealBox& box, const WedgeRing& wedges) {
 bool is_all_of(const RealBox& part, const RealBox& box) {
   return part.low_x <= box.low_x && part.low_y <= box.low_y && part.high_x >= box.high_x && part.high_y >= box.high_y;
 }
+// The box of the lattice points in it.
+RealBox whole_within(const RealBox& box) {
+  return {std::ceil(box.low_x - cells::kRounding), std::ceil(box.low_y - cells::kRounding),
+          std::floor(box.high_x + cells::kRounding), std::floor(box.high_y + cells::kRounding)};
+}
 // Whether `now` is much smaller than `before`.
 bool shrank(const RealBox& before, const RealBox& now, double part) {
   const double least = part * std::max({before.width(), before.height(), 1.0});
@@ -36,6 +38,7 @@ Work& Work::operator+=(const Work& other) {
   nodes += other.nodes;
   pivots += other.pivots;
   looks += other.looks;
+  skipped += other.skipped;
   unproved += other.unproved;
   return *this;
 }
@@ -56,7 +59,11 @@ Columns columns_of(const Problem& problem) {
 }
 
 Relaxation::Relaxation(const Problem& problem, const BranchTuning& tuning)
-    : problem_{&problem}, tuning_{tuning}, columns_{columns_of(problem)}, positions_(problem.bodies.size() + 1) {}
+    : problem_{&problem},
+      tuning_{tuning},
+      columns_{columns_of(problem)},
+      positions_(problem.bodies.size() + 1),
+      conflicts_(problem.rings.size()) {}
 
 std::optional<Node> Relaxation::root(double ceiling) {
   const std::size_t count = problem_->bodies.size();
@@ -64,6 +71,7 @@ std::optional<Node> Relaxation::root(double ceiling) {
   Node node{.x = DifferenceBounds{count},
             .y = DifferenceBounds{count},
             .variant = std::vector<std::uint32_t>(count, Node::kUndecided),
+            .why_variant = std::vector<Reasons>(count),
             .rings = {},
             .program = Dictionary{columns_, problem_->minimises_length},
             .bound = problem_->least_length};
@@ -91,11 +99,13 @@ bool Relaxation::decide(Node& node, std::uint32_t body, std::uint32_t variant) {
   const BodyVariant& chosen = decided.variants[variant];
   const std::size_t world = problem_->world();
   node.variant[body] = variant;
-  if (!node.x.raise(world, body, chosen.range.low_x) || !node.x.raise(body, world, -chosen.range.high_x) ||
-      !node.y.raise(world, body, chosen.range.low_y) || !node.y.raise(body, world, -chosen.range.high_y))
+  const Reasons why = node.depth == 0 ? programs::kAnyway : programs::decision(node.depth - 1);
+  node.why_variant[body] = why;
+  if (!raise(node.x, world, body, chosen.range.low_x, why) || !raise(node.x, body, world, -chosen.range.high_x, why) ||
+      !raise(node.y, world, body, chosen.range.low_y, why) || !raise(node.y, body, world, -chosen.range.high_y, why))
     return false;
   if (problem_->minimises_length && decided.variants.size() > 1) {
-    node.program.add(columns_, {body, body, true, {1, 0, chosen.width}});
+    node.program.add(columns_, {body, body, true, {1, 0, chosen.width}, why});
   }
   if (!order_alike(node, body)) return false;
   const Chosen own{body, variant};
@@ -116,9 +126,11 @@ bool Relaxation::order_alike(Node& node, std::uint32_t body) {
     if (other == body || theirs == Node::kUndecided || problem_->bodies[other].kind != problem_->bodies[body].kind)
       continue;
     const bool before = other < body;
+    const Reasons why = node.why_variant[body] | node.why_variant[other];
+    conflict_ = why;
     if (before ? theirs > own : own > theirs) return false;
     if (theirs != own) continue;
-    if (!node.x.raise(before ? other : body, before ? body : other, 0)) return false;
+    if (!raise(node.x, before ? other : body, before ? body : other, 0, why)) return false;
   }
   return true;
 }
@@ -126,9 +138,15 @@ bool Relaxation::order_alike(Node& node, std::uint32_t body) {
 bool Relaxation::activate_pair(Node& node, const Chosen& first, const Chosen& second) {
   const auto found = problem_->between.find({first, second});
   if (found == problem_->between.end()) return true;
+  const auto why = [&](std::uint32_t body) {
+    return body == problem_->world() ? programs::kAnyway : node.why_variant[body];
+  };
   for (const std::uint32_t ring : found->second) {
-    node.rings.push_back(
-        {.ring = ring, .first = first.body, .second = second.body, .arc = problem_->rings[ring].whole()});
+    node.rings.push_back({.ring = ring,
+                          .first = first.body,
+                          .second = second.body,
+                          .arc = problem_->rings[ring].whole(),
+                          .why = why(first.body) | why(second.body)});
     if (!look(node, node.rings.back())) return false;
   }
   return true;
@@ -146,19 +164,20 @@ bool Relaxation::limit_length(Node& node) {
   if (!problem_->minimises_length) return true;
   for (std::uint32_t body = 0; body < problem_->bodies.size(); ++body) {
     const double latest = std::floor(ceiling_) - least_width(node, body);
-    if (!node.x.raise(body, problem_->world(), -latest)) return false;
+    if (!raise(node.x, body, problem_->world(), -latest, node.why_variant[body])) return false;
   }
   if (const auto half = problem_->left_half) {
     const BodyVariant& variant = problem_->bodies[*half].variants.front();
     // Rounded up: a position and its mirror image add up to a whole number.
     const double middle = std::ceil((variant.range.low_x + std::floor(ceiling_) - variant.width) / 2);
-    if (!node.x.raise(*half, problem_->world(), -middle)) return false;
+    if (!raise(node.x, *half, problem_->world(), -middle, programs::kAnyway)) return false;
   }
   return true;
 }
 
 bool Relaxation::keep_arc(Node& node, std::size_t ring, Arc arc) {
   node.rings[ring].arc = arc;
+  node.rings[ring].why |= programs::decision(node.depth - 1);
   return look(node, node.rings[ring]);
 }
 
@@ -187,9 +206,22 @@ RealBox Relaxation::pair_box(const Node& node, const RingState& ring) const {
           node.x.upper(ring.first, ring.second), node.y.upper(ring.first, ring.second)};
 }
 
-bool Relaxation::raise_to(Node& node, const RingState& ring, const RealBox& box) {
-  return node.x.raise(ring.first, ring.second, box.low_x) && node.x.raise(ring.second, ring.first, -box.high_x) &&
-         node.y.raise(ring.first, ring.second, box.low_y) && node.y.raise(ring.second, ring.first, -box.high_y);
+Reasons Relaxation::why_pair_box(const Node& node, const RingState& ring) {
+  return node.x.why_lower(ring.first, ring.second) | node.y.why_lower(ring.first, ring.second) |
+         node.x.why_upper(ring.first, ring.second) | node.y.why_upper(ring.first, ring.second);
+}
+
+bool Relaxation::raise(DifferenceBounds& bounds, std::size_t a, std::size_t b, double bound, Reasons why) {
+  if (bounds.raise(a, b, bound, why)) return true;
+  conflict_ = why | bounds.why_upper(a, b);
+  return false;
+}
+
+bool Relaxation::raise_to(Node& node, const RingState& ring, const RealBox& box, Reasons why) {
+  return raise(node.x, ring.first, ring.second, box.low_x, why) &&
+         raise(node.x, ring.second, ring.first, -box.high_x, why) &&
+         raise(node.y, ring.first, ring.second, box.low_y, why) &&
+         raise(node.y, ring.second, ring.first, -box.high_y, why);
 }
 
 // The box of the arc's cells within `box`; nothing when they are all empty.  Empty cells at the ends are cut off, but
@@ -231,12 +263,16 @@ bool Relaxation::look(Node& node, RingState& ring) {
     ring.hull_begin = ring.hull_end = 0;
     return true;
   }
+  const Reasons why = ring.why | why_pair_box(node, ring);
+  const std::uint32_t count = ring.arc.count;
   const auto found = trim(wedges, ring.arc, box);
-  if (!found) return false;
+  if (!found) conflict_ = why;
+  if (ring.arc.count != count) ring.why = why;
   // Differences are whole, so the box may be rounded inwards, as far as clipping is exact.
-  const RealBox inner{std::ceil(found->low_x - cells::kRounding), std::ceil(found->low_y - cells::kRounding),
-                      std::floor(found->high_x + cells::kRounding), std::floor(found->high_y + cells::kRounding)};
-  if (!raise_to(node, ring, inner)) return false;
+  if (!found || !raise_to(node, ring, whole_within(*found), why)) {
+    ++conflicts_[ring.ring];
+    return false;
+  }
   ring.looked_at = pair_box(node, ring);
   return true;
 }
@@ -254,124 +290,15 @@ bool Relaxation::propagate(Node& node) {
   return true;
 }
 
-void Relaxation::gather(const RingState& ring, const RealBox& box) {
-  const WedgeRing& wedges = problem_->rings[ring.ring];
-  points_.clear();
-  Cell cell;
-  for (std::uint32_t k = 0; k < ring.arc.count; ++k) {
-    if (!wedges.clip((ring.arc.first + k) % wedges.size(), box, cell)) continue;
-    for (std::size_t c = 0; c < cell.count; ++c) points_.push_back(cell.corner(c));
-  }
-}
-
-void Relaxation::make_hull(const Node& node, RingState& ring) {
-  gather(ring, pair_box(node, ring));
-  ring.hull_begin = static_cast<std::uint32_t>(hulls_.size());
-  cells::append_hull(points_, hulls_);
-  ring.hull_end = static_cast<std::uint32_t>(hulls_.size());
-}
-
-Ranges Relaxation::ranges(const Node& node) const {
-  Ranges all{{}, columns_.low_length, ceiling_};
-  const std::size_t world = problem_->world();
-  for (std::size_t body = 0; body < world; ++body) {
-    all.bodies.push_back(
-        {node.x.lower(world, body), node.y.lower(world, body), node.x.upper(world, body), node.y.upper(world, body)});
-  }
-  return all;
-}
-
-bool Relaxation::add_violated_bounds(Node& node) {
-  const double least = tuning_.violated / columns_.scale;
-  const auto world = problem_->world();
-  bool any = false;
-  for (std::uint32_t a = 0; a <= world; ++a) {
-    for (std::uint32_t b = 0; b <= world; ++b) {
-      if (a == b) continue;
-      const RealVec way{positions_[b].x - positions_[a].x, positions_[b].y - positions_[a].y};
-      if (way.x < node.x.lower(a, b) - least) {
-        node.program.add(columns_, {a, b, false, {1, 0, node.x.lower(a, b)}});
-        any = true;
-      }
-      if (way.y < node.y.lower(a, b) - least) {
-        node.program.add(columns_, {a, b, false, {0, 1, node.y.lower(a, b)}});
-        any = true;
-      }
-    }
-  }
-  return any;
-}
-
-bool Relaxation::add_violated_hull(Node& node, RingState& ring) {
-  const RealVec way{positions_[ring.second].x - positions_[ring.first].x,
-                    positions_[ring.second].y - positions_[ring.first].y};
-  const WedgeRing& wedges = problem_->rings[ring.ring];
-  const std::uint32_t facing = wedges.facing(way);
-  const bool within = (facing + wedges.size() - ring.arc.first) % wedges.size() < ring.arc.count;
-  if (within && wedges.depth(facing, way) <= 0) return false;
-  if (ring.hull_begin == RingState::kNone) make_hull(node, ring);
-  const HalfPlane* worst = nullptr;
-  double least = -tuning_.violated / columns_.scale;
-  for (std::uint32_t k = ring.hull_begin; k < ring.hull_end; ++k) {
-    const double room = hulls_[k].room(way);
-    if (room >= least) continue;
-    least = room;
-    worst = &hulls_[k];
-  }
-  if (worst) node.program.add(columns_, {ring.first, ring.second, false, *worst});
-  return worst != nullptr;
-}
-
-bool Relaxation::add_violated_rows(Node& node) {
-  for (std::uint32_t body = 0; body < problem_->world(); ++body) positions_[body] = position(node, body);
-  positions_[problem_->world()] = {};
-  bool any = add_violated_bounds(node);
-  for (RingState& ring : node.rings) {
-    if (ring.clear || (ring.hull_begin == ring.hull_end && ring.hull_begin != RingState::kNone)) continue;
-    if (add_violated_hull(node, ring)) any = true;
-  }
-  return any;
-}
-
-void Relaxation::start_program(Node& node) {
-  node.program = Dictionary{columns_, problem_->minimises_length};
-  if (!problem_->minimises_length) return;
-  for (std::uint32_t body = 0; body < problem_->bodies.size(); ++body) {
-    node.program.add(columns_, {body, body, true, {1, 0, least_width(node, body)}});
-  }
-}
-
-bool Relaxation::settle(Node& node) {
-  if (!propagate(node)) return false;
-  bool fresh = false;
-  double ceiling = problem_->minimises_length ? ceiling_ : kInfinite;
-  // What rounding has spoilt is computed anew once, from no rows.
-  const auto start_again = [&] {
-    if (fresh) ++work_.unproved;
-    if (!fresh) start_program(node);
-    return !std::exchange(fresh, true);
-  };
-  for (int count = 0; count < tuning_.programs; ++count) {
-    switch (node.program.solve(columns_, ceiling, work_.pivots)) {
-      case Dictionary::End::kInfeasible:
-        if (refutes(node.program.refuting(), ranges(node))) return false;
-        if (!start_again()) return true;
-        break;
-      case Dictionary::End::kAboveCeiling:
-        if (least_length(node.program.bounding(), ranges(node)) > ceiling_) return false;
-        ceiling = kInfinite;
-        break;
-      case Dictionary::End::kTrouble:
-        if (!start_again()) return true;
-        break;
-      case Dictionary::End::kOptimal:
-        if (!add_violated_rows(node)) count = tuning_.programs;
-        break;
-    }
-  }
-  if (!problem_->minimises_length) return true;
-  node.bound = std::max(node.bound, least_length(node.program.bounding(), ranges(node)));
-  return node.bound <= ceiling_;
+void Relaxation::begin_at(Node& node) {
+  node.depth = 0;
+  node.x.forget_why();
+  node.y.forget_why();
+  node.program.forget_why();
+  node.why_bound = programs::kAnyway;
+  std::fill(node.why_variant.begin(), node.why_variant.end(), programs::kAnyway);
+  for (RingState& ring : node.rings) ring.why = programs::kAnyway;
+  wide_ = ranges(node).bodies;
 }
 
 }  // namespace selvage::packing::branching

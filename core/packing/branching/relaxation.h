@@ -4,6 +4,8 @@
 // box of all cells bounds the pair's difference, and through shortest paths those of other pairs; the hull of all cells
 // gives rows to the program, made when a solution violates them.  Looks repeat while boxes shrink (Daniels and
 // Milenkovic's "restrict" [DM97]).
+// Every fact is kept with its reasons, the decisions from which it was concluded (programs/reasons.h).  So a conflict
+// names decisions that have no layout in common, and the search leaves out all other nodes below these decisions.
 // Everything that is concluded holds for all valid layouts on the lattice: cells contain what they stand for
 // (wedge_ring.h), differences of lattice points are whole, and what the program claims is proved (leaf_proof.h).
 #pragma once
@@ -27,6 +29,7 @@ using programs::Row;
 // What a search has done so far, in units that do not depend on the machine.
 struct Work {
   std::uint64_t nodes{}, pivots{}, looks{};
+  std::uint64_t skipped{};   // open nodes that were closed by a conflict which does not depend on what sets them apart
   std::uint64_t unproved{};  // claims of the linear program that could not be proved, and so were not used
   Work& operator+=(const Work& other);
 };
@@ -48,6 +51,13 @@ class Relaxation {
   // Propagates and solves.  Afterwards the program's solution satisfies all rows.
   [[nodiscard]] bool settle(Node& node);
 
+  // After one of these has found that no layout is left: the decisions from which that follows.
+  [[nodiscard]] Reasons conflict() const { return conflict_; }
+  // How often a look at the ring has found so.
+  [[nodiscard]] std::uint32_t conflicts(std::uint32_t ring) const { return conflicts_[ring]; }
+  // Decisions count from this node on: what is known at it holds anyway.
+  void begin_at(Node& node);
+
   // Layouts longer than this do not count any more.
   void lower_ceiling(double ceiling) { ceiling_ = ceiling; }
   [[nodiscard]] double ceiling() const { return ceiling_; }
@@ -68,7 +78,9 @@ class Relaxation {
   [[nodiscard]] double least_width(const Node& node, std::uint32_t body) const;
   void start_program(Node& node);
   [[nodiscard]] RealBox pair_box(const Node& node, const RingState& ring) const;
-  [[nodiscard]] bool raise_to(Node& node, const RingState& ring, const RealBox& box);
+  [[nodiscard]] bool raise(DifferenceBounds& bounds, std::size_t a, std::size_t b, double bound, Reasons why);
+  [[nodiscard]] bool raise_to(Node& node, const RingState& ring, const RealBox& box, Reasons why);
+  [[nodiscard]] static Reasons why_pair_box(const Node& node, const RingState& ring);
   [[nodiscard]] bool activate_pair(Node& node, const Chosen& first, const Chosen& second);
   [[nodiscard]] bool order_alike(Node& node, std::uint32_t body);
   [[nodiscard]] static std::optional<RealBox> trim(const WedgeRing& wedges, Arc& arc, const RealBox& box);
@@ -80,14 +92,20 @@ class Relaxation {
   [[nodiscard]] bool add_violated_bounds(Node& node);
   [[nodiscard]] bool add_violated_hull(Node& node, RingState& ring);
   [[nodiscard]] Ranges ranges(const Node& node) const;
+  [[nodiscard]] bool is_refuted(const Node& node);
+  [[nodiscard]] bool is_too_long(const Node& node);
+  void raise_bound(Node& node) const;
 
   const Problem* problem_;
   BranchTuning tuning_;
   Columns columns_;
   double ceiling_{};
+  Reasons conflict_{};
+  std::vector<RealBox> wide_;  // where the bodies can be anyway; none before the first node
   std::vector<HalfPlane> hulls_;
-  std::vector<RealVec> points_;     // of the cells last gathered
-  std::vector<RealVec> positions_;  // of the bodies and the world, at the solution
+  std::vector<RealVec> points_;           // of the cells last gathered
+  std::vector<RealVec> positions_;        // of the bodies and the world, at the solution
+  std::vector<std::uint32_t> conflicts_;  // by ring of the problem
   Work work_;
 };
 

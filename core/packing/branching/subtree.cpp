@@ -12,6 +12,7 @@ Subtree::Subtree(const Problem& problem, const BranchTuning& tuning, Node node, 
     : problem_{&problem}, tuning_{tuning}, relaxation_{problem, tuning} {
   for (RingState& ring : node.rings) ring.hull_begin = RingState::kNone;
   node.hulls = 0;
+  relaxation_.begin_at(node);
   relaxation_.lower_ceiling(ceiling);
   stack_.push_back(std::move(node));
 }
@@ -24,22 +25,51 @@ void Subtree::explore(std::uint64_t nodes, double gap, const PlaceLeaf& place_le
   for (std::uint64_t count = 0; count < nodes && !stack_.empty() && !stop.stop_requested(); ++count) {
     Node node = std::move(stack_.back());
     stack_.pop_back();
-    if (node.bound > relaxation_.ceiling() || !relaxation_.limit_length(node)) continue;
-    ++relaxation_.work().nodes;
-    relaxation_.forget_hulls_from(node.hulls);
-    auto below = children(relaxation_, *problem_, node, tuning_, relaxation_.tolerance());
-    if (!below) {
-      const bool placed_leaf = record(node, gap, place_leaf);
-      if (placed_leaf && !problem_->minimises_length) return;
-      if (placed_leaf) continue;
-      // Rounding may have chosen the wrong one of two wedges that meet near the solution.
-      below = children(relaxation_, *problem_, node, tuning_, -tuning_.contact);
-      if (!below) undecided_ = std::min(undecided_, node.bound);
-      if (!below) continue;
+    if (node.bound > relaxation_.ceiling()) {
+      close(node.depth, node.why_bound);
+    } else if (!relaxation_.limit_length(node)) {
+      close(node.depth, relaxation_.conflict());
+    } else if (expand(node, gap, place_leaf)) {
+      return;
     }
-    for (Node& child : *below) {
-      child.hulls = relaxation_.hulls();
-      stack_.push_back(std::move(child));
+  }
+}
+
+bool Subtree::expand(const Node& node, double gap, const PlaceLeaf& place_leaf) {
+  ++relaxation_.work().nodes;
+  relaxation_.forget_hulls_from(node.hulls);
+  Children below = children(relaxation_, *problem_, node, tuning_, relaxation_.tolerance());
+  if (below.leaf) {
+    const bool placed_leaf = record(node, gap, place_leaf);
+    if (placed_leaf && !problem_->minimises_length) return true;
+    // Rounding may have chosen the wrong one of two wedges that meet near the solution.
+    if (!placed_leaf) below = children(relaxation_, *problem_, node, tuning_, -tuning_.contact);
+    if (below.leaf && !placed_leaf) undecided_ = std::min(undecided_, node.bound);
+    if (below.leaf) below.conflict = programs::kAllDecisions;
+  }
+  if (below.nodes.empty()) {
+    close(node.depth, below.conflict);
+    return false;
+  }
+  conflicts_.resize(node.depth + 1);
+  conflicts_[node.depth] = below.conflict;
+  for (Node& child : below.nodes) {
+    child.hulls = relaxation_.hulls();
+    stack_.push_back(std::move(child));
+  }
+  return false;
+}
+
+void Subtree::close(std::size_t depth, Reasons conflict) {
+  for (; depth > 0; --depth) {
+    const std::size_t decided = depth - 1;
+    const auto has_sibling = [&] { return !stack_.empty() && stack_.back().depth == depth; };
+    if ((conflict & programs::decision(decided)) == 0) {
+      for (; has_sibling(); stack_.pop_back()) ++relaxation_.work().skipped;
+    } else {
+      conflicts_[decided] |= programs::without(conflict, decided);
+      if (has_sibling()) return;
+      conflict = conflicts_[decided];
     }
   }
 }

@@ -49,12 +49,18 @@ class Subtree {
   [[nodiscard]] double ceiling() const { return relaxation_.ceiling(); }
 
  private:
+  // True when a layout is found that ends the exploration.
+  [[nodiscard]] bool expand(const Node& node, double gap, const PlaceLeaf& place_leaf);
+  // The node taken last, so deep, has no layout that is still of interest.  Nor has its parent when that does not
+  // depend on the decision between the two, or when it was the last child; and so on upwards [Pro93].
+  void close(std::size_t depth, Reasons conflict);
   [[nodiscard]] bool record(const Node& node, double gap, const PlaceLeaf& place_leaf);
 
   const Problem* problem_;
   BranchTuning tuning_;
   Relaxation relaxation_;
   std::vector<Node> stack_;
+  std::vector<Reasons> conflicts_;  // of the nodes on the way to the next one: why their closed children are closed
   std::vector<Leaf> leaves_;
   double undecided_{std::numeric_limits<double>::infinity()};
 };

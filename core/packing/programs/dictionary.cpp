@@ -145,6 +145,11 @@ void Dictionary::drop_slack_rows(const Columns& columns, double room) {
   entries_.resize(basic_.size() * stride_);
 }
 
+void Dictionary::forget_why() {
+  for (Variable& variable : free_) variable.row.why = kAnyway;
+  for (Variable& variable : basic_) variable.row.why = kAnyway;
+}
+
 std::vector<Dictionary::Multiplier> Dictionary::bounding() const {
   std::vector<Multiplier> multipliers;
   for (std::size_t j = 0; j < columns_; ++j) {

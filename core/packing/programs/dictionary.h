@@ -14,6 +14,7 @@
 
 #include "core/geometry/real_vec.h"
 #include "core/packing/cells/wedge_ring.h"
+#include "core/packing/programs/reasons.h"
 
 namespace selvage::packing::programs {
 
@@ -25,6 +26,7 @@ struct Row {
   std::uint32_t first{}, second{};
   bool length{};
   HalfPlane plane;
+  Reasons why{};
 };
 
 // The bodies' positions and the length, in lattice units.
@@ -61,6 +63,7 @@ class Dictionary {
                           double tolerance = kUsualTolerance);
   // Drops the rows with more room than `room`, in lattice units, but keeps those of the length.
   void drop_slack_rows(const Columns& columns, double room);
+  void forget_why();
 
   [[nodiscard]] RealVec position(const Columns& columns, std::size_t body) const {
     return {columns.low[body].x + value(columns.x(body)) / columns.scale,

@@ -4,10 +4,12 @@
 // doubles: below 2^53 their sums are exact, so a contradiction between bounds is one of the layout, not of rounding.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 #include "core/geometry/lattice.h"
+#include "core/packing/programs/reasons.h"
 
 namespace selvage::packing::programs {
 
@@ -15,7 +17,7 @@ class DifferenceBounds {
  public:
   // Nothing known of `points` points and the origin.
   explicit DifferenceBounds(std::size_t points)
-      : size_{points + 1}, lower_(size_ * size_, -4.0 * static_cast<double>(kLatticeLimit)) {
+      : size_{points + 1}, lower_(size_ * size_, -4.0 * static_cast<double>(kLatticeLimit)), why_(size_ * size_) {
     for (std::size_t k = 0; k < size_; ++k) lower_[k * size_ + k] = 0;
   }
 
@@ -24,13 +26,21 @@ class DifferenceBounds {
   [[nodiscard]] double lower(std::size_t a, std::size_t b) const { return lower_[a * size_ + b]; }
   [[nodiscard]] double upper(std::size_t a, std::size_t b) const { return -lower_[b * size_ + a]; }
 
-  // Adds that b - a is at least `bound`, with all that follows.  False when the bounds contradict each other.
+  // Why it is not less than `lower`; why it is not more than `upper`.
+  [[nodiscard]] Reasons why_lower(std::size_t a, std::size_t b) const { return why_[a * size_ + b]; }
+  [[nodiscard]] Reasons why_upper(std::size_t a, std::size_t b) const { return why_[b * size_ + a]; }
+
+  // Adds that b - a is at least `bound`, with all that follows.  False when the bounds contradict each other: then
+  // `bound` is above `upper(a, b)`, which is as it was.
   // REQUIRES: `bound` is whole.
-  [[nodiscard]] bool raise(std::size_t a, std::size_t b, double bound);
+  [[nodiscard]] bool raise(std::size_t a, std::size_t b, double bound, Reasons why = kAnyway);
+  // Makes everything that is known hold anyway.
+  void forget_why() { std::fill(why_.begin(), why_.end(), kAnyway); }
 
  private:
   std::size_t size_;
   std::vector<double> lower_;  // row by row
+  std::vector<Reasons> why_;
 };
 
 }  // namespace selvage::packing::programs

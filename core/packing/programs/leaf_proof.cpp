@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace selvage::packing::programs {
 namespace {
@@ -19,9 +20,13 @@ class Combination {
   // The largest value, and the same of the combination minus the length.
   [[nodiscard]] double most() const { return most_with(length_); }
   [[nodiscard]] double most_below_length() const { return most_with(length_ - 1); }
+  // Why the largest value is below `limit`; the same of the combination minus the length.
+  [[nodiscard]] Reasons why_below(double limit) const { return why_with(length_, limit); }
+  [[nodiscard]] Reasons why_below_length(double limit) const { return why_with(length_ - 1, limit); }
 
  private:
   void add(const Row& row, double times) {
+    rows_ |= row.why;
     constant_ -= times * row.plane.c;
     size_ += std::abs(times * row.plane.c);
     if (row.length) {
@@ -39,6 +44,36 @@ class Combination {
     factors_[body].y += y;
     sizes_[body].x += std::abs(x);
     sizes_[body].y += std::abs(y);
+  }
+  // Ranges are widened to what holds anyway while the value stays below the limit, the cheapest first.
+  [[nodiscard]] Reasons why_with(double length_factor, double limit) const {
+    struct Side {
+      double loss;
+      Reasons why;
+    };
+    std::vector<Side> sides;
+    double wide_size = 0;
+    const auto add_side = [&](double factor, double factor_size, double side, double wide, Reasons why) {
+      wide_size += (factor_size + std::abs(factor)) * std::abs(wide);
+      if (factor != 0 && why != kAnyway) sides.push_back({factor * (wide - side), why});
+    };
+    for (std::size_t k = 0; k < ranges_.why.size(); ++k) {
+      const auto& [own, wide, why] = std::tie(ranges_.bodies[k], ranges_.wide[k], ranges_.why[k]);
+      const bool right = factors_[k].x > 0;
+      const bool up = factors_[k].y > 0;
+      add_side(factors_[k].x, sizes_[k].x, right ? own.high_x : own.low_x, right ? wide.high_x : wide.low_x,
+               right ? why.high_x : why.low_x);
+      add_side(factors_[k].y, sizes_[k].y, up ? own.high_y : own.low_y, up ? wide.high_y : wide.low_y,
+               up ? why.high_y : why.low_y);
+    }
+    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.loss < b.loss; });
+    double spare = limit - most_with(length_factor) - kRounding * wide_size;
+    Reasons all = rows_;
+    for (const Side& side : sides) {
+      spare -= side.loss;
+      if (spare <= 0) all |= side.why;
+    }
+    return all;
   }
   [[nodiscard]] double most_with(double length_factor) const {
     double most = constant_;
@@ -60,6 +95,7 @@ class Combination {
   std::vector<RealVec> factors_, sizes_;  // of the bodies' positions; the sums of the sizes of their parts
   double length_{}, length_size_{};
   double constant_{}, size_{};
+  Reasons rows_{};
 };
 
 }  // namespace
@@ -70,6 +106,14 @@ bool refutes(std::span<const Dictionary::Multiplier> multipliers, const Ranges& 
 
 double least_length(std::span<const Dictionary::Multiplier> multipliers, const Ranges& ranges) {
   return std::max(ranges.low_length, -Combination{multipliers, ranges}.most_below_length());
+}
+
+Reasons why_refuted(std::span<const Dictionary::Multiplier> multipliers, const Ranges& ranges) {
+  return Combination{multipliers, ranges}.why_below(0);
+}
+
+Reasons why_longer(std::span<const Dictionary::Multiplier> multipliers, const Ranges& ranges, double ceiling) {
+  return Combination{multipliers, ranges}.why_below_length(-ceiling);
 }
 
 }  // namespace selvage::packing::programs

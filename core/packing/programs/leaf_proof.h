@@ -19,8 +19,13 @@ using cells::RealBox;
 
 // Where the bodies, and the length, can be.
 struct Ranges {
+  struct Why {
+    Reasons low_x{}, low_y{}, high_x{}, high_y{};
+  };
   std::vector<RealBox> bodies;
   double low_length{}, high_length{};
+  std::vector<Why> why{};           // of the bodies' ranges; none: anyway
+  std::span<const RealBox> wide{};  // where the bodies can be anyway; as many as `why`
 };
 
 // The rows have no common solution within the ranges.
@@ -28,5 +33,10 @@ struct Ranges {
 
 // No solution within the ranges has a length below this.
 [[nodiscard]] double least_length(std::span<const Dictionary::Multiplier> multipliers, const Ranges& ranges);
+
+// Why `refutes`, or `least_length` above the ceiling, holds: the reasons of the rows, and of as few ranges as do.
+[[nodiscard]] Reasons why_refuted(std::span<const Dictionary::Multiplier> multipliers, const Ranges& ranges);
+[[nodiscard]] Reasons why_longer(std::span<const Dictionary::Multiplier> multipliers, const Ranges& ranges,
+                                 double ceiling);
 
 }  // namespace selvage::packing::programs

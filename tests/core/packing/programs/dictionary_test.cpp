@@ -76,6 +76,25 @@ TEST(LeafProof, NeverClaimsMoreThanTheRowsSay) {
   EXPECT_EQ(least_length({}, pair.ranges), 0);
 }
 
+TEST(LeafProof, NamesRowsAndAsFewRangesAsItNeeds) {
+  Pair pair;
+  const std::vector<RealBox> wide{{0, 0, 100, 20}, {0, 0, 100, 20}};
+  pair.ranges.wide = wide;
+  pair.ranges.bodies = {{70, 0, 100, 20}, {0, 0, 60, 20}};
+  pair.ranges.why = {{.low_x = decision(1)}, {.high_x = decision(2)}};
+  // The second body is right of the first: either range is needed, and one of them alone does not do.
+  const std::vector<Dictionary::Multiplier> near{{{0, 1, false, {1, 0, 10}, decision(0)}, 1}};
+  ASSERT_TRUE(refutes(near, pair.ranges));
+  EXPECT_EQ(why_refuted(near, pair.ranges), decision(0) | decision(1) | decision(2));
+  // So far right that one range does.
+  const std::vector<Dictionary::Multiplier> far{{{0, 1, false, {1, 0, 65}, decision(0)}, 1}};
+  ASSERT_TRUE(refutes(far, pair.ranges));
+  EXPECT_EQ(why_refuted(far, pair.ranges), decision(0) | decision(1));
+  // Whatever the second body's range, the marker ends behind the first.
+  const std::vector<Dictionary::Multiplier> end{{{0, 0, true, {1, 0, 10}}, 1}};
+  EXPECT_EQ(why_longer(end, pair.ranges, 70), decision(1));
+}
+
 TEST(Dictionary, DropsRowsWithRoomAndKeepsItsSolution) {
   Pair pair;
   pair.add({0, 1, false, {1, 0, 10}});

@@ -62,5 +62,41 @@ TEST(DifferenceBounds, AreClosedByLongestPaths) {
   EXPECT_GT(contradictions, 50);
 }
 
+// Of the raises, those that the reasons name: number k has the decision k.
+std::vector<Raise> named(const std::vector<Raise>& raises, Reasons why) {
+  std::vector<Raise> some;
+  for (std::size_t k = 0; k < raises.size(); ++k) {
+    if ((why & decision(k)) != 0) some.push_back(raises[k]);
+  }
+  return some;
+}
+
+TEST(DifferenceBounds, FollowFromTheirReasonsAlone) {
+  test::Random random{19};
+  std::size_t fewer = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const std::size_t points = 3 + random.below(4);
+    DifferenceBounds bounds{points};
+    std::vector<Raise> raises;
+    for (std::size_t k = 0; k < 25; ++k) {
+      const std::size_t a = random.below(points + 1);
+      const std::size_t b = (a + 1 + random.below(points)) % (points + 1);
+      const auto bound = static_cast<double>(random.between(-1000, 100));
+      raises.emplace_back(a, b, bound);
+      if (!bounds.raise(a, b, bound, decision(k))) {
+        const Reasons conflict = decision(k) | bounds.why_upper(a, b);
+        ASSERT_TRUE(longest_paths(points + 1, named(raises, conflict)).contradictory);
+        fewer += named(raises, conflict).size() < raises.size() ? 1 : 0;
+        break;
+      }
+      const std::size_t u = random.below(points + 1);
+      const std::size_t w = (u + 1 + random.below(points)) % (points + 1);
+      if (bounds.lower(u, w) < -1e12) continue;
+      ASSERT_GE(longest_paths(points + 1, named(raises, bounds.why_lower(u, w))).lower[u][w], bounds.lower(u, w));
+    }
+  }
+  EXPECT_GT(fewer, 50U);
+}
+
 }  // namespace
 }  // namespace selvage::packing::programs
