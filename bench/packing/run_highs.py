@@ -3,8 +3,8 @@
 
 usage: run_highs.py [--seconds S] PROGRAM.lp...
 
-Run it with the interpreter of an environment that has highspy.  Times are seconds of processor time; HiGHS is stopped
-after S (default: 20) of its own.  Lengths are in widths of the room.
+Run it with the interpreter of an environment that has highspy.  Times are seconds of processor time, after S (default:
+20) of which HiGHS is stopped.  Lengths are in widths of the room.
 """
 import argparse
 import pathlib
@@ -17,9 +17,14 @@ def solved(path, seconds):
     highs = highspy.Highs()
     highs.setOptionValue("output_flag", False)
     highs.setOptionValue("threads", 1)
-    highs.setOptionValue("time_limit", seconds)
     highs.readModel(str(path))
     begun = time.process_time()
+
+    def stop_in_time(event):
+        if time.process_time() - begun > seconds:
+            event.interrupt()
+
+    highs.cbMipInterrupt += stop_in_time
     highs.run()
     spent = time.process_time() - begun
     proved = highs.getModelStatus() == highspy.HighsModelStatus.kOptimal
