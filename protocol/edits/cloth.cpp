@@ -74,6 +74,8 @@ class ClothMaker {
       any = true;
       if (!is_of_zone(k)) make_block(shape, file_.attributes.shapes[k], by, field);
     }
+    if (any && !file_.marker.pieces.empty() && by != Box{})
+      file_.notes.push_back({field, "the blocks may overlap where they lie: nest or separate them"});
     if (any || mistake_) return;
     mistake_.add(ErrorCode::kOutOfRange, json::shortened(Json(*blocks.shape)) + " is the id of no shape",
                  field + "/shape");
