@@ -60,7 +60,7 @@ export function readPalette(): Palette {
 
 export const palette = new Signal<Palette | undefined>(undefined);
 
-/** Which colour a piece has: pieces of one size, bundle or shape have the same. */
+/** Which colour a piece has: pieces of one size, bundle or shape have the same. Zones have none of them. */
 export class Colouring {
   private readonly places = new Map<string, number>();
 
@@ -68,7 +68,7 @@ export class Colouring {
     readonly by: Preferences["colourBy"],
     pieces: readonly Piece[],
   ) {
-    const names = [...new Set(pieces.map((piece) => this.nameOf(piece)))];
+    const names = [...new Set(pieces.filter(({ rules }) => !rules.zone).map((piece) => this.nameOf(piece)))];
     names.sort((a, b) => a.localeCompare(b, undefined, { numeric: true }));
     names.forEach((name, place) => this.places.set(name, place));
   }

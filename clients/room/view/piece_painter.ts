@@ -68,7 +68,8 @@ export function paintLabel(brush: Brush, piece: Piece, pose: Pose, labels: boole
   const [x, y] = camera.toScreen(pose.place([spot.x, spot.y]));
   if (labels && room > 26 && piece.shape.extent * camera.scale > 110) paintGrain(brush, piece, pose);
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
-  if (piece.locked !== false) paintLock(context, x, room > 24 && labels ? y - 13 : y, colours, isLocked(piece, "x") && isLocked(piece, "y"));
+  // A zone always stays where it is, and its outline says so.
+  if (piece.locked !== false && !piece.rules.zone) paintLock(context, x, room > 24 && labels ? y - 13 : y, colours, isLocked(piece, "x") && isLocked(piece, "y"));
   if (!labels) return;
   const { text } = labelOf(brush, piece);
   if (text === "") return;
