@@ -80,8 +80,8 @@ JobQueue::Milliseconds JobQueue::longest_wait(bool quick) const {
   return longest;
 }
 
-// Returns what the worker waits for that is to take the job.  A quick job for which there is an idle worker for quick
-// ones wakes no other.  (There is one if there are more of them than quick jobs that each of them has been woken for.)
+// Returns what the worker waits for that is to take the job.  For a quick job that is a worker for quick ones if more
+// of them are idle than there are ready quick jobs, each of which has woken one.
 std::condition_variable& JobQueue::make_ready(Job job) {
   const bool quick_takes_it = job.quick && idle_quick_ > ready_quick_;
   ready_quick_ += job.quick ? 1 : 0;
