@@ -57,6 +57,53 @@ std::vector<test::Squares> random_pieces(test::Random& random, std::size_t count
   return pieces;
 }
 
+std::vector<PieceId> all_pieces(const Marker& marker) {
+  std::vector<PieceId> pieces;
+  for (std::uint32_t k = 0; k < marker.pieces.size(); ++k) pieces.push_back({k});
+  return pieces;
+}
+
+TEST(ContainLaws, MoreRoomNeverMakesItImpossible) {
+  test::Random random{53};
+  int found = 0;
+  for (int trial = 0; trial < 100 / test::kSlowdown + 1; ++trial) {
+    const auto polyominoes = random_pieces(random, 3 + random.below(3));
+    const Marker marker = test::marker_of(polyominoes, 5);
+    const auto verdict_in = [&](Coord length, Coord width) {
+      SumCache sums;
+      return contain(marker, all_pieces(marker), Box{{0, 0}, {length, width}}, {}, {sums}).verdict;
+    };
+    const Coord length = random.between(3, 5) * test::kSquare;
+    if (verdict_in(length, 4 * test::kSquare) != Verdict::kFound) continue;
+    ++found;
+    EXPECT_NE(verdict_in(length + random.between(1, test::kSquare), 4 * test::kSquare), Verdict::kImpossible);
+    EXPECT_NE(verdict_in(length, 4 * test::kSquare + random.between(1, test::kSquare)), Verdict::kImpossible);
+  }
+  EXPECT_GT(found, 0);
+}
+
+TEST(ContainLaws, ThreadsDoNotMatter) {
+  test::Random random{59};
+  for (int trial = 0; trial < 20 / test::kSlowdown + 1; ++trial) {
+    const Marker marker = test::marker_of(random_pieces(random, 7), 4);
+    const Box room{{0, 0}, {random.between(4, 6) * test::kSquare, 4 * test::kSquare}};
+    SumCache sums;
+    ContainSettings settings;
+    settings.limits.nodes = 2000;
+    const Containment expected = contain(marker, all_pieces(marker), room, settings, {sums});
+    for (const std::size_t threads : {2U, 4U}) {
+      const protocol::execution::ThreadPool pool{threads - 1};
+      scene::Run run{sums};
+      run.executor = &pool;
+      const Containment result = contain(marker, all_pieces(marker), room, settings, run);
+      EXPECT_EQ(result.verdict, expected.verdict);
+      EXPECT_EQ(result.marker, expected.marker);
+      EXPECT_EQ(result.work.nodes, expected.work.nodes);
+      EXPECT_EQ(result.work.skipped, expected.work.skipped);
+    }
+  }
+}
+
 Coord shortest(const Marker& marker) {
   SumCache sums;
   const Packing packing = pack(marker, {}, {sums});
