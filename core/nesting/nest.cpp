@@ -179,69 +179,101 @@ Searched search(std::size_t number, const Task& task, const Budget& budget, cons
                       task, budget, seed, run);
 }
 
-}  // namespace
+// The marker that is nested, and its pieces as the search sees them.
+struct Start {
+  Marker marker;  // the fixed pieces, and others where they lie
+  layout::PieceSet set;
+};
 
-Result<Nesting> nest(const Marker& given, const NestSettings& settings, const scene::Run& run) {
+Result<Start> start_of(const Marker& given, const NestSettings& settings, minkowski::SumCache& sums) {
   if (given.pieces.empty() && given.unplaced.empty()) {
     return Error{ErrorCode::kEmptyMarker, "the marker has no piece", "/pieces"};
   }
-  auto set = piece_set_of(given, settings.placed, run.sums);
+  auto set = piece_set_of(given, settings.placed, sums);
   if (!set) return set.error();
-  Marker start = given;
+  Start start{given, std::move(*set)};
   if (settings.from_scratch) {
-    start = with_pieces_taken_off(given, *set);
-    set = piece_set_of(start, settings.placed, run.sums);
+    start.marker = with_pieces_taken_off(given, start.set);
+    set = piece_set_of(start.marker, settings.placed, sums);
     if (!set) return set.error();
+    start.set = std::move(*set);
   }
-  if (const auto defect = defect_of_fixed(start, *set)) return *defect;
-  Marker endless = start;  // the search itself takes the cloth to be endless
-  endless.strip = start.strip.ending(std::nullopt);
-  const TimedRun first_run{run, settings.elapsed};
-  const NestTuning& tuning = settings.tuning;
-  auto first = start::first_layout(
-      endless, *set, kept_where_valid(endless, *set),
-      {settings.seed, tuning.map_bytes, tuning.most_pieces, tuning.separation_rounds, tuning.search},
-      first_run.run().quiet());
-  if (!first) return first.error();
+  if (auto defect = defect_of_fixed(start.marker, start.set)) return *std::move(defect);
+  return start;
+}
 
-  Reporter reporter{run.observer, kLatticeLimit};
-  const Task task{start, *first, *set, settings, values_of(start, *set, settings)};
-  const bool turn = settings.turn && settings.moves > 0 && may_turn(start);
-  std::function<double()> elapsed = settings.elapsed;
-  if (elapsed && turn) elapsed = [&] { return settings.elapsed() / tuning.searched; };
-  const bool too_many = set->size() > tuning.most_pieces;
-  std::vector<std::optional<Searched>> searched(too_many ? 1 : std::max<std::size_t>(1, settings.searches));
+// All pieces on an endless strip, valid: what every search improves on.
+Result<Marker> first_marker(const Start& start, const NestSettings& settings, const scene::Run& run) {
+  Marker endless = start.marker;
+  endless.strip = start.marker.strip.ending(std::nullopt);
+  const TimedRun timed{run, settings.elapsed};
+  const NestTuning& tuning = settings.tuning;
+  return start::first_layout(
+      endless, start.set, kept_where_valid(endless, start.set),
+      {settings.seed, tuning.map_bytes, tuning.most_pieces, tuning.separation_rounds, tuning.search},
+      timed.run().quiet());
+}
+
+// All searches, which share nothing but what they report: so any number of threads gives the same results.
+std::vector<Searched> search_all(const Task& task, const std::function<double()>& elapsed, const scene::Run& run,
+                                 Reporter& reporter) {
+  const NestTuning& tuning = task.settings.tuning;
+  const bool too_many = task.set.size() > tuning.most_pieces;
+  std::vector<std::optional<Searched>> searched(too_many ? 1 : std::max<std::size_t>(1, task.settings.searches));
   run.executor->for_each(searched.size(), [&](std::size_t k) {
     const scene::Run own = searched.size() == 1 ? run : scene::Run{run.sums, run.stop};
     const TimedRun timed{own, elapsed};
-    const Budget budget{settings.moves, elapsed, run.stop, tuning.explored, tuning.first_epoch};
+    const Budget budget{task.settings.moves, elapsed, run.stop, tuning.explored, tuning.first_epoch};
     searched[k] = too_many ? compacted(task, budget, timed.run()) : search(k, task, budget, timed.run(), reporter);
   });
-  const auto best =
-      std::min_element(searched.begin(), searched.end(), [](const auto& a, const auto& b) { return better(*a, *b); });
+  std::vector<Searched> all;
+  for (auto& one : searched) all.push_back(*std::move(one));
+  return all;
+}
 
+// The best of the searches, with the work of all of them.
+Nesting best_of(std::vector<Searched>& searched) {
+  const auto best = std::min_element(searched.begin(), searched.end(), better);
   Nesting nesting;
-  nesting.length_before = length_of(given);
   nesting.search = static_cast<std::size_t>(best - searched.begin());
-  for (const auto& one : searched) {
-    nesting.moves += one->moves;
-    nesting.programs += one->programs;
+  for (const Searched& one : searched) {
+    nesting.moves += one.moves;
+    nesting.programs += one.programs;
   }
-  nesting.history = std::move((*best)->history);
+  nesting.history = std::move(best->history);
   nesting.rounds = static_cast<int>(nesting.history.size());
-  nesting.marker = filling::with_lying_pieces((*best)->best.marker, (*best)->best.lies);
+  nesting.marker = filling::with_lying_pieces(best->best.marker, best->best.lies);
   nesting.left_over = nesting.marker.unplaced.size();
+  nesting.reason = best->converged ? scene::StopReason::kConverged : scene::StopReason::kWorkLimit;
+  return nesting;
+}
+
+}  // namespace
+
+Result<Nesting> nest(const Marker& given, const NestSettings& settings, const scene::Run& run) {
+  auto start = start_of(given, settings, run.sums);
+  if (!start) return start.error();
+  const auto first = first_marker(*start, settings, run);
+  if (!first) return first.error();
+
+  const bool turn = settings.turn && settings.moves > 0 && may_turn(start->marker);
+  std::function<double()> elapsed = settings.elapsed;  // while pieces keep their tilts
+  if (elapsed && turn) elapsed = [&settings] { return settings.elapsed() / settings.tuning.searched; };
+  Reporter reporter{run.observer, kLatticeLimit};
+  const Task task{start->marker, *first, start->set, settings, values_of(start->marker, start->set, settings)};
+  auto searched = search_all(task, elapsed, run, reporter);
+
+  Nesting nesting = best_of(searched);
   if (turn && nesting.left_over == 0 && !run.stopped()) {
-    if (auto finish = finished(nesting.marker, set->fixed, settings.elapsed, run)) {
+    if (auto finish = finished(nesting.marker, start->set.fixed, settings.elapsed, run)) {
       nesting.marker = std::move(finish->marker);
       nesting.programs += finish->programs;
       reporter.report({nesting.moves, finish->length});
     }
   }
+  nesting.length_before = length_of(given);
   nesting.length_after = length_of(nesting.marker);
-  nesting.reason = (*best)->converged ? scene::StopReason::kConverged
-                   : run.stopped()    ? scene::StopReason::kCancelled
-                                      : scene::StopReason::kWorkLimit;
+  if (nesting.reason != scene::StopReason::kConverged && run.stopped()) nesting.reason = scene::StopReason::kCancelled;
   return nesting;
 }
 

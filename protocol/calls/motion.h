@@ -70,7 +70,7 @@ struct MotionAfter {
   static void describe(auto& v, auto& self) {
     v.required("valid", self.valid, "Whether the result is valid, proved in integers.");
     v.required("healed", self.healed, "The repair of small overlaps in the input.");
-    v.required("placements", self.placements, "Of the pieces that moved.");
+    v.required("placements", self.placements, "The new placements of the pieces that moved.");
     v.optional("ms", self.ms, "Milliseconds by stage; only with timing.");
     v.optional("cache", self.cache, "The cache of Minkowski sums; only with timing.");
   }

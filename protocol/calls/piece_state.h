@@ -54,7 +54,7 @@ struct PieceState {
     v.required("rotation", self.rotation, "Degrees, counter-clockwise.");
     v.required("flip", self.flip, "Whether the piece is mirrored.");
     v.required("tilt", self.tilt, "Degrees, added to the rotation.");
-    v.required("locked", self.locked, "What of it is locked.");
+    v.required("locked", self.locked, "What is locked.");
     v.optional("group", self.group, "Its group, if it has one.");
     v.optional("buffer", self.buffer, "The clearance around it, if it has one.");
     v.optional("overlap", self.overlap, "Its own overlap allowance, if it has one.");

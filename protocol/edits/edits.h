@@ -85,7 +85,7 @@ struct PlacePiece {
     v.constant("op", kOp, kOpMeaning);
     v.required("piece", self.piece, kUnplacedMeaning);
     v.required("at", self.at, "The position of its origin.");
-    v.optional("rotation", self.rotation, "One that the shape allows; absent: as it is.", kDegrees);
+    v.optional("rotation", self.rotation, "A rotation that the shape allows; absent: as it is.", kDegrees);
     v.optional("flip", self.flip, "Whether it is mirrored; absent: as it is.");
   }
 };
@@ -163,7 +163,7 @@ struct LockPiece {
   static void describe(auto& v, auto& self) {
     v.constant("op", kOp, kOpMeaning);
     v.required("piece", self.piece, kPieceMeaning);
-    v.optional("locked", self.locks, "What of it is locked; absent: the whole piece.");
+    v.optional("locked", self.locks, "What is locked; absent: the whole piece.");
   }
 };
 struct GroupPiece {

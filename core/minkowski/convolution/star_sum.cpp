@@ -20,6 +20,49 @@ Coord rounded(double value) {
   return whole + (rest >= 0.5 ? 1 : 0) - (rest <= -0.5 ? 1 : 0);
 }
 
+// Where an edge that is to start at `from` starts, after those before it: a jump becomes an edge of its own.
+Vec joined_to(std::vector<SumEdge>& edges, Vec from) {
+  if (edges.empty() || edges.back().to == from) return from;
+  const Vec last = edges.back().to;
+  if (same_but_for_rounding(last, from)) return last;
+  edges.push_back({last, from, last, from, edges.back().source, false});
+  return from;
+}
+
+// The last edge ends where the first one starts.  The envelope starts on the x axis, usually in the middle of an edge:
+// the two halves of that edge are joined.
+void close(std::vector<SumEdge>& edges) {
+  if (edges.empty()) return;
+  const Vec begin = edges.front().from;
+  joined_to(edges, begin);
+  edges.back().to = begin;
+  SumEdge& front = edges.front();
+  if (edges.size() > 1 && edges.back().line_from == front.line_from && edges.back().line_to == front.line_to) {
+    front.from = edges.back().from;
+    edges.pop_back();
+  }
+}
+
+// The edge from one point to another along a candidate.
+SumEdge edge_along(const Candidate& c, Vec from, Vec to, const outline::StarPart& first,
+                   const outline::StarPart& second) {
+  const Vec along = c.to - c.from;
+  if (c.edge_of_first) {
+    return {from,
+            to,
+            c.from,
+            c.to,
+            {second.origin[c.second_vertex], first.origin[c.first_vertex], false},
+            inside_whole(second, c.second_vertex, first, c.first_vertex, along)};
+  }
+  return {from,
+          to,
+          c.from,
+          c.to,
+          {first.origin[c.first_vertex], second.origin[c.second_vertex], true},
+          inside_whole(first, c.first_vertex, second, c.second_vertex, along)};
+}
+
 }  // namespace
 
 StarSum star_sum(const outline::StarPart& first, const outline::StarPart& second) {
@@ -37,45 +80,17 @@ StarSum star_sum(const outline::StarPart& first, const outline::StarPart& second
     // Each stretch starts where the previous one ends, except for jumps along rays, which occur when a kernel has no
     // depth.
     const bool goes_on = before != nullptr && before->x1 == s.x0 && before->y1 == s.y0;
-    Vec from = goes_on ? to : lattice_point(s.x0, s.y0);
+    const Vec from = joined_to(sum.edges, goes_on ? to : lattice_point(s.x0, s.y0));
     to = lattice_point(s.x1, s.y1);
     before = &s;
-    if (!sum.edges.empty() && sum.edges.back().to != from) {
-      const Vec last = sum.edges.back().to;
-      if (same_but_for_rounding(last, from)) {
-        from = last;
-      } else {
-        sum.edges.push_back({last, from, last, from, sum.edges.back().source, false});
-      }
-    }
     if (from == to) continue;
-    const EdgeSource source = c.edge_of_first
-                                  ? EdgeSource{second.origin[c.second_vertex], first.origin[c.first_vertex], false}
-                                  : EdgeSource{first.origin[c.first_vertex], second.origin[c.second_vertex], true};
     if (!sum.edges.empty() && sum.edges.back().line_from == c.from && sum.edges.back().line_to == c.to) {
       sum.edges.back().to = to;
-      continue;
-    }
-    const bool inner = c.edge_of_first ? inside_whole(second, c.second_vertex, first, c.first_vertex, c.to - c.from)
-                                       : inside_whole(first, c.first_vertex, second, c.second_vertex, c.to - c.from);
-    sum.edges.push_back({from, to, c.from, c.to, source, inner});
-  }
-  if (!sum.edges.empty() && sum.edges.back().to != sum.edges.front().from) {
-    const Vec last = sum.edges.back().to;
-    const Vec first_from = sum.edges.front().from;
-    if (same_but_for_rounding(last, first_from)) {
-      sum.edges.back().to = first_from;
     } else {
-      sum.edges.push_back({last, first_from, last, first_from, sum.edges.back().source, false});
+      sum.edges.push_back(edge_along(c, from, to, first, second));
     }
   }
-  // The envelope starts on the x axis, usually in the middle of an edge: join the two halves of that edge.
-  SumEdge& front = sum.edges.front();
-  if (sum.edges.size() > 1 && sum.edges.back().line_from == front.line_from &&
-      sum.edges.back().line_to == front.line_to) {
-    front.from = sum.edges.back().from;
-    sum.edges.pop_back();
-  }
+  close(sum.edges);
   return sum;
 }
 

@@ -24,7 +24,7 @@ struct BackupResult {
   std::uint64_t bytes{};
 
   static void describe(auto& v, auto& self) {
-    v.required("name", self.name, "As it was given.");
+    v.required("name", self.name, "The name as it was given.");
     v.required("bytes", self.bytes, "The size of the copy.");
   }
 };

@@ -21,7 +21,7 @@ struct DiscoverResult {
     v.required("openrpc", self.openrpc, "The version of OpenRPC.");
     v.required("info", self.info, "Title and version.");
     v.required("methods", self.methods, "All methods.");
-    v.required("components", self.components, "Types.");
+    v.required("components", self.components, "The types that the methods use.");
     v.required("x-notifications", self.notifications, "What the daemon sends without being asked.");
   }
 };

@@ -25,7 +25,7 @@ struct Limits {
   static void describe(auto& v, auto& self) {
     v.required("requestBytes", self.request_bytes, "Size of a request.");
     v.required("batch", self.batch, "Calls in a batch.");
-    v.required("depth", self.depth, "Levels of nesting.");
+    v.required("depth", self.depth, "Levels of nesting in a request.");
     v.required("values", self.values, "Numbers, strings, arrays and so on in a request.");
     v.required("pieces", self.pieces, "Pieces of a marker.");
     v.required("vertices", self.vertices, "Vertices of a shape.");

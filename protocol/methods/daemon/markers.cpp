@@ -67,8 +67,9 @@ struct ReadingFields {
   trade::ReadingOptions options;
 
   static void describe(auto& v, auto& self) {
-    v.optional("unit", self.options.unit, "Of a pattern or cut file, instead of the unit that it states.");
-    v.optional("width", self.options.width, "Of the cloth, in mm; a pattern file does not state it. 1500 when absent.",
+    v.optional("unit", self.options.unit, "The unit of a pattern or cut file, instead of the one that it states.");
+    v.optional("width", self.options.width,
+               "The width of the cloth in mm, which a pattern file does not state. 1500 when absent.",
                {.range = kWidths});
     v.optional("fold", self.options.fold, "Unfold half pieces, or keep them; unfold when absent.");
     v.optional("nap", self.options.nap,

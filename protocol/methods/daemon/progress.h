@@ -22,8 +22,8 @@ struct Progress {
     v.required("token", self.token, "The call's progressToken.");
     v.required("round", self.round, "The number of the round.");
     v.required("length", self.length, "The marker's length after it.");
-    v.optional("bound", self.bound, "Of motion.pack: no marker of these pieces is shorter, which is proved.");
-    v.optional("nodes", self.nodes, "Of exact searches: number of nodes searched so far.");
+    v.optional("bound", self.bound, "Only from motion.pack: no marker of these pieces is shorter, which is proved.");
+    v.optional("nodes", self.nodes, "Only from exact searches: number of nodes searched so far.");
   }
 };
 

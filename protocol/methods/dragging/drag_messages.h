@@ -61,7 +61,8 @@ struct MoveResult {
     v.required("at", self.at, "The new position of the piece's origin.");
     v.required("reached", self.reached, "Whether the piece is at the wanted position.");
     v.required("pushed", self.pushed, "Whether other pieces moved out of the way.");
-    v.required("placements", self.placements, "Of all pieces that are not where they were at the beginning.");
+    v.required("placements", self.placements,
+               "The placements of all pieces that are not where they were at the beginning.");
     v.required("length", self.length, calls::kLengthMeaning);
     v.required("utilisation", self.utilisation, calls::kUtilisationMeaning);
     v.required("valid", self.valid, calls::kValidMeaning);

@@ -24,10 +24,10 @@ struct LibraryEntry {
   static void describe(auto& v, auto& self) {
     v.required("id", self.id, kIdMeaning);
     v.required("name", self.name, calls::kNameMeaning);
-    v.required("style", self.style, "What it is a marker of, as it was given.");
-    v.required("unit", self.unit, "Of all its lengths.");
+    v.required("style", self.style, "The style, as it was given.");
+    v.required("unit", self.unit, "The unit of all its lengths.");
     v.required("pieces", self.pieces, calls::kPiecesMeaning);
-    v.required("width", self.width, "Of the strip.");
+    v.required("width", self.width, "The width of the strip.");
     v.required("spacing", self.spacing, "The least distance between two pieces.");
     v.required("length", self.length, calls::kLengthMeaning);
     v.required("utilisation", self.utilisation, calls::kUtilisationMeaning);
@@ -41,7 +41,7 @@ struct LibraryAddParams {
   static void describe(auto& v, auto& self) {
     v.required("markerId", self.marker_id,
                "The open marker to store at its present revision: valid, with all pieces placed.");
-    v.optional("style", self.style, "What it is a marker of, in up to 200 bytes.", kStyles);
+    v.optional("style", self.style, "The style, in up to 200 bytes.", kStyles);
   }
 };
 struct LibraryAddResult {
@@ -50,7 +50,7 @@ struct LibraryAddResult {
 
   static void describe(auto& v, auto& self) {
     v.part(self.entry);
-    v.required("added", self.added, "False: the library had this very marker already.");
+    v.required("added", self.added, "Whether the marker is new; false when the library had it already.");
   }
 };
 
@@ -92,7 +92,7 @@ struct LibraryListResult {
 
   static void describe(auto& v, auto& self) {
     v.required("count", self.count, "Number of stored markers.");
-    v.required("markers", self.markers, "In the order of adding.");
+    v.required("markers", self.markers, "The markers, in the order in which they were added.");
   }
 };
 
@@ -113,13 +113,13 @@ struct LibraryNear {
 
   static void describe(auto& v, auto& self) {
     v.part(self.entry);
-    v.required("distance", self.distance, "Between their signatures; 0 for equal pieces.");
+    v.required("distance", self.distance, "The distance between their signatures; 0 for equal pieces.");
   }
 };
 struct LibrarySearchResult {
   std::vector<LibraryNear> near;
 
-  static void describe(auto& v, auto& self) { v.required("near", self.near, "Nearest first."); }
+  static void describe(auto& v, auto& self) { v.required("near", self.near, "The markers found, the nearest first."); }
 };
 
 }  // namespace selvage::protocol::methods::library

@@ -59,7 +59,8 @@ struct RemakeParams {
     v.optional("keepTrims", self.keep_trims, "True: small pieces are not moved into gaps in the end, which is faster.");
     v.optional("fine", self.fine, "Whether every attempt ends with the search of accuracy fine.");
     v.optional("nest", self.nest, "Whether the order is nested from nothing when no attempt gives a marker.");
-    v.optional("nestMoves", self.nest_moves, "The budget of that, in moves of a piece.", {.range = {{1, kMostMoves}}});
+    v.optional("nestMoves", self.nest_moves, "The budget of nesting from nothing, in moves of a piece.",
+               {.range = {{1, kMostMoves}}});
   }
 };
 
@@ -75,7 +76,7 @@ struct RemakeStepResult {
     v.required("pieces", self.pieces,
                "How many pieces it concerned: swapped to relieve columns, popped, inserted, or trials kept.");
     v.required("length", self.length, calls::kLengthMeaning);
-    v.required("utilisation", self.utilisation, "Of the pieces that lie there, 0 to 1.");
+    v.required("utilisation", self.utilisation, "The utilisation of the pieces that lie there, 0 to 1.");
     v.required("valid", self.valid, calls::kValidMeaning);
   }
 };
@@ -106,10 +107,10 @@ struct RemakeResult {
 
   static void describe(auto& v, auto& self) {
     v.required("outcome", self.outcome,
-               "What became of the order; unless remade or nested, the marker stays as it is.");
+               "The outcome. Unless the order was remade or nested, the marker stays as it is.");
     v.required("candidates", self.candidates, "Number of arrangements that were near enough.");
     v.optional("chosen", self.chosen, "The attempt that the result is from.");
-    v.required("attempts", self.attempts, "The best prediction first.");
+    v.required("attempts", self.attempts, "The attempts, the best prediction first.");
     v.part(self.rounds);
   }
 };

@@ -34,7 +34,7 @@ struct NestEffort {
     v.optional("seconds", self.seconds,
                "The budget of a search in seconds, 0 to 86,400. The result then depends on the machine.",
                {.range = {{0, kMostSeconds}}});
-    v.optional("seed", self.seed, "Of the random choices.", {.range = {{0, kMostSeed}}});
+    v.optional("seed", self.seed, "The seed of the random choices.", {.range = {{0, kMostSeed}}});
   }
 };
 

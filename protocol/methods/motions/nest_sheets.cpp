@@ -57,9 +57,9 @@ struct SheetParams {
   std::uint64_t count{1};
 
   static void describe(auto& v, auto& self) {
-    v.optional("width", self.width, "Of a rectangle, across the grain, in the marker's unit.",
+    v.optional("width", self.width, "The width of a rectangle, across the grain, in the marker's unit.",
                {.range = formats::kStripWidths});
-    v.optional("length", self.length, "Of a rectangle, along the grain.", {.range = formats::kStripWidths});
+    v.optional("length", self.length, "The length of a rectangle, along the grain.", {.range = formats::kStripWidths});
     v.optional("outline", self.outline, "The corners [x, y] of the sheet, instead of a width and a length.");
     v.optional("holes", self.holes, "Outlines of holes and faults that no piece may cover.",
                {.entries = {{0, kMostHoles}}, .entries_are = "holes"});

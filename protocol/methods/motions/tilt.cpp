@@ -26,7 +26,7 @@ struct TiltParams {
                "Number of random restarts: how many times the pieces are perturbed and the rounds begin again, 0 to "
                "10,000.",
                {.range = {{0, kMostRestarts}}});
-    v.optional("tilts", self.tilts, "Of relaxation: number of tilt angles sampled, 1 to 1,001.",
+    v.optional("tilts", self.tilts, "Only for relaxation: number of tilt angles sampled, 1 to 1,001.",
                {.range = {{1, kMostTilts}}});
   }
 };

@@ -28,7 +28,7 @@ struct FillParams {
                {.range = {{1, kMostTaken}}});
     v.optional("nodes", self.nodes, "The largest number of nodes of every search for room.",
                {.range = {{1, kMostNodes}}});
-    v.optional("seed", self.seed, "Of the random choices.", {.range = {{0, kMostSeed}}});
+    v.optional("seed", self.seed, "The seed of the random choices.", {.range = {{0, kMostSeed}}});
     v.optional("turns", self.turns, "False: pieces keep their orientations.");
   }
 };

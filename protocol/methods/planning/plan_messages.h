@@ -31,7 +31,7 @@ struct Quantity {
   int garments{};
 
   static void describe(auto& v, auto& self) {
-    v.required("colour", self.colour, "Of the cloth.", {.bytes = {{1, 200}}});
+    v.required("colour", self.colour, "The colour of the cloth.", {.bytes = {{1, 200}}});
     v.required("size", self.size, "As the style's pieces name it among their attributes.", {.bytes = {{1, 200}}});
     v.required("garments", self.garments, "0 to 1,000,000.",
                {.range = {{0, selvage::planning::orders::kMostGarments}}});
@@ -70,12 +70,12 @@ struct PlanParams {
     v.optional("overCut", self.limits.over, "Part by which more garments of a colour and size may be cut, 0 to 10.",
                {.range = {{0, 10}}});
     v.optional("underCut", self.limits.under, "Part by which fewer may be cut, 0 to 1.", {.range = {{0, 1}}});
-    v.optional("costMetre", self.costs.metre, "Of a metre of cloth.", {.range = {{0, kDearest}}});
-    v.optional("costLay", self.costs.lay, "Of setting up a lay.", {.range = {{0, kDearest}}});
-    v.optional("costPly", self.costs.ply, "Of spreading a ply.", {.range = {{0, kDearest}}});
-    v.optional("costMarker", self.costs.marker, "Of making a marker.", {.range = {{0, kDearest}}});
-    v.optional("costCutMetre", self.costs.cut_metre, "Of a metre of the knife's way around the pieces of a lay.",
-               {.range = {{0, kDearest}}});
+    v.optional("costMetre", self.costs.metre, "The cost of a metre of cloth.", {.range = {{0, kDearest}}});
+    v.optional("costLay", self.costs.lay, "The cost of setting up a lay.", {.range = {{0, kDearest}}});
+    v.optional("costPly", self.costs.ply, "The cost of spreading a ply.", {.range = {{0, kDearest}}});
+    v.optional("costMarker", self.costs.marker, "The cost of making a marker.", {.range = {{0, kDearest}}});
+    v.optional("costCutMetre", self.costs.cut_metre,
+               "The cost of a metre that the knife cuts around the pieces of a lay.", {.range = {{0, kDearest}}});
     v.optional("gap", self.gap, "The search ends when cost and bound differ by this part of the cost, 0 to 1.",
                {.range = {{0, 1}}});
     v.optional("rounds", self.rounds, "Most rounds of choosing markers and making them, 1 to 100.",
@@ -87,7 +87,7 @@ struct PlanParams {
                {.range = {{0, 100}}});
     v.optional("movesPerPiece", self.moves_per_piece,
                "The budget of nesting a marker, in moves for each of its pieces.", {.range = {{0, 1e6}}});
-    v.optional("seed", self.seed, "Of the random choices of nesting.", {.range = {{0, 9007199254740991.0}}});
+    v.optional("seed", self.seed, "The seed of nesting's random choices.", {.range = {{0, 9007199254740991.0}}});
     v.optional("documents", self.documents, "False: leave out the markers' documents.");
     v.optional("deadlineMs", self.deadline_ms,
                "After this many milliseconds the best plan so far is returned; 1 to 86,400,000.", calls::kDeadlines);
@@ -132,12 +132,12 @@ struct PlannedMarker {
   static void describe(auto& v, auto& self) {
     v.required("ratio", self.ratio, "What it holds.");
     v.required("made", self.made, "False: the run ended before the marker was made, and its length is an estimate.");
-    v.required("length", self.length, "Of the marker, without the end loss.");
+    v.required("length", self.length, "The length of the marker, without the end loss.");
     v.required("utilisation", self.utilisation, "The pieces' area divided by width times length, 0 to 1.");
     v.required("lays", self.lays, "Number of lays that are cut with it.");
-    v.required("plies", self.plies, "Of all these lays.");
+    v.required("plies", self.plies, "Number of plies of all these lays.");
     v.required("cloth", self.cloth, "Length of cloth that they take, with end losses.");
-    v.required("cost", self.cost, "Of making the marker and cutting its lays.");
+    v.required("cost", self.cost, "The cost of making the marker and cutting its lays.");
     v.optional("marker", self.marker, "Its document in the native form; absent when it was not made or not asked for.");
   }
 };
@@ -171,7 +171,7 @@ struct PlanCosts {
   double total{}, cloth{}, lays{}, plies{}, markers{}, cutting{};
 
   static void describe(auto& v, auto& self) {
-    v.required("total", self.total, "All together.");
+    v.required("total", self.total, "The sum of the costs.");
     v.required("cloth", self.cloth, "Cloth with end losses.");
     v.required("lays", self.lays, "Setting up lays.");
     v.required("plies", self.plies, "Spreading plies.");

@@ -60,7 +60,7 @@ struct RulePrice {
     v.required("rule", self.rule, "The rule.");
     v.optional("piece", self.piece,
                "The id of the piece whose rule it is; absent for the strip's selvedges and shades.");
-    v.optional("shade", self.shade, "Of a shade: its name.");
+    v.optional("shade", self.shade, "The name of the shade, when the rule is a shade.");
     v.required("worth", self.worth, "How much shorter the marker would become per unit by which the rule gives way.");
   }
 };

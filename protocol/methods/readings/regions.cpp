@@ -24,7 +24,7 @@ struct RegionsParams {
 struct RegionsResult {
   std::vector<Region> regions;
 
-  static void describe(auto& v, auto& self) { v.required("regions", self.regions, "From left to right."); }
+  static void describe(auto& v, auto& self) { v.required("regions", self.regions, "The regions, from left to right."); }
 };
 
 std::vector<calls::Point> points_of(const Polygon& outline, Resolution resolution) {

@@ -48,7 +48,7 @@ export interface DragMethods {
       reached: boolean;
       /** Whether other pieces moved out of the way. */
       pushed: boolean;
-      /** Of all pieces that are not where they were at the beginning. */
+      /** The placements of all pieces that are not where they were at the beginning. */
       placements: Array<Placement>;
       /** The x coordinate where the rightmost piece ends; exact. */
       length: number;
@@ -75,7 +75,7 @@ export interface DragMethods {
       markerId: string;
       /** The marker's revision. */
       revision: number;
-      /** Of the pieces that are new, or whose placement or lock changed. */
+      /** The pieces that are new, or whose placement or lock changed. */
       placements: Array<PieceState>;
       /** Ids of the pieces that were removed. */
       removed: Array<string>;

@@ -70,7 +70,7 @@ export type LockEdit = {
   op: "lock";
   /** The piece's id. */
   piece: Id;
-  /** What of it is locked; absent: the whole piece. */
+  /** What is locked; absent: the whole piece. */
   locked?: Locks;
 };
 
@@ -104,7 +104,7 @@ export type PlaceEdit = {
   piece: Id;
   /** The position of its origin. */
   at: Point;
-  /** One that the shape allows; absent: as it is. */
+  /** A rotation that the shape allows; absent: as it is. */
   rotation?: number;
   /** Whether it is mirrored; absent: as it is. */
   flip?: boolean;

@@ -8,7 +8,7 @@ export type Limits = {
   requestBytes: number;
   /** Calls in a batch. */
   batch: number;
-  /** Levels of nesting. */
+  /** Levels of nesting in a request. */
   depth: number;
   /** Numbers, strings, arrays and so on in a request. */
   values: number;
@@ -77,7 +77,7 @@ export interface EngineMethods {
       info: Record<string, unknown>;
       /** All methods. */
       methods: Array<Record<string, unknown>>;
-      /** Types. */
+      /** The types that the methods use. */
       components: Record<string, unknown>;
       /** What the daemon sends without being asked. */
       "x-notifications": Array<Record<string, unknown>>;
@@ -101,7 +101,7 @@ export interface EngineMethods {
       name: string;
     };
     result: {
-      /** As it was given. */
+      /** The name as it was given. */
       name: string;
       /** The size of the copy. */
       bytes: number;

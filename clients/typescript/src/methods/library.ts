@@ -8,13 +8,13 @@ export type LibraryEntry = {
   id: string;
   /** The marker's name. */
   name: string;
-  /** What it is a marker of, as it was given. */
+  /** The style, as it was given. */
   style: string;
-  /** Of all its lengths. */
+  /** The unit of all its lengths. */
   unit: string;
   /** Number of pieces; zones are none. */
   pieces: number;
-  /** Of the strip. */
+  /** The width of the strip. */
   width: number;
   /** The least distance between two pieces. */
   spacing: number;
@@ -30,13 +30,13 @@ export type LibraryNear = {
   id: string;
   /** The marker's name. */
   name: string;
-  /** What it is a marker of, as it was given. */
+  /** The style, as it was given. */
   style: string;
-  /** Of all its lengths. */
+  /** The unit of all its lengths. */
   unit: string;
   /** Number of pieces; zones are none. */
   pieces: number;
-  /** Of the strip. */
+  /** The width of the strip. */
   width: number;
   /** The least distance between two pieces. */
   spacing: number;
@@ -44,7 +44,7 @@ export type LibraryNear = {
   length: number;
   /** The pieces' area divided by width times length, 0 to 1. */
   utilisation: number;
-  /** Between their signatures; 0 for equal pieces. */
+  /** The distance between their signatures; 0 for equal pieces. */
   distance: number;
 };
 
@@ -54,7 +54,7 @@ export interface LibraryMethods {
     params: {
       /** The open marker to store at its present revision: valid, with all pieces placed. */
       markerId: string;
-      /** What it is a marker of, in up to 200 bytes. */
+      /** The style, in up to 200 bytes. */
       style?: string;
     };
     result: {
@@ -62,13 +62,13 @@ export interface LibraryMethods {
       id: string;
       /** The marker's name. */
       name: string;
-      /** What it is a marker of, as it was given. */
+      /** The style, as it was given. */
       style: string;
-      /** Of all its lengths. */
+      /** The unit of all its lengths. */
       unit: string;
       /** Number of pieces; zones are none. */
       pieces: number;
-      /** Of the strip. */
+      /** The width of the strip. */
       width: number;
       /** The least distance between two pieces. */
       spacing: number;
@@ -76,7 +76,7 @@ export interface LibraryMethods {
       length: number;
       /** The pieces' area divided by width times length, 0 to 1. */
       utilisation: number;
-      /** False: the library had this very marker already. */
+      /** Whether the marker is new; false when the library had it already. */
       added: boolean;
     };
   };
@@ -91,13 +91,13 @@ export interface LibraryMethods {
       id: string;
       /** The marker's name. */
       name: string;
-      /** What it is a marker of, as it was given. */
+      /** The style, as it was given. */
       style: string;
-      /** Of all its lengths. */
+      /** The unit of all its lengths. */
       unit: string;
       /** Number of pieces; zones are none. */
       pieces: number;
-      /** Of the strip. */
+      /** The width of the strip. */
       width: number;
       /** The least distance between two pieces. */
       spacing: number;
@@ -120,7 +120,7 @@ export interface LibraryMethods {
     result: {
       /** Number of stored markers. */
       count: number;
-      /** In the order of adding. */
+      /** The markers, in the order in which they were added. */
       markers: Array<LibraryEntry>;
     };
   };
@@ -146,7 +146,7 @@ export interface LibraryMethods {
       most?: number;
     };
     result: {
-      /** Nearest first. */
+      /** The markers found, the nearest first. */
       near: Array<LibraryNear>;
     };
   };

@@ -31,9 +31,9 @@ export interface MarkerMethods {
       spacing?: number;
       /** Overrides the document's overlap allowance. */
       overlap?: number;
-      /** Of a pattern or cut file, instead of the unit that it states. */
+      /** The unit of a pattern or cut file, instead of the one that it states. */
       unit?: LengthUnit;
-      /** Of the cloth, in mm; a pattern file does not state it. 1500 when absent. */
+      /** The width of the cloth in mm, which a pattern file does not state. 1500 when absent. */
       width?: number;
       /** Unfold half pieces, or keep them; unfold when absent. */
       fold?: FoldRule;
@@ -101,7 +101,7 @@ export interface MarkerMethods {
       markerId: string;
       /** The marker's revision. */
       revision: number;
-      /** Of the pieces that are new, or whose placement or lock changed. */
+      /** The pieces that are new, or whose placement or lock changed. */
       placements: Array<PieceState>;
       /** Ids of the pieces that were removed. */
       removed: Array<string>;
@@ -136,7 +136,7 @@ export interface MarkerMethods {
       markerId: string;
       /** The marker's revision. */
       revision: number;
-      /** Of the pieces that are new, or whose placement or lock changed. */
+      /** The pieces that are new, or whose placement or lock changed. */
       placements: Array<PieceState>;
       /** Ids of the pieces that were removed. */
       removed: Array<string>;
@@ -169,7 +169,7 @@ export interface MarkerMethods {
       markerId: string;
       /** The marker's revision. */
       revision: number;
-      /** Of the pieces that are new, or whose placement or lock changed. */
+      /** The pieces that are new, or whose placement or lock changed. */
       placements: Array<PieceState>;
       /** Ids of the pieces that were removed. */
       removed: Array<string>;

@@ -202,7 +202,7 @@ export interface MotionMethods {
       found: boolean;
       /** The new position of the piece's origin; exact. */
       at: Point;
-      /** From the wanted position; null when none was found. */
+      /** Its distance from the wanted position; null when none was found. */
       distance: number | null;
       /** Whether the marker became longer. */
       grown: boolean;
@@ -325,7 +325,7 @@ export interface MotionMethods {
       limit?: number;
       /** Number of random restarts: how many times the pieces are perturbed and the rounds begin again, 0 to 10,000. */
       shakes?: number;
-      /** Of relaxation: number of tilt angles sampled, 1 to 1,001. */
+      /** Only for relaxation: number of tilt angles sampled, 1 to 1,001. */
       tilts?: number;
     };
     result: MotionResult & {

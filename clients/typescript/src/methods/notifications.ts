@@ -20,7 +20,7 @@ export interface Notifications {
     revision: number;
     /** The method that changed it. */
     by: string;
-    /** Of the pieces that are new, or whose placement or lock changed. */
+    /** The pieces that are new, or whose placement or lock changed. */
     placements: Array<PieceState>;
     /** Ids of the pieces that were removed. */
     removed: Array<string>;
@@ -57,9 +57,9 @@ export interface Notifications {
     round: number;
     /** The marker's length after it. */
     length: number;
-    /** Of motion.pack: no marker of these pieces is shorter, which is proved. */
+    /** Only from motion.pack: no marker of these pieces is shorter, which is proved. */
     bound?: number;
-    /** Of exact searches: number of nodes searched so far. */
+    /** Only from exact searches: number of nodes searched so far. */
     nodes?: number;
   };
 }

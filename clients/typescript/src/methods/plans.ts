@@ -25,7 +25,7 @@ export type Delivered = {
 
 /** What a plan costs. */
 export type PlanCosts = {
-  /** All together. */
+  /** The sum of the costs. */
   total: number;
   /** Cloth with end losses. */
   cloth: number;
@@ -53,17 +53,17 @@ export type PlannedMarker = {
   ratio: Array<BundlesOfSize>;
   /** False: the run ended before the marker was made, and its length is an estimate. */
   made: boolean;
-  /** Of the marker, without the end loss. */
+  /** The length of the marker, without the end loss. */
   length: number;
   /** The pieces' area divided by width times length, 0 to 1. */
   utilisation: number;
   /** Number of lays that are cut with it. */
   lays: number;
-  /** Of all these lays. */
+  /** Number of plies of all these lays. */
   plies: number;
   /** Length of cloth that they take, with end losses. */
   cloth: number;
-  /** Of making the marker and cutting its lays. */
+  /** The cost of making the marker and cutting its lays. */
   cost: number;
   /** Its document in the native form; absent when it was not made or not asked for. */
   marker?: MarkerDocument;
@@ -89,7 +89,7 @@ export type PliesOfColour = {
 
 /** How many garments are ordered. */
 export type Quantity = {
-  /** Of the cloth. */
+  /** The colour of the cloth. */
   colour: string;
   /** As the style's pieces name it among their attributes. */
   size: string;
@@ -122,15 +122,15 @@ export interface PlanMethods {
       overCut?: number;
       /** Part by which fewer may be cut, 0 to 1. */
       underCut?: number;
-      /** Of a metre of cloth. */
+      /** The cost of a metre of cloth. */
       costMetre?: number;
-      /** Of setting up a lay. */
+      /** The cost of setting up a lay. */
       costLay?: number;
-      /** Of spreading a ply. */
+      /** The cost of spreading a ply. */
       costPly?: number;
-      /** Of making a marker. */
+      /** The cost of making a marker. */
       costMarker?: number;
-      /** Of a metre of the knife's way around the pieces of a lay. */
+      /** The cost of a metre that the knife cuts around the pieces of a lay. */
       costCutMetre?: number;
       /** The search ends when cost and bound differ by this part of the cost, 0 to 1. */
       gap?: number;
@@ -142,7 +142,7 @@ export interface PlanMethods {
       nearMade?: number;
       /** The budget of nesting a marker, in moves for each of its pieces. */
       movesPerPiece?: number;
-      /** Of the random choices of nesting. */
+      /** The seed of nesting's random choices. */
       seed?: number;
       /** False: leave out the markers' documents. */
       documents?: boolean;

@@ -74,7 +74,7 @@ export type RulePrice = {
   rule: ClothRule;
   /** The id of the piece whose rule it is; absent for the strip's selvedges and shades. */
   piece?: string;
-  /** Of a shade: its name. */
+  /** The name of the shade, when the rule is a shade. */
   shade?: string;
   /** How much shorter the marker would become per unit by which the rule gives way. */
   worth: number;
@@ -94,9 +94,9 @@ export type ShadeFault = {
 
 /** Sheets of one size and form: a rectangle, or what an outline encloses. */
 export type Sheet = {
-  /** Of a rectangle, across the grain, in the marker's unit. */
+  /** The width of a rectangle, across the grain, in the marker's unit. */
   width?: number;
-  /** Of a rectangle, along the grain. */
+  /** The length of a rectangle, along the grain. */
   length?: number;
   /** The corners [x, y] of the sheet, instead of a width and a length. */
   outline?: Array<Point>;
@@ -245,7 +245,7 @@ export interface ReadingMethods {
       markerId: string;
       /** The marker's revision. */
       revision: number;
-      /** From left to right. */
+      /** The regions, from left to right. */
       regions: Array<Region>;
     };
   };
@@ -262,7 +262,7 @@ export interface ReadingMethods {
       moves?: number;
       /** The budget of a search in seconds, 0 to 86,400. The result then depends on the machine. */
       seconds?: number;
-      /** Of the random choices. */
+      /** The seed of the random choices. */
       seed?: number;
       /** What pieces are worth where there is no room for all of them; others are worth their area. */
       values?: Array<PieceValue>;

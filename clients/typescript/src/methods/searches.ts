@@ -31,7 +31,7 @@ export type RemakeStepResult = {
   pieces: number;
   /** The x coordinate where the rightmost piece ends; exact. */
   length: number;
-  /** Of the pieces that lie there, 0 to 1. */
+  /** The utilisation of the pieces that lie there, 0 to 1. */
   utilisation: number;
   /** Proved in integers: no overlap, no distance below the spacing, nothing outside the strip. */
   valid: boolean;
@@ -47,7 +47,7 @@ export interface SearcheMethods {
       moves?: number;
       /** The budget of a search in seconds, 0 to 86,400. The result then depends on the machine. */
       seconds?: number;
-      /** Of the random choices. */
+      /** The seed of the random choices. */
       seed?: number;
       /** Number of independent searches, 1 to 64, of which the best counts; they run in parallel. */
       searches?: number;
@@ -84,17 +84,17 @@ export interface SearcheMethods {
       fine?: boolean;
       /** Whether the order is nested from nothing when no attempt gives a marker. */
       nest?: boolean;
-      /** The budget of that, in moves of a piece. */
+      /** The budget of nesting from nothing, in moves of a piece. */
       nestMoves?: number;
     };
     result: MotionResult & {
-      /** What became of the order; unless remade or nested, the marker stays as it is. */
+      /** The outcome. Unless the order was remade or nested, the marker stays as it is. */
       outcome: RemakeOutcome;
       /** Number of arrangements that were near enough. */
       candidates: number;
       /** The attempt that the result is from. */
       chosen?: number;
-      /** The best prediction first. */
+      /** The attempts, the best prediction first. */
       attempts: Array<RemakeAttempt>;
       /** Number of rounds done. */
       rounds: number;
@@ -109,7 +109,7 @@ export interface SearcheMethods {
       pieces?: number;
       /** The largest number of nodes of every search for room. */
       nodes?: number;
-      /** Of the random choices. */
+      /** The seed of the random choices. */
       seed?: number;
       /** False: pieces keep their orientations. */
       turns?: boolean;

@@ -94,7 +94,7 @@ export type PieceState = {
   flip: boolean;
   /** Degrees, added to the rotation. */
   tilt: number;
-  /** What of it is locked. */
+  /** What is locked. */
   locked: Locks;
   /** Its group, if it has one. */
   group?: string;
@@ -210,7 +210,7 @@ export type MotionResult = {
   valid: boolean;
   /** The repair of small overlaps in the input. */
   healed: Healing;
-  /** Of the pieces that moved. */
+  /** The new placements of the pieces that moved. */
   placements: Array<Placement>;
   /** Milliseconds by stage; only with timing. */
   ms?: StageTimes;

@@ -32,7 +32,7 @@ struct PlaceResult {
   static void describe(auto& v, auto& self) {
     v.required("found", self.found, "Whether there is a free position; without one the piece stays.");
     v.required("at", self.at, "The new position of the piece's origin; exact.");
-    v.required("distance", self.distance, "From the wanted position; null when none was found.");
+    v.required("distance", self.distance, "Its distance from the wanted position; null when none was found.");
     v.required("grown", self.grown, "Whether the marker became longer.");
     v.required("stop", self.stop, calls::kStopMeaning);
   }
