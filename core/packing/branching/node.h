@@ -33,11 +33,11 @@ struct Node {
 
   DifferenceBounds x, y;
   std::vector<std::uint32_t> variant;  // by body
-  std::vector<Reasons> why_variant;
+  std::vector<Reasons> why_variant;    // by body
   std::vector<RingState> rings;
   Dictionary program;
-  double bound{};  // proved: no layout below this node is shorter
-  Reasons why_bound{};
+  double bound{};       // proved: no layout below this node is shorter
+  Reasons why_bound{};  // of the bound
   std::size_t depth{};  // decisions since the subtree's first node
   std::size_t hulls{};  // the size of the store when the node and its siblings were complete
 };

@@ -26,7 +26,7 @@ struct Row {
   std::uint32_t first{}, second{};
   bool length{};
   HalfPlane plane;
-  Reasons why{};
+  Reasons why{};  // the decisions that the row follows from
 };
 
 // The bodies' positions and the length, in lattice units.
@@ -63,6 +63,7 @@ class Dictionary {
                           double tolerance = kUsualTolerance);
   // Drops the rows with more room than `room`, in lattice units, but keeps those of the length.
   void drop_slack_rows(const Columns& columns, double room);
+  // Makes all rows hold anyway.
   void forget_why();
 
   [[nodiscard]] RealVec position(const Columns& columns, std::size_t body) const {

@@ -40,7 +40,7 @@ class DifferenceBounds {
  private:
   std::size_t size_;
   std::vector<double> lower_;  // row by row
-  std::vector<Reasons> why_;
+  std::vector<Reasons> why_;   // of the same bounds
 };
 
 }  // namespace selvage::packing::programs
