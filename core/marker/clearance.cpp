@@ -78,9 +78,11 @@ Coord protrusion_of(const PlacedPieces& pieces, std::size_t piece, const Strip& 
   return std::max({room.low.x - box.low.x, room.low.y - box.low.y, box.high.x - room.high.x, box.high.y - room.high.y});
 }
 
-bool keep_shades(const PlacedPieces& pieces) {
+bool keep_joint_rules(const PlacedPieces& pieces) {
   const auto shades = pieces.shades();
-  return std::all_of(shades.begin(), shades.end(), [&](const Shade& shade) { return pieces.excess_of(shade) <= 0; });
+  const auto sets = pieces.match_sets();
+  return std::all_of(shades.begin(), shades.end(), [&](const Shade& shade) { return pieces.excess_of(shade) <= 0; }) &&
+         std::all_of(sets.begin(), sets.end(), [&](const MatchSet& set) { return pieces.off_phase(set) == 0; });
 }
 
 bool has_flat_bottom(const Polygon& outline) {
@@ -107,8 +109,8 @@ bool may_lie(const Marker& marker, const Piece& piece) {
   const bool in_band = (!rules.from && !rules.to) || box.width() <= room.width();
   if (box.height() > room.height() || !in_band) return false;
   if (marker.shade && box.width() > *marker.shade && shares_shade(marker, piece)) return false;
-  if (rules.match) {
-    const Box matched = matched_room(room, box, turned_match(piece), strip.repeat);
+  if (rules.matched_to_cloth()) {
+    const Box matched = matched_room(room, box, turned_match(piece), repeat_for(rules, strip));
     if (matched.height() < box.height() || matched.width() < box.width()) return false;
   }
   return keeps_nap(rules, piece.orientation) && (!rules.on_fold || has_flat_bottom(outline));
@@ -118,7 +120,7 @@ bool are_inside(const PlacedPieces& pieces, const Strip& strip) {
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (protrusion_of(pieces, i, strip) > 0) return false;
   }
-  return keep_shades(pieces);
+  return keep_joint_rules(pieces);
 }
 
 bool all_clear(const PlacedPieces& pieces, const Strip& strip) {

@@ -39,9 +39,10 @@ namespace selvage::marker {
 
 // The largest distance by which a piece leaves its room; 0 or less when it does not.
 [[nodiscard]] Coord protrusion_of(const PlacedPieces& pieces, std::size_t piece, const Strip& strip);
-// True when the pieces of each shade are as near to each other as they have to be.
-[[nodiscard]] bool keep_shades(const PlacedPieces& pieces);
-// True when no piece leaves its room, and shades are kept.
+// True when the rules that concern several pieces are kept: those of each shade are as near to each other as they have
+// to be, and those of each match set are in phase.
+[[nodiscard]] bool keep_joint_rules(const PlacedPieces& pieces);
+// True when no piece leaves its room, and joint rules are kept.
 [[nodiscard]] bool are_inside(const PlacedPieces& pieces, const Strip& strip);
 
 // True when a side of the outline lies along the lower end of its box, so that it can lie on a fold.

@@ -54,7 +54,7 @@ Figures figures_after(const Marker& before, const PlacedPieces& pieces, const Ma
   const Coord length = now->length();
   const bool within = std::none_of(changed->begin(), changed->end(),
                                    [&](std::uint32_t i) { return protrusion_of(*now, i, marker.strip) > 0; });
-  return {length, utilisation_at(marker, length), within && keep_shades(*now) && are_clear(*now, *changed)};
+  return {length, utilisation_at(marker, length), within && keep_joint_rules(*now) && are_clear(*now, *changed)};
 }
 
 Figures figures_of(const Marker& marker) {

@@ -132,6 +132,10 @@ std::optional<Error> rules_defect(const Marker& marker, const Piece& piece, cons
   for (const auto& [selvedge, name] : {std::pair{rules.below, "below"}, {rules.above, "above"}}) {
     if (const auto defect = selvedge_defect(marker, selvedge, name, at + "/rules")) return *defect;
   }
+  if (!rules.match && !rules.match_set.empty()) {
+    return Error{ErrorCode::kOutOfRange, "a piece of a match set needs a match point; give match, too",
+                 at + "/rules/matchSet"};
+  }
   if (rules.on_fold && rules.below) {
     return Error{ErrorCode::kOutOfRange, "a piece on the fold has no selvedge below it; leave out fold or below",
                  at + "/rules/below"};
@@ -210,8 +214,9 @@ std::optional<Error> room_defect(const Marker& marker, const Piece& piece, const
         "the piece is " + long_by(box.width()) + "; its rules leave it " + decimal(room.width(), marker.resolution),
         at + "/rules/" + (piece.rules.to ? "to" : "from")};
   }
-  if (piece.rules.match) {
-    const Box matched = matched_room(room, box.moved(piece.at), piece.at + turned_match(piece), marker.strip.repeat);
+  if (piece.rules.matched_to_cloth()) {
+    const Box matched =
+        matched_room(room, box.moved(piece.at), piece.at + turned_match(piece), repeat_for(piece.rules, marker.strip));
     if (matched.width() < box.width() || matched.height() < box.height()) {
       return Error{ErrorCode::kOutOfRange, "in the room of the piece its match point meets no repeat of the cloth",
                    at + "/rules/match"};

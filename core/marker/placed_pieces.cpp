@@ -1,6 +1,7 @@
 #include "core/marker/placed_pieces.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <numeric>
 
@@ -77,7 +78,7 @@ Box PlacedPieces::room_by_rules(std::size_t piece, const Strip& strip, Coord end
   const Rules& rules = rooms_->rules[piece];
   const Box own = box(piece);
   const Box room = room_for(rules, own.height(), strip, end);
-  return rules.match ? matched_room(room, own, at_[piece] + matches_[piece], strip.repeat) : room;
+  return rules.matched_to_cloth() ? matched_room(room, own, match_at(piece), repeat_for(rules, strip)) : room;
 }
 
 Box PlacedPieces::room_among(std::size_t piece, const std::vector<bool>& moving, const Strip& strip, Coord end) const {
@@ -90,7 +91,30 @@ Box PlacedPieces::room_among(std::size_t piece, const std::vector<bool>& moving,
       among.high.x = std::min(among.high.x, box(other).low.x + shade.length);
     }
   }
-  return among;
+  const MatchSet* const set = match_set_of(piece);
+  if (set == nullptr) return among;
+  const auto stays = [&](std::uint32_t other) { return other != piece && !moving[other]; };
+  const auto anchor = std::find_if(set->begin(), set->end(), stays);
+  if (anchor == set->end()) return among;
+  Repeat repeat = strip.repeat;
+  repeat.phase = match_at(*anchor);
+  return matched_room(among, box(piece), match_at(piece), repeat);
+}
+
+const MatchSet* PlacedPieces::match_set_of(std::size_t piece) const {
+  for (const MatchSet& set : match_sets()) {
+    if (std::binary_search(set.begin(), set.end(), piece)) return &set;
+  }
+  return nullptr;
+}
+
+Coord PlacedPieces::off_phase(const MatchSet& set) const {
+  Coord most = 0;
+  for (const std::uint32_t piece : set) {
+    const Vec off = off_phase(piece, set.front());
+    most = std::max({most, std::abs(off.x), std::abs(off.y)});
+  }
+  return most;
 }
 
 Coord PlacedPieces::excess_of(const Shade& shade) const {

@@ -66,16 +66,30 @@ class PlacedPieces {
   }
   // How far apart the positions of the piece are that are alike to the cloth's pattern; 0 on an axis on which all are.
   [[nodiscard]] Vec repeat_of(std::size_t piece, const Strip& strip) const {
-    const bool matched = rooms_ && rooms_->rules[piece].match;
+    const bool matched = rooms_ && (rooms_->rules[piece].matched_to_cloth() || match_set_of(piece) != nullptr);
     return matched ? Vec{strip.repeat.along, strip.repeat.across} : Vec{};
   }
-  // The same, and near enough to the other pieces of its shade where they are now: those that move with it aside.
-  // Empty (high < low) where no position is.
+  // The same, near enough to the other pieces of its shade, and in phase with those of its match set, where they are
+  // now: those that move with it aside.  Empty (high < low) where no position is.
   [[nodiscard]] Box room_among(std::size_t piece, const std::vector<bool>& moving, const Strip& strip, Coord end) const;
   // The pieces of each shade.
   [[nodiscard]] std::span<const Shade> shades() const {
     return rooms_ ? std::span<const Shade>{rooms_->shades} : std::span<const Shade>{};
   }
+  // The match sets of at least two placed pieces.
+  [[nodiscard]] std::span<const MatchSet> match_sets() const {
+    return rooms_ ? std::span<const MatchSet>{rooms_->match_sets} : std::span<const MatchSet>{};
+  }
+  // The set of this piece, if it has one; null when it is alone in it.
+  [[nodiscard]] const MatchSet* match_set_of(std::size_t piece) const;
+  // Where the match point of a piece lies.  REQUIRES: it is of a match set.
+  [[nodiscard]] Vec match_at(std::size_t piece) const { return at_[piece] + matches_[piece]; }
+  // By how much a piece is off the phase of another one of its match set.
+  [[nodiscard]] Vec off_phase(std::size_t piece, std::size_t other) const {
+    return off_repeat(match_at(piece) - match_at(other), rooms_->repeat);
+  }
+  // By how much the pieces of a match set are off the phase of its first piece at most, on any axis.
+  [[nodiscard]] Coord off_phase(const MatchSet& set) const;
   // By how much the pieces of a shade are farther from each other than they may be; 0 or less when they are not.
   [[nodiscard]] Coord excess_of(const Shade& shade) const;
 

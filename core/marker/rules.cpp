@@ -40,11 +40,24 @@ Box matched_room(const Box& room, const Box& box, Vec point, const Repeat& repea
   return matched;
 }
 
+Vec off_repeat(Vec way, const Repeat& repeat) {
+  const auto off = [](Coord along, Coord step) {
+    return step <= 0 ? 0 : along - nearest_multiple(along, step, -kLatticeLimit, kLatticeLimit).value_or(0);
+  };
+  return {off(way.x, repeat.along), off(way.y, repeat.across)};
+}
+
 bool keeps_nap(const Rules& rules, const Orientation& orientation) {
   constexpr double kQuarter = 90;
   if (!rules.nap) return true;
   const double from_up = std::abs(std::remainder(orientation.rotation.degrees, 360.0));
   return *rules.nap == Nap::kUp ? from_up < kQuarter : from_up > kQuarter;
+}
+
+Repeat repeat_for(const Rules& rules, const Strip& strip) {
+  Repeat repeat = strip.repeat;
+  repeat.phase = rules.phase.value_or(repeat.phase);
+  return repeat;
 }
 
 Box room_for(const Rules& rules, Coord height, const Strip& strip, Coord end) {
@@ -63,18 +76,24 @@ Box room_for(const Rules& rules, Coord height, const Strip& strip, Coord end) {
 
 std::optional<Rooms> rooms_of(const Marker& marker) {
   const auto ruled = [&marker](const Piece& piece) {
-    return piece.rules.own_room() || (marker.shade && !piece.rules.shade.empty());
+    const Rules& rules = piece.rules;
+    return rules.own_room() || (marker.shade && !rules.shade.empty()) || (rules.match && marker.strip.repeat.any());
   };
   if (std::none_of(marker.pieces.begin(), marker.pieces.end(), ruled)) return std::nullopt;
   Rooms rooms;
-  std::map<std::string_view, std::vector<std::uint32_t>> shades;
+  rooms.repeat = marker.strip.repeat;
+  std::map<std::string_view, std::vector<std::uint32_t>> shades, sets;
   for (std::uint32_t i = 0; i < marker.pieces.size(); ++i) {
     const Rules& rules = marker.pieces[i].rules;
     rooms.rules.push_back(rules);
     if (marker.shade && !rules.shade.empty()) shades[rules.shade].push_back(i);
+    if (rooms.repeat.any() && rules.match && !rules.match_set.empty()) sets[rules.match_set].push_back(i);
   }
   for (auto& [name, pieces] : shades) {
     if (pieces.size() > 1) rooms.shades.push_back({std::move(pieces), *marker.shade});
+  }
+  for (auto& [name, pieces] : sets) {
+    if (pieces.size() > 1) rooms.match_sets.push_back(std::move(pieces));
   }
   return rooms;
 }

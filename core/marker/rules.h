@@ -36,19 +36,26 @@ struct Rules {
   std::optional<Coord> below{}, above{};  // selvedges of its own: its distances from the strip's long edges
   std::optional<Coord> from{}, to{};      // a band across the cloth: it lies between these two x
   bool on_fold{};                         // its lowest edge lies on the strip's lower edge, where the cloth is folded
-  std::optional<Vec> match{};             // a point of the shape that lies where a repeat of the cloth begins
+  std::optional<Vec> match{};             // a point of the shape that lies where a repeat of the cloth begins, or
+  std::string match_set{};                // where repeats lead from those of the other pieces of this set; empty: none
+  std::optional<Vec> phase{};             // where repeats begin for it, in place of the cloth's; none: as on the cloth
   std::string shade{};                    // pieces of one shade lie within Marker::shade of each other; empty: of none
   std::optional<Nap> nap{};               // it lies this way
   bool zone{};  // it is no piece of a garment but a part of the cloth that no piece may cover, such as a flaw or a hole
 
+  // True when its match point lies where a repeat of the cloth begins, whatever other pieces do.
+  [[nodiscard]] bool matched_to_cloth() const { return match && match_set.empty(); }
   // True when some rule concerns this piece alone, so that its room is not the strip's.
-  [[nodiscard]] bool own_room() const { return below || above || from || to || on_fold || match || zone; }
+  [[nodiscard]] bool own_room() const { return below || above || from || to || on_fold || matched_to_cloth() || zone; }
   friend bool operator==(const Rules&, const Rules&) = default;
 };
 
 // True when a piece in this orientation lies as its rules ask: turned by less than a quarter from `up` or `down`.
 // Tilts, which are small, make no difference.
 [[nodiscard]] bool keeps_nap(const Rules& rules, const Orientation& orientation);
+
+// The cloth's pattern as the piece is matched to it.
+[[nodiscard]] Repeat repeat_for(const Rules& rules, const Strip& strip);
 
 // The room of a piece: the box in which its own box may lie when the strip ends at x = `end`.  `height`: of the piece's
 // box, which fills the room across when it lies on the fold.  That of a zone is the whole plane.
@@ -58,6 +65,14 @@ struct Rules {
 // axis on which the pattern repeats, its only position is the one nearest to where it lies now.  `box` and `point`:
 // where its box and its match point lie now.  Empty (high < low) on an axis on which the room has no position for it.
 [[nodiscard]] Box matched_room(const Box& room, const Box& box, Vec point, const Repeat& repeat);
+
+// The part of a way from one match point to another that is no whole repeat of the cloth, on each axis from minus half
+// a repeat to half a repeat; 0 on an axis on which the pattern does not change.
+[[nodiscard]] Vec off_repeat(Vec way, const Repeat& repeat);
+
+// The pieces of one match set: the ways between their match points are whole repeats of the cloth.  The set itself may
+// lie anywhere in the pattern.
+using MatchSet = std::vector<std::uint32_t>;  // at least two, ascending
 
 // The pieces of one shade: from the left end of the leftmost to the right end of the rightmost is at most `length`.
 struct Shade {
@@ -69,6 +84,8 @@ struct Shade {
 struct Rooms {
   std::vector<Rules> rules;  // by piece
   std::vector<Shade> shades;
+  std::vector<MatchSet> match_sets;
+  Repeat repeat;  // of the cloth
 };
 // Nothing when no placed piece has a rule.
 [[nodiscard]] std::optional<Rooms> rooms_of(const Marker& marker);

@@ -72,6 +72,12 @@ Result<Validity> check(const Marker& marker, SumCache& sums, const std::stop_tok
   for (const Shade& shade : pieces.shades()) {
     if (pieces.excess_of(shade) > 0) validity.shades.push_back(fault_of(shade, pieces));
   }
+  for (const MatchSet& set : pieces.match_sets()) {
+    for (const std::uint32_t piece : set) {
+      if (const Vec by = pieces.off_phase(piece, set.front()); by != Vec{})
+        validity.matches.push_back({PieceId{piece}, PieceId{set.front()}, by});
+    }
+  }
   return validity;
 }
 

@@ -36,11 +36,19 @@ struct ShadeFault {
   PieceId leftmost, rightmost;  // of the shade's pieces, by their ends
   Coord by{};                   // lattice units
 };
+// A piece whose match point is off the phase of another one of its match set.
+struct MatchFault {
+  PieceId piece, other;
+  Vec by;  // lattice units
+};
 struct Validity {
   std::vector<Overlap> overlaps;        // by (first, second)
   std::vector<Protrusion> protrusions;  // by piece
   std::vector<ShadeFault> shades;       // by the name of the shade
-  [[nodiscard]] bool valid() const { return overlaps.empty() && protrusions.empty() && shades.empty(); }
+  std::vector<MatchFault> matches;      // by the name of the match set, and by piece
+  [[nodiscard]] bool valid() const {
+    return overlaps.empty() && protrusions.empty() && shades.empty() && matches.empty();
+  }
 };
 
 // A piece's outline from the cache, with the symmetry under which it is placed.

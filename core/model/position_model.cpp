@@ -3,16 +3,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace selvage::model {
 
-PositionModel::PositionModel(const marker::PlacedPieces& pieces, const Strip& strip, const Ties& ties)
+PositionModel::PositionModel(const marker::PlacedPieces& pieces, const Strip& strip, const Ties& given)
     : pieces_{pieces},
       unit_{strip},
       length_{pieces.length()},
       x_(pieces.size(), kNone),
       y_(pieces.size(), kNone),
       wall_row_(pieces.size(), kNoWall) {
+  const std::optional<Ties> with_sets =
+      pieces.match_sets().empty() ? std::nullopt : std::optional{with_match_sets(given, pieces, strip)};
+  const Ties& ties = with_sets ? *with_sets : given;
   std::vector<int> x_of(pieces.size(), kNone);  // by tie
   std::vector<int> y_of(pieces.size(), kNone);
   const Coord end = strip.last().value_or(kLatticeLimit);

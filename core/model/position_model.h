@@ -4,7 +4,8 @@
 // a column and fixed pieces have none (ties.h).  Rows are n . (d_q - d_p) >= bound with unit normals n (pair_rows.h).
 // The change of the marker's length may be one more column.
 // Cloth's rules are here once for every program: the room of a piece is the bounds of its columns, and each shade is
-// one column, the left end of the cloth that its pieces have to lie on, with two rows for each of them.
+// one column, the left end of the cloth that its pieces have to lie on, with two rows for each of them.  A match set is
+// a tie: its repeats are fixed.
 #pragma once
 
 #include <array>
@@ -40,7 +41,8 @@ struct ShadeRow {
 class PositionModel {
  public:
   // The pieces' rooms become bounds of the columns [Li94 4.1.3]; a piece that is outside its room now has to come back,
-  // and so have pieces of a shade that are too far from each other.
+  // and so have pieces of a shade that are too far from each other.  The pieces of a match set move as one where the
+  // pattern repeats.
   PositionModel(const marker::PlacedPieces& pieces, const Strip& strip, const Ties& ties);
 
   [[nodiscard]] ModelUnit unit() const { return unit_; }

@@ -27,6 +27,16 @@ void Ties::join(std::size_t p, std::size_t q) {
   join_on(y, p, q);
 }
 
+Ties with_match_sets(Ties ties, const marker::PlacedPieces& pieces, const Strip& strip) {
+  for (const marker::MatchSet& set : pieces.match_sets()) {
+    for (const std::uint32_t piece : set) {
+      if (strip.repeat.along > 0) join_on(ties.x, set.front(), piece);
+      if (strip.repeat.across > 0) join_on(ties.y, set.front(), piece);
+    }
+  }
+  return ties;
+}
+
 Ties ties_of(const Marker& marker) {
   Ties ties;
   for (std::uint32_t i = 0; i < marker.pieces.size(); ++i) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/marker/marker.h"
+#include "core/marker/placed_pieces.h"
 
 namespace selvage::model {
 
@@ -24,6 +25,10 @@ struct Ties {
   // Ties the two together, with all that is tied to either.
   void join(std::size_t p, std::size_t q);
 };
+
+// These and those of match sets: where the pattern repeats, the pieces of a set share a displacement, so that they stay
+// in phase.  A motion of single pieces does without them, because a piece may move by whole repeats alone.
+[[nodiscard]] Ties with_match_sets(Ties ties, const marker::PlacedPieces& pieces, const Strip& strip);
 
 // The ties of a marker: a piece that is locked on an axis is fixed there, and so is its group.
 [[nodiscard]] Ties ties_of(const Marker& marker);

@@ -13,6 +13,7 @@
 #include "core/nesting/filling/lying.h"
 #include "core/nesting/finish.h"
 #include "core/nesting/layout/layout.h"
+#include "core/nesting/match_phases.h"
 #include "core/nesting/start/first_layout.h"
 #include "core/nesting/timed_run.h"
 
@@ -248,9 +249,8 @@ Nesting best_of(std::vector<Searched>& searched) {
   return nesting;
 }
 
-}  // namespace
-
-Result<Nesting> nest(const Marker& given, const NestSettings& settings, const scene::Run& run) {
+// Of a marker without match sets.
+Result<Nesting> nest_alone(const Marker& given, const NestSettings& settings, const scene::Run& run) {
   auto start = start_of(given, settings, run.sums);
   if (!start) return start.error();
   const auto first = first_marker(*start, settings, run);
@@ -274,6 +274,16 @@ Result<Nesting> nest(const Marker& given, const NestSettings& settings, const sc
   nesting.length_before = length_of(given);
   nesting.length_after = length_of(nesting.marker);
   if (nesting.reason != scene::StopReason::kConverged && run.stopped()) nesting.reason = scene::StopReason::kCancelled;
+  return nesting;
+}
+
+}  // namespace
+
+Result<Nesting> nest(const Marker& start, const NestSettings& settings, const scene::Run& run) {
+  const auto matched = with_sets_matched_to_cloth(start);
+  if (!matched) return nest_alone(start, settings, run);
+  auto nesting = nest_alone(*matched, settings, run);
+  if (nesting) give_back_rules(nesting->marker, start);
   return nesting;
 }
 

@@ -16,6 +16,7 @@ marker::Rules rules_on_lattice(const DecimalRules& written, Resolution resolutio
   rules.on_fold = written.fold.value_or(false);
   if (written.match)
     rules.match = Vec{to_lattice(written.match->x, resolution), to_lattice(written.match->y, resolution)};
+  rules.match_set = written.match_set.value_or("");
   rules.shade = written.shade.value_or("");
   rules.nap = written.nap;
   rules.zone = written.zone.value_or(false);
@@ -32,12 +33,14 @@ DecimalRules decimal_rules(const marker::Rules& rules, Resolution resolution) {
                        .to = decimal(rules.to),
                        .fold = {},
                        .match = {},
+                       .match_set = {},
                        .shade = {},
                        .nap = rules.nap,
                        .zone = {}};
   if (rules.on_fold) written.fold = true;
   if (rules.match)
     written.match = Decimal{to_decimal(rules.match->x, resolution), to_decimal(rules.match->y, resolution)};
+  if (!rules.match_set.empty()) written.match_set = rules.match_set;
   if (!rules.shade.empty()) written.shade = rules.shade;
   if (rules.zone) written.zone = true;
   return written;

@@ -52,6 +52,7 @@ struct DecimalRules {
   std::optional<double> below, above, from, to;
   std::optional<bool> fold;
   std::optional<Decimal> match;
+  std::optional<std::string> match_set;
   std::optional<std::string> shade;
   std::optional<marker::Nap> nap;
   std::optional<bool> zone;
@@ -62,7 +63,10 @@ struct DecimalRules {
     v.optional("from", self.from, "It lies at this x or beyond.", kRule);
     v.optional("to", self.to, "It ends at this x or before.", kRule);
     v.optional("fold", self.fold, "Whether its lowest side lies on the strip's lower edge, where the cloth is folded.");
-    v.optional("match", self.match, "A point of its shape, which lies where a repeat of the cloth's pattern begins.");
+    v.optional("match", self.match, "A point of its shape, which is matched to the cloth's pattern.");
+    v.optional("matchSet", self.match_set,
+               "The name of its match set: the ways between the match points of its pieces are whole repeats of the "
+               "pattern, wherever on the cloth they lie; absent: the match point lies where a repeat begins.");
     v.optional("shade", self.shade,
                "The name of its shade: the pieces of a shade lie near each other along the strip.");
     v.optional("nap", self.nap, "The way in which it lies on cloth with a nap; absent: any that its shape allows.");

@@ -296,6 +296,7 @@ class DxfWriter {
       attribute(at, "MATCH_X", json::number_text(decimal(piece.rules.match->x)));
       attribute(at, "MATCH_Y", json::number_text(decimal(piece.rules.match->y)));
     }
+    if (!piece.rules.match_set.empty()) attribute(at, "MATCH_SET", piece.rules.match_set);
     if (!piece.rules.shade.empty()) attribute(at, "SHADE", piece.rules.shade);
     if (piece.rules.nap) attribute(at, "NAP", *piece.rules.nap == marker::Nap::kUp ? "up" : "down");
     const Locks locks = piece.locked;

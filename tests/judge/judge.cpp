@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "tests/judge/exact_pairs.h"
@@ -113,16 +115,42 @@ bool has_lowest_side(const Polygon& outline, Coord low) {
   return false;
 }
 
+// The remainder of a coordinate by the repeat, from 0.
+Coord rest_of(Coord value, Coord repeat) {
+  const Coord rest = value % repeat;
+  return rest < 0 ? rest + repeat : rest;
+}
+
 // The first axis on which the match point of a piece lies where no repeat of the cloth begins; empty when there is
-// none.
+// none.  A piece of a match set has no such place.
 std::string match_fault(const Piece& piece, const marker::Repeat& repeat) {
   if (!piece.rules.match || !repeat.any()) return "";
   const Vec turned = oriented(Polygon{*piece.rules.match}, piece.orientation).front();
   const Fine wanted = before_rounding({*piece.rules.match}, piece.orientation).front();
   if (distance(wanted, fine(turned)) > kRounding) return "has its match point elsewhere";
+  if (!piece.rules.match_set.empty()) return "";
   if (repeat.along > 0 && (piece.at.x + turned.x - repeat.phase.x) % repeat.along != 0) return "is not matched along x";
   if (repeat.across > 0 && (piece.at.y + turned.y - repeat.phase.y) % repeat.across != 0)
     return "is not matched along y";
+  return "";
+}
+
+// The first two pieces of one match set that lie differently in their repeats; empty when there are none.
+std::string match_set_fault(const Marker& marker) {
+  const marker::Repeat& repeat = marker.strip.repeat;
+  const auto point = [](const Piece& piece) {
+    const Vec turned = oriented(Polygon{*piece.rules.match}, piece.orientation).front();
+    return Vec{piece.at.x + turned.x, piece.at.y + turned.y};
+  };
+  std::map<std::string, const Piece*> first;
+  for (const Piece& piece : marker.pieces) {
+    if (!piece.rules.match || piece.rules.match_set.empty()) continue;
+    const Piece& other = *first.try_emplace(piece.rules.match_set, &piece).first->second;
+    const Vec p = point(other), q = point(piece);
+    const bool along = repeat.along > 0 && rest_of(p.x, repeat.along) != rest_of(q.x, repeat.along);
+    const bool across = repeat.across > 0 && rest_of(p.y, repeat.across) != rest_of(q.y, repeat.across);
+    if (along || across) return "piece " + piece.id + " is out of phase with piece " + other.id + " of its match set";
+  }
   return "";
 }
 
@@ -237,6 +265,7 @@ std::string Judge::fault_of(const Marker& marker) {
     }
   }
   if (const auto fault = shade_fault(marker, boxes); !fault.empty()) return fault;
+  if (auto fault = match_set_fault(marker); !fault.empty()) return fault;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     for (std::size_t j = i + 1; j < boxes.size(); ++j) {
       const Piece& p = marker.pieces[i];

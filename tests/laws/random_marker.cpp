@@ -119,6 +119,13 @@ void match_to_cloth(Random& random, Marker& marker) {
     const Vec free{repeat.along == 0 ? random.between(0, width) : 0, repeat.across == 0 ? random.between(0, width) : 0};
     piece.rules.match = symmetry.inverse().apply(begins + free - piece.at);
   }
+  if (random.chance(50)) return;
+  // Some or all of them to each other instead; when it is all, they may lie at any phase.
+  const bool all = random.chance(50);
+  for (Piece& piece : marker.pieces) {
+    if (piece.rules.match && (all || random.chance(60))) piece.rules.match_set = random.chance(50) ? "A" : "B";
+  }
+  if (all) repeat.phase = {random.between(-width, width), random.between(-width, width)};
 }
 
 // Makes some of the pieces zones of the cloth, and lays further ones over these and beyond the strip.

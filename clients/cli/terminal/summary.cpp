@@ -203,6 +203,11 @@ std::string plain_violations(const Marker& marker, const Json& validity) {
            shade["rightmost"].text() + ", take " + significant(shade["by"].number()) + unit +
            " more of the length than they may\n";
   }
+  for (const Json& match : validity.value("matches", Json::array())) {
+    out += "  piece " + match["piece"].text() + " of match set " + match["matchSet"].text() + " lies " +
+           significant(match["by"][0].number()) + ", " + significant(match["by"][1].number()) + unit +
+           " off the repeats of " + match["other"].text() + "\n";
+  }
   return out;
 }
 

@@ -172,6 +172,7 @@ export const english = {
   ruleTo: "Up to",
   ruleFold: "On the fold",
   ruleShade: "Shade",
+  ruleMatchSet: "Match set",
   ruleNapUp: "Nap: up",
   ruleNapDown: "Nap: down",
   ruleZone: "Zone that no piece may cover",

@@ -168,6 +168,7 @@ export const german: Texts = {
   ruleTo: "Bis",
   ruleFold: "Am Bruch",
   ruleShade: "Farbverlauf",
+  ruleMatchSet: "Mustergruppe",
   ruleNapUp: "Strich: mit",
   ruleNapDown: "Strich: gegen",
   ruleZone: "Stelle, die frei bleibt",

@@ -33,6 +33,7 @@ class Loads {
     for (std::size_t k = 0; k < rows_.size(); ++k) add_pair(rows_[k].row, load_on(k, solution), path);
     add_edges(solution, path);
     add_shades(solution, path);
+    add_match_sets(path);
     add_locks(solution, path);
     merge(path);
     std::stable_sort(path.rules.begin(), path.rules.end(),
@@ -146,7 +147,8 @@ class Loads {
     for (std::uint32_t i = 0; i < scene_.pieces.size(); ++i) {
       const Box room = scene_.pieces.room(i, scene_.marker.strip, kLatticeLimit);
       const Box box = scene_.pieces.box(i);
-      const Vec repeat = scene_.pieces.repeat_of(i, scene_.marker.strip);
+      const bool matched = scene_.marker.pieces[i].rules.matched_to_cloth();
+      const Vec repeat = matched ? scene_.pieces.repeat_of(i, scene_.marker.strip) : Vec{};
       if (const auto x = model_->x_column(i)) {
         const double load = reduced[static_cast<std::size_t>(*x)];
         const bool at_low = bounds(program.lower, *x, room.low.x - box.low.x);
@@ -155,7 +157,10 @@ class Loads {
           if (at_low) add_price(Rule::kMatchX, PieceId{i}, std::abs(load), path);
         } else {
           if (at_low) add_edge(i, StripEdge::kLeft, load, 1, 0, path);
-          if (at_high) add_price(Rule::kTo, PieceId{i}, -load, path);
+          if (at_high) {
+            add_price(Rule::kTo, PieceId{i}, -load, path);
+            forces_[i].x += load;
+          }
         }
       }
       if (const auto y = model_->y_column(i)) {
@@ -232,6 +237,19 @@ class Loads {
         if (row.nx < 0) worth += load;
       }
       add_price(Rule::kShade, PieceId{shade.pieces.front()}, worth, path);
+    }
+  }
+  // The pieces of a match set share a displacement: what presses on one of them alone is borne by the rule.
+  void add_match_sets(CriticalPath& path) {
+    for (const marker::MatchSet& set : scene_.pieces.match_sets()) {
+      for (const std::uint32_t piece : set) {
+        const auto found = forces_.find(piece);
+        if (found == forces_.end() || !scene_.ties.free(piece)) continue;
+        if (scene_.marker.strip.repeat.along > 0)
+          add_price(Rule::kMatchX, PieceId{piece}, std::abs(found->second.x), path);
+        if (scene_.marker.strip.repeat.across > 0)
+          add_price(Rule::kMatchY, PieceId{piece}, std::abs(found->second.y), path);
+      }
     }
   }
   [[nodiscard]] double distance_to(StripEdge edge, std::uint32_t piece) const {

@@ -179,6 +179,12 @@ class Dragger {
       std::copy_if(mates.begin(), mates.end(), std::back_inserter(around),
                    [&](std::uint32_t mate) { return !known[mate]; });
     }
+    for (const marker::MatchSet& mates : scene_.pieces.match_sets()) {
+      if (std::none_of(mates.begin(), mates.end(), [&](std::uint32_t mate) { return known[mate]; })) continue;
+      for (const std::uint32_t mate : mates) {
+        if (!known[mate] && std::find(around.begin(), around.end(), mate) == around.end()) around.push_back(mate);
+      }
+    }
     for (const std::uint32_t piece : around) known[piece] = true;
     const Box far = reached.grown(reach);
     const Coord end = scene_.pieces.length();
@@ -213,7 +219,7 @@ class Dragger {
       if (!pieces.room(piece, start_.strip, end_).contains(pieces.box(piece))) return false;
       changed.push_back(piece);
     }
-    return keep_shades(pieces) && are_clear(pieces, changed);
+    return keep_joint_rules(pieces) && are_clear(pieces, changed);
   }
 
   const DragTuning& tuning_;

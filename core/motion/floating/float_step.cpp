@@ -16,7 +16,12 @@ class Attempt {
  public:
   Attempt(const scene::Scene& scene, const FloatAim& aim, std::span<const FloatGap> gaps, double trust,
           const scene::Run& run)
-      : scene_{scene}, aim_{aim}, gaps_{gaps}, trust_{trust}, run_{run}, ties_{scene.ties} {
+      : scene_{scene},
+        aim_{aim},
+        gaps_{gaps},
+        trust_{trust},
+        run_{run},
+        ties_{with_match_sets(scene.ties, scene.pieces, scene.marker.strip)} {
     run_.observer.on_stage(scene::Stage::kRows);
     rows_ = width_rows(scene, aim, gaps, trust, run.stop);
     std::vector<double> widths;

@@ -47,6 +47,17 @@ std::optional<std::string> too_far_apart(const scene::Scene& scene, double limit
   return std::nullopt;
 }
 
+// What is said of the first match set that is off its phase by more than the limit; nothing when there is none.
+std::optional<std::string> off_the_pattern(const scene::Scene& scene, double limit) {
+  for (const marker::MatchSet& set : scene.pieces.match_sets()) {
+    const auto off = static_cast<double>(scene.pieces.off_phase(set));
+    if (off <= limit) continue;
+    return "the pieces of match set \"" + scene.marker.pieces[set.front()].rules.match_set + "\" are " +
+           decimal(scene, off) + " off each other's repeats";
+  }
+  return std::nullopt;
+}
+
 std::string field_of(std::size_t piece) {
   return "/pieces/" + std::to_string(piece) + "/at";
 }
@@ -77,6 +88,10 @@ std::optional<Error> refuse_deep(const scene::Scene& scene, const std::vector<Co
     return Error{ErrorCode::kOutsideStrip,
                  leaves_the_strip(scene, i) + "; at most " + decimal(scene, limit) + " is repaired", field_of(i)};
   }
+  if (const auto unmatched = off_the_pattern(scene, limit)) {
+    return Error{ErrorCode::kOutsideStrip, *unmatched + "; at most " + decimal(scene, limit) + " is repaired",
+                 "/pieces"};
+  }
   if (const auto scattered = too_far_apart(scene, limit)) {
     return Error{ErrorCode::kOutsideStrip, *scattered + "; at most " + decimal(scene, limit) + " is repaired",
                  "/shade"};
@@ -102,6 +117,9 @@ Error repair_failed(const scene::Scene& scene, const std::vector<Conflict>& conf
   }
   if (const auto scattered = too_far_apart(scene, 0)) {
     return {ErrorCode::kRepairFailed, *scattered + " and could not be brought together", "/shade"};
+  }
+  if (const auto unmatched = off_the_pattern(scene, 0)) {
+    return {ErrorCode::kRepairFailed, *unmatched + " and could not be brought into phase", "/pieces"};
   }
   std::size_t piece = 0;
   while (piece + 1 < scene.pieces.size() && protrusion(scene, piece) == 0) ++piece;

@@ -6,6 +6,7 @@
 
 #include "core/marker/clearance.h"
 #include "core/motion/repair/faults.h"
+#include "core/motion/repair/phase.h"
 #include "core/motion/repair/repair_step.h"
 
 namespace selvage::motion::repair {
@@ -20,6 +21,7 @@ Repair report_of(const scene::Scene& scene, const std::vector<Conflict>& conflic
     repair.protruding += by > 0;
     repair.deepest = std::max(repair.deepest, static_cast<double>(by));
   }
+  repair.deepest = std::max(repair.deepest, static_cast<double>(off_phase(scene)));
   for (const marker::Shade& shade : scene.pieces.shades()) {
     repair.deepest = std::max(repair.deepest, static_cast<double>(scene.pieces.excess_of(shade)));
   }
@@ -46,6 +48,10 @@ Result<Repair> repair_overlaps(scene::Scene& scene, const scene::Run& run, const
   const auto refusal = refuse_deep(scene, conflicts, limit);
   if (refusal && !run.stopped()) return *refusal;
 
+  if (off_phase(scene) > 0) {
+    into_phase(scene);
+    conflicts = find_conflicts(scene, run);
+  }
   const auto repaired = [&] { return conflicts.empty() && !any_protrusion(scene); };
   for (int round = 0; round < tuning.rounds && !repaired(); ++round) {
     if (!repair_step(scene, conflicts, limit, tuning, run)) break;

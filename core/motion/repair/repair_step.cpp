@@ -23,7 +23,7 @@ class RepairProgram {
         tuning_{tuning},
         run_{run},
         near_{pairs_within(scene.pieces, std::llround(reach) + scene.pieces.widest_spacing())},
-        active_{scene.ties} {
+        active_{with_match_sets(scene.ties, scene.pieces, scene.marker.strip)} {
     for (const Conflict& conflict : conflicts) {
       active_.add(conflict.pair.first);
       active_.add(conflict.pair.second);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/minkowski/inner_fit.h"
 #include "core/minkowski/nearest_edges.h"
@@ -29,6 +30,12 @@ std::vector<Neighbour> neighbours_of(const scene::Scene& scene, std::uint32_t pi
   return found;
 }
 
+// Where the piece may leap to: a piece of a match set to where it is in phase with the others.
+Box room_of(const scene::Scene& scene, std::uint32_t piece, Coord end) {
+  if (scene.pieces.match_set_of(piece) == nullptr) return scene.pieces.room(piece, scene.marker.strip, end);
+  return scene.pieces.room_among(piece, std::vector<bool>(scene.pieces.size()), scene.marker.strip, end);
+}
+
 // The distance by which the pieces would have to move apart.
 double depth_at(const minkowski::Obstacle& obstacle, Vec r, Coord spacing) {
   const Vec at = obstacle.to_frame(r);
@@ -44,15 +51,14 @@ double depth_at(const minkowski::Obstacle& obstacle, Vec r, Coord spacing) {
 Leap cheapest_leap(const scene::Scene& scene, PieceId id, const LeapGrid& grid, const OverlapPrices& prices) {
   const std::uint32_t piece = id.value;
   const Vec from = scene.pieces.at(piece);
-  const Box fit =
-      minkowski::inner_fit(scene.pieces[piece].box, scene.pieces.room(piece, scene.marker.strip, grid.length));
+  const Box fit = minkowski::inner_fit(scene.pieces[piece].box, room_of(scene, piece, grid.length));
   const std::vector<Neighbour> neighbours = neighbours_of(scene, piece, grid.reach, prices);
   Leap best{from, std::numeric_limits<double>::infinity()};
   const auto step = [&](int k) { return static_cast<Coord>(std::llround(grid.reach * k / grid.steps)); };
   for (int row = -grid.steps; row <= grid.steps; ++row) {
     for (int column = -grid.steps; column <= grid.steps; ++column) {
       const Vec to{std::clamp(from.x + step(column), fit.low.x, std::max(fit.low.x, fit.high.x)),
-                   std::clamp(from.y + step(row), fit.low.y, fit.high.y)};
+                   std::clamp(from.y + step(row), fit.low.y, std::max(fit.low.y, fit.high.y))};
       double cost = static_cast<double>(std::abs(to.x - from.x) + std::abs(to.y - from.y));
       for (const Neighbour& neighbour : neighbours) {
         if (cost >= best.cost) break;

@@ -8,6 +8,7 @@
 
 #include "core/marker/clearance.h"
 #include "core/minkowski/inner_fit.h"
+#include "core/motion/repair/phase.h"
 #include "core/motion/separation/leap.h"
 #include "core/motion/separation/separation_step.h"
 
@@ -20,7 +21,7 @@ struct Ending {
 };
 
 // Moves pieces that lie outside their rooms on a strip of this length to its edge: any separation must move them at
-// least as far.
+// least as far.  Match sets come into phase.
 void move_into_strip(scene::Scene& scene, Coord length) {
   for (std::uint32_t i = 0; i < scene.pieces.size(); ++i) {
     if (scene.fixed(i)) continue;
@@ -30,6 +31,7 @@ void move_into_strip(scene::Scene& scene, Coord length) {
     const Vec by{way_in(at.x, fit.low.x, fit.high.x), way_in(at.y, fit.low.y, fit.high.y)};
     if (by != Vec{}) scene.shift(PieceId{i}, by);
   }
+  repair::into_phase(scene);
 }
 
 // The rounds of separation on one set of pieces.
@@ -144,9 +146,9 @@ class Rounds {
   [[nodiscard]] bool has_many() const { return scene_.pieces.size() > tuning().many; }
   // Whether this round, 0 being the first, moves only what overlaps.
   [[nodiscard]] bool is_local(int round) const { return round > 0 && has_many(); }
-  // By how much the marker is too long, and shades are.
+  // By how much the marker is too long, shades are, and match sets are off their phase.
   [[nodiscard]] Coord excess() const {
-    Coord sum = std::max(Coord{0}, scene_.pieces.length() - allowed_);
+    Coord sum = std::max(Coord{0}, scene_.pieces.length() - allowed_) + repair::off_phase(scene_);
     for (const marker::Shade& shade : scene_.pieces.shades()) {
       sum += std::max(Coord{0}, scene_.pieces.excess_of(shade));
     }

@@ -111,7 +111,7 @@ class SeparationProgram {
 // The pieces that have a reason of their own to move.
 model::ActiveSet moving(const scene::Scene& scene, const std::vector<OverlappingPair>& overlapping,
                         const std::vector<Vec>& home, const SeparationStepSettings& settings) {
-  model::ActiveSet reached{scene.ties};
+  model::ActiveSet reached{with_match_sets(scene.ties, scene.pieces, scene.marker.strip)};
   for (const OverlappingPair& overlap : overlapping) {
     reached.add(overlap.pair.first);
     reached.add(overlap.pair.second);

@@ -14,7 +14,8 @@ bool is_large(const scene::Scene& scene, const StepSettings& settings) {
 
 // All pieces, or, where staying costs nothing and moving does, those that a force acts on.
 model::ActiveSet initially_active(const scene::Scene& scene, const Goal& goal, const StepSettings& settings) {
-  model::ActiveSet active{scene.ties, settings.tuning.active_set_growth};
+  model::ActiveSet active{with_match_sets(scene.ties, scene.pieces, scene.marker.strip),
+                          settings.tuning.active_set_growth};
   const bool staying_is_free = goal.fixes_length() && goal.displacement_penalty > 0;
   if (!staying_is_free || settings.extent == model::Extent::kWhole || !is_large(scene, settings)) {
     active.add_all();

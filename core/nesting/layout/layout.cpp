@@ -100,8 +100,9 @@ Marker to_marker(const PieceSet& set, const Layout& layout, const Marker& start)
     const Box box = box_of(oriented(marker.shapes[piece.shape.value].outline, piece.orientation));
     piece.at = {std::llround(place.x * set.lattice_units), std::llround(place.y * set.lattice_units)};
     Box room = room_for(piece.rules, box.height(), marker.strip, kLatticeLimit);
-    if (piece.rules.match) {
-      room = matched_room(room, box.moved(piece.at), piece.at + turned_match(piece), marker.strip.repeat);
+    if (piece.rules.matched_to_cloth()) {
+      room = matched_room(room, box.moved(piece.at), piece.at + turned_match(piece),
+                          repeat_for(piece.rules, marker.strip));
     }
     piece.at.x = std::max(room.low.x - box.low.x, std::min(piece.at.x, room.high.x - box.high.x));
     piece.at.y = std::max(room.low.y - box.low.y, std::min(piece.at.y, room.high.y - box.high.y));

@@ -66,8 +66,8 @@ class Builder {
 
  private:
   using Limit = std::optional<Coord>;
-  using RulesKey =
-      std::tuple<Limit, Limit, Limit, Limit, bool, std::optional<Vec>, std::string, std::optional<marker::Nap>, bool>;
+  using RulesKey = std::tuple<Limit, Limit, Limit, Limit, bool, std::optional<Vec>, std::optional<Vec>, std::string,
+                              std::optional<marker::Nap>, bool>;
   using KindKey = std::tuple<ShapeId, Coord, Coord, std::optional<Orientation>, RulesKey>;
   using OutlineKey = std::tuple<ShapeId, Coord, Coord, Angle, bool>;
 
@@ -80,12 +80,15 @@ class Builder {
             rules.to,
             rules.on_fold,
             matched(rules) ? rules.match : std::nullopt,
+            matched(rules) ? rules.phase : std::nullopt,
             marker_.shade ? rules.shade : "",
             rules.nap,
             rules.zone};
   }
 
-  [[nodiscard]] bool matched(const marker::Rules& rules) const { return rules.match && marker_.strip.repeat.any(); }
+  [[nodiscard]] bool matched(const marker::Rules& rules) const {
+    return rules.matched_to_cloth() && marker_.strip.repeat.any();
+  }
 
   std::optional<std::uint32_t> shade_of(const marker::Rules& rules) {
     if (!marker_.shade || rules.shade.empty()) return std::nullopt;
@@ -140,7 +143,9 @@ class Builder {
       set_.outlines.push_back({sums_.outline(geometry::turned(shape.outline, turn)), piece.buffer, overlap, zone});
     }
     const auto units = [this](Coord coord) { return static_cast<double>(coord) / set_.lattice_units; };
-    const Vec match = turned_match(piece);
+    // A piece with a phase of its own is matched to the cloth's with a point that lies as far from it.
+    const Vec phase = marker_.strip.repeat.phase;
+    const Vec match = turned_match(piece) - (piece.rules.phase.value_or(phase) - phase);
     return {piece.orientation,
             found->second,
             symmetry,

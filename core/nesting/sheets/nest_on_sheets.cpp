@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/nesting/layout/dice.h"
+#include "core/nesting/match_phases.h"
 #include "core/nesting/sheets/used_sheet.h"
 #include "core/nesting/timed_run.h"
 
@@ -260,10 +261,9 @@ class Driver {
   int programs_{};
 };
 
-}  // namespace
-
-Result<SheetNesting> nest_on_sheets(const Marker& start, std::span<const Sheet> sheets, const SheetSettings& settings,
-                                    const scene::Run& run) {
+// Of a marker without match sets.
+Result<SheetNesting> nest_pieces_on_sheets(const Marker& start, std::span<const Sheet> sheets,
+                                           const SheetSettings& settings, const scene::Run& run) {
   if (start.pieces.empty() && start.unplaced.empty()) {
     return Error{ErrorCode::kEmptyMarker, "the marker has no piece", "/pieces"};
   }
@@ -284,6 +284,22 @@ Result<SheetNesting> nest_on_sheets(const Marker& start, std::span<const Sheet> 
   const TimedRun timed{run, settings.elapsed};
   SheetNesting nesting = Driver{start, std::move(pieces), std::move(kinds), settings, timed.run()}.nested();
   if (run.stopped()) nesting.reason = scene::StopReason::kCancelled;
+  return nesting;
+}
+
+}  // namespace
+
+Result<SheetNesting> nest_on_sheets(const Marker& start, std::span<const Sheet> sheets, const SheetSettings& settings,
+                                    const scene::Run& run) {
+  const auto matched = with_sets_matched_to_cloth(start);
+  if (!matched) return nest_pieces_on_sheets(start, sheets, settings, run);
+  auto nesting = nest_pieces_on_sheets(*matched, sheets, settings, run);
+  if (!nesting) return nesting;
+  for (SheetLayout& layout : nesting->layouts) give_back_rules(layout.marker, start);
+  Marker left;
+  left.unplaced = std::move(nesting->left_over);
+  give_back_rules(left, start);
+  nesting->left_over = std::move(left.unplaced);
   return nesting;
 }
 

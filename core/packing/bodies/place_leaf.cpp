@@ -152,7 +152,7 @@ bool is_proved(const Marker& marker, const Bodies& bodies, const Freedom& freedo
       if (marker::collide(pieces[piece], {wall, box_of(wall), {}}, freedom.clearance)) return false;
     }
   }
-  return keep_shades(pieces) && are_clear(pieces, changed);
+  return keep_joint_rules(pieces) && are_clear(pieces, changed);
 }
 
 }  // namespace

@@ -20,11 +20,26 @@ struct ShadeFault {
   }
 };
 
+struct MatchFault {
+  static constexpr std::string_view kName = "MatchFault",
+                                    kMeaning = "A piece that is out of phase with another one of its match set.";
+  std::string set, piece, other;
+  calls::Point by{};
+
+  static void describe(auto& v, auto& self) {
+    v.required("matchSet", self.set, "The name of the match set.");
+    v.required("piece", self.piece, calls::kPieceMeaning);
+    v.required("other", self.other, "The id of the other piece.");
+    v.required("by", self.by, "How far its match point lies from the nearest repeat of the other's.");
+  }
+};
+
 struct CheckResult {
   bool valid{};
   std::vector<calls::Overlap> overlaps;
   std::vector<calls::Protrusion> protrusions;
   std::optional<std::vector<ShadeFault>> shades;
+  std::optional<std::vector<MatchFault>> matches;
 
   static void describe(auto& v, auto& self) {
     v.required("valid", self.valid, calls::kValidMeaning);
@@ -32,6 +47,8 @@ struct CheckResult {
     v.required("protrusions", self.protrusions,
                "Pieces that extend beyond the strip, or out of the room that their rules leave.");
     v.optional("shades", self.shades, "Shades whose pieces are too far from each other; absent when there are none.");
+    v.optional("matches", self.matches,
+               "Pieces that are out of phase with their match sets; absent when there are none.");
   }
 };
 
@@ -41,12 +58,20 @@ Result<CheckResult> run_check(const AnalysisParams&, const MarkerFile& file, con
   CheckResult result{.valid = validity->valid(),
                      .overlaps = calls::overlaps_of(file.marker, validity->overlaps),
                      .protrusions = calls::protrusions_of(file.marker, validity->protrusions),
-                     .shades = {}};
+                     .shades = {},
+                     .matches = {}};
   for (const marker::ShadeFault& fault : validity->shades) {
     const auto& pieces = file.marker.pieces;
     if (!result.shades) result.shades.emplace();
     result.shades->push_back({pieces[fault.leftmost.value].rules.shade, pieces[fault.leftmost.value].id,
                               pieces[fault.rightmost.value].id, to_decimal(fault.by, file.marker.resolution)});
+  }
+  for (const marker::MatchFault& fault : validity->matches) {
+    const Piece& piece = file.marker.pieces[fault.piece.value];
+    if (!result.matches) result.matches.emplace();
+    result.matches->push_back(
+        {piece.rules.match_set, piece.id, file.marker.pieces[fault.other.value].id,
+         calls::point_of(static_cast<double>(fault.by.x), static_cast<double>(fault.by.y), file.marker.resolution)});
   }
   return result;
 }

@@ -177,6 +177,7 @@ class NestReader {
       piece.rules.match = formats::Decimal{number(attributes, "MATCH_X", 0, kCoordinates),
                                            number(attributes, "MATCH_Y", 0, kCoordinates)};
     }
+    if (attributes.contains("MATCH_SET")) piece.rules.match_set = text_or_empty(attributes, "MATCH_SET");
     if (attributes.contains("SHADE")) piece.rules.shade = text_or_empty(attributes, "SHADE");
     piece.rules.nap = schema::value_of<marker::Nap>(text_or_empty(attributes, "NAP"));
     const std::string locked = text_or_empty(attributes, "LOCKED");

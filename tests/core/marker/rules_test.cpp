@@ -207,6 +207,37 @@ TEST(Rooms, AMatchedPieceStaysInItsRepeat) {
   EXPECT_EQ(marker::protrusion_of(marker::PlacedPieces{marker}, 0, marker.strip), 3);
 }
 
+TEST(Rooms, WhatIsNoWholeRepeatIsTheWayToTheNearest) {
+  const marker::Repeat stripes{.along = 7};
+  for (const auto& [way, off] : {std::pair{0, 0}, {7, 0}, {-14, 0}, {8, 1}, {10, 3}, {11, -3}, {-1, -1}, {-4, 3}})
+    EXPECT_EQ(off_repeat({way, 5}, stripes), (Vec{off, 0})) << way;
+}
+
+// Squares of side 10 on stripes 7 apart, which begin somewhere else.
+TEST(Rooms, APieceOfAMatchSetIsInPhaseWithTheOthers) {
+  Marker marker = squares({{24, 5}, {45, 90}, {60, 50}});
+  marker.strip.repeat = {.along = 7, .phase = {2, 0}};
+  for (Piece& piece : marker.pieces) piece.rules = {.match = Vec{0, 0}, .match_set = "A"};
+  marker.pieces[2].rules.match_set = "B";  // alone
+  EXPECT_TRUE(is_kept(marker));
+  const marker::PlacedPieces pieces{marker};
+  ASSERT_EQ(pieces.match_sets().size(), 1U);
+  EXPECT_EQ(pieces.match_sets()[0], (marker::MatchSet{0, 1}));
+  EXPECT_EQ(pieces.room(0, marker.strip, 60), marker.strip.room(60));
+  EXPECT_EQ(pieces.repeat_of(2, marker.strip), Vec{});
+  EXPECT_EQ(pieces.room_among(0, {true, false, false}, marker.strip, 60).low.x, 24);
+  EXPECT_EQ(pieces.room_among(0, {true, true, false}, marker.strip, 60), marker.strip.room(60));
+  marker.pieces[1].at.x = 47;
+  EXPECT_FALSE(is_kept(marker));
+  SumCache sums;
+  const auto validity = marker::check(marker, sums);
+  ASSERT_EQ(validity.matches.size(), 1U);
+  EXPECT_EQ(validity.matches[0].piece, PieceId{1});
+  EXPECT_EQ(validity.matches[0].by, (Vec{2, 0}));
+  marker.pieces[1].rules.match.reset();
+  EXPECT_EQ(blamed(marker), "/pieces/1/rules/matchSet");
+}
+
 TEST(Rooms, TheMatchPointTurnsWithThePiece) {
   Marker marker = squares({{24, 5}, {50, 90}});
   marker.shapes[0].rotations = {{0}, {90}, {180}};

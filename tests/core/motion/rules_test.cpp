@@ -277,6 +277,85 @@ TEST(Rules, RepairPutsAPieceBackOnItsStripe) {
   EXPECT_EQ(tight.pieces[1].at.x % 70'000, 0);
 }
 
+// Three squares of which the outer two are a match set on stripes 70,000 apart: their repeats lie at any phase.
+Marker matched_pair() {
+  Marker marker = squares({{20'000, 0}, {210'000, 0}, {370'000, 0}});
+  marker.strip.repeat = {.along = 70'000, .phase = {1'234, 0}};
+  for (const std::size_t piece : {0, 2}) {
+    marker.pieces[piece].rules.match = Vec{0, 0};
+    marker.pieces[piece].rules.match_set = "A";
+  }
+  return marker;
+}
+
+TEST(Rules, AMatchSetMovesAsOneAlongTheRepeat) {
+  Marker narrow = matched_pair();
+  narrow.strip.width = kSide;
+  SumCache sums;
+  auto done = compact(narrow, compaction::compaction_settings(compaction::Accuracy::kStandard), {sums});
+  ASSERT_TRUE(done) << done.error().message;
+  EXPECT_TRUE(is_valid(done->marker));
+  EXPECT_EQ(done->marker.pieces[0].at.x, 0);  // by 20,000, to no repeat of the cloth
+  EXPECT_EQ(done->marker.pieces[2].at.x, 350'000);
+  const auto path = held(done->marker);
+  EXPECT_NEAR(worth_of(path, Rule::kMatchX, PieceId{0}), 1, 1e-6);
+  EXPECT_NEAR(worth_of(path, Rule::kMatchX, PieceId{2}), 1, 1e-6);
+}
+
+TEST(Rules, APieceOfAMatchSetMovesAcrossTheStripesAlone) {
+  SumCache sums;
+  const auto bumped = piece::repair_and_bump(matched_pair(), PieceId{2}, 0, 1, {sums});
+  ASSERT_TRUE(bumped);
+  EXPECT_EQ(bumped->marker.pieces[2].at, (Vec{370'000, 900'000}));
+  EXPECT_EQ(bumped->marker.pieces[0].at, (Vec{20'000, 0}));
+  EXPECT_TRUE(is_valid(bumped->marker));
+}
+
+TEST(Rules, ADragTakesAPieceOfAMatchSetByWholeRepeats) {
+  const Marker marker = matched_pair();
+  SumCache sums;
+  for (const auto mode : {dragging::DragMode::kPlace, dragging::DragMode::kPush}) {
+    const auto dragged = [&](Vec to) { return dragging::drag(marker, PieceId{2}, to, mode, {sums}).marker; };
+    EXPECT_EQ(dragged({600'000, 700'000}).pieces[2].at, (Vec{580'000, 700'000}));
+    EXPECT_EQ(dragged({600'000, 700'000}).pieces[0].at, (Vec{20'000, 0}));
+  }
+}
+
+TEST(Rules, RepairAndSeparationBringAMatchSetIntoPhase) {
+  Marker near = matched_pair();
+  near.pieces[2].at.x += 15;
+  EXPECT_FALSE(is_valid(near));
+  EXPECT_TRUE(is_valid(compacted(near)));
+  Marker far = matched_pair();
+  far.pieces[2].at.x += 20'000;
+  SumCache sums;
+  const auto refused = compact(far, compaction::compaction_settings(compaction::Accuracy::kDraft), {sums});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kOutsideStrip);
+  const auto separated = separation::separate(far, {}, {sums});
+  ASSERT_TRUE(separated) << separated.error().message;
+  EXPECT_TRUE(is_valid(separated->marker));
+  EXPECT_EQ(separated->marker.pieces[2].at.x - separated->marker.pieces[0].at.x, 350'000);
+}
+
+TEST(Rules, AMatchSetWithALockedPieceStaysInItsPhase) {
+  Marker marker = matched_pair();
+  marker.pieces[0].locked = true;
+  const Marker tight = compacted(marker);
+  EXPECT_EQ(tight.pieces[0].at, (Vec{20'000, 0}));
+  EXPECT_EQ((tight.pieces[2].at.x - 20'000) % 70'000, 0);
+}
+
+TEST(Rules, APieceAloneInItsMatchSetIsFree) {
+  Marker marker = matched_pair();
+  marker.pieces[2].rules.match_set = "B";
+  marker.strip.width = kSide;
+  SumCache sums;
+  auto done = compact(marker, compaction::compaction_settings(compaction::Accuracy::kStandard), {sums});
+  ASSERT_TRUE(done);
+  EXPECT_EQ(done->length_after, 3 * kSide);
+}
+
 // Two squares, and between them a flaw with too little room before it for the second.
 Marker flawed(Coord width) {
   Marker marker = squares({{50'000, 0}, {400'000, 0}, {150'000, 0}});

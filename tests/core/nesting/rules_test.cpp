@@ -107,6 +107,25 @@ TEST(RulesInNesting, MatchedPiecesLieWhereRepeatsBegin) {
   }
 }
 
+TEST(RulesInNesting, MatchSetsKeepThePhaseOfAPieceThatIsLocked) {
+  Marker marker = squares(9);
+  marker.strip.repeat = {.along = 7 * kSide / 2, .phase = {12'345, 321}};
+  for (std::size_t i = 0; i < 6; ++i) {
+    marker.unplaced[i].rules.match = Vec{kSide, kSide / 3};
+    marker.unplaced[i].rules.match_set = i < 3 ? "A" : "B";
+  }
+  marker.pieces.push_back(marker.unplaced[0]);
+  marker.unplaced.erase(marker.unplaced.begin());
+  marker.pieces[0].at = {kSide / 5, 0};
+  marker.pieces[0].locked = true;
+  const auto done = nested(marker, 2000);
+  ASSERT_TRUE(done) << done.error().message;
+  EXPECT_TRUE(is_valid(done->marker));
+  ASSERT_EQ(done->marker.pieces.size(), 9u);
+  EXPECT_EQ(done->marker.pieces[0].at, marker.pieces[0].at);
+  EXPECT_EQ(done->marker.pieces[1].rules, marker.unplaced[0].rules);  // as they were given
+}
+
 TEST(RulesInNesting, PiecesWithANapLieItsWay) {
   Marker marker = unplaced_pieces({{{0, 0}, {4 * kSide, 0}, {2 * kSide, 2 * kSide}, {0, kSide}}}, 8, kWidth);
   const auto nap_of = [](std::size_t i) { return i % 2 == 0 ? marker::Nap::kUp : marker::Nap::kDown; };

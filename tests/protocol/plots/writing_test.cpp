@@ -49,7 +49,7 @@ MarkerFile rich_marker() {
          "texts": [{"text": "CF", "at": [20, 20], "height": 8, "angle": 30}]}}},
       {"id": "free", "outline": [[0, 0], [100, 0], [0, 50]], "rotations": "any"}],
     "pieces": [
-      {"id": "a", "shape": "FRONT/S", "at": [10, 10], "overlap": 0.5, "rules": {"below": 0, "to": 1400.5, "match": [150, -5], "shade": "S-A"}, "attributes": {"bundle": "S-A"}},
+      {"id": "a", "shape": "FRONT/S", "at": [10, 10], "overlap": 0.5, "rules": {"below": 0, "to": 1400.5, "match": [150, -5], "matchSet": "M", "shade": "S-A"}, "attributes": {"bundle": "S-A"}},
       {"id": "b", "shape": "FRONT/S", "at": [700, 300], "rotation": 180, "flip": true, "tilt": 1.5, "locked": ["x"], "rules": {"nap": "down"}},
       {"id": "c", "shape": "free", "at": [900, 700], "rotation": 37.25, "group": "g", "buffer": 1.5,
        "rules": {"above": 3, "from": 2, "shade": "S-A"}},

@@ -25,10 +25,11 @@ export function buildPieceRules(desk: Desk, scene: Scene, commands: Commands): H
   };
   const fold = box("rule-fold", (on) => set({ fold: on || undefined }));
   const shade: HTMLInputElement = h("input", { type: "text", size: 10, maxlength: 60, id: "rule-shade", onchange: () => set({ shade: shade.value.trim() || undefined }) });
+  const matchSet: HTMLInputElement = h("input", { type: "text", size: 10, maxlength: 60, id: "rule-match-set", onchange: () => set({ matchSet: matchSet.value.trim() || undefined }) });
   const naps = (["up", "down"] as const).map((way) => ({ way, check: box(`rule-nap-${way}`, (on) => set({ nap: on ? way : undefined })) }));
   const zone = box("rule-zone", (on) => set({ zone: on || undefined }));
   // A piece is matched where it lies: with the point of it that lies on the pattern now.
-  const matched = box("rule-match", (on) => void commands.rules((piece) => ({ match: on ? matchAsItLies(desk.marker.value!, piece) : undefined })));
+  const matched = box("rule-match", (on) => void commands.rules((piece) => (on ? { match: matchAsItLies(desk.marker.value!, piece) } : { match: undefined, matchSet: undefined })));
   const point = pointRow("rule-point", "matchPoint", (change) => void commands.rules(({ rules: { match = [0, 0] } }) => ({ match: change(match) })));
   const { box: element, tell } = disclosure(
     "piece-rules",
@@ -38,6 +39,7 @@ export function buildPieceRules(desk: Desk, scene: Scene, commands: Commands): H
     row("ruleShade", shade),
     row("ruleMatch", matched),
     point.row,
+    row("ruleMatchSet", matchSet),
     ...naps.map(({ way, check }) => row(NAPS[way], check)),
     row("ruleZone", zone),
   );
@@ -55,6 +57,8 @@ export function buildPieceRules(desk: Desk, scene: Scene, commands: Commands): H
     matched.checked = rules.match !== undefined;
     matched.disabled = !repeat && !rules.match;
     point.show(rules.match);
+    matchSet.disabled = !rules.match;
+    if (document.activeElement !== matchSet) matchSet.value = rules.matchSet ?? "";
     for (const { way, check } of naps) check.checked = rules.nap === way;
     zone.checked = rules.zone ?? false;
   });
@@ -62,12 +66,12 @@ export function buildPieceRules(desk: Desk, scene: Scene, commands: Commands): H
 }
 
 /** In words, where the piece may lie. */
-function rulesOf({ rules: { below, above, from, to, fold, shade, match, nap, zone } }: Piece): string {
+function rulesOf({ rules: { below, above, from, to, fold, shade, match, matchSet, nap, zone } }: Piece): string {
   const lengths = { ruleBelow: below, ruleAbove: above, ruleFrom: from, ruleTo: to };
   const words = Object.entries(lengths).flatMap(([name, length]) => (length === undefined ? [] : [`${say(name as TextName)} ${lengthText(length)}`]));
   if (fold) words.push(say("ruleFold"));
   if (shade) words.push(`${say("ruleShade")} ${shade}`);
-  if (match) words.push(say("ruleMatch"));
+  if (match) words.push(matchSet ? `${say("ruleMatchSet")} ${matchSet}` : say("ruleMatch"));
   if (nap) words.push(say(NAPS[nap]));
   if (zone) words.push(say("ruleZone"));
   return words.join(" · ");

@@ -1,0 +1,19 @@
+// Match sets while their pieces are laid out: searches that move one piece at a time match every piece of a set to the
+// cloth instead, at a phase that is the same for the whole set.  So the set keeps its rule whichever piece moves.  That
+// loses the freedom of the set to lie at any phase; a compaction afterwards has it.
+#pragma once
+
+#include <optional>
+
+#include "core/marker/marker.h"
+
+namespace selvage::nesting {
+
+// The marker with pieces of match sets matched to the cloth: at the phase of the set's first placed piece, locked ones
+// first, or at that of the cloth when none is placed.  Nothing when there are no such pieces.
+[[nodiscard]] std::optional<Marker> with_sets_matched_to_cloth(const Marker& marker);
+
+// Gives the pieces of a marker back the rules that they have in another one.  REQUIRES: it has all of them, by id.
+void give_back_rules(Marker& marker, const Marker& original);
+
+}  // namespace selvage::nesting
