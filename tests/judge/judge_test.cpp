@@ -145,6 +145,17 @@ TEST(Judge, DescribesBrokenRules) {
   EXPECT_EQ(with({.shade = "A", .nap = marker::Nap::kUp}), "");
   EXPECT_EQ(with({.shade = "A", .nap = marker::Nap::kDown}), "piece a lies against its nap");
   EXPECT_EQ(with({.match = Vec{10, 9}, .shade = "A"}), "piece a is not matched along y");
+  // A set of two: from one match point to the other there are whole repeats.
+  const Vec b = marker.pieces[1].at;
+  marker.pieces[1].rules = {.match = Vec{0, 0}, .match_set = "S"};
+  const Vec same = b - marker.pieces[0].at;
+  EXPECT_EQ(with({.match = same + Vec{14, -6}, .match_set = "S"}), "");
+  EXPECT_EQ(with({.match = same + Vec{13, 0}, .match_set = "S"}),
+            "piece b is out of phase with piece a of its match set");
+  EXPECT_EQ(with({.match = same + Vec{0, 1}, .match_set = "S"}),
+            "piece b is out of phase with piece a of its match set");
+  EXPECT_EQ(with({.match = same + Vec{0, 1}, .match_set = "T"}), "");
+  marker.pieces[1].rules = {.shade = "A"};
   marker.shade = 209;
   EXPECT_EQ(with({.shade = "B"}), "");
   EXPECT_EQ(with({.shade = "A"}), "piece a is too far from piece b of its shade");

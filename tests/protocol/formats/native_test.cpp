@@ -189,6 +189,8 @@ TEST(Native, NamesTheRuleThatIsWrong) {
   EXPECT_EQ(field_of(R"({"from": 10, "to": 20})"), "/pieces/1/rules/to");
   EXPECT_EQ(field_of(R"({"fold": 1})"), "/pieces/1/rules/fold");
   EXPECT_EQ(field_of(R"({"match": [1]})"), "/pieces/1/rules/match");
+  EXPECT_EQ(field_of(R"({"matchSet": "A"})"), "/pieces/1/rules/matchSet");
+  EXPECT_EQ(field_of(R"({"match": [1, 1], "matchSet": "A"})"), "");
   EXPECT_EQ(field_of(R"({"nap": "left"})"), "/pieces/1/rules/nap");
   EXPECT_EQ(field_of(R"({"nap": "down"})"), "/pieces/1/rules/nap");
   EXPECT_EQ(field_of(R"({"nap": "up"})"), "");
