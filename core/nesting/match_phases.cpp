@@ -4,24 +4,50 @@
 #include <string_view>
 
 namespace selvage::nesting {
+namespace {
+
+using Phases = std::map<std::string_view, Vec>;
+
+bool in_set(const Piece& piece) {
+  return piece.rules.match && !piece.rules.match_set.empty();
+}
+
+// Of the sets of which no piece is placed: where the match point of the piece with the least room across lies when the
+// piece, as it is turned, is in the lower left corner of its room.
+void add_unplaced(const Marker& marker, Phases& phases) {
+  std::map<std::string_view, Coord> least;
+  for (const Piece& piece : marker.unplaced) {
+    if (!in_set(piece)) continue;
+    const Box box = box_of(oriented(marker.shapes[piece.shape.value].outline, piece.orientation));
+    const Box room = room_for(piece.rules, box.height(), marker.strip, kLatticeLimit);
+    const Coord spare = room.height() - box.height();
+    const auto [found, first] = least.try_emplace(piece.rules.match_set, spare);
+    const bool known = first && phases.contains(piece.rules.match_set);
+    if (known) found->second = -1;  // a placed piece says it
+    if (known || (!first && found->second <= spare)) continue;
+    found->second = spare;
+    phases[piece.rules.match_set] = room.low - box.low + turned_match(piece);
+  }
+}
+
+}  // namespace
 
 std::optional<Marker> with_sets_matched_to_cloth(const Marker& marker) {
   if (!marker.strip.repeat.any()) return std::nullopt;
-  const auto in_set = [](const Piece& piece) { return piece.rules.match && !piece.rules.match_set.empty(); };
-  std::map<std::string_view, Vec> phases;
+  Phases phases;
   for (const bool locked : {true, false}) {
     for (const Piece& piece : marker.pieces) {
       const bool held = piece.locked.x || piece.locked.y || !piece.group.empty();
       if (in_set(piece) && held == locked) phases.try_emplace(piece.rules.match_set, piece.at + turned_match(piece));
     }
   }
+  add_unplaced(marker, phases);
   Marker matched = marker;
   bool any = false;
   for (auto* pieces : {&matched.pieces, &matched.unplaced}) {
     for (Piece& piece : *pieces) {
       if (!in_set(piece)) continue;
-      const auto phase = phases.find(piece.rules.match_set);
-      if (phase != phases.end()) piece.rules.phase = phase->second;
+      piece.rules.phase = phases.at(piece.rules.match_set);
       piece.rules.match_set.clear();
       any = true;
     }

@@ -10,7 +10,8 @@
 namespace selvage::nesting {
 
 // The marker with pieces of match sets matched to the cloth: at the phase of the set's first placed piece, locked ones
-// first, or at that of the cloth when none is placed.  Nothing when there are no such pieces.
+// first; when none is placed, at one at which the piece with the least room across lies at the lower end of its room.
+// Nothing when there are no such pieces.
 [[nodiscard]] std::optional<Marker> with_sets_matched_to_cloth(const Marker& marker);
 
 // Gives the pieces of a marker back the rules that they have in another one.  REQUIRES: it has all of them, by id.
