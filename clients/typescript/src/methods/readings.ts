@@ -48,6 +48,18 @@ export type LockPrice = {
   perY?: number;
 };
 
+/** A piece that is out of phase with another one of its match set. */
+export type MatchFault = {
+  /** The name of the match set. */
+  matchSet: string;
+  /** The piece's id. */
+  piece: string;
+  /** The id of the other piece. */
+  other: string;
+  /** How far its match point lies from the nearest repeat of the other's. */
+  by: Point;
+};
+
 /** A sheet that is used, with the pieces on it. */
 export type NestedSheet = {
   /** Index of its kind in the parameter. */
@@ -199,6 +211,8 @@ export interface ReadingMethods {
       protrusions: Array<Protrusion>;
       /** Shades whose pieces are too far from each other; absent when there are none. */
       shades?: Array<ShadeFault>;
+      /** Pieces that are out of phase with their match sets; absent when there are none. */
+      matches?: Array<MatchFault>;
     };
   };
   /** The critical path, which determines the marker's length. */

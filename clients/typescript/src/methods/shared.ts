@@ -70,8 +70,10 @@ export type PieceRules = {
   to?: number;
   /** Whether its lowest side lies on the strip's lower edge, where the cloth is folded. */
   fold?: boolean;
-  /** A point of its shape, which lies where a repeat of the cloth's pattern begins. */
+  /** A point of its shape, which is matched to the cloth's pattern. */
   match?: Point;
+  /** The name of its match set: the ways between the match points of its pieces are whole repeats of the pattern, wherever on the cloth they lie; absent: the match point lies where a repeat begins. */
+  matchSet?: string;
   /** The name of its shade: the pieces of a shade lie near each other along the strip. */
   shade?: string;
   /** The way in which it lies on cloth with a nap; absent: any that its shape allows. */
