@@ -21,7 +21,7 @@ const std::string kOpen = R"({"jsonrpc":"2.0","id":1,"method":"marker.open","par
 const std::string kCompact = R"({"jsonrpc":"2.0","id":2,"method":"motion.compact","params":{"markerId":"m1"}})";
 
 TEST(Replay, AnswersEachCallBeforeTheNextStarts) {
-  for (const std::size_t workers : {0, 2}) {
+  for (const std::size_t workers : {std::size_t{0}, std::size_t{2}}) {
     Daemon daemon{without_sockets(workers)};
     EXPECT_TRUE(daemon.listeners().empty());
     const auto replayed = replay(daemon, "[" + kOpen + "," + kCompact + "]");

@@ -1,4 +1,4 @@
-// Every race is staged with latches; no test sleeps.
+// Every race is staged with latches; no test sleeps.  A latch outlives the queue whose jobs wait for it.
 #include "server/jobs/job_queue.h"
 
 #include <gtest/gtest.h>
@@ -42,9 +42,9 @@ TEST(JobQueue, WithoutWorkersRunsInline) {
 }
 
 TEST(JobQueue, RunsJobsAtTheSameTime) {
-  JobQueue queue{2, 8};
   std::latch both{2};
   std::latch done{2};
+  JobQueue queue{2, 8};
   for (int i = 0; i < 2; ++i) {
     ASSERT_EQ(submit(queue, job([&](auto) {
                        both.arrive_and_wait();  // returns only when both jobs have started
@@ -80,8 +80,8 @@ TEST(JobQueue, ExecutesAMixOfQuickAndLongJobsToTheLast) {
 TEST(JobQueue, RunsTheJobsOfALaneInOrderOneAtATime) {
   std::vector<int> order;  // needs no mutex, because the lane runs one job at a time
   {
-    JobQueue queue{4, 64};
     std::latch first_may_end{1};
+    JobQueue queue{4, 64};
     for (int i = 0; i < 32; ++i) {
       ASSERT_EQ(submit(queue, job(
                                   [&, i](auto) {
@@ -99,9 +99,9 @@ TEST(JobQueue, RunsTheJobsOfALaneInOrderOneAtATime) {
 }
 
 TEST(JobQueue, ABusyLaneDoesNotDelayOthers) {
-  JobQueue queue{2, 8};
   std::latch release{1};
   std::latch other_done{1};
+  JobQueue queue{2, 8};
   ASSERT_EQ(submit(queue, job([&](auto) { release.wait(); }, "m1")), Admission::kAccepted);
   ASSERT_EQ(submit(queue, job([&](auto) {}, "m1")), Admission::kAccepted);
   ASSERT_EQ(submit(queue, job([&](auto) { other_done.count_down(); }, "m2")), Admission::kAccepted);
@@ -110,10 +110,10 @@ TEST(JobQueue, ABusyLaneDoesNotDelayOthers) {
 }
 
 TEST(JobQueue, RefusesJobsBeyondItsCapacityAndLeavesThemUnchanged) {
-  JobQueue queue{1, 2};
   std::latch started{1};
   std::latch release{1};
   std::latch done{3};
+  JobQueue queue{1, 2};
   const auto count = [&](auto) { done.count_down(); };
   ASSERT_EQ(submit(queue, job([&](auto) {
                      started.count_down();
@@ -135,10 +135,10 @@ TEST(JobQueue, RefusesJobsBeyondItsCapacityAndLeavesThemUnchanged) {
 }
 
 TEST(JobQueue, QuickJobsDoNotWaitForLongOnes) {
-  JobQueue queue{2, 8, 1};
   std::latch started{2};
   std::latch release{1};
   std::latch quick_done{1};
+  JobQueue queue{2, 8, 1};
   for (const char* lane : {"m1", "m2"}) {
     ASSERT_EQ(submit(queue, job(
                                 [&](auto) {
@@ -164,8 +164,8 @@ TEST(JobQueue, QuickJobsDoNotWaitForLongOnes) {
 TEST(JobQueue, QuickAndLongJobsOfALaneRunOneAtATime) {
   std::vector<int> order;  // needs no mutex, because the lane runs one job at a time
   {
-    JobQueue queue{2, 64, 1};
     std::latch first_may_end{1};
+    JobQueue queue{2, 64, 1};
     for (int i = 0; i < 32; ++i) {
       Job next = job(
           [&, i](auto) {
@@ -183,9 +183,9 @@ TEST(JobQueue, QuickAndLongJobsOfALaneRunOneAtATime) {
 }
 
 TEST(JobQueue, AFullQueueAdmitsASessionWithoutWaitingJobs) {
-  JobQueue queue{1, 2};
   std::latch release{1};
   std::latch started{1};
+  JobQueue queue{1, 2};
   const auto of = [&](std::uint64_t session) {
     Job next = job([](auto) {});
     next.session = session;
@@ -207,13 +207,13 @@ TEST(JobQueue, AFullQueueAdmitsASessionWithoutWaitingJobs) {
 }
 
 TEST(JobQueue, TheRetryTimeIncludesTheRunningJobs) {
+  std::latch release{1};
   JobQueue queue{1, 1};
   for (int i = 0; i < 100; ++i) {  // jobs are known to be short
     std::latch done{1};
     ASSERT_EQ(submit(queue, job([&](auto) { done.count_down(); })), Admission::kAccepted);
     done.wait();
   }
-  std::latch release{1};
   ASSERT_EQ(submit(queue, job([&](auto) { release.wait(); })), Admission::kAccepted);
   const int at_first = queue.retry_after_ms();
   const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds{30};
@@ -225,9 +225,9 @@ TEST(JobQueue, TheRetryTimeIncludesTheRunningJobs) {
 }
 
 TEST(JobQueue, AJobThatThrowsIsDestroyedAndAffectsNoOther) {
-  JobQueue queue{1, 8};
   std::latch dropped{1};
   std::latch next_ran{1};
+  JobQueue queue{1, 8};
   const auto owned = std::shared_ptr<int>{new int{}, [&](const int* held) {
                                             delete held;
                                             dropped.count_down();
@@ -361,8 +361,8 @@ TEST_F(LateQueue, RemovesAnsweredJobsAndServesTheirLanes) {
 }
 
 TEST(JobQueue, DrainingStopsRunningJobsAndWaitsForAllAccepted) {
-  JobQueue queue{1, 8};
   std::latch started{1};
+  JobQueue queue{1, 8};
   std::vector<bool> stopped;
   const auto record = [&](const std::stop_token& stop) { stopped.push_back(stop.stop_requested()); };
   ASSERT_EQ(submit(queue, job(

@@ -20,6 +20,8 @@ using test::garment_text;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kMeasured = false;  // a sanitizer's allocator does not tell
+#elif defined(__has_feature)       // as clang has it
+constexpr bool kMeasured = !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
 #else
 constexpr bool kMeasured = true;
 #endif
