@@ -107,7 +107,10 @@ test("rotate, flip and tilt within what the shape allows", async () => {
   assert.equal((await piece()).tilt, 0.25);
   for (let k = 0; k < 20; ++k) await page.key("[");
   await page.until(`document.querySelector("#toast") && selvageRoom.revision() > 4`);
-  await new Promise((resolve) => setTimeout(resolve, 400));
+  for (let last = 0; last !== (await revision(page)); ) {
+    last = await revision(page);
+    await new Promise((resolve) => setTimeout(resolve, 400));
+  }
   assert.ok((await piece()).tilt <= 2);
   // The middle of the piece has stayed where it was.
   const [u, v] = await spot(page, "p1");
