@@ -19,9 +19,13 @@ function alike(expected, actual) {
 const isCall = ({ request }) => typeof request === "object" && request.jsonrpc === "2.0" && typeof request.method === "string";
 
 for (const name of readdirSync(folder).filter((file) => file.endsWith(".json"))) {
-  test(`golden exchanges: ${name}`, async () => {
+  test(`golden exchanges: ${name}`, async (t) => {
     const daemon = await startDaemon({ more: ["--workers", "1"] });
     const client = await Client.open(overLines({ host: "127.0.0.1", port: daemon.port }));
+    t.after(() => {
+      client.close();
+      return daemon.stop();
+    });
     let played = 0;
     for (const { request, response } of JSON.parse(readFileSync(new URL(name, folder), "utf8")).filter(isCall)) {
       if (Array.isArray(request.params) || typeof request.id === "object") continue; // the client never sends such
@@ -37,7 +41,5 @@ for (const name of readdirSync(folder).filter((file) => file.endsWith(".json")))
       ++played;
     }
     assert.ok(played > 0);
-    client.close();
-    await daemon.stop();
   });
 }
