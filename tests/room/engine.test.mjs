@@ -7,6 +7,9 @@ const here = withBrowser();
 const offered = `document.querySelector("#offer").dataset.shown === "yes"`;
 const gone = `document.querySelector("#offer").dataset.shown !== "yes"`;
 
+// What the page shows is drawn in the frame after a marker or a result has come.
+const lengthBecomes = (page, text) => page.until(`document.querySelector("#length").textContent === ${JSON.stringify(text)}`, `the length ${text}`);
+
 test("compact, look, take, undo", () =>
   story(here, async (page, port) => {
     const { markerId } = await shown(page, port);
@@ -14,7 +17,7 @@ test("compact, look, take, undo", () =>
     await page.key("c");
     await page.until(offered);
     assert.equal(await revision(page), 1);
-    assert.equal(await page.text("#length"), "2,452.2 mm");
+    await lengthBecomes(page, "2,452.2 mm");
     await page.key("Enter");
     await atRevision(page, 2);
     await page.until(gone);
@@ -34,7 +37,7 @@ test("a dropped result leaves the marker as it was", () =>
     await page.key("Escape");
     await page.until(gone);
     assert.equal(await revision(page), 1);
-    assert.equal(await page.text("#length"), "2,460.4 mm");
+    await lengthBecomes(page, "2,460.4 mm");
   }));
 
 test("results kept beside are compared and taken later, in one step, although the marker was edited meanwhile", () =>
@@ -226,7 +229,7 @@ test("a marker is stored in the library, and an order of such pieces takes over 
   const { lengthAfter } = await call(daemon.port, "marker.remake", { markerId: order, commit: false });
   await page.press("From library");
   await page.until(offered);
-  assert.equal(await page.text("#length"), `${lengthAfter.toFixed(1)} mm`);
+  await lengthBecomes(page, `${lengthAfter.toFixed(1)} mm`);
   await page.key("Enter");
   await atRevision(page, 2);
   await assertValid(daemon.port, order);
@@ -235,7 +238,7 @@ test("a marker is stored in the library, and an order of such pieces takes over 
   await page.until(`document.querySelector("#marker-menu").textContent.includes("Library: 1model")`);
   await page.ask(`[...document.querySelectorAll("#marker-menu .menu-group")].find((group) => group.textContent.startsWith("Library")).querySelector("button").click()`);
   await page.until(`selvageRoom.view().markerId === "m3"`);
-  assert.equal(await page.text("#length"), "160.0 mm");
+  await lengthBecomes(page, "160.0 mm");
   assert.deepEqual(page.faults, []);
   await daemon.stop();
 });
