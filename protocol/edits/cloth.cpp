@@ -162,8 +162,9 @@ class ClothMaker {
       mistake_.add(ErrorCode::kOutOfRange, "no piece has a bundle; up and down are allowed", "/napDirection");
     if (turned > 0) {
       file_.notes.push_back(
-          {"/napDirection", std::to_string(turned) + (turned == 1 ? " piece was" : " pieces were") +
-                                " turned to lie with the nap; what they overlap now has to be parted"});
+          {"/napDirection",
+           std::to_string(turned) + (turned == 1 ? " piece was" : " pieces were") +
+               " turned to lie with the nap; pieces that they overlap now have to be separated from them"});
     }
   }
   // Turns the piece about the middle of its box when it lies against its nap and its shape allows the other way.

@@ -46,21 +46,13 @@ void close(std::vector<SumEdge>& edges) {
 // The edge from one point to another along a candidate.
 SumEdge edge_along(const Candidate& c, Vec from, Vec to, const outline::StarPart& first,
                    const outline::StarPart& second) {
+  const EdgeSource source = c.edge_of_first
+                                ? EdgeSource{second.origin[c.second_vertex], first.origin[c.first_vertex], false}
+                                : EdgeSource{first.origin[c.first_vertex], second.origin[c.second_vertex], true};
   const Vec along = c.to - c.from;
-  if (c.edge_of_first) {
-    return {from,
-            to,
-            c.from,
-            c.to,
-            {second.origin[c.second_vertex], first.origin[c.first_vertex], false},
-            inside_whole(second, c.second_vertex, first, c.first_vertex, along)};
-  }
-  return {from,
-          to,
-          c.from,
-          c.to,
-          {first.origin[c.first_vertex], second.origin[c.second_vertex], true},
-          inside_whole(first, c.first_vertex, second, c.second_vertex, along)};
+  const bool inner = c.edge_of_first ? inside_whole(second, c.second_vertex, first, c.first_vertex, along)
+                                     : inside_whole(first, c.first_vertex, second, c.second_vertex, along);
+  return {from, to, c.from, c.to, source, inner};
 }
 
 }  // namespace
