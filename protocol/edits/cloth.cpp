@@ -36,9 +36,11 @@ class ClothMaker {
 
  private:
   [[nodiscard]] Resolution resolution() const { return file_.marker.resolution; }
-  // Nothing, and a mistake, where the lattice ends.
+  // Notes a mistake, and returns false, for lengths beyond the lattice.
   bool fits(bool on_lattice, const std::string& field) {
-    if (!on_lattice) mistake_.add(ErrorCode::kBeyondLattice, "a length is too far out", field);
+    if (!on_lattice)
+      mistake_.add(ErrorCode::kBeyondLattice,
+                   "a length reaches beyond the lattice; shorter ones, or a coarser resolution, are allowed", field);
     return on_lattice;
   }
   template <class To>
@@ -62,8 +64,8 @@ class ClothMaker {
 
   void make_blocks(const BlocksOfShape& blocks, const std::string& field) {
     const auto length = [&](double given, const char* side) {
-      const bool near = fits(geometry::fits_lattice(given, resolution()), field + side);
-      return near ? formats::spacing_on_lattice(given, resolution()) : Coord{0};
+      const bool valid = fits(geometry::fits_lattice(given, resolution()), field + side);
+      return valid ? formats::spacing_on_lattice(given, resolution()) : Coord{0};
     };
     const Box by{{-length(blocks.left, "/left"), -length(blocks.below, "/below")},
                  {length(blocks.right, "/right"), length(blocks.above, "/above")}};
@@ -77,7 +79,9 @@ class ClothMaker {
     if (any && !file_.marker.pieces.empty() && by != Box{})
       file_.notes.push_back({field, "the blocks may overlap where they lie: nest or separate them"});
     if (any || mistake_) return;
-    mistake_.add(ErrorCode::kOutOfRange, json::shortened(Json(*blocks.shape)) + " is the id of no shape",
+    mistake_.add(ErrorCode::kOutOfRange,
+                 json::shortened(Json(*blocks.shape)) + " is the id of no shape; the id of one of its " +
+                     std::to_string(file_.marker.shapes.size()) + " shapes is allowed",
                  field + "/shape");
   }
   // The outline as it was drafted becomes a line within the block.
@@ -127,10 +131,11 @@ class ClothMaker {
     });
     if (any) return;
     const std::string& id = given.piece ? *given.piece : *given.shape;
-    mistake_.add(
-        ErrorCode::kOutOfRange,
-        json::shortened(Json(id)) + (given.piece ? " is no piece of this marker" : " is the shape of no piece"),
-        field + (given.piece ? "/piece" : "/shape"));
+    mistake_.add(ErrorCode::kOutOfRange,
+                 json::shortened(Json(id)) +
+                     (given.piece ? " is no piece of this marker; the id of one of its pieces is allowed"
+                                  : " is the shape of no piece; the id of a shape that its pieces have is allowed"),
+                 field + (given.piece ? "/piece" : "/shape"));
   }
 
   void set_shade(double length) {
@@ -206,8 +211,8 @@ class ClothMaker {
     file_.attributes.shapes.push_back(Json::object());
   }
   Vec corner(const formats::Decimal& at, const std::string& field) {
-    const bool near = geometry::fits_lattice(at.x, resolution()) && geometry::fits_lattice(at.y, resolution());
-    return fits(near, field) ? Vec{to_lattice(at.x, resolution()), to_lattice(at.y, resolution())} : Vec{};
+    const bool valid = geometry::fits_lattice(at.x, resolution()) && geometry::fits_lattice(at.y, resolution());
+    return fits(valid, field) ? Vec{to_lattice(at.x, resolution()), to_lattice(at.y, resolution())} : Vec{};
   }
   // "zone 1" or the next that neither a piece nor a shape has.
   [[nodiscard]] std::string unused_id() const {

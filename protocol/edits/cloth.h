@@ -24,7 +24,7 @@ template <>
 struct Choices<edits::ClothNap> {
   static constexpr std::string_view kName = "ClothNap";
   static constexpr std::string_view kMeaning =
-      "How pieces lie on cloth with a nap: all up, all down, or the bundles up and down in turns.";
+      "How pieces lie on cloth with a nap: all up, all down, or one bundle up and the next one down.";
   static constexpr std::string_view kWords[] = {"up", "down", "up_and_down"};
 };
 

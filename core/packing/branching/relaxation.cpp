@@ -99,7 +99,7 @@ bool Relaxation::decide(Node& node, std::uint32_t body, std::uint32_t variant) {
   const BodyVariant& chosen = decided.variants[variant];
   const std::size_t world = problem_->world();
   node.variant[body] = variant;
-  const Reasons why = node.depth == 0 ? programs::kAnyway : programs::decision(node.depth - 1);
+  const Reasons why = node.depth == 0 ? programs::kUnconditional : programs::decision(node.depth - 1);
   node.why_variant[body] = why;
   if (!raise(node.x, world, body, chosen.range.low_x, why) || !raise(node.x, body, world, -chosen.range.high_x, why) ||
       !raise(node.y, world, body, chosen.range.low_y, why) || !raise(node.y, body, world, -chosen.range.high_y, why))
@@ -139,7 +139,7 @@ bool Relaxation::activate_pair(Node& node, const Chosen& first, const Chosen& se
   const auto found = problem_->between.find({first, second});
   if (found == problem_->between.end()) return true;
   const auto why = [&](std::uint32_t body) {
-    return body == problem_->world() ? programs::kAnyway : node.why_variant[body];
+    return body == problem_->world() ? programs::kUnconditional : node.why_variant[body];
   };
   for (const std::uint32_t ring : found->second) {
     node.rings.push_back({.ring = ring,
@@ -170,7 +170,7 @@ bool Relaxation::limit_length(Node& node) {
     const BodyVariant& variant = problem_->bodies[*half].variants.front();
     // Rounded up: a position and its mirror image add up to a whole number.
     const double middle = std::ceil((variant.range.low_x + std::floor(ceiling_) - variant.width) / 2);
-    if (!raise(node.x, *half, problem_->world(), -middle, programs::kAnyway)) return false;
+    if (!raise(node.x, *half, problem_->world(), -middle, programs::kUnconditional)) return false;
   }
   return true;
 }
@@ -295,9 +295,9 @@ void Relaxation::begin_at(Node& node) {
   node.x.forget_why();
   node.y.forget_why();
   node.program.forget_why();
-  node.why_bound = programs::kAnyway;
-  std::fill(node.why_variant.begin(), node.why_variant.end(), programs::kAnyway);
-  for (RingState& ring : node.rings) ring.why = programs::kAnyway;
+  node.why_bound = programs::kUnconditional;
+  std::fill(node.why_variant.begin(), node.why_variant.end(), programs::kUnconditional);
+  for (RingState& ring : node.rings) ring.why = programs::kUnconditional;
   wide_ = ranges(node).bodies;
 }
 

@@ -146,8 +146,8 @@ void Dictionary::drop_slack_rows(const Columns& columns, double room) {
 }
 
 void Dictionary::forget_why() {
-  for (Variable& variable : free_) variable.row.why = kAnyway;
-  for (Variable& variable : basic_) variable.row.why = kAnyway;
+  for (Variable& variable : free_) variable.row.why = kUnconditional;
+  for (Variable& variable : basic_) variable.row.why = kUnconditional;
 }
 
 std::vector<Dictionary::Multiplier> Dictionary::bounding() const {

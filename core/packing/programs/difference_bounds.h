@@ -33,9 +33,9 @@ class DifferenceBounds {
   // Adds that b - a is at least `bound`, with all that follows.  False when the bounds contradict each other: then
   // `bound` is above `upper(a, b)`, which is as it was.
   // REQUIRES: `bound` is whole.
-  [[nodiscard]] bool raise(std::size_t a, std::size_t b, double bound, Reasons why = kAnyway);
+  [[nodiscard]] bool raise(std::size_t a, std::size_t b, double bound, Reasons why = kUnconditional);
   // Makes everything that is known hold anyway.
-  void forget_why() { std::fill(why_.begin(), why_.end(), kAnyway); }
+  void forget_why() { std::fill(why_.begin(), why_.end(), kUnconditional); }
 
  private:
   std::size_t size_;

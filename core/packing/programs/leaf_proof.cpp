@@ -55,7 +55,7 @@ class Combination {
     double wide_size = 0;
     const auto add_side = [&](double factor, double factor_size, double side, double wide, Reasons why) {
       wide_size += (factor_size + std::abs(factor)) * std::abs(wide);
-      if (factor != 0 && why != kAnyway) sides.push_back({factor * (wide - side), why});
+      if (factor != 0 && why != kUnconditional) sides.push_back({factor * (wide - side), why});
     };
     for (std::size_t k = 0; k < ranges_.why.size(); ++k) {
       const auto& [own, wide, why] = std::tie(ranges_.bodies[k], ranges_.wide[k], ranges_.why[k]);

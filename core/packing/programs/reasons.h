@@ -11,17 +11,17 @@ namespace selvage::packing::programs {
 // after the first 63.
 using Reasons = std::uint64_t;
 
-inline constexpr Reasons kAnyway = 0;
+inline constexpr Reasons kUnconditional = 0;
 inline constexpr Reasons kAllDecisions = ~Reasons{0};
-inline constexpr std::size_t kToldApart = 63;  // decisions that have a bit of their own
+inline constexpr std::size_t kDistinctDecisions = 63;  // decisions that have a bit of their own
 
 [[nodiscard]] inline Reasons decision(std::size_t number) {
-  return Reasons{1} << std::min(number, kToldApart);
+  return Reasons{1} << std::min(number, kDistinctDecisions);
 }
 
-// The reasons but for one decision, where it can be told apart.
+// The reasons without one decision, if it has a bit of its own.
 [[nodiscard]] inline Reasons without(Reasons reasons, std::size_t number) {
-  return number < kToldApart ? reasons & ~decision(number) : reasons;
+  return number < kDistinctDecisions ? reasons & ~decision(number) : reasons;
 }
 
 }  // namespace selvage::packing::programs
