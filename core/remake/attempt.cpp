@@ -59,9 +59,7 @@ class Attempting {
     if (marker_.pieces.empty()) return false;
     const bool clear = all_clear(marker::PlacedPieces{marker_}, marker_.strip);
     record(StepKind::kSubstituted, start.swaps, clear);
-    if (!clear)
-      marker_ =
-          substitution::stretched(std::move(marker_), substitution::placed_area(marker_) / candidate_.arrangement.area);
+    if (!clear) stretch();
     auto apart = remove_overlaps(marker_, settings_.tuning, run_);
     if (!apart) return false;
     marker_ = std::move(apart->marker);
@@ -70,6 +68,12 @@ class Attempting {
     compact();
     record(StepKind::kCompacted, 0, true);
     return true;
+  }
+
+  // Makes room for pieces that are larger than the stored ones.
+  void stretch() {
+    const double factor = substitution::placed_area(marker_) / candidate_.arrangement.area;
+    marker_ = substitution::stretched(std::move(marker_), factor);
   }
 
   void compact() {
