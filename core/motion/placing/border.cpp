@@ -65,6 +65,9 @@ bool RealBox::holds(RealVec point, double margin) const {
 double squared_distance(RealVec p, RealVec q) {
   return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y);
 }
+double distance_between(Vec p, Vec q) {
+  return std::hypot(static_cast<double>(p.x - q.x), static_cast<double>(p.y - q.y));
+}
 
 RealVec nearest_on(const BorderLine& line, RealVec point) {
   if (line.arc()) {

@@ -31,6 +31,8 @@ struct RealBox {
 };
 
 [[nodiscard]] double squared_distance(RealVec p, RealVec q);
+// Of two positions, lattice units.
+[[nodiscard]] double distance_between(Vec p, Vec q);
 
 // The line's point nearest to `point`.
 [[nodiscard]] RealVec nearest_on(const BorderLine& line, RealVec point);

@@ -103,6 +103,18 @@ TEST(Place, UsesTheAllowanceAndTurnsAboutTheFootOfANotch) {
   EXPECT_NEAR(static_cast<double>(found->at.x), static_cast<double>(found->at.y), 3);
 }
 
+TEST(Place, GoesAlongTheStripsEdgeToABorderThatTheAllowanceMoved) {
+  Layout layout{1'000'000};
+  const auto square = layout.shape_of(test::rectangle(10'000, 10'000));
+  const auto slope = layout.shape_of({{0, 0}, {20'000, 0}, {20'000, 771'000}, {0, 37'300}});
+  layout.put(slope, {0, 0}).put(square, {60'000, 80'000}).overlapping(500);
+  const Vec wanted{-3'000, 380'000};
+  const auto found = placed(layout.marker(), 1, wanted);
+  ASSERT_TRUE(found);
+  EXPECT_LE(found->at.x, 1);
+  EXPECT_FALSE(is_valid(with(layout.marker(), 1, found->at - Vec{0, 80})));  // two units from the slope
+}
+
 TEST(Place, SaysWhenThereIsNoRoom) {
   Layout layout{100};
   const auto square = layout.shape_of(test::rectangle(100, 100));
