@@ -53,19 +53,18 @@ void Dispatcher::receive(std::string message, const std::shared_ptr<transport::a
   jobs::ReplyOnce<std::string> once{std::move(reply), error_text(internal_error())};
   const jobs::DeadlineClock::Time arrived = clock_.now();
   if (message.size() <= kSmallMessage) return parse(std::move(message), arrived, session, std::move(once));
-  jobs::JobQueue& queue = message.size() <= kLargeMessage ? queues_.reads : queues_.parsing;
   // Shared, so that the reply is still available if the queue does not accept the job.
   const auto shared_reply = std::make_shared<jobs::ReplyOnce<std::string>>(std::move(once));
   jobs::Job job{.session = session->id,
                 .lane = {},
-                .quick = true,
+                .quick = message.size() <= kLargeMessage,
                 .caller = session->gone,
                 .work = jobs::Work{[this, arrived, shared_reply, session, text = std::move(message)](auto&&) mutable {
                   parse(std::move(text), arrived, session, std::move(*shared_reply));
                 }}};
-  const jobs::Admission admission = queue.submit(job);
+  const jobs::Admission admission = queues_.parsing.submit(job);
   if (admission == jobs::Admission::kAccepted) return;
-  std::move (*shared_reply)(error_text(calls::not_admitted(admission, queue, kBusy)));
+  std::move (*shared_reply)(error_text(calls::not_admitted(admission, queues_.parsing, kBusy)));
 }
 
 std::string Dispatcher::too_long(std::size_t limit) {
@@ -123,7 +122,7 @@ void Dispatcher::execute_next(const std::shared_ptr<Exchange>& exchange) {
 bool Dispatcher::execute_next_on_worker(const std::shared_ptr<Exchange>& exchange) {
   jobs::Job job{.session = exchange->session->id,
                 .lane = {},
-                .quick = true,
+                .quick = exchange->bytes <= kLargeMessage,
                 .caller = {},
                 .work = jobs::Work{[this, exchange](auto&&) { execute_next(exchange); }}};
   return queues_.parsing.submit(job) == jobs::Admission::kAccepted;

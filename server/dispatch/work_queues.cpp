@@ -5,12 +5,16 @@
 namespace selvage::server::dispatch {
 namespace {
 
-constexpr std::size_t kParsingWorkers = 1;
 // Reads have workers of their own, so that no read waits behind a motion.  One of them is for quick reads only, so that
 // no quick read waits behind a long one.  Likewise there is one more worker for quick changes only.
-constexpr std::size_t kReadWorkers = 1, kQuickReadWorkers = 1, kQuickChangeWorkers = 1;
+constexpr std::size_t kReadWorkers = 1;
+constexpr jobs::QuickWorkers kQuickReads{1, jobs::Promptness::kSoon}, kQuickChanges{1, jobs::Promptness::kNext};
+// Nor does a read wait behind messages that are parsed, nor one of these behind one of megabytes.
+constexpr std::size_t kParsingWorkers = 1;
+constexpr jobs::QuickWorkers kQuickParsing{1, jobs::Promptness::kNext};
 // Nor does an opening wait behind a copy of the store.
-constexpr std::size_t kOpeningWorkers = 1, kQuickOpeningWorkers = 1;
+constexpr std::size_t kOpeningWorkers = 1;
+constexpr jobs::QuickWorkers kQuickOpenings{1, jobs::Promptness::kNext};
 // Nor does a drag session wait behind a motion, or behind one other session.
 constexpr std::size_t kMinDragWorkers = 2;
 
@@ -21,11 +25,11 @@ jobs::JobQueue::Now time_of(const jobs::DeadlineClock& clock) {
 }  // namespace
 
 WorkQueues::WorkQueues(std::size_t workers, const calls::Limits& limits, const jobs::DeadlineClock& clock)
-    : parsing{workers == 0 ? 0 : kParsingWorkers, limits.waiting_reads, 0, time_of(clock)},
-      reads{workers == 0 ? 0 : kReadWorkers, limits.waiting_reads, kQuickReadWorkers, time_of(clock)},
-      openings{workers == 0 ? 0 : kOpeningWorkers, limits.waiting_reads, kQuickOpeningWorkers, time_of(clock)},
-      motions{workers, limits.waiting_motions, kQuickChangeWorkers, time_of(clock)},
-      drags{workers == 0 ? 0 : std::max(workers, kMinDragWorkers), limits.waiting_moves, 0, time_of(clock)} {}
+    : parsing{workers == 0 ? 0 : kParsingWorkers, limits.waiting_reads, kQuickParsing, time_of(clock)},
+      reads{workers == 0 ? 0 : kReadWorkers, limits.waiting_reads, kQuickReads, time_of(clock)},
+      openings{workers == 0 ? 0 : kOpeningWorkers, limits.waiting_reads, kQuickOpenings, time_of(clock)},
+      motions{workers, limits.waiting_motions, kQuickChanges, time_of(clock)},
+      drags{workers == 0 ? 0 : std::max(workers, kMinDragWorkers), limits.waiting_moves, {}, time_of(clock)} {}
 
 void WorkQueues::drain() {
   motions.drain();
@@ -37,7 +41,7 @@ void WorkQueues::drain() {
 
 jobs::JobQueue::Milliseconds WorkQueues::longest_quick_wait() const {
   return std::max({motions.longest_quick_wait(), drags.longest_quick_wait(), reads.longest_quick_wait(),
-                   openings.longest_quick_wait()});
+                   openings.longest_quick_wait(), parsing.longest_quick_wait()});
 }
 
 void WorkQueues::remove_answered() {

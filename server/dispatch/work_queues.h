@@ -22,7 +22,7 @@ struct WorkQueues {
   // Removes the waiting calls that have been answered.
   void remove_answered();
 
-  jobs::JobQueue parsing;  // of large messages, so that no read waits behind one
+  jobs::JobQueue parsing;  // of messages that take long to parse, so that no read waits behind one
   jobs::JobQueue reads;
   jobs::JobQueue openings;  // and closings and copies of the store: what waits for the disk, so that no read does
   jobs::JobQueue motions;   // and the other changes of markers

@@ -95,12 +95,22 @@ calls::Outcome DragSessions::begin(const protocol::methods::dragging::BeginParam
 
 void DragSessions::abandon(std::string id) {
   std::shared_ptr<Drag> drag;
-  const std::lock_guard lock{mutex_};
-  const auto found = drags_.find(id);
-  if (found == drags_.end()) return;
-  drag = std::move(found->second);
-  drags_.erase(found);
-  tell_watchers(*drag);
+  {
+    const std::lock_guard lock{mutex_};
+    const auto found = drags_.find(id);
+    if (found == drags_.end()) return;
+    drag = std::move(found->second);
+    drags_.erase(found);
+    tell_watchers(*drag);
+  }
+  // Freed by a worker: it may be the last that holds its revision, whose many pieces would keep the I/O thread from
+  // everybody else for some tenths of a millisecond.
+  jobs::Job job{.session = drag->session->id,
+                .lane = {},
+                .caller = {},
+                .work = jobs::Work{[gone = drag](auto&&) mutable { gone.reset(); }}};
+  drag.reset();
+  (void)queue_.submit(job);  // a job that is not accepted is freed here
 }
 
 bool DragSessions::others_drag(const std::string& marker, std::uint64_t session) const {

@@ -7,8 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "server/jobs/prompt_thread.h"
-
 namespace selvage::server::jobs {
 namespace {
 
@@ -17,13 +15,12 @@ constexpr double kMinRetry = 20, kMaxRetry = 10'000;  // milliseconds
 
 }  // namespace
 
-JobQueue::JobQueue(std::size_t workers, std::size_t capacity, std::size_t quick_workers, Now now)
+JobQueue::JobQueue(std::size_t workers, std::size_t capacity, QuickWorkers quick, Now now)
     : workers_{workers}, capacity_{capacity}, now_{std::move(now)} {
   if (workers == 0) return;
-  threads_.reserve(workers + quick_workers);
-  for (std::size_t i = 0; i < workers + quick_workers; ++i) {
-    threads_.emplace_back([this, only_quick = i >= workers] { serve(only_quick); });
-  }
+  threads_.reserve(workers + quick.count);
+  for (std::size_t i = 0; i < workers; ++i) threads_.emplace_back([this] { serve({}); });
+  for (std::size_t i = 0; i < quick.count; ++i) threads_.emplace_back([this, quick] { serve(quick.promptness); });
 }
 
 JobQueue::~JobQueue() {
@@ -177,9 +174,9 @@ std::size_t JobQueue::running() const {
   return running_.size();
 }
 
-void JobQueue::serve(bool only_quick) {
-  if (only_quick) run_promptly(Promptness::kSoon);
-  const auto accepts = [only_quick](const Job& job) { return job.quick || !only_quick; };
+void JobQueue::serve(std::optional<Promptness> only_quick) {
+  if (only_quick) run_promptly(*only_quick);
+  const auto accepts = [&only_quick](const Job& job) { return job.quick || !only_quick; };
   std::condition_variable& changed = only_quick ? quick_ : work_;
   std::size_t& idle = only_quick ? idle_quick_ : idle_;
   std::unique_lock lock{mutex_};

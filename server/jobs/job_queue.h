@@ -32,6 +32,7 @@
 #include <vector>
 
 #include "server/jobs/fair_queue.h"
+#include "server/jobs/prompt_thread.h"
 #include "server/jobs/waiting_time.h"
 
 namespace selvage::server::jobs {
@@ -54,13 +55,19 @@ struct Job {
 
 enum class Admission { kAccepted, kFull, kTooLate, kDraining };
 
+// Workers for quick jobs only.
+struct QuickWorkers {
+  std::size_t count{};
+  Promptness promptness{Promptness::kSoon};
+};
+
 class JobQueue {
  public:
   using Milliseconds = WaitingTime::Duration;
   using Now = std::function<Job::Time()>;
 
-  // `quick_workers` are added to `workers`, unless that is 0.  `now` gives the time, from any thread.
-  JobQueue(std::size_t workers, std::size_t capacity, std::size_t quick_workers = 0,
+  // `quick` are added to `workers`, unless that is 0.  `now` gives the time, from any thread.
+  JobQueue(std::size_t workers, std::size_t capacity, QuickWorkers quick = {},
            Now now = std::chrono::steady_clock::now);
   ~JobQueue();  // drains
   JobQueue(const JobQueue&) = delete;
@@ -96,7 +103,7 @@ class JobQueue {
     std::shared_ptr<const std::atomic<bool>> ending;  // of that job
   };
 
-  void serve(bool only_quick);
+  void serve(std::optional<Promptness> only_quick);
   void run(Job job, RunningJob running);
   void end(const std::string& lane, RunningJob running);
   // These need the mutex, except that those who wait for what they return are best notified without it.

@@ -26,6 +26,19 @@ static_assert(sizeof(Attributes) == 48);
 
 constexpr unsigned kNoFlags = 0;
 
+struct Urgency {
+  std::uint32_t priority;    // in real time; the highest comes first
+  std::uint64_t time_slice;  // without, in nanoseconds; Linux accepts none below 100,000
+};
+
+Urgency urgency_of(Promptness how) {
+  switch (how) {
+    case Promptness::kFirst: return {3, 100'000};
+    case Promptness::kSoon: return {2, 200'000};
+    default: return {1, 400'000};
+  }
+}
+
 // Returns false if the kernel refuses.
 bool read(int thread, Attributes& attributes) {
   return ::syscall(SYS_sched_getattr, thread, &attributes, sizeof attributes, kNoFlags) == 0;
@@ -51,7 +64,7 @@ bool run_in_real_time(Promptness how) {
   constexpr std::uint64_t kNotInherited = 1;  // SCHED_FLAG_RESET_ON_FORK
   return change([how](Attributes& own) {
     own.policy = SCHED_RR;
-    own.priority = how == Promptness::kFirst ? 2 : 1;
+    own.priority = urgency_of(how).priority;
     own.flags |= kNotInherited;
     own.runtime = 0;
   });
@@ -69,8 +82,7 @@ bool use_real_time(bool wanted) {
 
 void run_promptly(Promptness how) {
   if (real_time() && run_in_real_time(how)) return;
-  constexpr std::uint64_t kFirst = 100'000, kSoon = 200'000;  // nanoseconds; Linux accepts none below the first
-  (void)change([how](Attributes& own) { own.runtime = how == Promptness::kFirst ? kFirst : kSoon; });
+  (void)change([how](Attributes& own) { own.runtime = urgency_of(how).time_slice; });
 }
 
 void give_way() {

@@ -7,12 +7,13 @@ namespace selvage::server::jobs {
 
 enum class Promptness {
   kFirst,  // before all others: all clients wait for it
-  kSoon,   // a quick call waits for it
+  kSoon,   // a quick read waits for it, which takes a fraction of a millisecond
+  kNext,   // a quick change or an opening waits for it, which may take some milliseconds
 };
 
 // Whether run_promptly() gives real-time priorities from now on, to any thread of the process; unless told so, it does
 // not.  Returns false, and changes nothing, if the system allows none: without the capability CAP_SYS_NICE, the limit
-// RLIMIT_RTPRIO has to be 2.
+// RLIMIT_RTPRIO has to be 3.
 [[nodiscard]] bool use_real_time(bool wanted);
 
 // Asks the kernel to let the calling thread run as soon as it has work.

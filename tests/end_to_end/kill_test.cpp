@@ -193,6 +193,10 @@ TEST_F(Killed, IdsAreNeverUsedTwice) {
   }
 }
 
+// What `sqlite3 STORE ".backup COPY"` does, which knows nothing of the daemon.
+constexpr const char* kCopyBySqlite =
+    "import sqlite3, sys; sqlite3.connect(sys.argv[1]).backup(sqlite3.connect(sys.argv[2]))";
+
 TEST_F(Killed, BackupsAreConsistentWhileEditsRun) {
   const std::string store = (folder_ / "store.db").string();
   std::vector<Story> stories;
@@ -218,6 +222,10 @@ TEST_F(Killed, BackupsAreConsistentWhileEditsRun) {
     Process copying{{SELVAGED, "--store", store, "--backup", copies.back()}};
     EXPECT_NE(copying.all_output().find("0 faults"), std::string::npos);
     EXPECT_EQ(copying.exit_code(), 0);
+    copies.push_back((folder_ / "four").string());
+    Process by_sqlite{{"python3", "-c", kCopyBySqlite, store, copies.back()}};
+    EXPECT_EQ(by_sqlite.all_output(), "");
+    EXPECT_EQ(by_sqlite.exit_code(), 0);
     Process refused{{SELVAGED, "--store", store, "--verify-store"}};
     EXPECT_NE(refused.all_output().find("locked"), std::string::npos);
     EXPECT_EQ(refused.exit_code(), 1);

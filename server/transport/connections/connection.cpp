@@ -86,7 +86,7 @@ boost::asio::awaitable<bool> Connection::wait_for_room(const memory::ByteAccount
 }
 
 boost::asio::awaitable<std::size_t> Connection::weigh(const access::Service& service, std::string_view message) {
-  constexpr std::size_t kPart = std::size_t{256} << 10;  // takes some hundredths of a millisecond
+  constexpr std::size_t kPart = std::size_t{64} << 10;  // takes some hundredths of a millisecond
   std::size_t weight{};
   if (!service.weigh) co_return weight;
   while (message.size() > kPart) {

@@ -1,7 +1,10 @@
 // How calls are scheduled, cancelled and ended at their deadline, and how they report progress.
 #include <gtest/gtest.h>
 
+#include <future>
+#include <latch>
 #include <semaphore>
+#include <vector>
 
 #include "server/jobs/fair_queue.h"
 #include "tests/server/dispatch/local_server.h"
@@ -251,6 +254,29 @@ TEST(Reads, QuickOnesDoNotWaitForLongOnes) {
   check.begun.acquire();  // now the second one starts
   (void)local.ask(cancel(8));
   EXPECT_EQ(code_of(Json::parse(second.get())), -32800);
+}
+
+TEST(Reads, DoNotWaitForMessagesThatAreParsed) {
+  constexpr std::size_t kNotSmall = 20'000;
+  std::counting_semaphore<> begun{0};
+  std::latch released{1};
+  MethodTable methods = protocol::methods::method_table();
+  protocol::calls::Method slow = *methods.find("engine.info");
+  slow.read = [&, read = slow.read](const Json& params) {
+    begun.release();
+    released.wait();
+    return read(params);
+  };
+  methods.replace(std::move(slow));
+  LocalServer local{1, methods};
+  (void)local.open_small();
+  std::vector<std::future<std::string>> parsed;
+  for (int k = 0; k < 2; ++k) parsed.push_back(local.send(call(k, "engine.info") + std::string(kNotSmall, ' ')));
+  for (int k = 0; k < 2; ++k) begun.acquire();
+  auto read = local.send(call(2, "marker.get", R"({"markerId":"m1"})"));
+  EXPECT_EQ(read.wait_for(kPatience), std::future_status::ready);
+  released.count_down();
+  for (auto& sent : parsed) EXPECT_TRUE(Json::parse(sent.get()).contains("result"));
 }
 
 TEST(Reads, LongOnesFailAtTheirDeadlineAndSaySo) {

@@ -227,6 +227,33 @@ TEST(DragSessions, AreToldToWhoeverBeginsToWatchAndEndWithTheirConnection) {
   EXPECT_EQ(local.client.pending(), 0U);
 }
 
+// Which may take long, when they are the last that hold their revisions.
+TEST(DragSessions, OfAConnectionThatEndsAreFreedByAWorker) {
+  constexpr const char* kBegin = R"({"markerId":"m1","piece":"low"})";
+  SlowDrag slow;
+  LocalServer local{slow.settings()};
+  Client client;
+  (void)local.open_small();
+  std::vector<std::future<std::string>> moves;
+  for (const char* drag : {"d1", "d2"}) {
+    (void)local.ask(call(1, "drag.begin", kBegin));
+    moves.push_back(local.send(call(2, "drag.move", std::string{R"({"dragId":")"} + drag + R"(","to":[1,0]})")));
+  }
+  slow.await_begun(2);  // now no worker is free
+  const auto account = local.store().room().account;
+  const std::size_t before = account->held();
+  (void)local.ask(call(1, "drag.begin", kBegin), client.session());
+  const std::size_t held = account->held();
+  EXPECT_GT(held, before);
+  client.disconnect();
+  EXPECT_EQ(local.backend.drags().count(), 2U);
+  EXPECT_EQ(account->held(), held);
+  slow.let_through();
+  for (auto& sent : moves) EXPECT_TRUE(Json::parse(sent.get()).contains("result"));
+  local.backend.queues().drags.drain();
+  EXPECT_EQ(account->held(), before);
+}
+
 TEST(DragSessions, OfAConnectionThatHasEndedAreOverAtOnce) {
   LocalServer local;
   Client gone;

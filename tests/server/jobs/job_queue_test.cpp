@@ -59,7 +59,7 @@ TEST(JobQueue, RunsJobsAtTheSameTime) {
 TEST(JobQueue, ExecutesAMixOfQuickAndLongJobsToTheLast) {
   constexpr int kThreads = 4;
   constexpr int kJobs = 2000;
-  JobQueue queue{2, kThreads * kJobs, 1};
+  JobQueue queue{2, kThreads * kJobs, {1}};
   for (int round = 0; round < 3; ++round) {
     std::latch done{kThreads * kJobs};
     std::vector<std::jthread> threads;
@@ -138,7 +138,7 @@ TEST(JobQueue, QuickJobsDoNotWaitForLongOnes) {
   std::latch started{2};
   std::latch release{1};
   std::latch quick_done{1};
-  JobQueue queue{2, 8, 1};
+  JobQueue queue{2, 8, {1}};
   for (const char* lane : {"m1", "m2"}) {
     ASSERT_EQ(submit(queue, job(
                                 [&](auto) {
@@ -165,7 +165,7 @@ TEST(JobQueue, QuickAndLongJobsOfALaneRunOneAtATime) {
   std::vector<int> order;  // needs no mutex, because the lane runs one job at a time
   {
     std::latch first_may_end{1};
-    JobQueue queue{2, 64, 1};
+    JobQueue queue{2, 64, {1}};
     for (int i = 0; i < 32; ++i) {
       Job next = job(
           [&, i](auto) {
@@ -304,7 +304,7 @@ class LateQueue : public ::testing::Test {
   std::latch started{1};
   std::latch release{1};
   std::atomic<Job::Time> now{Job::Time{std::chrono::hours{1}}};
-  JobQueue queue{1, 8, 0, [this] { return now.load(); }};
+  JobQueue queue{1, 8, {}, [this] { return now.load(); }};
 };
 
 TEST_F(LateQueue, RefusesAJobWhenThoseBeforeItHaveWaitedLonger) {
@@ -325,7 +325,7 @@ TEST_F(LateQueue, AcceptsAJobBehindOneThatIsOnlyAboutToEnd) {
   const auto ending = std::make_shared<std::atomic<bool>>(false);
   std::latch behind{1};
   std::latch running{1};
-  JobQueue other{2, 8, 0, [this] { return now.load(); }};
+  JobQueue other{2, 8, {}, [this] { return now.load(); }};
   Job next = job(
       [&](auto) {
         running.count_down();

@@ -38,7 +38,8 @@ class PromptThread : public testing::Test {
 
 TEST_F(PromptThread, HasShorterSlicesThanOthers) {
   EXPECT_LT(slice_of(Promptness::kFirst), slice_of(Promptness::kSoon));
-  EXPECT_LT(slice_of(Promptness::kSoon), time_slice());
+  EXPECT_LT(slice_of(Promptness::kSoon), slice_of(Promptness::kNext));
+  EXPECT_LT(slice_of(Promptness::kNext), time_slice());
 }
 
 TEST_F(PromptThread, KeepsItsPriority) {
@@ -80,7 +81,7 @@ auto on_workers(const Measure& measure) {
   std::promise<Value> of_long;
   std::promise<Value> of_quick;
   std::latch done{1};
-  JobQueue queue{1, 8, 1};
+  JobQueue queue{1, 8, {1}};
   submit(queue, false, [&] {
     of_long.set_value(measure());
     done.wait();
@@ -117,6 +118,7 @@ unsigned priority_of(Promptness how) {
 TEST(WithoutRealTime, NoThreadHasSuchAPriority) {
   EXPECT_EQ(priority_of(Promptness::kFirst), 0U);
   EXPECT_EQ(priority_of(Promptness::kSoon), 0U);
+  EXPECT_EQ(priority_of(Promptness::kNext), 0U);
 }
 
 class RealTime : public testing::Test {
@@ -129,7 +131,8 @@ class RealTime : public testing::Test {
 
 TEST_F(RealTime, ThreadsThatAllWaitForComeFirst) {
   EXPECT_GT(priority_of(Promptness::kFirst), priority_of(Promptness::kSoon));
-  EXPECT_GT(priority_of(Promptness::kSoon), 0U);
+  EXPECT_GT(priority_of(Promptness::kSoon), priority_of(Promptness::kNext));
+  EXPECT_GT(priority_of(Promptness::kNext), 0U);
   EXPECT_EQ(real_time_priority(), 0U);
 }
 
