@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
 
 #include "core/nesting/layout/dice.h"
 #include "core/nesting/match_phases.h"
+#include "core/nesting/sheets/movable.h"
 #include "core/nesting/sheets/used_sheet.h"
 #include "core/nesting/timed_run.h"
 
@@ -20,26 +22,11 @@ constexpr double kTrial = 0.02;              // part of the budget for one excha
 constexpr std::uint64_t kLeast = 200;        // moves of a filling, and three for each piece, whatever the budget
 constexpr std::size_t kMostOnSheet = 2'500;  // pieces; no more are offered to a sheet that has as many
 constexpr std::size_t kFailures = 40;        // exchanges in a row that gain nothing, which end the search
+// The larger a piece, the harder it is to find room for: while sheets are filled, a piece counts as its area to the
+// power of one more than this.  Small pieces, which fit into what is left of any sheet, then make way for large ones.
+constexpr double kHardness = 0.3;
 
 using Indices = std::vector<std::size_t>;
-
-std::optional<Error> unmovable(const std::vector<Piece>& pieces, const std::string& list) {
-  for (std::size_t k = 0; k < pieces.size(); ++k) {
-    const Piece& piece = pieces[k];
-    if (!piece.locked.x && !piece.locked.y && piece.group.empty()) continue;
-    const bool grouped = !piece.group.empty();
-    if (piece.rules.zone) {
-      return Error{ErrorCode::kOutOfRange,
-                   "\"" + piece.id + "\" is a zone of the marker's own cloth; give the holes of the sheets instead",
-                   list + std::to_string(k) + "/rules/zone"};
-    }
-    return Error{ErrorCode::kOutOfRange,
-                 "piece \"" + piece.id + "\" " + (grouped ? "belongs to a group" : "is locked in place") +
-                     "; only pieces that may go to any place of any sheet are allowed",
-                 list + std::to_string(k) + (grouped ? "/group" : "/locked")};
-  }
-  return std::nullopt;
-}
 
 // Those of `pieces` that are not among `others`, in order.
 Indices without(const Indices& pieces, Indices others) {
@@ -66,6 +53,7 @@ class Driver {
       areas_.push_back(static_cast<double>(doubled_area(marker.shapes[piece.shape.value].outline)) / 2);
       const auto given = settings.values.find(piece.id);
       values_.push_back(given == settings.values.end() ? areas_.back() : given->second);
+      counts_.push_back(given == settings.values.end() ? std::pow(areas_.back(), 1 + kHardness) : given->second);
     }
     left_.resize(pieces_.size());
     std::iota(left_.begin(), left_.end(), 0U);
@@ -80,11 +68,16 @@ class Driver {
   SheetNesting nested() {
     lay_one_after_another();
     if (!used_.empty()) exchange_for_smaller(used_.size() - 1);
+    keep_if_best();
     std::size_t failures = 0;
     while (!over() && failures < kFailures && may_gain()) {
       failures = (left_.empty() ? empty_the_emptiest() : bring_on()) ? 0 : failures + 1;
+      keep_if_best();
     }
-    return result(failures >= kFailures || !may_gain());
+    const bool converged = failures >= kFailures || !may_gain();
+    used_ = std::move(best_used_);
+    left_ = std::move(best_left_);
+    return result(converged);
   }
 
  private:
@@ -131,7 +124,7 @@ class Driver {
         for (bool room = true; room && !left_.empty() && used.pieces.size() < kMostOnSheet;) {
           const Indices offered = candidates();
           const std::size_t wanted = used.pieces.size() + offered.size();
-          used = fill_until(used, offered, values_, until).used;
+          used = fill_until(used, offered, counts_, until).used;
           room = used.pieces.size() == wanted;
           left_ = without(left_, used.pieces);
         }
@@ -177,11 +170,20 @@ class Driver {
   }
   [[nodiscard]] bool fits(std::size_t piece, std::size_t kind) const { return sheets_[kind].fits[piece]; }
 
-  // Brings pieces that are left over onto a sheet, in place of others that are worth less.
+  // The least worth left over counts, then how few sheets are used.
+  void keep_if_best() {
+    const double left = value_of(left_, values_);
+    if (left > best_left_value_ || (left == best_left_value_ && used_.size() > best_used_.size())) return;
+    best_left_value_ = left;
+    best_used_ = used_;
+    best_left_ = left_;
+  }
+
+  // Brings pieces that are left over onto a sheet, in place of others that count less.
   bool bring_on() {
     UsedSheet& used = used_[dice_.below(used_.size())];
-    const double before = value_of(used.pieces, values_);
-    const Filled done = fill_until(used, candidates(), values_, spent() + kTrial);
+    const double before = value_of(used.pieces, counts_);
+    const Filled done = fill_until(used, candidates(), counts_, spent() + kTrial);
     if (done.value <= before) return false;
     Indices off = without(used.pieces, done.used.pieces);
     left_ = without(left_, done.used.pieces);
@@ -252,11 +254,13 @@ class Driver {
   const SheetSettings& settings_;
   const scene::Run& run_;
   layout::Dice dice_;
-  Indices used_of_;  // how many sheets of each kind are used
-  Indices by_size_;  // kinds, the largest first
-  Indices left_;     // pieces that lie on no sheet
-  std::vector<double> areas_, values_;
-  std::vector<UsedSheet> used_;
+  Indices used_of_;                              // how many sheets of each kind are used
+  Indices by_size_;                              // kinds, the largest first
+  Indices left_;                                 // pieces that lie on no sheet
+  std::vector<double> areas_, values_, counts_;  // counts_: what the pieces are worth while sheets are filled
+  std::vector<UsedSheet> used_, best_used_;
+  Indices best_left_;
+  double best_left_value_{std::numeric_limits<double>::infinity()};
   std::uint64_t moves_{}, fillings_{};
   int programs_{};
 };
