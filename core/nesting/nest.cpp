@@ -6,16 +6,17 @@
 #include <string>
 #include <utility>
 
-#include "core/marker/clearance.h"
-#include "core/marker/placed_pieces.h"
-#include "core/motion/compaction/compact.h"
+#include "core/motion/compaction/sweep.h"
+#include "core/nesting/batches/batch_share.h"
 #include "core/nesting/cloth_end.h"
 #include "core/nesting/filling/lying.h"
 #include "core/nesting/finish.h"
 #include "core/nesting/layout/layout.h"
 #include "core/nesting/match_phases.h"
 #include "core/nesting/start/first_layout.h"
+#include "core/nesting/start/fixed_pieces.h"
 #include "core/nesting/timed_run.h"
+#include "core/scene/scene.h"
 
 namespace selvage::nesting {
 namespace {
@@ -39,59 +40,6 @@ class Reporter {
   int rounds_{};
 };
 
-// The marker with all pieces off the cloth but the fixed ones; they are the first unplaced ones.
-Marker with_pieces_taken_off(const Marker& given, const layout::PieceSet& set) {
-  Marker bare = given;
-  bare.pieces.clear();
-  bare.unplaced.clear();
-  for (std::size_t i = 0; i < given.pieces.size(); ++i) {
-    Piece piece = given.pieces[i];
-    if (!set.fixed[i]) piece.at = {};
-    (set.fixed[i] ? bare.pieces : bare.unplaced).push_back(std::move(piece));
-  }
-  bare.unplaced.insert(bare.unplaced.end(), given.unplaced.begin(), given.unplaced.end());
-  return bare;
-}
-
-// Pieces that no search may move must lie validly.
-std::optional<Error> defect_of_fixed(const Marker& start, const layout::PieceSet& set) {
-  const marker::PlacedPieces pieces{start};
-  for (std::uint32_t i = 0; i < start.pieces.size(); ++i) {
-    if (!set.fixed[i]) continue;
-    if (marker::protrusion_of(pieces, i, start.strip) > 0) {
-      return Error{ErrorCode::kOutsideStrip,
-                   "piece \"" + start.pieces[i].id +
-                       "\" must stay where it is, but leaves the strip or the room that its rules leave it",
-                   "/pieces/" + std::to_string(i)};
-    }
-  }
-  for (const marker::Shade& shade : pieces.shades()) {
-    std::optional<Box> box;
-    for (const std::uint32_t i : shade.pieces) {
-      if (set.fixed[i]) box = box ? united(*box, pieces.box(i)) : pieces.box(i);
-    }
-    if (!box || box->width() <= shade.length) continue;
-    return Error{ErrorCode::kOutsideStrip,
-                 "pieces of shade \"" + start.pieces[shade.pieces.front()].rules.shade +
-                     "\" must stay where they are, but lie too far from each other",
-                 "/shade"};
-  }
-  for (const auto& [first, second] : conflicts(pieces)) {
-    if (!set.fixed[first] || !set.fixed[second]) continue;
-    return Error{ErrorCode::kMarkerOverlaps,
-                 "pieces \"" + start.pieces[first].id + "\" and \"" + start.pieces[second].id +
-                     "\" must stay where they are, but overlap or are too close",
-                 "/pieces/" + std::to_string(second)};
-  }
-  return std::nullopt;
-}
-
-// The pieces that stay where they are, to begin with: all placed ones when they lie validly, else those that are fixed.
-std::vector<bool> kept_where_valid(const Marker& start, const layout::PieceSet& set) {
-  if (all_clear(marker::PlacedPieces{start}, start.strip)) return std::vector<bool>(start.pieces.size(), true);
-  return {set.fixed.begin(), set.fixed.begin() + static_cast<std::ptrdiff_t>(start.pieces.size())};
-}
-
 // What a piece is worth where the cloth ends: what the caller says, else its area.
 std::vector<double> values_of(const Marker& start, const layout::PieceSet& set, const NestSettings& settings) {
   std::vector<double> values;
@@ -113,6 +61,15 @@ struct Task {
   const NestSettings& settings;
   std::vector<double> values;  // by piece
 };
+
+// By piece: whether it stays where the first marker has it, as long as no search moves it.
+std::vector<bool> staying(const Task& task) {
+  Marker endless = task.start;
+  endless.strip = task.start.strip.ending(std::nullopt);
+  std::vector<bool> stay = start::kept_where_valid(endless, task.set);
+  stay.resize(task.set.size());
+  return stay;
+}
 
 struct Searched {
   filling::Filling best;
@@ -138,18 +95,49 @@ Searched at_cloth_end(Searched searched, const Task& task, const Budget& budget,
   return searched;
 }
 
+Result<Nesting> nest_alone(const Marker& given, const NestSettings& settings, const scene::Run& run);
+
+// Slides every piece to the left, one after another.
+Marker swept(const Marker& marker, const scene::Run& run) {
+  scene::Scene scene{marker, run.sums};
+  int sweeps = 0;
+  (void)motion::compaction::sweep_until_still(scene, {.sweeps = 1}, run.quiet(), sweeps);
+  return scene.result();
+}
+
 // Instead of a search, when there are too many pieces for one.
-Searched compacted(const Task& task, const Budget& budget, const scene::Run& run) {
-  using motion::compaction::Accuracy;
+Searched search_in_batches(const Task& task, const Budget& budget, const std::function<double()>& elapsed,
+                           const scene::Run& run, Reporter& reporter) {
+  const NestSettings& settings = task.settings;
   Searched searched{.best = {.marker = task.first}, .length = length_of(task.first)};
-  if (budget.over(0)) return at_cloth_end(std::move(searched), task, budget, task.settings.seed, run);
-  auto compaction = compact(task.first, compaction_settings(Accuracy::kDraft), run.quiet());
-  if (compaction) {
-    searched.best.marker = std::move(compaction->marker);
-    searched.length = compaction->length_after;
-    searched.programs = compaction->programs;
+  const auto over = [&] { return budget.over(searched.moves); };
+  const auto nest_batch = [&](const Marker& batch, std::size_t left) -> std::optional<Marker> {
+    const std::uint64_t rest = settings.moves - std::min(settings.moves, searched.moves);
+    batches::BatchShare share{rest, elapsed, batch.unplaced.size(), left};
+    NestSettings own{.moves = share.moves(), .seed = settings.seed + left, .turn = settings.turn};
+    own.tuning = settings.tuning;
+    if (!over()) own.tuning.most_pieces = std::max(own.tuning.most_pieces, batch.pieces.size() + batch.unplaced.size());
+    if (elapsed) own.elapsed = [&share] { return share.used(); };
+    scene::Run within = run;
+    within.observer.on_round = [&share](const scene::Round&) { share.found_better(); };
+    auto nested = nest_alone(batch, own, within);
+    if (!nested) return std::nullopt;
+    searched.moves += nested->moves;
+    searched.programs += nested->programs;
+    return std::move(nested->marker);
+  };
+  if (!over()) {
+    const std::vector<bool> stay = staying(task);
+    auto marker = batches::nested_in_batches(task.first, stay, settings.tuning.batches, nest_batch, over);
+    if (!marker) marker = swept(task.first, run);
+    if (const Coord length = length_of(*marker); length < searched.length) {
+      searched.best.marker = *std::move(marker);
+      searched.length = length;
+      searched.history.push_back({searched.moves, length});
+      reporter.report(searched.history.back());
+    }
   }
-  return at_cloth_end(std::move(searched), task, budget, task.settings.seed, run);
+  return at_cloth_end(std::move(searched), task, budget, settings.seed, run);
 }
 
 std::optional<ClothEnd> cloth_end(const Task& task) {
@@ -194,12 +182,12 @@ Result<Start> start_of(const Marker& given, const NestSettings& settings, minkow
   if (!set) return set.error();
   Start start{given, std::move(*set)};
   if (settings.from_scratch) {
-    start.marker = with_pieces_taken_off(given, start.set);
+    start.marker = start::with_pieces_taken_off(given, start.set);
     set = piece_set_of(start.marker, settings.placed, sums);
     if (!set) return set.error();
     start.set = std::move(*set);
   }
-  if (auto defect = defect_of_fixed(start.marker, start.set)) return *std::move(defect);
+  if (auto defect = start::defect_of_fixed(start.marker, start.set)) return *std::move(defect);
   return start;
 }
 
@@ -210,7 +198,7 @@ Result<Marker> first_marker(const Start& start, const NestSettings& settings, co
   const TimedRun timed{run, settings.elapsed};
   const NestTuning& tuning = settings.tuning;
   return start::first_layout(
-      endless, start.set, kept_where_valid(endless, start.set),
+      endless, start.set, start::kept_where_valid(endless, start.set),
       {settings.seed, tuning.map_bytes, tuning.most_pieces, tuning.separation_rounds, tuning.search},
       timed.run().quiet());
 }
@@ -225,7 +213,8 @@ std::vector<Searched> search_all(const Task& task, const std::function<double()>
     const scene::Run own = searched.size() == 1 ? run : scene::Run{run.sums, run.stop};
     const TimedRun timed{own, elapsed};
     const Budget budget{task.settings.moves, elapsed, run.stop, tuning.explored, tuning.first_epoch};
-    searched[k] = too_many ? compacted(task, budget, timed.run()) : search(k, task, budget, timed.run(), reporter);
+    searched[k] = too_many ? search_in_batches(task, budget, elapsed, timed.run(), reporter)
+                           : search(k, task, budget, timed.run(), reporter);
   });
   std::vector<Searched> all;
   for (auto& one : searched) all.push_back(*std::move(one));
@@ -256,7 +245,9 @@ Result<Nesting> nest_alone(const Marker& given, const NestSettings& settings, co
   const auto first = first_marker(*start, settings, run);
   if (!first) return first.error();
 
-  const bool turn = settings.turn && settings.moves > 0 && may_turn(start->marker);
+  const bool searched_at_once =
+      start->set.size() <= settings.tuning.most_pieces;  // batches turn their pieces themselves
+  const bool turn = settings.turn && settings.moves > 0 && searched_at_once && may_turn(start->marker);
   std::function<double()> elapsed = settings.elapsed;  // while pieces keep their tilts
   if (elapsed && turn) elapsed = [&settings] { return settings.elapsed() / settings.tuning.searched; };
   Reporter reporter{run.observer, kLatticeLimit};

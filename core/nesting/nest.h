@@ -13,7 +13,8 @@
 // moves groups as one.  (4) If the input places all pieces and is valid, and the search is not from scratch, the answer
 // is no longer than it.  (5) The same input and settings give the same answer, whatever the cache holds and however
 // many threads are used; with `elapsed` or when cancelled, the best marker so far.  (6) On a strip without an end, more
-// moves never give a longer marker, before pieces turn by small angles.
+// moves never give a longer marker, before pieces turn by small angles and unless they are nested in batches.  (7) When
+// `elapsed` reaches 1, the linear program that is being solved is the last one.
 #pragma once
 
 #include <cstdint>
@@ -57,6 +58,7 @@ struct Nesting : motion::repair::MotionResult {
   std::size_t left_over{};           // pieces that are unplaced because the cloth ends
 };
 
+// More pieces than NestTuning::most_pieces are nested in batches, one after another (batches/batches.h).
 // The observer's rounds are the better markers as they are found, by any of the searches.
 // Errors: kEmptyMarker when there is no piece; kPieceTooWide for an unplaced piece that fits the strip, and the room
 // that its rules leave (core/marker/rules.h), in no allowed orientation; kMarkerOverlaps and kOutsideStrip when pieces

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/nesting/batches/batches.h"
 #include "core/nesting/filling/tuning.h"
 #include "core/nesting/local_search/tuning.h"
 
@@ -27,10 +28,11 @@ struct NestTuning {
   double end_patience{0.5}, hopeless_patience{0.1};
   double searched{0.9};       // part of a limit in time that the search has, when pieces may then turn by small angles
   int separation_rounds{12};  // when repair cannot remove what the search has left
-  std::size_t most_pieces{2'000};                 // larger sets are laid on shelves and compacted, without a search
+  std::size_t most_pieces{2'000};                 // larger sets are nested in batches
   std::size_t map_bytes{std::size_t{192} << 20};  // of the sampled maps of a search
   local_search::SearchTuning search{};
   filling::FillTuning fill{};
+  batches::BatchTuning batches{};
   friend bool operator==(const NestTuning&, const NestTuning&) = default;
 };
 

@@ -22,6 +22,7 @@ std::vector<std::uint32_t> sweep_order(const marker::PlacedPieces& pieces) {
 double sweep(scene::Scene& scene, const scene::Run& run) {
   double gain = 0;
   for (const std::uint32_t piece : sweep_order(scene.pieces)) {
+    run.observer.on_stage(scene::Stage::kSolve);
     if (run.stopped()) break;
     const piece::Bump bumped = piece::bump(scene, PieceId{piece}, -1, 0);
     gain += bumped.gain;
@@ -38,7 +39,6 @@ scene::StopReason sweep_until_still(scene::Scene& scene, const SweepSettings& se
   const int last = sweeps + settings.sweeps;
   while (sweeps < last) {
     if (run.stopped()) return scene::StopReason::kCancelled;
-    run.observer.on_stage(scene::Stage::kSolve);
     const double gain = sweep(scene, run);
     run.observer.on_stage(scene::Stage::kOther);
     ++sweeps;

@@ -1,0 +1,24 @@
+// The pieces that a nesting search finds on the cloth and leaves there.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/marker/marker.h"
+#include "core/nesting/layout/piece_set.h"
+
+namespace selvage::nesting::start {
+
+// The marker with all pieces off the cloth but the fixed ones; they are the first unplaced ones.
+[[nodiscard]] Marker with_pieces_taken_off(const Marker& given, const layout::PieceSet& set);
+
+// Pieces that no search may move must lie validly.
+// Errors: kMarkerOverlaps and kOutsideStrip when they do not; `field` is a JSON pointer into the marker.
+[[nodiscard]] std::optional<Error> defect_of_fixed(const Marker& start, const layout::PieceSet& set);
+
+// By placed piece, which of them stay where they are, to begin with: all when they lie validly, else those that are
+// fixed.
+[[nodiscard]] std::vector<bool> kept_where_valid(const Marker& start, const layout::PieceSet& set);
+
+}  // namespace selvage::nesting::start
