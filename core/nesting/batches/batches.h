@@ -28,9 +28,8 @@ struct BatchTuning {
 using NestBatch = std::function<std::optional<Marker>(const Marker& batch, std::size_t left)>;
 
 // `all` has all pieces on a strip without an end; those that `stay` are valid, and the others are nested to the right
-// of them.  Once it is `over`, all that are left make one batch.  Nothing when there are no others, when one of them has a rule
-// about where along the strip it lies, or when a batch failed.
-// REQUIRES: `stay` has an entry for each piece.
+// of them.  Once it is `over`, all that are left make one batch.  Nothing when there are no others, when one of them
+// has a rule about where along the strip it lies, or when a batch failed. REQUIRES: `stay` has an entry for each piece.
 [[nodiscard]] std::optional<Marker> nested_in_batches(const Marker& all, const std::vector<bool>& stay,
                                                       const BatchTuning& tuning, const NestBatch& nest,
                                                       const std::function<bool()>& over);
