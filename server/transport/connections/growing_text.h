@@ -1,18 +1,20 @@
 // How a text grows that arrives in parts.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 
 namespace selvage::server::transport::connections {
 
-// Makes room for so many more bytes.  A text of some megabytes gets the room for the longest one at once: addresses
-// cost nothing until they are used, but a copy of megabytes would hold up every other connection.
-// REQUIRES: text.size() + bytes <= most.
+// Makes room for so many more bytes.  A text of some hundred kilobytes gets the room for megabytes, and one of
+// megabytes that for the longest one at once: addresses cost nothing until they are used, but a copy would hold up
+// every other connection. REQUIRES: text.size() + bytes <= most.
 inline void make_room(std::string& text, std::size_t bytes, std::size_t most) {
-  constexpr std::size_t kLarge = std::size_t{4} << 20;
+  constexpr std::size_t kSmall = std::size_t{256} << 10, kLarge = std::size_t{4} << 20;
   const std::size_t needed = text.size() + bytes;
-  if (needed > text.capacity()) text.reserve(needed < kLarge ? needed : most);
+  if (needed <= text.capacity()) return;
+  text.reserve(needed < kSmall ? needed : needed < kLarge ? std::min(kLarge, most) : most);
 }
 
 }  // namespace selvage::server::transport::connections

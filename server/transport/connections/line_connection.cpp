@@ -18,6 +18,9 @@ namespace {
 namespace asio = boost::asio;
 using Error = boost::system::error_code;
 
+// Read at a time.  Between two parts all other connections have their turn, so that what these wait for is as many
+// parts as there are connections that send much.
+constexpr std::size_t kPart = std::size_t{16} << 10;
 constexpr std::size_t kKeptBuffer = std::size_t{64} << 10;  // for the next answers; a larger one is freed
 
 class LineConnection final : public Conversation {
@@ -64,7 +67,7 @@ class LineConnection final : public Conversation {
   }
 
   asio::awaitable<void> read_to_end() {
-    std::array<char, 65536> chunk{};
+    std::array<char, kPart> chunk{};
     Error error;
     for (;;) {
       if (connection_->draining || !connection_->socket.is_open()) co_return;
