@@ -60,6 +60,7 @@ class Record:
         self.known = json.loads(self.out.read_text("utf-8")) if self.out.exists() else {}
         if self.known.get("sha256") != hash_of(self.file):
             self.known = self.first()
+            self.keep()
 
     def first(self):
         layout = self.arguments.kept / "compacted.json"
@@ -70,6 +71,9 @@ class Record:
                 "compacted": without_placements(compacted),
                 "nothing": {"sittings": 0, "seconds": 0, "best": None},
                 "published start": {"sittings": 0, "seconds": 0, "best": compacted}}
+
+    def keep(self):
+        self.out.write_text(json.dumps(self.known) + "\n", "utf-8")
 
     def search(self, start):
         return self.known["nothing" if start == "nothing" else "published start"]
@@ -97,7 +101,7 @@ class Record:
         search["seconds"] += self.arguments.seconds
         if found["valid"] and (not search["best"] or found["density"] > search["best"]["density"]):
             search["best"] = found
-        self.out.write_text(json.dumps(self.known, indent=1) + "\n", "utf-8")
+        self.keep()
         print(f"{self.path.stem} from {start}, {search['seconds']} s: {found['density']:.3f}, "
               f"best {search['best']['density']:.3f}", flush=True)
 
