@@ -14,7 +14,7 @@ std::vector<Slot> slots_of(const Marker& marker) {
   std::vector<Slot> slots;
   for (const Piece& piece : marker.pieces) {
     const Shape& shape = marker.shapes[piece.shape.value];
-    slots.push_back({shape.id, oriented(shape.outline, piece.orientation), piece.orientation, piece.at});
+    slots.push_back(slot_of(shape, piece.orientation, piece.at));
   }
   return slots;
 }
@@ -63,7 +63,10 @@ TEST(Pairing, UsesAllowedOrientationsOnly) {
   test::Random random{9};
   Marker order = test::garment("jeans_02g");
   std::vector<Slot> slots = slots_of(order);
-  for (Slot& slot : slots) slot.outline = transformed(slot.outline, Symmetry{false, random.chance(50) ? 2 : 0});
+  for (Slot& slot : slots) {
+    const Symmetry turn{false, random.chance(50) ? 2 : 0};
+    for (Polygon* outline : {&slot.outline, &slot.untilted}) *outline = transformed(*outline, turn);
+  }
   const Pairing pairing = pair_pieces(order, slots);
   for (std::size_t k = 0; k < order.pieces.size(); ++k) {
     if (!pairing.pairs[k]) continue;
@@ -78,8 +81,11 @@ TEST(Orientations, TakeTheSlotsTiltWhereItIsAllowed) {
   Shape shape;
   shape.rotations = {Angle{0}, Angle{180}};
   shape.tilt_limit = Angle{1};
-  EXPECT_EQ(orientations_of(shape, {{}, {}, Angle{0.5}}).size(), 4U);
-  EXPECT_EQ(orientations_of(shape, {{}, {}, Angle{-1.5}}).size(), 2U);
+  for (const double tilt : {0.5, -1.5}) {
+    const std::vector<Orientation> orientations = orientations_of(shape, {{}, {}, Angle{tilt}});
+    ASSERT_EQ(orientations.size(), 2U);
+    for (const Orientation& one : orientations) EXPECT_EQ(one.tilt, tilt == 0.5 ? Angle{tilt} : Angle{});
+  }
   shape.may_flip = true;
   EXPECT_EQ(orientations_of(shape, {}).size(), 4U);
   shape.rotations.clear();
