@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <optional>
 #include <string>
+#include <tuple>
 
 #include "core/marker/clearance.h"
 #include "core/minkowski/inner_fit.h"
@@ -56,8 +57,8 @@ class Rounds {
     return {!apart() && run_.stopped() ? scene::StopReason::kCancelled : reason, apart()};
   }
 
-  // The overlapping piece that blocks separation most: the one whose rows have the largest dual values [Li94 10].  A
-  // fixed piece only if there is no other.  REQUIRES: not apart.
+  // The overlapping piece that blocks separation most: the one whose rows have the largest dual values [Li94 10], among
+  // small pieces if there are any.  A fixed piece only if there is no other.  REQUIRES: not apart.
   std::uint32_t most_blocking(Separation& total) const {
     const SeparationStep step = separation_step(scene_, overlapping_, home_, program_settings(), run_);
     total.programs += step.programs;
@@ -66,7 +67,7 @@ class Rounds {
       candidates.insert(candidates.end(), {overlapping.pair.first, overlapping.pair.second});
     if (candidates.empty()) candidates.push_back(rightmost());
     const auto weight = [&](std::uint32_t piece) {
-      return std::pair{!scene_.fixed(piece), step.pressure.empty() ? 0.0 : step.pressure[piece]};
+      return std::tuple{!scene_.fixed(piece), is_small(piece), step.pressure.empty() ? 0.0 : step.pressure[piece]};
     };
     return *std::max_element(candidates.begin(), candidates.end(), [&](std::uint32_t a, std::uint32_t b) {
       return weight(a) != weight(b) ? weight(a) < weight(b) : a > b;
@@ -142,6 +143,10 @@ class Rounds {
     find_overlaps();
   }
 
+  [[nodiscard]] bool is_small(std::uint32_t piece) const {
+    const Shape& shape = scene_.marker.shapes[scene_.marker.pieces[piece].shape.value];
+    return static_cast<double>(doubled_area(shape.outline)) / 2 <= settings_.small;
+  }
   [[nodiscard]] const SeparationTuning& tuning() const { return settings_.tuning; }
   [[nodiscard]] bool has_many() const { return scene_.pieces.size() > tuning().many; }
   // Whether this round, 0 being the first, moves only what overlaps.

@@ -28,6 +28,7 @@ struct SeparationSettings {
   double grow{};   // the part of its length by which the marker may grow; 0: fixed length
   repair::TargetRule target{repair::TargetRule::kNearest};
   bool pop_out{};  // remove the pieces that prevent separation
+  double small{};  // pieces up to this area, in square lattice units, are removed before others
   lp::solver::SolverChoice solver{lp::solver::SolverChoice::kAutomatic};
   SeparationTuning tuning{};
   friend bool operator==(const SeparationSettings&, const SeparationSettings&) = default;

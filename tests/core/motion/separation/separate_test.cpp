@@ -150,6 +150,18 @@ TEST(Separate, PopsOutWhatHoldsItUp) {
   EXPECT_EQ(kept.marker.pieces[0], locked.pieces[0]);
 }
 
+// Two blocks and a trim between them are higher than the strip, and so are the blocks without the trim.
+TEST(Separate, PopsSmallPiecesFirst) {
+  test::Layout layout{500};
+  const auto block = layout.shape_of(test::rectangle(400, 300));
+  const auto trim = layout.shape_of(test::rectangle(60, 50));
+  layout.put(block, {0, 0}).put(block, {0, 200}).put(trim, {170, 225});
+  const auto result = separated(layout.marker(), {.pop_out = true, .small = 60 * 50});
+  EXPECT_TRUE(result.apart);
+  ASSERT_EQ(result.popped.size(), 2U);
+  EXPECT_EQ(result.popped.front(), PieceId{2});
+}
+
 TEST(Separate, RefusesAPieceLockedOutside) {
   Marker start = two_squares(30);
   start.pieces[1].locked = true;
