@@ -29,21 +29,30 @@ StepKind step_of(RemovedBy by) {
   }
 }
 
+// What drafts and the steps after them share.
 class Attempting {
  public:
-  Attempting(const Marker& order, const Candidate& candidate, const AttemptSettings& settings, const scene::Run& run)
-      : order_{order}, candidate_{candidate}, settings_{settings}, run_{run} {
+  Attempting(const Marker& order, const AttemptSettings& settings, const scene::Run& run)
+      : order_{order}, settings_{settings}, run_{run} {}
+
+  Draft draft(const Candidate& candidate) {
     attempt_.stored = candidate.arrangement.stored;
     attempt_.difference = candidate.difference;
     attempt_.predicted = candidate.predicted;
+    attempt_.used = candidate.used;
+    if (!take_over(candidate) || !insert()) return {std::move(attempt_), std::nullopt};
+    conclude();
+    return {std::move(attempt_), std::move(marker_)};
   }
 
-  Attempt make() {
-    if (take_over() && insert()) {
-      if (settings_.trims && !run_.stopped()) move_trims();
-      if (settings_.fine && !run_.stopped()) refine();
-      finish();
-    }
+  Attempt finish(Draft draft, bool search) {
+    attempt_ = std::move(draft.attempt);
+    if (!draft.marker) return std::move(attempt_);
+    marker_ = *std::move(draft.marker);
+    if (search && !run_.stopped()) rearrange();
+    if (search && settings_.trims && !run_.stopped()) move_trims();
+    if (settings_.fine && !run_.stopped()) refine();
+    conclude();
     return std::move(attempt_);
   }
 
@@ -53,13 +62,13 @@ class Attempting {
   }
 
   // Substitution and overlap removal.  False when overlaps remain.
-  bool take_over() {
-    substitution::Substitution start = substituted(order_, candidate_, settings_.tuning, run_);
+  bool take_over(const Candidate& candidate) {
+    substitution::Substitution start = substituted(order_, candidate, settings_.tuning, run_);
     marker_ = std::move(start.marker);
     if (marker_.pieces.empty()) return false;
     const bool clear = all_clear(marker::PlacedPieces{marker_}, marker_.strip);
     record(StepKind::kSubstituted, start.swaps, clear);
-    if (!clear) stretch();
+    if (!clear) stretch(candidate.arrangement.area);
     auto apart = remove_overlaps(marker_, settings_.tuning, run_);
     if (!apart) return false;
     marker_ = std::move(apart->marker);
@@ -70,9 +79,9 @@ class Attempting {
     return true;
   }
 
-  // Makes room for pieces that are larger than the stored ones.
-  void stretch() {
-    const double factor = substitution::placed_area(marker_) / candidate_.arrangement.area;
+  // Makes room for pieces that are larger than the stored ones, whose area is given.
+  void stretch(double stored_area) {
+    const double factor = substitution::placed_area(marker_) / stored_area;
     marker_ = substitution::stretched(std::move(marker_), factor);
   }
 
@@ -85,13 +94,11 @@ class Attempting {
 
   bool insert() {
     const std::size_t count = marker_.unplaced.size();
-    if (count > 0) {
-      (void)insert_unplaced(marker_, {}, run_);
-      if (!marker_.unplaced.empty()) return false;
-      compact();
-      record(StepKind::kInserted, count, true);
-    }
-    if (!run_.stopped()) rearrange();
+    if (count == 0) return true;
+    (void)insert_unplaced(marker_, {}, run_);
+    if (!marker_.unplaced.empty()) return false;
+    compact();
+    record(StepKind::kInserted, count, true);
     return true;
   }
 
@@ -128,7 +135,8 @@ class Attempting {
   }
 
   // The proof, with the order's strip and its sequence of pieces.
-  void finish() {
+  void conclude() {
+    attempt_.marker.reset();
     std::map<std::string, const Piece*> by_id;
     for (const Piece& piece : marker_.pieces) by_id.emplace(piece.id, &piece);
     Marker marker = order_;
@@ -143,7 +151,6 @@ class Attempting {
   }
 
   const Marker& order_;
-  const Candidate& candidate_;
   const AttemptSettings& settings_;
   const scene::Run& run_;
   Marker marker_;
@@ -152,9 +159,18 @@ class Attempting {
 
 }  // namespace
 
-Attempt attempt(const Marker& order, const Candidate& candidate, const AttemptSettings& settings,
-                const scene::Run& run) {
-  return Attempting{order, candidate, settings, run}.make();
+Draft drafted(const Marker& order, const Candidate& candidate, const AttemptSettings& settings, const scene::Run& run) {
+  return Attempting{order, settings, run}.draft(candidate);
+}
+
+bool is_near_enough(const Draft& draft, const AttemptSettings& settings) {
+  if (!draft.attempt.marker) return false;
+  return utilisation_of(*draft.attempt.marker) >= draft.attempt.used - settings.tuning.near_enough;
+}
+
+Attempt finished(const Marker& order, Draft draft, bool search, const AttemptSettings& settings,
+                 const scene::Run& run) {
+  return Attempting{order, settings, run}.finish(std::move(draft), search);
 }
 
 }  // namespace selvage::remake

@@ -1,10 +1,12 @@
 // An attempt: one arrangement is taken over, from the substitution to the finished marker, and every step is kept for
 // the report and for drawings.
 //
+// A draft takes a fraction of a second:
 //     substitute; relieve columns; remove the overlaps; compact
-//     put the pieces back that had no slot, larger first; compact
-//     search for a shorter marker for a while, from there (core/nesting)
-//     take small pieces out and put them where there is room; `fine`: swap and tilt
+//     put the pieces in that had no slot, larger first; compact
+// It is finished by
+//     searching for a shorter marker for a while, from there (core/nesting)
+//     taking small pieces out and putting them where there is room; `fine`: swapping and tilting
 // Units: lattice units.
 #pragma once
 
@@ -45,6 +47,7 @@ struct Attempt {
   std::vector<std::size_t> stored;  // the markers whose arrangement it took over
   double difference{};              // between the pieces, a part of the order's area
   double predicted{};               // utilisation, 0..1
+  double used{};                    // the utilisation of the stored markers, 0..1
   std::vector<Step> steps;
   std::optional<Marker> marker;  // valid, with all pieces; none: they did not come apart, or the cloth ends before them
   int programs{};
@@ -56,10 +59,22 @@ struct AttemptSettings {
   RemakeTuning tuning{};
 };
 
-// Laws.  (1) The marker is valid, proved in integers, and has the order's pieces in the order's sequence: first the
-// placed ones, then those that were not.  (2) For an order that is the stored marker's own, it is no longer than that
-// marker.  (3) Deterministic, whatever the cache holds; when cancelled, the best so far.
-[[nodiscard]] Attempt attempt(const Marker& order, const Candidate& candidate, const AttemptSettings& settings,
-                              const scene::Run& run);
+struct Draft {
+  Attempt attempt;
+  std::optional<Marker> marker;  // valid, on cloth without an end; none: the pieces did not come apart
+};
+
+// Laws of drafts and of finished attempts.  (1) The marker is valid, proved in integers, and has the order's pieces in
+// the order's sequence: first the placed ones, then those that were not.  (2) For an order that is the stored marker's
+// own, it is no longer than that marker.  (3) A finished marker is no longer than its draft.  (4) Deterministic,
+// whatever the cache holds; when cancelled, the best so far.
+[[nodiscard]] Draft drafted(const Marker& order, const Candidate& candidate, const AttemptSettings& settings,
+                            const scene::Run& run);
+// `search`: whether a shorter marker is searched for, and trims are moved.
+[[nodiscard]] Attempt finished(const Marker& order, Draft draft, bool search, const AttemptSettings& settings,
+                               const scene::Run& run);
+
+// Whether the draft's marker uses the cloth nearly as well as the stored one (RemakeTuning::near_enough).
+[[nodiscard]] bool is_near_enough(const Draft& draft, const AttemptSettings& settings);
 
 }  // namespace selvage::remake

@@ -7,19 +7,13 @@
 #include "core/marker/clearance.h"
 #include "core/marker/placed_pieces.h"
 #include "core/motion/compaction/compact.h"
-#include "core/motion/separation/separate.h"
 #include "core/nesting/layout/layout.h"
 #include "core/nesting/local_search/guided_search.h"
 #include "core/nesting/tuning.h"
-#include "core/remake/insertion.h"
-#include "core/remake/substitution/area.h"
+#include "core/remake/popping.h"
 
 namespace selvage::remake {
 namespace {
-
-using motion::separation::Separation;
-using substitution::area_of;
-using substitution::placed_area;
 
 constexpr std::uint64_t kSeed = 1;
 
@@ -32,19 +26,13 @@ Marker placed_only(Marker marker) {
 class OverlapRemover {
  public:
   OverlapRemover(const Marker& start, const RemakeTuning& tuning, const scene::Run& run)
-      : start_{start}, tuning_{tuning}, run_{run} {
-    for (const Piece& piece : start.pieces) homes_.emplace(piece.id, piece);
-  }
+      : start_{start}, tuning_{tuning}, run_{run} {}
 
   std::optional<OverlapRemoval> run() {
     if (all_clear(marker::PlacedPieces{start_}, start_.strip)) return OverlapRemoval{start_, RemovedBy::kNothing, 0, 0};
-    auto separated = separate(start_);
-    if (!separated) return std::nullopt;
-    if (separated->apart) {
-      separated->marker.unplaced = start_.unplaced;
-      return OverlapRemoval{std::move(separated->marker), RemovedBy::kSeparation, 0, programs_};
-    }
-    std::optional<OverlapRemoval> best = by_popping(*separated);
+    std::optional<OverlapRemoval> best = by_programs();
+    if (run_.stopped()) return best;
+    if (best && (best->by == RemovedBy::kSeparation || !much_longer(best->marker))) return best;
     if (auto other = by_search(); other && (!best || length_of(other->marker) < length_of(best->marker))) {
       best = std::move(other);
     }
@@ -53,58 +41,39 @@ class OverlapRemover {
   }
 
  private:
-  std::optional<Separation> separate(const Marker& marker) {
-    motion::separation::SeparationSettings settings;
-    settings.rounds = tuning_.separation_rounds;
-    settings.grow = tuning_.growth;
-    auto separated = motion::separation::separate(placed_only(marker), settings, run_.quiet());
-    if (!separated || run_.stopped()) return std::nullopt;
-    programs_ += separated->programs;
-    return *std::move(separated);
+  // Separation, with pieces taken out and put back where it needs that.
+  std::optional<OverlapRemoval> by_programs() {
+    auto popping = apart_by_popping(placed_only(start_), tuning_, run_);
+    if (!popping) return std::nullopt;
+    programs_ += popping->programs;
+    if (popping->popped > 0) compact(popping->marker);
+    popping->marker.unplaced = start_.unplaced;
+    const RemovedBy by = popping->popped == 0 ? RemovedBy::kSeparation : RemovedBy::kPopping;
+    return OverlapRemoval{std::move(popping->marker), by, popping->popped, programs_};
   }
 
-  // The smallest piece that overlaps another one, if it is a trim.
-  [[nodiscard]] std::optional<std::size_t> trim_of(const Separation& stuck) const {
-    double least = tuning_.trim * placed_area(start_) / static_cast<double>(start_.pieces.size());
-    std::optional<std::size_t> smallest;
-    for (const marker::Overlap& overlap : stuck.remaining) {
-      for (const PieceId id : {overlap.first, overlap.second}) {
-        const double own = area_of(start_, stuck.marker.pieces[id.value]);
-        if (own >= least) continue;
-        least = own;
-        smallest = id.value;
-      }
-    }
-    return smallest;
+  [[nodiscard]] bool much_longer(const Marker& marker) const {
+    return static_cast<double>(length_of(marker)) >
+           (1 + tuning_.popped_growth) * static_cast<double>(length_of(start_));
   }
 
-  std::optional<OverlapRemoval> by_popping(Separation now) {
-    std::vector<Piece> popped;
-    while (!now.apart) {
-      const auto trim = trim_of(now);
-      if (!trim || popped.size() == tuning_.pops) return std::nullopt;
-      popped.push_back(now.marker.pieces[*trim]);
-      now.marker.pieces.erase(now.marker.pieces.begin() + static_cast<std::ptrdiff_t>(*trim));
-      auto next = separate(now.marker);
-      if (!next) return std::nullopt;
-      now = *std::move(next);
-    }
-    OverlapRemoval done{std::move(now.marker), RemovedBy::kPopping, popped.size(), 0};
-    done.marker.unplaced = std::move(popped);
-    (void)insert_unplaced(done.marker, homes_, run_);
-    if (!done.marker.unplaced.empty()) return std::nullopt;
-    done.marker.unplaced = start_.unplaced;
-    return done;
+  // False when the marker's overlaps are too large for repair.
+  bool compact(Marker& marker) {
+    const auto settings = compaction_settings(motion::compaction::Accuracy::kDraft);
+    auto compacted = motion::compaction::compact(marker, settings, run_.quiet());
+    if (!compacted) return false;
+    programs_ += compacted->programs;
+    marker = std::move(compacted->marker);
+    return true;
   }
 
   // What the search leaves overlaps by so little that linear programs repair it.
-  std::optional<Marker> repaired(const Marker& marker) {
-    using motion::compaction::Accuracy;
-    const auto settings = compaction_settings(Accuracy::kDraft);
-    if (auto compacted = compact(marker, settings, run_.quiet())) return std::move(compacted->marker);
-    auto separated = separate(marker);
-    if (!separated || !separated->apart) return std::nullopt;
-    return std::move(separated->marker);
+  std::optional<Marker> repaired(Marker marker) {
+    if (compact(marker)) return marker;
+    auto popping = apart_by_popping(marker, tuning_, run_);
+    if (!popping || popping->popped > 0) return std::nullopt;
+    programs_ += popping->programs;
+    return std::move(popping->marker);
   }
 
   std::optional<OverlapRemoval> by_search() {
@@ -134,7 +103,6 @@ class OverlapRemover {
   const Marker& start_;
   const RemakeTuning& tuning_;
   const scene::Run& run_;
-  Homes homes_;
   int programs_{};
 };
 

@@ -1,9 +1,8 @@
 // Overlap removal: the overlapping pieces of a substitution become a valid marker.
 //
-// First by separation, which moves pieces as little as it can [Li94 5.2].  Where columns leave no room for that, trims
-// are popped out one by one: of the pieces that still overlap, the smallest [Li94 10]; they are put back where there is
-// room.  A guided local search (core/nesting/local_search) also tries in a marker that it lengthens step by step;
-// the shorter result counts.
+// First by separation, which moves pieces as little as it can [Li94 5.2].  Where columns leave no room for that, pieces
+// are popped out and put back (popping.h).  Where that fails or makes the marker much longer, a guided local search
+// (core/nesting/local_search) also tries in a marker that it lengthens step by step; the shorter result counts.
 // Units: lattice units.
 #pragma once
 

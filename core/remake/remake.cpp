@@ -1,6 +1,7 @@
 #include "core/remake/remake.h"
 
 #include <algorithm>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -63,6 +64,68 @@ std::optional<Error> nest_instead(const Marker& order, const RemakeSettings& set
   return std::nullopt;
 }
 
+// The tries of one order.
+class Trying {
+ public:
+  Trying(const Marker& order, std::span<const Candidate> candidates, const RemakeSettings& settings,
+         const scene::Run& run)
+      : order_{order}, candidates_{candidates}, settings_{settings}, run_{run}, progress_{run.observer} {}
+
+  // In the sequence of the candidates.
+  std::vector<Attempt> attempts() {
+    drafts_.resize(candidates_.size());
+    if (!drafts_.empty()) draft(0, run_);
+    if (settings_.thorough || drafts_.empty() || !near_enough(0)) {
+      for_each(1, [this](std::size_t k, const scene::Run& run) { draft(k, run); });
+    }
+    if (settings_.thorough) {
+      for_each(0, [this](std::size_t k, const scene::Run& run) { finish(k, true, run); });
+    } else if (const auto best = shortest()) {
+      finish(*best, !near_enough(*best), run_);
+    }
+    std::vector<Attempt> attempts;
+    for (Draft& draft : drafts_) {
+      if (!draft.attempt.stored.empty()) attempts.push_back(std::move(draft.attempt));  // else it was not tried
+    }
+    return attempts;
+  }
+
+ private:
+  // Several at a time, each by one thread.
+  void for_each(std::size_t first, const std::function<void(std::size_t, const scene::Run&)>& work) {
+    if (drafts_.size() <= first) return;
+    run_.executor->for_each(drafts_.size() - first, [&](std::size_t k) {
+      if (!run_.stopped()) work(first + k, scene::Run{run_.sums, run_.stop});
+    });
+  }
+  void draft(std::size_t k, const scene::Run& run) {
+    if (run_.stopped()) return;
+    drafts_[k] = drafted(order_, candidates_[k], settings_.attempt, run.quiet());
+    progress_.report(drafts_[k].attempt);
+  }
+  void finish(std::size_t k, bool search, const scene::Run& run) {
+    if (run_.stopped()) return;
+    drafts_[k].attempt = finished(order_, std::move(drafts_[k]), search, settings_.attempt, run.quiet());
+    progress_.report(drafts_[k].attempt);
+  }
+  [[nodiscard]] bool near_enough(std::size_t k) const { return is_near_enough(drafts_[k], settings_.attempt); }
+  [[nodiscard]] std::optional<std::size_t> shortest() const {
+    std::optional<std::size_t> best;
+    for (std::size_t k = 0; k < drafts_.size(); ++k) {
+      if (!drafts_[k].marker) continue;
+      if (!best || length_of(*drafts_[k].marker) < length_of(*drafts_[*best].marker)) best = k;
+    }
+    return best;
+  }
+
+  const Marker& order_;
+  std::span<const Candidate> candidates_;
+  const RemakeSettings& settings_;
+  const scene::Run& run_;
+  Progress progress_;
+  std::vector<Draft> drafts_;
+};
+
 void take_shortest(Remake& remake) {
   for (std::size_t k = 0; k < remake.attempts.size(); ++k) {
     const Attempt& attempt = remake.attempts[k];
@@ -88,15 +151,8 @@ Result<Remake> remake(const Marker& order, std::span<const Marker> stored, const
   remake.length_before = length_of(order);
   remake.candidates = candidates.size();
   remake.outcome = candidates.empty() ? Outcome::kNoneNear : Outcome::kNotApart;
-  remake.attempts.resize(std::min(settings.tries, candidates.size()));
-  Progress progress{run.observer};
-  run.executor->for_each(remake.attempts.size(), [&](std::size_t k) {
-    if (run.stopped()) return;
-    const scene::Run own = remake.attempts.size() == 1 ? run : scene::Run{run.sums, run.stop};
-    remake.attempts[k] = attempt(order, candidates[k], settings.attempt, own);
-    progress.report(remake.attempts[k]);
-  });
-  std::erase_if(remake.attempts, [](const Attempt& attempt) { return attempt.stored.empty(); });  // stopped before them
+  const std::size_t tries = std::min(settings.tries, candidates.size());
+  remake.attempts = Trying{order, std::span{candidates}.first(tries), settings, run}.attempts();
   remake.rounds = static_cast<int>(remake.attempts.size());
   take_shortest(remake);
   if (!remake.chosen && settings.nest && !run.stopped()) {

@@ -1,14 +1,16 @@
 // Remaking: a new order is laid out like a stored marker, or like two of them one behind the other [Li94 5.3, 10].
 //
-// The stored markers whose pieces differ least from the order's are tried, and the shortest result counts
-// (choice.h, attempt.h).
+// The stored markers whose pieces differ least from the order's are tried (choice.h).  A try is a draft, which takes a
+// fraction of a second (attempt.h); when the first is near enough to its stored marker, no other follows.  The shortest
+// draft is finished by a search for a shorter marker, unless it is near enough.
 //
 // Laws.  (1) The answer is valid, proved in integers, or it is the order as it came in and `outcome` says why.  (2) A
 // marker's own order gives at least its utilisation, when that marker is tried and no piece has rules of its own
 // (pieces of one shape may take each other's places).  (3) One more stored marker never makes the answer longer when
-// all candidates are tried.  (4) The same input and settings give the same answer, whatever the cache holds and however
-// many threads are used; when cancelled, the best marker so far.  (5) More tries never give a longer marker. Units:
-// lattice units of the order's resolution.
+// all candidates are tried and `thorough` is asked for.  (4) The same input and settings give the same answer, whatever
+// the cache holds and however many threads are used; when cancelled, the best marker so far.  (5) More tries never give
+// a longer marker when `thorough` is asked for.
+// Units: lattice units of the order's resolution.
 #pragma once
 
 #include <cstddef>
@@ -27,6 +29,7 @@ namespace selvage::remake {
 struct RemakeSettings {
   std::size_t tries{3};    // arrangements tried, best prediction first
   bool concatenate{true};  // also two stored markers, one behind the other
+  bool thorough{};         // all tries are made and finished, whatever the first or the shortest draft is like
   bool nest{};             // nest from nothing when no attempt gives a marker
   std::uint64_t nest_moves{20'000};
   AttemptSettings attempt{};

@@ -17,6 +17,11 @@ class Scale {
     return factor_ == 1 ? value : std::llround(static_cast<double>(value) * factor_);
   }
   [[nodiscard]] Vec operator()(Vec v) const { return {(*this)(v.x), (*this)(v.y)}; }
+  [[nodiscard]] Polygon operator()(Polygon outline) const {
+    for (Vec& v : outline) v = (*this)(v);
+    outline.erase(std::unique(outline.begin(), outline.end()), outline.end());
+    return outline;
+  }
 
  private:
   double factor_;
@@ -32,12 +37,11 @@ std::optional<Arrangement> arrangement_of(const Marker& stored, std::size_t numb
   Arrangement arrangement{.stored = {number}, .slots = {}, .length = scaled(length), .area = 0};
   for (const Piece& piece : stored.pieces) {
     const Shape& shape = stored.shapes[piece.shape.value];
-    Polygon outline = oriented(shape.outline, piece.orientation);
-    for (Vec& v : outline) v = scaled(v);
-    outline.erase(std::unique(outline.begin(), outline.end()), outline.end());
-    if (doubled_area(outline) <= 0) continue;  // nothing is left of it on a coarse lattice
-    arrangement.area += static_cast<double>(doubled_area(outline)) / 2;
-    arrangement.slots.push_back({shape.id, std::move(outline), piece.orientation, scaled(piece.at)});
+    matching::Slot slot = matching::slot_of(shape, piece.orientation, scaled(piece.at));
+    for (Polygon* outline : {&slot.outline, &slot.untilted}) *outline = scaled(std::move(*outline));
+    if (doubled_area(slot.outline) <= 0) continue;  // nothing is left of it on a coarse lattice
+    arrangement.area += static_cast<double>(doubled_area(slot.outline)) / 2;
+    arrangement.slots.push_back(std::move(slot));
   }
   return arrangement;
 }

@@ -36,12 +36,12 @@ std::vector<Candidate> candidates_for(const Marker& order, std::span<const Marke
   const std::vector<Arrangement> parts = comparable(order, stored);
   std::vector<Candidate> candidates;
   for (const Arrangement& part : parts) {
-    if (as_large(part.area)) candidates.push_back({part, {}, 0, 0});
+    if (as_large(part.area)) candidates.push_back({part, {}, 0, 0, 0});
   }
   for (std::size_t first = 0; concatenate && first < parts.size(); ++first) {
     for (std::size_t second = first; second < parts.size(); ++second) {
       if (!as_large(parts[first].area + parts[second].area)) continue;
-      if (auto both = concatenated(parts[first], parts[second])) candidates.push_back({*std::move(both), {}, 0, 0});
+      if (auto both = concatenated(parts[first], parts[second])) candidates.push_back({*std::move(both), {}, 0, 0, 0});
     }
   }
   const auto width = static_cast<double>(order.strip.room(0).height());
@@ -50,9 +50,9 @@ std::vector<Candidate> candidates_for(const Marker& order, std::span<const Marke
     const Arrangement& arrangement = candidate.arrangement;
     candidate.pairing = matching::pair_pieces(order, arrangement.slots);
     candidate.difference = candidate.pairing.difference / area;
-    const double used = arrangement.area / width / static_cast<double>(arrangement.length);
+    candidate.used = arrangement.area / width / static_cast<double>(arrangement.length);
     const double smaller = std::min(1.0, area / arrangement.area);  // a smaller order leaves cloth unused
-    candidate.predicted = used * (1 + smaller) / 2 - tuning.difference_price * candidate.difference;
+    candidate.predicted = candidate.used * (1 + smaller) / 2 - tuning.difference_price * candidate.difference;
   });
   std::erase_if(candidates, [&](const Candidate& candidate) { return candidate.difference > tuning.farthest; });
   std::stable_sort(candidates.begin(), candidates.end(),

@@ -16,6 +16,7 @@ struct Candidate {
   Arrangement arrangement;
   matching::Pairing pairing;
   double difference{};  // of the pairing, as a part of the order's area
+  double used{};        // the utilisation of the arrangement, 0..1
   double predicted{};   // the utilisation that is expected, 0..1
 };
 

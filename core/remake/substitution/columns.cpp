@@ -6,6 +6,11 @@
 #include <numeric>
 
 namespace selvage::remake::substitution {
+namespace {
+
+constexpr double kNotAbove = -std::numeric_limits<double>::infinity();
+
+}  // namespace
 
 void Columns::set(std::size_t piece, const Polygon& placed) {
   const Box box = box_of(placed);
@@ -33,16 +38,25 @@ void Columns::set(std::size_t piece, const Polygon& placed) {
       profile.high[index] = std::max(profile.high[index], y);
     }
   }
-  if (piece >= profiles_.size()) profiles_.resize(piece + 1);
+  if (piece >= profiles_.size()) {
+    profiles_.resize(piece + 1);
+    demands_.resize(piece + 1);
+    for (auto& demands : demands_) demands.resize(piece + 1, kNotAbove);
+  }
   profiles_[piece] = std::move(profile);
+  for (std::size_t other = 0; other < profiles_.size(); ++other) {
+    if (other == piece) continue;
+    demands_[piece][other] = demand(profiles_[piece], profiles_[other]);
+    demands_[other][piece] = demand(profiles_[other], profiles_[piece]);
+  }
 }
 
-bool Columns::above(const Profile& lower, const Profile& upper, double& by) const {
+double Columns::demand(const Profile& lower, const Profile& upper) const {
   const std::int64_t from = std::max(lower.first, upper.first);
   const std::int64_t to = std::min(lower.first + static_cast<std::int64_t>(lower.low.size()),
                                    upper.first + static_cast<std::int64_t>(upper.low.size()));
-  if (from >= to || static_cast<double>(to - from - 1) * sampling_.cell < sampling_.slip) return false;
-  by = -std::numeric_limits<double>::infinity();
+  if (from >= to || static_cast<double>(to - from - 1) * sampling_.cell < sampling_.slip) return kNotAbove;
+  double by = kNotAbove;
   double higher = 0;
   for (std::int64_t sample = from; sample < to; ++sample) {
     const auto p = static_cast<std::size_t>(sample - lower.first);
@@ -50,8 +64,7 @@ bool Columns::above(const Profile& lower, const Profile& upper, double& by) cons
     by = std::max(by, lower.high[p] - upper.low[q]);
     higher += upper.low[q] + upper.high[q] - lower.low[p] - lower.high[p];
   }
-  by += static_cast<double>(spacing_);
-  return higher > 0;
+  return higher > 0 ? by + static_cast<double>(spacing_) : kNotAbove;
 }
 
 Columns::Excess Columns::excess() const {
@@ -73,9 +86,9 @@ Columns::Excess Columns::excess() const {
     raised[upper] = bottom - profiles_[upper].lowest;
     for (std::size_t below = 0; below < k; ++below) {
       const std::size_t lower = upwards[below];
-      double by = 0;
-      if (!above(profiles_[lower], profiles_[upper], by) || raised[lower] + by <= raised[upper]) continue;
-      raised[upper] = raised[lower] + by;
+      const double at_least = raised[lower] + demands_[lower][upper];
+      if (at_least <= raised[upper]) continue;
+      raised[upper] = at_least;
       under[upper] = lower;
     }
     const double beyond = raised[upper] + profiles_[upper].highest - top;

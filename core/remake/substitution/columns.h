@@ -43,13 +43,15 @@ class Columns {
     double lowest{}, highest{};     // of the outline
   };
 
-  // How much higher the upper piece must lie at least; nothing when neither is above the other.
-  [[nodiscard]] bool above(const Profile& lower, const Profile& upper, double& by) const;
+  // How much higher the upper piece must lie at least than the lower one does; minus infinity when it does not lie
+  // above it.
+  [[nodiscard]] double demand(const Profile& lower, const Profile& upper) const;
 
   Strip strip_;
   Coord spacing_;
   ColumnSampling sampling_;
   std::vector<Profile> profiles_;
+  std::vector<std::vector<double>> demands_;  // by the lower and the upper piece
 };
 
 }  // namespace selvage::remake::substitution

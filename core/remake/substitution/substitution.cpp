@@ -30,6 +30,7 @@ class Substituting {
   Substituting(const Marker& order, const Candidate& candidate, const RemakeTuning& tuning, const scene::Run& run)
       : order_{order},
         slots_{candidate.arrangement.slots},
+        fits_{order, slots_},
         tuning_{tuning},
         run_{run},
         columns_{order.strip, order.spacing, sampling(order, tuning)} {
@@ -62,6 +63,9 @@ class Substituting {
   }
 
   [[nodiscard]] const Shape& shape_of(std::size_t piece) const { return order_.shapes[pieces_[piece]->shape.value]; }
+  [[nodiscard]] Fit best_fit(std::size_t piece, std::size_t slot) const {
+    return fits_.best(pieces_[piece]->shape, slot);
+  }
   [[nodiscard]] bool fits_strip(const Shape& shape, const Orientation& orientation) const {
     const Box box = box_of(oriented(shape.outline, orientation));
     return box.height() <= order_.strip.room(0).height();
@@ -97,8 +101,7 @@ class Substituting {
 
   void turn_where_ambiguous() {
     for (std::size_t k = 0; k < seats_.size() && !run_.stopped(); ++k) {
-      const Slot& slot = slots_[seats_[k].slot];
-      const std::vector<Fit> fits = matching::fits_of(shape_of(seats_[k].piece), slot);
+      const std::vector<Fit> fits = fits_.all(pieces_[seats_[k].piece]->shape, seats_[k].slot);
       if (fits.front().difference == 0) continue;
       std::optional<double> least;
       for (const Fit& fit : fits) {
@@ -119,8 +122,8 @@ class Substituting {
   [[nodiscard]] std::optional<std::pair<Seated, Seated>> exchanged(std::size_t first, std::size_t second) {
     const Seated& a = seats_[first];
     const Seated& b = seats_[second];
-    const Fit into_b = matching::fits_of(shape_of(a.piece), slots_[b.slot]).front();
-    const Fit into_a = matching::fits_of(shape_of(b.piece), slots_[a.slot]).front();
+    const Fit into_b = best_fit(a.piece, b.slot);
+    const Fit into_a = best_fit(b.piece, a.slot);
     const auto area = static_cast<double>(doubled_area(a.placed)) / 2 + static_cast<double>(doubled_area(b.placed)) / 2;
     if (into_a.difference + into_b.difference > tuning_.swap_price * area) return std::nullopt;
     if (!fits_strip(shape_of(a.piece), into_b.orientation) || !fits_strip(shape_of(b.piece), into_a.orientation)) {
@@ -195,6 +198,7 @@ class Substituting {
 
   const Marker& order_;
   const std::vector<Slot>& slots_;
+  const matching::FitTable fits_;
   const RemakeTuning& tuning_;
   const scene::Run& run_;
   std::vector<const Piece*> pieces_;

@@ -43,7 +43,7 @@ struct RemakeParams {
   calls::CommonParams call;
   std::optional<std::vector<GivenMarker>> stored;
   std::size_t tries{remake::RemakeSettings{}.tries};
-  bool single{}, keep_trims{}, fine{}, nest{};
+  bool single{}, thorough{}, keep_trims{}, fine{}, nest{};
   std::uint64_t nest_moves{remake::RemakeSettings{}.nest_moves};
 
   static void describe(auto& v, auto& self) {
@@ -53,11 +53,16 @@ struct RemakeParams {
         "The stored markers to choose from: native or sparrow documents, of which the nearest are tried; those of "
         "the library when absent.",
         {.entries = {{1, kMostStored}}, .entries_are = "markers"});
-    v.optional("tries", self.tries, "How many arrangements are tried, 1 to 64; the shortest result counts.",
+    v.optional("tries", self.tries, "How many arrangements are tried at most, 1 to 64; the shortest result counts.",
                {.range = {{1, kMostTries}}});
     v.optional("single", self.single, "True: one stored marker at a time, never two, one behind the other.");
-    v.optional("keepTrims", self.keep_trims, "True: small pieces are not moved into gaps in the end, which is faster.");
-    v.optional("fine", self.fine, "Whether every attempt ends with the search of accuracy fine.");
+    v.optional("thorough", self.thorough,
+               "True: all tries are made and each is searched on for a shorter marker. False: when the first uses the "
+               "cloth within a point as well as the stored marker, it is the answer; else the best of them is searched "
+               "on.");
+    v.optional("keepTrims", self.keep_trims,
+               "True: the search for a shorter marker does not end with moving small pieces into gaps.");
+    v.optional("fine", self.fine, "Whether the result is refined by the search of accuracy fine.");
     v.optional("nest", self.nest, "Whether the order is nested from nothing when no attempt gives a marker.");
     v.optional("nestMoves", self.nest_moves, "The budget of nesting from nothing, in moves of a piece.",
                {.range = {{1, kMostMoves}}});
@@ -149,6 +154,7 @@ Result<calls::Motion<RemakeResult>> run_remake(const RemakeParams& params, const
   remake::RemakeSettings settings;
   settings.tries = params.tries;
   settings.concatenate = !params.single;
+  settings.thorough = params.thorough;
   settings.attempt.trims = !params.keep_trims;
   settings.attempt.fine = params.fine;
   settings.nest = params.nest;

@@ -57,7 +57,7 @@ TEST(OverlapRemoval, PopsTheTrimOfAColumnThatIsTooTall) {
   EXPECT_EQ(apart->marker.pieces.size(), marker.pieces.size());
 }
 
-// Three blocks in a column that two of them fill: only another arrangement has room.
+// Three blocks in a column that two of them fill: without popping, only another arrangement has room.
 TEST(OverlapRemoval, SearchesWhereNothingElseHelps) {
   test::Layout layout{50'000};
   const auto block = layout.shape_of(test::rectangle(20'000, 24'000));
@@ -66,6 +66,7 @@ TEST(OverlapRemoval, SearchesWhereNothingElseHelps) {
   SumCache sums;
   RemakeTuning tuning;
   tuning.growth = 0;
+  tuning.pops = 0;
   tuning.search_growth = 0.2;
   const auto apart = remove_overlaps(marker, tuning, scene::Run{sums});
   ASSERT_TRUE(apart);

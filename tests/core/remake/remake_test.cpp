@@ -115,6 +115,7 @@ TEST(Remake, IsNoLongerWithAnotherStoredMarker) {
   RemakeSettings settings;
   settings.tries = 100;
   settings.attempt.trims = false;
+  settings.thorough = true;
   const Marker first = stored_jeans();
   const Marker order = test::graded_order_of(first, 0.01);
   const Remake one = remade(order, std::vector<Marker>{test::garment("jeans_02g")}, settings);
@@ -122,6 +123,36 @@ TEST(Remake, IsNoLongerWithAnotherStoredMarker) {
   ASSERT_EQ(one.outcome, Outcome::kRemade);
   EXPECT_GT(two.attempts.size(), one.attempts.size());
   EXPECT_LE(two.length_after, one.length_after);
+}
+
+bool searched(const Attempt& attempt) {
+  return std::ranges::any_of(attempt.steps, [](const Step& step) { return step.kind == StepKind::kTrimsMoved; });
+}
+
+TEST(Remake, EndsWithAFirstTryThatIsNearEnough) {
+  const std::vector<Marker> stored{stored_jeans(), test::garment("jeans_02g")};
+  const Marker order = test::order_of(stored[0]);
+  const Remake done = remade(order, stored);
+  ASSERT_EQ(done.outcome, Outcome::kRemade);
+  EXPECT_EQ(done.candidates, 2U);
+  ASSERT_EQ(done.attempts.size(), 1U);
+  EXPECT_FALSE(searched(done.attempts[0]));
+}
+
+// None is near enough: all are tried, and the shortest is searched on.
+TEST(Remake, FinishesTheShortestDraft) {
+  RemakeSettings settings;
+  settings.attempt.tuning.near_enough = -1;
+  const std::vector<Marker> stored{test::garment("jeans_02g"), stored_jeans()};
+  const Marker order = test::graded_order_of(stored[0], 0.02);
+  const Remake done = remade(order, stored, settings);
+  ASSERT_EQ(done.outcome, Outcome::kRemade);
+  ASSERT_EQ(done.attempts.size(), 2U);
+  for (std::size_t k = 0; k < 2; ++k) EXPECT_EQ(searched(done.attempts[k]), k == *done.chosen);
+  settings.thorough = true;
+  const Remake thorough = remade(order, stored, settings);
+  for (const Attempt& attempt : thorough.attempts) EXPECT_TRUE(searched(attempt));
+  EXPECT_LE(thorough.length_after, done.length_after);
 }
 
 TEST(Remake, SaysThatNoMarkerIsNear) {

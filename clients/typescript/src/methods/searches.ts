@@ -74,13 +74,15 @@ export interface SearcheMethods {
     params: MotionParams & {
       /** The stored markers to choose from: native or sparrow documents, of which the nearest are tried; those of the library when absent. */
       stored?: Array<MarkerDocument | Record<string, unknown>>;
-      /** How many arrangements are tried, 1 to 64; the shortest result counts. */
+      /** How many arrangements are tried at most, 1 to 64; the shortest result counts. */
       tries?: number;
       /** True: one stored marker at a time, never two, one behind the other. */
       single?: boolean;
-      /** True: small pieces are not moved into gaps in the end, which is faster. */
+      /** True: all tries are made and each is searched on for a shorter marker. False: when the first uses the cloth within a point as well as the stored marker, it is the answer; else the best of them is searched on. */
+      thorough?: boolean;
+      /** True: the search for a shorter marker does not end with moving small pieces into gaps. */
       keepTrims?: boolean;
-      /** Whether every attempt ends with the search of accuracy fine. */
+      /** Whether the result is refined by the search of accuracy fine. */
       fine?: boolean;
       /** Whether the order is nested from nothing when no attempt gives a marker. */
       nest?: boolean;
