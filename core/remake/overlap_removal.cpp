@@ -71,7 +71,7 @@ class OverlapRemover {
   std::optional<Marker> repaired(Marker marker) {
     if (compact(marker)) return marker;
     auto popping = apart_by_popping(marker, tuning_, run_);
-    if (!popping || popping->popped > 0) return std::nullopt;
+    if (!popping) return std::nullopt;
     programs_ += popping->programs;
     return std::move(popping->marker);
   }

@@ -29,7 +29,7 @@ struct RemakeTuning {
   std::size_t search_patience{60};  // of the guided local search, when linear programs cannot part the pieces
   std::size_t search_strikes{1};
   double search_growth{0.015};  // part of its length by which the marker grows before each of
-  int searches{6};              // this many searches
+  int searches{12};             // this many searches
   // Afterwards:
   double near_enough{0.01};           // utilisation below that of the stored marker at which no better one is sought
   std::uint64_t moves_per_piece{40};  // of the search for a shorter marker
