@@ -3,7 +3,9 @@
 Stored markers: garments nested from nothing with 60,000 moves, or the jeans that sparrow laid out in 260 seconds; then accuracy
 `fine`.  For orders of other size mixes there are five of them, each of a mix of its own.
 """
+import json
 import pathlib
+import resource
 import subprocess
 import sys
 import types
@@ -13,7 +15,7 @@ EXAMPLES = ROOT / "examples" / "markers"
 sys.path.insert(0, str(ROOT / "bench" / "nesting"))
 import race as nesters  # noqa: E402
 
-MOVES = 60_000
+MOVES, MIX_MOVES = 60_000, 600_000  # of nesting a stored marker, and an order to compare with: about 6 and 60 s
 MIXES = range(1001, 1006)  # the seeds of the stored mixes; those of orders are smaller
 RACES = (("jeans_02g", 1), ("simon_06g", 1), ("jeans_06g", 1), ("simon_06g", 2), ("jeans_02g", 3), ("jeans_06g", 2))
 
@@ -62,6 +64,9 @@ def order_file(options, garment, change, part, seed):
 
 def order_source(options, garment, change):
     """What remake_orders is given: the garment, and the stored markers when they are not the garment's own."""
+    if "-mix-" in garment:
+        garment, seed = garment.split("-mix-")
+        return [nested(options, order_file(options, garment, "mixed", 0, seed), f"{garment}-mix-{seed}")]
     if change != "mixed":
         return [stored_marker(options, garment)]
     stored = [nested(options, order_file(options, garment, change, 0, seed), f"{garment}-mix-{seed}") for seed in MIXES]
@@ -79,6 +84,22 @@ def best_known(options):
         run(selvage, "nest", start, "--moves", MOVES, "--format", "native", "-o", start)
         run(selvage, "compact", start, "--accuracy", "fine", "--format", "native", "-o", path)
     return path
+
+
+def mix_from_nothing(options, seed):
+    """The utilisation of an order of another size mix that is nested from nothing, and its processor time; None when it is
+    neither kept nor asked for."""
+    kept = options.kept / "mixes" / f"charlie_04g-{seed}.json"
+    if not kept.exists():
+        if seed > options.mixes:
+            return None
+        kept.parent.mkdir(exist_ok=True)
+        order, out = order_file(options, "charlie_04g", "mixed", 0, seed), options.kept / "mix.json"
+        begin = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        told = run(options.programs / "selvage", "nest", order, "--from-scratch", "--moves", MIX_MOVES, "--json", "-o", out)
+        seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - begin
+        kept.write_text(json.dumps({"utilisation": json.loads(told)["utilisation_after"], "seconds": seconds}), "utf-8")
+    return json.loads(kept.read_text("utf-8"))
 
 
 def nested_elsewhere(options, garment, seed, seconds=60):

@@ -122,7 +122,7 @@ struct SizeBundles {
   std::size_t bundles{};
 };
 
-void mix(Marker& marker, const std::vector<Json>& attributes, Choices& choices) {
+void mix(Marker& marker, const std::vector<Json>& attributes, double times, Choices& choices) {
   std::map<std::string, SizeBundles> sizes;
   for (const Piece& piece : marker.unplaced) ++sizes[size_of(attributes[piece.shape.value])].counts[piece.shape.value];
   std::vector<SizeBundles> of_size;
@@ -132,6 +132,7 @@ void mix(Marker& marker, const std::vector<Json>& attributes, Choices& choices) 
     bundles += size.bundles;
     of_size.push_back(size);
   }
+  if (times > 0) bundles *= static_cast<std::size_t>(times);
   std::vector<Piece> pieces;
   for (std::size_t k = 0; k < bundles; ++k) {
     const auto drawn = static_cast<std::size_t>(choices.between(0, static_cast<double>(of_size.size())));
@@ -171,7 +172,7 @@ Marker order_of(const MarkerFile& file, Change change, double part, std::uint64_
       break;
     case Change::kReshaped: reshape(marker, part, choices); break;
     case Change::kCounts: recount(marker, part, choices); break;
-    case Change::kMixed: mix(marker, file.attributes.shapes, choices); break;
+    case Change::kMixed: mix(marker, file.attributes.shapes, part, choices); break;
   }
   return marker;
 }

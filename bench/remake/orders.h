@@ -6,7 +6,8 @@
 //   reshaped every shape is wider and higher by random parts up to +-part, and bent across by as much of its height;
 //            equal outlines change alike
 //   counts   the part of the pieces is left out or, as often, cut twice
-//   mixed    as many bundles as the marker has, each of a size that is drawn at random; there is no part
+//   mixed    as many bundles as the marker has, or as many times that as the part says when it is above 0, each of a
+//            size that is drawn at random
 // Sizes are recognised by the attribute "size" of the shapes.  The same seed makes the same order everywhere.
 #pragma once
 
@@ -23,7 +24,8 @@ inline constexpr Change kChanges[] = {Change::kGraded, Change::kLarger, Change::
 
 [[nodiscard]] std::string_view name_of(Change change);
 
-// REQUIRES: a part from 0 to 0.2.  Shapes that a change would make crossing or too wide for the strip stay as they are.
+// REQUIRES: a part from 0 to 0.2, for kMixed an integer.  Shapes that a change would make crossing or too wide for the
+// strip stay as they are.
 [[nodiscard]] Marker order_of(const MarkerFile& file, Change change, double part, std::uint64_t seed);
 
 }  // namespace selvage::bench

@@ -18,64 +18,88 @@ import subprocess
 
 import made
 
-ORDERS, BATCH, REFINED = 50, 5, 5  # orders of a row; of a batch; how many of them are also refined
-CHANGES = (("graded", 0.02), ("graded", 0.04), ("graded", 0.08), ("larger", 0.02), ("reshaped", 0.01), ("reshaped", 0.03),
-           ("counts", 0.1))
-
-
-def rows():
-    for garment in ("jeans_06g", "jeans_02g"):
-        for change, part in CHANGES:
-            yield garment, change, part
-    yield "simon_06g", "graded", 0.04
-    yield "charlie_04g", "mixed", 0
-
-
-def name_of(row):
-    garment, change, part = row
-    return f"{garment}-{change}" + (f"-{part}" if part else "")
+ORDERS, BATCH, REFINED = 50, 3, 4  # of a row; of a batch; how many of each garment's are also refined
+GARMENTS = ("jeans_06g", "simon_06g", "charlie_04g")
+SPREAD = ("jeans_06g", "simon_06g", "charlie_04g", "jeans_02g", *(f"charlie_04g-mix-{seed}" for seed in made.MIXES))
+# What is changed, by which part, in which stored markers, and how many arrangements are tried.
+ROWS = (("graded", 0.02, GARMENTS, 1), ("graded", 0.04, GARMENTS, 1), ("graded", 0.08, GARMENTS, 1),
+        ("larger", 0.02, SPREAD, 1), ("reshaped", 0.01, GARMENTS, 1), ("reshaped", 0.03, GARMENTS, 1),
+        ("counts", 0.1, GARMENTS, 1), ("mixed", 0, ("charlie_04g",), 5), ("mixed", 2, ("charlie_04g",), 5))
 
 
 class Results:
-    """What is known of the orders of one row."""
+    """What is known of the orders of one row, by stored marker."""
 
-    def __init__(self, options, row):
-        self.options, self.row = options, row
-        self.path = options.kept / "orders" / f"{name_of(row)}.jsonl"
-        lines = self.path.read_text("utf-8").splitlines() if self.path.exists() else []
-        self.orders = [json.loads(line) for line in lines]
+    def __init__(self, options, change, part, garments, tries):
+        self.options, self.change, self.part, self.garments, self.tries = options, change, part, garments, tries
+        self.orders = {garment: self.kept_of(garment) for garment in garments}
 
-    def wanted(self):
-        # The pieces of `larger` are the same in every order.
-        return BATCH if self.row[1] == "larger" else ORDERS
+    def path(self, garment):
+        return self.options.kept / "orders" / f"{garment}-{self.change}-{self.part}.jsonl"
+
+    def kept_of(self, garment):
+        path = self.path(garment)
+        return [json.loads(line) for line in path.read_text("utf-8").splitlines()] if path.exists() else []
+
+    def all(self):
+        return [order for orders in self.orders.values() for order in orders]
+
+    def missing(self):
+        """The marker that has the fewest orders; None when the row is complete.  The orders of `larger` are all alike."""
+        garment = min(self.garments, key=lambda one: len(self.orders[one]))
+        wanted = 1 if self.change == "larger" else -(-ORDERS // len(self.garments))
+        return garment if len(self.orders[garment]) < wanted else None
 
     def add_batch(self):
-        garment, change, part = self.row
-        options, first = self.options, len(self.orders) + 1
-        words = [options.programs / "remake_orders", "--change", change, "--part", part, "--first", first, "--count", BATCH]
+        garment = self.missing()
+        options, first = self.options, len(self.orders[garment]) + 1
+        words = [options.programs / "remake_orders", "--change", self.change, "--part", self.part, "--first", first,
+                 "--tries", self.tries, "--count", 1 if self.change == "larger" else BATCH]
         if first <= REFINED:
             words.append("--fine")
-        added = made.run(*words, *made.order_source(options, garment, change))
-        self.path.parent.mkdir(parents=True, exist_ok=True)
-        with self.path.open("a", encoding="utf-8") as file:
+        added = made.run(*words, *made.order_source(options, garment, self.change))
+        self.path(garment).parent.mkdir(parents=True, exist_ok=True)
+        with self.path(garment).open("a", encoding="utf-8") as file:
             file.write(added)
-        self.orders += [json.loads(line) for line in added.splitlines()]
+        self.orders[garment] += [json.loads(line) for line in added.splitlines()]
 
     def seconds(self):
-        return sum(order["seconds"] + order.get("fine_seconds", 0) for order in self.orders)
+        return sum(order["seconds"] + order.get("fine_seconds", 0) for order in self.all())
 
     def cells(self):
-        garment, change, part = self.row
-        apart = [order for order in self.orders if order["made"]]
-        lost = sorted(100 * (order["stored"] - order["utilisation"]) for order in apart)
+        orders = self.all()
+        apart = [order for order in orders if order["made"]]
         fine = [100 * (order["stored"] - order["fine"]) for order in apart if "fine" in order]
-        by = [sum(order["removed_by"] == way for order in apart) for way in ("separated", "popped", "searched")]
-        return (garment, f"{change} {100 * part:g} %" if part else change, len(self.orders),
-                f"{100 * len(apart) / len(self.orders):.0f} %",
-                f"{statistics.median(lost):.2f}" if lost else "-",
-                f"{statistics.median(fine):.2f} ({len(fine)})" if fine else "-",
-                f"{statistics.median(order['seconds'] for order in self.orders):.2f}", ", ".join(map(str, by)),
-                "yes" if all(order["valid"] for order in apart) else "NO")
+        quick = [order["seconds"] for order in apart if is_quick(order)]
+        by = [sum(way in order["steps"] for order in apart) for way in ("separated", "popped", "searched")]
+        return (named(self.change, self.part), len(orders), f"{100 * len(apart) / len(orders):.0f} %",
+                median(lost(apart)), median(fine) + (f" ({len(fine)})" if fine else ""),
+                median([order["seconds"] for order in orders]), f"{len(quick)}, {median(quick)}",
+                ", ".join(map(str, by)), "yes" if all(order["valid"] for order in apart) else "NO")
+
+    def losses(self):
+        """The median loss of each garment."""
+        return [median(lost([order for order in self.orders[garment] if order["made"]])) if garment in self.orders else "-"
+                for garment in GARMENTS]
+
+
+def named(change, part):
+    if change == "mixed":
+        return "other size mixes" + (f", {part} times the bundles" if part else "")
+    return f"{change} {100 * part:g} %"
+
+
+def is_quick(order):
+    """Whether the first try was near enough, so that neither another one nor a search followed."""
+    return order["tries"] == 1 and not {"searched", "rearranged", "trims_moved"} & set(order["steps"])
+
+
+def lost(orders):
+    return [100 * (order["stored"] - order["utilisation"]) for order in orders]
+
+
+def median(values):
+    return f"{statistics.median(values):.2f}" if values else "-"
 
 
 def processor_seconds():
@@ -83,12 +107,13 @@ def processor_seconds():
 
 
 def measure(options):
-    results = [Results(options, row) for row in rows()]
+    results = [Results(options, *row) for row in ROWS]
     for row in results:
-        made.order_source(options, row.row[0], row.row[1])  # making stored markers does not count
+        for garment in row.garments:
+            made.order_source(options, garment, row.change)  # making stored markers does not count
     begin = processor_seconds()
     while processor_seconds() - begin < options.seconds:
-        open_rows = [row for row in results if len(row.orders) < row.wanted()]
+        open_rows = [row for row in results if row.missing()]
         if not open_rows:
             break
         min(open_rows, key=Results.seconds).add_batch()
@@ -101,9 +126,14 @@ def table(headings, lines):
 
 
 def figures(results):
-    headings = ("stored", "order", "orders", "came apart", "median loss", "after `fine` (orders)", "s",
+    headings = ("order", "orders", "came apart", "median loss", "after `fine` (orders)", "s", "first try near enough, s",
                 "separated, popped, searched", "valid")
-    return table(headings, [row.cells() for row in results if row.orders])
+    return table(headings, [row.cells() for row in results if row.all()])
+
+
+def losses(results):
+    headings = ("median loss", *GARMENTS)
+    return table(headings, [(named(row.change, row.part), *row.losses()) for row in results if row.all()])
 
 
 def replaced(page, name, text):
@@ -116,12 +146,30 @@ def race(options):
     lines = []
     for garment, seed in made.RACES:
         nested = made.nested_elsewhere(options, garment, seed)
-        kept = Results(options, (garment, "graded", 0.04)).orders
+        kept = Results(options, "graded", 0.04, GARMENTS, 1).kept_of(garment)
         remade = next((order for order in kept if order["seed"] == seed and order["made"]), None)
         if nested and remade:
             lines.append((garment, seed, f"{100 * remade['utilisation']:.2f} %", f"{remade['seconds']:.2f}",
                           f"{nested['density']:.2f} %" + ("" if nested["valid"] else " (overlaps)")))
     return table(("stored", "order", "remade", "s", "spyrrow, 60 s"), lines) if lines else ""
+
+
+def mixes(options):
+    """Orders of other size mixes, beside the same orders nested from nothing."""
+    kept = Results(options, "mixed", 0, ("charlie_04g",), 5).all()
+    lines, behind = [], []
+    for order in kept:
+        nested = made.mix_from_nothing(options, order["seed"])
+        if not nested or not order["made"]:
+            continue
+        behind.append(100 * (nested["utilisation"] - order["utilisation"]))
+        lines.append((order["seed"], f"{100 * order['utilisation']:.2f} %", f"{order['seconds']:.2f}",
+                      f"{100 * nested['utilisation']:.2f} %", f"{nested['seconds']:.1f}"))
+    if not lines:
+        return ""
+    near = sum(one <= 1 for one in behind)
+    summary = f"\nRemade less nested, median: {-statistics.median(behind):.2f} points; within a point or better: {near} of {len(behind)}.\n"
+    return table(("order", "remade", "s", "nested from nothing", "s"), lines) + summary
 
 
 def main():
@@ -132,6 +180,7 @@ def main():
     parser.add_argument("--data", type=pathlib.Path, required=True)
     parser.add_argument("--seconds", type=float, default=600)
     parser.add_argument("--race", action="store_true", help="also run the other nester where its layouts are not kept")
+    parser.add_argument("--mixes", type=int, default=0, help="nest this many orders of other size mixes from nothing, too")
     options = parser.parse_args()
     options.kept = options.kept.resolve()
     options.kept.mkdir(parents=True, exist_ok=True)
@@ -142,7 +191,8 @@ def main():
     examples = made.EXAMPLES
     matching = made.run(options.programs / "matching_table", examples / "jeans_06g.json", examples / "jeans_22g.json")
     page = options.page.read_text("utf-8")
-    for name, text in (("steps", steps), ("figures", figures(results)), ("matching", matching), ("race", race(options))):
+    for name, text in (("steps", steps), ("figures", figures(results)), ("losses", losses(results)), ("mixes", mixes(options)),
+                       ("matching", matching), ("race", race(options))):
         page = replaced(page, name, text)
     options.page.write_text(page, "utf-8")
 

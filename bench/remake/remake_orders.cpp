@@ -1,10 +1,11 @@
 // Orders made of a garment marker (orders.h), remade from stored markers: one line of JSON for each order.
 //
-//   remake_orders --change NAME [--part P] [--first SEED] [--count N] [--trials N] [--fine] [--outlines FOLDER]
-//                 [--write FILE] GARMENT.json [STORED.json...]
+//   remake_orders --change NAME [--part P] [--first SEED] [--count N] [--tries N] [--trials N] [--fine]
+//                 [--outlines FOLDER] [--write FILE] GARMENT.json [STORED.json...]
 //
 // The orders have the seeds SEED, SEED + 1, ...; without stored markers, the garment's own marker is the only one.
-// --trials: of moving small pieces into gaps; 0: none.  --fine: the results are also refined as accuracy fine does.
+// --tries: of each order.  --trials: of moving small pieces into gaps; 0: none.  --fine: the results are also refined
+// as accuracy fine does.
 // --outlines: every result is written there as placed outlines, for an independent judge.  --write: instead of all
 // that, the order of the first seed is written to this file.  Utilisations are parts of 1, times are processor time on
 // one thread, with an empty cache of Minkowski sums for each order.
@@ -40,14 +41,15 @@ double processor_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-// The step that removed the overlaps; empty when there were none.
-std::string removed_by(const remake::Attempt& attempt) {
-  for (const remake::Step& step : attempt.steps) {
-    if (step.kind == remake::StepKind::kSeparated) return "separated";
-    if (step.kind == remake::StepKind::kPopped) return "popped";
-    if (step.kind == remake::StepKind::kSearched) return "searched";
-  }
-  return "";
+std::string_view name_of(remake::StepKind kind) {
+  static constexpr std::string_view kNames[] = {"substituted", "separated",  "popped",      "searched", "compacted",
+                                                "inserted",    "rearranged", "trims_moved", "refined"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+Json steps_of(const remake::Attempt& attempt) {
+  Json names = Json::array();
+  for (const remake::Step& step : attempt.steps) names.push_back(name_of(step.kind));
+  return names;
 }
 
 void write_result(const Options& options, std::uint64_t seed, const Marker& marker) {
@@ -67,11 +69,14 @@ void remake_order(const Options& options, const MarkerFile& garment, const std::
   line["seed"] = seed;
   line["seconds"] = processor_seconds() - begin;
   line["made"] = done && done->outcome == remake::Outcome::kRemade;
+  if (done && !done->chosen && !done->attempts.empty()) line["steps"] = steps_of(done->attempts.front());
   if (done && done->chosen) {
     line["valid"] = is_valid(done->marker);
     line["utilisation"] = utilisation_of(done->marker);
-    line["stored"] = utilisation_of(stored[done->attempts[*done->chosen].stored.front()]);
-    line["removed_by"] = removed_by(done->attempts[*done->chosen]);
+    line["stored"] = done->attempts[*done->chosen].used;
+    line["tries"] = done->attempts.size();
+    line["markers"] = done->attempts[*done->chosen].stored.size();
+    line["steps"] = steps_of(done->attempts[*done->chosen]);
     write_result(options, seed, done->marker);
   }
   if (options.fine && done && done->chosen) {
@@ -109,6 +114,7 @@ Options options_in(int count, char** words) {
       if (word == "--first") options.first = std::strtoull(value, nullptr, 10);
       if (word == "--count") options.count = std::strtoull(value, nullptr, 10);
       if (word == "--trials") options.settings.attempt.tuning.trim_trials = std::strtoull(value, nullptr, 10);
+      if (word == "--tries") options.settings.tries = std::strtoull(value, nullptr, 10);
       if (word == "--outlines") options.outlines = value;
       if (word == "--write") options.write = value;
     }

@@ -44,6 +44,7 @@ int main(int count, char** words) {
   const Marker order = bench::order_of(stored, bench::Change::kGraded, 0.04, std::strtoull(words[2], nullptr, 10));
   remake::RemakeSettings settings;
   settings.attempt.fine = true;
+  settings.thorough = true;  // every step, also when the draft is near enough
   SumCache sums;
   const auto done = remake::remake(order, std::vector<Marker>{stored.marker}, settings, scene::Run{sums});
   if (!done || !done->chosen) return EXIT_FAILURE;
