@@ -1,6 +1,7 @@
 #include "core/remake/popping.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
