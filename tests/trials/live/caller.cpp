@@ -1,6 +1,8 @@
 #include "tests/trials/live/caller.h"
 
+#include <algorithm>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 namespace selvage::trials {
@@ -25,7 +27,13 @@ Caller::Caller(const LiveDaemon& daemon, Endpoint endpoint) {
 
 void Caller::send_text(std::string text) {
   if (socket_) return socket_->send_text(std::move(text));
-  line_->send(text += '\n');
+  // In parts, because the kernel may not interrupt a system call: one that sends megabytes would keep a processor from
+  // the daemon for milliseconds, which a client on a machine of its own does not.
+  constexpr std::size_t kPart = std::size_t{16} << 10;
+  text += '\n';
+  for (std::string_view left{text}; !left.empty(); left.remove_prefix(std::min(kPart, left.size()))) {
+    line_->send(left.substr(0, kPart));
+  }
 }
 
 std::optional<std::string> Caller::next_text() {
