@@ -3,34 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
+
 namespace selvage::packing::branching {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
-bool apart(const RealBox& a, const RealBox& b) {
-  return a.high_x <= b.low_x || b.high_x <= a.low_x || a.high_y <= b.low_y || b.high_y <= a.low_y;
-}
-// Whether all corners of the box are free positions: then the hull of the free ones in the box is the box.
-bool has_free_corners(const RealBox& box, const WedgeRing& wedges) {
-  return wedges.is_free({box.low_x, box.low_y}) && wedges.is_free({box.high_x, box.low_y}) &&
-         wedges.is_free({box.low_x, box.high_y}) && wedges.is_free({box.high_x, box.high_y});
-}
-bool is_all_of(const RealBox& part, const RealBox& box) {
-  return part.low_x <= box.low_x && part.low_y <= box.low_y && part.high_x >= box.high_x && part.high_y >= box.high_y;
-}
-// The box of the lattice points in it.
-RealBox whole_within(const RealBox& box) {
-  return {std::ceil(box.low_x - cells::kRounding), std::ceil(box.low_y - cells::kRounding),
-          std::floor(box.high_x + cells::kRounding), std::floor(box.high_y + cells::kRounding)};
-}
-// Whether `now` is much smaller than `before`.
-bool shrank(const RealBox& before, const RealBox& now, double part) {
-  const double least = part * std::max({before.width(), before.height(), 1.0});
-  return now.low_x > before.low_x + least || now.high_x < before.high_x - least || now.low_y > before.low_y + least ||
-         now.high_y < before.high_y - least;
-}
 
 }  // namespace
 
@@ -201,93 +178,10 @@ std::vector<Row> Relaxation::exact_rows(const Node& node) const {
   return rows;
 }
 
-RealBox Relaxation::pair_box(const Node& node, const RingState& ring) const {
-  return {node.x.lower(ring.first, ring.second), node.y.lower(ring.first, ring.second),
-          node.x.upper(ring.first, ring.second), node.y.upper(ring.first, ring.second)};
-}
-
-Reasons Relaxation::why_pair_box(const Node& node, const RingState& ring) {
-  return node.x.why_lower(ring.first, ring.second) | node.y.why_lower(ring.first, ring.second) |
-         node.x.why_upper(ring.first, ring.second) | node.y.why_upper(ring.first, ring.second);
-}
-
 bool Relaxation::raise(DifferenceBounds& bounds, std::size_t a, std::size_t b, double bound, Reasons why) {
   if (bounds.raise(a, b, bound, why)) return true;
   conflict_ = why | bounds.why_upper(a, b);
   return false;
-}
-
-bool Relaxation::raise_to(Node& node, const RingState& ring, const RealBox& box, Reasons why) {
-  return raise(node.x, ring.first, ring.second, box.low_x, why) &&
-         raise(node.x, ring.second, ring.first, -box.high_x, why) &&
-         raise(node.y, ring.first, ring.second, box.low_y, why) &&
-         raise(node.y, ring.second, ring.first, -box.high_y, why);
-}
-
-// The box of the arc's cells within `box`; nothing when they are all empty.  Empty cells at the ends are cut off, but
-// for a whole ring, which has no ends.
-std::optional<RealBox> Relaxation::trim(const WedgeRing& wedges, Arc& arc, const RealBox& box) {
-  RealBox found{kInfinite, kInfinite, -kInfinite, -kInfinite};
-  Cell cell;
-  const auto is_empty = [&](std::uint32_t k) {
-    const std::uint32_t at = arc.first + k;
-    if (!wedges.clip(at < wedges.size() ? at : at - wedges.size(), box, cell)) return true;
-    for (std::size_t c = 0; c < cell.count; ++c) {
-      found = {std::min(found.low_x, cell.x[c]), std::min(found.low_y, cell.y[c]), std::max(found.high_x, cell.x[c]),
-               std::max(found.high_y, cell.y[c])};
-    }
-    return false;
-  };
-  std::uint32_t first = 0;
-  while (first < arc.count && is_empty(first)) ++first;
-  if (first == arc.count) return std::nullopt;
-  std::uint32_t last = arc.count - 1;
-  while (last > first && is_empty(last)) --last;
-  for (std::uint32_t k = first + 1; k < last && !is_all_of(found, box); ++k) (void)is_empty(k);
-  if (arc.count < wedges.size()) arc = {(arc.first + first) % wedges.size(), last - first + 1};
-  return found;
-}
-
-bool Relaxation::look(Node& node, RingState& ring) {
-  ++work_.looks;
-  const WedgeRing& wedges = problem_->rings[ring.ring];
-  const bool whole = ring.arc.count == wedges.size();
-  const RealBox box = pair_box(node, ring);
-  ring.looked_at = box;
-  ring.hull_begin = RingState::kNone;
-  if (whole && apart(box, wedges.box())) {
-    ring.clear = true;
-    return true;
-  }
-  if (whole && has_free_corners(box, wedges)) {
-    ring.hull_begin = ring.hull_end = 0;
-    return true;
-  }
-  const Reasons why = ring.why | why_pair_box(node, ring);
-  const std::uint32_t count = ring.arc.count;
-  const auto found = trim(wedges, ring.arc, box);
-  if (!found) conflict_ = why;
-  if (ring.arc.count != count) ring.why = why;
-  // Differences are whole, so the box may be rounded inwards, as far as clipping is exact.
-  if (!found || !raise_to(node, ring, whole_within(*found), why)) {
-    ++conflicts_[ring.ring];
-    return false;
-  }
-  ring.looked_at = pair_box(node, ring);
-  return true;
-}
-
-bool Relaxation::propagate(Node& node) {
-  for (int round = 0; round < tuning_.propagations; ++round) {
-    bool any = false;
-    for (RingState& ring : node.rings) {
-      if (ring.clear || !shrank(ring.looked_at, pair_box(node, ring), tuning_.shrink)) continue;
-      if (!look(node, ring)) return false;
-      any = true;
-    }
-    if (!any) break;
-  }
-  return true;
 }
 
 void Relaxation::begin_at(Node& node) {
