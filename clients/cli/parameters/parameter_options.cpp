@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <iterator>
 #include <optional>
-#include <regex>
 #include <string_view>
 #include <utility>
 
@@ -83,6 +82,30 @@ bool is_switched_off(const FieldDescription& parameter) {
   return parameter.fallback == Json(true);
 }
 
+bool is_capital(char c) {
+  return c >= 'A' && c <= 'Z';
+}
+bool is_letter(char c) {
+  return is_capital(c) || (c >= 'a' && c <= 'z');
+}
+
+// The text with the names of parameters, which are words such as overCut, replaced by those of their options.
+std::string with_option_names(std::string_view text) {
+  std::string named;
+  while (!text.empty()) {
+    const auto end = std::find_if_not(text.begin(), text.end(), &is_letter);
+    const std::string_view word = text.substr(0, static_cast<std::size_t>(end - text.begin()));
+    const bool parameter =
+        !word.empty() && !is_capital(word.front()) && std::any_of(word.begin(), word.end(), &is_capital);
+    named += parameter ? option_name(word) : std::string{word};
+    text.remove_prefix(word.size());
+    if (text.empty()) break;
+    named += text.front();
+    text.remove_prefix(1);
+  }
+  return named;
+}
+
 // A parameter's meaning as that of an option: of a flag, what it does when it is given; other parameters by the names
 // of their options.
 std::string meaning_on_command_line(const FieldDescription& parameter, bool flag) {
@@ -93,13 +116,7 @@ std::string meaning_on_command_line(const FieldDescription& parameter, bool flag
     text.erase(std::min(text.find("; false: "), text.size()));
     text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
   }
-  static const std::regex kParameterName{R"(\b[a-z]+[A-Z][A-Za-z]*)"};
-  std::smatch found;
-  while (std::regex_search(text, found, kParameterName)) {
-    const std::string option = option_name(found.str());
-    text.replace(static_cast<std::size_t>(found.position()), static_cast<std::size_t>(found.length()), option);
-  }
-  return text;
+  return with_option_names(text);
 }
 
 ParameterOption option_of(std::string_view method, const FieldDescription& parameter) {
@@ -146,9 +163,8 @@ Result<Json> parameter_value(const ParameterOption& option, const Value& value) 
 std::string option_name(std::string_view parameter) {
   std::string name = "--";
   for (const char c : parameter) {
-    const bool capital = c >= 'A' && c <= 'Z';
-    if (capital) name += '-';
-    name += capital ? static_cast<char>(c - 'A' + 'a') : c;
+    if (is_capital(c)) name += '-';
+    name += is_capital(c) ? static_cast<char>(c - 'A' + 'a') : c;
   }
   return name;
 }

@@ -1,11 +1,12 @@
 #include "clients/cli/commands/motions/nest_on_sheets.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <optional>
-#include <regex>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "clients/cli/commands/marker_run.h"
@@ -18,17 +19,32 @@ namespace {
 
 using terminal::ExitCode;
 
-// "1500x3000*4,1200x800" as the parameter of the call: width x length, and how many of them there are.
-std::optional<Json> sheets_of_sizes(const std::string& text) {
-  static const std::regex kSize{R"(([0-9.]+)x([0-9.]+)(?:\*([0-9]+))?)"};
+bool has_only(std::string_view text, std::string_view allowed) {
+  return !text.empty() && text.find_first_not_of(allowed) == std::string_view::npos;
+}
+
+// "1500x3000*4": width x length, and how many of them there are.
+std::optional<Json> sheet_of_size(std::string_view text) {
+  constexpr std::size_t kLongest = 64;
+  const std::size_t cross = text.find('x');
+  if (cross == std::string_view::npos || text.size() > kLongest) return std::nullopt;
+  const std::size_t star = std::min(text.find('*'), text.size());
+  if (star < cross) return std::nullopt;
+  const std::string width{text.substr(0, cross)}, length{text.substr(cross + 1, star - cross - 1)};
+  const std::string count{star < text.size() ? text.substr(star + 1) : "1"};
+  if (!has_only(width, "0123456789.") || !has_only(length, "0123456789.") || !has_only(count, "0123456789"))
+    return std::nullopt;
+  auto sheet = protocol::json::parse("{\"width\":" + width + ",\"length\":" + length + ",\"count\":" + count + "}");
+  if (!sheet) return std::nullopt;
+  return *std::move(sheet);
+}
+
+// "1500x3000*4,1200x800" as the parameter of the call.
+std::optional<Json> sheets_of_sizes(std::string_view text) {
   Json sheets = Json::array();
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
-    std::smatch size;
-    const std::string one = text.substr(begin, end - begin);
-    if (!std::regex_match(one, size, kSize) || one.size() > 64) return std::nullopt;
-    auto sheet = protocol::json::parse("{\"width\":" + size[1].str() + ",\"length\":" + size[2].str() +
-                                       (size[3].matched ? ",\"count\":" + size[3].str() : "") + "}");
+    auto sheet = sheet_of_size(text.substr(begin, end - begin));
     if (!sheet) return std::nullopt;
     sheets.push_back(*std::move(sheet));
     begin = end + 1;
