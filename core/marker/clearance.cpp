@@ -18,7 +18,7 @@ bool clear_of_others(const PlacedPieces& pieces, std::uint32_t piece, const geom
   const Box near = polygon.placed_box().grown(pieces.widest_spacing());
   for (std::uint32_t other = 0; other < pieces.size(); ++other) {
     if (other == piece || !near.overlaps(pieces.box(other)) || skip(other)) continue;
-    if (pieces.is_zone(piece) && pieces.is_zone(other)) continue;
+    if (pieces.may_share_cloth(piece, other)) continue;
     if (collide(polygon, pieces[other], pieces.spacing({piece, other}))) return false;
   }
   return true;
@@ -85,14 +85,6 @@ bool keep_joint_rules(const PlacedPieces& pieces) {
          std::all_of(sets.begin(), sets.end(), [&](const MatchSet& set) { return pieces.off_phase(set) == 0; });
 }
 
-bool has_flat_bottom(const Polygon& outline) {
-  const Coord low = box_of(outline).low.y;
-  for (std::size_t k = 0; k < outline.size(); ++k) {
-    if (outline[k].y == low && outline[(k + 1) % outline.size()].y == low) return true;
-  }
-  return false;
-}
-
 bool shares_shade(const Marker& marker, const Piece& piece) {
   if (!marker.shade || piece.rules.shade.empty()) return false;
   const auto other = [&piece](const Piece& one) { return one.rules.shade == piece.rules.shade && one.id != piece.id; };
@@ -105,7 +97,8 @@ bool may_lie(const Marker& marker, const Piece& piece) {
   const Strip& strip = marker.strip;
   const Polygon outline = oriented(marker.shapes[piece.shape.value].outline, piece.orientation);
   const Box box = box_of(outline);
-  const Box room = room_for(rules, box.height(), strip, strip.last().value_or(kLatticeLimit));
+  const Box room =
+      room_for(rules, box.height(), fold_edge(rules, outline, strip), strip, strip.last().value_or(kLatticeLimit));
   const bool in_band = (!rules.from && !rules.to) || box.width() <= room.width();
   if (box.height() > room.height() || !in_band) return false;
   if (marker.shade && box.width() > *marker.shade && shares_shade(marker, piece)) return false;
@@ -113,7 +106,7 @@ bool may_lie(const Marker& marker, const Piece& piece) {
     const Box matched = matched_room(room, box, turned_match(piece), repeat_for(rules, strip));
     if (matched.height() < box.height() || matched.width() < box.width()) return false;
   }
-  return keeps_nap(rules, piece.orientation) && (!rules.on_fold || has_flat_bottom(outline));
+  return keeps_nap(rules, piece.orientation) && has_side_for_fold(rules, outline, strip);
 }
 
 bool are_inside(const PlacedPieces& pieces, const Strip& strip) {

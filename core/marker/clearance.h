@@ -45,8 +45,6 @@ namespace selvage::marker {
 // True when no piece leaves its room, and joint rules are kept.
 [[nodiscard]] bool are_inside(const PlacedPieces& pieces, const Strip& strip);
 
-// True when a side of the outline lies along the lower end of its box, so that it can lie on a fold.
-[[nodiscard]] bool has_flat_bottom(const Polygon& outline);
 // True when another piece, placed or not, belongs to the same shade; alone, a piece is within any length.
 [[nodiscard]] bool shares_shade(const Marker& marker, const Piece& piece);
 // True when a piece, as it is turned, is not too wide for the room that its rules leave it, nor too long for its band

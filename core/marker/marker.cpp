@@ -118,11 +118,19 @@ std::optional<Error> strip_defect(const Marker& marker) {
 // Rules that no position keeps, whatever the piece's orientation; `at` points to the piece.
 std::optional<Error> rules_defect(const Marker& marker, const Piece& piece, const std::string& at) {
   const Rules& rules = piece.rules;
-  const bool plain = rules == Rules{.zone = true} && piece.group.empty() && piece.buffer == 0 && !piece.overlap;
+  const bool plain = rules == Rules{.zone = true, .quality = rules.quality} && piece.group.empty() &&
+                     piece.buffer == 0 && !piece.overlap;
   if (rules.zone && !plain) {
     return Error{ErrorCode::kOutOfRange,
                  "a zone is a part of the cloth: it has no other rule, no group, no buffer and no overlap allowance",
                  at + "/rules/zone"};
+  }
+  if (const Quality least = rules.zone ? 1 : 0;
+      rules.quality && (*rules.quality < least || *rules.quality > kWorstQuality)) {
+    return Error{ErrorCode::kOutOfRange,
+                 "the quality is " + std::to_string(*rules.quality) + "; it must be from " + std::to_string(least) +
+                     " to " + std::to_string(kWorstQuality) + (rules.zone ? ", as 0 is that of all other cloth" : ""),
+                 at + "/rules/quality"};
   }
   const auto turned = [&rules](Angle rotation) { return keeps_nap(rules, {false, rotation, {}}); };
   const std::vector<Angle>& rotations = marker.shapes[piece.shape.value].rotations;
@@ -139,6 +147,10 @@ std::optional<Error> rules_defect(const Marker& marker, const Piece& piece, cons
   if (rules.on_fold && rules.below) {
     return Error{ErrorCode::kOutOfRange, "a piece on the fold has no selvedge below it; leave out fold or below",
                  at + "/rules/below"};
+  }
+  if (rules.on_fold && rules.above && marker.strip.tube) {
+    return Error{ErrorCode::kOutOfRange,
+                 "a piece on a fold of a tube has no selvedge above it; leave out fold or above", at + "/rules/above"};
   }
   const Coord from = rules.from.value_or(0);
   if (from >= 0 && (!rules.to || *rules.to > from)) return std::nullopt;
@@ -197,11 +209,14 @@ std::optional<Error> room_defect(const Marker& marker, const Piece& piece, const
   const Polygon outline = oriented(marker.shapes[piece.shape.value].outline, piece.orientation);
   const Box box = box_of(outline);
   const auto long_by = [&](Coord length) { return decimal(length, marker.resolution) + " long"; };
-  if (piece.rules.on_fold && !has_flat_bottom(outline)) {
-    return Error{ErrorCode::kOutOfRange, "the piece has no side along its lower end that could lie on the fold",
+  if (!has_side_for_fold(piece.rules, outline, marker.strip)) {
+    return Error{ErrorCode::kOutOfRange,
+                 std::string{"the piece has no side along its lower end"} +
+                     (marker.strip.tube ? ", nor along its upper one," : "") + " that could lie on the fold",
                  at + "/rules/fold"};
   }
-  const Box room = room_for(piece.rules, box.height(), marker.strip, marker.strip.last().value_or(kLatticeLimit));
+  const Box room = room_for(piece.rules, box.height(), fold_edge(piece.rules, outline, marker.strip), marker.strip,
+                            marker.strip.last().value_or(kLatticeLimit));
   if (room.height() < box.height()) {
     return Error{ErrorCode::kPieceTooWide,
                  "the piece is " + decimal(box.height(), marker.resolution) + " across; its rules leave it " +

@@ -30,6 +30,7 @@ struct Strip {
   std::optional<Coord> below{},
       above{};      // the selvedges: distances from the lower and the upper edge; none: the margin
   Repeat repeat{};  // of the cloth's pattern, which pieces with a match point keep
+  bool tube{};      // tubular cloth: the upper edge is a fold, too, as the lower one is for pieces that lie on it
 
   // The box in which pieces may lie, up to x = `end`, unless they have rules of their own (core/marker/rules.h).
   [[nodiscard]] constexpr Box room(Coord end) const {

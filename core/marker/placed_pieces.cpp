@@ -25,7 +25,7 @@ bool sweep(const PlacedPieces& pieces, Coord distance, const Visit& visit) {
     const Box reach = entries[k].box.grown(distance);
     for (std::size_t m = k + 1; m < entries.size() && entries[m].box.low.x < reach.high.x; ++m) {
       if (!reach.overlaps(entries[m].box)) continue;
-      if (pieces.is_zone(entries[k].piece) && pieces.is_zone(entries[m].piece)) continue;
+      if (pieces.may_share_cloth(entries[k].piece, entries[m].piece)) continue;
       if (visit(PiecePair{std::minmax(entries[k].piece, entries[m].piece)})) return true;
     }
   }
@@ -77,7 +77,7 @@ Coord PlacedPieces::length() const {
 Box PlacedPieces::room_by_rules(std::size_t piece, const Strip& strip, Coord end) const {
   const Rules& rules = rooms_->rules[piece];
   const Box own = box(piece);
-  const Box room = room_for(rules, own.height(), strip, end);
+  const Box room = room_for(rules, own.height(), fold_edge(rules, polygons_[piece]->vertices, strip), strip, end);
   return rules.matched_to_cloth() ? matched_room(room, own, match_at(piece), repeat_for(rules, strip)) : room;
 }
 

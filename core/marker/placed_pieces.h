@@ -53,8 +53,15 @@ class PlacedPieces {
   }
   // The largest spacing of any pair; at least 0.
   [[nodiscard]] Coord widest_spacing() const { return widest_spacing_; }
-  // True for a part of the cloth that no piece may cover (rules.h).
+  // True for a part of the cloth that no piece may cover, or only some (rules.h).
   [[nodiscard]] bool is_zone(std::size_t piece) const { return rooms_ && rooms_->rules[piece].zone; }
+  // True for a zone whose cloth has a quality, which some pieces may accept.
+  [[nodiscard]] bool is_usable_zone(std::size_t piece) const { return is_zone(piece) && rooms_->rules[piece].quality; }
+  // True for a pair that may lie over each other: a zone, and another zone or a piece that accepts its cloth.  Whoever
+  // looks for the neighbours of a piece leaves these out.
+  [[nodiscard]] bool may_share_cloth(std::size_t p, std::size_t q) const {
+    return rooms_ && marker::may_share_cloth(rooms_->rules[p], rooms_->rules[q]);
+  }
   // The x up to which a piece makes the marker extend: its right end.  A zone takes nothing of its length.
   [[nodiscard]] Coord end_of(std::size_t piece) const { return is_zone(piece) ? 0 : box(piece).high.x; }
   // The x coordinate at which the rightmost piece ends.
@@ -105,8 +112,8 @@ class PlacedPieces {
   std::shared_ptr<const Rooms> rooms_;  // null: no piece has rules
 };
 
-// All pairs whose boxes are closer than `distance` on both axes (0: whose boxes overlap), sorted; two zones, which may
-// lie over each other, are no pair.
+// All pairs whose boxes are closer than `distance` on both axes (0: whose boxes overlap), sorted; those that may share
+// their cloth are left out.
 [[nodiscard]] std::vector<PiecePair> pairs_within(const PlacedPieces& pieces, Coord distance);
 // Whether one of these pairs passes the test.
 [[nodiscard]] bool any_pair_within(const PlacedPieces& pieces, Coord distance,

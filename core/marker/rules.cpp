@@ -54,22 +54,52 @@ bool keeps_nap(const Rules& rules, const Orientation& orientation) {
   return *rules.nap == Nap::kUp ? from_up < kQuarter : from_up > kQuarter;
 }
 
+bool may_share_cloth(const Rules& p, const Rules& q) {
+  if (!p.zone && !q.zone) return false;
+  if (p.zone && q.zone) return true;
+  const Rules& zone = p.zone ? p : q;
+  const Rules& piece = p.zone ? q : p;
+  return zone.quality && *zone.quality <= piece.quality.value_or(0);
+}
+
+bool has_side_at(std::span<const Vec> outline, FoldEdge edge) {
+  const Box box = box_of(outline);
+  const Coord end = edge == FoldEdge::kLower ? box.low.y : box.high.y;
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    if (outline[k].y == end && outline[(k + 1) % outline.size()].y == end) return true;
+  }
+  return false;
+}
+
+FoldEdge fold_edge(const Rules& rules, std::span<const Vec> outline, const Strip& strip) {
+  const bool either = rules.on_fold && strip.tube;
+  return either && !has_side_at(outline, FoldEdge::kLower) ? FoldEdge::kUpper : FoldEdge::kLower;
+}
+
+bool has_side_for_fold(const Rules& rules, std::span<const Vec> outline, const Strip& strip) {
+  return !rules.on_fold || has_side_at(outline, fold_edge(rules, outline, strip));
+}
+
 Repeat repeat_for(const Rules& rules, const Strip& strip) {
   Repeat repeat = strip.repeat;
   repeat.phase = rules.phase.value_or(repeat.phase);
   return repeat;
 }
 
-Box room_for(const Rules& rules, Coord height, const Strip& strip, Coord end) {
+Box room_for(const Rules& rules, Coord height, FoldEdge fold, const Strip& strip, Coord end) {
   if (rules.zone) return {{-kLatticeLimit, -kLatticeLimit}, {kLatticeLimit, kLatticeLimit}};
   Box room = strip.room(end);
   if (rules.below) room.low.y = *rules.below;
   if (rules.above) room.high.y = strip.width - *rules.above;
   if (rules.from) room.low.x = std::max(room.low.x, *rules.from);
   if (rules.to) room.high.x = std::min(room.high.x, *rules.to);
-  if (rules.on_fold) {
+  if (rules.on_fold && fold == FoldEdge::kLower) {
     room.low.y = 0;
     room.high.y = std::min(room.high.y, height);
+  }
+  if (rules.on_fold && fold == FoldEdge::kUpper) {
+    room.high.y = strip.width;
+    room.low.y = std::max(room.low.y, strip.width - height);
   }
   return room;
 }

@@ -1,13 +1,16 @@
 // Cloth's rules: where on the strip a piece may lie, besides keeping clear of other pieces.  What a piece may not do
 // because of them is said here, and nowhere else: its room, which is the strip's unless it has rules of its own, and
 // the pieces that have to lie near it along x.  Units: lattice units.
-// A zone, a part of the cloth that no piece may cover, is listed among the pieces and handled as a locked one.  It
-// differs from it in four ways: it may lie anywhere, also beyond the strip; it keeps no distance from pieces, and
-// allows no overlap; zones may overlap each other; and it counts neither as a piece nor in length and utilisation.
+// A zone, a part of the cloth that no piece may cover, or only some, is listed among the pieces and handled as a locked
+// one.  It differs from it in four ways: it may lie anywhere, also beyond the strip; it keeps no distance from pieces,
+// and allows no overlap; zones may overlap each other; and it counts neither as a piece nor in length and utilisation.
+// The cloth of a zone may have a quality class, as parts of a sheet have in packingsolver
+// (github.com/fontanf/packingsolver): pieces that accept the class lie there as on any other cloth.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,17 +34,26 @@ struct Repeat {
 // How a piece lies on cloth with a nap, seen along the strip: the way in which the x axis of its shape points.
 enum class Nap { kUp, kDown };  // towards larger x, and towards smaller x
 
+// A class of the cloth's quality: 0 is the best, that of all cloth outside of zones, and a larger number is worse.
+using Quality = std::int32_t;
+inline constexpr Quality kWorstQuality = 99;
+
+// The edge of folded or tubular cloth on which a piece lies.
+enum class FoldEdge { kLower, kUpper };
+
 // The rules of one piece.  One that is absent leaves the piece to the strip.
 struct Rules {
   std::optional<Coord> below{}, above{};  // selvedges of its own: its distances from the strip's long edges
   std::optional<Coord> from{}, to{};      // a band across the cloth: it lies between these two x
-  bool on_fold{};                         // its lowest edge lies on the strip's lower edge, where the cloth is folded
+  bool on_fold{};                         // a side of it lies on an edge of the strip where the cloth is folded
   std::optional<Vec> match{};             // a point of the shape that lies where a repeat of the cloth begins, or
   std::string match_set{};                // where repeats lead from those of the other pieces of this set; empty: none
   std::optional<Vec> phase{};             // where repeats begin for it, in place of the cloth's; none: as on the cloth
   std::string shade{};                    // pieces of one shade lie within Marker::shade of each other; empty: of none
   std::optional<Nap> nap{};               // it lies this way
   bool zone{};  // it is no piece of a garment but a part of the cloth that no piece may cover, such as a flaw or a hole
+  std::optional<Quality> quality{};  // of a piece: the worst class that it accepts; none: 0.  Of a zone: the class of
+                                     // its cloth, at least 1; none: one that no piece accepts
 
   // True when its match point lies where a repeat of the cloth begins, whatever other pieces do.
   [[nodiscard]] bool matched_to_cloth() const { return match && match_set.empty(); }
@@ -54,12 +66,24 @@ struct Rules {
 // Tilts, which are small, make no difference.
 [[nodiscard]] bool keeps_nap(const Rules& rules, const Orientation& orientation);
 
+// True when the two may lie over each other whatever their outlines: two zones, and a zone and a piece that accepts the
+// quality of its cloth.
+[[nodiscard]] bool may_share_cloth(const Rules& p, const Rules& q);
+
+// True when a side of the outline lies along that end of its box, so that it can lie on a fold.
+[[nodiscard]] bool has_side_at(std::span<const Vec> outline, FoldEdge edge);
+// The edge that a piece with this turned outline lies on where it has to lie on the fold: the lower one, but the upper
+// edge of a tube when only its highest side is straight.
+[[nodiscard]] FoldEdge fold_edge(const Rules& rules, std::span<const Vec> outline, const Strip& strip);
+// True unless the piece has to lie on the fold, and no side of its turned outline can.
+[[nodiscard]] bool has_side_for_fold(const Rules& rules, std::span<const Vec> outline, const Strip& strip);
+
 // The cloth's pattern as the piece is matched to it.
 [[nodiscard]] Repeat repeat_for(const Rules& rules, const Strip& strip);
 
 // The room of a piece: the box in which its own box may lie when the strip ends at x = `end`.  `height`: of the piece's
-// box, which fills the room across when it lies on the fold.  That of a zone is the whole plane.
-[[nodiscard]] Box room_for(const Rules& rules, Coord height, const Strip& strip, Coord end);
+// box, which fills the room across when it lies on the fold, at the edge `fold`.  That of a zone is the whole plane.
+[[nodiscard]] Box room_for(const Rules& rules, Coord height, FoldEdge fold, const Strip& strip, Coord end);
 
 // The part of a room in which a piece that is matched to the cloth may lie without changing to another repeat: on an
 // axis on which the pattern repeats, its only position is the one nearest to where it lies now.  `box` and `point`:

@@ -105,6 +105,7 @@ class Neighbours {
  public:
   Neighbours(const PlacedPieces& pieces, Coord clearance) : pieces_{pieces}, reach_{2 * clearance + kRounding} {
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+      if (pieces.is_usable_zone(i)) continue;
       const Box box = pieces.box(i).grown(reach_);  // mitred corners extend this far
       from_left_.push_back({box, i});
       widest_ = std::max(widest_, box.high.x - box.low.x);
@@ -149,12 +150,13 @@ class Neighbours {
   Coord widest_{};
 };
 
-// The outlines of all pieces, grown by the clearance; each shared polygon is grown only once.  May be incomplete if
-// `stop` was requested.
+// The outlines of all pieces and of the zones that none may cover, grown by the clearance; each shared polygon is grown
+// only once.  May be incomplete if `stop` was requested.
 std::vector<Polygon> taken_by(const PlacedPieces& pieces, Coord clearance, const std::stop_token& stop) {
   std::map<const Vec*, std::vector<Polygon>> grown_polygons;
   std::vector<Polygon> taken;
   for (std::size_t i = 0; i < pieces.size() && !stop.stop_requested(); ++i) {
+    if (pieces.is_usable_zone(i)) continue;
     const geometry::PlacedPolygon piece = pieces[i];
     auto& rings = grown_polygons[piece.vertices.data()];
     if (rings.empty()) rings = outline::grown(piece.vertices, clearance);

@@ -1,5 +1,6 @@
 // Unoccupied regions: the connected regions of the cloth that no piece covers, between the strip's edges or margins and
-// the two ends of the marker.  Small trim pieces can be placed there [Li94 4.2.2].
+// the two ends of the marker.  Small trim pieces can be placed there [Li94 4.2.2].  Zones with a quality, which some
+// pieces may use, are cloth like any other.
 //
 // Taken literally, nearly all the open cloth of a marker is connected, through gaps too narrow for any piece.  These
 // regions therefore keep a clearance from every piece: gaps narrower than twice the clearance separate two regions.

@@ -18,8 +18,10 @@ void add_unplaced(const Marker& marker, Phases& phases) {
   std::map<std::string_view, Coord> least;
   for (const Piece& piece : marker.unplaced) {
     if (!in_set(piece)) continue;
-    const Box box = box_of(oriented(marker.shapes[piece.shape.value].outline, piece.orientation));
-    const Box room = room_for(piece.rules, box.height(), marker.strip, kLatticeLimit);
+    const Polygon outline = oriented(marker.shapes[piece.shape.value].outline, piece.orientation);
+    const Box box = box_of(outline);
+    const marker::FoldEdge fold = fold_edge(piece.rules, outline, marker.strip);
+    const Box room = room_for(piece.rules, box.height(), fold, marker.strip, kLatticeLimit);
     const Coord spare = room.height() - box.height();
     const auto [found, first] = least.try_emplace(piece.rules.match_set, spare);
     const bool known = first && phases.contains(piece.rules.match_set);

@@ -8,6 +8,12 @@
 namespace selvage::protocol::drawing {
 namespace {
 
+// Of the zones that some pieces may use, which are seen through it.
+constexpr std::string_view kHatching =
+    R"(<defs><pattern id="hatched" width="6" height="6" patternUnits="userSpaceOnUse" patternTransform="rotate(45))"
+    R"(">)"
+    R"(<rect width="1.2" height="6" fill="#b0762a" fill-opacity="0.6"/></pattern></defs>
+)";
 constexpr std::string_view kRuleStyle = R"(<style>
 .selvedge { fill: #d9cfbb; }
 .fold { stroke: #1d1c1a; stroke-width: 2.4; stroke-dasharray: 10 3 2 3; }
@@ -17,6 +23,7 @@ constexpr std::string_view kRuleStyle = R"(<style>
 .match { stroke: #2f3f7a; stroke-width: 1; }
 .shade-name { font-size: 8px; fill: #8a5a1c; }
 .zone { fill: #8f8a82; fill-opacity: 0.7; stroke: #b3423a; stroke-width: 1; stroke-dasharray: 3 2; }
+.quality { fill: url(#hatched); stroke: #b0762a; stroke-width: 1; stroke-dasharray: 3 2; }
 </style>
 )";
 
@@ -95,24 +102,33 @@ std::string rules(const Marker& marker, const View& view) {
   const Strip& strip = marker.strip;
   if (strip.below) out += selvedge(0, *strip.below, view);
   if (strip.above) out += selvedge(strip.width - *strip.above, strip.width, view);
-  if (std::any_of(marker.pieces.begin(), marker.pieces.end(), [](const Piece& p) { return p.rules.on_fold; })) {
+  const bool folded = strip.tube || std::any_of(marker.pieces.begin(), marker.pieces.end(),
+                                                [](const Piece& p) { return p.rules.on_fold; });
+  if (folded) {
     out += line(view.x(0), view.bottom(), view.x(view.end()), view.bottom(), "fold");
+    if (strip.tube) out += line(view.x(0), view.top(), view.x(view.end()), view.top(), "fold");
   }
   out += bands(marker, view);
   if (strip.repeat.any()) out += pattern(marker, view);
   if (marker.shade) out += shades(marker, view);
-  const bool flawed =
-      std::any_of(marker.pieces.begin(), marker.pieces.end(), [](const Piece& p) { return p.rules.zone; });
-  return out.empty() && !flawed ? out : "<g>\n" + std::string{kRuleStyle} + out + "</g>\n";
+  const auto any = [&marker](auto test) { return std::any_of(marker.pieces.begin(), marker.pieces.end(), test); };
+  const bool flawed = any([](const Piece& p) { return p.rules.zone; });
+  const bool hatched = any([](const Piece& p) { return p.rules.zone && p.rules.quality; });
+  if (out.empty() && !flawed) return out;
+  return "<g>\n" + std::string{hatched ? kHatching : ""} + std::string{kRuleStyle} + out + "</g>\n";
 }
 
 std::string zones(const Marker& marker, const View& view) {
   std::string drawn;
   for (std::uint32_t i = 0; i < marker.pieces.size(); ++i) {
-    if (!marker.pieces[i].rules.zone) continue;
+    const marker::Rules& rules = marker.pieces[i].rules;
+    if (!rules.zone) continue;
     const Polygon outline = placed_outline(marker, PieceId{i});
     if (!view.shows(box_of(outline))) continue;
-    drawn += "<path class=\"zone\" d=\"" + outline_path(outline, view) + "\"><title>" + escaped(marker.pieces[i].id) +
+    const std::string kind = rules.quality ? "quality" : "zone";
+    const std::string title =
+        marker.pieces[i].id + (rules.quality ? ", quality " + std::to_string(*rules.quality) : "");
+    drawn += "<path class=\"" + kind + "\" d=\"" + outline_path(outline, view) + "\"><title>" + escaped(title) +
              "</title></path>\n";
   }
   if (drawn.empty()) return drawn;

@@ -8,6 +8,7 @@ namespace selvage::protocol::drawing {
 namespace {
 
 constexpr double kLongestRow = 6;  // times the strip's width
+constexpr double kMostRows = 100;  // a strip that would take more is drawn less high
 constexpr double kBetween = 24;    // pixels between the ruler of a row and the cloth of the next
 
 }  // namespace
@@ -16,8 +17,15 @@ Rows::Rows(Coord width, Coord length, Coord end, double height)
     : scale_{height / static_cast<double>(std::max<Coord>(1, width))},
       length_{static_cast<double>(length)},
       end_{static_cast<double>(end)},
-      height_{height},
-      count_{static_cast<std::size_t>(std::max(1.0, std::ceil(end_ * scale_ / (kLongestRow * height))))} {}
+      height_{height} {
+  const double longest = kLongestRow * height;  // pixels
+  const double rows = end_ * scale_ / longest;
+  if (rows > kMostRows) {
+    scale_ *= kMostRows / rows;
+    height_ *= kMostRows / rows;
+  }
+  count_ = static_cast<std::size_t>(std::clamp(std::ceil(rows), 1.0, kMostRows));
+}
 
 View Rows::row(std::size_t index) const {
   const double each = end_ / static_cast<double>(count_), number = static_cast<double>(index);

@@ -41,10 +41,11 @@ class View {
 };
 
 // The rows of a drawing.  A strip much longer than wide would be an unreadable ribbon: it is folded into several rows
-// of the same length, one below the other.
+// of the same length, one below the other.  One that would take more than a hundred rows is drawn less high.
 class Rows {
  public:
-  // `length` and `end`: where the marker and the drawn cloth end, lattice units; `height`: of the strip, in pixels.
+  // `length` and `end`: where the marker and the drawn cloth end, lattice units; `height`: of the strip, in pixels, if
+  // it is not too long.
   Rows(Coord width, Coord length, Coord end, double height);
 
   [[nodiscard]] std::size_t count() const { return count_; }
@@ -55,7 +56,7 @@ class Rows {
 
  private:
   double scale_, length_, end_, height_;
-  std::size_t count_;
+  std::size_t count_{};
 };
 
 // So many decimals; and rounded to a hundredth, as short as can be.

@@ -3,11 +3,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
+#include "protocol/edits/edits.h"
 
 namespace selvage::protocol::edits {
 
@@ -16,14 +18,15 @@ inline constexpr std::size_t kNoEdit = SIZE_MAX;
 // The pointer to an operation, or to a field of it ("/at").
 [[nodiscard]] std::string pointer_of(std::size_t edit, std::string_view field = "");
 
-// The last edit, by its index, of each piece, of the strip, of the spacing, of the overlap allowance and of the length
-// of shades, and the one that added each shape.
+// The last edit, by its index, of each piece, of its rules, of the strip, of the spacing, of the overlap allowance and
+// of the length of shades, and the one that added each shape.
 struct Blame {
-  std::vector<std::size_t> pieces, shapes;
+  std::vector<std::size_t> pieces, rules, shapes;
   std::size_t strip{kNoEdit}, spacing{kNoEdit}, overlap{kNoEdit}, shade{kNoEdit};
 
-  // An error of make_marker, its field pointing at the edit that is to blame.
-  [[nodiscard]] Error at_its_edit(Error error) const;
+  // An error of make_marker, its field pointing into the edit that is to blame: at what it gave, where it gave that
+  // ("/ops/0/rules/to"), or else at the edit.
+  [[nodiscard]] Error at_its_edit(Error error, std::span<const Edit> edits) const;
 };
 
 }  // namespace selvage::protocol::edits

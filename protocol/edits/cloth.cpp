@@ -58,8 +58,10 @@ class ClothMaker {
     if (cloth.repeat_along) repeat.along = cloth.repeat_along;
     if (cloth.repeat_across) repeat.across = cloth.repeat_across;
     if (cloth.repeat_phase) repeat.phase = cloth.repeat_phase;
-    if (fits(formats::fits_lattice(repeat, resolution()), "/repeatAlong"))
-      strip.repeat = formats::repeat_on_lattice(repeat, resolution());
+    const auto beyond = formats::beyond_lattice(repeat, resolution());
+    const std::string field = !beyond ? "" : *beyond == "/along" ? "Along" : *beyond == "/across" ? "Across" : "Phase";
+    if (fits(!beyond, "/repeat" + field)) strip.repeat = formats::repeat_on_lattice(repeat, resolution());
+    strip.tube = cloth.tube.value_or(strip.tube);
   }
 
   void make_blocks(const BlocksOfShape& blocks, const std::string& field) {
@@ -120,7 +122,8 @@ class ClothMaker {
   }
 
   void set_rules(const RulesOfPieces& given, const std::string& field) {
-    if (!fits(formats::fits_lattice(given.rules, resolution()), field + "/rules")) return;
+    const auto beyond = formats::beyond_lattice(given.rules, resolution());
+    if (!fits(!beyond, field + "/rules" + std::string{beyond.value_or("")})) return;
     const marker::Rules rules = formats::rules_on_lattice(given.rules, resolution());
     bool any = false;
     for_each_piece([&](Piece& piece, const Json&) {
@@ -205,7 +208,7 @@ class ClothMaker {
                              .orientation = {},
                              .at = low,
                              .locked = true,
-                             .rules = {.zone = true}});
+                             .rules = {.zone = true, .quality = zone.quality}});
     marker.shapes.push_back({.id = id, .outline = {{0, 0}, {size.x, 0}, size, {0, size.y}}, .tilt_limit = {}});
     file_.attributes.pieces.push_back(Json::object());
     file_.attributes.shapes.push_back(Json::object());

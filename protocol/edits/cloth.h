@@ -1,5 +1,5 @@
 // Cloth's rules for a whole marker at once (docs/cloth-rules.md), as somebody gives them who has a file without any: on
-// the command line.  What is absent stays as the file has it.  Units: the marker's.
+// the command line, and where a marker is opened.  What is absent stays as the file has it.  Units: the marker's.
 #pragma once
 
 #include <optional>
@@ -33,12 +33,16 @@ struct Choices<edits::ClothNap> {
 namespace selvage::protocol::edits {
 
 struct ClothZone {
-  static constexpr std::string_view kName = "ClothZone", kMeaning = "A rectangle of the cloth that no piece may cover.";
+  static constexpr std::string_view kName = "ClothZone",
+                                    kMeaning = "A rectangle of the cloth that no piece may cover, or only some.";
   formats::Decimal from{}, to{};
+  std::optional<marker::Quality> quality{};
 
   static void describe(auto& v, auto& self) {
     v.required("from", self.from, "Its lower left corner.");
     v.required("to", self.to, "Its upper right corner.");
+    v.optional("quality", self.quality, "The quality class of its cloth; absent: one that no piece accepts.",
+               {.range = {{1, marker::kWorstQuality}}});
   }
 };
 
@@ -73,11 +77,13 @@ struct RulesOfPieces {
 };
 
 struct Cloth {
+  static constexpr std::string_view kGroup = "cloth";
   std::optional<double> margin{}, margin_below{}, margin_above{};
   std::optional<double> repeat_along{}, repeat_across{};
   std::optional<formats::Decimal> repeat_phase{};
   std::optional<double> shade{};
   std::optional<ClothNap> nap_direction{};
+  std::optional<bool> tube{};
   std::optional<std::vector<ClothZone>> zones{};
   std::optional<std::vector<RulesOfPieces>> piece_rules{};
   std::optional<std::vector<BlocksOfShape>> blocks{};
@@ -95,7 +101,9 @@ struct Cloth {
                {.range = {{1e-6, formats::kStripWidths.most}}});
     v.optional("napDirection", self.nap_direction,
                "How all pieces lie on cloth with a nap; up_and_down: every second bundle lies down.");
-    v.optional("zones", self.zones, R"(Parts of the cloth that no piece may cover: [{"from": [X, Y], "to": [X, Y]}].)",
+    v.optional("tube", self.tube, "True: the cloth is a tube, whose upper edge is a fold like the lower one.");
+    v.optional("zones", self.zones,
+               R"(Parts of the cloth that no piece may cover: [{"from": [X, Y], "to": [X, Y]}], or only some.)",
                {.entries = {{0, marker::kMaxPieces}}, .entries_are = "zones"});
     v.optional("pieceRules", self.piece_rules,
                R"(Rules of single pieces or shapes: [{"shape": "collar", "rules": {"match": [0, 0]}}].)",

@@ -33,6 +33,7 @@ class Editor {
     removed_.resize(file_.marker.pieces.size());
     taken_.resize(file_.marker.unplaced.size());
     blame_.pieces.resize(file_.marker.pieces.size(), kNoEdit);
+    blame_.rules.resize(file_.marker.pieces.size(), kNoEdit);
     blame_.shapes.resize(file_.marker.shapes.size(), kNoEdit);
     file_.notes.clear();
   }
@@ -46,7 +47,7 @@ class Editor {
     check_reach();
     if (mistake_) return mistake_.error();
     auto made = make_marker(std::move(file_.marker));
-    if (!made) return blame_.at_its_edit(made.error());
+    if (!made) return blame_.at_its_edit(made.error(), edits);
     file_.marker = *std::move(made);
     return std::move(file_);
   }
@@ -190,6 +191,7 @@ class Editor {
     file_.attributes.pieces.push_back(std::move(attributes));
     removed_.push_back(false);
     blame_.pieces.push_back(edit_);
+    blame_.rules.push_back(kNoEdit);
   }
 
   void apply(const MovePiece& move) {
@@ -237,7 +239,9 @@ class Editor {
   }
   void apply(const RulesOfPiece& edit) {
     Piece* piece = piece_of(edit.piece.text);
-    if (piece != nullptr) piece->rules = rules_of(edit.rules.value_or(formats::DecimalRules{}), "/rules");
+    if (piece == nullptr) return;
+    piece->rules = rules_of(edit.rules.value_or(formats::DecimalRules{}), "/rules");
+    blame_.rules[by_id_.at(edit.piece.text)] = edit_;
   }
   void apply(const SetStrip& strip) {
     Strip& mine = file_.marker.strip;
@@ -254,6 +258,7 @@ class Editor {
     if (strip.below) mine.below = selvedge(*strip.below, "/below");
     if (strip.above) mine.above = selvedge(*strip.above, "/above");
     if (strip.repeat) mine.repeat = repeat_of(*strip.repeat, "/repeat");
+    mine.tube = strip.tube.value_or(mine.tube);
     blame_.strip = edit_;
   }
   void apply(const SetSpacing& spacing) {
@@ -273,13 +278,17 @@ class Editor {
     return given.value ? std::optional{clearance(*given.value, field)} : std::nullopt;
   }
   marker::Repeat repeat_of(const formats::DecimalRepeat& written, std::string_view field) {
-    if (formats::fits_lattice(written, resolution())) return formats::repeat_on_lattice(written, resolution());
-    mistake_.add(ErrorCode::kBeyondLattice, "a length of the repeat is too far", pointer_of(edit_, field));
+    const auto beyond = formats::beyond_lattice(written, resolution());
+    if (!beyond) return formats::repeat_on_lattice(written, resolution());
+    mistake_.add(ErrorCode::kBeyondLattice, "a length of the repeat is too far",
+                 pointer_of(edit_, std::string{field}.append(*beyond)));
     return {};
   }
   marker::Rules rules_of(const formats::DecimalRules& written, std::string_view field) {
-    if (formats::fits_lattice(written, resolution())) return formats::rules_on_lattice(written, resolution());
-    mistake_.add(ErrorCode::kBeyondLattice, "a length of the rules is too far", pointer_of(edit_, field));
+    const auto beyond = formats::beyond_lattice(written, resolution());
+    if (!beyond) return formats::rules_on_lattice(written, resolution());
+    mistake_.add(ErrorCode::kBeyondLattice, "a length of the rules is too far",
+                 pointer_of(edit_, std::string{field}.append(*beyond)));
     return {};
   }
   // A distance to keep: rounded up, so that it holds.
@@ -300,6 +309,7 @@ class Editor {
     erase_marked(file_.marker.pieces, removed_);
     erase_marked(file_.attributes.pieces, removed_);
     erase_marked(blame_.pieces, removed_);
+    erase_marked(blame_.rules, removed_);
     erase_marked(file_.marker.unplaced, taken_);
     erase_marked(file_.attributes.unplaced, taken_);
   }

@@ -222,6 +222,7 @@ struct SetStrip {
   std::optional<double> margin;
   std::optional<NullableLength> below, above;  // null: the margin holds there
   std::optional<formats::DecimalRepeat> repeat;
+  std::optional<bool> tube;
 
   static void describe(auto& v, auto& self) {
     v.constant("op", kOp, kOpMeaning);
@@ -231,11 +232,13 @@ struct SetStrip {
     v.optional("below", self.below, "The distance from the lower edge; null: the margin.", kLengths);
     v.optional("above", self.above, "The distance from the upper edge; null: the margin.", kLengths);
     v.optional("repeat", self.repeat, "The pattern of the cloth; {}: it has none.");
+    v.optional("tube", self.tube, "Whether the cloth is a tube, whose upper edge is a fold, too.");
     v.check([](const json::Fields& op, json::Mistake& mistake) {
-      for (const std::string_view field : {"width", "longest", "margin", "below", "above", "repeat"}) {
+      for (const std::string_view field : {"width", "longest", "margin", "below", "above", "repeat", "tube"}) {
         if (op.has(field)) return;
       }
-      mistake.add(ErrorCode::kMissingField, "width, longest, margin, below, above or repeat is required", op.pointer());
+      mistake.add(ErrorCode::kMissingField, "width, longest, margin, below, above, repeat or tube is required",
+                  op.pointer());
     });
   }
 };

@@ -60,7 +60,7 @@ Move read_move(const Json& value, const Marker& marker, json::Mistake& mistake) 
   }
   if (!fits_lattice(read.at.x, marker.resolution) || !fits_lattice(read.at.y, marker.resolution) ||
       !fits_lattice(read.buffer, marker.resolution) || !fits_lattice(read.overlap.value_or(0), marker.resolution) ||
-      !formats::fits_lattice(read.rules, marker.resolution)) {
+      formats::beyond_lattice(read.rules, marker.resolution)) {
     mistake.add(ErrorCode::kBeyondLattice, json::shortened(value) + " lies beyond the lattice", "");
     return {};
   }

@@ -25,8 +25,9 @@ using trade::Style;
 // The style that a reader makes of the text, as a marker of one garment.
 template <class Reader>
 Result<MarkerFile> one_garment(std::string_view text, const ReadingOptions& options, Reader read) {
-  const Result<Style> style = read(text, options);
+  Result<Style> style = read(text, options);
   if (!style) return style.error();
+  if (options.fold == trade::FoldRule::kLay) trade::cut_from_two_layers(*style);
   return trade::marker_of(*style, trade::one_of_each(*style), options);
 }
 
@@ -40,6 +41,7 @@ Result<MarkerFile> ordered(std::string_view text, ReadingOptions options) {
   if (!options.width) options.width = order->width;
   auto style = trade::aama::read_pattern(text, options);
   if (!style) return style.error();
+  if (options.fold == trade::FoldRule::kLay) trade::cut_from_two_layers(*style);
   style->notes.insert(style->notes.end(), order->notes.begin(), order->notes.end());
   const auto copies = trade::orders::bundles_of(*style, *order);
   if (!copies) return json::within("/order", copies.error());

@@ -235,6 +235,7 @@ Result<MarkerFile> on_lattice(const DecimalMarker& written, document::Attributes
   if (written.below) marker.strip.below = spacing_on_lattice(*written.below, *resolution);
   if (written.above) marker.strip.above = spacing_on_lattice(*written.above, *resolution);
   marker.strip.repeat = repeat_on_lattice(written.repeat, *resolution);
+  marker.strip.tube = written.tube;
   if (written.shade) marker.shade = overlap_on_lattice(*written.shade, *resolution);
   marker.spacing = spacing_on_lattice(written.spacing, *resolution);
   marker.overlap = overlap_on_lattice(written.overlap, *resolution);

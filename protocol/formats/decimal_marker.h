@@ -38,6 +38,7 @@ struct DecimalMarker {
   double width{}, spacing{}, overlap{}, margin{};
   std::optional<double> longest, below, above;
   DecimalRepeat repeat;
+  bool tube{};
   std::optional<double> shade;
   std::vector<DecimalShape> shapes;
   std::vector<DecimalPiece> pieces;

@@ -1,11 +1,24 @@
 #include "protocol/formats/decimal_rules.h"
 
 #include <algorithm>
-#include <array>
+#include <initializer_list>
+#include <utility>
 
 #include "protocol/formats/decimal_marker.h"
 
 namespace selvage::protocol::formats {
+namespace {
+
+using NamedLength = std::pair<std::optional<double>, std::string_view>;
+
+std::optional<std::string_view> first_beyond(std::initializer_list<NamedLength> lengths, Resolution resolution) {
+  const auto* const beyond = std::find_if(lengths.begin(), lengths.end(), [&](const NamedLength& length) {
+    return !geometry::fits_lattice(length.first.value_or(0), resolution);
+  });
+  return beyond == lengths.end() ? std::nullopt : std::optional{beyond->second};
+}
+
+}  // namespace
 
 marker::Rules rules_on_lattice(const DecimalRules& written, Resolution resolution) {
   marker::Rules rules;
@@ -20,6 +33,7 @@ marker::Rules rules_on_lattice(const DecimalRules& written, Resolution resolutio
   rules.shade = written.shade.value_or("");
   rules.nap = written.nap;
   rules.zone = written.zone.value_or(false);
+  rules.quality = written.quality;
   return rules;
 }
 
@@ -36,7 +50,8 @@ DecimalRules decimal_rules(const marker::Rules& rules, Resolution resolution) {
                        .match_set = {},
                        .shade = {},
                        .nap = rules.nap,
-                       .zone = {}};
+                       .zone = {},
+                       .quality = rules.quality};
   if (rules.on_fold) written.fold = true;
   if (rules.match)
     written.match = Decimal{to_decimal(rules.match->x, resolution), to_decimal(rules.match->y, resolution)};
@@ -46,13 +61,15 @@ DecimalRules decimal_rules(const marker::Rules& rules, Resolution resolution) {
   return written;
 }
 
-bool fits_lattice(const DecimalRules& written, Resolution resolution) {
+std::optional<std::string_view> beyond_lattice(const DecimalRules& written, Resolution resolution) {
   const Decimal match = written.match.value_or(Decimal{});
-  const std::array<std::optional<double>, 6> lengths{written.below, written.above, written.from,
-                                                     written.to,    match.x,       match.y};
-  return std::all_of(lengths.begin(), lengths.end(), [&](const std::optional<double>& length) {
-    return geometry::fits_lattice(length.value_or(0), resolution);
-  });
+  return first_beyond({{written.below, "/below"},
+                       {written.above, "/above"},
+                       {written.from, "/from"},
+                       {written.to, "/to"},
+                       {match.x, "/match/0"},
+                       {match.y, "/match/1"}},
+                      resolution);
 }
 
 marker::Repeat repeat_on_lattice(const DecimalRepeat& written, Resolution resolution) {
@@ -72,11 +89,11 @@ DecimalRepeat decimal_repeat(const marker::Repeat& repeat, Resolution resolution
   return written;
 }
 
-bool fits_lattice(const DecimalRepeat& written, Resolution resolution) {
+std::optional<std::string_view> beyond_lattice(const DecimalRepeat& written, Resolution resolution) {
   const Decimal phase = written.phase.value_or(Decimal{});
-  const std::array lengths{written.along.value_or(0), written.across.value_or(0), phase.x, phase.y};
-  return std::all_of(lengths.begin(), lengths.end(),
-                     [&](double length) { return geometry::fits_lattice(length, resolution); });
+  return first_beyond(
+      {{written.along, "/along"}, {written.across, "/across"}, {phase.x, "/phase/0"}, {phase.y, "/phase/1"}},
+      resolution);
 }
 
 }  // namespace selvage::protocol::formats

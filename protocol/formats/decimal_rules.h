@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/marker/rules.h"
 #include "protocol/json/fields.h"
@@ -56,13 +57,16 @@ struct DecimalRules {
   std::optional<std::string> shade;
   std::optional<marker::Nap> nap;
   std::optional<bool> zone;
+  std::optional<marker::Quality> quality;
 
   static void describe(auto& v, auto& self) {
     v.optional("below", self.below, "Its distance from the strip's lower edge, in place of the strip's own.", kRule);
     v.optional("above", self.above, "Its distance from the strip's upper edge, in place of the strip's own.", kRule);
     v.optional("from", self.from, "It lies at this x or beyond.", kRule);
     v.optional("to", self.to, "It ends at this x or before.", kRule);
-    v.optional("fold", self.fold, "Whether its lowest side lies on the strip's lower edge, where the cloth is folded.");
+    v.optional("fold", self.fold,
+               "Whether its lowest side lies on the strip's lower edge, where the cloth is folded, or its highest side "
+               "on the upper edge of a tube.");
     v.optional("match", self.match, "A point of its shape, which is matched to the cloth's pattern.");
     v.optional("matchSet", self.match_set,
                "The name of its match set: the ways between the match points of its pieces are whole repeats of the "
@@ -72,13 +76,19 @@ struct DecimalRules {
     v.optional("nap", self.nap, "The way in which it lies on cloth with a nap; absent: any that its shape allows.");
     v.optional("zone", self.zone,
                "Whether it is no piece of a garment but a part of the cloth that no piece may cover, such as a flaw.");
+    v.optional(
+        "quality", self.quality,
+        "The worst quality class of cloth that it accepts; absent: 0, the class of all cloth outside of zones.  Of a "
+        "zone: the class of its cloth, from 1; absent: one that no piece accepts.",
+        {.range = {{0, marker::kWorstQuality}}});
   }
   friend bool operator==(const DecimalRules&, const DecimalRules&) = default;
 };
 // The rules on the lattice: distances are rounded so that the rule as written is kept.
 [[nodiscard]] marker::Rules rules_on_lattice(const DecimalRules& written, Resolution resolution);
 [[nodiscard]] DecimalRules decimal_rules(const marker::Rules& rules, Resolution resolution);
-[[nodiscard]] bool fits_lattice(const DecimalRules& written, Resolution resolution);
+// The first of the fields whose length the lattice does not hold, as "/to"; none when it holds all.
+[[nodiscard]] std::optional<std::string_view> beyond_lattice(const DecimalRules& written, Resolution resolution);
 
 struct DecimalRepeat {
   static constexpr std::string_view kName = "ClothRepeat",
@@ -98,6 +108,6 @@ struct DecimalRepeat {
 // lose the pattern along the cloth; a resolution that is chosen for the marker suits them.
 [[nodiscard]] marker::Repeat repeat_on_lattice(const DecimalRepeat& written, Resolution resolution);
 [[nodiscard]] DecimalRepeat decimal_repeat(const marker::Repeat& repeat, Resolution resolution);
-[[nodiscard]] bool fits_lattice(const DecimalRepeat& written, Resolution resolution);
+[[nodiscard]] std::optional<std::string_view> beyond_lattice(const DecimalRepeat& written, Resolution resolution);
 
 }  // namespace selvage::protocol::formats

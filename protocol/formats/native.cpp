@@ -105,6 +105,7 @@ void read_strip(json::Fields& fields, json::Mistake& mistake, DecimalMarker& mar
   if (const Json* repeat = strip.maybe_object("repeat")) {
     marker.repeat = schema::decode_at<DecimalRepeat>(*repeat, strip.pointer("repeat"), mistake);
   }
+  marker.tube = strip.flag_or("tube", false);
   strip.finish();
 }
 
@@ -199,6 +200,7 @@ Json native_document(const MarkerFile& file) {
   if (marker.strip.above) strip["above"] = to_decimal(*marker.strip.above, marker.resolution);
   if (marker.strip.repeat.any())
     strip["repeat"] = schema::encode(decimal_repeat(marker.strip.repeat, marker.resolution));
+  if (marker.strip.tube) strip["tube"] = true;
   Json document{{"format", kNativeName},
                 {"version", kNativeVersion},
                 {"name", marker.name},

@@ -39,6 +39,7 @@ Json outlines_document(const Marker& marker) {
   if (marker.strip.repeat.any()) {
     document["repeat"] = schema::encode(decimal_repeat(marker.strip.repeat, marker.resolution));
   }
+  if (marker.strip.tube) document["tube"] = true;
   document["pieces"] = std::move(pieces);
   return document;
 }

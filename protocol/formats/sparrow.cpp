@@ -241,6 +241,7 @@ Result<MarkerFile> read_sparrow(const Json& document) {
   if (const Json* repeat = fields.maybe_object("repeat")) {
     marker.repeat = schema::decode_at<DecimalRepeat>(*repeat, fields.pointer("repeat"), reading.mistake);
   }
+  marker.tube = fields.flag_or("tube", false);
   marker.shade = fields.maybe_number("shade", {0, kStripWidths.most});
   marker.spacing = fields.number_or("spacing", 0, {0, marker.width});
   marker.overlap = fields.number_or("overlap", 0, {0, marker.width});
@@ -355,6 +356,7 @@ Result<Json> sparrow_document(const MarkerFile& file) {
   if (marker.strip.repeat.any()) {
     document["repeat"] = schema::encode(decimal_repeat(marker.strip.repeat, marker.resolution));
   }
+  if (marker.strip.tube) document["tube"] = true;
   if (marker.shade) document["shade"] = to_decimal(*marker.shade, marker.resolution);
   if (marker.spacing > 0) document["spacing"] = to_decimal(marker.spacing, marker.resolution);
   if (marker.overlap > 0) document["overlap"] = to_decimal(marker.overlap, marker.resolution);

@@ -251,6 +251,7 @@ class DxfWriter {
       say("Marker Phase X", json::number_text(decimal(repeat.phase.x)));
       say("Marker Phase Y", json::number_text(decimal(repeat.phase.y)));
     }
+    if (strip.tube) say("Marker Tube", "yes");
     if (marker_.shade) say("Marker Shade", json::number_text(decimal(*marker_.shade)));
     if (strip.longest) say("Marker Longest", json::number_text(decimal(*strip.longest)));
     if (marker_.spacing > 0) say("Marker Spacing", json::number_text(decimal(marker_.spacing)));
@@ -298,6 +299,7 @@ class DxfWriter {
     }
     if (!piece.rules.match_set.empty()) attribute(at, "MATCH_SET", piece.rules.match_set);
     if (!piece.rules.shade.empty()) attribute(at, "SHADE", piece.rules.shade);
+    if (piece.rules.quality) attribute(at, "QUALITY", std::to_string(*piece.rules.quality));
     if (piece.rules.nap) attribute(at, "NAP", *piece.rules.nap == marker::Nap::kUp ? "up" : "down");
     const Locks locks = piece.locked;
     const std::string locked = std::string{locks.x ? "x" : ""} + (locks.y ? "y" : "") + (locks.tilt ? "t" : "");

@@ -15,9 +15,10 @@ inline constexpr std::string_view kUnitWords[] = {"mm", "cm", "m", "in", "ft", "
   return kFactors[static_cast<int>(unit)];
 }
 
-// What becomes of a half piece that is drawn up to its mirror line.
-enum class FoldRule { kUnfold, kKeep };
-inline constexpr std::string_view kFoldWords[] = {"unfold", "keep"};  // by FoldRule
+// What becomes of a half piece that is drawn up to its mirror line: it is unfolded, kept as drawn, or laid on the fold
+// of cloth in two layers, where every other piece is cut as a pair.
+enum class FoldRule { kUnfold, kKeep, kLay };
+inline constexpr std::string_view kFoldWords[] = {"unfold", "keep", "lay"};  // by FoldRule
 
 // The directions that the nap of the cloth allows: pieces at 0 degrees only, or at 0 and 180.
 enum class Nap { kOneWay, kEitherWay };

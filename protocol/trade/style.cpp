@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "protocol/trade/text.h"
 
@@ -41,6 +42,23 @@ bool within_reach(const std::vector<Spot>& points) {
   constexpr double kFarthest = 1e8;
   return std::all_of(points.begin(), points.end(),
                      [](Spot point) { return std::abs(point.x) <= kFarthest && std::abs(point.y) <= kFarthest; });
+}
+
+void cut_from_two_layers(Style& style) {
+  std::set<std::string> noted;  // by name: the sizes of a piece have the same quantity
+  for (PatternPiece& piece : style.pieces) {
+    const Quantity wanted = piece.quantity;
+    const int all = wanted.right + wanted.left;
+    const int pairs = wanted.left > 0 ? std::max(wanted.right, wanted.left) : (wanted.right + 1) / 2;
+    piece.quantity = {piece.half ? all : pairs, 0};
+    if (piece.half) continue;
+    piece.attributes["layers"] = 2;
+    if ((wanted.left > 0 && wanted.left == wanted.right) || !noted.insert(piece.name).second) continue;
+    std::string text = piece.name + ": " + std::to_string(all) + " are cut as " + std::to_string(pairs) +
+                       (pairs == 1 ? " pair" : " pairs") + " from two layers";
+    if (2 * pairs > all) text += ", " + std::to_string(2 * pairs - all) + " more than wanted";
+    style.notes.push_back(note_at(piece.line, std::move(text)));
+  }
 }
 
 Note note_at(std::size_t line, std::string text) {

@@ -29,6 +29,7 @@ struct PatternPiece {
   Quantity quantity;
   std::vector<Spot> outline;
   document::Annotations annotations;
+  bool half{};                       // its lower side is its mirror line, which lies on the fold of the cloth
   std::vector<double> rotations;     // degrees; empty: what the nap of the cloth allows
   Json attributes = Json::object();  // what else the file says of the piece, by its own words
   std::size_t line{};                // of the file, where the piece begins; 1 is the first
@@ -41,6 +42,11 @@ struct Style {
   Json attributes = Json::object();  // such as author and date
   std::vector<Note> notes;
 };
+
+// For cloth in two layers, folded or tubular: a half piece on the fold is cut as a whole one, and any other piece as a
+// pair, one the mirror image of the other.  Of a quantity that does not say the sides, two are taken for a pair.  What
+// is cut beyond the quantity is noted.
+void cut_from_two_layers(Style& style);
 
 // To the nearest millionth of a millimetre: fine enough for any file, and exact on the lattice of a marker.
 [[nodiscard]] double rounded(double millimetres);

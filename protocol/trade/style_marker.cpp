@@ -61,9 +61,9 @@ Json shape_attributes(const PatternPiece& piece, const document::Frame& to_origi
 class Columns {
  public:
   explicit Columns(double width) : width_{width} {}
-  // The lower left corner of the next piece.
-  Spot place(double length, double height) {
-    if (y_ > 0 && y_ + height > width_) {
+  // The lower left corner of the next piece, which is on the lower edge when it lies on the fold.
+  Spot place(double length, double height, bool on_fold) {
+    if (y_ > 0 && (on_fold || y_ + height > width_)) {
       x_ = rounded(x_ + longest_);
       y_ = longest_ = 0;
     }
@@ -115,6 +115,8 @@ class MarkerMaker {
       if (piece.rotations.empty() && options_.nap == Nap::kEitherWay) {
         shape.shape.rotations.push_back(Angle::of_degrees(180));
       }
+      // Mirrored about its mirror line, a half piece unfolds to the same piece.
+      shape.shape.may_flip = piece.half;
       shape.outline.reserve(piece.outline.size());
       for (const Spot& point : piece.outline) {
         const Spot moved = rounded(Spot{point.x - low.x, point.y - low.y});
@@ -155,7 +157,9 @@ class MarkerMaker {
       std::vector<Spot> turned;
       for (const formats::Decimal& point : shape.outline) turned.push_back(turn.apply({point.x, point.y}));
       const Extent extent = extent_of(turned);
-      const Spot corner = columns.place(extent.high.x - extent.low.x, extent.high.y - extent.low.y);
+      const bool half = style_.pieces[copy.pattern].half;
+      if (half) piece.rules.fold = true;
+      const Spot corner = columns.place(extent.high.x - extent.low.x, extent.high.y - extent.low.y, half);
       const Spot at = rounded(Spot{corner.x - extent.low.x, corner.y - extent.low.y});
       piece.at = {at.x, at.y};
       written_.pieces.push_back(std::move(piece));

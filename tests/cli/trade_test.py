@@ -16,6 +16,7 @@ except ImportError:
     ezdxf = None
 
 SELVAGE, EXAMPLES = sys.argv[1], pathlib.Path(sys.argv[2])
+JUDGE = EXAMPLES.parents[1] / "tests/judge/judge_layout.py"
 
 
 def run(*arguments):
@@ -106,6 +107,23 @@ class Convert(unittest.TestCase):
                 was, now = [p[axis] for p in shape["outline"]], [p[axis] for p in block["outline"]]
                 self.assertAlmostEqual(min(now), min(was) + by[0], 4)
                 self.assertAlmostEqual(max(now), max(was) + by[1], 4)
+
+    def test_patterns_are_laid_on_a_tube(self):
+        out, laid = self.path("o.json"), self.path("laid.json")
+        self.convert(EXAMPLES / "accumark_like_nest.dxf", out, "--fold", "lay", "--tube", "--width", 700,
+                     "--zones", '[{"from": [100, 250], "to": [160, 420], "quality": 2}]',
+                     "--piece-rules", '[{"shape": "FRONT/34", "rules": {"quality": 2}}]')
+        marker = json.loads(out.read_text())
+        self.assertTrue(marker["strip"]["tube"])
+        self.assertEqual(len(marker["pieces"]), 3 + 3 + 1)  # a half band and a pair of fronts in each size, and the zone
+        self.assertEqual(run("nest", out, "--from-scratch", "--time", 3, "-o", laid).returncode, 0)
+        self.assertEqual(run("check", laid).returncode, 0)
+        marker = json.loads(laid.read_text())
+        folded = [piece for piece in marker["pieces"] if piece.get("rules", {}).get("fold")]
+        self.assertEqual(len(folded), 3)
+        outlines = self.path("outlines.json")
+        self.convert(laid, outlines, "--format", "outlines")
+        self.assertEqual(subprocess.run([sys.executable, "-B", JUDGE, outlines], check=False).returncode, 0)
 
     def test_rules_that_cannot_be_read_are_refused(self):
         source = EXAMPLES / "gemini_like.cut"

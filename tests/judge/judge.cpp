@@ -99,20 +99,32 @@ std::string position_fault(const Box& box, const Strip& strip, const marker::Rul
   }
   if (rules.from && box.low.x < *rules.from) return "lies before its band";
   if (rules.to && box.high.x > *rules.to) return "lies behind its band";
+  const bool on_upper_fold = rules.on_fold && strip.tube && box.high.y == strip.width;
   const Coord above = rules.above.value_or(strip.above.value_or(strip.margin));
-  if (strip.width - box.high.y < above) return rules.above ? "is too near the upper edge" : "leaves the strip";
-  if (rules.on_fold) return box.low.y == 0 ? "" : "is not on the fold";
+  if (!on_upper_fold && strip.width - box.high.y < above)
+    return rules.above ? "is too near the upper edge" : "leaves the strip";
+  if (rules.on_fold && !on_upper_fold) return box.low.y == 0 ? "" : "is not on the fold";
   const Coord below = rules.below.value_or(strip.below.value_or(strip.margin));
   if (box.low.y >= below) return "";
   return rules.below ? "is too near the lower edge" : "leaves the strip";
 }
 
-// True when some side of the outline is as low as any vertex.
-bool has_lowest_side(const Polygon& outline, Coord low) {
+// True when some side of the outline lies at this height.
+bool has_side_at_height(const Polygon& outline, Coord height) {
   for (std::size_t k = 0; k < outline.size(); ++k) {
-    if (outline[k].y == low && outline[k + 1 == outline.size() ? 0 : k + 1].y == low) return true;
+    if (outline[k].y == height && outline[k + 1 == outline.size() ? 0 : k + 1].y == height) return true;
   }
   return false;
+}
+
+// True when a side of the placed outline lies on the lower edge, or on the upper one of a tube.
+bool lies_on_fold(const Polygon& outline, Coord at, const Strip& strip) {
+  return has_side_at_height(outline, -at) || (strip.tube && has_side_at_height(outline, strip.width - at));
+}
+
+// True for a zone and a piece for which the zone's cloth is good enough.
+bool is_good_enough(const marker::Rules& zone, const marker::Rules& piece) {
+  return zone.zone && !piece.zone && zone.quality.has_value() && piece.quality.value_or(0) >= zone.quality.value();
 }
 
 // The remainder of a coordinate by the repeat, from 0.
@@ -255,7 +267,7 @@ std::string Judge::fault_of(const Marker& marker) {
     if (const auto fault = position_fault(boxes.back(), marker.strip, piece.rules); !fault.empty()) {
       return about(piece, fault);
     }
-    if (piece.rules.on_fold && !has_lowest_side(cut.outline, cut.box.low.y))
+    if (piece.rules.on_fold && !lies_on_fold(cut.outline, piece.at.y, marker.strip))
       return about(piece, "has no side on the fold");
     if (const auto fault = match_fault(piece, marker.strip.repeat); !fault.empty()) return about(piece, fault);
     if (piece.rules.nap) {
@@ -271,6 +283,7 @@ std::string Judge::fault_of(const Marker& marker) {
       const Piece& p = marker.pieces[i];
       const Piece& q = marker.pieces[j];
       if (p.rules.zone && q.rules.zone) continue;
+      if (is_good_enough(p.rules, q.rules) || is_good_enough(q.rules, p.rules)) continue;
       const bool zone = p.rules.zone || q.rules.zone;
       const Coord spacing = zone ? 0 : std::max(marker.spacing, p.buffer + q.buffer);
       const Coord allowed = zone ? 0 : std::min(p.overlap.value_or(marker.overlap), q.overlap.value_or(marker.overlap));

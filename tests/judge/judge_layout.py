@@ -4,16 +4,16 @@
 usage: judge_layout.py FILE...
 
 FILE: placed outlines, as `selvage compact --outlines FILE` and `selvage convert --format outlines` write them:
-{"strip_height": H, "strip_length": L, "below": B, "above": A, "shade": S, "repeat": {"along": X, "across": Y, "phase": [x, y]},
+{"strip_height": H, "strip_length": L, "below": B, "above": A, "tube": true, "shade": S, "repeat": {"along": X, "across": Y, "phase": [x, y]},
  "pieces": [{"id": ID, "outline": [[x, y], ...], "overlap": A, "rules": {"below": ..., "shade": NAME}}, ...]}.
 Numbers are read as exact decimals and all tests use integers and fractions, so there is no tolerance.
 Pieces may touch each other and the strip's edges.  Two pieces with an `overlap` may overlap when a translation of one of
 them, no longer than the smaller of their two, separates them; it is looked for among fractions, too.  Prints each violation; exit status 1 if there is any.
 
 Pieces keep cloth's rules: the distances `below` and `above` from the long edges, the piece's own or else the strip's; `from`
-and `to`, between which a piece lies along the strip; `match`, a point that lies where a repeat of the cloth begins; `fold`, on which its lowest side lies; and all pieces of one shade
+and `to`, between which a piece lies along the strip; `match`, a point that lies where a repeat of the cloth begins; `fold`, on which its lowest side lies, or its highest one on the upper edge of a tube; and all pieces of one shade
 lie within the length `shade`.  A piece with the rule `zone` is a part of the cloth: it may lie anywhere and over other
-zones, but no piece may overlap it; its own allowance is 0.
+zones, but no piece may overlap it, unless the zone has a `quality` that is at most the piece's; its own allowance is 0.
 
 Two pieces overlap when some vertical line intersects both in intervals that share more than a point.  Between the
 abscissas of two neighbouring vertices, a piece is a stack of trapezoids, so it suffices to compare trapezoids: two
@@ -46,9 +46,10 @@ class Edge(NamedTuple):
 
 
 class Piece:
-    def __init__(self, name, outline, allowance=0, zone=False):
+    def __init__(self, name, outline, allowance=0, zone=False, quality=None):
         self.name = name
         self.zone = zone
+        self.quality = quality
         self.outline = outline
         self.allowance = allowance
         self.abscissas = sorted({x for x, _ in outline})
@@ -63,6 +64,11 @@ class Piece:
     @property
     def high_x(self):
         return self.abscissas[-1]
+
+    def lies_on(self, height):
+        """True when a side of the outline lies at this y, and nothing of it beyond."""
+        sides = zip(self.outline, self.outline[1:] + self.outline[:1])
+        return height in (self.low_y, self.high_y) and any(a[1] == b[1] == height for a, b in sides)
 
     def stacks(self, cuts):
         """Yields, for every two neighbouring `cuts`, the piece's edges from the lowest up, as their heights at both cuts.
@@ -174,13 +180,21 @@ def may_overlap(one, other):
     return any(parts(one, other, by) for by in sorted(crossings, key=square) if square(by) <= reach**2)
 
 
+def may_share_cloth(one, other):
+    """True for two zones, and for a zone and a piece that accepts the quality of its cloth."""
+    if one.zone == other.zone:
+        return one.zone
+    zone, piece = (one, other) if one.zone else (other, one)
+    return zone.quality is not None and zone.quality <= (piece.quality or 0)
+
+
 def overlaps(pieces):
     """Yields (one, other, abscissas) for every pair that overlaps and may not."""
     near = []
     for piece in sorted(pieces, key=lambda p: p.low_x):
         near = [other for other in near if other.high_x > piece.low_x]
         for other in near:
-            where = None if other.zone and piece.zone else overlap(other, piece)
+            where = None if may_share_cloth(other, piece) else overlap(other, piece)
             if where and not may_overlap(other, piece):
                 yield other, piece, where
         near.append(piece)
@@ -189,11 +203,13 @@ def overlaps(pieces):
 def broken_rules(piece, rules, strip):
     """Yields what of the rules for one piece's position is broken; all numbers in the same unit."""
     own = {**strip, **rules}
-    if rules.get("fold") and piece.low_y != 0:
+    on_lower = rules.get("fold") and piece.lies_on(0)
+    on_upper = rules.get("fold") and strip.get("tube") and piece.lies_on(strip["height"])
+    if rules.get("fold") and not on_lower and not on_upper:
         yield "does not lie on the fold"
-    if not rules.get("fold") and piece.low_y < own.get("below", piece.low_y):
+    elif not on_lower and piece.low_y < own.get("below", piece.low_y):
         yield "is too near the lower edge"
-    if "above" in own and strip["height"] - piece.high_y < own["above"]:
+    if "above" in own and not on_upper and strip["height"] - piece.high_y < own["above"]:
         yield "is too near the upper edge"
     quarters = abs((rules.get("rotation", 0) + 180) % 360 - 180)  # degrees from the strip's direction
     if (rules.get("nap") == "up" and quarters >= 90) or (rules.get("nap") == "down" and quarters <= 90):
@@ -233,13 +249,14 @@ def violations(layout):
     decimal = lambda number: number / unit
 
     height, length = whole(layout["strip_height"]), whole(layout["strip_length"])
-    scaled = lambda rules: {k: v if isinstance(v, (bool, str)) or k == "rotation" else [whole(c) for c in v] if isinstance(v, list) else whole(v)
+    scaled = lambda rules: {k: v if isinstance(v, (bool, str)) or k in ("rotation", "quality") else [whole(c) for c in v] if isinstance(v, list) else whole(v)
                             for k, v in rules.items()}
-    strip = {"height": height, **{key: whole(layout[key]) for key in ("below", "above") if key in layout}}
+    strip = {"height": height, "tube": layout.get("tube", False), **{key: whole(layout[key]) for key in ("below", "above") if key in layout}}
     sound, shaded = [], []
     for written in layout["pieces"]:
         outline = [(whole(x), whole(y)) for x, y in written["outline"]]
-        piece = Piece(f'"{written["id"]}"', outline, whole(written.get("overlap", 0)), written.get("rules", {}).get("zone", False))
+        own = written.get("rules", {})
+        piece = Piece(f'"{written["id"]}"', outline, whole(written.get("overlap", 0)), own.get("zone", False), own.get("quality"))
         fault = fault_of_outline(piece)
         if fault:
             yield f"piece {piece.name}: its outline {fault}"

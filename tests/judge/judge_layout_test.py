@@ -109,6 +109,21 @@ class ClothsRules(Judged):
         self.keeps(box(10, 0, 10, 10), below=5, rules=[{"fold": True}])
         self.breaks("fold", box(10, LEAST, 10, 10), rules=[{"fold": True}])
 
+    def test_both_edges_of_a_tube_are_folds(self):
+        upper = box(10, 30, 10, 10)
+        self.keeps(upper, above=5, tube=True, rules=[{"fold": True}])
+        self.breaks("fold", upper, rules=[{"fold": True}])
+        self.breaks("fold", box(10, 30 - LEAST, 10, 10), tube=True, rules=[{"fold": True}])
+        self.breaks("fold", [(0, 0), (20, 40), (0, 40 - LEAST)], tube=True, rules=[{"fold": True}])
+        self.breaks("upper edge", upper, above=5, tube=True)
+
+    def test_pieces_lie_on_zones_whose_quality_they_accept(self):
+        square, zone = box(10, 10, 10, 10), box(15, -5, 60, 200)
+        self.keeps(square, zone, rules=[{"quality": 2}, {"zone": True, "quality": 2}])
+        self.breaks("overlap", square, zone, rules=[{"quality": 1}, {"zone": True, "quality": 2}])
+        self.breaks("overlap", square, zone, rules=[{}, {"zone": True, "quality": 1}])
+        self.breaks("overlap", square, zone, rules=[{"quality": 99}, {"zone": True}])
+
     def test_pieces_lie_with_their_nap(self):
         square = box(10, 10, 10, 10)
         for rotation in (0, 89, -89, 360, -360):

@@ -142,6 +142,28 @@ TEST(Judge, DescribesBrokenRules) {
   EXPECT_EQ(with({.match = Vec{10, 8}, .shade = "A"}), "");
   EXPECT_EQ(with({.match = Vec{11, 8}, .shade = "A"}), "piece a is not matched along x");
   EXPECT_EQ(with({.zone = true}), "");
+  {
+    Marker covered = marker;
+    covered.strip.repeat = {};
+    covered.shade.reset();
+    covered.pieces[1].at = covered.pieces[0].at;
+    covered.pieces[1].rules = {.quality = 2};
+    const auto zone_of = [&](std::optional<marker::Quality> quality) {
+      covered.pieces[0].rules = {.zone = true, .quality = quality};
+      return judge.fault_of(covered);
+    };
+    EXPECT_EQ(zone_of(2), "");
+    EXPECT_EQ(zone_of(3), "piece a overlaps piece b");
+    EXPECT_EQ(zone_of(std::nullopt), "piece a overlaps piece b");
+    Marker tube = two_squares();
+    tube.pieces[0].rules.on_fold = true;
+    tube.pieces[0].at.y += tube.strip.width - box_of(placed_outline(tube, PieceId{0})).high.y;
+    EXPECT_EQ(judge.fault_of(tube), "piece a leaves the strip");
+    tube.strip.tube = true;
+    EXPECT_EQ(judge.fault_of(tube), "");
+    tube.pieces[0].at.y -= 1;
+    EXPECT_EQ(judge.fault_of(tube), "piece a leaves the strip");
+  }
   EXPECT_EQ(with({.shade = "A", .nap = marker::Nap::kUp}), "");
   EXPECT_EQ(with({.shade = "A", .nap = marker::Nap::kDown}), "piece a lies against its nap");
   EXPECT_EQ(with({.match = Vec{10, 9}, .shade = "A"}), "piece a is not matched along y");

@@ -85,13 +85,35 @@ Marker random_marker_with_allowances(Random& random) {
 
 namespace {
 
-// True when the outline has a side along the lower side of its box.
-bool may_lie_on_fold(const Polygon& outline) {
-  const Coord low = box_of(outline).low.y;
+// True when the outline has a side at this height.
+bool has_side_at(const Polygon& outline, Coord height) {
   for (std::size_t k = 0; k < outline.size(); ++k) {
-    if (outline[k].y == low && outline[(k + 1) % outline.size()].y == low) return true;
+    if (outline[k].y == height && outline[(k + 1) % outline.size()].y == height) return true;
   }
   return false;
+}
+
+// Gives zones and pieces a quality so that pieces accept those zones, and no others, that they may lie over.
+void add_qualities(Random& random, Marker& marker) {
+  for (Piece& piece : marker.pieces) {
+    if (random.chance(50)) piece.rules.quality = static_cast<marker::Quality>(random.between(1, 3));
+  }
+}
+
+// Lays some pieces onto zones that they accept.
+void cover_zones(Random& random, Marker& marker) {
+  for (Piece& zone : marker.pieces) {
+    if (!zone.rules.zone || !zone.rules.quality || random.chance(40)) continue;
+    const Piece& piece = marker.pieces[random.below(marker.pieces.size())];
+    if (piece.rules.zone || piece.rules.quality.value_or(0) < *zone.rules.quality) continue;
+    const auto middle = [&marker](const Piece& one) {
+      const Box box = box_of(oriented(marker.shapes[one.shape.value].outline, one.orientation)).moved(one.at);
+      return Vec{(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2};
+    };
+    const Vec before = zone.at;
+    zone.at = zone.at + (middle(piece) - middle(zone));
+    if (!is_valid(marker)) zone.at = before;
+  }
 }
 
 // Rules that the piece keeps where it lies.
@@ -160,6 +182,7 @@ void add_zones(Random& random, Marker& marker) {
 Marker random_marker_with_rules(Random& random) {
   Marker marker = random_marker(random);
   if (random.chance(40)) add_zones(random, marker);
+  marker.strip.tube = random.chance(30);
   Coord lowest = marker.strip.width, highest = 0, longest = 0;
   std::array<std::optional<Box>, 2> shades;
   for (std::uint32_t i = 0; i < marker.pieces.size(); ++i) {
@@ -168,19 +191,26 @@ Marker random_marker_with_rules(Random& random) {
     Polygon outline = placed_outline(marker, PieceId{i});
     Box box = box_of(outline);
     // The lowest pieces lie there alone: below them is nothing but cloth.
-    const bool on_fold = box.low.y < box.height() / 8 && may_lie_on_fold(outline) && random.chance(60);
+    const bool below = box.low.y < box.height() / 8 && has_side_at(outline, box.low.y) && random.chance(60);
+    // So do the highest ones, on the upper fold of a tube.
+    const Coord spare = marker.strip.width - box.high.y;
+    const bool above = marker.strip.tube && !below && spare < box.height() / 8 && has_side_at(outline, box.high.y) &&
+                       !has_side_at(outline, box.low.y);
+    const bool on_fold = below || above;
     if (on_fold) {
-      piece.at.y -= box.low.y;
-      box = box.moved({0, -box.low.y});
+      const Vec by{0, below ? -box.low.y : spare};
+      piece.at = piece.at + by;
+      box = box.moved(by);
     }
     piece.rules = random_rules(random, box, marker.strip.width, box.width());
     const double degrees = piece.orientation.rotation.degrees;
     if (degrees == 0 && random.chance(20)) piece.rules.nap = marker::Nap::kUp;
     if (degrees == 180 && random.chance(20)) piece.rules.nap = marker::Nap::kDown;
     if (on_fold) piece.rules.below.reset();
+    if (on_fold && marker.strip.tube) piece.rules.above.reset();
     piece.rules.on_fold = on_fold;
-    if (!on_fold && !piece.rules.below) lowest = std::min(lowest, box.low.y);
-    if (!piece.rules.above) highest = std::max(highest, box.high.y);
+    if (!below && !piece.rules.below) lowest = std::min(lowest, box.low.y);
+    if (!above && !piece.rules.above) highest = std::max(highest, box.high.y);
     if (!random.chance(50)) continue;
     const std::size_t shade = random.below(shades.size());
     piece.rules.shade = std::string(1, static_cast<char>('A' + shade));
@@ -191,6 +221,8 @@ Marker random_marker_with_rules(Random& random) {
   if (random.chance(50))
     marker.strip.above = random.between(0, std::min(marker.strip.width - highest, marker.strip.width / 4));
   if (random.chance(40)) match_to_cloth(random, marker);
+  if (random.chance(50)) add_qualities(random, marker);
+  cover_zones(random, marker);
   if (longest > 0) marker.shade = longest + (random.chance(50) ? 0 : random.between(0, longest / 4));
   return marker;
 }

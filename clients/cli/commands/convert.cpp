@@ -156,7 +156,9 @@ command_line::Command convert_command() {
        .placeholder = "FILE"},
       {.name = "--fold",
        .kind = Kind::kText,
-       .meaning = "Unfold half pieces about their mirror line, or keep them; default: unfold",
+       .meaning =
+           "Unfold half pieces about their mirror line, keep them as drawn, or lay them on the fold of the cloth, "
+           "where other pieces are cut as pairs; default: unfold",
        .choices = {std::begin(kFoldWords), std::end(kFoldWords)}},
       {.name = "--nap",
        .kind = Kind::kText,

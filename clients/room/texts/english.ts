@@ -176,6 +176,7 @@ export const english = {
   ruleNapUp: "Nap: up",
   ruleNapDown: "Nap: down",
   ruleZone: "Zone that no piece may cover",
+  ruleQuality: "Cloth down to quality",
   ruleMatch: "Matched to the pattern",
   ruleOther: "Rule",
   bestTilts: "Tilts that would shorten",

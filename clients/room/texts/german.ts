@@ -172,6 +172,7 @@ export const german: Texts = {
   ruleNapUp: "Strich: mit",
   ruleNapDown: "Strich: gegen",
   ruleZone: "Stelle, die frei bleibt",
+  ruleQuality: "Stoff bis Güteklasse",
   ruleMatch: "Rapport des Musters",
   ruleOther: "Regel",
   bestTilts: "Neigungen, die verkürzen würden",

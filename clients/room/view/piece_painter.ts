@@ -48,7 +48,10 @@ export function paintPiece(brush: Brush, piece: Piece, pose: Pose, colouring: Co
     return;
   }
   const path = pathAt(piece, camera);
+  // Zones that some pieces may use are tinted, so that the pieces in them are seen.
+  context.globalAlpha = piece.rules.zone && piece.rules.quality !== undefined ? 0.4 : 1;
   context.fill(path);
+  context.globalAlpha = 1;
   if (pixels < 8) return;
   if (piece.rules.zone) {
     outline(brush, piece, pose, colours.fault, 1.4, [5, 3]);

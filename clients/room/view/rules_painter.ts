@@ -28,7 +28,9 @@ export function paintRules(brush: Brush, scene: Scene, width: number): void {
   if (marker.below > 0) context.fillRect(from, across(marker.below), to - from, across(0) - across(marker.below));
   if (marker.above > 0) context.fillRect(from, across(marker.width), to - from, across(marker.width - marker.above) - across(marker.width));
   context.globalAlpha = 1;
-  if (marker.pieces.some(({ rules }) => rules.fold)) line(brush, [from, across(0)], [to, across(0)], colours.ink, 2.4, [10, 3, 2, 3]);
+  const { tube } = marker.document.strip;
+  const folds = tube ? [0, marker.width] : marker.pieces.some(({ rules }) => rules.fold) ? [0] : [];
+  for (const y of folds) line(brush, [from, across(y)], [to, across(y)], colours.ink, 2.4, [10, 3, 2, 3]);
   const ends = new Set(marker.pieces.flatMap(({ rules }) => [rules.from, rules.to]));
   for (const end of ends) {
     if (end === undefined) continue;

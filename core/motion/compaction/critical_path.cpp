@@ -187,11 +187,13 @@ class Loads {
   // `(nx, ny)`: from the edge into the strip.
   void add_edge(std::uint32_t piece, StripEdge edge, double worth, int nx, int ny, CriticalPath& path) {
     const marker::Rules& rules = scene_.marker.pieces[piece].rules;
+    const marker::FoldEdge fold = fold_edge(rules, scene_.pieces[piece].vertices, scene_.marker.strip);
     if (edge == StripEdge::kBottom && rules.on_fold) add_price(Rule::kFold, PieceId{piece}, std::abs(worth), path);
     if (worth < tuning_.least_worth) return;
     const RealVec at = touching_point(piece, nx, ny);
     turn(piece, worth, nx, ny, at);
-    if (edge == StripEdge::kTop && rules.on_fold) return;  // it is the fold that holds the piece
+    if (edge == (fold == marker::FoldEdge::kUpper ? StripEdge::kBottom : StripEdge::kTop) && rules.on_fold)
+      return;  // the fold holds the piece
     add_price_of_edge(piece, edge, worth, path);
     const bool in_band = edge == StripEdge::kLeft && rules.from && *rules.from > scene_.marker.strip.margin;
     if (!in_band && distance_to(edge, piece) <= in_widths(tuning_.contact)) {
@@ -212,7 +214,8 @@ class Loads {
     }
     if (edge == StripEdge::kBottom && !rules.on_fold)
       selvedge(Rule::kBelow, rules.below.has_value(), strip.below.has_value());
-    if (edge == StripEdge::kTop) selvedge(Rule::kAbove, rules.above.has_value(), strip.above.has_value());
+    if (edge == StripEdge::kTop && !rules.on_fold)
+      selvedge(Rule::kAbove, rules.above.has_value(), strip.above.has_value());
   }
   // Adds to the price of the same rule of the same piece, or of the strip.
   void add_price(Rule rule, std::optional<PieceId> piece, double worth, CriticalPath& path) const {

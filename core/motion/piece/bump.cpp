@@ -155,7 +155,8 @@ class Bumper {
     const Vec at = at_ + member.offset;
     const Box own = scene_.pieces[member.piece].box.moved(at).grown(std::llround(reach_) + spacing_);
     for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
-      if (moves_[other] || !own.overlaps(scene_.pieces.box(other))) continue;
+      if (moves_[other] || scene_.pieces.may_share_cloth(member.piece, other)) continue;
+      if (!own.overlaps(scene_.pieces.box(other))) continue;
       const Coord spacing = scene_.pieces.spacing({member.piece, other});
       const Vec r = at - scene_.pieces.at(other);
       const minkowski::Obstacle& obstacle = obstacle_of(other, member.piece);

@@ -62,7 +62,8 @@ class Relaxer {
     cell_.clear();
     const Box near = box_.moved(piece_.at).grown(std::llround(2 * reach_) + scene_.pieces.widest_spacing());
     for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
-      if (other == index_ || !near.overlaps(scene_.pieces.box(other))) continue;
+      if (other == index_ || scene_.pieces.may_share_cloth(index_, other)) continue;
+      if (!near.overlaps(scene_.pieces.box(other))) continue;
       const geometry::PlacedPolygon still = scene_.pieces[other];
       const Coord spacing = scene_.pieces.spacing({index_, other});
       const minkowski::Obstacle obstacle = scene_.sums.obstacle(scene_.outlines[other], outline_);

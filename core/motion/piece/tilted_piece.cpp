@@ -41,8 +41,9 @@ Piece tilted(const Piece& piece, const geometry::PlacedPolygon& from, Angle tilt
 bool is_cuttable(const Marker& marker, const Piece& piece) {
   const Polygon outline = oriented(marker.shapes[piece.shape.value].outline, piece.orientation);
   const Coord across = box_of(outline).height();
+  const marker::FoldEdge fold = fold_edge(piece.rules, outline, marker.strip);
   return static_cast<bool>(clean_polygon(outline)) &&
-         across <= room_for(piece.rules, across, marker.strip, kLatticeLimit).height();
+         across <= room_for(piece.rules, across, fold, marker.strip, kLatticeLimit).height();
 }
 
 }  // namespace selvage::motion::piece

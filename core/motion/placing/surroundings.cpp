@@ -80,6 +80,7 @@ void Surroundings::append_near(const Body& body, const Body::Member& member, con
   const Box swept = Box{window.low + own.low, window.high + own.high}.grown(scene_.pieces.widest_spacing() + 1);
   for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
     if (!swept.touches(scene_.pieces.box(other)) || body.holds(other)) continue;
+    if (scene_.pieces.may_share_cloth(member.piece, other)) continue;
     near_.push_back({member.piece, other, member.offset, scene_.pieces.spacing({member.piece, other}),
                      scene_.sums.obstacle(scene_.outlines[other], scene_.outlines[member.piece])});
     first_line_.push_back(static_cast<std::uint32_t>(lines_.size()));

@@ -23,7 +23,8 @@ std::vector<Neighbour> neighbours_of(const scene::Scene& scene, std::uint32_t pi
   const Box box = scene.pieces.box(piece).grown(std::llround(reach) + scene.pieces.widest_spacing());
   std::vector<Neighbour> found;
   for (std::uint32_t other = 0; other < scene.pieces.size(); ++other) {
-    if (other == piece || !box.overlaps(scene.pieces.box(other))) continue;
+    if (other == piece || scene.pieces.may_share_cloth(piece, other)) continue;
+    if (!box.overlaps(scene.pieces.box(other))) continue;
     const marker::PiecePair pair = std::minmax(piece, other);
     found.push_back({pair, scene.obstacle(pair), scene.pieces.at(other), prices.of(pair)});
   }

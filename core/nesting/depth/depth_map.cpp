@@ -32,6 +32,8 @@ void DepthMap::bound() {
   low_y_ -= clearance_;
   high_x_ += clearance_;
   high_y_ += clearance_;
+  // An overlap of any depth is allowed.
+  if (low_x_ >= high_x_ || low_y_ >= high_y_) low_x_ = high_x_ = low_y_ = high_y_ = 0;
 }
 
 // The inside is found row by row: between the first crossing with the boundary and the second, and so on.

@@ -97,9 +97,11 @@ Marker to_marker(const PieceSet& set, const Layout& layout, const Marker& start)
     Piece& piece = marker.pieces[i];
     const Place& place = layout.places[i];
     piece.orientation = set.kind(i).turned[place.turn].orientation;
-    const Box box = box_of(oriented(marker.shapes[piece.shape.value].outline, piece.orientation));
+    const Polygon outline = oriented(marker.shapes[piece.shape.value].outline, piece.orientation);
+    const Box box = box_of(outline);
     piece.at = {std::llround(place.x * set.lattice_units), std::llround(place.y * set.lattice_units)};
-    Box room = room_for(piece.rules, box.height(), marker.strip, kLatticeLimit);
+    const marker::FoldEdge fold = fold_edge(piece.rules, outline, marker.strip);
+    Box room = room_for(piece.rules, box.height(), fold, marker.strip, kLatticeLimit);
     if (piece.rules.matched_to_cloth()) {
       room = matched_room(room, box.moved(piece.at), piece.at + turned_match(piece),
                           repeat_for(piece.rules, marker.strip));

@@ -67,9 +67,9 @@ class Builder {
  private:
   using Limit = std::optional<Coord>;
   using RulesKey = std::tuple<Limit, Limit, Limit, Limit, bool, std::optional<Vec>, std::optional<Vec>, std::string,
-                              std::optional<marker::Nap>, bool>;
+                              std::optional<marker::Nap>, bool, std::optional<marker::Quality>>;
   using KindKey = std::tuple<ShapeId, Coord, Coord, std::optional<Orientation>, RulesKey>;
-  using OutlineKey = std::tuple<ShapeId, Coord, Coord, Angle, bool>;
+  using OutlineKey = std::tuple<ShapeId, Coord, Coord, Angle, bool, std::optional<marker::Quality>>;
 
   [[nodiscard]] Coord overlap_of(const Piece& piece) const { return piece.overlap.value_or(marker_.overlap); }
 
@@ -83,7 +83,8 @@ class Builder {
             matched(rules) ? rules.phase : std::nullopt,
             marker_.shade ? rules.shade : "",
             rules.nap,
-            rules.zone};
+            rules.zone,
+            rules.quality};
   }
 
   [[nodiscard]] bool matched(const marker::Rules& rules) const {
@@ -114,7 +115,7 @@ class Builder {
       if (!may_lie(marker_, as_turned)) continue;
       const Polygon polygon = oriented(shape.outline, orientation);
       if (!clean_polygon(polygon)) continue;  // rounding to the lattice made it touch itself
-      kind.turned.push_back(turned(as_turned, shape, box_of(polygon)));
+      kind.turned.push_back(turned(as_turned, shape, polygon));
     }
     return kind;
   }
@@ -133,14 +134,16 @@ class Builder {
     return all;
   }
 
-  Turned turned(const Piece& piece, const Shape& shape, const Box& box) {
+  Turned turned(const Piece& piece, const Shape& shape, const Polygon& polygon) {
+    const Box box = box_of(polygon);
     const auto [turn, symmetry] = split(piece.orientation);
     const Coord overlap = overlap_of(piece);
-    const bool zone = piece.rules.zone;
-    const auto [found, fresh] = outlines_.try_emplace(OutlineKey{piece.shape, piece.buffer, overlap, turn, zone},
-                                                      static_cast<std::uint32_t>(set_.outlines.size()));
+    const marker::Rules on_cloth{.zone = piece.rules.zone, .quality = piece.rules.quality};
+    const auto [found, fresh] =
+        outlines_.try_emplace(OutlineKey{piece.shape, piece.buffer, overlap, turn, on_cloth.zone, on_cloth.quality},
+                              static_cast<std::uint32_t>(set_.outlines.size()));
     if (fresh) {
-      set_.outlines.push_back({sums_.outline(geometry::turned(shape.outline, turn)), piece.buffer, overlap, zone});
+      set_.outlines.push_back({sums_.outline(geometry::turned(shape.outline, turn)), piece.buffer, overlap, on_cloth});
     }
     const auto units = [this](Coord coord) { return static_cast<double>(coord) / set_.lattice_units; };
     // A piece with a phase of its own is matched to the cloth's with a point that lies as far from it.
@@ -152,7 +155,8 @@ class Builder {
             {units(box.low.x), units(box.low.y), units(box.high.x), units(box.high.y)},
             units(match.x),
             units(match.y),
-            real_room(room_for(piece.rules, box.height(), marker_.strip, kLatticeLimit))};
+            real_room(room_for(piece.rules, box.height(), fold_edge(piece.rules, polygon, marker_.strip), marker_.strip,
+                               kLatticeLimit))};
   }
 
   // The same to the last bit for the same room, whatever piece it is for.
@@ -174,10 +178,14 @@ class Builder {
 
 }  // namespace
 
+// Deeper than any two pieces overlap: no depth remains.
+constexpr double kAnyOverlap = 1e9;
+
 double PieceSet::clearance(std::uint32_t first, std::uint32_t second) const {
   const BaseOutline& p = outlines[first];
   const BaseOutline& q = outlines[second];
-  if (p.zone || q.zone) return 0;
+  if (may_share_cloth(p.on_cloth, q.on_cloth)) return -kAnyOverlap;
+  if (p.on_cloth.zone || q.on_cloth.zone) return 0;
   const Coord apart = std::max(spacing, p.buffer + q.buffer);
   return static_cast<double>(apart > 0 ? apart : -std::min(p.overlap, q.overlap)) / lattice_units;
 }

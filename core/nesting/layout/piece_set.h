@@ -30,7 +30,7 @@ struct RealBox {
 struct BaseOutline {
   std::shared_ptr<const outline::Outline> outline;
   Coord buffer{}, overlap{};  // lattice units
-  bool zone{};                // of a zone, from which pieces keep no distance
+  marker::Rules on_cloth{};   // of its rules: whether it is a zone, from which pieces keep no distance, and its quality
 };
 
 // A kind of piece in one of its allowed orientations.
@@ -87,7 +87,7 @@ struct PieceSet {
   // their own.
   [[nodiscard]] double across() const;
   // The least signed distance between two pieces with these base outlines: negative when they may overlap, as
-  // marker::PlacedPieces::spacing has it, and 0 from a zone.
+  // marker::PlacedPieces::spacing has it, 0 from a zone, and far below 0 when they may share their cloth.
   [[nodiscard]] double clearance(std::uint32_t first, std::uint32_t second) const;
 };
 

@@ -14,13 +14,16 @@ struct Boxed {
   std::size_t piece{};
   Orientation orientation;
   Box box;
+  marker::FoldEdge fold{};  // if it has to lie on the fold
 };
 
 Boxed shortest(const Marker& marker, const layout::PieceSet& set, std::size_t piece) {
   Boxed best;
   for (const layout::Turned& turned : set.kind(piece).turned) {
-    const Box box = box_of(oriented(marker.shapes[set.kind(piece).shape.value].outline, turned.orientation));
-    if (best.box == Box{} || box.width() < best.box.width()) best = {piece, turned.orientation, box};
+    const Polygon outline = oriented(marker.shapes[set.kind(piece).shape.value].outline, turned.orientation);
+    const Box box = box_of(outline);
+    if (best.box != Box{} && box.width() >= best.box.width()) continue;
+    best = {piece, turned.orientation, box, fold_edge(marker.pieces[piece].rules, outline, marker.strip)};
   }
   return best;
 }
@@ -43,11 +46,13 @@ struct Column {
   std::optional<Coord> top{};  // of the boxes in it, with the clearance; none: it is empty
 
   // The y at which the piece lies on the others, by its rules; nothing where the column has no room for it.
-  [[nodiscard]] std::optional<Coord> place_for(const marker::Rules& rules, const Box& box, const Strip& strip) const {
-    const Box room = room_for(rules, box.height(), strip, kLatticeLimit);
+  [[nodiscard]] std::optional<Coord> place_for(const marker::Rules& rules, const Boxed& boxed,
+                                               const Strip& strip) const {
+    const Coord height = boxed.box.height();
+    const Box room = room_for(rules, height, boxed.fold, strip, kLatticeLimit);
     if (!top) return room.low.y;
     const Coord y = std::max(*top, room.low.y);
-    return y + box.height() > room.high.y ? std::nullopt : std::optional{y};
+    return y + height > room.high.y ? std::nullopt : std::optional{y};
   }
 };
 
@@ -73,10 +78,10 @@ Result<Marker> on_shelves(const Marker& start, const layout::PieceSet& set, cons
   Column column{x};
   for (const Boxed& boxed : boxes) {
     Piece& piece = marker.pieces[boxed.piece];
-    auto y = column.place_for(piece.rules, boxed.box, marker.strip);
+    auto y = column.place_for(piece.rules, boxed, marker.strip);
     if (!y) {
       column = {column.x + column.width + clearance};
-      y = column.place_for(piece.rules, boxed.box, marker.strip);
+      y = column.place_for(piece.rules, boxed, marker.strip);
     }
     const Coord left = std::max(column.x, piece.rules.from.value_or(0));
     column.width = std::max(column.width, left + boxed.box.width() - column.x);

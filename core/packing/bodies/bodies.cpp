@@ -241,6 +241,7 @@ class BodyMaker {
     for (std::size_t k = 0; k < draft.pieces.size(); ++k) {
       bodies_.complete = bodies_.complete && wedges_ <= kMostWedges && !run_.stopped();
       if (!bodies_.complete) return;
+      if (piece && placed_.may_share_cloth(*piece, draft.pieces[k])) continue;
       const Figure& other = draft.figures[second.variant][k];
       const Vec offset = at - bodies_.layouts[second.body][second.variant].offsets[k];
       const Coord spacing = piece ? placed_.spacing(std::minmax(*piece, draft.pieces[k])) : freedom_.clearance;

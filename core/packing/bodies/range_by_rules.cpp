@@ -6,10 +6,12 @@ namespace selvage::packing::bodies {
 
 std::optional<Box> range_by_rules(const Marker& marker, const marker::PlacedPieces& placed, const Freedom& freedom,
                                   std::uint32_t piece, const Box& own) {
-  if (!may_lie(marker, marker.pieces[piece])) return std::nullopt;
-  const marker::Rules& rules = marker.pieces[piece].rules;
+  const Piece& lying = marker.pieces[piece];
+  if (!may_lie(marker, lying)) return std::nullopt;
+  const marker::Rules& rules = lying.rules;
+  const Polygon outline = oriented(marker.shapes[lying.shape.value].outline, lying.orientation);
   const Coord end = marker.strip.last().value_or(kLatticeLimit);
-  const Box room = room_for(rules, own.height(), marker.strip, end);
+  const Box room = room_for(rules, own.height(), fold_edge(rules, outline, marker.strip), marker.strip, end);
   const Box among = placed.room_among(piece, freedom.moving, marker.strip, end);  // along x as in any orientation
   const Coord along = freedom.clearance;
   const Coord across = rules.on_fold ? 0 : along;

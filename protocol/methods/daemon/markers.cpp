@@ -5,6 +5,7 @@
 #include "core/marker/figures.h"
 #include "core/marker/validity.h"
 #include "protocol/calls/method.h"
+#include "protocol/edits/cloth.h"
 #include "protocol/files/reading.h"
 #include "protocol/methods/daemon/engine.h"
 #include "protocol/schema/documents.h"
@@ -64,14 +65,21 @@ constexpr json::Range kTolerances{1e-4, 100};  // millimetres
 struct ReadingFields {
   static constexpr std::string_view kGroup = "reading";
 
+  static constexpr std::size_t kMostSizes = 1000;
+
   trade::ReadingOptions options;
+  std::optional<std::vector<schema::Id>> sizes;
 
   static void describe(auto& v, auto& self) {
     v.optional("unit", self.options.unit, "The unit of a pattern or cut file, instead of the one that it states.");
     v.optional("width", self.options.width,
                "The width of the cloth in mm, which a pattern file does not state. 1500 when absent.",
                {.range = kWidths});
-    v.optional("fold", self.options.fold, "Unfold half pieces, or keep them; unfold when absent.");
+    v.optional("sizes", self.sizes, "The sizes of a graded pattern that are read; all when absent.",
+               {.entries = {{0, kMostSizes}}, .entries_are = "sizes"});
+    v.optional("fold", self.options.fold,
+               "Unfold half pieces, keep them as drawn, or lay them on the fold of the cloth, whose two layers make a "
+               "pair of every other piece; unfold when absent.");
     v.optional("nap", self.options.nap,
                "Whether pieces of a pattern may be turned by 180 degrees; one_way when absent.");
     v.optional("tolerance", self.options.tolerance,
@@ -87,6 +95,7 @@ struct OpenFields {
   std::optional<double> spacing, overlap;
   std::optional<std::string> op_id;
   ReadingFields reading;
+  edits::Cloth cloth;
 
   static void describe(auto& v, auto& self) {
     v.required("marker", self.marker,
@@ -94,6 +103,7 @@ struct OpenFields {
     v.optional("spacing", self.spacing, "Overrides the document's spacing.");
     v.optional("overlap", self.overlap, "Overrides the document's overlap allowance.");
     v.part(self.reading);
+    v.part(self.cloth);
     v.optional("opId", self.op_id, calls::kOpIdMeaning, calls::kOpIds);
   }
 };
@@ -101,7 +111,19 @@ struct OpenFields {
 Result<MarkerFile> read_source(const OpenFields& fields) {
   const Json& source = *fields.marker.value;
   if (!source.is_string()) return formats::read_document(source);
-  return files::read_file(source.text(), fields.reading.options);
+  trade::ReadingOptions options = fields.reading.options;
+  for (std::size_t k = 0; fields.reading.sizes && k < fields.reading.sizes->size(); ++k)
+    options.sizes.push_back((*fields.reading.sizes)[k].text);
+  return files::read_file(source.text(), options);
+}
+
+// The error of with_cloth points at a parameter or into the marker; which has a field `shade`, too.
+Error into_parameters(Error error, const edits::Cloth& cloth) {
+  const std::string_view field = error.field;
+  const bool of_shade = field.starts_with("/shade") && !cloth.shade;
+  const bool of_marker = of_shade || field.starts_with("/strip") || field.starts_with("/shapes") ||
+                         field.starts_with("/pieces") || field.starts_with("/unplaced");
+  return of_marker ? json::within("/marker", std::move(error)) : error;
 }
 
 }  // namespace
@@ -115,6 +137,8 @@ Result<OpenParams> decode_open(const Json& params) {
   if (fields->spacing) file = formats::with_spacing(*std::move(file), *fields->spacing);
   if (file && fields->overlap) file = formats::with_overlap(*std::move(file), *fields->overlap);
   if (!file) return file.error();
+  file = edits::with_cloth(*std::move(file), fields->cloth);
+  if (!file) return into_parameters(file.error(), fields->cloth);
   return OpenParams{*std::move(file), std::move(fields->op_id)};
 }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "protocol/document/frame.h"
 #include "protocol/json/json_text.h"
 
 namespace selvage::protocol::trade::aama {
@@ -163,6 +162,39 @@ void unfold(PatternBlock& block, std::vector<Spot>& outline, std::vector<Note>& 
   if (block.mirror_lines.size() > 1) {
     notes.push_back(note_at(block.line, std::to_string(block.mirror_lines.size()) + " mirror lines; the first counts"));
   }
+}
+
+bool may_lie_on_fold(const PatternBlock& block, const std::vector<Spot>& outline, std::vector<Note>& notes) {
+  if (block.mirror_lines.empty() || outline.size() < 3) return false;
+  const std::pair<Spot, Spot> line = block.mirror_lines.front();
+  if (chain_on(outline, line).edges == 0) return false;
+  std::vector<Note> ignored;
+  const document::Frame turn{false, turn_of_grain(block, ignored), {}};
+  const Spot from = turn.apply(line.first), to = turn.apply(line.second);
+  const bool along = std::abs(to.y - from.y) <= kOnMirrorLine;
+  if (!along) notes.push_back(note_at(block.line, "the mirror line does not run along the grain: unfolded"));
+  const auto above = [&](const Spot& point) { return turn.apply(point).y >= std::min(from.y, to.y) - kOnMirrorLine; };
+  const auto below = [&](const Spot& point) { return turn.apply(point).y <= std::max(from.y, to.y) + kOnMirrorLine; };
+  return along &&
+         (std::all_of(outline.begin(), outline.end(), above) || std::all_of(outline.begin(), outline.end(), below));
+}
+
+void lay_on_fold(const PatternBlock& block, const document::Frame& turn, PatternPiece& piece) {
+  double fold = turn.apply(block.mirror_lines.front().first).y, middle = 0;
+  for (const Spot& point : piece.outline) middle += point.y / static_cast<double>(piece.outline.size());
+  if (middle < fold) {
+    const document::Frame over{true, 0, {}};
+    for (Spot& point : piece.outline) point = over.apply(point);
+    std::reverse(piece.outline.begin() + 1, piece.outline.end());
+    piece.annotations = placed(piece.annotations, over);
+    fold = -fold;
+  }
+  double low = fold;
+  for (const Spot& point : piece.outline) low = std::min(low, point.y);
+  for (Spot& point : piece.outline) {
+    if (point.y - low <= 2 * kOnMirrorLine) point.y = low;
+  }
+  piece.half = true;
 }
 
 double turn_of_grain(const PatternBlock& block, std::vector<Note>& notes) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "protocol/document/frame.h"
 #include "protocol/trade/aama/pattern_block.h"
 #include "protocol/trade/options.h"
 
@@ -19,6 +20,14 @@ void scale(PatternBlock& block, double factor);
 
 // The whole piece, when the outline has edges on a mirror line: outline and annotations reflected about it.
 void unfold(PatternBlock& block, std::vector<Spot>& outline, std::vector<Note>& notes);
+
+// Whether the outline is half a piece that can be laid on the fold of the cloth, which runs along the grain: one with
+// edges on a mirror line along the grain, beyond which nothing lies.  A mirror line across the grain is noted.
+[[nodiscard]] bool may_lie_on_fold(const PatternBlock& block, const std::vector<Spot>& outline,
+                                   std::vector<Note>& notes);
+// Turns the half piece over where its mirror line is its upper side, so that it is the lower one, exactly straight.
+// `turn`: from the block to the piece.  REQUIRES: may_lie_on_fold of the block.
+void lay_on_fold(const PatternBlock& block, const document::Frame& turn, PatternPiece& piece);
 
 // By how many degrees the piece must be turned for its grain to run along +x, from the line's start to its end; more
 // than -180, at most 180.  A grain that is not there is noted, and so is a turn.

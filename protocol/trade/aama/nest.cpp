@@ -20,6 +20,7 @@ constexpr std::string_view kWidthKey = "Marker Width:";
 constexpr json::Range kLengths{0, 1e9};
 constexpr json::Range kCoordinates{-1e9, 1e9};
 constexpr json::Range kTurns{-360, 360};  // degrees
+constexpr json::Range kQualities{0, marker::kWorstQuality};
 
 // "Marker Width: 1500" and the like.
 void keep_text(const dxf::Entity& entity, Texts& texts) {
@@ -76,6 +77,7 @@ class NestReader {
     written_.repeat.across = maybe_number(texts, "Marker Repeat Across");
     written_.repeat.phase = formats::Decimal{number(texts, "Marker Phase X", 0, kCoordinates),
                                              number(texts, "Marker Phase Y", 0, kCoordinates)};
+    written_.tube = text_or_empty(texts, "Marker Tube") == "yes";
     written_.shade = maybe_number(texts, "Marker Shade");
     if (texts.contains("Marker Longest")) written_.longest = number(texts, "Marker Longest", 0, formats::kStripWidths);
     const double unit = number(texts, "Marker Resolution", 0, {});
@@ -179,6 +181,8 @@ class NestReader {
     }
     if (attributes.contains("MATCH_SET")) piece.rules.match_set = text_or_empty(attributes, "MATCH_SET");
     if (attributes.contains("SHADE")) piece.rules.shade = text_or_empty(attributes, "SHADE");
+    if (attributes.contains("QUALITY"))
+      piece.rules.quality = static_cast<marker::Quality>(number(attributes, "QUALITY", 0, kQualities));
     piece.rules.nap = schema::value_of<marker::Nap>(text_or_empty(attributes, "NAP"));
     const std::string locked = text_or_empty(attributes, "LOCKED");
     const auto has = [&](char lock) { return locked.find(lock) != std::string::npos; };

@@ -249,7 +249,8 @@ class StyleReader {
     if (grading && !grading->sample) {
       grade(block, *outline, grading->table, grading->size, grading->unit, &notes);
     }
-    if (options_.fold == FoldRule::kUnfold) {
+    const bool half = options_.fold == FoldRule::kLay && may_lie_on_fold(block, *outline, notes);
+    if (options_.fold != FoldRule::kKeep && !half) {
       unfold(block, *outline, notes);
     } else {
       for (const auto& [from, to] : block.mirror_lines) {
@@ -266,6 +267,7 @@ class StyleReader {
     piece.size = size;
     for (const Spot& point : *outline) piece.outline.push_back(rounded(turn.apply(point)));
     piece.annotations = rounded(placed(block.annotations, turn));
+    if (half) lay_on_fold(block, turn, piece);
     check_extent(piece, notes);
     if (!grading || grading->noted) style_.notes.insert(style_.notes.end(), notes.begin(), notes.end());
     style_.pieces.push_back(std::move(piece));

@@ -207,7 +207,8 @@ class PatternMaker {
     block.mirrored.assign(block.annotations.lines.size(), true);
     std::size_t dropped = 0;
     std::vector<Spot> points = without_repeats(containing_outline(outlines_[k].loop), dropped);
-    if (options_.fold == FoldRule::kUnfold) aama::unfold(block, points, notes);
+    const bool half = options_.fold == FoldRule::kLay && aama::may_lie_on_fold(block, points, notes);
+    if (options_.fold != FoldRule::kKeep && !half) aama::unfold(block, points, notes);
     if (!block.grains.empty()) {
       const auto& [from, to] = block.grains.front();
       block.annotations.lines.push_back({document::LineKind::kGrain, false, {from, to}});
@@ -218,6 +219,7 @@ class PatternMaker {
     piece.name = drawn.name.empty() ? "piece" : drawn.name;
     for (const Spot& point : points) piece.outline.push_back(rounded(turn.apply(point)));
     piece.annotations = rounded(placed(block.annotations, turn));
+    if (half) aama::lay_on_fold(block, turn, piece);
     for (const std::string_view material : {"fabric", "lining", "interfacing", "canvas"}) {
       if (has_word(drawn.classes, material)) piece.material = material;
     }

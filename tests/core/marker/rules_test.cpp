@@ -366,6 +366,83 @@ TEST(Zones, HaveNothingElseThatPiecesHave) {
   EXPECT_EQ(blamed(nothing_else), "/pieces");
 }
 
+TEST(Zones, OfAQualityHoldAllPiecesThatAcceptIt) {
+  Marker marker = with_zones();
+  marker.pieces[0].at.x = 25;
+  const auto valid = [&marker](std::optional<marker::Quality> zone, std::optional<marker::Quality> piece) {
+    marker.pieces[0].rules.quality = piece;
+    marker.pieces[1].rules.quality = zone;
+    const Marker made = *make_marker(marker);
+    SumCache sums;
+    EXPECT_EQ(marker::check(made, sums).valid(), is_valid(made));
+    return is_valid(made);
+  };
+  EXPECT_TRUE(valid(2, 2));
+  EXPECT_TRUE(valid(1, 2));
+  EXPECT_FALSE(valid(3, 2));
+  EXPECT_FALSE(valid(1, std::nullopt)) << "a piece accepts only the best cloth unless it says more";
+  EXPECT_FALSE(valid(std::nullopt, marker::kWorstQuality)) << "nobody accepts a zone without a quality";
+}
+
+TEST(Zones, OfSeveralQualitiesAreEachAccepted) {
+  Marker marker = with_zones();
+  marker.pieces[0].at.x = 30;  // on both zones
+  marker.pieces[0].rules.quality = 1;
+  marker.pieces[1].rules.quality = 1;
+  marker.pieces[2].rules.quality = 2;
+  EXPECT_FALSE(is_valid(marker));
+  EXPECT_EQ(marker::conflicts(marker::PlacedPieces{marker}), (std::vector<marker::PiecePair>{{0, 2}}));
+  marker.pieces[0].rules.quality = 2;
+  EXPECT_TRUE(is_valid(marker));
+}
+
+TEST(Zones, HaveAQualityWorseThanThatOfTheOtherCloth) {
+  const auto with = [](std::uint32_t piece, marker::Quality quality) {
+    Marker marker = with_zones();
+    marker.pieces[piece].rules.quality = quality;
+    return blamed(marker);
+  };
+  EXPECT_EQ(with(1, 1), "");
+  EXPECT_EQ(with(1, 0), "/pieces/1/rules/quality");
+  EXPECT_EQ(with(1, marker::kWorstQuality + 1), "/pieces/1/rules/quality");
+  EXPECT_EQ(with(0, 0), "");
+  EXPECT_EQ(with(0, -1), "/pieces/0/rules/quality");
+}
+
+// A roof with a straight side below, on a tube 100 wide.
+Marker roof_on_tube(double degrees, Vec at) {
+  Marker marker = squares({at});
+  marker.shapes[0].outline = {{0, 0}, {20, 0}, {10, 15}};
+  marker.shapes[0].rotations = {{0}, {90}, {180}};
+  marker.pieces[0].orientation.rotation = {degrees};
+  marker.pieces[0].rules.on_fold = true;
+  marker.strip.tube = true;
+  return marker;
+}
+
+TEST(Tubes, APieceLiesOnTheFoldThatItsStraightSideFaces) {
+  EXPECT_TRUE(is_kept(roof_on_tube(0, {5, 0})));
+  EXPECT_FALSE(is_kept(roof_on_tube(0, {5, 85})));
+  EXPECT_TRUE(is_kept(roof_on_tube(180, {25, 100})));
+  EXPECT_FALSE(is_kept(roof_on_tube(180, {25, 99})));
+  EXPECT_EQ(blamed(roof_on_tube(180, {25, 100})), "");
+  EXPECT_EQ(blamed(roof_on_tube(90, {40, 0})), "/pieces/0/rules/fold") << "its straight side faces neither";
+  Marker folded = roof_on_tube(180, {25, 100});
+  folded.strip.tube = false;
+  EXPECT_EQ(blamed(folded), "/pieces/0/rules/fold");
+}
+
+TEST(Tubes, AFoldHasNoSelvedgeOnEitherSide) {
+  Marker marker = roof_on_tube(180, {25, 100});
+  marker.strip.above = marker.strip.below = 10;
+  EXPECT_TRUE(is_kept(marker));
+  marker.pieces[0].rules.on_fold = false;
+  EXPECT_FALSE(is_kept(marker)) << "the other pieces lie as on any strip";
+  marker.pieces[0].rules.on_fold = true;
+  marker.pieces[0].rules.above = 5;
+  EXPECT_EQ(blamed(marker), "/pieces/0/rules/above");
+}
+
 TEST(Zones, MayBeWiderThanTheStrip) {
   Marker marker = squares({{20, 0}, {50, -30}});
   marker.shapes.push_back({.id = "end", .outline = {{0, 0}, {10, 0}, {10, 160}, {0, 160}}, .tilt_limit = {}});

@@ -376,6 +376,72 @@ TEST(Rules, CompactionStopsAtAZoneAndSaysWhatItCosts) {
   EXPECT_NEAR(path.locks[0].per_x.value_or(0), -1, 1e-6);
 }
 
+TEST(Rules, AZoneHoldsBackOnlyPiecesThatDoNotAcceptItsQuality) {
+  Marker marker = flawed(kSide);
+  marker.pieces[2].rules.quality = 2;
+  EXPECT_EQ(length_of(compacted(marker)), 350'000);
+  marker.pieces[1].rules.quality = 1;
+  const Marker tight = compacted(marker);
+  EXPECT_EQ(length_of(tight), 350'000);
+  EXPECT_NEAR(held(tight).locks.at(0).per_x.value_or(0), -1, 1e-6) << "the zone costs what a flaw would";
+  marker.pieces[1].rules.quality = 2;
+  const Marker tighter = compacted(marker);
+  EXPECT_EQ(length_of(tighter), 200'000);
+  EXPECT_TRUE(held(tighter).locks.empty());
+}
+
+TEST(Rules, EveryMotionOfOnePieceGoesOverZonesThatItAccepts) {
+  Marker marker = flawed(10 * kSide);
+  marker.pieces[2].rules.quality = 1;
+  marker.pieces[1].rules.quality = 1;
+  SumCache sums;
+  for (const auto mode : {dragging::DragMode::kPlace, dragging::DragMode::kPush}) {
+    const auto dragged = dragging::drag(marker, PieceId{1}, {180'000, 20'000}, mode, {sums}).marker;
+    EXPECT_EQ(dragged.pieces[1].at, (Vec{180'000, 20'000}));
+    EXPECT_TRUE(is_valid(dragged));
+  }
+  const auto placed = placing::repair_and_place(marker, PieceId{1}, {210'000, 50'000}, {}, {sums});
+  ASSERT_TRUE(placed && placed->place);
+  EXPECT_EQ(placed->place->at, (Vec{210'000, 50'000}));
+  const auto bumped = piece::repair_and_bump(marker, PieceId{1}, -1, 0, {sums});
+  ASSERT_TRUE(bumped);
+  EXPECT_EQ(bumped->marker.pieces[1].at.x, 150'000) << "the first square stops it";
+  marker.pieces[0].at = {110'000, 10'000};
+  marker.pieces[1].at = {170'000, 30'000};
+  marker.pieces[0].rules.quality = 1;
+  const auto apart = separation::separate(marker, {.rounds = 60, .grow = 1}, {sums});
+  ASSERT_TRUE(apart) << apart.error().message;
+  EXPECT_TRUE(is_valid(apart->marker));
+}
+
+TEST(Rules, PiecesOnTheUpperFoldOfATubeMoveAlongItOnly) {
+  Layout layout{250'000};
+  const auto roof = layout.shape_of({{0, 0}, {200'000, 0}, {100'000, 100'000}});
+  const auto diamond = layout.shape_of(kDiamond);
+  layout.put(roof, {300'000, 0}).put(roof, {700'000, 250'000}).put(diamond, {50'000, 40'000});
+  Marker marker = layout.marker();
+  marker.strip.tube = true;
+  for (Shape& shape : marker.shapes) shape.rotations = {{0}, {180}};
+  for (const std::size_t k : {0, 1}) marker.pieces[k].rules.on_fold = true;
+  marker.pieces[1].orientation.rotation = {180};
+  const Marker tight = compacted(marker);
+  EXPECT_EQ(tight.pieces[0].at.y, 0);
+  EXPECT_EQ(tight.pieces[1].at.y, 250'000);
+  EXPECT_LT(length_of(tight), length_of(marker) / 2);
+  SumCache sums;
+  const auto dragged = dragging::drag(tight, PieceId{1}, {600'000, 100'000}, dragging::DragMode::kPlace, {sums});
+  EXPECT_EQ(dragged.marker.pieces[1].at.y, 250'000);
+  // The diamond lies under the roof on the upper fold, and on the lower edge.
+  Marker wedged = marker;
+  wedged.pieces.erase(wedged.pieces.begin());
+  wedged.pieces[0].at = {200'000, 250'000};
+  wedged.pieces[1].at = {50'000, 0};
+  ASSERT_TRUE(is_valid(wedged));
+  const auto path = held(wedged);
+  EXPECT_NEAR(worth_of(path, Rule::kFold, PieceId{0}), 1, 1e-6);
+  EXPECT_EQ(path.rules.size(), 1U);
+}
+
 TEST(Rules, AZoneBehindTheMarkerHoldsNothing) {
   Marker marker = flawed(kSide);
   marker.pieces[2].at.x = 600'000;

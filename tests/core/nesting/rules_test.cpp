@@ -167,6 +167,43 @@ TEST(RulesInNesting, NoPieceLiesOnAZone) {
   EXPECT_EQ(done->marker.pieces[1].at, marker.pieces[1].at);
 }
 
+TEST(RulesInNesting, PiecesThatAcceptAQualityLieOnItsZone) {
+  // A zone that leaves less room on both sides of it than the pieces need.
+  Marker marker = squares(8);
+  marker.shapes.push_back({.id = "stain", .outline = rectangle(20 * kSide, kWidth), .tilt_limit = {}});
+  marker.pieces.push_back({.id = "stain", .shape = {1}, .orientation = {}, .at = {4 * kSide, 0}});
+  marker.pieces[0].rules = {.zone = true, .quality = 2};
+  marker = *make_marker(std::move(marker));
+  for (std::size_t i = 0; i < 5; ++i) marker.unplaced[i].rules.quality = 2;
+  for (std::size_t i = 5; i < 8; ++i) marker.unplaced[i].rules.quality = 1;
+  const auto done = nested(marker, 2000);
+  ASSERT_TRUE(done) << done.error().message;
+  EXPECT_TRUE(is_valid(done->marker));
+  ASSERT_EQ(piece_count(done->marker), 8u);
+  EXPECT_LT(done->length_after, 12 * kSide) << "those that accept it need not lie behind it";
+  for (std::uint32_t i = 6; i < 9; ++i) EXPECT_LE(box_of(placed_outline(done->marker, PieceId{i})).high.x, 4 * kSide);
+}
+
+TEST(RulesInNesting, HalfPiecesLieOnBothFoldsOfATube) {
+  Marker marker = unplaced_pieces({{{0, 0}, {4 * kSide, 0}, {2 * kSide, 4 * kSide}}}, 6, kWidth);
+  marker.shapes[0].rotations = {{0}, {180}};
+  for (Piece& piece : marker.unplaced) piece.rules.on_fold = true;
+  marker.strip.tube = true;
+  const auto done = nested(marker, 6000);
+  ASSERT_TRUE(done) << done.error().message;
+  EXPECT_TRUE(is_valid(done->marker));
+  EXPECT_TRUE(make_marker(done->marker));
+  int lower = 0, upper = 0;
+  for (std::uint32_t i = 0; i < 6; ++i) {
+    const Box box = box_of(placed_outline(done->marker, PieceId{i}));
+    lower += box.low.y == 0 ? 1 : 0;
+    upper += box.high.y == kWidth ? 1 : 0;
+  }
+  EXPECT_EQ(lower + upper, 6);
+  EXPECT_EQ(lower, 3);
+  EXPECT_LE(done->length_after, 13 * kSide) << "on one fold alone they would take 24 sides";
+}
+
 TEST(RulesInNesting, WhereTheClothEndsZonesStayOnIt) {
   Marker marker = on_flawed_cloth(14);
   marker.strip.longest = 10 * kSide;

@@ -129,6 +129,31 @@ TEST(RulesInPacking, PiecesArePackedAroundAZone) {
   expect_optimum(marker, 20'000);
 }
 
+TEST(RulesInPacking, APieceIsPackedOntoAZoneThatItAccepts) {
+  Marker marker = with_zone();
+  marker.pieces[0].rules.quality = 1;
+  expect_optimum(marker, 30'000);
+  marker.pieces[3].rules.quality = 1;
+  expect_optimum(marker, 20'000);
+  const Box room{{0, 0}, {20'000, 20'000}};
+  marker.pieces[0].at = {5'000, 0};
+  EXPECT_EQ(verdict_of(marker, {{1}, {2}, {3}}, room), Verdict::kFound);
+  marker.pieces[0].rules.quality = 2;
+  EXPECT_EQ(verdict_of(marker, {{1}, {2}, {3}}, room), Verdict::kImpossible);
+}
+
+TEST(RulesInPacking, OnATubeBothFoldsAreUsed) {
+  test::Layout layout{20'000};
+  const auto roof = layout.shape_of({{0, 0}, {10'000, 0}, {5'000, 10'000}});
+  for (Coord k = 0; k < 2; ++k) layout.put(roof, {k * 12'000, 0});
+  Marker marker = layout.marker();
+  marker.shapes[0].rotations = {{0}, {180}};
+  for (Piece& piece : marker.pieces) piece.rules.on_fold = true;
+  EXPECT_GE(packed(marker).length_after, 20'000);
+  marker.strip.tube = true;
+  expect_optimum(marker, 10'000);
+}
+
 TEST(RulesInPacking, ContainmentProvesThatAZoneLeavesNoRoom) {
   Marker marker = with_zone();
   const Box room{{0, 0}, {20'000, 20'000}};

@@ -8,6 +8,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   const std::string text{bytes, bytes + size};
   selvage::protocol::trade::ReadingOptions options;
   options.unit = selvage::protocol::trade::LengthUnit::kMillimetre;
+  // Half pieces are unfolded, or laid on the fold of cloth in two layers.
+  if (size % 2 == 1) options.fold = selvage::protocol::trade::FoldRule::kLay;
   selvage::test::demand_sound_file(text, options);
   return 0;
 }

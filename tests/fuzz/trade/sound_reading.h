@@ -8,7 +8,8 @@
 namespace selvage::test {
 
 // The reader either accepts the text or rejects it with an error message.  A marker that was accepted is a Marker, and
-// its native form reads back as the same marker; small ones can be written in every format.
+// its native form reads back as the same marker; small ones can be written in every format, which is tried of one text
+// in sixteen.
 void demand_sound_file(std::string_view text, const protocol::trade::ReadingOptions& options = {});
 
 }  // namespace selvage::test

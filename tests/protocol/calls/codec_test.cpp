@@ -5,6 +5,7 @@
 #include "protocol/methods/daemon/markers.h"
 #include "protocol/methods/method_table.h"
 #include "tests/protocol/formats/samples.h"
+#include "tests/support/repository.h"
 
 namespace selvage::protocol::calls {
 namespace {
@@ -22,6 +23,40 @@ Error error_of(const char* method, const Json& params) {
 std::string understood(const char* method, const char* params) {
   const auto read = find_method(method)->canonical(json(params));
   return read ? json::to_text(*read) : read.error().message;
+}
+
+TEST(OpenParams, TakeWhatTheCommandLineTakesForFilesAndForCloth) {
+  const Json text = test::repository_text("examples/trade/accumark_like_nest.dxf");
+  const auto open = decode_open({{"marker", text},
+                                 {"sizes", {"32", 34}},
+                                 {"fold", "lay"},
+                                 {"width", 1200},
+                                 {"tube", true},
+                                 {"marginBelow", 7},
+                                 {"shade", 900},
+                                 {"repeatAlong", 64},
+                                 {"napDirection", "up"},
+                                 {"zones", test::json(R"([{"from": [900, 0], "to": [950, 1200], "quality": 3}])")},
+                                 {"pieceRules", test::json(R"([{"shape": "FRONT/34", "rules": {"quality": 3}}])")},
+                                 {"blocks", test::json(R"([{"shape": "FRONT/34", "left": 5}])")}});
+  ASSERT_TRUE(open) << open.error().field << ": " << open.error().message;
+  const Marker& marker = open->file.marker;
+  EXPECT_EQ(marker.shapes.size(), 5U);  // BAND and FRONT in two sizes, and the zone
+  EXPECT_TRUE(marker.strip.tube);
+  EXPECT_TRUE(marker.strip.below && marker.strip.repeat.any() && marker.shade);
+  EXPECT_EQ(marker.pieces.back().rules.quality, 3);
+  EXPECT_TRUE(marker.pieces.back().rules.zone);
+}
+
+TEST(OpenParams, ErrorsOfClothPointAtTheParameterOrIntoTheMarker) {
+  const auto refused = [](const char* name, const char* value) {
+    return decode_open({{"marker", test::native_squares()}, {name, test::json(value)}}).error().field;
+  };
+  EXPECT_EQ(refused("zones", R"([{"from": [9, 0], "to": [5, 1]}])"), "/zones/0/to");
+  EXPECT_EQ(refused("zones", R"([{"from": [0, 0], "to": [5, 1], "quality": 0}])"), "/zones/0/quality");
+  EXPECT_EQ(refused("marginBelow", "150"), "/marker/strip/below");
+  EXPECT_EQ(refused("pieceRules", R"([{"piece": "left", "rules": {"to": 1}}])"), "/marker/pieces/0/rules/to");
+  EXPECT_EQ(refused("napDirection", R"("up_and_down")"), "/napDirection");
 }
 
 TEST(Codec, OpensAMarkerWithASpacing) {

@@ -77,6 +77,22 @@ TEST(Svg, DrawsZonesApartFromPieces) {
   EXPECT_EQ(count(svg, "1 piece "), 1u);
 }
 
+TEST(Svg, HatchesZonesThatSomePiecesMayUse) {
+  Json document = test::native_squares();
+  document["pieces"][0]["rules"] = test::json(R"({"zone": true, "quality": 2})");
+  const std::string svg = to_svg(test::read(document).marker);
+  EXPECT_EQ(count(svg, "<path class=\"quality\""), 1u);
+  EXPECT_EQ(count(svg, "<path class=\"zone\""), 0u);
+  EXPECT_EQ(count(svg, "<pattern id=\"hatched\""), 1u);
+  EXPECT_EQ(count(svg, "<title>left, quality 2</title>"), 1u);
+}
+
+TEST(Svg, DrawsBothFoldsOfATube) {
+  Json document = test::native_squares();
+  document["strip"]["tube"] = true;
+  EXPECT_EQ(count(to_svg(test::read(document).marker), "class=\"fold\""), 2u);
+}
+
 // One that extends beyond the cloth is cut off there, and one that lies beyond it has no name.
 TEST(Svg, DrawsNothingOfAZoneBeyondTheCloth) {
   Json document = test::native_squares();
@@ -87,6 +103,14 @@ TEST(Svg, DrawsNothingOfAZoneBeyondTheCloth) {
   EXPECT_EQ(count(svg, ">left</text>"), 1u);
   document["pieces"][0]["at"] = test::json("[200, 0]");
   EXPECT_EQ(count(to_svg(test::read(document).marker), ">left</text>"), 0u);
+}
+
+TEST(Svg, AStripOfAnyLengthTakesAHundredRowsAtMost) {
+  Json document = test::native_squares();
+  document["pieces"][1]["at"] = test::json("[5000000, 0]");
+  const std::string svg = to_svg(test::read(document).marker);
+  EXPECT_EQ(count(svg, "<svg x="), 100u);
+  EXPECT_LT(svg.size(), 2'000'000u);
 }
 
 TEST(Svg, EscapesNames) {

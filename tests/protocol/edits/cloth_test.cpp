@@ -108,16 +108,17 @@ Cloth with_zones(std::vector<protocol::edits::ClothZone> zones) {
 TEST(Cloth, ZonesLieWhereTheyAreSaidTo) {
   MarkerFile file = two_bundles();
   file.marker.pieces[0].id = "zone 1";
-  const MarkerFile given = with(with_zones({{{60, 40}, {70, 100}}, {{-5, 0}, {0, 100}}}), file);
+  const MarkerFile given = with(with_zones({{{60, 40}, {70, 100}, {}}, {{-5, 0}, {0, 100}, 2}}), file);
   ASSERT_EQ(given.marker.pieces.size(), 5U);
   const Piece& zone = given.marker.pieces[3];
   EXPECT_EQ(zone.id, "zone 2");  // another piece has the first name
-  EXPECT_TRUE(zone.rules.zone && zone.locked);
+  EXPECT_TRUE(zone.rules.zone && zone.locked && !zone.rules.quality);
+  EXPECT_EQ(given.marker.pieces[4].rules.quality, 2);
   EXPECT_EQ(box_of(placed_outline(given.marker, PieceId{3})), (Box{{6000, 4000}, {7000, 10000}}));
   EXPECT_EQ(given.attributes.pieces.size(), 5U);
   EXPECT_EQ(given.attributes.shapes.size(), 3U);
-  EXPECT_EQ(refused(with_zones({{{60, 40}, {60, 100}}})), "/zones/0/to");
-  EXPECT_EQ(refused(with_zones({{{1e300, 40}, {60, 100}}})), "/zones/0/from");
+  EXPECT_EQ(refused(with_zones({{{60, 40}, {60, 100}, {}}})), "/zones/0/to");
+  EXPECT_EQ(refused(with_zones({{{1e300, 40}, {60, 100}, {}}})), "/zones/0/from");
 }
 
 TEST(Cloth, RulesAreThoseOfAPieceOrOfAShape) {

@@ -145,10 +145,21 @@ TEST(Edits, MistakesAreNamedByTheirOperation) {
   expect_error(file, "{'op':'setStrip','width':30}", kPieceTooWide, "/ops/0");
   expect_error(file, "{'op':'setSpacing','spacing':500}", kOutOfRange, "/ops/0/spacing");
   expect_error(file, "{'op':'setOverlap','overlap':500}", kOutOfRange, "/ops/0/overlap");
-  expect_error(file, "{'op':'overlap','piece':'left','overlap':500}", kOutOfRange, "/ops/0");
-  expect_error(file, "{'op':'setStrip','below':500}", kOutOfRange, "/ops/0");
+  expect_error(file, "{'op':'overlap','piece':'left','overlap':500}", kOutOfRange, "/ops/0/overlap");
+  expect_error(file, "{'op':'setStrip','below':500}", kOutOfRange, "/ops/0/below");
+  expect_error(file, "{'op':'setStrip','below':500},{'op':'setStrip','width':120}", kOutOfRange, "/ops/0/below");
+  expect_error(file, "{'op':'setStrip','width':120,'margin':90}", kOutOfRange, "/ops/0/margin");
+  expect_error(file, "{'op':'setStrip','repeat':{'across':1e300}}", kOutOfRange, "/ops/0/repeat/across");
+  expect_error(file, "{'op':'rules','piece':'left','rules':{'match':[1e300,0]}}", kBeyondLattice,
+               "/ops/0/rules/match/0");
+  expect_error(file, "{'op':'rules','piece':'left','rules':{'fold':true,'below':1}},{'op':'lock','piece':'left'}",
+               kOutOfRange, "/ops/0/rules/below");
+  expect_error(file, "{'op':'add','piece':{'id':'x','shape':'square','at':[0,0],'rules':{'fold':true,'below':1}}}",
+               kOutOfRange, "/ops/0/piece/rules/below");
+  expect_error(file, "{'op':'rules','piece':'left','rules':{'zone':true,'quality':0}}", kOutOfRange,
+               "/ops/0/rules/quality");
   expect_error(file, "{'op':'setShade','shade':0}", kOutOfRange, "/ops/0/shade");
-  expect_error(file, "{'op':'rules','piece':'left','rules':{'from':9,'to':10}}", kOutOfRange, "/ops/0");
+  expect_error(file, "{'op':'rules','piece':'left','rules':{'from':9,'to':10}}", kOutOfRange, "/ops/0/rules/to");
   expect_error(file, "{'op':'remove','piece':'left'},{'op':'remove','piece':'right'}", kEmptyMarker, "/ops");
   expect_error(file, "{'op':'add','piece':{'id':'left','shape':'square','at':[0,0]}}", kDuplicateId, "/ops/0/piece/id");
   expect_error(file, "{'op':'add','piece':{'id':'x','shape':'round','at':[0,0]}}", kUnknownShape, "/ops/0/piece/shape");

@@ -196,18 +196,34 @@ TEST(Native, NamesTheRuleThatIsWrong) {
   EXPECT_EQ(field_of(R"({"nap": "up"})"), "");
   EXPECT_EQ(field_of(R"({"zone": 1})"), "/pieces/1/rules/zone");
   EXPECT_EQ(field_of(R"({"zone": true, "to": 90})"), "/pieces/1/rules/zone");
+  EXPECT_EQ(field_of(R"({"quality": 2})"), "");
+  EXPECT_EQ(field_of(R"({"quality": 1.5})"), "/pieces/1/rules/quality");
+  EXPECT_EQ(field_of(R"({"quality": 100})"), "/pieces/1/rules/quality");
+  EXPECT_EQ(field_of(R"({"zone": true, "quality": 0})"), "/pieces/1/rules/quality");
   EXPECT_EQ(field_of(R"([])"), "/pieces/1/rules");
 }
 
 TEST(Native, KeepsZones) {
   Json document = native_squares();
-  document["pieces"][1]["rules"] = json(R"({"zone": true})");
+  document["pieces"][0]["rules"] = json(R"({"quality": 3})");
+  document["pieces"][1]["rules"] = json(R"({"zone": true, "quality": 2})");
   const MarkerFile file = test::read(document);
+  EXPECT_EQ(file.marker.pieces[0].rules.quality, 3);
   EXPECT_TRUE(file.marker.pieces[1].rules.zone);
+  EXPECT_EQ(file.marker.pieces[1].rules.quality, 2);
   EXPECT_EQ(piece_count(file.marker), 1u);
   const Json written = native_document(file);
   EXPECT_EQ(test::read(written).marker, file.marker);
   EXPECT_EQ(written["pieces"][1]["rules"], document["pieces"][1]["rules"]);
+}
+
+TEST(Native, KeepsTubes) {
+  Json document = native_squares();
+  document["strip"]["tube"] = true;
+  const MarkerFile file = test::read(document);
+  EXPECT_TRUE(file.marker.strip.tube);
+  EXPECT_EQ(native_document(file)["strip"]["tube"], true);
+  EXPECT_FALSE(native_document(test::read(native_squares()))["strip"].contains("tube"));
 }
 
 TEST(Native, ReadsWholeNumbersAsIds) {

@@ -71,6 +71,20 @@ TEST(Sparrow, DemandIsWithoutZones) {
   EXPECT_EQ(test::read(*written).marker, file.marker);
 }
 
+TEST(Sparrow, KeepsTubesAndQualities) {
+  Json document = sparrow_squares();
+  document["tube"] = true;
+  placed(document)[0]["rules"] = json(R"({"fold": true, "quality": 1})");
+  placed(document)[1]["rules"] = json(R"({"zone": true, "quality": 1})");
+  const MarkerFile file = test::read(document);
+  EXPECT_TRUE(file.marker.strip.tube);
+  EXPECT_EQ(file.marker.pieces[1].rules.quality, 1);
+  const auto written = sparrow_document(file);
+  ASSERT_TRUE(written);
+  EXPECT_EQ((*written)["tube"], true);
+  EXPECT_EQ(test::read(*written).marker, file.marker);
+}
+
 TEST(Sparrow, KeepsWhatItDoesNotKnow) {
   Json document = sparrow_squares();
   document["description"] = "two";

@@ -37,7 +37,7 @@ std::size_t count_of(const std::string& text, const std::string& part) {
 MarkerFile rich_marker() {
   return test::read(test::json(R"({
     "format": "selvage-marker", "version": 1, "name": "t\u00eate \u65e0", "unit": "mm",
-    "strip": {"width": 1500.5, "margin": 2, "longest": 9000, "below": 1.5, "repeat": {"along": 64.5, "across": 48, "phase": [-10, 0]}}, "spacing": 0.5, "overlap": 1.25, "shade": 2000,
+    "strip": {"width": 1500.5, "margin": 2, "longest": 9000, "below": 1.5, "repeat": {"along": 64.5, "across": 48, "phase": [-10, 0]}, "tube": true}, "spacing": 0.5, "overlap": 1.25, "shade": 2000,
     "shapes": [
       {"id": "FRONT/S", "outline": [[0, 0], [300.123457, 10], [290, 200], [5, 180]], "rotations": [0, 180], "flip": true,
        "tilt_limit": 3,
@@ -50,7 +50,7 @@ MarkerFile rich_marker() {
       {"id": "free", "outline": [[0, 0], [100, 0], [0, 50]], "rotations": "any"}],
     "pieces": [
       {"id": "a", "shape": "FRONT/S", "at": [10, 10], "overlap": 0.5, "rules": {"below": 0, "to": 1400.5, "match": [150, -5], "matchSet": "M", "shade": "S-A"}, "attributes": {"bundle": "S-A"}},
-      {"id": "b", "shape": "FRONT/S", "at": [700, 300], "rotation": 180, "flip": true, "tilt": 1.5, "locked": ["x"], "rules": {"nap": "down"}},
+      {"id": "b", "shape": "FRONT/S", "at": [700, 300], "rotation": 180, "flip": true, "tilt": 1.5, "locked": ["x"], "rules": {"nap": "down", "quality": 2}},
       {"id": "c", "shape": "free", "at": [900, 700], "rotation": 37.25, "group": "g", "buffer": 1.5,
        "rules": {"above": 3, "from": 2, "shade": "S-A"}},
       {"id": "d", "shape": "free", "at": [1200, 700], "group": "g", "locked": true}]

@@ -44,6 +44,52 @@ TEST(AccuMarkLike, HalfPieceIsUnfoldedAboutItsMirrorLine) {
   EXPECT_DOUBLE_EQ(extent_of(read_example("accumark_like_nest.dxf", keep), "BAND/32").y, 7.5 * 25.4);
 }
 
+TEST(AccuMarkLike, OnClothInTwoLayersHalfPiecesLieOnTheFoldAndTheOthersArePairs) {
+  ReadingOptions lay;
+  lay.fold = protocol::trade::FoldRule::kLay;
+  const MarkerFile file = read_example("accumark_like_nest.dxf", lay);
+  const MarkerFile unfolded = read_example("accumark_like_nest.dxf");
+  EXPECT_DOUBLE_EQ(extent_of(file, "BAND/32").y, 7.5 * 25.4);
+  EXPECT_EQ(pieces_of(file, "BAND/32"), pieces_of(unfolded, "BAND/32")) << "laid on the fold, it is cut as a whole one";
+  EXPECT_EQ(pieces_of(file, "FRONT/34"), 1U) << "its two layers make the two";
+  EXPECT_TRUE(has_note(file, "FRONT: 2 are cut as 1 pair from two layers"));
+  for (std::size_t k = 0; k < file.marker.pieces.size(); ++k) {
+    const Piece& piece = file.marker.pieces[k];
+    const bool band = file.marker.shapes[piece.shape.value].id.starts_with("BAND");
+    EXPECT_EQ(piece.rules.on_fold, band);
+    EXPECT_EQ(file.marker.shapes[piece.shape.value].may_flip, band);
+    EXPECT_EQ(file.attributes.shapes[piece.shape.value].contains("layers"), !band);
+  }
+  EXPECT_TRUE(is_valid(file.marker));
+}
+
+TEST(AccuMarkLike, AHalfPieceAboveItsMirrorLineIsTurnedOver) {
+  ReadingOptions lay;
+  lay.fold = protocol::trade::FoldRule::kLay;
+  std::string text = test::example("accumark_like_nest.dxf");
+  // The grain runs the other way: the piece is turned by 180 degrees, and its mirror line comes to lie above.
+  const std::string grain = "8\r\n7\r\n10\r\n-49.5000\r\n20\r\n113.0000\r\n11\r\n-48.8000";
+  const std::string back = "8\r\n7\r\n10\r\n-48.8000\r\n20\r\n113.0000\r\n11\r\n-49.5000";
+  const auto without_returns = [](std::string with) {
+    std::erase(with, '\r');
+    return with;
+  };
+  const auto unspaced = [](std::string with) {
+    for (std::size_t at = 0; (at = with.find("\n ", at)) != std::string::npos;) with.erase(at + 1, 1);
+    return with;
+  };
+  text = unspaced(without_returns(text));
+  ASSERT_NE(text.find(without_returns(grain)), std::string::npos);
+  for (std::size_t at = 0; (at = text.find(without_returns(grain), at)) != std::string::npos;)
+    text.replace(at, without_returns(grain).size(), without_returns(back));
+  const auto file = protocol::files::read_file(text, lay);
+  ASSERT_TRUE(file) << file.error().message;
+  EXPECT_DOUBLE_EQ(extent_of(*file, "BAND/32").y, 7.5 * 25.4);
+  EXPECT_TRUE(is_valid(file->marker)) << "its lower side is straight and lies on the fold";
+  EXPECT_TRUE(std::any_of(file->marker.pieces.begin(), file->marker.pieces.end(),
+                          [](const Piece& piece) { return piece.rules.on_fold; }));
+}
+
 TEST(AccuMarkLike, LinesMarkedNmAndNotchesOnTheFoldAreNotMirrored) {
   const MarkerFile file = read_example("accumark_like_nest.dxf");
   for (const char* shape : {"BAND/30", "BAND/32"}) {

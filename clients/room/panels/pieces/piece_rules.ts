@@ -28,6 +28,7 @@ export function buildPieceRules(desk: Desk, scene: Scene, commands: Commands): H
   const matchSet: HTMLInputElement = h("input", { type: "text", size: 10, maxlength: 60, id: "rule-match-set", onchange: () => set({ matchSet: matchSet.value.trim() || undefined }) });
   const naps = (["up", "down"] as const).map((way) => ({ way, check: box(`rule-nap-${way}`, (on) => set({ nap: on ? way : undefined })) }));
   const zone = box("rule-zone", (on) => set({ zone: on || undefined }));
+  const quality: HTMLInputElement = h("input", { type: "number", min: 0, max: 99, step: 1, id: "rule-quality", onchange: () => set({ quality: quality.value === "" ? undefined : Math.round(Number(quality.value)) }) });
   // A piece is matched where it lies: with the point of it that lies on the pattern now.
   const matched = box("rule-match", (on) => void commands.rules((piece) => (on ? { match: matchAsItLies(desk.marker.value!, piece) } : { match: undefined, matchSet: undefined })));
   const point = pointRow("rule-point", "matchPoint", (change) => void commands.rules(({ rules: { match = [0, 0] } }) => ({ match: change(match) })));
@@ -42,6 +43,7 @@ export function buildPieceRules(desk: Desk, scene: Scene, commands: Commands): H
     row("ruleMatchSet", matchSet),
     ...naps.map(({ way, check }) => row(NAPS[way], check)),
     row("ruleZone", zone),
+    row("ruleQuality", quality),
   );
   follow([scene.selection, desk.marker, desk.figures, wording], () => {
     const [first] = scene.selected();
@@ -61,12 +63,13 @@ export function buildPieceRules(desk: Desk, scene: Scene, commands: Commands): H
     if (document.activeElement !== matchSet) matchSet.value = rules.matchSet ?? "";
     for (const { way, check } of naps) check.checked = rules.nap === way;
     zone.checked = rules.zone ?? false;
+    if (document.activeElement !== quality) quality.value = rules.quality === undefined ? "" : String(rules.quality);
   });
   return element;
 }
 
 /** In words, where the piece may lie. */
-function rulesOf({ rules: { below, above, from, to, fold, shade, match, matchSet, nap, zone } }: Piece): string {
+function rulesOf({ rules: { below, above, from, to, fold, shade, match, matchSet, nap, zone, quality } }: Piece): string {
   const lengths = { ruleBelow: below, ruleAbove: above, ruleFrom: from, ruleTo: to };
   const words = Object.entries(lengths).flatMap(([name, length]) => (length === undefined ? [] : [`${say(name as TextName)} ${lengthText(length)}`]));
   if (fold) words.push(say("ruleFold"));
@@ -74,5 +77,6 @@ function rulesOf({ rules: { below, above, from, to, fold, shade, match, matchSet
   if (match) words.push(matchSet ? `${say("ruleMatchSet")} ${matchSet}` : say("ruleMatch"));
   if (nap) words.push(say(NAPS[nap]));
   if (zone) words.push(say("ruleZone"));
+  if (quality !== undefined) words.push(`${say("ruleQuality")} ${quality}`);
   return words.join(" · ");
 }

@@ -27,6 +27,8 @@ export type MarkerDocument = {
     /** The selvedge above: the distance from the upper edge, in place of the margin. */
     above?: number;
     repeat?: RepeatDocument;
+    /** The cloth is a tube: its upper edge is a fold, too. */
+    tube?: boolean;
   };
   /** The least distance between two pieces; 0: they may touch. At most the strip's width. */
   spacing?: number;
@@ -59,16 +61,20 @@ export type RulesDocument = {
   from?: number;
   /** It ends at this x or before. */
   to?: number;
-  /** Its lowest side lies on the strip's lower edge, where the cloth is folded. */
+  /** Its lowest side lies on the strip's lower edge, where the cloth is folded, or its highest side on the upper edge of a tube. */
   fold?: boolean;
   /** A point of its shape, which lies where a repeat of the cloth's pattern begins. */
   match?: Point;
+  /** The name of its match set: whole repeats lead from one match point of the set to another, wherever they lie. */
+  matchSet?: string;
   /** The name of its shade. */
   shade?: string;
   /** The way in which it lies on cloth with a nap: the x axis of its shape points to larger x (up) or to smaller x (down). */
   nap?: "up" | "down";
   /** It is no piece of a garment but a part of the cloth that no piece may cover, such as a flaw, a hole or a splice. */
   zone?: boolean;
+  /** The worst quality class of cloth that it accepts; absent: 0, the class of all cloth outside of zones. Of a zone: the class of its cloth, from 1; absent: one that no piece accepts. */
+  quality?: number;
 };
 
 /** The pattern of the cloth: stripes repeat on one axis, a plaid on both. */

@@ -172,6 +172,8 @@ export type StripEdit = {
   above?: number | null;
   /** The pattern of the cloth; {}: it has none. */
   repeat?: ClothRepeat;
+  /** Whether the cloth is a tube, whose upper edge is a fold, too. */
+  tube?: boolean;
 };
 
 /** Takes a piece off the cloth: it becomes the last unplaced piece. */

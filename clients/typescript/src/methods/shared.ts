@@ -68,7 +68,7 @@ export type PieceRules = {
   from?: number;
   /** It ends at this x or before. */
   to?: number;
-  /** Whether its lowest side lies on the strip's lower edge, where the cloth is folded. */
+  /** Whether its lowest side lies on the strip's lower edge, where the cloth is folded, or its highest side on the upper edge of a tube. */
   fold?: boolean;
   /** A point of its shape, which is matched to the cloth's pattern. */
   match?: Point;
@@ -80,6 +80,8 @@ export type PieceRules = {
   nap?: NapDirection;
   /** Whether it is no piece of a garment but a part of the cloth that no piece may cover, such as a flaw. */
   zone?: boolean;
+  /** The worst quality class of cloth that it accepts; absent: 0, the class of all cloth outside of zones.  Of a zone: the class of its cloth, from 1; absent: one that no piece accepts. */
+  quality?: number;
 };
 
 /** A piece with its placement and its locks. */

@@ -13,6 +13,9 @@ Accuracy = Literal["draft", "standard", "fine"]
 BestContainment = Literal["first", "room"]
 """Which layout motion.contain returns: the first that it finds, or the one in which the pieces have most room."""
 
+ClothNap = Literal["up", "down", "up_and_down"]
+"""How pieces lie on cloth with a nap: all up, all down, or one bundle up and the next one down."""
+
 ClothRule = Literal["below", "above", "from", "to", "fold", "shade", "matchX", "matchY"]
 """One of cloth's rules, which say where on the strip a piece may lie."""
 
@@ -22,7 +25,7 @@ DragMode = Literal["place", "push"]
 FloatMode = Literal["largest_minimum", "given_distance", "largest_total", "uniform", "two_step"]
 """The objective of motion.float."""
 
-FoldRule = Literal["unfold", "keep"]
+FoldRule = Literal["unfold", "keep", "lay"]
 """What becomes of a half piece that is drawn up to its mirror line."""
 
 Format = Literal["native", "sparrow", "outlines", "svg", "pdf", "pdf_tiles", "report", "dxf", "cut", "hpgl", "esicup"]

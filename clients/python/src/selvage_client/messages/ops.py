@@ -76,13 +76,16 @@ def rules(
     end: float | None = None,
     fold: bool | None = None,
     match: Point | None = None,
+    match_set: str | None = None,
     shade: str | None = None,
     nap: NapDirection | None = None,
     zone: bool | None = None,
+    quality: int | None = None,
 ) -> Op:
     """All rules of the piece: those left out do not hold.  `start` and `end` are the wire's `from` and `to`."""
     point = None if match is None else list(match)
-    given = named(below=below, above=above, to=end, fold=fold, match=point, shade=shade, nap=nap, zone=zone)
+    given = named(below=below, above=above, to=end, fold=fold, match=point, matchSet=match_set)
+    given |= named(shade=shade, nap=nap, zone=zone, quality=quality)
     return named(op="rules", piece=piece, rules=given if start is None else given | {"from": start})
 
 
@@ -94,10 +97,11 @@ def set_strip(
     below: float | None = None,
     above: float | None = None,
     repeat: dict[str, Any] | None = None,
+    tube: bool | None = None,
     endless: bool = False,
 ) -> Op:
     """`endless` takes the cloth's end away.  `repeat` is as in a document; {}: the cloth has no pattern."""
-    op = named(op="setStrip", width=width, longest=longest, margin=margin, below=below, above=above, repeat=repeat)
+    op = named(op="setStrip", width=width, longest=longest, margin=margin, below=below, above=above, repeat=repeat, tube=tube)
     return op | {"longest": None} if endless else op
 
 
