@@ -32,6 +32,8 @@ class Json {
   using Parts = std::initializer_list<Part>;
 
   Json() = default;  // null
+  // Implicit, so that values and the parts of objects can be written as they are.
+  // NOLINTBEGIN(google-explicit-constructor)
   Json(std::nullptr_t) {}
   Json(std::same_as<bool> auto value) : kind_{Kind::kBoolean} { held_.boolean = value; }
   Json(std::signed_integral auto value) : kind_{Kind::kInteger} { held_.integer = value; }
@@ -41,6 +43,7 @@ class Json {
   Json(std::string value);
   Json(std::string_view value);
   Json(const char* value);
+  // NOLINTEND(google-explicit-constructor)
   // An object when every part is a pair of a text and a value, otherwise an array.
   Json(Parts parts);
   Json(const Json& other);
@@ -180,6 +183,7 @@ class Json {
 struct Json::Part {
   Part(Parts parts) : value(parts) {}
   template <typename T>
+  // NOLINTNEXTLINE(google-explicit-constructor,bugprone-forwarding-reference-overload): no Json is made of a Part
   requires std::constructible_from<Json, T&&> Part(T&& from) : value(std::forward<T>(from)) {}
 
   mutable Json value;

@@ -74,9 +74,11 @@ Boundary boundary_of(std::span<const minkowski::convolution::SumEdge> edges, dou
 
 // In the loops below, `t` is the parameter of the edge's point that is nearest, and (qx, qy) leads from it to the
 // point.
+// NOLINTBEGIN(bugprone-macro-parentheses): a name that is declared cannot stand in parentheses
 #define SELVAGE_LOAD(name, component) \
   Lanes name;                         \
   std::memcpy(&name, (component).data() + k, sizeof name)
+// NOLINTEND(bugprone-macro-parentheses)
 #define SELVAGE_SQUARED_DISTANCE                  \
   SELVAGE_LOAD(ax, boundary.ax);                  \
   SELVAGE_LOAD(ay, boundary.ay);                  \

@@ -36,7 +36,7 @@ void Dictionary::add_term(double* into, std::size_t column, double factor) {
     into[at] += factor;
     return;
   }
-  const double* const from = row(static_cast<std::size_t>(~at));
+  const double* const from = row(row_at(at));
   for (std::size_t j = 0; j <= columns_; ++j) into[j] += factor * from[j];
 }
 

@@ -89,7 +89,12 @@ class Dictionary {
   [[nodiscard]] const double* row(std::size_t k) const { return entries_.data() + k * stride_; }
   [[nodiscard]] double value(std::size_t column) const {
     const std::int32_t at = where_[column];
-    return at >= 0 ? 0.0 : row(static_cast<std::size_t>(~at))[columns_];
+    return at >= 0 ? 0.0 : row(row_at(at))[columns_];
+  }
+  // The row that a negative place stands for.
+  [[nodiscard]] static std::size_t row_at(std::int32_t place) {
+    const std::int32_t row = ~place;
+    return static_cast<std::size_t>(row);
   }
   void add_term(double* into, std::size_t column, double factor);
   void pivot(std::size_t leaving, std::size_t entering);

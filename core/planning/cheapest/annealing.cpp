@@ -171,8 +171,9 @@ class Annealer {
     }
     if (kind == 8) {
       auto candidate = drawn_candidate();
-      if (candidate) replace(state, slot, *std::move(candidate), false);
-      return candidate.has_value();
+      if (!candidate) return false;
+      replace(state, slot, *std::move(candidate), false);
+      return true;
     }
     const std::size_t colour = below(colours_);
     const int by = static_cast<int>(below(7)) - 3;

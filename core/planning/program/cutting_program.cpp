@@ -31,7 +31,8 @@ void CuttingProgram::add_candidate(const Candidate& candidate) {
   columns.units.assign(price.most.size(), -1);
   if (price.most_units == 0) return;
   const int per_lay = problem_.units_of_lay();
-  columns.lays = program_.add_whole_column(price.lay, 0, (price.most_units + per_lay - 1) / per_lay);
+  const int most_lays = (price.most_units + per_lay - 1) / per_lay;
+  columns.lays = program_.add_whole_column(price.lay, 0, most_lays);
   columns.chosen = program_.add_whole_column(price.marker, 0, 1);
   std::vector<Entry> room{{columns.lays, static_cast<double>(per_lay)}};
   for (std::size_t colour = 0; colour < price.most.size(); ++colour) {
@@ -62,7 +63,8 @@ void CuttingProgram::add_counts(int fewest) {
     for (std::size_t size = 0; size < problem_.order.sizes.size(); ++size) garments += problem_.least(colour, size);
     units += (garments + of_unit - 1) / of_unit;
   }
-  program_.linear.add_row(lays, (units + problem_.units_of_lay() - 1) / problem_.units_of_lay());
+  const int fewest_lays = (units + problem_.units_of_lay() - 1) / problem_.units_of_lay();
+  program_.linear.add_row(lays, fewest_lays);
 }
 
 void CuttingProgram::add_deliveries() {

@@ -183,7 +183,7 @@ std::optional<double> bound_with(const orders::Problem& problem, std::vector<Can
   return solution.objective;
 }
 
-Relaxation relax_by_generation(const orders::Problem& problem, std::vector<Candidate> candidates,
+Relaxation relax_by_generation(const orders::Problem& problem, const std::vector<Candidate>& candidates,
                                const orders::LengthEstimate& estimate, const std::vector<orders::Ratio>& closed,
                                std::stop_token stop) {
   Master master{problem, stop};

@@ -31,7 +31,7 @@ struct Relaxation {
                                std::stop_token stop = {});
 
 // Of all ratios: those that are not given have the estimated length.  `closed` are ratios that may not be generated.
-[[nodiscard]] Relaxation relax_by_generation(const orders::Problem& problem, std::vector<Candidate> candidates,
+[[nodiscard]] Relaxation relax_by_generation(const orders::Problem& problem, const std::vector<Candidate>& candidates,
                                              const orders::LengthEstimate& estimate,
                                              const std::vector<orders::Ratio>& closed, std::stop_token stop = {});
 
