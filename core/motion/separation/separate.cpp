@@ -151,11 +151,16 @@ class Rounds {
   [[nodiscard]] bool has_many() const { return scene_.pieces.size() > tuning().many; }
   // Whether this round, 0 being the first, moves only what overlaps.
   [[nodiscard]] bool is_local(int round) const { return round > 0 && has_many(); }
-  // By how much the marker is too long, shades are, and match sets are off their phase.
+  // By how much the marker is too long, shades are, match sets are off their phase, and pieces leave their rooms because
+  // they were brought into it.
   [[nodiscard]] Coord excess() const {
     Coord sum = std::max(Coord{0}, scene_.pieces.length() - allowed_) + repair::off_phase(scene_);
     for (const marker::Shade& shade : scene_.pieces.shades()) {
       sum += std::max(Coord{0}, scene_.pieces.excess_of(shade));
+    }
+    for (const marker::MatchSet& set : scene_.pieces.match_sets()) {
+      for (const std::uint32_t piece : set)
+        sum += std::max(Coord{0}, protrusion_of(scene_.pieces, piece, scene_.marker.strip));
     }
     return sum;
   }

@@ -338,6 +338,21 @@ TEST(Rules, RepairAndSeparationBringAMatchSetIntoPhase) {
   EXPECT_EQ(separated->marker.pieces[2].at.x - separated->marker.pieces[0].at.x, 350'000);
 }
 
+TEST(Rules, SeparationKeepsAMatchSetInTheStrip) {  // the nearest place in phase is below the selvedge
+  Marker marker = squares({{20'000, 420'000}, {210'000, 600'000}, {370'000, 250'000}});
+  marker.strip.below = 300'000;
+  marker.strip.repeat = {.across = 200'000};
+  for (const std::size_t piece : {0, 2}) {
+    marker.pieces[piece].rules.match = Vec{0, 0};
+    marker.pieces[piece].rules.match_set = "A";
+  }
+  SumCache sums;
+  const auto separated = separation::separate(marker, {}, {sums});
+  ASSERT_TRUE(separated) << separated.error().message;
+  EXPECT_TRUE(separated->apart);
+  EXPECT_TRUE(is_valid(separated->marker));
+}
+
 TEST(Rules, AMatchSetWithALockedPieceStaysInItsPhase) {
   Marker marker = matched_pair();
   marker.pieces[0].locked = true;
