@@ -22,8 +22,9 @@ constexpr double kTrial = 0.02;              // part of the budget for one excha
 constexpr std::uint64_t kLeast = 200;        // moves of a filling, and three for each piece, whatever the budget
 constexpr std::size_t kMostOnSheet = 2'500;  // pieces; no more are offered to a sheet that has as many
 constexpr std::size_t kFailures = 40;        // exchanges in a row that gain nothing, which end the search
-// The larger a piece, the harder it is to find room for: while sheets are filled, a piece counts as its area to the
-// power of one more than this.  Small pieces, which fit into what is left of any sheet, then make way for large ones.
+// The larger a piece, the harder it is to find room for: while sheets are filled, a piece without a value counts as its
+// area times this power of its part of the largest area.  Small pieces, which fit into what is left of any sheet, then
+// make way for large ones.
 constexpr double kHardness = 0.3;
 
 using Indices = std::vector<std::size_t>;
@@ -53,7 +54,11 @@ class Driver {
       areas_.push_back(static_cast<double>(doubled_area(marker.shapes[piece.shape.value].outline)) / 2);
       const auto given = settings.values.find(piece.id);
       values_.push_back(given == settings.values.end() ? areas_.back() : given->second);
-      counts_.push_back(given == settings.values.end() ? std::pow(areas_.back(), 1 + kHardness) : given->second);
+    }
+    const double largest = pieces_.empty() ? 0 : *std::max_element(areas_.begin(), areas_.end());
+    for (std::size_t k = 0; k < pieces_.size(); ++k) {
+      const bool given = settings.values.contains(pieces_[k].id);
+      counts_.push_back(given ? values_[k] : areas_[k] * std::pow(areas_[k] / largest, kHardness));
     }
     left_.resize(pieces_.size());
     std::iota(left_.begin(), left_.end(), 0U);
