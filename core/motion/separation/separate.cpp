@@ -151,8 +151,8 @@ class Rounds {
   [[nodiscard]] bool has_many() const { return scene_.pieces.size() > tuning().many; }
   // Whether this round, 0 being the first, moves only what overlaps.
   [[nodiscard]] bool is_local(int round) const { return round > 0 && has_many(); }
-  // By how much the marker is too long, shades are, match sets are off their phase, and pieces leave their rooms because
-  // they were brought into it.
+  // By how much the marker is too long, shades are, match sets are off their phase, and pieces leave the rooms that
+  // they were in before they were brought into phase.
   [[nodiscard]] Coord excess() const {
     Coord sum = std::max(Coord{0}, scene_.pieces.length() - allowed_) + repair::off_phase(scene_);
     for (const marker::Shade& shade : scene_.pieces.shades()) {
