@@ -11,6 +11,7 @@
 #include "core/nesting/match_phases.h"
 #include "core/nesting/sheets/movable.h"
 #include "core/nesting/sheets/used_sheet.h"
+#include "core/nesting/sheets/worth.h"
 #include "core/nesting/timed_run.h"
 
 namespace selvage::nesting::sheets {
@@ -22,10 +23,6 @@ constexpr double kTrial = 0.02;              // part of the budget for one excha
 constexpr std::uint64_t kLeast = 200;        // moves of a filling, and three for each piece, whatever the budget
 constexpr std::size_t kMostOnSheet = 2'500;  // pieces; no more are offered to a sheet that has as many
 constexpr std::size_t kFailures = 40;        // exchanges in a row that gain nothing, which end the search
-// The larger a piece, the harder it is to find room for: while sheets are filled, a piece without a value counts as its
-// area times this power of its part of the largest area.  Small pieces, which fit into what is left of any sheet, then
-// make way for large ones.
-constexpr double kHardness = 0.3;
 
 using Indices = std::vector<std::size_t>;
 
@@ -49,21 +46,12 @@ class Driver {
         settings_{settings},
         run_{run},
         dice_{settings.seed},
+        worth_{worth_of(marker, pieces_, settings.values)},
         used_of_(sheets_.size()) {
-    for (const Piece& piece : pieces_) {
-      areas_.push_back(static_cast<double>(doubled_area(marker.shapes[piece.shape.value].outline)) / 2);
-      const auto given = settings.values.find(piece.id);
-      values_.push_back(given == settings.values.end() ? areas_.back() : given->second);
-    }
-    const double largest = pieces_.empty() ? 0 : *std::max_element(areas_.begin(), areas_.end());
-    for (std::size_t k = 0; k < pieces_.size(); ++k) {
-      const bool given = settings.values.contains(pieces_[k].id);
-      counts_.push_back(given ? values_[k] : areas_[k] * std::pow(areas_[k] / largest, kHardness));
-    }
     left_.resize(pieces_.size());
     std::iota(left_.begin(), left_.end(), 0U);
     std::stable_sort(left_.begin(), left_.end(),
-                     [this](std::size_t a, std::size_t b) { return areas_[a] > areas_[b]; });
+                     [this](std::size_t a, std::size_t b) { return worth_.area[a] > worth_.area[b]; });
     by_size_.resize(sheets_.size());
     std::iota(by_size_.begin(), by_size_.end(), 0U);
     std::stable_sort(by_size_.begin(), by_size_.end(),
@@ -94,7 +82,7 @@ class Driver {
   [[nodiscard]] bool over() const { return run_.stopped() || spent() >= 1; }
   [[nodiscard]] double area_of_all(const Indices& pieces) const {
     return std::accumulate(pieces.begin(), pieces.end(), 0.0,
-                           [this](double sum, std::size_t i) { return sum + areas_[i]; });
+                           [this](double sum, std::size_t i) { return sum + worth_.area[i]; });
   }
 
   // Fills a sheet until so much of the whole budget is spent.
@@ -129,7 +117,7 @@ class Driver {
         for (bool room = true; room && !left_.empty() && used.pieces.size() < kMostOnSheet;) {
           const Indices offered = candidates();
           const std::size_t wanted = used.pieces.size() + offered.size();
-          used = fill_until(used, offered, counts_, until).used;
+          used = fill_until(used, offered, worth_.weight, until).used;
           room = used.pieces.size() == wanted;
           left_ = without(left_, used.pieces);
         }
@@ -148,7 +136,7 @@ class Driver {
       if (sheet.area >= sheets_[used.kind].area) return;
       if (used_of_[*kind] == sheet.sheet->count || area_of_all(used.pieces) > sheet.area) continue;
       const Filled done =
-          fill_until({.kind = *kind, .pieces = {}, .placed = {}}, used.pieces, areas_, spent() + kTrial);
+          fill_until({.kind = *kind, .pieces = {}, .placed = {}}, used.pieces, worth_.area, spent() + kTrial);
       if (done.used.pieces.size() < used.pieces.size()) continue;
       --used_of_[used.kind];
       ++used_of_[*kind];
@@ -166,7 +154,7 @@ class Driver {
     // So many of the largest sheets have the area of all pieces.
     double area = 0;
     std::size_t needed = 0;
-    const double pieces = std::accumulate(areas_.begin(), areas_.end(), 0.0);
+    const double pieces = std::accumulate(worth_.area.begin(), worth_.area.end(), 0.0);
     for (const std::size_t kind : by_size_) {
       for (std::size_t k = 0; k < sheets_[kind].sheet->count && area < pieces; ++k, ++needed)
         area += sheets_[kind].area;
@@ -177,7 +165,7 @@ class Driver {
 
   // The least worth left over counts, then how few sheets are used.
   void keep_if_best() {
-    const double left = value_of(left_, values_);
+    const double left = value_of(left_, worth_.value);
     if (left > best_left_value_ || (left == best_left_value_ && used_.size() > best_used_.size())) return;
     best_left_value_ = left;
     best_used_ = used_;
@@ -187,8 +175,8 @@ class Driver {
   // Brings pieces that are left over onto a sheet, in place of others that count less.
   bool bring_on() {
     UsedSheet& used = used_[dice_.below(used_.size())];
-    const double before = value_of(used.pieces, counts_);
-    const Filled done = fill_until(used, candidates(), counts_, spent() + kTrial);
+    const double before = value_of(used.pieces, worth_.weight);
+    const Filled done = fill_until(used, candidates(), worth_.weight, spent() + kTrial);
     if (done.value <= before) return false;
     Indices off = without(used.pieces, done.used.pieces);
     left_ = without(left_, done.used.pieces);
@@ -208,13 +196,13 @@ class Driver {
                                  used_.begin());
     const std::size_t other = (emptiest + 1 + dice_.below(used_.size() - 1)) % used_.size();
     const double before = area_of_all(used_[other].pieces);
-    const Filled fuller = fill_until(used_[other], used_[emptiest].pieces, areas_, spent() + kTrial);
+    const Filled fuller = fill_until(used_[other], used_[emptiest].pieces, worth_.area, spent() + kTrial);
     if (fuller.value <= before) return false;
     Indices rest = without(used_[emptiest].pieces, fuller.used.pieces);
     const Indices off = without(used_[other].pieces, fuller.used.pieces);
     rest.insert(rest.end(), off.begin(), off.end());
     const UsedSheet fresh{.kind = used_[emptiest].kind, .pieces = {}, .placed = {}};
-    const Filled emptier = rest.empty() ? Filled{} : fill_until(fresh, rest, areas_, spent() + kTrial);
+    const Filled emptier = rest.empty() ? Filled{} : fill_until(fresh, rest, worth_.area, spent() + kTrial);
     if (emptier.used.pieces.size() < rest.size()) return false;
     used_[other] = fuller.used;
     used_[emptiest] = emptier.used;
@@ -259,10 +247,10 @@ class Driver {
   const SheetSettings& settings_;
   const scene::Run& run_;
   layout::Dice dice_;
-  Indices used_of_;                              // how many sheets of each kind are used
-  Indices by_size_;                              // kinds, the largest first
-  Indices left_;                                 // pieces that lie on no sheet
-  std::vector<double> areas_, values_, counts_;  // counts_: what the pieces are worth while sheets are filled
+  Worth worth_;
+  Indices used_of_;  // how many sheets of each kind are used
+  Indices by_size_;  // kinds, the largest first
+  Indices left_;     // pieces that lie on no sheet
   std::vector<UsedSheet> used_, best_used_;
   Indices best_left_;
   double best_left_value_{std::numeric_limits<double>::infinity()};

@@ -133,11 +133,15 @@ TEST(Sheets, PreferWhatIsWorthMore) {
   const auto by_area = nest_on_sheets(marker, sheets, settings, {sums});
   ASSERT_TRUE(by_area);
   EXPECT_EQ(by_area->layouts[0].marker.pieces[0].id, "0");
-  settings.values = {{"0", 1.0}, {"1", 5.0}};
-  const auto by_value = nest_on_sheets(marker, sheets, settings, {sums});
-  ASSERT_TRUE(by_value);
-  ASSERT_EQ(by_value->layouts[0].marker.pieces.size(), 1u);
-  EXPECT_EQ(by_value->layouts[0].marker.pieces[0].id, "1");
+  // The large piece covers 6.4e11 square units, and is worth as much when it has no value.
+  using Values = decltype(settings.values);
+  for (const Values& values : {Values{{"0", 1.0}, {"1", 5.0}}, Values{{"1", 7e11}}}) {
+    settings.values = values;
+    const auto by_value = nest_on_sheets(marker, sheets, settings, {sums});
+    ASSERT_TRUE(by_value);
+    ASSERT_EQ(by_value->layouts[0].marker.pieces.size(), 1u);
+    EXPECT_EQ(by_value->layouts[0].marker.pieces[0].id, "1");
+  }
 }
 
 TEST(Sheets, PiecesStayWithinAnOutlineAndOffItsHoles) {
