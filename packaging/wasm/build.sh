@@ -24,7 +24,8 @@ printf '%s\n' "${template/@marker_schema@/"$schema"}" > "$out/headers/protocol/d
 sources_of() {
   find "$@" -name '*.cpp' ! -path core/lp/solver/clp.cpp ! -path core/lp/integer/cbc.cpp ! -path 'server/store/disk/*' \
     ! -path 'server/store/library/*' ! -path server/store/journal.cpp ! -path server/store/verification.cpp \
-    ! -path server/jobs/deadline_clock.cpp ! -path server/jobs/prompt_thread.cpp | sort
+    ! -path server/jobs/deadline_clock.cpp ! -path server/jobs/prompt_thread.cpp ! -path server/jobs/real_time_share.cpp \
+    ! -path server/jobs/scheduling.cpp | sort
 }
 
 # units FILE...: for each folder a source that includes all of it, which is compiled faster than each of them

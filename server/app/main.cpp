@@ -113,11 +113,22 @@ void announce(const Options& options, Daemon& daemon) {
   }
 }
 
+// REQUIRES: no thread that answers calls has been started.
+void choose_priorities(const Options& options) {
+  if (options.real_time == RealTime::kOff) return;
+  const auto level = options.real_time == RealTime::kOn ? spdlog::level::warn : spdlog::level::info;
+  if (options.workers == 0) {
+    spdlog::log(level, "no real-time priorities: with --workers 0 motions run on the I/O thread");
+  } else if (jobs::use_real_time(true)) {
+    spdlog::info("real-time priorities for the threads that all clients wait for");
+  } else {
+    spdlog::log(level, "no real-time priorities: the system allows none, so quick calls may wait for a processor");
+  }
+}
+
 int serve(const Options& options) {
   const sigset_t signals = block_signals();
-  if (options.real_time && !jobs::use_real_time(true)) {
-    spdlog::warn("--real-time: the system allows no real-time priorities, so quick calls may wait for a processor");
-  }
+  choose_priorities(options);
   Daemon daemon{options};
   // Beside waiting for signals, so that one of them can end the loading.
   std::future<void> announced = std::async(std::launch::async, [&] { announce(options, daemon); });

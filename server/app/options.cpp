@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <map>
 #include <sstream>
 #include <string_view>
 #include <thread>
@@ -27,7 +28,7 @@ struct RawOptions {
   std::size_t body_mb{}, memory_mb{2048};
   std::optional<std::size_t> cache_mb, traffic_mb, connections_per_address;
   std::int64_t call_seconds{}, drain_seconds{};
-  std::string durability{"full"};
+  std::string durability{"full"}, real_time{"auto"};
   std::string log_format{"text"};
 };
 
@@ -62,8 +63,15 @@ void declare_work(CLI::App& app, Options& options, RawOptions& raw) {
   app.add_option("--workers", options.workers, "Threads for motions; 0 executes them on the I/O thread, for tests")
       ->check(CLI::Range(0, 256))
       ->capture_default_str();
-  app.add_flag("--real-time", options.real_time,
-               "Real-time priorities for the threads that all clients wait for, if the system allows them");
+  app.add_option(
+         "--real-time", raw.real_time,
+         "Real-time priorities for the threads that all clients wait for. auto, or no value: if the system allows "
+         "them; on: the same, and the log warns if it does not; off: none")
+      ->transform(
+          CLI::Transformer(std::map<std::string, std::string>{{"true", "on"}, {"false", "off"}}).description(""))
+      ->check(CLI::IsMember({"auto", "on", "off"}))
+      ->expected(0, 1)
+      ->capture_default_str();
   app.add_option("--memory", raw.memory_mb,
                  "Memory in MiB for all that clients can make grow, and for the program itself: sums, requests and "
                  "answers, and with the rest markers, their histories and the answers kept for retries")
@@ -190,6 +198,11 @@ OptionError divide_memory(const RawOptions& raw, Options& options) {
   return std::nullopt;
 }
 
+RealTime real_time_of(const std::string& word) {
+  if (word == "auto") return RealTime::kAuto;
+  return word == "on" ? RealTime::kOn : RealTime::kOff;
+}
+
 OptionError convert(const RawOptions& raw, Options& options) {
   if (auto error = read_listeners(raw, options)) return error;
   if (auto error = check_exposure(raw, options)) return error;
@@ -203,6 +216,7 @@ OptionError convert(const RawOptions& raw, Options& options) {
   options.drain = std::chrono::seconds{raw.drain_seconds};
   if (options.store == "none") options.store.clear();
   options.durability = raw.durability == "relaxed" ? store::Durability::kRelaxed : store::Durability::kFull;
+  options.real_time = real_time_of(raw.real_time);
   options.log.format = raw.log_format == "json" ? ops::LogFormat::kJson : ops::LogFormat::kText;
   if (!options.replay_file.empty()) options.task = Options::Task::kReplay;
   if (raw.verify_store) options.task = Options::Task::kVerifyStore;

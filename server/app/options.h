@@ -16,6 +16,13 @@
 
 namespace selvage::server::app {
 
+// Whether the threads that all clients wait for get real-time priorities.
+enum class RealTime {
+  kAuto,  // if the system allows them
+  kOn,    // the same, but the log warns if it does not
+  kOff,
+};
+
 struct Options {
   enum class Task {
     kServe,
@@ -33,9 +40,9 @@ struct Options {
   transport::access::Access access;
   std::string token_file;  // where the token is read again on SIGHUP; empty: there is none
   std::optional<transport::access::TlsFiles> tls;
-  std::string port_file;                            // receives the actual ports, one per line; empty: none
-  std::size_t workers{};                            // for motions; 0: inline, on the I/O thread (for tests)
-  bool real_time{};                                 // priorities for the threads that all clients wait for
+  std::string port_file;  // receives the actual ports, one per line; empty: none
+  std::size_t workers{};  // for motions; 0: inline, on the I/O thread (for tests)
+  RealTime real_time{};
   std::size_t cache_bytes{std::size_t{256} << 20};  // for Minkowski sums
   std::string store;                                // the journal's file; empty: markers live in memory only
   store::Durability durability{};

@@ -1,57 +1,44 @@
 #include "server/jobs/prompt_thread.h"
 
-#include <sched.h>
-#include <sys/syscall.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <thread>
+
+#include "server/jobs/real_time_share.h"
+#include "server/jobs/scheduling.h"
 
 namespace selvage::server::jobs {
 namespace {
 
-// What sched_getattr(2) and sched_setattr(2) read and write.  glibc has neither before 2.41, and the kernel's header
-// for it cannot be included together with <sched.h>.
-struct Attributes {
-  std::uint32_t size, policy;
-  std::uint64_t flags;
-  std::int32_t nice;
-  std::uint32_t priority;
-  std::uint64_t runtime;  // the time slice, in nanoseconds
-  std::uint64_t deadline, period;
-};
-static_assert(sizeof(Attributes) == 48);
-
-constexpr unsigned kNoFlags = 0;
+using std::chrono::milliseconds;
 
 struct Urgency {
   std::uint32_t priority;    // in real time; the highest comes first
-  std::uint64_t time_slice;  // without, in nanoseconds; Linux accepts none below 100,000
+  milliseconds share;        // in real time, of RealTimeShare::kPeriod, on two processors or more
+  std::uint64_t time_slice;  // outside it, in nanoseconds; Linux accepts none below 100,000
 };
 
 Urgency urgency_of(Promptness how) {
   switch (how) {
-    case Promptness::kFirst: return {3, 100'000};
-    case Promptness::kSoon: return {2, 200'000};
-    default: return {1, 400'000};
+    case Promptness::kFirst: return {3, milliseconds{60}, 100'000};
+    case Promptness::kSoon: return {2, milliseconds{30}, 200'000};
+    default: return {1, milliseconds{10}, 400'000};
   }
 }
 
-// Returns false if the kernel refuses.
-bool read(int thread, Attributes& attributes) {
-  return ::syscall(SYS_sched_getattr, thread, &attributes, sizeof attributes, kNoFlags) == 0;
+milliseconds share_of(const Urgency& urgency) {
+  return std::thread::hardware_concurrency() == 1 ? urgency.share / 2 : urgency.share;
 }
 
-// Changes those of the calling thread.  Returns false if the kernel refuses.
+// Changes how the calling thread is scheduled, unless the kernel refuses.
 template <class Change>
-bool change(const Change& to) {
-  constexpr int kThisThread = 0;
-  Attributes attributes{};
-  if (!read(kThisThread, attributes)) return false;
-  to(attributes);
-  return ::syscall(SYS_sched_setattr, kThisThread, &attributes, kNoFlags) == 0;
+void change(const Change& to) {
+  Scheduling own{};
+  if (!read_scheduling(0, own)) return;
+  to(own);
+  (void)write_scheduling(own);
 }
 
 std::atomic<bool>& real_time() {
@@ -59,47 +46,44 @@ std::atomic<bool>& real_time() {
   return used;
 }
 
-// Returns false if the kernel refuses.
-bool run_in_real_time(Promptness how) {
-  constexpr std::uint64_t kNotInherited = 1;  // SCHED_FLAG_RESET_ON_FORK
-  return change([how](Attributes& own) {
-    own.policy = SCHED_RR;
-    own.priority = urgency_of(how).priority;
-    own.flags |= kNotInherited;
-    own.runtime = 0;
-  });
-}
-
 }  // namespace
 
 bool use_real_time(bool wanted) {
   bool possible = !wanted;
   // A thread of its own, because this one is to keep its priority.
-  if (wanted) std::jthread{[&possible] { possible = run_in_real_time(Promptness::kFirst); }}.join();
+  if (wanted) {
+    std::jthread{[&possible] {
+      const Urgency first = urgency_of(Promptness::kFirst);
+      possible = RealTimeShare::begin(first.priority, first.share) != nullptr;
+    }}.join();
+  }
   if (possible) real_time() = wanted;
   return possible;
 }
 
 void run_promptly(Promptness how) {
-  if (real_time() && run_in_real_time(how)) return;
-  (void)change([how](Attributes& own) { own.runtime = urgency_of(how).time_slice; });
+  thread_local std::unique_ptr<RealTimeShare> share;
+  share.reset();
+  const Urgency urgency = urgency_of(how);
+  change([&urgency](Scheduling& own) { own.runtime = urgency.time_slice; });
+  if (real_time()) share = RealTimeShare::begin(urgency.priority, share_of(urgency));
 }
 
 void give_way() {
-  (void)change([](Attributes& own) {
+  change([](Scheduling& own) {
     constexpr std::int32_t kLower = 5, kLowest = 19;
     own.nice = std::min(own.nice + kLower, kLowest);
   });
 }
 
 unsigned real_time_priority(int thread) {
-  Attributes attributes{};
-  return read(thread, attributes) ? attributes.priority : 0;
+  Scheduling found{};
+  return read_scheduling(thread, found) ? found.priority : 0;
 }
 
 std::chrono::nanoseconds time_slice(int thread) {
-  Attributes attributes{};
-  return std::chrono::nanoseconds{read(thread, attributes) ? attributes.runtime : 0};
+  Scheduling found{};
+  return std::chrono::nanoseconds{read_scheduling(thread, found) ? found.runtime : 0};
 }
 
 }  // namespace selvage::server::jobs

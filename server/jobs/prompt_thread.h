@@ -18,13 +18,14 @@ enum class Promptness {
 
 // Asks the kernel to let the calling thread run as soon as it has work.
 //
-// With a real-time priority it interrupts at once every thread that has none, and takes as much of the processor as it
-// wants.  Threads that it starts later have none.
+// With a real-time priority it interrupts at once every thread that has none, for a share of its time: of 100 ms, 60 if
+// it comes first, 30 if it comes soon and 10 if it comes next, or half of that where there is one processor
+// (real_time_share.h).  Threads that it starts later have none.
 //
-// Without, it asks for short time slices: from 6.12 on, Linux interrupts threads with longer ones for it, unless it has
-// just had its share of the processor, or others wait as well.  That share stays what it was.  Older kernels, and
-// systems that forbid the call, go on as before, where it may have to wait for the end of another thread's slice, which
-// takes some milliseconds.
+// Without, and when it has had its share, it asks for short time slices: from 6.12 on, Linux interrupts threads with
+// longer ones for it, unless it has just had its share of the processor, or others wait as well.  That share stays what
+// it was.  Older kernels, and systems that forbid the call, go on as before, where it may have to wait for the end of
+// another thread's slice, which takes some milliseconds.
 void run_promptly(Promptness how);
 
 // From now on the calling thread, and those that it starts, have a third of the share in a busy processor that others

@@ -1,30 +1,17 @@
 // The log of the program: nobody waits for it, and it says who called and who was refused.
-#include <gtest/gtest.h>
-
 #include <csignal>
 #include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include "tests/end_to_end/calls.h"
-#include "tests/end_to_end/process.h"
-#include "tests/server/store/temporary_folder.h"
+#include "tests/end_to_end/selvaged_test.h"
 
 namespace selvage::test {
 namespace {
 
-class SelvagedLog : public ::testing::Test {
+class SelvagedLog : public SelvagedTest {
  protected:
-  std::vector<std::string> arguments(std::vector<std::string> more) const {
-    std::vector<std::string> all{SELVAGED, "--listen", "127.0.0.1:0", "--port-file", folder_.file("port")};
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-  }
-  std::uint16_t port_of(Process& process) const {
-    EXPECT_NE(process.output_until("listening on 127.0.0.1:").find("listening on 127.0.0.1:"), std::string::npos);
-    return static_cast<std::uint16_t>(std::stoi(file_text(folder_.file("port"))));
-  }
   // The lines of the log that have this message.
   std::vector<Json> lines_of(const std::string& message) const {
     std::vector<Json> found;
@@ -35,8 +22,6 @@ class SelvagedLog : public ::testing::Test {
     }
     return found;
   }
-
-  const TemporaryFolder folder_;
 };
 
 TEST_F(SelvagedLog, NobodyWaitsForALogThatIsNotRead) {

@@ -1,12 +1,8 @@
 // The program itself: start, shutdown, configuration, and the curl example.
-#include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include <chrono>
 #include <csignal>
-#include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -14,36 +10,12 @@
 #include <thread>
 #include <vector>
 
-#include "server/jobs/prompt_thread.h"
-#include "tests/end_to_end/calls.h"
-#include "tests/end_to_end/process.h"
-#include "tests/support/repository.h"
+#include "tests/end_to_end/selvaged_test.h"
 
 namespace selvage::test {
 namespace {
 
-class Selvaged : public ::testing::Test {
- protected:
-  Selvaged() {
-    std::string name = (std::filesystem::temp_directory_path() / "selvaged-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~Selvaged() override { std::filesystem::remove_all(folder_); }
-
-  // Starts it with these options on a free port and waits until it listens.
-  std::vector<std::string> arguments(std::vector<std::string> more = {}) const {
-    std::vector<std::string> all{SELVAGED, "--listen", "127.0.0.1:0", "--port-file", port_file()};
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-  }
-  std::string port_file() const { return (folder_ / "port").string(); }
-  std::uint16_t port_of(Process& process) const {
-    EXPECT_NE(process.output_until("listening on 127.0.0.1:").find("listening on 127.0.0.1:"), std::string::npos);
-    return static_cast<std::uint16_t>(std::stoi(file_text(port_file())));
-  }
-
-  std::filesystem::path folder_;
-};
+class Selvaged : public SelvagedTest {};
 
 TEST_F(Selvaged, PrintsItsAddressesAndShutsDownOnBothSignals) {
   for (const int signal : {SIGTERM, SIGINT}) {
@@ -59,63 +31,6 @@ TEST_F(Selvaged, PrintsItsAddressesAndShutsDownOnBothSignals) {
     EXPECT_NE(output.find("engine.info - "), std::string::npos) << output;
     EXPECT_NE(output.find("drained"), std::string::npos) << output;
   }
-}
-
-TEST_F(Selvaged, TheThreadsThatAllClientsWaitForRunAsSoonAsTheyWakeUp) {
-  using server::jobs::time_slice;
-  if (time_slice().count() == 0) GTEST_SKIP() << "this kernel's time slices have one length";
-  Process selvaged{arguments()};
-  Wire wire{port_of(selvaged)};
-  EXPECT_EQ(result_of(post_call(wire, "engine.info"))["name"], "selvage");
-  std::size_t prompt = 0;
-  std::size_t before_others = 0;
-  const auto count = [&] {
-    prompt = before_others = 0;
-    for (const auto& entry : std::filesystem::directory_iterator{"/proc/" + std::to_string(selvaged.id()) + "/task"}) {
-      const int thread = std::stoi(entry.path().filename().string());
-      if (time_slice(thread) == time_slice()) continue;
-      ++prompt;
-      if (::getpriority(PRIO_PROCESS, static_cast<id_t>(thread)) == ::getpriority(PRIO_PROCESS, 0)) ++before_others;
-    }
-  };
-  // A thread asks for it when it first runs, which on busy cores may be after the first answer.
-  for (int tries = 0; tries < 200; ++tries) {
-    count();
-    if (prompt == 6 && before_others == 1) break;
-    std::this_thread::sleep_for(std::chrono::milliseconds{50});
-  }
-  // The I/O thread, the clock's, and the workers for quick reads, openings, changes and messages.
-  EXPECT_EQ(prompt, 6U);
-  EXPECT_EQ(before_others, 1U);  // the I/O thread
-}
-
-TEST_F(Selvaged, TheSameThreadsRunInRealTimeIfItMayAndIsAsked) {
-  using server::jobs::real_time_priority;
-  Process selvaged{arguments({"--real-time"})};
-  Wire wire{port_of(selvaged)};
-  EXPECT_EQ(result_of(post_call(wire, "engine.info"))["name"], "selvage");
-  const bool allowed = server::jobs::use_real_time(true);
-  (void)server::jobs::use_real_time(false);
-  // By priority: the workers for quick changes, openings and messages, the one for reads, the I/O thread and the
-  // clock's.
-  const std::vector<std::size_t> wanted =
-      allowed ? std::vector<std::size_t>{3, 1, 2} : std::vector<std::size_t>{0, 0, 0};
-  std::vector<std::size_t> threads;
-  const auto count = [&] {
-    threads.assign(3, 0);
-    for (const auto& entry : std::filesystem::directory_iterator{"/proc/" + std::to_string(selvaged.id()) + "/task"}) {
-      const unsigned priority = real_time_priority(std::stoi(entry.path().filename().string()));
-      if (priority > 0) ++threads.at(priority - 1);
-    }
-  };
-  count();
-  for (int tries = 0; tries < 200 && threads != wanted; ++tries) {
-    std::this_thread::sleep_for(std::chrono::milliseconds{50});
-    count();
-  }
-  EXPECT_EQ(threads, wanted);
-  selvaged.signal(SIGTERM);
-  EXPECT_EQ(selvaged.all_output().find("no real-time priorities") == std::string::npos, allowed);
 }
 
 TEST_F(Selvaged, AnswersAllMotionsWhenItIsStopped) {
@@ -161,10 +76,10 @@ TEST_F(Selvaged, RefusesAForeignAddressAndAPortInUse) {
 }
 
 TEST_F(Selvaged, ListensOnTheGivenAddressesAndPrintsThem) {
-  const std::string path = (folder_ / "socket").string();
+  const std::string path = folder_.file("socket");
   Process selvaged{arguments({"--listen-tcp", "127.0.0.1:0", "--listen-unix", path})};
   EXPECT_NE(selvaged.output_until("listening on " + path).find("listening on " + path), std::string::npos);
-  std::istringstream ports{file_text(port_file())};
+  std::istringstream ports{file_text(folder_.file("port"))};
   std::uint16_t http{};
   std::uint16_t lines{};
   ASSERT_TRUE(ports >> http >> lines);
@@ -186,7 +101,7 @@ TEST_F(Selvaged, ListensOnTheGivenAddressesAndPrintsThem) {
 }
 
 TEST_F(Selvaged, ReopensItsLogOnSighup) {
-  const std::string log = (folder_ / "log").string();
+  const std::string log = folder_.file("log");
   Process selvaged{arguments({"--log", log})};
   Wire wire{port_of(selvaged)};
   ASSERT_FALSE(post_call(wire, "engine.info").empty());
@@ -204,7 +119,7 @@ TEST_F(Selvaged, ReopensItsLogOnSighup) {
 }
 
 TEST_F(Selvaged, ReadsItsTokenAgainOnSighup) {
-  const std::string token = (folder_ / "token").string();
+  const std::string token = folder_.file("token");
   std::ofstream{token} << "correct horse battery\n";
   Process selvaged{arguments({"--token-file", token})};
   const std::uint16_t port = port_of(selvaged);
@@ -230,29 +145,29 @@ TEST_F(Selvaged, ChecksItsConfigurationWithoutServing) {
   Process no_key{{SELVAGED, "--check-config", "--tls-cert", "nowhere.pem", "--tls-key", "nowhere.pem"}};
   EXPECT_NE(no_key.all_output().find("nowhere.pem"), std::string::npos);
   EXPECT_EQ(no_key.exit_code(), 2);
-  const std::string nowhere = (folder_ / "nowhere" / "file").string();
+  const std::string nowhere = folder_.file("nowhere/file");
   for (const char* option : {"--store", "--log", "--port-file"}) {
     Process no_folder{{SELVAGED, "--check-config", option, nowhere}};
     EXPECT_NE(no_folder.all_output().find(std::string{option} + " " + nowhere), std::string::npos) << option;
     EXPECT_EQ(no_folder.exit_code(), 2) << option;
-    EXPECT_FALSE(std::filesystem::exists(folder_ / "nowhere")) << option;
+    EXPECT_FALSE(std::filesystem::exists(folder_.file("nowhere"))) << option;
   }
-  const std::string store = (folder_ / "store").string();
-  Process good{{SELVAGED, "--check-config", "--store", store, "--log", (folder_ / "log").string()}};
+  const std::string store = folder_.file("store");
+  Process good{{SELVAGED, "--check-config", "--store", store, "--log", folder_.file("log")}};
   EXPECT_EQ(good.exit_code(), 0);
   EXPECT_FALSE(std::filesystem::exists(store));
 }
 
 TEST_F(Selvaged, NamesTheStoreThatItCannotOpen) {
-  const std::string nowhere = (folder_ / "nowhere" / "file").string();
+  const std::string nowhere = folder_.file("nowhere/file");
   Process selvaged{{SELVAGED, "--listen", "127.0.0.1:0", "--store", nowhere}};
   EXPECT_NE(selvaged.all_output().find("--store " + nowhere), std::string::npos);
   EXPECT_EQ(selvaged.exit_code(), 1);
 }
 
 TEST_F(Selvaged, AnswersTheCallsOfAFileWithoutSockets) {
-  const std::string calls = (folder_ / "calls.json").string();
-  const std::string drawing = (folder_ / "out.svg").string();
+  const std::string calls = folder_.file("calls.json");
+  const std::string drawing = folder_.file("out.svg");
   std::ofstream{calls} << "[" << call(1, "marker.open", open_params(garment("jeans_02g"))) << ","
                        << call(2, "motion.compact", id_params("m1", R"(,"accuracy":"draft")")) << "]";
   Process selvaged{{SELVAGED, "--check", calls, "--svg", drawing, "--log-level", "off"}};
@@ -273,7 +188,7 @@ TEST_F(Selvaged, AnswersTheCallsOfAFileWithoutSockets) {
 TEST_F(Selvaged, ServesTheCurlExample) {
   Process selvaged{arguments()};
   ::setenv("SELVAGED", ("127.0.0.1:" + std::to_string(port_of(selvaged))).c_str(), 1);
-  const std::string outlines = (folder_ / "outlines.json").string();
+  const std::string outlines = folder_.file("outlines.json");
   Process script{
       {repository_path("examples/curl/compact.sh"), repository_path("examples/markers/jeans_02g.json"), outlines}};
   const std::string output = script.all_output();

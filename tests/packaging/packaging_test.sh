@@ -64,6 +64,18 @@ grep -qE "^RestartPreventExitStatus=(.* )?$code( .*)?\$" "$source/packaging/selv
 grep -qE '^RestartPreventExitStatus=(.* )?78( .*)?$' "$source/packaging/selvaged.service" || fail "a store of a later version, started again"
 # Otherwise systemd would end the daemon when its threads ask for their time slices.
 grep -qE '^SystemCallFilter=(.* )?sched_setattr( .*)?$' "$source/packaging/selvaged.service" || fail "a daemon that may not ask for time slices"
+grep -q '^RestrictRealtime=no$' "$source/packaging/selvaged.service" || fail "a daemon without real-time priorities"
+# Real-time priorities, with no privilege but the limit of the unit.
+if ((EUID == 0)) && prlimit --rtprio=3 true 2> /dev/null; then
+  limit=$(sed -n 's/^LimitRTPRIO=//p' "$source/packaging/selvaged.service")
+  prlimit --rtprio="${limit:-0}" setpriv --bounding-set=-all --inh-caps=-all --no-new-privs --reuid=65534 --regid=65534 --clear-groups \
+    "$selvaged" --listen 127.0.0.1:0 > "$folder/port" 2> "$folder/log" &
+  daemon=$!
+  port_in "$folder/port" > /dev/null
+  kill -TERM "$daemon"
+  wait "$daemon" || fail "exit code $? after SIGTERM: $(< "$folder/log")"
+  grep -q 'real-time priorities for the threads' "$folder/log" || fail "no real-time priorities: $(< "$folder/log")"
+fi
 
 "$selvaged" --config "$folder/selvaged.toml" --port-file "$folder/port" > /dev/null 2> "$folder/log" &
 daemon=$!

@@ -24,12 +24,12 @@ TEST(Options, Defaults) {
   EXPECT_EQ(options->host, "127.0.0.1");
   EXPECT_EQ(options->port, 7171);
   EXPECT_GE(options->workers, 1U);
-  EXPECT_FALSE(options->real_time);
+  EXPECT_EQ(options->real_time, RealTime::kAuto);
 }
 
 TEST(Options, AreRead) {
   const auto parsed = parse({"--listen", "[::1]:0", "--workers", "0", "--cache-mb", "8", "--max-body-mb", "3",
-                             "--call-seconds", "90", "--port-file", "p", "--log-level", "warn", "--real-time"});
+                             "--call-seconds", "90", "--port-file", "p", "--log-level", "warn", "--real-time", "on"});
   const auto* options = std::get_if<Options>(&parsed);
   ASSERT_TRUE(options);
   EXPECT_EQ(options->host, "::1");
@@ -40,7 +40,7 @@ TEST(Options, AreRead) {
   EXPECT_EQ(options->limits.call, std::chrono::seconds{90});
   EXPECT_EQ(options->port_file, "p");
   EXPECT_EQ(options->log.level, "warn");
-  EXPECT_TRUE(options->real_time);
+  EXPECT_EQ(options->real_time, RealTime::kOn);
   EXPECT_EQ(options->log.format, ops::LogFormat::kText);
 }
 
@@ -60,6 +60,26 @@ TEST(Options, TheLogMayBeWrittenAsJson) {
   EXPECT_EQ(std::get<Options>(parse({"--log-format", "json"})).log.format, ops::LogFormat::kJson);
 }
 
+TEST(Options, RealTimePrioritiesMayBeDeclined) {
+  const auto of = [](std::initializer_list<const char*> arguments) {
+    return std::get<Options>(parse(arguments)).real_time;
+  };
+  EXPECT_EQ(of({"--real-time", "off"}), RealTime::kOff);
+  EXPECT_EQ(of({"--real-time", "auto"}), RealTime::kAuto);
+  EXPECT_EQ(of({"--real-time", "--workers", "2"}), RealTime::kAuto);
+}
+
+TEST(Options, AConfigurationMaySayTrueOrFalse) {
+  const test::TemporaryFolder folder;
+  const auto of = [&folder](const std::string& value) {
+    const std::string file = folder.write("selvaged.toml", "real-time = " + value + "\n");
+    return std::get<Options>(parse({"--config", file.c_str()})).real_time;
+  };
+  EXPECT_EQ(of("true"), RealTime::kOn);
+  EXPECT_EQ(of("false"), RealTime::kOff);
+  EXPECT_EQ(of("\"off\""), RealTime::kOff);
+}
+
 // The error message for these options.
 std::string refusal(std::initializer_list<const char*> arguments) {
   const auto parsed = parse(arguments);
@@ -72,6 +92,10 @@ std::string refusal(std::initializer_list<const char*> arguments) {
 TEST(Options, MemoryThatLeavesNothingForMarkersIsRefused) {
   EXPECT_NE(refusal({"--memory", "64"}).find("--memory 64"), std::string::npos);
   EXPECT_NE(refusal({"--memory", "512", "--cache-mb", "500"}).find("--memory 512"), std::string::npos);
+}
+
+TEST(Options, ARefusedWordIsNamedWithThoseThatAreAllowed) {
+  EXPECT_NE(refusal({"--real-time", "maybe"}).find("--real-time: maybe not in {auto,on,off}"), std::string::npos);
 }
 
 class ExposedOptions : public ::testing::Test {

@@ -6,14 +6,18 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <ctime>
+#include <fstream>
 #include <functional>
 #include <future>
 #include <latch>
+#include <string>
 #include <thread>
 #include <utility>
 
 #include "server/jobs/deadline_clock.h"
 #include "server/jobs/job_queue.h"
+#include "server/jobs/real_time_share.h"
 
 namespace selvage::server::jobs {
 namespace {
@@ -149,6 +153,94 @@ TEST_F(RealTime, WorkersForLongJobsHaveNone) {
   const auto [long_jobs, quick_jobs] = on_workers([] { return real_time_priority(); });
   EXPECT_EQ(long_jobs, 0U);
   EXPECT_GT(quick_jobs, 0U);
+}
+
+using std::chrono::steady_clock;
+
+// Works until the calling thread's priority is (not) one of real time.  Returns false after far too long.
+bool work_until_real_time_is(bool wanted) {
+  const auto patience = steady_clock::now() + std::chrono::seconds{60};
+  while (steady_clock::now() < patience) {
+    if ((real_time_priority() > 0) == wanted) return true;
+  }
+  return false;
+}
+
+TEST_F(RealTime, AThreadThatDoesNotEndItsWorkIsAnOrdinaryOneForTheRestOfEachPeriod) {
+  for (const Promptness how : {Promptness::kFirst, Promptness::kSoon, Promptness::kNext}) {
+    ASSERT_TRUE(use_real_time(false));
+    const nanoseconds slice = slice_of(how);
+    ASSERT_TRUE(use_real_time(true));
+    std::jthread{[how, slice] {
+      const int nice = ::getpriority(PRIO_PROCESS, 0);
+      run_promptly(how);
+      const unsigned priority = real_time_priority();
+      for (int periods = 0; periods < 3; ++periods) {
+        ASSERT_TRUE(work_until_real_time_is(false));
+        EXPECT_EQ(time_slice(), slice);
+        EXPECT_EQ(::getpriority(PRIO_PROCESS, 0), nice);
+        ASSERT_TRUE(work_until_real_time_is(true));
+        EXPECT_EQ(real_time_priority(), priority);
+      }
+    }}.join();
+  }
+}
+
+// The calling thread's processor time.
+nanoseconds worked() {
+  timespec time{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return std::chrono::seconds{time.tv_sec} + nanoseconds{time.tv_nsec};
+}
+
+// However long it works, a thread that waits for nothing has the priority for its share of the time, and the ticks by
+// which the kernel may be late.
+TEST_F(RealTime, TheShareHolds) {
+  std::jthread{[] {
+    run_promptly(Promptness::kNext);
+    ASSERT_TRUE(work_until_real_time_is(false));
+    ASSERT_TRUE(work_until_real_time_is(true));  // a period begins
+    const auto end = steady_clock::now() + 5 * RealTimeShare::kPeriod;
+    nanoseconds in_real_time{};
+    for (nanoseconds last = worked(); steady_clock::now() < end;) {
+      const bool real_time = real_time_priority() > 0;
+      const nanoseconds now = worked();
+      if (real_time) in_real_time += now - last;
+      last = now;
+    }
+    EXPECT_GT(in_real_time, nanoseconds{});
+    constexpr std::chrono::milliseconds kShare{10};
+    constexpr std::chrono::milliseconds kTick{10};
+    EXPECT_LT(in_real_time, 6 * (kShare + kTick));
+  }}.join();
+}
+
+TEST_F(RealTime, AThreadThatGivesItUpDoesNotGetItBack) {
+  std::jthread{[] {
+    run_promptly(Promptness::kNext);
+    ASSERT_TRUE(work_until_real_time_is(false));
+    ASSERT_TRUE(use_real_time(false));
+    run_promptly(Promptness::kNext);
+    const auto end = steady_clock::now() + 2 * RealTimeShare::kPeriod;
+    while (steady_clock::now() < end) ASSERT_EQ(real_time_priority(), 0U);
+  }}.join();
+}
+
+TEST_F(RealTime, AThreadThatEndsLeavesNoTimerBehind) {
+  const auto timers = [] {
+    std::ifstream file{"/proc/self/timers"};
+    int found = 0;
+    for (std::string line; std::getline(file, line);) found += line.starts_with("ID:") ? 1 : 0;
+    return found;
+  };
+  const int before = timers();
+  bool counted = false;
+  std::jthread{[&] {
+    run_promptly(Promptness::kNext);
+    counted = timers() > before;
+  }}.join();
+  if (!counted) GTEST_SKIP() << "this kernel does not tell which timers there are";
+  EXPECT_EQ(timers(), before);
 }
 
 }  // namespace

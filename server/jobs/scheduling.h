@@ -1,0 +1,26 @@
+// How the kernel schedules a thread: what sched_getattr(2) and sched_setattr(2) read and write.  Signal handlers may
+// call both functions.
+#pragma once
+
+#include <cstdint>
+
+namespace selvage::server::jobs {
+
+// glibc has no such structure before 2.41, and the kernel's header for it cannot be included together with <sched.h>.
+struct Scheduling {
+  std::uint32_t size, policy;
+  std::uint64_t flags;
+  std::int32_t nice;
+  std::uint32_t priority;  // in real time, 1 to 99; 0: none
+  std::uint64_t runtime;   // the time slice, in nanoseconds; 0: as long as that of others
+  std::uint64_t deadline, period;
+};
+static_assert(sizeof(Scheduling) == 48);
+
+// Of the thread with this id; 0: the calling one.  Returns false if the kernel refuses.
+[[nodiscard]] bool read_scheduling(int thread, Scheduling& scheduling);
+
+// Of the calling thread.  Returns false, and changes nothing, if the kernel refuses.
+[[nodiscard]] bool write_scheduling(Scheduling scheduling);
+
+}  // namespace selvage::server::jobs
