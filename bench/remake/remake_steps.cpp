@@ -1,8 +1,8 @@
 // The steps of one order in docs/from-the-library.md: a table of them, and a drawing of the marker after each.
 //
-//   remake_steps PREFIX SEED STORED.json BEST.json
+//   remake_steps FOLDER SEED STORED.json BEST.json
 //
-// The order has the sizes of the stored marker spread by up to 4 % (orders.h); the drawings are PREFIX-STEP.svg.
+// The order has the sizes of the stored marker spread by up to 4 % (orders.h); the drawings are FOLDER/STEP.svg.
 // BEST.json is the best marker that is known of this order; it is drawn, too.
 #include <cstdio>
 #include <cstdlib>
@@ -28,18 +28,18 @@ void print_row(const char* name, const Marker& marker, bool valid) {
               100 * utilisation_of(marker), valid ? "yes" : "no");
 }
 
-void draw(const std::string& prefix, const std::string& name, const Marker& marker) {
-  std::ofstream{prefix + "-" + name + ".svg"} << protocol::drawing::to_svg(marker);
+void draw(const std::string& folder, const std::string& name, const Marker& marker) {
+  std::ofstream{folder + "/" + name + ".svg"} << protocol::drawing::to_svg(marker);
 }
 
 }  // namespace
 
 int main(int count, char** words) {
   if (count < 5) {
-    std::fprintf(stderr, "usage: remake_steps PREFIX SEED STORED.json BEST.json\n");
+    std::fprintf(stderr, "usage: remake_steps FOLDER SEED STORED.json BEST.json\n");
     return EXIT_FAILURE;
   }
-  const std::string prefix = words[1];
+  const std::string folder = words[1];
   const MarkerFile stored = bench::marker_file_in(words[3]);
   const Marker order = bench::order_of(stored, bench::Change::kGraded, 0.04, std::strtoull(words[2], nullptr, 10));
   remake::RemakeSettings settings;
@@ -55,10 +55,10 @@ int main(int count, char** words) {
     Marker after = order;
     after.unplaced.clear();
     after.pieces = step.placed;
-    draw(prefix, name, after);
+    draw(folder, name, after);
     print_row(name, after, step.valid);
   }
   const Marker best = bench::marker_in(words[4]);
-  draw(prefix, "best-known", best);
+  draw(folder, "best-known", best);
   print_row("the best known", best, is_valid(best));
 }

@@ -10,7 +10,7 @@ examples=$(dirname "$0")
 draw() {
   local picture=$1 motion=$2 marker=$3
   shift 3
-  "$selvage" "$motion" "$examples/$marker" --svg "$folder/packing-$picture.svg" "$@" > /dev/null
+  "$selvage" "$motion" "$examples/$marker" --svg "$folder/$picture.svg" "$@" > /dev/null
 }
 
 draw 8.1a show beside.json

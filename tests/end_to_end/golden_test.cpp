@@ -96,7 +96,7 @@ TEST_P(GoldenExchanges, MatchTheDaemonsAnswers) {
   Json expected_notifications = Json::array();
   std::map<std::string, Json> notifications;
   for (const Json& exchange : exchanges) {
-    for (const Json& each : exchange.value("told", Json::array())) expected_notifications.push_back(each);
+    for (const Json& each : exchange.value("notifications", Json::array())) expected_notifications.push_back(each);
     const std::string request = protocol::json::to_text(exchange["request"]);
     const std::string sender = exchange.value("sender", std::string{});
     auto& connection = connections[sender];
@@ -108,11 +108,11 @@ TEST_P(GoldenExchanges, MatchTheDaemonsAnswers) {
         << request << "\nexpected " << protocol::json::to_text(exchange["response"]) << "\nanswered "
         << protocol::json::to_text(answer);
   }
-  for (const auto& [sender, told] : notifications) {
+  for (const auto& [sender, received] : notifications) {
     const Json expected = sender.empty() ? expected_notifications : Json::array();
-    ASSERT_EQ(told.size(), expected.size()) << sender << protocol::json::to_text(told);
-    for (std::size_t i = 0; i < told.size(); ++i)
-      EXPECT_TRUE(alike(expected[i], told[i])) << protocol::json::to_text(told[i]);
+    ASSERT_EQ(received.size(), expected.size()) << sender << protocol::json::to_text(received);
+    for (std::size_t i = 0; i < received.size(); ++i)
+      EXPECT_TRUE(alike(expected[i], received[i])) << protocol::json::to_text(received[i]);
   }
 }
 

@@ -1,28 +1,31 @@
-// The pictures of docs/marker-room.md: pictures.mjs FOLDER [NAMES]. Each is a state that a user comes to. That of the page opened from
-// disk needs ROOM_FILE, and is left out without it.
-import { writeFileSync } from "node:fs";
+// Writes the pictures of docs/marker-room.md: pictures.mjs FOLDER [NAMES], with FOLDER docs/pictures/room and the names separated by
+// commas. Each picture shows the page in a state that a user reaches. The picture of the page opened from disk needs the environment
+// variable ROOM_FILE (what `./dev room-file` builds), and is skipped without it.
+import { mkdirSync, writeFileSync } from "node:fs";
 import { pathToFileURL } from "node:url";
 import { Browser } from "./browser.mjs";
 import { atRevision, call, example, spot, startDaemon, visit } from "./visit.mjs";
 
 const folder = process.argv[2];
+for (const group of ["appearance", "editing", "results"]) mkdirSync(`${folder}/${group}`, { recursive: true });
 const size = { width: 1280, height: 760 };
 const browser = await Browser.launch();
 const rest = (milliseconds = 450) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 const offered = `document.querySelector("#offer").dataset.shown === "yes"`;
 
-/** The marker with all its pieces off the cloth. */
+/** The marker without a layout: all its pieces are unplaced. */
 const withoutSolution = ({ solution: _, ...instance }) => instance;
 
+/** Opens a marker on a new daemon, brings the page to a state with `act`, and writes the picture to FOLDER/`name`.png. */
 async function state(name, act, { marker = "jeans_02g", unplaced = false, ...options } = {}) {
   const daemon = await startDaemon();
   const document = typeof marker === "string" ? example(marker) : marker;
   const { markerId } = await call(daemon.port, "marker.open", { marker: unplaced ? withoutSolution(document) : document });
   const page = await visit(browser, daemon.port, { ...size, marker: markerId, ...options });
   await act(page, daemon.port, markerId);
-  await page.ask(`document.querySelector("#toast").dataset.shown = ""`); // what was told on the way there
+  await page.ask(`document.querySelector("#toast").dataset.shown = ""`); // hide messages shown on the way to this state
   await rest();
-  writeFileSync(`${folder}/room-${name}.png`, await page.picture());
+  writeFileSync(`${folder}/${name}.png`, await page.picture());
   await daemon.stop();
 }
 
@@ -77,26 +80,26 @@ const pick = async (page, piece) => {
 };
 
 const states = {
-  opened: () => state("opened", () => {}),
-  push: () => state("push", async (page) => {
+  opened: () => state("appearance/opened", () => {}),
+  push: () => state("editing/push", async (page) => {
     await page.drag([818, 372], [850, 362], { hold: true, steps: 30 });
     await page.until("selvageRoom.view().shown > 1");
   }),
-  free: () => state("free", async (page) => {
+  free: () => state("editing/free", async (page) => {
     const [x, y] = await spot(page, "20");
     await page.drag([x, y], [x - 40, y - 45], { hold: true, modifiers: 8 });
   }),
-  result: () => state("result", async (page) => {
+  result: () => state("results/result", async (page) => {
     await page.key("c");
     await page.until(offered);
     await page.key("0"); // all of it
   }, { marker: "jeans_06g" }),
-  fine: () => state("fine", async (page) => {
+  fine: () => state("results/fine", async (page) => {
     await page.press("Fine");
     await page.until(offered);
     await rest(6000);
   }),
-  beside: () => state("beside", async (page) => {
+  beside: () => state("results/beside", async (page) => {
     for (const name of ["Draft", "Tilt"]) {
       await page.press(name);
       await page.until(offered);
@@ -104,7 +107,7 @@ const states = {
     }
     await page.press("Compare", "#beside");
   }),
-  tray: () => state("tray", async (page, port, markerId) => {
+  tray: () => state("editing/tray", async (page, port, markerId) => {
     const { marker } = await call(port, "marker.get", { markerId });
     const off = marker.pieces.slice(-14).map(({ id }) => ({ op: "takeOff", piece: id }));
     await call(port, "marker.apply", { markerId, ops: off });
@@ -112,34 +115,34 @@ const states = {
     const { x, y } = await page.ask(`(({ x, y, width, height }) => ({ x: x + width / 2, y: y + height / 2 }))(document.querySelector(".tray-row").getBoundingClientRect())`);
     await page.drag([x, y], [640, 330], { hold: true });
   }),
-  places: () => state("places", async (page, port, markerId) => {
+  places: () => state("editing/places", async (page, port, markerId) => {
     const { marker } = await call(port, "marker.get", { markerId });
     const off = marker.pieces.slice(-40).map(({ id }) => ({ op: "takeOff", piece: id }));
     await call(port, "marker.apply", { markerId, ops: off });
     await page.press("Show where");
     await page.until(`document.querySelector("#places").textContent.startsWith("Places where")`);
   }, { marker: "jeans_06g" }),
-  together: () => state("together", async (page, port, markerId) => {
+  together: () => state("editing/together", async (page, port, markerId) => {
     const other = await visit(browser, port, { ...size, marker: markerId });
     await other.drag([818, 372], [850, 362], { hold: true, steps: 30 });
     await page.until(`selvageRoom.draggedByOthers().length > 0`);
   }),
-  nest: () => state("nest", async (page) => {
+  nest: () => state("results/nest", async (page) => {
     await page.press("Nest");
     await page.until(offered);
   }, { marker: "jeans_02g", unplaced: true }),
-  chain: () => state("chain", async (page) => {
+  chain: () => state("results/chain", async (page) => {
     await compacted(page);
     await page.key("h");
     await page.click("#tab-length");
     await page.until(`!!document.querySelector("#prices")`);
   }),
-  cloth: () => state("cloth", async (page) => {
+  cloth: () => state("results/cloth", async (page) => {
     await page.key("e");
     await page.click("#tab-length");
     await page.until(`document.querySelector("#cloth").textContent.length > 5`);
   }),
-  piece: () => state("piece", async (page) => {
+  piece: () => state("editing/piece", async (page) => {
     await compacted(page);
     await page.key("h");
     await page.click("#tab-pieces");
@@ -148,12 +151,12 @@ const states = {
     await atRevision(page, 3);
     await page.until(`document.querySelector("#panel-pieces").textContent.includes("1° more tilt")`);
   }),
-  long: () => state("long", () => {}, { marker: "jeans_22g" }),
-  rules: () => state("rules", async (page) => {
+  long: () => state("appearance/long", () => {}, { marker: "jeans_22g" }),
+  rules: () => state("editing/rules", async (page) => {
     await page.click("#tab-pieces");
     await pick(page, "banded");
   }, { marker: ruled }),
-  pattern: () => state("pattern", async (page) => {
+  pattern: () => state("editing/pattern", async (page) => {
     await page.click("#tab-pieces");
     await pick(page, "pocket");
     await page.click("#piece-rules summary");
@@ -161,14 +164,14 @@ const states = {
     await atRevision(page, 2);
     await page.ask(`document.querySelector("#panel-pieces").scrollTop = 360`);
   }, { marker: plaid }),
-  dark: () => state("dark", async (page) => {
+  dark: () => state("appearance/dark", async (page) => {
     await compacted(page);
     await page.key("h");
   }, { media: [{ name: "prefers-color-scheme", value: "dark" }] }),
-  german: () => state("german", async (page) => {
+  german: () => state("appearance/german", async (page) => {
     await page.press("Tasten");
   }, { language: "de-DE" }),
-  phone: () => state("phone", () => {}, { width: 390, height: 780, touch: true }),
+  phone: () => state("appearance/phone", () => {}, { width: 390, height: 780, touch: true }),
 };
 if (process.env.ROOM_FILE) {
   states.disk = async () => {
@@ -177,7 +180,7 @@ if (process.env.ROOM_FILE) {
     await page.key("c");
     await page.until(offered);
     await rest();
-    writeFileSync(`${folder}/room-disk.png`, await page.picture());
+    writeFileSync(`${folder}/appearance/disk.png`, await page.picture());
   };
 }
 const chosen = process.argv[3] ? process.argv[3].split(",") : Object.keys(states);

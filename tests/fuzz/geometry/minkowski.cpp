@@ -2,8 +2,8 @@
 #include "core/minkowski/sum.h"
 
 #include "tests/core/minkowski/sum_laws.h"
-#include "tests/fuzz/any_polygon.h"
 #include "tests/fuzz/entry.h"
+#include "tests/fuzz/geometry/any_polygon.h"
 #include "tests/support/polygons.h"
 
 namespace selvage::test {

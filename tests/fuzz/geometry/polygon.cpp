@@ -10,8 +10,8 @@
 #include "core/outline/outline.h"
 #include "core/outline/outward.h"
 #include "core/outline/star.h"
-#include "tests/fuzz/any_polygon.h"
 #include "tests/fuzz/entry.h"
+#include "tests/fuzz/geometry/any_polygon.h"
 #include "tests/judge/exact_pairs.h"
 
 namespace selvage::test {

@@ -2,7 +2,7 @@
 #include "protocol/formats/sparrow.h"
 
 #include "tests/fuzz/entry.h"
-#include "tests/fuzz/marker_text.h"
+#include "tests/fuzz/formats/marker_text.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const std::string text{bytes, bytes + size};

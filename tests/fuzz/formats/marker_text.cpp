@@ -1,4 +1,4 @@
-#include "tests/fuzz/marker_text.h"
+#include "tests/fuzz/formats/marker_text.h"
 
 #include "core/marker/validity.h"
 #include "protocol/formats/native.h"

@@ -1,4 +1,4 @@
-#include "tests/fuzz/any_polygon.h"
+#include "tests/fuzz/geometry/any_polygon.h"
 
 #include <algorithm>
 
