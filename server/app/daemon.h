@@ -1,8 +1,8 @@
-// The daemon: a backend behind a transport, with its metrics and its journal, and the order in which they begin and
+// The daemon: a backend behind a transport, with its metrics and its journal, and the order in which they start and
 // end.
 //
-// The ports open first, so that health checks and clients find a daemon that says that it is loading rather than none.
-// Until the markers of the store have been loaded, every call is answered -32010, over HTTP with status 503.
+// The ports open first, so that health checks and clients reach a daemon that reports that it is loading.  Until the
+// markers of the store have been loaded, calls are answered with the error -32010, over HTTP with status 503.
 #pragma once
 
 #include <array>
@@ -30,11 +30,11 @@ namespace selvage::server::app {
 class Daemon {
  public:
   // Listens immediately, unless the options ask for a replay, which only uses call().  The store, if there is one, is
-  // loaded by a thread of its own.  Throws a std::exception if an address or a file cannot be used.
+  // loaded by a separate thread.  Throws a std::exception if an address or a file cannot be used.
   explicit Daemon(const Options& options, protocol::methods::MethodTable methods = protocol::methods::method_table());
   ~Daemon();  // drains
-  // Returns true when calls are answered, and false if it was drained before.  Throws a std::exception if the store
-  // cannot be used.
+  // Returns true once calls are answered, or false if the daemon was drained before that.  Throws a std::exception if
+  // the store cannot be used.
   bool wait_until_loaded();
   Daemon(const Daemon&) = delete;
   Daemon& operator=(const Daemon&) = delete;
@@ -45,15 +45,15 @@ class Daemon {
   // REQUIRES: it is loaded.
   [[nodiscard]] const SumCache& sums() const { return backend_->sums(); }
 
-  // Reads the token and the TLS files again.  If one of them cannot be used, a line in the log says so, and nothing is
+  // Reads the token and the TLS files again.  If one of them cannot be used, a line in the log says so and nothing is
   // replaced.
   void reload(const Options& options);
 
-  // Stops loading, accepts nothing new, asks the running motions for their best results, sends every answer and
-  // closes.
+  // Stops loading, accepts nothing new, asks the running motions to return their best results, sends every answer and
+  // closes all connections.
   void drain();
 
-  // Answers a message that did not come over a socket.
+  // Answers a message that did not arrive over a socket.
   void call(std::string message, const std::shared_ptr<transport::access::Session>& session,
             transport::access::Reply reply);
   // The bodies of GET /readyz and GET /metrics.

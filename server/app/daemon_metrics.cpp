@@ -42,7 +42,7 @@ std::vector<ops::Metric> backend_metrics(const dispatch::Backend& backend) {
        {{"", value(store.quarantined())}}},
       {"selvage_open_calls", kGauge, "Calls in progress.", "", {{"", value(backend.open_calls())}}},
       by_queue("selvage_jobs_waiting", "Jobs that wait in a queue.", backend.queues(), &jobs::JobQueue::waiting),
-      by_queue("selvage_jobs_running", "Jobs that workers execute.", backend.queues(), &jobs::JobQueue::running),
+      by_queue("selvage_jobs_running", "Jobs that workers are executing.", backend.queues(), &jobs::JobQueue::running),
       {"selvage_markers_bytes",
        kGauge,
        "Memory of the markers, their histories and the answers kept for retries.",
@@ -50,7 +50,7 @@ std::vector<ops::Metric> backend_metrics(const dispatch::Backend& backend) {
        {{"", value(store.room().account->held())}}},
       {"selvage_sums_total",
        kCounter,
-       "Minkowski sums requested, by whether the cache had them.",
+       "Minkowski sums requested, by whether they were in the cache.",
        "outcome",
        {{"hit", value(sums.hits)}, {"miss", value(sums.misses)}}},
       {"selvage_sums_bytes", kGauge, "Memory of the cached sums.", "", {{"", value(sums.bytes)}}},
@@ -61,13 +61,17 @@ std::vector<ops::Metric> store_metrics(const store::Journal& journal) {
   const store::WriteCounts writes = journal.writes();
   return {{"selvage_store_writes_total",
            kCounter,
-           "Transactions of the store, by their outcome.",
+           "Transactions of the store, by outcome.",
            "outcome",
            {{"written", value(writes.written)}, {"failed", value(writes.failed)}}},
-          {"selvage_store_write_seconds_total", kCounter, "Time that they took.", "", {{"", writes.seconds}}},
+          {"selvage_store_write_seconds_total",
+           kCounter,
+           "Time spent in transactions of the store.",
+           "",
+           {{"", writes.seconds}}},
           {"selvage_store_writable",
            kGauge,
-           "0 if the last write failed, or if the file has been deleted or replaced: then the daemon is not ready.",
+           "0 if the last write failed or the file has been deleted or replaced; the daemon is then not ready.",
            "",
            {{"", journal.failure().empty() ? 1.0 : 0.0}}}};
 }
@@ -86,7 +90,11 @@ std::vector<ops::Metric> connection_metrics(const transport::access::TransportCo
        "Connections since the start, by whether they were accepted.",
        "outcome",
        {{"accepted", value(open.accepted.load())}, {"turned_away", value(open.turned_away.load())}}},
-      {"selvage_refused_total", kCounter, "Connections and requests refused because of their caller.", "reason", {}}};
+      {"selvage_refused_total",
+       kCounter,
+       "Connections and requests refused because of the caller, by reason.",
+       "reason",
+       {}}};
   for (std::size_t k = 0; k < open.refused.size(); ++k) {
     all.back().values.push_back({transport::access::kRefusals.at(k), value(open.refused.at(k).load())});
   }
@@ -101,12 +109,12 @@ std::string Daemon::metrics_text() const {
       {"selvage_build_info", kGauge, "The version of the program; always 1.", "version", {{ops::kVersion, 1}}});
   all.push_back({"selvage_traffic_bytes",
                  kGauge,
-                 "Requests that are received or answered, with what answering them takes, and answers not yet sent.",
+                 "Requests being received or answered, the memory to answer them, and answers not yet sent.",
                  "",
                  {{"", value(traffic_->held())}}});
   all.push_back({"selvage_log_lines_dropped_total",
                  kCounter,
-                 "Lines of the log that could not be written, or not soon enough.",
+                 "Log lines dropped because they could not be written, or not quickly enough.",
                  "",
                  {{"", value(ops::dropped_log_lines())}}});
   std::string text = metrics_.text();

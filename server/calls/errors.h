@@ -1,4 +1,4 @@
-// The errors that several of the server's methods answer with.
+// The errors that several of the server's methods return.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace selvage::server::calls {
 using protocol::calls::abandoned;
 using protocol::calls::revision_mismatch;
 
-// The answer to a call that would need more memory for markers than there is.
+// The error for a call that would need more memory for markers than is left.
 inline protocol::rpc::RpcError no_room(const store::MarkerStore& store) {
   const std::size_t limit = store.room().account->limit();
   return {protocol::rpc::RpcCode::kLimit,
@@ -28,7 +28,7 @@ inline protocol::rpc::RpcError marker_too_large(const store::MarkerStore& store)
   return {protocol::rpc::RpcCode::kLimit,
           "the marker would take more than " + std::to_string(limit) + " bytes of memory", Json{{"limit", limit}}};
 }
-// The answer to a call about a marker that cannot be used.
+// The error for a call about a marker that cannot be used.
 inline protocol::rpc::RpcError unknown_marker(const store::MarkerStore& store, const std::string& id) {
   if (store.is_open(id)) return no_room(store);  // it could not be read from the journal
   const std::string damage = store.quarantine(id);
@@ -49,7 +49,7 @@ inline protocol::rpc::RpcError not_written() {
 inline protocol::rpc::RpcError busy(const jobs::JobQueue& queue, const std::string& reason) {
   return {protocol::rpc::RpcCode::kBusy, reason, Json{{"retryAfterMs", queue.retry_after_ms()}}};
 }
-// The answer to a call whose turn had not come at its deadline.
+// The error for a call that had not started by its deadline.
 inline protocol::rpc::RpcError not_begun(const jobs::JobQueue& queue) {
   return busy(queue, "the call's turn had not come at its deadline; nothing was done");
 }

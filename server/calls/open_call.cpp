@@ -67,7 +67,7 @@ void OpenCall::set_deadline(const std::shared_ptr<OpenCall>& call, jobs::Deadlin
   });
 }
 
-// Removes its call from the list, unless a later call has replaced it there.
+// Removes the call from the list, unless a later call with the same id has replaced it there.
 struct OpenCalls::Listing {
   std::shared_ptr<List> list;
   Key key;

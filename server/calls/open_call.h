@@ -1,5 +1,5 @@
-// A call in progress and how it ends: with the outcome of its method, cancelled, or refused at its deadline because its
-// turn had not come; never with two of them.
+// A call in progress, and how it ends: with the outcome of its method, by cancellation, or refused at its deadline
+// because it had not started.  It ends in exactly one of these ways.
 //
 // Whoever settles the call first decides.  A worker that settles it goes on to commit and to answer.  A client that
 // cancels it first is answered at once, whatever the solver is doing, and the worker's result is dropped.
@@ -25,15 +25,15 @@ namespace selvage::server::calls {
 
 class OpenCall {
  public:
-  // `params`: a checksum of the call's parameters; 0: it has no opId, so nobody asks for it.
+  // `params`: a checksum of the call's parameters; 0 if the call has no opId, because the checksum is then not needed.
   OpenCall(std::shared_ptr<transport::access::Session> session, jobs::ReplyOnce<Outcome> reply,
            std::int64_t params = 0);
 
   [[nodiscard]] const std::shared_ptr<transport::access::Session>& session() const { return session_; }
   [[nodiscard]] std::int64_t params() const { return params_; }
-  // Stops for every cause.  A method that is stopped returns the best result that it has.
+  // Requests a stop whatever the cause.  A method that is stopped returns its best result so far.
   [[nodiscard]] std::stop_token stop() const { return stop_.get_token(); }
-  // If there are several causes: abandonment before the deadline, and the deadline before draining.
+  // If there are several causes, abandonment takes precedence over the deadline, and the deadline over draining.
   [[nodiscard]] StopCause stop_cause() const;
   [[nodiscard]] bool abandoned() const { return is_abandoned(stop_cause()); }
 
@@ -41,7 +41,7 @@ class OpenCall {
   [[nodiscard]] bool begin();
   // Becomes true when the call has been settled, cancelled or refused at its deadline.
   [[nodiscard]] std::shared_ptr<const std::atomic<bool>> ending() const { return ending_; }
-  // Returns true if the call is the worker's to end; from then on it cannot be cancelled.  May be called repeatedly.
+  // Returns true if the worker may end the call, which can then no longer be cancelled.  May be called repeatedly.
   [[nodiscard]] bool settle();
   // Answers the call unless it was cancelled.  At most once.
   void answer(Outcome outcome);
@@ -50,14 +50,14 @@ class OpenCall {
   // Stops the call because the server is shutting down.  Changes nothing if it was stopped before.
   void drain();
 
-  // At that time the call is stopped and, if it is still waiting for its turn, answered with what `if_waiting` returns;
-  // that is called on the clock's thread.  REQUIRES: nobody else uses the call yet.
+  // Sets the deadline.  At that time the call is stopped; if it is still waiting for its turn, it is answered with what
+  // `if_waiting` returns, which is called on the clock's thread.  REQUIRES: nobody else uses the call yet.
   static void set_deadline(const std::shared_ptr<OpenCall>& call, jobs::DeadlineClock& clock,
                            jobs::DeadlineClock::Time time, std::function<protocol::rpc::RpcError()> if_waiting);
 
  private:
   enum class State { kWaiting, kBegun, kSettled, kCancelled, kExpired };
-  // Returns true if this changes the state to `to`, from one in which the call is neither settled nor answered.
+  // Changes the state to `to` unless the call is settled or answered already.  Returns true if it did.
   [[nodiscard]] bool leave_open(State to);
 
   const std::shared_ptr<transport::access::Session> session_;
@@ -73,10 +73,10 @@ class OpenCall {
   std::stop_callback<std::function<void()>> disconnected_;
 };
 
-// The calls in progress that can be cancelled, by session and by the call's id.  A call is listed as long as it lives.
+// The calls in progress that can be cancelled, by session and by the call's id.  A call is listed as long as it exists.
 class OpenCalls {
  public:
-  // A later call replaces an earlier one of the same id.  REQUIRES: nobody else uses the call yet.
+  // A later call replaces an earlier one with the same id.  REQUIRES: nobody else uses the call yet.
   void add(const Json& id, const std::shared_ptr<OpenCall>& call);
   // Returns false if there is no such call, or if it was too late.
   bool cancel(const Json& id, std::uint64_t session);

@@ -1,6 +1,6 @@
-// A checksum of a call's parameters, by which a retry is told from another call under the same `opId`.
+// A checksum of a call's parameters.  It distinguishes a retry from a different call with the same `opId`.
 //
-// The order of fields does not matter, nor how a number is written.  `deadlineMs` and `progressToken` are left out,
+// Neither the order of fields nor the way a number is written matters.  `deadlineMs` and `progressToken` are left out,
 // because they do not change what the call does.
 #pragma once
 

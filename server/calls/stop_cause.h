@@ -4,7 +4,7 @@
 namespace selvage::server::calls {
 
 enum class StopCause {
-  kNone,          // it is not asked to stop
+  kNone,          // it has not been asked to stop
   kCancelled,     // its caller sent $/cancelRequest
   kDeadline,      // its time is up: the best result so far is wanted
   kDraining,      // the server is shutting down: the best result so far is wanted

@@ -24,7 +24,7 @@ std::optional<calls::Outcome> Committer::earlier_answer(const std::string& marke
   if (!op_id) return std::nullopt;
   const auto kept = store_.answer(marker_id, *op_id);
   if (!kept) return std::nullopt;
-  // Stores of earlier versions did not keep the parameters.
+  // Stores of earlier versions have no checksum of the parameters.
   const bool same_params = kept->params == 0 || kept->params == call.params();
   if (kept->method == method && same_params) return kept->result;
   const std::string with = kept->method == method ? " with other parameters" : "";
@@ -36,7 +36,7 @@ std::optional<calls::Outcome> Committer::earlier_answer(const std::string& marke
 store::KeptAnswer Committer::kept_answer(const std::string& op_id, std::string_view method, store::SharedText result,
                                          const calls::OpenCall& call) {
   const transport::access::Session& session = *call.session();
-  // The port of an address is another one for each connection.
+  // Each connection from an address has a port of its own, so the port is left out.
   std::string client = session.peer.substr(0, session.peer.rfind(':'));
   client += store::KeptAnswers::kConnection + std::to_string(session.id);
   return {.op_id = op_id,

@@ -34,16 +34,16 @@ class Committer {
   Committer(store::MarkerStore& store, Watchers& watchers) : store_{store}, watchers_{watchers} {}
 
   // The kept answer to an earlier call with this `opId`, or an error if that was a call of another method or with other
-  // parameters.  Nothing if there was no such call.  `marker_id` is empty for calls that open and close markers.
+  // parameters.  Returns nothing if there was no such call.  `marker_id` is empty for calls that open or close markers.
   [[nodiscard]] std::optional<calls::Outcome> earlier_answer(const std::string& marker_id,
                                                              const std::optional<std::string>& op_id,
                                                              std::string_view method,
                                                              const calls::OpenCall& call) const;
-  // The answer as it is kept for retries.
+  // The form of the answer that is kept for retries.
   [[nodiscard]] static store::KeptAnswer kept_answer(const std::string& op_id, std::string_view method,
                                                      store::SharedText result, const calls::OpenCall& call);
-  // Commits the change, notifies the watchers and returns the answer.  The answer is an error, and the marker stays as
-  // it is, if the call is abandoned, the marker has another revision by now, or the store cannot be written.
+  // Commits the change, notifies the watchers and returns the answer.  That is an error, and the marker is unchanged,
+  // if the call was abandoned, the marker has a different revision by now, or the store cannot be written.
   [[nodiscard]] calls::Outcome commit(ReadyChange change, calls::OpenCall& call);
   // The answer to a call that changed nothing.  It is kept for retries if the call has an `opId`.
   [[nodiscard]] calls::Outcome keep_unchanged(std::string_view method, const std::string& marker_id,

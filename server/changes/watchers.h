@@ -1,7 +1,7 @@
 // Which sessions watch which marker.
 //
-// A watching session is notified of every revision from the next one on, in order, and of what others drag, until it
-// stops watching, its connection ends or the marker is closed.  Every function may be called from any thread.
+// A watching session is notified of every revision from the next one on, in order, and of the pieces that others drag,
+// until it stops watching, its connection ends or the marker is closed.  Every function may be called from any thread.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ class Watchers {
   // Returns true if at least one session watches the marker.
   [[nodiscard]] bool any(const std::string& marker) const;
   void notify(const std::string& marker, const std::string& message);
-  // Sends each watching session but one a message of its own.
+  // Sends each watching session, except one, its own message.
   void notify_others(const std::string& marker, std::uint64_t except,
                      const std::function<std::string(std::uint64_t session)>& message);
   // Sends the last notification about a marker and removes its watchers.
@@ -33,7 +33,7 @@ class Watchers {
  private:
   using Sessions = std::map<std::uint64_t, std::weak_ptr<transport::access::Session>>;
   static void send(const Sessions& sessions, const std::string& message);
-  // Those that watch the marker and are connected.
+  // The sessions that watch the marker and are still connected.
   [[nodiscard]] Sessions watching(const std::string& marker);
 
   mutable std::mutex mutex_;

@@ -7,7 +7,7 @@
 namespace selvage::server::dispatch {
 namespace {
 
-constexpr jobs::JobQueue::Milliseconds kLongestQuickWait{1000};  // for a worker, before the daemon is not ready
+constexpr jobs::JobQueue::Milliseconds kLongestQuickWait{1000};
 
 }  // namespace
 
@@ -26,7 +26,7 @@ Backend::Backend(BackendSettings settings)
       context_{store_, library_, watchers_, committer_, drags_, sums_, executor_, limits_, settings.workers, methods_},
       dispatcher_{context_, clock_, queues_, std::move(settings.on_answered)} {}
 
-// First the jobs end, then the alarms: either may use what is destroyed next.
+// The jobs end first, then the alarms, because both may use the members that are destroyed after them.
 Backend::~Backend() {
   queues_.drain();
   clock_.stop();

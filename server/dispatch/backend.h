@@ -1,5 +1,5 @@
-// Everything behind the transport: messages in, answers out.  Owns the markers, the queues and the methods, and the
-// order in which they end.
+// Everything behind the transport: messages in, answers out.  Owns the markers, the queues and the methods, and ends
+// them in the right order.
 #pragma once
 
 #include <cstddef>
@@ -43,7 +43,7 @@ class Backend {
   Backend(const Backend&) = delete;
   Backend& operator=(const Backend&) = delete;
 
-  // As Dispatcher::receive.
+  // Same as Dispatcher::receive.
   void receive(std::string message, const std::shared_ptr<transport::access::Session>& session,
                transport::access::Reply reply) {
     dispatcher_.receive(std::move(message), session, std::move(reply));
@@ -56,11 +56,11 @@ class Backend {
   [[nodiscard]] const store::MarkerStore& store() const { return store_; }
   [[nodiscard]] const drags::DragSessions& drags() const { return drags_; }
   [[nodiscard]] std::size_t open_calls() const { return dispatcher_.open_calls(); }
-  // Why no work should be sent here now; empty: it may be sent.
+  // The reason why no work should be sent to this server now; empty if there is none.
   [[nodiscard]] std::string why_not_ready() const;
 
  private:
-  // Of this number of cores, those that no job uses now.
+  // How many of this number of cores no job is using now.
   [[nodiscard]] std::size_t idle_cores(std::size_t cores) const;
 
   const calls::Limits limits_;

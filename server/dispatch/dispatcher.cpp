@@ -30,7 +30,7 @@ protocol::rpc::RpcError internal_error() {
   return {protocol::rpc::RpcCode::kInternalError, "internal error; the server's log has the details", {}};
 }
 
-// How long the call may take: as long as it asks for and, if it may take long, no longer than the limit.
+// How long the call may take: the time that it asks for, and at most the limit if its method can take long.
 std::optional<Duration> time_limit(const ParsedCall& call, std::chrono::milliseconds limit) {
   std::optional<Duration> time;
   if (const auto& asked = call.about.deadline_ms) {
@@ -157,14 +157,14 @@ void Dispatcher::schedule(ParsedCall parsed, const methods::HandlerTable::Row& r
                           const std::shared_ptr<Exchange>& exchange, const std::shared_ptr<calls::OpenCall>& call) {
   const MethodKind kind = parsed.kind;
   const bool unread = server_.store.is_unread(parsed.about.marker_id);
-  // Drag sessions have a queue of their own.
+  // Drag sessions have their own queue.
   if (!unread && (kind == MethodKind::kImmediate || kind == MethodKind::kDrag)) {
     return row.handle(std::move(parsed), server_, call);
   }
   const bool uses_file = row.file_use != methods::FileUse::kNone;
   const bool is_search = kind == MethodKind::kSearch;
   exchange->only_read = (kind == MethodKind::kRead || kind == MethodKind::kAnalysis || is_search) && !uses_file;
-  // A call of a batch with large answers is not quick: they take long to make and to put together.
+  // A call in a batch with large answers does not count as quick, because such answers take long to write and to join.
   const bool small = exchange->bytes <= kLargeMessage && exchange->held.bytes() <= kLargeMessage &&
                      row.file_use != methods::FileUse::kCopies;
   const bool quick = small && (kind == MethodKind::kStep || (kind == MethodKind::kRead && !unread &&
@@ -174,7 +174,7 @@ void Dispatcher::schedule(ParsedCall parsed, const methods::HandlerTable::Row& r
   std::string lane = parsed.lane();
   std::optional<jobs::DeadlineClock::Time> deadline;
   if (const auto time = time_limit(parsed, server_.limits.call)) {
-    // A call of a batch arrives when its turn in the batch comes.
+    // A call in a batch counts as arriving when its turn in the batch comes.
     deadline = (exchange->incoming.batch ? clock_.now() : exchange->arrived) + *time;
     set_deadline(exchange, call, queue, *deadline);
   }

@@ -31,7 +31,7 @@ class Dispatcher {
   // Never blocks, unless the queues have no workers.
   void receive(std::string message, const std::shared_ptr<transport::access::Session>& session,
                transport::access::Reply reply);
-  // The answer to a message that was not read because it is longer than the limit.
+  // The answer to a message that was not read because it exceeds the length limit.
   [[nodiscard]] static std::string too_long(std::size_t limit);
   // Calls in progress that have an id.
   [[nodiscard]] std::size_t open_calls() const { return calls_.count(); }

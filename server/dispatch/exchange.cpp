@@ -7,7 +7,7 @@
 namespace selvage::server::dispatch {
 namespace {
 
-constexpr std::size_t kSmallAnswer = std::size_t{64} << 10;  // bytes, for which there is always room
+constexpr std::size_t kSmallAnswer = std::size_t{64} << 10;  // bytes; there is always room for answers up to this size
 
 // The marker that a call has opened.
 std::string opened_marker(const Json& result) {
@@ -31,7 +31,7 @@ std::size_t bytes_of(const std::vector<std::string>& answers) {
   return bytes;
 }
 
-// The same answer under an id that is given as JSON; empty: under the one that it has, which is null otherwise.
+// The same answer with its id replaced by one given as JSON.  If that is empty, the answer keeps its id (or null).
 std::string with_id(std::string answer, const std::string& id) {
   constexpr std::string_view kStart = R"({"jsonrpc":"2.0","id":)";
   constexpr std::string_view kNull = "null";
@@ -131,7 +131,7 @@ std::string refusal_text(std::string_view message, std::size_t most_bytes,
 
 protocol::rpc::RpcError no_room_for_answer(std::size_t limit) {
   return {protocol::rpc::RpcCode::kLimit,
-          "the answers in progress have reached the memory that there is for them; send the call again, by itself",
+          "the memory for answers in progress is used up; send the call again, outside of a batch",
           Json{{"limit", limit}}};
 }
 

@@ -1,4 +1,4 @@
-// One message in progress: its calls, of which one is executed at a time, and the answers so far.
+// One message in progress: its calls, which are executed one at a time, and the answers so far.
 //
 // Only the thread that executes the current call uses the exchange; it passes it to the thread of the next call.
 #pragma once
@@ -39,11 +39,11 @@ struct Exchange {
   std::vector<std::string> answers{};
   memory::HeldBytes held{session->account};  // of the answers
 
-  // Adds the answer to the current call, unless that is a notification, and reports it.  A large one for which there is
-  // no room is replaced by an error if the call can be sent again.
+  // Adds the answer to the current call, unless that is a notification, and reports it.  A large answer for which there
+  // is no room is replaced by an error if the call can be sent again.
   void add_answer(const protocol::rpc::Request& request, calls::Outcome outcome);
   void add_refusal(const protocol::rpc::BadRequest& bad);
-  // Whether the answers of a batch are so many bytes that its remaining calls are to be refused.
+  // Whether the batch's answers have become so large that its remaining calls must be refused.
   [[nodiscard]] bool is_full(std::size_t most_bytes) const;
   // There is always room for a small answer.
   [[nodiscard]] bool has_room_for(std::size_t answer_bytes) const;
@@ -56,7 +56,7 @@ struct Exchange {
 [[nodiscard]] std::string refusal_text(std::string_view message, std::size_t most_bytes,
                                        const std::shared_ptr<transport::access::Session>& session,
                                        const protocol::rpc::RpcError& error, const ops::OnAnswered& on_answered);
-// An error that answers a whole message, as text.
+// The text of an error that answers a whole message.
 [[nodiscard]] std::string error_text(const protocol::rpc::RpcError& error);
 
 }  // namespace selvage::server::dispatch

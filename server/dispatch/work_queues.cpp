@@ -9,13 +9,13 @@ namespace {
 // no quick read waits behind a long one.  Likewise there is one more worker for quick changes only.
 constexpr std::size_t kReadWorkers = 1;
 constexpr jobs::QuickWorkers kQuickReads{1, jobs::Promptness::kSoon}, kQuickChanges{1, jobs::Promptness::kNext};
-// Nor does a read wait behind messages that are parsed, nor one of these behind one of megabytes.
+// Parsing has workers of its own, so that no read waits for it; one of them takes no large messages.
 constexpr std::size_t kParsingWorkers = 1;
 constexpr jobs::QuickWorkers kQuickParsing{1, jobs::Promptness::kNext};
-// Nor does an opening wait behind a copy of the store.
+// One worker takes no copies of the store, so that no opening waits behind one.
 constexpr std::size_t kOpeningWorkers = 1;
 constexpr jobs::QuickWorkers kQuickOpenings{1, jobs::Promptness::kNext};
-// Nor does a drag session wait behind a motion, or behind one other session.
+// Drag sessions have at least two workers of their own, so that none waits behind a motion or one other session.
 constexpr std::size_t kMinDragWorkers = 2;
 
 jobs::JobQueue::Now time_of(const jobs::DeadlineClock& clock) {

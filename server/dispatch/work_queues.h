@@ -1,4 +1,4 @@
-// The queues that calls wait in, each with workers of its own.
+// The queues in which calls wait, each with its own workers.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,14 @@
 namespace selvage::server::dispatch {
 
 struct WorkQueues {
-  // `workers`: for motions.  With 0, all queues are without workers and everything is executed inline.
-  // REQUIRES: `clock` outlives the queues.
+  // `workers`: for motions.  With 0, no queue has workers and everything is executed inline.  REQUIRES:  `clock`
+  // outlives the queues.
   WorkQueues(std::size_t workers, const calls::Limits& limits, const jobs::DeadlineClock& clock);
 
   // Asks all jobs to stop and returns when the last one has ended.
   void drain();
   [[nodiscard]] std::size_t running() const;
-  // How long the quick call that has waited longest for a worker has done so; 0 if none waits.
+  // The longest time that a quick call has been waiting for a worker; 0 if none waits.
   [[nodiscard]] jobs::JobQueue::Milliseconds longest_quick_wait() const;
   // Removes the waiting calls that have been answered.
   void remove_answered();

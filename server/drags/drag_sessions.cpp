@@ -25,7 +25,7 @@ struct DragSessions::Drag {
   std::mutex mutex{};
   std::optional<WaitingMove> mailbox{};
 
-  // Destroyed without the mutex of all drags, for which the callback may wait.
+  // Destroyed while the mutex of all drags is not held, because the callback may be waiting for it.
   std::optional<std::stop_callback<std::function<void()>>> on_gone{};
 };
 
@@ -103,8 +103,8 @@ void DragSessions::abandon(std::string id) {
     drags_.erase(found);
     tell_watchers(*drag);
   }
-  // Freed by a worker: it may be the last that holds its revision, whose many pieces would keep the I/O thread from
-  // everybody else for some tenths of a millisecond.
+  // Freed by a worker: this may be the last reference to its revision, and freeing the many pieces of a revision would
+  // block the I/O thread for some tenths of a millisecond.
   jobs::Job job{.session = drag->session->id,
                 .lane = {},
                 .caller = {},
@@ -153,7 +153,7 @@ void DragSessions::move(const protocol::methods::dragging::MoveParams& params,
   }
   if (!superseded) return schedule(drag);
   superseded->call->answer(
-      protocol::rpc::RpcError{protocol::rpc::RpcCode::kSuperseded, "a newer move of this drag took its place", {}});
+      protocol::rpc::RpcError{protocol::rpc::RpcCode::kSuperseded, "a newer move of this drag replaced it", {}});
 }
 
 // Queues one job for each move that found the mailbox empty.  A move that replaces it there uses the same job.

@@ -2,9 +2,9 @@
 //
 // A drag works on the revision at which it began and belongs to the connection that began it.  Each drag has a mailbox
 // for one move: a newer move replaces one that has not started, which is then answered as superseded.  Nothing is
-// committed before the drag ends, but those who watch the marker are told which pieces others drag, and where these
-// are: after every begin, move and end, when a connection ends, and when somebody begins to watch.  All work is done on
-// a queue of its own, in the drag's lane, so that a drag never waits behind a motion.
+// committed before the drag ends, but sessions that watch the marker are notified which pieces others drag and where
+// these are: after every begin, move and end, when a connection ends, and when a session begins to watch.  All work is
+// done in a separate queue, in the drag's lane, so that a drag never waits behind a motion.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@
 
 namespace selvage::server::drags {
 
-// What one move of a drag computes; tests replace it.
+// The function that computes one move of a drag; tests replace it.
 using DragFunction = std::function<motion::dragging::Drag(const Marker&, const scene::LaidOut&, PieceId, Vec to,
                                                           motion::dragging::DragMode, const scene::Run&)>;
 [[nodiscard]] DragFunction drag_function();
@@ -46,7 +46,7 @@ class DragSessions {
   void move(const protocol::methods::dragging::MoveParams& params, const std::shared_ptr<calls::OpenCall>& call);
   void end(const protocol::methods::dragging::EndParams& params, const std::shared_ptr<calls::OpenCall>& call);
   [[nodiscard]] std::size_t count() const;
-  // Tells a connection that begins to watch a marker which pieces others drag, unless there are none.
+  // Notifies a connection that begins to watch a marker which pieces others drag, if there are any.
   void tell(const std::string& marker, const transport::access::Session& session) const;
 
  private:
@@ -62,8 +62,8 @@ class DragSessions {
   void execute_waiting_move(Drag& drag, const std::stop_token& stop);
   // Ends a drag whose connection has ended.
   void abandon(std::string id);
-  // The functions below REQUIRE that the caller holds the mutex: so notifications are sent in the order of what they
-  // tell.
+  // The functions below REQUIRE that the caller holds the mutex: so that notifications are sent in the order of the
+  // events that they report.
   void tell_watchers(const Drag& drag) const;
   [[nodiscard]] std::string dragged_message(const std::string& marker, std::uint64_t session) const;
   [[nodiscard]] bool others_drag(const std::string& marker, std::uint64_t session) const;

@@ -1,5 +1,5 @@
-// The server's clock: it gives the time, and calls a function at each deadline, from one thread that sleeps until the
-// next one.  A test can advance it, as if time had passed.
+// The server's clock: it gives the time, and calls a function at each deadline, from a single thread that sleeps until
+// the next deadline.  A test can advance it, as if time had passed.
 #pragma once
 
 #include <atomic>
@@ -47,9 +47,9 @@ class DeadlineClock {
   [[nodiscard]] Time now() const { return std::chrono::steady_clock::now() + advanced_.load(); }
   // Calls `on_time` at that time, on the clock's thread; it must not block.  REQUIRES: the clock outlives the alarm.
   [[nodiscard]] Alarm at(Time time, std::function<void()> on_time);
-  // For tests: the time is later by this from now on.
+  // For tests: advances the clock by this time.
   void advance(Duration by);
-  // Waits for the function that is being called, and calls no more.
+  // Waits for the function that is being called, if any, and calls no further ones.
   void stop();
 
  private:
@@ -61,7 +61,7 @@ class DeadlineClock {
   std::condition_variable_any changed_;
   std::uint64_t alarms_set_{};
   std::map<Alarm::Key, std::function<void()>> alarms_;
-  // When the thread wakes up next.  Removing an alarm does not change it: waking up once too often costs less than
+  // When the thread wakes up next.  Removing an alarm does not change it, because one needless wake-up costs less than
   // notifying the thread for every call that ends in time.
   Time wakes_at_{Time::max()};
   std::jthread thread_;  // last, because it uses the other members

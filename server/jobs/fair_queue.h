@@ -1,5 +1,5 @@
 // A queue that serves sessions round-robin.  Elements of one session come out in the order in which they were pushed;
-// between two of them, every other session that has one comes first.
+// between two of them, every other session that has an element gets a turn.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ class FairQueue {
     if (first) turns_.push_back(session);
     ++size_;
   }
-  // Takes the first acceptable element of the first session in turn that has one; nothing if no session has one.
+  // Takes the first acceptable element of the next session that has one.  Returns nothing if no session has one.
   template <class Accepts>
   [[nodiscard]] std::optional<Element> take(const Accepts& accepts) {
     for (auto turn = turns_.begin(); turn != turns_.end(); ++turn) {

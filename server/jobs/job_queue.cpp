@@ -48,14 +48,14 @@ Admission JobQueue::submit(Job& job) {
     }
   }
   std::condition_variable& changed = make_ready(std::move(job));
-  lock.unlock();  // or else whoever wakes up would have to wait for the mutex first
+  lock.unlock();  // otherwise the woken thread would have to wait for the mutex first
   changed.notify_one();
   return Admission::kAccepted;
 }
 
-// Workers serve whoever is next, so what a new job has to wait is what those before it have waited: the recent ones, or
-// the ones that wait now if that is longer.  Behind a running job of its lane it is expected to wait as long again as
-// that job has taken so far.
+// Workers serve whichever job is next.  So a new job is expected to wait as long as recent jobs have waited, or as long
+// as the jobs that are waiting now if that is longer.  Behind a running job of its lane it is expected to wait as long
+// again as that job has taken so far.
 JobQueue::Milliseconds JobQueue::expected_wait(const Job& job) const {
   const std::size_t idle = idle_ + (job.quick ? idle_quick_ : 0);
   Milliseconds wait{};
@@ -77,8 +77,8 @@ JobQueue::Milliseconds JobQueue::longest_wait(bool quick) const {
   return longest;
 }
 
-// Returns what the worker waits for that is to take the job.  For a quick job that is a worker for quick ones if more
-// of them are idle than there are ready quick jobs, each of which has woken one.
+// Returns the condition variable to notify, so that a worker takes the job.  For a quick job it is that of the workers
+// for quick jobs if more of these are idle than there are ready quick jobs, each of which has woken one already.
 std::condition_variable& JobQueue::make_ready(Job job) {
   const bool quick_takes_it = job.quick && idle_quick_ > ready_quick_;
   ready_quick_ += job.quick ? 1 : 0;
@@ -151,7 +151,7 @@ int JobQueue::retry_after_ms() const {
   const std::lock_guard lock{mutex_};
   const auto ahead = static_cast<double>(all_waiting() + 1);
   const auto parallelism = static_cast<double>(std::max<std::size_t>(workers_, 1));
-  // The running jobs may take longer than all that have ended.
+  // The running jobs may have taken longer than any job that has ended.
   Milliseconds elapsed{};
   for (const Running& job : running_)
     elapsed += Milliseconds{now_() - job.began} / static_cast<double>(running_.size());

@@ -2,10 +2,10 @@
 //
 // Sessions are served round-robin, so a session with many queued jobs delays another session by at most one job.  A
 // session without queued jobs is always admitted, even when the queue is full.  A job with a deadline is refused at
-// once if it would have to wait, and the jobs before it have waited for longer than it can.
+// once if it would have to wait and recent jobs have waited longer than its deadline allows.
 //
-// Some workers take only jobs that are declared quick, so that these wait neither for long jobs nor for busy workers;
-// nor do they wait for a processor until the time slice of a long job ends (prompt_thread.h).
+// Some workers take only jobs that are declared quick, so that quick jobs wait neither behind long jobs nor for busy
+// workers.  They do not wait for the end of a long job's time slice either (prompt_thread.h).
 //
 // A job may name a lane; the jobs of one lane are executed one at a time, in order of arrival.  A marker's id is the
 // lane of its changes.  The queue owns every worker and every stop_source: a job is asked to stop when its caller no
@@ -66,7 +66,7 @@ class JobQueue {
   using Milliseconds = WaitingTime::Duration;
   using Now = std::function<Job::Time()>;
 
-  // `quick` are added to `workers`, unless that is 0.  `now` gives the time, from any thread.
+  // The `quick` workers are additional to `workers`, unless that is 0.  `now` gives the time, from any thread.
   JobQueue(std::size_t workers, std::size_t capacity, QuickWorkers quick = {},
            Now now = std::chrono::steady_clock::now);
   ~JobQueue();  // drains
@@ -83,10 +83,10 @@ class JobQueue {
 
   [[nodiscard]] std::size_t workers() const { return workers_; }
   [[nodiscard]] std::size_t capacity() const { return capacity_; }
-  // When a full queue is likely to have room again: the number of waiting jobs times the time of a recent job, or of
-  // the running ones if they have taken longer.
+  // An estimate of when a full queue will have room again: the number of waiting jobs times the duration of a recent
+  // job, or of the running jobs if they have taken longer.
   [[nodiscard]] int retry_after_ms() const;
-  // How long the quick job that has waited longest for a worker has done so; 0 if none waits.
+  // The longest time that a quick job has been waiting for a worker; 0 if none waits.
   [[nodiscard]] Milliseconds longest_quick_wait() const;
   [[nodiscard]] std::size_t waiting() const;
   [[nodiscard]] std::size_t running() const;
@@ -106,7 +106,7 @@ class JobQueue {
   void serve(std::optional<Promptness> only_quick);
   void run(Job job, RunningJob running);
   void end(const std::string& lane, RunningJob running);
-  // These need the mutex, except that those who wait for what they return are best notified without it.
+  // These functions require the mutex, but notify what make_ready() and free_lane() make ready without it.
   std::condition_variable& make_ready(Job job);
   void free_lane(const std::string& lane);
   void count_as_gone(std::uint64_t session);

@@ -1,5 +1,5 @@
 // The right to answer one call, exactly once.  Move-only.  If it is destroyed unused, because a job threw an exception
-// or a queue dropped it, it answers `if_lost`, so that no caller waits for ever.
+// or a queue dropped it, it answers `if_lost`, so that no caller waits forever.
 #pragma once
 
 #include <functional>

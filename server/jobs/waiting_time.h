@@ -1,4 +1,4 @@
-// How long jobs of one kind have recently waited for a worker, smoothed.
+// A smoothed average of how long recent jobs of one kind have waited for a worker.
 #pragma once
 
 #include <chrono>

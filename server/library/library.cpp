@@ -129,7 +129,7 @@ std::vector<Marker> Library::markers_near(const Marker& order, std::size_t most)
     if (file && *file) {
       markers.push_back(std::move((*file)->marker));
     } else {
-      spdlog::error("the store: library marker {} is damaged and passed over", id_of(near.entry));
+      spdlog::error("the store: library marker {} is damaged and left out", id_of(near.entry));
     }
   }
   return markers;

@@ -1,8 +1,8 @@
-// The library of stored markers: whole and valid, never changed, found by their likeness to an order.
+// The library of stored markers: complete, valid, never changed, and found by their similarity to an order.
 //
-// With a journal the markers are in the store's file, each in one synced transaction, and what is known of them is in
-// memory; documents are read when they are needed.  Without one they live in memory.  Ids are "s1", "s2", ... in the
-// order of adding and are never used twice.  A marker whose rows are damaged is left out, with a line in the log. Every
+// With a journal the markers are in the store's file, each in one synced transaction, and their entries are in memory;
+// documents are read when they are needed.  Without one they live in memory.  Ids are "s1", "s2", ... in the order of
+// adding and are never used twice.  A marker whose rows are damaged is left out, with a line in the log.  Every
 // function may be called from any thread.
 #pragma once
 
@@ -28,7 +28,7 @@ enum class Removed { kDone, kUnknown, kNotWritten };
 
 struct Added {
   Entry entry;
-  bool fresh{};  // false: the library had this marker already
+  bool fresh{};  // false if the library had this marker already
 };
 struct Near {
   Entry entry;
@@ -37,7 +37,7 @@ struct Near {
 
 class Library {
  public:
-  // Reads what the journal's file has, if there is one; it must outlive the library.
+  // Reads the markers of the journal's file, if there is a journal; it must outlive the library.
   explicit Library(store::Journal* journal = nullptr);
 
   [[nodiscard]] std::size_t limit() const { return journal_ ? kMostMarkers : kMostInMemory; }
@@ -45,14 +45,14 @@ class Library {
   // REQUIRES: the marker is valid and all of its pieces are placed.
   [[nodiscard]] std::variant<Added, NotAdded> add(const MarkerFile& file, const std::string& style);
   [[nodiscard]] std::optional<Entry> find(std::uint64_t number) const;
-  // Its native document, as text; nothing if there is none or it is damaged.
+  // The marker's native document, as text; nothing if there is no such marker or it is damaged.
   [[nodiscard]] std::optional<std::string> document(std::uint64_t number) const;
-  // By number, from `offset` on, at most `most`.
+  // In the order of their numbers, from `offset` on, at most `most` of them.
   [[nodiscard]] std::vector<Entry> list(std::size_t offset, std::size_t most) const;
   [[nodiscard]] Removed remove(std::uint64_t number);
-  // Nearest first, at most `most`; those that cannot be near are left out.
+  // The most similar markers first, at most `most` of them.  Markers that cannot be similar are left out.
   [[nodiscard]] std::vector<Near> search(const Marker& order, std::size_t most) const;
-  // The markers that are nearest to the order, as remaking takes them.
+  // The markers that are most similar to the order, in the form that remaking takes.
   [[nodiscard]] std::vector<Marker> markers_near(const Marker& order, std::size_t most) const;
 
  private:
@@ -64,7 +64,7 @@ class Library {
   std::vector<Entry> entries_;                      // by number
   std::vector<matching::Signature> signatures_;     // of the entries
   std::map<std::uint64_t, std::string> documents_;  // without a journal
-  std::uint64_t last_{};                            // number given without a journal
+  std::uint64_t last_{};                            // the last number that was given out without a journal
 };
 
 }  // namespace selvage::server::library

@@ -1,4 +1,4 @@
-// How the memory of a daemon is divided among what clients can make grow.
+// How the daemon's memory is divided among everything that clients can make grow.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 
 namespace selvage::server::memory {
 
-// Bytes; together with kProgram they are the whole.
+// In bytes; together with kProgram they add up to the whole.
 struct Budget {
   std::size_t sums{};     // cached Minkowski sums
   std::size_t traffic{};  // requests that are received or answered, and answers not yet sent
@@ -14,10 +14,10 @@ struct Budget {
 };
 
 inline constexpr std::size_t kProgram = std::size_t{48} << 20;       // the program itself, its threads and queues
-inline constexpr std::size_t kLeastMarkers = std::size_t{16} << 20;  // otherwise the daemon would be of no use
+inline constexpr std::size_t kLeastMarkers = std::size_t{16} << 20;  // with less, the daemon would be useless
 
-// `sums`, `traffic`: instead of an eighth and a quarter of the whole, which are 256 and 512 MiB at most.  Nothing if
-// less than kLeastMarkers would remain.
+// `sums` and `traffic` replace the defaults: an eighth of the whole, at most 256 MiB, and a quarter, at most 512 MiB.
+// Returns nothing if less than kLeastMarkers would remain for markers.
 [[nodiscard]] std::optional<Budget> divided(std::size_t whole, std::optional<std::size_t> sums = {},
                                             std::optional<std::size_t> traffic = {});
 

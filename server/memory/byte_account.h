@@ -1,7 +1,7 @@
 // Counts the bytes that clients make the server hold, against a limit.  Any thread.
 //
-// What grows in large parts asks for room first, and is refused when there is none.  What grows in small parts, or must
-// not be refused, is counted when it is there; so the limit is passed by no more than that.
+// Large allocations ask for room first and are refused when there is none.  Small ones, and those that must not be
+// refused, are counted after the fact, so the limit is exceeded by no more than these.
 #pragma once
 
 #include <atomic>
@@ -17,8 +17,8 @@ class ByteAccount {
   explicit ByteAccount(std::size_t limit = std::numeric_limits<std::size_t>::max()) : limit_{limit} {}
 
   [[nodiscard]] bool has_room(std::size_t bytes = 1) const { return fits(held_, bytes); }
-  // The room that somebody needs who wants so many bytes and much already: an eighth stays for those who want little,
-  // so that they are served whatever the others do.
+  // The room that must be free for a caller who asks for so many bytes and already holds many.  An eighth of the
+  // account is reserved for callers who hold little, so that they are served whatever the others do.
   [[nodiscard]] std::size_t beside_reserve(std::size_t bytes) const { return bytes + limit_ / 8; }
   [[nodiscard]] std::size_t held() const { return held_; }
   [[nodiscard]] std::size_t limit() const { return limit_; }
@@ -38,10 +38,10 @@ class ByteAccount {
   const std::size_t limit_;
 };
 
-// A number of bytes in an account for as long as it lives.  Not for several threads at the same time.
+// Holds a number of bytes in an account for as long as it exists.  Not thread-safe.
 class HeldBytes {
  public:
-  // Null: nobody counts.
+  // If the account is null, nothing is counted.
   explicit HeldBytes(std::shared_ptr<ByteAccount> account) : account_{std::move(account)} {}
   HeldBytes(std::shared_ptr<ByteAccount> account, std::size_t bytes) : HeldBytes{std::move(account)} { set(bytes); }
   HeldBytes(HeldBytes&& other) noexcept : account_{std::move(other.account_)}, bytes_{std::exchange(other.bytes_, 0)} {}
@@ -69,7 +69,7 @@ class HeldBytes {
   std::size_t bytes_{};
 };
 
-// The value, counted for as long as anybody holds it.
+// The value, which is counted in the account for as long as anybody holds it.
 template <class Value>
 [[nodiscard]] std::shared_ptr<const Value> weighed(Value value, HeldBytes held) {
   struct Weighed {

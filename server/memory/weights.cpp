@@ -57,7 +57,7 @@ std::size_t bytes_in(const protocol::document::Attributes& attributes) {
          bytes_in_all(attributes.unplaced);
 }
 
-// Counts in bytes, as many as one can hold, so that the compiler uses the processor's vectors.
+// Counts blocks of at most 255 characters in a variable of one byte, so that the compiler vectorises the loop.
 std::size_t count_of(char wanted, std::string_view text) {
   constexpr std::size_t kMost = 255;
   std::size_t count = 0;
@@ -99,7 +99,7 @@ std::size_t bytes_for_readers(const MarkerFile& file) {
   constexpr std::size_t kTextOfVertex = 24, kTextOfPiece = 120, kLaidOutPiece = 200;
   constexpr std::size_t kTurned = 4;  // orientations in which an untilted shape usually lies
   const Marker& marker = file.marker;
-  std::vector<std::size_t> copies(marker.shapes.size());  // of its outline: tilted pieces do not share one
+  std::vector<std::size_t> copies(marker.shapes.size());  // outlines of tilted pieces, which are not shared
   std::vector<std::size_t> untilted(marker.shapes.size());
   for (const Piece& piece : marker.pieces) {
     if (piece.orientation.tilt == Angle{}) {
@@ -117,7 +117,7 @@ std::size_t bytes_for_readers(const MarkerFile& file) {
 }
 
 std::size_t bytes_to_read(std::string_view message) {
-  constexpr std::size_t kElement = 2 * sizeof(Json);  // with the room that a growing array keeps
+  constexpr std::size_t kElement = 2 * sizeof(Json);  // including the spare capacity of a growing array
   constexpr std::size_t kContainer = sizeof(Json::Array) + kAllocation + kElement;
   constexpr std::size_t kField = 2 * sizeof(Json::Object::value_type) - kElement;
   constexpr std::size_t kHalfAText = (sizeof(std::string) + kAllocation) / 2;

@@ -1,4 +1,4 @@
-// About how many bytes of memory a value takes, with all that it owns, as glibc's allocator hands them out on a 64-bit
+// Estimates how many bytes of memory a value takes, with everything that it owns, as allocated by glibc on a 64-bit
 // machine.  Allocations of a few bytes are counted one by one, because a document may consist of millions of them.
 #pragma once
 
@@ -14,11 +14,11 @@ namespace selvage::server::memory {
 [[nodiscard]] std::size_t bytes_of(const MarkerFile& file);
 [[nodiscard]] std::size_t bytes_of(const protocol::edits::Moves& moves);
 
-// What is kept for the readers of a revision besides the marker itself: its text, and its laid-out form.
+// The memory kept for the readers of a revision in addition to the marker itself: its text and its laid-out form.
 [[nodiscard]] std::size_t bytes_for_readers(const MarkerFile& file);
 
-// A bound of what a message takes besides its own bytes when it is read: its values as JSON, and what a method makes of
-// them.  The bound of a message is the sum of those of its parts.
+// An upper bound of the memory that reading a message takes in addition to its own bytes: its values as JSON, and what
+// a method makes of them.  The bound of a message is the sum of the bounds of its parts.
 [[nodiscard]] std::size_t bytes_to_read(std::string_view message);
 
 }  // namespace selvage::server::memory

@@ -13,7 +13,7 @@ using namespace protocol::methods::daemon;
 calls::Outcome backup(const BackupParams& params, const ServerContext& server, const calls::OpenCall& call) {
   if (!is_backup_name(params.name)) {
     return protocol::rpc::rpc_error(
-        Error{ErrorCode::kOutOfRange, "letters, digits, '.', '_' and '-' may be in the name of a copy", "/name"});
+        Error{ErrorCode::kOutOfRange, "the name of a copy may contain letters, digits, '.', '_' and '-'", "/name"});
   }
   if (!server.store.is_durable()) {
     return protocol::rpc::RpcError{

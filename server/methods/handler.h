@@ -16,7 +16,7 @@ namespace selvage::server::methods {
 using Handler = std::function<void(protocol::calls::ParsedCall parsed, const ServerContext& server,
                                    const std::shared_ptr<calls::OpenCall>& call)>;
 
-// What a method that changes no open marker does with the store's file, for which it may have to wait.
+// How a method that changes no open marker uses the store's file, for which it may have to wait.
 enum class FileUse { kNone, kWrites, kCopies };
 
 struct HandledMethod {

@@ -1,7 +1,7 @@
 // The methods of the server: each method of the protocol with its handler.
 //
-// Tests pass a table of the protocol's methods in which some rows are replaced by functions of their own: ones that
-// wait, throw exceptions or never end.
+// Tests pass a table of the protocol's methods in which they replace some rows by their own functions, which wait,
+// throw exceptions or never end.
 #pragma once
 
 #include <string_view>

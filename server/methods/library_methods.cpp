@@ -1,4 +1,4 @@
-// The methods about the library: library.add, .get, .list, .remove and .search.
+// The methods of the library: library.add, .get, .list, .remove and .search.
 #include <utility>
 
 #include "core/marker/validity.h"
@@ -28,7 +28,7 @@ LibraryEntry described(const library::Entry& entry) {
 
 RpcError unknown_stored(const std::string& id) {
   return protocol::rpc::rpc_error(Error{ErrorCode::kOutOfRange,
-                                        protocol::json::shortened(Json(id)) + " is no marker of the library; the ids "
+                                        protocol::json::shortened(Json(id)) + " is not in the library; the ids "
                                                                               "that library.list returns are allowed",
                                         "/id"});
 }
@@ -40,7 +40,7 @@ calls::Outcome add_to_library(const LibraryAddParams& params, const ServerContex
   if (piece_count(marker) < marker.pieces.size()) {
     return protocol::rpc::rpc_error(
         Error{ErrorCode::kOutOfRange,
-              "the marker has zones, which belong to one roll of cloth; only a marker without zones can be stored",
+              "the marker has zones, which describe one roll of cloth; only markers without zones can be stored",
               "/markerId"},
         RpcCode::kMotionRefused);
   }

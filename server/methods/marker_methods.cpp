@@ -55,7 +55,7 @@ calls::Outcome list(const daemon::NoParams&, const ServerContext& server, const 
   return schema::encode(result);
 }
 
-// The pieces that moved after a revision.  Nothing if more than placements has changed since.
+// The pieces that moved after a revision.  Returns nothing if anything other than placements has changed since then.
 std::optional<Json> placements_since(const store::Committed& now, Revision since) {
   if (since < now.stamps->whole || since > now.revision) return std::nullopt;
   const Marker& marker = now.file->marker;

@@ -17,7 +17,7 @@ namespace selvage::server::methods {
 [[nodiscard]] std::vector<HandledMethod> admin_methods();    // admin.backup
 [[nodiscard]] std::vector<HandledMethod> library_methods();  // library.add, .get, .list, .remove, .search
 
-// The handler of a method that works on one marker, which the command line runs, too.  REQUIRES: method.on_marker.
+// The handler of a method on one marker, which the command line also runs.  REQUIRES: method.on_marker.
 [[nodiscard]] Handler motion_handler(const protocol::calls::Method& method);
 
 // The OpenRPC document of all methods, as text.

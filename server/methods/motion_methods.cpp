@@ -1,4 +1,4 @@
-// The methods that work on one marker and that the command line runs, too: motions, and reads that compute something.
+// The methods that work on one marker and that the command line also runs: motions, and reads that need computation.
 #include <chrono>
 #include <utility>
 
@@ -40,7 +40,7 @@ protocol::rpc::RpcError stopped_without_result(Error error, StopCause cause) {
   return protocol::calls::past_deadline(std::move(error));
 }
 
-// Runs the call on this revision, and adds the times if it asks for them.
+// Runs the call on this revision, and adds the times to the result if the call asks for them.
 Result<MethodAnswer> run(const ParsedCall& parsed, const store::Committed& now, const ServerContext& server,
                          const calls::OpenCall& call) {
   protocol::execution::StageTimer timer{now_ms()};

@@ -13,7 +13,7 @@ calls::Outcome watch(const MarkerIdParams& params, const ServerContext& server, 
   const auto& session = call.session();
   if (!session->notify) return calls::no_notifications();
   if (!server.store.current(id)) return calls::unknown_marker(server.store, id);
-  // The session watches before the revision is read, so that it misses none in between.
+  // The session starts watching before the revision is read, so that it misses none in between.
   server.watchers.watch(id, session);
   const auto now = server.store.current(id);
   if (!now) {

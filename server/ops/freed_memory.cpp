@@ -5,7 +5,7 @@
 namespace selvage::server::ops {
 
 void bound_freed_memory() {
-  // Small compared with the memory that a thread uses, large compared with what it frees and allocates all the time.
+  // Small compared with the memory that a thread uses, but large compared with what it frees and allocates continually.
   constexpr int kMostKept = 1 << 20, kLargeBuffer = 1 << 20;  // bytes
   // Each arena reserves 64 MiB of addresses; with one for each thread, a limit on addresses would be reached long
   // before the memory is used.

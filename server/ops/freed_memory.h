@@ -1,6 +1,6 @@
-// Returns the memory of large messages to the system.  glibc keeps freed memory per thread, and it keeps more of it the
-// larger the buffers were that it has seen freed: a daemon that once read a document of some megabytes would keep ten
-// times that amount for ever.
+// Returns the memory of large messages to the system. glibc keeps freed memory per thread, and it keeps more of it the
+// larger the buffers were that it has seen freed: a daemon that has read a single document of some megabytes would keep
+// ten times that amount forever.
 #pragma once
 
 #include <cstddef>

@@ -57,7 +57,7 @@ std::string line_text(LogFormat format, Time time, spdlog::level::level_enum lev
   return protocol::json::to_text(line);
 }
 
-// Where spdlog's messages go, and those that have more fields than a message.
+// The destination of spdlog's messages, and of log lines that have more fields than a message.
 class QueueSink final : public spdlog::sinks::sink {
  public:
   QueueSink(const std::string& file, LogFormat format)
@@ -91,7 +91,7 @@ std::shared_ptr<QueueSink> queue() {
   return std::dynamic_pointer_cast<QueueSink>(spdlog::default_logger()->sinks().front());
 }
 
-// Text lines contain the values of `more` in their message.
+// Lines of text have the values of `more` in their message.
 void add_line(spdlog::level::level_enum level, std::string_view as_text, std::string_view as_json, Json::Parts more) {
   const auto sink = queue();
   if (sink && sink->format() == LogFormat::kJson) {

@@ -2,7 +2,7 @@
 //
 // A line of text begins with the time in UTC and the level.  As JSON, each line is an object with `time`, `level` and
 // `message`; that of a call also has `method`, `marker`, `ms`, `code`, `peer`, `session`, `request`, `bytesIn` and
-// `bytesOut`, that of a refusal `peer`, `reason` and `withheld`.  Nobody waits until a line is written (log_writer.h).
+// `bytesOut`, that of a refusal `peer`, `reason` and `withheld`.  No caller waits for the file (log_writer.h).
 #pragma once
 
 #include <chrono>
@@ -26,9 +26,9 @@ struct LogSettings {
 void set_up_log(const LogSettings& settings);
 // Reopens the file after the old one has been moved away.  Any thread.  If that fails, the old file is still used.
 void reopen_log(const std::string& file);
-// Waits until all lines have been written, for at most `time`: before the process ends.
+// Waits until all lines have been written, for at most `time`.  Call it before the process ends.
 void flush_log(std::chrono::milliseconds time);
-// The lines that could not be written, or not soon enough, since the start.
+// How many lines have been dropped since the start, because they could not be written, or not quickly enough.
 [[nodiscard]] std::uint64_t dropped_log_lines();
 
 struct AnsweredRequest {
@@ -47,7 +47,7 @@ using OnAnswered = std::function<void(const AnsweredRequest&)>;
 struct RefusedCaller {
   std::string_view reason{};  // a word
   std::string peer{};
-  std::uint64_t withheld{};  // lines about the same reason that were not logged since the last one
+  std::uint64_t withheld{};  // how many lines with the same reason were not logged since the last one
 };
 void log_refusal(const RefusedCaller& refused);
 

@@ -14,7 +14,7 @@
 namespace selvage::server::ops {
 namespace {
 
-// Returns the number of bytes written, which is less than all if the file accepts no more.
+// Returns the number of bytes written, which is smaller than the size of the text if the file accepts no more.
 std::size_t write_all(int descriptor, std::string_view text) {
   std::size_t done = 0;
   while (done < text.size()) {
@@ -63,8 +63,8 @@ struct LogWriter::State {
     }
   }
 
-  // `more`: the number of missing lines that the last line of `rest` reports; 0: it is a line like any other.  The
-  // report is repeated after the next line that is added: a file that accepts nothing must not keep the thread busy.
+  // `more`: the number of missing lines that the last line of `rest` reports; 0 if it is not such a report.  The report
+  // is repeated only after the next line is added, because a file that accepts nothing must not keep the thread busy.
   void give_up(std::string_view rest, std::uint64_t more) {
     const auto ends = static_cast<std::uint64_t>(std::count(rest.begin(), rest.end(), '\n'));
     const std::uint64_t lines = more != 0 ? ends - 1 : ends;
@@ -85,7 +85,7 @@ struct LogWriter::State {
 LogWriter::LogWriter(std::shared_ptr<const OpenFile> file, std::function<std::string(std::uint64_t)> missing,
                      std::size_t most_bytes)
     : state_{std::make_shared<State>(std::move(file), std::move(missing), most_bytes)} {
-  // The thread receives no signals: they are for the program's own.
+  // All signals are blocked in this thread, because the program's other threads handle them.
   sigset_t all;
   sigset_t before;
   sigfillset(&all);

@@ -53,7 +53,7 @@ std::string Metrics::text() const {
       text += line(kAnswers, labels, static_cast<double>(count));
     }
   }
-  text += heading(kDuration, "histogram", "From the call's arrival to its answer.");
+  text += heading(kDuration, "histogram", "Time from a call's arrival to its answer.");
   for (const auto& [name, method] : methods_) {
     const std::string labels = labelled("method", name);
     std::uint64_t below = 0;

@@ -16,7 +16,7 @@ namespace {
 
 using enum Metric::Type;
 
-// Of /proc/self/stat (man 5 proc): its fields from the third on, because the second, a name, may contain blanks.
+// The fields of /proc/self/stat (man 5 proc) from the third on, because the second, a name, may contain blanks.
 struct Stat {
   double user_ticks{}, system_ticks{};  // fields 14 and 15
   double start_ticks{};                 // field 22: after the machine's start
@@ -65,7 +65,7 @@ void add_descriptors(std::vector<Metric>& found) {
     found.push_back(single("process_open_fds", kGauge, "Open file descriptors.", open - 1));  // one is our own
   rlimit limit{};
   if (::getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
-  found.push_back(single("process_max_fds", kGauge, "The most file descriptors that may be open.",
+  found.push_back(single("process_max_fds", kGauge, "Maximum number of open file descriptors.",
                          static_cast<double>(limit.rlim_cur)));
 }
 
@@ -81,7 +81,7 @@ std::vector<Metric> process_metrics() {
                            stat->resident_pages * static_cast<double>(::sysconf(_SC_PAGESIZE))));
     found.push_back(single("process_virtual_memory_bytes", kGauge, "Virtual memory.", stat->virtual_bytes));
     if (const auto boot = boot_time()) {
-      found.push_back(single("process_start_time_seconds", kGauge, "When the process was started, since 1970.",
+      found.push_back(single("process_start_time_seconds", kGauge, "Start time of the process, in seconds since 1970.",
                              *boot + stat->start_ticks / ticks));
     }
   }

@@ -1,4 +1,4 @@
-// Limits how often something is logged: at most once per interval, with the number of times that were left out.
+// Limits how often something is logged: at most once per interval, with the number of lines that were left out.
 #pragma once
 
 #include <chrono>
@@ -13,7 +13,7 @@ class Throttle {
   Throttle() = default;
   explicit Throttle(std::chrono::milliseconds interval) : interval_{interval} {}
 
-  // If it may be logged now: how many times it was withheld since it last passed.
+  // If a line may be logged now, returns how many were withheld since the last one; otherwise returns nothing.
   [[nodiscard]] std::optional<std::uint64_t> pass(Time now);
 
  private:

@@ -8,7 +8,7 @@
 
 namespace selvage::server::room {
 
-// The file at this path of the address, or null.
+// The file at this path, or null.
 [[nodiscard]] const transport::access::StaticFile* find_file(std::string_view path);
 
 }  // namespace selvage::server::room

@@ -1,6 +1,6 @@
-// The undo and redo history of one marker: at most kMaxSteps steps in either direction and kMaxBytes in both, all that
-// the steps hold included; the oldest steps are forgotten first.  A step holds the moves that lead back or, if moves do
-// not suffice, the whole earlier marker, which is shared and not copied.
+// The undo and redo history of one marker: at most kMaxSteps steps in either direction, and kMaxBytes in both
+// directions together, including everything that the steps hold.  The oldest steps are forgotten first.  A step holds
+// the moves that lead back or, if moves do not suffice, the whole earlier marker, which is shared, not copied.
 //
 // Copies of a history share their steps, so that the effect of a change on the history can be written to the journal
 // before the change is made.
@@ -39,26 +39,26 @@ class History {
   };
 
   History() = default;
-  // From steps of the journal, the oldest first.  REQUIRES: serials increase along each.
+  // Makes a history of the journal's steps, the oldest first.  REQUIRES: serials increase in each direction.
   History(std::vector<Step> undo, std::vector<Step> redo);
 
-  // What a revision did to the history.
+  // How a revision changed the history.
   struct Recorded {
     UndoDirection direction{};  // that got one more step
     std::shared_ptr<const Step> step;
     std::vector<std::uint64_t> forgotten;  // serials of the steps that were removed
   };
   // Records that a revision was made.  `moves` lead from `before` to the new revision; nothing if moves do not suffice.
-  // kChange removes all redo steps.  Of both directions together at least one step is kept, and as many more as take at
-  // most `most_bytes`.  REQUIRES: for kUndo and kRedo, the new revision is what after(kUndo, *before) or
-  // after(kRedo, *before) returned.
+  // kChange removes all redo steps.  In both directions together at least one step is kept, and as many more as fit
+  // into `most_bytes`.  REQUIRES: for kUndo and kRedo, the new revision is what after(kUndo, *before) or after(kRedo,
+  // *before) returned.
   [[nodiscard]] Recorded record(Origin origin, const File& before, const std::optional<protocol::edits::Moves>& moves,
                                 std::size_t most_bytes = kMaxBytes);
 
   // The file after undoing or redoing one step; nothing if there is no step.
   [[nodiscard]] std::optional<MarkerFile> after(UndoDirection direction, const MarkerFile& current) const;
   [[nodiscard]] std::size_t steps(UndoDirection direction) const { return stack(direction).size(); }
-  // Memory of all steps, and of those that hold moves.
+  // The memory of all steps, and of the steps that hold moves.
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
   [[nodiscard]] std::size_t bytes_of_moves() const { return bytes_of_moves_; }
 

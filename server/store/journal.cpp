@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kMinBudget = std::size_t{64} << 10;  // bytes of steps after a snapshot
 
-// The head of a marker, as it is on disk.
+// A marker's row in the table `head`, as it is on disk.
 struct Head {
   Revision revision{};
   std::uint64_t history{}, answers{};  // rows
@@ -40,8 +40,8 @@ struct Journal::Implementation {
   Implementation(const std::string& path, Durability durability, std::stop_token stop)
       : file{path, durability, disk::StoreFile::Missing::kCreate, std::move(stop)}, tables{file.database()} {}
 
-  // Does the work, which changes copies of the head and the total, in one transaction.  Returns false, with a line in
-  // the log, if it failed or if the file is gone.  Afterwards a head at revision 0 is removed.
+  // Does the work in one transaction; it changes copies of the head and the total.  If it fails or the file is gone,
+  // logs that and returns false.  Afterwards a head at revision 0 is removed.
   template <class Work>
   bool write(const char* what, std::uint64_t number, const Work& work) {
     const std::lock_guard lock{mutex};
@@ -70,7 +70,7 @@ struct Journal::Implementation {
     }
   }
 
-  // A write has ended; `reason`: why it failed, or empty.
+  // Called when a write has ended; `reason` says why it failed, or is empty.
   void count(std::chrono::steady_clock::time_point began, std::string reason) {
     const std::lock_guard lock{outcome_mutex};
     ++(reason.empty() ? writes.written : writes.failed);
@@ -89,7 +89,7 @@ struct Journal::Implementation {
   }
   void put_total(const Total& next) { tables.put_total.with(next.opened, next.markers, next.answers).run(); }
 
-  // `count`: the rows of these answers.  The marker 0 is none.
+  // `count`: the number of rows of these answers.  Marker 0 stands for calls that open or close markers.
   void put_answer(std::uint64_t number, const std::optional<KeptChange>& change, std::uint64_t& count) {
     if (!change) return;
     for (const std::uint64_t serial : change->forgotten) tables.delete_answer.with(number, serial).run();

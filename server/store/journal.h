@@ -27,13 +27,13 @@ namespace selvage::server::store {
 
 using disk::Durability;
 
-// An answer to keep, with its serial, and the serials of those that are forgotten for it.
+// An answer to keep, with its serial, and the serials of the answers that are forgotten to make room.
 struct KeptChange {
   KeptAnswer answer;
   std::vector<std::uint64_t> forgotten;
 };
 
-// A change as it is written.  The references are only used during the call of changed().
+// A change in the form in which it is written.  The references are only used during the call of changed().
 struct ChangeEntry {
   Revision revision{};
   const std::optional<protocol::edits::Moves>& moves;  // from the previous revision; nothing if moves do not suffice
@@ -57,11 +57,11 @@ class Journal {
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
-  // The content of the file, which is kept as it is.  The log names all damage.  Throws std::runtime_error if a page
+  // Reads the content of the file, which is not changed.  All damage is logged.  Throws std::runtime_error if a page
   // cannot be read, or when `stop` is requested.  REQUIRES: nothing has been written yet.
   [[nodiscard]] disk::StoredContent restore(std::stop_token stop = {});
 
-  // Each returns false if it could not be written, and the log says why; then nothing of it will be read again.
+  // Each returns false if its change could not be written; the log says why, and no part of it will ever be read.
   [[nodiscard]] bool opened(std::uint64_t number, const MarkerFile& file, const std::string& summary,
                             const std::optional<KeptChange>& answer);
   [[nodiscard]] bool changed(std::uint64_t number, const ChangeEntry& entry);
@@ -72,15 +72,15 @@ class Journal {
   // Runs `work` in a transaction of its own, such as a change of the library (server/library).  Returns false if it
   // threw or could not be written, and the log says why.
   [[nodiscard]] bool write(const char* what, const std::function<void(disk::Database&)>& work);
-  // Runs `work` while nobody else uses the file.  Throws what it throws.
+  // Runs `work` while nobody else uses the file.  Throws whatever `work` throws.
   void read(const std::function<void(disk::Database&)>& work);
 
-  // Why the last write failed, or why the next one will; empty if neither is so.
+  // Why the last write failed or the next one will fail; empty if neither is the case.
   [[nodiscard]] std::string failure() const;
   [[nodiscard]] WriteCounts writes() const;
   [[nodiscard]] const std::string& path() const;
-  // Writes a copy of everything acknowledged to "FILE.backup-NAME", while changes are written.  Returns its bytes.
-  // Throws std::runtime_error if the copy exists already or cannot be written.
+  // Writes a copy of everything acknowledged to "FILE.backup-NAME", while changes are written.  Returns its size in
+  // bytes.  Throws std::runtime_error if the copy exists already or cannot be written.
   std::uint64_t back_up(const std::string& name);
 
  private:

@@ -40,7 +40,7 @@ std::vector<std::uint64_t> KeptAnswers::forgotten_for(const KeptAnswer& answer) 
     return std::find(forgotten.begin(), forgotten.end(), serial) != forgotten.end();
   };
   while ((count > kMost || bytes > kMaxBytes) && count > 1) {
-    // Of two with as many, the one with the oldest answer.
+    // Of two with the same number of answers, the one with the oldest answer comes first.
     const auto share = [&counts](const KeptAnswer& of) { return std::pair{counts[address_of(of)], counts[of.client]}; };
     const KeptAnswer* victim = nullptr;
     for (const auto& [serial, old] : by_serial_) {

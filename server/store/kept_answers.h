@@ -1,8 +1,8 @@
 // The last answers to calls that carried an `opId`, so that a retry gets the same answer and nothing is done twice.
 //
-// There are at most kMost answers of at most kMaxBytes together.  The oldest answer of the connection that has most of
-// them is forgotten first, among the connections of the address that has most of them: so no client can push out the
-// answers to another that has fewer, whether it keeps its connection or opens a new one for every call.
+// There are at most kMost answers of at most kMaxBytes together.  Forgotten first is the oldest answer of the
+// connection with the most answers, among the connections of the address with the most answers.  So no client can
+// displace the answers to a client that has fewer, whether it keeps one connection or opens a new one for every call.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace selvage::server::store {
 
-// The text of a result, shared by all who send or keep it.
+// The text of a result, shared by everything that sends or keeps it.
 using SharedText = std::shared_ptr<const std::string>;
 
 struct KeptAnswer {
@@ -31,7 +31,7 @@ class KeptAnswers {
   static constexpr std::size_t kMost = 256;
   static constexpr std::size_t kMaxBytes = std::size_t{8} << 20;
 
-  // Null if the answer is not kept, or no longer.
+  // Null if the answer was never kept or has been forgotten.
   [[nodiscard]] const KeptAnswer* find(const std::string& op_id) const;
   [[nodiscard]] std::uint64_t next_serial() const { return last_serial_ + 1; }
   // The serials of the answers that will be forgotten when this one is kept.
@@ -46,7 +46,7 @@ class KeptAnswers {
 
   std::map<std::uint64_t, KeptAnswer> by_serial_;
   std::map<std::string, std::uint64_t> by_op_;
-  std::map<std::string, std::size_t> of_client_;  // how many, by client and by address
+  std::map<std::string, std::size_t> of_client_;  // the number of answers, by client and by address
   std::size_t bytes_{};
   std::uint64_t last_serial_{};
 };

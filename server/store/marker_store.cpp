@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kEmptyMarker = 4096;  // bytes of the entries, locks and maps that every marker has
 
-// What a revision takes: the marker, and what its readers share besides.
+// The memory of a revision: the marker, and what its readers share in addition.
 struct Weight {
   std::size_t file{}, readers{};
   [[nodiscard]] std::size_t all() const { return file + readers; }
@@ -24,7 +24,7 @@ Weight weight_of(const MarkerFile& file) {
   return {memory::bytes_of(file), memory::bytes_for_readers(file) + stamps};
 }
 
-// Counted apart from the marker, which the history may keep for longer.
+// Counted separately from the marker, which the history may keep for longer.
 struct ForReaders {
   explicit ForReaders(memory::HeldBytes bytes) : held{std::move(bytes)} {}
   memory::HeldBytes held;
@@ -58,7 +58,7 @@ std::string id_of(std::uint64_t number) {
   return "m" + std::to_string(number);
 }
 
-// What the journal writes of an answer that is to be kept among these.
+// What the journal writes when this answer is added to those that are kept.
 std::optional<KeptChange> change_of(const KeptAnswers& answers, const std::optional<KeptAnswer>& answer) {
   if (!answer) return std::nullopt;
   KeptChange change{*answer, answers.forgotten_for(*answer)};
@@ -183,7 +183,7 @@ std::optional<Committed> MarkerStore::current(const std::string& id) const {
 }
 
 std::vector<ListedMarker> MarkerStore::all() const {
-  std::vector<std::string> unknown;  // markers of a store that had no summaries
+  std::vector<std::string> unknown;  // markers from a store without summaries
   {
     const std::lock_guard lock{mutex_};
     for (const auto& [id, entry] : markers_) {
@@ -232,7 +232,7 @@ Commit MarkerStore::commit(const std::string& id, Revision base, NextRevision ne
   if (!entry) return {Commit::Outcome::kClosed, 0};
   const std::lock_guard writing{entry->writing};
   if (entry->closed) return {Commit::Outcome::kClosed, 0};
-  // Nobody else replaces it while we hold `writing`.
+  // Nobody else replaces it while this thread holds `writing`.
   const Committed before = entry->current;
   if (before.revision != base) return {Commit::Outcome::kMismatch, before.revision};
   const auto moves = protocol::edits::moves_between(*before.file, next.file);

@@ -5,14 +5,14 @@
 // written to the journal.  Ids are "m1", "m2", ... in the order of opening and are never used twice; revisions of a
 // marker count from 1.  With a journal, readers see a revision only when it is on disk.
 //
-// Everything that is kept is counted in one account of bytes.  When that has no room, no marker is opened, and a change
-// forgets the undo steps of its marker; it is refused if that does not suffice.  An eighth of the account is for
-// changes alone, so that a full store can still be worked on.  A marker of the journal for which there is no room when
-// it is first used stays in the journal, and is not read until there is.
+// Everything that is kept is counted in one account of bytes.  When the account has no room, no marker can be opened,
+// and a change first drops the undo steps of its marker; it is refused if that does not suffice.  An eighth of the
+// account is reserved for changes, so that the markers of a full store can still be edited.  A marker of the journal
+// for which there is no room when it is first used stays in the journal, and is not read until there is.
 //
-// A marker of the journal is kept as the bytes of its rows until it is first used; its revision and summary are known
-// before.  One whose rows are damaged is quarantined: it is not open, its rows stay in the file, and it can only be
-// closed.  Every function may be called from any thread.
+// A marker of the journal is kept as the bytes of its rows until it is first used, but its revision and summary are
+// available at once.  A marker whose rows are damaged is quarantined: it is not open, its rows stay in the file, and it
+// can only be closed.  Every function may be called from any thread.
 #pragma once
 
 #include <atomic>
@@ -70,7 +70,7 @@ struct Room {
   std::size_t marker_bytes{std::size_t{256} << 20};                                        // of one of them
 };
 
-// Why no marker was opened: it is larger than one may be, or all of them have no more room, or the journal failed.
+// Why a marker was not opened: it is too large, there is no room left for markers, or the journal failed.
 enum class NotOpened { kTooLarge, kNoRoom, kNotWritten };
 
 enum class Closed { kDone, kUnknown, kNotWritten };
@@ -82,13 +82,13 @@ struct NextRevision {
   MarkerFile file;
   Origin origin{};
   std::optional<KeptAnswer> answer{};  // of the call that makes it, when it has an opId
-  // Called when it has become the current revision; for one marker in the order of revisions.
+  // Called when the change has become the current revision, for each marker in the order of its revisions.
   std::function<void(const Committed&)> on_committed{};
 };
 
-// The result of a commit.  After all outcomes but kDone nothing was changed.
+// The result of a commit.  Every outcome except kDone means that nothing was changed.
 struct Commit {
-  // kTooLarge, kNoRoom and kNotWritten: as for NotOpened.
+  // kTooLarge, kNoRoom and kNotWritten have the same meaning as in NotOpened.
   enum class Outcome { kDone, kMismatch, kClosed, kTooLarge, kNoRoom, kNotWritten } outcome{};
   Revision revision{};  // the current one, which is the new one after kDone
 };
@@ -98,23 +98,23 @@ class MarkerStore {
   // Opens all markers of the journal, if there is one.  Throws as Journal::restore.
   explicit MarkerStore(Room room = {}, Journal* journal = nullptr, std::stop_token stop = {});
 
-  // `answer` makes the answer to keep for retries from the opened marker, or none.
+  // `answer` returns the answer to keep for retries, given the opened marker, or nothing.
   using OpenAnswer = std::function<std::optional<KeptAnswer>(const OpenMarker&)>;
   [[nodiscard]] std::variant<OpenMarker, NotOpened> open(MarkerFile file, const OpenAnswer& answer = {});
-  // Nothing if no such marker is open, or if there is no room to read it from the journal.
+  // Returns nothing if no such marker is open, or if there is no room to read it from the journal.
   [[nodiscard]] std::optional<Committed> current(const std::string& id) const;
   [[nodiscard]] std::vector<ListedMarker> all() const;  // in the order of ids
   // The summary of its current revision; nothing if no such marker is open.
   [[nodiscard]] std::optional<Summary> summary(const std::string& id) const;
   [[nodiscard]] bool is_open(const std::string& id) const;
-  // Whether its first use will read it from the journal, which may take long.
+  // Whether the next use of the marker will read it from the journal, which may take long.
   [[nodiscard]] bool is_unread(const std::string& id) const;
   // Why the marker is quarantined; empty if it is not.
   [[nodiscard]] std::string quarantine(const std::string& id) const;
 
   // Makes the file the revision after `base` if `base` is still the current revision.
   [[nodiscard]] Commit commit(const std::string& id, Revision base, NextRevision next);
-  // What undoing or redoing one step would commit.
+  // The change that undoing or redoing one step would commit.
   struct UndoResult {
     Committed from;                          // the current revision
     std::optional<MarkerFile> file;          // nothing if there is no step
@@ -133,7 +133,7 @@ class MarkerStore {
 
   [[nodiscard]] std::size_t count() const;
   [[nodiscard]] std::size_t quarantined() const;
-  // Why changes cannot be written; empty if they can, as far as is known.
+  // Why changes cannot be written; empty if no reason is known.
   [[nodiscard]] std::string failure() const { return journal_ ? journal_->failure() : std::string{}; }
   [[nodiscard]] const Room& room() const { return room_; }
   // As Journal::back_up.  REQUIRES: is_durable().
@@ -146,7 +146,7 @@ class MarkerStore {
   // and held while the journal writes; `loading` is locked while the rows are read, with nothing else locked.
   struct Entry {
     explicit Entry(std::shared_ptr<memory::ByteAccount> account) : held{std::move(account)} {}
-    // Counts what this keeps besides the marker and whole earlier ones, which count themselves.
+    // Counts what this object keeps, except the marker and whole earlier markers, which count themselves.
     void count();
 
     std::uint64_t number{};
@@ -164,7 +164,7 @@ class MarkerStore {
   };
   // Null if no such marker is open.
   [[nodiscard]] std::shared_ptr<Entry> entry_of(const std::string& id) const;
-  // The same, read from the journal; null also if it turns out to be damaged, or if there is no room to read it.
+  // The same, read from the journal if necessary.  Also null if it is damaged, or if there is no room to read it.
   [[nodiscard]] std::shared_ptr<Entry> find(const std::string& id) const;
   [[nodiscard]] bool load(const std::string& id, Entry& entry) const;
   void restore(disk::StoredContent content);

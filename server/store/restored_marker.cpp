@@ -24,7 +24,7 @@ Result<Format> format_named(const std::string& name) {
   return static_cast<Format>(found - std::begin(protocol::document::kFormatNames));
 }
 
-// A document as the journal wrote it.
+// Reads a document that the journal wrote.
 Result<MarkerFile> read_document(const std::string& format, const std::string& document) {
   auto file = protocol::formats::read_marker(document);
   if (!file) return file;
@@ -41,7 +41,7 @@ Result<protocol::edits::Moves> read_moves_text(const std::string& text, const Ma
   return protocol::edits::read_moves(*list, marker);
 }
 
-// A step of the history that leads away from `marker`.
+// Reads a step of the history that starts from `marker`.
 Result<History::Back> read_back(const disk::StoredStep& step, const Marker& marker, const Account& account) {
   if (!step.format.empty()) {
     auto file = read_document(step.format, step.step);
@@ -54,7 +54,7 @@ Result<History::Back> read_back(const disk::StoredStep& step, const Marker& mark
   return History::Back{*std::move(moves)};
 }
 
-// Oldest first.  Each step is read from the marker that the next newer one leads to.
+// Returns the steps, oldest first.  Each step is read relative to the marker that the next newer step leads to.
 Result<std::vector<History::Step>> history_of(const disk::StoredMarker& stored, const MarkerFile& now,
                                               UndoDirection direction, const Account& account) {
   std::vector<History::Step> steps;

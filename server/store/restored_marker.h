@@ -1,4 +1,4 @@
-// From the rows of a marker in the store's file to the marker.
+// Makes a marker from its rows in the store's file.
 #pragma once
 
 #include <memory>
@@ -18,11 +18,11 @@ struct RestoredMarker {
   History history;
 };
 
-// The whole markers of its history are counted in the account; null: nobody counts.
-// Errors: those of the document or the moves that cannot be read.
+// The whole markers of its history are counted in the account, unless that is null.  Errors: those of the document or
+// the moves that cannot be read.
 [[nodiscard]] Result<RestoredMarker> restore_marker(const disk::StoredMarker& stored,
                                                     const std::shared_ptr<memory::ByteAccount>& account = nullptr);
-// Memory of its rows.
+// The memory of the marker's rows.
 [[nodiscard]] std::size_t bytes_of(const disk::StoredMarker& stored);
 [[nodiscard]] KeptAnswers restore_answers(const std::vector<disk::StoredAnswer>& stored);
 

@@ -1,4 +1,4 @@
-// What marker.list says of a marker, and how large it is: known without reading its document.
+// What marker.list reports about a marker, and its size in memory, both known without reading its document.
 #pragma once
 
 #include <cstddef>
@@ -19,9 +19,9 @@ struct Summary {
 };
 
 [[nodiscard]] Summary summary_of(const Marker& marker);
-// As the journal writes it.
+// The text that the journal writes.
 [[nodiscard]] std::string summary_text(const Summary& summary);
-// Nothing if the text is not one of summary_text().
+// The inverse of summary_text().  Returns nothing if the text was not written by it.
 [[nodiscard]] std::optional<Summary> read_summary(const std::string& text);
 
 }  // namespace selvage::server::store

@@ -1,4 +1,4 @@
-// Checks a store that no daemon uses: every page, every row, and that every marker and its history can be read.
+// Checks a store that no daemon uses: every page and every row, and whether every marker and its history can be read.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ struct Verification {
   std::vector<std::string> damage;  // one line each
 };
 
-// Leaves the content as it is.  Throws as disk::StoreFile, also if there is no such file or if it is of an earlier
+// Does not change the content.  Throws as disk::StoreFile, also if there is no such file or if it is of an earlier
 // schema.
 [[nodiscard]] Verification verify_store(const std::string& path);
 

@@ -26,7 +26,7 @@ Accepting listen_on_tcp(asio::io_context& io, access::Listener& listener) {
   return acceptor;
 }
 
-// A Unix socket's path outlives the process that created it.  Removes one on which nobody listens, and nothing else.
+// A Unix socket's path outlives the process that created it.  Removes it, but only if it is a socket without listener.
 void remove_stale(asio::io_context& io, const std::string& path) {
   struct stat found {};
   if (::lstat(path.c_str(), &found) != 0) return;

@@ -12,8 +12,8 @@ namespace selvage::server::transport {
 
 class Acceptor {
  public:
-  // Listens immediately.  A Unix socket on which nobody listens any more is replaced.  Throws a std::exception that
-  // names the address if it cannot be used.
+  // Listens immediately.  A Unix socket left behind by another process is replaced.  Throws a std::exception that names
+  // the address if it cannot be used.
   Acceptor(boost::asio::io_context& io, access::Listener listener);
   ~Acceptor();  // close()
   Acceptor(const Acceptor&) = delete;
@@ -21,7 +21,7 @@ class Acceptor {
 
   // The next connection; `error` is operation_aborted when the acceptor has been closed.
   boost::asio::awaitable<connections::Socket> accept(boost::system::error_code& error);
-  // Waits a moment after a failure, for example until file descriptors are available again.
+  // Waits a moment after a failure, such as a lack of file descriptors.
   boost::asio::awaitable<void> pause();
   // Accepts no more connections; the path of a Unix socket is removed.
   void close();

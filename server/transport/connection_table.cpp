@@ -35,7 +35,7 @@ void ConnectionTable::erase(const Entry& connection) {
 ConnectionTable::Entry ConnectionTable::choose(const std::string* address) const {
   using Standing = connections::Connection::Standing;
   Entry chosen;
-  // The least: from the address with the most connections, silent before idle, the oldest.
+  // Least first: of the address with the most connections; without a request before idle; the oldest.
   std::tuple<std::size_t, bool, connections::Connection::Time> rank;
   for (const auto& [connection, from] : entries_) {
     if (connection->standing() == Standing::kServed || (address != nullptr && from != *address)) continue;

@@ -1,9 +1,9 @@
 // The open connections, and which of them makes room for another when there are too many.
 //
 // A connection that has not sent a whole request yet, or that waits for the client's next HTTP request, may be closed
-// to make room.  It is chosen from the address with the most connections, so that nobody who opens many can close those
-// of others; of these, the ones without any request come first, and the oldest of them.  Everything here belongs to the
-// I/O thread.
+// to make room.  It is chosen from the address with the most connections, so that a client that opens many does not
+// close those of others.  Among these, connections that have not sent a request come first, the oldest of them first.
+// Everything here belongs to the I/O thread.
 #pragma once
 
 #include <cstddef>
@@ -37,7 +37,7 @@ class ConnectionTable {
   [[nodiscard]] auto end() const { return entries_.end(); }
 
  private:
-  // The connection that makes room; `address`: only of this one.  Null if none may be closed.
+  // The connection to close; if `address` is given, one from this address.  Null if none may be closed.
   [[nodiscard]] Entry choose(const std::string* address) const;
 
   const access::TransportLimits& limits_;

@@ -24,7 +24,7 @@ Peer peer_at(const sockaddr_in6& address) {
   ::inet_ntop(AF_INET6, &address.sin6_addr, text.data(), text.size());
   const std::string whole = "[" + std::string{text.data()} + "]:" + std::to_string(ntohs(address.sin6_port));
   if (IN6_IS_ADDR_V4MAPPED(&address.sin6_addr)) return {whole, text.data()};
-  in6_addr network = address.sin6_addr;  // one customer has at least this much, and may use any address in it
+  in6_addr network = address.sin6_addr;  // the smallest network of a customer
   std::fill(std::begin(network.s6_addr) + 8, std::end(network.s6_addr), std::uint8_t{0});
   ::inet_ntop(AF_INET6, &network, text.data(), text.size());
   return {whole, text.data()};

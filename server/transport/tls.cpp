@@ -36,7 +36,7 @@ ssl::context make_context(const access::TlsFiles& files) {
   return context;
 }
 
-// One connection: its encrypted and its plain side.
+// One connection, with its encrypted and its plain side.
 class Tunnel : public std::enable_shared_from_this<Tunnel> {
  public:
   Tunnel(connections::Socket outside, connections::Socket inside, ssl::context& context,
@@ -82,7 +82,7 @@ class Tunnel : public std::enable_shared_from_this<Tunnel> {
                                  asio::redirect_error(asio::use_awaitable, error));
     }
     Error ignored;
-    // Without close_notify anybody may have ended it: the connection counts as broken.
+    // Without close_notify, anybody may have ended the connection, so it counts as broken.
     if (error == asio::error::eof) {
       self->inside_.shutdown(connections::Socket::shutdown_send, ignored);
     } else {
@@ -107,7 +107,7 @@ class Tunnel : public std::enable_shared_from_this<Tunnel> {
     co_await outside_.async_shutdown(asio::redirect_error(asio::use_awaitable, error));
   }
 
-  // Ends a handshake whose connection has been closed on the plain side: nothing else comes from there so early.
+  // Ends the handshake if the plain side has closed the connection; nothing else arrives from there at this stage.
   void watch_inside() {
     inside_.async_wait(connections::Socket::wait_read, [self = shared_from_this()](Error error) {
       if (!error && !self->open_) self->cut();
@@ -181,7 +181,7 @@ connections::Socket Tls::unwrap(connections::Socket outside) {
 }
 
 void Tls::use(std::shared_ptr<Credentials> credentials) {
-  implementation_->credentials = std::move(credentials);  // OpenSSL keeps the old ones for the tunnels that use them
+  implementation_->credentials = std::move(credentials);  // tunnels keep their old ones
 }
 
 bool Tls::idle() const {

@@ -2,8 +2,8 @@
 // plain text.
 //
 // The plain side is one end of a socket pair, so that connections use only one kind of socket, and Beast is compiled
-// for only one.  Closing is passed on in both directions: close_notify becomes half-closing, and a broken connection is
-// broken on both sides.  Everything here belongs to the I/O thread.
+// for only one.  Closing is passed on in both directions: close_notify becomes half-closing, and if one side breaks,
+// the other is broken, too.  Everything here belongs to the I/O thread.
 #pragma once
 
 #include <functional>

@@ -31,7 +31,7 @@ namespace {
 namespace asio = boost::asio;
 using Error = boost::system::error_code;
 
-// Reads until a byte that is not blank; returns that byte and what came with it, or nothing if there is none.
+// Reads until a byte that is not blank.  Returns the text from that byte on, or nothing if there is no such byte.
 asio::awaitable<std::string> first_bytes(std::shared_ptr<connections::Connection> connection,
                                          std::chrono::milliseconds patience) {
   connection->arm(connection->read_watchdog, patience);
@@ -68,7 +68,7 @@ asio::awaitable<void> serve(std::shared_ptr<connections::Connection> connection,
   }
 }
 
-// Probes are small and quick.
+// Health probes are small and quick, so their limits are low.
 access::TransportLimits limits_for_health(access::TransportLimits limits) {
   constexpr std::chrono::seconds kPatience{5};
   limits.body_bytes = 1024;

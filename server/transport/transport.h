@@ -26,14 +26,14 @@ class Transport {
   // The listeners in the order given, with their actual ports.
   [[nodiscard]] const std::vector<access::Listener>& listeners() const;
 
-  // Replaces the token and the TLS files, for requests and connections from now on; a line connection or a WebSocket
-  // that has authenticated stays open.  REQUIRES: there was a token, or this one is empty; the same for TLS.  Throws a
+  // Replaces the token and the TLS files for all later requests and connections; a line connection or a WebSocket that
+  // has authenticated stays open.  REQUIRES: there was a token, or this one is empty; the same for TLS.  Throws a
   // std::exception if a file cannot be used; then nothing is replaced.
   void reload(const std::string& token, const std::optional<access::TlsFiles>& tls);
   // Accepts no new connections and reads nothing more from the open ones.
   void stop_reading();
-  // Sends what has not been sent yet, for at most `time`, then closes every connection and returns.  REQUIRES: every
-  // call has been answered, or will be.
+  // Sends all unsent answers, for at most `time`, then closes every connection and returns.  REQUIRES: every call has
+  // been answered, or will be.
   void finish(std::chrono::milliseconds time);
 
  private:

@@ -18,7 +18,7 @@ void sync_folder_of(const std::string& path) {
   const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;
-  ::fsync(descriptor);  // some file systems cannot sync folders; nothing better can be done there
+  ::fsync(descriptor);  // some file systems cannot sync folders; there is no better way on these
   ::close(descriptor);
 }
 

@@ -27,7 +27,7 @@ void log_sqlite() {
     sqlite3_config(
         SQLITE_CONFIG_LOG,
         +[](void*, int code, const char* text) {
-          // Statements are prepared again after a change of the schema, which is not a fault.
+          // SQLite also logs when it prepares statements again after a change of the schema, which is not an error.
           if (code != SQLITE_SCHEMA) spdlog::warn("the store: {}", text);
         },
         nullptr);
@@ -140,7 +140,7 @@ void Database::copy_to(const std::string& path) {
 
 Stoppable::Stoppable(Database& database, std::stop_token stop)
     : database_{database}, stop_{std::move(stop)}, on_stop_{stop_, [this] { sqlite3_interrupt(database_.handle()); }} {
-  // An interrupt ends what is being executed; these end what begins or waits after it.
+  // An interrupt ends the current statement; the two handlers below end those that start or wait after it.
   constexpr int kInstructions = 1000;  // of SQLite's machine, between two questions
   const auto stopped =
       +[](void* token) { return static_cast<int>(static_cast<std::stop_token*>(token)->stop_requested()); };

@@ -65,10 +65,10 @@ class Database {
 
   // Executes one or several statements without parameters.
   void run(const std::string& sql);
-  // The first column of the first row; 0 or an empty text if there is none.
+  // The first column of the first row; 0 or an empty text if there is no row.
   [[nodiscard]] std::int64_t number(std::string_view sql);
   [[nodiscard]] std::string text(std::string_view sql);
-  // Writes everything that has been committed to another file, while others read and write this one.
+  // Copies everything that has been committed to another file, while others read and write this one.
   void copy_to(const std::string& path);
   [[nodiscard]] sqlite3* handle() const { return database_; }
 
@@ -76,7 +76,7 @@ class Database {
   sqlite3* database_{};
 };
 
-// As long as this object lives, what the database executes or waits for fails once `stop` is requested.
+// While this object exists, statements that execute or wait fail as soon as `stop` is requested.
 class Stoppable {
  public:
   Stoppable(Database& database, std::stop_token stop);

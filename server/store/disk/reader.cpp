@@ -12,7 +12,7 @@ struct Head {
   std::uint64_t revision{}, history{}, answers{};
 };
 
-// Reads one table after the other: only whole scans find rows under a key that has changed.
+// Reads each table completely, because only a full scan finds rows whose key has been damaged.
 class Reading {
  public:
   explicit Reading(Database& database) : database_{database} {}
@@ -30,7 +30,7 @@ class Reading {
   }
 
  private:
-  // Calls `take` for each row whose checksum is right; the last column says whether it is.
+  // Calls `take` for each row whose checksum is correct, which the last column says.
   template <class Take>
   void scan(const char* table, const char* columns, int revision_column, const Take& take) {
     const std::string list = columns;
@@ -96,7 +96,7 @@ class Reading {
          });
   }
 
-  // The ids of markers that were opened and closed must not be used again, whatever has become of the counter.
+  // The ids of markers that were opened and closed must not be used again, even if the counter is damaged.
   void read_total() {
     Statement row{database_.handle(),
                   "SELECT opened, markers, answers, sum = checksum('total', opened, markers, answers) FROM total"};
@@ -116,7 +116,7 @@ class Reading {
   void judge(std::int64_t number, StoredMarker& marker) {
     const auto head = heads_.find(number);
     const auto fail = [&](const std::string& what) { damaged_.try_emplace(number, what); };
-    if (head == heads_.end()) return fail("it has rows but no head");
+    if (head == heads_.end()) return fail("it has rows but no row in the table head");
     if (!has_snapshot_.contains(number)) return fail("it has no snapshot");
     const std::uint64_t reached = marker.snapshot_revision + marker.steps.size();
     if (reached != head->second.revision) {

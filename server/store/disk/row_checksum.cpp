@@ -6,7 +6,7 @@
 
 namespace selvage::server::store::disk {
 
-// Files are read by machines of the same byte order only.
+// A file is only read by machines with the same byte order as the one that wrote it.
 static_assert(std::endian::native == std::endian::little);
 
 void RowChecksum::add_bytes(const void* bytes, std::size_t count) {

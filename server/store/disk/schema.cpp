@@ -41,7 +41,7 @@ constexpr const char* kSetOldAside = R"(
   ALTER TABLE step RENAME TO old_step;
 )";
 
-// Schema 2 named markers by their ids, and kept answers without bound: the last 256 of each marker could be used.
+// Schema 2 named markers by their ids and kept all answers, of which only the last 256 of a marker could be used.
 constexpr const char* kConvert = R"(
   INSERT INTO snapshot SELECT m, revision, format, document, checksum('snapshot', m, revision, format, document)
     FROM (SELECT CAST(substr(marker, 2) AS INTEGER) AS m, * FROM old_snapshot);

@@ -1,13 +1,13 @@
 // The schema of a store's file.
 //
-// Markers have the numbers of their ids ("m7" is 7).  `total` has one row: the markers ever opened, those open now, and
-// the answers kept for calls that opened or closed markers.  Each open marker has a row in `head`: its revision, and
-// how many rows of the other tables belong to it, so that a lost row is noticed; `summary` is what marker.list says of
-// it, as JSON, or empty.  `snapshot` and the steps since lead to the revision of the head.  A step of the history
-// without a format consists of moves; otherwise it is a document.  Answers of marker 0 are those to calls that opened
-// and closed markers.  The library of stored markers (server/store/library) has a row in `library` for each, with what
-// is known of it, and its native document in `library_document`; numbers are never used again.  There is no index,
-// because SQLite's quick check does not compare an index with its table.
+// Markers are identified by the number in their id (7 for "m7").  `total` has one row: the markers ever opened, those
+// open now, and the answers kept for calls that opened or closed markers.  Each open marker has a row in `head`: its
+// revision, and how many rows of the other tables belong to it, so that a lost row is noticed; `summary` is what
+// marker.list reports about it, as JSON, or empty.  `snapshot` and the steps since lead to the revision of the head.  A
+// step of the history without a format consists of moves; otherwise it is a document.  Answers of marker 0 are those to
+// calls that opened and closed markers.  The library of stored markers (server/store/library) has a row in `library`
+// for each, with its entry, and its native document in `library_document`; numbers are never used again.  There is no
+// index, because SQLite's quick check does not compare an index with its table.
 #pragma once
 
 #include <stdexcept>

@@ -23,7 +23,7 @@ std::runtime_error failed(const std::string& what) {
   return std::runtime_error{what + ": " + std::strerror(errno)};
 }
 
-// A store appears complete or not at all, so an empty file is never one of ours that has just begun.
+// A new store appears complete or not at all, so an empty file is never a store that is just being created.
 void create_store(const std::string& path) {
   const std::string fresh = path + ".new-" + std::to_string(::getpid());
   {
@@ -42,7 +42,7 @@ const std::string& existing(const std::string& path, StoreFile::Missing missing)
   if (!found && missing == StoreFile::Missing::kRefuse) throw std::runtime_error{"there is no such file"};
   if (!found) create_store(path);
   if (std::filesystem::is_regular_file(path, error) && std::filesystem::file_size(path, error) == 0) {
-    throw std::runtime_error{"the file is empty: it is no store, or one that has lost its content"};
+    throw std::runtime_error{"the file is empty: it is not a store, or it is one that has lost its content"};
   }
   return path;
 }

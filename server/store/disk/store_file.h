@@ -1,4 +1,4 @@
-// The open file of a store: locked against other daemons, of the present schema, and watched for its deletion.
+// The open file of a store: locked against other daemons, with the current schema, and checked for having been deleted.
 //
 // Other programs may read it meanwhile, such as `sqlite3 store .backup`.  A store of an earlier schema is copied to
 // "FILE.schemaN" before it is brought up to date.
@@ -14,10 +14,10 @@ namespace selvage::server::store::disk {
 
 enum class Durability {
   kFull,     // an acknowledged revision survives a power failure
-  kRelaxed,  // it survives any end of the process; a power failure may lose the last ones
+  kRelaxed,  // it survives any end of the process, but a power failure may lose the last revisions
 };
 
-// Which file a path leads to.
+// Identifies the file that a path leads to.
 struct FileIdentity {
   std::uint64_t device{}, number{};
   friend bool operator==(const FileIdentity&, const FileIdentity&) = default;
@@ -25,7 +25,7 @@ struct FileIdentity {
 // Nothing if there is no such file.
 [[nodiscard]] std::optional<FileIdentity> identity_of(const std::string& path);
 
-// A lock on a file that exists, against other processes that lock it in the same way; its end releases the lock.
+// A lock on an existing file, against other processes that lock it in the same way.  The destructor releases it.
 class FileLock {
  public:
   // Throws std::runtime_error if the file is locked or cannot be opened.
@@ -43,7 +43,7 @@ class StoreFile {
   enum class Missing { kCreate, kRefuse };
 
   // Throws std::runtime_error if the file is not a store, is damaged or belongs to another process, and NewerStore if
-  // it is of a later version.  `stop` ends the constructor, which reads every page, with an exception.
+  // it is of a later version.  The constructor reads every page; it ends with an exception when `stop` is requested.
   StoreFile(const std::string& path, Durability durability, Missing missing = Missing::kCreate,
             std::stop_token stop = {});
   StoreFile(const StoreFile&) = delete;
@@ -51,7 +51,7 @@ class StoreFile {
 
   [[nodiscard]] Database& database() { return database_; }
   [[nodiscard]] const std::string& path() const { return path_; }
-  // Throws std::runtime_error if the file or its log has been deleted or replaced, so that what is written is lost.
+  // Throws std::runtime_error if the file or its log has been deleted or replaced, so that changes would be lost.
   void require_in_place() const;
 
  private:

@@ -1,5 +1,5 @@
-// What the store's file holds, as bytes: rows whose checksums were right, grouped by marker, and the damage that was
-// found.
+// The content of the store's file, as bytes: the rows with correct checksums, grouped by marker, and the damage that
+// was found.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +35,7 @@ struct StoredMarker {
   std::vector<StoredAnswer> answers;  // by serial
 };
 
-// A marker that cannot be used, and why; 0: none in particular.
+// A marker that cannot be used, and why.  The number is 0 if the damage belongs to no particular marker.
 struct Damage {
   std::int64_t marker{};
   std::string what;

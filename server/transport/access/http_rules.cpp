@@ -11,7 +11,7 @@ char lower(char c) {
   return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
 }
 
-// Removes `prefix`, in any case, from the front.  Returns false if the text does not begin with it.
+// Removes `prefix`, ignoring case, from the front.  Returns false if the text does not begin with it.
 bool take(std::string_view& text, std::string_view prefix) {
   const auto same = [](char a, char b) { return lower(a) == lower(b); };
   if (text.size() < prefix.size() || !std::equal(prefix.begin(), prefix.end(), text.begin(), same)) return false;

@@ -24,11 +24,11 @@ struct Session {
   std::function<void(std::string)> notify;  // sends a notification, from any thread; empty on plain HTTP
   std::stop_token gone;                     // stops when the connection has ended
   std::string peer{};                       // the client's address, or the path of the Unix socket that it uses
-  // Of the bytes that clients make the server hold; null: nobody counts.
+  // Counts the bytes that clients make the server hold; if null, they are not counted.
   std::shared_ptr<memory::ByteAccount> account{};
 };
 
-// Takes the answer to one message: call it once, from any thread.  Nothing is sent for an empty text.
+// Takes the answer to one message.  Call it exactly once, from any thread.  An empty answer is not sent.
 using Reply = std::function<void(std::string)>;
 
 // The answer to the first message of a connection that must authenticate, and whether it may continue.
@@ -54,17 +54,17 @@ struct TransportCounts {
 
 // Every function is called on the I/O thread.
 struct Service {
-  // Answers one message.  Must not block.  The session is the same for all messages of one connection.  The connection
-  // keeps it alive; whoever wants to notify it later may hold a shared or a weak pointer.
+  // Answers one message.  Must not block.  All messages of one connection have the same session.  The connection keeps
+  // the session alive; code that notifies it later may hold a shared or a weak pointer.
   std::function<void(std::string message, const std::shared_ptr<Session>& session, Reply reply)> call;
-  // How many bytes it takes to answer a message, besides its own; none if it is empty.  The weights of the parts of a
-  // message are added.
+  // How many bytes answering a message takes in addition to its own bytes; 0 if the function is empty.  The weight of a
+  // message is the sum of the weights of its parts.
   std::function<std::size_t(std::string_view message)> weigh{};
-  // Whether calls are refused for a while because of the service's start: they are passed on, and over HTTP answered
-  // with status 503.  Empty: they are not.
+  // Returns true while the service is starting and refuses calls.  They are passed on nevertheless, but over HTTP the
+  // status is 503.  If the function is empty, the service is never loading.
   std::function<bool()> loading{};
-  // The GET requests below are answered 404 if their function is empty.
-  // The body of GET /healthz, JSON: the process is alive.
+  // The GET requests below are answered with status 404 if their function is empty.  The body of GET /healthz, JSON:
+  // the process is alive.
   std::function<std::string()> health{};
   // The body of GET /readyz: the reason why no work should be sent here now (503), or empty (200).
   std::function<std::string()> ready{};
@@ -88,25 +88,25 @@ struct Service {
 };
 
 struct TransportLimits {
-  std::size_t body_bytes{std::size_t{32} << 20};   // of an HTTP body, of one line, of one WebSocket message
-  std::size_t header_bytes{std::size_t{8} << 10};  // of an HTTP request, and of a message that must contain a token
-  std::size_t connections{512};                    // open at the same time, without those for health checks
-  std::size_t connections_per_address{512};        // of these; for IPv6 of a /64 network
-  std::size_t health_connections{32};              // for health checks; the oldest makes room for a further one
+  std::size_t body_bytes{std::size_t{32} << 20};   // of an HTTP body, a line or a WebSocket message
+  std::size_t header_bytes{std::size_t{8} << 10};  // of an HTTP header, or of a message that must contain a token
+  std::size_t connections{512};                    // open at the same time, not counting those for health checks
+  std::size_t connections_per_address{512};        // of these, from one IPv4 address or IPv6 /64 network
+  std::size_t health_connections{32};              // for health checks; beyond this the oldest is closed
   std::size_t calls_per_connection{
       64};  // in progress on one line or WebSocket connection, which is not read while there are more
-  std::size_t request_bytes{std::size_t{32} << 20};  // of these calls, and of what answering them takes; likewise
+  std::size_t request_bytes{std::size_t{32} << 20};  // of these calls and of answering them; likewise
   std::size_t backlog_bytes{std::size_t{16} << 20};  // not yet sent on one such connection; likewise
-  // Of all connections: requests that are received or answered, with what answering them takes, and answers not yet
-  // sent.  Then no connection is read between messages, and a message that has begun is refused unless there is room in
-  // time.
+  // Limit for all connections together: requests being received or answered, with the memory needed to answer them, and
+  // answers not yet sent.  When it is reached, no connection is read between messages, and a message that has begun is
+  // refused unless there is room in time.
   std::size_t traffic_bytes{std::size_t{512} << 20};
-  std::chrono::milliseconds room{5'000};      // for room for a message that has begun
+  std::chrono::milliseconds room{5'000};      // how long a message that has begun waits for room
   std::chrono::milliseconds idle{300'000};    // between two HTTP requests, and before the first byte of a connection
   std::chrono::milliseconds request{30'000};  // from the first byte of a header, a body or a message to its last
-  std::chrono::milliseconds write{30'000};    // for the client to take some of what is sent to it
+  std::chrono::milliseconds write{30'000};    // without any progress while an answer is sent
   std::chrono::milliseconds ping{20'000};     // between two pings on a WebSocket
-  std::chrono::milliseconds silence{60'000};  // of a WebSocket client that does not answer pings
+  std::chrono::milliseconds silence{60'000};  // of a WebSocket client, which then does not answer pings
 };
 
 }  // namespace selvage::server::transport::access

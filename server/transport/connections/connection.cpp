@@ -45,7 +45,7 @@ void Connection::watch_for_end() {
     boost::system::error_code state;
     self->socket.non_blocking(true, state);
     self->socket.receive(boost::asio::buffer(&next, 1), Socket::message_peek, state);
-    // Bytes to read are the next request, which was sent early.
+    // If there are bytes to read, they belong to the next request, which was sent early.
     if (state && state != boost::asio::error::would_block) self->gone.request_stop();
   });
 }
@@ -72,7 +72,7 @@ void Connection::set_standing(Standing standing) {
 
 boost::asio::awaitable<bool> Connection::wait_for_room(const memory::ByteAccount& account, std::size_t held,
                                                        std::size_t bytes, std::chrono::milliseconds time) {
-  constexpr std::chrono::milliseconds kPoll{10};  // rare, and other threads make room as well
+  constexpr std::chrono::milliseconds kPoll{10};  // polls, because this is rare and other threads make room, too
   constexpr std::size_t kModest = std::size_t{256} << 10;
   const std::size_t needed = held + bytes <= kModest ? bytes : account.beside_reserve(bytes);
   boost::asio::steady_timer timer{socket.get_executor()};

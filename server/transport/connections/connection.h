@@ -65,37 +65,37 @@ void report(access::Refusal refusal, const std::string& peer, const access::Serv
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
   using Time = std::chrono::steady_clock::time_point;
-  // Whether it may be closed to make room for another.
+  // Whether the connection may be closed to make room for another.
   enum class Standing {
-    kSilent,  // it may: no whole request, or no correct token, has come yet
-    kIdle,    // it may: the next HTTP request is awaited
-    kServed,  // it may not
+    kSilent,  // yes: no complete request, or no correct token, has arrived yet
+    kIdle,    // yes: it waits for the next HTTP request
+    kServed,  // no
   };
 
-  // `id` and `peer`: the session's.
+  // `id` and `peer` are those of the session.
   Connection(Socket connected, std::uint64_t id, std::string peer, bool needs_token,
              std::shared_ptr<memory::ByteAccount> account = nullptr);
 
-  // Detects from now on that the connection breaks.
+  // From now on, detects when the connection breaks.
   void watch();
-  // While calls are in progress: also detects that the client has closed.  Only for protocols without half-closing.
+  // For use while calls are in progress: also detects a close by the client.  Not for protocols with half-closing.
   void watch_for_end();
   // Closes the socket unless the watchdog is disarmed, or armed again, in time.
   void arm(boost::asio::steady_timer& watchdog, std::chrono::milliseconds time);
   static void disarm(boost::asio::steady_timer& watchdog);
-  // Arms it anew if it is armed: there has been progress.
+  // Restarts the watchdog if it is armed.  Call this when there has been progress.
   void extend(boost::asio::steady_timer& watchdog, std::chrono::milliseconds time);
   void set_standing(Standing standing);
   [[nodiscard]] Standing standing() const { return standing_; }
   [[nodiscard]] Time standing_since() const { return standing_since_; }
-  // Waits until the account has room for so many bytes, or until the connection ends, for at most `time`; not at all
-  // for more bytes than the account could ever have.  `held`: bytes that the connection has in the account already.
+  // Waits until the account has room for `bytes`, or until the connection ends, for at most `time`.  Does not wait if
+  // the account could never have so much room.  `held`: the bytes that the connection holds in the account already.
   boost::asio::awaitable<bool> wait_for_room(const memory::ByteAccount& account, std::size_t held, std::size_t bytes,
                                              std::chrono::milliseconds time);
-  // What the service says that answering the message takes besides its own bytes.  The parts of a long message are
-  // weighed one by one, with a turn for other connections in between.
+  // The number of bytes that answering the message takes in addition to its own, according to the service.  The parts
+  // of a long message are weighed one by one, so that other connections are served in between.
   boost::asio::awaitable<std::size_t> weigh(const access::Service& service, std::string_view message);
-  // Reads nothing more; the calls in progress are still answered.  Calls `on_drain` instead if that is set.
+  // Stops reading; calls in progress are still answered.  If `on_drain` is set, calls that instead.
   void drain();
   // Closes it immediately.
   void cut();

@@ -12,7 +12,7 @@ namespace asio = boost::asio;
 
 namespace {
 
-constexpr std::size_t kBehind = std::size_t{64} << 10;  // unsent bytes of a client that does not keep up
+constexpr std::size_t kBehind = std::size_t{64} << 10;  // unsent bytes at which a client counts as too slow
 
 }  // namespace
 
@@ -85,7 +85,7 @@ void Conversation::attempt(const std::function<void()>& work) {
   try {
     work();
   } catch (const std::exception& error) {
-    spdlog::error("a connection is closed, because a handler threw an exception: {}", error.what());
+    spdlog::error("closing a connection because a handler threw an exception: {}", error.what());
     unsent_.clear();
     unsent_bytes_ = writing_bytes_;  // what is being written ends with an error
     held_answers_.set(unsent_bytes_);

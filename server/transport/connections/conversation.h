@@ -1,10 +1,10 @@
-// Many calls in progress on one connection: answers in the order of completion, with notifications in between.
+// A connection with many calls in progress: answers are sent in the order of completion, with notifications in between.
 //
-// A connection with too many unanswered calls, or too many of their bytes, or too many unsent bytes, is not read until
-// there are fewer; nor is any connection while all of them together have too many bytes.
-// Notifications cannot be held back in this way: a client that does not receive them is disconnected at twice the limit
-// of unsent bytes, or as soon as all connections together have too many.
-// Everything here belongs to the I/O thread.
+// A connection is not read while it has too many unanswered calls, too many bytes of unanswered calls, or too many
+// unsent bytes, until there are fewer.  No connection is read while all connections together have too many bytes.
+// Notifications cannot be held back in this way: a client that does not receive them is disconnected when it reaches
+// twice the limit of unsent bytes, or as soon as all connections together have too many.  Everything here belongs to
+// the I/O thread.
 #pragma once
 
 #include <deque>
@@ -28,17 +28,17 @@ class Conversation : public std::enable_shared_from_this<Conversation> {
   void enable_notifications();
   // Waits while too many calls are unanswered or too many bytes unsent, here or on all connections together.
   boost::asio::awaitable<void> wait_for_room();
-  // Passes the message on when there is room for what answering it takes; if there is none in time, it is answered
-  // without.
+  // Passes the message on to the service as soon as there is room for answering it.  If there is none in time, answers
+  // it with an error.
   boost::asio::awaitable<void> call(std::string message);
-  // Nothing is sent for an empty text.
+  // An empty text is not sent.
   void send(std::string text);
-  // Bytes of unanswered calls and of what is not sent.
+  // The bytes of unanswered calls and of unsent texts.
   [[nodiscard]] std::size_t held() const { return held_requests_.bytes() + held_answers_.bytes(); }
   // Waits until every call is answered and everything is sent.
   boost::asio::awaitable<void> settle();
-  // Runs what a handler has to do.  If that throws an exception, such as std::bad_alloc, the connection is closed,
-  // because an answer may be lost for which the client would wait.
+  // Runs a handler.  If it throws an exception, such as std::bad_alloc, the connection is closed, because an answer may
+  // be lost for which the client would wait.
   void attempt(const std::function<void()>& work);
 
   // Takes one or more texts from the front of `unsent`, writes them and returns their number of bytes; calls written()

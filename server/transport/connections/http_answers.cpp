@@ -24,11 +24,11 @@ bool is_once(const HttpRequest& request, http::field field) {
   return request.count(field) == 1;
 }
 
-// What can be requested, and how.
+// The resources, and the methods that each allows.
 struct Resource {
   std::string_view target;
   std::string_view methods;                               // besides OPTIONS
-  std::function<std::string()> access::Service::*page{};  // the body of the answer to GET; null for the first two
+  std::function<std::string()> access::Service::*page{};  // the body of GET; null for the first two
   std::string_view type{};
   bool needs_token{true};  // health probes of containers have none
 };
@@ -86,7 +86,7 @@ HttpResponse page_answer(const Resource& resource, const access::Service& servic
   return make_answer(http::status::service_unavailable, resource.type, std::move(body) + "\n");
 }
 
-// The answer to OPTIONS: what may be requested, for everybody, and what a page may add to its request, for a preflight.
+// The answer to OPTIONS: the allowed methods and, for a preflight, the headers that a page may send.
 HttpResponse options_answer(const Resource& resource, const HttpRequest& request) {
   HttpResponse answer = make_answer(http::status::no_content, "text/plain", {});
   answer.erase(http::field::content_type);
@@ -96,7 +96,7 @@ HttpResponse options_answer(const Resource& resource, const HttpRequest& request
   answer.set(http::field::access_control_allow_methods, methods);
   answer.set(http::field::access_control_allow_headers, "Authorization, Content-Type");
   answer.set(http::field::access_control_max_age, "600");
-  // A page from the internet that calls a server in a private network (https://wicg.github.io/private-network-access).
+  // A public page may call a server in a private network (https://wicg.github.io/private-network-access).
   if (request["Access-Control-Request-Private-Network"] == "true") {
     answer.set("Access-Control-Allow-Private-Network", "true");
   }
@@ -141,8 +141,8 @@ std::optional<HttpResponse> refusal_of_upgrade(const HttpRequest& request) {
   return std::nullopt;
 }
 
-// Whether everybody may ask for it: health probes have no token, and browsers send none with a preflight.  A web page
-// cannot add a header to its upgrade request either: then the first message on the WebSocket contains the token.
+// Whether a request needs no token.  Health probes have none, and browsers send none with a preflight.  A web page
+// cannot add a header to its upgrade request either; then the first message on the WebSocket contains the token.
 bool is_open(const Resource& resource, const HttpRequest& request) {
   if (!resource.needs_token || request.method() == http::verb::options) return true;
   return resource.target == kWebSocket && request.count(http::field::authorization) == 0;
@@ -177,7 +177,7 @@ std::optional<HttpResponse> refusal_of(const HttpRequest& request, const Connect
   if (is_file) return std::nullopt;
   if (resource == nullptr) {
     return refuse(http::status::not_found,
-                  "There is POST /rpc, and GET of /ws, /healthz, /readyz, /metrics, /openrpc.json.");
+                  "The server has POST /rpc, and GET of /ws, /healthz, /readyz, /metrics and /openrpc.json.");
   }
   if (!allows(*resource, request.method())) {
     HttpResponse answer = refuse(http::status::method_not_allowed, "Use " + std::string{resource->methods} + ".");

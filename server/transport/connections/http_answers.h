@@ -1,7 +1,7 @@
-// What an HTTP request may ask for, judged by its header alone, and every answer that is not the result of a call.
+// Accepts or refuses an HTTP request by its header alone, and makes every answer that is not the result of a call.
 //
 // Pages of allowed origins may read the answers (CORS, https://fetch.spec.whatwg.org/#http-cors-protocol): a preflight,
-// which has no token, is answered 204, and every answer to such a page names its origin.
+// which has no token, is answered with status 204, and every answer to such a page names its origin.
 #pragma once
 
 #include <boost/beast/http/message.hpp>
@@ -33,11 +33,11 @@ using HttpResponse = boost::beast::http::response<boost::beast::http::string_bod
 // REQUIRES for the rest: an accepted request.
 // A request for an upgrade to a WebSocket.
 [[nodiscard]] bool is_upgrade(const HttpRequest& request);
-// The answer to a request for a page or a file, or to a preflight; nothing for a call.  That to HEAD has the body of
-// the answer to GET, which is not sent.
+// The answer to a request for a page or a file, or to a preflight; nothing for a call.  The answer to HEAD contains the
+// body of the answer to GET, which is not sent.
 [[nodiscard]] std::optional<HttpResponse> page_for(const HttpRequest& request, const access::Service& service);
 
-// Lets a page of an allowed origin read this answer, whether the request was accepted or not.
+// Allows a page of an allowed origin to read this answer, whether or not the request was accepted.
 void allow_origin(HttpResponse& answer, const HttpRequest& request, const access::Access& access);
 
 }  // namespace selvage::server::transport::connections

@@ -1,7 +1,7 @@
 // HTTP/1.1 on one connection, one request at a time.  Beast is used in this file, in http_answers.* and in
 // websocket_connection.* only, because it is slow to compile.  Beast 1.74 reads chunked trailers without a limit, and
-// it takes a body under an unknown Transfer-Encoding for the next request.  Therefore the header is read alone and
-// checked before the body.
+// it mistakes a body with an unknown Transfer-Encoding for the next request.  Therefore the header is read and checked
+// before the body.
 #include "server/transport/connections/connection.h"
 
 #include <boost/asio/post.hpp>
@@ -75,7 +75,7 @@ class HttpConnection {
     co_return !last && !failed_;
   }
 
-  // Counts and reports the refusal of a caller; other refusals concern the request.
+  // Counts and reports the refusal if it is of a caller; other refusals concern only the request.
   void report(const HttpResponse& refusal) const {
     const bool unauthorised = refusal.result() == http::status::unauthorized;
     if (!unauthorised && refusal.result() != http::status::forbidden) return;
@@ -167,7 +167,7 @@ class HttpConnection {
     http::response_serializer<http::string_body> serializer{answer};
     serializer.split(header_only);
     while (!error && !(header_only ? serializer.is_header_done() : serializer.is_done())) {
-      connection_.arm(connection_.write_watchdog, context_.limits.write);  // anew for each part that the client takes
+      connection_.arm(connection_.write_watchdog, context_.limits.write);  // restarted whenever the client takes a part
       co_await http::async_write_some(connection_.socket, serializer, asio::redirect_error(asio::use_awaitable, error));
     }
     Connection::disarm(connection_.write_watchdog);

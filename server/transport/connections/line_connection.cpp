@@ -18,8 +18,8 @@ namespace {
 namespace asio = boost::asio;
 using Error = boost::system::error_code;
 
-// Read at a time.  Between two parts all other connections have their turn, so that what these wait for is as many
-// parts as there are connections that send much.
+// The bytes that are read at a time.  All other connections have a turn between two parts, so that each waits for at
+// most one part of every connection that sends much.
 constexpr std::size_t kPart = std::size_t{16} << 10;
 constexpr std::size_t kKeptBuffer = std::size_t{64} << 10;  // for the next answers; a larger one is freed
 
@@ -85,8 +85,8 @@ class LineConnection final : public Conversation {
     }
   }
 
-  // Before more is read: between lines, waits until there is room; a line that has begun is dropped if there is none in
-  // time, so that lines that wait for their ends cannot block each other.
+  // Call this before reading more.  Between lines, it waits until there is room.  A line that has begun is dropped if
+  // there is no room in time, so that incomplete lines cannot block each other.
   asio::awaitable<void> make_room() {
     held_.set(splitter_.partial_bytes());
     if (held_.bytes() == 0) {
@@ -130,7 +130,7 @@ class LineConnection final : public Conversation {
     writing_.clear();
     std::size_t bytes{};
     std::string_view end{};
-    // Short texts are sent together.  A long one is sent as it is, because a copy of megabytes takes long.
+    // Short texts are sent together.  A long text is sent by itself, because copying megabytes takes long.
     if (unsent.front().size() > kKeptBuffer) {
       writing_ = std::move(unsent.front());
       unsent.pop_front();

@@ -1,7 +1,7 @@
 // Splits a stream of bytes into lines: the framing of newline-delimited JSON.
 //
 // A line ends with \n, and a \r before it is removed.  Blank lines are skipped.  The bytes of a line that exceeds the
-// limit are dropped; it is reported once, when it exceeds the limit.
+// limit are dropped; the line is reported once, when it exceeds the limit.
 #pragma once
 
 #include <cstddef>
@@ -22,11 +22,11 @@ class LineSplitter {
 
   // The lines that `bytes` complete.
   [[nodiscard]] std::vector<Line> feed(std::string_view bytes);
-  // The last line if the bytes end without \n; none or one.
+  // The last line, if the bytes end without \n; otherwise none.
   [[nodiscard]] std::vector<Line> finish();
-  // Drops the line that has begun, whose rest is skipped.  REQUIRES: partial_bytes() is not 0.
+  // Drops the line that has begun, and skips the rest of it.  REQUIRES: partial_bytes() is not 0.
   void drop();
-  // Of the line that has begun and not ended.
+  // The size of the line that has begun and not ended.
   [[nodiscard]] std::size_t partial_bytes() const { return partial_.size(); }
   // Returns true if a line has begun and not ended.
   [[nodiscard]] bool within_line() const { return dropping_ || !partial_.empty(); }

@@ -20,7 +20,7 @@ using Upgrade = boost::beast::http::request<boost::beast::http::string_body>;
 constexpr std::size_t kChunk = 65536;  // bytes per read, so that a long message is seen to progress
 constexpr std::chrono::seconds kClosePatience{2};
 
-// The socket below a WebSocket: a write that continues shows that the client has taken what came before.
+// The socket below a WebSocket.  When a write continues, the client has taken the bytes before it.
 class WatchedSocket {
  public:
   using executor_type = Socket::executor_type;
@@ -46,7 +46,7 @@ class WatchedSocket {
   const std::chrono::milliseconds patience_;
 };
 
-// Beast finds it by its argument.
+// Beast finds this function by argument-dependent lookup.
 template <class Handler>
 void async_teardown(boost::beast::role_type role, WatchedSocket& socket, Handler&& handler) {
   using boost::beast::websocket::async_teardown;
