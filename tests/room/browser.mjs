@@ -162,12 +162,24 @@ export class Page {
     return this.ask(`document.querySelector(${JSON.stringify(selector)})?.textContent ?? ""`);
   }
 
+  /** Clicks an element, again if what the page learnt meanwhile has moved it away from under the pointer. */
   async click(selector) {
     const find = `document.querySelector(${JSON.stringify(selector)})`;
-    await this.until(`!!${find} && !${find}.disabled`, selector);
-    const [x, y] = await this.ask(`(() => { const e = ${find}; e.scrollIntoView({ block: "nearest" }); const r = e.getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]; })()`);
-    await this.mouse("mousePressed", x, y, { clickCount: 1 });
-    await this.mouse("mouseReleased", x, y, { clickCount: 1 });
+    for (let tries = 0; tries < 10; ++tries) {
+      await this.until(`!!${find} && !${find}.disabled && ${find}.getClientRects().length > 0`, selector);
+      const [x, y] = await this.ask(`(() => {
+        const e = ${find};
+        window.clickArrived = false;
+        e.addEventListener("click", () => { window.clickArrived = true; }, { capture: true, once: true });
+        e.scrollIntoView({ block: "nearest" });
+        const r = e.getBoundingClientRect();
+        return [r.x + r.width / 2, r.y + r.height / 2];
+      })()`);
+      await this.mouse("mousePressed", x, y, { clickCount: 1 });
+      await this.mouse("mouseReleased", x, y, { clickCount: 1 });
+      if (await this.ask(`window.clickArrived || !${find}`).catch(() => true)) return; // a click may lead to another page
+    }
+    throw new Error(`ten clicks at ${selector} did not arrive`);
   }
 
   /** Clicks the button whose text or name is this. */

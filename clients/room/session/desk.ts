@@ -112,6 +112,17 @@ export class Desk {
     this.changed.value = { before, by, mine };
   }
 
+  // Reads the marker anew unless it is known at this revision by then: an answer and a notification tell of the same change.
+  // One reading begins when the one before has ended, so that an older document never takes the place of a newer one.
+  private refreshAfter(revision: number, by: string): void {
+    const mine = this.underWay > 0;
+    this.refreshing = this.refreshing
+      .catch(() => {})
+      .then(async () => {
+        if (this.figures.value.revision < revision) await this.refresh(await this.link.ready(), by, mine);
+      });
+  }
+
   private listen(client: Client): void {
     if (this.listening === client) return;
     this.listening = client;
@@ -138,8 +149,7 @@ export class Desk {
     }
     const follows = change.revision === revision + 1 && !change.whole;
     if (!follows || !marker.absorb(change.placements)) {
-      const mine = this.underWay > 0;
-      this.refreshing = this.link.ready().then((client) => this.refresh(client, by, mine));
+      this.refreshAfter(change.revision, by);
       return;
     }
     marker.remove(change.removed);
