@@ -25,7 +25,7 @@ enum class CallCode : int {
   kDraining = -32014,
   kUnauthorised = -32015,
   kCancelled = -32800,
-  kRevisionMismatch = -32801,  // details["revision"] is the present one
+  kRevisionMismatch = -32801,  // details["revision"] is the current one
   kSuperseded = -32802,        // replaced by a newer move of the same drag
 
   kBadAddress = 1,    // the address is invalid

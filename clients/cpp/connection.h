@@ -31,7 +31,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   Connection& operator=(const Connection&) = delete;
   // Starts to connect.  `trusted`: see Settings.  REQUIRES: called once.
   void open(const Address& address, const std::string& trusted);
-  // Lines are sent in order.  REQUIRES: the connection is established; earlier lines are lost.
+  // Lines are sent in order.  REQUIRES: the connection is established; lines sent before that are lost.
   void send(std::string_view line);
   void close();
 

@@ -1,7 +1,7 @@
 // The exchange of one client with one daemon, over one connection after another.  Everything here runs on the thread of
 // the io_context.
 //
-// Invariants: every call that was begun is answered exactly once; a call that was sent was sent on the present
+// Invariants: every call that was begun is answered exactly once; every call marked as sent was sent on the current
 // connection.
 #pragma once
 
@@ -70,8 +70,8 @@ class Conversation {
   Handlers handlers_;
   State state_{State::kIdle};
   bool was_connected_{};    // at any earlier time
-  bool reconnected_{};      // the present connection is not the first one
-  bool received_any_{};     // the daemon has sent something on the present connection
+  bool reconnected_{};      // the current connection is not the first one
+  bool received_any_{};     // the daemon has sent something on the current connection
   bool last_was_silent_{};  // the previous connection ended before the daemon sent anything
   std::shared_ptr<Connection> connection_;
   boost::asio::steady_timer retry_timer_;
@@ -79,7 +79,7 @@ class Conversation {
   std::chrono::milliseconds next_pause_{};
   std::map<CallId, OpenCall> open_;
   std::set<std::string> watched_;
-  std::set<std::string> refused_;  // of these, those that a daemon that was still loading has refused to watch
+  std::set<std::string> refused_;  // the subset that the daemon refused to watch while it was loading its markers
 };
 
 }  // namespace selvage::client

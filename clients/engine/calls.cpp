@@ -28,17 +28,17 @@ double now_ms() {
   return std::chrono::duration<double, std::milli>{TimeLimit::Clock::now().time_since_epoch()}.count();
 }
 
-using Serve = Outcome (*)(ParsedCall& call, const Means& means);
+using Serve = Outcome (*)(ParsedCall& call, const Context& context);
 
-Outcome open(ParsedCall& call, const Means& means) {
-  const OpenMarkers::Opened opened = means.markers.open(call.take_params<daemon::OpenParams>().file);
+Outcome open(ParsedCall& call, const Context& context) {
+  const OpenMarkers::Opened opened = context.markers.open(call.take_params<daemon::OpenParams>().file);
   const Current now = opened.marker->current();
   return encode(daemon::opened(opened.id, now.revision, *now.file));
 }
 
-Outcome list(ParsedCall&, const Means& means) {
+Outcome list(ParsedCall&, const Context& context) {
   daemon::ListResult result;
-  for (const OpenMarkers::Opened& open : means.markers.all()) {
+  for (const OpenMarkers::Opened& open : context.markers.all()) {
     const Current now = open.marker->current();
     const marker::Figures figures = figures_of(now.file->marker);
     result.markers.push_back({.at = {open.id, now.revision},
@@ -51,16 +51,16 @@ Outcome list(ParsedCall&, const Means& means) {
   return encode(result);
 }
 
-Outcome close(ParsedCall& call, const Means& means) {
+Outcome close(ParsedCall& call, const Context& context) {
   const std::string& id = call.params_as<daemon::CloseParams>().marker_id;
-  if (!means.markers.close(id)) return protocol::calls::not_open(id);
+  if (!context.markers.close(id)) return protocol::calls::not_open(id);
   return encode(daemon::CloseResult{id});
 }
 
-Outcome apply(ParsedCall& call, const Means& means) {
+Outcome apply(ParsedCall& call, const Context& context) {
   const auto& params = call.params_as<protocol::edits::ApplyParams>();
   const auto& [id, base, op_id] = params.call;
-  const auto marker = means.markers.find(id);
+  const auto marker = context.markers.find(id);
   if (!marker) return protocol::calls::not_open(id);
   const auto turn = marker->turn();
   const Current now = marker->current();
@@ -74,9 +74,9 @@ Outcome apply(ParsedCall& call, const Means& means) {
 }
 
 template <Origin origin>
-Outcome undo_or_redo(ParsedCall& call, const Means& means) {
+Outcome undo_or_redo(ParsedCall& call, const Context& context) {
   const auto& [id, base, op_id] = call.params_as<protocol::edits::ChangeParams>();
-  const auto marker = means.markers.find(id);
+  const auto marker = context.markers.find(id);
   if (!marker) return protocol::calls::not_open(id);
   const auto turn = marker->turn();
   const Current now = marker->current();
@@ -89,9 +89,9 @@ Outcome undo_or_redo(ParsedCall& call, const Means& means) {
   return encode(result);
 }
 
-Outcome info(ParsedCall&, const Means& means);
+Outcome info(ParsedCall&, const Context& context);
 
-Outcome discover(ParsedCall&, const Means&) {
+Outcome discover(ParsedCall&, const Context&) {
   return protocol::describe::openrpc_document(SELVAGE_VERSION);
 }
 
@@ -99,7 +99,7 @@ struct Served {
   std::string_view method;
   Serve serve;
 };
-// Besides the methods that the table of methods itself can run.
+// These are served in addition to the methods that the table of methods can run.
 constexpr Served kServed[] = {{"engine.info", info},
                               {"rpc.discover", discover},
                               {"marker.open", open},
@@ -116,20 +116,20 @@ Serve served_here(std::string_view method) {
   return nullptr;
 }
 
-Outcome info(ParsedCall&, const Means& means) {
+Outcome info(ParsedCall&, const Context& context) {
   daemon::EngineInfo info = daemon::engine_info(protocol::json::kMaxFileBytes);
   info.version = SELVAGE_VERSION;
   for (const Method& method : protocol::methods::method_table().all()) {
     if (method.on_marker || served_here(method.name)) info.methods.push_back(method.name);
   }
-  info.workers = means.threads;
-  info.markers = means.markers.all().size();
-  info.cache = protocol::calls::cache_counts_of(means.sums.counts());
+  info.workers = context.threads;
+  info.markers = context.markers.all().size();
+  info.cache = protocol::calls::cache_counts_of(context.sums.counts());
   return encode(info);
 }
 
-// The answer to a run that has no result.
-RpcError why_not(const Method& method, const Error& error, const TimeLimit& limit) {
+// The error to answer when a run has failed or was stopped.
+RpcError error_of_run(const Method& method, const Error& error, const TimeLimit& limit) {
   if (error.code != ErrorCode::kStoppedEarly)
     return protocol::rpc::rpc_error(error, protocol::calls::code_of_run(method, error));
   return limit.is_up() ? protocol::calls::past_deadline(error) : protocol::calls::abandoned();
@@ -137,7 +137,7 @@ RpcError why_not(const Method& method, const Error& error, const TimeLimit& limi
 
 // Runs a method of the table on the marker's current state.  REQUIRES: the caller holds the turn when it is a change.
 Outcome run_on(OpenMarker& marker, const Method& method, const ParsedCall& call, const Caller& caller,
-               const Means& means) {
+               const Context& context) {
   const auto begin = TimeLimit::Clock::now();
   const std::string& id = call.about.marker_id;
   const Current now = marker.current();
@@ -148,17 +148,17 @@ Outcome run_on(OpenMarker& marker, const Method& method, const ParsedCall& call,
   const TimeLimit limit{caller.stop, begin, time};
 
   StageTimer timer{now_ms()};
-  scene::Run run{means.sums, limit.token(), {}, &means.executor};
+  scene::Run run{context.sums, limit.token(), {}, &context.executor};
   run.observer.on_stage = [&timer](scene::Stage stage) { timer.enter(stage, now_ms()); };
   run.observer.on_round = [&caller, resolution = now.file->marker.resolution](const scene::Round& round) {
-    Round told{round.number, to_decimal(round.length, resolution), std::nullopt, round.nodes};
-    if (round.bound) told.bound = to_decimal(*round.bound, resolution);
-    caller.on_round(told);
+    Round reported{round.number, to_decimal(round.length, resolution), std::nullopt, round.nodes};
+    if (round.bound) reported.bound = to_decimal(*round.bound, resolution);
+    caller.on_round(reported);
   };
   auto answer = call.run(*now.file, {run, nullptr, [&limit] { return limit.is_up(); }});
-  if (!answer) return why_not(method, answer.error(), limit);
+  if (!answer) return error_of_run(method, answer.error(), limit);
   if (caller.stop.stop_requested()) return protocol::calls::abandoned();
-  if (call.about.timing) protocol::calls::add_times(answer->fields, timer.times(now_ms()), means.sums.counts());
+  if (call.about.timing) protocol::calls::add_times(answer->fields, timer.times(now_ms()), context.sums.counts());
   const Revision revision = now.revision + (answer->next ? 1 : 0);
   if (answer->next) {
     marker.commit(std::make_shared<const MarkerFile>(protocol::edits::with_marker(*now.file, *std::move(answer->next))),
@@ -169,22 +169,22 @@ Outcome run_on(OpenMarker& marker, const Method& method, const ParsedCall& call,
 
 }  // namespace
 
-Outcome serve(const protocol::rpc::Request& request, const Caller& caller, const Means& means) {
+Outcome serve(const protocol::rpc::Request& request, const Caller& caller, const Context& context) {
   const Method* method = protocol::methods::find_method(request.method);
   if (!method) return protocol::calls::unknown_method(request.method);
   auto call = method->read(request.params);
   if (!call) return protocol::rpc::rpc_error(call.error());
-  if (const Serve serve_here = served_here(request.method)) return serve_here(*call, means);
+  if (const Serve serve_here = served_here(request.method)) return serve_here(*call, context);
   if (!call->run) {
     return RpcError{protocol::rpc::RpcCode::kMethodNotFound,
-                    request.method + " needs a daemon: it is not served inside a program",
+                    request.method + " needs a daemon and is not available in the embedded engine",
                     {}};
   }
-  const auto marker = means.markers.find(call->about.marker_id);
+  const auto marker = context.markers.find(call->about.marker_id);
   if (!marker) return protocol::calls::not_open(call->about.marker_id);
   std::unique_lock<std::mutex> turn;
   if (!call->lane().empty() && call->kind != protocol::calls::MethodKind::kRead) turn = marker->turn();
-  return run_on(*marker, *method, *call, caller, means);
+  return run_on(*marker, *method, *call, caller, context);
 }
 
 }  // namespace selvage::engine

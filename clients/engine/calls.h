@@ -1,4 +1,4 @@
-// What each method does with the markers that are open in this process.
+// Carries out calls on the markers that are open in this process.
 #pragma once
 
 #include <cstddef>
@@ -15,23 +15,23 @@
 
 namespace selvage::engine {
 
-// A round of a motion as a daemon tells it; lengths are in the marker's unit.
+// A round of a motion as a daemon reports it; lengths are in the marker's unit.
 struct Round {
   int number{};
-  double length{};                       // of the marker after it
-  std::optional<double> bound{};         // of packing: no marker is shorter
-  std::optional<std::uint64_t> nodes{};  // of exact searches: searched so far
+  double length{};                       // of the marker after the round
+  std::optional<double> bound{};         // only from packing: a proved lower bound on the length
+  std::optional<std::uint64_t> nodes{};  // only from exact searches: the number of nodes searched so far
 };
 
-// Who made a call.
+// What the caller of a method supplies.
 struct Caller {
-  std::stop_token stop;  // asks to end the call; then it changes nothing
-  // After each round of a motion.
+  std::stop_token stop;  // cancels the call, which then changes nothing
+  // Called after each round of a motion.
   std::function<void(const Round&)> on_round = [](const Round&) {};
 };
 
-// What calls work with.
-struct Means {
+// What all calls share.
+struct Context {
   OpenMarkers& markers;
   SumCache& sums;
   const Executor& executor;
@@ -40,6 +40,7 @@ struct Means {
 
 using Outcome = std::variant<Json, protocol::rpc::RpcError>;
 
-[[nodiscard]] Outcome serve(const protocol::rpc::Request& request, const Caller& caller, const Means& means);
+// Carries out a request and returns its result or its error.
+[[nodiscard]] Outcome serve(const protocol::rpc::Request& request, const Caller& caller, const Context& context);
 
 }  // namespace selvage::engine

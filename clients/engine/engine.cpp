@@ -18,7 +18,7 @@ std::string Engine::answer(std::string_view request, const Caller& caller) {
   const auto refused = [](const Json& id, const RpcError& error) {
     return protocol::json::to_text(protocol::rpc::error_response(id, error));
   };
-  if (incoming.batch) return refused(nullptr, {RpcCode::kInvalidRequest, "a batch is for a daemon", {}});
+  if (incoming.batch) return refused(nullptr, {RpcCode::kInvalidRequest, "batches need a daemon", {}});
   if (const auto* bad = std::get_if<BadRequest>(&incoming.calls.front())) return refused(bad->id, bad->error);
 
   const Request& call = std::get<Request>(incoming.calls.front());

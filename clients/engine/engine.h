@@ -1,7 +1,7 @@
-// The methods of the protocol in this process: what a daemon answers to its only client, without a daemon.
+// Answers the calls of the protocol in this process, as a daemon with a single client would.
 //
-// Served: everything that opens, reads, changes and closes markers.  Watching, drag sessions and the operator's methods
-// need a daemon.  An `opId` has no effect: no call is lost on the way and sent again.
+// All methods that open, read, change and close markers are available.  Watching, drag sessions and the operator's
+// methods need a daemon.  An `opId` has no effect, because no call can be lost and sent again.
 #pragma once
 
 #include <cstddef>
@@ -15,12 +15,12 @@ namespace selvage::engine {
 
 class Engine {
  public:
-  // `threads`: that a motion may use, at least 1.  They do not change the answers.
+  // `threads`: how many threads a motion may use, at least 1.  Their number does not change the answers.
   explicit Engine(std::size_t threads) : threads_{threads}, pool_{threads - 1} {}
 
-  // A JSON-RPC request in, its response out: the bytes that a daemon answers, but for engine.info and for the times
-  // that `timing` asks for.  Empty for a request without an id.  May be called from any thread; the changes of one
-  // marker run one after another.
+  // Returns the response to a JSON-RPC request: the same bytes as a daemon's, except for engine.info and for the times
+  // requested by `timing`.  The response to a request without an id is empty.  May be called from any thread; changes
+  // of the same marker run one after another.
   [[nodiscard]] std::string answer(std::string_view request, const Caller& caller);
 
  private:

@@ -1,4 +1,4 @@
-// The Python module selvage_engine._engine: Engine and Stop.  The only file that sees pybind11.
+// The Python module selvage_engine._engine: Engine and Stop.  The only file that includes pybind11.
 #include <pybind11/functional.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -23,10 +23,10 @@ namespace {
 
 using OnRound = std::function<void(int, double, std::optional<double>, std::optional<std::uint64_t>)>;
 
-// Other Python threads run meanwhile; `on_round` takes the interpreter's lock for itself.
+// Releases the global interpreter lock, so that other Python threads can run; `on_round` acquires it for each call.
 std::string answer(Engine& engine, const std::string& request, const std::stop_source& stop, const OnRound& on_round) {
   Caller caller{.stop = stop.get_token()};
-  if (on_round) {  // none: Python's None
+  if (on_round) {  // empty when Python passed None
     caller.on_round = [&on_round](const selvage::engine::Round& round) {
       on_round(round.number, round.length, round.bound, round.nodes);
     };
@@ -41,12 +41,13 @@ std::string answer(Engine& engine, const std::string& request, const std::stop_s
 PYBIND11_MODULE(_engine, module) {
   module.doc() = "The calls of the protocol, answered in this process.";
   module.attr("__version__") = SELVAGE_VERSION;
-  py::class_<std::stop_source>(module, "Stop", "Asks the calls that were given it to end.")
+  py::class_<std::stop_source>(module, "Stop", "Stops the calls that it was passed to.")
       .def(py::init<>())
       .def("request", [](std::stop_source& stop) { stop.request_stop(); });
-  py::class_<Engine>(module, "Engine", "The open markers of a program, and the methods of the protocol on them.")
+  py::class_<Engine>(module, "Engine", "Holds open markers and answers the calls of the protocol on them.")
       .def(py::init([](std::size_t threads) { return std::make_unique<Engine>(std::max<std::size_t>(threads, 1)); }),
            py::arg("threads") = 1)
       .def("answer", &answer, py::arg("request"), py::arg("stop"), py::arg("on_round") = py::none(),
-           "The response to a JSON-RPC request, as text.  Calls on_round(round, length, bound, nodes) on this thread.");
+           "Returns the response to a JSON-RPC request as text.  Calls on_round(round, length, bound, nodes) on this "
+           "thread.");
 }

@@ -1,6 +1,9 @@
-"""An example of each method for protocol/openrpc.json: requests of the golden exchanges (tests/golden/rpc), as this daemon
-answers them, or as the exchange has it where only a connection that stays open is answered.  The same request gives the same
-answer, so the file changes only when the daemon does."""
+"""Examples of the methods for protocol/openrpc.json.
+
+They are requests of the golden exchanges (tests/golden/rpc) with the answers of this daemon.  Where a call only works on a
+connection that stays open, the answer is the recorded one.  The same request always gets the same answer, so the file
+changes only when the daemon does.
+"""
 from __future__ import annotations
 
 import json
@@ -10,7 +13,7 @@ import tempfile
 
 
 def answers(selvaged: str, calls: list[dict]) -> dict[str, dict]:
-    """What a fresh daemon answers to the calls, by their ids."""
+    """The answers of a fresh daemon to the calls, by call id."""
     with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
         json.dump(calls, file)
         file.flush()
@@ -19,13 +22,13 @@ def answers(selvaged: str, calls: list[dict]) -> dict[str, dict]:
 
 
 def exchanges(selvaged: str, folder: pathlib.Path) -> list[tuple[dict, dict]]:
-    """The requests that succeed, and their results."""
+    """All requests that succeed, with their results."""
     pairs = []
     for path in sorted(folder.glob("*.json")):
-        held = [exchange for exchange in json.loads(path.read_text("utf-8"))
-                if isinstance(exchange.get("request"), dict) and "id" in exchange["request"]]
-        known = answers(selvaged, [exchange["request"] for exchange in held])
-        for exchange in held:
+        calls = [exchange for exchange in json.loads(path.read_text("utf-8"))
+                 if isinstance(exchange.get("request"), dict) and "id" in exchange["request"]]
+        known = answers(selvaged, [exchange["request"] for exchange in calls])
+        for exchange in calls:
             request = exchange["request"]
             answer = known.get(json.dumps(request["id"]), {})
             if "result" not in answer and "$any" not in json.dumps(exchange["response"]):
@@ -41,20 +44,20 @@ def pairing(request: dict, result: dict) -> dict:
             "result": {"name": "result", "value": result}}
 
 
-def length(example: dict) -> tuple[bool, int]:
-    """The shorter the better; but first those in which something moves."""
+def preference(example: dict) -> tuple[bool, int]:
+    """A sort key that prefers examples in which a piece moves, then short ones."""
     return example["result"]["value"].get("placements") == [], len(json.dumps(example))
 
 
 def with_examples(document: dict, selvaged: str, folder: pathlib.Path) -> dict:
-    """The document with the shortest exchange of each method.  What describes the daemon itself has none."""
+    """Adds the preferred exchange of each method to the document, except for methods that describe the daemon itself."""
     known = exchanges(selvaged, folder)
     methods = []
     for method in document["methods"]:
         of_method = [pairing(request, result) for request, result in known if request["method"] == method["name"]
                      and not method["name"].startswith(("engine.", "rpc."))]
-        shortest = sorted(of_method, key=length)[:1]
-        methods.append(method | ({"examples": shortest} if shortest else {}))
+        chosen = sorted(of_method, key=preference)[:1]
+        methods.append(method | ({"examples": chosen} if chosen else {}))
     return document | {"methods": methods}
 
 

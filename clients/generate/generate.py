@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Regenerates what follows from the table of methods: generate.py SELVAGED [--check].
 
-The daemon describes itself (rpc.discover).  From that description follow the motions and words of the Python client and of
-the engine in Python, the types of the TypeScript client (clients/typescript/scripts/generate.mjs, when there is a node),
-the table of calls in protocol/README.md, and protocol/openrpc.json, the description itself with an example of each
-method.  With --check nothing is written: the exit code is 1 if a file is stale, and its name is printed.  Examples are
-not compared then: another exchange may be shorter now.
+The daemon describes itself (rpc.discover).  This description determines the motions and enumerations of the Python client,
+the functions of the engine in Python, the types of the TypeScript client (clients/typescript/scripts/generate.mjs, if node
+is installed), the table of calls in protocol/README.md, and protocol/openrpc.json, which is the description with an example
+of each method.  With --check nothing is written; the names of stale files are printed, and the exit code is 1 if there are
+any.  Examples are not compared then, because another exchange may be shorter now.
 """
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def discover(selvaged: str) -> dict:
 
 
 def typescript(document: dict) -> dict[pathlib.Path, str]:
-    """The generated sources of the TypeScript client; none when there is no node."""
+    """The generated sources of the TypeScript client; none if node is not installed."""
     node = shutil.which("node")
     if not node:
         return {}

@@ -1,7 +1,7 @@
-"""The results of motions and the words of the Python client, from the OpenRPC document: a dataclass for each result.
+"""Generates the results of motions and the enumerations of the Python client from the OpenRPC document.
 
-A new motion needs nothing here: `motion.alignLeft` becomes `align_left`, with the result `AlignLeftResult`.  The names
-below are those that the client had before it was generated.  python_motions.py makes the methods.
+A new motion needs no entry here: `motion.alignLeft` becomes `align_left`, with the result `AlignLeftResult`.  The names
+below are those that the client had before it was generated.  python_motions.py generates the methods.
 """
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def fields_of(schema: dict) -> dict[str, dict]:
 
 
 def common_fields(document: dict) -> list[str]:
-    """The fields of every motion's result, in the order of the first."""
+    """The fields that the results of all motions share, in the order of the first motion."""
     all_names = [list(fields_of(method["result"]["schema"])) for method in motions_of(document)]
     return [name for name in all_names[0] if all(name in names for names in all_names)]
 
@@ -84,13 +84,13 @@ def result_name(method: dict, common: list[str]) -> str:
     return RESULT_NAMES.get(name, name[0].upper() + name[1:] + "Result")
 
 
-# Too many to be shown with the rest of a result.
-NOT_SHOWN = ("placements",)
+# Long fields, which the repr of a result leaves out.
+NOT_IN_REPR = ("placements",)
 
 
 def dataclass(name: str, base: str, fields: list[tuple[str, str, bool]], meaning: str) -> str:
     """Fields are (name, type, required)."""
-    lines = [f"    {name}: {kind}" + (" = field(repr=False)" if name in NOT_SHOWN else "") if required
+    lines = [f"    {name}: {kind}" + (" = field(repr=False)" if name in NOT_IN_REPR else "") if required
              else f"    {name}: {kind} | None = None"
              for name, kind, required in sorted(fields, key=lambda field: not field[2])]
     options = "frozen=True, kw_only=True" if base else "frozen=True"
@@ -102,7 +102,7 @@ def described(types: Types, schema: dict, names: list[str]) -> list[tuple[str, s
 
 
 def components(types: Types, wanted: list[str]) -> list[str]:
-    """The dataclasses of components that only motions use, each after those that it uses itself."""
+    """The dataclasses of components that only motions use, in an order in which each follows those that it uses."""
     made: dict[str, str] = {}
 
     def make(name: str) -> None:
@@ -110,7 +110,7 @@ def components(types: Types, wanted: list[str]) -> list[str]:
             return
         wire = next((wire for wire, known in TYPE_NAMES.items() if known == name), name)
         schema = types.schemas[wire]
-        if wire == "GapWidths":  # one class for a gap with its widths and without
+        if wire == "GapWidths":  # one class for gaps with and without their widths
             schema = schema | {"required": types.schemas["Gap"]["required"]}
         inner = Types({"components": {"schemas": types.schemas}})
         fields = described(inner, schema, list(schema["properties"]))
@@ -145,19 +145,19 @@ def motion_results(document: dict) -> str:
     needed = sorted(name for name in types.used if name not in IMPORTED)
     classes = [*components(types, needed), *classes]
     imported = ", ".join(sorted(name for name in types.used if name in IMPORTED))
-    head = [f'"""What motions return, typed.  Fields, units and meanings: protocol/README.md, Motions.\n\n{HEADER}\n"""',
+    head = [f'"""The results of motions.  protocol/README.md, Motions, explains the fields.\n\n{HEADER}\n"""',
             "from __future__ import annotations\n\nfrom dataclasses import dataclass, field",
             f"from .choices import {', '.join(sorted(types.choices))}\nfrom .results import {imported}\n"]
     return "\n\n".join(head) + "\n\n" + "\n\n\n".join(classes) + "\n"
 
 
 def choices(document: dict) -> str:
-    """A Literal type for every set of words, and the names of all motions."""
+    """A Literal type for every enumeration, and the names of all motions."""
     enums = {name: schema for name, schema in document["components"]["schemas"].items() if "enum" in schema}
     types = [f"{name} = Literal[{', '.join(json.dumps(word) for word in schema['enum'])}]\n"
              + f'"""{schema["description"]}"""\n' for name, schema in enums.items()]
     names = "".join(f"        {json.dumps(method['name'])},\n" for method in motions_of(document))
-    return f'''"""The words of the protocol, as types: what a parameter may be, and what a result may say.
+    return f'''"""The enumerations of the protocol, as types of parameters and of fields of results.
 
 {HEADER}
 """
@@ -171,7 +171,7 @@ MOTIONS = frozenset(
     {{
 {names}    }}
 )
-"""The names of the methods that move pieces by themselves."""
+"""The names of the methods that compute new placements of the pieces."""
 '''
 
 
@@ -180,7 +180,7 @@ def engine_motions(document: dict) -> str:
     names = list(map(python_name, motions_of(document)))
     lines = "".join(f"{name} = in_one_call(Marker.{name})\n" for name in names)
     listed = "".join(f'    "{name}",\n' for name in names)
-    return f'''"""The motions of a marker, each as one call in this process.  See selvage_client.Marker for what they take.
+    return f'''"""The motions of a marker as single calls in this process, with the parameters of selvage_client.Marker.
 
 {HEADER}
 """

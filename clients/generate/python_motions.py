@@ -1,13 +1,13 @@
-"""The motions of the Python client, from the OpenRPC document: a method for each, in a file for each family."""
+"""Generates the motions of the Python client from the OpenRPC document: a method for each, in a file for each family."""
 from __future__ import annotations
 
 from python_client import HEADER, Types, common_fields, motions_of, python_name, result_name, snake
 
 BY_PIECE = {"Force": ("force", "Point"), "PieceValue": ("value", "float")}  # lists that are mappings in Python
-CALL_PARAMS = ("commit", "baseRev", "opId", "deadlineMs", "timing")  # of every motion, after its own
+CALL_PARAMS = ("commit", "baseRev", "opId", "deadlineMs", "timing")  # of every motion; they follow its own parameters
 FAMILIES = {
-    "searches": "Methods that search for a better layout: they take long, and stop when their time is up.",
-    "markers": "Motions of all pieces of a marker at once.",
+    "searches": "Methods that search for a better layout; they take long, and stop when their time is up.",
+    "markers": "Motions of all pieces of a marker.",
     "pieces": "Motions of single pieces.",
 }
 
@@ -24,7 +24,7 @@ def class_name(family_name: str) -> str:
 
 
 def by_piece(schema: dict) -> tuple[str, str] | None:
-    """Of a list with an entry for each piece: its other field, and that field's type."""
+    """For a list with an entry for each piece: the name and the type of the other field of an entry."""
     return BY_PIECE.get(schema.get("items", {}).get("$ref", "").rsplit("/", 1)[-1])
 
 
@@ -52,7 +52,7 @@ def motion(types: Types, method: dict, common: list[str]) -> str:
                   key=lambda param: CALL_PARAMS.index(param["name"]))
     signature = ["self", *[parameter(types, param) for param in own if param["required"]], "*",
                  *[parameter(types, param) for param in [*own, *call] if not param["required"]],
-                 "progress: Shown = None"]
+                 "progress: ProgressOption = None"]
     arguments = [f'"{method["name"]}"', "progress", *[argument(param) for param in [*own, *call]]]
     result = result_name(method, common)
     lines = [f"    async def {python_name(method)}("]
@@ -71,7 +71,7 @@ def family_file(name: str, document: dict) -> str:
     words = f"from ..messages.choices import {', '.join(sorted(types.choices))}\n" if types.choices else ""
     abstract = "from collections.abc import Mapping\n\n" if "Mapping[" in methods else ""
     point = "from ..messages.results import Point\n" if "Point" in methods else ""
-    return f'''"""{FAMILIES[name]}  Parameters, units and results: protocol/README.md, Motions.
+    return f'''"""{FAMILIES[name]}  protocol/README.md, Motions, explains the parameters and results.
 
 {HEADER}
 """
@@ -80,7 +80,7 @@ from __future__ import annotations
 
 {abstract}{words}from ..messages.motion_results import (
 {results})
-{point}from ..wire.progress import Shown
+{point}from ..wire.progress import ProgressOption
 from .call import AsyncMotion
 
 
@@ -91,11 +91,11 @@ class {class_name(name)}(AsyncMotion):
 
 def package_file() -> str:
     imports = "".join(f"from .{name} import {class_name(name)}\n" for name in sorted(FAMILIES))
-    return f'''"""The motions of a marker, one method each: AsyncMotions, and BlockingMotions whose calls wait.
+    return f'''"""The motions of a marker, one method each: AsyncMotions, and BlockingMotions for blocking calls.
 
-Every motion takes `commit` (False: return the result, but leave the marker as it is), `base_rev`, `op_id`, `deadline_ms`,
+Every motion takes `commit` (False returns the result but leaves the marker unchanged), `base_rev`, `op_id`, `deadline_ms`,
 `timing` and `progress`, which is called after each round; an exception in it cancels the motion.  `progress=True` shows a
-bar of the package tqdm.
+progress bar of the package tqdm.
 
 {HEADER}
 """
@@ -105,13 +105,13 @@ from __future__ import annotations
 {imports}
 
 class AsyncMotions({", ".join(class_name(name) for name in FAMILIES)}):
-    """All of them."""
+    """All motions."""
 '''
 
 
 def blocking_file(document: dict) -> str:
     lines = "".join(f"    {name} = blocking(AsyncMotions.{name})\n" for name in map(python_name, motions_of(document)))
-    return f'''"""The motions of a marker, as calls that wait.  See AsyncMotions.
+    return f'''"""The motions of a marker as blocking calls.  See AsyncMotions.
 
 {HEADER}
 """
@@ -127,6 +127,6 @@ class BlockingMotions(Blocking):
 
 
 def files(document: dict) -> dict[str, str]:
-    """The texts of all generated files, by their names in selvage_client/motions."""
+    """The contents of all generated files, by their names in selvage_client/motions."""
     return {"__init__.py": package_file(), "blocking.py": blocking_file(document),
             **{f"{name}.py": family_file(name, document) for name in FAMILIES}}

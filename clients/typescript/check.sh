@@ -1,14 +1,14 @@
 #!/bin/sh
 # Builds the package and runs its tests against a daemon: check.sh SELVAGED FOLDER.  The package is copied into the folder and
-# built there.  77 when node or a TypeScript compiler is not there (tsc, or what `npm ci` installs).  WebSockets are those of
-# Node, of `npm ci`, or of Debian's node-ws; without any of them the tests fail.
+# built there.  The exit code is 77 if node or a TypeScript compiler (tsc, or the one that `npm ci` installs) is missing.
+# WebSockets are those of Node, of `npm ci`, or of Debian's node-ws; without any of them the tests fail.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 export SELVAGED="$1"
 copy="$2/clients/typescript"
 tsc=$(command -v tsc || echo "$here/node_modules/.bin/tsc")
-command -v node >/dev/null || { echo "skipped: there is no node"; exit 77; }
-[ -x "$tsc" ] || { echo "skipped: there is no tsc; install node-typescript, or run npm ci in $here"; exit 77; }
+command -v node >/dev/null || { echo "skipped: node is not installed"; exit 77; }
+[ -x "$tsc" ] || { echo "skipped: tsc is not installed; install node-typescript, or run npm ci in $here"; exit 77; }
 rm -rf "$2"
 mkdir -p "$copy" "$2/tests/golden" "$2/examples"
 cp -r "$here/package.json" "$here/tsconfig.json" "$here/src" "$here/scripts" "$here/test" "$copy"

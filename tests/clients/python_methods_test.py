@@ -15,7 +15,7 @@ from live_daemon import SQUARES, LiveDaemon, LossyProxy
 
 import selvage_client
 from selvage_client import errors, ops
-from selvage_client.messages import words
+from selvage_client.messages import conversion
 from selvage_client.wire.link import may_repeat
 
 SELVAGED = sys.argv.pop(1) if len(sys.argv) > 1 else "selvaged"
@@ -30,7 +30,7 @@ OF_DRAG = {"drag.begin": "begin", "drag.move": "move", "drag.end": "end"}
 
 
 def python_name(method):
-    return OTHERWISE.get(method) or words.snake(method.split(".")[1])
+    return OTHERWISE.get(method) or conversion.snake(method.split(".")[1])
 
 
 def differences(expected, told, where=""):
@@ -38,7 +38,7 @@ def differences(expected, told, where=""):
     if expected == "$any":
         return []
     if dataclasses.is_dataclass(told):
-        fields = {words.camel(field.name): getattr(told, field.name) for field in dataclasses.fields(told)}
+        fields = {conversion.camel(field.name): getattr(told, field.name) for field in dataclasses.fields(told)}
         missing = [f"{where}/{name}" for name in expected if name not in fields]
         extra = [f"{where}/{name}" for name, value in fields.items() if value and name not in expected]
         return missing + extra + [
@@ -88,7 +88,7 @@ class Typed(unittest.TestCase):
             call = getattr(client.library, method.partition(".")[2])
         else:
             call = getattr(client.marker(params.pop("markerId")), python_name(method))
-        options = {words.snake(name): value for name, value in params.items()}
+        options = {conversion.snake(name): value for name, value in params.items()}
         if "forces" in options:
             options["forces"] = {force["piece"]: force["force"] for force in options["forces"]}
         if "values" in options:
@@ -146,8 +146,8 @@ class Losses(unittest.TestCase):
             self.addCleanup(proxy.close)
             with selvage_client.Client(proxy.address) as client:
                 marker = client.open(SQUARES)
-                with self.assertRaises(selvage_client.ConnectionLost), marker.drag("right") as hand:
-                    hand.move((60, 10))
+                with self.assertRaises(selvage_client.ConnectionLost), marker.drag("right") as drag:
+                    drag.move((60, 10))
                 self.assertEqual(marker.check().revision, 1)
         self.assertFalse(may_repeat("drag.move", {}))
         self.assertFalse(may_repeat("motion.compact", {}))

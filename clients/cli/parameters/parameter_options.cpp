@@ -27,7 +27,6 @@ struct Exception {
 };
 constexpr Exception kExceptions[] = {
     {"motion.separate", "grow", "--grow", 100, "How much longer the marker may become, in per cent"},
-    {"motion.tilt", "shakes", "--restarts"},
     {"marker.nest", "seconds", "--time"},
     {"marker.nest", "accuracy", "--accuracy", 1,
      "A budget in seconds by name: draft is 2 seconds, standard 20, fine 120; not together with --time"},

@@ -4,9 +4,9 @@
     after = compact("marker.json")
     after.result.length_after, after.document
 
-Each motion is a function of a marker - a native or sparrow document, or the path of one - and of the motion's parameters,
-which are those of selvage_client.Marker's methods.  To make several calls on one marker, or to nest, give selvage_client
-the address "engine:", such as in `selvage_client.Client("engine:")`.
+Each motion is a function.  It takes a marker, which is a native or sparrow document or the path of one, and the
+parameters of the method of the same name of selvage_client.Marker.  To make several calls on one marker, or to nest
+patterns, use selvage_client with the address "engine:", such as `selvage_client.Client("engine:")`.
 """
 
 from ._engine import Engine, Stop, __version__

@@ -1,4 +1,4 @@
-"""A motion of an open marker, as one call that opens a document, runs the motion and closes it."""
+"""Turns motions into single calls, which open a document, run the motion and close the marker."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ Document = Mapping[str, Any] | str | os.PathLike[str]
 
 @dataclass(frozen=True)
 class After(Generic[R]):
-    """What a motion comes to: its result, and the marker after it as a document in the native format."""
+    """The outcome of a motion: its result, and the marker after it as a document in the native format."""
 
     result: R
     document: dict[str, Any]
 
     def svg(self) -> str:
-        """A drawing of the marker."""
+        """A drawing of the marker as an SVG document."""
         with Client("engine:") as client, client.open(self.document) as marker:
             return marker.svg()
 
@@ -32,7 +32,7 @@ class After(Generic[R]):
 
 
 def in_one_call(motion: Callable[Concatenate[Marker, P], R]) -> Callable[Concatenate[Document, P], After[R]]:
-    """The motion as a function of a document, or of its path, in place of an open marker."""
+    """The motion as a function that takes a document, or its path, instead of an open marker."""
 
     @functools.wraps(motion)
     def run(document: Document, /, *args: P.args, **kwargs: P.kwargs) -> After[R]:

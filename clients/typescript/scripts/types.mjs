@@ -1,11 +1,11 @@
-// JSON Schemas of the daemon's description as TypeScript.
+// Turns the JSON Schemas in the daemon's description into TypeScript types.
 
 const open = "Record<string, unknown>";
 export const nameOf = (schema) => schema.$ref.split("/").pop();
 const isObject = (schema) => schema.properties !== undefined;
 const comment = (text, indent) => (text ? `${indent}/** ${text} */\n` : "");
 
-/** A schema as a type expression. */
+/** The type expression of a schema. */
 export function type(schema, indent = "") {
   const one = (each) => type(each, indent);
   if (schema.$ref) return nameOf(schema);
@@ -22,7 +22,7 @@ export function type(schema, indent = "") {
   return { object: open, integer: "number" }[schema.type] ?? schema.type;
 }
 
-/** The fields of an object, as of the parameters of a method. */
+/** The fields of an object schema, in the form in which OpenRPC lists the parameters of a method. */
 export const fieldsOf = (schema) =>
   Object.entries(schema.properties).map(([name, field]) => ({
     name,
@@ -42,7 +42,7 @@ export function object(fields, indent) {
   return `{\n${lines.join("")}${indent}}`;
 }
 
-/** A named type. */
+/** The declaration of a named type. */
 export const declaration = (name, schema) => `${comment(schema.description, "")}export type ${name} = ${type(schema)};\n`;
 
 /** The names of all types that a part of the description refers to. */

@@ -1,6 +1,6 @@
 import type { Connect, Connection } from "./connection.js";
 import { CallError, Code, ConnectionLost, type ErrorData } from "./errors.js";
-import { greeted } from "./greeting.js";
+import { afterFirstAnswer } from "./first_answer.js";
 import { retriable, type Methods, type Notifications } from "./methods.js";
 import { Progress } from "./progress.js";
 
@@ -9,20 +9,20 @@ export type Params<M extends keyof Methods> = Methods[M]["params"];
 export type Answer<M extends keyof Methods> = Methods[M]["result"];
 
 export interface CallOptions {
-  /** Ends the call: it rejects with the code -32800, unless its answer was already on its way. */
+  /** Cancels the call, which then rejects with the code -32800, unless its answer was already on its way. */
   signal?: AbortSignal;
 }
 export interface ClientOptions {
-  /** How many times the client tries to reconnect before it gives up the calls; an answer of the daemon ends the count; 5. */
+  /** How many times the client tries to reconnect before all calls reject; the count restarts when the daemon answers. Default: 5. */
   attempts?: number;
-  /** Milliseconds before the second attempt, twice as long before each further one; 100. */
+  /** The delay before the second attempt in milliseconds; it doubles with each further attempt. Default: 100. */
   patience?: number;
 }
 
 interface Pending {
   method: string;
   text: string;
-  left: number; // how often it may be sent again, on another connection
+  retriesLeft: number; // how often it may still be sent again on another connection
   resolve(result: unknown): void;
   reject(error: Error): void;
 }
@@ -38,14 +38,14 @@ const unauthorised = (error: unknown): error is CallError => error instanceof Ca
 const wait = (milliseconds: number) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 
 /**
- * Calls on one daemon. When the connection is lost the client reconnects, and every unanswered call that takes an `opId` is sent
- * again under the same one, so that it is carried out once; other calls reject with ConnectionLost. Watches and drags end with
- * their connection: watch again on "reconnected". A daemon that does not know the token ends the client: every call rejects with
- * what it said.
+ * Calls the methods of one daemon. When the connection is lost, the client reconnects and sends every unanswered call that takes
+ * an `opId` again with the same `opId`, so that it is carried out once; other calls reject with ConnectionLost. Watches and drag
+ * sessions end with their connection: watch again on "reconnected". If the daemon rejects the token, the client is closed and
+ * every call rejects with the daemon's error.
  */
 export class Client {
   private connection: Connection | undefined;
-  private over: Error | undefined; // why nothing is called any more
+  private closedBy: Error | undefined; // why the client is closed; every call rejects with it
   private ids = 0;
   private readonly name = Math.random().toString(36).slice(2) + Date.now().toString(36);
   private readonly pending = new Map<number, Pending>();
@@ -58,19 +58,19 @@ export class Client {
   ) {}
 
   static async open(connect: Connect, options: ClientOptions = {}): Promise<Client> {
-    const client = new Client(greeted(connect), { attempts: 5, patience: 100, ...options });
-    await client.join();
+    const client = new Client(afterFirstAnswer(connect), { attempts: 5, patience: 100, ...options });
+    await client.openConnection();
     return client;
   }
 
   call<M extends keyof Methods>(method: M, params: Params<M>, options: CallOptions = {}): Promise<Answer<M>> {
     const id = ++this.ids;
-    const again = retriable.has(method);
-    const named = again ? { opId: `${this.name}-${id}`, ...params } : params;
-    const text = JSON.stringify({ jsonrpc: "2.0", id, method, params: named });
+    const canRetry = retriable.has(method);
+    const withId = canRetry ? { opId: `${this.name}-${id}`, ...params } : params;
+    const text = JSON.stringify({ jsonrpc: "2.0", id, method, params: withId });
     const { signal } = options;
     return new Promise<Answer<M>>((resolve, reject) => {
-      if (this.over) return reject(this.over);
+      if (this.closedBy) return reject(this.closedBy);
       if (signal?.aborted) return reject(new CallError(Code.Cancelled, "cancelled before it was sent"));
       const cancel = () => this.cancel(id);
       const done = () => signal?.removeEventListener("abort", cancel);
@@ -78,15 +78,15 @@ export class Client {
       this.pending.set(id, {
         method,
         text,
-        left: again ? this.options.attempts : 0,
+        retriesLeft: canRetry ? this.options.attempts : 0,
         resolve: (result) => (done(), resolve(result as Answer<M>)),
         reject: (error) => (done(), reject(error)),
       });
-      if (this.connection || !again) this.send(id);
+      if (this.connection || !canRetry) this.send(id);
     });
   }
 
-  /** A motion whose rounds are told: `for await (const round of run.progress)`, then `await run.result`. */
+  /** Starts a motion with progress notifications: `for await (const round of run.progress)`, then `await run.result`. */
   start<M extends Motion>(method: M, params: Params<M>, options: CallOptions = {}) {
     const progress = new Progress();
     const progressToken = `${this.name}-${this.ids + 1}`;
@@ -95,11 +95,11 @@ export class Client {
       this.rounds.delete(progressToken);
       progress.end();
     });
-    result.catch(() => {}); // whoever awaits the result hears of it
+    result.catch(() => {}); // not an unhandled rejection: a caller that awaits the result still receives the error
     return { progress, result };
   }
 
-  /** Hears what the daemon sends unasked, and "reconnected"; the answer ends it. */
+  /** Calls the listener for each notification of this name, or on "reconnected". Returns a function that unsubscribes. */
   on<N extends keyof Notifications>(name: N, listener: (params: Notifications[N]) => void): () => void;
   on(name: "reconnected", listener: () => void): () => void;
   on(name: string, listener: (params: never) => void): () => void {
@@ -112,42 +112,42 @@ export class Client {
     this.end(new ConnectionLost("the client is closed"));
   }
 
-  private async join(): Promise<void> {
-    let ended = false; // it may end before it is ours
+  private async openConnection(): Promise<void> {
+    let ended = false; // the connection may end before `connect` resolves
     const connection = await this.connect({
-      message: (text) => this.hear(JSON.parse(text) as Message),
+      message: (text) => this.receive(JSON.parse(text) as Message),
       closed: (reason) => {
         ended = true;
         if (this.connection === connection) void this.lost(reason);
       },
     });
     if (ended) throw new ConnectionLost("the connection ended at once");
-    if (this.over) {
+    if (this.closedBy) {
       connection.close();
-      throw this.over;
+      throw this.closedBy;
     }
     this.connection = connection;
   }
 
   private async lost(reason: string): Promise<void> {
     this.connection = undefined;
-    this.giveUp((call) => call.left-- === 0, (call) => new ConnectionLost(`${call.method}: ${reason}`));
-    for (let k = 0; k < this.options.attempts && !this.over; ++k) {
+    this.giveUp((call) => call.retriesLeft-- === 0, (call) => new ConnectionLost(`${call.method}: ${reason}`));
+    for (let k = 0; k < this.options.attempts && !this.closedBy; ++k) {
       if (k > 0) await wait(this.options.patience * 2 ** (k - 1));
       try {
-        await this.join();
+        await this.openConnection();
       } catch (error) {
         if (unauthorised(error)) return this.end(error);
         continue;
       }
       for (const id of this.pending.keys()) this.send(id);
-      return this.tell("reconnected", undefined);
+      return this.notify("reconnected", undefined);
     }
     this.end(new ConnectionLost(reason));
   }
 
   private end(why: Error): void {
-    this.over ??= why;
+    this.closedBy ??= why;
     this.connection?.close();
     this.giveUp(() => true, () => why);
   }
@@ -176,8 +176,8 @@ export class Client {
     call?.reject(new CallError(Code.Cancelled, "cancelled while there was no connection"));
   }
 
-  private hear(message: Message): void {
-    if (message.method !== undefined) return this.tell(message.method, message.params);
+  private receive(message: Message): void {
+    if (message.method !== undefined) return this.notify(message.method, message.params);
     const { error } = message;
     const id = message.id ?? (error && this.longest());
     const call = this.pending.get(id ?? -1);
@@ -187,16 +187,16 @@ export class Client {
     else call.resolve(message.result);
   }
 
-  /** The call that an answer without an id is about: one so long that the daemon did not read it. */
+  /** The longest unanswered call. An answer without an id refuses a call that was too long for the daemon to read. */
   private longest(): number | undefined {
     const [first] = [...this.pending].sort(([, one], [, other]) => other.text.length - one.text.length);
     return first?.[0];
   }
 
-  private tell(name: string, params: unknown): void {
+  private notify(name: string, params: unknown): void {
     if (name === "$/progress") {
       const round = params as Notifications["$/progress"];
-      this.rounds.get(String(round.token))?.tell(round);
+      this.rounds.get(String(round.token))?.add(round);
     }
     for (const listener of this.listeners.get(name) ?? []) listener(params as never);
   }

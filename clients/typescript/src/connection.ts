@@ -1,24 +1,24 @@
-/** A way to a daemon: messages as text, either way. */
+/** A connection to a daemon, which carries messages as text in both directions. */
 export interface Connection {
   send(text: string): void;
   close(): void;
 }
 
-/** What a connection tells of itself. `closed` is told once, and nothing after it. */
+/** The callbacks of a connection. `closed` is called at most once, and nothing is called after it. */
 export interface Listener {
   message(text: string): void;
   closed(reason: string): void;
 }
 
-/** Opens a connection; rejects when there is none to be had. Called again after a connection was lost. */
+/** A transport: opens a connection, or rejects if that fails. It is called again after a connection was lost. */
 export type Connect = (listener: Listener) => Promise<Connection>;
 
 type SocketClass = new (url: string) => WebSocket;
 
-/** What the first message says to a daemon that asks for a token. */
+/** The first message on a connection to a daemon that requires a token. */
 export const authorisation = (token: string): string => JSON.stringify({ jsonrpc: "2.0", method: "auth", params: { token } });
 
-/** Over a WebSocket: `ws://127.0.0.1:7171/ws`. Node before 22 has none of its own: pass the class of the package `ws`. */
+/** Connects over a WebSocket: `ws://127.0.0.1:7171/ws`. Node before 22 has no WebSocket: pass the class of the package `ws`. */
 export function overWebSocket(url: string, options: { token?: string; Socket?: SocketClass } = {}): Connect {
   const { token, Socket = globalThis.WebSocket } = options;
   return (listener) =>

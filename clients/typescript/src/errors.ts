@@ -1,4 +1,4 @@
-/** Codes of errors on the wire; they never change their meaning. */
+/** The error codes of the protocol, whose meanings never change. */
 export const Code = {
   ParseError: -32700,
   InvalidRequest: -32600,
@@ -18,17 +18,17 @@ export const Code = {
 } as const;
 
 export interface ErrorData {
-  /** What exactly, as a number and a name such as "marker.overlaps". */
+  /** The exact error, as a number and as a name such as "marker.overlaps". */
   code?: number;
   name?: string;
-  /** A JSON pointer into the parameters. */
+  /** A JSON pointer to the wrong parameter. */
   field?: string;
   revision?: number;
   limit?: number;
   retryAfterMs?: number;
 }
 
-/** A call that the daemon refused. */
+/** The daemon answered a call with an error. */
 export class CallError extends Error {
   override readonly name = "CallError";
   constructor(
@@ -40,7 +40,7 @@ export class CallError extends Error {
   }
 }
 
-/** A call whose answer never came: nobody knows whether it was carried out. */
+/** The connection ended before a call was answered, so the call may or may not have been carried out. */
 export class ConnectionLost extends Error {
   override readonly name = "ConnectionLost";
 }

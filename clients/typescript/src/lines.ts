@@ -1,4 +1,4 @@
-// Lines of JSON over TCP or a Unix socket: Node only, and needs no package.
+// Connects over TCP or a Unix socket, with a JSON message per line. For Node only; it needs no package.
 import { connect } from "node:net";
 import { authorisation, type Connect } from "./connection.js";
 

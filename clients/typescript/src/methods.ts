@@ -7,7 +7,7 @@ import type { MarkerMethods } from "./methods/markers.js";
 import type { MotionMethods } from "./methods/motions.js";
 import type { PlanMethods } from "./methods/plans.js";
 import type { ReadingMethods } from "./methods/readings.js";
-import type { SearcheMethods } from "./methods/searches.js";
+import type { SearchMethods } from "./methods/searches.js";
 
 export * from "./methods/documents.js";
 export * from "./methods/drags.js";
@@ -23,9 +23,9 @@ export * from "./methods/searches.js";
 export * from "./methods/shared.js";
 
 /** The parameters and the result of every method. */
-export interface Methods extends DragMethods, EngineMethods, LibraryMethods, MarkerMethods, MotionMethods, PlanMethods, ReadingMethods, SearcheMethods {}
+export interface Methods extends DragMethods, EngineMethods, LibraryMethods, MarkerMethods, MotionMethods, PlanMethods, ReadingMethods, SearchMethods {}
 
-/** Methods that take an opId, so that a retry does nothing twice. */
+/** Methods that take an opId, so that the daemon carries out a retried call only once. */
 export const retriable: ReadonlySet<string> = new Set([
   "marker.open",
   "marker.close",

@@ -1,4 +1,4 @@
-// As much of Node's sockets as lines.ts uses, so that the package builds without Node's own types.
+// The part of Node's socket types that lines.ts uses, so that the package builds without @types/node.
 declare module "node:net" {
   interface Socket {
     setEncoding(encoding: "utf8"): void;

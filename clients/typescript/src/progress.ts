@@ -2,14 +2,14 @@ import type { Notifications } from "./methods.js";
 
 export type Round = Notifications["$/progress"];
 
-/** The rounds of one motion, as they are told; ends with the motion. To be gone through once. */
+/** The progress notifications of one motion. The iteration ends with the motion; it can be made once. */
 export class Progress implements AsyncIterable<Round> {
   private readonly waiting: Round[] = [];
   private ended = false;
   private wake: () => void = () => {};
 
   /** @internal */
-  tell(round: Round): void {
+  add(round: Round): void {
     this.waiting.push(round);
     this.wake();
   }

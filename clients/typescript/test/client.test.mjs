@@ -30,26 +30,26 @@ test("a marker is opened, shortened and read", () =>
     assert.equal(marker.pieces.length, 2);
   }));
 
-test("an error has its code, its name and its field", () =>
+test("an error has a code, a name and a field", () =>
   withClient(async (client) => {
     await assert.rejects(client.call("marker.get", { markerId: "nobody" }), { name: "CallError", code: Code.UnknownMarker });
     const wrong = client.call("motion.compact", { markerId: "m1", rounds: -1 });
     await assert.rejects(wrong, (error) => error instanceof CallError && error.data.field === "/rounds");
   }));
 
-test("a motion tells its rounds in order, and then its result", () =>
+test("a motion reports its rounds in order, and then its result", () =>
   withClient(async (client) => {
     const { markerId } = await client.call("marker.open", { marker: squares(9) });
     const run = client.start("motion.compact", { markerId });
     const rounds = [];
-    for await (const told of run.progress) rounds.push(told.round);
+    for await (const { round } of run.progress) rounds.push(round);
     const result = await run.result;
     assert.ok(rounds.length > 0);
     assert.deepEqual(rounds, [...rounds].sort((a, b) => a - b));
     assert.ok(result.lengthAfter < result.lengthBefore);
   }));
 
-test("a signal ends the call, and nothing is committed", () =>
+test("an abort signal cancels the call, and nothing is committed", () =>
   withClient(async (client) => {
     const { markerId } = await client.call("marker.open", { marker: squares(300) });
     const abort = new AbortController();
@@ -61,29 +61,29 @@ test("a signal ends the call, and nothing is committed", () =>
     await assert.rejects(client.call("marker.list", {}, { signal: abort.signal }), { code: Code.Cancelled });
   }));
 
-test("changes are told to those who watch", () =>
+test("watching clients are notified of changes", () =>
   withClient(async (client) => {
     const { markerId } = await client.call("marker.open", { marker: squares(2) });
     await client.call("marker.watch", { markerId });
-    const told = new Promise((resolve) => client.on("marker.changed", resolve));
+    const notified = new Promise((resolve) => client.on("marker.changed", resolve));
     await client.call("marker.apply", { markerId, ops: [{ op: "move", piece: "p1", by: [5, 0] }] });
-    const change = await told;
+    const change = await notified;
     assert.equal(change.by, "marker.apply");
     assert.equal(change.placements[0].id, "p1");
   }));
 
-test("an answer lost with its connection comes after another: the call is carried out once", async () => {
+test("a call whose answer is lost with the connection is repeated, and carried out once", async () => {
   const daemon = await startDaemon();
   const connect = overLines({ host: "127.0.0.1", port: daemon.port });
-  // A connection that swallows the next answer and ends.
+  // A transport that drops the next answer and ends the connection.
   let swallow = false;
   const lossy = async (listener) => {
     let broken = false;
-    const way = await connect({
+    const connection = await connect({
       message: (text) => {
         if (broken || swallow) {
           swallow = false;
-          if (!broken) way.close();
+          if (!broken) connection.close();
           broken = true;
         } else {
           listener.message(text);
@@ -91,7 +91,7 @@ test("an answer lost with its connection comes after another: the call is carrie
       },
       closed: listener.closed,
     });
-    return way;
+    return connection;
   };
   const client = await Client.open(lossy, { patience: 1 });
   const { markerId } = await client.call("marker.open", { marker: squares(2) });
@@ -106,7 +106,7 @@ test("an answer lost with its connection comes after another: the call is carrie
   await daemon.stop();
 });
 
-test("a call outlives the daemon it was sent to", async () => {
+test("a call is sent again to a restarted daemon", async () => {
   const folder = mkdtempSync(join(tmpdir(), "selvage-"));
   const more = ["--store", join(folder, "store.sqlite")];
   const first = await startDaemon({ more });
@@ -121,7 +121,7 @@ test("a call outlives the daemon it was sent to", async () => {
   rmSync(folder, { recursive: true });
 });
 
-test("when no daemon comes back, every call says so", async () => {
+test("when no daemon can be reached again, every call rejects", async () => {
   const daemon = await startDaemon();
   const client = await Client.open(overLines({ host: "127.0.0.1", port: daemon.port }), { attempts: 1 });
   await daemon.stop("SIGKILL");

@@ -1,4 +1,4 @@
-// A daemon of its own for a test, on free ports.
+// Starts a daemon for one test, on free ports.
 import { spawn } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -7,10 +7,10 @@ import { join } from "node:path";
 export const selvaged = process.env.SELVAGED;
 if (!selvaged) throw new Error("SELVAGED must name the daemon's program");
 
-/** What a locked daemon must be shown. */
+/** The token of a locked daemon. */
 export const token = "correct horse battery";
 
-/** {port, stop}; `more`: further options. With a port of before it takes that one. */
+/** Starts a daemon and returns its port and a function that stops it. `port`: 0 for a free one; `more`: further options. */
 export async function startDaemon({ port = 0, locked = false, more = [] } = {}) {
   const folder = mkdtempSync(join(tmpdir(), "selvage-"));
   const file = join(folder, "ports");
@@ -20,7 +20,7 @@ export async function startDaemon({ port = 0, locked = false, more = [] } = {}) 
     options.push("--token-file", join(folder, "token"));
   }
   const child = spawn(selvaged, options, { stdio: "ignore" });
-  // A test that fails ends without it.
+  // A failing test must not wait for the daemon.
   child.unref();
   process.once("exit", () => child.kill("SIGKILL"));
   const ended = new Promise((resolve) => child.once("exit", resolve));
@@ -37,7 +37,7 @@ export async function startDaemon({ port = 0, locked = false, more = [] } = {}) 
   return { port: Number(readFileSync(file, "utf8").split("\n")[0]), stop };
 }
 
-/** Squares in a row, apart from one another. */
+/** A marker of separate squares in a row. */
 export const squares = (count) => ({
   format: "selvage-marker",
   version: 1,

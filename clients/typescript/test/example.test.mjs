@@ -1,4 +1,4 @@
-// The example of the package, as a user runs it: the package is found under its name.
+// Runs the example of the package as a user would: it imports the package by its name.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { cpSync, mkdirSync, mkdtempSync, rmSync, symlinkSync } from "node:fs";
@@ -17,10 +17,10 @@ test("examples/typescript/compact.mjs", async () => {
   mkdirSync(join(folder, "node_modules"));
   symlinkSync(at(".."), join(folder, "node_modules", "selvage-client"));
   cpSync(at("../../../examples/typescript/compact.mjs"), join(folder, "compact.mjs"));
-  const words = [join(folder, "compact.mjs"), at("../../../examples/markers/simon_06g.json"), String(daemon.port)];
-  const told = execFileSync(process.execPath, words, { encoding: "utf8" });
-  assert.match(told, /round 1: [\d.]+\n/);
-  const [, before, after] = told.match(/([\d.]+) -> ([\d.]+), valid: true/);
+  const command = [join(folder, "compact.mjs"), at("../../../examples/markers/simon_06g.json"), String(daemon.port)];
+  const output = execFileSync(process.execPath, command, { encoding: "utf8" });
+  assert.match(output, /round 1: [\d.]+\n/);
+  const [, before, after] = output.match(/([\d.]+) -> ([\d.]+), valid: true/);
   assert.ok(Number(after) < Number(before));
   rmSync(folder, { recursive: true });
   await daemon.stop();

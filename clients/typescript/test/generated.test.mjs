@@ -12,7 +12,7 @@ test("the types are those of the daemon: npm run generate changes nothing", () =
   for (const [path, text] of Object.entries(generated)) assert.equal(readFileSync(new URL(path, source), "utf8"), text, path);
 });
 
-test("src/methods holds generated files alone", () => {
+test("src/methods contains generated files only", () => {
   const files = readdirSync(new URL("methods/", source)).map((name) => `methods/${name}`);
   assert.deepEqual(files.sort(), Object.keys(generated).filter((path) => path.startsWith("methods/")).sort());
 });

@@ -1,4 +1,4 @@
-// The golden exchanges, played through the client to a fresh daemon each.
+// Replays each file of golden exchanges through the client to a fresh daemon.
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import test from "node:test";
@@ -28,7 +28,7 @@ for (const name of readdirSync(folder).filter((file) => file.endsWith(".json")))
     });
     let played = 0;
     for (const { request, response } of JSON.parse(readFileSync(new URL(name, folder), "utf8")).filter(isCall)) {
-      if (Array.isArray(request.params) || typeof request.id === "object") continue; // the client never sends such
+      if (Array.isArray(request.params) || typeof request.id === "object") continue; // the client never sends such calls
       const answer = await client.call(request.method, request.params).then(
         (result) => ({ result }),
         (error) => {

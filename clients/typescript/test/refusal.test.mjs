@@ -1,4 +1,4 @@
-// Daemons that take a connection only to end it: such attempts are counted, and every call is answered in the end.
+// Daemons that accept a connection and then end it: such attempts count, and every call is answered in the end.
 import assert from "node:assert/strict";
 import test from "node:test";
 
@@ -7,59 +7,59 @@ import { overLines } from "../dist/lines.js";
 import { squares, startDaemon, token } from "./daemon.mjs";
 import { Socket } from "./socket.mjs";
 
-const roads = {
+const transports = {
   lines: ({ port }, shown) => overLines({ host: "127.0.0.1", port }, shown),
   WebSocket: ({ port }, shown) => overWebSocket(`ws://127.0.0.1:${port}/ws`, { token: shown, Socket }),
 };
 
-/** First a connection that greets and breaks at the first call, then those of `connect`; `count`: all of them. */
+/** A transport whose first connection breaks at the first call, and whose others are those of `connect`; `count` counts them. */
 function brokenFirst(connect) {
-  const ways = { count: 0 };
+  const transport = { count: 0 };
   const breaking = async (listener) => ({
-    send: (text) => (JSON.parse(text).id === "greeting" ? queueMicrotask(() => listener.message("{}")) : listener.closed("it broke")),
+    send: (text) => (JSON.parse(text).id === "first" ? queueMicrotask(() => listener.message("{}")) : listener.closed("it broke")),
     close: () => {},
   });
-  ways.connect = (listener) => (ways.count++ === 0 ? breaking : connect)(listener);
-  return ways;
+  transport.connect = (listener) => (transport.count++ === 0 ? breaking : connect)(listener);
+  return transport;
 }
 
-for (const [road, way] of Object.entries(roads)) {
-  test(`over ${road}, a wrong token is said at once`, async () => {
+for (const [name, connectTo] of Object.entries(transports)) {
+  test(`over ${name}, a wrong token is reported at once`, async () => {
     const daemon = await startDaemon({ locked: true });
-    await assert.rejects(Client.open(way(daemon, "wrong horse battery")), { name: "CallError", code: Code.Unauthorised });
-    await assert.rejects(Client.open(way(daemon)), { name: "CallError", code: Code.Unauthorised });
-    const client = await Client.open(way(daemon, token));
+    await assert.rejects(Client.open(connectTo(daemon, "wrong horse battery")), { name: "CallError", code: Code.Unauthorised });
+    await assert.rejects(Client.open(connectTo(daemon)), { name: "CallError", code: Code.Unauthorised });
+    const client = await Client.open(connectTo(daemon, token));
     client.close();
     await daemon.stop();
   });
 
-  test(`over ${road}, a token that is no longer right ends the client: its calls say so`, async () => {
+  test(`over ${name}, a token that is no longer valid closes the client, and its calls report that`, async () => {
     const daemon = await startDaemon({ locked: true });
-    const ways = brokenFirst(way(daemon, "wrong horse battery"));
-    const client = await Client.open(ways.connect, { patience: 1 });
+    const transport = brokenFirst(connectTo(daemon, "wrong horse battery"));
+    const client = await Client.open(transport.connect, { patience: 1 });
     const calls = [1, 2].map(() => client.call("marker.open", { marker: squares(2) }));
     for (const call of calls) await assert.rejects(call, { name: "CallError", code: Code.Unauthorised });
     await assert.rejects(client.call("marker.list", {}), { name: "CallError", code: Code.Unauthorised });
-    assert.equal(ways.count, 2);
+    assert.equal(transport.count, 2);
     await daemon.stop();
   });
 
-  test(`over ${road}, a daemon that has no room for another connection is asked as often as was said`, async () => {
+  test(`over ${name}, the client makes all its attempts to reach a daemon that accepts no more connections`, async () => {
     const daemon = await startDaemon({ more: ["--max-connections", "1"] });
-    const other = await Client.open(way(daemon));
-    const ways = brokenFirst(way(daemon));
-    const client = await Client.open(ways.connect, { attempts: 3, patience: 1 });
+    const other = await Client.open(connectTo(daemon));
+    const transport = brokenFirst(connectTo(daemon));
+    const client = await Client.open(transport.connect, { attempts: 3, patience: 1 });
     await assert.rejects(client.call("marker.open", { marker: squares(2), opId: "once" }), ConnectionLost);
     await assert.rejects(client.call("marker.list", {}), ConnectionLost);
-    assert.equal(ways.count, 1 + 3);
+    assert.equal(transport.count, 1 + 3);
     other.close();
     await daemon.stop();
   });
 }
 
-test("a call that breaks every connection it is sent on is given up", async () => {
+test("a call that breaks every connection is given up", async () => {
   const daemon = await startDaemon({ more: ["--max-body-mb", "1"] });
-  const connect = roads.WebSocket(daemon);
+  const connect = transports.WebSocket(daemon);
   let count = 0;
   const client = await Client.open((listener) => (++count, connect(listener)), { attempts: 2, patience: 1 });
   const long = { ...squares(2), name: "x".repeat(1 << 20) };
@@ -70,9 +70,9 @@ test("a call that breaks every connection it is sent on is given up", async () =
   await daemon.stop();
 });
 
-test("over lines, a call that is too long is said so", async () => {
+test("over lines, a call that is too long rejects with that error", async () => {
   const daemon = await startDaemon({ more: ["--max-body-mb", "1"] });
-  const client = await Client.open(roads.lines(daemon));
+  const client = await Client.open(transports.lines(daemon));
   const long = { ...squares(2), name: "x".repeat(1 << 20) };
   const calls = [client.call("marker.list", {}), client.call("marker.open", { marker: long })];
   await assert.rejects(calls[1], { name: "CallError", code: Code.TooLarge });
@@ -81,7 +81,7 @@ test("over lines, a call that is too long is said so", async () => {
   await daemon.stop();
 });
 
-test("what answers but is no daemon is said so", async () => {
+test("a server that is not a Selvage daemon is reported", async () => {
   const stranger = async (listener) => ({ send: () => queueMicrotask(() => listener.message("220 welcome")), close: () => {} });
-  await assert.rejects(Client.open(stranger), { name: "ConnectionLost", message: /no Selvage daemon/ });
+  await assert.rejects(Client.open(stranger), { name: "ConnectionLost", message: /not a Selvage daemon/ });
 });

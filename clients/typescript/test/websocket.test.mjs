@@ -6,7 +6,7 @@ import { Client, overWebSocket } from "../dist/index.js";
 import { squares, startDaemon, token } from "./daemon.mjs";
 import { Socket } from "./socket.mjs";
 
-test("a marker over a WebSocket", async () => {
+test("a marker is compacted over a WebSocket", async () => {
   const daemon = await startDaemon();
   const client = await Client.open(overWebSocket(`ws://127.0.0.1:${daemon.port}/ws`, { Socket }));
   const { markerId } = await client.call("marker.open", { marker: squares(2) });
@@ -19,11 +19,11 @@ test("a marker over a WebSocket", async () => {
   await daemon.stop();
 });
 
-test("a WebSocket that leads nowhere is said so", async () => {
+test("an unreachable WebSocket address is reported", async () => {
   await assert.rejects(Client.open(overWebSocket("ws://127.0.0.1:1/ws", { Socket })), /cannot reach/);
 });
 
-test("a page shows its token in the first message", async () => {
+test("a page sends its token in the first message", async () => {
   const daemon = await startDaemon({ locked: true });
   const url = `ws://127.0.0.1:${daemon.port}/ws`;
   const client = await Client.open(overWebSocket(url, { token, Socket }));

@@ -22,7 +22,7 @@ struct TiltParams {
     v.optional("method", self.method, "All pieces at once (when absent), or one after another.");
     v.optional("limit", self.limit, "Largest tilt in degrees, 0 to 45; replaces the limit of every shape.",
                {.range = {{0, kMostTilt}}});
-    v.optional("shakes", self.restarts,
+    v.optional("restarts", self.restarts,
                "Number of random restarts: how many times the pieces are perturbed and the rounds begin again, 0 to "
                "10,000.",
                {.range = {{0, kMostRestarts}}});

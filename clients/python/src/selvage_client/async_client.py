@@ -12,11 +12,11 @@ from typing import Any
 
 from .wire.address import DEFAULT
 from .wire.link import Link
-from .wire.progress import Shown, shown
+from .wire.progress import ProgressOption, progress_callback
 from .library import AsyncLibrary
 from .marker import AsyncMarker
 from .messages.results import Info, Listed, Opened
-from .messages.words import named, read
+from .messages.conversion import named, read
 
 Document = Mapping[str, Any] | str | os.PathLike[str]
 
@@ -25,8 +25,8 @@ class AsyncClient:
     """async with AsyncClient() as client: marker = await client.open("marker.json")
 
     `address`: HOST:PORT, tls://HOST:PORT or unix:PATH, or `engine:` for the engine of selvage-engine in this process, without
-    a daemon; connected when first needed.  `patience`: seconds for which a call
-    is tried again when the connection is lost or the daemon is busy; a change is never applied twice.
+    a daemon.  The client connects when it makes its first call.  `patience`: for how many seconds a call is retried when the
+    connection is lost or the daemon is busy; a change is never applied twice.
     """
 
     def __init__(
@@ -43,9 +43,9 @@ class AsyncClient:
     def __repr__(self) -> str:
         return f"<{type(self).__name__} of {self._link.address}>"
 
-    async def call(self, method: str, params: Mapping[str, Any] | None = None, progress: Shown = None) -> Any:
-        """Any method, in the wire's own words: for what this package has no name for yet."""
-        with shown(progress) as on_progress:
+    async def call(self, method: str, params: Mapping[str, Any] | None = None, progress: ProgressOption = None) -> Any:
+        """Calls any method with the names of the protocol: for methods that this package does not support yet."""
+        with progress_callback(progress) as on_progress:
             return await self._link.call(method, dict(params or {}), on_progress)
 
     async def info(self) -> Info:
@@ -54,18 +54,18 @@ class AsyncClient:
     async def open(
         self, marker: Document, *, spacing: float | None = None, overlap: float | None = None, op_id: str | None = None
     ) -> AsyncMarker:
-        """Opens a native or sparrow document, or the file of that path."""
+        """Opens a native or sparrow document, or the file at this path."""
         document = marker if isinstance(marker, Mapping) else json.loads(pathlib.Path(marker).read_text("utf-8"))
         params = named(marker=document, spacing=spacing, overlap=overlap, op_id=op_id)
         opened = read(Opened, await self.call("marker.open", params))
         return AsyncMarker(self._link, opened.marker_id, opened)
 
     def marker(self, marker_id: str) -> AsyncMarker:
-        """A marker that is open already.  Asks nothing: the first call of it does."""
+        """A marker that is open already.  This sends nothing; the first call on the marker fails if it is not open."""
         return AsyncMarker(self._link, marker_id)
 
     async def list(self) -> tuple[Listed, ...]:
-        """The open markers."""
+        """Lists the open markers."""
         return tuple(read(Listed, each) for each in (await self.call("marker.list"))["markers"])
 
     async def close(self) -> None:

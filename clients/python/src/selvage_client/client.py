@@ -1,6 +1,6 @@
-"""The client that waits: the asynchronous one's methods, called from any thread.
+"""The blocking client: the methods of the asynchronous one, which may be called from any thread.
 
-Watching, dragging and progress are as there; `progress` is called on the thread that made the call.
+Watching, dragging and progress work in the same way; `progress` is called on the thread that made the call.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from .marker import AsyncMarker
 from .wire.portal import Blocking, Portal, blocking
 from .messages.choices import DragMode
 from .messages.errors import CallError, ConnectionLost
-from .messages.results import Changed, Edited, Held, Missed, Opened
+from .messages.results import Changed, DragStarted, Edited, Missed, Opened
 from .watch import AsyncWatch
 
 Error = BaseException
@@ -53,15 +53,15 @@ class Watch(Blocking):
 
 
 class Drag(Blocking):
-    """with marker.drag("sleeve") as hand: hand.move((x, y))   See AsyncDrag."""
+    """with marker.drag("sleeve") as drag: drag.move((x, y))   See AsyncDrag."""
 
     def __init__(self, portal: Portal, twin: AsyncDrag) -> None:
         self._portal, self._twin = portal, twin
 
     @property
-    def held(self) -> Held | None:
-        held: Held | None = self._twin.held
-        return held
+    def started(self) -> DragStarted | None:
+        started: DragStarted | None = self._twin.started
+        return started
 
     @property
     def ended(self) -> Edited | None:
@@ -81,7 +81,7 @@ class Drag(Blocking):
 
 
 class Marker(BlockingMotions):
-    """A handle: the marker lives in the daemon.  `with` closes it there at the end.  See AsyncMarker."""
+    """A handle of a marker in the daemon.  As a context manager it closes the marker at the end.  See AsyncMarker."""
 
     def __init__(self, portal: Portal, twin: AsyncMarker) -> None:
         self._portal, self._twin = portal, twin
@@ -104,7 +104,7 @@ class Marker(BlockingMotions):
         return repr(self._twin).replace("<Async", "<", 1)
 
     def _repr_svg_(self) -> str | None:
-        """The drawing that a notebook shows; None when the marker is closed or the daemon gone."""
+        """The drawing that a notebook shows; None when the marker is closed or the daemon cannot be reached."""
         try:
             return self.svg()
         except (CallError, ConnectionLost):
@@ -124,7 +124,7 @@ class Marker(BlockingMotions):
     close = blocking(AsyncMarker.close)
 
     def watch(self) -> Watch:
-        """All changes from now on, by any client: a context manager and an iterator."""
+        """Watches the marker for changes by any client: a context manager and an iterator."""
         return Watch(self._portal, self._twin.watch())
 
     def drag(self, piece: str, *, mode: DragMode | None = None, base_rev: int | None = None) -> Drag:
@@ -141,7 +141,7 @@ class Marker(BlockingMotions):
 class Client(Blocking):
     """with Client() as client: marker = client.open("marker.json")
 
-    Parameters as of AsyncClient.
+    The parameters are those of AsyncClient.
     """
 
     def __init__(
@@ -166,15 +166,15 @@ class Client(Blocking):
     def open(
         self, marker: Document, *, spacing: float | None = None, overlap: float | None = None, op_id: str | None = None
     ) -> Marker:
-        """Opens a native or sparrow document, or the file of that path."""
+        """Opens a native or sparrow document, or the file at this path."""
         return Marker(self._portal, self._portal.run(self._twin.open(marker, spacing=spacing, overlap=overlap, op_id=op_id)))
 
     def marker(self, marker_id: str) -> Marker:
-        """A marker that is open already.  Asks nothing: the first call of it does."""
+        """A marker that is open already.  This sends nothing; the first call on the marker fails if it is not open."""
         return Marker(self._portal, self._twin.marker(marker_id))
 
     def close(self) -> None:
-        """Calls under way on other threads end with ConnectionLost."""
+        """Closes the client.  Calls in progress on other threads raise ConnectionLost."""
         if not self._portal.closed:
             self._portal.run(self._twin.close())
             self._portal.close()

@@ -1,4 +1,4 @@
-"""The dragging hand: a piece held, moved as often as one likes, and let go."""
+"""Drag sessions: a piece is picked up, moved any number of times, and put down."""
 
 from __future__ import annotations
 
@@ -8,15 +8,16 @@ from typing import Any
 
 from .wire.link import AnyConnection, Link
 from .messages.choices import DragMode
-from .messages.results import Dragged, Edited, Held, Point
-from .messages.words import named, read
+from .messages.results import Dragged, DragStarted, Edited, Point
+from .messages.conversion import named, read
 
 
 class AsyncDrag:
-    """async with marker.drag("sleeve") as hand: await hand.move((x, y))
+    """async with marker.drag("sleeve") as drag: await drag.move((x, y))
 
-    The end of the block lets go and commits, an exception in it lets go and leaves the marker as it was.  `ended` is what
-    the end brought.  A drag ends with its connection: then the next move raises ConnectionLost.
+    Leaving the block ends the session and commits the change; an exception in the block ends it and leaves the marker
+    unchanged.  `started` and `ended` are the results of starting and of ending the session.  A session is lost with its
+    connection: the next move then raises ConnectionLost.
     """
 
     def __init__(
@@ -28,20 +29,20 @@ class AsyncDrag:
         base_rev: int | None,
         edited: Callable[[Edited], None],
     ) -> None:
-        """`edited` hears what the end brought."""
+        """`edited` is called with the result of ending the session."""
         self._link, self._marker_id, self._edited = link, marker_id, edited
         self._begin = named(marker_id=marker_id, piece=piece, mode=mode, base_rev=base_rev)
         self._connection: AnyConnection | None = None
-        self.held: Held | None = None
+        self.started: DragStarted | None = None
         self.ended: Edited | None = None
 
-    async def begin(self) -> Held:
+    async def begin(self) -> DragStarted:
         self._connection = await self._link.connection()
-        self.held = read(Held, await self._link.once(self._connection, "drag.begin", self._begin))
-        return self.held
+        self.started = read(DragStarted, await self._link.once(self._connection, "drag.begin", self._begin))
+        return self.started
 
     async def move(self, to: Point) -> Dragged:
-        """Raises Superseded when a later move came before this one was begun."""
+        """Raises Superseded when a later move arrived before the daemon had begun this one."""
         return read(Dragged, await self._call("drag.move", to=to))
 
     async def end(self, *, commit: bool | None = None, op_id: str | None = None) -> Edited:
@@ -61,6 +62,6 @@ class AsyncDrag:
             await self.end(commit=None if error is None else False)
 
     async def _call(self, method: str, **params: Any) -> Any:
-        if self._connection is None or self.held is None:
+        if self._connection is None or self.started is None:
             raise RuntimeError("the drag has not begun")
-        return await self._link.once(self._connection, method, named(drag_id=self.held.drag_id, **params))
+        return await self._link.once(self._connection, method, named(drag_id=self.started.drag_id, **params))

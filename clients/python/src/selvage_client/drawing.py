@@ -1,4 +1,4 @@
-"""A marker drawn with matplotlib: `pip install selvage-client[drawing]`."""
+"""Draws markers with matplotlib: `pip install selvage-client[drawing]`."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from .outlines import Outlines
 
 
 def draw(outlines: Outlines, axes: Any = None, *, labels: bool = False, colours: str = "tab20") -> Any:
-    """Draws the strip and its pieces into matplotlib's `axes`, or into new ones, and returns them.
+    """Draws the strip and its pieces into matplotlib's `axes`, or into new axes, and returns the axes.
 
-    `colours` names a colour map of matplotlib's; pieces take its colours one after another.
+    `colours` names a colour map of matplotlib; its colours are assigned to the pieces in order.
     """
     colormaps = imported("matplotlib", "drawing", "drawing").colormaps
     patches = imported("matplotlib.patches", "drawing", "drawing")

@@ -1,4 +1,4 @@
-"""Packages that are only needed for some methods, and the error that says how to install one."""
+"""Optional packages, which only some methods need, and the error that says how to install them."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from .messages.errors import MissingExtra
 
 
 def imported(module: str, what: str, extra: str) -> Any:
-    """The module.  Raises MissingExtra: `what` needs it, and `pip install 'selvage-client[EXTRA]'` brings it."""
+    """Imports and returns the module.  Raises MissingExtra: `what` needs it; `extra` is the extra that installs it."""
     try:
         return importlib.import_module(module)
     except ImportError as error:

@@ -1,11 +1,11 @@
-"""The daemon's library of stored markers: what `marker.remake` takes its arrangements from."""
+"""The daemon's library of stored markers, whose arrangements `marker.remake` reuses."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import Any
 
-from .messages.words import named, read
+from .messages.conversion import named, read
 from .wire.link import Link
 from .wire.portal import Blocking, Portal, blocking
 
@@ -27,28 +27,28 @@ class Stored:
 
 @dataclass(frozen=True)
 class StoredNow(Stored):
-    """`added` is false when the library had this very marker already."""
+    """A marker that was just stored.  `added` is false when the library contained the same marker already."""
 
     added: bool
 
 
 @dataclass(frozen=True)
 class StoredMarker(Stored):
-    """`marker` is a native document."""
+    """A stored marker with its pieces.  `marker` is a native document."""
 
     marker: dict[str, Any]
 
 
 @dataclass(frozen=True)
 class StoredNear(Stored):
-    """`distance` is 0 for equal pieces."""
+    """A search result.  `distance` measures how much the pieces differ; it is 0 when they are equal."""
 
     distance: float
 
 
 @dataclass(frozen=True)
 class StoredList:
-    """Some of `count` stored markers."""
+    """A part of the library, which holds `count` markers in all."""
 
     count: int
     markers: tuple[Stored, ...]
@@ -61,27 +61,27 @@ class AsyncLibrary:
         self._link = link
 
     async def add(self, marker_id: str, *, style: str | None = None) -> StoredNow:
-        """Stores the present revision of an open marker, which must be valid and have all of its pieces placed."""
+        """Stores the current revision of an open marker, which must be valid and have all of its pieces placed."""
         return read(StoredNow, await self._link.call("library.add", named(marker_id=marker_id, style=style), None))
 
     async def get(self, id: str) -> StoredMarker:
         return read(StoredMarker, await self._link.call("library.get", {"id": id}, None))
 
     async def list(self, *, offset: int | None = None, most: int | None = None) -> StoredList:
-        """In the order of adding."""
+        """Lists stored markers in the order in which they were added."""
         return read(StoredList, await self._link.call("library.list", named(offset=offset, most=most), None))
 
     async def remove(self, id: str) -> None:
         await self._link.call("library.remove", {"id": id}, None)
 
     async def search(self, marker_id: str, *, most: int | None = None) -> tuple[StoredNear, ...]:
-        """The stored markers that are nearest to an open marker, nearest first."""
+        """Finds the stored markers that are most similar to an open marker, the most similar first."""
         found = await self._link.call("library.search", named(marker_id=marker_id, most=most), None)
         return tuple(read(StoredNear, each) for each in found["near"])
 
 
 class Library(Blocking):
-    """client.library of the client that waits.  See AsyncLibrary."""
+    """client.library of the blocking client.  See AsyncLibrary."""
 
     def __init__(self, portal: Portal, twin: AsyncLibrary) -> None:
         self._portal, self._twin = portal, twin

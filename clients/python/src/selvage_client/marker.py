@@ -1,4 +1,4 @@
-"""A marker that the daemon keeps."""
+"""A marker that is open in the daemon."""
 
 from __future__ import annotations
 
@@ -15,45 +15,45 @@ from .messages.ops import Op
 from .outlines import Outline, Outlines
 from .messages.results import Checked, Closed, Edited, Got, Hold, NestedSheets, Opened, Regions
 from .watch import AsyncWatch
-from .messages.words import named, read
+from .messages.conversion import named, read
 
 
 class AsyncMarker(AsyncMotions):
-    """A handle: the marker lives in the daemon.  `async with` closes it there at the end."""
+    """A handle of a marker in the daemon.  As an asynchronous context manager it closes the marker at the end."""
 
     def __init__(self, link: Link, marker_id: str, opened: Opened | None = None) -> None:
         self._link = link
         self.id = marker_id
-        self.opened = opened  # what opening it answered; None when it was open already
-        self.revision = opened.revision if opened else None  # the latest that this handle's calls answered
+        self.opened = opened  # the result of opening the marker; None when it was open already
+        self.revision = opened.revision if opened else None  # the latest that a call through this handle returned
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__} {self.id} at revision {self.revision or 'unknown'}, {self._link.address}>"
 
     async def get(self, *, format: Format | None = None, since: int | None = None) -> Got:
-        """The document, in the form wanted; with `since` perhaps only the placements that changed after that revision."""
+        """The document in `format`.  With `since` it may be only the placements that changed after that revision."""
         return read(Got, await self._call("marker.get", format=format, since=since))
 
     async def outlines(self) -> Outlines:
         """The outlines of all pieces where they lie."""
-        document = (await self.get(format="outlines")).marker  # a file, whose names are in snake_case
+        document = (await self.get(format="outlines")).marker  # field names in this format are in snake_case
         pieces = tuple(read(Outline, piece) for piece in document["pieces"])
         return Outlines(document["strip_height"], document["strip_length"], pieces)
 
     async def svg(self) -> str:
-        """A drawing."""
+        """A drawing of the marker as an SVG document."""
         return str((await self.get(format="svg")).marker)
 
     async def check(self) -> Checked:
-        """Is it valid, and if not, what overlaps and what leaves the strip."""
+        """Says whether the marker is valid, and lists the overlaps and the pieces that protrude from the strip."""
         return read(Checked, await self._call("marker.check"))
 
     async def hold(self) -> Hold:
-        """What holds the marker's length."""
+        """Finds the contacts and rules that determine the marker's length, and what each of them costs."""
         return read(Hold, await self._call("marker.hold"))
 
     async def regions(self, *, least_area: float | None = None, clearance: float | None = None) -> Regions:
-        """The cloth that no piece covers."""
+        """The regions of the cloth that no piece covers."""
         return read(Regions, await self._call("marker.regions", least_area=least_area, clearance=clearance))
 
     async def nest_sheets(
@@ -67,7 +67,7 @@ class AsyncMarker(AsyncMotions):
         values: Mapping[str, float] | None = None,
         deadline_ms: float | None = None,
     ) -> NestedSheets:
-        """All pieces on as few of the sheets as the search finds; the marker itself stays as it is.
+        """Nests all pieces on as few of the sheets as the search manages to.  The marker itself does not change.
 
         A sheet is {"width": W, "length": L, "count": N} or {"outline": [[x, y], ...], "holes": [...]}.
         """
@@ -90,7 +90,7 @@ class AsyncMarker(AsyncMotions):
         limits: Mapping[str, Any] | None = None,
         deadline_ms: float | None = None,
     ) -> dict[str, Any]:
-        """Which markers to make for an order of this style, and how many plies of which colour lie under each.
+        """Plans which markers to make for an order of this style, and how many plies of which colour to cut with each.
 
         A quantity is {"colour": C, "size": S, "garments": N}; `limits` are the other parameters of plan.cut.
         """
@@ -100,7 +100,7 @@ class AsyncMarker(AsyncMotions):
         return plan
 
     async def apply(self, ops: Iterable[Op], *, base_rev: int | None = None, op_id: str | None = None) -> Edited:
-        """Operations, all or none: make them with selvage_client.ops."""
+        """Applies all of the operations, or none if one of them fails.  selvage_client.ops makes operations."""
         return await self._edit("marker.apply", ops=list(ops), base_rev=base_rev, op_id=op_id)
 
     async def undo(self, *, base_rev: int | None = None, op_id: str | None = None) -> Edited:
@@ -110,7 +110,7 @@ class AsyncMarker(AsyncMotions):
         return await self._edit("marker.redo", base_rev=base_rev, op_id=op_id)
 
     def watch(self) -> AsyncWatch:
-        """All changes from now on, by any client: a context manager and an iterator."""
+        """Watches the marker for changes by any client: a context manager and an iterator."""
         return AsyncWatch(self._link, self.id)
 
     def drag(self, piece: str, *, mode: DragMode | None = None, base_rev: int | None = None) -> AsyncDrag:

@@ -1,7 +1,7 @@
-"""Nesting in one call: pieces and the width of the cloth go in, positions come out.
+"""Nesting in one call, which takes pieces and the width of the cloth and returns positions.
 
-The work is done by a running selvaged, which opens a marker for it and closes the marker afterwards, or in this process with
-the address `engine:`.
+A running selvaged does the work, or this process with the address `engine:`.  A marker is opened for it and closed
+afterwards.
 """
 
 from __future__ import annotations
@@ -13,17 +13,18 @@ from typing import Any, Literal
 from .client import Client, Marker
 from .messages.results import Point
 from .wire.address import DEFAULT
-from .wire.progress import Shown
+from .wire.progress import ProgressOption
 
 Outline = Sequence[tuple[float, float]]
 
 
 @dataclass(frozen=True, kw_only=True)
 class Pattern:
-    """What is to be nested, and how often.
+    """A shape to be nested and the number of copies.
 
     `outline`: at least three points, in either direction, in any length unit that all patterns share; the first point may
-    be repeated at the end.  `rotations`: the allowed ones in degrees, or "any".  `flip`: copies may be mirrored.
+    be repeated at the end.  `rotations`: the allowed rotations in degrees, or "any".  `flip`: whether copies may be
+    mirrored.
     """
 
     outline: Outline
@@ -35,11 +36,11 @@ class Pattern:
 
 @dataclass(frozen=True, kw_only=True)
 class NestedPiece:
-    """One copy of a pattern where it lies: mirrored about the x axis when flipped, rotated about the pattern's origin by
+    """A placed copy of a pattern: mirrored about the x axis when flipped, rotated about the pattern's origin by
     `rotation` degrees counter-clockwise, then translated by `at`."""
 
     pattern: int
-    """The index of the pattern that it is a copy of."""
+    """The index of the copied pattern."""
     at: Point
     rotation: float
     flip: bool
@@ -47,9 +48,9 @@ class NestedPiece:
 
 @dataclass(frozen=True, kw_only=True)
 class NestedMarker:
-    """`length` is along x, in the patterns' unit; `utilisation` is the pieces' part of the cloth up to there, 0 to 1.
-    `left_over` holds the indices of patterns whose copies did not fit the cloth, once for each copy.  `document` is the
-    whole marker in the native format, `svg` a drawing of it."""
+    """`length` is along x, in the patterns' unit; `utilisation` is the fraction of the cloth up to that length that the
+    pieces cover, 0 to 1.  `left_over` holds the index of a pattern once for each copy that did not fit on the cloth.
+    `document` is the whole marker in the native format, `svg` a drawing of it."""
 
     length: float
     utilisation: float
@@ -75,13 +76,14 @@ def nest(
     margin: float = 0.0,
     address: str = DEFAULT,
     token: str | None = None,
-    progress: Shown = None,
+    progress: ProgressOption = None,
 ) -> NestedMarker:
-    """Places the pieces on cloth of this width, on as little length as the budget allows.
+    """Places the pieces on cloth of this width, and makes the marker as short as it can within the budget.
 
-    A bare outline counts as one copy that may not turn.  `seconds` and `moves` are the budget of each of the `searches`;
-    with neither, the daemon's standard number of moves.  `longest` is where the cloth ends.  `spacing` is the least
-    distance between pieces, `margin` that from the edges of the cloth.  Bad values raise the daemon's errors.
+    A bare outline stands for one copy that may not be rotated.  `seconds` and `moves` limit each of the `searches`; with
+    neither, the daemon's standard number of moves does.  `longest` is the length of the cloth, unlimited when absent.
+    `spacing` is the least distance between pieces, `margin` the least distance from the edges of the cloth.  Bad values
+    raise the daemon's errors.
     """
     patterns = [each if isinstance(each, Pattern) else Pattern(outline=each) for each in pieces]
     marker: dict[str, Any] = {
@@ -108,13 +110,13 @@ def _shape(index: int, pattern: Pattern) -> dict[str, Any]:
 
 
 def opened(outline: Outline) -> list[list[float]]:
-    """Its points, the first not repeated at the end."""
+    """The points of the outline, without a repetition of the first one at the end."""
     points = [list(point) for point in outline]
     return points[:-1] if len(points) > 1 and points[0] == points[-1] else points
 
 
 def area(outline: Outline) -> float:
-    """Of the polygon, whichever way it runs."""
+    """The area of the polygon, positive in either orientation."""
     ends = [*outline[1:], outline[0]]
     return abs(sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(outline, ends, strict=True))) / 2
 

@@ -1,6 +1,6 @@
-"""The outlines of a marker's pieces where they lie: plain points, numpy arrays or shapely polygons.
+"""The outlines of a marker's placed pieces as plain points, numpy arrays or shapely polygons.
 
-numpy and shapely are imported only by the methods that give theirs: `pip install selvage-client[outlines]`.
+numpy and shapely are imported only by the methods that return their types: `pip install selvage-client[outlines]`.
 """
 
 from __future__ import annotations
@@ -18,13 +18,13 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Outline:
-    """Counter-clockwise, every coordinate exact; the last point is not the first again."""
+    """The outline of a piece, counter-clockwise.  Coordinates are exact; the first point is not repeated at the end."""
 
     id: str
     outline: tuple[Point, ...]
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
-        """numpy.asarray(outline): n rows of x and y.  Every array is a new one, so numpy 2's copy=False is refused."""
+        """Supports numpy.asarray(outline): n rows of x and y.  It always makes a new array, so copy=False is refused."""
         if copy is False:
             raise ValueError("an outline cannot become an array without a copy")
         numpy = imported("numpy", "an array of an outline", "outlines")
@@ -34,17 +34,17 @@ class Outline:
 
 @dataclass(frozen=True)
 class Outlines:
-    """`strip_height` is the width of the strip, across along y; `strip_length` the length of the marker, along x."""
+    """`strip_height` is the width of the strip, along y; `strip_length` is the length of the marker, along x."""
 
     strip_height: float
     strip_length: float
     pieces: tuple[Outline, ...]
 
     def arrays(self) -> dict[str, NDArray[numpy.float64]]:
-        """By piece, n rows of x and y."""
+        """An array for each piece id, with n rows of x and y."""
         return {piece.id: piece.__array__() for piece in self.pieces}
 
     def polygons(self) -> dict[str, Any]:
-        """By piece, a shapely.geometry.Polygon."""
+        """A shapely.geometry.Polygon for each piece id."""
         polygon = imported("shapely.geometry", "a polygon of an outline", "outlines").Polygon
         return {piece.id: polygon(piece.outline) for piece in self.pieces}

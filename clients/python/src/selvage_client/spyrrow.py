@@ -1,15 +1,17 @@
-"""The names of spyrrow, the Python package of the nester sparrow, for programs that use it already.
+"""A replacement for spyrrow, the Python package of the nesting program sparrow.
+
+A program that uses spyrrow only has to replace `import spyrrow` with
 
     from selvage_client import spyrrow
 
-in place of `import spyrrow` is the only change: items, instances, configurations and solutions have the same names, fields
-and units.  The work is done by a running selvaged at `address`.
+because items, instances, configurations and solutions have the same names, fields and units.  A running selvaged at
+`address` does the work.
 
-Differences.  `num_workers` is the number of independent searches, of which the best counts.  `quadtree_depth` and
-`early_termination` are accepted and ignored.  Exploration and compression share one budget, so only their sum counts.
-There are no progress queues.
+There are four differences.  `num_workers` is the number of independent searches, the best of which is returned.
+`quadtree_depth` and `early_termination` are accepted and ignored.  Exploration and compression share one budget, so only
+their sum matters.  There are no progress queues.
 
-`marker` and `solution` lead from a solution - of spyrrow itself, too - to a marker that any motion works on, and back:
+`marker` turns a solution, also one of spyrrow itself, into a marker that any motion accepts; `solution` turns it back:
 
     document = spyrrow.marker(instance, instance.solve(config))
     shorter = spyrrow.solution(selvage_engine.compact(document).document)
@@ -36,7 +38,7 @@ address: str = DEFAULT
 
 @dataclass
 class Item:
-    """A shape, how often it is wanted, and the rotations that it may have in degrees: empty for 0 only, None for any."""
+    """A shape, the number of copies, and the allowed rotations in degrees: empty for 0 only, None for any."""
 
     id: str
     shape: Sequence[Point]
@@ -58,7 +60,7 @@ class PlacedItem:
 
 @dataclass(frozen=True)
 class StripPackingSolution:
-    """`width` is the length of strip that is used, `density` the part of it that items cover, 0 to 1."""
+    """`width` is the length of strip that is used, `density` the fraction of it that items cover, 0 to 1."""
 
     width: float
     density: float
@@ -66,7 +68,7 @@ class StripPackingSolution:
 
 
 class StripPackingConfig:
-    """Times in seconds: either the total, or those of exploration and of compression."""
+    """Times in seconds: either the total, or the times of both exploration and compression."""
 
     def __init__(
         self,
@@ -93,7 +95,7 @@ class StripPackingConfig:
 
 
 class StripPackingInstance:
-    """Items to be placed on a strip of fixed height, on as little width as possible; their ids are unique."""
+    """Items to be placed on a strip of fixed height so that they take as little width as possible; their ids are unique."""
 
     def __init__(self, name: str, strip_height: float, items: Sequence[Item]) -> None:
         if len({item.id for item in items}) != len(items):
@@ -106,7 +108,7 @@ class StripPackingInstance:
         return json.dumps({"name": self.name, "strip_height": self.strip_height, "items": list(map(asdict, self.items))})
 
     def solve(self, config: StripPackingConfig) -> StripPackingSolution:
-        """Raises selvage_client.CallError for items that fit in no allowed rotation, and other bad values."""
+        """Raises selvage_client.CallError if an item does not fit in any allowed rotation, and for other bad values."""
         found = nest(
             [
                 Pattern(
@@ -128,7 +130,7 @@ class StripPackingInstance:
 
 
 class AnyItem(Protocol):
-    """An item of spyrrow's or of this module."""
+    """An item of spyrrow or of this module."""
 
     id: str
     shape: Sequence[Point]
@@ -160,7 +162,7 @@ class AnySolution(Protocol):
 def marker(instance: AnyInstance, solution: AnySolution, *, separation: float = 0.0) -> dict[str, Any]:
     """The solution as a marker in the native format; `separation` is the least distance between two items.
 
-    Small overlaps, which nesters in floating point leave, are repaired by the first motion.
+    The first motion repairs small overlaps, which nesting programs leave because they compute in floating point.
     """
     copies: dict[str, int] = {}
     pieces: list[dict[str, Any]] = []
@@ -188,14 +190,14 @@ def marker(instance: AnyInstance, solution: AnySolution, *, separation: float = 
 def solution(document: dict[str, Any]) -> StripPackingSolution:
     """A marker in the native format as a solution; tilts are part of the rotation.
 
-    Raises ValueError for a flipped piece, for which spyrrow has no word.
+    Raises ValueError for a flipped piece, which a solution of spyrrow cannot express.
     """
     outlines = {shape["id"]: shape["outline"] for shape in document["shapes"]}
     placed: list[PlacedItem] = []
     used, width = 0.0, 0.0
     for piece in document["pieces"]:
         if piece.get("flip"):
-            raise ValueError(f"piece {piece['id']!r} is flipped, which a solution of spyrrow cannot say")
+            raise ValueError(f"piece {piece['id']!r} is flipped, which a solution of spyrrow cannot express")
         rotation = float(piece.get("rotation", 0)) + float(piece.get("tilt", 0))
         x, y = piece["at"]
         placed.append(PlacedItem(piece["shape"], (float(x), float(y)), rotation))

@@ -324,7 +324,7 @@ export interface MotionMethods {
       /** Largest tilt in degrees, 0 to 45; replaces the limit of every shape. */
       limit?: number;
       /** Number of random restarts: how many times the pieces are perturbed and the rounds begin again, 0 to 10,000. */
-      shakes?: number;
+      restarts?: number;
       /** Only for relaxation: number of tilt angles sampled, 1 to 1,001. */
       tilts?: number;
     };

@@ -37,7 +37,7 @@ export type RemakeStepResult = {
   valid: boolean;
 };
 
-export interface SearcheMethods {
+export interface SearchMethods {
   /** Places all pieces, so that the marker is as short as the budget allows. */
   "marker.nest": {
     params: MotionParams & {

@@ -1,1 +1,1 @@
-"""The messages of the protocol as Python values: results, errors, edits, and how they are read and written."""
+"""The messages of the protocol as Python types: results, errors and edits, and their conversion from and to JSON."""

@@ -1,4 +1,4 @@
-"""What can go wrong, as exceptions: one class per code of protocol/README.md, and ConnectionLost."""
+"""The exceptions: one class per error code of protocol/README.md, and errors of the connection."""
 
 from __future__ import annotations
 
@@ -7,19 +7,19 @@ from typing import Any, ClassVar
 
 
 class SelvageError(Exception):
-    """Anything that this package raises of its own."""
+    """The base class of all exceptions of this package."""
 
 
 class ConnectionLost(SelvageError, ConnectionError):
-    """The daemon cannot be reached, or went away before it answered."""
+    """The daemon cannot be reached, or the connection ended before it answered."""
 
 
 class HandshakeFailed(SelvageError, ConnectionError):
-    """The other side's certificate is not trusted, or it does not speak TLS: trying again would not help."""
+    """The daemon's certificate is not trusted, or the daemon does not use TLS: retrying would not help."""
 
 
 class MissingExtra(SelvageError, ImportError):
-    """A package that only some methods need is not installed."""
+    """An optional package that this method needs is not installed."""
 
     def __init__(self, what: str, extra: str, module: str) -> None:
         self.extra = extra
@@ -27,14 +27,14 @@ class MissingExtra(SelvageError, ImportError):
 
 
 class UnexpectedAnswer(SelvageError):
-    """The daemon answered, but not in the words of the protocol."""
+    """The daemon's answer does not conform to the protocol."""
 
 
 class CallError(SelvageError):
-    """The daemon refused a call.
+    """The daemon answered a call with an error.
 
-    `code` is JSON-RPC's, `data` the error's own; `detail` and `name` say what exactly, such as 1206 and
-    "marker.overlaps"; `field` says where, a JSON pointer into the parameters.
+    `code` and `data` are fields of the JSON-RPC error.  `detail` and `name` are the exact code and its name, such as
+    1206 and "marker.overlaps"; `field` is a JSON pointer to the wrong parameter.
     """
 
     code: int = 0
@@ -65,19 +65,19 @@ class CallError(SelvageError):
 
 
 class ParseError(CallError):
-    """Not JSON, or beyond the limits of what the daemon reads."""
+    """The message is not JSON, or exceeds the limits of what the daemon reads."""
 
     code = -32700
 
 
 class InvalidRequest(CallError):
-    """Not a request."""
+    """The message is not a JSON-RPC request."""
 
     code = -32600
 
 
 class MethodNotFound(CallError):
-    """No such method."""
+    """There is no such method."""
 
     code = -32601
 
@@ -89,13 +89,13 @@ class InvalidParams(CallError):
 
 
 class InternalError(CallError):
-    """A mistake of the daemon's own."""
+    """An internal error of the daemon."""
 
     code = -32603
 
 
 class MotionRefused(CallError):
-    """The marker does not allow this: `name` says why."""
+    """The motion cannot be carried out on this marker: `name` says why."""
 
     code = -32000
 
@@ -107,36 +107,36 @@ class Busy(CallError):
 
     @property
     def retry_after(self) -> float:
-        """Seconds until another try is worth while."""
+        """The number of seconds to wait before the next attempt."""
         return float(self.data.get("retryAfterMs", 0)) / 1000
 
 
 class TooLarge(CallError):
-    """The request is longer than the daemon takes: `data["limit"]` bytes."""
+    """The request is longer than the daemon accepts: `data["limit"]` bytes."""
 
     code = -32011
 
 
 class UnknownMarker(CallError):
-    """No marker of this id."""
+    """No marker with this id is open."""
 
     code = -32012
 
 
 class LimitReached(CallError):
-    """A limit of this daemon: `data["limit"]`."""
+    """A limit of this daemon is reached: `data["limit"]`."""
 
     code = -32013
 
 
 class Draining(CallError):
-    """The daemon is going down and takes no new work."""
+    """The daemon is shutting down and accepts no new calls."""
 
     code = -32014
 
 
 class Unauthorised(CallError):
-    """The connection has not shown the token."""
+    """The client has not authenticated with the right token."""
 
     code = -32015
 
@@ -154,18 +154,18 @@ class RevisionMismatch(CallError):
 
     @property
     def revision(self) -> int:
-        """The marker's present revision."""
+        """The marker's current revision."""
         return int(self.data["revision"])
 
 
 class Superseded(CallError):
-    """A newer call of the same kind took this one's place: the hand has moved on."""
+    """A newer call of the same kind replaced this one, such as a later move of the same drag session."""
 
     code = -32802
 
 
 def call_error(error: Mapping[str, Any]) -> CallError:
-    """The exception for an `error` of the wire; codes that are not known yet are plain CallErrors."""
+    """The exception for the `error` of an answer; for an unknown code it is a plain CallError."""
     code = int(error["code"])
     kind = CallError.by_code.get(code, CallError)
     return kind(str(error["message"]), error.get("data"), code)

@@ -1,4 +1,4 @@
-"""Changes by hand, for Marker.apply: each function makes one operation of protocol/README.md, "Changes by hand"."""
+"""Operations for Marker.apply: each function makes one operation of protocol/README.md, "Changes by hand"."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ from typing import Any
 
 from .choices import NapDirection
 from .results import Point
-from .words import named
+from .conversion import named
 
 Op = dict[str, Any]
 
 
 def add(piece: Mapping[str, Any], shape: Mapping[str, Any] | None = None) -> Op:
-    """A piece as in a native document, and its shape when the marker has none of that id."""
+    """Adds a piece, as in a native document.  `shape` is needed only if the marker has no shape with that id."""
     return named(op="add", piece=piece, shape=shape)
 
 
@@ -27,7 +27,7 @@ def place(piece: str, at: Point, *, rotation: float | None = None, flip: bool | 
 
 
 def take_off(piece: str) -> Op:
-    """Takes a piece off the cloth: it is unplaced then."""
+    """Takes a piece off the cloth, so that it is unplaced."""
     return named(op="takeOff", piece=piece)
 
 
@@ -40,7 +40,7 @@ def rotate(piece: str, *, to: float | None = None, by: float | None = None) -> O
 
 
 def flip(piece: str, flip: bool | None = None) -> Op:
-    """Without `flip`: the other way."""
+    """Sets whether the piece is flipped; without `flip`, toggles it."""
     return named(op="flip", piece=piece, flip=flip)
 
 
@@ -49,12 +49,12 @@ def tilt(piece: str, *, to: float | None = None, by: float | None = None) -> Op:
 
 
 def lock(piece: str, locked: bool | Sequence[str] = True) -> Op:
-    """True, False, or some of "x", "y", "tilt"."""
+    """Locks all of the piece (True), nothing (False), or some of "x", "y" and "tilt"."""
     return named(op="lock", piece=piece, locked=locked)
 
 
 def group(piece: str, group: str | None = None) -> Op:
-    """Without `group`: of no group."""
+    """Sets the group of the piece; without `group`, it belongs to none."""
     return named(op="group", piece=piece, group=group)
 
 
@@ -63,7 +63,7 @@ def buffer(piece: str, buffer: float) -> Op:
 
 
 def overlap(piece: str, overlap: float | None = None) -> Op:
-    """Without `overlap`, the marker's allowance holds for the piece."""
+    """Sets the overlap allowance of the piece; without `overlap`, the marker's allowance applies to it."""
     return named(op="overlap", piece=piece, overlap=overlap)
 
 
@@ -82,7 +82,7 @@ def rules(
     zone: bool | None = None,
     quality: int | None = None,
 ) -> Op:
-    """All rules of the piece: those left out do not hold.  `start` and `end` are the wire's `from` and `to`."""
+    """Replaces all rules of the piece: those left out are removed.  `start` and `end` are called `from` and `to` in JSON."""
     point = None if match is None else list(match)
     given = named(below=below, above=above, to=end, fold=fold, match=point, matchSet=match_set)
     given |= named(shade=shade, nap=nap, zone=zone, quality=quality)
@@ -100,7 +100,7 @@ def set_strip(
     tube: bool | None = None,
     endless: bool = False,
 ) -> Op:
-    """`endless` takes the cloth's end away.  `repeat` is as in a document; {}: the cloth has no pattern."""
+    """`endless` removes the limit `longest`.  `repeat` is as in a document; {} means that the cloth has no pattern."""
     op = named(op="setStrip", width=width, longest=longest, margin=margin, below=below, above=above, repeat=repeat, tube=tube)
     return op | {"longest": None} if endless else op
 
@@ -114,5 +114,5 @@ def set_overlap(overlap: float) -> Op:
 
 
 def set_shade(shade: float | None) -> Op:
-    """None: shades have no effect."""
+    """With None, shades have no effect."""
     return {"op": "setShade", "shade": shade}

@@ -1,4 +1,4 @@
-"""What the daemon answers, typed.  Fields, units and meanings: protocol/README.md; names are its names in snake_case.
+"""The results of calls as typed values.  protocol/README.md explains the fields, whose names are in snake_case here.
 
 Lengths are in the marker's unit, angles in degrees counter-clockwise, areas in the square of the unit.
 """
@@ -67,9 +67,9 @@ class Listed:
 
 @dataclass(frozen=True)
 class Placement:
-    """Where a piece lies.
+    """The placement of a piece.
 
-    Motions leave out `shape`, `locked`, `group`, `buffer`, `overlap` and `rules`: they never change them.
+    Results of motions leave out `shape`, `locked`, `group`, `buffer`, `overlap` and `rules`, which no motion changes.
     """
 
     id: str
@@ -87,7 +87,11 @@ class Placement:
 
 @dataclass(frozen=True)
 class Got:
-    """`marker` is the whole document (a string for svg), or None when `placements` since `since` say it all."""
+    """The result of marker.get.
+
+    `marker` is the whole document (a string for svg).  It is None when the `placements` that changed after revision
+    `since` are the only differences.
+    """
 
     marker_id: str
     revision: int
@@ -113,7 +117,7 @@ class Protrusion:
 
 @dataclass(frozen=True)
 class ShadeFault:
-    """Pieces of one shade that are too far from each other."""
+    """Pieces of the same shade that are too far apart."""
 
     shade: str
     leftmost: str
@@ -148,7 +152,7 @@ class TiltWorth:
 
 @dataclass(frozen=True)
 class RulePrice:
-    """What one of cloth's rules costs: of a piece, of a shade, or of the strip."""
+    """What a rule costs, be it of a piece, of a shade or of the strip."""
 
     rule: str
     worth: float
@@ -210,7 +214,7 @@ class Closed:
 
 @dataclass(frozen=True)
 class Edited:
-    """After a change by hand: apply, undo, redo, or the end of a drag."""
+    """The result of a change by hand: apply, undo, redo, or the end of a drag session."""
 
     marker_id: str
     revision: int
@@ -227,14 +231,14 @@ class Edited:
 
 @dataclass(frozen=True)
 class Changed(Edited):
-    """The marker that is watched has a new revision, by the method `by`."""
+    """The watched marker has a new revision, made by the method `by`."""
 
     by: str = ""
 
 
 @dataclass(frozen=True)
 class Missed:
-    """The connection was lost meanwhile, and the marker has moved on to `revision`: get what is needed."""
+    """Changes up to `revision` were missed while the connection was lost; marker.get returns the current state."""
 
     marker_id: str
     revision: int
@@ -248,8 +252,8 @@ class Watching:
 
 
 @dataclass(frozen=True)
-class Held:
-    """A hand has taken hold of a piece."""
+class DragStarted:
+    """The result of drag.begin: a drag session that has picked up `piece`."""
 
     drag_id: str
     marker_id: str
@@ -272,7 +276,11 @@ class Dragged:
 
 @dataclass(frozen=True)
 class Progress:
-    """A round of a motion under way.  `bound` of pack: no marker is shorter; `nodes` of exact searches."""
+    """A round of a motion in progress.
+
+    `bound`, only from pack, is a proved lower bound on the length; `nodes`, only from exact searches, is the number of
+    nodes searched so far.
+    """
 
     round: int
     length: float

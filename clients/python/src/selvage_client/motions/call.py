@@ -1,13 +1,13 @@
-"""What all motions of a marker have in common."""
+"""The call that all motions of a marker share."""
 
 from __future__ import annotations
 
 from typing import Any, TypeVar
 
 from ..messages.motion_results import Moved
-from ..messages.words import named, read
+from ..messages.conversion import named, read
 from ..wire.link import Link
-from ..wire.progress import Shown, shown
+from ..wire.progress import ProgressOption, progress_callback
 
 M = TypeVar("M", bound=Moved)
 
@@ -17,8 +17,8 @@ class AsyncMotion:
     revision: int | None
     _link: Link
 
-    async def _move(self, kind: type[M], motion: str, progress: Shown, **params: Any) -> M:
-        with shown(progress) as on_progress:
+    async def _move(self, kind: type[M], motion: str, progress: ProgressOption, **params: Any) -> M:
+        with progress_callback(progress) as on_progress:
             answer = await self._link.call(motion, named(marker_id=self.id, **params), on_progress)
         moved = read(kind, answer)
         self.revision = moved.revision

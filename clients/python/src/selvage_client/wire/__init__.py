@@ -1,1 +1,1 @@
-"""Connections to a daemon: addresses, one connection, the link that reconnects, and calls from other threads."""
+"""Communication with a daemon: addresses, a connection, the link that reconnects, and calls from other threads."""

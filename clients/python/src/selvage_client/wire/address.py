@@ -1,4 +1,4 @@
-"""Where a daemon listens: HOST:PORT, tcp://HOST:PORT, tls://HOST:PORT or unix:PATH; or `engine:`, for this process."""
+"""Addresses: HOST:PORT, tcp://HOST:PORT, tls://HOST:PORT or unix:PATH of a daemon, or `engine:` for this process."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ IN_PROCESS = "engine:"
 
 @dataclass(frozen=True)
 class Address:
-    """Either `path`, of a Unix socket, or `host` and `port`; or none of them, but the engine `in_process`."""
+    """The `path` of a Unix socket, or `host` and `port`, or none of these for the engine `in_process`."""
 
     host: str = ""
     port: int = 0
@@ -20,7 +20,7 @@ class Address:
 
 
 def parse_address(text: str) -> Address:
-    """Raises ValueError, in words for the user."""
+    """Raises ValueError with a message for the user."""
     if text == IN_PROCESS:
         return Address(in_process=True)
     if text.startswith("unix:"):

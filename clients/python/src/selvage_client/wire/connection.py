@@ -1,7 +1,7 @@
-"""One connection to the daemon: lines of JSON, many calls under way, answers and notifications to whom they concern.
+"""One connection to the daemon, with a JSON message per line and any number of concurrent calls.
 
-A connection is made once and lost once; whoever waits for something then hears Lost.  Everything happens on the event
-loop that made it.
+It passes answers to the calls that wait for them, and notifications to their subscribers.  A connection that is lost is not
+reopened: all calls and subscribers are then sent Lost.  Everything happens on the event loop that made the connection.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ from typing import Any
 from .address import Address
 from ..messages.errors import ConnectionLost, HandshakeFailed, UnexpectedAnswer, call_error
 from ..messages.results import Progress
-from ..messages.words import read
+from ..messages.conversion import read
 
-# asyncio wants a bound for a line; a whole marker is one.
+# asyncio requires a limit for the length of a line, and a whole marker is one line.
 _LONGEST_LINE = 1 << 28
 
 
@@ -30,7 +30,7 @@ class Answer:
 
 
 @dataclass(frozen=True)
-class Told:
+class Notification:
     """A notification about a marker."""
 
     method: str
@@ -42,7 +42,7 @@ class Lost:
     reason: str
 
 
-Event = Answer | Progress | Told | Lost
+Event = Answer | Progress | Notification | Lost
 Deliver = Callable[[Event], None]
 
 
@@ -50,8 +50,8 @@ class Connection:
     def __init__(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         self._reader, self._writer = reader, writer
         self._ids = itertools.count(1)
-        self._calls: dict[int, tuple[Deliver, int]] = {}  # who waits for the answer, and how long the call is
-        self._listeners: dict[str, list[Deliver]] = {}  # by marker
+        self._calls: dict[int, tuple[Deliver, int]] = {}  # the receiver of the answer, and the length of the request
+        self._subscribers: dict[str, list[Deliver]] = {}  # by marker id
         self.lost: Lost | None = None
         self._reading = asyncio.create_task(self._read())
 
@@ -65,21 +65,21 @@ class Connection:
                 tls = (context or ssl.create_default_context()) if address.tls else None
                 ends = await asyncio.open_connection(address.host, address.port, limit=_LONGEST_LINE, ssl=tls)
         except OSError as error:
-            # A handshake that is cut short may be a daemon that is full or going down.
+            # A daemon that is full or shutting down may end the connection during the handshake: this can be retried.
             final = isinstance(error, ssl.SSLError) and not isinstance(error, ssl.SSLEOFError)
             where = address.path or f"{address.host}:{address.port}"
             raise (HandshakeFailed if final else ConnectionLost)(f"cannot reach {where}: {error}") from error
         connection = Connection(*ends)
         if token is not None and address.path is None:
             try:
-                await connection._show(token)
+                await connection._authenticate(token)
             except BaseException:
                 await connection.close()
                 raise
         return connection
 
     def call(self, method: str, params: dict[str, Any], deliver: Deliver, *, progress: bool = False) -> int:
-        """Sends a call; its rounds, if wanted, and its answer come to `deliver`.  The id is for cancel and forget."""
+        """Sends a call.  `deliver` receives its answer and, with `progress`, its rounds.  The id returned is for cancel."""
         number = next(self._ids)
         if progress:
             params = params | {"progressToken": number}
@@ -92,25 +92,25 @@ class Connection:
         return number
 
     def cancel(self, number: int) -> None:
-        """Ends a call that nobody waits for any more; nothing when it has been answered."""
+        """Cancels a call whose answer is no longer needed; has no effect if it has been answered."""
         if self._calls.pop(number, None) is None or self.lost:
             return
         stop = {"jsonrpc": "2.0", "method": "$/cancelRequest", "params": {"id": number}}
         self._writer.write(json.dumps(stop).encode() + b"\n")
 
-    def listen(self, marker_id: str, deliver: Deliver) -> None:
+    def subscribe(self, marker_id: str, deliver: Deliver) -> None:
         """From now on, notifications about a marker are passed to `deliver`."""
-        self._listeners.setdefault(marker_id, []).append(deliver)
+        self._subscribers.setdefault(marker_id, []).append(deliver)
 
-    def unlisten(self, marker_id: str, deliver: Deliver) -> bool:
-        """Does nobody listen any more?"""
-        listeners = self._listeners.get(marker_id, [])
-        if deliver in listeners:
-            listeners.remove(deliver)
-        return not listeners
+    def unsubscribe(self, marker_id: str, deliver: Deliver) -> bool:
+        """Returns whether the marker has no subscribers left."""
+        subscribers = self._subscribers.get(marker_id, [])
+        if deliver in subscribers:
+            subscribers.remove(deliver)
+        return not subscribers
 
     async def drain(self) -> None:
-        """Waits until what was sent is on its way; that it is lost is heard by those who wait for answers."""
+        """Waits until the requests have been written.  If the connection is lost, `deliver` of each call receives that."""
         try:
             await self._writer.drain()
         except OSError:
@@ -124,7 +124,7 @@ class Connection:
         except (OSError, ssl.SSLError):
             pass
 
-    async def _show(self, token: str) -> None:
+    async def _authenticate(self, token: str) -> None:
         answer: asyncio.Queue[Event] = asyncio.Queue()
         self.call("auth", {"token": token}, answer.put_nowait)
         match await answer.get():
@@ -139,7 +139,7 @@ class Connection:
             while line := await self._reader.readline():
                 self._route(json.loads(line))
         except (OSError, ValueError, KeyError, TypeError, AttributeError, UnexpectedAnswer) as error:
-            reason = f"the connection broke: {error!r}"
+            reason = f"the connection failed: {error!r}"
         self._end(reason)
 
     def _route(self, message: dict[str, Any]) -> None:
@@ -151,11 +151,11 @@ class Connection:
             if call := self._calls.get(params["token"]):
                 call[0](read(Progress, params))
         else:
-            for listener in list(self._listeners.get(params.get("markerId"), [])):
-                listener(Told(method, params))
+            for deliver in list(self._subscribers.get(params.get("markerId"), [])):
+                deliver(Notification(method, params))
 
     def _longest(self) -> int:
-        """The call that an answer without an id is about: one so long that the daemon did not read it.  0: none is open."""
+        """The longest call in progress, or 0.  An answer without an id refuses a call that was too long to be read."""
         return max(self._calls, key=lambda number: self._calls[number][1], default=0)
 
     def _end(self, reason: str) -> None:
@@ -163,8 +163,8 @@ class Connection:
             return
         self.lost = Lost(reason)
         self._writer.close()
-        waiting = [*(deliver for deliver, _ in self._calls.values()), *itertools.chain.from_iterable(self._listeners.values())]
+        waiting = [*(deliver for deliver, _ in self._calls.values()), *itertools.chain.from_iterable(self._subscribers.values())]
         self._calls.clear()
-        self._listeners.clear()
+        self._subscribers.clear()
         for deliver in waiting:
             deliver(self.lost)

@@ -1,6 +1,6 @@
-"""Calls that are answered in this process, by the engine of the distribution selvage-engine: the address `engine:`.
+"""The address `engine:`, at which the engine of the distribution selvage-engine answers calls in this process.
 
-It takes the place of a Connection, and cannot be lost.  The markers belong to it: another client has others.
+InProcess replaces a Connection and cannot be lost.  It has markers of its own, which other clients do not see.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ class Stop(Protocol):
 
 
 class InProcess:
-    """Everything but the engine's own work happens on the event loop that made it."""
+    """The engine works on threads of its own; everything else happens on the event loop that made this object."""
 
     def __init__(self) -> None:
         """Raises MissingExtra when the engine is not installed."""
@@ -36,11 +36,11 @@ class InProcess:
         self._workers = concurrent.futures.ThreadPoolExecutor(cores, thread_name_prefix="selvage-engine")
         self._loop = asyncio.get_running_loop()
         self._ids = itertools.count(1)
-        self._calls: dict[int, tuple[Deliver, Stop]] = {}  # who waits for the answer, and how the call is ended
+        self._calls: dict[int, tuple[Deliver, Stop]] = {}  # the receiver of the answer, and how to stop the call
         self.lost: Lost | None = None
 
     def call(self, method: str, params: dict[str, Any], deliver: Deliver, *, progress: bool = False) -> int:
-        """Begins a call; its rounds, if wanted, and its answer come to `deliver`.  The id is for cancel."""
+        """Begins a call.  `deliver` receives its answer and, with `progress`, its rounds.  The id returned is for cancel."""
         number = next(self._ids)
         if self.lost:
             deliver(self.lost)
@@ -56,7 +56,7 @@ class InProcess:
             try:
                 text = self._engine.answer(line, stop, on_round if progress else None)
                 event = _answer(json.loads(text))
-            except Exception as error:  # whoever waits must hear of it
+            except Exception as error:  # the caller must not wait for ever
                 event = Lost(f"the engine failed: {error!r}")
             self._loop.call_soon_threadsafe(self._end, number, event)
 
@@ -64,18 +64,18 @@ class InProcess:
         return number
 
     def cancel(self, number: int) -> None:
-        """Ends a call that nobody waits for any more; nothing when it has been answered."""
+        """Cancels a call whose answer is no longer needed; has no effect if it has been answered."""
         if found := self._calls.pop(number, None):
             found[1].request()
 
-    def listen(self, marker_id: str, deliver: Deliver) -> None:
-        """The call that asks for notifications is refused: nothing is ever delivered."""
+    def subscribe(self, marker_id: str, deliver: Deliver) -> None:
+        """Does nothing: the engine refuses to watch markers, so there are no notifications."""
 
-    def unlisten(self, marker_id: str, deliver: Deliver) -> bool:
+    def unsubscribe(self, marker_id: str, deliver: Deliver) -> bool:
         return True
 
     async def drain(self) -> None:
-        """Nothing is on its way."""
+        """Does nothing: there is no buffer to be written."""
 
     async def close(self) -> None:
         self.lost = Lost("closed")

@@ -1,8 +1,8 @@
-"""The way to the daemon, over as many connections as it takes.
+"""The link to the daemon, which reconnects and retries calls.
 
-A call whose connection is lost is sent again on a new one when that cannot apply it twice: reads, dry runs, and changes,
-whose `opId` makes the daemon answer the first answer.  So are calls that a busy or draining daemon refused.  What belongs to
-a connection - watching, dragging - is not: `once` is for these.
+A call whose connection is lost is sent again on a new one if it cannot be applied twice: a read, a dry run, or a change with
+an `opId`, for which the daemon repeats its first answer.  Calls that a busy or draining daemon refused are retried, too.
+Watching and dragging belong to one connection, so their calls are made with `once`, which never retries.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from ..messages.results import Progress
 
 T = TypeVar("T")
 
-_FIRST_PAUSE, _LONGEST_PAUSE = 0.05, 1.0  # seconds between two tries
+_FIRST_PAUSE, _LONGEST_PAUSE = 0.05, 1.0  # seconds between two attempts
 _READS = {"engine.info", "marker.list", "marker.get", "marker.check", "marker.hold", "marker.regions", "rpc.discover",
           "library.add", "library.get", "library.list", "library.search"}
 AnyConnection = Connection | InProcess
@@ -31,19 +31,19 @@ _CHANGES = {"marker.open", "marker.close", "marker.apply", "marker.undo", "marke
 
 
 def changes(method: str, params: dict[str, Any]) -> bool:
-    """Does the call change what the daemon keeps, so that it wants an opId?"""
+    """Whether the call changes the state of the daemon, so that it needs an opId."""
     return (method in _CHANGES or method in MOTIONS) and params.get("commit") is not False
 
 
 def may_repeat(method: str, params: dict[str, Any]) -> bool:
-    """May the call be sent again when its answer was lost?"""
+    """Whether the call may be sent again when its answer was lost."""
     dry = method in MOTIONS and params.get("commit") is False
     return method in _READS or dry or "opId" in params
 
 
 class Link:
     def __init__(self, address: str, token: str | None, context: ssl.SSLContext | None, patience: float) -> None:
-        """`patience`: seconds for which a call is tried again."""
+        """`patience`: for how many seconds a call is retried."""
         self.address = address
         self._address = parse_address(address)
         self._token, self._context, self._patience = token, context, patience
@@ -52,7 +52,7 @@ class Link:
         self._closed = False
 
     async def connection(self) -> AnyConnection:
-        """The present connection, or a new one.  Raises ConnectionLost, or MissingExtra for `engine:`."""
+        """The current connection, or a new one.  Raises ConnectionLost, or MissingExtra for `engine:`."""
         async with self._connecting:
             if self._closed:
                 raise ConnectionLost("the client is closed")
@@ -66,19 +66,19 @@ class Link:
         return await Connection.open(self._address, self._token, self._context)
 
     async def call(self, method: str, params: dict[str, Any], progress: OnProgress | None = None) -> Any:
-        """A call's result.  A change without an `opId` is given one.  Raises CallError and ConnectionLost."""
+        """Makes a call and returns its result.  Adds an `opId` to changes.  Raises CallError and ConnectionLost."""
         if changes(method, params) and "opId" not in params:
             params = params | {"opId": uuid.uuid4().hex}
 
         async def attempt() -> Any:
             return await self.once(await self.connection(), method, params, progress)
 
-        return await (self.patiently(attempt) if may_repeat(method, params) else attempt())
+        return await (self.with_retries(attempt) if may_repeat(method, params) else attempt())
 
     async def once(
         self, connection: AnyConnection, method: str, params: dict[str, Any], progress: OnProgress | None = None
     ) -> Any:
-        """The same on this connection or not at all, never repeated.  Whoever stops waiting cancels the call."""
+        """Makes a call on this connection and never retries it.  Cancelling the caller's task cancels the call."""
         events: asyncio.Queue[Event] = asyncio.Queue()
         number = connection.call(method, params, events.put_nowait, progress=progress is not None)
         try:
@@ -96,8 +96,8 @@ class Link:
         finally:
             connection.cancel(number)
 
-    async def patiently(self, attempt: Callable[[], Awaitable[T]]) -> T:
-        """Tries until it is answered, or patience has run out."""
+    async def with_retries(self, attempt: Callable[[], Awaitable[T]]) -> T:
+        """Repeats the attempt until it is answered or `patience` seconds have passed."""
         clock = asyncio.get_running_loop().time
         end, pause = clock() + self._patience, _FIRST_PAUSE
         while True:

@@ -1,4 +1,4 @@
-"""Blocking calls of what is written for asyncio: an event loop on a thread of its own, and the way to it."""
+"""Blocking calls of asynchronous methods, which run in an event loop on a thread of its own."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from typing import Any, Concatenate, ParamSpec, TypeVar
 
 from ..messages.errors import ConnectionLost
 from ..messages.results import Progress
-from .progress import shown
+from .progress import progress_callback
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -21,7 +21,7 @@ T = TypeVar("T")
 class Portal:
     def __init__(self) -> None:
         self._loop = asyncio.new_event_loop()
-        self._ending = threading.Lock()  # what is begun before the end is cancelled by it; nothing is begun after
+        self._ending = threading.Lock()  # closing cancels all calls begun before it; none is begun afterwards
         self.closed = False
         self._thread = threading.Thread(target=self._loop.run_forever, name="selvage", daemon=True)
         self._thread.start()
@@ -32,9 +32,9 @@ class Portal:
         steps: queue.SimpleQueue[Progress | None] | None = None,
         progress: Callable[[Progress], None] | None = None,
     ) -> T:
-        """Waits for the result, and calls `progress` here, on the caller's thread, with what is put into `steps`.
+        """Waits for the result, and calls `progress`, on this thread, with each value that is put into `steps`.
 
-        Whatever ends the waiting - Ctrl-C, an exception in `progress` - cancels the call.
+        Anything that ends the wait early, such as Ctrl-C or an exception in `progress`, cancels the call.
         """
         events = steps or queue.SimpleQueue[Progress | None]()
         with self._ending:
@@ -55,7 +55,7 @@ class Portal:
             raise
 
     def close(self) -> None:
-        """Nothing runs any more afterwards; calls that still wait fail."""
+        """Stops the event loop; calls in progress fail."""
         with self._ending:
             if self.closed:
                 return
@@ -74,20 +74,20 @@ class Portal:
 
 
 class Blocking:
-    """What has an asynchronous twin, and the portal to it."""
+    """The base of classes with blocking methods: the object's asynchronous twin, and the portal to its loop."""
 
     _portal: Portal
     _twin: Any
 
 
 def blocking(method: Callable[Concatenate[Any, P], Coroutine[Any, Any, T]]) -> Callable[Concatenate[Any, P], T]:
-    """The twin's method, of the same parameters and result, as one that waits."""
+    """The twin's method as one that blocks, with the same parameters and result."""
 
     @functools.wraps(method)
     def wait(self: Blocking, /, *args: P.args, **kwargs: P.kwargs) -> T:
         steps: queue.SimpleQueue[Progress | None] = queue.SimpleQueue()
         wanted: Any = kwargs.get("progress")
-        with shown(wanted) as progress:
+        with progress_callback(wanted) as progress:
             if "progress" in kwargs:
                 kwargs["progress"] = steps.put if progress else None
             return self._portal.run(method(self._twin, *args, **kwargs), steps, progress)

@@ -1,4 +1,4 @@
-"""What `progress` may be: a function that is called with each Progress, or True for a bar of the package tqdm."""
+"""The parameter `progress`: a function that is called with each Progress, or True for a progress bar of tqdm."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from ..extras import imported
 from ..messages.results import Progress
 
 OnProgress = Callable[[Progress], None]
-Shown = OnProgress | bool | None
+ProgressOption = OnProgress | bool | None
 
 
 @contextlib.contextmanager
-def shown(progress: Shown) -> Iterator[OnProgress | None]:
-    """The function to call; the bar ends with the block.  Raises MissingExtra when there is no tqdm."""
+def progress_callback(progress: ProgressOption) -> Iterator[OnProgress | None]:
+    """The function to call for each round; a bar ends with the block.  Raises MissingExtra if tqdm is missing."""
     if not isinstance(progress, bool):
         yield progress
     elif not progress:

@@ -1,6 +1,6 @@
-"""Python's words and the wire's: snake_case and camelCase, dataclasses and JSON.
+"""Conversion between Python and the protocol: snake_case and camelCase names, dataclasses and JSON.
 
-A result's unknown fields are ignored, as the protocol asks; a field without a default must be there.
+Unknown fields of a result are ignored, as the protocol requires; a field without a default must be present.
 """
 
 from __future__ import annotations
@@ -31,12 +31,12 @@ def snake(name: str) -> str:
 
 
 def named(**fields: Any) -> dict[str, Any]:
-    """Parameters by their names on the wire, without those that are None."""
+    """Parameters under their names in the protocol, without those that are None."""
     return {camel(name): value for name, value in fields.items() if value is not None}
 
 
 def read(kind: type[T], value: Any) -> T:
-    """A value of a type of results.py, from JSON.  Raises UnexpectedAnswer."""
+    """Makes a value of a type of results.py from JSON.  Raises UnexpectedAnswer."""
     try:
         return typing.cast(T, _read(kind, value))
     except (KeyError, TypeError, ValueError) as error:
